@@ -1,0 +1,14 @@
+// The dense vector and matrix types that all rooms share.
+#pragma once
+
+#include <Eigen/Core>
+#include <complex>
+
+namespace graze {
+
+using Vector = Eigen::VectorXd;
+using Matrix = Eigen::MatrixXd;
+using Complex = std::complex<double>;
+using ComplexVector = Eigen::VectorXcd;
+
+}  // namespace graze

@@ -1,0 +1,31 @@
+// A parameter is a number of the scene, named by its path: "forcing.frequency", "stop.gap" (the
+// first stop; "stop.2.gap" the second), "damping.viscous", "modal.frequencies.2". The one place
+// where names meet values, for --set, --parameter and tangents alike.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "graze/scene/scene.hpp"
+
+namespace graze {
+
+// The number that `path` names, or null when the scene has no such continuous parameter.
+double* find_parameter(Scene& scene, const std::string& path);
+const double* find_parameter(const Scene& scene, const std::string& path);
+
+// All continuous parameters that this scene has, for messages and suggestions.
+std::vector<std::string> parameter_names(const Scene& scene);
+
+// The scene with one parameter changed and checked again. Throws InputError for an unknown name or
+// a value outside the parameter's range.
+Scene with_parameter(const Scene& scene, const std::string& path, double value);
+
+// A scene of the same shape in which every number is zero but the named one, which is one: the
+// direction in which structure and system differentiate. Throws InputError for an unknown name.
+Scene parameter_direction(const Scene& scene, const std::string& path);
+
+// "rad/s", "m", .. of a parameter, for tables and axes; "" for a pure number.
+std::string parameter_unit(const Scene& scene, const std::string& path);
+
+}  // namespace graze

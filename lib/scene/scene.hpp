@@ -1,0 +1,103 @@
+// A scene: plain values that mirror the TOML file. What a scene does not name is absent here
+// (empty optional, empty list) and is never simulated. SI units, angles in radians.
+#pragma once
+
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "graze/base/errors.hpp"
+
+namespace graze {
+
+enum class Projection { kGalerkin, kCollocation };
+enum class Side { kAbove, kBelow };
+enum class Impulse { kMomentum, kCollocation };
+enum class ForcingKind { kBase, kDistributed, kModal };
+enum class FlowChoice { kAuto, kExact };
+
+// Euler-Bernoulli beam, clamped at x = 0, free at x = length.
+struct Beam {
+  double length = 0.0;          // m
+  double youngs_modulus = 0.0;  // Pa
+  double second_moment = 0.0;   // m^4
+  double density = 0.0;         // kg/m^3
+  double area = 0.0;            // m^2
+  int modes = 0;                // 1..400
+  Projection discretisation = Projection::kGalerkin;
+  std::vector<double> points;  // m from the clamp, one per mode, in (0, length]; empty: i L/N
+};
+
+// Any structure given by its mass-normalised modes; all lists have one entry per mode.
+struct ModalStructure {
+  std::vector<double> frequencies;     // rad/s, >= 0 (0: a free mass)
+  std::vector<double> damping_ratios;  // 1, >= 0; empty: none
+  std::vector<double> participation;   // modal force per unit of forcing amplitude; empty: none
+  std::vector<double> inertia;         // modal force per unit of uniform acceleration; empty: none
+};
+
+struct ViscousDamping {
+  double coefficient = 0.0;  // eta, N s/m^2: force per length per velocity relative to the clamp
+};
+struct DampingRatios {
+  std::vector<double> ratios;  // zeta_j, one per mode
+};
+struct RayleighDamping {
+  double mass = 0.0;       // 1/s
+  double stiffness = 0.0;  // s
+};
+using Damping = std::variant<ViscousDamping, DampingRatios, RayleighDamping>;
+
+// amplitude * cos(frequency t + phase)
+struct Forcing {
+  ForcingKind kind = ForcingKind::kBase;
+  double amplitude = 0.0;  // base: m; distributed: N/m; modal: 1
+  double frequency = 0.0;  // rad/s, > 0
+  double phase = 0.0;      // rad
+};
+
+struct Stop {
+  double position = 0.0;       // m from the clamp (beam)
+  std::vector<double> shape;   // phi_j at the stop (modal structure), kg^-1/2
+  double gap = 0.0;            // m; may be 0 or negative (preload)
+  Side side = Side::kAbove;    // above: free while u < gap; below: free while u > -gap
+  double restitution = 0.0;    // r, 0..1
+  Impulse impulse = Impulse::kMomentum;
+};
+
+struct Initial {
+  std::vector<double> q;     // kg^1/2 m, one per mode
+  std::vector<double> qdot;  // kg^1/2 m/s, one per mode
+};
+
+struct Solver {
+  FlowChoice flow = FlowChoice::kAuto;
+  double tolerance = 1e-10;  // of the stop's displacement over one forcing period, relative
+};
+
+// Where each key of the scene was written: "forcing.frequency" -> file:line:column.
+using Origins = std::map<std::string, SourceLocation>;
+
+struct Scene {
+  std::string title;
+  std::variant<Beam, ModalStructure> structure;
+  std::optional<Damping> damping;
+  std::optional<Forcing> forcing;
+  std::vector<Stop> stops;
+  std::optional<Initial> initial;
+  Solver solver;
+  std::shared_ptr<const Origins> origins;  // null for a scene made in code
+
+  const Beam* beam() const { return std::get_if<Beam>(&structure); }
+  const ModalStructure* modal() const { return std::get_if<ModalStructure>(&structure); }
+  // Number of modes N.
+  int modes() const;
+};
+
+// An error about `key`, located where the key (or else the nearest table above it) was written.
+InputError scene_error(const Scene& scene, const std::string& key, const std::string& sentence);
+
+}  // namespace graze
