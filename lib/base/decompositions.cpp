@@ -1,0 +1,51 @@
+#include "graze/base/decompositions.hpp"
+
+#include <Eigen/Eigenvalues>
+#include <Eigen/LU>
+#include <Eigen/QR>
+#include <Eigen/SVD>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <unsupported/Eigen/MatrixFunctions>
+
+namespace graze {
+
+double condition_number(const Matrix& matrix) {
+  const Vector sigma = Eigen::JacobiSVD<Matrix>(matrix).singularValues();
+  const double smallest = sigma[sigma.size() - 1];
+  return smallest > 0.0 ? sigma[0] / smallest : std::numeric_limits<double>::infinity();
+}
+
+std::vector<Eigenvalue> eigenvalues(const Matrix& matrix) {
+  const Eigen::EigenSolver<Matrix> solver(matrix, true);
+  if (solver.info() != Eigen::Success) return {};
+  const Eigen::MatrixXcd right = solver.eigenvectors();
+  const Eigen::MatrixXcd left = right.partialPivLu().inverse();
+  const double unit = std::numeric_limits<double>::epsilon() *
+                      static_cast<double>(matrix.rows()) * matrix.norm();
+  std::vector<Eigenvalue> list;
+  for (Eigen::Index i = 0; i < matrix.rows(); ++i) {
+    const double condition = right.col(i).norm() * left.row(i).norm();
+    list.push_back({solver.eigenvalues()[i], std::isfinite(condition)
+                                                 ? unit * condition
+                                                 : std::numeric_limits<double>::infinity()});
+  }
+  std::stable_sort(list.begin(), list.end(), [](const Eigenvalue& a, const Eigenvalue& b) {
+    const double ma = std::abs(a.value), mb = std::abs(b.value);
+    // A conjugate pair has one modulus up to rounding of hypot; Eigen returns it bit-identical.
+    if (ma != mb) return ma > mb;
+    return a.value.imag() < b.value.imag();
+  });
+  return list;
+}
+
+Matrix matrix_exponential(const Matrix& matrix) { return matrix.exp(); }
+
+Vector null_vector(const Matrix& matrix) {
+  const Eigen::ColPivHouseholderQR<Matrix> qr(matrix.transpose());
+  const Matrix q = qr.householderQ();
+  return q.col(q.cols() - 1);
+}
+
+}  // namespace graze

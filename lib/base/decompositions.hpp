@@ -1,0 +1,30 @@
+// The matrix decompositions that are slow to compile, kept in one translation unit.
+#pragma once
+
+#include <vector>
+
+#include "graze/base/vector.hpp"
+
+namespace graze {
+
+// Ratio of the largest to the smallest singular value; infinity for a singular matrix.
+double condition_number(const Matrix& matrix);
+
+// An eigenvalue and a first-order bound on its rounding error: eps n |A| times the eigenvalue's own
+// condition number. Infinite where the matrix is defective.
+struct Eigenvalue {
+  Complex value;
+  double error = 0.0;
+};
+
+// Eigenvalues of a real square matrix, largest modulus first, conjugate pairs adjacent with the
+// negative imaginary part first. Empty when the iteration does not converge.
+std::vector<Eigenvalue> eigenvalues(const Matrix& matrix);
+
+// The matrix exponential (Pade approximation with scaling and squaring).
+Matrix matrix_exponential(const Matrix& matrix);
+
+// A unit vector that `matrix` (n x (n + 1)) maps to zero.
+Vector null_vector(const Matrix& matrix);
+
+}  // namespace graze

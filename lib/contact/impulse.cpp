@@ -1,0 +1,38 @@
+#include "graze/contact/impulse.hpp"
+
+#include <Eigen/LU>
+#include <cmath>
+
+namespace graze {
+
+Vector momentum_direction(const Vector& row) { return row / row.squaredNorm(); }
+
+Vector momentum_direction_rate(const Vector& row, const Vector& row_rate) {
+  const double norm2 = row.squaredNorm();
+  return row_rate / norm2 - row * (2.0 * row.dot(row_rate) / (norm2 * norm2));
+}
+
+Vector collocation_direction(const Matrix& phi, int point, double sign) {
+  return sign * phi.partialPivLu().solve(Vector::Unit(phi.rows(), point));
+}
+
+Vector collocation_direction_rate(const Matrix& phi, const Matrix& phi_rate,
+                                  const Vector& direction) {
+  return -phi.partialPivLu().solve(phi_rate * direction);
+}
+
+double impact_energy_change(const Vector& direction, const Vector& before, double v,
+                            double restitution) {
+  const double jump = (1.0 + restitution) * v;
+  return jump * (0.5 * jump * direction.squaredNorm() - direction.dot(before));
+}
+
+double worst_energy_gain(const Vector& row, const Vector& direction, double restitution) {
+  // Only the plane of b and d changes; there J^T J has determinant r^2 and this trace.
+  const double k = 1.0 + restitution;
+  const double trace = 2.0 - 2.0 * k + k * k * row.squaredNorm() * direction.squaredNorm();
+  const double r2 = restitution * restitution;
+  return 0.5 * (trace + std::sqrt(std::fmax(trace * trace - 4.0 * r2, 0.0)));
+}
+
+}  // namespace graze

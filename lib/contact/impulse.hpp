@@ -1,0 +1,30 @@
+// The impulse laws of a rigid stop: one rank-one jump of the modal velocities,
+//
+//   q'+ = q'- - (1 + r) d (b.q'-),   b.d = 1   =>   v+ = -r v-,
+//
+// with b the contact row (v = b.q' is the approach speed) and d the direction of the law.
+#pragma once
+
+#include "graze/base/vector.hpp"
+
+namespace graze {
+
+// Generalised impulse with momentum balance: d = b/(b.b).
+Vector momentum_direction(const Vector& row);
+Vector momentum_direction_rate(const Vector& row, const Vector& row_rate);
+
+// Phi^-1 R Phi of Wagg (2004), eq. 13: d = Phi^-1 e_i, with `sign` the sign of the row against
+// phi(x_i) (-1 for a stop below). Every other collocation point keeps its velocity.
+Vector collocation_direction(const Matrix& phi, int point, double sign);
+Vector collocation_direction_rate(const Matrix& phi, const Matrix& phi_rate,
+                                  const Vector& direction);
+
+// Change of kinetic energy (J) by the impact of velocities `before` at approach speed v.
+double impact_energy_change(const Vector& direction, const Vector& before, double v,
+                            double restitution);
+
+// The largest factor by which the jump can multiply kinetic energy: 1 for the momentum law, more
+// for an oblique direction (the square of the largest singular value of I - (1 + r) d b^T).
+double worst_energy_gain(const Vector& row, const Vector& direction, double restitution);
+
+}  // namespace graze

@@ -1,0 +1,292 @@
+#include "graze/continuation/branch.hpp"
+
+#include <algorithm>
+#include <boost/math/tools/roots.hpp>
+#include <cmath>
+#include <limits>
+
+#include "graze/continuation/corrector.hpp"
+
+namespace graze {
+namespace {
+
+// Growth of the step after an easy one, and the turn (as a part of the largest) it aims at.
+constexpr double kGrowth = 1.5;
+constexpr double kAimedTurn = 0.5;
+// Slack, rad, in comparing a step's chord with the tangents at its ends.
+constexpr double kChordSlack = 0.1;
+
+double angle(const Vector& a, const Vector& b) {
+  return std::acos(std::clamp(a.dot(b) / (a.norm() * b.norm()), -1.0, 1.0));
+}
+
+// Whether the cubic through both ends' parameters and rates turns back between them although the
+// rates agree in sign: a pair of folds within one step.
+bool hides_folds(double rate_a, double rate_b, double rise, double length) {
+  if (rate_a * rate_b <= 0.0) return false;
+  // Derivative of the Hermite cubic on [0, 1]: p0 + 2 p1 t + 3 p2 t^2.
+  const double m0 = rate_a * length, m1 = rate_b * length;
+  const double p1 = 3.0 * rise - 2.0 * m0 - m1, p2 = m0 + m1 - 2.0 * rise;
+  if (p2 == 0.0) return false;
+  const double lowest = -p1 / (3.0 * p2);
+  if (!(lowest > 0.0 && lowest < 1.0)) return false;
+  const double value = m0 + 2.0 * p1 * lowest + 3.0 * p2 * lowest * lowest;
+  return value * rate_a < 0.0;
+}
+
+class Tracer {
+ public:
+  Tracer(const ZeroProblem& problem, const ContinuationOptions& options)
+      : problem_(problem), options_(options), corrector_(problem, options) {}
+
+  Branch trace(const BranchPoint& start) {
+    Branch forward = follow(start, 1.0);
+    if (forward.closed()) {
+      forward.ends[0] = BranchEnd::kClosed;
+      forward.evaluations = corrector_.evaluations();
+      return forward;
+    }
+    const Branch backward = follow(start, -1.0);
+    return join(backward, forward);
+  }
+
+ private:
+  Branch follow(const BranchPoint& start, double sign) {
+    Branch branch;
+    branch.points.push_back(start);
+    branch.points.back().tangent *= sign;
+    double h = 0.1 * longest_step(branch.points.back());
+    while (true) {
+      if (options_.interrupted && options_.interrupted->load(std::memory_order_relaxed))
+        return ended(std::move(branch), BranchEnd::kInterrupted);
+      if (static_cast<int>(branch.points.size()) > options_.max_points)
+        return ended(std::move(branch), BranchEnd::kStepLimit);
+      const BranchPoint& here = branch.points.back();
+      h = std::min(h, longest_step(here));
+      std::optional<BranchPoint> next;
+      double turn = 0.0;
+      while (!(next = step(here, h, &turn))) {
+        ++branch.rejected;
+        h *= 0.5;
+        // Below this the two ends of a step are one point in double precision.
+        if (h < 1e3 * std::numeric_limits<double>::epsilon() * (1.0 + corrector_.pack(here).norm()))
+          return ended(std::move(branch), BranchEnd::kNotConverged);
+      }
+      if (advance(branch, *next)) return branch;
+      h *= std::clamp(kAimedTurn * options_.max_turn / std::max(turn, 1e-12), 0.5, kGrowth);
+    }
+  }
+
+  static Branch ended(Branch branch, BranchEnd end) {
+    branch.ends[1] = end;
+    return branch;
+  }
+
+  // Appends a step's end, or what comes before it: the limit, the start of a closed branch. True
+  // when that ends the branch.
+  bool advance(Branch& branch, const BranchPoint& next) {
+    const BranchPoint here = branch.points.back();
+    if (branch.points.size() > 2 && closes(branch, here, next)) {
+      add(branch, here, closing_point(branch, here));
+      branch.ends[1] = BranchEnd::kClosed;
+      return true;
+    }
+    // A fold beyond the limit means that the branch left the range before it.
+    const std::optional<BranchPoint> fold = fold_between(here, next);
+    const bool fold_outside = fold && outside(fold->parameter);
+    if (outside(next.parameter) || fold_outside) {
+      const BranchPoint& beyond = fold_outside ? *fold : next;
+      const double limit = beyond.parameter > std::max(options_.from, options_.to)
+                               ? std::max(options_.from, options_.to)
+                               : std::min(options_.from, options_.to);
+      branch.ends[1] = BranchEnd::kParameterLimit;
+      if (here.parameter == limit) return true;
+      std::optional<BranchPoint> end =
+          between(here, beyond, [&](const BranchPoint& p) { return p.parameter - limit; });
+      if (!end) {
+        branch.ends[1] = BranchEnd::kNotConverged;
+        return true;
+      }
+      // The last digits of the parameter are the limit's own.
+      Vector x = corrector_.pack(*end);
+      x[x.size() - 1] = limit / corrector_.range();
+      const Vector along = end->tangent;
+      if (const auto exact = corrector_.at_parameter(x)) {
+        end = exact;
+        if (end->tangent.dot(along) < 0.0) end->tangent *= -1.0;
+      }
+      end->parameter = limit;
+      add(branch, here, *end);
+      return true;
+    }
+    add(branch, here, next);
+    return false;
+  }
+
+  void add(Branch& branch, const BranchPoint& here, const BranchPoint& next) {
+    if (const auto fold = fold_between(here, next))
+      branch.folds.push_back({*fold, branch.points.size() - 1});
+    branch.points.push_back(next);
+  }
+
+  std::optional<BranchPoint> fold_between(const BranchPoint& a, const BranchPoint& b) {
+    const auto rate = [](const BranchPoint& p) { return p.tangent[p.tangent.size() - 1]; };
+    if (rate(a) * rate(b) >= 0.0) return {};
+    return between(a, b, rate);
+  }
+
+  // One step of length h, accepted only where it stays on this branch.
+  std::optional<BranchPoint> step(const BranchPoint& here, double h, double* turn) {
+    const Vector x = corrector_.pack(here);
+    std::optional<BranchPoint> next = corrector_.on_hyperplane(x + h * here.tangent, here.tangent);
+    if (!next) return {};
+    const Vector chord = corrector_.pack(*next) - x;
+    *turn = angle(next->tangent, here.tangent);
+    if (*turn > options_.max_turn) return {};
+    // On a smooth arc the chord leans on both tangents by half the turn; a chord that leans more
+    // has crossed over to a neighbour.
+    if (angle(chord, here.tangent) + angle(chord, next->tangent) > *turn + kChordSlack) return {};
+    const Eigen::Index last = x.size() - 1;
+    if (hides_folds(here.tangent[last], next->tangent[last], chord[last], chord.norm()))
+      return {};
+    return next;
+  }
+
+  double longest_step(const BranchPoint& here) const {
+    const Eigen::Index n = here.u.size();
+    const double max_step = options_.max_step > 0.0 ? options_.max_step : corrector_.range() / 50.0;
+    const double along = std::abs(here.tangent[n]) * corrector_.range();
+    const double moved = here.tangent.head(n).norm();
+    return std::min(max_step / std::max(along, 1e-3 * max_step),
+                    options_.max_distance / std::max(moved, 1e-3 * options_.max_distance));
+  }
+
+  bool outside(double parameter) const {
+    return parameter < std::min(options_.from, options_.to) ||
+           parameter > std::max(options_.from, options_.to);
+  }
+
+  BranchPoint closing_point(const Branch& branch, const BranchPoint& here) const {
+    BranchPoint start = branch.points.front();
+    // The same point, with angles as the branch has counted them.
+    const Vector x = corrector_.pack(here);
+    start.u = (x + corrector_.difference(corrector_.pack(start), x)).head(start.u.size());
+    return start;
+  }
+
+  bool closes(const Branch& branch, const BranchPoint& here, const BranchPoint& next) {
+    const BranchPoint& start = branch.points.front();
+    return passes(here, next, start) && start.tangent.dot(here.tangent) > 0.0;
+  }
+
+  std::optional<BranchPoint> between(const BranchPoint& a, const BranchPoint& b,
+                                     const std::function<double(const BranchPoint&)>& test) {
+    return locate_with(corrector_, a, b, test);
+  }
+
+  Branch join(const Branch& backward, const Branch& forward) {
+    Branch branch;
+    branch.ends = {backward.ends[1], forward.ends[1]};
+    branch.rejected = backward.rejected + forward.rejected;
+    branch.evaluations = corrector_.evaluations();
+    for (auto p = backward.points.rbegin(); p != backward.points.rend(); ++p) {
+      branch.points.push_back(*p);
+      branch.points.back().tangent *= -1.0;
+    }
+    for (auto f = backward.folds.rbegin(); f != backward.folds.rend(); ++f) {
+      branch.folds.push_back({f->point, backward.points.size() - 2 - f->after});
+      branch.folds.back().point.tangent *= -1.0;
+    }
+    for (const Fold& f : forward.folds)
+      branch.folds.push_back({f.point, f.after + backward.points.size() - 1});
+    branch.points.insert(branch.points.end(), forward.points.begin() + 1, forward.points.end());
+    return branch;
+  }
+
+ public:
+  // Whether `point` lies on the branch between neighbours a and b.
+  bool passes(const BranchPoint& a, const BranchPoint& b, const BranchPoint& point) {
+    const Vector x = corrector_.pack(a);
+    const Vector chord = corrector_.pack(b) - x;
+    const double length = chord.norm();
+    const Vector offset = corrector_.difference(corrector_.pack(point), x);
+    const double along = offset.dot(chord) / length;
+    if (!(along >= -1e-6 * length && along <= length * (1.0 + 1e-6))) return false;
+    if ((offset - along * chord / length).norm() > 0.5 * options_.max_turn * length) return false;
+    const double s = offset.dot(a.tangent);
+    const auto there = corrector_.on_hyperplane(x + s * a.tangent, a.tangent);
+    // Solutions are known to about sqrt(eps) where they are least well determined.
+    return there && corrector_.difference(corrector_.pack(*there), x + offset).norm() < 1e-7;
+  }
+
+  static std::optional<BranchPoint> locate_with(
+      Corrector& corrector, const BranchPoint& a, const BranchPoint& b,
+      const std::function<double(const BranchPoint&)>& test) {
+    const Vector x = corrector.pack(a);
+    const double length = corrector.difference(corrector.pack(b), x).dot(a.tangent);
+    const double at_a = test(a), at_b = test(b);
+    if (at_a == 0.0) return a;
+    if (at_b == 0.0) return b;
+    if (!(at_a * at_b < 0.0) || !(length > 0.0)) return {};
+    std::optional<BranchPoint> best;
+    double smallest = std::numeric_limits<double>::infinity();
+    bool failed = false;
+    const auto value = [&](double s) {
+      const auto point = corrector.on_hyperplane(x + s * a.tangent, a.tangent);
+      if (!point) {
+        failed = true;
+        return 0.0;  // ends the search
+      }
+      const double v = test(*point);
+      if (std::abs(v) <= smallest) {
+        smallest = std::abs(v);
+        best = point;
+      }
+      return v;
+    };
+    // To the last bits of s; 100 halvings exhaust them even from afar.
+    std::uintmax_t iterations = 100;
+    boost::math::tools::toms748_solve(value, 0.0, length, at_a, at_b,
+                                      boost::math::tools::eps_tolerance<double>(52), iterations);
+    return failed ? std::nullopt : best;
+  }
+
+ private:
+  const ZeroProblem& problem_;
+  const ContinuationOptions& options_;
+  Corrector corrector_;
+};
+
+}  // namespace
+
+std::optional<BranchPoint> solve_at(const ZeroProblem& problem, const ContinuationOptions& options,
+                                    const Vector& u, double parameter) {
+  Corrector corrector(problem, options);
+  Vector x(u.size() + 1);
+  x << u, parameter / corrector.range();
+  std::optional<BranchPoint> point = corrector.at_parameter(x);
+  if (point) point->parameter = parameter;
+  return point;
+}
+
+Branch trace_branch(const ZeroProblem& problem, const ContinuationOptions& options,
+                    const BranchPoint& start) {
+  return Tracer(problem, options).trace(start);
+}
+
+std::optional<BranchPoint> locate(const ZeroProblem& problem, const ContinuationOptions& options,
+                                  const BranchPoint& a, const BranchPoint& b,
+                                  const std::function<double(const BranchPoint&)>& test) {
+  Corrector corrector(problem, options);
+  return Tracer::locate_with(corrector, a, b, test);
+}
+
+bool lies_on(const ZeroProblem& problem, const ContinuationOptions& options, const Branch& branch,
+             const BranchPoint& point) {
+  Tracer tracer(problem, options);
+  for (std::size_t i = 0; i + 1 < branch.points.size(); ++i)
+    if (tracer.passes(branch.points[i], branch.points[i + 1], point)) return true;
+  return false;
+}
+
+}  // namespace graze

@@ -1,0 +1,98 @@
+#include "graze/continuation/corrector.hpp"
+
+#include <Eigen/LU>
+#include <cmath>
+
+#include "graze/base/decompositions.hpp"
+
+namespace graze {
+namespace {
+
+constexpr int kMostIterations = 8;
+// Newton's steps must at least halve; slower contraction means that the guess lies outside the
+// region of quadratic convergence and may slide to another branch.
+constexpr double kContraction = 0.5;
+// A step this small leaves an error of its square, below rounding.
+constexpr double kSettled = 1e-8;
+
+}  // namespace
+
+Corrector::Corrector(const ZeroProblem& problem, const ContinuationOptions& options)
+    : problem_(problem), options_(options), range_(std::abs(options.to - options.from)) {
+  if (!(range_ > 0.0)) range_ = 1.0;
+}
+
+Vector Corrector::pack(const BranchPoint& point) const {
+  Vector x(point.u.size() + 1);
+  x << point.u, point.parameter / range_;
+  return x;
+}
+
+BranchPoint Corrector::unpack(const Vector& x, const Vector& tangent, double residual) const {
+  const Eigen::Index n = x.size() - 1;
+  return {x.head(n), x[n] * range_, tangent, residual};
+}
+
+std::optional<Corrector::Linearised> Corrector::linearise(const Vector& x) {
+  const Eigen::Index n = x.size() - 1;
+  ++evaluations_;
+  const std::optional<ZeroEvaluation> at = problem_.evaluate(x.head(n), x[n] * range_);
+  if (!at || !at->residual.allFinite() || !at->jacobian.allFinite() ||
+      !at->parameter_derivative.allFinite())
+    return {};
+  Matrix slope(n, n + 1);
+  slope << at->jacobian, at->parameter_derivative * range_;
+  return Linearised{at->residual, slope};
+}
+
+std::optional<BranchPoint> Corrector::solve(Vector x, const Vector& normal) {
+  const Eigen::Index n = x.size() - 1;
+  double last = std::numeric_limits<double>::infinity();
+  for (int i = 0; i < kMostIterations; ++i) {
+    const std::optional<Linearised> at = linearise(x);
+    if (!at) return {};
+    Matrix bordered(n + 1, n + 1);
+    bordered << at->slope, normal.transpose();
+    const Eigen::PartialPivLU<Matrix> lu(bordered);
+    const double residual = at->residual.cwiseAbs().maxCoeff();
+    if (residual <= options_.residual_tolerance && last <= kSettled) {
+      const Vector tangent = lu.solve(Vector::Unit(n + 1, n)).normalized();
+      if (!tangent.allFinite()) return {};
+      return unpack(x, tangent, residual);
+    }
+    Vector target = Vector::Zero(n + 1);
+    target.head(n) = -at->residual;
+    const Vector step = lu.solve(target);
+    const double size = step.norm();
+    if (!std::isfinite(size) || (size > kContraction * last && size > kSettled)) return {};
+    x += step;
+    last = size;
+  }
+  return {};
+}
+
+std::optional<BranchPoint> Corrector::on_hyperplane(const Vector& guess, const Vector& normal) {
+  return solve(guess, normal);
+}
+
+std::optional<BranchPoint> Corrector::at_parameter(const Vector& guess) {
+  // Newton at a fixed parameter is Newton on the hyperplane normal to the parameter's axis; only
+  // the tangent has to be sought without it, for it may lie in that hyperplane.
+  const Eigen::Index n = guess.size() - 1;
+  std::optional<BranchPoint> point = solve(guess, Vector::Unit(n + 1, n));
+  if (!point) return {};
+  const std::optional<Linearised> at = linearise(pack(*point));
+  if (!at) return {};
+  point->tangent = null_vector(at->slope);
+  if (point->tangent[n] < 0.0) point->tangent *= -1.0;
+  return point;
+}
+
+Vector Corrector::difference(const Vector& x, const Vector& y) const {
+  Vector d = x - y;
+  for (Eigen::Index i = 0; i < problem_.wrap.size(); ++i)
+    if (problem_.wrap[i] > 0.0) d[i] = std::remainder(d[i], problem_.wrap[i]);
+  return d;
+}
+
+}  // namespace graze

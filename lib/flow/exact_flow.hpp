@@ -1,0 +1,96 @@
+// The exact motion of the linear modal system between events.
+//
+// Each mode is a free part, written in the form that suits its damping, and a forced part
+// p_j = Re(P_j e^{i theta}), P_j = f_j/(w_j^2 - W^2 + 2 i delta_j W):
+//   - oscillatory:    Re(Z e^{(-delta + i wd) s}) + p
+//   - overdamped:     A e^{-slow s} + B e^{-fast s} + p
+//   - near critical:  the basis of free_basis.hpp + p (also a free mass, w = 0)
+//   - resonant:       P_j is large against the motion and cancels it; the forced response from rest
+//                     is written as a divided difference of exponentials instead, exact down to
+//                     zero detuning and damping.
+// A template on the scalar: double, and an extended type for references.
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "graze/flow/instant.hpp"
+#include "graze/system/system.hpp"
+
+namespace graze {
+
+template <class Real>
+using RealVector = Eigen::Matrix<Real, Eigen::Dynamic, 1>;
+
+template <class Real>
+struct PlanarNumber {  // a complex number; std::complex promises nothing for extended scalars
+  Real re = 0;
+  Real im = 0;
+};
+
+enum class ModeKind { kOscillatory, kOverdamped, kNearCritical, kResonant };
+
+template <class Real>
+struct ModeFlow {
+  ModeKind kind = ModeKind::kOscillatory;
+  Real omega = 0, delta = 0;
+  Real discriminant = 0;      // w^2 - delta^2
+  Real first = 0, second = 0; // oscillatory: delta, wd; overdamped: slow, fast rate; 1/s
+  Real force = 0;             // f_j
+  PlanarNumber<Real> forced;  // P_j; zero for a resonant mode
+};
+
+template <class Real>
+class ExactFlow {
+ public:
+  explicit ExactFlow(const System& system);
+
+  int modes() const { return static_cast<int>(modes_.size()); }
+  const ModeFlow<Real>& mode(int j) const { return modes_[static_cast<std::size_t>(j)]; }
+  bool forced() const { return forced_; }
+  Real frequency() const { return frequency_; }
+  // Forcing period, s; infinity without forcing.
+  Real period() const { return period_; }
+  // Forcing phase at an instant, rad: frequency * local + phase.
+  Real phase(const Instant<Real>& instant) const {
+    return forced_ ? Real(frequency_ * instant.local + phase_) : Real(0);
+  }
+
+ private:
+  std::vector<ModeFlow<Real>> modes_;
+  bool forced_ = false;
+  Real frequency_ = 0, phase_ = 0, period_ = 0;
+};
+
+// One smooth piece of motion, from a state at forcing phase theta; s counts from its start.
+// Refers to its flow, which must outlive it; can be restarted without allocating.
+template <class Real>
+class Arc {
+ public:
+  explicit Arc(const ExactFlow<Real>& flow);
+
+  void start(const Real& theta, const RealVector<Real>& q, const RealVector<Real>& qdot);
+  // Displacements and velocities at s >= 0.
+  void state(const Real& s, RealVector<Real>& q, RealVector<Real>& qdot) const;
+
+  const ExactFlow<Real>& flow() const { return *flow_; }
+  const Real& start_phase() const { return theta_; }
+  // The two numbers of mode j: oscillatory Z = first + i second; overdamped A, B; otherwise the
+  // free part's displacement and velocity at the start.
+  const PlanarNumber<Real>& amplitude(int j) const {
+    return amplitudes_[static_cast<std::size_t>(j)];
+  }
+
+ private:
+  const ExactFlow<Real>* flow_;
+  Real theta_ = 0;
+  std::vector<PlanarNumber<Real>> amplitudes_;
+};
+
+// Forced response from rest of a resonant mode and its rate, divided by the modal force:
+// solution of x'' + 2 delta x' + w^2 x = e^{i (theta + W s)}, real part.
+template <class Real>
+PlanarNumber<Real> resonant_response(const ModeFlow<Real>& mode, const Real& frequency,
+                                     const Real& theta, const Real& s);
+
+}  // namespace graze

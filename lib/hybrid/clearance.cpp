@@ -1,0 +1,45 @@
+#include "graze/hybrid/clearance.hpp"
+
+#include "graze/hybrid/first_zero.hpp"
+
+namespace graze {
+namespace {
+
+// Whether the gap rises at s; where its rate is lost in rounding, its acceleration decides.
+bool rises(const GapCurve<double>& curve, double s) {
+  const CurvePoint<double> rate = curve.at(s, 1);
+  return std::abs(rate.value) > rate.noise ? rate.value > 0.0 : rate.slope > 0.0;
+}
+
+}  // namespace
+
+std::optional<double> smallest_minimum(const GapCurve<double>& curve) {
+  std::optional<double> smallest;
+  double s = 0.0;
+  bool rising = rises(curve, s);
+  int evaluations = 0;
+  while (evaluations < kMostSearchEvaluations) {
+    const FirstZero<double> extremum = first_extremum(curve, s, rising);
+    evaluations += extremum.evaluations;
+    if (extremum.kind == ZeroKind::kCrossing) {
+      s = extremum.s;
+      if (!rising) {
+        const double gap = curve.at(s, 0).value;
+        if (!smallest || gap < *smallest) smallest = gap;
+      }
+      rising = !rising;
+    } else if (extremum.kind == ZeroKind::kTouch) {
+      // An inflection within rounding: pass the width over which the rate stays in its rounding.
+      const CurvePoint<double> point = curve.at(extremum.s, 1);
+      const double width = std::sqrt(2.0 * point.noise / point.bound);
+      if (!(extremum.s + width > s)) return smallest;
+      s = extremum.s + width;
+      rising = rises(curve, s);
+    } else {
+      return smallest;
+    }
+  }
+  return smallest;
+}
+
+}  // namespace graze

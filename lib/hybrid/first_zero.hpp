@@ -1,0 +1,139 @@
+// The certified first descent of a curve through zero: the gap for contacts, its rate for extrema.
+//
+// From a point with value g >= 0 and slope g', and |second derivative| <= K from there on, the
+// curve stays positive at least until the first root s of g + g' s - K s^2/2 = 0. Stepping by that
+// s never passes the first zero and converges to it from the left; there is no step size to tune
+// and nothing to miss. Once Newton's method is certain to converge to that same zero (Kantorovich:
+// 2 K |g| <= g'^2) it finishes.
+//
+// Near tangency double precision cannot always tell a touch from a miss; then the answer is a
+// touch, which says that the curve comes within its own rounding error of zero.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "graze/flow/gap_curve.hpp"
+
+namespace graze {
+
+enum class ZeroKind {
+  kNone,     // positive up to the end of the window
+  kCrossing, // a zero with negative slope
+  kTouch,    // within rounding of zero, crossing undecided
+  kBlocked,  // starts at zero with no way to leave: rest against a push
+  kBudget    // more evaluations than allowed
+};
+
+template <class Real>
+struct FirstZero {
+  ZeroKind kind = ZeroKind::kNone;
+  Real s = 0;
+  Real slope = 0;  // of the curve at s
+  int evaluations = 0;
+};
+
+// The search is bounded: near-tangent motion at the noise floor takes a few thousand evaluations.
+inline constexpr int kMostSearchEvaluations = 1000000;
+
+namespace first_zero_detail {
+
+// First positive root of value + slope s - bound s^2/2, written without squaring small numbers.
+template <class Real>
+Real safe_step(const Real& value, const Real& slope, const Real& bound) {
+  using std::abs, std::sqrt;
+  if (bound == 0) {
+    if (slope >= 0) return std::numeric_limits<Real>::infinity();
+    return -value / slope;
+  }
+  if (slope == 0) return sqrt(2 * (value / bound));
+  const Real root = sqrt(1 + 2 * (value / slope) * (bound / slope));
+  return slope > 0 ? Real((slope / bound) * (1 + root))
+                   : Real((value / -slope) * (2 / (1 + root)));
+}
+
+// Newton's method inside its ball of certain convergence; stops when the step no longer shrinks.
+template <class Real, class Sample>
+FirstZero<Real> finish(const Sample& sample, Real s, CurvePoint<Real> point, int evaluations) {
+  using std::abs;
+  Real step = -point.value / point.slope;
+  // 60 halvings exhaust any scalar in use; quadratic convergence takes about five.
+  for (int i = 0; i < 60; ++i) {
+    const Real next = s + step > 0 ? Real(s + step) : Real(0);
+    if (next == s) break;
+    s = next;
+    point = sample(s);
+    ++evaluations;
+    const Real correction = -point.value / point.slope;
+    if (!(2 * abs(correction) < abs(step))) break;
+    step = correction;
+  }
+  return {ZeroKind::kCrossing, s, point.slope, evaluations};
+}
+
+// How far a curve that starts at a zero of multiplicity n stays clear of it:
+// g >= g_n s^n/n! - K_{n+1} s^{n+1}/(n+1)!. Negative where it cannot leave.
+template <class Real>
+Real departure_step(const GapCurve<Real>& curve, int multiplicity) {
+  const Real first = curve.start_derivative(multiplicity);
+  if (!(first > 0)) return -1;
+  const Real bound = curve.start_bound(multiplicity + 1);
+  return bound > 0 ? Real((multiplicity + 1) * (first / bound))
+                   : std::numeric_limits<Real>::infinity();
+}
+
+}  // namespace first_zero_detail
+
+// First descent through zero, in (from, curve.window()], of the curve that `sample` gives.
+template <class Real, class Sample>
+FirstZero<Real> first_descent(const Sample& sample, const Real& from, const Real& window) {
+  using namespace first_zero_detail;
+  using std::abs;
+  Real s = from;
+  for (int i = 1; i <= kMostSearchEvaluations; ++i) {
+    if (!(s <= window)) return {ZeroKind::kNone, window, Real(0), i};
+    const CurvePoint<Real> point = sample(s);
+    if (point.slope < 0 &&
+        2 * (point.bound / -point.slope) * (abs(point.value) / -point.slope) <= 1) {
+      FirstZero<Real> zero = finish(sample, s, point, i);
+      if (!(zero.s <= window)) return {ZeroKind::kNone, window, Real(0), zero.evaluations};
+      return zero;
+    }
+    const Real certain = std::max<Real>(point.value - point.noise, 0);
+    if (certain == 0 && point.slope <= 0) return {ZeroKind::kTouch, s, point.slope, i};
+    const Real step = safe_step(certain, point.slope, point.bound);
+    if (s + step == s) return {ZeroKind::kTouch, s, point.slope, i};
+    s += step;
+  }
+  return {ZeroKind::kBudget, s, Real(0), kMostSearchEvaluations};
+}
+
+// First contact in (0, curve.window()]. `multiplicity` > 0 says that the gap starts at a known
+// zero: 1 just after an impact, 2 from rest on the stop.
+template <class Real>
+FirstZero<Real> first_contact(const GapCurve<Real>& curve, int multiplicity) {
+  Real from = 0;
+  if (multiplicity > 0) {
+    from = first_zero_detail::departure_step(curve, multiplicity);
+    if (from < 0) return {ZeroKind::kBlocked, Real(0), Real(0), 1};
+  }
+  return first_descent([&](const Real& s) { return curve.at(s, 0); }, from, curve.window());
+}
+
+// The first extremum of the gap after `from`: a maximum where the gap rises at `from`, else a
+// minimum.
+template <class Real>
+FirstZero<Real> first_extremum(const GapCurve<Real>& curve, const Real& from, bool rising) {
+  const auto sample = [&](const Real& s) {
+    CurvePoint<Real> point = curve.at(s, 1);
+    if (!rising) {
+      point.value = -point.value;
+      point.slope = -point.slope;
+    }
+    return point;
+  };
+  return first_descent(sample, from, curve.window());
+}
+
+}  // namespace graze

@@ -1,0 +1,7 @@
+#include "graze/hybrid/motion_impl.hpp"
+
+namespace graze {
+
+template class Motion<double>;
+
+}  // namespace graze

@@ -1,0 +1,113 @@
+// Definitions of motion.hpp; included by one translation unit per scalar.
+#pragma once
+
+#include "graze/hybrid/first_zero.hpp"
+#include "graze/hybrid/motion.hpp"
+
+namespace graze {
+
+template <class Real>
+Motion<Real>::Motion(const System& system, const Instant<Real>& instant,
+                     const RealVector<Real>& q, const RealVector<Real>& qdot)
+    : flow_(system), arc_(flow_), instant_(instant), q_(q), qdot_(qdot) {
+  for (const RigidStop& stop : system.stops) {
+    stops_.push_back({stop.row.template cast<Real>(), stop.direction.template cast<Real>(),
+                      Real(stop.gap), Real(stop.restitution), Contact::kClear});
+    if (touches(stops_.back())) stops_.back().contact = Contact::kTouching;
+  }
+}
+
+template <class Real>
+bool Motion<Real>::touches(const Stop& stop) const {
+  using std::abs;
+  Real reach = 0, size = abs(stop.gap);
+  for (Eigen::Index j = 0; j < q_.size(); ++j) {
+    reach += stop.row[j] * q_[j];
+    size += abs(stop.row[j] * q_[j]);
+  }
+  // Rounding of gap - row.q: one eps per product and per sum.
+  return stop.gap - reach <=
+         Real(static_cast<int>(q_.size()) + 2) * std::numeric_limits<Real>::epsilon() * size;
+}
+
+template <class Real>
+Real Motion<Real>::gap(int stop) const {
+  const Stop& s = stops_[static_cast<std::size_t>(stop)];
+  return s.gap - s.row.dot(q_);
+}
+
+template <class Real>
+Real Motion<Real>::approach_speed(int stop) const {
+  return stops_[static_cast<std::size_t>(stop)].row.dot(qdot_);
+}
+
+template <class Real>
+GapCurve<Real> Motion<Real>::gap_ahead(int stop, const Real& window) {
+  arc_.start(flow_.phase(instant_), q_, qdot_);
+  const Stop& s = stops_[static_cast<std::size_t>(stop)];
+  return GapCurve<Real>(arc_, s.row, s.gap, window, s.contact != Contact::kClear);
+}
+
+template <class Real>
+Arrival<Real> Motion<Real>::fly(const Real& until) {
+  Arrival<Real> arrival;
+  arc_.start(flow_.phase(instant_), q_, qdot_);
+  arrival.flight = until - instant_.local;
+  for (std::size_t i = 0; i < stops_.size(); ++i) {
+    const Stop& stop = stops_[i];
+    const int index = static_cast<int>(i);
+    const GapCurve<Real> curve(arc_, stop.row, stop.gap, arrival.flight,
+                               stop.contact != Contact::kClear);
+    int multiplicity = 0;
+    if (stop.contact != Contact::kClear) {
+      const CurvePoint<Real> rate = curve.at(Real(0), 1);
+      if (stop.contact == Contact::kTouching && rate.value < -rate.noise)
+        return {ArrivalKind::kContact, index, Real(0), approach_speed(index)};
+      multiplicity = rate.value > rate.noise ? 1 : 2;
+    }
+    const FirstZero<Real> zero = first_contact(curve, multiplicity);
+    if (zero.kind == ZeroKind::kNone) continue;
+    arrival.stop = index;
+    arrival.flight = zero.s;
+    arrival.speed = -zero.slope;
+    arrival.kind = zero.kind == ZeroKind::kBlocked  ? ArrivalKind::kRest
+                   : zero.kind == ZeroKind::kBudget ? ArrivalKind::kUndecided
+                   : zero.slope < 0                 ? ArrivalKind::kContact
+                                                    : ArrivalKind::kTouch;
+  }
+  move(arrival.flight, until);
+  for (std::size_t i = 0; i < stops_.size(); ++i) {
+    const bool here = static_cast<int>(i) == arrival.stop;
+    const bool stays = arrival.flight == 0 && !here;
+    if (here)
+      stops_[i].contact = arrival.kind == ArrivalKind::kTouch ? Contact::kDeparting
+                                                              : Contact::kTouching;
+    else if (!stays)
+      stops_[i].contact = Contact::kClear;
+  }
+  using std::isfinite;
+  for (Eigen::Index j = 0; j < q_.size(); ++j)
+    if (!isfinite(q_[j]) || !isfinite(qdot_[j])) arrival.kind = ArrivalKind::kNotFinite;
+  return arrival;
+}
+
+template <class Real>
+void Motion<Real>::move(const Real& flight, const Real& until) {
+  const bool whole = flight == until - instant_.local;
+  if (flight > 0) arc_.state(flight, q_, qdot_);
+  instant_.local = whole ? until : Real(instant_.local + flight);
+  if (instant_.local >= flow_.period()) {
+    ++instant_.period;
+    instant_.local = 0;
+  }
+}
+
+template <class Real>
+void Motion<Real>::impact(int stop) {
+  Stop& s = stops_[static_cast<std::size_t>(stop)];
+  const Real jump = (1 + s.restitution) * s.row.dot(qdot_);
+  for (Eigen::Index j = 0; j < qdot_.size(); ++j) qdot_[j] -= jump * s.direction[j];
+  s.contact = Contact::kDeparting;
+}
+
+}  // namespace graze

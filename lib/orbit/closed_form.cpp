@@ -1,0 +1,60 @@
+#include "graze/orbit/closed_form.hpp"
+
+#include <Eigen/LU>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "graze/flow/transition.hpp"
+
+namespace graze {
+
+std::vector<ImpactPoint> ClosedForm::solutions(double gap) const {
+  const double size = std::abs(kappa);
+  if (!(size >= std::abs(gap)) || size == 0.0) return {};
+  const double turn = 2.0 * std::numbers::pi;
+  // acos loses half its digits where gap -> |kappa|; the sine is formed from the product instead.
+  const double half = std::atan2(std::sqrt((size - gap) * (size + gap)), gap);
+  std::vector<ImpactPoint> points;
+  for (const double sign : {-1.0, 1.0}) {
+    double phase = std::fmod(sign * half - std::arg(kappa), turn);
+    if (phase < 0.0) phase += turn;
+    const Eigen::Index n = response.size() / 2;
+    const Vector y = (response * std::polar(1.0, phase)).real();
+    points.push_back({phase, {y.head(n), y.tail(n)}});
+  }
+  return points;
+}
+
+ClosedFormAnswer closed_form(const System& system, int stop_index, int period) {
+  if (!system.forcing) return {{}, "there is no forcing"};
+  const Eigen::Index n = system.modes();
+  const ExactFlow<double> flow(system);
+  const RigidStop& stop = system.stops[static_cast<std::size_t>(stop_index)];
+  Eigen::MatrixXcd forced(2 * n, 1);
+  for (Eigen::Index j = 0; j < n; ++j) {
+    const ModeFlow<double>& mode = flow.mode(static_cast<int>(j));
+    if (mode.kind == ModeKind::kResonant)
+      return {{}, "a mode is in resonance with the forcing and has no steady response to build on"};
+    forced(j, 0) = {mode.forced.re, mode.forced.im};
+    forced(n + j, 0) = Complex{0.0, flow.frequency()} * forced(j, 0);
+  }
+  const State rest{Vector::Zero(n), Vector::Zero(n)};
+  const FlowMatrix e = transition(system, flow, rest, 0.0, period * system.period()).flow;
+  Matrix jump = Matrix::Identity(2 * n, 2 * n);
+  jump.bottomRightCorner(n, n) -=
+      (1.0 + stop.restitution) * stop.direction * stop.row.transpose();
+  const Eigen::PartialPivLU<Matrix> lu(Matrix::Identity(2 * n, 2 * n) - e.times(jump));
+  // Below this reciprocal condition number the solve keeps no digit.
+  if (!(lu.rcond() > std::numeric_limits<double>::epsilon()))
+    return {{}, "the motion between impacts repeats by itself (I - E J is singular)"};
+  const auto response = [&](const Vector& y) { return Vector(lu.solve(y - e.times(y))); };
+  ClosedForm form;
+  form.response = ComplexVector(2 * n);
+  form.response.real() = response(forced.real());
+  form.response.imag() = response(forced.imag());
+  form.kappa = stop.row.cast<Complex>().dot(form.response.head(n));
+  return {form, ""};
+}
+
+}  // namespace graze

@@ -1,0 +1,37 @@
+// The (p, 1) orbits of a linear modal system with one constant-restitution stop, in closed form.
+//
+// With E the flow over p periods, J the jump, c the contact row and y_p = Re(Y e^{i phi}) the
+// forced response at impact phase phi, the state before the impact is
+//
+//   y- = (I - E J)^-1 (I - E) Re(Y e^{i phi}),   contact:  |kappa| cos(phi + arg kappa) = gap,
+//
+// two solutions where |kappa| > |gap|, a fold exactly where they meet. It starts the finder and
+// referees shooting, continuation, multipliers and simulation; it knows nothing of admissibility.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "graze/orbit/shooting.hpp"
+
+namespace graze {
+
+struct ClosedForm {
+  Complex kappa;           // m
+  ComplexVector response;  // y- = Re(response e^{i phi}), (q; q'), 2N
+
+  // The solutions for contact at `gap`: none, or two (equal at the fold), phase in [0, 2 pi).
+  std::vector<ImpactPoint> solutions(double gap) const;
+};
+
+struct ClosedFormAnswer {
+  std::optional<ClosedForm> form;
+  std::string why_not;  // a sentence where the closed form does not hold
+};
+
+// Closed form for impacts on `stop` every `period` forcing periods. Does not hold without forcing,
+// at a resonance that has no bounded response, or where I - E J is singular.
+ClosedFormAnswer closed_form(const System& system, int stop, int period);
+
+}  // namespace graze

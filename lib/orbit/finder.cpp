@@ -1,0 +1,170 @@
+#include "graze/orbit/finder.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <random>
+
+#include "graze/flow/exact_flow.hpp"
+#include "graze/orbit/closed_form.hpp"
+#include "graze/orbit/settled.hpp"
+#include "graze/orbit/solve.hpp"
+
+namespace graze {
+namespace {
+
+constexpr double kTurn = 2.0 * std::numbers::pi;
+
+// Solutions are accurate to about the square root of eps even next to a fold, where they are least
+// well determined; nearer than this two of them cannot be told apart.
+constexpr double kSame = 1e-7;
+
+double phase_distance(double a, double b) {
+  const double d = std::abs(std::fmod(std::abs(a - b), kTurn));
+  return std::min(d, kTurn - d);
+}
+
+class Finder {
+ public:
+  Finder(const System& system, const State& start, const FinderOptions& options)
+      : system_(system), start_(start), options_(options), scale_(shooting_scale(system)) {}
+
+  FoundOrbits find() {
+    const bool one_impact = !options_.impacts || *options_.impacts == 1;
+    if (options_.from_closed_form && one_impact) from_closed_form();
+    if (options_.from_simulation) from_simulation();
+    if (options_.from_random && one_impact) from_random();
+    return conclude();
+  }
+
+ private:
+  void from_closed_form() {
+    for (std::size_t i = 0; i < system_.stops.size(); ++i) {
+      const ClosedFormAnswer answer = closed_form(system_, static_cast<int>(i), options_.period);
+      if (!answer.form) {
+        found_.notes.push_back("the closed form does not hold: " + answer.why_not);
+        continue;
+      }
+      const ShootingProblem problem({options_.period, {static_cast<int>(i)}}, scale_);
+      for (const ImpactPoint& point : answer.form->solutions(system_.stops[i].gap))
+        keep(problem, newton(problem, system_, problem.pack({point})), found_.closed_form);
+    }
+  }
+
+  void from_simulation() {
+    SettleOptions settle_options;
+    settle_options.interrupted = options_.interrupted;
+    const SettledMotion settled = settle(system_, start_, settle_options);
+    found_.notes.push_back(settled.verdict);
+    if (!settled.pattern) return;
+    const ImpactPattern& pattern = *settled.pattern;
+    const bool wanted =
+        !options_.impacts ||
+        (pattern.impacts() == *options_.impacts && pattern.period == options_.period);
+    if (!wanted) return;
+    const ShootingProblem problem(pattern, scale_);
+    keep(problem, newton(problem, system_, problem.pack(settled.points)), found_.simulation);
+  }
+
+  void from_random() {
+    std::mt19937_64 engine(options_.random_seed);
+    // Bits to [0, 1) by hand: the standard leaves the distributions' algorithms open, and results
+    // shall not depend on the library.
+    const auto uniform = [&engine] { return static_cast<double>(engine() >> 11) * 0x1p-53; };
+    for (std::size_t i = 0; i < system_.stops.size(); ++i) {
+      const ShootingProblem problem({options_.period, {static_cast<int>(i)}}, scale_);
+      for (int guess = 0; guess < options_.random_guesses; ++guess) {
+        if (options_.interrupted && options_.interrupted->load()) return;
+        const double theta = kTurn * uniform();
+        const double speed = 2.0 * uniform() * scale_.length * system_.forcing->frequency;
+        keep(problem,
+             seek(problem, system_,
+                  problem.pack({rough_guess(system_, static_cast<int>(i), theta, speed)})),
+             found_.random);
+      }
+    }
+  }
+
+  void keep(const ShootingProblem& problem, const std::optional<ShootingSolution>& solution,
+            StartCount& count) {
+    ++count.tried;
+    if (!solution) return;
+    ++count.converged;
+    Orbit orbit = make_orbit(system_, problem, solution->x);
+    for (Orbit& known : found_.orbits)
+      if (same_orbit(known, orbit)) {
+        if (orbit.residual < known.residual) known = std::move(orbit);
+        return;
+      }
+    found_.orbits.push_back(std::move(orbit));
+  }
+
+  FoundOrbits conclude() {
+    std::vector<Orbit>& orbits = found_.orbits;
+    if (!options_.keep_virtual) {
+      const auto is_virtual = [](const Orbit& orbit) { return !orbit.admissible; };
+      found_.inadmissible =
+          static_cast<int>(std::count_if(orbits.begin(), orbits.end(), is_virtual));
+      orbits.erase(std::remove_if(orbits.begin(), orbits.end(), is_virtual), orbits.end());
+    }
+    std::sort(orbits.begin(), orbits.end(), [](const Orbit& a, const Orbit& b) {
+      if (a.period != b.period) return a.period < b.period;
+      if (a.impacts.size() != b.impacts.size()) return a.impacts.size() < b.impacts.size();
+      return a.impacts.front().phase < b.impacts.front().phase;
+    });
+    return std::move(found_);
+  }
+
+  const System& system_;
+  const State& start_;
+  const FinderOptions& options_;
+  ShootingScale scale_;
+  FoundOrbits found_;
+};
+
+}  // namespace
+
+bool same_orbit(const Orbit& a, const Orbit& b) {
+  if (a.period != b.period || a.impacts.size() != b.impacts.size()) return false;
+  double largest = 0.0;
+  for (const OrbitImpact& impact : a.impacts) largest = std::max(largest, std::abs(impact.speed));
+  // Two impacts of nearly one phase may have been ordered either way: try every rotation.
+  for (std::size_t turn = 0; turn < b.impacts.size(); ++turn) {
+    bool same = true;
+    for (std::size_t i = 0; i < a.impacts.size() && same; ++i) {
+      const OrbitImpact& x = a.impacts[i];
+      const OrbitImpact& y = b.impacts[(i + turn) % b.impacts.size()];
+      same = x.stop == y.stop && phase_distance(x.phase, y.phase) <= kSame &&
+             std::abs(x.speed - y.speed) <= kSame * largest;
+    }
+    if (same) return true;
+  }
+  return false;
+}
+
+ImpactPoint rough_guess(const System& system, int stop_index, double theta, double speed) {
+  const RigidStop& stop = system.stops[static_cast<std::size_t>(stop_index)];
+  const ExactFlow<double> flow(system);
+  const Eigen::Index n = system.modes();
+  const double frequency = flow.frequency();
+  Vector q(n), qdot(n), push(n);
+  for (Eigen::Index j = 0; j < n; ++j) {
+    const ModeFlow<double>& mode = flow.mode(static_cast<int>(j));
+    q[j] = mode.forced.re * std::cos(theta) - mode.forced.im * std::sin(theta);
+    qdot[j] = -frequency * (mode.forced.re * std::sin(theta) + mode.forced.im * std::cos(theta));
+    // A free mass has no static compliance; the forcing's time scale stands in for it.
+    push[j] = stop.row[j] / std::max(mode.omega * mode.omega, 1e-2 * frequency * frequency);
+  }
+  push /= stop.row.dot(push);
+  q += (stop.gap - stop.row.dot(q)) * push;
+  qdot += (speed - stop.row.dot(qdot)) * push;
+  return {theta, {q, qdot}};
+}
+
+FoundOrbits find_orbits(const System& system, const State& start, const FinderOptions& options) {
+  return Finder(system, start, options).find();
+}
+
+}  // namespace graze

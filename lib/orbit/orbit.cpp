@@ -1,0 +1,157 @@
+#include "graze/orbit/orbit.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "graze/flow/gap_curve.hpp"
+#include "graze/flow/transition.hpp"
+#include "graze/hybrid/clearance.hpp"
+
+namespace graze {
+namespace {
+
+constexpr double kTurn = 2.0 * std::numbers::pi;
+
+// Seconds from impact i to the next one.
+double flight_time(const System& system, const ImpactPattern& pattern,
+                   const std::vector<ImpactPoint>& points, std::size_t i) {
+  const bool last = i + 1 == points.size();
+  const double next = last ? points.front().theta + kTurn * pattern.period : points[i + 1].theta;
+  return (next - points[i].theta) / system.forcing->frequency;
+}
+
+const RigidStop& stop_of(const System& system, const ImpactPattern& pattern, std::size_t i) {
+  return system.stops[static_cast<std::size_t>(pattern.stops[i])];
+}
+
+double wrapped(double theta) {
+  const double phase = std::fmod(theta, kTurn);
+  // A phase of -1e-17 plus a turn rounds to the turn itself.
+  return phase < 0.0 ? (phase + kTurn < kTurn ? phase + kTurn : 0.0) : phase;
+}
+
+// Impacts in time order, the one with the smallest phase first and in period 0.
+std::vector<OrbitImpact> ordered_impacts(const System& system, const ImpactPattern& pattern,
+                                         const std::vector<ImpactPoint>& points) {
+  std::size_t first = 0;
+  for (std::size_t i = 1; i < points.size(); ++i)
+    if (wrapped(points[i].theta) < wrapped(points[first].theta)) first = i;
+  const double origin = points[first].theta - wrapped(points[first].theta);
+  std::vector<OrbitImpact> impacts;
+  for (std::size_t m = 0; m < points.size(); ++m) {
+    const std::size_t i = (first + m) % points.size();
+    const double lap = i < first ? kTurn * pattern.period : 0.0;
+    const double theta = points[i].theta + lap - origin;
+    const double phase = wrapped(theta);
+    impacts.push_back({pattern.stops[i], static_cast<int>(std::lround((theta - phase) / kTurn)),
+                       phase, stop_of(system, pattern, i).row.dot(points[i].before.qdot),
+                       points[i].before});
+  }
+  return impacts;
+}
+
+}  // namespace
+
+ImpactPattern Orbit::pattern() const {
+  ImpactPattern result{period, {}};
+  for (const OrbitImpact& impact : impacts) result.stops.push_back(impact.stop);
+  return result;
+}
+
+std::vector<ImpactPoint> Orbit::points() const {
+  std::vector<ImpactPoint> result;
+  for (const OrbitImpact& impact : impacts)
+    result.push_back({impact.phase + kTurn * impact.period_index, impact.before});
+  return result;
+}
+
+MultiplierCount count_multipliers(const std::vector<Eigenvalue>& multipliers) {
+  MultiplierCount count;
+  for (const Eigenvalue& multiplier : multipliers) {
+    const double excess = std::abs(multiplier.value) - 1.0;
+    if (std::abs(excess) <= multiplier.error)
+      ++count.undecided;
+    else if (!(excess < 0.0))
+      ++count.outside;
+  }
+  return count;
+}
+
+Matrix saltation_matrix(const System& system, const RigidStop& stop, const State& before,
+                        double theta) {
+  const Eigen::Index n = system.modes();
+  const double v = stop.row.dot(before.qdot);
+  const State rate_before = vector_field(system, before, theta);
+  const State rate_after = vector_field(system, after_impact(stop, before), theta);
+  // f+ - J f-: the displacement part is the jump of velocity, -(1 + r) v d.
+  Vector defect(2 * n);
+  defect.head(n) = -(1.0 + stop.restitution) * v * stop.direction;
+  defect.tail(n) =
+      rate_after.qdot - rate_before.qdot +
+      (1.0 + stop.restitution) * stop.row.dot(rate_before.qdot) * stop.direction;
+  Matrix s = Matrix::Identity(2 * n, 2 * n);
+  s.bottomRightCorner(n, n) -= (1.0 + stop.restitution) * stop.direction * stop.row.transpose();
+  s.leftCols(n) += defect / v * stop.row.transpose();
+  return s;
+}
+
+Matrix monodromy_matrix(const System& system, const ImpactPattern& pattern,
+                        const std::vector<ImpactPoint>& points) {
+  const ExactFlow<double> flow(system);
+  Matrix product = Matrix::Identity(2 * system.modes(), 2 * system.modes());
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const RigidStop& stop = stop_of(system, pattern, i);
+    const Transition arc = transition(system, flow, after_impact(stop, points[i].before),
+                                      points[i].theta, flight_time(system, pattern, points, i));
+    product = arc.flow.times(
+        saltation_matrix(system, stop, points[i].before, points[i].theta) * product);
+  }
+  return product;
+}
+
+Admissibility admissibility(const System& system, const ImpactPattern& pattern,
+                            const std::vector<ImpactPoint>& points) {
+  const ExactFlow<double> flow(system);
+  Arc<double> arc(flow);
+  Admissibility result{true, {}, stop_of(system, pattern, 0).row.dot(points[0].before.qdot)};
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const RigidStop& stop = stop_of(system, pattern, i);
+    const double speed = stop.row.dot(points[i].before.qdot);
+    result.smallest_speed = std::min(result.smallest_speed, speed);
+    const double flight = flight_time(system, pattern, points, i);
+    if (!(speed > 0.0) || !(flight > 0.0)) result.admissible = false;
+    if (!(flight > 0.0)) continue;
+    const State after = after_impact(stop, points[i].before);
+    arc.start(points[i].theta, after.q, after.qdot);
+    for (std::size_t k = 0; k < system.stops.size(); ++k) {
+      const bool here = static_cast<int>(k) == pattern.stops[i];
+      const GapCurve<double> curve(arc, system.stops[k].row, system.stops[k].gap, flight, here);
+      const std::optional<double> minimum = smallest_minimum(curve);
+      if (!minimum) continue;
+      if (!result.clearance || *minimum < *result.clearance) result.clearance = minimum;
+    }
+  }
+  if (result.clearance && *result.clearance < 0.0) result.admissible = false;
+  return result;
+}
+
+Orbit make_orbit(const System& system, const ShootingProblem& problem, const Vector& solution) {
+  const std::vector<ImpactPoint> points = problem.unpack(system, solution);
+  Orbit orbit;
+  orbit.period = problem.pattern().period;
+  orbit.impacts = ordered_impacts(system, problem.pattern(), points);
+  orbit.residual = problem.residual(system, solution).cwiseAbs().maxCoeff();
+  orbit.multipliers = eigenvalues(monodromy_matrix(system, problem.pattern(), points));
+  const MultiplierCount count = count_multipliers(orbit.multipliers);
+  if (count.outside > 0)
+    orbit.stable = false;
+  else if (count.undecided == 0 && !orbit.multipliers.empty())
+    orbit.stable = true;
+  const Admissibility verdict = admissibility(system, problem.pattern(), points);
+  orbit.admissible = verdict.admissible;
+  orbit.clearance = verdict.clearance;
+  return orbit;
+}
+
+}  // namespace graze

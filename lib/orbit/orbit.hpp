@@ -1,0 +1,66 @@
+// A periodic orbit with everything that is said of it: where it impacts, whether it is stable, and
+// whether it is an orbit of the system at all.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "graze/base/decompositions.hpp"
+#include "graze/orbit/shooting.hpp"
+
+namespace graze {
+
+struct OrbitImpact {
+  int stop = 0;          // index from 0
+  int period_index = 0;  // forcing period within the orbit, 0..p-1
+  double phase = 0.0;    // (frequency t + phase) mod 2 pi, rad
+  double speed = 0.0;    // approach speed, m/s; negative only on virtual orbits
+  State before;          // just before the impact
+};
+
+struct Orbit {
+  int period = 1;                    // p
+  std::vector<OrbitImpact> impacts;  // in time order from the smallest (period_index, phase)
+  std::vector<Eigenvalue> multipliers;  // of the map over p periods, largest modulus first
+  // Nothing when a multiplier sits on the unit circle within its error.
+  std::optional<bool> stable;
+  // Clear of every stop between the impacts, every impact speed positive.
+  bool admissible = false;
+  // Smallest interior local minimum of any stop's gap between the impacts, m; nothing when there is
+  // none.
+  std::optional<double> clearance;
+  double residual = 0.0;  // of the shooting equations, scaled, largest entry
+
+  ImpactPattern pattern() const;
+  std::vector<ImpactPoint> points() const;
+};
+
+// How many multipliers lie outside the unit circle, and how many sit on it within their error.
+struct MultiplierCount {
+  int outside = 0;
+  int undecided = 0;
+};
+MultiplierCount count_multipliers(const std::vector<Eigenvalue>& multipliers);
+
+// The saltation matrix of an impact: how a deviation just before it, at a fixed time, becomes one
+// just after: S = J + (f+ - J f-) c^T/(c^T f-), with c the contact row and f the vector field.
+Matrix saltation_matrix(const System& system, const RigidStop& stop, const State& before,
+                        double theta);
+
+// Product of flow and saltation matrices over the orbit, from just before its first impact.
+Matrix monodromy_matrix(const System& system, const ImpactPattern& pattern,
+                        const std::vector<ImpactPoint>& points);
+
+// Assembles the orbit of a solution of the shooting equations.
+Orbit make_orbit(const System& system, const ShootingProblem& problem, const Vector& solution);
+
+// What makes the orbit admissible or not, without its multipliers.
+struct Admissibility {
+  bool admissible = false;
+  std::optional<double> clearance;  // m
+  double smallest_speed = 0.0;      // m/s
+};
+Admissibility admissibility(const System& system, const ImpactPattern& pattern,
+                            const std::vector<ImpactPoint>& points);
+
+}  // namespace graze

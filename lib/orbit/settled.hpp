@@ -1,0 +1,31 @@
+// What a simulation settles on.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "graze/hybrid/simulation.hpp"
+#include "graze/orbit/shooting.hpp"
+
+namespace graze {
+
+struct SettledMotion {
+  // The repeating pattern, with the points of its last repetition; nothing when none was found.
+  std::optional<ImpactPattern> pattern;
+  std::vector<ImpactPoint> points;
+  std::string verdict;  // a sentence: what the motion does
+};
+
+struct SettleOptions {
+  long long periods = 3000;   // simulated at most
+  int longest_period = 32;    // longest orbit looked for, in forcing periods
+  const std::atomic<bool>* interrupted = nullptr;
+};
+
+// Simulates from `start` until the impacts repeat. They count as repeating when phases (rad) and
+// relative speeds of the last three repetitions agree to 1e-6: near enough for Newton, which then
+// decides.
+SettledMotion settle(const System& system, const State& start, const SettleOptions& options = {});
+
+}  // namespace graze

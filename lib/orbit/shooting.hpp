@@ -1,0 +1,70 @@
+// Periodic impacting motion as a system of equations on the Poincare impact map.
+//
+// A (p, k) orbit repeats after p forcing periods with k impacts. Unknown per impact: the forcing
+// phase theta_i and the state (q_i, q'_i) just before it. Equations per impact:
+//
+//   contact   row.q_i = gap                                        an equation, never searched for
+//   matching  flow from (theta_i, J(q_i, q'_i)) to theta_{i+1} = (q_{i+1}, q'_{i+1}),
+//
+// cyclic with theta_k = theta_0 + 2 pi p. Nothing in them breaks at grazing, so that virtual orbits
+// (that penetrate, or impact at negative speed) can be traced too. Derivatives are analytic.
+#pragma once
+
+#include <vector>
+
+#include "graze/flow/exact_flow.hpp"
+#include "graze/system/system.hpp"
+
+namespace graze {
+
+struct ImpactPattern {
+  int period = 1;          // p
+  std::vector<int> stops;  // the stop of each impact, in time order (index from 0)
+
+  int impacts() const { return static_cast<int>(stops.size()); }
+};
+
+// One impact: where the motion is just before it.
+struct ImpactPoint {
+  double theta = 0.0;  // forcing phase, rad, not reduced
+  State before;
+};
+
+// Unknowns and residuals are scaled: phases by 1 rad, displacements by `displacement`, velocities
+// by `velocity`, gaps by `length`.
+struct ShootingScale {
+  double length = 1.0;        // m
+  double displacement = 1.0;  // kg^1/2 m
+  double velocity = 1.0;      // kg^1/2 m/s
+};
+
+// The scale of a system: the larger of its gaps and its forced motion.
+ShootingScale shooting_scale(const System& system);
+
+class ShootingProblem {
+ public:
+  // Requires forcing and at least one impact in the pattern.
+  ShootingProblem(ImpactPattern pattern, ShootingScale scale)
+      : pattern_(std::move(pattern)), scale_(scale) {}
+
+  const ImpactPattern& pattern() const { return pattern_; }
+  // k (2N + 1)
+  Eigen::Index size(const System& system) const;
+
+  Vector pack(const std::vector<ImpactPoint>& impacts) const;
+  std::vector<ImpactPoint> unpack(const System& system, const Vector& x) const;
+
+  // Residual at x (scaled). Where asked for: its Jacobian by x, and its derivative by the parameter
+  // that moves the system along `tangent`.
+  Vector residual(const System& system, const Vector& x, Matrix* jacobian = nullptr,
+                  const System* tangent = nullptr, Vector* parameter_derivative = nullptr) const;
+
+ private:
+  ImpactPattern pattern_;
+  ShootingScale scale_;
+};
+
+// The state just after the impact of `before` at a stop.
+State after_impact(const RigidStop& stop, const State& before);
+
+}  // namespace graze

@@ -1,0 +1,32 @@
+// Solving the shooting equations at fixed parameters: Newton's method for good guesses, Ceres'
+// Levenberg-Marquardt to bring in poor ones. The recomputed residual is the judge of both; a
+// solver's own word of convergence is not asked (just past a fold, where there is no solution,
+// least squares reports success at its smallest residual).
+#pragma once
+
+#include <optional>
+
+#include "graze/orbit/shooting.hpp"
+
+namespace graze {
+
+// Largest scaled residual of a solution. Residuals of unit-scaled equations carry some tens of
+// roundings (1e-14); the smallest residual where there is no solution is the distance to the fold.
+inline constexpr double kShootingTolerance = 1e-11;
+
+struct ShootingSolution {
+  Vector x;
+  double residual = 0.0;  // scaled, largest entry
+  int evaluations = 0;
+};
+
+// Newton's method from x. Nothing when it does not reach the tolerance within 12 steps.
+std::optional<ShootingSolution> newton(const ShootingProblem& problem, const System& system,
+                                       const Vector& x);
+
+// Levenberg-Marquardt (Ceres) from x, then Newton. Nothing when the residual stays above the
+// tolerance.
+std::optional<ShootingSolution> seek(const ShootingProblem& problem, const System& system,
+                                     const Vector& x);
+
+}  // namespace graze

@@ -1,0 +1,149 @@
+#include "graze/system/system.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "graze/base/decompositions.hpp"
+#include "graze/contact/impulse.hpp"
+#include "graze/scene/check.hpp"
+#include "graze/scene/parameter.hpp"
+#include "graze/structure/modal_model.hpp"
+
+namespace graze {
+namespace {
+
+// Above this, solves with the collocation matrix keep fewer than half of the 16 digits.
+constexpr double kIllConditioned = 1e8;
+
+double sign_of(Side side) { return side == Side::kAbove ? 1.0 : -1.0; }
+
+// Load per unit of forcing amplitude: the moving clamp accelerates by frequency^2 * amplitude.
+double load_factor(const Forcing& forcing) {
+  return forcing.kind == ForcingKind::kBase ? forcing.frequency * forcing.frequency : 1.0;
+}
+
+HarmonicForcing assemble_forcing(const Forcing& forcing, const Vector& participation) {
+  return {forcing.frequency, forcing.phase,
+          forcing.amplitude * load_factor(forcing) * participation};
+}
+
+HarmonicForcing forcing_tangent(const Forcing& forcing, const Forcing& rate,
+                                const ModalModel& model, const ModalModel& model_rate) {
+  const double factor_rate = forcing.kind == ForcingKind::kBase
+                                 ? 2.0 * forcing.frequency * rate.frequency * forcing.amplitude
+                                 : 0.0;
+  return {rate.frequency, rate.phase,
+          (rate.amplitude * load_factor(forcing) + factor_rate) * model.participation +
+              forcing.amplitude * load_factor(forcing) * model_rate.participation};
+}
+
+RigidStop assemble_stop(const Scene& scene, const Stop& stop, const Vector& shape,
+                        const Matrix& phi) {
+  const double sign = sign_of(stop.side);
+  const Vector row = sign * shape;
+  const Vector direction =
+      stop.impulse == Impulse::kMomentum
+          ? momentum_direction(row)
+          : collocation_direction(phi, collocation_index(*scene.beam(), stop.position), sign);
+  return {row, stop.gap, direction, stop.restitution};
+}
+
+RigidStop stop_tangent(const Stop& stop, const Stop& rate, const RigidStop& assembled,
+                       const Vector& shape_rate, const Matrix& phi, const Matrix& phi_rate) {
+  const Vector row_rate = sign_of(stop.side) * shape_rate;
+  const Vector direction_rate =
+      stop.impulse == Impulse::kMomentum
+          ? momentum_direction_rate(assembled.row, row_rate)
+          : collocation_direction_rate(phi, phi_rate, assembled.direction);
+  return {row_rate, rate.gap, direction_rate, rate.restitution};
+}
+
+}  // namespace
+
+double System::period() const { return 2.0 * std::numbers::pi / forcing->frequency; }
+
+System assemble(const Scene& scene) {
+  const ModalModel model = modal_model(scene);
+  System system{model.omega, model.delta, {}, {}};
+  if (scene.forcing) system.forcing = assemble_forcing(*scene.forcing, model.participation);
+  for (std::size_t i = 0; i < scene.stops.size(); ++i)
+    system.stops.push_back(
+        assemble_stop(scene, scene.stops[i], model.shapes[i], model.collocation));
+  return system;
+}
+
+System system_tangent(const Scene& scene, const std::string& parameter) {
+  const Scene direction = parameter_direction(scene, parameter);
+  const ModalModel model = modal_model(scene);
+  const ModalModel rate = modal_tangent(scene, model, direction);
+  System tangent{rate.omega, rate.delta, {}, {}};
+  if (scene.forcing)
+    tangent.forcing = forcing_tangent(*scene.forcing, *direction.forcing, model, rate);
+  for (std::size_t i = 0; i < scene.stops.size(); ++i) {
+    const RigidStop stop =
+        assemble_stop(scene, scene.stops[i], model.shapes[i], model.collocation);
+    tangent.stops.push_back(stop_tangent(scene.stops[i], direction.stops[i], stop, rate.shapes[i],
+                                         model.collocation, rate.collocation));
+  }
+  return tangent;
+}
+
+State initial_state(const Scene& scene, const System& system) {
+  const Eigen::Index n = system.modes();
+  State state{Vector::Zero(n), Vector::Zero(n)};
+  if (scene.initial) {
+    state.q = Eigen::Map<const Vector>(scene.initial->q.data(), n);
+    state.qdot = Eigen::Map<const Vector>(scene.initial->qdot.data(), n);
+  }
+  for (std::size_t i = 0; i < system.stops.size(); ++i) {
+    const RigidStop& stop = system.stops[i];
+    const double reach = stop.row.dot(state.q);
+    // Rounding of a - b.q: each product and each sum adds at most eps of its size.
+    const double rounding = std::numeric_limits<double>::epsilon() * static_cast<double>(n + 2) *
+                            (std::abs(stop.gap) + stop.row.cwiseAbs().dot(state.q.cwiseAbs()));
+    if (reach - stop.gap > rounding) {
+      const std::string key =
+          system.stops.size() == 1 ? "stop.gap" : fmt::format("stop.{}.gap", i + 1);
+      if (!scene.initial && stop.gap < 0.0)
+        throw scene_error(scene, key,
+                          "a preloaded stop (negative gap) without [initial] starts stuck, which "
+                          "is not available in this version; give [initial] a state clear of it");
+      throw scene_error(scene, scene.initial ? "initial.q" : key,
+                        fmt::format("the motion starts {:.6g} m beyond stop {}; the displacement "
+                                    "at the stop must not exceed its gap",
+                                    reach - stop.gap, i + 1));
+    }
+  }
+  return state;
+}
+
+double collocation_condition(const Scene& scene) {
+  return uses_collocation(scene) ? condition_number(modal_model(scene).collocation) : 0.0;
+}
+
+std::vector<std::string> system_warnings(const Scene& scene, const System& system) {
+  std::vector<std::string> warnings;
+  const double condition = collocation_condition(scene);
+  if (condition > kIllConditioned)
+    warnings.push_back(fmt::format(
+        "the collocation points are ill-conditioned: condition number {:.3g}, above {:.0e}; "
+        "points spread evenly over the beam (i L/N) have about 2",
+        condition, kIllConditioned));
+  for (std::size_t i = 0; i < system.stops.size(); ++i) {
+    if (scene.stops[i].impulse != Impulse::kCollocation) continue;
+    const RigidStop& stop = system.stops[i];
+    const double gain = worst_energy_gain(stop.row, stop.direction, stop.restitution);
+    // For N = 1 the collocation law is the momentum law.
+    if (gain > 1.0 + 16.0 * std::numeric_limits<double>::epsilon())
+      warnings.push_back(fmt::format(
+          "the collocation impulse of stop {} is oblique: one impact can multiply the kinetic "
+          "energy by up to {:.6g}",
+          i + 1, gain));
+  }
+  return warnings;
+}
+
+}  // namespace graze
