@@ -61,7 +61,8 @@ class Tracer {
         return ended(std::move(branch), BranchEnd::kInterrupted);
       if (static_cast<int>(branch.points.size()) > options_.max_points)
         return ended(std::move(branch), BranchEnd::kStepLimit);
-      const BranchPoint& here = branch.points.back();
+      const BranchPoint here = branch.points.back();
+      if (leaves(here)) return ended(std::move(branch), BranchEnd::kParameterLimit);
       h = std::min(h, longest_step(here));
       std::optional<BranchPoint> next;
       double turn = 0.0;
@@ -94,33 +95,42 @@ class Tracer {
     // A fold beyond the limit means that the branch left the range before it.
     const std::optional<BranchPoint> fold = fold_between(here, next);
     const bool fold_outside = fold && outside(fold->parameter);
-    if (outside(next.parameter) || fold_outside) {
-      const BranchPoint& beyond = fold_outside ? *fold : next;
-      const double limit = beyond.parameter > std::max(options_.from, options_.to)
-                               ? std::max(options_.from, options_.to)
-                               : std::min(options_.from, options_.to);
-      branch.ends[1] = BranchEnd::kParameterLimit;
-      if (here.parameter == limit) return true;
-      std::optional<BranchPoint> end =
-          between(here, beyond, [&](const BranchPoint& p) { return p.parameter - limit; });
-      if (!end) {
-        branch.ends[1] = BranchEnd::kNotConverged;
-        return true;
-      }
-      // The last digits of the parameter are the limit's own.
-      Vector x = corrector_.pack(*end);
-      x[x.size() - 1] = limit / corrector_.range();
-      const Vector along = end->tangent;
-      if (const auto exact = corrector_.at_parameter(x)) {
-        end = exact;
-        if (end->tangent.dot(along) < 0.0) end->tangent *= -1.0;
-      }
-      end->parameter = limit;
-      add(branch, here, *end);
-      return true;
+    if (!outside(next.parameter) && !fold_outside) {
+      add(branch, here, next);
+      return false;
     }
-    add(branch, here, next);
-    return false;
+    const BranchPoint& beyond = fold_outside ? *fold : next;
+    const double limit = limit_towards(beyond.parameter - here.parameter);
+    const auto crossing =
+        between(here, beyond, [&](const BranchPoint& p) { return p.parameter - limit; });
+    branch.ends[1] = crossing ? BranchEnd::kParameterLimit : BranchEnd::kNotConverged;
+    if (crossing) add(branch, here, on_limit(*crossing, limit).value_or(*crossing));
+    return true;
+  }
+
+  // The solution whose parameter is the limit to the last bit, near a point at or before it.
+  std::optional<BranchPoint> on_limit(const BranchPoint& near, double limit) {
+    Vector x = corrector_.pack(near);
+    const Eigen::Index last = x.size() - 1;
+    const double rate = near.tangent[last];
+    if (rate != 0.0) x += (limit / corrector_.range() - x[last]) / rate * near.tangent;
+    x[last] = limit / corrector_.range();
+    std::optional<BranchPoint> point = corrector_.at_parameter(x);
+    if (!point) return {};
+    point->parameter = limit;
+    if (point->tangent.dot(near.tangent) < 0.0) point->tangent *= -1.0;
+    return point;
+  }
+
+  double limit_towards(double direction) const {
+    return direction > 0.0 ? std::max(options_.from, options_.to)
+                           : std::min(options_.from, options_.to);
+  }
+
+  // At a limit and on the way out.
+  bool leaves(const BranchPoint& here) const {
+    const double rate = here.tangent[here.tangent.size() - 1];
+    return rate != 0.0 && here.parameter == limit_towards(rate);
   }
 
   void add(Branch& branch, const BranchPoint& here, const BranchPoint& next) {
@@ -138,7 +148,12 @@ class Tracer {
   // One step of length h, accepted only where it stays on this branch.
   std::optional<BranchPoint> step(const BranchPoint& here, double h, double* turn) {
     const Vector x = corrector_.pack(here);
-    std::optional<BranchPoint> next = corrector_.on_hyperplane(x + h * here.tangent, here.tangent);
+    const Vector guess = x + h * here.tangent;
+    const double predicted = guess[x.size() - 1] * corrector_.range();
+    // Beyond the limit the equations may not exist: a step that would pass it ends there.
+    std::optional<BranchPoint> next =
+        outside(predicted) ? on_limit(here, limit_towards(predicted - here.parameter))
+                           : corrector_.on_hyperplane(guess, here.tangent);
     if (!next) return {};
     const Vector chord = corrector_.pack(*next) - x;
     *turn = angle(next->tangent, here.tangent);

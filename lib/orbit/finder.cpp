@@ -26,6 +26,29 @@ double phase_distance(double a, double b) {
   return std::min(d, kTurn - d);
 }
 
+// The pattern that an orbit repeats within itself, when it is not minimal.
+std::optional<ImpactPattern> shorter_pattern(const Orbit& orbit) {
+  const int k = static_cast<int>(orbit.impacts.size());
+  double largest = 0.0;
+  for (const OrbitImpact& impact : orbit.impacts) largest = std::max(largest, impact.speed);
+  for (int parts = k; parts > 1; --parts) {
+    if (k % parts != 0 || orbit.period % parts != 0) continue;
+    const int p = orbit.period / parts, n = k / parts;
+    bool repeats = true;
+    for (int i = n; i < k && repeats; ++i) {
+      const OrbitImpact& a = orbit.impacts[static_cast<std::size_t>(i - n)];
+      const OrbitImpact& b = orbit.impacts[static_cast<std::size_t>(i)];
+      repeats = a.stop == b.stop && phase_distance(a.phase, b.phase) <= kSame &&
+                std::abs(a.speed - b.speed) <= kSame * largest;
+    }
+    if (!repeats) continue;
+    ImpactPattern pattern{p, orbit.pattern().stops};
+    pattern.stops.resize(static_cast<std::size_t>(n));
+    return pattern;
+  }
+  return {};
+}
+
 class Finder {
  public:
   Finder(const System& system, const State& start, const FinderOptions& options)
@@ -93,6 +116,13 @@ class Finder {
     if (!solution) return;
     ++count.converged;
     Orbit orbit = make_orbit(system_, problem, solution->x);
+    if (const auto shorter = shorter_pattern(orbit)) {
+      const ShootingProblem part(*shorter, scale_);
+      std::vector<ImpactPoint> points = orbit.points();
+      points.resize(shorter->stops.size());
+      --count.tried, --count.converged;
+      return keep(part, newton(part, system_, part.pack(points)), count);
+    }
     for (Orbit& known : found_.orbits)
       if (same_orbit(known, orbit)) {
         if (orbit.residual < known.residual) known = std::move(orbit);

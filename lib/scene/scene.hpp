@@ -60,11 +60,11 @@ struct Forcing {
 };
 
 struct Stop {
-  double position = 0.0;       // m from the clamp (beam)
-  std::vector<double> shape;   // phi_j at the stop (modal structure), kg^-1/2
-  double gap = 0.0;            // m; may be 0 or negative (preload)
-  Side side = Side::kAbove;    // above: free while u < gap; below: free while u > -gap
-  double restitution = 0.0;    // r, 0..1
+  double position = 0.0;      // m from the clamp (beam)
+  std::vector<double> shape;  // phi_j at the stop (modal structure), kg^-1/2
+  double gap = 0.0;           // m; may be 0 or negative (preload)
+  Side side = Side::kAbove;   // above: free while u < gap; below: free while u > -gap
+  double restitution = 0.0;   // r, 0..1
   Impulse impulse = Impulse::kMomentum;
 };
 

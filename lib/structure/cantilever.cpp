@@ -5,6 +5,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "graze/scene/check.hpp"
+
 namespace graze {
 namespace {
 

@@ -12,9 +12,7 @@
 
 namespace graze {
 
-inline constexpr int kMostModes = 400;
-
-// Wave number b_j of mode j = 1.. (dimensionless); the circular frequency is
+// Wave number b_j of mode j = 1..kMostModes (dimensionless); the circular frequency is
 // b_j^2 sqrt(EI/(rho A))/L^2.
 double cantilever_wave_number(int j);
 

@@ -1,0 +1,33 @@
+// What made a result: enough to make it again.
+#pragma once
+
+#include <string>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include "graze/scene/scene.hpp"
+
+namespace graze {
+
+using OptionValue = std::variant<bool, long long, double, std::string>;
+
+struct RunInfo {
+  std::string version;
+  std::string command;       // "simulate"
+  std::string scene_file;    // as given
+  std::string scene_text;    // the scene in force, as TOML
+  std::string scene_sha256;  // of scene_text
+  std::vector<std::pair<std::string, OptionValue>> options;  // those that were given or used
+};
+
+// "0.1.0"
+std::string version();
+
+// Info for a command on a scene, options still empty.
+RunInfo run_info(const std::string& command, const std::string& scene_file, const Scene& scene);
+
+// SHA-256 of a text, 64 hexadecimal digits.
+std::string sha256(const std::string& text);
+
+}  // namespace graze

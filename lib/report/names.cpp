@@ -1,0 +1,25 @@
+#include "graze/report/names.hpp"
+
+namespace graze {
+
+std::string name_of(EventKind) { return "impact"; }
+
+std::string name_of(SpecialKind kind) { return kind == SpecialKind::kFold ? "LP" : "GR"; }
+
+std::string name_of(OrbitBranchEnd end) {
+  switch (end) {
+    case OrbitBranchEnd::kParameterLimit: return "parameter limit";
+    case OrbitBranchEnd::kClosed: return "closed";
+    case OrbitBranchEnd::kGrazing: return "GR";
+    case OrbitBranchEnd::kStepLimit: return "step limit";
+    case OrbitBranchEnd::kNotConverged: break;
+  }
+  return "not converged";
+}
+
+std::string stability_word(const std::optional<bool>& stable) {
+  if (!stable) return "on the circle";
+  return *stable ? "yes" : "no";
+}
+
+}  // namespace graze

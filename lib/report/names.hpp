@@ -1,0 +1,18 @@
+// The words in which results name kinds and ends.
+#pragma once
+
+#include <string>
+
+#include "graze/bifurcation/orbit_branches.hpp"
+#include "graze/hybrid/simulation.hpp"
+
+namespace graze {
+
+std::string name_of(EventKind kind);
+std::string name_of(SpecialKind kind);
+std::string name_of(OrbitBranchEnd end);
+
+// "yes", "no", or "on the circle" for a stability that rounding leaves open.
+std::string stability_word(const std::optional<bool>& stable);
+
+}  // namespace graze

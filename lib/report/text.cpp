@@ -1,0 +1,189 @@
+#include "graze/report/text.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "graze/report/names.hpp"
+#include "graze/report/table.hpp"
+
+namespace graze {
+namespace {
+
+std::string title(const Scene& scene) {
+  return scene.title.empty() ? "" : scene.title + "\n";
+}
+
+std::string simulated_effects(const Scene& scene) {
+  std::string text;
+  const auto line = [&](const char* what, const std::string& how) {
+    text += fmt::format("  {:<12} {}\n", what, how);
+  };
+  if (const Beam* beam = scene.beam())
+    line("structure",
+         fmt::format("clamped-free beam, {} mode{}, {} projection", beam->modes,
+                     beam->modes == 1 ? "" : "s",
+                     beam->discretisation == Projection::kGalerkin ? "Galerkin" : "collocation"));
+  else
+    line("structure", fmt::format("given by {} mode{}", scene.modes(),
+                                  scene.modes() == 1 ? "" : "s"));
+  const bool own = scene.modal() && !scene.modal()->damping_ratios.empty();
+  if (!scene.damping)
+    line("damping", own ? "ratios" : "none");
+  else
+    line("damping", std::holds_alternative<ViscousDamping>(*scene.damping)   ? "viscous"
+                    : std::holds_alternative<DampingRatios>(*scene.damping) ? "ratios"
+                                                                             : "Rayleigh");
+  if (scene.forcing)
+    line("forcing", fmt::format("{}, {:g} rad/s = {:.6g} Hz, period {:.6g} s",
+                                scene.forcing->kind == ForcingKind::kBase ? "moving clamp"
+                                : scene.forcing->kind == ForcingKind::kDistributed
+                                    ? "distributed load"
+                                    : "modal",
+                                scene.forcing->frequency,
+                                scene.forcing->frequency / (2.0 * std::numbers::pi),
+                                2.0 * std::numbers::pi / scene.forcing->frequency));
+  else
+    line("forcing", "none");
+  for (const Stop& stop : scene.stops)
+    line("stop", fmt::format("{}, gap {:g} m, restitution {:g}, {} impulse",
+                             stop.side == Side::kAbove ? "above" : "below", stop.gap,
+                             stop.restitution,
+                             stop.impulse == Impulse::kMomentum ? "momentum" : "collocation"));
+  if (scene.stops.empty()) line("stop", "none: no contact is looked for");
+  line("flow", "exact: every effect in this scene is linear between impacts, so motion and first "
+               "contact have closed forms");
+  return text;
+}
+
+std::string complex_text(const Complex& z) {
+  if (z.imag() == 0.0) return fmt::format("{:.6f}", z.real());
+  return fmt::format("{:.6f} {} {:.6f}i", z.real(), z.imag() < 0 ? "-" : "+", std::abs(z.imag()));
+}
+
+std::string ending(const Outcome& outcome) {
+  return outcome.message.empty() ? "" : fmt::format("{}: {}\n", outcome.name, outcome.message);
+}
+
+std::string notes_text(const std::vector<std::string>& notes) {
+  std::string text;
+  for (const std::string& note : notes) text += "note: " + note + "\n";
+  return text;
+}
+
+}  // namespace
+
+std::string to_text(const CheckRecord& record) {
+  std::string text = title(record.scene) + "Simulated:\n" + simulated_effects(record.scene) + "\n";
+  const System& system = record.system;
+  Table modes({"mode", "frequency (rad/s)", "(Hz)", "decay rate (1/s)", "damping ratio",
+               "modal force (N)"});
+  for (Eigen::Index j = 0; j < system.omega.size(); ++j)
+    modes.add({fmt::format("{}", j + 1), fmt::format("{:.8g}", system.omega[j]),
+               fmt::format("{:.6g}", system.omega[j] / (2.0 * std::numbers::pi)),
+               fmt::format("{:.6g}", system.delta[j]),
+               system.omega[j] > 0.0 ? fmt::format("{:.4g}", system.delta[j] / system.omega[j])
+                                     : "-",
+               system.forcing ? fmt::format("{:.6g}", system.forcing->amplitude[j]) : "-"});
+  text += modes.text();
+  for (std::size_t i = 0; i < system.stops.size(); ++i)
+    text += fmt::format("\nstop {}: effective mass at the contact {:.6g} kg\n", i + 1,
+                        1.0 / system.stops[i].row.squaredNorm());
+  if (record.collocation_condition > 0.0)
+    text += fmt::format("collocation matrix: condition number {:.4g}\n",
+                        record.collocation_condition);
+  return text;
+}
+
+std::string to_text(const SimulationRecord& record) {
+  const Simulation& run = record.run;
+  std::string text;
+  if (!record.events.empty()) {
+    constexpr std::size_t kShown = 10;
+    const std::size_t hidden = record.events.size() > 2 * kShown + 1
+                                   ? record.events.size() - 2 * kShown : 0;
+    Table table({"impact", "time (s)", "stop", "speed (m/s)", "phase (rad)", "energy change (J)"});
+    for (std::size_t i = 0; i < record.events.size(); ++i) {
+      if (hidden > 0 && i == kShown) table.add({"..", "", "", "", "", ""});
+      if (hidden > 0 && i >= kShown && i < kShown + hidden) continue;
+      const Event& e = record.events[i];
+      table.add({fmt::format("{}", i + 1), fmt::format("{:.12g}", e.time),
+                 fmt::format("{}", e.stop + 1), fmt::format("{:.9g}", e.speed),
+                 e.phase ? fmt::format("{:.9f}", *e.phase) : "-",
+                 fmt::format("{:.4e}", e.energy_change)});
+    }
+    text += table.text() + "\n";
+  }
+  text += fmt::format("{:<24} {:.9g} s\n", "simulated until", run.end_time);
+  if (!record.system.stops.empty()) {
+    text += fmt::format("{:<24} {}\n", "impacts", run.totals.impacts);
+    text += fmt::format("{:<24} {:.6g} J\n", "energy lost at impacts", run.totals.energy_lost);
+    text += fmt::format("{:<24} {:.6g} J\n", "energy added at impacts", run.totals.energy_added);
+  }
+  if (run.totals.smallest_gap)
+    text += fmt::format("{:<24} {:.6g} m\n", "smallest gap", *run.totals.smallest_gap);
+  return text + ending(record.outcome);
+}
+
+std::string to_text(const OrbitRecord& record) {
+  std::string text;
+  Table table({"orbit", "(p, k)", "phase (rad)", "speed (m/s)", "stable", "admissible",
+               "clearance (m)", "largest multiplier", "residual"});
+  int number = 0;
+  for (const Orbit& orbit : record.found.orbits) {
+    bool first = true;
+    ++number;
+    for (const OrbitImpact& impact : orbit.impacts) {
+      std::vector<std::string> row{"", "", fmt::format("{:.12f}", impact.phase),
+                                   fmt::format("{:.12g}", impact.speed)};
+      if (first) {
+        row[0] = fmt::format("{}", number);
+        row[1] = fmt::format("({}, {})", orbit.period, orbit.impacts.size());
+        row.push_back(stability_word(orbit.stable));
+        row.push_back(orbit.admissible ? "yes" : "no");
+        row.push_back(orbit.clearance ? fmt::format("{:.4g}", *orbit.clearance) : "-");
+        row.push_back(orbit.multipliers.empty() ? "-"
+                                                : complex_text(orbit.multipliers.front().value));
+        row.push_back(fmt::format("{:.1e}", orbit.residual));
+      }
+      table.add(row);
+      first = false;
+    }
+  }
+  if (!table.empty()) text += table.text() + "\n";
+  return text + notes_text(record.found.notes) + ending(record.outcome);
+}
+
+std::string to_text(const BranchRecord& record) {
+  const std::string unit = record.unit.empty() ? "" : " (" + record.unit + ")";
+  Table branches({"branch", "component", "points", "from" + unit, "to" + unit, "ends",
+                  "stable points"});
+  Table special({"point", "branch", record.traced.parameter + unit, "phase (rad)", "speed (m/s)",
+                 "multiplier"});
+  for (const OrbitBranch& branch : record.traced.branches) {
+    std::size_t stable = 0;
+    for (const OrbitBranchPoint& point : branch.points)
+      if (point.orbit.stable.value_or(false)) ++stable;
+    branches.add({fmt::format("{}", branch.id), fmt::format("{}", branch.component),
+                  fmt::format("{}", branch.points.size()),
+                  fmt::format("{:.8g}", branch.points.front().value),
+                  fmt::format("{:.8g}", branch.points.back().value),
+                  name_of(branch.ends[0]) + " / " + name_of(branch.ends[1]),
+                  fmt::format("{}", stable)});
+    for (const SpecialPoint& s : branch.special)
+      special.add({s.id, fmt::format("{}", branch.id), fmt::format("{:.13g}", s.at.value),
+                   fmt::format("{:.9f}", s.at.orbit.impacts.front().phase),
+                   fmt::format("{:.9g}", s.at.orbit.impacts.front().speed),
+                   s.multiplier ? complex_text(*s.multiplier) : "-"});
+  }
+  std::string text;
+  if (!branches.empty()) text += branches.text() + "\n";
+  if (!special.empty()) text += special.text() + "\n";
+  text += fmt::format("{} start{}, {} evaluations of the shooting equations\n",
+                      record.traced.starts, record.traced.starts == 1 ? "" : "s",
+                      record.traced.shooting_evaluations);
+  return text + notes_text(record.traced.notes) + ending(record.outcome);
+}
+
+}  // namespace graze

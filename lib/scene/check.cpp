@@ -1,0 +1,277 @@
+#include "graze/scene/check.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <limits>
+
+#include "graze/scene/suggestion.hpp"
+
+namespace graze {
+namespace {
+
+// The rules for single numbers and lists; a key is put together only where a rule is broken, since
+// every step of a continuation checks its scene.
+class Checker {
+ public:
+  Checker(const Scene& scene, std::string table) : scene_(scene), table_(std::move(table)) {}
+
+  [[noreturn]] void fail(const std::string& key, const std::string& sentence) const {
+    throw scene_error(scene_, table_.empty() ? key : table_ + "." + key, sentence);
+  }
+  void require(bool kept, const std::string& key, double value, const char* what) const {
+    if (!kept) {
+      fail(key, fmt::format("{} is not allowed, it must be {}", value, what));
+    }
+  }
+  void finite(const char* key, double value) const {
+    require(std::isfinite(value), key, value, "a finite number");
+  }
+  void positive(const char* key, double value) const {
+    require(std::isfinite(value) && value > 0.0, key, value, "a finite number greater than 0");
+  }
+  void not_negative(const char* key, double value) const {
+    require(std::isfinite(value) && value >= 0.0, key, value, "a finite number of at least 0");
+  }
+  void entries(const char* key, const std::vector<double>& values, int modes,
+               bool negative_allowed) const {
+    if (values.size() != static_cast<std::size_t>(modes)) {
+      fail(key, fmt::format("the list has {}, it must have one per mode, which is {}",
+                            values.size() == 1 ? std::string("1 entry")
+                                               : fmt::format("{} entries", values.size()),
+                            modes));
+    }
+    for (std::size_t k = 0; k < values.size(); ++k) {
+      if (!std::isfinite(values[k]) || (values[k] < 0.0 && !negative_allowed)) {
+        require(false, fmt::format("{}.{}", key, k + 1), values[k],
+                negative_allowed ? "a finite number" : "a finite number of at least 0");
+      }
+    }
+  }
+
+ private:
+  const Scene& scene_;
+  std::string table_;
+};
+
+void check_points(const Checker& checker, const Beam& beam) {
+  if (beam.points.empty()) {
+    return;
+  }
+  checker.entries("points", beam.points, beam.modes, true);
+  double before = 0.0;
+  for (std::size_t k = 0; k < beam.points.size(); ++k) {
+    const double point = beam.points[k];
+    if (point <= before || point > beam.length) {
+      checker.fail(fmt::format("points.{}", k + 1),
+                   fmt::format("{} is not allowed, it must be greater than {} and at most the "
+                               "beam's length {}",
+                               point, before, beam.length));
+    }
+    before = point;
+  }
+}
+
+void check_structure(const Scene& scene) {
+  if (const Beam* beam = scene.beam()) {
+    const Checker checker(scene, "beam");
+    checker.positive("length", beam->length);
+    checker.positive("youngs_modulus", beam->youngs_modulus);
+    checker.positive("second_moment", beam->second_moment);
+    checker.positive("density", beam->density);
+    checker.positive("area", beam->area);
+    checker.require(beam->modes >= 1 && beam->modes <= kMostModes, "modes", beam->modes,
+                    "an integer from 1 to 400");
+    check_points(checker, *beam);
+    return;
+  }
+  const ModalStructure& modal = *scene.modal();
+  const Checker checker(scene, "modal");
+  const std::size_t size = modal.frequencies.size();
+  if (size < 1 || size > kMostModes) {
+    checker.fail("frequencies",
+                 fmt::format("the list has {} entries, it must have 1 to {}", size, kMostModes));
+  }
+  const int modes = scene.modes();
+  checker.entries("frequencies", modal.frequencies, modes, false);
+  const auto optional_entries = [&](const char* key, const std::vector<double>& values,
+                                    bool negative_allowed) {
+    if (!values.empty()) {
+      checker.entries(key, values, modes, negative_allowed);
+    }
+  };
+  optional_entries("damping_ratios", modal.damping_ratios, false);
+  optional_entries("participation", modal.participation, true);
+  optional_entries("inertia", modal.inertia, true);
+}
+
+void check_damping(const Scene& scene) {
+  if (!scene.damping) {
+    return;
+  }
+  const Checker checker(scene, "damping");
+  const ModalStructure* modal = scene.modal();
+  if (const auto* viscous = std::get_if<ViscousDamping>(&*scene.damping)) {
+    if (modal != nullptr) {
+      checker.fail("viscous",
+                   "viscous damping needs the sections of a [beam], a [modal] structure must have "
+                   "ratios or rayleigh");
+    }
+    checker.not_negative("viscous", viscous->coefficient);
+  } else if (const auto* ratios = std::get_if<DampingRatios>(&*scene.damping)) {
+    checker.entries("ratios", ratios->ratios, scene.modes(), false);
+  } else {
+    const auto& rayleigh = std::get<RayleighDamping>(*scene.damping);
+    checker.not_negative("rayleigh.mass", rayleigh.mass);
+    checker.not_negative("rayleigh.stiffness", rayleigh.stiffness);
+  }
+  if (modal != nullptr && !modal->damping_ratios.empty()) {
+    throw scene_error(scene, "damping",
+                      "modal.damping_ratios is given already, the scene must have only one of "
+                      "modal.damping_ratios and [damping]");
+  }
+}
+
+void check_forcing(const Scene& scene) {
+  if (!scene.forcing) {
+    return;
+  }
+  const Checker checker(scene, "forcing");
+  const Forcing& forcing = *scene.forcing;
+  const ModalStructure* modal = scene.modal();
+  if (modal == nullptr && forcing.kind == ForcingKind::kModal) {
+    checker.fail("kind", "modal forcing needs [modal], it must be base or distributed");
+  }
+  if (modal != nullptr && forcing.kind == ForcingKind::kDistributed) {
+    checker.fail("kind", "distributed forcing needs [beam], it must be modal or base");
+  }
+  checker.finite("amplitude", forcing.amplitude);
+  checker.positive("frequency", forcing.frequency);
+  checker.finite("phase", forcing.phase);
+  if (modal != nullptr && forcing.kind == ForcingKind::kModal && modal->participation.empty()) {
+    throw scene_error(scene, "modal.participation",
+                      "the key is missing, forcing of the kind \"modal\" needs a list of numbers, "
+                      "one per mode");
+  }
+  if (modal != nullptr && forcing.kind == ForcingKind::kBase && modal->inertia.empty()) {
+    throw scene_error(scene, "modal.inertia",
+                      "the key is missing, forcing of the kind \"base\" needs a list of numbers, "
+                      "one per mode");
+  }
+}
+
+// A point with 15 digits where these stand for it (0.225 and not 0.22499999999999998).
+std::string point_text(double point, double length) {
+  const std::string text = fmt::format("{:.15g}", point);
+  const bool same = std::abs(std::strtod(text.c_str(), nullptr) - point) <=
+                    std::numeric_limits<double>::epsilon() * length;
+  return same ? text : fmt::format("{}", point);
+}
+
+void check_collocation_impulse(const Checker& checker, const Scene& scene, const Stop& stop) {
+  const Beam* beam = scene.beam();
+  if (beam == nullptr) {
+    checker.fail("impulse",
+                 "the collocation impulse needs the points of a [beam], it must be \"momentum\"");
+  }
+  if (collocation_index(*beam, stop.position) >= 0) {
+    return;
+  }
+  std::vector<std::string> points;
+  for (const double point : collocation_points(*beam)) {
+    points.push_back(point_text(point, beam->length));
+  }
+  checker.fail("position",
+               fmt::format("{} is not allowed with the collocation impulse, it must be the "
+                           "collocation point {}",
+                           stop.position, joined(points, "or")));
+}
+
+void check_stop(const Scene& scene, const Stop& stop, std::size_t number) {
+  const Checker checker(scene, number == 1 ? "stop" : fmt::format("stop.{}", number));
+  if (const Beam* beam = scene.beam()) {
+    if (!stop.shape.empty()) {
+      checker.fail("shape", "a stop of a [beam] has no shape, it must have a position");
+    }
+    if (!(stop.position > 0.0 && stop.position <= beam->length)) {
+      checker.fail("position", fmt::format("{} is not allowed, it must be greater than 0 and at "
+                                           "most the beam's length {}",
+                                           stop.position, beam->length));
+    }
+  } else {
+    if (stop.position != 0.0) {
+      checker.fail("position",
+                   "a stop of a [modal] structure has no position, it must have a shape");
+    }
+    checker.entries("shape", stop.shape, scene.modes(), true);
+    if (std::all_of(stop.shape.begin(), stop.shape.end(), [](double phi) { return phi == 0.0; })) {
+      checker.fail("shape", "every entry is 0, at least one mode must move at the stop");
+    }
+  }
+  checker.finite("gap", stop.gap);
+  checker.require(stop.restitution >= 0.0 && stop.restitution <= 1.0, "restitution",
+                  stop.restitution, "a number from 0 to 1");
+  if (stop.impulse == Impulse::kCollocation) {
+    check_collocation_impulse(checker, scene, stop);
+  }
+}
+
+void check_stops(const Scene& scene) {
+  for (std::size_t k = 0; k < scene.stops.size(); ++k) {
+    check_stop(scene, scene.stops[k], k + 1);
+  }
+  if (scene.stops.size() > 1) {
+    throw scene_error(scene, "stop.2",
+                      "more than one stop is not available in this version, there must be at most "
+                      "one [[stop]]");
+  }
+}
+
+void check_initial(const Scene& scene) {
+  if (!scene.initial) {
+    return;
+  }
+  const Checker checker(scene, "initial");
+  checker.entries("q", scene.initial->q, scene.modes(), true);
+  checker.entries("qdot", scene.initial->qdot, scene.modes(), true);
+}
+
+}  // namespace
+
+void check_scene(const Scene& scene) {
+  check_structure(scene);
+  check_damping(scene);
+  check_forcing(scene);
+  check_stops(scene);
+  check_initial(scene);
+  const double tolerance = scene.solver.tolerance;
+  Checker(scene, "solver")
+      .require(tolerance > 0.0 && tolerance < 1.0, "tolerance", tolerance,
+               "a number between 0 and 1, both excluded");
+}
+
+std::vector<double> collocation_points(const Beam& beam) {
+  if (!beam.points.empty()) {
+    return beam.points;
+  }
+  std::vector<double> points(static_cast<std::size_t>(beam.modes), beam.length);
+  for (std::size_t k = 0; k + 1 < points.size(); ++k) {
+    points[k] = static_cast<double>(k + 1) * beam.length / beam.modes;
+  }
+  return points;
+}
+
+int collocation_index(const Beam& beam, double position) {
+  const std::vector<double> points = collocation_points(beam);
+  const double same = 4.0 * std::numeric_limits<double>::epsilon() * beam.length;
+  for (std::size_t k = 0; k < points.size(); ++k) {
+    if (std::abs(points[k] - position) <= same) {
+      return static_cast<int>(k);
+    }
+  }
+  return -1;
+}
+
+}  // namespace graze

@@ -1,0 +1,219 @@
+#include "graze/scene/parameter.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <type_traits>
+#include <utility>
+
+#include "graze/scene/check.hpp"
+#include "graze/scene/suggestion.hpp"
+
+namespace graze {
+namespace {
+
+// Const where Other is.
+template <typename Other, typename T>
+using Like = std::conditional_t<std::is_const_v<Other>, const T, T>;
+
+// Calls f(name, number) for every entry of the list, names counted from 1.
+template <typename List, typename F>
+void visit_list(List& list, const std::string& name, F&& f) {
+  std::size_t k = 0;
+  for (auto& value : list) {
+    f(fmt::format("{}.{}", name, ++k), value);
+  }
+}
+
+template <typename S, typename F>
+void visit_structure(S& scene, F&& f) {
+  if (auto* beam = std::get_if<Beam>(&scene.structure)) {
+    f("beam.length", beam->length);
+    f("beam.youngs_modulus", beam->youngs_modulus);
+    f("beam.second_moment", beam->second_moment);
+    f("beam.density", beam->density);
+    f("beam.area", beam->area);
+    visit_list(beam->points, "beam.points", f);
+  } else {
+    auto& modal = std::get<ModalStructure>(scene.structure);
+    visit_list(modal.frequencies, "modal.frequencies", f);
+    visit_list(modal.damping_ratios, "modal.damping_ratios", f);
+    visit_list(modal.participation, "modal.participation", f);
+    visit_list(modal.inertia, "modal.inertia", f);
+  }
+}
+
+template <typename D, typename F>
+void visit_damping(D& damping, F&& f) {
+  if (auto* viscous = std::get_if<ViscousDamping>(&damping)) {
+    f("damping.viscous", viscous->coefficient);
+  } else if (auto* ratios = std::get_if<DampingRatios>(&damping)) {
+    visit_list(ratios->ratios, "damping.ratios", f);
+  } else {
+    auto& rayleigh = std::get<RayleighDamping>(damping);
+    f("damping.rayleigh.mass", rayleigh.mass);
+    f("damping.rayleigh.stiffness", rayleigh.stiffness);
+  }
+}
+
+// Calls f(name, number) for every continuous parameter of the scene: the one list of names.
+template <typename S, typename F>
+void visit_parameters(S& scene, F&& f) {
+  visit_structure(scene, f);
+  if (scene.damping) {
+    visit_damping(*scene.damping, f);
+  }
+  if (scene.forcing) {
+    f("forcing.amplitude", scene.forcing->amplitude);
+    f("forcing.frequency", scene.forcing->frequency);
+    f("forcing.phase", scene.forcing->phase);
+  }
+  const bool beam = scene.beam() != nullptr;
+  for (std::size_t k = 0; k < scene.stops.size(); ++k) {
+    const std::string stop = k == 0 ? "stop" : fmt::format("stop.{}", k + 1);
+    auto& values = scene.stops[k];
+    if (beam) {
+      f(stop + ".position", values.position);
+    }
+    f(stop + ".gap", values.gap);
+    f(stop + ".restitution", values.restitution);
+    visit_list(values.shape, stop + ".shape", f);
+  }
+}
+
+// "stop.1.gap" is "stop.gap".
+std::string canonical(const std::string& path) {
+  const std::string first = "stop.1.";
+  return path.compare(0, first.size(), first) == 0 ? "stop." + path.substr(first.size()) : path;
+}
+
+template <typename S>
+Like<S, double>* found_parameter(S& scene, const std::string& path) {
+  Like<S, double>* result = nullptr;
+  const std::string wanted = canonical(path);
+  visit_parameters(scene, [&](const std::string& name, auto& value) {
+    if (name == wanted) {
+      result = &value;
+    }
+  });
+  return result;
+}
+
+// "modal.frequencies.1..4" for the four entries, so that a message stays readable.
+std::vector<std::string> shortened(const std::vector<std::string>& names) {
+  std::vector<std::string> result;
+  std::string list;  // the list whose entries are being passed
+  for (const std::string& name : names) {
+    const std::size_t dot = name.rfind('.');
+    const std::string number = name.substr(dot + 1);
+    if (number.find_first_not_of("0123456789") != std::string::npos) {
+      result.push_back(name);
+      list.clear();
+    } else if (name.substr(0, dot) != list) {
+      list = name.substr(0, dot);
+      result.push_back(name);
+    } else {
+      result.back() = fmt::format("{}.1..{}", list, number);
+    }
+  }
+  return result;
+}
+
+InputError unknown_parameter(const Scene& scene, const std::string& path) {
+  const std::vector<std::string> names = parameter_names(scene);
+  const std::string meant = closest_name(path, names);
+  const std::string question = meant.empty() ? "" : fmt::format(" Did you mean {}?", meant);
+  return InputError(fmt::format("{}: the scene has no such parameter.{} Allowed are {}.",
+                                path.empty() ? "parameter" : path, question,
+                                joined(shortened(names), "and")));
+}
+
+}  // namespace
+
+double* find_parameter(Scene& scene, const std::string& path) {
+  return found_parameter(scene, path);
+}
+
+const double* find_parameter(const Scene& scene, const std::string& path) {
+  return found_parameter(scene, path);
+}
+
+std::vector<std::string> parameter_names(const Scene& scene) {
+  std::vector<std::string> names;
+  visit_parameters(scene, [&](const std::string& name, const double&) { names.push_back(name); });
+  return names;
+}
+
+Scene with_parameter(const Scene& scene, const std::string& path, double value) {
+  Scene changed = scene;
+  double* parameter = find_parameter(changed, path);
+  if (parameter == nullptr) {
+    throw unknown_parameter(scene, path);
+  }
+  *parameter = value;
+  // The value is not the one in the file, so no message may point there.
+  changed.origins = nullptr;
+  check_scene(changed);
+  changed.origins = scene.origins;
+  return changed;
+}
+
+Scene parameter_direction(const Scene& scene, const std::string& path) {
+  Scene direction = scene;
+  visit_parameters(direction, [](const std::string&, double& value) { value = 0.0; });
+  if (direction.initial) {
+    direction.initial->q.assign(direction.initial->q.size(), 0.0);
+    direction.initial->qdot.assign(direction.initial->qdot.size(), 0.0);
+  }
+  direction.solver.tolerance = 0.0;
+  double* parameter = find_parameter(direction, path);
+  if (parameter == nullptr) {
+    throw unknown_parameter(scene, path);
+  }
+  *parameter = 1.0;
+  return direction;
+}
+
+std::string parameter_unit(const Scene& scene, const std::string& path) {
+  std::string name = canonical(path);
+  // Entries of a list, and stops after the first, have the unit of the first.
+  const std::size_t dot = name.rfind('.');
+  if (dot != std::string::npos &&
+      name.find_first_not_of("0123456789", dot + 1) == std::string::npos) {
+    name.resize(dot);
+  }
+  if (name.compare(0, 5, "stop.") == 0) {
+    name = "stop" + name.substr(name.rfind('.'));
+  }
+  if (name == "forcing.amplitude" && scene.forcing) {
+    const ForcingKind kind = scene.forcing->kind;
+    return kind == ForcingKind::kBase ? "m" : (kind == ForcingKind::kDistributed ? "N/m" : "");
+  }
+  // Mass-normalised coordinates q are in kg^1/2 m, so modal forces are in kg^1/2 m/s^2.
+  static constexpr std::array<std::pair<const char*, const char*>, 16> kUnits = {{
+      {"beam.length", "m"},
+      {"beam.youngs_modulus", "Pa"},
+      {"beam.second_moment", "m^4"},
+      {"beam.density", "kg/m^3"},
+      {"beam.area", "m^2"},
+      {"beam.points", "m"},
+      {"modal.frequencies", "rad/s"},
+      {"modal.participation", "kg^1/2 m/s^2"},
+      {"modal.inertia", "kg^1/2"},
+      {"damping.viscous", "N s/m^2"},
+      {"damping.rayleigh.mass", "1/s"},
+      {"damping.rayleigh.stiffness", "s"},
+      {"forcing.frequency", "rad/s"},
+      {"forcing.phase", "rad"},
+      {"stop.position", "m"},
+      {"stop.gap", "m"},
+  }};
+  for (const auto& [known, unit] : kUnits) {
+    if (name == known) {
+      return unit;
+    }
+  }
+  return name == "stop.shape" ? "kg^-1/2" : "";
+}
+
+}  // namespace graze

@@ -1,0 +1,136 @@
+#include <fmt/format.h>
+
+#include <string_view>
+
+#include "graze/scene/node.hpp"
+#include "graze/scene/reader.hpp"
+
+namespace graze {
+namespace {
+
+// Collects "key = value" lines.
+class Writer {
+ public:
+  void table(std::string_view header) {
+    text_ += fmt::format("{}{}\n", text_.empty() ? "" : "\n", header);
+  }
+  void verbatim(std::string_view key, std::string_view value) {
+    text_ += fmt::format("{} = {}\n", key, value);
+  }
+  void word(std::string_view key, const std::string& value) { verbatim(key, quoted(value)); }
+  void number(std::string_view key, double value) { verbatim(key, real_text(value)); }
+  void list(std::string_view key, const std::vector<double>& values) {
+    std::string entries;
+    for (const double value : values) {
+      entries += (entries.empty() ? "" : ", ") + real_text(value);
+    }
+    verbatim(key, "[" + entries + "]");
+  }
+  void list_if_any(std::string_view key, const std::vector<double>& values) {
+    if (!values.empty()) {
+      list(key, values);
+    }
+  }
+  std::string text() && { return std::move(text_); }
+
+ private:
+  std::string text_;
+};
+
+void write(Writer& out, const Beam& beam) {
+  out.table("[beam]");
+  out.number("length", beam.length);
+  out.number("youngs_modulus", beam.youngs_modulus);
+  out.number("second_moment", beam.second_moment);
+  out.number("density", beam.density);
+  out.number("area", beam.area);
+  out.verbatim("modes", std::to_string(beam.modes));
+  out.word("discretisation",
+           beam.discretisation == Projection::kGalerkin ? "galerkin" : "collocation");
+  out.list_if_any("points", beam.points);
+}
+
+void write(Writer& out, const ModalStructure& modal) {
+  out.table("[modal]");
+  out.list("frequencies", modal.frequencies);
+  out.list_if_any("damping_ratios", modal.damping_ratios);
+  out.list_if_any("participation", modal.participation);
+  out.list_if_any("inertia", modal.inertia);
+}
+
+void write(Writer& out, const Damping& damping) {
+  out.table("[damping]");
+  if (const auto* viscous = std::get_if<ViscousDamping>(&damping)) {
+    out.number("viscous", viscous->coefficient);
+  } else if (const auto* ratios = std::get_if<DampingRatios>(&damping)) {
+    out.list("ratios", ratios->ratios);
+  } else {
+    const auto& rayleigh = std::get<RayleighDamping>(damping);
+    out.verbatim("rayleigh", fmt::format("{{ mass = {}, stiffness = {} }}",
+                                         real_text(rayleigh.mass), real_text(rayleigh.stiffness)));
+  }
+}
+
+std::string kind_name(ForcingKind kind) {
+  switch (kind) {
+    case ForcingKind::kBase:
+      return "base";
+    case ForcingKind::kDistributed:
+      return "distributed";
+    case ForcingKind::kModal:
+      break;
+  }
+  return "modal";
+}
+
+void write(Writer& out, const Forcing& forcing) {
+  out.table("[forcing]");
+  out.word("kind", kind_name(forcing.kind));
+  out.number("amplitude", forcing.amplitude);
+  out.number("frequency", forcing.frequency);
+  out.number("phase", forcing.phase);
+}
+
+void write(Writer& out, const Stop& stop, bool modal) {
+  out.table("[[stop]]");
+  if (modal) {
+    out.list("shape", stop.shape);
+  } else {
+    out.number("position", stop.position);
+  }
+  out.number("gap", stop.gap);
+  out.word("side", stop.side == Side::kAbove ? "above" : "below");
+  out.number("restitution", stop.restitution);
+  out.word("impulse", stop.impulse == Impulse::kMomentum ? "momentum" : "collocation");
+}
+
+}  // namespace
+
+std::string write_scene(const Scene& scene) {
+  Writer out;
+  if (!scene.title.empty()) {
+    out.word("title", scene.title);
+  }
+  std::visit([&](const auto& structure) { write(out, structure); }, scene.structure);
+  if (scene.damping) {
+    write(out, *scene.damping);
+  }
+  if (scene.forcing) {
+    write(out, *scene.forcing);
+  }
+  for (const Stop& stop : scene.stops) {
+    write(out, stop, scene.modal() != nullptr);
+  }
+  if (scene.initial) {
+    out.table("[initial]");
+    out.list("q", scene.initial->q);
+    out.list("qdot", scene.initial->qdot);
+  }
+  // The numerics that apply are no part of the structure, but another default would change results.
+  out.table("[solver]");
+  out.word("flow", scene.solver.flow == FlowChoice::kAuto ? "auto" : "exact");
+  out.number("tolerance", scene.solver.tolerance);
+  return std::move(out).text();
+}
+
+}  // namespace graze

@@ -1,0 +1,188 @@
+"""From a scene file to the modal equations, in high precision.
+
+    q_j'' + 2 delta_j q_j' + w_j^2 q_j = g_j cos(Omega t + psi),      j = 1..N
+
+with mass-normalised modes and one stop: free while  row . q < gap.  An impact with approach speed
+v = row . q'  changes the velocities by  -(1 + r) v d,  where  row . d = 1.
+
+Every number of the scene is taken as the double nearest to its literal and is exact from there on.
+"""
+import tomllib
+from dataclasses import dataclass
+
+from mpmath import mp, mpf
+
+mp.dps = 50
+
+
+# ---------------------------------------------------------------- the clamped-free beam of unit length
+
+def wave_number(j):
+    """b_j, the j-th positive root of cos(b) cosh(b) = -1, to the working precision."""
+    b = (2 * j - 1) * mp.pi / 2
+    if j == 1:
+        b = mpf('1.8751')
+    for _ in range(200):                              # Newton on cos(b) + sech(b), well scaled for any b
+        sech = 1 / mp.cosh(b)
+        step = (mp.cos(b) + sech) / (-mp.sin(b) - sech * mp.tanh(b))
+        b -= step
+        if abs(step) <= b * mp.eps * 4:
+            return b
+    raise ArithmeticError(f"root {j} did not converge")
+
+
+def extra_digits(j):
+    """Digits that the textbook shape loses: cosh and sinh grow to exp(b) and cancel."""
+    return int(2 * 3.1416 * j / 2.302) + 10
+
+
+def mode_shape(j, xi):
+    """(phi, dphi/dxi) at xi = x/L for unit length and mass, so that |phi(1)| = 2.
+
+    Textbook form  cosh - cos - s (sinh - sin), evaluated with as many more digits as it loses.
+    """
+    with mp.extradps(extra_digits(j)):
+        b = wave_number(j)
+        s = (mp.cosh(b) + mp.cos(b)) / (mp.sinh(b) + mp.sin(b))
+        z = b * xi
+        phi = mp.cosh(z) - mp.cos(z) - s * (mp.sinh(z) - mp.sin(z))
+        slope = b * (mp.sinh(z) + mp.sin(z) - s * (mp.cosh(z) - mp.cos(z)))
+    return +phi, +slope
+
+
+def mode_integral(j):
+    """Integral of phi_j over 0..1: 2 s_j / b_j."""
+    with mp.extradps(extra_digits(j)):
+        b = wave_number(j)
+        s = (mp.cosh(b) + mp.cos(b)) / (mp.sinh(b) + mp.sin(b))
+        value = 2 * s / b
+    return +value
+
+
+# ---------------------------------------------------------------- the modal system
+
+@dataclass
+class ModalSystem:
+    frequency: list          # w_j, rad/s
+    two_delta: list          # 2 delta_j, 1/s
+    force: list              # g_j: amplitude of the modal force
+    omega: mpf               # Omega, rad/s
+    psi: mpf                 # phase of the forcing
+    row: list                # contact row, pointing into the stop
+    jump: list               # d, with row . d = 1
+    gap: mpf
+    restitution: mpf
+    q0: list                 # initial state
+    v0: list
+
+    @property
+    def modes(self):
+        return len(self.frequency)
+
+
+def dot(a, b):
+    return mp.fdot(a, b)
+
+
+def real(x):
+    """The double nearest to a literal, exactly."""
+    return mpf(float(x))
+
+
+def solve_columns(columns, rhs):
+    """x with  sum_j columns[j] x_j = rhs."""
+    n = len(rhs)
+    matrix = mp.matrix(n, n)
+    for j in range(n):
+        for i in range(n):
+            matrix[i, j] = columns[j][i]
+    return list(mp.lu_solve(matrix, mp.matrix(rhs)))
+
+
+def read_scene(path):
+    with open(path, 'rb') as file:
+        return tomllib.load(file)
+
+
+def assemble(scene):
+    """The modal system of a scene (a TOML document already read)."""
+    return from_beam(scene) if 'beam' in scene else from_modes(scene)
+
+
+def finish(scene, n, w, two_delta, force, row, columns):
+    """Forcing, stop, impact law and initial state: alike for a beam and for given modes."""
+    forcing, (stop,) = scene['forcing'], scene['stop']
+    side = {'above': 1, 'below': -1}[stop.get('side', 'above')]
+    row = [side * x for x in row]
+    law = stop.get('impulse', 'momentum')
+    if law == 'momentum':                             # impulse along M^-1 row; the modal mass is 1
+        size = dot(row, row)
+        jump = [x / size for x in row]
+    else:                                             # Phi^-1 R Phi: only the stop's own point is turned back
+        jump = [side * x for x in columns['jump']]
+    initial = scene.get('initial', {})
+    zero = [0.0] * n
+    return ModalSystem(w, two_delta, force, real(forcing['frequency']), real(forcing.get('phase', 0.0)),
+                       row, jump, real(stop['gap']), real(stop['restitution']),
+                       [real(x) for x in initial.get('q', zero)], [real(x) for x in initial.get('qdot', zero)])
+
+
+def from_modes(scene):
+    modal = scene['modal']
+    w = [real(x) for x in modal['frequencies']]
+    ratios = modal.get('damping_ratios', [0.0] * len(w))
+    two_delta = [2 * real(z) * wj for z, wj in zip(ratios, w)]
+    amplitude = real(scene['forcing']['amplitude'])
+    force = [amplitude * real(x) for x in modal['participation']]
+    row = [real(x) for x in scene['stop'][0]['shape']]
+    return finish(scene, len(w), w, two_delta, force, row, None)
+
+
+def from_beam(scene):
+    beam = scene['beam']
+    n = beam['modes']
+    length = real(beam['length'])
+    mass_per_length = real(beam['density']) * real(beam['area'])
+    stiffness = real(beam['youngs_modulus']) * real(beam['second_moment'])
+    norm = 1 / mp.sqrt(mass_per_length * length)      # unit mass -> mass-normalised shape
+
+    w = [wave_number(j) ** 2 * mp.sqrt(stiffness / (mass_per_length * length ** 4)) for j in range(1, n + 1)]
+
+    damping = scene.get('damping', {})
+    if 'viscous' in damping:
+        two_delta = [real(damping['viscous']) / mass_per_length] * n
+    elif 'rayleigh' in damping:
+        alpha, beta = (real(damping['rayleigh'][key]) for key in ('mass', 'stiffness'))
+        two_delta = [alpha + beta * wj ** 2 for wj in w]
+    else:
+        two_delta = [2 * real(z) * wj for z, wj in zip(damping.get('ratios', [0.0] * n), w)]
+
+    def shapes_at(xi):
+        return [norm * mode_shape(j, xi)[0] for j in range(1, n + 1)]
+
+    points = [mpf(i) / n for i in range(1, n + 1)]    # collocation points i L/N
+    phi_at_points = [shapes_at(xi) for xi in points]  # rows of Phi
+    columns_of_phi = [[r[j] for r in phi_at_points] for j in range(n)]
+
+    # modal share of a unit uniform acceleration, integral of rho A phi_j
+    if beam.get('discretisation', 'galerkin') == 'galerkin':
+        share = [mode_integral(j) / norm for j in range(1, n + 1)]
+    else:
+        share = solve_columns(columns_of_phi, [mpf(1)] * n)
+
+    forcing = scene['forcing']
+    amplitude = real(forcing['amplitude'])
+    if forcing['kind'] == 'base':
+        amplitude *= real(forcing['frequency']) ** 2  # inertia of the moving frame, per unit mass
+    else:
+        amplitude /= mass_per_length                  # distributed: force per length
+    force = [amplitude * x for x in share]
+
+    xi_stop = real(scene['stop'][0]['position']) / length
+    columns = {}
+    if scene['stop'][0].get('impulse') == 'collocation':
+        unit = [mpf(1) if abs(xi - xi_stop) < mpf('1e-12') else mpf(0) for xi in points]
+        if sum(unit) != 1:
+            raise ValueError("the stop is not a collocation point")
+        columns['jump'] = solve_columns(columns_of_phi, unit)
+    return finish(scene, n, w, two_delta, force, shapes_at(xi_stop), columns)

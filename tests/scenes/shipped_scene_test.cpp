@@ -1,0 +1,125 @@
+// Every scene in data/scenes is read, and what is written of it reads back to the same values.
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "graze/scene/parameter.hpp"
+#include "graze/scene/reader.hpp"
+
+namespace graze {
+namespace {
+
+const std::filesystem::path kFolder = std::filesystem::path(GRAZE_SOURCE_DIR) / "data" / "scenes";
+
+std::vector<std::filesystem::path> shipped_scenes() {
+  std::vector<std::filesystem::path> files;
+  for (const auto& entry : std::filesystem::directory_iterator(kFolder)) {
+    files.push_back(entry.path());
+  }
+  return files;
+}
+
+// The numbers of both scenes, bit by bit, and everything that is no number.
+void expect_equal(const Scene& a, const Scene& b) {
+  EXPECT_EQ(a.title, b.title);
+  EXPECT_EQ(a.structure.index(), b.structure.index());
+  EXPECT_EQ(a.modes(), b.modes());
+  if (a.beam() != nullptr && b.beam() != nullptr) {
+    EXPECT_EQ(a.beam()->discretisation, b.beam()->discretisation);
+  }
+  EXPECT_EQ(parameter_names(a), parameter_names(b));
+  for (const std::string& name : parameter_names(a)) {
+    EXPECT_EQ(*find_parameter(a, name), *find_parameter(b, name)) << name;
+  }
+  ASSERT_EQ(a.forcing.has_value(), b.forcing.has_value());
+  if (a.forcing) {
+    EXPECT_EQ(a.forcing->kind, b.forcing->kind);
+  }
+  ASSERT_EQ(a.stops.size(), b.stops.size());
+  for (std::size_t k = 0; k < a.stops.size(); ++k) {
+    EXPECT_EQ(a.stops[k].side, b.stops[k].side);
+    EXPECT_EQ(a.stops[k].impulse, b.stops[k].impulse);
+  }
+  ASSERT_EQ(a.initial.has_value(), b.initial.has_value());
+  if (a.initial) {
+    EXPECT_EQ(a.initial->q, b.initial->q);
+    EXPECT_EQ(a.initial->qdot, b.initial->qdot);
+  }
+  EXPECT_EQ(a.solver.flow, b.solver.flow);
+  EXPECT_EQ(a.solver.tolerance, b.solver.tolerance);
+}
+
+TEST(ShippedScene, ThereAreSome) { EXPECT_GE(shipped_scenes().size(), 5u); }
+
+TEST(ShippedScene, IsReadAndHasATitle) {
+  for (const auto& file : shipped_scenes()) {
+    EXPECT_FALSE(read_scene(file).title.empty()) << file;
+  }
+}
+
+TEST(ShippedScene, ReadsBackFromWhatIsWritten) {
+  for (const auto& file : shipped_scenes()) {
+    SCOPED_TRACE(file.string());
+    const Scene scene = read_scene(file);
+    const std::string text = write_scene(scene);
+    const Scene again = parse_scene(text, "written");
+    expect_equal(scene, again);
+    EXPECT_EQ(write_scene(again), text);
+  }
+}
+
+// Wagg, J. Sound Vib. 276 (2004) 1128-1134, section 3.
+TEST(ShippedScene, WaggHasThePapersNumbers) {
+  const Scene scene = read_scene(kFolder / "01_wagg_2004.toml");
+  ASSERT_NE(scene.beam(), nullptr);
+  EXPECT_EQ(scene.beam()->length, 0.3);
+  EXPECT_EQ(scene.beam()->youngs_modulus, 205e9);
+  EXPECT_EQ(scene.beam()->second_moment, 24.4e-14);
+  EXPECT_EQ(scene.beam()->density, 8500.0);
+  EXPECT_EQ(scene.beam()->area, 12.4e-6);
+  EXPECT_EQ(scene.beam()->modes, 4);
+  EXPECT_EQ(scene.beam()->discretisation, Projection::kCollocation);
+  EXPECT_EQ(*find_parameter(scene, "damping.viscous"), 0.005);
+  EXPECT_EQ(scene.forcing->kind, ForcingKind::kBase);
+  EXPECT_EQ(scene.forcing->amplitude, 0.0006);
+  EXPECT_EQ(scene.forcing->frequency, 28.3);
+  ASSERT_EQ(scene.stops.size(), 1u);
+  EXPECT_EQ(scene.stops[0].position, 0.3);
+  EXPECT_EQ(scene.stops[0].gap, 1.05e-3);
+  EXPECT_EQ(scene.stops[0].side, Side::kBelow);
+  EXPECT_EQ(scene.stops[0].restitution, 0.8);
+  EXPECT_EQ(scene.stops[0].impulse, Impulse::kCollocation);
+  EXPECT_EQ(read_scene(kFolder / "03_wagg_fig4.toml").stops[0].gap, 10.05e-3);
+}
+
+// Every table and choice, with numbers that need all 17 digits.
+TEST(ShippedScene, WritingKeepsEveryKindOfScene) {
+  const std::string beam =
+      "title = \"a \\\"quoted\\\" \\\\ title\\n\\u0001 \\u00e9\"\n"
+      "[beam]\nlength = 0.30000000000000004\nyoungs_modulus = 205000000001\n"
+      "second_moment = 2.2250738585072014e-308\ndensity = 1.7976931348623157e308\n"
+      "area = 4.9e-324\nmodes = 2\npoints = [0.1, 0.2]\ndiscretisation = \"collocation\"\n";
+  const std::string modal =
+      "[modal]\nfrequencies = [0.0, 0.1]\nparticipation = [-0.0, 1e23]\ninertia = [1, 2]\n";
+  const std::vector<std::string> texts = {
+      beam +
+          "[damping]\nrayleigh = { mass = 0.1, stiffness = 1e-6 }\n"
+          "[forcing]\nkind = \"distributed\"\namplitude = -1\nfrequency = 2\nphase = 0.7\n"
+          "[[stop]]\nposition = 0.2\ngap = -1e-3\nrestitution = 1\nimpulse = \"collocation\"\n"
+          "[initial]\nq = [1, 2]\nqdot = [3, 4]\n[solver]\nflow = \"exact\"\ntolerance = 1e-7\n",
+      beam, modal + "damping_ratios = [0.0, 2.0]\n",
+      modal +
+          "[damping]\nratios = [0.1, 0.2]\n"
+          "[forcing]\nkind = \"base\"\namplitude = 1\nfrequency = 2\n"
+          "[[stop]]\nshape = [0.5, -0.5]\ngap = 0\nrestitution = 0\nside = \"below\"\n"};
+  for (const std::string& text : texts) {
+    SCOPED_TRACE(text);
+    const Scene scene = parse_scene(text, "text");
+    expect_equal(scene, parse_scene(write_scene(scene), "written"));
+  }
+}
+
+}  // namespace
+}  // namespace graze
