@@ -22,7 +22,7 @@ class OrbitTracer {
     result_.parameter = family.parameter();
     if (family.value() >= lowest && family.value() <= highest) values_.push_back(family.value());
     for (int i = 0; i < options.start_values; ++i)
-      values_.push_back(lowest + (highest - lowest) * i / (options.start_values - 1));
+      values_.push_back(lowest + (highest - lowest) * i / std::max(options.start_values - 1, 1));
     continuation_.from = options.from;
     continuation_.to = options.to;
     continuation_.max_step = options.max_step;

@@ -69,6 +69,7 @@ class Motion {
 
   bool touches(const Stop& stop) const;
   void move(const Real& flight, const Real& until);
+  void settle_on(const Stop& stop);
 
   ExactFlow<Real> flow_;
   Arc<Real> arc_;

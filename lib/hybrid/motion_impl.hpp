@@ -76,6 +76,7 @@ Arrival<Real> Motion<Real>::fly(const Real& until) {
                                                     : ArrivalKind::kTouch;
   }
   move(arrival.flight, until);
+  if (arrival.kind == ArrivalKind::kContact) settle_on(stops_[static_cast<std::size_t>(arrival.stop)]);
   for (std::size_t i = 0; i < stops_.size(); ++i) {
     const bool here = static_cast<int>(i) == arrival.stop;
     const bool stays = arrival.flight == 0 && !here;
@@ -102,11 +103,23 @@ void Motion<Real>::move(const Real& flight, const Real& until) {
   }
 }
 
+// The located instant is rounded, the contact is not: row.q = gap holds as an identity, and the next
+// arc starts from it. The offset, small against the present motion, would outlive a decaying one.
+template <class Real>
+void Motion<Real>::settle_on(const Stop& stop) {
+  const Real offset = (stop.gap - stop.row.dot(q_)) / stop.row.squaredNorm();
+  for (Eigen::Index j = 0; j < q_.size(); ++j) q_[j] += offset * stop.row[j];
+}
+
 template <class Real>
 void Motion<Real>::impact(int stop) {
   Stop& s = stops_[static_cast<std::size_t>(stop)];
-  const Real jump = (1 + s.restitution) * s.row.dot(qdot_);
-  for (Eigen::Index j = 0; j < qdot_.size(); ++j) qdot_[j] -= jump * s.direction[j];
+  const Real target = -s.restitution * s.row.dot(qdot_);
+  // Twice: row.direction = 1 holds to rounding only, and errs to the same side at every impact.
+  for (int pass = 0; pass < 2; ++pass) {
+    const Real jump = s.row.dot(qdot_) - target;
+    for (Eigen::Index j = 0; j < qdot_.size(); ++j) qdot_[j] -= jump * s.direction[j];
+  }
   s.contact = Contact::kDeparting;
 }
 

@@ -31,28 +31,25 @@ ClosedFormAnswer closed_form(const System& system, int stop_index, int period) {
   const Eigen::Index n = system.modes();
   const ExactFlow<double> flow(system);
   const RigidStop& stop = system.stops[static_cast<std::size_t>(stop_index)];
-  Eigen::MatrixXcd forced(2 * n, 1);
-  for (Eigen::Index j = 0; j < n; ++j) {
-    const ModeFlow<double>& mode = flow.mode(static_cast<int>(j));
-    if (mode.kind == ModeKind::kResonant)
-      return {{}, "a mode is in resonance with the forcing and has no steady response to build on"};
-    forced(j, 0) = {mode.forced.re, mode.forced.im};
-    forced(n + j, 0) = Complex{0.0, flow.frequency()} * forced(j, 0);
-  }
   const State rest{Vector::Zero(n), Vector::Zero(n)};
-  const FlowMatrix e = transition(system, flow, rest, 0.0, period * system.period()).flow;
+  const Transition arc = transition(system, flow, rest, 0.0, period * system.period());
   Matrix jump = Matrix::Identity(2 * n, 2 * n);
   jump.bottomRightCorner(n, n) -=
       (1.0 + stop.restitution) * stop.direction * stop.row.transpose();
-  const Eigen::PartialPivLU<Matrix> lu(Matrix::Identity(2 * n, 2 * n) - e.times(jump));
+  const Eigen::PartialPivLU<Matrix> lu(Matrix::Identity(2 * n, 2 * n) - arc.flow.times(jump));
   // Below this reciprocal condition number the solve keeps no digit.
   if (!(lu.rcond() > std::numeric_limits<double>::epsilon()))
     return {{}, "the motion between impacts repeats by itself (I - E J is singular)"};
-  const auto response = [&](const Vector& y) { return Vector(lu.solve(y - e.times(y))); };
+  // R(phi) = R(0) cos(phi) + R(pi/2) sin(phi)
+  const auto response = [&](const State& forced) {
+    Vector y(2 * n);
+    y << forced.q, forced.qdot;
+    return Vector(lu.solve(y));
+  };
   ClosedForm form;
   form.response = ComplexVector(2 * n);
-  form.response.real() = response(forced.real());
-  form.response.imag() = response(forced.imag());
+  form.response.real() = response(arc.end);
+  form.response.imag() = -response(arc.phase_rate);
   form.kappa = stop.row.cast<Complex>().dot(form.response.head(n));
   return {form, ""};
 }

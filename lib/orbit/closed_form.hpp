@@ -1,10 +1,11 @@
 // The (p, 1) orbits of a linear modal system with one constant-restitution stop, in closed form.
 //
-// With E the flow over p periods, J the jump, c the contact row and y_p = Re(Y e^{i phi}) the
-// forced response at impact phase phi, the state before the impact is
+// With E the flow over p periods, J the jump, c the contact row and Re(R e^{i phi}) the forced
+// response from rest over p periods that start at impact phase phi, the state before the impact is
 //
-//   y- = (I - E J)^-1 (I - E) Re(Y e^{i phi}),   contact:  |kappa| cos(phi + arg kappa) = gap,
+//   y- = (I - E J)^-1 Re(R e^{i phi}),   contact:  |kappa| cos(phi + arg kappa) = gap,
 //
+// (R = (I - E) Y where there is a steady response Y; R exists at resonance too.) There are
 // two solutions where |kappa| > |gap|, a fold exactly where they meet. It starts the finder and
 // referees shooting, continuation, multipliers and simulation; it knows nothing of admissibility.
 #pragma once
@@ -31,7 +32,7 @@ struct ClosedFormAnswer {
 };
 
 // Closed form for impacts on `stop` every `period` forcing periods. Does not hold without forcing,
-// at a resonance that has no bounded response, or where I - E J is singular.
+// or where I - E J is singular.
 ClosedFormAnswer closed_form(const System& system, int stop, int period);
 
 }  // namespace graze

@@ -1,0 +1,51 @@
+// What the user asked for, parsed and checked, before anything is done about it.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace graze {
+
+struct Command {
+  std::string name;   // "check", "simulate", "orbit", "continue"
+  std::string scene;  // file
+  std::vector<std::string> settings;
+
+  bool json = false;
+  bool quiet = false;
+  std::string out;   // folder; empty: none
+  std::string plot;  // file; empty: none
+  int threads = 0;   // 0: all cores
+
+  // simulate
+  std::optional<double> duration;     // s
+  std::optional<long long> periods;
+  std::string record = "events";      // none | events | samples
+  std::optional<double> sample_rate;  // 1/s
+
+  // orbit, continue
+  int period = 1;
+  std::optional<int> impacts;
+  bool keep_virtual = false;
+  std::vector<std::string> starts;  // empty: all
+  unsigned long long random_seed = 1;
+
+  // continue
+  std::string parameter;
+  double from = 0.0, to = 0.0;
+  std::optional<double> max_step;
+
+  long long max_impacts = 10'000'000;
+  double max_seconds = 3600.0;
+};
+
+struct ParsedCommand {
+  std::optional<Command> command;
+  int exit_code = 0;  // where there is no command: 0 after --help and --version, else 2
+};
+
+// Parses the command line. Help and version go to stdout, errors to stderr.
+ParsedCommand parse_command_line(int argc, char** argv);
+
+}  // namespace graze

@@ -1,0 +1,194 @@
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <iostream>
+
+#include "command.hpp"
+#include "graze/base/errors.hpp"
+#include "graze/record/run_info.hpp"
+
+namespace graze {
+namespace {
+
+// Options that a later version brings: known by name, refused in words.
+const char* const kLaterCommands[] = {"diagram", "cost", "compare", "fit"};
+
+InputError not_available(const std::string& what) {
+  return InputError(what + ": not available in this version");
+}
+
+void add_shared(CLI::App* app, Command& command) {
+  app->add_option("SCENE", command.scene, "Scene file (TOML)")->required();
+  app->add_option("--set", command.settings,
+                  "NAME=VALUE: replace or add one key of the scene, e.g. stop.gap=2e-3")
+      ->type_name("NAME=VALUE")
+      ->expected(1)
+      ->take_all();
+  app->add_flag("--json", command.json, "Print one JSON document and nothing else on stdout");
+  app->add_option("--out", command.out, "Write result.json, scene.toml and tables into this folder")
+      ->type_name("DIR");
+  app->add_option("--threads", command.threads, "Threads to use (default: all cores)")
+      ->check(CLI::Range(0, 4096))
+      ->type_name("N");
+  app->add_flag("--quiet", command.quiet, "No progress, no messages");
+}
+
+void add_plot(CLI::App* app, Command& command) {
+  app->add_option("--plot", command.plot,
+                  "Draw a picture; the gnuplot script is kept beside it (.svg, .png or .pdf)")
+      ->type_name("FILE");
+}
+
+void add_limits(CLI::App* app, Command& command) {
+  app->add_option("--max-impacts", command.max_impacts, "Stop after this many impacts")
+      ->check(CLI::PositiveNumber)
+      ->capture_default_str()
+      ->type_name("N");
+  app->add_option("--max-seconds", command.max_seconds, "Stop after this much computing")
+      ->check(CLI::PositiveNumber)
+      ->capture_default_str()
+      ->type_name("S");
+}
+
+void add_orbit_search(CLI::App* app, Command& command) {
+  app->add_option("--period", command.period, "Forcing periods p after which the orbit repeats")
+      ->check(CLI::Range(1, 10000))
+      ->capture_default_str()
+      ->type_name("P");
+  app->add_flag("--virtual", command.keep_virtual,
+                "Keep solutions that are no orbits: penetrating, or impact speed < 0");
+  app->add_option("--start", command.starts,
+                  "Where the search starts: closed-form, simulation or random (default: all)")
+      ->check(CLI::IsMember({"closed-form", "simulation", "random"}))
+      ->delimiter(',')
+      ->type_name("NAME");
+  app->add_option("--random-seed", command.random_seed, "Seed of the random starts")
+      ->capture_default_str()
+      ->type_name("N");
+}
+
+void add_check(CLI::App& graze, Command& command) {
+  CLI::App* app = graze.add_subcommand(
+      "check", "Read a scene and say what is simulated: modes, frequencies, conditioning, flow");
+  add_shared(app, command);
+}
+
+void add_simulate(CLI::App& graze, Command& command) {
+  CLI::App* app = graze.add_subcommand("simulate", "Follow the motion, every impact certified");
+  add_shared(app, command);
+  add_plot(app, command);
+  auto* duration = app->add_option("--duration", command.duration, "Simulated time, s")
+                       ->check(CLI::NonNegativeNumber)
+                       ->type_name("S");
+  app->add_option("--periods", command.periods, "Simulated forcing periods (default 100)")
+      ->check(CLI::Range(0LL, 1'000'000'000'000LL))
+      ->type_name("K")
+      ->excludes(duration);
+  app->add_option("--record", command.record, "What to keep: none, events or samples")
+      ->check(CLI::IsMember({"none", "events", "samples"}))
+      ->capture_default_str()
+      ->type_name("WHAT");
+  app->add_option("--sample-rate", command.sample_rate,
+                  "Samples per second with --record samples (default: 100 a forcing period)")
+      ->check(CLI::PositiveNumber)
+      ->type_name("RATE");
+  app->add_flag_callback("--energy", [] { throw not_available("--energy"); },
+                         "Close the energy book (not available in this version)");
+  app->add_option_function<double>(
+         "--closure-speed", [](double) { throw not_available("--closure-speed"); },
+         "Speed below which chatter is summed (not available in this version)")
+      ->type_name("V");
+  add_limits(app, command);
+}
+
+void add_orbit(CLI::App& graze, Command& command) {
+  CLI::App* app = graze.add_subcommand("orbit", "Find periodic orbits, stable or not");
+  add_shared(app, command);
+  add_plot(app, command);
+  add_orbit_search(app, command);
+  app->add_option_function<std::string>(
+         "--impacts",
+         [&command](const std::string& text) {
+           if (text == "any") return;
+           int value = 0;
+           if (!CLI::detail::lexical_cast(text, value) || value < 1)
+             throw InputError(fmt::format(
+                 "--impacts: '{}' is not allowed; give a whole number from 1, or 'any'", text));
+           command.impacts = value;
+         },
+         "Impacts k per orbit, or 'any' (default): also what the simulation settles on")
+      ->type_name("K|any");
+}
+
+void add_continue(CLI::App& graze, Command& command) {
+  CLI::App* app =
+      graze.add_subcommand("continue", "Trace branches of orbits over a parameter of the scene");
+  add_shared(app, command);
+  add_plot(app, command);
+  add_orbit_search(app, command);
+  app->add_option("--parameter", command.parameter, "Path of the parameter, e.g. forcing.frequency")
+      ->required()
+      ->type_name("NAME");
+  app->add_option("--from", command.from, "Start of the parameter's range")
+      ->required()
+      ->type_name("A");
+  app->add_option("--to", command.to, "End of the parameter's range")->required()->type_name("B");
+  app->add_option("--max-step", command.max_step,
+                  "Largest change of the parameter in one step (default: range/50)")
+      ->check(CLI::PositiveNumber)
+      ->type_name("D");
+  app->add_option_function<int>(
+         "--impacts",
+         [&command](int value) {
+           if (value != 1) throw not_available("--impacts other than 1 for continue");
+           command.impacts = value;
+         },
+         "Impacts per orbit: 1 in this version")
+      ->type_name("K");
+  for (const char* later : {"--locus", "--second", "--second-from", "--second-to", "--follow"})
+    app->add_option_function<std::string>(
+           later, [later](const std::string&) { throw not_available(later); },
+           "(not available in this version)")
+        ->type_name("X");
+}
+
+void add_later(CLI::App& graze) {
+  for (const char* name : kLaterCommands) {
+    CLI::App* app = graze.add_subcommand(name, "(not available in this version)");
+    app->allow_extras();
+    app->callback([name] { throw not_available(std::string("graze ") + name); });
+  }
+}
+
+}  // namespace
+
+ParsedCommand parse_command_line(int argc, char** argv) {
+  Command command;
+  CLI::App app{"Graze: impacting flexible structures - motion, periodic orbits, branches", "graze"};
+  app.set_version_flag("--version", "graze " + version());
+  app.set_help_flag("-h,--help", "Print this help");
+  app.require_subcommand(1);
+  app.footer("Example: graze orbit data/scenes/05_wagg_one_mode.toml --set forcing.frequency=40\n"
+             "Exit codes: 0 done; 2 usage or scene error; 3 numerics could not do it, what was\n"
+             "reached is printed; 4 file or system error; 130 interrupted.");
+  add_check(app, command);
+  add_simulate(app, command);
+  add_orbit(app, command);
+  add_continue(app, command);
+  add_later(app);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::Success& done) {  // help, version
+    return {std::nullopt, app.exit(done) == 0 ? 0 : 2};
+  } catch (const CLI::ParseError& error) {
+    std::cerr << "graze: " << error.what() << " (see graze --help)\n";
+    return {std::nullopt, 2};
+  } catch (const InputError& error) {
+    std::cerr << "graze: " << error.what() << "\n";
+    return {std::nullopt, 2};
+  }
+  command.name = app.get_subcommands().front()->get_name();
+  return {command, 0};
+}
+
+}  // namespace graze

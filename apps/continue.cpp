@@ -1,0 +1,63 @@
+// graze continue: branches of orbits over a parameter.
+#include <cmath>
+
+#include "graze/report/csv.hpp"
+#include "graze/report/json.hpp"
+#include "graze/report/pictures.hpp"
+#include "graze/report/text.hpp"
+#include "graze/scene/parameter.hpp"
+#include "search_options.hpp"
+#include "session.hpp"
+
+namespace graze {
+namespace {
+
+BranchOptions branch_options(const Command& command) {
+  if (!std::isfinite(command.from) || !std::isfinite(command.to) || command.from == command.to)
+    throw InputError("--from, --to: the range must be finite and not empty");
+  BranchOptions options;
+  options.period = command.period;
+  options.from = command.from;
+  options.to = command.to;
+  options.max_step = command.max_step.value_or(0.0);
+  options.keep_virtual = command.keep_virtual;
+  options.finder = finder_options(command);
+  options.interrupted = &interrupted;
+  options.progress = progress_line(command);
+  return options;
+}
+
+}  // namespace
+
+int run_continue(const Command& command) {
+  if (!command.plot.empty()) check_picture_name(command.plot);
+  const Scene scene = open_scene(command);
+  require_forcing_and_stop(scene);
+  BranchOptions options = branch_options(command);
+  const SystemFamily family(scene, command.parameter);
+  BranchRecord record{run_info(command.name, command.scene, scene),
+                      assemble(scene),
+                      {},
+                      command.from,
+                      command.to,
+                      parameter_unit(scene, command.parameter),
+                      {},
+                      {}};
+  // A range that reaches beyond what the scene allows is the user's error, not a broken branch.
+  for (const double value : {command.from, command.to})
+    with_parameter(scene, command.parameter, value);
+  record.info.options.emplace_back("parameter", command.parameter);
+  record.info.options.emplace_back("from", command.from);
+  record.info.options.emplace_back("to", command.to);
+  record_search(command, record.info);
+  record.warnings = system_warnings(scene, record.system);
+  warn(command, record.warnings);
+  record.traced = trace_orbits(family, options);
+  options.progress = nullptr;
+  record.outcome = branch_outcome(record.traced, options);
+  if (!command.plot.empty()) draw_branches(command.plot, record);
+  return conclude(command, record.info, record.outcome, to_json(record), to_text(record),
+                  {{"branches.csv", branches_csv(record)}, {"special.csv", special_csv(record)}});
+}
+
+}  // namespace graze

@@ -1,0 +1,28 @@
+#!/usr/bin/env bash
+# Installs the Debian packages of packages.txt that are missing. Needs root or sudo; without either
+# it prints the one line to run and exits 2.
+set -euo pipefail
+here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
+
+mapfile -t wanted < "$here/packages.txt"
+missing=()
+for package in "${wanted[@]}"; do
+  state=$(dpkg-query -W -f '${db:Status-Status}' "$package" 2>/dev/null || true)
+  [ "$state" = installed ] || missing+=("$package")
+done
+[ ${#missing[@]} -eq 0 ] && exit 0
+
+line="apt-get update && apt-get install -y --no-install-recommends ${missing[*]}"
+if [ "$(id -u)" -eq 0 ]; then
+  run=()
+elif command -v sudo >/dev/null && sudo -n true 2>/dev/null; then
+  run=(sudo -n)
+else
+  echo "Graze needs packages that only root can install. Run this once, then start again:" >&2
+  echo "  sudo sh -c '$line'" >&2
+  exit 2
+fi
+echo "Installing ${#missing[@]} Debian packages .." >&2
+"${run[@]}" apt-get update -qq
+"${run[@]}" env DEBIAN_FRONTEND=noninteractive apt-get install -y -qq --no-install-recommends \
+  "${missing[@]}" >&2

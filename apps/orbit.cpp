@@ -1,0 +1,37 @@
+// graze orbit: periodic orbits at the scene's own parameters.
+#include "graze/report/csv.hpp"
+#include "graze/report/json.hpp"
+#include "graze/report/pictures.hpp"
+#include "graze/report/text.hpp"
+#include "search_options.hpp"
+#include "session.hpp"
+
+namespace graze {
+
+int run_orbit(const Command& command) {
+  if (!command.plot.empty()) check_picture_name(command.plot);
+  const Scene scene = open_scene(command);
+  require_forcing_and_stop(scene);
+  OrbitRecord record{run_info(command.name, command.scene, scene), assemble(scene), {}, {}, {}};
+  record_search(command, record.info);
+  record.warnings = system_warnings(scene, record.system);
+  warn(command, record.warnings);
+  FinderOptions options = finder_options(command);
+  State start{Vector::Zero(record.system.modes()), Vector::Zero(record.system.modes())};
+  if (options.from_simulation) {
+    try {
+      start = initial_state(scene, record.system);
+    } catch (const InputError& error) {
+      // Orbits exist whether or not the scene's own start does.
+      options.from_simulation = false;
+      warn(command, {std::string("no start by simulation: ") + error.what()});
+    }
+  }
+  record.found = find_orbits(record.system, start, options);
+  record.outcome = orbit_outcome(record.found, options, interrupted);
+  if (!command.plot.empty()) draw_orbits(command.plot, record);
+  return conclude(command, record.info, record.outcome, to_json(record), to_text(record),
+                  {{"orbits.csv", orbits_csv(record)}});
+}
+
+}  // namespace graze

@@ -1,0 +1,48 @@
+// How the options of a search for orbits reach the finder.
+#pragma once
+
+#include <algorithm>
+
+#include "command.hpp"
+#include "graze/orbit/finder.hpp"
+#include "graze/record/run_info.hpp"
+#include "session.hpp"
+
+namespace graze {
+
+inline FinderOptions finder_options(const Command& command) {
+  const auto wanted = [&](const char* name) {
+    return command.starts.empty() ||
+           std::find(command.starts.begin(), command.starts.end(), name) != command.starts.end();
+  };
+  FinderOptions options;
+  options.period = command.period;
+  options.impacts = command.impacts;
+  options.from_closed_form = wanted("closed-form");
+  options.from_simulation = wanted("simulation");
+  options.from_random = wanted("random");
+  options.keep_virtual = command.keep_virtual;
+  options.random_seed = command.random_seed;
+  options.interrupted = &interrupted;
+  return options;
+}
+
+// Periodic orbits repeat with the forcing and are made of impacts: both must be there.
+inline void require_forcing_and_stop(const Scene& scene) {
+  if (!scene.forcing)
+    throw scene_error(scene, "forcing",
+                      "the table is missing; periodic orbits are counted in forcing periods");
+  if (scene.stops.empty())
+    throw scene_error(scene, "stop", "there is no [[stop]]; periodic orbits here have impacts");
+}
+
+inline void record_search(const Command& command, RunInfo& info) {
+  info.options.emplace_back("period", static_cast<long long>(command.period));
+  info.options.emplace_back("impacts", command.impacts ? std::to_string(*command.impacts)
+                                       : command.name == "orbit" ? std::string("any")
+                                                                 : std::string("1"));
+  info.options.emplace_back("virtual", command.keep_virtual);
+  info.options.emplace_back("random_seed", static_cast<long long>(command.random_seed));
+}
+
+}  // namespace graze

@@ -1,0 +1,65 @@
+#include "session.hpp"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <chrono>
+#include <cstdio>
+#include <memory>
+
+#include "graze/record/files.hpp"
+#include "graze/scene/reader.hpp"
+
+namespace graze {
+
+std::atomic<bool> interrupted{false};
+
+Scene open_scene(const Command& command) {
+  Scene scene = read_scene(command.scene, command.settings);
+  if (!command.out.empty()) prepare_folder(command.out);
+  return scene;
+}
+
+void warn(const Command& command, const std::vector<std::string>& warnings) {
+  if (command.quiet) return;
+  for (const std::string& warning : warnings) fmt::print(stderr, "warning: {}\n", warning);
+}
+
+std::function<void(double)> progress_line(const Command& command) {
+  if (command.quiet || ::isatty(STDERR_FILENO) == 0) return {};
+  // Ten times a second is as often as a person reads.
+  const std::chrono::milliseconds kPause{100};
+  struct Line {
+    std::chrono::steady_clock::time_point last = std::chrono::steady_clock::now();
+    bool shown = false;
+    ~Line() {
+      if (shown) fmt::print(stderr, "\r\033[K");
+    }
+  };
+  return [line = std::make_shared<Line>(), name = command.name, kPause](double fraction) {
+    const auto now = std::chrono::steady_clock::now();
+    if (now - line->last < kPause) return;
+    line->last = now;
+    line->shown = true;
+    fmt::print(stderr, "\r{} {:3.0f} %", name, 100.0 * fraction);
+  };
+}
+
+int conclude(const Command& command, const RunInfo& info, const Outcome& outcome,
+             const std::string& json, const std::string& text,
+             const std::vector<std::pair<std::string, std::string>>& files) {
+  if (!command.out.empty()) {
+    const std::filesystem::path folder = command.out;
+    for (const auto& [name, content] : files) write_file(folder / name, content);
+    write_file(folder / "scene.toml", info.scene_text);
+    write_file(folder / "result.json", json);
+  }
+  const std::string& shown = command.json ? json : text;
+  if (std::fwrite(shown.data(), 1, shown.size(), stdout) != shown.size() ||
+      std::fflush(stdout) != 0)
+    throw FileError("standard output: cannot write the result");
+  if (outcome.name == "interrupted") return 130;
+  return outcome.message.empty() ? 0 : 3;
+}
+
+}  // namespace graze

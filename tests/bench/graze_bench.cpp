@@ -1,0 +1,56 @@
+// Speed of the main jobs, one core: build/tests/bench/graze_bench
+#include <benchmark/benchmark.h>
+
+#include "graze/bifurcation/orbit_branches.hpp"
+#include "graze/hybrid/simulation.hpp"
+#include "graze/scene/reader.hpp"
+
+namespace graze {
+namespace {
+
+Scene one_mode_scene(const std::vector<std::string>& settings) {
+  return read_scene(GRAZE_SOURCE_DIR "/data/scenes/05_wagg_one_mode.toml", settings);
+}
+
+// A branch at N modes with multipliers and admissibility at every point; the counter scales the
+// time to 200 points.
+void TraceBranch(benchmark::State& state) {
+  const Scene scene = one_mode_scene(
+      {"beam.modes=" + std::to_string(state.range(0)), "forcing.frequency=100"});
+  const SystemFamily family(scene, "forcing.frequency");
+  BranchOptions options;
+  options.from = 95.0;
+  options.to = 120.0;
+  options.max_step = 0.12;
+  options.start_values = 0;
+  options.keep_virtual = true;
+  options.finder.from_simulation = options.finder.from_random = false;
+  std::size_t points = 0;
+  for (auto _ : state) {
+    const OrbitBranches traced = trace_orbits(family, options);
+    for (const OrbitBranch& branch : traced.branches) points += branch.points.size();
+  }
+  state.counters["points"] = static_cast<double>(points) / static_cast<double>(state.iterations());
+  state.counters["s_per_200_points"] = benchmark::Counter(
+      static_cast<double>(points) / 200.0,
+      benchmark::Counter::kIsRate | benchmark::Counter::kInvert);
+}
+BENCHMARK(TraceBranch)->Arg(1)->Arg(2)->Arg(4)->Arg(8)->Unit(benchmark::kMillisecond);
+
+// 3000 forcing periods of scene 05: 2999 impacts, no chatter.
+void SimulateOneMode(benchmark::State& state) {
+  const Scene scene = one_mode_scene({});
+  const System system = assemble(scene);
+  const State start = initial_state(scene, system);
+  SimulationOptions options;
+  options.periods = 3000;
+  long long impacts = 0;
+  for (auto _ : state) impacts = simulate(system, start, options).totals.impacts;
+  state.counters["impacts"] = static_cast<double>(impacts);
+}
+BENCHMARK(SimulateOneMode)->Unit(benchmark::kMillisecond);
+
+}  // namespace
+}  // namespace graze
+
+BENCHMARK_MAIN();

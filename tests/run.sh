@@ -1,0 +1,17 @@
+#!/usr/bin/env bash
+# Installs what is missing, builds Graze, runs all tests. From the project's root or anywhere else:
+#   bash tests/run.sh            optimised build, all tests
+#   bash tests/run.sh --dev      the same with address and undefined-behaviour sanitizers
+set -euo pipefail
+root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
+cd "$root"
+preset=release
+case "${1:-}" in
+  "") ;;
+  --dev) preset=dev ;;
+  *) echo "usage: bash tests/run.sh [--dev]" >&2; exit 2 ;;
+esac
+bash apps/install_packages.sh
+cmake --preset "$preset" -DGRAZE_TESTS=ON > /dev/null
+cmake --build --preset "$preset"
+ctest --preset "$preset" --parallel "$(nproc)"
