@@ -51,6 +51,8 @@ class OrbitTracer {
       }
     }
     number_special_points();
+    // What the simulation does is worth a line only where it explains that there is nothing else.
+    if (!result_.branches.empty()) result_.notes.clear();
     result_.interrupted = interrupted();
     return std::move(result_);
   }

@@ -13,6 +13,8 @@ namespace {
 // Growth of the step after an easy one, and the turn (as a part of the largest) it aims at.
 constexpr double kGrowth = 1.5;
 constexpr double kAimedTurn = 0.5;
+// Solutions nearer than this are one: next to a fold they are known to about sqrt(eps).
+constexpr double kOnePoint = 1e-7;
 // Slack, rad, in comparing a step's chord with the tangents at its ends.
 constexpr double kChordSlack = 0.1;
 
@@ -225,13 +227,14 @@ class Tracer {
     const Vector chord = corrector_.pack(b) - x;
     const double length = chord.norm();
     const Vector offset = corrector_.difference(corrector_.pack(point), x);
+    // At the very ends there is nothing to correct, and at a limit perhaps nothing to evaluate.
+    if (offset.norm() < kOnePoint || (offset - chord).norm() < kOnePoint) return true;
     const double along = offset.dot(chord) / length;
     if (!(along >= -1e-6 * length && along <= length * (1.0 + 1e-6))) return false;
     if ((offset - along * chord / length).norm() > 0.5 * options_.max_turn * length) return false;
     const double s = offset.dot(a.tangent);
     const auto there = corrector_.on_hyperplane(x + s * a.tangent, a.tangent);
-    // Solutions are known to about sqrt(eps) where they are least well determined.
-    return there && corrector_.difference(corrector_.pack(*there), x + offset).norm() < 1e-7;
+    return there && corrector_.difference(corrector_.pack(*there), x + offset).norm() < kOnePoint;
   }
 
   static std::optional<BranchPoint> locate_with(
@@ -243,8 +246,9 @@ class Tracer {
     if (at_a == 0.0) return a;
     if (at_b == 0.0) return b;
     if (!(at_a * at_b < 0.0) || !(length > 0.0)) return {};
-    std::optional<BranchPoint> best;
-    double smallest = std::numeric_limits<double>::infinity();
+    // Of the two last bits that enclose the zero, the one on the side where the test is positive.
+    std::optional<BranchPoint> best = at_a > 0.0 ? a : b;
+    double smallest = std::max(at_a, at_b);
     bool failed = false;
     const auto value = [&](double s) {
       const auto point = corrector.on_hyperplane(x + s * a.tangent, a.tangent);
@@ -253,8 +257,8 @@ class Tracer {
         return 0.0;  // ends the search
       }
       const double v = test(*point);
-      if (std::abs(v) <= smallest) {
-        smallest = std::abs(v);
+      if (v >= 0.0 && v <= smallest) {
+        smallest = v;
         best = point;
       }
       return v;

@@ -84,7 +84,8 @@ Branch trace_branch(const ZeroProblem& problem, const ContinuationOptions& optio
                     const BranchPoint& start);
 
 // The point of the branch between neighbours a and b where `test` changes sign, to the last digits
-// that arclength carries. Nothing when the corrector fails on the way or the signs agree.
+// that arclength carries and on the side where `test` is not negative. Nothing when the corrector
+// fails on the way or the signs agree.
 std::optional<BranchPoint> locate(const ZeroProblem& problem, const ContinuationOptions& options,
                                   const BranchPoint& a, const BranchPoint& b,
                                   const std::function<double(const BranchPoint&)>& test);

@@ -80,15 +80,22 @@ class Finder {
     SettleOptions settle_options;
     settle_options.interrupted = options_.interrupted;
     const SettledMotion settled = settle(system_, start_, settle_options);
-    found_.notes.push_back(settled.verdict);
-    if (!settled.pattern) return;
-    const ImpactPattern& pattern = *settled.pattern;
-    const bool wanted =
-        !options_.impacts ||
-        (pattern.impacts() == *options_.impacts && pattern.period == options_.period);
-    if (!wanted) return;
-    const ShootingProblem problem(pattern, scale_);
-    keep(problem, newton(problem, system_, problem.pack(settled.points)), found_.simulation);
+    if (!settled.pattern) {
+      found_.notes.push_back(settled.verdict);
+      return;
+    }
+    const ShootingProblem problem(*settled.pattern, scale_);
+    const auto solution = newton(problem, system_, problem.pack(settled.points));
+    const std::optional<Orbit> orbit = judge(problem, solution, found_.simulation);
+    if (!orbit) {
+      found_.notes.push_back(settled.verdict + ", but no orbit was confirmed there");
+      return;
+    }
+    const int k = static_cast<int>(orbit->impacts.size());
+    found_.notes.push_back(fmt::format(
+        "from the scene's initial state the motion settles on a ({}, {}) orbit", orbit->period, k));
+    if (!options_.impacts || (k == *options_.impacts && orbit->period == options_.period))
+      keep(*orbit);
   }
 
   void from_random() {
@@ -110,25 +117,35 @@ class Finder {
     }
   }
 
-  void keep(const ShootingProblem& problem, const std::optional<ShootingSolution>& solution,
-            StartCount& count) {
+  // The minimal orbit of a solution; nothing where there is none.
+  std::optional<Orbit> judge(const ShootingProblem& problem,
+                             const std::optional<ShootingSolution>& solution, StartCount& count) {
     ++count.tried;
-    if (!solution) return;
+    if (!solution) return {};
     ++count.converged;
     Orbit orbit = make_orbit(system_, problem, solution->x);
-    if (const auto shorter = shorter_pattern(orbit)) {
-      const ShootingProblem part(*shorter, scale_);
-      std::vector<ImpactPoint> points = orbit.points();
-      points.resize(shorter->stops.size());
-      --count.tried, --count.converged;
-      return keep(part, newton(part, system_, part.pack(points)), count);
-    }
+    const std::optional<ImpactPattern> shorter = shorter_pattern(orbit);
+    if (!shorter) return orbit;
+    const ShootingProblem part(*shorter, scale_);
+    std::vector<ImpactPoint> points = orbit.points();
+    points.resize(shorter->stops.size());
+    const auto minimal = newton(part, system_, part.pack(points));
+    if (!minimal) return {};
+    return make_orbit(system_, part, minimal->x);
+  }
+
+  void keep(const ShootingProblem& problem, const std::optional<ShootingSolution>& solution,
+            StartCount& count) {
+    if (const std::optional<Orbit> orbit = judge(problem, solution, count)) keep(*orbit);
+  }
+
+  void keep(const Orbit& orbit) {
     for (Orbit& known : found_.orbits)
       if (same_orbit(known, orbit)) {
-        if (orbit.residual < known.residual) known = std::move(orbit);
+        if (orbit.residual < known.residual) known = orbit;
         return;
       }
-    found_.orbits.push_back(std::move(orbit));
+    found_.orbits.push_back(orbit);
   }
 
   FoundOrbits conclude() {

@@ -50,9 +50,9 @@ SettledMotion settled_on(const std::deque<Met>& met, long long now, int p) {
     result.points.push_back(
         {m.phase + 2.0 * std::numbers::pi * static_cast<double>(m.period - (now - p)), m.before});
   }
-  result.verdict =
-      fmt::format("from the scene's initial state the motion settles on a ({}, {}) orbit", p,
-                  pattern.impacts());
+  result.verdict = fmt::format(
+      "from the scene's initial state {} impacts repeat every {} forcing periods",
+      pattern.impacts(), p);
   result.pattern = std::move(pattern);
   return result;
 }

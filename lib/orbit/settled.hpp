@@ -11,7 +11,8 @@
 namespace graze {
 
 struct SettledMotion {
-  // The repeating pattern, with the points of its last repetition; nothing when none was found.
+  // The repeating pattern, with the points of its last repetition; nothing when none was found. It
+  // need not be minimal: where deviations alternate in sign, two periods agree before one does.
   std::optional<ImpactPattern> pattern;
   std::vector<ImpactPoint> points;
   std::string verdict;  // a sentence: what the motion does

@@ -35,10 +35,10 @@ std::string samples_csv(const SimulationRecord& record) {
   text += "\n";
   for (const Sample& s : record.samples) {
     text += cell(s.time);
-    for (const double value : s.state.q) text += "," + cell(value);
-    for (const double value : s.state.qdot) text += "," + cell(value);
-    for (const RigidStop& stop : record.system.stops)
-      text += "," + cell(stop.gap - stop.row.dot(s.state.q));
+    const auto add = [&](double value) { fmt::format_to(out(text), ",{}", cell(value)); };
+    for (const double value : s.state.q) add(value);
+    for (const double value : s.state.qdot) add(value);
+    for (const RigidStop& stop : record.system.stops) add(stop.gap - stop.row.dot(s.state.q));
     text += "\n";
   }
   return text;

@@ -68,7 +68,7 @@ std::string ending(const Outcome& outcome) {
 
 std::string notes_text(const std::vector<std::string>& notes) {
   std::string text;
-  for (const std::string& note : notes) text += "note: " + note + "\n";
+  for (const std::string& note : notes) text += fmt::format("note: {}\n", note);
   return text;
 }
 
@@ -156,7 +156,7 @@ std::string to_text(const OrbitRecord& record) {
 }
 
 std::string to_text(const BranchRecord& record) {
-  const std::string unit = record.unit.empty() ? "" : " (" + record.unit + ")";
+  const std::string unit = record.unit.empty() ? "" : fmt::format(" ({})", record.unit);
   Table branches({"branch", "component", "points", "from" + unit, "to" + unit, "ends",
                   "stable points"});
   Table special({"point", "branch", record.traced.parameter + unit, "phase (rad)", "speed (m/s)",
