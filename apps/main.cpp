@@ -1,9 +1,8 @@
-#include <fmt/format.h>
-
 #include <csignal>
 #include <cstdio>
 #include <exception>
 #include <new>
+#include <string>
 
 #include "command.hpp"
 #include "graze/base/errors.hpp"
@@ -14,6 +13,12 @@ namespace {
 extern "C" void on_interrupt(int) {
   // A second Ctrl-C ends the program at once.
   if (graze::interrupted.exchange(true)) std::_Exit(130);
+}
+
+// Without exceptions: stderr may be full or closed.
+int complain(const std::string& sentence, int code) {
+  std::fputs((sentence + "\n").c_str(), stderr);
+  return code;
 }
 
 int run(const graze::Command& command) {
@@ -32,16 +37,12 @@ int main(int argc, char** argv) {
     const graze::ParsedCommand parsed = graze::parse_command_line(argc, argv);
     return parsed.command ? run(*parsed.command) : parsed.exit_code;
   } catch (const graze::InputError& error) {
-    fmt::print(stderr, "{}\n", error.what());
-    return 2;
+    return complain(error.what(), 2);
   } catch (const graze::FileError& error) {
-    fmt::print(stderr, "{}\n", error.what());
-    return 4;
+    return complain(error.what(), 4);
   } catch (const std::bad_alloc&) {
-    fmt::print(stderr, "graze: out of memory\n");
-    return 4;
+    return complain("graze: out of memory", 4);
   } catch (const std::exception& error) {
-    fmt::print(stderr, "graze: {}\n", error.what());
-    return 4;
+    return complain(std::string("graze: ") + error.what(), 4);
   }
 }

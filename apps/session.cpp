@@ -22,7 +22,7 @@ Scene open_scene(const Command& command) {
 
 void warn(const Command& command, const std::vector<std::string>& warnings) {
   if (command.quiet) return;
-  for (const std::string& warning : warnings) fmt::print(stderr, "warning: {}\n", warning);
+  for (const std::string& warning : warnings) std::fputs(fmt::format("warning: {}\n", warning).c_str(), stderr);
 }
 
 std::function<void(double)> progress_line(const Command& command) {
@@ -33,7 +33,7 @@ std::function<void(double)> progress_line(const Command& command) {
     std::chrono::steady_clock::time_point last = std::chrono::steady_clock::now();
     bool shown = false;
     ~Line() {
-      if (shown) fmt::print(stderr, "\r\033[K");
+      if (shown) std::fputs("\r\033[K", stderr);
     }
   };
   return [line = std::make_shared<Line>(), name = command.name, kPause](double fraction) {
@@ -41,7 +41,7 @@ std::function<void(double)> progress_line(const Command& command) {
     if (now - line->last < kPause) return;
     line->last = now;
     line->shown = true;
-    fmt::print(stderr, "\r{} {:3.0f} %", name, 100.0 * fraction);
+    std::fputs(fmt::format("\r{} {:3.0f} %", name, 100.0 * fraction).c_str(), stderr);
   };
 }
 

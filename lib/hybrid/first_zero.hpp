@@ -95,7 +95,7 @@ FirstZero<Real> first_descent(const Sample& sample, const Real& from, const Real
     if (!(s <= window)) return {ZeroKind::kNone, window, Real(0), i};
     const CurvePoint<Real> point = sample(s);
     if (point.slope < 0 &&
-        2 * (point.bound / -point.slope) * (abs(point.value) / -point.slope) <= 1) {
+        4 * (point.bound / -point.slope) * (abs(point.value) / -point.slope) <= 1) {
       FirstZero<Real> zero = finish(sample, s, point, i);
       if (!(zero.s <= window)) return {ZeroKind::kNone, window, Real(0), zero.evaluations};
       return zero;

@@ -1,0 +1,51 @@
+// Gnuplot scripts that carry their data, and the pictures that gnuplot draws from them.
+#pragma once
+
+#include <initializer_list>
+#include <string>
+#include <vector>
+
+namespace graze {
+
+// Rows of numbers for one layer of a picture. Lines drawn through the rows break at a gap.
+class PlotTable {
+ public:
+  // A row with a number that is not finite becomes a gap.
+  void row(std::initializer_list<double> numbers);
+  void gap();
+
+  bool empty() const { return rows_ == 0; }
+  const std::string& text() const { return text_; }
+
+ private:
+  std::string text_;
+  std::size_t rows_ = 0;
+};
+
+// A gnuplot script in the making, all but its terminal and output.
+class GnuplotScript {
+ public:
+  void command(const std::string& line);
+  // Makes the table known as $name.
+  void data(const std::string& name, const PlotTable& table);
+  // One plot of several layers, each as gnuplot writes it: "$name using 1:2 with lines"; without
+  // layers the bare axes, so ranges have to be set.
+  void plot(const std::vector<std::string>& layers);
+
+  const std::string& text() const { return text_; }
+
+ private:
+  std::string text_;
+};
+
+// `text` as a gnuplot string; _ and ^ in it lower and raise, {} group.
+std::string gnuplot_string(const std::string& text);
+// The same with every character standing for itself.
+std::string gnuplot_verbatim(const std::string& text);
+
+// Draws the script into `file` (.svg, .png or .pdf) and keeps it beside the picture as .gp, so that
+// `gnuplot name.gp`, run in that folder, draws the picture again. Throws FileError, leaving both
+// files as they were, when gnuplot is missing or fails, or the folder cannot be written to.
+void draw_picture(const std::string& file, const GnuplotScript& script);
+
+}  // namespace graze

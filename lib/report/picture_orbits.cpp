@@ -1,0 +1,165 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "graze/orbit/orbit_curve.hpp"
+#include "graze/report/picture_style.hpp"
+#include "graze/report/pictures.hpp"
+
+namespace graze {
+namespace {
+
+constexpr std::size_t kMostOrbits = 8;
+constexpr int kSamplesPerPeriod = 400;
+constexpr std::array kColours = {kBlue,   kVermillion, kGreen, kBlack,
+                                 kOrange, kSky,        kPurple, kGrey};
+
+using Flights = std::vector<std::vector<CurveSample>>;
+
+std::string stability(const Orbit& orbit) {
+  if (!orbit.admissible) return "virtual";
+  if (!orbit.stable) return "stability open";
+  return *orbit.stable ? "stable" : "unstable";
+}
+
+std::string dashes(const Orbit& orbit) {
+  if (!orbit.admissible) return "dt (2,4)";
+  return orbit.stable.value_or(false) ? "dt solid" : "dt (8,4)";
+}
+
+// "(1,1) stable, v = 0.1353 m/s", with several impacts "(2,3) stable, v ≤ 0.1353 m/s"
+std::string legend(const Orbit& orbit) {
+  double fastest = orbit.impacts.front().speed;
+  for (const OrbitImpact& impact : orbit.impacts) fastest = std::max(fastest, impact.speed);
+  return fmt::format("({},{}) {}, v {} {}{:.4g} m/s", orbit.period, orbit.impacts.size(),
+                     stability(orbit), orbit.impacts.size() == 1 ? "=" : "≤",
+                     fastest < 0.0 ? "−" : "", std::abs(fastest));
+}
+
+class OrbitsPicture {
+ public:
+  explicit OrbitsPicture(const OrbitRecord& record) : record_(record) {
+    for (const Orbit& orbit : record.found.orbits)
+      if (!orbit.impacts.empty()) orbits_.push_back(&orbit);
+    left_out_ = orbits_.size() - std::min(orbits_.size(), kMostOrbits);
+    orbits_.resize(orbits_.size() - left_out_);
+    if (!orbits_.empty()) stop_ = orbits_.front()->impacts.front().stop;
+    AxisRange displacement, velocity;
+    for (const Orbit* orbit : orbits_) {
+      flights_.push_back(orbit_curve(record.system, *orbit, stop_, kSamplesPerPeriod));
+      for (const auto& flight : flights_.back())
+        for (const CurveSample& sample : flight) {
+          displacement.include(sample.displacement);
+          velocity.include(sample.velocity);
+        }
+    }
+    const auto size = [](const AxisRange& range) {
+      return range.empty() ? 0.0 : std::max(std::abs(range.low), std::abs(range.high));
+    };
+    if (orbits_.empty()) displacement.include(0.0), velocity = {-1.0, 1.0};
+    if (has_stop()) displacement.include(record.system.stops[static_cast<std::size_t>(stop_)].gap);
+    length_ = axis_unit("m", size(displacement));
+    speed_ = axis_unit("m/s", size(velocity));
+    x_ = {length_.factor * displacement.low, length_.factor * displacement.high};
+    y_ = {speed_.factor * velocity.low, speed_.factor * velocity.high};
+    x_.settle(0.06);
+    y_.settle(0.08);
+  }
+
+  GnuplotScript script() {
+    set_style(script_);
+    for (std::size_t i = 0; i < orbits_.size(); ++i) write_data(i);
+    draw_stop();
+    const std::string which =
+        record_.system.stops.size() > 1 ? fmt::format("stop {}", stop_ + 1) : "stop";
+    const std::size_t columns = orbits_.size() > 3 ? 2 : 1;
+    Margins margins;
+    margins.bottom += legend_height(orbits_.size(), columns);
+    if (left_out_ > 0) margins.top += 0.04;
+    set_margins(script_, margins);
+    set_legend(script_, margins, columns);
+    script_.command("set xrange " + x_.text());
+    script_.command(fmt::format("set xtics {:.6g}", x_.tic_step(6)));
+    script_.command("set yrange " + y_.text());
+    script_.command(fmt::format("set ytics {:.6g}", y_.tic_step(8)));
+    script_.command("set xlabel " + axis_label("displacement towards " + which, length_.unit));
+    name_vertical_axis(script_, "velocity", speed_.unit);
+    if (orbits_.empty())
+      script_.command("set label 'no orbit was found' at graph 0.45, graph 0.6 center");
+    if (left_out_ > 0)
+      script_.command(fmt::format("set label 'the first {} of {} orbits' at graph 0, graph 1.05",
+                                  orbits_.size(), orbits_.size() + left_out_));
+    script_.plot(layers());
+    return script_;
+  }
+
+ private:
+  bool has_stop() const { return !record_.system.stops.empty(); }
+
+  double stop_place() const {
+    return length_.factor * record_.system.stops[static_cast<std::size_t>(stop_)].gap;
+  }
+
+  void write_data(std::size_t i) {
+    PlotTable curve, jumps;
+    const Flights& flights = flights_[i];
+    for (std::size_t k = 0; k < flights.size(); ++k) {
+      for (const CurveSample& sample : flights[k])
+        curve.row({length_.factor * sample.displacement, speed_.factor * sample.velocity});
+      curve.gap();
+      // The flight that ends here is followed, across an impact, by the next.
+      const CurveSample& before = flights[k].back();
+      const CurveSample& after = flights[(k + 1) % flights.size()].front();
+      jumps.row({length_.factor * before.displacement, speed_.factor * before.velocity, 0.0,
+                 speed_.factor * (after.velocity - before.velocity)});
+    }
+    script_.data(fmt::format("orbit{}", i + 1), curve);
+    script_.data(fmt::format("jumps{}", i + 1), jumps);
+  }
+
+  void draw_stop() {
+    if (!has_stop()) return;
+    script_.command(fmt::format(
+        "set object rectangle from first {:.9g}, graph 0 to graph 1, graph 1 behind "
+        "fillcolor rgb '{}' fillstyle solid noborder", stop_place(), kStopShade));
+    script_.command(fmt::format("set arrow from first {:.9g}, graph 0 to first {:.9g}, graph 1 "
+                                "nohead back lw 0.8 lc rgb '{}'", stop_place(), stop_place(), kGrey));
+    script_.command(fmt::format("set arrow from graph 0, first 0 to graph 1, first 0 nohead back "
+                                "lw 0.5 lc rgb '{}'", kGrey));
+  }
+
+  std::vector<std::string> layers() const {
+    std::vector<std::string> layers;
+    for (std::size_t i = 0; i < orbits_.size(); ++i) {
+      layers.push_back(fmt::format("$orbit{} with lines lw 1.6 {} lc rgb '{}' title {}", i + 1,
+                                   dashes(*orbits_[i]), kColours[i],
+                                   gnuplot_string(legend(*orbits_[i]))));
+      // The head stands alone, because dashes would tear it.
+      layers.push_back(fmt::format("$jumps{} with vectors nohead lw 1.6 dt (3,5) lc rgb '{}'", i + 1,
+                                   kColours[i]));
+      layers.push_back(fmt::format("$jumps{} using 1:($2+0.99*$4):3:(0.01*$4) with vectors head "
+                                   "filled size screen 0.02,20 fixed lw 1 lc rgb '{}'", i + 1,
+                                   kColours[i]));
+    }
+    return layers;
+  }
+
+  const OrbitRecord& record_;
+  std::vector<const Orbit*> orbits_;
+  std::vector<Flights> flights_;
+  std::size_t left_out_ = 0;
+  int stop_ = 0;
+  AxisUnit length_, speed_;
+  AxisRange x_, y_;
+  GnuplotScript script_;
+};
+
+}  // namespace
+
+void draw_orbits(const std::string& file, const OrbitRecord& record) {
+  draw_picture(file, OrbitsPicture(record).script());
+}
+
+}  // namespace graze

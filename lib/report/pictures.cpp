@@ -1,0 +1,26 @@
+#include "graze/report/pictures.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
+#include <filesystem>
+
+#include "graze/base/errors.hpp"
+
+namespace graze {
+
+void check_picture_name(const std::string& file) {
+  const std::filesystem::path path(file);
+  const std::string extension = path.extension().string();
+  if (extension == ".html")
+    throw InputError(fmt::format(
+        "{}: .html pictures are not available in this version; .svg, .png and .pdf are", file));
+  if (extension != ".svg" && extension != ".png" && extension != ".pdf")
+    throw InputError(fmt::format("{}: the name of a picture ends in .svg, .png or .pdf", file));
+  const auto control = [](char c) { return std::iscntrl(static_cast<unsigned char>(c)) != 0; };
+  if (std::any_of(file.begin(), file.end(), control))
+    throw InputError("the name of a picture cannot hold control characters");
+}
+
+}  // namespace graze

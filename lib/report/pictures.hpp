@@ -1,0 +1,28 @@
+// Results as pictures. Gnuplot draws them; the script stays beside the picture with all its data,
+// so that a picture can be changed and drawn again without the run: x.svg comes with x.gp.
+#pragma once
+
+#include <string>
+
+#include "graze/record/records.hpp"
+
+namespace graze {
+
+// Throws InputError unless `file` ends in .svg, .png or .pdf.
+void check_picture_name(const std::string& file);
+
+// All throw FileError, leaving the files as they were, when gnuplot is missing or fails or the
+// files cannot be written.
+
+// The recorded samples over time: displacement and velocity towards the first stop, with the
+// impacts; without stops the first modal coordinate.
+void draw_simulation(const std::string& file, const SimulationRecord& record);
+
+// Phase portrait of the orbits found, at most eight of them, seen at the stop of the first one's
+// first impact.
+void draw_orbits(const std::string& file, const OrbitRecord& record);
+
+// Impact speed against the parameter, with stability and special points.
+void draw_branches(const std::string& file, const BranchRecord& record);
+
+}  // namespace graze

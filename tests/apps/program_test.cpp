@@ -1,0 +1,207 @@
+// The program itself: what it prints where, and how it ends.
+#include "apps/program.hpp"
+
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+#include <vector>
+
+namespace graze {
+namespace {
+
+using nlohmann::json;
+
+const std::string kOneMode = scene("05_wagg_one_mode.toml");
+
+TEST(Program, PrintsVersionAndHelpOfEveryCommand) {
+  EXPECT_EQ(run_graze("--version").out, "graze 0.1.0\n");
+  for (const char* command : {"", "check ", "simulate ", "orbit ", "continue "}) {
+    const Finished help = run_graze(std::string(command) + "--help");
+    EXPECT_EQ(help.code, 0);
+    EXPECT_NE(help.out.find("Usage"), std::string::npos);
+    EXPECT_EQ(help.err, "");
+  }
+}
+
+TEST(Program, UsageErrorsExitWith2AndPrintNothingOnStdout) {
+  for (const std::string& line : std::vector<std::string>{
+        "", "frobnicate", "check", "check --bogus " + kOneMode,
+        "simulate --periods -3 " + kOneMode, "simulate --periods 3 --duration 2 " + kOneMode,
+        "orbit --period 0 " + kOneMode, "orbit --impacts nought " + kOneMode,
+        "continue " + kOneMode, "continue --parameter nope --from 1 --to 2 " + kOneMode,
+        "continue --parameter forcing.frequency --from 3 --to 3 " + kOneMode,
+        "continue --parameter forcing.frequency --from -3 --to 3 " + kOneMode,
+        "continue --parameter stop.restitution --from 0 --to 1.5 " + kOneMode,
+        "check --set stop.gap " + kOneMode, "check --set stop.gapp=1 " + kOneMode,
+        "orbit --plot picture.gif " + kOneMode, "simulate --record all " + kOneMode}) {
+    const Finished run = run_graze(line);
+    EXPECT_EQ(run.code, 2) << line;
+    EXPECT_EQ(run.out, "") << line;
+    EXPECT_NE(run.err, "") << line;
+  }
+}
+
+TEST(Program, RefusesWhatALaterVersionBrings) {
+  for (const std::string& line : std::vector<std::string>{
+        "diagram " + kOneMode, "cost " + kOneMode, "compare " + kOneMode, "fit a b",
+        "simulate --energy " + kOneMode, "simulate --closure-speed 1e-6 " + kOneMode,
+        "orbit --plot picture.html " + kOneMode,
+        "continue --parameter stop.gap --from 0 --to 1 --impacts 2 " + kOneMode,
+        "continue --parameter stop.gap --from 0 --to 1 --locus LP " + kOneMode,
+        "continue --parameter stop.gap --from 0 --to 1 --follow all " + kOneMode}) {
+    const Finished run = run_graze(line);
+    EXPECT_EQ(run.code, 2) << line;
+    EXPECT_NE(run.err.find("not available in this version"), std::string::npos) << run.err;
+    EXPECT_EQ(run.out, "");
+  }
+}
+
+TEST(Program, MissingSceneOrUnwritableFolderExitsWith4) {
+  EXPECT_EQ(run_graze("check no/such/scene.toml").code, 4);
+  EXPECT_EQ(run_graze("check .").code, 4);
+  const ScratchFolder scratch;
+  std::ofstream(scratch / "file") << "not a folder";
+  for (const char* where : {"/file", "/file/below"}) {
+    const Finished run = run_graze("orbit --out " + scratch.string() + where + " " + kOneMode);
+    EXPECT_EQ(run.code, 4);
+    EXPECT_EQ(run.out, "");
+  }
+  EXPECT_EQ(run_graze("check --out /proc/graze " + kOneMode).code, 4);
+  EXPECT_EQ(read_text(scratch / "file"), "not a folder");
+}
+
+TEST(Program, FullDeviceExitsWith4) {
+  const std::string line = std::string(GRAZE_PROGRAM) + " check " + kOneMode + " >/dev/full 2>&1";
+  EXPECT_EQ(WEXITSTATUS(std::system(line.c_str())), 4);
+}
+
+TEST(Program, JsonIsOneDocumentWithTheContractsKeys) {
+  const Finished run = run_graze("orbit --json --set forcing.frequency=40 " + kOneMode);
+  ASSERT_EQ(run.code, 0) << run.err;
+  const json document = json::parse(run.out);
+  EXPECT_EQ(document["graze"]["command"], "orbit");
+  EXPECT_EQ(document["graze"]["version"], "0.1.0");
+  EXPECT_EQ(document["graze"]["scene"], kOneMode);
+  EXPECT_EQ(document["graze"]["scene_sha256"].get<std::string>().size(), 64U);
+  EXPECT_EQ(document["outcome"], "found");
+  EXPECT_FALSE(document.contains("message"));
+  ASSERT_EQ(document["orbits"].size(), 1U);
+  const json& orbit = document["orbits"][0];
+  // Independent 40-digit values.
+  EXPECT_NEAR(orbit["phases"][0].get<double>(), 0.201791940738459, 1e-12);
+  EXPECT_NEAR(orbit["speeds"][0].get<double>(), 0.135344897739007, 1e-12);
+  EXPECT_NEAR(orbit["multipliers"][0][0].get<double>(), 0.2163982916, 1e-9);
+  EXPECT_NEAR(orbit["multipliers"][0][1].get<double>(), -0.7670857075, 1e-9);
+  EXPECT_EQ(orbit["stable"], true);
+  EXPECT_EQ(orbit["admissible"], true);
+  EXPECT_TRUE(orbit["clearance"].is_null());
+  EXPECT_EQ(orbit["at"][0]["stop"], 1);
+}
+
+TEST(Program, SimulateReportsEveryImpactAndTheEnd) {
+  const Finished run =
+      run_graze("simulate --json --duration 0.5 " + scene("02_wagg_momentum.toml"));
+  ASSERT_EQ(run.code, 0) << run.err;
+  const json document = json::parse(run.out);
+  EXPECT_EQ(document["outcome"], "reached_end");
+  EXPECT_EQ(document["final"]["time"], 0.5);
+  EXPECT_EQ(document["final"]["q"].size(), 4U);
+  EXPECT_EQ(document["totals"]["impacts"], document["events"].size());
+  const json& first = document["events"][0];
+  // Independent 40-digit values.
+  EXPECT_NEAR(first["time"].get<double>(), 0.13575577310536956, 1e-11);
+  EXPECT_NEAR(first["speed"].get<double>(), 0.0473040851227817, 1e-11);
+  EXPECT_LT(first["energy_change"].get<double>(), 0.0);
+}
+
+TEST(Program, MotionThatComesToRestSaysSoAndExitsWith3) {
+  const Finished run = run_graze("simulate --json " + scene("02_wagg_momentum.toml"));
+  EXPECT_EQ(run.code, 3);
+  const json document = json::parse(run.out);
+  EXPECT_EQ(document["outcome"], "event_budget");
+  EXPECT_NE(document["message"].get<std::string>().find("came to rest on stop 1"),
+            std::string::npos);
+  EXPECT_NEAR(document["final"]["time"].get<double>(), 0.541289, 1e-6);
+  EXPECT_EQ(document["final"]["stuck"], json::array({1}));
+}
+
+TEST(Program, BudgetsEndWithTheirOutcome) {
+  const Finished impacts = run_graze("simulate --json --max-impacts 5 " + kOneMode);
+  EXPECT_EQ(impacts.code, 3);
+  EXPECT_EQ(json::parse(impacts.out)["outcome"], "event_budget");
+  EXPECT_EQ(json::parse(impacts.out)["totals"]["impacts"], 5);
+  const Finished seconds =
+      run_graze("simulate --json --periods 1000000000 --max-seconds 0.2 --record none " + kOneMode);
+  EXPECT_EQ(seconds.code, 3);
+  EXPECT_EQ(json::parse(seconds.out)["outcome"], "time_budget");
+}
+
+TEST(Program, ContinueEndsAtGrazingsAndFoldsAreLocated) {
+  const Finished run = run_graze("continue --json --set forcing.frequency=40 --parameter stop.gap "
+                                 "--from 0 --to 0.02 " + kOneMode);
+  ASSERT_EQ(run.code, 0) << run.err;
+  const json document = json::parse(run.out);
+  EXPECT_EQ(document["outcome"], "complete");
+  EXPECT_EQ(document["parameter"], "stop.gap");
+  ASSERT_EQ(document["branches"].size(), 1U);
+  const json& branch = document["branches"][0];
+  EXPECT_EQ(branch["ends"], json::array({"parameter limit", "GR"}));
+  EXPECT_EQ(branch["special"][0]["label"], "LP");
+  // Independent 40-digit value of the fold.
+  EXPECT_NEAR(branch["special"][0]["value"].get<double>(), 0.0135928311243939, 1e-14);
+  EXPECT_NEAR(branch["special"][0]["multiplier"][0].get<double>(), 1.0, 1e-6);
+  EXPECT_GT(document["counters"]["shooting_evaluations"].get<int>(),
+            static_cast<int>(branch["points"].size()));
+  for (const json& point : branch["points"]) EXPECT_EQ(point["admissible"], true);
+}
+
+TEST(Program, OutWritesTheDocumentTheSceneAndTheTables) {
+  const ScratchFolder scratch;
+  const std::string folder = (scratch / "deep/er").string();
+  const Finished run = run_graze("continue --json --parameter stop.gap --from 1e-3 --to 2e-3 --out " +
+                                 folder + " " + kOneMode);
+  ASSERT_EQ(run.code, 0) << run.err;
+  EXPECT_EQ(read_text(folder + "/result.json"), run.out);
+  EXPECT_EQ(read_text(folder + "/branches.csv").substr(0, 17), "branch,component,");
+  EXPECT_EQ(read_text(folder + "/special.csv").substr(0, 9), "id,label,");
+  // The scene that was written makes the same result again.
+  const Finished again = run_graze("continue --json --parameter stop.gap --from 1e-3 --to 2e-3 " +
+                                   folder + "/scene.toml");
+  EXPECT_EQ(json::parse(again.out)["branches"], json::parse(run.out)["branches"]);
+  EXPECT_EQ(json::parse(again.out)["graze"]["scene_sha256"],
+            json::parse(run.out)["graze"]["scene_sha256"]);
+}
+
+TEST(Program, InterruptKeepsWhatWasFinishedAndExitsWith130) {
+  const Finished run = run_graze("simulate --json --periods 1000000000 --record none " + kOneMode,
+                                 "timeout --preserve-status -s INT 0.5 ");
+  EXPECT_EQ(run.code, 130);
+  const json document = json::parse(run.out);
+  EXPECT_EQ(document["outcome"], "interrupted");
+  EXPECT_GT(document["totals"]["impacts"].get<long long>(), 0);
+}
+
+TEST(Program, PicturesAreDrawnWithTheirScript) {
+  const ScratchFolder scratch;
+  for (const char* extension : {"svg", "png", "pdf"}) {
+    const std::string picture = (scratch / (std::string("x.") + extension)).string();
+    for (const std::string& line : std::vector<std::string>{
+          "simulate --periods 20 " + kOneMode, "orbit " + kOneMode,
+          "continue --parameter stop.gap --from 1e-3 --to 2e-3 " + kOneMode}) {
+      const Finished run = run_graze(line + " --plot " + picture);
+      EXPECT_EQ(run.code, 0) << run.err;
+      EXPECT_GT(read_text(picture).size(), 1000U) << line;
+      EXPECT_GT(read_text(scratch / "x.gp").size(), 100U) << line;
+      std::filesystem::remove(picture);
+    }
+  }
+}
+
+TEST(Program, SameSeedGivesTheSameBytes) {
+  const std::string line = "orbit --json --start random --random-seed 7 --set beam.modes=2 ";
+  EXPECT_EQ(run_graze(line + "--threads 1 " + kOneMode).out,
+            run_graze(line + "--threads 2 " + kOneMode).out);
+}
+
+}  // namespace
+}  // namespace graze

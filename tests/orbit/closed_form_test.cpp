@@ -1,0 +1,167 @@
+// The closed form of (p, 1) orbits and what is made of it, against tests/reference (50 digits).
+#include "graze/orbit/closed_form.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "graze/orbit/orbit.hpp"
+#include "graze/orbit/solve.hpp"
+#include "support/reference.hpp"
+#include "support/systems.hpp"
+
+namespace graze {
+namespace {
+
+constexpr double kTurn = 2.0 * std::numbers::pi;
+
+struct Case {
+  System system;
+  int period;
+  double phase;
+  std::string name;
+};
+
+Case case_of(const support::TableRow& row) {
+  return {assemble(support::reference_scene("orbits/" + row.at("case"))),
+          std::stoi(row.at("period")), support::number(row, "phase"),
+          row.at("case") + " at " + row.at("phase")};
+}
+
+ImpactPoint solution_of(const Case& c) {
+  const ClosedFormAnswer answer = closed_form(c.system, 0, c.period);
+  EXPECT_TRUE(answer.form) << answer.why_not;
+  const std::vector<ImpactPoint> points = answer.form->solutions(c.system.stops[0].gap);
+  EXPECT_EQ(points.size(), 2u);
+  const double first = std::abs(std::remainder(points[0].theta - c.phase, kTurn));
+  const double second = std::abs(std::remainder(points[1].theta - c.phase, kTurn));
+  return first < second ? points[0] : points[1];
+}
+
+Orbit orbit_of(const Case& c, const ImpactPoint& point) {
+  const ShootingProblem problem({c.period, {0}}, shooting_scale(c.system));
+  return make_orbit(c.system, problem, problem.pack({point}));
+}
+
+std::vector<Complex> reference_multipliers(const support::TableRow& row) {
+  std::vector<Complex> list;
+  for (int j = 1; j <= 8 && !row.at("mult_re" + std::to_string(j)).empty(); ++j)
+    list.emplace_back(support::number(row, "mult_re" + std::to_string(j)),
+                      support::number(row, "mult_im" + std::to_string(j)));
+  return list;
+}
+
+TEST(ClosedForm, AgreesWithTheReference) {
+  for (const support::TableRow& row : support::read_table("closed_form_orbits.csv")) {
+    const Case c = case_of(row);
+    SCOPED_TRACE(c.name);
+    const ImpactPoint point = solution_of(c);
+    EXPECT_NEAR(std::remainder(point.theta - c.phase, kTurn), 0.0, 1e-12);
+    EXPECT_NEAR(c.system.stops[0].row.dot(point.before.qdot), support::number(row, "speed"), 1e-12);
+    EXPECT_NEAR(c.system.stops[0].row.dot(point.before.q), c.system.stops[0].gap, 1e-14);
+  }
+}
+
+TEST(ClosedForm, MultipliersAgreeWithTheReference) {
+  for (const support::TableRow& row : support::read_table("closed_form_orbits.csv")) {
+    const Case c = case_of(row);
+    SCOPED_TRACE(c.name);
+    const Orbit orbit = orbit_of(c, solution_of(c));
+    const std::vector<Complex> expected = reference_multipliers(row);
+    ASSERT_EQ(orbit.multipliers.size(), expected.size());
+    bool unstable = false;
+    for (const Complex& value : expected) {
+      double smallest = 1e300;
+      for (const Eigenvalue& m : orbit.multipliers)
+        smallest = std::min(smallest, std::abs(m.value - value));
+      EXPECT_LE(smallest, 1e-10 * std::max(1.0, std::abs(value))) << value;
+      unstable = unstable || std::abs(value) > 1.0;
+    }
+    ASSERT_TRUE(orbit.stable);
+    EXPECT_EQ(*orbit.stable, !unstable);
+    for (std::size_t i = 1; i < orbit.multipliers.size(); ++i)
+      EXPECT_LE(std::abs(orbit.multipliers[i].value), std::abs(orbit.multipliers[i - 1].value));
+  }
+}
+
+TEST(ClosedForm, NewtonKeepsIt) {
+  for (const support::TableRow& row : support::read_table("closed_form_orbits.csv")) {
+    const Case c = case_of(row);
+    SCOPED_TRACE(c.name);
+    const ShootingProblem problem({c.period, {0}}, shooting_scale(c.system));
+    const auto solution = newton(problem, c.system, problem.pack({solution_of(c)}));
+    ASSERT_TRUE(solution);
+    EXPECT_LE(solution->residual, 1e-13);
+    const ImpactPoint point = problem.unpack(c.system, solution->x).front();
+    EXPECT_NEAR(std::remainder(point.theta - c.phase, kTurn), 0.0, 1e-12);
+    EXPECT_NEAR(c.system.stops[0].row.dot(point.before.qdot), support::number(row, "speed"), 1e-12);
+  }
+}
+
+TEST(ClosedForm, ClearanceAndAdmissibilityAgreeWithTheReference) {
+  const auto orbits = support::read_table("closed_form_orbits.csv");
+  const auto clearances = support::read_table("closed_form_clearances.csv");
+  ASSERT_EQ(orbits.size(), clearances.size());
+  for (std::size_t i = 0; i < orbits.size(); ++i) {
+    ASSERT_EQ(orbits[i].at("case"), clearances[i].at("case"));
+    ASSERT_EQ(orbits[i].at("phase"), clearances[i].at("phase"));
+    const Case c = case_of(orbits[i]);
+    SCOPED_TRACE(c.name);
+    const Orbit orbit = orbit_of(c, solution_of(c));
+    const std::string& expected = clearances[i].at("clearance");
+    ASSERT_EQ(orbit.clearance.has_value(), !expected.empty());
+    if (orbit.clearance) {
+      EXPECT_NEAR(*orbit.clearance, std::stod(expected), 1e-12);
+    }
+    const bool clear = expected.empty() || std::stod(expected) > 0.0;
+    EXPECT_EQ(orbit.admissible, clear && support::number(orbits[i], "speed") > 0.0);
+  }
+}
+
+TEST(ClosedForm, FoldsAgreeWithTheReference) {
+  for (const support::TableRow& row : support::read_table("closed_form_folds.csv")) {
+    if (row.at("parameter") != "stop.gap") continue;
+    SCOPED_TRACE(row.at("case"));
+    const System system = assemble(support::reference_scene("orbits/" + row.at("case")));
+    const ClosedFormAnswer answer = closed_form(system, 0, 1);
+    ASSERT_TRUE(answer.form);
+    // |kappa| does not depend on the gap: the fold stands at gap = |kappa|.
+    EXPECT_NEAR(std::abs(answer.form->kappa) / support::number(row, "value"), 1.0, 1e-12);
+    EXPECT_NEAR(std::remainder(-std::arg(answer.form->kappa) - support::number(row, "phase"), kTurn),
+                0.0, 1e-12);
+  }
+}
+
+TEST(ClosedForm, HasNoSolutionBeyondTheFold) {
+  const System system = assemble(support::reference_scene("orbits/beam_n2_40"));
+  const ClosedFormAnswer answer = closed_form(system, 0, 1);
+  ASSERT_TRUE(answer.form);
+  const double fold = std::abs(answer.form->kappa);
+  EXPECT_TRUE(answer.form->solutions(fold * (1.0 + 1e-14)).empty());
+  EXPECT_EQ(answer.form->solutions(fold * (1.0 - 1e-14)).size(), 2u);
+  EXPECT_EQ(answer.form->solutions(-fold * (1.0 - 1e-14)).size(), 2u);
+  EXPECT_TRUE(answer.form->solutions(-fold * (1.0 + 1e-14)).empty());
+}
+
+TEST(ClosedForm, NeedsForcing) {
+  const ClosedFormAnswer answer = closed_form(support::oscillator(1.0, 0.1, 0.1, 0.8), 0, 1);
+  EXPECT_FALSE(answer.form);
+  EXPECT_FALSE(answer.why_not.empty());
+}
+
+TEST(ClosedForm, HoldsAtUndampedResonance) {
+  // x'' + x = cos(t), stop at 0, r = .5. From the impact at phase phi the motion is
+  // -r V sin s + [s sin(s + phi) - sin s sin phi]/2; after a whole turn x = pi sin(phi) = 0 and
+  // x' = -r V + pi cos(phi) = V: phi = 0, V = pi/1.5; phi = pi, V = -pi/1.5.
+  const System system = support::forced_oscillator(1.0, 0.0, 0.0, 0.5, 1.0, 1.0);
+  const ClosedFormAnswer answer = closed_form(system, 0, 1);
+  ASSERT_TRUE(answer.form) << answer.why_not;
+  for (const ImpactPoint& point : answer.form->solutions(0.0)) {
+    EXPECT_NEAR(std::sin(point.theta), 0.0, 1e-14);
+    EXPECT_NEAR(point.before.qdot[0], std::cos(point.theta) * std::numbers::pi / 1.5, 1e-14);
+  }
+}
+
+}  // namespace
+}  // namespace graze

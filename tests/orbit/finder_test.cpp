@@ -1,0 +1,176 @@
+// What a simulation settles on, and the list of orbits of a scene.
+#include "graze/orbit/finder.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "graze/orbit/closed_form.hpp"
+#include "graze/orbit/settled.hpp"
+#include "graze/orbit/solve.hpp"
+#include "support/reference.hpp"
+#include "support/systems.hpp"
+
+namespace graze {
+namespace {
+
+constexpr double kTurn = 2.0 * std::numbers::pi;
+
+// x'' + .1 x' + x = cos(W t), r = .8: the oscillator of scene 04.
+System fruit_fly(double frequency, double gap) {
+  return support::forced_oscillator(1.0, 0.05, gap, 0.8, frequency, 1.0);
+}
+
+TEST(Settled, OnOneImpactPerPeriod) {
+  const System system = assemble(support::reference_scene("orbits/sdof_1_6"));
+  const SettledMotion settled = settle(system, support::rest(system));
+  ASSERT_TRUE(settled.pattern) << settled.verdict;
+  EXPECT_EQ(settled.pattern->period, 1);
+  EXPECT_EQ(settled.pattern->impacts(), 1);
+  ASSERT_EQ(settled.points.size(), 1u);
+  // tests/reference/closed_form_orbits.csv; repetitions agree to 1e-6.
+  EXPECT_NEAR(settled.points[0].theta, 0.53869685675624971, 1e-5);
+  EXPECT_NEAR(settled.points[0].before.qdot[0], 2.7587090268542805, 1e-5);
+}
+
+TEST(Settled, OnOneImpactInTwoPeriods) {
+  const System system = fruit_fly(4.0, 0.0);
+  const SettledMotion settled = settle(system, support::state_of({-1.0}, {0.0}));
+  ASSERT_TRUE(settled.pattern) << settled.verdict;
+  EXPECT_EQ(settled.pattern->period, 2);
+  ASSERT_EQ(settled.pattern->impacts(), 1);
+  double nearest = 1.0;
+  for (const ImpactPoint& exact : closed_form(system, 0, 2).form->solutions(0.0))
+    nearest = std::min(nearest,
+                       std::abs(std::remainder(settled.points[0].theta - exact.theta, kTurn)) +
+                           std::abs(settled.points[0].before.qdot[0] - exact.before.qdot[0]));
+  EXPECT_LE(nearest, 1e-5);
+}
+
+TEST(Settled, OnADoubledOrbitWhereTheSimpleOneIsUnstable) {
+  const System system = fruit_fly(2.7, 0.0);
+  for (const ImpactPoint& exact : closed_form(system, 0, 1).form->solutions(0.0)) {
+    const ShootingProblem problem({1, {0}}, shooting_scale(system));
+    EXPECT_EQ(make_orbit(system, problem, problem.pack({exact})).stable, false);
+  }
+  const SettledMotion settled = settle(system, support::state_of({-1.0}, {0.0}));
+  ASSERT_TRUE(settled.pattern) << settled.verdict;
+  EXPECT_EQ(settled.pattern->period, 2);
+  ASSERT_EQ(settled.pattern->impacts(), 2);
+  EXPECT_GT(std::abs(settled.points[0].before.qdot[0] - settled.points[1].before.qdot[0]), 1e-2);
+  const ShootingProblem problem(*settled.pattern, shooting_scale(system));
+  const auto solution = newton(problem, system, problem.pack(settled.points));
+  ASSERT_TRUE(solution);
+  const Orbit orbit = make_orbit(system, problem, solution->x);
+  EXPECT_EQ(orbit.stable, true);
+  EXPECT_TRUE(orbit.admissible);
+}
+
+TEST(Settled, SaysWhenTheMotionComesToRest) {
+  const Scene scene = support::shipped_scene("02_wagg_momentum");
+  const System system = assemble(scene);
+  const SettledMotion settled = settle(system, initial_state(scene, system));
+  EXPECT_FALSE(settled.pattern);
+  EXPECT_NE(settled.verdict.find("rest"), std::string::npos) << settled.verdict;
+}
+
+TEST(Settled, SaysWhenTheStopIsNeverMet) {
+  const System system = fruit_fly(1.6, 100.0);
+  EXPECT_FALSE(settle(system, support::rest(system)).pattern);
+  EXPECT_NE(settle(system, support::rest(system)).verdict.find("no stop"), std::string::npos);
+}
+
+FoundOrbits find(const System& system, bool keep_virtual, std::uint64_t seed = 1) {
+  FinderOptions options;
+  options.keep_virtual = keep_virtual;
+  options.random_seed = seed;
+  const State start{Vector::Constant(system.modes(), 0.0), Vector::Zero(system.modes())};
+  return find_orbits(system, start, options);
+}
+
+TEST(Finder, ListsBothSolutionsOfTheClosedFormOnce) {
+  for (const char* name : {"sdof_1_6", "beam_n2_40", "beam_n4_47", "three_modes_2_1"}) {
+    SCOPED_TRACE(name);
+    const System system = assemble(support::reference_scene(std::string("orbits/") + name));
+    const FoundOrbits found = find(system, true);
+    int simple = 0;
+    for (const Orbit& orbit : found.orbits) simple += orbit.period == 1 && orbit.impacts.size() == 1;
+    EXPECT_EQ(simple, 2);
+    EXPECT_EQ(found.closed_form.converged, 2);
+    EXPECT_GT(found.random.converged, 0);
+    for (std::size_t i = 0; i < found.orbits.size(); ++i)
+      for (std::size_t j = 0; j < i; ++j)
+        EXPECT_FALSE(same_orbit(found.orbits[i], found.orbits[j]));
+  }
+}
+
+TEST(Finder, IsDeterministic) {
+  const System system = assemble(support::reference_scene("orbits/beam_n4_40"));
+  const FoundOrbits a = find(system, true), b = find(system, true);
+  ASSERT_EQ(a.orbits.size(), b.orbits.size());
+  for (std::size_t i = 0; i < a.orbits.size(); ++i) {
+    EXPECT_EQ(a.orbits[i].impacts[0].phase, b.orbits[i].impacts[0].phase);
+    EXPECT_EQ(a.orbits[i].impacts[0].speed, b.orbits[i].impacts[0].speed);
+    EXPECT_EQ(a.orbits[i].residual, b.orbits[i].residual);
+  }
+  EXPECT_EQ(a.random.converged, b.random.converged);
+}
+
+TEST(Finder, LeavesOutAndCountsWhatIsNoOrbit) {
+  const System system = assemble(support::reference_scene("orbits/beam_n2_40"));
+  const FoundOrbits all = find(system, true), listed = find(system, false);
+  for (const Orbit& orbit : listed.orbits) EXPECT_TRUE(orbit.admissible);
+  EXPECT_EQ(listed.orbits.size() + static_cast<std::size_t>(listed.inadmissible),
+            all.orbits.size());
+}
+
+TEST(Finder, RandomGuessesAloneFindTheClosedForm) {
+  const System system = assemble(support::reference_scene("orbits/beam_n4_40"));
+  FinderOptions options;
+  options.from_closed_form = options.from_simulation = false;
+  options.keep_virtual = true;
+  const FoundOrbits found = find_orbits(system, support::rest(system), options);
+  ASSERT_EQ(found.orbits.size(), 2u);
+  // tests/reference/closed_form_orbits.csv, case beam_n4_40
+  EXPECT_NEAR(found.orbits[0].impacts[0].phase, 1.3901932500224201, 1e-12);
+  EXPECT_NEAR(found.orbits[1].impacts[0].phase, 3.0262335730754375, 1e-12);
+}
+
+TEST(Finder, FindsTheDoubledOrbitFromTheSimulation) {
+  const System system = fruit_fly(2.7, 0.0);
+  FinderOptions options;
+  options.keep_virtual = true;
+  const FoundOrbits found = find_orbits(system, support::state_of({-1.0}, {0.0}), options);
+  int doubled = 0;
+  for (const Orbit& orbit : found.orbits) {
+    doubled += orbit.period == 2 && orbit.impacts.size() == 2;
+    if (orbit.impacts.size() == 1) {
+      EXPECT_EQ(orbit.period, 1);
+    }
+    for (std::size_t i = 1; i < orbit.impacts.size(); ++i)
+      EXPECT_LE(orbit.impacts[i - 1].period_index, orbit.impacts[i].period_index);
+  }
+  EXPECT_EQ(doubled, 1);
+}
+
+// Asked for two periods, the finder starts from the simple orbit taken twice only where that is
+// what the simulation does; it must not list a (1, 1) orbit as (2, 2).
+TEST(Finder, ListsMinimalOrbitsOnly) {
+  const System system = assemble(support::reference_scene("orbits/sdof_1_6"));
+  for (const int period : {1, 2, 3}) {
+    FinderOptions options;
+    options.period = period;
+    options.keep_virtual = true;
+    const FoundOrbits found = find_orbits(system, support::rest(system), options);
+    for (const Orbit& orbit : found.orbits) {
+      if (orbit.impacts.size() < 2) continue;
+      EXPECT_GT(std::abs(orbit.impacts[0].phase - orbit.impacts[1].phase) +
+                    std::abs(orbit.impacts[0].speed - orbit.impacts[1].speed),
+                1e-6);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace graze

@@ -1,0 +1,149 @@
+// The shooting equations: analytic derivatives against central differences.
+#include "graze/orbit/shooting.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "graze/orbit/closed_form.hpp"
+#include "graze/scene/parameter.hpp"
+#include "graze/system/system_family.hpp"
+#include "support/differences.hpp"
+#include "support/reference.hpp"
+#include "support/systems.hpp"
+
+namespace graze {
+namespace {
+
+// Impacts at evenly spread phases from states of the system's own size, in no way a solution.
+std::vector<ImpactPoint> arbitrary_points(const System& system, const ImpactPattern& pattern,
+                                          support::Dice& dice) {
+  const ShootingScale scale = shooting_scale(system);
+  const int n = system.modes();
+  std::vector<ImpactPoint> points;
+  for (int i = 0; i < pattern.impacts(); ++i)
+    points.push_back({0.7 + 2.0 * std::numbers::pi * pattern.period * i / pattern.impacts(),
+                      {scale.displacement * dice.vector(n, -1.0, 1.0),
+                       scale.velocity * dice.vector(n, -1.0, 1.0)}});
+  return points;
+}
+
+void expect_derivatives(const Scene& scene, const ImpactPattern& pattern) {
+  const System system = assemble(scene);
+  const ShootingProblem problem(pattern, shooting_scale(system));
+  support::Dice dice(7);
+  const Vector x = problem.pack(arbitrary_points(system, pattern, dice));
+  Matrix jacobian;
+  const Vector r = problem.residual(system, x, &jacobian);
+  ASSERT_EQ(r.size(), problem.size(system));
+  // The equations are linear in the states; only the phases bend them.
+  const Matrix differences = support::central_jacobian(
+      [&](const Vector& y) { return problem.residual(system, y); }, x,
+      Vector::Constant(x.size(), 1e-4));
+  const double size = jacobian.cwiseAbs().maxCoeff();
+  EXPECT_LE((jacobian - differences).cwiseAbs().maxCoeff() / size, 1e-8);
+
+  int moved = 0;
+  for (const std::string& name : parameter_names(scene)) {
+    const SystemFamily family(scene, name);
+    const double value = family.value();
+    const double h = 1e-4 * (value == 0.0 ? 1e-2 : std::abs(value));
+    if (!family.at(value - 2.0 * h) || !family.at(value + 2.0 * h)) continue;
+    ++moved;
+    const System tangent = *family.tangent_at(value);
+    Vector derivative;
+    problem.residual(system, x, nullptr, &tangent, &derivative);
+    const Vector difference = support::central_difference(
+        [&](double p) { return problem.residual(*family.at(p), x); }, value, h);
+    const double scale = std::max(difference.cwiseAbs().maxCoeff(), 1e-3 * r.norm() / h);
+    EXPECT_LE((derivative - difference).cwiseAbs().maxCoeff(), 1e-7 * scale) << name;
+  }
+  EXPECT_GE(moved, 5);
+}
+
+// The tip stop of a scene, moved off the end so that it can be varied both ways.
+Scene inner_stop(const std::string& name, std::vector<std::string> settings) {
+  settings.push_back("stop.position=0.28");
+  return support::reference_scene(name, settings);
+}
+
+TEST(Shooting, DerivativesOfOscillators) {
+  for (const char* name : {"sdof_2_8", "sdof_1_6", "three_modes_2_1"}) {
+    SCOPED_TRACE(name);
+    const Scene scene = support::reference_scene(std::string("orbits/") + name);
+    expect_derivatives(scene, {1, {0}});
+    expect_derivatives(scene, {1, {0, 0}});
+    expect_derivatives(scene, {2, {0, 0}});
+  }
+}
+
+TEST(Shooting, DerivativesOfBeams) {
+  for (const char* name : {"orbits/beam_n1_40", "orbits/beam_n2_40", "orbits/beam_n4_40"}) {
+    SCOPED_TRACE(name);
+    expect_derivatives(inner_stop(name, {}), {1, {0}});
+    expect_derivatives(inner_stop(name, {}), {2, {0, 0}});
+  }
+}
+
+TEST(Shooting, DerivativesWithOtherDampingAndForcing) {
+  expect_derivatives(support::reference_scene("H", {"stop.position=0.25"}), {1, {0}});
+  expect_derivatives(support::reference_scene("D"), {1, {0, 0}});
+  expect_derivatives(support::reference_scene("F"), {1, {0}});
+  expect_derivatives(support::reference_scene("G"), {1, {0}});
+}
+
+TEST(Shooting, DerivativesWithTheCollocationProjectionAndLaw) {
+  expect_derivatives(inner_stop("B", {"beam.points=[0.12, 0.27]"}), {1, {0}});
+  expect_derivatives(support::reference_scene("paper_collocation"), {1, {0}});
+  expect_derivatives(support::reference_scene("C"), {2, {0, 0}});
+}
+
+TEST(Shooting, DerivativesAtResonance) {
+  // The forcing at the natural frequency: the third mode kind of the flow's tangent.
+  expect_derivatives(support::reference_scene("orbits/sdof_1_6",
+                                              {"forcing.frequency=1.0",
+                                               "modal.damping_ratios=[0.0005]"}),
+                     {1, {0}});
+}
+
+TEST(Shooting, PackedPointsComeBack) {
+  const System system = assemble(support::reference_scene("orbits/beam_n4_40"));
+  const ShootingProblem problem({2, {0, 0}}, shooting_scale(system));
+  support::Dice dice(3);
+  const auto points = arbitrary_points(system, problem.pattern(), dice);
+  const auto back = problem.unpack(system, problem.pack(points));
+  ASSERT_EQ(back.size(), 2u);
+  for (std::size_t i = 0; i < 2; ++i) {
+    EXPECT_EQ(back[i].theta, points[i].theta);
+    EXPECT_LE((back[i].before.q - points[i].before.q).norm(), 1e-15 * points[i].before.q.norm());
+    EXPECT_LE((back[i].before.qdot - points[i].before.qdot).norm(),
+              1e-15 * points[i].before.qdot.norm());
+  }
+}
+
+TEST(Shooting, ResidualVanishesOnTheClosedForm) {
+  for (const support::TableRow& row : support::read_table("closed_form_orbits.csv")) {
+    const System system = assemble(support::reference_scene("orbits/" + row.at("case")));
+    const int period = std::stoi(row.at("period"));
+    const ShootingProblem problem({period, {0}}, shooting_scale(system));
+    const ClosedFormAnswer answer = closed_form(system, 0, period);
+    ASSERT_TRUE(answer.form);
+    for (const ImpactPoint& point : answer.form->solutions(system.stops[0].gap))
+      EXPECT_LE(problem.residual(system, problem.pack({point})).cwiseAbs().maxCoeff(), 1e-12)
+          << row.at("case");
+  }
+}
+
+TEST(Shooting, ImpactTurnsTheApproachSpeedRound) {
+  support::Dice dice(5);
+  const Vector row = dice.vector(4, -2.0, 2.0);
+  const RigidStop stop{row, 1.0, momentum_direction(row), 0.7};
+  const State before{dice.vector(4, -1.0, 1.0), dice.vector(4, -1.0, 1.0)};
+  const State after = after_impact(stop, before);
+  EXPECT_EQ(after.q, before.q);
+  EXPECT_NEAR(row.dot(after.qdot), -0.7 * row.dot(before.qdot), 1e-15);
+}
+
+}  // namespace
+}  // namespace graze
