@@ -123,11 +123,12 @@ std::string terminal(const std::filesystem::path& file) {
   const std::string extension = file.extension().string();
   if (extension == ".png")
     return "set terminal pngcairo enhanced font 'DejaVu Sans,11' fontscale 2.6 linewidth 3 "
-           "pointscale 3 dashlength 0.7 size 1360,1020 background '#FFFFFF'\n";
+           "pointscale 4.6 dashlength 0.7 size 1360,1020 background '#FFFFFF'\n";
   if (extension == ".pdf")
-    return "set terminal pdfcairo enhanced font 'DejaVu Sans,11' fontscale 0.86 linewidth 1.3 "
-           "pointscale 0.75 dashlength 0.7 size 12cm,9cm background '#FFFFFF'\n";
-  return "set terminal svg enhanced font 'DejaVu Sans,17' linewidth 1.4 dashlength 0.7 "
+    return "set terminal pdfcairo enhanced font 'DejaVu Sans,11' fontscale 0.64 linewidth 1.1 "
+           "pointscale 1.2 dashlength 0.7 size 12cm,9cm background '#FFFFFF'\n";
+  return "set terminal svg enhanced font 'DejaVu Sans,11' fontscale 1.3 linewidth 1.4 dashlength "
+         "0.7 "
          "size 640,480 background '#FFFFFF'\n";
 }
 
@@ -143,8 +144,7 @@ std::string output(const std::filesystem::path& file) {
 void PlotTable::row(std::initializer_list<double> numbers) {
   for (double number : numbers)
     if (!std::isfinite(number)) return gap();
-  for (double number : numbers)
-    fmt::format_to(std::back_inserter(text_), "{:.9g} ", number);
+  for (double number : numbers) fmt::format_to(std::back_inserter(text_), "{:.9g} ", number);
   text_.back() = '\n';
   ++rows_;
 }

@@ -19,6 +19,7 @@ struct KindStyle {
   const char* name;
   const char* title;
   const char* line;
+  const char* colour;
 };
 
 // In the order in which they are drawn: what is seen in an experiment lies on top.
@@ -26,11 +27,19 @@ constexpr std::array<std::size_t, kKinds> kOrder = {kVirtual, kOpen, kUnstable, 
 
 KindStyle style_of(std::size_t kind) {
   switch (kind) {
-    case kStable: return {"stable", "stable", "lw 2.2 dt solid lc rgb '#0072B2'"};
-    case kUnstable: return {"unstable", "unstable", "lw 1.8 dt (8,5) lc rgb '#D55E00'"};
-    case kOpen: return {"open", "stability open", "lw 1.8 dt (2,3) lc rgb '#000000'"};
-    default: return {"virtual", "virtual", "lw 0.9 dt solid lc rgb '#999999'"};
+    case kStable:
+      return {"stable", "stable", "lw 2.2 dt solid", kBlue};
+    case kUnstable:
+      return {"unstable", "unstable", "lw 1.8 dt (8,5)", kVermillion};
+    case kOpen:
+      return {"open", "stability open", "lw 1.8 dt (2,3)", kBlack};
+    default:
+      return {"virtual", "virtual", "lw 0.9 dt solid", kGrey};
   }
+}
+
+std::string line_style(std::size_t kind) {
+  return fmt::format("with lines {} lc rgb '{}'", style_of(kind).line, style_of(kind).colour);
 }
 
 Kind kind_of(const Orbit& orbit) {
@@ -86,8 +95,7 @@ class BranchesPicture {
     for (const OrbitBranch& branch : record.traced.branches)
       for (const OrbitBranchPoint& point : branch.points)
         fastest = std::fmax(fastest, std::abs(first_speed(point)));
-    axes_.parameter =
-        axis_unit(record.unit, std::max(std::abs(record.from), std::abs(record.to)));
+    axes_.parameter = axis_unit(record.unit, std::max(std::abs(record.from), std::abs(record.to)));
     axes_.speed = axis_unit("m/s", fastest);
     axes_.x.include(axes_.parameter.factor * record.from);
     axes_.x.include(axes_.parameter.factor * record.to);
@@ -102,9 +110,7 @@ class BranchesPicture {
 
   GnuplotScript script() {
     set_style(script_);
-    for (std::size_t kind = 0; kind < kKinds; ++kind)
-      if (!curves_[kind].empty()) script_.data(style_of(kind).name, curves_[kind]);
-    if (!lone_.empty()) script_.data("lone", lone_);
+    for (std::size_t kind = 0; kind < kKinds; ++kind) write_kind(kind);
     if (!folds_.empty()) script_.data("folds", folds_);
     if (!virtual_folds_.empty()) script_.data("virtual_folds", virtual_folds_);
     if (!grazings_.empty()) script_.data("grazings", grazings_);
@@ -132,7 +138,11 @@ class BranchesPicture {
 
   void add_curve(const OrbitBranch& branch) {
     const std::vector<Node> nodes = nodes_of(branch);
-    if (nodes.size() == 1) lone_.row({nodes[0].x, nodes[0].y});
+    const bool lone = std::all_of(nodes.begin(), nodes.end(), [&](const Node& other) {
+      return other.x == nodes[0].x && other.y == nodes[0].y;
+    });
+    if (lone && !nodes.empty())
+      return lone_[kind_of(branch.points.front().orbit)].row({nodes[0].x, nodes[0].y});
     // Between two nodes the curve is what its first node is; where that has no kind, the second.
     std::optional<Kind> current;
     for (std::size_t i = 0; i + 1 < nodes.size(); ++i) {
@@ -163,10 +173,12 @@ class BranchesPicture {
     AxisRange y = axes_.y;
     const double room = 0.06 * y.span();
     y.high += room;
-    if (y.low < 0.0) {
+    if (y.low < 0.0 || !grazings_.empty()) {
       y.low -= room;
-      script_.command(fmt::format("set arrow from graph 0, first 0 to graph 1, first 0 nohead back "
-                                  "lw 0.5 lc rgb '{}'", kGrey));
+      script_.command(
+          fmt::format("set arrow from graph 0, first 0 to graph 1, first 0 nohead back "
+                      "lw 0.5 lc rgb '{}'",
+                      kGrey));
     }
     Margins margins;
     margins.bottom += legend_height(legend().size(), 3);
@@ -177,12 +189,18 @@ class BranchesPicture {
     script_.command(fmt::format("set xtics {:.6g}", axes_.x.tic_step(7)));
     script_.command("set yrange " + y.text());
     script_.command(fmt::format("set ytics {:.6g}", y.tic_step(8)));
-    script_.command("set xlabel " + axis_label(parameter_title(record_.traced.parameter),
-                                               axes_.parameter.unit));
+    script_.command("set xlabel " +
+                    axis_label(parameter_title(record_.traced.parameter), axes_.parameter.unit));
     name_vertical_axis(script_, "impact speed", axes_.speed.unit);
     if (record_.traced.parameter == "forcing.frequency") set_hertz_axis();
     if (record_.traced.branches.empty())
       script_.command("set label 'no branch was found' at graph 0.5, graph 0.5 center");
+  }
+
+  void write_kind(std::size_t kind) {
+    const std::string name = style_of(kind).name;
+    if (!curves_[kind].empty()) script_.data(name, curves_[kind]);
+    if (!lone_[kind].empty()) script_.data("lone_" + name, lone_[kind]);
   }
 
   void set_hertz_axis() {
@@ -190,7 +208,7 @@ class BranchesPicture {
     const AxisRange hertz{axes_.x.low / kTurn, axes_.x.high / kTurn};
     script_.command("set border 7");
     script_.command("set x2range " + hertz.text());
-    script_.command(fmt::format("set x2tics {:.6g}", hertz.tic_step(7)));
+    script_.command(fmt::format("set x2tics {:.6g}", hertz.tic_step(9)));
     script_.command("set x2label 'forcing frequency (Hz)'");
   }
 
@@ -206,16 +224,18 @@ class BranchesPicture {
   double mark_size() const {
     std::size_t count = 0;
     for (const OrbitBranch& branch : record_.traced.branches) count += branch.special.size();
-    return std::clamp(std::sqrt(12.0 / std::max(static_cast<double>(count), 1.0)), 0.5, 1.0);
+    return std::clamp(std::sqrt(12.0 / std::max(static_cast<double>(count), 1.0)), 0.5, 1.0) * 0.65;
   }
 
   std::vector<std::string> layers() const {
     std::vector<std::string> layers;
-    for (std::size_t kind : kOrder)
-      if (!curves_[kind].empty())
-        layers.push_back(fmt::format("${} with lines {}", style_of(kind).name, style_of(kind).line));
-    if (!lone_.empty())
-      layers.push_back(fmt::format("$lone with points pt 7 ps 0.4 lc rgb '{}'", kGrey));
+    for (std::size_t kind : kOrder) {
+      const std::string name = style_of(kind).name;
+      if (!curves_[kind].empty()) layers.push_back("$" + name + " " + line_style(kind));
+      if (!lone_[kind].empty())
+        layers.push_back(fmt::format("$lone_{} with points pt 7 ps 0.3 lc rgb '{}'", name,
+                                     style_of(kind).colour));
+    }
     if (!grazings_.empty()) {
       // Filled with the paper's white, so that the curve does not run through the triangle.
       layers.push_back(
@@ -231,9 +251,8 @@ class BranchesPicture {
   std::vector<std::string> legend() const {
     std::vector<std::string> entries;
     for (std::size_t kind = 0; kind < kKinds; ++kind)
-      if (!curves_[kind].empty())
-        entries.push_back(fmt::format("NaN with lines {} title '{}'", style_of(kind).line,
-                                      style_of(kind).title));
+      if (!curves_[kind].empty() || !lone_[kind].empty())
+        entries.push_back(fmt::format("NaN {} title '{}'", line_style(kind), style_of(kind).title));
     if (!folds_.empty()) entries.push_back("NaN " + fold_style(kBlack) + " title 'fold (LP)'");
     if (!virtual_folds_.empty())
       entries.push_back("NaN " + fold_style(kGrey) + " title 'virtual fold'");
@@ -244,7 +263,8 @@ class BranchesPicture {
   const BranchRecord& record_;
   Axes axes_;
   std::array<PlotTable, kKinds> curves_;
-  PlotTable lone_, folds_, virtual_folds_, grazings_;
+  std::array<PlotTable, kKinds> lone_;  // branches of a single point
+  PlotTable folds_, virtual_folds_, grazings_;
   GnuplotScript script_;
 };
 

@@ -13,8 +13,7 @@ namespace {
 
 constexpr std::size_t kMostOrbits = 8;
 constexpr int kSamplesPerPeriod = 400;
-constexpr std::array kColours = {kBlue,   kVermillion, kGreen, kBlack,
-                                 kOrange, kSky,        kPurple, kGrey};
+constexpr std::array kColours = {kBlue, kVermillion, kGreen, kBlack, kOrange, kSky, kPurple, kGrey};
 
 using Flights = std::vector<std::vector<CurveSample>>;
 
@@ -74,12 +73,11 @@ class OrbitsPicture {
     draw_stop();
     const std::string which =
         record_.system.stops.size() > 1 ? fmt::format("stop {}", stop_ + 1) : "stop";
-    const std::size_t columns = orbits_.size() > 3 ? 2 : 1;
     Margins margins;
-    margins.bottom += legend_height(orbits_.size(), columns);
+    margins.bottom += legend_height(orbits_.size(), 1);
     if (left_out_ > 0) margins.top += 0.04;
     set_margins(script_, margins);
-    set_legend(script_, margins, columns);
+    set_legend(script_, margins, 1);
     script_.command("set xrange " + x_.text());
     script_.command(fmt::format("set xtics {:.6g}", x_.tic_step(6)));
     script_.command("set yrange " + y_.text());
@@ -121,13 +119,18 @@ class OrbitsPicture {
 
   void draw_stop() {
     if (!has_stop()) return;
-    script_.command(fmt::format(
-        "set object rectangle from first {:.9g}, graph 0 to graph 1, graph 1 behind "
-        "fillcolor rgb '{}' fillstyle solid noborder", stop_place(), kStopShade));
-    script_.command(fmt::format("set arrow from first {:.9g}, graph 0 to first {:.9g}, graph 1 "
-                                "nohead back lw 0.8 lc rgb '{}'", stop_place(), stop_place(), kGrey));
-    script_.command(fmt::format("set arrow from graph 0, first 0 to graph 1, first 0 nohead back "
-                                "lw 0.5 lc rgb '{}'", kGrey));
+    script_.command(
+        fmt::format("set object rectangle from first {:.9g}, graph 0 to graph 1, graph 1 behind "
+                    "fillcolor rgb '{}' fillstyle solid noborder",
+                    stop_place(), kStopShade));
+    script_.command(
+        fmt::format("set arrow from first {:.9g}, graph 0 to first {:.9g}, graph 1 "
+                    "nohead back lw 0.8 lc rgb '{}'",
+                    stop_place(), stop_place(), kGrey));
+    script_.command(
+        fmt::format("set arrow from graph 0, first 0 to graph 1, first 0 nohead back "
+                    "lw 0.5 lc rgb '{}'",
+                    kGrey));
   }
 
   std::vector<std::string> layers() const {
@@ -137,11 +140,12 @@ class OrbitsPicture {
                                    dashes(*orbits_[i]), kColours[i],
                                    gnuplot_string(legend(*orbits_[i]))));
       // The head stands alone, because dashes would tear it.
-      layers.push_back(fmt::format("$jumps{} with vectors nohead lw 1.6 dt (3,5) lc rgb '{}'", i + 1,
-                                   kColours[i]));
-      layers.push_back(fmt::format("$jumps{} using 1:($2+0.99*$4):3:(0.01*$4) with vectors head "
-                                   "filled size screen 0.02,20 fixed lw 1 lc rgb '{}'", i + 1,
-                                   kColours[i]));
+      layers.push_back(fmt::format("$jumps{} with vectors nohead lw 1.6 dt (3,5) lc rgb '{}'",
+                                   i + 1, kColours[i]));
+      layers.push_back(
+          fmt::format("$jumps{} using 1:($2+0.99*$4):3:(0.01*$4) with vectors head "
+                      "filled size screen 0.02,20 fixed lw 1 lc rgb '{}'",
+                      i + 1, kColours[i]));
     }
     return layers;
   }

@@ -31,7 +31,7 @@ struct SeenStop {
 };
 
 struct SeenImpact {
-  double time = 0.0, place = 0.0;     // s, m
+  double time = 0.0, place = 0.0;    // s, m
   double before = 0.0, after = 0.0;  // velocity, m/s
 };
 
@@ -63,8 +63,8 @@ void set_window(const SimulationRecord& record, MotionSeen& seen) {
   seen.start = record.samples.front().time;
   seen.end = record.samples.back().time;
   // Samples stop short of an end between two of them, where the last impacts may be.
-  const double spacing =
-      (seen.end - seen.start) / static_cast<double>(std::max<std::size_t>(record.samples.size(), 2) - 1);
+  const double spacing = (seen.end - seen.start) /
+                         static_cast<double>(std::max<std::size_t>(record.samples.size(), 2) - 1);
   if (record.run.end_time - seen.end <= 1.5 * spacing)
     seen.end = std::max(seen.end, record.run.end_time);
 }
@@ -155,12 +155,12 @@ double largest(const AxisRange& range) {
 // The stop as a line with the space behind it shaded; a stop far off the motion is only named.
 class StopMarks {
  public:
-  StopMarks(const MotionSeen& seen, const AxisRange& motion, const AxisUnit& unit)
-      : unit_(unit) {
-    const double reach = 4.0 * std::max(motion.empty() ? 0.0 : motion.span(), 0.25 * largest(motion));
+  StopMarks(const MotionSeen& seen, const AxisRange& motion, const AxisUnit& unit) : unit_(unit) {
+    const double reach =
+        4.0 * std::max(motion.empty() ? 0.0 : motion.span(), 0.25 * largest(motion));
     for (const SeenStop& stop : seen.stops) {
-      const bool near = motion.empty() || (stop.place >= motion.low - reach &&
-                                           stop.place <= motion.high + reach);
+      const bool near =
+          motion.empty() || (stop.place >= motion.low - reach && stop.place <= motion.high + reach);
       (near ? near_ : far_).push_back(stop);
     }
   }
@@ -176,19 +176,24 @@ class StopMarks {
       const double edge = stop.sense > 0.0 ? range.high : range.low;
       script.command(fmt::format(
           "set object rectangle from graph 0, first {:.9g} to graph 1, first {:.9g} behind "
-          "fillcolor rgb '{}' fillstyle solid noborder", at, edge, kStopShade));
-      script.command(fmt::format("set arrow from graph 0, first {:.9g} to graph 1, first {:.9g} "
-                                 "nohead lw 2 lc rgb '{}'", at, at, kBlack));
-    }
-    double line = 0.0;
-    for (const SeenStop& stop : far_) {
-      const std::string text = fmt::format("stop at {:.4g} {}", unit_.factor * stop.place, unit_.unit);
-      script.command(fmt::format("set label {} at graph 0.99, graph {} right",
-                                 gnuplot_string(text), 0.94 - 0.1 * line++));
+          "fillcolor rgb '{}' fillstyle solid noborder",
+          at, edge, kStopShade));
+      script.command(
+          fmt::format("set arrow from graph 0, first {:.9g} to graph 1, first {:.9g} "
+                      "nohead lw 2 lc rgb '{}'",
+                      at, at, kBlack));
     }
   }
 
-  bool any() const { return !near_.empty(); }
+  // Their entries in the legend.
+  void list(std::vector<std::string>& layers) const {
+    if (!near_.empty())
+      layers.push_back(fmt::format("NaN with lines lw 2 lc rgb '{}' title 'stop'", kBlack));
+    for (const SeenStop& stop : far_)
+      layers.push_back(fmt::format("NaN with dots lc rgb '#FFFFFF' title 'stop at {}{:.4g} {}'",
+                                   stop.place < 0.0 ? "−" : "", unit_.factor * std::abs(stop.place),
+                                   unit_.unit));
+  }
 
  private:
   AxisUnit unit_;
@@ -197,8 +202,7 @@ class StopMarks {
 
 class SimulationPicture {
  public:
-  explicit SimulationPicture(const SimulationRecord& record)
-      : record_(record), seen_(see(record)) {
+  explicit SimulationPicture(const SimulationRecord& record) : record_(record), seen_(see(record)) {
     time_ = axis_unit("s", std::max(std::abs(seen_.start), std::abs(seen_.end)));
     const AxisRange displacement = range_of(seen_.displacement);
     const AxisRange velocity = range_of(seen_.velocity);
@@ -207,9 +211,10 @@ class SimulationPicture {
       length_ = axis_unit("m", largest(displacement));
       speed_ = axis_unit("m/s", largest(velocity));
     } else {
-      length_ = {1.0, "kg^{1/2} m"};
-      speed_ = {1.0, "kg^{1/2} m/s"};
+      length_ = axis_unit("kg^1/2 m", largest(displacement));
+      speed_ = axis_unit("kg^1/2 m/s", largest(velocity));
     }
+    if (record.samples.empty()) displacement_.include(0.0);
     displacement_.include(length_.factor * displacement.low);
     displacement_.include(length_.factor * displacement.high);
     velocity_.include(speed_.factor * velocity.low);
@@ -258,7 +263,7 @@ class SimulationPicture {
   // Marks shrink as they crowd.
   double mark_size() const {
     const double count = static_cast<double>(seen_.impacts.size());
-    return std::clamp(0.6 * std::sqrt(40.0 / std::max(count, 1.0)), 0.2, 0.6);
+    return std::clamp(0.4 * std::sqrt(40.0 / std::max(count, 1.0)), 0.13, 0.4);
   }
 
   void draw_displacement() {
@@ -269,23 +274,24 @@ class SimulationPicture {
     stops.draw(script_, displacement_);
     set_panel(0.55, 0.08, displacement_);
     name_vertical_axis(script_,
-                       no_stops() ? "first mode\\nq_1" : "displacement\\n" + towards_stop(),
+                       no_stops() ? "first mode q_1\\n" : "displacement\\n" + towards_stop(),
                        length_.unit);
     script_.command("set format x ''");
-    script_.command("set key at screen 0.965, screen 0.96 right center horizontal Left reverse "
-                    "samplen 1.5 font ',9'");
+    script_.command(
+        "set key at screen 0.965, screen 0.96 right center horizontal Left reverse "
+        "samplen 1.5 font ',9'");
     std::vector<std::string> layers;
     if (record_.samples.empty())
-      script_.command("set label 'no samples were recorded' at graph 0.5, graph 0.5 center");
+      script_.command("set label 'no samples were recorded' at graph 0.5, graph 0.4 center");
     else
       layers.push_back(fmt::format("$displacement with lines lw 1.2 lc rgb '{}'", kBlue));
     if (!seen_.impacts.empty())
-      layers.push_back(fmt::format("$touches with points pt 7 ps {:.2f} lc rgb '{}'", mark_size(),
-                                   kVermillion));
-    if (stops.any()) layers.push_back(fmt::format("NaN with lines lw 2 lc rgb '{}' title 'stop'", kBlack));
+      layers.push_back(
+          fmt::format("$touches with points pt 7 ps {:.2f} lc rgb '{}'", mark_size(), kVermillion));
+    stops.list(layers);
     if (!seen_.impacts.empty())
-      layers.push_back(fmt::format("NaN with points pt 7 ps 0.6 lc rgb '{}' title 'impact'",
-                                   kVermillion));
+      layers.push_back(
+          fmt::format("NaN with points pt 7 ps 0.4 lc rgb '{}' title 'impact'", kVermillion));
     mark_rest(layers);
     script_.plot(layers);
     script_.command("unset object\nunset arrow\nunset label\nunset key");
@@ -297,8 +303,10 @@ class SimulationPicture {
       if (stop.index != *record_.run.resting_stop || record_.run.end_time > seen_.end) continue;
       const double time = time_.factor * record_.run.end_time;
       const double at = length_.factor * stop.place;
-      layers.push_back(fmt::format("'+' using ({:.9g}):({:.9g}) every ::0::0 with points pt 5 "
-                                   "ps 0.7 lc rgb '{}' title 'at rest'", time, at, kBlack));
+      layers.push_back(
+          fmt::format("'+' using ({:.9g}):({:.9g}) every ::0::0 with points pt 5 "
+                      "ps 0.45 lc rgb '{}' title 'at rest'",
+                      time, at, kBlack));
     }
   }
 
@@ -306,9 +314,11 @@ class SimulationPicture {
     set_panel(0.15, 0.49, velocity_);
     script_.command("set format x '%h'");
     script_.command("set xlabel " + axis_label("time", time_.unit));
-    name_vertical_axis(script_, no_stops() ? "rate of q_1" : "velocity", speed_.unit);
-    script_.command(fmt::format("set arrow from graph 0, first 0 to graph 1, first 0 nohead back "
-                                "lw 0.5 lc rgb '{}'", kGrey));
+    name_vertical_axis(script_, no_stops() ? "rate of q_1\\n" : "velocity", speed_.unit);
+    script_.command(
+        fmt::format("set arrow from graph 0, first 0 to graph 1, first 0 nohead back "
+                    "lw 0.5 lc rgb '{}'",
+                    kGrey));
     std::vector<std::string> layers;
     if (!record_.samples.empty())
       layers.push_back(fmt::format("$velocity with lines lw 1.2 lc rgb '{}'", kBlue));

@@ -3,30 +3,50 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
 
 namespace graze {
+namespace {
+
+// gnuplot raises one character only, unless braces hold more.
+std::string unit_markup(std::string unit) {
+  if (const std::size_t root = unit.find("^1/2"); root != std::string::npos)
+    unit.replace(root, 4, "^{1/2}");
+  return unit;
+}
+
+}  // namespace
 
 AxisUnit axis_unit(const std::string& si_unit, double largest) {
   if (!(largest > 0.0)) return {1.0, si_unit};
-  if (si_unit == "m") {
-    if (largest < 1e-4) return {1e6, "µm"};
-    if (largest < 0.1) return {1e3, "mm"};
-  }
-  if (si_unit == "m/s" && largest < 0.01) return {1e3, "mm/s"};
-  if (si_unit == "s") {
-    if (largest < 1e-3) return {1e6, "µs"};
-    if (largest < 0.5) return {1e3, "ms"};
-  }
-  return {1.0, si_unit};
+  struct Named {
+    const char* si;
+    double below;  // of the largest value, in SI
+    AxisUnit unit;
+  };
+  // The first that fits; a unit's last entry takes what is larger.
+  static const std::array<Named, 9> kNamed = {{{"m", 1e-4, {1e6, "µm"}},
+                                               {"m", 0.1, {1e3, "mm"}},
+                                               {"m/s", 1e-5, {1e6, "µm/s"}},
+                                               {"m/s", 0.02, {1e3, "mm/s"}},
+                                               {"s", 1e-3, {1e6, "µs"}},
+                                               {"s", 0.5, {1e3, "ms"}},
+                                               {"Pa", 1e6, {1e0, "Pa"}},
+                                               {"Pa", 1e9, {1e-6, "MPa"}},
+                                               {"Pa", 1e300, {1e-9, "GPa"}}}};
+  for (const Named& named : kNamed)
+    if (si_unit == named.si && largest < named.below) return named.unit;
+  // Numbers that would not fit beside an axis leave their power of a thousand to the unit.
+  if (largest >= 0.02 && largest < 1e5) return {1.0, si_unit};
+  const int power = 3 * static_cast<int>(std::floor(std::log10(largest) / 3.0));
+  return {std::pow(10.0, -power),
+          fmt::format("10^{{{}}}{}{}", power, si_unit.empty() ? "" : " ", si_unit)};
 }
 
 std::string axis_label(const std::string& name, const std::string& unit) {
-  std::string shown = unit;
-  if (const std::size_t root = shown.find("^1/2"); root != std::string::npos)
-    shown.replace(root, 4, "^{1/2}");
-  return gnuplot_string(shown.empty() ? name : name + " (" + shown + ")");
+  return gnuplot_string(unit.empty() ? name : name + " (" + unit_markup(unit) + ")");
 }
 
 void AxisRange::include(double value) {
@@ -77,17 +97,18 @@ void set_margins(GnuplotScript& script, const Margins& margins) {
 void name_vertical_axis(GnuplotScript& script, const std::string& name, const std::string& unit) {
   // A line break takes gnuplot's double quotes.
   script.command(fmt::format("set label \"{} ({})\" at screen 0.03, graph 0.5 center rotate", name,
-                             unit));
+                             unit_markup(unit)));
 }
 
 double legend_height(std::size_t entries, std::size_t columns) {
-  return 0.047 * static_cast<double>((entries + columns - 1) / columns);
+  return 0.012 + 0.036 * static_cast<double>((entries + columns - 1) / columns);
 }
 
 void set_legend(GnuplotScript& script, const Margins& margins, std::size_t columns) {
-  script.command(fmt::format("set key at screen {:.4g}, screen 0.01 center bottom horizontal "
-                             "maxcols {} Left reverse samplen 2 font ',9'",
-                             0.5 * (1.0 + margins.left - margins.right), columns));
+  script.command(
+      fmt::format("set key at screen {:.4g}, screen 0.01 center bottom horizontal "
+                  "maxcols {} Left reverse samplen 2 font ',9'",
+                  0.5 * (1.0 + margins.left - margins.right), columns));
 }
 
 std::string parameter_title(const std::string& path) {

@@ -25,7 +25,7 @@ struct AxisUnit {
   std::string unit;  // "" for a pure number
 };
 
-// The unit in which values up to `largest` are read best; any unit but "m", "m/s" and "s" stays.
+// The unit in which values up to `largest` are read best: "mm" for "m", or "10^{-3} kg^1/2 m".
 AxisUnit axis_unit(const std::string& si_unit, double largest);
 
 // "gap (mm)", or the name alone for a pure number; the name may use gnuplot's markup.
