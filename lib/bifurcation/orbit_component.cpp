@@ -26,11 +26,35 @@ std::optional<Complex> nearest_to_one(const std::vector<Eigenvalue>& multipliers
   return nearest;
 }
 
-// What lies between two neighbouring points.
-struct Between {
-  std::vector<SpecialPoint> folds;
-  std::optional<SpecialPoint> grazing;
+// A point or special point met along a component.
+struct Station {
+  OrbitBranchPoint at;
+  std::optional<SpecialPoint> special;
+
+  bool is_orbit() const {
+    return at.orbit.admissible || (special && special->kind == SpecialKind::kGrazing);
+  }
 };
+
+// Puts the grazing between the stations from `first` on where their verdict changes.
+void insert_grazing(std::vector<Station>& stations, std::size_t first, const SpecialPoint& grazing) {
+  const bool verdict = stations[first].at.orbit.admissible;
+  const auto changed =
+      std::find_if(stations.begin() + static_cast<std::ptrdiff_t>(first), stations.end(),
+                   [&](const Station& s) { return s.at.orbit.admissible != verdict; });
+  stations.insert(changed, {grazing.at, grazing});
+}
+
+// Starts a closed sequence where it is no orbit, so that no part is cut in two by the start.
+void open_outside(std::vector<Station>& stations) {
+  const auto outside = std::find_if(stations.begin(), stations.end(),
+                                    [](const Station& s) { return !s.is_orbit(); });
+  if (outside == stations.begin() || outside == stations.end()) return;
+  const auto offset = outside - stations.begin();
+  stations.pop_back();  // repeats the first
+  std::rotate(stations.begin(), stations.begin() + offset, stations.end());
+  stations.push_back(stations.front());
+}
 
 }  // namespace
 
@@ -79,67 +103,48 @@ std::optional<SpecialPoint> OrbitComponents::grazing(const BranchPoint& a, const
     });
   }
   if (!point) return {};
-  return SpecialPoint{SpecialKind::kGrazing, "", judge(*point), {}, by_speed};
+  SpecialPoint special{SpecialKind::kGrazing, "", judge(*point), {}, by_speed};
+  // It touches and does not cross; which side of that the last bit falls on says nothing.
+  special.at.orbit.admissible = true;
+  return special;
 }
 
 std::vector<OrbitBranch> OrbitComponents::parts(const Branch& branch, bool keep_virtual) const {
-  std::vector<OrbitBranchPoint> points;
-  for (const BranchPoint& point : branch.points) points.push_back(judge(point));
-  std::vector<Between> between(points.size());
-  for (const Fold& f : branch.folds) between[f.after].folds.push_back(fold(f));
-  for (std::size_t i = 0; i + 1 < points.size(); ++i)
-    between[i].grazing = grazing(branch.points[i], branch.points[i + 1], points[i], points[i + 1]);
-
-  // A closed branch that is an orbit in parts only is opened where it is not one.
-  const auto admissible = [&](std::size_t i) { return points[i].orbit.admissible; };
-  if (branch.closed() && !keep_virtual && admissible(0)) {
-    std::size_t open = 0;
-    while (open < points.size() && admissible(open)) ++open;
-    if (open < points.size()) {
-      points.pop_back();  // repeats the first
-      between.pop_back();
-      std::rotate(points.begin(), points.begin() + static_cast<std::ptrdiff_t>(open), points.end());
-      std::rotate(between.begin(), between.begin() + static_cast<std::ptrdiff_t>(open),
-                  between.end());
-      points.push_back(points.front());
-      between.emplace_back();
+  std::vector<Station> stations;
+  auto next_fold = branch.folds.begin();
+  for (std::size_t i = 0; i < branch.points.size(); ++i) {
+    const Station here{judge(branch.points[i]), {}};
+    if (i > 0) {
+      const std::size_t first = stations.size() - 1;
+      const OrbitBranchPoint before = stations[first].at;
+      for (; next_fold != branch.folds.end() && next_fold->after == i - 1; ++next_fold) {
+        const SpecialPoint special = fold(*next_fold);
+        stations.push_back({special.at, special});
+      }
+      stations.push_back(here);
+      if (const auto special = grazing(branch.points[i - 1], branch.points[i], before, here.at))
+        insert_grazing(stations, first, *special);
+    } else {
+      stations.push_back(here);
     }
   }
+  if (branch.closed() && !keep_virtual) open_outside(stations);
 
   std::vector<OrbitBranch> parts;
   bool inside = false;
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    if (keep_virtual || admissible(i)) {
-      if (!inside) {
-        OrbitBranch part;
-        part.ends[0] = i == 0 ? as_orbit_end(branch.ends[0]) : OrbitBranchEnd::kGrazing;
-        if (i > 0 && between[i - 1].grazing) {
-          for (const SpecialPoint& f : between[i - 1].folds)
-            if (f.at.orbit.admissible) part.special.push_back(f);
-          part.special.insert(part.special.begin(), *between[i - 1].grazing);
-          part.points.push_back(between[i - 1].grazing->at);
-        }
-        parts.push_back(std::move(part));
-        inside = true;
-      }
-      parts.back().points.push_back(points[i]);
-      parts.back().ends[1] = as_orbit_end(branch.ends[1]);
-      if (keep_virtual || (i + 1 < points.size() && admissible(i + 1)))
-        for (const SpecialPoint& f : between[i].folds) parts.back().special.push_back(f);
-      if (keep_virtual && between[i].grazing) parts.back().special.push_back(*between[i].grazing);
-    } else {
-      if (inside) {
-        OrbitBranch& part = parts.back();
-        part.ends[1] = OrbitBranchEnd::kGrazing;
-        for (const SpecialPoint& f : between[i - 1].folds)
-          if (f.at.orbit.admissible) part.special.push_back(f);
-        if (between[i - 1].grazing) {
-          part.special.push_back(*between[i - 1].grazing);
-          part.points.push_back(between[i - 1].grazing->at);
-        }
-      }
-      inside = false;
+  for (std::size_t i = 0; i < stations.size(); ++i) {
+    const bool kept = keep_virtual || stations[i].is_orbit();
+    if (kept && !inside) {
+      parts.emplace_back();
+      parts.back().ends[0] = i == 0 ? as_orbit_end(branch.ends[0]) : OrbitBranchEnd::kGrazing;
     }
+    if (kept) {
+      parts.back().points.push_back(stations[i].at);
+      if (stations[i].special) parts.back().special.push_back(*stations[i].special);
+      parts.back().ends[1] = i + 1 == stations.size() ? as_orbit_end(branch.ends[1])
+                                                      : OrbitBranchEnd::kGrazing;
+    }
+    inside = kept;
   }
   return parts;
 }

@@ -174,8 +174,9 @@ class Tracer {
     const double max_step = options_.max_step > 0.0 ? options_.max_step : corrector_.range() / 50.0;
     const double along = std::abs(here.tangent[n]) * corrector_.range();
     const double moved = here.tangent.head(n).norm();
+    const double max_distance = options_.max_distance * (1.0 + here.u.norm());
     return std::min(max_step / std::max(along, 1e-3 * max_step),
-                    options_.max_distance / std::max(moved, 1e-3 * options_.max_distance));
+                    max_distance / std::max(moved, 1e-3 * max_distance));
   }
 
   bool outside(double parameter) const {

@@ -35,7 +35,7 @@ struct ZeroProblem {
 struct ContinuationOptions {
   double from = 0.0, to = 1.0;  // range of the parameter, either order
   double max_step = 0.0;        // largest change of the parameter in one step; 0: range/50
-  double max_distance = 0.2;    // largest move of the unknowns in one step (Euclidean, scaled)
+  double max_distance = 0.05;    // largest move of the unknowns in one step (Euclidean, scaled)
   // Largest turn of the tangent in one step, rad. Sharper turns mean that the step is too long for
   // the branch, or that it landed on another one.
   double max_turn = 0.3;

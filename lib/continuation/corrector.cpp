@@ -9,9 +9,9 @@ namespace graze {
 namespace {
 
 constexpr int kMostIterations = 8;
-// Newton's steps must at least halve; slower contraction means that the guess lies outside the
-// region of quadratic convergence and may slide to another branch.
-constexpr double kContraction = 0.5;
+// Newton's steps must shrink by this from one to the next; slower contraction means that the guess
+// lies far outside the region of quadratic convergence and may slide to another branch.
+constexpr double kContraction = 0.8;
 // A step this small leaves an error of its square, below rounding.
 constexpr double kSettled = 1e-8;
 

@@ -123,11 +123,11 @@ std::string terminal(const std::filesystem::path& file) {
   const std::string extension = file.extension().string();
   if (extension == ".png")
     return "set terminal pngcairo enhanced font 'DejaVu Sans,11' fontscale 2.6 linewidth 3 "
-           "pointscale 4.6 dashlength 0.7 size 1360,1020 background '#FFFFFF'\n";
+           "pointscale 3.4 dashlength 0.7 size 1360,1020 background '#FFFFFF'\n";
   if (extension == ".pdf")
     return "set terminal pdfcairo enhanced font 'DejaVu Sans,11' fontscale 0.64 linewidth 1.1 "
-           "pointscale 1.2 dashlength 0.7 size 12cm,9cm background '#FFFFFF'\n";
-  return "set terminal svg enhanced font 'DejaVu Sans,11' fontscale 1.3 linewidth 1.4 dashlength "
+           "pointscale 0.9 dashlength 0.7 size 12cm,9cm background '#FFFFFF'\n";
+  return "set terminal svg enhanced font 'DejaVu Sans,11' fontscale 1.4 linewidth 1.4 dashlength "
          "0.7 "
          "size 640,480 background '#FFFFFF'\n";
 }
@@ -173,15 +173,6 @@ std::string gnuplot_string(const std::string& text) {
     quoted += c;
   }
   return quoted + "'";
-}
-
-std::string gnuplot_verbatim(const std::string& text) {
-  std::string escaped;
-  for (char c : text) {
-    if (std::strchr("_^@&~{}\\", c)) escaped += '\\';
-    escaped += c;
-  }
-  return gnuplot_string(escaped);
 }
 
 void draw_picture(const std::string& file, const GnuplotScript& script) {

@@ -40,8 +40,6 @@ class GnuplotScript {
 
 // `text` as a gnuplot string; _ and ^ in it lower and raise, {} group.
 std::string gnuplot_string(const std::string& text);
-// The same with every character standing for itself.
-std::string gnuplot_verbatim(const std::string& text);
 
 // Draws the script into `file` (.svg, .png or .pdf) and keeps it beside the picture as .gp, so that
 // `gnuplot name.gp`, run in that folder, draws the picture again. Throws FileError, leaving both

@@ -224,7 +224,7 @@ class BranchesPicture {
   double mark_size() const {
     std::size_t count = 0;
     for (const OrbitBranch& branch : record_.traced.branches) count += branch.special.size();
-    return std::clamp(std::sqrt(12.0 / std::max(static_cast<double>(count), 1.0)), 0.5, 1.0) * 0.65;
+    return std::clamp(std::sqrt(12.0 / std::max(static_cast<double>(count), 1.0)), 0.5, 1.0) * 0.9;
   }
 
   std::vector<std::string> layers() const {
@@ -233,7 +233,7 @@ class BranchesPicture {
       const std::string name = style_of(kind).name;
       if (!curves_[kind].empty()) layers.push_back("$" + name + " " + line_style(kind));
       if (!lone_[kind].empty())
-        layers.push_back(fmt::format("$lone_{} with points pt 7 ps 0.3 lc rgb '{}'", name,
+        layers.push_back(fmt::format("$lone_{} with points pt 7 ps 0.4 lc rgb '{}'", name,
                                      style_of(kind).colour));
     }
     if (!grazings_.empty()) {

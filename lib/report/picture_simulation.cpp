@@ -263,7 +263,7 @@ class SimulationPicture {
   // Marks shrink as they crowd.
   double mark_size() const {
     const double count = static_cast<double>(seen_.impacts.size());
-    return std::clamp(0.4 * std::sqrt(40.0 / std::max(count, 1.0)), 0.13, 0.4);
+    return std::clamp(0.55 * std::sqrt(40.0 / std::max(count, 1.0)), 0.18, 0.55);
   }
 
   void draw_displacement() {
@@ -291,7 +291,7 @@ class SimulationPicture {
     stops.list(layers);
     if (!seen_.impacts.empty())
       layers.push_back(
-          fmt::format("NaN with points pt 7 ps 0.4 lc rgb '{}' title 'impact'", kVermillion));
+          fmt::format("NaN with points pt 7 ps 0.55 lc rgb '{}' title 'impact'", kVermillion));
     mark_rest(layers);
     script_.plot(layers);
     script_.command("unset object\nunset arrow\nunset label\nunset key");
@@ -305,7 +305,7 @@ class SimulationPicture {
       const double at = length_.factor * stop.place;
       layers.push_back(
           fmt::format("'+' using ({:.9g}):({:.9g}) every ::0::0 with points pt 5 "
-                      "ps 0.45 lc rgb '{}' title 'at rest'",
+                      "ps 0.6 lc rgb '{}' title 'at rest'",
                       time, at, kBlack));
     }
   }

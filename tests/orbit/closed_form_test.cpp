@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "graze/flow/extended.hpp"
 #include "graze/orbit/orbit.hpp"
 #include "graze/orbit/solve.hpp"
 #include "support/reference.hpp"
@@ -150,16 +151,76 @@ TEST(ClosedForm, NeedsForcing) {
   EXPECT_FALSE(answer.why_not.empty());
 }
 
-TEST(ClosedForm, HoldsAtUndampedResonance) {
-  // x'' + x = cos(t), stop at 0, r = .5. From the impact at phase phi the motion is
-  // -r V sin s + [s sin(s + phi) - sin s sin phi]/2; after a whole turn x = pi sin(phi) = 0 and
-  // x' = -r V + pi cos(phi) = V: phi = 0, V = pi/1.5; phi = pi, V = -pi/1.5.
-  const System system = support::forced_oscillator(1.0, 0.0, 0.0, 0.5, 1.0, 1.0);
-  const ClosedFormAnswer answer = closed_form(system, 0, 1);
-  ASSERT_TRUE(answer.form) << answer.why_not;
-  for (const ImpactPoint& point : answer.form->solutions(0.0)) {
-    EXPECT_NEAR(std::sin(point.theta), 0.0, 1e-14);
-    EXPECT_NEAR(point.before.qdot[0], std::cos(point.theta) * std::numbers::pi / 1.5, 1e-14);
+// x'' + 2 delta x' + x = cos(W t), one impact per period, in 50 digits: complex numbers by hand.
+struct PreciseOrbit {
+  double phases[2], speeds[2];
+};
+
+PreciseOrbit precise_orbit(double delta_, double frequency, double gap, double restitution) {
+  using Real = Extended;
+  const Real delta = delta_, w = frequency, r = restitution;
+  const Real pi = acos(Real(-1)), time = 2 * pi / w, wd = sqrt(1 - delta * delta);
+  const Real decay = exp(-delta * time), sine = decay * sin(wd * time) / wd;
+  const Real cosine = decay * cos(wd * time);
+  const Real e[4] = {cosine + delta * sine, sine, -sine, cosine - delta * sine};
+  // Steady response Re(Y e^{i phi}), Y = 1/(1 - W^2 + 2 i delta W); rows q and q' of (I - E) Y.
+  const Real re = 1 - w * w, im = 2 * delta * w, norm = re * re + im * im;
+  const Real y[4] = {re / norm, -im / norm, w * im / norm, w * re / norm};  // Y, i W Y
+  const Real b[4] = {y[0] - e[0] * y[0] - e[1] * y[2], y[1] - e[0] * y[1] - e[1] * y[3],
+                     y[2] - e[2] * y[0] - e[3] * y[2], y[3] - e[2] * y[1] - e[3] * y[3]};
+  // I - E J with J = diag(1, -r)
+  const Real a[4] = {1 - e[0], r * e[1], -e[2], 1 + r * e[3]}, det = a[0] * a[3] - a[1] * a[2];
+  const Real k_re = (a[3] * b[0] - a[1] * b[2]) / det, k_im = (a[3] * b[1] - a[1] * b[3]) / det;
+  const Real v_re = (a[0] * b[2] - a[2] * b[0]) / det, v_im = (a[0] * b[3] - a[2] * b[1]) / det;
+  const Real size = sqrt(k_re * k_re + k_im * k_im), half = acos(gap / size);
+  PreciseOrbit orbit{};
+  for (int i = 0; i < 2; ++i) {
+    const Real phase = (i == 0 ? Real(-half) : half) - atan2(k_im, k_re);
+    orbit.phases[i] = static_cast<double>(phase);
+    orbit.speeds[i] = static_cast<double>(v_re * cos(phase) - v_im * sin(phase));
+  }
+  return orbit;
+}
+
+TEST(ClosedForm, HoldsThroughResonance) {
+  for (const double delta : {5e-2, 5e-4, 5e-6}) {
+    for (const double detuning : {0.0, 1e-12, 1e-8, 1e-5, 1e-3, 2e-3, 1e-2, 0.1}) {
+      SCOPED_TRACE(testing::Message() << "delta " << delta << ", detuning " << detuning);
+      const System system =
+          support::forced_oscillator(1.0, delta, 0.3, 0.5, 1.0 + detuning, 1.0);
+      const PreciseOrbit exact = precise_orbit(delta, 1.0 + detuning, 0.3, 0.5);
+      const ClosedFormAnswer answer = closed_form(system, 0, 1);
+      ASSERT_TRUE(answer.form) << answer.why_not;
+      const std::vector<ImpactPoint> points = answer.form->solutions(0.3);
+      ASSERT_EQ(points.size(), 2u);
+      // I - E is delta T or the detuning, and eps is divided by it.
+      const double tolerance = 1e-14 + 1e-15 / std::max(delta, detuning);
+      for (std::size_t i = 0; i < 2; ++i) {
+        EXPECT_NEAR(std::remainder(points[i].theta - exact.phases[i], kTurn), 0.0, tolerance);
+        EXPECT_NEAR(points[i].before.qdot[0], exact.speeds[i], tolerance);
+      }
+    }
+  }
+}
+
+TEST(ClosedForm, SaysWhereTheMotionRepeatsByItself) {
+  // Undamped and forced at its own frequency, any displacement comes back after a period.
+  const ClosedFormAnswer answer =
+      closed_form(support::forced_oscillator(1.0, 0.0, 0.3, 0.5, 1.0, 1.0), 0, 1);
+  EXPECT_FALSE(answer.form);
+  EXPECT_NE(answer.why_not.find("singular"), std::string::npos) << answer.why_not;
+}
+
+TEST(ClosedForm, HoldsForFourHundredModes) {
+  for (const int modes : {16, 64, 200, 400}) {
+    const System system = assemble(support::reference_scene(
+        "orbits/beam_n4_33", {"beam.modes=" + std::to_string(modes)}));
+    const ClosedFormAnswer answer = closed_form(system, 0, 1);
+    ASSERT_TRUE(answer.form) << modes << ": " << answer.why_not;
+    const ShootingProblem problem({1, {0}}, shooting_scale(system));
+    for (const ImpactPoint& point : answer.form->solutions(system.stops[0].gap))
+      EXPECT_LE(problem.residual(system, problem.pack({point})).cwiseAbs().maxCoeff(), 1e-12)
+          << modes;
   }
 }
 

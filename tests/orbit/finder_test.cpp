@@ -137,6 +137,27 @@ TEST(Finder, RandomGuessesAloneFindTheClosedForm) {
   EXPECT_NEAR(found.orbits[1].impacts[0].phase, 3.0262335730754375, 1e-12);
 }
 
+// |kappa| of the closed form less a small part: the two solutions nearly meet, and between them the
+// equations are nearly solved too.
+TEST(Finder, ListsTwoSolutionsBesideAFold) {
+  for (const char* name : {"sdof_1_6", "beam_n2_40", "beam_n4_40", "beam_n4_47"}) {
+    for (const double distance : {1e-4, 1e-6, 1e-8, 1e-10, 1e-12, 1e-13}) {
+      SCOPED_TRACE(testing::Message() << name << ", distance " << distance);
+      System system = assemble(support::reference_scene(std::string("orbits/") + name));
+      system.stops[0].gap = std::abs(closed_form(system, 0, 1).form->kappa) * (1.0 - distance);
+      FinderOptions options;
+      options.impacts = 1;
+      options.keep_virtual = true;
+      const FoundOrbits found = find_orbits(system, support::rest(system), options);
+      ASSERT_EQ(found.orbits.size(), 2u);
+      // Half the distance of their phases is the fold's square root, acos(1 - distance).
+      const double apart = std::abs(std::remainder(
+          found.orbits[0].impacts[0].phase - found.orbits[1].impacts[0].phase, kTurn));
+      EXPECT_NEAR(apart, 2.0 * std::sqrt(2.0 * distance), 2e-8 + 1e-4 * std::sqrt(distance));
+    }
+  }
+}
+
 TEST(Finder, FindsTheDoubledOrbitFromTheSimulation) {
   const System system = fruit_fly(2.7, 0.0);
   FinderOptions options;

@@ -80,7 +80,7 @@ TEST(Solve, SeekSucceedsBesideAFoldWhereNewtonFails) {
       EXPECT_FALSE(newton(problem, system, problem.pack({guess}))) << guess.theta;
       const auto solution = seek(problem, system, problem.pack({guess}));
       ASSERT_TRUE(solution) << guess.theta;
-      // The slope across the fold is sqrt(2e-10): rounding of 1e-14 becomes 1e-9.
+      // The smallest singular value of the equations is 2e-7 here: rounding of 1e-15 becomes 5e-9.
       EXPECT_LE(distance_to_closed_form(system, problem.unpack(system, solution->x).front()), 1e-8);
     }
   }
