@@ -88,6 +88,11 @@ class OrbitTracer {
   }
 
   void add_component(const OrbitComponents& components, const Branch& branch, int component) {
+    ++result_.components;
+    const auto is_cut = [](BranchEnd end) {
+      return end == BranchEnd::kStepLimit || end == BranchEnd::kNotConverged;
+    };
+    if (std::any_of(branch.ends.begin(), branch.ends.end(), is_cut)) ++result_.cut_short;
     result_.shooting_evaluations += branch.evaluations;
     result_.rejected_steps += branch.rejected;
     for (OrbitBranch& part : components.parts(branch, options_.keep_virtual)) {

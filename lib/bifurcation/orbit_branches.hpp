@@ -59,7 +59,9 @@ struct OrbitBranches {
   std::vector<std::string> notes;     // sentences
   long long shooting_evaluations = 0;  // of the shooting equations, all points together
   long long rejected_steps = 0;
-  int starts = 0;  // orbits offered as starts
+  int starts = 0;      // orbits offered as starts
+  int components = 0;  // traced, virtual ones included
+  int cut_short = 0;   // components that could not be followed to an end
   bool interrupted = false;
 };
 

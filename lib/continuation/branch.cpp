@@ -224,17 +224,22 @@ class Tracer {
  public:
   // Whether `point` lies on the branch between neighbours a and b.
   bool passes(const BranchPoint& a, const BranchPoint& b, const BranchPoint& point) {
-    const Vector x = corrector_.pack(a);
-    const Vector chord = corrector_.pack(b) - x;
+    const Vector chord = corrector_.pack(b) - corrector_.pack(a);
     const double length = chord.norm();
-    const Vector offset = corrector_.difference(corrector_.pack(point), x);
+    const Vector offset = corrector_.difference(corrector_.pack(point), corrector_.pack(a));
     // At the very ends there is nothing to correct, and at a limit perhaps nothing to evaluate.
     if (offset.norm() < kOnePoint || (offset - chord).norm() < kOnePoint) return true;
     const double along = offset.dot(chord) / length;
-    if (!(along >= -1e-6 * length && along <= length * (1.0 + 1e-6))) return false;
+    if (!(along >= 0.0 && along <= length)) return false;
     if ((offset - along * chord / length).norm() > 0.5 * options_.max_turn * length) return false;
-    const double s = offset.dot(a.tangent);
-    const auto there = corrector_.on_hyperplane(x + s * a.tangent, a.tangent);
+    return meets(a, offset) || meets(b, offset - chord);
+  }
+
+  // Whether the branch through `near` leads to near + offset.
+  bool meets(const BranchPoint& near, const Vector& offset) {
+    const Vector x = corrector_.pack(near);
+    const auto there =
+        corrector_.on_hyperplane(x + offset.dot(near.tangent) * near.tangent, near.tangent);
     return there && corrector_.difference(corrector_.pack(*there), x + offset).norm() < kOnePoint;
   }
 

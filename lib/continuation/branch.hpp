@@ -35,7 +35,8 @@ struct ZeroProblem {
 struct ContinuationOptions {
   double from = 0.0, to = 1.0;  // range of the parameter, either order
   double max_step = 0.0;        // largest change of the parameter in one step; 0: range/50
-  double max_distance = 0.05;    // largest move of the unknowns in one step (Euclidean, scaled)
+  // Largest move of the unknowns in one step, relative to 1 + their norm.
+  double max_distance = 0.05;
   // Largest turn of the tangent in one step, rad. Sharper turns mean that the step is too long for
   // the branch, or that it landed on another one.
   double max_turn = 0.3;

@@ -2,8 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-
 namespace graze {
 
 Outcome simulation_outcome(const Simulation& run) {
@@ -38,23 +36,18 @@ Outcome orbit_outcome(const FoundOrbits& found, const FinderOptions& options, bo
 
 Outcome branch_outcome(const OrbitBranches& traced, const BranchOptions& options) {
   if (traced.interrupted) return {"interrupted", "interrupted; the branches traced so far are kept"};
-  if (traced.branches.empty())
+  if (traced.branches.empty() && traced.cut_short == 0)
     return {"no_orbit",
             fmt::format("no ({}, 1) orbit was found for {} between {:g} and {:g}{}", options.period,
                         traced.parameter, options.from, options.to,
                         traced.starts > 0 ? "; every solution of the equations penetrates a stop or "
                                             "impacts at negative speed (--virtual traces such)"
                                           : "")};
-  const auto cut_short = [](const OrbitBranch& branch) {
-    return std::any_of(branch.ends.begin(), branch.ends.end(), [](OrbitBranchEnd end) {
-      return end == OrbitBranchEnd::kStepLimit || end == OrbitBranchEnd::kNotConverged;
-    });
-  };
-  const auto short_ones =
-      std::count_if(traced.branches.begin(), traced.branches.end(), cut_short);
-  if (short_ones > 0)
-    return {"budget", fmt::format("{} branch{} could not be traced to an end", short_ones,
-                                  short_ones == 1 ? "" : "es")};
+  if (traced.cut_short > 0)
+    return {"budget", fmt::format("{} of {} connected set{} of solutions could not be followed to "
+                                  "its end, so branches may be missing or cut short",
+                                  traced.cut_short, traced.components,
+                                  traced.components == 1 ? "" : "s")};
   return {"complete", ""};
 }
 
