@@ -44,15 +44,19 @@ class GapCurve {
     Real decay = 0, frequency = 0;
     std::array<PlanarNumber<Real>, 4> coefficient;  // c l^m
     std::array<Real, 5> size;                       // |c l^m|
+    std::array<Real, 5> rounded;  // what c l^m was rounded at: its size and what it was formed from
   };
   // A mode that has no exponential form: near critical or resonant.
   struct Special {
     const ModeFlow<Real>* mode;
     Real row;
     Real q, qdot;  // free part at the start
+    Real forced;   // |P_j|, from which the free part was told apart
   };
 
-  void add_exponential(const PlanarNumber<Real>& c, const Real& decay, const Real& frequency);
+  // `formed_from`: size of the numbers whose difference c is.
+  void add_exponential(const PlanarNumber<Real>& c, const Real& decay, const Real& frequency,
+                       const Real& formed_from);
   void add_special(const Special& special, const Real& s, int m, CurvePoint<Real>& point) const;
 
   Real frequency_, theta_, window_;

@@ -30,14 +30,20 @@ GapCurve<Real>::GapCurve(const Arc<Real>& arc, const RealVector<Real>& row, cons
     harmonic.re += row[j] * mode.forced.re;
     harmonic.im += row[j] * mode.forced.im;
     Real start = a.re;
+    // The free part is the state less the forced response: it carries the rounding of the latter.
+    const Real forced = abs(mode.forced.re) + abs(mode.forced.im);
+    const Real formed_from =
+        mode.kind == ModeKind::kOscillatory || mode.kind == ModeKind::kOverdamped
+            ? Real(abs(row[j]) * forced * (1 + frequency_ / mode.second))
+            : Real(0);
     if (mode.kind == ModeKind::kOscillatory) {
-      add_exponential({row[j] * a.re, row[j] * a.im}, mode.first, mode.second);
+      add_exponential({row[j] * a.re, row[j] * a.im}, mode.first, mode.second, formed_from);
     } else if (mode.kind == ModeKind::kOverdamped) {
-      add_exponential({row[j] * a.re, 0}, mode.first, 0);
-      add_exponential({row[j] * a.im, 0}, mode.second, 0);
+      add_exponential({row[j] * a.re, 0}, mode.first, 0, formed_from);
+      add_exponential({row[j] * a.im, 0}, mode.second, 0, formed_from);
       start = a.re + a.im;
     } else {
-      specials_.push_back({&mode, row[j], a.re, a.im});
+      specials_.push_back({&mode, row[j], a.re, a.im, forced});
     }
     reach += row[j] * start;
     size += abs(row[j] * start);
@@ -46,7 +52,7 @@ GapCurve<Real>::GapCurve(const Arc<Real>& arc, const RealVector<Real>& row, cons
     const Real c = cos(theta_), n = sin(theta_);
     const PlanarNumber<Real> turned =
         exact_flow_detail::times(harmonic, PlanarNumber<Real>{c, n});
-    add_exponential(turned, 0, frequency_);
+    add_exponential(turned, 0, frequency_, 0);
     reach += turned.re;
     size += abs(turned.re) + abs(turned.im);
   }
@@ -58,7 +64,7 @@ GapCurve<Real>::GapCurve(const Arc<Real>& arc, const RealVector<Real>& row, cons
 
 template <class Real>
 void GapCurve<Real>::add_exponential(const PlanarNumber<Real>& c, const Real& decay,
-                                     const Real& frequency) {
+                                     const Real& frequency, const Real& formed_from) {
   using std::sqrt;
   Exponential term;
   term.decay = decay;
@@ -74,6 +80,8 @@ void GapCurve<Real>::add_exponential(const PlanarNumber<Real>& c, const Real& de
   for (std::size_t m = 1; m < 4; ++m)
     term.coefficient[m] = exact_flow_detail::times(term.coefficient[m - 1], rate);
   for (std::size_t m = 1; m < 5; ++m) term.size[m] = term.size[m - 1] * rate_size;
+  term.rounded[0] = term.size[0] + formed_from;
+  for (std::size_t m = 1; m < 5; ++m) term.rounded[m] = term.rounded[m - 1] * rate_size;
   exponentials_.push_back(term);
 }
 
@@ -95,7 +103,7 @@ CurvePoint<Real> GapCurve<Real>::at(const Real& s, int m) const {
     point.value -= c.re * (m == 0 ? re_minus_one : re) - c.im * im;
     point.slope -= next.re * re - next.im * im;
     point.bound += decay * term.size[order + 2];
-    rounding += decay * (m == 0 ? Real(0) : term.size[order]) + s * term.size[order + 1];
+    rounding += decay * (m == 0 ? Real(0) : term.rounded[order]) + s * term.rounded[order + 1];
   }
   point.noise = gap_curve_detail::kRoundings * std::numeric_limits<Real>::epsilon() * rounding;
   for (const Special& special : specials_) add_special(special, s, m, point);
@@ -148,7 +156,8 @@ void GapCurve<Real>::add_special(const Special& special, const Real& s, int m,
   point.bound += abs(special.row) * bound[order + 2];
   // The start's energy, not the present one, has gone through the roundings.
   const Real start = sqrt(special.qdot * special.qdot + w2 * special.q * special.q) +
-                     2 * mode.delta * abs(special.q) + force_size * s;
+                     2 * mode.delta * abs(special.q) + force_size * s +
+                     (mode.omega + 2 * mode.delta + frequency_) * special.forced;
   Real rounding = start;
   for (std::size_t k = 1; k < order; ++k) rounding *= mode.omega + 2 * mode.delta;
   point.noise += gap_curve_detail::kRoundings * std::numeric_limits<Real>::epsilon() *

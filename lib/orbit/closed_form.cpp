@@ -36,7 +36,11 @@ ClosedFormAnswer closed_form(const System& system, int stop_index, int period) {
   Matrix jump = Matrix::Identity(2 * n, 2 * n);
   jump.bottomRightCorner(n, n) -=
       (1.0 + stop.restitution) * stop.direction * stop.row.transpose();
-  const Eigen::PartialPivLU<Matrix> lu(Matrix::Identity(2 * n, 2 * n) - arc.flow.times(jump));
+  // Velocities in units of each mode's own frequency: the flow then turns and shrinks, no more.
+  Vector unit = Vector::Ones(2 * n);
+  unit.tail(n) = system.omega.cwiseMax(flow.frequency());
+  const Matrix map = unit.cwiseInverse().asDiagonal() * arc.flow.times(jump) * unit.asDiagonal();
+  const Eigen::PartialPivLU<Matrix> lu(Matrix::Identity(2 * n, 2 * n) - map);
   // Below this reciprocal condition number the solve keeps no digit.
   if (!(lu.rcond() > std::numeric_limits<double>::epsilon()))
     return {{}, "the motion between impacts repeats by itself (I - E J is singular)"};
@@ -44,7 +48,7 @@ ClosedFormAnswer closed_form(const System& system, int stop_index, int period) {
   const auto response = [&](const State& forced) {
     Vector y(2 * n);
     y << forced.q, forced.qdot;
-    return Vector(lu.solve(y));
+    return Vector(lu.solve(y.cwiseQuotient(unit)).cwiseProduct(unit));
   };
   ClosedForm form;
   form.response = ComplexVector(2 * n);

@@ -17,8 +17,9 @@ constexpr double kTurn = 2.0 * std::numbers::pi;
 double flight_time(const System& system, const ImpactPattern& pattern,
                    const std::vector<ImpactPoint>& points, std::size_t i) {
   const bool last = i + 1 == points.size();
-  const double next = last ? points.front().theta + kTurn * pattern.period : points[i + 1].theta;
-  return (next - points[i].theta) / system.forcing->frequency;
+  const double turn = last ? kTurn * pattern.period : 0.0;
+  // In this order: for k = 1 the turn comes out unrounded.
+  return (points[last ? 0 : i + 1].theta - points[i].theta + turn) / system.forcing->frequency;
 }
 
 const RigidStop& stop_of(const System& system, const ImpactPattern& pattern, std::size_t i) {

@@ -96,7 +96,7 @@ Vector ShootingProblem::residual(const System& system, const Vector& x, Matrix* 
     const RigidStop& stop = system.stops[which];
     const ImpactPoint& impact = impacts[index];
     const double turn = i + 1 == k ? 2.0 * std::numbers::pi * pattern_.period : 0.0;
-    const double s = (impacts[next].theta + turn - impact.theta) / frequency;
+    const double s = (impacts[next].theta - impact.theta + turn) / frequency;
     const State after = after_impact(stop, impact.before);
     const Transition arc = transition(system, flow, after, impact.theta, s);
 

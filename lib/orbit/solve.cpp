@@ -72,9 +72,11 @@ std::optional<ShootingSolution> newton(const ShootingProblem& problem, const Sys
       best->evaluations = solution.evaluations;
       return best;
     }
-    if (solution.residual <= kShootingTolerance) best = solution;
     const Vector update = jacobian.partialPivLu().solve(r);
     if (!update.allFinite()) break;
+    // Between two solutions that nearly meet the residual is small too, but not Newton's step.
+    if (solution.residual <= kShootingTolerance && update.norm() <= kShootingAccuracy)
+      best = solution;
     solution.x -= update;
   }
   return best;

@@ -14,6 +14,10 @@ namespace graze {
 // roundings (1e-14); the smallest residual where there is no solution is the distance to the fold.
 inline constexpr double kShootingTolerance = 1e-11;
 
+// Largest Newton step that a solution still asks for: how well it is determined, at worst, beside a
+// fold.
+inline constexpr double kShootingAccuracy = 1e-7;
+
 struct ShootingSolution {
   Vector x;
   double residual = 0.0;  // scaled, largest entry

@@ -56,15 +56,16 @@ inline int expect_closed_form(const OrbitBranches& result, const SystemFamily& f
       const auto distance = fold_distance(family, point.value, period);
       if (!distance || distance->relative() < kBesideFold) continue;
       const System system = *family.at(point.value);
+      const auto solutions = closed_form(system, 0, period).form->solutions(distance->gap);
+      const Vector& row = system.stops[0].row;
       double nearest = std::numeric_limits<double>::infinity(), size = 0.0;
-      for (const ImpactPoint& exact : closed_form(system, 0, period).form->solutions(distance->gap)) {
-        const double speed = system.stops[0].row.dot(exact.before.qdot);
-        size = std::max(size, std::abs(speed));
-        const double apart =
-            std::abs(std::remainder(point.orbit.impacts[0].phase - exact.theta,
-                                    2.0 * std::numbers::pi)) +
-            std::abs(point.orbit.impacts[0].speed - speed) / size;
-        nearest = std::min(nearest, apart);
+      for (const ImpactPoint& exact : solutions)
+        size = std::max(size, std::abs(row.dot(exact.before.qdot)));
+      for (const ImpactPoint& exact : solutions) {
+        const OrbitImpact& impact = point.orbit.impacts[0];
+        nearest = std::min(
+            nearest, std::abs(std::remainder(impact.phase - exact.theta, 2.0 * std::numbers::pi)) +
+                         std::abs(impact.speed - row.dot(exact.before.qdot)) / size);
       }
       EXPECT_LE(nearest, 1e-10) << "branch " << branch.id << " at " << point.value;
       ++compared;
