@@ -19,7 +19,7 @@ struct Command {
   int threads = 0;   // 0: all cores
 
   // simulate
-  std::optional<double> duration;     // s
+  std::optional<double> duration;  // s
   std::optional<long long> periods;
   std::string record = "events";      // none | events | samples
   std::optional<double> sample_rate;  // 1/s

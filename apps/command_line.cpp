@@ -1,11 +1,14 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cmath>
 #include <iostream>
 
 #include "command.hpp"
 #include "graze/base/errors.hpp"
 #include "graze/record/run_info.hpp"
+#include "graze/scene/suggestion.hpp"
 
 namespace graze {
 namespace {
@@ -15,6 +18,28 @@ const char* const kLaterCommands[] = {"diagram", "cost", "compare", "fit"};
 
 InputError not_available(const std::string& what) {
   return InputError(what + ": not available in this version");
+}
+
+CLI::Validator at_least(const std::string& what, double least) {
+  return CLI::Validator(
+      [what, least](std::string& text) {
+        double value = 0.0;
+        const bool good =
+            CLI::detail::lexical_cast(text, value) && value >= least && std::isfinite(value);
+        return good ? std::string() : fmt::format("'{}' is not {}", text, what);
+      },
+      "");
+}
+
+CLI::Validator above_zero() {
+  return CLI::Validator(
+      [](std::string& text) {
+        double value = 0.0;
+        const bool good =
+            CLI::detail::lexical_cast(text, value) && value > 0.0 && std::isfinite(value);
+        return good ? std::string() : fmt::format("'{}' is not a number above 0", text);
+      },
+      "");
 }
 
 void add_shared(CLI::App* app, Command& command) {
@@ -27,8 +52,9 @@ void add_shared(CLI::App* app, Command& command) {
   app->add_flag("--json", command.json, "Print one JSON document and nothing else on stdout");
   app->add_option("--out", command.out, "Write result.json, scene.toml and tables into this folder")
       ->type_name("DIR");
-  app->add_option("--threads", command.threads, "Threads to use (default: all cores)")
-      ->check(CLI::Range(0, 4096))
+  app->add_option("--threads", command.threads,
+                  "Threads to use; results do not depend on it (this version uses one)")
+      ->check(at_least("a whole number from 1, or 0 for all cores", 0.0))
       ->type_name("N");
   app->add_flag("--quiet", command.quiet, "No progress, no messages");
 }
@@ -41,18 +67,18 @@ void add_plot(CLI::App* app, Command& command) {
 
 void add_limits(CLI::App* app, Command& command) {
   app->add_option("--max-impacts", command.max_impacts, "Stop after this many impacts")
-      ->check(CLI::PositiveNumber)
+      ->check(at_least("a whole number from 1", 1.0))
       ->capture_default_str()
       ->type_name("N");
   app->add_option("--max-seconds", command.max_seconds, "Stop after this much computing")
-      ->check(CLI::PositiveNumber)
+      ->check(above_zero())
       ->capture_default_str()
       ->type_name("S");
 }
 
 void add_orbit_search(CLI::App* app, Command& command) {
   app->add_option("--period", command.period, "Forcing periods p after which the orbit repeats")
-      ->check(CLI::Range(1, 10000))
+      ->check(at_least("a whole number from 1", 1.0))
       ->capture_default_str()
       ->type_name("P");
   app->add_flag("--virtual", command.keep_virtual,
@@ -78,10 +104,10 @@ void add_simulate(CLI::App& graze, Command& command) {
   add_shared(app, command);
   add_plot(app, command);
   auto* duration = app->add_option("--duration", command.duration, "Simulated time, s")
-                       ->check(CLI::NonNegativeNumber)
+                       ->check(at_least("a number of seconds, 0 or more", 0.0))
                        ->type_name("S");
   app->add_option("--periods", command.periods, "Simulated forcing periods (default 100)")
-      ->check(CLI::Range(0LL, 1'000'000'000'000LL))
+      ->check(at_least("a whole number, 0 or more", 0.0))
       ->type_name("K")
       ->excludes(duration);
   app->add_option("--record", command.record, "What to keep: none, events or samples")
@@ -90,10 +116,11 @@ void add_simulate(CLI::App& graze, Command& command) {
       ->type_name("WHAT");
   app->add_option("--sample-rate", command.sample_rate,
                   "Samples per second with --record samples (default: 100 a forcing period)")
-      ->check(CLI::PositiveNumber)
+      ->check(above_zero())
       ->type_name("RATE");
-  app->add_flag_callback("--energy", [] { throw not_available("--energy"); },
-                         "Close the energy book (not available in this version)");
+  app->add_flag_callback(
+      "--energy", [] { throw not_available("--energy"); },
+      "Close the energy book (not available in this version)");
   app->add_option_function<double>(
          "--closure-speed", [](double) { throw not_available("--closure-speed"); },
          "Speed below which chatter is summed (not available in this version)")
@@ -135,13 +162,13 @@ void add_continue(CLI::App& graze, Command& command) {
   app->add_option("--to", command.to, "End of the parameter's range")->required()->type_name("B");
   app->add_option("--max-step", command.max_step,
                   "Largest change of the parameter in one step (default: range/50)")
-      ->check(CLI::PositiveNumber)
+      ->check(above_zero())
       ->type_name("D");
-  app->add_option_function<int>(
+  app->add_option_function<std::string>(
          "--impacts",
-         [&command](int value) {
-           if (value != 1) throw not_available("--impacts other than 1 for continue");
-           command.impacts = value;
+         [&command](const std::string& text) {
+           if (text != "1") throw not_available("--impacts other than 1 for continue");
+           command.impacts = 1;
          },
          "Impacts per orbit: 1 in this version")
       ->type_name("K");
@@ -160,6 +187,19 @@ void add_later(CLI::App& graze) {
   }
 }
 
+// A sentence about a first word that is no command, or "".
+std::string unknown_command(int argc, char** argv, const CLI::App& app) {
+  if (argc < 2) return "give a command: check, simulate, orbit or continue";
+  const std::string word = argv[1];
+  std::vector<std::string> names;
+  for (const CLI::App* command : app.get_subcommands({})) names.push_back(command->get_name());
+  if (std::find(names.begin(), names.end(), word) != names.end()) return "";
+  if (word.rfind('-', 0) == 0) return fmt::format("'{}': options come after the command", word);
+  const std::string close = closest_name(word, names);
+  return close.empty() ? fmt::format("'{}' is no command", word)
+                       : fmt::format("'{}' is no command; did you mean '{}'?", word, close);
+}
+
 }  // namespace
 
 ParsedCommand parse_command_line(int argc, char** argv) {
@@ -168,9 +208,10 @@ ParsedCommand parse_command_line(int argc, char** argv) {
   app.set_version_flag("--version", "graze " + version());
   app.set_help_flag("-h,--help", "Print this help");
   app.require_subcommand(1);
-  app.footer("Example: graze orbit data/scenes/05_wagg_one_mode.toml --set forcing.frequency=40\n"
-             "Exit codes: 0 done; 2 usage or scene error; 3 numerics could not do it, what was\n"
-             "reached is printed; 4 file or system error; 130 interrupted.");
+  app.footer(
+      "Example: graze orbit data/scenes/05_wagg_one_mode.toml --set forcing.frequency=40\n"
+      "Exit codes: 0 done; 2 usage or scene error; 3 numerics could not do it, what was\n"
+      "reached is printed; 4 file or system error; 130 interrupted.");
   add_check(app, command);
   add_simulate(app, command);
   add_orbit(app, command);
@@ -181,7 +222,8 @@ ParsedCommand parse_command_line(int argc, char** argv) {
   } catch (const CLI::Success& done) {  // help, version
     return {std::nullopt, app.exit(done) == 0 ? 0 : 2};
   } catch (const CLI::ParseError& error) {
-    std::cerr << "graze: " << error.what() << " (see graze --help)\n";
+    const std::string unknown = unknown_command(argc, argv, app);
+    std::cerr << "graze: " << (unknown.empty() ? error.what() : unknown) << " (see graze --help)\n";
     return {std::nullopt, 2};
   } catch (const InputError& error) {
     std::cerr << "graze: " << error.what() << "\n";

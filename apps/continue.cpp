@@ -1,4 +1,6 @@
 // graze continue: branches of orbits over a parameter.
+#include <fmt/format.h>
+
 #include <cmath>
 
 #include "graze/report/csv.hpp"
@@ -6,6 +8,7 @@
 #include "graze/report/pictures.hpp"
 #include "graze/report/text.hpp"
 #include "graze/scene/parameter.hpp"
+#include "graze/scene/reader.hpp"
 #include "search_options.hpp"
 #include "session.hpp"
 
@@ -15,6 +18,12 @@ namespace {
 BranchOptions branch_options(const Command& command) {
   if (!std::isfinite(command.from) || !std::isfinite(command.to) || command.from == command.to)
     throw InputError("--from, --to: the range must be finite and not empty");
+  const double finest = std::abs(command.to - command.from) / kMostBranchPoints;
+  if (command.max_step && *command.max_step < finest)
+    throw InputError(
+        fmt::format("--max-step: a branch has at most {} points, steps of {:g} cannot "
+                    "cross the range; give at least {:.3g}",
+                    kMostBranchPoints, *command.max_step, finest));
   BranchOptions options;
   options.period = command.period;
   options.from = command.from;
@@ -31,7 +40,7 @@ BranchOptions branch_options(const Command& command) {
 
 int run_continue(const Command& command) {
   if (!command.plot.empty()) check_picture_name(command.plot);
-  const Scene scene = open_scene(command);
+  const Scene scene = read_scene(command.scene, command.settings);
   require_forcing_and_stop(scene);
   BranchOptions options = branch_options(command);
   const SystemFamily family(scene, command.parameter);
@@ -49,15 +58,19 @@ int run_continue(const Command& command) {
   record.info.options.emplace_back("parameter", command.parameter);
   record.info.options.emplace_back("from", command.from);
   record.info.options.emplace_back("to", command.to);
+  if (command.max_step) record.info.options.emplace_back("max_step", *command.max_step);
   record_search(command, record.info);
   record.warnings = system_warnings(scene, record.system);
   warn(command, record.warnings);
+  prepare_output(command);
   record.traced = trace_orbits(family, options);
   options.progress = nullptr;
   record.outcome = branch_outcome(record.traced, options);
-  if (!command.plot.empty()) draw_branches(command.plot, record);
-  return conclude(command, record.info, record.outcome, to_json(record), to_text(record),
-                  {{"branches.csv", branches_csv(record)}, {"special.csv", special_csv(record)}});
+  return conclude(command, record.info, record.outcome,
+                  {to_json(record),
+                   to_text(record),
+                   {{"branches.csv", branches_csv(record)}, {"special.csv", special_csv(record)}},
+                   [&] { draw_branches(command.plot, record); }});
 }
 
 }  // namespace graze

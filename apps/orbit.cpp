@@ -3,6 +3,7 @@
 #include "graze/report/json.hpp"
 #include "graze/report/pictures.hpp"
 #include "graze/report/text.hpp"
+#include "graze/scene/reader.hpp"
 #include "search_options.hpp"
 #include "session.hpp"
 
@@ -10,7 +11,7 @@ namespace graze {
 
 int run_orbit(const Command& command) {
   if (!command.plot.empty()) check_picture_name(command.plot);
-  const Scene scene = open_scene(command);
+  const Scene scene = read_scene(command.scene, command.settings);
   require_forcing_and_stop(scene);
   OrbitRecord record{run_info(command.name, command.scene, scene), assemble(scene), {}, {}, {}};
   record_search(command, record.info);
@@ -27,11 +28,13 @@ int run_orbit(const Command& command) {
       warn(command, {std::string("no start by simulation: ") + error.what()});
     }
   }
+  prepare_output(command);
   record.found = find_orbits(record.system, start, options);
   record.outcome = orbit_outcome(record.found, options, interrupted);
-  if (!command.plot.empty()) draw_orbits(command.plot, record);
-  return conclude(command, record.info, record.outcome, to_json(record), to_text(record),
-                  {{"orbits.csv", orbits_csv(record)}});
+  return conclude(command, record.info, record.outcome,
+                  {to_json(record), to_text(record), {{"orbits.csv", orbits_csv(record)}}, [&] {
+                     draw_orbits(command.plot, record);
+                   }});
 }
 
 }  // namespace graze

@@ -38,10 +38,13 @@ inline void require_forcing_and_stop(const Scene& scene) {
 
 inline void record_search(const Command& command, RunInfo& info) {
   info.options.emplace_back("period", static_cast<long long>(command.period));
-  info.options.emplace_back("impacts", command.impacts ? std::to_string(*command.impacts)
+  info.options.emplace_back("impacts", command.impacts           ? std::to_string(*command.impacts)
                                        : command.name == "orbit" ? std::string("any")
                                                                  : std::string("1"));
   info.options.emplace_back("virtual", command.keep_virtual);
+  std::string starts;
+  for (const std::string& start : command.starts) starts += (starts.empty() ? "" : ",") + start;
+  info.options.emplace_back("start", starts.empty() ? std::string("all") : starts);
   info.options.emplace_back("random_seed", static_cast<long long>(command.random_seed));
 }
 

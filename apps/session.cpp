@@ -8,21 +8,22 @@
 #include <memory>
 
 #include "graze/record/files.hpp"
-#include "graze/scene/reader.hpp"
 
 namespace graze {
 
 std::atomic<bool> interrupted{false};
 
-Scene open_scene(const Command& command) {
-  Scene scene = read_scene(command.scene, command.settings);
+void prepare_output(const Command& command) {
   if (!command.out.empty()) prepare_folder(command.out);
-  return scene;
+  if (command.plot.empty()) return;
+  const std::filesystem::path folder = std::filesystem::path(command.plot).parent_path();
+  check_folder(folder.empty() ? "." : folder);
 }
 
 void warn(const Command& command, const std::vector<std::string>& warnings) {
   if (command.quiet) return;
-  for (const std::string& warning : warnings) std::fputs(fmt::format("warning: {}\n", warning).c_str(), stderr);
+  for (const std::string& warning : warnings)
+    std::fputs(fmt::format("warning: {}\n", warning).c_str(), stderr);
 }
 
 std::function<void(double)> progress_line(const Command& command) {
@@ -46,18 +47,18 @@ std::function<void(double)> progress_line(const Command& command) {
 }
 
 int conclude(const Command& command, const RunInfo& info, const Outcome& outcome,
-             const std::string& json, const std::string& text,
-             const std::vector<std::pair<std::string, std::string>>& files) {
+             const Result& result) {
   if (!command.out.empty()) {
     const std::filesystem::path folder = command.out;
-    for (const auto& [name, content] : files) write_file(folder / name, content);
+    for (const auto& [name, content] : result.files) write_file(folder / name, content);
     write_file(folder / "scene.toml", info.scene_text);
-    write_file(folder / "result.json", json);
+    write_file(folder / "result.json", result.json);
   }
-  const std::string& shown = command.json ? json : text;
+  const std::string& shown = command.json ? result.json : result.text;
   if (std::fwrite(shown.data(), 1, shown.size(), stdout) != shown.size() ||
       std::fflush(stdout) != 0)
     throw FileError("standard output: cannot write the result");
+  if (!command.plot.empty()) result.draw();
   if (outcome.name == "interrupted") return 130;
   return outcome.message.empty() ? 0 : 3;
 }

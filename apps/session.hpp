@@ -16,9 +16,9 @@ namespace graze {
 // Set by Ctrl-C; long work polls it and keeps what it finished.
 extern std::atomic<bool> interrupted;
 
-// Reads the scene with its settings; prepares the output folder first, so that hours of work do not
-// end at a folder that cannot be written.
-Scene open_scene(const Command& command);
+// Once the command is known to be sound and before its work begins: makes the output folder and
+// checks the picture's, so that hours of work do not end at a folder that cannot be written.
+void prepare_output(const Command& command);
 
 // Prints warnings on stderr unless quiet.
 void warn(const Command& command, const std::vector<std::string>& warnings);
@@ -26,10 +26,15 @@ void warn(const Command& command, const std::vector<std::string>& warnings);
 // A progress line on stderr, or nothing when stderr is no terminal or the user wants quiet.
 std::function<void(double)> progress_line(const Command& command);
 
-// Writes the result files (name, text) and prints the result; returns the exit code of the outcome.
+struct Result {
+  std::string json, text;
+  std::vector<std::pair<std::string, std::string>> files;  // name in the output folder, content
+  std::function<void()> draw;                              // called where a picture is wanted
+};
+
+// Writes the result's files, prints it, draws it; returns the exit code of the outcome.
 int conclude(const Command& command, const RunInfo& info, const Outcome& outcome,
-             const std::string& json, const std::string& text,
-             const std::vector<std::pair<std::string, std::string>>& files);
+             const Result& result);
 
 int run_check(const Command& command);
 int run_simulate(const Command& command);

@@ -1,10 +1,12 @@
 // graze simulate: the motion from the scene's initial state.
+#include <cmath>
 #include <deque>
 
 #include "graze/report/csv.hpp"
 #include "graze/report/json.hpp"
 #include "graze/report/pictures.hpp"
 #include "graze/report/text.hpp"
+#include "graze/scene/reader.hpp"
 #include "session.hpp"
 
 namespace graze {
@@ -31,11 +33,21 @@ SimulationOptions simulation_options(const Command& command, const Scene& scene)
   options.interrupted = &interrupted;
   if (!scene.forcing && !options.duration) {
     if (command.periods)
-      throw InputError("--periods: the scene has no forcing, so it has no forcing periods; give "
-                       "--duration in seconds");
-    throw InputError("the scene has no forcing, so it has no forcing periods; give --duration in "
-                     "seconds");
+      throw InputError(
+          "--periods: the scene has no forcing, so it has no forcing periods; give "
+          "--duration in seconds");
+    throw InputError(
+        "the scene has no forcing, so it has no forcing periods; give --duration in "
+        "seconds");
   }
+  // Whole periods are counted in 64 bits, and a double tells the periods apart up to 2^53.
+  if (options.duration && !(*options.duration >= 0.0 && std::isfinite(*options.duration)))
+    throw InputError("--duration: it must be a finite number of seconds, 0 or more");
+  if (options.duration && scene.forcing &&
+      *options.duration * scene.forcing->frequency > 2.0 * 3.14 * 0x1p53)
+    throw InputError("--duration: it must not exceed 2^53 forcing periods");
+  if (command.sample_rate && command.record != "samples")
+    throw InputError("--sample-rate: it needs --record samples");
   return options;
 }
 
@@ -43,9 +55,9 @@ SimulationOptions simulation_options(const Command& command, const Scene& scene)
 
 int run_simulate(const Command& command) {
   if (!command.plot.empty()) check_picture_name(command.plot);
-  const Scene scene = open_scene(command);
-  SimulationRecord record{run_info(command.name, command.scene, scene), assemble(scene), {}, {}, {},
-                          {}, {}};
+  const Scene scene = read_scene(command.scene, command.settings);
+  SimulationRecord record{
+      run_info(command.name, command.scene, scene), assemble(scene), {}, {}, {}, {}, {}};
   const State start = initial_state(scene, record.system);
   const SimulationOptions options = simulation_options(command, scene);
   if (options.duration)
@@ -77,24 +89,27 @@ int run_simulate(const Command& command) {
       if (tail.size() > kPictureSamples) tail.pop_front();
     };
   }
+  prepare_output(command);
   record.run = simulate(record.system, start, options, listeners);
   listeners.progress = nullptr;
   record.outcome = simulation_outcome(record.run);
   if (record.run.totals.energy_added > 0.0) {
-    record.warnings.push_back("impacts added kinetic energy: the impulse law is oblique");
+    record.warnings.push_back("impacts added kinetic energy, as the oblique impulse law can");
     warn(command, {record.warnings.back()});
   }
 
+  SimulationRecord drawn;
   if (draws) {
-    SimulationRecord drawn = record;
+    drawn = record;
     if (!wants_samples) drawn.samples.assign(tail.begin(), tail.end());
-    draw_simulation(command.plot, drawn);
   }
   if (command.record == "none") record.events.clear();
   std::vector<std::pair<std::string, std::string>> files;
   if (command.record != "none") files.emplace_back("events.csv", events_csv(record));
   if (wants_samples) files.emplace_back("samples.csv", samples_csv(record));
-  return conclude(command, record.info, record.outcome, to_json(record), to_text(record), files);
+  return conclude(
+      command, record.info, record.outcome,
+      {to_json(record), to_text(record), files, [&] { draw_simulation(command.plot, drawn); }});
 }
 
 }  // namespace graze

@@ -22,8 +22,8 @@ std::vector<Eigenvalue> eigenvalues(const Matrix& matrix) {
   if (solver.info() != Eigen::Success) return {};
   const Eigen::MatrixXcd right = solver.eigenvectors();
   const Eigen::MatrixXcd left = right.partialPivLu().inverse();
-  const double unit = std::numeric_limits<double>::epsilon() *
-                      static_cast<double>(matrix.rows()) * matrix.norm();
+  const double unit =
+      std::numeric_limits<double>::epsilon() * static_cast<double>(matrix.rows()) * matrix.norm();
   std::vector<Eigenvalue> list;
   for (Eigen::Index i = 0; i < matrix.rows(); ++i) {
     const double condition = right.col(i).norm() * left.row(i).norm();

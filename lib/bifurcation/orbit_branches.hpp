@@ -56,7 +56,7 @@ struct BranchOptions {
 struct OrbitBranches {
   std::string parameter;
   std::vector<OrbitBranch> branches;
-  std::vector<std::string> notes;     // sentences
+  std::vector<std::string> notes;      // sentences
   long long shooting_evaluations = 0;  // of the shooting equations, all points together
   long long rejected_steps = 0;
   int starts = 0;      // orbits offered as starts

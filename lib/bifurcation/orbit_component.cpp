@@ -9,11 +9,15 @@ namespace {
 
 OrbitBranchEnd as_orbit_end(BranchEnd end) {
   switch (end) {
-    case BranchEnd::kParameterLimit: return OrbitBranchEnd::kParameterLimit;
-    case BranchEnd::kClosed: return OrbitBranchEnd::kClosed;
+    case BranchEnd::kParameterLimit:
+      return OrbitBranchEnd::kParameterLimit;
+    case BranchEnd::kClosed:
+      return OrbitBranchEnd::kClosed;
     case BranchEnd::kStepLimit:
-    case BranchEnd::kInterrupted: return OrbitBranchEnd::kStepLimit;
-    case BranchEnd::kNotConverged: break;
+    case BranchEnd::kInterrupted:
+      return OrbitBranchEnd::kStepLimit;
+    case BranchEnd::kNotConverged:
+      break;
   }
   return OrbitBranchEnd::kNotConverged;
 }
@@ -37,7 +41,8 @@ struct Station {
 };
 
 // Puts the grazing between the stations from `first` on where their verdict changes.
-void insert_grazing(std::vector<Station>& stations, std::size_t first, const SpecialPoint& grazing) {
+void insert_grazing(std::vector<Station>& stations, std::size_t first,
+                    const SpecialPoint& grazing) {
   const bool verdict = stations[first].at.orbit.admissible;
   const auto changed =
       std::find_if(stations.begin() + static_cast<std::ptrdiff_t>(first), stations.end(),
@@ -96,8 +101,8 @@ std::optional<SpecialPoint> OrbitComponents::grazing(const BranchPoint& a, const
                    [&](const BranchPoint& p) { return admissibility_at(p).smallest_speed; });
   } else {
     // Without an interior minimum the motion is as clear as its gap is wide.
-    const double clear = std::max(at_a.orbit.clearance.value_or(0.0),
-                                  at_b.orbit.clearance.value_or(0.0)) + 1.0;
+    const double clear =
+        std::max(at_a.orbit.clearance.value_or(0.0), at_b.orbit.clearance.value_or(0.0)) + 1.0;
     point = locate(problem_, continuation_, a, b, [&](const BranchPoint& p) {
       return admissibility_at(p).clearance.value_or(clear);
     });
@@ -141,8 +146,8 @@ std::vector<OrbitBranch> OrbitComponents::parts(const Branch& branch, bool keep_
     if (kept) {
       parts.back().points.push_back(stations[i].at);
       if (stations[i].special) parts.back().special.push_back(*stations[i].special);
-      parts.back().ends[1] = i + 1 == stations.size() ? as_orbit_end(branch.ends[1])
-                                                      : OrbitBranchEnd::kGrazing;
+      parts.back().ends[1] =
+          i + 1 == stations.size() ? as_orbit_end(branch.ends[1]) : OrbitBranchEnd::kGrazing;
     }
     inside = kept;
   }

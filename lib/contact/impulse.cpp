@@ -21,10 +21,14 @@ Vector collocation_direction_rate(const Matrix& phi, const Matrix& phi_rate,
   return -phi.partialPivLu().solve(phi_rate * direction);
 }
 
-double impact_energy_change(const Vector& direction, const Vector& before, double v,
+double impact_energy_change(const Vector& row, const Vector& direction, const Vector& before,
                             double restitution) {
+  const double v = row.dot(before);
+  const double loss = 0.5 * (1.0 - restitution) * (1.0 + restitution) * v * v / row.squaredNorm();
+  // Exactly zero for the momentum law.
+  const Vector oblique = direction - momentum_direction(row);
   const double jump = (1.0 + restitution) * v;
-  return jump * (0.5 * jump * direction.squaredNorm() - direction.dot(before));
+  return jump * (0.5 * jump * oblique.squaredNorm() - oblique.dot(before)) - loss;
 }
 
 double worst_energy_gain(const Vector& row, const Vector& direction, double restitution) {

@@ -15,8 +15,12 @@ constexpr double kGrowth = 1.5;
 constexpr double kAimedTurn = 0.5;
 // Solutions nearer than this are one: next to a fold they are known to about sqrt(eps).
 constexpr double kOnePoint = 1e-7;
-// Slack, rad, in comparing a step's chord with the tangents at its ends.
-constexpr double kChordSlack = 0.1;
+// A branch closes only after it has been this far from its start, well beyond kOnePoint.
+constexpr double kAway = 1e-5;
+// Newton's contraction asked of a step, and of the first step on the way back from its end. Where
+// the step crossed to a parallel branch, the way back contracts by 1/2 at best: its prediction lies
+// beyond the branch it is on, and Newton's step leads to that one.
+constexpr double kContraction = 0.25;
 
 double angle(const Vector& a, const Vector& b) {
   return std::acos(std::clamp(a.dot(b) / (a.norm() * b.norm()), -1.0, 1.0));
@@ -57,6 +61,7 @@ class Tracer {
     Branch branch;
     branch.points.push_back(start);
     branch.points.back().tangent *= sign;
+    left_start_ = false;
     double h = 0.1 * longest_step(branch.points.back());
     while (true) {
       if (options_.interrupted && options_.interrupted->load(std::memory_order_relaxed))
@@ -89,7 +94,7 @@ class Tracer {
   // when that ends the branch.
   bool advance(Branch& branch, const BranchPoint& next) {
     const BranchPoint here = branch.points.back();
-    if (branch.points.size() > 2 && closes(branch, here, next)) {
+    if (closes(branch, here, next)) {
       add(branch, here, closing_point(branch, here));
       branch.ends[1] = BranchEnd::kClosed;
       return true;
@@ -155,18 +160,25 @@ class Tracer {
     // Beyond the limit the equations may not exist: a step that would pass it ends there.
     std::optional<BranchPoint> next =
         outside(predicted) ? on_limit(here, limit_towards(predicted - here.parameter))
-                           : corrector_.on_hyperplane(guess, here.tangent);
+                           : corrector_.on_hyperplane(guess, here.tangent, kContraction);
     if (!next) return {};
     const Vector chord = corrector_.pack(*next) - x;
     *turn = angle(next->tangent, here.tangent);
     if (*turn > options_.max_turn) return {};
-    // On a smooth arc the chord leans on both tangents by half the turn; a chord that leans more
-    // has crossed over to a neighbour.
-    if (angle(chord, here.tangent) + angle(chord, next->tangent) > *turn + kChordSlack) return {};
+    if (!leads_back(x, *next, chord)) return {};
     const Eigen::Index last = x.size() - 1;
-    if (hides_folds(here.tangent[last], next->tangent[last], chord[last], chord.norm()))
-      return {};
+    if (hides_folds(here.tangent[last], next->tangent[last], chord[last], chord.norm())) return {};
     return next;
+  }
+
+  // Whether the tangent at a step's end predicts where the step came from.
+  bool leads_back(const Vector& x, const BranchPoint& next, const Vector& chord) {
+    const Vector guess = x + chord - chord.dot(next.tangent) * next.tangent;
+    const double error = (guess - x).norm();
+    // A prediction this good cannot be told from its correction.
+    if (error <= kOnePoint) return true;
+    const std::optional<Vector> back = corrector_.newton_step(guess, next.tangent);
+    return back && (*back - x).norm() <= kContraction * error;
   }
 
   double longest_step(const BranchPoint& here) const {
@@ -194,7 +206,9 @@ class Tracer {
 
   bool closes(const Branch& branch, const BranchPoint& here, const BranchPoint& next) {
     const BranchPoint& start = branch.points.front();
-    return passes(here, next, start) && start.tangent.dot(here.tangent) > 0.0;
+    const double away = corrector_.difference(corrector_.pack(here), corrector_.pack(start)).norm();
+    left_start_ = left_start_ || away > kAway;
+    return left_start_ && passes(here, next, start) && start.tangent.dot(here.tangent) > 0.0;
   }
 
   std::optional<BranchPoint> between(const BranchPoint& a, const BranchPoint& b,
@@ -280,6 +294,7 @@ class Tracer {
   const ZeroProblem& problem_;
   const ContinuationOptions& options_;
   Corrector corrector_;
+  bool left_start_ = false;  // the branch has been further from its start than kAway
 };
 
 }  // namespace

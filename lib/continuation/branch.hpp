@@ -1,5 +1,5 @@
-// Pseudo-arclength continuation of F(u, parameter) = 0, F: R^n x R -> R^n. Generic: it knows nothing
-// of what the equations stand for.
+// Pseudo-arclength continuation of F(u, parameter) = 0, F: R^n x R -> R^n. Generic: it knows
+// nothing of what the equations stand for.
 //
 //   #include "graze/continuation/branch.hpp"
 //
@@ -32,6 +32,9 @@ struct ZeroProblem {
   Vector wrap;
 };
 
+// A branch is given up after this many points in one direction.
+inline constexpr int kMostBranchPoints = 20000;
+
 struct ContinuationOptions {
   double from = 0.0, to = 1.0;  // range of the parameter, either order
   double max_step = 0.0;        // largest change of the parameter in one step; 0: range/50
@@ -40,8 +43,8 @@ struct ContinuationOptions {
   // Largest turn of the tangent in one step, rad. Sharper turns mean that the step is too long for
   // the branch, or that it landed on another one.
   double max_turn = 0.3;
-  double residual_tolerance = 1e-11;  // largest entry of F at an accepted point
-  int max_points = 20000;             // in each direction
+  double residual_tolerance = 1e-11;   // largest entry of F at an accepted point
+  int max_points = kMostBranchPoints;  // in each direction
   const std::atomic<bool>* interrupted = nullptr;
 };
 

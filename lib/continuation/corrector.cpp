@@ -9,9 +9,6 @@ namespace graze {
 namespace {
 
 constexpr int kMostIterations = 8;
-// Newton's steps must shrink by this from one to the next; slower contraction means that the guess
-// lies far outside the region of quadratic convergence and may slide to another branch.
-constexpr double kContraction = 0.8;
 // A step this small leaves an error of its square, below rounding.
 constexpr double kSettled = 1e-8;
 
@@ -45,7 +42,7 @@ std::optional<Corrector::Linearised> Corrector::linearise(const Vector& x) {
   return Linearised{at->residual, slope};
 }
 
-std::optional<BranchPoint> Corrector::solve(Vector x, const Vector& normal) {
+std::optional<BranchPoint> Corrector::solve(Vector x, const Vector& normal, double contraction) {
   const Eigen::Index n = x.size() - 1;
   double last = std::numeric_limits<double>::infinity();
   for (int i = 0; i < kMostIterations; ++i) {
@@ -64,22 +61,36 @@ std::optional<BranchPoint> Corrector::solve(Vector x, const Vector& normal) {
     target.head(n) = -at->residual;
     const Vector step = lu.solve(target);
     const double size = step.norm();
-    if (!std::isfinite(size) || (size > kContraction * last && size > kSettled)) return {};
+    if (!std::isfinite(size) || (size > contraction * last && size > kSettled)) return {};
     x += step;
     last = size;
   }
   return {};
 }
 
-std::optional<BranchPoint> Corrector::on_hyperplane(const Vector& guess, const Vector& normal) {
-  return solve(guess, normal);
+std::optional<BranchPoint> Corrector::on_hyperplane(const Vector& guess, const Vector& normal,
+                                                    double contraction) {
+  return solve(guess, normal, contraction);
+}
+
+std::optional<Vector> Corrector::newton_step(const Vector& guess, const Vector& normal) {
+  const Eigen::Index n = guess.size() - 1;
+  const std::optional<Linearised> at = linearise(guess);
+  if (!at) return {};
+  Matrix bordered(n + 1, n + 1);
+  bordered << at->slope, normal.transpose();
+  Vector target = Vector::Zero(n + 1);
+  target.head(n) = -at->residual;
+  const Vector step = bordered.partialPivLu().solve(target);
+  if (!step.allFinite()) return {};
+  return guess + step;
 }
 
 std::optional<BranchPoint> Corrector::at_parameter(const Vector& guess) {
   // Newton at a fixed parameter is Newton on the hyperplane normal to the parameter's axis; only
   // the tangent has to be sought without it, for it may lie in that hyperplane.
   const Eigen::Index n = guess.size() - 1;
-  std::optional<BranchPoint> point = solve(guess, Vector::Unit(n + 1, n));
+  std::optional<BranchPoint> point = solve(guess, Vector::Unit(n + 1, n), kConvergent);
   if (!point) return {};
   const std::optional<Linearised> at = linearise(pack(*point));
   if (!at) return {};

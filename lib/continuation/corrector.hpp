@@ -16,8 +16,13 @@ class Corrector {
   long long evaluations() const { return evaluations_; }
 
   // The solution on the hyperplane through `guess` normal to `normal`, its tangent turned along
-  // `normal`. Nothing when Newton's method contracts too slowly or misses the tolerance.
-  std::optional<BranchPoint> on_hyperplane(const Vector& guess, const Vector& normal);
+  // `normal`. Nothing when Newton's steps do not shrink by `contraction` from one to the next, or
+  // miss the tolerance. The smaller the contraction asked for, the nearer the guess has to be, and
+  // the less it can slide to another branch.
+  std::optional<BranchPoint> on_hyperplane(const Vector& guess, const Vector& normal,
+                                           double contraction = kConvergent);
+  // Where one step of Newton's method leads from `guess` on the hyperplane normal to `normal`.
+  std::optional<Vector> newton_step(const Vector& guess, const Vector& normal);
   // The solution at the parameter of `guess`, with its tangent towards growing parameter.
   std::optional<BranchPoint> at_parameter(const Vector& guess);
 
@@ -30,7 +35,10 @@ class Corrector {
     Matrix slope;  // [dF/du, dF/dparameter * range], n x (n + 1)
   };
   std::optional<Linearised> linearise(const Vector& x);
-  std::optional<BranchPoint> solve(Vector x, const Vector& normal);
+  // Newton's method from here still converges; more is not asked where there is nothing to mistake.
+  static constexpr double kConvergent = 0.8;
+
+  std::optional<BranchPoint> solve(Vector x, const Vector& normal, double contraction);
   BranchPoint unpack(const Vector& x, const Vector& tangent, double residual) const;
 
   const ZeroProblem& problem_;

@@ -34,10 +34,10 @@ template <class Real>
 struct ModeFlow {
   ModeKind kind = ModeKind::kOscillatory;
   Real omega = 0, delta = 0;
-  Real discriminant = 0;      // w^2 - delta^2
-  Real first = 0, second = 0; // oscillatory: delta, wd; overdamped: slow, fast rate; 1/s
-  Real force = 0;             // f_j
-  PlanarNumber<Real> forced;  // P_j; zero for a resonant mode
+  Real discriminant = 0;       // w^2 - delta^2
+  Real first = 0, second = 0;  // oscillatory: delta, wd; overdamped: slow, fast rate; 1/s
+  Real force = 0;              // f_j
+  PlanarNumber<Real> forced;   // P_j; zero for a resonant mode
 };
 
 template <class Real>
@@ -75,6 +75,8 @@ class Arc {
 
   const ExactFlow<Real>& flow() const { return *flow_; }
   const Real& start_phase() const { return theta_; }
+  // Displacements at the start, as they were given.
+  const RealVector<Real>& start_displacements() const { return start_; }
   // The two numbers of mode j: oscillatory Z = first + i second; overdamped A, B; otherwise the
   // free part's displacement and velocity at the start.
   const PlanarNumber<Real>& amplitude(int j) const {
@@ -84,6 +86,7 @@ class Arc {
  private:
   const ExactFlow<Real>* flow_;
   Real theta_ = 0;
+  RealVector<Real> start_;
   std::vector<PlanarNumber<Real>> amplitudes_;
 };
 

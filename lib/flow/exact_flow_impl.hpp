@@ -117,6 +117,7 @@ template <class Real>
 void Arc<Real>::start(const Real& theta, const RealVector<Real>& q, const RealVector<Real>& qdot) {
   using std::cos, std::sin;
   theta_ = theta;
+  start_ = q;
   const Real c = flow_->forced() ? Real(cos(theta)) : Real(0);
   const Real n = flow_->forced() ? Real(sin(theta)) : Real(0);
   for (int j = 0; j < flow_->modes(); ++j) {
@@ -145,9 +146,8 @@ PlanarNumber<Real> resonant_response(const ModeFlow<Real>& mode, const Real& fre
   const PlanarNumber<Real> down = divided_exponential(mode.delta, Real(-wd), frequency, s);
   // X = (E(l) - E(l*))/(2 i wd),  X' = (l E(l) - l* E(l*))/(2 i wd)
   const PlanarNumber<Real> numerator{up.re - down.re, up.im - down.im};
-  const PlanarNumber<Real> rate{
-      -mode.delta * (up.re - down.re) - wd * (up.im + down.im),
-      -mode.delta * (up.im - down.im) + wd * (up.re + down.re)};
+  const PlanarNumber<Real> rate{-mode.delta * (up.re - down.re) - wd * (up.im + down.im),
+                                -mode.delta * (up.im - down.im) + wd * (up.re + down.re)};
   const Real c = cos(theta), n = sin(theta);
   // Re(e^{i theta} z/(2 i wd)) = (Im z cos + Re z sin)/(2 wd)
   return {(numerator.im * c + numerator.re * n) / (2 * wd), (rate.im * c + rate.re * n) / (2 * wd)};

@@ -1,7 +1,8 @@
 // The free response of one mode, q'' + 2 delta q' + w^2 q = 0, in a form that holds across critical
 // damping and for a free mass (w = 0):
 //
-//   q(s) = (c + delta S) q0 + S q0',   c = e^{-delta s} C,   S = e^{-delta s} sin(sqrt(D) s)/sqrt(D)
+//   q(s) = (c + delta S) q0 + S q0',   c = e^{-delta s} C,   S = e^{-delta s} sin(sqrt(D)
+//   s)/sqrt(D)
 //
 // with D = w^2 - delta^2, C = cos(sqrt(D) s), and cosh, sinh for D < 0.
 #pragma once

@@ -22,43 +22,39 @@ GapCurve<Real>::GapCurve(const Arc<Real>& arc, const RealVector<Real>& row, cons
   using std::abs, std::cos, std::sin;
   const ExactFlow<Real>& flow = arc.flow();
   PlanarNumber<Real> harmonic;
-  Real reach = 0, size = abs(gap);
   exponentials_.reserve(static_cast<std::size_t>(2 * flow.modes() + 1));
   for (int j = 0; j < flow.modes(); ++j) {
     const ModeFlow<Real>& mode = flow.mode(j);
     const PlanarNumber<Real>& a = arc.amplitude(j);
     harmonic.re += row[j] * mode.forced.re;
     harmonic.im += row[j] * mode.forced.im;
-    Real start = a.re;
     // The free part is the state less the forced response: it carries the rounding of the latter.
     const Real forced = abs(mode.forced.re) + abs(mode.forced.im);
-    const Real formed_from =
-        mode.kind == ModeKind::kOscillatory || mode.kind == ModeKind::kOverdamped
-            ? Real(abs(row[j]) * forced * (1 + frequency_ / mode.second))
-            : Real(0);
-    if (mode.kind == ModeKind::kOscillatory) {
-      add_exponential({row[j] * a.re, row[j] * a.im}, mode.first, mode.second, formed_from);
-    } else if (mode.kind == ModeKind::kOverdamped) {
-      add_exponential({row[j] * a.re, 0}, mode.first, 0, formed_from);
-      add_exponential({row[j] * a.im, 0}, mode.second, 0, formed_from);
-      start = a.re + a.im;
+    if (mode.kind == ModeKind::kOscillatory || mode.kind == ModeKind::kOverdamped) {
+      const Real formed_from = abs(row[j]) * forced * (1 + frequency_ / mode.second);
+      if (mode.kind == ModeKind::kOscillatory) {
+        add_exponential({row[j] * a.re, row[j] * a.im}, mode.first, mode.second, formed_from);
+      } else {
+        add_exponential({row[j] * a.re, 0}, mode.first, 0, formed_from);
+        add_exponential({row[j] * a.im, 0}, mode.second, 0, formed_from);
+      }
     } else {
       specials_.push_back({&mode, row[j], a.re, a.im, forced});
     }
-    reach += row[j] * start;
-    size += abs(row[j] * start);
   }
-  if (flow.forced()) {
-    const Real c = cos(theta_), n = sin(theta_);
-    const PlanarNumber<Real> turned =
-        exact_flow_detail::times(harmonic, PlanarNumber<Real>{c, n});
-    add_exponential(turned, 0, frequency_, 0);
-    reach += turned.re;
-    size += abs(turned.re) + abs(turned.im);
-  }
+  if (flow.forced())
+    add_exponential(
+        exact_flow_detail::times(harmonic, PlanarNumber<Real>{cos(theta_), sin(theta_)}), 0,
+        frequency_, 0);
   if (!on_stop) {
+    Real reach = 0, size = abs(gap);
+    for (int j = 0; j < flow.modes(); ++j) {
+      const Real part = row[j] * arc.start_displacements()[j];
+      reach += part;
+      size += abs(part);
+    }
     start_value_ = gap - reach;
-    start_noise_ = Real((flow.modes() + 4) * std::numeric_limits<Real>::epsilon()) * size;
+    start_noise_ = Real((flow.modes() + 2) * std::numeric_limits<Real>::epsilon()) * size;
   }
 }
 
@@ -73,10 +69,11 @@ void GapCurve<Real>::add_exponential(const PlanarNumber<Real>& c, const Real& de
   const Real rate_size = sqrt(decay * decay + frequency * frequency);
   using std::abs;
   term.coefficient[0] = c;
-  // hypot without its overflow guards would lose |c| near underflow; one axis bounds it safely.
-  term.size[0] = c.im == 0 ? Real(abs(c.re)) : Real(abs(c.re) + abs(c.im));
-  if (c.re * c.re + c.im * c.im > std::numeric_limits<Real>::min())
-    term.size[0] = sqrt(c.re * c.re + c.im * c.im);
+  // Where the square of |c| leaves the range of the scalar, the sum of its parts bounds it.
+  const Real square = c.re * c.re + c.im * c.im;
+  const bool in_range =
+      square > std::numeric_limits<Real>::min() && square < std::numeric_limits<Real>::max();
+  term.size[0] = in_range ? Real(sqrt(square)) : Real(abs(c.re) + abs(c.im));
   for (std::size_t m = 1; m < 4; ++m)
     term.coefficient[m] = exact_flow_detail::times(term.coefficient[m - 1], rate);
   for (std::size_t m = 1; m < 5; ++m) term.size[m] = term.size[m - 1] * rate_size;
@@ -122,11 +119,11 @@ void GapCurve<Real>::add_special(const Special& special, const Real& s, int m,
   const Real w2 = mode.omega * mode.omega;
   const FreeBasis<Real> basis = free_basis(mode.delta, mode.discriminant, s);
   // Displacement since the start, velocity, and from the equation of motion the next derivatives.
-  Real change = special.q * (basis.cosine_minus_one + mode.delta * basis.sine) +
-                special.qdot * basis.sine;
+  Real change =
+      special.q * (basis.cosine_minus_one + mode.delta * basis.sine) + special.qdot * basis.sine;
   std::array<Real, 4> derivative;
-  derivative[1] = special.qdot * (basis.cosine - mode.delta * basis.sine) -
-                  special.q * w2 * basis.sine;
+  derivative[1] =
+      special.qdot * (basis.cosine - mode.delta * basis.sine) - special.q * w2 * basis.sine;
   Real force = 0, force_rate = 0, force_size = 0;
   if (mode.kind == ModeKind::kResonant) {
     using std::sin;

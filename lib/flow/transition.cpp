@@ -37,7 +37,7 @@ double sine_by_discriminant(const ModeFlow<double>& mode, const FreeBasis<double
   return std::exp(-mode.delta * s) * sum;
 }
 
-struct ModeRates {  // of one mode's coefficients
+struct ModeRates {   // of one mode's coefficients
   double stiffness;  // of omega^2
   double delta, force, frequency;
 };
@@ -50,8 +50,9 @@ Eigen::Vector2d harmonic_mode_tangent(const ModeFlow<double>& mode, const ModeRa
   const Complex impedance{mode.omega * mode.omega - frequency * frequency,
                           2.0 * mode.delta * frequency};
   const Complex forced_rate =
-      (rate.force - forced * Complex{rate.stiffness - 2.0 * frequency * rate.frequency,
-                                     2.0 * (frequency * rate.delta + mode.delta * rate.frequency)}) /
+      (rate.force -
+       forced * Complex{rate.stiffness - 2.0 * frequency * rate.frequency,
+                        2.0 * (frequency * rate.delta + mode.delta * rate.frequency)}) /
       impedance;
   const auto harmonic = [](Complex displacement, Complex velocity, double phase) {
     const Complex turn = std::polar(1.0, phase);
@@ -120,8 +121,8 @@ Matrix FlowMatrix::times(const Matrix& right) const {
 }
 
 State vector_field(const System& system, const State& state, double theta) {
-  Vector acceleration = -2.0 * system.delta.cwiseProduct(state.qdot) -
-                        system.omega.cwiseAbs2().cwiseProduct(state.q);
+  Vector acceleration =
+      -2.0 * system.delta.cwiseProduct(state.qdot) - system.omega.cwiseAbs2().cwiseProduct(state.q);
   if (system.forcing) acceleration += system.forcing->amplitude * std::cos(theta);
   return {state.qdot, acceleration};
 }
@@ -157,10 +158,9 @@ State end_tangent(const System& system, const System& tangent, const ExactFlow<d
     const ModeRates rates{2.0 * system.omega[j] * tangent.omega[j], tangent.delta[j],
                           tangent.forcing->amplitude[j], tangent.forcing->frequency};
     const Eigen::Vector2d from(start.q[j], start.qdot[j]);
-    const Eigen::Vector2d end =
-        mode.kind == ModeKind::kResonant
-            ? resonant_mode_tangent(mode, rates, frequency, from, theta, s)
-            : harmonic_mode_tangent(mode, rates, frequency, from, theta, s);
+    const Eigen::Vector2d end = mode.kind == ModeKind::kResonant
+                                    ? resonant_mode_tangent(mode, rates, frequency, from, theta, s)
+                                    : harmonic_mode_tangent(mode, rates, frequency, from, theta, s);
     rate.q[j] = end[0];
     rate.qdot[j] = end[1];
   }

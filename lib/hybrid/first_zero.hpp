@@ -19,11 +19,12 @@
 namespace graze {
 
 enum class ZeroKind {
-  kNone,     // positive up to the end of the window
-  kCrossing, // a zero with negative slope
-  kTouch,    // within rounding of zero, crossing undecided
-  kBlocked,  // starts at zero with no way to leave: rest against a push
-  kBudget    // more evaluations than allowed
+  kNone,      // positive up to the end of the window
+  kCrossing,  // a zero with negative slope
+  kTouch,     // within rounding of zero, crossing undecided
+  kBlocked,   // starts at zero with no way to leave: rest against a push
+  kBudget,    // more evaluations than allowed
+  kNotFinite  // the curve left the range of the scalar
 };
 
 template <class Real>
@@ -49,8 +50,7 @@ Real safe_step(const Real& value, const Real& slope, const Real& bound) {
   }
   if (slope == 0) return sqrt(2 * (value / bound));
   const Real root = sqrt(1 + 2 * (value / slope) * (bound / slope));
-  return slope > 0 ? Real((slope / bound) * (1 + root))
-                   : Real((value / -slope) * (2 / (1 + root)));
+  return slope > 0 ? Real((slope / bound) * (1 + root)) : Real((value / -slope) * (2 / (1 + root)));
 }
 
 // Newton's method inside its ball of certain convergence; stops when the step no longer shrinks.
@@ -89,11 +89,13 @@ Real departure_step(const GapCurve<Real>& curve, int multiplicity) {
 template <class Real, class Sample>
 FirstZero<Real> first_descent(const Sample& sample, const Real& from, const Real& window) {
   using namespace first_zero_detail;
-  using std::abs;
+  using std::abs, std::isfinite;
   Real s = from;
   for (int i = 1; i <= kMostSearchEvaluations; ++i) {
     if (!(s <= window)) return {ZeroKind::kNone, window, Real(0), i};
     const CurvePoint<Real> point = sample(s);
+    if (!isfinite(point.value) || !isfinite(point.slope) || !isfinite(point.bound))
+      return {ZeroKind::kNotFinite, s, Real(0), i};
     if (point.slope < 0 &&
         4 * (point.bound / -point.slope) * (abs(point.value) / -point.slope) <= 1) {
       FirstZero<Real> zero = finish(sample, s, point, i);

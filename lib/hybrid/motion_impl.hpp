@@ -7,8 +7,8 @@
 namespace graze {
 
 template <class Real>
-Motion<Real>::Motion(const System& system, const Instant<Real>& instant,
-                     const RealVector<Real>& q, const RealVector<Real>& qdot)
+Motion<Real>::Motion(const System& system, const Instant<Real>& instant, const RealVector<Real>& q,
+                     const RealVector<Real>& qdot)
     : flow_(system), arc_(flow_), instant_(instant), q_(q), qdot_(qdot) {
   for (const RigidStop& stop : system.stops) {
     stops_.push_back({stop.row.template cast<Real>(), stop.direction.template cast<Real>(),
@@ -69,20 +69,26 @@ Arrival<Real> Motion<Real>::fly(const Real& until) {
     if (zero.kind == ZeroKind::kNone) continue;
     arrival.stop = index;
     arrival.flight = zero.s;
-    arrival.speed = -zero.slope;
-    arrival.kind = zero.kind == ZeroKind::kBlocked  ? ArrivalKind::kRest
-                   : zero.kind == ZeroKind::kBudget ? ArrivalKind::kUndecided
-                   : zero.slope < 0                 ? ArrivalKind::kContact
-                                                    : ArrivalKind::kTouch;
+    arrival.kind = zero.kind == ZeroKind::kBlocked     ? ArrivalKind::kRest
+                   : zero.kind == ZeroKind::kBudget    ? ArrivalKind::kUndecided
+                   : zero.kind == ZeroKind::kNotFinite ? ArrivalKind::kNotFinite
+                                                       : ArrivalKind::kContact;
+    if (arrival.kind == ArrivalKind::kNotFinite) return arrival;
   }
   move(arrival.flight, until);
-  if (arrival.kind == ArrivalKind::kContact) settle_on(stops_[static_cast<std::size_t>(arrival.stop)]);
+  if (arrival.kind == ArrivalKind::kContact) {
+    // The state decides: within rounding its speed can differ in sign from the curve's slope.
+    arrival.speed = approach_speed(arrival.stop);
+    if (!(arrival.speed > 0)) arrival.kind = ArrivalKind::kTouch;
+  }
+  if (arrival.kind == ArrivalKind::kContact)
+    settle_on(stops_[static_cast<std::size_t>(arrival.stop)]);
   for (std::size_t i = 0; i < stops_.size(); ++i) {
     const bool here = static_cast<int>(i) == arrival.stop;
     const bool stays = arrival.flight == 0 && !here;
     if (here)
-      stops_[i].contact = arrival.kind == ArrivalKind::kTouch ? Contact::kDeparting
-                                                              : Contact::kTouching;
+      stops_[i].contact =
+          arrival.kind == ArrivalKind::kTouch ? Contact::kDeparting : Contact::kTouching;
     else if (!stays)
       stops_[i].contact = Contact::kClear;
   }
@@ -103,8 +109,9 @@ void Motion<Real>::move(const Real& flight, const Real& until) {
   }
 }
 
-// The located instant is rounded, the contact is not: row.q = gap holds as an identity, and the next
-// arc starts from it. The offset, small against the present motion, would outlive a decaying one.
+// The located instant is rounded, the contact is not: row.q = gap holds as an identity, and the
+// next arc starts from it. The offset, small against the present motion, would outlive a decaying
+// one.
 template <class Real>
 void Motion<Real>::settle_on(const Stop& stop) {
   const Real offset = (stop.gap - stop.row.dot(q_)) / stop.row.squaredNorm();

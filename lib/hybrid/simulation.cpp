@@ -28,8 +28,8 @@ class Run {
       if (system.forcing) {
         const double periods = std::floor(*options.duration / system.period());
         end_.period = static_cast<long long>(periods);
-        end_.local = std::clamp(*options.duration - periods * system.period(), 0.0,
-                                system.period());
+        end_.local =
+            std::clamp(*options.duration - periods * system.period(), 0.0, system.period());
       }
     } else {
       end_.period = options.periods;
@@ -50,8 +50,7 @@ class Run {
   // One arc; false when the run is over.
   bool proceed() {
     const Instant<double> start = motion_.instant();
-    if (start.period > end_.period ||
-        (start.period == end_.period && start.local >= end_.local))
+    if (start.period > end_.period || (start.period == end_.period && start.local >= end_.local))
       return false;
     if (!within_budget()) return false;
     const double until = start.period == end_.period ? end_.local : motion_.flow().period();
@@ -59,7 +58,7 @@ class Run {
     // Until the first contact the smallest gap is not known to be zero and has to be looked for.
     if (result_.totals.impacts == 0) note_minima(until - start.local);
     const Arrival<double> arrival = motion_.fly(until);
-    if (listeners_.sample) hand_out_samples(start_time, arrival.flight);
+    if (listeners_.sample && !hand_out_samples(start_time, arrival.flight)) return false;
     return receive(arrival);
   }
 
@@ -78,32 +77,42 @@ class Run {
         return true;
       case ArrivalKind::kRest:
         result_.resting_stop = arrival.stop;
-        return stop(RunOutcome::kEventBudget,
-                    fmt::format("the motion came to rest on stop {} at t = {:.9g} s after {} "
-                                "impacts; sticking is not available in this version",
-                                arrival.stop + 1, time(), result_.totals.impacts));
+        return stop(RunOutcome::kEventBudget, rest_sentence(arrival.stop));
       case ArrivalKind::kUndecided:
         return stop(RunOutcome::kEventBudget,
                     fmt::format("the search for the next contact with stop {} used up its "
                                 "evaluations at t = {:.9g} s",
                                 arrival.stop + 1, time()));
       case ArrivalKind::kNotFinite:
-        return stop(RunOutcome::kNotFinite,
-                    fmt::format("the motion left the range of double precision at t = {:.9g} s",
-                                time()));
+        return stop(
+            RunOutcome::kNotFinite,
+            fmt::format("the motion left the range of double precision at t = {:.9g} s", time()));
     }
     return false;
   }
 
+  std::string rest_sentence(int stop) const {
+    const long long impacts = result_.totals.impacts;
+    if (impacts == 0)
+      return fmt::format(
+          "the motion rests against stop {} at t = {:.9g} s; sticking is not "
+          "available in this version",
+          stop + 1, time());
+    return fmt::format(
+        "the motion came to rest on stop {} at t = {:.9g} s after {} impact{}; "
+        "sticking is not available in this version",
+        stop + 1, time(), impacts, impacts == 1 ? "" : "s");
+  }
+
   bool within_budget() {
     if (options_.interrupted && options_.interrupted->load(std::memory_order_relaxed))
-      return stop(RunOutcome::kInterrupted, fmt::format("interrupted at t = {:.9g} s", time()));
+      return stop(RunOutcome::kInterrupted, fmt::format("stopped at t = {:.9g} s", time()));
     if (result_.totals.impacts >= options_.max_impacts)
       return stop(RunOutcome::kEventBudget,
                   fmt::format("the budget of {} impacts was spent at t = {:.9g} s",
                               options_.max_impacts, time()));
-    // The clock is read once per 256 arcs: it costs as much as an arc of a small system.
-    if ((++arcs_ & 255) == 0) {
+    // The clock is read once in 256 times: it costs as much as an arc of a small system.
+    if ((++polls_ & 255) == 0) {
       const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - started_;
       if (spent.count() > options_.max_seconds)
         return stop(RunOutcome::kTimeBudget,
@@ -127,7 +136,7 @@ class Run {
     event.stop = arrival.stop;
     event.speed = arrival.speed;
     event.energy_change =
-        impact_energy_change(stop.direction, motion_.qdot(), arrival.speed, stop.restitution);
+        impact_energy_change(stop.row, stop.direction, motion_.qdot(), stop.restitution);
     if (system_.forcing) {
       const double turn = 2.0 * std::numbers::pi;
       const double phase = std::fmod(motion_.flow().phase(motion_.instant()), turn);
@@ -154,12 +163,14 @@ class Run {
     }
   }
 
-  void hand_out_samples(double start_time, double flight) {
+  // False when the run has to stop: an arc can hold any number of samples.
+  bool hand_out_samples(double start_time, double flight) {
     Sample sample{0.0, {Vector(system_.modes()), Vector(system_.modes())}};
     for (;;) {
       sample.time = static_cast<double>(samples_) / listeners_.sample_rate;
       const double s = std::max(sample.time - start_time, 0.0);
-      if (s > flight) return;
+      if (s > flight) return true;
+      if (!within_budget()) return false;
       motion_.arc().state(s, sample.state.q, sample.state.qdot);
       listeners_.sample(sample);
       ++samples_;
@@ -173,9 +184,9 @@ class Run {
   }
 
   double fraction() const {
-    const double end = end_.period == 0 ? end_.local
-                                        : static_cast<double>(end_.period) *
-                                                  motion_.flow().period() + end_.local;
+    const double end =
+        end_.period == 0 ? end_.local
+                         : static_cast<double>(end_.period) * motion_.flow().period() + end_.local;
     return end > 0.0 ? std::min(time() / end, 1.0) : 1.0;
   }
 
@@ -185,7 +196,7 @@ class Run {
   Motion<double> motion_;
   Instant<double> end_;
   std::chrono::steady_clock::time_point started_;
-  long long arcs_ = 0;
+  long long polls_ = 0;
   long long samples_ = 0;
   Simulation result_;
 };

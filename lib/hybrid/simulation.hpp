@@ -32,7 +32,7 @@ struct Sample {
 struct RunListeners {
   std::function<void(const Event&)> event;
   std::function<void(const Sample&)> sample;
-  double sample_rate = 0.0;                    // 1/s, with `sample`
+  double sample_rate = 0.0;                       // 1/s, with `sample`
   std::function<void(double fraction)> progress;  // once per forcing period
 };
 
@@ -41,7 +41,7 @@ struct SimulationOptions {
   std::optional<double> duration;
   long long periods = 100;
   long long max_impacts = 10'000'000;
-  double max_seconds = 3600.0;                      // wall clock, s
+  double max_seconds = 3600.0;                     // wall clock, s
   const std::atomic<bool>* interrupted = nullptr;  // polled once per arc
 };
 
@@ -49,10 +49,10 @@ enum class RunOutcome { kReachedEnd, kEventBudget, kTimeBudget, kNotFinite, kInt
 
 struct RunTotals {
   long long impacts = 0;
-  long long undecided_touches = 0;   // grazings within rounding, passed without impact
-  double stuck_time = 0.0;           // s
-  double energy_added = 0.0;         // by impacts that gained kinetic energy, J
-  double energy_lost = 0.0;          // by impacts that lost kinetic energy, J
+  long long undecided_touches = 0;     // grazings within rounding, passed without impact
+  double stuck_time = 0.0;             // s
+  double energy_added = 0.0;           // by impacts that gained kinetic energy, J
+  double energy_lost = 0.0;            // by impacts that lost kinetic energy, J
   std::optional<double> smallest_gap;  // over the whole run and all stops, m; absent without stops
 };
 

@@ -34,8 +34,7 @@ ClosedFormAnswer closed_form(const System& system, int stop_index, int period) {
   const State rest{Vector::Zero(n), Vector::Zero(n)};
   const Transition arc = transition(system, flow, rest, 0.0, period * system.period());
   Matrix jump = Matrix::Identity(2 * n, 2 * n);
-  jump.bottomRightCorner(n, n) -=
-      (1.0 + stop.restitution) * stop.direction * stop.row.transpose();
+  jump.bottomRightCorner(n, n) -= (1.0 + stop.restitution) * stop.direction * stop.row.transpose();
   // Velocities in units of each mode's own frequency: the flow then turns and shrinks, no more.
   Vector unit = Vector::Ones(2 * n);
   unit.tail(n) = system.omega.cwiseMax(flow.frequency());

@@ -141,7 +141,7 @@ class Finder {
 
   void keep(const Orbit& orbit) {
     for (Orbit& known : found_.orbits)
-      if (same_orbit(known, orbit)) {
+      if (same_orbit(known, orbit, scale_.length * system_.forcing->frequency)) {
         if (orbit.residual < known.residual) known = orbit;
         return;
       }
@@ -173,9 +173,9 @@ class Finder {
 
 }  // namespace
 
-bool same_orbit(const Orbit& a, const Orbit& b) {
+bool same_orbit(const Orbit& a, const Orbit& b, double speed_scale) {
   if (a.period != b.period || a.impacts.size() != b.impacts.size()) return false;
-  double largest = 0.0;
+  double largest = speed_scale;
   for (const OrbitImpact& impact : a.impacts) largest = std::max(largest, std::abs(impact.speed));
   // Two impacts of nearly one phase may have been ordered either way: try every rotation.
   for (std::size_t turn = 0; turn < b.impacts.size(); ++turn) {

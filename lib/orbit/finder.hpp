@@ -43,6 +43,7 @@ FoundOrbits find_orbits(const System& system, const State& start, const FinderOp
 ImpactPoint rough_guess(const System& system, int stop, double theta, double speed);
 
 // Whether two orbits are one: same pattern, phases and speeds within the accuracy of a solution.
-bool same_orbit(const Orbit& a, const Orbit& b);
+// `speed_scale`, m/s: that of the forced motion, from which impact speeds are left over.
+bool same_orbit(const Orbit& a, const Orbit& b, double speed_scale);
 
 }  // namespace graze

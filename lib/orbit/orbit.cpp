@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 #include "graze/flow/gap_curve.hpp"
@@ -88,9 +89,8 @@ Matrix saltation_matrix(const System& system, const RigidStop& stop, const State
   // f+ - J f-: the displacement part is the jump of velocity, -(1 + r) v d.
   Vector defect(2 * n);
   defect.head(n) = -(1.0 + stop.restitution) * v * stop.direction;
-  defect.tail(n) =
-      rate_after.qdot - rate_before.qdot +
-      (1.0 + stop.restitution) * stop.row.dot(rate_before.qdot) * stop.direction;
+  defect.tail(n) = rate_after.qdot - rate_before.qdot +
+                   (1.0 + stop.restitution) * stop.row.dot(rate_before.qdot) * stop.direction;
   Matrix s = Matrix::Identity(2 * n, 2 * n);
   s.bottomRightCorner(n, n) -= (1.0 + stop.restitution) * stop.direction * stop.row.transpose();
   s.leftCols(n) += defect / v * stop.row.transpose();
@@ -105,8 +105,8 @@ Matrix monodromy_matrix(const System& system, const ImpactPattern& pattern,
     const RigidStop& stop = stop_of(system, pattern, i);
     const Transition arc = transition(system, flow, after_impact(stop, points[i].before),
                                       points[i].theta, flight_time(system, pattern, points, i));
-    product = arc.flow.times(
-        saltation_matrix(system, stop, points[i].before, points[i].theta) * product);
+    product =
+        arc.flow.times(saltation_matrix(system, stop, points[i].before, points[i].theta) * product);
   }
   return product;
 }
@@ -115,13 +115,16 @@ Admissibility admissibility(const System& system, const ImpactPattern& pattern,
                             const std::vector<ImpactPoint>& points) {
   const ExactFlow<double> flow(system);
   Arc<double> arc(flow);
+  // A speed within the rounding of the velocities it is summed from is not known to be positive.
+  const double still = 16.0 * std::numeric_limits<double>::epsilon() *
+                       shooting_scale(system).length * system.forcing->frequency;
   Admissibility result{true, {}, stop_of(system, pattern, 0).row.dot(points[0].before.qdot)};
   for (std::size_t i = 0; i < points.size(); ++i) {
     const RigidStop& stop = stop_of(system, pattern, i);
     const double speed = stop.row.dot(points[i].before.qdot);
     result.smallest_speed = std::min(result.smallest_speed, speed);
     const double flight = flight_time(system, pattern, points, i);
-    if (!(speed > 0.0) || !(flight > 0.0)) result.admissible = false;
+    if (!(speed > still) || !(flight > 0.0)) result.admissible = false;
     if (!(flight > 0.0)) continue;
     const State after = after_impact(stop, points[i].before);
     arc.start(points[i].theta, after.q, after.qdot);

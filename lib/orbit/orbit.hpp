@@ -19,8 +19,8 @@ struct OrbitImpact {
 };
 
 struct Orbit {
-  int period = 1;                    // p
-  std::vector<OrbitImpact> impacts;  // in time order from the smallest (period_index, phase)
+  int period = 1;                       // p
+  std::vector<OrbitImpact> impacts;     // in time order from the smallest (period_index, phase)
   std::vector<Eigenvalue> multipliers;  // of the map over p periods, largest modulus first
   // Nothing when a multiplier sits on the unit circle within its error.
   std::optional<bool> stable;

@@ -17,8 +17,8 @@ std::vector<std::vector<CurveSample>> orbit_curve(const System& system, const Or
   std::vector<std::vector<CurveSample>> flights;
   Vector q(system.modes()), qdot(system.modes());
   for (std::size_t i = 0; i < points.size(); ++i) {
-    const double next = i + 1 < points.size() ? points[i + 1].theta
-                                              : points.front().theta + kTurn * orbit.period;
+    const double next =
+        i + 1 < points.size() ? points[i + 1].theta : points.front().theta + kTurn * orbit.period;
     const auto hit = static_cast<std::size_t>(orbit.impacts[i].stop);
     const State after = after_impact(system.stops[hit], points[i].before);
     arc.start(points[i].theta, after.q, after.qdot);

@@ -50,9 +50,9 @@ SettledMotion settled_on(const std::deque<Met>& met, long long now, int p) {
     result.points.push_back(
         {m.phase + 2.0 * std::numbers::pi * static_cast<double>(m.period - (now - p)), m.before});
   }
-  result.verdict = fmt::format(
-      "from the scene's initial state {} impacts repeat every {} forcing periods",
-      pattern.impacts(), p);
+  result.verdict =
+      fmt::format("from the scene's initial state {} impacts repeat every {} forcing periods",
+                  pattern.impacts(), p);
   result.pattern = std::move(pattern);
   return result;
 }
@@ -78,12 +78,16 @@ SettledMotion settle(const System& system, const State& start, const SettleOptio
     const Arrival<double> arrival = motion.fly(motion.flow().period());
     const Instant<double>& now = motion.instant();
     if (arrival.kind == ArrivalKind::kRest)
-      return unsettled(fmt::format("from the scene's initial state the motion comes to rest on "
-                                   "stop {} in forcing period {}; motions that stick are not "
-                                   "available in this version",
-                                   arrival.stop + 1, now.period + 1));
+      return unsettled(
+          fmt::format("from the scene's initial state the motion comes to rest on "
+                      "stop {} in forcing period {}; motions that stick are not "
+                      "available in this version",
+                      arrival.stop + 1, now.period + 1));
     if (arrival.kind == ArrivalKind::kContact) {
-      met.push_back({now.period, arrival.stop, motion.flow().phase(now), arrival.speed,
+      met.push_back({now.period,
+                     arrival.stop,
+                     motion.flow().phase(now),
+                     arrival.speed,
                      {motion.q(), motion.qdot()}});
       motion.impact(arrival.stop);
       ++impacts;
@@ -103,9 +107,10 @@ SettledMotion settle(const System& system, const State& start, const SettleOptio
   if (impacts == 0) return unsettled("from the scene's initial state the motion meets no stop");
   if (met.empty())
     return unsettled("from the scene's initial state the motion settles clear of every stop");
-  return unsettled(fmt::format("from the scene's initial state no pattern of up to {} forcing "
-                               "periods repeats within {} periods",
-                               options.longest_period, options.periods));
+  return unsettled(
+      fmt::format("from the scene's initial state no pattern of up to {} forcing "
+                  "periods repeats within {} periods",
+                  options.longest_period, options.periods));
 }
 
 }  // namespace graze

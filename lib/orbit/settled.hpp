@@ -19,8 +19,8 @@ struct SettledMotion {
 };
 
 struct SettleOptions {
-  long long periods = 3000;   // simulated at most
-  int longest_period = 32;    // longest orbit looked for, in forcing periods
+  long long periods = 3000;  // simulated at most
+  int longest_period = 32;   // longest orbit looked for, in forcing periods
   const std::atomic<bool>* interrupted = nullptr;
 };
 

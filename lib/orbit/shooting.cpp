@@ -26,9 +26,9 @@ ShootingScale shooting_scale(const System& system) {
   for (const RigidStop& stop : system.stops) {
     double reach = std::abs(stop.gap);
     for (Eigen::Index j = 0; j < system.omega.size(); ++j)
-      reach = std::max(reach, std::abs(stop.row[j] * system.forcing->amplitude[j]) /
-                                  std::max(system.omega[j] * system.omega[j],
-                                           frequency * frequency));
+      reach =
+          std::max(reach, std::abs(stop.row[j] * system.forcing->amplitude[j]) /
+                              std::max(system.omega[j] * system.omega[j], frequency * frequency));
     if (reach > scale.length) {
       scale.length = reach;
       scale.displacement = reach / stop.row.norm();
@@ -65,9 +65,9 @@ std::vector<ImpactPoint> ShootingProblem::unpack(const System& system, const Vec
   const Eigen::Index n = system.modes();
   std::vector<ImpactPoint> impacts;
   for (Eigen::Index at = 0; at < x.size(); at += 2 * n + 1)
-    impacts.push_back({x[at],
-                       {x.segment(at + 1, n) * scale_.displacement,
-                        x.segment(at + 1 + n, n) * scale_.velocity}});
+    impacts.push_back(
+        {x[at],
+         {x.segment(at + 1, n) * scale_.displacement, x.segment(at + 1 + n, n) * scale_.velocity}});
   return impacts;
 }
 
@@ -106,7 +106,8 @@ Vector ShootingProblem::residual(const System& system, const Vector& x, Matrix* 
 
     if (jacobian) {
       const Vector end_by_phase = scaled(arc.end_rate) / frequency;
-      jacobian->block(at, at + 1, 1, n) += stop.row.transpose() * (scale_.displacement / scale_.length);
+      jacobian->block(at, at + 1, 1, n) +=
+          stop.row.transpose() * (scale_.displacement / scale_.length);
       jacobian->block(at + 1, at, 2 * n, 1) += scaled(arc.phase_rate) - end_by_phase;
       jacobian->block(at + 1, to, 2 * n, 1) += end_by_phase;
       Matrix jump = unit.asDiagonal();

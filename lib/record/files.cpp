@@ -52,12 +52,17 @@ void write_file(const std::filesystem::path& file, const std::string& text) {
   }
 }
 
+void check_folder(const std::filesystem::path& folder) {
+  if (!std::filesystem::exists(folder)) fail(folder, "write into the folder", ENOENT);
+  if (!std::filesystem::is_directory(folder)) fail(folder, "write into the folder", ENOTDIR);
+  if (::access(folder.c_str(), W_OK | X_OK) != 0) fail(folder, "write into the folder", errno);
+}
+
 void prepare_folder(const std::filesystem::path& folder) {
   std::error_code error;
   std::filesystem::create_directories(folder, error);
   if (error) fail(folder, "make the folder", error.value());
-  if (!std::filesystem::is_directory(folder)) fail(folder, "make the folder", ENOTDIR);
-  if (::access(folder.c_str(), W_OK | X_OK) != 0) fail(folder, "write into the folder", errno);
+  check_folder(folder);
 }
 
 }  // namespace graze

@@ -10,8 +10,10 @@ namespace graze {
 // FileError, leaving `file` as it was.
 void write_file(const std::filesystem::path& file, const std::string& text);
 
-// Makes the folder (and its parents) unless it is there, and checks that files can be made in it.
-// Throws FileError.
+// Checks that the folder is there and that files can be made in it. Throws FileError.
+void check_folder(const std::filesystem::path& folder);
+
+// Makes the folder (and its parents) unless it is there, then checks it. Throws FileError.
 void prepare_folder(const std::filesystem::path& folder);
 
 }  // namespace graze

@@ -14,10 +14,10 @@ using OptionValue = std::variant<bool, long long, double, std::string>;
 
 struct RunInfo {
   std::string version;
-  std::string command;       // "simulate"
-  std::string scene_file;    // as given
-  std::string scene_text;    // the scene in force, as TOML
-  std::string scene_sha256;  // of scene_text
+  std::string command;                                       // "simulate"
+  std::string scene_file;                                    // as given
+  std::string scene_text;                                    // the scene in force, as TOML
+  std::string scene_sha256;                                  // of scene_text
   std::vector<std::pair<std::string, OptionValue>> options;  // those that were given or used
 };
 

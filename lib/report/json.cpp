@@ -120,11 +120,11 @@ std::string to_json(const CheckRecord& record) {
   const System& system = record.system;
   Json modes = Json::array();
   for (Eigen::Index j = 0; j < system.omega.size(); ++j)
-    modes.push_back({{"mode", j + 1},
-                     {"frequency", number(system.omega[j])},
-                     {"decay_rate", number(system.delta[j])},
-                     {"force", system.forcing ? number(system.forcing->amplitude[j])
-                                              : Json(nullptr)}});
+    modes.push_back(
+        {{"mode", j + 1},
+         {"frequency", number(system.omega[j])},
+         {"decay_rate", number(system.delta[j])},
+         {"force", system.forcing ? number(system.forcing->amplitude[j]) : Json(nullptr)}});
   document["title"] = record.scene.title;
   document["modes"] = modes;
   document["forcing_period"] = system.forcing ? number(system.period()) : Json(nullptr);

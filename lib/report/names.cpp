@@ -8,11 +8,16 @@ std::string name_of(SpecialKind kind) { return kind == SpecialKind::kFold ? "LP"
 
 std::string name_of(OrbitBranchEnd end) {
   switch (end) {
-    case OrbitBranchEnd::kParameterLimit: return "parameter limit";
-    case OrbitBranchEnd::kClosed: return "closed";
-    case OrbitBranchEnd::kGrazing: return "GR";
-    case OrbitBranchEnd::kStepLimit: return "step limit";
-    case OrbitBranchEnd::kNotConverged: break;
+    case OrbitBranchEnd::kParameterLimit:
+      return "parameter limit";
+    case OrbitBranchEnd::kClosed:
+      return "closed";
+    case OrbitBranchEnd::kGrazing:
+      return "GR";
+    case OrbitBranchEnd::kStepLimit:
+      return "step limit";
+    case OrbitBranchEnd::kNotConverged:
+      break;
   }
   return "not converged";
 }

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -11,9 +12,7 @@
 namespace graze {
 namespace {
 
-std::string title(const Scene& scene) {
-  return scene.title.empty() ? "" : scene.title + "\n";
-}
+std::string title(const Scene& scene) { return scene.title.empty() ? "" : scene.title + "\n"; }
 
 std::string simulated_effects(const Scene& scene) {
   std::string text;
@@ -26,40 +25,40 @@ std::string simulated_effects(const Scene& scene) {
                      beam->modes == 1 ? "" : "s",
                      beam->discretisation == Projection::kGalerkin ? "Galerkin" : "collocation"));
   else
-    line("structure", fmt::format("given by {} mode{}", scene.modes(),
-                                  scene.modes() == 1 ? "" : "s"));
+    line("structure",
+         fmt::format("given by {} mode{}", scene.modes(), scene.modes() == 1 ? "" : "s"));
   const bool own = scene.modal() && !scene.modal()->damping_ratios.empty();
   if (!scene.damping)
     line("damping", own ? "ratios" : "none");
   else
-    line("damping", std::holds_alternative<ViscousDamping>(*scene.damping)   ? "viscous"
+    line("damping", std::holds_alternative<ViscousDamping>(*scene.damping)  ? "viscous"
                     : std::holds_alternative<DampingRatios>(*scene.damping) ? "ratios"
-                                                                             : "Rayleigh");
+                                                                            : "Rayleigh");
   if (scene.forcing)
-    line("forcing", fmt::format("{}, {:g} rad/s = {:.6g} Hz, period {:.6g} s",
-                                scene.forcing->kind == ForcingKind::kBase ? "moving clamp"
-                                : scene.forcing->kind == ForcingKind::kDistributed
-                                    ? "distributed load"
-                                    : "modal",
-                                scene.forcing->frequency,
-                                scene.forcing->frequency / (2.0 * std::numbers::pi),
-                                2.0 * std::numbers::pi / scene.forcing->frequency));
+    line("forcing",
+         fmt::format("{}, {:g} rad/s = {:.6g} Hz, period {:.6g} s",
+                     scene.forcing->kind == ForcingKind::kBase          ? "moving clamp"
+                     : scene.forcing->kind == ForcingKind::kDistributed ? "distributed load"
+                                                                        : "modal",
+                     scene.forcing->frequency, scene.forcing->frequency / (2.0 * std::numbers::pi),
+                     2.0 * std::numbers::pi / scene.forcing->frequency));
   else
     line("forcing", "none");
   for (const Stop& stop : scene.stops)
-    line("stop", fmt::format("{}, gap {:g} m, restitution {:g}, {} impulse",
-                             stop.side == Side::kAbove ? "above" : "below", stop.gap,
-                             stop.restitution,
-                             stop.impulse == Impulse::kMomentum ? "momentum" : "collocation"));
+    line("stop",
+         fmt::format("{}, gap {:g} m, restitution {:g}, {} impulse",
+                     stop.side == Side::kAbove ? "above" : "below", stop.gap, stop.restitution,
+                     stop.impulse == Impulse::kMomentum ? "momentum" : "collocation"));
   if (scene.stops.empty()) line("stop", "none: no contact is looked for");
-  line("flow", "exact: every effect in this scene is linear between impacts, so motion and first "
-               "contact have closed forms");
+  line("flow",
+       "exact: every effect in this scene is linear between impacts, so motion and first "
+       "contact have closed forms");
   return text;
 }
 
 std::string complex_text(const Complex& z) {
-  if (z.imag() == 0.0) return fmt::format("{:.6f}", z.real());
-  return fmt::format("{:.6f} {} {:.6f}i", z.real(), z.imag() < 0 ? "-" : "+", std::abs(z.imag()));
+  if (z.imag() == 0.0) return fmt::format("{:.7g}", z.real());
+  return fmt::format("{:.7g} {} {:.7g}i", z.real(), z.imag() < 0 ? "-" : "+", std::abs(z.imag()));
 }
 
 std::string ending(const Outcome& outcome) {
@@ -78,21 +77,21 @@ std::string to_text(const CheckRecord& record) {
   std::string text = title(record.scene) + "Simulated:\n" + simulated_effects(record.scene) + "\n";
   const System& system = record.system;
   Table modes({"mode", "frequency (rad/s)", "(Hz)", "decay rate (1/s)", "damping ratio",
-               "modal force (N)"});
+               "modal force (kg^1/2 m/s^2)"});
   for (Eigen::Index j = 0; j < system.omega.size(); ++j)
-    modes.add({fmt::format("{}", j + 1), fmt::format("{:.8g}", system.omega[j]),
-               fmt::format("{:.6g}", system.omega[j] / (2.0 * std::numbers::pi)),
-               fmt::format("{:.6g}", system.delta[j]),
-               system.omega[j] > 0.0 ? fmt::format("{:.4g}", system.delta[j] / system.omega[j])
-                                     : "-",
-               system.forcing ? fmt::format("{:.6g}", system.forcing->amplitude[j]) : "-"});
+    modes.add(
+        {fmt::format("{}", j + 1), fmt::format("{:.8g}", system.omega[j]),
+         fmt::format("{:.6g}", system.omega[j] / (2.0 * std::numbers::pi)),
+         fmt::format("{:.6g}", system.delta[j]),
+         system.omega[j] > 0.0 ? fmt::format("{:.4g}", system.delta[j] / system.omega[j]) : "-",
+         system.forcing ? fmt::format("{:.6g}", system.forcing->amplitude[j]) : "-"});
   text += modes.text();
   for (std::size_t i = 0; i < system.stops.size(); ++i)
     text += fmt::format("\nstop {}: effective mass at the contact {:.6g} kg\n", i + 1,
                         1.0 / system.stops[i].row.squaredNorm());
   if (record.collocation_condition > 0.0)
-    text += fmt::format("collocation matrix: condition number {:.4g}\n",
-                        record.collocation_condition);
+    text +=
+        fmt::format("collocation matrix: condition number {:.4g}\n", record.collocation_condition);
   return text;
 }
 
@@ -101,8 +100,8 @@ std::string to_text(const SimulationRecord& record) {
   std::string text;
   if (!record.events.empty()) {
     constexpr std::size_t kShown = 10;
-    const std::size_t hidden = record.events.size() > 2 * kShown + 1
-                                   ? record.events.size() - 2 * kShown : 0;
+    const std::size_t hidden =
+        record.events.size() > 2 * kShown + 1 ? record.events.size() - 2 * kShown : 0;
     Table table({"impact", "time (s)", "stop", "speed (m/s)", "phase (rad)", "energy change (J)"});
     for (std::size_t i = 0; i < record.events.size(); ++i) {
       if (hidden > 0 && i == kShown) table.add({"..", "", "", "", "", ""});
@@ -157,20 +156,30 @@ std::string to_text(const OrbitRecord& record) {
 
 std::string to_text(const BranchRecord& record) {
   const std::string unit = record.unit.empty() ? "" : fmt::format(" ({})", record.unit);
-  Table branches({"branch", "component", "points", "from" + unit, "to" + unit, "ends",
-                  "stable points"});
+  Table branches(
+      {"branch", "component", "points", "stable", "lowest" + unit, "highest" + unit, "ends"});
   Table special({"point", "branch", record.traced.parameter + unit, "phase (rad)", "speed (m/s)",
                  "multiplier"});
   for (const OrbitBranch& branch : record.traced.branches) {
     std::size_t stable = 0;
-    for (const OrbitBranchPoint& point : branch.points)
+    double lowest = branch.points.front().value, highest = lowest;
+    for (const OrbitBranchPoint& point : branch.points) {
       if (point.orbit.stable.value_or(false)) ++stable;
+      lowest = std::min(lowest, point.value);
+      highest = std::max(highest, point.value);
+    }
+    const auto end = [](OrbitBranchEnd kind, const OrbitBranchPoint& point) {
+      return kind == OrbitBranchEnd::kClosed
+                 ? name_of(kind)
+                 : fmt::format("{} at {:.8g}", name_of(kind), point.value);
+    };
+    const std::string ends = branch.ends[0] == OrbitBranchEnd::kClosed
+                                 ? name_of(branch.ends[0])
+                                 : end(branch.ends[0], branch.points.front()) + ", " +
+                                       end(branch.ends[1], branch.points.back());
     branches.add({fmt::format("{}", branch.id), fmt::format("{}", branch.component),
-                  fmt::format("{}", branch.points.size()),
-                  fmt::format("{:.8g}", branch.points.front().value),
-                  fmt::format("{:.8g}", branch.points.back().value),
-                  name_of(branch.ends[0]) + " / " + name_of(branch.ends[1]),
-                  fmt::format("{}", stable)});
+                  fmt::format("{}", branch.points.size()), fmt::format("{}", stable),
+                  fmt::format("{:.8g}", lowest), fmt::format("{:.8g}", highest), ends});
     for (const SpecialPoint& s : branch.special)
       special.add({s.id, fmt::format("{}", branch.id), fmt::format("{:.13g}", s.at.value),
                    fmt::format("{:.9f}", s.at.orbit.impacts.front().phase),
@@ -180,9 +189,9 @@ std::string to_text(const BranchRecord& record) {
   std::string text;
   if (!branches.empty()) text += branches.text() + "\n";
   if (!special.empty()) text += special.text() + "\n";
-  text += fmt::format("{} start{}, {} evaluations of the shooting equations\n",
-                      record.traced.starts, record.traced.starts == 1 ? "" : "s",
-                      record.traced.shooting_evaluations);
+  text +=
+      fmt::format("{} start{}, {} evaluations of the shooting equations\n", record.traced.starts,
+                  record.traced.starts == 1 ? "" : "s", record.traced.shooting_evaluations);
   return text + notes_text(record.traced.notes) + ending(record.outcome);
 }
 

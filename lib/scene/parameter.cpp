@@ -123,7 +123,7 @@ InputError unknown_parameter(const Scene& scene, const std::string& path) {
   const std::vector<std::string> names = parameter_names(scene);
   const std::string meant = closest_name(path, names);
   const std::string question = meant.empty() ? "" : fmt::format(" Did you mean {}?", meant);
-  return InputError(fmt::format("{}: the scene has no such parameter.{} Allowed are {}.",
+  return InputError(fmt::format("{}: the scene has no such continuous parameter.{} Allowed are {}.",
                                 path.empty() ? "parameter" : path, question,
                                 joined(shortened(names), "and")));
 }

@@ -65,9 +65,9 @@ Matrix collocation_rate(const Beam& beam, const Beam& rate) {
 Vector natural_frequencies(const Scene& scene) {
   if (const ModalStructure* modal = scene.modal()) return as_vector(modal->frequencies);
   const Beam& beam = *scene.beam();
-  const double unit = std::sqrt(beam.youngs_modulus * beam.second_moment /
-                                (beam.density * beam.area)) /
-                      (beam.length * beam.length);
+  const double unit =
+      std::sqrt(beam.youngs_modulus * beam.second_moment / (beam.density * beam.area)) /
+      (beam.length * beam.length);
   Vector omega(beam.modes);
   for (int j = 0; j < beam.modes; ++j) {
     const double b = cantilever_wave_number(j + 1);
@@ -194,8 +194,8 @@ ModalModel modal_tangent(const Scene& scene, const ModalModel& model, const Scen
     rate.participation =
         beam_participation_rate(beam, beam_rate, scene.forcing->kind, model, rate.collocation);
   for (std::size_t i = 0; i < scene.stops.size(); ++i)
-    rate.shapes.push_back(shape_rates_at(beam, beam_rate, scene.stops[i].position,
-                                         direction.stops[i].position));
+    rate.shapes.push_back(
+        shape_rates_at(beam, beam_rate, scene.stops[i].position, direction.stops[i].position));
   return rate;
 }
 

@@ -83,8 +83,7 @@ System system_tangent(const Scene& scene, const std::string& parameter) {
   if (scene.forcing)
     tangent.forcing = forcing_tangent(*scene.forcing, *direction.forcing, model, rate);
   for (std::size_t i = 0; i < scene.stops.size(); ++i) {
-    const RigidStop stop =
-        assemble_stop(scene, scene.stops[i], model.shapes[i], model.collocation);
+    const RigidStop stop = assemble_stop(scene, scene.stops[i], model.shapes[i], model.collocation);
     tangent.stops.push_back(stop_tangent(scene.stops[i], direction.stops[i], stop, rate.shapes[i],
                                          model.collocation, rate.collocation));
   }

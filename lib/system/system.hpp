@@ -19,7 +19,7 @@ namespace graze {
 struct HarmonicForcing {
   double frequency = 0.0;  // rad/s
   double phase = 0.0;      // rad
-  Vector amplitude;        // modal force, N
+  Vector amplitude;        // modal force, kg^1/2 m/s^2, N entries
 };
 
 struct RigidStop {

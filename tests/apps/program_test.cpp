@@ -25,15 +25,15 @@ TEST(Program, PrintsVersionAndHelpOfEveryCommand) {
 
 TEST(Program, UsageErrorsExitWith2AndPrintNothingOnStdout) {
   for (const std::string& line : std::vector<std::string>{
-        "", "frobnicate", "check", "check --bogus " + kOneMode,
-        "simulate --periods -3 " + kOneMode, "simulate --periods 3 --duration 2 " + kOneMode,
-        "orbit --period 0 " + kOneMode, "orbit --impacts nought " + kOneMode,
-        "continue " + kOneMode, "continue --parameter nope --from 1 --to 2 " + kOneMode,
-        "continue --parameter forcing.frequency --from 3 --to 3 " + kOneMode,
-        "continue --parameter forcing.frequency --from -3 --to 3 " + kOneMode,
-        "continue --parameter stop.restitution --from 0 --to 1.5 " + kOneMode,
-        "check --set stop.gap " + kOneMode, "check --set stop.gapp=1 " + kOneMode,
-        "orbit --plot picture.gif " + kOneMode, "simulate --record all " + kOneMode}) {
+           "", "frobnicate", "check", "check --bogus " + kOneMode,
+           "simulate --periods -3 " + kOneMode, "simulate --periods 3 --duration 2 " + kOneMode,
+           "orbit --period 0 " + kOneMode, "orbit --impacts nought " + kOneMode,
+           "continue " + kOneMode, "continue --parameter nope --from 1 --to 2 " + kOneMode,
+           "continue --parameter forcing.frequency --from 3 --to 3 " + kOneMode,
+           "continue --parameter forcing.frequency --from -3 --to 3 " + kOneMode,
+           "continue --parameter stop.restitution --from 0 --to 1.5 " + kOneMode,
+           "check --set stop.gap " + kOneMode, "check --set stop.gapp=1 " + kOneMode,
+           "orbit --plot picture.gif " + kOneMode, "simulate --record all " + kOneMode}) {
     const Finished run = run_graze(line);
     EXPECT_EQ(run.code, 2) << line;
     EXPECT_EQ(run.out, "") << line;
@@ -43,12 +43,12 @@ TEST(Program, UsageErrorsExitWith2AndPrintNothingOnStdout) {
 
 TEST(Program, RefusesWhatALaterVersionBrings) {
   for (const std::string& line : std::vector<std::string>{
-        "diagram " + kOneMode, "cost " + kOneMode, "compare " + kOneMode, "fit a b",
-        "simulate --energy " + kOneMode, "simulate --closure-speed 1e-6 " + kOneMode,
-        "orbit --plot picture.html " + kOneMode,
-        "continue --parameter stop.gap --from 0 --to 1 --impacts 2 " + kOneMode,
-        "continue --parameter stop.gap --from 0 --to 1 --locus LP " + kOneMode,
-        "continue --parameter stop.gap --from 0 --to 1 --follow all " + kOneMode}) {
+           "diagram " + kOneMode, "cost " + kOneMode, "compare " + kOneMode, "fit a b",
+           "simulate --energy " + kOneMode, "simulate --closure-speed 1e-6 " + kOneMode,
+           "orbit --plot picture.html " + kOneMode,
+           "continue --parameter stop.gap --from 0 --to 1 --impacts 2 " + kOneMode,
+           "continue --parameter stop.gap --from 0 --to 1 --locus LP " + kOneMode,
+           "continue --parameter stop.gap --from 0 --to 1 --follow all " + kOneMode}) {
     const Finished run = run_graze(line);
     EXPECT_EQ(run.code, 2) << line;
     EXPECT_NE(run.err.find("not available in this version"), std::string::npos) << run.err;
@@ -137,8 +137,10 @@ TEST(Program, BudgetsEndWithTheirOutcome) {
 }
 
 TEST(Program, ContinueEndsAtGrazingsAndFoldsAreLocated) {
-  const Finished run = run_graze("continue --json --set forcing.frequency=40 --parameter stop.gap "
-                                 "--from 0 --to 0.02 " + kOneMode);
+  const Finished run = run_graze(
+      "continue --json --set forcing.frequency=40 --parameter stop.gap "
+      "--from 0 --to 0.02 " +
+      kOneMode);
   ASSERT_EQ(run.code, 0) << run.err;
   const json document = json::parse(run.out);
   EXPECT_EQ(document["outcome"], "complete");
@@ -158,8 +160,9 @@ TEST(Program, ContinueEndsAtGrazingsAndFoldsAreLocated) {
 TEST(Program, OutWritesTheDocumentTheSceneAndTheTables) {
   const ScratchFolder scratch;
   const std::string folder = (scratch / "deep/er").string();
-  const Finished run = run_graze("continue --json --parameter stop.gap --from 1e-3 --to 2e-3 --out " +
-                                 folder + " " + kOneMode);
+  const Finished run =
+      run_graze("continue --json --parameter stop.gap --from 1e-3 --to 2e-3 --out " + folder + " " +
+                kOneMode);
   ASSERT_EQ(run.code, 0) << run.err;
   EXPECT_EQ(read_text(folder + "/result.json"), run.out);
   EXPECT_EQ(read_text(folder + "/branches.csv").substr(0, 17), "branch,component,");
@@ -186,8 +189,8 @@ TEST(Program, PicturesAreDrawnWithTheirScript) {
   for (const char* extension : {"svg", "png", "pdf"}) {
     const std::string picture = (scratch / (std::string("x.") + extension)).string();
     for (const std::string& line : std::vector<std::string>{
-          "simulate --periods 20 " + kOneMode, "orbit " + kOneMode,
-          "continue --parameter stop.gap --from 1e-3 --to 2e-3 " + kOneMode}) {
+             "simulate --periods 20 " + kOneMode, "orbit " + kOneMode,
+             "continue --parameter stop.gap --from 1e-3 --to 2e-3 " + kOneMode}) {
       const Finished run = run_graze(line + " --plot " + picture);
       EXPECT_EQ(run.code, 0) << run.err;
       EXPECT_GT(read_text(picture).size(), 1000U) << line;

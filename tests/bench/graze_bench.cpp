@@ -15,8 +15,8 @@ Scene one_mode_scene(const std::vector<std::string>& settings) {
 // A branch at N modes with multipliers and admissibility at every point; the counter scales the
 // time to 200 points.
 void TraceBranch(benchmark::State& state) {
-  const Scene scene = one_mode_scene(
-      {"beam.modes=" + std::to_string(state.range(0)), "forcing.frequency=100"});
+  const Scene scene =
+      one_mode_scene({"beam.modes=" + std::to_string(state.range(0)), "forcing.frequency=100"});
   const SystemFamily family(scene, "forcing.frequency");
   BranchOptions options;
   options.from = 95.0;
@@ -31,9 +31,9 @@ void TraceBranch(benchmark::State& state) {
     for (const OrbitBranch& branch : traced.branches) points += branch.points.size();
   }
   state.counters["points"] = static_cast<double>(points) / static_cast<double>(state.iterations());
-  state.counters["s_per_200_points"] = benchmark::Counter(
-      static_cast<double>(points) / 200.0,
-      benchmark::Counter::kIsRate | benchmark::Counter::kInvert);
+  state.counters["s_per_200_points"] =
+      benchmark::Counter(static_cast<double>(points) / 200.0,
+                         benchmark::Counter::kIsRate | benchmark::Counter::kInvert);
 }
 BENCHMARK(TraceBranch)->Arg(1)->Arg(2)->Arg(4)->Arg(8)->Unit(benchmark::kMillisecond);
 

@@ -38,12 +38,12 @@ void expect_admissible_branches(const Scene& scene, const std::string& parameter
     for (const SpecialPoint& special : branch.special) {
       if (special.kind != SpecialKind::kGrazing) continue;
       ++grazings;
-      const double touch = special.by_speed ? special.at.smallest_speed
-                                            : special.at.orbit.clearance.value_or(1.0);
+      const double touch =
+          special.by_speed ? special.at.smallest_speed : special.at.orbit.clearance.value_or(1.0);
       EXPECT_NEAR(touch, 0.0, 1e-9) << special.id;
     }
-    const int ends = (branch.ends[0] == OrbitBranchEnd::kGrazing) +
-                     (branch.ends[1] == OrbitBranchEnd::kGrazing);
+    const int ends =
+        (branch.ends[0] == OrbitBranchEnd::kGrazing) + (branch.ends[1] == OrbitBranchEnd::kGrazing);
     EXPECT_EQ(grazings, ends);
   }
 }

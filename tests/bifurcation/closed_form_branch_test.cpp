@@ -8,10 +8,10 @@
 namespace graze {
 namespace {
 
-using support::FoldDistance;
 using support::expect_closed_form;
-using support::kBesideFold;
 using support::fold_distance;
+using support::FoldDistance;
+using support::kBesideFold;
 using support::passages;
 using support::special_points;
 using support::trace;
@@ -30,8 +30,7 @@ class WholeComponents : public testing::TestWithParam<Sweep> {
  protected:
   Scene scene() const {
     std::vector<std::string> settings;
-    if (GetParam().modes > 0)
-      settings.push_back("beam.modes=" + std::to_string(GetParam().modes));
+    if (GetParam().modes > 0) settings.push_back("beam.modes=" + std::to_string(GetParam().modes));
     return support::shipped_scene(GetParam().scene, settings);
   }
   OrbitBranches traced() const {
@@ -132,9 +131,9 @@ TEST(Folds, AgreeWithTheReference) {
     EXPECT_NEAR(nearest->at.value / value, 1.0, 1e-10);
     // Phase and speed of a fold are known to the square root of what its value is.
     const OrbitImpact& impact = nearest->at.orbit.impacts[0];
-    EXPECT_NEAR(std::remainder(impact.phase - support::number(row, "phase"),
-                               2.0 * std::numbers::pi),
-                0.0, 1e-5);
+    EXPECT_NEAR(
+        std::remainder(impact.phase - support::number(row, "phase"), 2.0 * std::numbers::pi), 0.0,
+        1e-5);
     EXPECT_NEAR(impact.speed / support::number(row, "speed"), 1.0, 1e-4);
   }
 }

@@ -62,8 +62,8 @@ TEST(ExactFlow, SolvesTheEquationOfMotionInEveryKindOfMode) {
             eighth_order([&](const Extended& x) { return state_at(arc, x).q; }, s, h);
         const Extended acceleration =
             eighth_order([&](const Extended& x) { return state_at(arc, x).qdot; }, s, h);
-        const Extended expected = force * cos(theta + frequency * s) -
-                                  2 * delta * here.qdot - omega * omega * here.q;
+        const Extended expected =
+            force * cos(theta + frequency * s) - 2 * delta * here.qdot - omega * omega * here.q;
         EXPECT_LE(abs(rate - here.qdot), Extended(1e-30));
         EXPECT_LE(abs(acceleration - expected), Extended(1e-29));
       }

@@ -53,11 +53,11 @@ TEST_P(TransitionOf, StartPhaseAndTimeAreDifferentiated) {
     const Matrix by_start = support::central_jacobian(
         [&](const Vector& x) { return end_of(system, x, theta, s); }, y, Vector::Constant(4, 1e-2));
     EXPECT_LE((arc.flow.times(Matrix::Identity(4, 4)) - by_start).norm(), 1e-10 * size);
-    const Vector by_phase = support::central_difference(
-        [&](double x) { return end_of(system, y, x, s); }, theta, 1e-3);
+    const Vector by_phase =
+        support::central_difference([&](double x) { return end_of(system, y, x, s); }, theta, 1e-3);
     EXPECT_LE((stacked(arc.phase_rate) - by_phase).norm(), 1e-10 * size);
-    const Vector by_time = support::central_difference(
-        [&](double x) { return end_of(system, y, theta, x); }, s, 1e-3);
+    const Vector by_time =
+        support::central_difference([&](double x) { return end_of(system, y, theta, x); }, s, 1e-3);
     EXPECT_LE((stacked(arc.end_rate) - by_time).norm(), 1e-8 * size);
   }
 }

@@ -30,12 +30,13 @@ Scene collocated_beam(int modes, bool outer_half) {
   for (int i = 1; i <= modes && outer_half; ++i)
     points += (i > 1 ? ", " : "points = [") +
               std::to_string(0.5 + 0.5 * (i - 1.0) / (modes - 1.0)) + (i == modes ? "]\n" : "");
-  return parse_scene("[beam]\nlength = 1.0\nyoungs_modulus = 1.0\nsecond_moment = 1.0\n"
-                     "density = 1.0\narea = 1.0\nmodes = " + std::to_string(modes) +
-                     "\ndiscretisation = \"collocation\"\n" + points +
-                     "[forcing]\nkind = \"base\"\namplitude = 1.0\nfrequency = 1.0\n"
-                     "[[stop]]\nposition = 1.0\ngap = 1.0\nrestitution = 0.8\n",
-                     "beam.toml");
+  return parse_scene(
+      "[beam]\nlength = 1.0\nyoungs_modulus = 1.0\nsecond_moment = 1.0\n"
+      "density = 1.0\narea = 1.0\nmodes = " +
+          std::to_string(modes) + "\ndiscretisation = \"collocation\"\n" + points +
+          "[forcing]\nkind = \"base\"\namplitude = 1.0\nfrequency = 1.0\n"
+          "[[stop]]\nposition = 1.0\ngap = 1.0\nrestitution = 0.8\n",
+      "beam.toml");
 }
 
 TEST(HardCases, M2ConditionOfCollocationPoints) {
@@ -96,8 +97,7 @@ TEST(HardCases, M5UndampedResonance) {
   for (const double size : detunings) {
     for (const double detuning : {size, -size}) {
       const double frequency = omega + detuning;
-      const System system =
-          support::forced_oscillator(omega, 0.0, 1.0, 0.8, frequency, 1.0);
+      const System system = support::forced_oscillator(omega, 0.0, 1.0, 0.8, frequency, 1.0);
       const ExactFlow<double> flow(system);
       Arc<double> arc(flow);
       arc.start(0.0, Vector::Zero(1), Vector::Zero(1));
@@ -160,15 +160,15 @@ TEST(HardCases, E1MomentumLawBooksItsEnergy) {
     const double expected = -0.5 * (1.0 - r * r) * v * v / row.squaredNorm();
     const double energy = 0.5 * before.squaredNorm();
     EXPECT_NEAR(0.5 * after.squaredNorm() - energy, expected, 1e-14 * std::max(1.0, energy));
-    EXPECT_NEAR(impact_energy_change(direction, before, v, r), expected,
+    EXPECT_NEAR(impact_energy_change(row, direction, before, r), expected,
                 1e-14 * std::max(1.0, energy));
   }
 }
 
 TEST(HardCases, E1WorstGainOfTheCollocationLaw) {
   const auto gain = [](int modes) {
-    const Scene scene = support::shipped_scene(
-        "01_wagg_2004", {"beam.modes=" + std::to_string(modes)});
+    const Scene scene =
+        support::shipped_scene("01_wagg_2004", {"beam.modes=" + std::to_string(modes)});
     const RigidStop stop = assemble(scene).stops[0];
     return worst_energy_gain(stop.row, stop.direction, stop.restitution);
   };

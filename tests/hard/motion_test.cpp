@@ -11,12 +11,12 @@
 namespace graze {
 namespace {
 
-using support::RecordedRun;
 using support::for_impacts;
 using support::for_periods;
 using support::for_seconds;
 using support::oscillator;
 using support::record_run;
+using support::RecordedRun;
 using support::state_of;
 
 // x'' + x = 0 with amplitude 1 + d meets the stop at 1 with v = sqrt(2 d + d^2).
@@ -58,9 +58,8 @@ void expect_false_zeno(double delta, double restitution) {
   SCOPED_TRACE(delta);
   const double half_turn = std::numbers::pi / std::sqrt(1.0 - delta * delta);
   const double factor = restitution * std::exp(-delta * half_turn);
-  const RecordedRun run =
-      record_run(oscillator(1.0, delta, 0.0, restitution), state_of({0.0}, {1.0}),
-                 for_impacts(1001, 2000.0 * half_turn));
+  const RecordedRun run = record_run(oscillator(1.0, delta, 0.0, restitution),
+                                     state_of({0.0}, {1.0}), for_impacts(1001, 2000.0 * half_turn));
   ASSERT_EQ(run.events.size(), 1001u);
   EXPECT_EQ(run.result.outcome, RunOutcome::kEventBudget);
   EXPECT_FALSE(run.result.resting_stop);

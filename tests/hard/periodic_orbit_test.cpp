@@ -41,8 +41,8 @@ std::vector<Orbit> all_solutions(const Scene& scene) {
 const Orbit* nearest_phase(const std::vector<Orbit>& orbits, double phase) {
   const Orbit* nearest = nullptr;
   for (const Orbit& orbit : orbits)
-    if (!nearest || std::abs(orbit.impacts[0].phase - phase) <
-                        std::abs(nearest->impacts[0].phase - phase))
+    if (!nearest ||
+        std::abs(orbit.impacts[0].phase - phase) < std::abs(nearest->impacts[0].phase - phase))
       nearest = &orbit;
   return nearest;
 }
@@ -110,13 +110,15 @@ TEST(HardCases, P2PublishedFlip) {
   // The printed amplitude is rounded, and the speed with it.
   const double by_amplitude =
       std::abs(faster_closed_form_orbit(published(0.81, amplitude + 1e-9), 2).impacts[0].speed -
-               orbit.impacts[0].speed) / 1e-9;
+               orbit.impacts[0].speed) /
+      1e-9;
   EXPECT_NEAR(orbit.impacts[0].speed, 0.0653039433369, 1e-13 + by_amplitude * half_digit);
   // The smaller multiplier is det M/(-1), which the amplitude does not enter: all digits hold.
   // Near the flip the sum of both moves like 1/v^2 with the amplitude.
   const double speed = orbit.impacts[0].speed;
   EXPECT_LE(distance_to_multiplier(orbit, -1.0), half_digit * by_amplitude * 4.0 / speed);
-  EXPECT_LE(distance_to_multiplier(orbit, -0.435490392782), half_digit * by_amplitude * 4.0 / speed);
+  EXPECT_LE(distance_to_multiplier(orbit, -0.435490392782),
+            half_digit * by_amplitude * 4.0 / speed);
   EXPECT_TRUE(orbit.admissible);
 }
 
@@ -219,7 +221,8 @@ TEST(HardCases, G3SaltationDeterminantAndFold) {
           r * r * std::exp(-2.0 * period * system.period() * system.delta.sum());
       // A determinant loses the products of the matrix's entries to rounding.
       const Matrix size = m.cwiseAbs();
-      EXPECT_NEAR(m.determinant() / expected, 1.0, 1e-15 * std::pow(size.norm(), 2) / expected + 1e-12);
+      EXPECT_NEAR(m.determinant() / expected, 1.0,
+                  1e-15 * std::pow(size.norm(), 2) / expected + 1e-12);
     }
   }
 }

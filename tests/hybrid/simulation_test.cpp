@@ -12,13 +12,13 @@
 namespace graze {
 namespace {
 
-using support::RecordedRun;
 using support::for_impacts;
 using support::for_periods;
 using support::for_seconds;
 using support::forced_oscillator;
 using support::oscillator;
 using support::record_run;
+using support::RecordedRun;
 using support::state_of;
 
 TEST(Simulation, EndsExactlyAtItsDuration) {
@@ -50,8 +50,8 @@ TEST(Simulation, EndsAtADurationThatIsNoWholeNumberOfPeriods) {
 }
 
 TEST(Simulation, SpendsItsBudgetOfImpacts) {
-  const RecordedRun run = record_run(oscillator(1.0, 0.0, 0.5, 1.0), state_of({0.0}, {1.0}),
-                                     for_impacts(25, 1e6));
+  const RecordedRun run =
+      record_run(oscillator(1.0, 0.0, 0.5, 1.0), state_of({0.0}, {1.0}), for_impacts(25, 1e6));
   EXPECT_EQ(run.result.outcome, RunOutcome::kEventBudget);
   EXPECT_EQ(run.result.totals.impacts, 25);
   EXPECT_EQ(run.events.size(), 25u);
@@ -153,9 +153,8 @@ TEST(Simulation, PhaseFollowsTheForcing) {
     for (const Event& event : run.events) {
       EXPECT_GE(*event.phase, 0.0);
       EXPECT_LT(*event.phase, 2.0 * std::numbers::pi);
-      EXPECT_NEAR(
-          std::remainder(*event.phase - (1.6 * event.time + phase), 2.0 * std::numbers::pi), 0.0,
-          1e-13 * (1.0 + 1.6 * event.time));
+      EXPECT_NEAR(std::remainder(*event.phase - (1.6 * event.time + phase), 2.0 * std::numbers::pi),
+                  0.0, 1e-13 * (1.0 + 1.6 * event.time));
     }
   }
 }

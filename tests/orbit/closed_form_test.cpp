@@ -129,8 +129,9 @@ TEST(ClosedForm, FoldsAgreeWithTheReference) {
     ASSERT_TRUE(answer.form);
     // |kappa| does not depend on the gap: the fold stands at gap = |kappa|.
     EXPECT_NEAR(std::abs(answer.form->kappa) / support::number(row, "value"), 1.0, 1e-12);
-    EXPECT_NEAR(std::remainder(-std::arg(answer.form->kappa) - support::number(row, "phase"), kTurn),
-                0.0, 1e-12);
+    EXPECT_NEAR(
+        std::remainder(-std::arg(answer.form->kappa) - support::number(row, "phase"), kTurn), 0.0,
+        1e-12);
   }
 }
 
@@ -186,8 +187,7 @@ TEST(ClosedForm, HoldsThroughResonance) {
   for (const double delta : {5e-2, 5e-4, 5e-6}) {
     for (const double detuning : {0.0, 1e-12, 1e-8, 1e-5, 1e-3, 2e-3, 1e-2, 0.1}) {
       SCOPED_TRACE(testing::Message() << "delta " << delta << ", detuning " << detuning);
-      const System system =
-          support::forced_oscillator(1.0, delta, 0.3, 0.5, 1.0 + detuning, 1.0);
+      const System system = support::forced_oscillator(1.0, delta, 0.3, 0.5, 1.0 + detuning, 1.0);
       const PreciseOrbit exact = precise_orbit(delta, 1.0 + detuning, 0.3, 0.5);
       const ClosedFormAnswer answer = closed_form(system, 0, 1);
       ASSERT_TRUE(answer.form) << answer.why_not;
@@ -213,8 +213,8 @@ TEST(ClosedForm, SaysWhereTheMotionRepeatsByItself) {
 
 TEST(ClosedForm, HoldsForFourHundredModes) {
   for (const int modes : {16, 64, 200, 400}) {
-    const System system = assemble(support::reference_scene(
-        "orbits/beam_n4_33", {"beam.modes=" + std::to_string(modes)}));
+    const System system = assemble(
+        support::reference_scene("orbits/beam_n4_33", {"beam.modes=" + std::to_string(modes)}));
     const ClosedFormAnswer answer = closed_form(system, 0, 1);
     ASSERT_TRUE(answer.form) << modes << ": " << answer.why_not;
     const ShootingProblem problem({1, {0}}, shooting_scale(system));

@@ -42,9 +42,9 @@ TEST(Settled, OnOneImpactInTwoPeriods) {
   ASSERT_EQ(settled.pattern->impacts(), 1);
   double nearest = 1.0;
   for (const ImpactPoint& exact : closed_form(system, 0, 2).form->solutions(0.0))
-    nearest = std::min(nearest,
-                       std::abs(std::remainder(settled.points[0].theta - exact.theta, kTurn)) +
-                           std::abs(settled.points[0].before.qdot[0] - exact.before.qdot[0]));
+    nearest =
+        std::min(nearest, std::abs(std::remainder(settled.points[0].theta - exact.theta, kTurn)) +
+                              std::abs(settled.points[0].before.qdot[0] - exact.before.qdot[0]));
   EXPECT_LE(nearest, 1e-5);
 }
 
@@ -95,13 +95,15 @@ TEST(Finder, ListsBothSolutionsOfTheClosedFormOnce) {
     const System system = assemble(support::reference_scene(std::string("orbits/") + name));
     const FoundOrbits found = find(system, true);
     int simple = 0;
-    for (const Orbit& orbit : found.orbits) simple += orbit.period == 1 && orbit.impacts.size() == 1;
+    for (const Orbit& orbit : found.orbits)
+      simple += orbit.period == 1 && orbit.impacts.size() == 1;
     EXPECT_EQ(simple, 2);
     EXPECT_EQ(found.closed_form.converged, 2);
     EXPECT_GT(found.random.converged, 0);
+    const double speed = shooting_scale(system).length * system.forcing->frequency;
     for (std::size_t i = 0; i < found.orbits.size(); ++i)
       for (std::size_t j = 0; j < i; ++j)
-        EXPECT_FALSE(same_orbit(found.orbits[i], found.orbits[j]));
+        EXPECT_FALSE(same_orbit(found.orbits[i], found.orbits[j], speed));
   }
 }
 

@@ -38,9 +38,9 @@ void expect_derivatives(const Scene& scene, const ImpactPattern& pattern) {
   const Vector r = problem.residual(system, x, &jacobian);
   ASSERT_EQ(r.size(), problem.size(system));
   // The equations are linear in the states; only the phases bend them.
-  const Matrix differences = support::central_jacobian(
-      [&](const Vector& y) { return problem.residual(system, y); }, x,
-      Vector::Constant(x.size(), 1e-4));
+  const Matrix differences =
+      support::central_jacobian([&](const Vector& y) { return problem.residual(system, y); }, x,
+                                Vector::Constant(x.size(), 1e-4));
   const double size = jacobian.cwiseAbs().maxCoeff();
   EXPECT_LE((jacobian - differences).cwiseAbs().maxCoeff() / size, 1e-8);
 
@@ -102,9 +102,8 @@ TEST(Shooting, DerivativesWithTheCollocationProjectionAndLaw) {
 
 TEST(Shooting, DerivativesAtResonance) {
   // The forcing at the natural frequency: the third mode kind of the flow's tangent.
-  expect_derivatives(support::reference_scene("orbits/sdof_1_6",
-                                              {"forcing.frequency=1.0",
-                                               "modal.damping_ratios=[0.0005]"}),
+  expect_derivatives(support::reference_scene("orbits/sdof_1_6", {"forcing.frequency=1.0",
+                                                                  "modal.damping_ratios=[0.0005]"}),
                      {1, {0}});
 }
 

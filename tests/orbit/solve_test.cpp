@@ -61,7 +61,8 @@ TEST(Solve, SeekBringsInEveryRoughGuess) {
       const auto solution = seek(problem, system, problem.pack({guess}));
       ASSERT_TRUE(solution) << guess.theta;
       EXPECT_LE(solution->residual, kShootingTolerance);
-      EXPECT_LE(distance_to_closed_form(system, problem.unpack(system, solution->x).front()), 1e-10);
+      EXPECT_LE(distance_to_closed_form(system, problem.unpack(system, solution->x).front()),
+                1e-10);
     }
   }
 }
@@ -111,8 +112,8 @@ TEST(Solve, SeekSucceedsForTwoImpactsWhereNewtonFails) {
   const ShootingScale scale = shooting_scale(system);
   const ShootingProblem problem({2, {0, 0}}, scale);
   const double unit = scale.length * system.forcing->frequency;
-  const int guesses[][3] = {{2, 2, 0}, {2, 2, 2}, {3, 2, 0}, {3, 2, 2}, {4, 1, 2}, {4, 2, 2},
-                            {5, 1, 2}, {8, 3, 1}, {8, 4, 0}};
+  const int guesses[][3] = {{2, 2, 0}, {2, 2, 2}, {3, 2, 0}, {3, 2, 2}, {4, 1, 2},
+                            {4, 2, 2}, {5, 1, 2}, {8, 3, 1}, {8, 4, 0}};
   for (const auto& [i, j, k] : guesses) {
     const double theta = kTurn * i / 12.0, speed = 0.25 * unit * (1 << k);
     const Vector x = problem.pack({rough_guess(system, 0, theta, speed),

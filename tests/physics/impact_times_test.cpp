@@ -11,8 +11,8 @@
 namespace graze {
 namespace {
 
-using support::RecordedRun;
 using support::for_seconds;
+using support::RecordedRun;
 
 std::map<std::string, std::vector<support::TableRow>> rows_by_case() {
   std::map<std::string, std::vector<support::TableRow>> cases;
@@ -36,7 +36,8 @@ TEST(ImpactTimes, AgreeWithTheReferenceInEveryCase) {
     ASSERT_EQ(run.events.size(), rows.size());
     for (std::size_t i = 0; i < rows.size(); ++i) {
       // One rounding of the modal data moves no time by more than 2.5e-13.
-      EXPECT_NEAR(run.events[i].time, support::number(rows[i], "time"), 1e-11) << "impact " << i + 1;
+      EXPECT_NEAR(run.events[i].time, support::number(rows[i], "time"), 1e-11)
+          << "impact " << i + 1;
       EXPECT_NEAR(run.events[i].speed / support::number(rows[i], "speed"), 1.0, 1e-10)
           << "impact " << i + 1;
     }
@@ -93,8 +94,8 @@ TEST(ImpactTimes, EveryImpactOfTheMomentumLawLosesItsShareOfEnergy) {
   const RecordedRun run = run_scene(scene, 0.54);
   double lost = 0.0;
   for (const Event& event : run.events) {
-    const double expected = -0.5 * (1.0 - 0.64) * event.speed * event.speed /
-                            system.stops[0].row.squaredNorm();
+    const double expected =
+        -0.5 * (1.0 - 0.64) * event.speed * event.speed / system.stops[0].row.squaredNorm();
     EXPECT_NEAR(event.energy_change / expected, 1.0, 1e-12);
     lost -= event.energy_change;
   }

@@ -1,6 +1,7 @@
 // How the stable period-1 impact is lost with the number of modes. The counts are those of an
 // independent closed-form computation: of 2200 forcing frequencies from 10 rad/s in steps of
-// 0.05 rad/s, at gap 1.05 mm under the momentum law, this many have a stable admissible (1,1) orbit.
+// 0.05 rad/s, at gap 1.05 mm under the momentum law, this many have a stable admissible (1,1)
+// orbit.
 #include <gtest/gtest.h>
 
 #include "graze/orbit/closed_form.hpp"

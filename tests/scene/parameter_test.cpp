@@ -130,7 +130,7 @@ TEST(Parameter, UnknownNamesGetASuggestionAndTheList) {
       "Allowed are beam.length, beam.youngs_modulus, beam.second_moment, beam.density, beam.area, "
       "beam.points.1..2, damping.viscous, forcing.amplitude, forcing.frequency, forcing.phase, "
       "stop.position, stop.gap and stop.restitution.";
-  const std::string none = ": the scene has no such parameter. ";
+  const std::string none = ": the scene has no such continuous parameter. ";
   EXPECT_EQ(message_of([&] { with_parameter(scene, "forcing.freqency", 1.0); }),
             "forcing.freqency" + none + "Did you mean forcing.frequency? " + list);
   EXPECT_EQ(message_of([&] { parameter_direction(scene, "gap"); }),

@@ -12,12 +12,23 @@ inline constexpr int kDampedKinds = 7;
 inline void set_mode(System& system, int j, Damped kind, double frequency, Dice& dice) {
   double omega = dice.uniform(0.5, 8.0), zeta = dice.uniform(0.0, 0.4);
   switch (kind) {
-    case Damped::kUnder: break;
-    case Damped::kOver: zeta = dice.uniform(1.3, 3.0); break;
-    case Damped::kCritical: zeta = 1.0; break;
-    case Damped::kNearCritical: zeta = 1.0 + dice.uniform(-1.0, 1.0) * 1e-6; break;
-    case Damped::kFreeMass: omega = 0.0; break;
-    case Damped::kResonant: omega = frequency, zeta = 0.0; break;
+    case Damped::kUnder:
+      break;
+    case Damped::kOver:
+      zeta = dice.uniform(1.3, 3.0);
+      break;
+    case Damped::kCritical:
+      zeta = 1.0;
+      break;
+    case Damped::kNearCritical:
+      zeta = 1.0 + dice.uniform(-1.0, 1.0) * 1e-6;
+      break;
+    case Damped::kFreeMass:
+      omega = 0.0;
+      break;
+    case Damped::kResonant:
+      omega = frequency, zeta = 0.0;
+      break;
     case Damped::kNearResonant:
       omega = frequency * (1.0 + 1e-4 * dice.uniform(-1.0, 1.0));
       zeta = 1e-4 * dice.uniform(0.0, 1.0);

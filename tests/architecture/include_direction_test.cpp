@@ -1,0 +1,179 @@
+// The house rules that a compiler does not see: which room may know which, which library stands
+// where, and how long a file may be.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <regex>
+#include <set>
+#include <string>
+#include <vector>
+
+namespace {
+
+namespace fs = std::filesystem;
+
+const fs::path kRoot = GRAZE_SOURCE_DIR;
+
+// Each room and the rooms directly above it; what those may use, it may use too.
+const std::map<std::string, std::set<std::string>> kAbove = {
+    {"base", {}},
+    {"scene", {"base"}},
+    {"structure", {"scene"}},
+    {"contact", {"scene"}},
+    {"system", {"structure", "contact"}},
+    {"flow", {"system"}},
+    {"hybrid", {"flow"}},
+    {"orbit", {"hybrid"}},
+    {"continuation", {"base"}},
+    {"bifurcation", {"orbit", "continuation"}},
+    {"record", {"bifurcation"}},
+    {"report", {"record"}},
+};
+
+std::set<std::string> allowed(const std::string& room) {
+  std::set<std::string> rooms{room};
+  for (const std::string& above : kAbove.at(room)) rooms.merge(allowed(above));
+  return rooms;
+}
+
+std::vector<fs::path> sources(const fs::path& folder) {
+  std::vector<fs::path> files;
+  for (const fs::directory_entry& entry : fs::recursive_directory_iterator(kRoot / folder)) {
+    const std::string extension = entry.path().extension().string();
+    if (entry.is_regular_file() && (extension == ".cpp" || extension == ".hpp"))
+      files.push_back(entry.path());
+  }
+  std::sort(files.begin(), files.end());
+  EXPECT_FALSE(files.empty()) << folder;
+  return files;
+}
+
+std::vector<std::string> lines(const fs::path& file) {
+  std::ifstream stream(file);
+  std::vector<std::string> list;
+  for (std::string line; std::getline(stream, line);) list.push_back(line);
+  return list;
+}
+
+// What stands between <> or "" in a file's include directives.
+std::vector<std::string> includes(const fs::path& file) {
+  static const std::regex kInclude(R"(^\s*#\s*include\s*[<"]([^>"]+)[>"])");
+  std::vector<std::string> list;
+  for (const std::string& line : lines(file)) {
+    std::smatch match;
+    if (std::regex_search(line, match, kInclude)) list.push_back(match[1]);
+  }
+  return list;
+}
+
+std::string name_of(const fs::path& file) { return fs::relative(file, kRoot).generic_string(); }
+
+std::string room_of(const fs::path& file) {
+  return (++fs::relative(file, kRoot).begin())->string();
+}
+
+bool starts_with(const std::string& text, const std::string& start) {
+  return text.compare(0, start.size(), start) == 0;
+}
+
+TEST(Architecture, EveryRoomIsInTheTable) {
+  for (const fs::directory_entry& entry : fs::directory_iterator(kRoot / "lib")) {
+    if (!entry.is_directory()) continue;
+    EXPECT_TRUE(kAbove.count(entry.path().filename().string())) << entry.path();
+  }
+}
+
+TEST(Architecture, RoomsIncludeOnlyRoomsAboveThem) {
+  for (const fs::path& file : sources("lib")) {
+    const std::set<std::string> rooms = allowed(room_of(file));
+    for (const std::string& header : includes(file)) {
+      if (!starts_with(header, "graze/")) continue;
+      const std::string room = (++fs::path(header).begin())->string();
+      EXPECT_TRUE(rooms.count(room)) << name_of(file) << " includes " << header;
+    }
+  }
+}
+
+TEST(Architecture, HeadersOfTheProjectAreIncludedByTheirFullName) {
+  for (const fs::path& file : sources("lib"))
+    for (const std::string& header : includes(file)) {
+      const bool own = header.size() > 4 && header.substr(header.size() - 4) == ".hpp" &&
+                       fs::exists(file.parent_path() / header);
+      EXPECT_FALSE(own) << name_of(file) << " includes " << header;
+    }
+}
+
+// A third party and the only places that may include it: a folder, and there .cpp files alone
+// unless said otherwise.
+struct Fence {
+  std::string header;  // what its headers' names start with
+  std::string folder;
+  bool headers_too = false;
+};
+
+TEST(Architecture, ThirdPartiesAreFenced) {
+  const std::vector<Fence> fences = {
+      {"toml++", "lib/scene/"},     {"ceres/", "lib/orbit/"}, {"glog/", "lib/orbit/"},
+      {"nlohmann/", "lib/report/"}, {"CLI/", "apps/", true},  {"nettle/", "lib/record/"},
+  };
+  for (const char* folder : {"lib", "apps"}) {
+    for (const fs::path& file : sources(folder)) {
+      for (const std::string& header : includes(file)) {
+        for (const Fence& fence : fences) {
+          if (!starts_with(header, fence.header)) continue;
+          const bool inside = starts_with(name_of(file), fence.folder) &&
+                              (fence.headers_too || file.extension() == ".cpp");
+          EXPECT_TRUE(inside) << name_of(file) << " includes " << header;
+        }
+      }
+    }
+  }
+}
+
+// Standard headers have neither a dot nor a slash in their names.
+bool is_standard(const std::string& header) {
+  return header.find_first_of("./") == std::string::npos;
+}
+
+TEST(Architecture, PublicHeadersShowOnlyEigen) {
+  for (const fs::path& file : sources("lib")) {
+    if (file.extension() != ".hpp" || name_of(file) == "lib/flow/extended.hpp") continue;
+    for (const std::string& header : includes(file)) {
+      const bool fine =
+          is_standard(header) || starts_with(header, "graze/") || starts_with(header, "Eigen/");
+      EXPECT_TRUE(fine) << name_of(file) << " includes " << header;
+    }
+  }
+}
+
+TEST(Architecture, NoFileIsLongerThanFourHundredLines) {
+  for (const char* folder : {"lib", "apps", "tests"})
+    for (const fs::path& file : sources(folder))
+      EXPECT_LE(lines(file).size(), 400u) << name_of(file);
+}
+
+TEST(Architecture, FoldersAreNamedAfterWhatTheyHold) {
+  for (const char* folder : {"lib", "apps", "tests"}) {
+    for (const fs::directory_entry& entry : fs::recursive_directory_iterator(kRoot / folder)) {
+      if (!entry.is_directory()) continue;
+      const std::string name = entry.path().filename().string();
+      for (const char* vague : {"util", "helper", "manager", "misc", "tmp"})
+        EXPECT_EQ(name.find(vague), std::string::npos) << name_of(entry.path());
+    }
+  }
+}
+
+TEST(Architecture, HeadersOpenWithWhatTheyHoldAndGuardThemselves) {
+  for (const fs::path& file : sources("lib")) {
+    if (file.extension() != ".hpp") continue;
+    const std::vector<std::string> text = lines(file);
+    ASSERT_FALSE(text.empty()) << name_of(file);
+    EXPECT_TRUE(starts_with(text[0], "// ")) << name_of(file);
+    EXPECT_NE(std::find(text.begin(), text.end(), "#pragma once"), text.end()) << name_of(file);
+  }
+}
+
+}  // namespace
