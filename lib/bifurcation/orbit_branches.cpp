@@ -13,6 +13,37 @@
 namespace graze {
 namespace {
 
+// Where, across the range, the closed form has solutions: the middle of every run of samples with
+// |kappa| > |gap| that holds none of `known`. Sampling is cheap beside tracing, so it is fine
+// enough to see components that fit between the start values.
+std::vector<double> unseen_intervals(const SystemFamily& family, int period, double lowest,
+                                     double highest, const std::vector<double>& known) {
+  constexpr int kSamples = 2048;
+  std::vector<double> middles;
+  double begin = 0.0, end = 0.0;
+  bool inside = false;
+  const auto finish = [&] {
+    const bool seen = std::any_of(known.begin(), known.end(),
+                                  [&](double value) { return value >= begin && value <= end; });
+    if (inside && !seen) middles.push_back(0.5 * (begin + end));
+    inside = false;
+  };
+  for (int i = 0; i <= kSamples; ++i) {
+    const double value = lowest + (highest - lowest) * i / kSamples;
+    const std::optional<System> system = family.at(value);
+    const ClosedFormAnswer answer = system ? closed_form(*system, 0, period) : ClosedFormAnswer{};
+    if (!answer.form || std::abs(answer.form->kappa) <= std::abs(system->stops[0].gap)) {
+      finish();
+      continue;
+    }
+    if (!inside) begin = value;
+    end = value;
+    inside = true;
+  }
+  finish();
+  return middles;
+}
+
 class OrbitTracer {
  public:
   OrbitTracer(const SystemFamily& family, const BranchOptions& options)
@@ -23,6 +54,10 @@ class OrbitTracer {
     if (family.value() >= lowest && family.value() <= highest) values_.push_back(family.value());
     for (int i = 0; i < options.start_values; ++i)
       values_.push_back(lowest + (highest - lowest) * i / std::max(options.start_values - 1, 1));
+    if (options.start_values > 0 && options.finder.from_closed_form) {
+      const auto unseen = unseen_intervals(family, options.period, lowest, highest, values_);
+      values_.insert(values_.end(), unseen.begin(), unseen.end());
+    }
     continuation_.from = options.from;
     continuation_.to = options.to;
     continuation_.max_step = options.max_step;
@@ -72,7 +107,10 @@ class OrbitTracer {
     finder.impacts = 1;
     finder.keep_virtual = true;
     finder.interrupted = options_.interrupted;
-    if (!first) finder.from_simulation = finder.from_random = false;
+    if (!first) {
+      finder.from_simulation = false;
+      finder.from_random = finder.from_random && !finder.from_closed_form;
+    }
     State rest{Vector::Zero(system->modes()), Vector::Zero(system->modes())};
     if (first && finder.from_simulation) {
       try {

@@ -46,7 +46,9 @@ struct BranchOptions {
   int period = 1;  // p; k = 1
   double from = 0.0, to = 0.0;
   double max_step = 0.0;  // of the parameter; 0: a fiftieth of the range
-  int start_values = 32;  // across the range, besides the scene's own value
+  // Start values across the range, besides the scene's own; with any, also one in every interval in
+  // which only the closed form's finer sampling sees solutions.
+  int start_values = 32;
   bool keep_virtual = false;
   FinderOptions finder;  // starts, at the scene's own value
   const std::atomic<bool>* interrupted = nullptr;

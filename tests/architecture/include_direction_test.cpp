@@ -6,7 +6,6 @@
 #include <filesystem>
 #include <fstream>
 #include <map>
-#include <regex>
 #include <set>
 #include <string>
 #include <vector>
@@ -60,11 +59,14 @@ std::vector<std::string> lines(const fs::path& file) {
 
 // What stands between <> or "" in a file's include directives.
 std::vector<std::string> includes(const fs::path& file) {
-  static const std::regex kInclude(R"(^\s*#\s*include\s*[<"]([^>"]+)[>"])");
+  const std::string directive = "#include ";
   std::vector<std::string> list;
   for (const std::string& line : lines(file)) {
-    std::smatch match;
-    if (std::regex_search(line, match, kInclude)) list.push_back(match[1]);
+    const std::size_t at = line.find_first_not_of(" \t");
+    if (at == std::string::npos || line.compare(at, directive.size(), directive) != 0) continue;
+    const std::size_t open = line.find_first_of("<\"", at);
+    const std::size_t close = line.find_first_of(">\"", open + 1);
+    list.push_back(line.substr(open + 1, close - open - 1));
   }
   return list;
 }
