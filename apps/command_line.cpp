@@ -66,6 +66,10 @@ void add_plot(CLI::App* app, Command& command) {
 }
 
 void add_limits(CLI::App* app, Command& command) {
+  app->add_option_function<double>(
+         "--closure-speed", [](double) { throw not_available("--closure-speed"); },
+         "Speed below which chatter is summed (not available in this version)")
+      ->type_name("V");
   app->add_option("--max-impacts", command.max_impacts, "Stop after this many impacts")
       ->check(at_least("a whole number from 1", 1.0))
       ->capture_default_str()
@@ -77,6 +81,7 @@ void add_limits(CLI::App* app, Command& command) {
 }
 
 void add_orbit_search(CLI::App* app, Command& command) {
+  add_limits(app, command);
   app->add_option("--period", command.period, "Forcing periods p after which the orbit repeats")
       ->check(at_least("a whole number from 1", 1.0))
       ->capture_default_str()
@@ -121,10 +126,6 @@ void add_simulate(CLI::App& graze, Command& command) {
   app->add_flag_callback(
       "--energy", [] { throw not_available("--energy"); },
       "Close the energy book (not available in this version)");
-  app->add_option_function<double>(
-         "--closure-speed", [](double) { throw not_available("--closure-speed"); },
-         "Speed below which chatter is summed (not available in this version)")
-      ->type_name("V");
   add_limits(app, command);
 }
 

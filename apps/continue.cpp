@@ -31,7 +31,7 @@ BranchOptions branch_options(const Command& command) {
   options.max_step = command.max_step.value_or(0.0);
   options.keep_virtual = command.keep_virtual;
   options.finder = finder_options(command);
-  options.interrupted = &interrupted;
+  options.stop = options.finder.stop;
   options.progress = progress_line(command);
   return options;
 }

@@ -23,7 +23,8 @@ inline FinderOptions finder_options(const Command& command) {
   options.from_random = wanted("random");
   options.keep_virtual = command.keep_virtual;
   options.random_seed = command.random_seed;
-  options.interrupted = &interrupted;
+  options.max_impacts = command.max_impacts;
+  options.stop = stop_signal(command);
   return options;
 }
 
@@ -45,6 +46,8 @@ inline void record_search(const Command& command, RunInfo& info) {
   std::string starts;
   for (const std::string& start : command.starts) starts += (starts.empty() ? "" : ",") + start;
   info.options.emplace_back("start", starts.empty() ? std::string("all") : starts);
+  info.options.emplace_back("max_impacts", command.max_impacts);
+  info.options.emplace_back("max_seconds", command.max_seconds);
   info.options.emplace_back("random_seed", static_cast<long long>(command.random_seed));
 }
 

@@ -13,6 +13,18 @@ namespace graze {
 
 std::atomic<bool> interrupted{false};
 
+StopSignal stop_signal(const Command& command) {
+  using Clock = std::chrono::steady_clock;
+  StopSignal signal;
+  signal.interrupted = &interrupted;
+  // Longer than the clock reaches is no limit.
+  constexpr double kLongest = 1e9;
+  if (command.max_seconds < kLongest)
+    signal.deadline = Clock::now() + std::chrono::duration_cast<Clock::duration>(
+                                         std::chrono::duration<double>(command.max_seconds));
+  return signal;
+}
+
 void prepare_output(const Command& command) {
   if (!command.out.empty()) prepare_folder(command.out);
   if (command.plot.empty()) return;

@@ -16,6 +16,9 @@ namespace graze {
 // Set by Ctrl-C; long work polls it and keeps what it finished.
 extern std::atomic<bool> interrupted;
 
+// Ctrl-C, and --max-seconds from now on.
+StopSignal stop_signal(const Command& command);
+
 // Once the command is known to be sound and before its work begins: makes the output folder and
 // checks the picture's, so that hours of work do not end at a folder that cannot be written.
 void prepare_output(const Command& command);

@@ -29,8 +29,7 @@ SimulationOptions simulation_options(const Command& command, const Scene& scene)
   options.duration = command.duration;
   if (command.periods) options.periods = *command.periods;
   options.max_impacts = command.max_impacts;
-  options.max_seconds = command.max_seconds;
-  options.interrupted = &interrupted;
+  options.stop = stop_signal(command);
   if (!scene.forcing && !options.duration) {
     if (command.periods)
       throw InputError(
@@ -66,7 +65,7 @@ int run_simulate(const Command& command) {
     record.info.options.emplace_back("periods", options.periods);
   record.info.options.emplace_back("record", command.record);
   record.info.options.emplace_back("max_impacts", options.max_impacts);
-  record.info.options.emplace_back("max_seconds", options.max_seconds);
+  record.info.options.emplace_back("max_seconds", command.max_seconds);
   record.warnings = system_warnings(scene, record.system);
   warn(command, record.warnings);
 

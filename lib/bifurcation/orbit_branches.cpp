@@ -61,7 +61,7 @@ class OrbitTracer {
     continuation_.from = options.from;
     continuation_.to = options.to;
     continuation_.max_step = options.max_step;
-    continuation_.interrupted = options.interrupted;
+    continuation_.stop = options.stop;
   }
 
   OrbitBranches trace() {
@@ -70,7 +70,7 @@ class OrbitTracer {
     const ShootingProblem shooting({options_.period, {0}}, shooting_scale(*reference));
     const OrbitComponents components(family_, shooting, continuation_);
     std::vector<Branch> traced;
-    for (std::size_t i = 0; i < values_.size() && !interrupted(); ++i) {
+    for (std::size_t i = 0; i < values_.size() && !options_.stop.requested(); ++i) {
       if (options_.progress)
         options_.progress(static_cast<double>(i) / static_cast<double>(values_.size()));
       for (const Vector& x : starts_at(values_[i], shooting, i == 0)) {
@@ -88,15 +88,11 @@ class OrbitTracer {
     number_special_points();
     // What the simulation does is worth a line only where it explains that there is nothing else.
     if (!result_.branches.empty()) result_.notes.clear();
-    result_.interrupted = interrupted();
+    result_.stopped = options_.stop.reason();
     return std::move(result_);
   }
 
  private:
-  bool interrupted() const {
-    return options_.interrupted && options_.interrupted->load(std::memory_order_relaxed);
-  }
-
   // Solutions at one value; the simulation and the random guesses join in at the first one only.
   std::vector<Vector> starts_at(double value, const ShootingProblem& shooting, bool first) {
     std::vector<Vector> starts;
@@ -106,7 +102,7 @@ class OrbitTracer {
     finder.period = options_.period;
     finder.impacts = 1;
     finder.keep_virtual = true;
-    finder.interrupted = options_.interrupted;
+    finder.stop = options_.stop;
     if (!first) {
       finder.from_simulation = false;
       finder.from_random = finder.from_random && !finder.from_closed_form;
@@ -130,14 +126,17 @@ class OrbitTracer {
     const auto is_cut = [](BranchEnd end) {
       return end == BranchEnd::kStepLimit || end == BranchEnd::kNotConverged;
     };
-    if (std::any_of(branch.ends.begin(), branch.ends.end(), is_cut)) ++result_.cut_short;
+    bool cut = std::any_of(branch.ends.begin(), branch.ends.end(), is_cut);
     result_.shooting_evaluations += branch.evaluations;
     result_.rejected_steps += branch.rejected;
     for (OrbitBranch& part : components.parts(branch, options_.keep_virtual)) {
+      cut = cut || part.ends[0] == OrbitBranchEnd::kNotConverged ||
+            part.ends[1] == OrbitBranchEnd::kNotConverged;
       part.component = component;
       part.id = static_cast<int>(result_.branches.size()) + 1;
       result_.branches.push_back(std::move(part));
     }
+    if (cut) ++result_.cut_short;
   }
 
   void number_special_points() {

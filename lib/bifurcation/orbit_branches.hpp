@@ -2,7 +2,6 @@
 // problem, stability and admissibility of every point, and the grazings that end a branch.
 #pragma once
 
-#include <atomic>
 #include <functional>
 #include <optional>
 #include <string>
@@ -51,7 +50,7 @@ struct BranchOptions {
   int start_values = 32;
   bool keep_virtual = false;
   FinderOptions finder;  // starts, at the scene's own value
-  const std::atomic<bool>* interrupted = nullptr;
+  StopSignal stop;
   std::function<void(double fraction)> progress;
 };
 
@@ -64,7 +63,7 @@ struct OrbitBranches {
   int starts = 0;      // orbits offered as starts
   int components = 0;  // traced, virtual ones included
   int cut_short = 0;   // components that could not be followed to an end
-  bool interrupted = false;
+  StopReason stopped = StopReason::kNone;
 };
 
 // Traces every branch of (p, 1) orbits that the starts lead to. Without `keep_virtual` a branch is

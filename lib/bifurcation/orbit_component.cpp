@@ -14,7 +14,7 @@ OrbitBranchEnd as_orbit_end(BranchEnd end) {
     case BranchEnd::kClosed:
       return OrbitBranchEnd::kClosed;
     case BranchEnd::kStepLimit:
-    case BranchEnd::kInterrupted:
+    case BranchEnd::kStopped:
       return OrbitBranchEnd::kStepLimit;
     case BranchEnd::kNotConverged:
       break;
@@ -35,8 +35,11 @@ struct Station {
   OrbitBranchPoint at;
   std::optional<SpecialPoint> special;
 
-  bool is_orbit() const {
-    return at.orbit.admissible || (special && special->kind == SpecialKind::kGrazing);
+  bool is_grazing() const { return special && special->kind == SpecialKind::kGrazing; }
+  bool is_orbit() const { return at.orbit.admissible || is_grazing(); }
+  // What ends a branch here: a grazing, unless none could be located.
+  OrbitBranchEnd end() const {
+    return is_grazing() ? OrbitBranchEnd::kGrazing : OrbitBranchEnd::kNotConverged;
   }
 };
 
@@ -141,13 +144,13 @@ std::vector<OrbitBranch> OrbitComponents::parts(const Branch& branch, bool keep_
     const bool kept = keep_virtual || stations[i].is_orbit();
     if (kept && !inside) {
       parts.emplace_back();
-      parts.back().ends[0] = i == 0 ? as_orbit_end(branch.ends[0]) : OrbitBranchEnd::kGrazing;
+      parts.back().ends[0] = i == 0 ? as_orbit_end(branch.ends[0]) : stations[i].end();
     }
     if (kept) {
       parts.back().points.push_back(stations[i].at);
       if (stations[i].special) parts.back().special.push_back(*stations[i].special);
       parts.back().ends[1] =
-          i + 1 == stations.size() ? as_orbit_end(branch.ends[1]) : OrbitBranchEnd::kGrazing;
+          i + 1 == stations.size() ? as_orbit_end(branch.ends[1]) : stations[i].end();
     }
     inside = kept;
   }

@@ -64,8 +64,7 @@ class Tracer {
     left_start_ = false;
     double h = 0.1 * longest_step(branch.points.back());
     while (true) {
-      if (options_.interrupted && options_.interrupted->load(std::memory_order_relaxed))
-        return ended(std::move(branch), BranchEnd::kInterrupted);
+      if (options_.stop.requested()) return ended(std::move(branch), BranchEnd::kStopped);
       if (static_cast<int>(branch.points.size()) > options_.max_points)
         return ended(std::move(branch), BranchEnd::kStepLimit);
       const BranchPoint here = branch.points.back();
@@ -261,7 +260,8 @@ class Tracer {
       Corrector& corrector, const BranchPoint& a, const BranchPoint& b,
       const std::function<double(const BranchPoint&)>& test) {
     const Vector x = corrector.pack(a);
-    const double length = corrector.difference(corrector.pack(b), x).dot(a.tangent);
+    const Vector chord = corrector.difference(corrector.pack(b), x);
+    const double length = chord.dot(a.tangent);
     const double at_a = test(a), at_b = test(b);
     if (at_a == 0.0) return a;
     if (at_b == 0.0) return b;
@@ -271,7 +271,8 @@ class Tracer {
     double smallest = std::max(at_a, at_b);
     bool failed = false;
     const auto value = [&](double s) {
-      const auto point = corrector.on_hyperplane(x + s * a.tangent, a.tangent);
+      auto point = corrector.on_hyperplane(x + s * a.tangent, a.tangent);
+      if (!point) point = corrector.on_hyperplane(x + s / length * chord, a.tangent);
       if (!point) {
         failed = true;
         return 0.0;  // ends the search

@@ -9,12 +9,12 @@
 #pragma once
 
 #include <array>
-#include <atomic>
 #include <functional>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "graze/base/stop_signal.hpp"
 #include "graze/base/vector.hpp"
 
 namespace graze {
@@ -45,7 +45,7 @@ struct ContinuationOptions {
   double max_turn = 0.3;
   double residual_tolerance = 1e-11;   // largest entry of F at an accepted point
   int max_points = kMostBranchPoints;  // in each direction
-  const std::atomic<bool>* interrupted = nullptr;
+  StopSignal stop;
 };
 
 struct BranchPoint {
@@ -60,7 +60,7 @@ enum class BranchEnd {
   kClosed,        // came back to where it started
   kStepLimit,     // max_points reached
   kNotConverged,  // no step, however small, converges
-  kInterrupted
+  kStopped        // from outside
 };
 
 struct Fold {

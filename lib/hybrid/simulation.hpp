@@ -1,12 +1,12 @@
 // A run: the motion from its initial state until its end, its budget or its rest on a stop.
 #pragma once
 
-#include <atomic>
 #include <functional>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "graze/base/stop_signal.hpp"
 #include "graze/system/system.hpp"
 
 namespace graze {
@@ -41,8 +41,7 @@ struct SimulationOptions {
   std::optional<double> duration;
   long long periods = 100;
   long long max_impacts = 10'000'000;
-  double max_seconds = 3600.0;                     // wall clock, s
-  const std::atomic<bool>* interrupted = nullptr;  // polled once per arc
+  StopSignal stop;
 };
 
 enum class RunOutcome { kReachedEnd, kEventBudget, kTimeBudget, kNotFinite, kInterrupted };

@@ -78,7 +78,8 @@ class Finder {
 
   void from_simulation() {
     SettleOptions settle_options;
-    settle_options.interrupted = options_.interrupted;
+    settle_options.max_impacts = options_.max_impacts;
+    settle_options.stop = options_.stop;
     const SettledMotion settled = settle(system_, start_, settle_options);
     if (!settled.pattern) {
       found_.notes.push_back(settled.verdict);
@@ -106,7 +107,7 @@ class Finder {
     for (std::size_t i = 0; i < system_.stops.size(); ++i) {
       const ShootingProblem problem({options_.period, {static_cast<int>(i)}}, scale_);
       for (int guess = 0; guess < options_.random_guesses; ++guess) {
-        if (options_.interrupted && options_.interrupted->load()) return;
+        if (options_.stop.requested()) return;
         const double theta = kTurn * uniform();
         const double speed = 2.0 * uniform() * scale_.length * system_.forcing->frequency;
         keep(problem,

@@ -1,12 +1,12 @@
 // Finding the periodic orbits of a scene's system from several independent starts.
 #pragma once
 
-#include <atomic>
 #include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "graze/base/stop_signal.hpp"
 #include "graze/orbit/orbit.hpp"
 
 namespace graze {
@@ -20,7 +20,8 @@ struct FinderOptions {
   bool keep_virtual = false;  // list inadmissible solutions too
   int random_guesses = 32;
   std::uint64_t random_seed = 1;
-  const std::atomic<bool>* interrupted = nullptr;
+  long long max_impacts = 10'000'000;  // of the simulation
+  StopSignal stop;
 };
 
 struct StartCount {

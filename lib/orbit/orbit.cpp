@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numbers>
 
 #include "graze/flow/gap_curve.hpp"
@@ -115,9 +114,7 @@ Admissibility admissibility(const System& system, const ImpactPattern& pattern,
                             const std::vector<ImpactPoint>& points) {
   const ExactFlow<double> flow(system);
   Arc<double> arc(flow);
-  // A speed within the rounding of the velocities it is summed from is not known to be positive.
-  const double still = 16.0 * std::numeric_limits<double>::epsilon() *
-                       shooting_scale(system).length * system.forcing->frequency;
+  const double still = still_speed(system);
   Admissibility result{true, {}, stop_of(system, pattern, 0).row.dot(points[0].before.qdot)};
   for (std::size_t i = 0; i < points.size(); ++i) {
     const RigidStop& stop = stop_of(system, pattern, i);

@@ -68,13 +68,16 @@ SettledMotion unsettled(std::string verdict) {
 SettledMotion settle(const System& system, const State& start, const SettleOptions& options) {
   // An impact this much more frequent than the forcing is chatter, not a pattern to look for.
   constexpr std::size_t kMostImpactsPerPeriod = 4096;
+  const double still = still_speed(system);
   Motion<double> motion(system, {}, start.q, start.qdot);
   std::deque<Met> met;
   std::size_t in_period = 0;
   long long impacts = 0;
   while (motion.instant().period < options.periods) {
-    if (options.interrupted && options.interrupted->load(std::memory_order_relaxed))
-      return unsettled("interrupted before the motion settled");
+    if (options.stop.requested()) return unsettled("stopped before the motion settled");
+    if (impacts >= options.max_impacts)
+      return unsettled(fmt::format("the budget of {} impacts was spent before the motion settled",
+                                   options.max_impacts));
     const Arrival<double> arrival = motion.fly(motion.flow().period());
     const Instant<double>& now = motion.instant();
     if (arrival.kind == ArrivalKind::kRest)
@@ -82,6 +85,11 @@ SettledMotion settle(const System& system, const State& start, const SettleOptio
           fmt::format("from the scene's initial state the motion comes to rest on "
                       "stop {} in forcing period {}; motions that stick are not "
                       "available in this version",
+                      arrival.stop + 1, now.period + 1));
+    if (arrival.kind == ArrivalKind::kContact && arrival.speed <= still)
+      return unsettled(
+          fmt::format("from the scene's initial state the impacts on stop {} die out "
+                      "in forcing period {}",
                       arrival.stop + 1, now.period + 1));
     if (arrival.kind == ArrivalKind::kContact) {
       met.push_back({now.period,

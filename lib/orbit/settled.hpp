@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "graze/base/stop_signal.hpp"
 #include "graze/hybrid/simulation.hpp"
 #include "graze/orbit/shooting.hpp"
 
@@ -21,7 +22,8 @@ struct SettledMotion {
 struct SettleOptions {
   long long periods = 3000;  // simulated at most
   int longest_period = 32;   // longest orbit looked for, in forcing periods
-  const std::atomic<bool>* interrupted = nullptr;
+  long long max_impacts = 10'000'000;
+  StopSignal stop;
 };
 
 // Simulates from `start` until the impacts repeat. They count as repeating when phases (rad) and

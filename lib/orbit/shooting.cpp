@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 #include "graze/flow/transition.hpp"
@@ -22,7 +23,7 @@ State after_impact_tangent(const RigidStop& stop, const RigidStop& rate, const S
 
 ShootingScale shooting_scale(const System& system) {
   const double frequency = system.forcing->frequency;
-  ShootingScale scale{0.0, 0.0, 0.0};
+  ShootingScale scale{0.0, 0.0, {}};
   for (const RigidStop& stop : system.stops) {
     double reach = std::abs(stop.gap);
     for (Eigen::Index j = 0; j < system.omega.size(); ++j)
@@ -34,9 +35,15 @@ ShootingScale shooting_scale(const System& system) {
       scale.displacement = reach / stop.row.norm();
     }
   }
-  if (!(scale.length > 0.0)) scale = {1.0, 1.0, 0.0};
-  scale.velocity = scale.displacement * frequency;
+  if (!(scale.length > 0.0)) scale.length = scale.displacement = 1.0;
+  scale.velocity = scale.displacement * system.omega.cwiseMax(frequency);
   return scale;
+}
+
+double still_speed(const System& system) {
+  // Some sixteen roundings of forced displacement and forcing frequency.
+  return 16.0 * std::numeric_limits<double>::epsilon() * shooting_scale(system).length *
+         system.forcing->frequency;
 }
 
 State after_impact(const RigidStop& stop, const State& before) {
@@ -55,7 +62,7 @@ Vector ShootingProblem::pack(const std::vector<ImpactPoint>& impacts) const {
   for (const ImpactPoint& impact : impacts) {
     x[at] = impact.theta;
     x.segment(at + 1, n) = impact.before.q / scale_.displacement;
-    x.segment(at + 1 + n, n) = impact.before.qdot / scale_.velocity;
+    x.segment(at + 1 + n, n) = impact.before.qdot.cwiseQuotient(scale_.velocity);
     at += 2 * n + 1;
   }
   return x;
@@ -65,9 +72,9 @@ std::vector<ImpactPoint> ShootingProblem::unpack(const System& system, const Vec
   const Eigen::Index n = system.modes();
   std::vector<ImpactPoint> impacts;
   for (Eigen::Index at = 0; at < x.size(); at += 2 * n + 1)
-    impacts.push_back(
-        {x[at],
-         {x.segment(at + 1, n) * scale_.displacement, x.segment(at + 1 + n, n) * scale_.velocity}});
+    impacts.push_back({x[at],
+                       {x.segment(at + 1, n) * scale_.displacement,
+                        x.segment(at + 1 + n, n).cwiseProduct(scale_.velocity)}});
   return impacts;
 }
 
@@ -79,7 +86,7 @@ Vector ShootingProblem::residual(const System& system, const Vector& x, Matrix* 
   const ExactFlow<double> flow(system);
   const std::vector<ImpactPoint> impacts = unpack(system, x);
   Vector unit(2 * n);  // of a scaled state
-  unit << Vector::Constant(n, scale_.displacement), Vector::Constant(n, scale_.velocity);
+  unit << Vector::Constant(n, scale_.displacement), scale_.velocity;
   const auto scaled = [&](const State& state) {
     Vector y(2 * n);
     y << state.q, state.qdot;
@@ -111,8 +118,8 @@ Vector ShootingProblem::residual(const System& system, const Vector& x, Matrix* 
       jacobian->block(at + 1, at, 2 * n, 1) += scaled(arc.phase_rate) - end_by_phase;
       jacobian->block(at + 1, to, 2 * n, 1) += end_by_phase;
       Matrix jump = unit.asDiagonal();
-      jump.bottomRightCorner(n, n) -=
-          (1.0 + stop.restitution) * scale_.velocity * stop.direction * stop.row.transpose();
+      jump.bottomRightCorner(n, n) -= (1.0 + stop.restitution) * stop.direction *
+                                      stop.row.cwiseProduct(scale_.velocity).transpose();
       jacobian->block(at + 1, at + 1, 2 * n, 2 * n) +=
           unit.cwiseInverse().asDiagonal() * arc.flow.times(jump);
       jacobian->block(at + 1, to + 1, 2 * n, 2 * n) -= Matrix::Identity(2 * n, 2 * n);

@@ -35,11 +35,17 @@ struct ImpactPoint {
 struct ShootingScale {
   double length = 1.0;        // m
   double displacement = 1.0;  // kg^1/2 m
-  double velocity = 1.0;      // kg^1/2 m/s
+  Vector velocity;            // kg^1/2 m/s, N: displacement times the faster of mode and forcing
 };
 
-// The scale of a system: the larger of its gaps and its forced motion.
+// The scale of a system: the larger of its gaps and its forced motion. Each mode's velocity has its
+// own unit, in which the free flow only turns and shrinks: otherwise the rounding of the fast modes
+// would drown the residual.
 ShootingScale shooting_scale(const System& system);
+
+// An impact speed below this, m/s, is within the rounding of the forced velocities that it is left
+// over from; it is not known to differ from zero.
+double still_speed(const System& system);
 
 class ShootingProblem {
  public:

@@ -20,8 +20,11 @@ Outcome simulation_outcome(const Simulation& run) {
   return {};
 }
 
-Outcome orbit_outcome(const FoundOrbits& found, const FinderOptions& options, bool interrupted) {
-  if (interrupted) return {"interrupted", "stopped before all starts were tried"};
+Outcome orbit_outcome(const FoundOrbits& found, const FinderOptions& options, StopReason stopped) {
+  if (stopped == StopReason::kInterrupted)
+    return {"interrupted", "stopped before all starts were tried"};
+  if (stopped == StopReason::kOutOfTime)
+    return {"budget", "the budget of computing time was spent before all starts were tried"};
   if (!found.orbits.empty()) return {"found", ""};
   if (found.closed_form.tried + found.simulation.tried + found.random.tried == 0 &&
       found.notes.empty())
@@ -46,7 +49,11 @@ Outcome orbit_outcome(const FoundOrbits& found, const FinderOptions& options, bo
 }
 
 Outcome branch_outcome(const OrbitBranches& traced, const BranchOptions& options) {
-  if (traced.interrupted) return {"interrupted", "stopped; the branches traced so far are kept"};
+  if (traced.stopped == StopReason::kInterrupted)
+    return {"interrupted", "stopped; the branches traced so far are kept"};
+  if (traced.stopped == StopReason::kOutOfTime)
+    return {"budget",
+            "the budget of computing time was spent; the branches traced so far are kept"};
   if (traced.branches.empty() && traced.cut_short == 0)
     return {"no_orbit", fmt::format("no ({}, 1) orbit was found for {} between {:g} and {:g}{}",
                                     options.period, traced.parameter, options.from, options.to,

@@ -56,7 +56,7 @@ struct BranchRecord {
 };
 
 Outcome simulation_outcome(const Simulation& run);
-Outcome orbit_outcome(const FoundOrbits& found, const FinderOptions& options, bool interrupted);
+Outcome orbit_outcome(const FoundOrbits& found, const FinderOptions& options, StopReason stopped);
 Outcome branch_outcome(const OrbitBranches& traced, const BranchOptions& options);
 
 }  // namespace graze

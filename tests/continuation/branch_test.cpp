@@ -209,9 +209,9 @@ TEST(Continuation, StopsAtItsLimitOfPoints) {
 TEST(Continuation, StopsWhenInterrupted) {
   const std::atomic<bool> interrupted{true};
   ContinuationOptions options = range(-2.0, 2.0);
-  options.interrupted = &interrupted;
+  options.stop.interrupted = &interrupted;
   const Branch branch = traced(circle(), options, 1.0, 0.1);
-  EXPECT_EQ(branch.ends[0], BranchEnd::kInterrupted);
+  EXPECT_EQ(branch.ends[0], BranchEnd::kStopped);
   EXPECT_EQ(branch.points.size(), 1u);
 }
 

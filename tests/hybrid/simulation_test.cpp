@@ -61,7 +61,7 @@ TEST(Simulation, SpendsItsBudgetOfImpacts) {
 
 TEST(Simulation, SpendsItsBudgetOfTime) {
   SimulationOptions options = for_periods(1'000'000'000);
-  options.max_seconds = 0.01;
+  options.stop.deadline = std::chrono::steady_clock::now() + std::chrono::milliseconds(10);
   const System system = forced_oscillator(3.0, 0.01, 10.0, 0.8, 2.0, 1.0);
   const Simulation run = simulate(system, support::rest(system), options);
   EXPECT_EQ(run.outcome, RunOutcome::kTimeBudget);
@@ -78,7 +78,7 @@ TEST(Simulation, SaysWhenTheMotionLeavesTheRangeOfTheScalar) {
 TEST(Simulation, StopsWhenInterrupted) {
   std::atomic<bool> interrupted{true};
   SimulationOptions options = for_seconds(100.0);
-  options.interrupted = &interrupted;
+  options.stop.interrupted = &interrupted;
   const System system = oscillator(1.0, 0.0, 0.5, 1.0);
   const Simulation at_once = simulate(system, state_of({0.0}, {1.0}), options);
   EXPECT_EQ(at_once.outcome, RunOutcome::kInterrupted);

@@ -70,7 +70,7 @@ void expect_monodromy(const System& system, int period, const ImpactPoint& point
 
   const ShootingScale scale = shooting_scale(system);
   Vector unit(2 * n);
-  unit << Vector::Constant(n, scale.displacement), Vector::Constant(n, scale.velocity);
+  unit << Vector::Constant(n, scale.displacement), scale.velocity;
   const Vector y = stacked(back.end);
   int impacts = 0;
   const Vector end = simulated(system, y, point.theta - lead, kTurn * period, &impacts);

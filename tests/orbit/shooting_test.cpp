@@ -25,7 +25,7 @@ std::vector<ImpactPoint> arbitrary_points(const System& system, const ImpactPatt
   for (int i = 0; i < pattern.impacts(); ++i)
     points.push_back({0.7 + 2.0 * std::numbers::pi * pattern.period * i / pattern.impacts(),
                       {scale.displacement * dice.vector(n, -1.0, 1.0),
-                       scale.velocity * dice.vector(n, -1.0, 1.0)}});
+                       scale.velocity.cwiseProduct(dice.vector(n, -1.0, 1.0))}});
   return points;
 }
 

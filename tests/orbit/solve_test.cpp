@@ -81,8 +81,10 @@ TEST(Solve, SeekSucceedsBesideAFoldWhereNewtonFails) {
       EXPECT_FALSE(newton(problem, system, problem.pack({guess}))) << guess.theta;
       const auto solution = seek(problem, system, problem.pack({guess}));
       ASSERT_TRUE(solution) << guess.theta;
-      // The smallest singular value of the equations is 2e-7 here: rounding of 1e-15 becomes 5e-9.
-      EXPECT_LE(distance_to_closed_form(system, problem.unpack(system, solution->x).front()), 1e-8);
+      // The smallest singular value of the equations is 2e-7 here: some roundings of 2e-15, of the
+      // solution and of the closed form, become some 1e-8. What solve.hpp promises is 1e-7.
+      EXPECT_LE(distance_to_closed_form(system, problem.unpack(system, solution->x).front()),
+                kShootingAccuracy);
     }
   }
 }
