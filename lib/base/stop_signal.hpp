@@ -14,7 +14,9 @@ struct StopSignal {
   const std::atomic<bool>* interrupted = nullptr;                 // set from outside
   std::optional<std::chrono::steady_clock::time_point> deadline;  // wall clock
 
-  bool is_interrupted() const { return interrupted && interrupted->load(std::memory_order_relaxed); }
+  bool is_interrupted() const {
+    return interrupted && interrupted->load(std::memory_order_relaxed);
+  }
   // Reads the clock: some 30 ns.
   bool is_late() const { return deadline && std::chrono::steady_clock::now() >= *deadline; }
   StopReason reason() const {

@@ -3,88 +3,39 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
+#include <map>
 #include <numbers>
 
+#include "graze/bifurcation/closed_form_survey.hpp"
 #include "graze/bifurcation/orbit_component.hpp"
-#include "graze/orbit/closed_form.hpp"
 #include "graze/orbit/solve.hpp"
 
 namespace graze {
 namespace {
 
-// Where, across the range, the closed form has solutions: the middle of every run of samples with
-// |kappa| > |gap| that holds none of `known`. Sampling is cheap beside tracing, so it is fine
-// enough to see components that fit between the start values.
-std::vector<double> unseen_intervals(const SystemFamily& family, int period, double lowest,
-                                     double highest, const std::vector<double>& known) {
-  constexpr int kSamples = 2048;
-  std::vector<double> middles;
-  double begin = 0.0, end = 0.0;
-  bool inside = false;
-  const auto finish = [&] {
-    const bool seen = std::any_of(known.begin(), known.end(),
-                                  [&](double value) { return value >= begin && value <= end; });
-    if (inside && !seen) middles.push_back(0.5 * (begin + end));
-    inside = false;
-  };
-  for (int i = 0; i <= kSamples; ++i) {
-    const double value = lowest + (highest - lowest) * i / kSamples;
-    const std::optional<System> system = family.at(value);
-    const ClosedFormAnswer answer = system ? closed_form(*system, 0, period) : ClosedFormAnswer{};
-    if (!answer.form || std::abs(answer.form->kappa) <= std::abs(system->stops[0].gap)) {
-      finish();
-      continue;
-    }
-    if (!inside) begin = value;
-    end = value;
-    inside = true;
-  }
-  finish();
-  return middles;
-}
-
 class OrbitTracer {
  public:
   OrbitTracer(const SystemFamily& family, const BranchOptions& options)
-      : family_(family), options_(options) {
-    const double lowest = std::min(options.from, options.to);
-    const double highest = std::max(options.from, options.to);
+      : family_(family),
+        options_(options),
+        lowest_(std::min(options.from, options.to)),
+        highest_(std::max(options.from, options.to)),
+        // One scale for all values: the metric of the branch must not change on the way.
+        shooting_({options.period, {0}}, shooting_scale(*family.at(family.value()))),
+        components_(family, shooting_, continuation_) {
     result_.parameter = family.parameter();
-    if (family.value() >= lowest && family.value() <= highest) values_.push_back(family.value());
-    for (int i = 0; i < options.start_values; ++i)
-      values_.push_back(lowest + (highest - lowest) * i / std::max(options.start_values - 1, 1));
-    if (options.start_values > 0 && options.finder.from_closed_form) {
-      const auto unseen = unseen_intervals(family, options.period, lowest, highest, values_);
-      values_.insert(values_.end(), unseen.begin(), unseen.end());
-    }
     continuation_.from = options.from;
     continuation_.to = options.to;
     continuation_.max_step = options.max_step;
     continuation_.stop = options.stop;
+    if (!options.keep_virtual)
+      continuation_.proceed = [this](const BranchPoint& point) { return is_orbit(point); };
   }
 
   OrbitBranches trace() {
-    // One scale for all values: the metric of the branch must not change on the way.
-    std::optional<System> reference = family_.at(family_.value());
-    const ShootingProblem shooting({options_.period, {0}}, shooting_scale(*reference));
-    const OrbitComponents components(family_, shooting, continuation_);
-    std::vector<Branch> traced;
-    for (std::size_t i = 0; i < values_.size() && !options_.stop.requested(); ++i) {
-      if (options_.progress)
-        options_.progress(static_cast<double>(i) / static_cast<double>(values_.size()));
-      for (const Vector& x : starts_at(values_[i], shooting, i == 0)) {
-        ++result_.starts;
-        const auto start = solve_at(components.problem(), continuation_, x, values_[i]);
-        if (!start) continue;
-        const bool known = std::any_of(traced.begin(), traced.end(), [&](const Branch& branch) {
-          return lies_on(components.problem(), continuation_, branch, *start);
-        });
-        if (known) continue;
-        traced.push_back(trace_branch(components.problem(), continuation_, *start));
-        add_component(components, traced.back(), static_cast<int>(traced.size()));
-      }
-    }
+    trace_from_values();
+    if (options_.start_values > 0 && options_.finder.from_closed_form) trace_from_survey();
+    name_components();
     number_special_points();
     // What the simulation does is worth a line only where it explains that there is nothing else.
     if (!result_.branches.empty()) result_.notes.clear();
@@ -93,8 +44,48 @@ class OrbitTracer {
   }
 
  private:
+  // The scene's own value, and values spread over the range.
+  void trace_from_values() {
+    std::vector<double> values;
+    if (family_.value() >= lowest_ && family_.value() <= highest_)
+      values.push_back(family_.value());
+    for (int i = 0; i < options_.start_values; ++i)
+      values.push_back(lowest_ + (highest_ - lowest_) * i / std::max(options_.start_values - 1, 1));
+    for (std::size_t i = 0; i < values.size() && !options_.stop.requested(); ++i) {
+      if (options_.progress)
+        options_.progress(static_cast<double>(i) / static_cast<double>(values.size() + 1));
+      for (const Vector& x : starts_at(values[i], i == 0)) trace_from(values[i], x);
+    }
+  }
+
+  void trace_from_survey() {
+    survey_.emplace(family_, options_.period, lowest_, highest_, !options_.keep_virtual);
+    result_.surveyed_values = survey_->samples();
+    for (const ClosedFormSurvey::Start& start : survey_->starts()) {
+      if (options_.stop.requested()) return;
+      trace_from(start.value, shooting_.pack({start.point}));
+    }
+  }
+
+  // Traces the branch through the solution near x, unless it is known already or is none.
+  void trace_from(double value, const Vector& x) {
+    ++result_.starts;
+    const auto start = solve_at(components_.problem(), continuation_, x, value);
+    if (!start || (!options_.keep_virtual && !is_orbit(*start))) return;
+    for (const Branch& branch : traced_)
+      if (lies_on(components_.problem(), continuation_, branch, *start)) return;
+    traced_.push_back(trace_branch(components_.problem(), continuation_, *start));
+    add_parts(traced_.back());
+  }
+
+  bool is_orbit(const BranchPoint& point) const {
+    const std::optional<System> system = family_.at(point.parameter);
+    return admissibility(*system, shooting_.pattern(), shooting_.unpack(*system, point.u))
+        .admissible;
+  }
+
   // Solutions at one value; the simulation and the random guesses join in at the first one only.
-  std::vector<Vector> starts_at(double value, const ShootingProblem& shooting, bool first) {
+  std::vector<Vector> starts_at(double value, bool first) {
     std::vector<Vector> starts;
     const std::optional<System> system = family_.at(value);
     if (!system) return starts;
@@ -116,27 +107,43 @@ class OrbitTracer {
       }
     }
     const FoundOrbits found = find_orbits(*system, rest, finder);
-    for (const Orbit& orbit : found.orbits) starts.push_back(shooting.pack(orbit.points()));
+    for (const Orbit& orbit : found.orbits) starts.push_back(shooting_.pack(orbit.points()));
     if (first) result_.notes = found.notes;
     return starts;
   }
 
-  void add_component(const OrbitComponents& components, const Branch& branch, int component) {
-    ++result_.components;
+  void add_parts(const Branch& branch) {
     const auto is_cut = [](BranchEnd end) {
       return end == BranchEnd::kStepLimit || end == BranchEnd::kNotConverged;
     };
     bool cut = std::any_of(branch.ends.begin(), branch.ends.end(), is_cut);
     result_.shooting_evaluations += branch.evaluations;
     result_.rejected_steps += branch.rejected;
-    for (OrbitBranch& part : components.parts(branch, options_.keep_virtual)) {
+    for (OrbitBranch& part : components_.parts(branch, options_.keep_virtual)) {
       cut = cut || part.ends[0] == OrbitBranchEnd::kNotConverged ||
             part.ends[1] == OrbitBranchEnd::kNotConverged;
-      part.component = component;
+      part.component = static_cast<int>(traced_.size());
       part.id = static_cast<int>(result_.branches.size()) + 1;
       result_.branches.push_back(std::move(part));
     }
+    ++result_.traced;
     if (cut) ++result_.cut_short;
+  }
+
+  // Branches that were traced apart may be parts of one component, connected where the solutions
+  // are no orbits; the closed form knows. Numbers follow the order of appearance.
+  void name_components() {
+    std::map<int, int> numbers;
+    for (OrbitBranch& branch : result_.branches) {
+      const OrbitBranchPoint& middle = branch.points[branch.points.size() / 2];
+      const std::optional<int> name =
+          survey_ && !options_.keep_virtual
+              ? survey_->component(middle.value, middle.orbit.impacts.front().phase)
+              : std::nullopt;
+      const int key = name ? *name : -branch.component;
+      branch.component =
+          numbers.try_emplace(key, static_cast<int>(numbers.size()) + 1).first->second;
+    }
   }
 
   void number_special_points() {
@@ -149,8 +156,12 @@ class OrbitTracer {
 
   const SystemFamily& family_;
   const BranchOptions& options_;
+  double lowest_, highest_;
+  ShootingProblem shooting_;
   ContinuationOptions continuation_;
-  std::vector<double> values_;
+  OrbitComponents components_;
+  std::optional<ClosedFormSurvey> survey_;
+  std::vector<Branch> traced_;
   OrbitBranches result_;
 };
 

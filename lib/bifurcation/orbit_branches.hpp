@@ -45,8 +45,8 @@ struct BranchOptions {
   int period = 1;  // p; k = 1
   double from = 0.0, to = 0.0;
   double max_step = 0.0;  // of the parameter; 0: a fiftieth of the range
-  // Start values across the range, besides the scene's own; with any, also one in every interval in
-  // which only the closed form's finer sampling sees solutions.
+  // Start values across the range, besides the scene's own; with any, also the starts that a survey
+  // of the closed form offers.
   int start_values = 32;
   bool keep_virtual = false;
   FinderOptions finder;  // starts, at the scene's own value
@@ -60,14 +60,15 @@ struct OrbitBranches {
   std::vector<std::string> notes;      // sentences
   long long shooting_evaluations = 0;  // of the shooting equations, all points together
   long long rejected_steps = 0;
-  int starts = 0;      // orbits offered as starts
-  int components = 0;  // traced, virtual ones included
-  int cut_short = 0;   // components that could not be followed to an end
+  int starts = 0;           // solutions offered as starts
+  int surveyed_values = 0;  // at which the closed form was sampled for further starts
+  int traced = 0;           // traces begun, one for each start that no earlier one had passed
+  int cut_short = 0;        // traces that could not be followed to an end
   StopReason stopped = StopReason::kNone;
 };
 
-// Traces every branch of (p, 1) orbits that the starts lead to. Without `keep_virtual` a branch is
-// the part of a component on which the solutions are orbits of the system.
+// Traces every branch of (p, 1) orbits that the starts lead to. Without `keep_virtual` a branch
+// ends at the grazing where its solutions stop being orbits of the system.
 OrbitBranches trace_orbits(const SystemFamily& family, const BranchOptions& options);
 
 // The shooting equations over the family's parameter, as continuation takes them.

@@ -16,6 +16,7 @@ OrbitBranchEnd as_orbit_end(BranchEnd end) {
     case BranchEnd::kStepLimit:
     case BranchEnd::kStopped:
       return OrbitBranchEnd::kStepLimit;
+    case BranchEnd::kHalted:
     case BranchEnd::kNotConverged:
       break;
   }

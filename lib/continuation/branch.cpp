@@ -15,12 +15,19 @@ constexpr double kGrowth = 1.5;
 constexpr double kAimedTurn = 0.5;
 // Solutions nearer than this are one: next to a fold they are known to about sqrt(eps).
 constexpr double kOnePoint = 1e-7;
+// A step, relative to 1 + |x|, over which the orientation may change.
+constexpr double kShortest = 1e-6;
 // A branch closes only after it has been this far from its start, well beyond kOnePoint.
 constexpr double kAway = 1e-5;
 // Newton's contraction asked of a step, and of the first step on the way back from its end. Where
 // the step crossed to a parallel branch, the way back contracts by 1/2 at best: its prediction lies
 // beyond the branch it is on, and Newton's step leads to that one.
 constexpr double kContraction = 0.25;
+
+void turn_round(BranchPoint& point) {
+  point.tangent *= -1.0;
+  point.orientation *= -1;
+}
 
 double angle(const Vector& a, const Vector& b) {
   return std::acos(std::clamp(a.dot(b) / (a.norm() * b.norm()), -1.0, 1.0));
@@ -60,7 +67,7 @@ class Tracer {
   Branch follow(const BranchPoint& start, double sign) {
     Branch branch;
     branch.points.push_back(start);
-    branch.points.back().tangent *= sign;
+    if (sign < 0.0) turn_round(branch.points.back());
     left_start_ = false;
     double h = 0.1 * longest_step(branch.points.back());
     while (true) {
@@ -80,6 +87,8 @@ class Tracer {
           return ended(std::move(branch), BranchEnd::kNotConverged);
       }
       if (advance(branch, *next)) return branch;
+      if (options_.proceed && !options_.proceed(branch.points.back()))
+        return ended(std::move(branch), BranchEnd::kHalted);
       h *= std::clamp(kAimedTurn * options_.max_turn / std::max(turn, 1e-12), 0.5, kGrowth);
     }
   }
@@ -124,7 +133,7 @@ class Tracer {
     std::optional<BranchPoint> point = corrector_.at_parameter(x);
     if (!point) return {};
     point->parameter = limit;
-    if (point->tangent.dot(near.tangent) < 0.0) point->tangent *= -1.0;
+    if (point->tangent.dot(near.tangent) < 0.0) turn_round(*point);
     return point;
   }
 
@@ -165,6 +174,10 @@ class Tracer {
     *turn = angle(next->tangent, here.tangent);
     if (*turn > options_.max_turn) return {};
     if (!leads_back(x, *next, chord)) return {};
+    // Two sheets of one fold run opposite ways. At a branch point the orientation does change; a
+    // step as short as this has nowhere to jump to.
+    if (next->orientation != here.orientation && chord.norm() > kShortest * (1.0 + x.norm()))
+      return {};
     const Eigen::Index last = x.size() - 1;
     if (hides_folds(here.tangent[last], next->tangent[last], chord[last], chord.norm())) return {};
     return next;
@@ -222,11 +235,11 @@ class Tracer {
     branch.evaluations = corrector_.evaluations();
     for (auto p = backward.points.rbegin(); p != backward.points.rend(); ++p) {
       branch.points.push_back(*p);
-      branch.points.back().tangent *= -1.0;
+      turn_round(branch.points.back());
     }
     for (auto f = backward.folds.rbegin(); f != backward.folds.rend(); ++f) {
       branch.folds.push_back({f->point, backward.points.size() - 2 - f->after});
-      branch.folds.back().point.tangent *= -1.0;
+      turn_round(branch.folds.back().point);
     }
     for (const Fold& f : forward.folds)
       branch.folds.push_back({f.point, f.after + backward.points.size() - 1});

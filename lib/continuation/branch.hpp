@@ -32,6 +32,15 @@ struct ZeroProblem {
   Vector wrap;
 };
 
+struct BranchPoint {
+  Vector u;
+  double parameter = 0.0;
+  Vector tangent;         // unit, in (u, parameter/range), n + 1
+  double residual = 0.0;  // largest entry of F, recomputed at the point
+  // Sign of det [dF/dx; tangent]: constant along a branch, folds included, but for branch points.
+  int orientation = 0;
+};
+
 // A branch is given up after this many points in one direction.
 inline constexpr int kMostBranchPoints = 20000;
 
@@ -46,13 +55,8 @@ struct ContinuationOptions {
   double residual_tolerance = 1e-11;   // largest entry of F at an accepted point
   int max_points = kMostBranchPoints;  // in each direction
   StopSignal stop;
-};
-
-struct BranchPoint {
-  Vector u;
-  double parameter = 0.0;
-  Vector tangent;         // unit, in (u, parameter/range), n + 1
-  double residual = 0.0;  // largest entry of F, recomputed at the point
+  // Asked of every new point; false ends the branch there. Empty: go on.
+  std::function<bool(const BranchPoint&)> proceed;
 };
 
 enum class BranchEnd {
@@ -60,6 +64,7 @@ enum class BranchEnd {
   kClosed,        // came back to where it started
   kStepLimit,     // max_points reached
   kNotConverged,  // no step, however small, converges
+  kHalted,        // `proceed` said no
   kStopped        // from outside
 };
 

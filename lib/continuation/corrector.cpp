@@ -12,6 +12,12 @@ constexpr int kMostIterations = 8;
 // A step this small leaves an error of its square, below rounding.
 constexpr double kSettled = 1e-8;
 
+Matrix bordered(const Matrix& slope, const Vector& normal) {
+  Matrix matrix(slope.rows() + 1, slope.cols());
+  matrix << slope, normal.transpose();
+  return matrix;
+}
+
 }  // namespace
 
 Corrector::Corrector(const ZeroProblem& problem, const ContinuationOptions& options)
@@ -25,9 +31,10 @@ Vector Corrector::pack(const BranchPoint& point) const {
   return x;
 }
 
-BranchPoint Corrector::unpack(const Vector& x, const Vector& tangent, double residual) const {
+BranchPoint Corrector::unpack(const Vector& x, const Vector& tangent, double residual,
+                              int sign) const {
   const Eigen::Index n = x.size() - 1;
-  return {x.head(n), x[n] * range_, tangent, residual};
+  return {x.head(n), x[n] * range_, tangent, residual, sign};
 }
 
 std::optional<Corrector::Linearised> Corrector::linearise(const Vector& x) {
@@ -48,14 +55,13 @@ std::optional<BranchPoint> Corrector::solve(Vector x, const Vector& normal, doub
   for (int i = 0; i < kMostIterations; ++i) {
     const std::optional<Linearised> at = linearise(x);
     if (!at) return {};
-    Matrix bordered(n + 1, n + 1);
-    bordered << at->slope, normal.transpose();
-    const Eigen::PartialPivLU<Matrix> lu(bordered);
+    const Eigen::PartialPivLU<Matrix> lu(bordered(at->slope, normal));
     const double residual = at->residual.cwiseAbs().maxCoeff();
     if (residual <= options_.residual_tolerance && last <= kSettled) {
       const Vector tangent = lu.solve(Vector::Unit(n + 1, n)).normalized();
       if (!tangent.allFinite()) return {};
-      return unpack(x, tangent, residual);
+      // The tangent leans to the side of the normal, so its determinant has the normal's sign.
+      return unpack(x, tangent, residual, lu.determinant() < 0.0 ? -1 : 1);
     }
     Vector target = Vector::Zero(n + 1);
     target.head(n) = -at->residual;
@@ -77,11 +83,9 @@ std::optional<Vector> Corrector::newton_step(const Vector& guess, const Vector& 
   const Eigen::Index n = guess.size() - 1;
   const std::optional<Linearised> at = linearise(guess);
   if (!at) return {};
-  Matrix bordered(n + 1, n + 1);
-  bordered << at->slope, normal.transpose();
   Vector target = Vector::Zero(n + 1);
   target.head(n) = -at->residual;
-  const Vector step = bordered.partialPivLu().solve(target);
+  const Vector step = bordered(at->slope, normal).partialPivLu().solve(target);
   if (!step.allFinite()) return {};
   return guess + step;
 }
@@ -96,6 +100,8 @@ std::optional<BranchPoint> Corrector::at_parameter(const Vector& guess) {
   if (!at) return {};
   point->tangent = null_vector(at->slope);
   if (point->tangent[n] < 0.0) point->tangent *= -1.0;
+  point->orientation =
+      bordered(at->slope, point->tangent).partialPivLu().determinant() < 0.0 ? -1 : 1;
   return point;
 }
 

@@ -39,7 +39,8 @@ class Corrector {
   static constexpr double kConvergent = 0.8;
 
   std::optional<BranchPoint> solve(Vector x, const Vector& normal, double contraction);
-  BranchPoint unpack(const Vector& x, const Vector& tangent, double residual) const;
+  // `sign` of det [slope; tangent]
+  BranchPoint unpack(const Vector& x, const Vector& tangent, double residual, int sign) const;
 
   const ZeroProblem& problem_;
   const ContinuationOptions& options_;

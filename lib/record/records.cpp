@@ -63,9 +63,9 @@ Outcome branch_outcome(const OrbitBranches& traced, const BranchOptions& options
                                         : "")};
   if (traced.cut_short > 0)
     return {"budget",
-            fmt::format("{} of {} connected set{} of solutions could not be followed to "
-                        "its end, so branches may be missing or cut short",
-                        traced.cut_short, traced.components, traced.components == 1 ? "" : "s")};
+            fmt::format("{} of {} traces could not be followed to an end, so branches may be "
+                        "missing or cut short",
+                        traced.cut_short, traced.traced)};
   return {"complete", ""};
 }
 

@@ -205,8 +205,9 @@ std::string to_json(const BranchRecord& record) {
   document["branches"] = branches;
   document["loci"] = Json::array();
   document["counters"] = {{"starts", record.traced.starts},
-                          {"components", record.traced.components},
-                          {"components_cut_short", record.traced.cut_short},
+                          {"surveyed_values", record.traced.surveyed_values},
+                          {"traces", record.traced.traced},
+                          {"traces_cut_short", record.traced.cut_short},
                           {"shooting_evaluations", record.traced.shooting_evaluations},
                           {"rejected_steps", record.traced.rejected_steps}};
   document["notes"] = record.traced.notes;
