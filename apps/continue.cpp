@@ -1,7 +1,9 @@
 // graze continue: branches of orbits over a parameter.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "graze/report/csv.hpp"
 #include "graze/report/json.hpp"
@@ -18,6 +20,14 @@ namespace {
 BranchOptions branch_options(const Command& command) {
   if (!std::isfinite(command.from) || !std::isfinite(command.to) || command.from == command.to)
     throw InputError("--from, --to: the range must be finite and not empty");
+  // A step has to be told apart from none in the parameter's last digits.
+  const double coarsest = 1e3 * std::numeric_limits<double>::epsilon() * 50.0 *
+                          std::max(std::abs(command.from), std::abs(command.to));
+  if (std::abs(command.to - command.from) < coarsest)
+    throw InputError(
+        fmt::format("--from, --to: the range must be wider than {:.3g} for its steps to "
+                    "be told apart in double precision",
+                    coarsest));
   const double finest = std::abs(command.to - command.from) / kMostBranchPoints;
   if (command.max_step && *command.max_step < finest)
     throw InputError(

@@ -2,6 +2,7 @@
 #include <cmath>
 #include <deque>
 
+#include "graze/base/angle.hpp"
 #include "graze/report/csv.hpp"
 #include "graze/report/json.hpp"
 #include "graze/report/pictures.hpp"
@@ -18,7 +19,6 @@ constexpr double kPictureSamplesPerPeriod = 400.0;
 constexpr std::size_t kPictureSamples = 12 * 400;
 
 double natural_period(const System& system) {
-  constexpr double kTurn = 6.283185307179586;
   if (system.forcing) return system.period();
   const double slowest = system.omega.minCoeff();
   return slowest > 0.0 ? kTurn / slowest : 1.0;

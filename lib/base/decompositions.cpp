@@ -24,12 +24,12 @@ std::vector<Eigenvalue> eigenvalues(const Matrix& matrix) {
   const Eigen::MatrixXcd left = right.partialPivLu().inverse();
   const double unit =
       std::numeric_limits<double>::epsilon() * static_cast<double>(matrix.rows()) * matrix.norm();
+  const double n = static_cast<double>(matrix.rows());
+  const double elsner = std::pow(matrix.norm() + unit, 1.0 - 1.0 / n) * std::pow(unit, 1.0 / n);
   std::vector<Eigenvalue> list;
   for (Eigen::Index i = 0; i < matrix.rows(); ++i) {
-    const double condition = right.col(i).norm() * left.row(i).norm();
-    list.push_back({solver.eigenvalues()[i], std::isfinite(condition)
-                                                 ? unit * condition
-                                                 : std::numeric_limits<double>::infinity()});
+    const double first_order = unit * right.col(i).norm() * left.row(i).norm();
+    list.push_back({solver.eigenvalues()[i], first_order < elsner ? first_order : elsner});
   }
   std::stable_sort(list.begin(), list.end(), [](const Eigenvalue& a, const Eigenvalue& b) {
     const double ma = std::abs(a.value), mb = std::abs(b.value);

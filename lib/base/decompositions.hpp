@@ -10,8 +10,10 @@ namespace graze {
 // Ratio of the largest to the smallest singular value; infinity for a singular matrix.
 double condition_number(const Matrix& matrix);
 
-// An eigenvalue and a first-order bound on its rounding error: eps n |A| times the eigenvalue's own
-// condition number. Infinite where the matrix is defective.
+// An eigenvalue and a bound on its rounding error, for a perturbation E of size eps n |A|: the
+// smaller of the first-order bound |E| times the eigenvalue's own condition number, and Elsner's
+// (|A| + |E|)^(1 - 1/n) |E|^(1/n), which holds where the matrix is defective and the other is
+// infinite.
 struct Eigenvalue {
   Complex value;
   double error = 0.0;

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numbers>
 
+#include "graze/base/angle.hpp"
 #include "graze/orbit/closed_form.hpp"
 #include "graze/orbit/orbit.hpp"
 
@@ -66,7 +66,7 @@ std::optional<int> ClosedFormSurvey::component(double value, double phase) const
     const std::vector<ImpactPoint> solutions = answer.form->solutions(system->stops[0].gap);
     if (solutions.empty()) return name;
     const auto distance = [&](const ImpactPoint& point) {
-      return std::abs(std::remainder(point.theta - phase, 2.0 * std::numbers::pi));
+      return std::abs(std::remainder(point.theta - phase, kTurn));
     };
     return distance(solutions[0]) <= distance(solutions[1]) ? name : name + 1;
   }

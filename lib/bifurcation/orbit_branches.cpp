@@ -4,10 +4,11 @@
 
 #include <algorithm>
 #include <map>
-#include <numbers>
 
+#include "graze/base/angle.hpp"
 #include "graze/bifurcation/closed_form_survey.hpp"
 #include "graze/bifurcation/orbit_component.hpp"
+#include "graze/orbit/closed_form.hpp"
 #include "graze/orbit/solve.hpp"
 
 namespace graze {
@@ -96,7 +97,10 @@ class OrbitTracer {
     finder.stop = options_.stop;
     if (!first) {
       finder.from_simulation = false;
-      finder.from_random = finder.from_random && !finder.from_closed_form;
+      // Random guesses cost more than all else; elsewhere they stand in where the closed form
+      // cannot.
+      const bool closed = finder.from_closed_form && closed_form(*system, 0, options_.period).form;
+      finder.from_random = finder.from_random && !closed;
     }
     State rest{Vector::Zero(system->modes()), Vector::Zero(system->modes())};
     if (first && finder.from_simulation) {
@@ -184,8 +188,7 @@ ZeroProblem orbit_problem(const SystemFamily& family, const ShootingProblem& sho
   // A whole orbit's phases move together; only the first can wrap on its own, and for k = 1 it is
   // the only one.
   if (shooting.pattern().impacts() == 1)
-    for (Eigen::Index at = 0; at < problem.wrap.size(); at += block)
-      problem.wrap[at] = 2.0 * std::numbers::pi;
+    for (Eigen::Index at = 0; at < problem.wrap.size(); at += block) problem.wrap[at] = kTurn;
   return problem;
 }
 

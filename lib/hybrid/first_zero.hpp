@@ -3,8 +3,8 @@
 // From a point with value g >= 0 and slope g', and |second derivative| <= K from there on, the
 // curve stays positive at least until the first root s of g + g' s - K s^2/2 = 0. Stepping by that
 // s never passes the first zero and converges to it from the left; there is no step size to tune
-// and nothing to miss. Once Newton's method is certain to converge to that same zero (Kantorovich:
-// 2 K |g| <= g'^2) it finishes.
+// and nothing to miss. Once Newton's method is certain to converge to that same zero it
+// finishes: Kantorovich asks 2 K |g| <= g'^2, here 4 K |g| <= g'^2, with steps that shrink sixfold.
 //
 // Near tangency double precision cannot always tell a touch from a miss; then the answer is a
 // touch, which says that the curve comes within its own rounding error of zero.

@@ -4,8 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
+#include "graze/base/angle.hpp"
 #include "graze/contact/impulse.hpp"
 #include "graze/hybrid/clearance.hpp"
 #include "graze/hybrid/motion.hpp"
@@ -131,11 +131,7 @@ class Run {
     event.speed = arrival.speed;
     event.energy_change =
         impact_energy_change(stop.row, stop.direction, motion_.qdot(), stop.restitution);
-    if (system_.forcing) {
-      const double turn = 2.0 * std::numbers::pi;
-      const double phase = std::fmod(motion_.flow().phase(motion_.instant()), turn);
-      event.phase = phase < 0.0 ? phase + turn : phase;
-    }
+    if (system_.forcing) event.phase = wrapped(motion_.flow().phase(motion_.instant()));
     note_gap(motion_.gap(arrival.stop));
     ++result_.totals.impacts;
     (event.energy_change > 0.0 ? result_.totals.energy_added : result_.totals.energy_lost) +=

@@ -3,8 +3,8 @@
 #include <Eigen/LU>
 #include <cmath>
 #include <limits>
-#include <numbers>
 
+#include "graze/base/angle.hpp"
 #include "graze/flow/transition.hpp"
 
 namespace graze {
@@ -12,13 +12,11 @@ namespace graze {
 std::vector<ImpactPoint> ClosedForm::solutions(double gap) const {
   const double size = std::abs(kappa);
   if (!(size >= std::abs(gap)) || size == 0.0) return {};
-  const double turn = 2.0 * std::numbers::pi;
   // acos loses half its digits where gap -> |kappa|; the sine is formed from the product instead.
   const double half = std::atan2(std::sqrt((size - gap) * (size + gap)), gap);
   std::vector<ImpactPoint> points;
   for (const double sign : {-1.0, 1.0}) {
-    double phase = std::fmod(sign * half - std::arg(kappa), turn);
-    if (phase < 0.0) phase += turn;
+    const double phase = wrapped(sign * half - std::arg(kappa));
     const Eigen::Index n = response.size() / 2;
     const Vector y = (response * std::polar(1.0, phase)).real();
     points.push_back({phase, {y.head(n), y.tail(n)}});

@@ -4,9 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <random>
 
+#include "graze/base/angle.hpp"
 #include "graze/flow/exact_flow.hpp"
 #include "graze/orbit/closed_form.hpp"
 #include "graze/orbit/settled.hpp"
@@ -15,16 +15,11 @@
 namespace graze {
 namespace {
 
-constexpr double kTurn = 2.0 * std::numbers::pi;
-
 // Solutions are accurate to about the square root of eps even next to a fold, where they are least
 // well determined; nearer than this two of them cannot be told apart.
 constexpr double kSame = 1e-7;
 
-double phase_distance(double a, double b) {
-  const double d = std::abs(std::fmod(std::abs(a - b), kTurn));
-  return std::min(d, kTurn - d);
-}
+double phase_distance(double a, double b) { return std::abs(std::remainder(a - b, kTurn)); }
 
 // The pattern that an orbit repeats within itself, when it is not minimal.
 std::optional<ImpactPattern> shorter_pattern(const Orbit& orbit) {

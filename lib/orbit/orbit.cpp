@@ -2,16 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
+#include "graze/base/angle.hpp"
 #include "graze/flow/gap_curve.hpp"
 #include "graze/flow/transition.hpp"
 #include "graze/hybrid/clearance.hpp"
 
 namespace graze {
 namespace {
-
-constexpr double kTurn = 2.0 * std::numbers::pi;
 
 // Seconds from impact i to the next one.
 double flight_time(const System& system, const ImpactPattern& pattern,
@@ -24,12 +22,6 @@ double flight_time(const System& system, const ImpactPattern& pattern,
 
 const RigidStop& stop_of(const System& system, const ImpactPattern& pattern, std::size_t i) {
   return system.stops[static_cast<std::size_t>(pattern.stops[i])];
-}
-
-double wrapped(double theta) {
-  const double phase = std::fmod(theta, kTurn);
-  // A phase of -1e-17 plus a turn rounds to the turn itself.
-  return phase < 0.0 ? (phase + kTurn < kTurn ? phase + kTurn : 0.0) : phase;
 }
 
 // Impacts in time order, the one with the smallest phase first and in period 0.

@@ -1,15 +1,14 @@
 #include "graze/orbit/orbit_curve.hpp"
 
 #include <cmath>
-#include <numbers>
 
+#include "graze/base/angle.hpp"
 #include "graze/flow/exact_flow.hpp"
 
 namespace graze {
 
 std::vector<std::vector<CurveSample>> orbit_curve(const System& system, const Orbit& orbit,
                                                   int stop, int per_period) {
-  constexpr double kTurn = 2.0 * std::numbers::pi;
   const ExactFlow<double> flow(system);
   Arc<double> arc(flow);
   const Vector& row = system.stops[static_cast<std::size_t>(stop)].row;

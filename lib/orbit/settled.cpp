@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <cmath>
 #include <deque>
-#include <numbers>
 
+#include "graze/base/angle.hpp"
 #include "graze/hybrid/motion.hpp"
 
 namespace graze {
@@ -48,7 +48,7 @@ SettledMotion settled_on(const std::deque<Met>& met, long long now, int p) {
     if (m.period < now - p || m.period >= now) continue;
     pattern.stops.push_back(m.stop);
     result.points.push_back(
-        {m.phase + 2.0 * std::numbers::pi * static_cast<double>(m.period - (now - p)), m.before});
+        {m.phase + kTurn * static_cast<double>(m.period - (now - p)), m.before});
   }
   result.verdict =
       fmt::format("from the scene's initial state {} impacts repeat every {} forcing periods",

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
 
+#include "graze/base/angle.hpp"
 #include "graze/flow/transition.hpp"
 
 namespace graze {
@@ -102,7 +102,7 @@ Vector ShootingProblem::residual(const System& system, const Vector& x, Matrix* 
     const auto which = static_cast<std::size_t>(pattern_.stops[index]);
     const RigidStop& stop = system.stops[which];
     const ImpactPoint& impact = impacts[index];
-    const double turn = i + 1 == k ? 2.0 * std::numbers::pi * pattern_.period : 0.0;
+    const double turn = i + 1 == k ? kTurn * pattern_.period : 0.0;
     const double s = (impacts[next].theta - impact.theta + turn) / frequency;
     const State after = after_impact(stop, impact.before);
     const Transition arc = transition(system, flow, after, impact.theta, s);

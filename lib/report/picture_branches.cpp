@@ -4,9 +4,9 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <numbers>
 #include <optional>
 
+#include "graze/base/angle.hpp"
 #include "graze/report/picture_style.hpp"
 #include "graze/report/pictures.hpp"
 
@@ -204,7 +204,6 @@ class BranchesPicture {
   }
 
   void set_hertz_axis() {
-    constexpr double kTurn = 2.0 * std::numbers::pi;
     const AxisRange hertz{axes_.x.low / kTurn, axes_.x.high / kTurn};
     script_.command("set border 7");
     script_.command("set x2range " + hertz.text());

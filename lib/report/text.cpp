@@ -4,8 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
+#include "graze/base/angle.hpp"
 #include "graze/report/names.hpp"
 #include "graze/report/table.hpp"
 
@@ -40,8 +40,8 @@ std::string simulated_effects(const Scene& scene) {
                      scene.forcing->kind == ForcingKind::kBase          ? "moving clamp"
                      : scene.forcing->kind == ForcingKind::kDistributed ? "distributed load"
                                                                         : "modal",
-                     scene.forcing->frequency, scene.forcing->frequency / (2.0 * std::numbers::pi),
-                     2.0 * std::numbers::pi / scene.forcing->frequency));
+                     scene.forcing->frequency, scene.forcing->frequency / kTurn,
+                     kTurn / scene.forcing->frequency));
   else
     line("forcing", "none");
   for (const Stop& stop : scene.stops)
@@ -81,8 +81,7 @@ std::string to_text(const CheckRecord& record) {
   for (Eigen::Index j = 0; j < system.omega.size(); ++j)
     modes.add(
         {fmt::format("{}", j + 1), fmt::format("{:.8g}", system.omega[j]),
-         fmt::format("{:.6g}", system.omega[j] / (2.0 * std::numbers::pi)),
-         fmt::format("{:.6g}", system.delta[j]),
+         fmt::format("{:.6g}", system.omega[j] / kTurn), fmt::format("{:.6g}", system.delta[j]),
          system.omega[j] > 0.0 ? fmt::format("{:.4g}", system.delta[j] / system.omega[j]) : "-",
          system.forcing ? fmt::format("{:.6g}", system.forcing->amplitude[j]) : "-"});
   text += modes.text();

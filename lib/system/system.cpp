@@ -4,8 +4,8 @@
 
 #include <cmath>
 #include <limits>
-#include <numbers>
 
+#include "graze/base/angle.hpp"
 #include "graze/base/decompositions.hpp"
 #include "graze/contact/impulse.hpp"
 #include "graze/scene/check.hpp"
@@ -63,7 +63,7 @@ RigidStop stop_tangent(const Stop& stop, const Stop& rate, const RigidStop& asse
 
 }  // namespace
 
-double System::period() const { return 2.0 * std::numbers::pi / forcing->frequency; }
+double System::period() const { return kTurn / forcing->frequency; }
 
 System assemble(const Scene& scene) {
   const ModalModel model = modal_model(scene);

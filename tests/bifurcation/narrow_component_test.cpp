@@ -1,7 +1,7 @@
-// Components narrower than the distance of the start values. The numbers are those of an independent
-// scan of |kappa(Omega)| = gap: the four-mode paper beam under the momentum law at gap 5 mm has 34
-// folds of (1,1) solutions for Omega in [20, 40], the first at 22.231388, and none at all between
-// 30.835599 and 30.854859.
+// Components narrower than the distance of the start values. The numbers are those of an
+// independent scan of |kappa(Omega)| = gap: the four-mode paper beam under the momentum law at gap
+// 5 mm has 34 folds of (1,1) solutions for Omega in [20, 40], the first at 22.231388, and none at
+// all between 30.835599 and 30.854859.
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -1,0 +1,57 @@
+#include "graze/base/decompositions.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+#include "graze/base/angle.hpp"
+
+namespace graze {
+namespace {
+
+TEST(Eigenvalues, DefectiveMatricesHaveAFiniteErrorBound) {
+  Matrix nilpotent(2, 2);
+  nilpotent << 0, 1, 0, 0;
+  for (const Eigenvalue& value : eigenvalues(nilpotent)) {
+    EXPECT_LE(std::abs(value.value), value.error);
+    // Elsner's bound for n = 2 and |A| = 1: sqrt(2 eps), to first order.
+    EXPECT_LT(value.error, 2.0 * std::sqrt(2.0 * std::numeric_limits<double>::epsilon()));
+  }
+}
+
+TEST(Eigenvalues, ComeLargestFirstWithConjugatePairsTogether) {
+  Matrix matrix = Matrix::Zero(4, 4);
+  matrix(0, 0) = 0.1;
+  matrix.block(1, 1, 2, 2) << 0.3, -0.4, 0.4, 0.3;  // 0.3 -+ 0.4 i
+  matrix(3, 3) = -2.0;
+  const std::vector<Eigenvalue> values = eigenvalues(matrix);
+  ASSERT_EQ(values.size(), 4u);
+  EXPECT_NEAR(values[0].value.real(), -2.0, 1e-15);
+  EXPECT_NEAR(std::abs(values[1].value - Complex(0.3, -0.4)), 0.0, 1e-15);
+  EXPECT_NEAR(std::abs(values[2].value - Complex(0.3, 0.4)), 0.0, 1e-15);
+  EXPECT_NEAR(values[3].value.real(), 0.1, 1e-15);
+}
+
+TEST(NullVector, IsMappedToZero) {
+  Matrix matrix(2, 3);
+  matrix << 1, 2, 3, 4, 5, 6;
+  const Vector x = null_vector(matrix);
+  EXPECT_NEAR(x.norm(), 1.0, 1e-15);
+  EXPECT_NEAR((matrix * x).norm(), 0.0, 1e-14);
+}
+
+TEST(ConditionNumber, IsInfiniteForASingularMatrix) {
+  EXPECT_NEAR(condition_number(Eigen::Vector2d(4.0, 0.5).asDiagonal().toDenseMatrix()), 8.0, 1e-14);
+  EXPECT_EQ(condition_number(Matrix::Zero(2, 2)), std::numeric_limits<double>::infinity());
+}
+
+TEST(Angle, WrapsIntoOneTurn) {
+  EXPECT_EQ(wrapped(0.0), 0.0);
+  EXPECT_EQ(wrapped(-1e-17), 0.0);
+  EXPECT_NEAR(wrapped(-1.0), kTurn - 1.0, 1e-15);
+  EXPECT_NEAR(wrapped(3.0 * kTurn + 0.5), 0.5, 1e-14);
+}
+
+}  // namespace
+}  // namespace graze
