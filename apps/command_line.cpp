@@ -94,6 +94,7 @@ void add_orbit_search(CLI::App* app, Command& command) {
       ->delimiter(',')
       ->type_name("NAME");
   app->add_option("--random-seed", command.random_seed, "Seed of the random starts")
+      ->check(at_least("a whole number, 0 or more", 0.0))
       ->capture_default_str()
       ->type_name("N");
 }

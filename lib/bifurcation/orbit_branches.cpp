@@ -36,6 +36,7 @@ class OrbitTracer {
   OrbitBranches trace() {
     trace_from_values();
     if (options_.start_values > 0 && options_.finder.from_closed_form) trace_from_survey();
+    put_in_order();
     name_components();
     number_special_points();
     // What the simulation does is worth a line only where it explains that there is nothing else.
@@ -127,11 +128,25 @@ class OrbitTracer {
       cut = cut || part.ends[0] == OrbitBranchEnd::kNotConverged ||
             part.ends[1] == OrbitBranchEnd::kNotConverged;
       part.component = static_cast<int>(traced_.size());
-      part.id = static_cast<int>(result_.branches.size()) + 1;
       result_.branches.push_back(std::move(part));
     }
     ++result_.traced;
     if (cut) ++result_.cut_short;
+  }
+
+  // By lowest parameter value, whatever start found them.
+  void put_in_order() {
+    const auto lowest = [](const OrbitBranch& branch) {
+      const auto less = [](const OrbitBranchPoint& a, const OrbitBranchPoint& b) {
+        return a.value < b.value;
+      };
+      return std::min_element(branch.points.begin(), branch.points.end(), less)->value;
+    };
+    std::stable_sort(
+        result_.branches.begin(), result_.branches.end(),
+        [&](const OrbitBranch& a, const OrbitBranch& b) { return lowest(a) < lowest(b); });
+    int id = 0;
+    for (OrbitBranch& branch : result_.branches) branch.id = ++id;
   }
 
   // Branches that were traced apart may be parts of one component, connected where the solutions

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "graze/base/angle.hpp"
 #include "graze/contact/impulse.hpp"
@@ -12,6 +13,16 @@
 
 namespace graze {
 namespace {
+
+// Without forcing nothing divides time; flights are cut after a number of the slowest oscillations,
+// so that a search neither runs out of its evaluations nor lets the phase's rounding grow.
+double longest_free_flight(const System& system) {
+  constexpr double kOscillations = 64.0;
+  double slowest = std::numeric_limits<double>::infinity();
+  for (const double omega : system.omega)
+    if (omega > 0.0) slowest = std::min(slowest, omega);
+  return std::isfinite(slowest) ? kOscillations * kTurn / slowest : slowest;
+}
 
 class Run {
  public:
@@ -32,6 +43,7 @@ class Run {
     } else {
       end_.period = options.periods;
     }
+    if (!system.forcing) longest_flight_ = longest_free_flight(system);
     for (std::size_t i = 0; i < system.stops.size(); ++i)
       note_gap(motion_.gap(static_cast<int>(i)));
   }
@@ -51,7 +63,8 @@ class Run {
     if (start.period > end_.period || (start.period == end_.period && start.local >= end_.local))
       return false;
     if (!within_budget()) return false;
-    const double until = start.period == end_.period ? end_.local : motion_.flow().period();
+    double until = start.period == end_.period ? end_.local : motion_.flow().period();
+    if (until - start.local > longest_flight_) until = start.local + longest_flight_;
     const double start_time = time();
     // Until the first contact the smallest gap is not known to be zero and has to be looked for.
     if (result_.totals.impacts == 0) note_minima(until - start.local);
@@ -185,6 +198,7 @@ class Run {
   const RunListeners& listeners_;
   Motion<double> motion_;
   Instant<double> end_;
+  double longest_flight_ = std::numeric_limits<double>::infinity();  // s
   long long polls_ = 0;
   long long samples_ = 0;
   Simulation result_;

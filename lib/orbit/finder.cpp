@@ -99,9 +99,11 @@ class Finder {
     // Bits to [0, 1) by hand: the standard leaves the distributions' algorithms open, and results
     // shall not depend on the library.
     const auto uniform = [&engine] { return static_cast<double>(engine() >> 11) * 0x1p-53; };
+    // A least-squares solve grows as N^3: many modes get fewer guesses, but never less than four.
+    const int guesses = std::min(options_.random_guesses, std::max(4, 128 / system_.modes()));
     for (std::size_t i = 0; i < system_.stops.size(); ++i) {
       const ShootingProblem problem({options_.period, {static_cast<int>(i)}}, scale_);
-      for (int guess = 0; guess < options_.random_guesses; ++guess) {
+      for (int guess = 0; guess < guesses; ++guess) {
         if (options_.stop.requested()) return;
         const double theta = kTurn * uniform();
         const double speed = 2.0 * uniform() * scale_.length * system_.forcing->frequency;

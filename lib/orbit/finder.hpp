@@ -18,7 +18,7 @@ struct FinderOptions {
   bool from_simulation = true;
   bool from_random = true;
   bool keep_virtual = false;  // list inadmissible solutions too
-  int random_guesses = 32;
+  int random_guesses = 32;  // at most; 128/N where that is less, but at least 4
   std::uint64_t random_seed = 1;
   long long max_impacts = 10'000'000;  // of the simulation
   StopSignal stop;

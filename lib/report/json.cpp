@@ -152,6 +152,9 @@ std::string to_json(const SimulationRecord& record) {
                       {"speed", number(event.speed)},
                       {"phase", maybe(event.phase)},
                       {"energy_change", number(event.energy_change)}});
+  document["units"] = {
+      {"time", "s"},     {"speed", "m/s"},       {"phase", "rad"}, {"energy_change", "J"},
+      {"q", "kg^1/2 m"}, {"qdot", "kg^1/2 m/s"}, {"gap", "m"}};
   document["events"] = events;
   const Simulation& run = record.run;
   Json stuck = Json::array();
@@ -173,6 +176,7 @@ std::string to_json(const OrbitRecord& record) {
   Json document = header(record.info, record.outcome, record.warnings);
   Json orbits = Json::array();
   for (const Orbit& orbit : record.found.orbits) orbits.push_back(orbit_json(orbit));
+  document["units"] = {{"phase", "rad"}, {"speed", "m/s"}, {"clearance", "m"}, {"residual", "1"}};
   document["orbits"] = orbits;
   const auto count = [](const StartCount& c) {
     return Json{{"tried", c.tried}, {"converged", c.converged}};
@@ -188,7 +192,8 @@ std::string to_json(const OrbitRecord& record) {
 std::string to_json(const BranchRecord& record) {
   Json document = header(record.info, record.outcome, record.warnings);
   document["parameter"] = record.traced.parameter;
-  document["unit"] = record.unit;
+  document["units"] = {
+      {"value", record.unit}, {"phase", "rad"}, {"speed", "m/s"}, {"clearance", "m"}};
   Json branches = Json::array();
   for (const OrbitBranch& branch : record.traced.branches) {
     Json points = Json::array(), special = Json::array();
