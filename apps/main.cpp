@@ -1,5 +1,7 @@
+#include <atomic>
 #include <csignal>
 #include <cstdio>
+#include <ctime>
 #include <exception>
 #include <new>
 #include <string>
@@ -10,9 +12,22 @@
 
 namespace {
 
+// Seconds on the clock; safe in a signal handler.
+long seconds_now() {
+  timespec now{};
+  clock_gettime(CLOCK_MONOTONIC, &now);
+  return static_cast<long>(now.tv_sec);
+}
+
+std::atomic<long> first_interrupt{0};
+
 extern "C" void on_interrupt(int) {
-  // A second Ctrl-C ends the program at once.
-  if (graze::interrupted.exchange(true)) std::_Exit(130);
+  // The first asks for what is finished, a later one ends the program at once. One that comes along
+  // with the first (a shell or `timeout` may signal both process and group) is the same.
+  if (!graze::interrupted.exchange(true))
+    first_interrupt = seconds_now();
+  else if (seconds_now() > first_interrupt + 1)
+    std::_Exit(130);
 }
 
 // Without exceptions: stderr may be full or closed.

@@ -17,17 +17,11 @@ int run_orbit(const Command& command) {
   record_search(command, record.info);
   record.warnings = system_warnings(scene, record.system);
   warn(command, record.warnings);
-  FinderOptions options = finder_options(command);
-  State start{Vector::Zero(record.system.modes()), Vector::Zero(record.system.modes())};
-  if (options.from_simulation) {
-    try {
-      start = initial_state(scene, record.system);
-    } catch (const InputError& error) {
-      // Orbits exist whether or not the scene's own start does.
-      options.from_simulation = false;
-      warn(command, {std::string("no start by simulation: ") + error.what()});
-    }
-  }
+  const FinderOptions options = finder_options(command);
+  // Orbits exist whether or not the scene's own start does.
+  const std::optional<State> start = clear_start(scene, record.system);
+  if (!start && options.from_simulation)
+    warn(command, {"no start by simulation: the scene's initial state is not clear of the stop"});
   prepare_output(command);
   record.found = find_orbits(record.system, start, options);
   record.outcome = orbit_outcome(record.found, options, options.stop.reason());

@@ -97,21 +97,14 @@ class OrbitTracer {
     finder.keep_virtual = true;
     finder.stop = options_.stop;
     if (!first) {
-      finder.from_simulation = false;
       // Random guesses cost more than all else; elsewhere they stand in where the closed form
       // cannot.
       const bool closed = finder.from_closed_form && closed_form(*system, 0, options_.period).form;
       finder.from_random = finder.from_random && !closed;
     }
-    State rest{Vector::Zero(system->modes()), Vector::Zero(system->modes())};
-    if (first && finder.from_simulation) {
-      try {
-        rest = initial_state(family_.scene(), *system);
-      } catch (const InputError&) {
-        finder.from_simulation = false;  // nothing to simulate from; the other starts remain
-      }
-    }
-    const FoundOrbits found = find_orbits(*system, rest, finder);
+    std::optional<State> start;
+    if (first) start = clear_start(family_.scene(), *system);
+    const FoundOrbits found = find_orbits(*system, start, finder);
     for (const Orbit& orbit : found.orbits) starts.push_back(shooting_.pack(orbit.points()));
     if (first) result_.notes = found.notes;
     return starts;

@@ -5,6 +5,7 @@
 
 #include "graze/flow/exact_flow_impl.hpp"
 #include "graze/flow/gap_curve.hpp"
+#include "graze/system/gap_value.hpp"
 
 namespace graze {
 namespace gap_curve_detail {
@@ -47,14 +48,9 @@ GapCurve<Real>::GapCurve(const Arc<Real>& arc, const RealVector<Real>& row, cons
         exact_flow_detail::times(harmonic, PlanarNumber<Real>{cos(theta_), sin(theta_)}), 0,
         frequency_, 0);
   if (!on_stop) {
-    Real reach = 0, size = abs(gap);
-    for (int j = 0; j < flow.modes(); ++j) {
-      const Real part = row[j] * arc.start_displacements()[j];
-      reach += part;
-      size += abs(part);
-    }
-    start_value_ = gap - reach;
-    start_noise_ = Real((flow.modes() + 2) * std::numeric_limits<Real>::epsilon()) * size;
+    const GapValue<Real> start = gap_value(row, arc.start_displacements(), gap);
+    start_value_ = start.value;
+    start_noise_ = start.rounding;
   }
 }
 

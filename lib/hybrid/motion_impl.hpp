@@ -3,6 +3,7 @@
 
 #include "graze/hybrid/first_zero.hpp"
 #include "graze/hybrid/motion.hpp"
+#include "graze/system/gap_value.hpp"
 
 namespace graze {
 
@@ -19,15 +20,8 @@ Motion<Real>::Motion(const System& system, const Instant<Real>& instant, const R
 
 template <class Real>
 bool Motion<Real>::touches(const Stop& stop) const {
-  using std::abs;
-  Real reach = 0, size = abs(stop.gap);
-  for (Eigen::Index j = 0; j < q_.size(); ++j) {
-    reach += stop.row[j] * q_[j];
-    size += abs(stop.row[j] * q_[j]);
-  }
-  // Rounding of gap - row.q: one eps per product and per sum.
-  return stop.gap - reach <=
-         Real(static_cast<int>(q_.size()) + 2) * std::numeric_limits<Real>::epsilon() * size;
+  const GapValue<Real> gap = gap_value(stop.row, q_, stop.gap);
+  return gap.value <= gap.rounding;
 }
 
 template <class Real>

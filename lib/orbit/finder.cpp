@@ -46,13 +46,13 @@ std::optional<ImpactPattern> shorter_pattern(const Orbit& orbit) {
 
 class Finder {
  public:
-  Finder(const System& system, const State& start, const FinderOptions& options)
+  Finder(const System& system, const std::optional<State>& start, const FinderOptions& options)
       : system_(system), start_(start), options_(options), scale_(shooting_scale(system)) {}
 
   FoundOrbits find() {
     const bool one_impact = !options_.impacts || *options_.impacts == 1;
     if (options_.from_closed_form && one_impact) from_closed_form();
-    if (options_.from_simulation) from_simulation();
+    if (options_.from_simulation && start_) from_simulation();
     if (options_.from_random && one_impact) from_random();
     return conclude();
   }
@@ -75,7 +75,7 @@ class Finder {
     SettleOptions settle_options;
     settle_options.max_impacts = options_.max_impacts;
     settle_options.stop = options_.stop;
-    const SettledMotion settled = settle(system_, start_, settle_options);
+    const SettledMotion settled = settle(system_, *start_, settle_options);
     if (!settled.pattern) {
       found_.notes.push_back(settled.verdict);
       return;
@@ -163,7 +163,7 @@ class Finder {
   }
 
   const System& system_;
-  const State& start_;
+  const std::optional<State>& start_;
   const FinderOptions& options_;
   ShootingScale scale_;
   FoundOrbits found_;
@@ -208,7 +208,8 @@ ImpactPoint rough_guess(const System& system, int stop_index, double theta, doub
   return {theta, {q, qdot}};
 }
 
-FoundOrbits find_orbits(const System& system, const State& start, const FinderOptions& options) {
+FoundOrbits find_orbits(const System& system, const std::optional<State>& start,
+                        const FinderOptions& options) {
   return Finder(system, start, options).find();
 }
 

@@ -18,7 +18,7 @@ struct FinderOptions {
   bool from_simulation = true;
   bool from_random = true;
   bool keep_virtual = false;  // list inadmissible solutions too
-  int random_guesses = 32;  // at most; 128/N where that is less, but at least 4
+  int random_guesses = 32;    // at most; 128/N where that is less, but at least 4
   std::uint64_t random_seed = 1;
   long long max_impacts = 10'000'000;  // of the simulation
   StopSignal stop;
@@ -36,8 +36,10 @@ struct FoundOrbits {
   std::vector<std::string> notes;  // sentences: what the simulation does, what did not hold
 };
 
-// Finds orbits. Requires forcing and a stop; finding none is an empty list.
-FoundOrbits find_orbits(const System& system, const State& start, const FinderOptions& options);
+// Finds orbits. Requires forcing and a stop; finding none is an empty list. Without a start there
+// is no simulation.
+FoundOrbits find_orbits(const System& system, const std::optional<State>& start,
+                        const FinderOptions& options);
 
 // A guess at a (p, 1) orbit: at forcing phase theta the motion meets the stop at speed v, otherwise
 // as near to the forced response as a static push and a matching velocity allow.

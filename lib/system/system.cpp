@@ -11,6 +11,7 @@
 #include "graze/scene/check.hpp"
 #include "graze/scene/parameter.hpp"
 #include "graze/structure/modal_model.hpp"
+#include "graze/system/gap_value.hpp"
 
 namespace graze {
 namespace {
@@ -99,11 +100,8 @@ State initial_state(const Scene& scene, const System& system) {
   }
   for (std::size_t i = 0; i < system.stops.size(); ++i) {
     const RigidStop& stop = system.stops[i];
-    const double reach = stop.row.dot(state.q);
-    // Rounding of a - b.q: each product and each sum adds at most eps of its size.
-    const double rounding = std::numeric_limits<double>::epsilon() * static_cast<double>(n + 2) *
-                            (std::abs(stop.gap) + stop.row.cwiseAbs().dot(state.q.cwiseAbs()));
-    if (reach - stop.gap > rounding) {
+    const GapValue<double> gap = gap_value<double>(stop.row, state.q, stop.gap);
+    if (gap.value < -gap.rounding) {
       const std::string key =
           system.stops.size() == 1 ? "stop.gap" : fmt::format("stop.{}.gap", i + 1);
       if (!scene.initial && stop.gap < 0.0)
@@ -113,10 +111,18 @@ State initial_state(const Scene& scene, const System& system) {
       throw scene_error(scene, scene.initial ? "initial.q" : key,
                         fmt::format("the motion starts {:.6g} m beyond stop {}; the displacement "
                                     "at the stop must not exceed its gap",
-                                    reach - stop.gap, i + 1));
+                                    -gap.value, i + 1));
     }
   }
   return state;
+}
+
+std::optional<State> clear_start(const Scene& scene, const System& system) {
+  try {
+    return initial_state(scene, system);
+  } catch (const InputError&) {
+    return {};
+  }
 }
 
 double collocation_condition(const Scene& scene) {

@@ -55,6 +55,9 @@ System system_tangent(const Scene& scene, const std::string& parameter);
 // penetration, when it lies beyond a stop by more than the rounding of row.q.
 State initial_state(const Scene& scene, const System& system);
 
+// The same, or nothing where the motion cannot start there.
+std::optional<State> clear_start(const Scene& scene, const System& system);
+
 // Sentences about what in the scene deserves care: ill-conditioned collocation points, an impulse
 // law that can add energy. Empty where all is well.
 std::vector<std::string> system_warnings(const Scene& scene, const System& system);
