@@ -1,5 +1,7 @@
 #include "graze/hybrid/clearance.hpp"
 
+#include <limits>
+
 #include "graze/hybrid/first_zero.hpp"
 
 namespace graze {
@@ -32,14 +34,17 @@ std::optional<double> smallest_minimum(const GapCurve<double>& curve) {
       // An inflection within rounding: pass the width over which the rate stays in its rounding.
       const CurvePoint<double> point = curve.at(extremum.s, 1);
       const double width = std::sqrt(2.0 * point.noise / point.bound);
-      if (!(extremum.s + width > s)) return smallest;
+      if (!(extremum.s + width > s)) break;
       s = extremum.s + width;
       rising = rises(curve, s);
-    } else {
+    } else if (extremum.kind == ZeroKind::kNone) {
       return smallest;
+    } else {
+      break;
     }
   }
-  return smallest;
+  // Nothing is known of the rest of the window, so nothing is promised of it.
+  return -std::numeric_limits<double>::infinity();
 }
 
 }  // namespace graze

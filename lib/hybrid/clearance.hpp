@@ -10,7 +10,7 @@ namespace graze {
 // The smallest interior local minimum of the gap along the curve's window, m, or nothing when there
 // is none. Extrema are found one after the other with the certified search, so none is passed over;
 // where rounding cannot tell an inflection from a pair of extrema (both within the rounding of the
-// gap of one another) it counts as none.
+// gap of one another) it counts as none. Minus infinity when the search cannot be finished.
 std::optional<double> smallest_minimum(const GapCurve<double>& curve);
 
 }  // namespace graze
