@@ -9,7 +9,6 @@
 #include "graze/bifurcation/closed_form_survey.hpp"
 #include "graze/bifurcation/orbit_component.hpp"
 #include "graze/orbit/closed_form.hpp"
-#include "graze/orbit/solve.hpp"
 
 namespace graze {
 namespace {
@@ -81,9 +80,7 @@ class OrbitTracer {
   }
 
   bool is_orbit(const BranchPoint& point) const {
-    const std::optional<System> system = family_.at(point.parameter);
-    return admissibility(*system, shooting_.pattern(), shooting_.unpack(*system, point.u))
-        .admissible;
+    return components_.admissibility_at(point).admissible;
   }
 
   // Solutions at one value; the simulation and the random guesses join in at the first one only.

@@ -84,6 +84,11 @@ OrbitBranchPoint OrbitComponents::judge(const BranchPoint& point) const {
   return result;
 }
 
+Admissibility OrbitComponents::admissibility_at(const BranchPoint& point) const {
+  const std::optional<System> system = family_.at(point.parameter);
+  return admissibility(*system, shooting_.pattern(), shooting_.unpack(*system, point.u));
+}
+
 SpecialPoint OrbitComponents::fold(const Fold& at) const {
   SpecialPoint special{SpecialKind::kFold, "", judge(at.point), {}, false};
   special.multiplier = nearest_to_one(special.at.orbit.multipliers);
@@ -95,10 +100,6 @@ std::optional<SpecialPoint> OrbitComponents::grazing(const BranchPoint& a, const
                                                      const OrbitBranchPoint& at_b) const {
   if (at_a.orbit.admissible == at_b.orbit.admissible) return {};
   const bool by_speed = (at_a.smallest_speed > 0.0) != (at_b.smallest_speed > 0.0);
-  const auto admissibility_at = [&](const BranchPoint& p) {
-    return admissibility(*family_.at(p.parameter), shooting_.pattern(),
-                         shooting_.unpack(*family_.at(p.parameter), p.u));
-  };
   std::optional<BranchPoint> point;
   if (by_speed) {
     point = locate(problem_, continuation_, a, b,

@@ -16,6 +16,9 @@ class OrbitComponents {
 
   const ZeroProblem& problem() const { return problem_; }
 
+  // The verdict on a point of a branch, without its multipliers.
+  Admissibility admissibility_at(const BranchPoint& point) const;
+
   // The branches that a traced component consists of: its admissible parts, each ended by the
   // grazing where it stops being an orbit, or with `keep_virtual` the whole in one piece, its
   // grazings among the special points.

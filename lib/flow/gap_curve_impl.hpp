@@ -57,13 +57,12 @@ GapCurve<Real>::GapCurve(const Arc<Real>& arc, const RealVector<Real>& row, cons
 template <class Real>
 void GapCurve<Real>::add_exponential(const PlanarNumber<Real>& c, const Real& decay,
                                      const Real& frequency, const Real& formed_from) {
-  using std::sqrt;
+  using std::abs, std::sqrt;
   Exponential term;
   term.decay = decay;
   term.frequency = frequency;
   const PlanarNumber<Real> rate{-decay, frequency};
   const Real rate_size = sqrt(decay * decay + frequency * frequency);
-  using std::abs;
   term.coefficient[0] = c;
   // Where the square of |c| leaves the range of the scalar, the sum of its parts bounds it.
   const Real square = c.re * c.re + c.im * c.im;

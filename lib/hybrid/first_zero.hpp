@@ -43,7 +43,7 @@ namespace first_zero_detail {
 // First positive root of value + slope s - bound s^2/2, written without squaring small numbers.
 template <class Real>
 Real safe_step(const Real& value, const Real& slope, const Real& bound) {
-  using std::abs, std::sqrt;
+  using std::sqrt;
   if (bound == 0) {
     if (slope >= 0) return std::numeric_limits<Real>::infinity();
     return -value / slope;

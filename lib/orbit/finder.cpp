@@ -72,6 +72,7 @@ class Finder {
   }
 
   void from_simulation() {
+    found_.simulated = true;
     SettleOptions settle_options;
     settle_options.max_impacts = options_.max_impacts;
     settle_options.stop = options_.stop;

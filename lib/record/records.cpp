@@ -26,8 +26,7 @@ Outcome orbit_outcome(const FoundOrbits& found, const FinderOptions& options, St
   if (stopped == StopReason::kOutOfTime)
     return {"budget", "the budget of computing time was spent before all starts were tried"};
   if (!found.orbits.empty()) return {"found", ""};
-  if (found.closed_form.tried + found.simulation.tried + found.random.tried == 0 &&
-      found.notes.empty())
+  if (found.closed_form.tried + found.random.tried == 0 && !found.simulated && found.notes.empty())
     return {"none",
             "none of the chosen starts applies: the closed form and the random starts are "
             "for one impact, the simulation needs a start clear of the stop"};
@@ -38,7 +37,7 @@ Outcome orbit_outcome(const FoundOrbits& found, const FinderOptions& options, St
                         options.period == 1 ? "" : "s")
           : fmt::format("no orbit with one impact in {} forcing period{} was found{}",
                         options.period, options.period == 1 ? "" : "s",
-                        options.from_simulation ? ", nor does the simulation settle on one" : "");
+                        found.simulated ? ", nor does the simulation settle on one" : "");
   if (found.inadmissible > 0)
     message += fmt::format(
         "; {} solution{} of the equations {} no orbit of the system (penetrating "

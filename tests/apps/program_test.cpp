@@ -98,6 +98,17 @@ TEST(Program, JsonIsOneDocumentWithTheContractsKeys) {
   EXPECT_EQ(orbit["at"][0]["stop"], 1);
 }
 
+TEST(Program, OrbitSpeaksOfTheSimulationOnlyWhereThereWasOne) {
+  const std::string said = "simulation settle";
+  const Finished preloaded = run_graze("orbit --json --set stop.gap=-1e-4 " + kOneMode);
+  EXPECT_EQ(preloaded.code, 3);
+  EXPECT_EQ(preloaded.out.find(said), std::string::npos);
+  EXPECT_NE(preloaded.err.find("no start by simulation"), std::string::npos);
+  const Finished resting = run_graze("orbit --json " + scene("02_wagg_momentum.toml"));
+  EXPECT_EQ(resting.code, 3);
+  EXPECT_NE(resting.out.find(said), std::string::npos);
+}
+
 TEST(Program, SimulateReportsEveryImpactAndTheEnd) {
   const Finished run =
       run_graze("simulate --json --duration 0.5 " + scene("02_wagg_momentum.toml"));
