@@ -1,10 +1,29 @@
 // graze check: what a scene means.
+#include <fmt/format.h>
+
+#include "graze/flow/contact_phase.hpp"
 #include "graze/report/json.hpp"
 #include "graze/report/text.hpp"
 #include "graze/scene/reader.hpp"
 #include "session.hpp"
 
 namespace graze {
+namespace {
+
+// A motion held by a stop can grow without bound where the impulse law is oblique; a simulation
+// that comes to rest there ends.
+std::vector<std::string> unstable_stops(const System& system) {
+  std::vector<std::string> warnings;
+  for (int i = 0; i < static_cast<int>(system.stops.size()); ++i) {
+    const ContactPhase<double> held(system, {i});
+    if (!held.refusal().empty())
+      warnings.push_back(
+          fmt::format("motion held by stop {} cannot be followed: {}", i + 1, held.refusal()));
+  }
+  return warnings;
+}
+
+}  // namespace
 
 int run_check(const Command& command) {
   const Scene scene = read_scene(command.scene, command.settings);
@@ -13,12 +32,19 @@ int run_check(const Command& command) {
                      assemble(scene),
                      collocation_condition(scene),
                      {},
+                     {},
                      {"checked", ""}};
-  initial_state(scene, record.system);  // throws where the motion would start beyond a stop
+  // Throws where the motion would start beyond a stop.
+  const State start = initial_state(scene, record.system);
+  if (!scene.stops.empty())
+    record.closure_speed = default_closure_speed(record.system, start, scene.solver.tolerance);
   record.warnings = system_warnings(scene, record.system);
+  for (const std::string& warning : unstable_stops(record.system))
+    record.warnings.push_back(warning);
   warn(command, record.warnings);
   prepare_output(command);
-  return conclude(command, record.info, record.outcome, {to_json(record), to_text(record), {}, {}});
+  return conclude(command, record.info, record.outcome,
+                  {to_json(record), to_text(record), {}, {}, {}});
 }
 
 }  // namespace graze

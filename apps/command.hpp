@@ -23,6 +23,11 @@ struct Command {
   std::optional<long long> periods;
   std::string record = "events";      // none | events | samples
   std::optional<double> sample_rate;  // 1/s
+  bool energy = false;                // keep the energy book
+  // A picture shows the energy book.
+  bool keeps_book() const { return energy || !plot.empty(); }
+  std::optional<double> closure_speed;  // m/s
+  std::string resume;                   // file or folder; empty: from the scene's initial state
 
   // orbit, continue
   int period = 1;

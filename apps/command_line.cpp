@@ -65,11 +65,11 @@ void add_plot(CLI::App* app, Command& command) {
       ->type_name("FILE");
 }
 
+constexpr const char* kClosureSpeed =
+    "Speed below which the rest of a chatter is summed, m/s (default: sqrt(solver.tolerance/100) "
+    "of the motion's speed";
+
 void add_limits(CLI::App* app, Command& command) {
-  app->add_option_function<double>(
-         "--closure-speed", [](double) { throw not_available("--closure-speed"); },
-         "Speed below which chatter is summed (not available in this version)")
-      ->type_name("V");
   app->add_option("--max-impacts", command.max_impacts, "Stop after this many impacts")
       ->check(at_least("a whole number from 1", 1.0))
       ->capture_default_str()
@@ -82,6 +82,10 @@ void add_limits(CLI::App* app, Command& command) {
 
 void add_orbit_search(CLI::App* app, Command& command) {
   add_limits(app, command);
+  app->add_option_function<double>(
+         "--closure-speed", [](double) { throw not_available("--closure-speed"); },
+         kClosureSpeed + std::string("; another is not available in this version)"))
+      ->type_name("V");
   app->add_option("--period", command.period, "Forcing periods p after which the orbit repeats")
       ->check(at_least("a whole number from 1", 1.0))
       ->capture_default_str()
@@ -124,9 +128,15 @@ void add_simulate(CLI::App& graze, Command& command) {
                   "Samples per second with --record samples (default: 100 a forcing period)")
       ->check(above_zero())
       ->type_name("RATE");
-  app->add_flag_callback(
-      "--energy", [] { throw not_available("--energy"); },
-      "Close the energy book (not available in this version)");
+  app->add_flag("--energy", command.energy,
+                "Keep the energy book: work of every effect, and whether it closes (--plot does)");
+  app->add_option("--closure-speed", command.closure_speed, kClosureSpeed + std::string(")"))
+      ->check(at_least("a speed in m/s, 0 or more", 0.0))
+      ->type_name("V");
+  app->add_option("--resume", command.resume,
+                  "Go on from the state.toml that --out left, given as file or folder; the end "
+                  "still counts from t = 0")
+      ->type_name("FILE|DIR");
   add_limits(app, command);
 }
 

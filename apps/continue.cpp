@@ -52,6 +52,8 @@ int run_continue(const Command& command) {
   if (!command.plot.empty()) check_picture_name(command.plot);
   const Scene scene = read_scene(command.scene, command.settings);
   require_forcing_and_stop(scene);
+  if (scene.stops.size() > 1)
+    throw InputError("continue with several stops: not available in this version");
   BranchOptions options = branch_options(command);
   const SystemFamily family(scene, command.parameter);
   BranchRecord record{run_info(command.name, command.scene, scene),
@@ -80,7 +82,8 @@ int run_continue(const Command& command) {
                   {to_json(record),
                    to_text(record),
                    {{"branches.csv", branches_csv(record)}, {"special.csv", special_csv(record)}},
-                   [&] { draw_branches(command.plot, record); }});
+                   [&] { draw_branches(command.plot, record); },
+                   {}});
 }
 
 }  // namespace graze

@@ -47,7 +47,10 @@ int run(const graze::Command& command) {
 
 int main(int argc, char** argv) {
   std::signal(SIGINT, on_interrupt);
+  std::signal(SIGTERM, on_interrupt);
+  // What cannot be written is an error like others, not the end at once.
   std::signal(SIGPIPE, SIG_IGN);
+  std::signal(SIGXFSZ, SIG_IGN);
   try {
     const graze::ParsedCommand parsed = graze::parse_command_line(argc, argv);
     return parsed.command ? run(*parsed.command) : parsed.exit_code;

@@ -26,9 +26,11 @@ int run_orbit(const Command& command) {
   record.found = find_orbits(record.system, start, options);
   record.outcome = orbit_outcome(record.found, options, options.stop.reason());
   return conclude(command, record.info, record.outcome,
-                  {to_json(record), to_text(record), {{"orbits.csv", orbits_csv(record)}}, [&] {
-                     draw_orbits(command.plot, record);
-                   }});
+                  {to_json(record),
+                   to_text(record),
+                   {{"orbits.csv", orbits_csv(record)}},
+                   [&] { draw_orbits(command.plot, record); },
+                   {}});
 }
 
 }  // namespace graze

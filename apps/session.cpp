@@ -7,9 +7,22 @@
 #include <cstdio>
 #include <memory>
 
-#include "graze/record/files.hpp"
+#include "graze/base/errors.hpp"
 
 namespace graze {
+namespace {
+
+void print(const Document& document) {
+  const auto check = [](bool good) {
+    if (!good) throw FileError("standard output: cannot write the result");
+  };
+  document.read([&](std::string_view piece) {
+    check(std::fwrite(piece.data(), 1, piece.size(), stdout) == piece.size());
+  });
+  check(std::fflush(stdout) == 0);
+}
+
+}  // namespace
 
 std::atomic<bool> interrupted{false};
 
@@ -58,18 +71,22 @@ std::function<void(double)> progress_line(const Command& command) {
   };
 }
 
-int conclude(const Command& command, const RunInfo& info, const Outcome& outcome,
-             const Result& result) {
+int conclude(const Command& command, const RunInfo& info, const Outcome& outcome, Result result) {
   if (!command.out.empty()) {
     const std::filesystem::path folder = command.out;
-    for (const auto& [name, content] : result.files) write_file(folder / name, content);
-    write_file(folder / "scene.toml", info.scene_text);
-    write_file(folder / "result.json", result.json);
+    std::vector<PendingFile>& files = result.tables;
+    const auto add = [&](const std::string& name, const Document& content) {
+      files.emplace_back(folder / name);
+      content.read([&](std::string_view piece) { files.back().append(piece); });
+    };
+    for (const auto& [name, content] : result.files) add(name, content);
+    add("scene.toml", info.scene_text);
+    add("result.json", result.json);
+    // Where one of them does not fit on the disk, none takes its place.
+    for (PendingFile& file : files) file.sync();
+    for (PendingFile& file : files) file.commit();
   }
-  const std::string& shown = command.json ? result.json : result.text;
-  if (std::fwrite(shown.data(), 1, shown.size(), stdout) != shown.size() ||
-      std::fflush(stdout) != 0)
-    throw FileError("standard output: cannot write the result");
+  print(command.json ? result.json : Document(result.text));
   if (!command.plot.empty()) result.draw();
   if (outcome.name == "interrupted") return 130;
   return outcome.message.empty() ? 0 : 3;

@@ -8,7 +8,9 @@
 #include <vector>
 
 #include "command.hpp"
+#include "graze/record/files.hpp"
 #include "graze/record/records.hpp"
+#include "graze/record/spool.hpp"
 #include "graze/scene/scene.hpp"
 
 namespace graze {
@@ -30,14 +32,15 @@ void warn(const Command& command, const std::vector<std::string>& warnings);
 std::function<void(double)> progress_line(const Command& command);
 
 struct Result {
-  std::string json, text;
+  Document json;
+  std::string text;
   std::vector<std::pair<std::string, std::string>> files;  // name in the output folder, content
   std::function<void()> draw;                              // called where a picture is wanted
+  std::vector<PendingFile> tables;                         // files that have grown on the way
 };
 
 // Writes the result's files, prints it, draws it; returns the exit code of the outcome.
-int conclude(const Command& command, const RunInfo& info, const Outcome& outcome,
-             const Result& result);
+int conclude(const Command& command, const RunInfo& info, const Outcome& outcome, Result result);
 
 int run_check(const Command& command);
 int run_simulate(const Command& command);

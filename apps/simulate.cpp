@@ -1,53 +1,87 @@
-// graze simulate: the motion from the scene's initial state.
+// graze simulate: the motion from the scene's initial state, or on from where an earlier run ended.
+#include <fmt/format.h>
+
 #include <cmath>
-#include <deque>
 
 #include "graze/base/angle.hpp"
-#include "graze/report/csv.hpp"
+#include "graze/base/errors.hpp"
 #include "graze/report/json.hpp"
 #include "graze/report/pictures.hpp"
 #include "graze/report/text.hpp"
 #include "graze/scene/reader.hpp"
+#include "resumption.hpp"
+#include "run_output.hpp"
 #include "session.hpp"
 
 namespace graze {
 namespace {
 
 constexpr double kSamplesPerPeriod = 100.0;
-// A picture shows the end of the run: this many samples at this many a period.
 constexpr double kPictureSamplesPerPeriod = 400.0;
-constexpr std::size_t kPictureSamples = 12 * 400;
-
-double natural_period(const System& system) {
-  if (system.forcing) return system.period();
-  const double slowest = system.omega.minCoeff();
-  return slowest > 0.0 ? kTurn / slowest : 1.0;
-}
 
 SimulationOptions simulation_options(const Command& command, const Scene& scene) {
   SimulationOptions options;
   options.duration = command.duration;
   if (command.periods) options.periods = *command.periods;
   options.max_impacts = command.max_impacts;
+  options.energy = command.keeps_book();
+  options.closure_speed = command.closure_speed;
   options.stop = stop_signal(command);
-  if (!scene.forcing && !options.duration) {
-    if (command.periods)
-      throw InputError(
-          "--periods: the scene has no forcing, so it has no forcing periods; give "
-          "--duration in seconds");
+  if (!scene.forcing && !options.duration)
     throw InputError(
-        "the scene has no forcing, so it has no forcing periods; give --duration in "
-        "seconds");
-  }
+        fmt::format("{}the scene has no forcing, so it has no forcing periods; give "
+                    "--duration in seconds",
+                    command.periods ? "--periods: " : ""));
   // Whole periods are counted in 64 bits, and a double tells the periods apart up to 2^53.
-  if (options.duration && !(*options.duration >= 0.0 && std::isfinite(*options.duration)))
-    throw InputError("--duration: it must be a finite number of seconds, 0 or more");
   if (options.duration && scene.forcing &&
-      *options.duration * scene.forcing->frequency > 2.0 * 3.14 * 0x1p53)
+      *options.duration * scene.forcing->frequency > kTurn * 0x1p53)
     throw InputError("--duration: it must not exceed 2^53 forcing periods");
   if (command.sample_rate && command.record != "samples")
     throw InputError("--sample-rate: it needs --record samples");
   return options;
+}
+
+// 1/s. The slowest mode stands in for the forcing where there is none.
+double samples_per_period(const System& system, double count) {
+  if (system.forcing) return count / system.period();
+  const double slowest = system.omega.minCoeff();
+  return slowest > 0.0 ? count * slowest / kTurn : count;
+}
+
+double sample_rate(const Command& command, const System& system, const std::optional<CutRun>& cut) {
+  if (command.record != "samples") return samples_per_period(system, kPictureSamplesPerPeriod);
+  if (command.sample_rate) return *command.sample_rate;
+  if (cut && cut->sample_rate) return *cut->sample_rate;
+  return samples_per_period(system, kSamplesPerPeriod);
+}
+
+void note_options(const Command& command, const SimulationOptions& options,
+                  const std::optional<CutRun>& cut, double rate, RunInfo& info) {
+  if (options.duration)
+    info.options.emplace_back("duration", *options.duration);
+  else
+    info.options.emplace_back("periods", options.periods);
+  info.options.emplace_back("record", command.record);
+  if (command.record == "samples") info.options.emplace_back("sample_rate", rate);
+  info.options.emplace_back("energy", command.keeps_book());
+  info.options.emplace_back("closure_speed", *options.closure_speed);
+  info.options.emplace_back("max_impacts", options.max_impacts);
+  info.options.emplace_back("max_seconds", command.max_seconds);
+  if (!cut) return;
+  info.options.emplace_back("resume", command.resume);
+  info.options.emplace_back("resume_time", cut->time);
+}
+
+Simulation run_listened(const System& system, const State& start, const std::optional<CutRun>& cut,
+                        const SimulationOptions& options, double rate, const Command& command,
+                        RunOutput& output) {
+  RunListeners listeners;
+  listeners.progress = progress_line(command);
+  if (output.wants_events()) listeners.event = [&](const Event& event) { output.add(event); };
+  if (output.wants_samples()) listeners.sample = [&](const Sample& sample) { output.add(sample); };
+  listeners.sample_rate = rate;
+  return cut ? resume(system, cut->state, options, listeners)
+             : simulate(system, start, options, listeners);
 }
 
 }  // namespace
@@ -55,60 +89,49 @@ SimulationOptions simulation_options(const Command& command, const Scene& scene)
 int run_simulate(const Command& command) {
   if (!command.plot.empty()) check_picture_name(command.plot);
   const Scene scene = read_scene(command.scene, command.settings);
-  SimulationRecord record{
-      run_info(command.name, command.scene, scene), assemble(scene), {}, {}, {}, {}, {}};
+  SimulationRecord record;
+  record.info = run_info(command.name, command.scene, scene);
+  record.system = assemble(scene);
   const State start = initial_state(scene, record.system);
-  const SimulationOptions options = simulation_options(command, scene);
-  if (options.duration)
-    record.info.options.emplace_back("duration", *options.duration);
-  else
-    record.info.options.emplace_back("periods", options.periods);
-  record.info.options.emplace_back("record", command.record);
-  record.info.options.emplace_back("max_impacts", options.max_impacts);
-  record.info.options.emplace_back("max_seconds", command.max_seconds);
+  SimulationOptions options = simulation_options(command, scene);
+  std::optional<CutRun> cut;
+  if (!command.resume.empty()) {
+    cut = read_cut_run(command, record.system, record.info);
+    check_end(*cut, options, record.system);
+  }
+  if (!options.closure_speed)
+    options.closure_speed =
+        cut ? cut->state.closure_speed
+            : default_closure_speed(record.system, start, scene.solver.tolerance);
+  const double rate = sample_rate(command, record.system, cut);
+  if (cut) place_samples(*cut, rate);
+  note_options(command, options, cut, rate, record.info);
   record.warnings = system_warnings(scene, record.system);
   warn(command, record.warnings);
+  if (cut && command.keeps_book() && !cut->state.keeps_book)
+    record.notes.push_back("the run before kept no energy book; it begins where this one goes on");
 
-  RunListeners listeners;
-  listeners.progress = progress_line(command);
-  const bool wants_samples = command.record == "samples";
-  const bool draws = !command.plot.empty();
-  if (command.record != "none" || draws)
-    listeners.event = [&](const Event& event) { record.events.push_back(event); };
-  std::deque<Sample> tail;
-  if (wants_samples) {
-    listeners.sample_rate =
-        command.sample_rate.value_or(kSamplesPerPeriod / natural_period(record.system));
-    record.info.options.emplace_back("sample_rate", listeners.sample_rate);
-    listeners.sample = [&](const Sample& sample) { record.samples.push_back(sample); };
-  } else if (draws) {
-    listeners.sample_rate = kPictureSamplesPerPeriod / natural_period(record.system);
-    listeners.sample = [&](const Sample& sample) {
-      tail.push_back(sample);
-      if (tail.size() > kPictureSamples) tail.pop_front();
-    };
-  }
   prepare_output(command);
-  record.run = simulate(record.system, start, options, listeners);
-  listeners.progress = nullptr;
+  RunOutput output(command, record.system);
+  record.run = run_listened(record.system, start, cut, options, rate, command, output);
   record.outcome = simulation_outcome(record.run);
-  if (record.run.totals.energy_added > 0.0) {
-    record.warnings.push_back("impacts added kinetic energy, as the oblique impulse law can");
-    warn(command, {record.warnings.back()});
+  for (const std::string& warning : simulation_warnings(record.system, record.run)) {
+    record.warnings.push_back(warning);
+    warn(command, {warning});
   }
-
-  SimulationRecord drawn;
-  if (draws) {
-    drawn = record;
-    if (!wants_samples) drawn.samples.assign(tail.begin(), tail.end());
-  }
-  if (command.record == "none") record.events.clear();
-  std::vector<std::pair<std::string, std::string>> files;
-  if (command.record != "none") files.emplace_back("events.csv", events_csv(record));
-  if (wants_samples) files.emplace_back("samples.csv", samples_csv(record));
-  return conclude(
-      command, record.info, record.outcome,
-      {to_json(record), to_text(record), files, [&] { draw_simulation(command.plot, drawn); }});
+  output.show_in(record);
+  const CutRun state{record.info.version,
+                     record.info.scene_sha256,
+                     record.outcome.name,
+                     record.run.end_time,
+                     command.record == "samples" ? std::optional<double>(rate) : std::nullopt,
+                     record.run.state};
+  return conclude(command, record.info, record.outcome,
+                  {to_json(record, output.events()),
+                   to_text(record),
+                   {{kStateFile, write_run_state(state)}},
+                   [&] { draw_simulation(command.plot, record); },
+                   output.take_tables()});
 }
 
 }  // namespace graze

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Installs what is missing, builds Graze, runs all tests. From the project's root or anywhere else:
-#   bash tests/run.sh            optimised build, all tests
+#   bash tests/run.sh            optimised build, all tests; writes docs/hard_cases.md anew
 #   bash tests/run.sh --dev      the same with address and undefined-behaviour sanitizers
 set -euo pipefail
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
@@ -14,4 +14,10 @@ esac
 bash apps/install_packages.sh
 cmake --preset "$preset" -DGRAZE_TESTS=ON > /dev/null
 cmake --build --preset "$preset"
+GRAZE_HARD_CASES=$(mktemp)
+export GRAZE_HARD_CASES
+trap 'rm -f "$GRAZE_HARD_CASES"' EXIT
 ctest --preset "$preset" --parallel "$(nproc)"
+if [ "$preset" = release ]; then
+  bash tests/hard/table.sh "$GRAZE_HARD_CASES" docs/hard_cases.md
+fi

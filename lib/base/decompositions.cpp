@@ -40,6 +40,27 @@ std::vector<Eigenvalue> eigenvalues(const Matrix& matrix) {
   return list;
 }
 
+ComplexModes complex_modes(const Matrix& matrix) {
+  const Eigen::EigenSolver<Matrix> solver(matrix, true);
+  ComplexModes modes;
+  modes.condition = std::numeric_limits<double>::infinity();
+  if (solver.info() != Eigen::Success) return modes;
+  modes.values = solver.eigenvalues();
+  modes.vectors = solver.eigenvectors();
+  modes.inverse = modes.vectors.partialPivLu().inverse();
+  const double condition = modes.vectors.norm() * modes.inverse.norm();
+  if (std::isfinite(condition)) modes.condition = condition;
+  return modes;
+}
+
+double norm_growth_rate(const Matrix& matrix) {
+  if (matrix.rows() == 0) return 0.0;
+  const Matrix symmetric = 0.5 * (matrix + matrix.transpose());
+  return Eigen::SelfAdjointEigenSolver<Matrix>(symmetric, Eigen::EigenvaluesOnly)
+      .eigenvalues()
+      .maxCoeff();
+}
+
 Matrix matrix_exponential(const Matrix& matrix) { return matrix.exp(); }
 
 Vector null_vector(const Matrix& matrix) {

@@ -23,6 +23,18 @@ struct Eigenvalue {
 // negative imaginary part first. Empty when the iteration does not converge.
 std::vector<Eigenvalue> eigenvalues(const Matrix& matrix);
 
+// A = V diag(values) V^-1.
+struct ComplexModes {
+  ComplexVector values;
+  Eigen::MatrixXcd vectors, inverse;  // V, V^-1
+  double condition = 0.0;             // |V| |V^-1| (Frobenius), at least n; infinite when defective
+};
+ComplexModes complex_modes(const Matrix& matrix);
+
+// The largest growth rate of x' = A x measured in the Euclidean norm: the largest eigenvalue of
+// (A + A^T)/2; |x(t)| <= e^{rate t} |x(0)|.
+double norm_growth_rate(const Matrix& matrix);
+
 // The matrix exponential (Pade approximation with scaling and squaring).
 Matrix matrix_exponential(const Matrix& matrix);
 

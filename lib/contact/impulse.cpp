@@ -31,6 +31,13 @@ double impact_energy_change(const Vector& row, const Vector& direction, const Ve
   return jump * (0.5 * jump * oblique.squaredNorm() - oblique.dot(before)) - loss;
 }
 
+double shared_energy_change(const Vector& row, const Vector& direction, double impulse, double v,
+                            double restitution, const Vector& mean) {
+  // -impulse direction.mean, with row.mean = (1 - r) v/2: never a gain for the momentum law.
+  const Vector oblique = direction - momentum_direction(row);
+  return -impulse * (0.5 * (1.0 - restitution) * v / row.squaredNorm() + oblique.dot(mean));
+}
+
 double worst_energy_gain(const Vector& row, const Vector& direction, double restitution) {
   // Only the plane of b and d changes; there J^T J has determinant r^2 and this trace.
   const double k = 1.0 + restitution;

@@ -25,6 +25,11 @@ Vector collocation_direction_rate(const Matrix& phi, const Matrix& phi_rate,
 double impact_energy_change(const Vector& row, const Vector& direction, const Vector& before,
                             double restitution);
 
+// One stop's part in that change when several are hit at once: it undid `impulse` (m/s along its
+// direction) at approach speed v; `mean` is the mean of the velocities before and after.
+double shared_energy_change(const Vector& row, const Vector& direction, double impulse, double v,
+                            double restitution, const Vector& mean);
+
 // The largest factor by which the jump can multiply kinetic energy: 1 for the momentum law, more
 // for an oblique direction (the square of the largest singular value of I - (1 + r) d b^T).
 double worst_energy_gain(const Vector& row, const Vector& direction, double restitution);

@@ -1,12 +1,14 @@
 #include "graze/flow/exact_flow.hpp"
 
-#include "graze/flow/gap_curve_impl.hpp"
+#include "graze/flow/arc_curve_impl.hpp"
 
 namespace graze {
 
 template class ExactFlow<double>;
 template class Arc<double>;
-template class GapCurve<double>;
+template class ArcCurve<double>;
+template CurvePoint<double> observed(const Observable<double>&, const double&,
+                                     const RealVector<double>&, const RealVector<double>&);
 template PlanarNumber<double> resonant_response(const ModeFlow<double>&, const double&,
                                                 const double&, const double&);
 

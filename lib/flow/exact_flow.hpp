@@ -8,6 +8,8 @@
 //   - resonant:       P_j is large against the motion and cancels it; the forced response from rest
 //                     is written as a divided difference of exponentials instead, exact down to
 //                     zero detuning and damping.
+// A constant load c_j moves the rest position to c_j/w_j^2; where that is far beyond the motion (a
+// free mass, w = 0, or nearly one) its response from rest is added instead.
 // A template on the scalar: double, and an extended type for references.
 #pragma once
 
@@ -28,6 +30,34 @@ struct PlanarNumber {  // a complex number; std::complex promises nothing for ex
   Real im = 0;
 };
 
+// The smooth part of a system in the scalar of the flow.
+template <class Real>
+struct LinearSystem {
+  RealVector<Real> omega, delta;  // rad/s, 1/s
+  bool forced = false;
+  Real frequency = 0, phase = 0;  // rad/s, rad; with forcing
+  RealVector<Real> amplitude;     // f_j, with forcing
+  RealVector<Real> load;          // c_j; empty: none
+};
+
+template <class Real>
+LinearSystem<Real> linear_system(const System& system) {
+  LinearSystem<Real> linear{system.omega.template cast<Real>(),
+                            system.delta.template cast<Real>(),
+                            system.forcing.has_value(),
+                            0,
+                            0,
+                            {},
+                            {}};
+  if (system.forcing) {
+    linear.frequency = system.forcing->frequency;
+    linear.phase = system.forcing->phase;
+    linear.amplitude = system.forcing->amplitude.template cast<Real>();
+  }
+  if (system.load) linear.load = system.load->template cast<Real>();
+  return linear;
+}
+
 enum class ModeKind { kOscillatory, kOverdamped, kNearCritical, kResonant };
 
 template <class Real>
@@ -38,12 +68,15 @@ struct ModeFlow {
   Real first = 0, second = 0;  // oscillatory: delta, wd; overdamped: slow, fast rate; 1/s
   Real force = 0;              // f_j
   PlanarNumber<Real> forced;   // P_j; zero for a resonant mode
+  Real offset = 0;             // c_j/w_j^2; zero where the mode is too soft for it
+  Real load = 0;               // c_j of such a soft mode, else zero
 };
 
 template <class Real>
 class ExactFlow {
  public:
-  explicit ExactFlow(const System& system);
+  explicit ExactFlow(const System& system) : ExactFlow(linear_system<Real>(system)) {}
+  explicit ExactFlow(const LinearSystem<Real>& system);
 
   int modes() const { return static_cast<int>(modes_.size()); }
   const ModeFlow<Real>& mode(int j) const { return modes_[static_cast<std::size_t>(j)]; }
@@ -75,8 +108,9 @@ class Arc {
 
   const ExactFlow<Real>& flow() const { return *flow_; }
   const Real& start_phase() const { return theta_; }
-  // Displacements at the start, as they were given.
+  // Displacements and velocities at the start, as they were given.
   const RealVector<Real>& start_displacements() const { return start_; }
+  const RealVector<Real>& start_velocities() const { return start_rate_; }
   // The two numbers of mode j: oscillatory Z = first + i second; overdamped A, B; otherwise the
   // free part's displacement and velocity at the start.
   const PlanarNumber<Real>& amplitude(int j) const {
@@ -86,7 +120,7 @@ class Arc {
  private:
   const ExactFlow<Real>* flow_;
   Real theta_ = 0;
-  RealVector<Real> start_;
+  RealVector<Real> start_, start_rate_;
   std::vector<PlanarNumber<Real>> amplitudes_;
 };
 

@@ -1,10 +1,12 @@
+#include "graze/flow/arc_curve_impl.hpp"
 #include "graze/flow/extended.hpp"
-#include "graze/flow/gap_curve_impl.hpp"
 
 namespace graze {
 
 template class ExactFlow<Extended>;
 template class Arc<Extended>;
-template class GapCurve<Extended>;
+template class ArcCurve<Extended>;
+template CurvePoint<Extended> observed(const Observable<Extended>&, const Extended&,
+                                       const RealVector<Extended>&, const RealVector<Extended>&);
 
 }  // namespace graze

@@ -18,6 +18,10 @@ inline constexpr double kLargestAmplification = 256.0;
 inline constexpr double kSeparationByOmega = 0.5;
 inline constexpr double kSeparationByForcing = 1.0 / 64.0;
 
+// A mode this much slower than the forcing moves like a free mass over a period: its rest position
+// under a constant load is too far away to refer to. Without forcing only w = 0 is.
+inline constexpr double kSoftByForcing = 1.0 / 256.0;
+
 template <class Real>
 PlanarNumber<Real> times(const PlanarNumber<Real>& a, const PlanarNumber<Real>& b) {
   return {a.re * b.re - a.im * b.im, a.re * b.im + a.im * b.re};
@@ -85,26 +89,38 @@ void classify_forced(ModeFlow<Real>& mode, const Real& frequency) {
   }
 }
 
+template <class Real>
+void classify_load(ModeFlow<Real>& mode, const Real& load, const Real& frequency) {
+  if (load == 0) return;
+  if (mode.omega > kSoftByForcing * frequency) {
+    mode.offset = load / (mode.omega * mode.omega);
+  } else {
+    mode.load = load;
+    mode.kind = ModeKind::kNearCritical;  // whose basis holds for any damping
+  }
+}
+
 }  // namespace exact_flow_detail
 
 template <class Real>
-ExactFlow<Real>::ExactFlow(const System& system) : forced_(system.forcing.has_value()) {
+ExactFlow<Real>::ExactFlow(const LinearSystem<Real>& system) : forced_(system.forced) {
   using std::acos;
   period_ = std::numeric_limits<Real>::infinity();
   if (forced_) {
-    frequency_ = system.forcing->frequency;
-    phase_ = system.forcing->phase;
+    frequency_ = system.frequency;
+    phase_ = system.phase;
     period_ = 2 * acos(Real(-1)) / frequency_;
   }
-  for (int j = 0; j < system.modes(); ++j) {
+  for (Eigen::Index j = 0; j < system.omega.size(); ++j) {
     ModeFlow<Real> mode;
     mode.omega = system.omega[j];
     mode.delta = system.delta[j];
     exact_flow_detail::classify_free(mode, frequency_);
     if (forced_) {
-      mode.force = system.forcing->amplitude[j];
+      mode.force = system.amplitude[j];
       exact_flow_detail::classify_forced(mode, frequency_);
     }
+    if (system.load.size() > 0) exact_flow_detail::classify_load(mode, system.load[j], frequency_);
     modes_.push_back(mode);
   }
 }
@@ -118,11 +134,12 @@ void Arc<Real>::start(const Real& theta, const RealVector<Real>& q, const RealVe
   using std::cos, std::sin;
   theta_ = theta;
   start_ = q;
+  start_rate_ = qdot;
   const Real c = flow_->forced() ? Real(cos(theta)) : Real(0);
   const Real n = flow_->forced() ? Real(sin(theta)) : Real(0);
   for (int j = 0; j < flow_->modes(); ++j) {
     const ModeFlow<Real>& mode = flow_->mode(j);
-    const Real y = q[j] - (mode.forced.re * c - mode.forced.im * n);
+    const Real y = q[j] - mode.offset - (mode.forced.re * c - mode.forced.im * n);
     const Real ydot = qdot[j] + flow_->frequency() * (mode.forced.re * n + mode.forced.im * c);
     PlanarNumber<Real>& amplitude = amplitudes_[static_cast<std::size_t>(j)];
     if (mode.kind == ModeKind::kOscillatory) {
@@ -183,8 +200,12 @@ void Arc<Real>::state(const Real& s, RealVector<Real>& q, RealVector<Real>& qdot
         y += mode.force * x.re;
         ydot += mode.force * x.im;
       }
+      if (mode.load != 0) {
+        y += mode.load * step_response(mode.delta, mode.omega, mode.discriminant, s);
+        ydot += mode.load * basis.sine;
+      }
     }
-    q[j] = y + mode.forced.re * c - mode.forced.im * n;
+    q[j] = y + mode.offset + mode.forced.re * c - mode.forced.im * n;
     qdot[j] = ydot - frequency * (mode.forced.re * n + mode.forced.im * c);
   }
 }

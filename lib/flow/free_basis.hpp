@@ -8,6 +8,7 @@
 #pragma once
 
 #include <cmath>
+#include <limits>
 
 namespace graze {
 
@@ -42,6 +43,40 @@ FreeBasis<Real> free_basis(const Real& delta, const Real& discriminant, const Re
   const Real slow = exp((root - delta) * s), fast = exp(-(root + delta) * s);
   const Real cosine = (slow + fast) / 2;
   return {cosine - 1, cosine, (slow - fast) / (2 * root)};
+}
+
+// Response from rest to a unit force that sets in at s = 0: the integral of S. Its closed form
+// (1 - c - delta S)/w^2 cancels while the force has hardly been felt; there the power series is
+// summed (at most one digit is lost below (2 delta + w) s = 2).
+template <class Real>
+Real step_response(const Real& delta, const Real& omega, const Real& discriminant, const Real& s) {
+  using std::abs, std::expm1, std::sqrt;
+  if ((2 * delta + omega) * abs(s) < 2) {
+    // S = sum a_n s^n with a_0 = 0, a_1 = 1 from S'' = -2 delta S' - w^2 S; A = sum a_n
+    // s^(n+1)/(n+1)
+    Real before = 0, now = s, sum = s * s / 2;
+    // 200 terms leave nothing of 2^n/n! in any scalar in use.
+    for (int n = 0; n < 200; ++n) {
+      const Real next =
+          -(2 * delta * s * (n + 1) * now + omega * omega * s * s * before) / ((n + 2) * (n + 1));
+      before = now;
+      now = next;
+      const Real term = now * s / (n + 3);
+      sum += term;
+      if (abs(term) + abs(before * s) <= std::numeric_limits<Real>::epsilon() * abs(sum) / 4) break;
+    }
+    return sum;
+  }
+  if (discriminant < 0) {
+    const Real root = sqrt(-discriminant);
+    if (2 * root * abs(s) >= 1) {
+      const Real fast = delta + root, slow = omega * omega / fast;
+      const Real of_slow = slow * s == 0 ? s : Real(-expm1(-slow * s) / slow);
+      return (of_slow + expm1(-fast * s) / fast) / (2 * root);
+    }
+  }
+  const FreeBasis<Real> basis = free_basis(delta, discriminant, s);
+  return -(basis.cosine_minus_one + delta * basis.sine) / (omega * omega);
 }
 
 }  // namespace graze

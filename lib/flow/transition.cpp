@@ -39,7 +39,7 @@ double sine_by_discriminant(const ModeFlow<double>& mode, const FreeBasis<double
 
 struct ModeRates {   // of one mode's coefficients
   double stiffness;  // of omega^2
-  double delta, force, frequency;
+  double delta, force, frequency, load;
 };
 
 // One mode's end, seen as free part about the harmonic response: y1 = E (y0 - p0) + p1.
@@ -61,7 +61,8 @@ Eigen::Vector2d harmonic_mode_tangent(const ModeFlow<double>& mode, const ModeRa
   const Complex i_frequency{0.0, frequency};
   const Complex velocity_rate = i_frequency * forced_rate + Complex{0.0, rate.frequency} * forced;
   const double theta_end = theta + frequency * s;
-  const Eigen::Vector2d free = start - harmonic(forced, i_frequency * forced, theta);
+  const Eigen::Vector2d rest(mode.offset, 0.0);
+  const Eigen::Vector2d free = start - rest - harmonic(forced, i_frequency * forced, theta);
 
   const double w2 = mode.omega * mode.omega;
   const FreeBasis<double> basis = free_basis(mode.delta, mode.discriminant, s);
@@ -79,33 +80,42 @@ Eigen::Vector2d harmonic_mode_tangent(const ModeFlow<double>& mode, const ModeRa
       basis.cosine - mode.delta * basis.sine;
   e_rate << c_rate + mixed_rate, sine_rate, -rate.stiffness * basis.sine - w2 * sine_rate,
       c_rate - mixed_rate;
-  return e_rate * free - e * harmonic(forced_rate, velocity_rate, theta) +
+  const Eigen::Vector2d rest_rate(w2 > 0.0 ? (rate.load - mode.offset * rate.stiffness) / w2 : 0.0,
+                                  0.0);
+  return e_rate * free - e * (rest_rate + harmonic(forced_rate, velocity_rate, theta)) + rest_rate +
          harmonic(forced_rate, velocity_rate, theta_end);
 }
 
-// A resonant mode has no harmonic response to lean on: derivative of the exponential of the system
-// (q, q', cos, sin) through the block matrix [A, dA; 0, A].
-Eigen::Vector2d resonant_mode_tangent(const ModeFlow<double>& mode, const ModeRates& rate,
-                                      double frequency, const Eigen::Vector2d& start, double theta,
-                                      double s) {
-  const auto generator = [](double stiffness, double delta, double force, double w, double one) {
-    Eigen::Matrix4d a;
-    a << 0, one, 0, 0, -stiffness, -2.0 * delta, force, 0, 0, 0, 0, -w, 0, 0, w, 0;
+// A resonant mode has no harmonic response to lean on, a soft one no rest position: derivative of
+// the exponential of the system (q, q', cos, sin, 1) through the block matrix [A, dA; 0, A].
+Eigen::Vector2d direct_mode_tangent(const ModeFlow<double>& mode, double load,
+                                    const ModeRates& rate, double frequency,
+                                    const Eigen::Vector2d& start, double theta, double s) {
+  using Matrix5 = Eigen::Matrix<double, 5, 5>;
+  const auto generator = [](const ModeRates& of, double w, double one) {
+    Matrix5 a = Matrix5::Zero();
+    a(0, 1) = one;
+    a(1, 0) = -of.stiffness;
+    a(1, 1) = -2.0 * of.delta;
+    a(1, 2) = of.force;
+    a(1, 4) = of.load;
+    a(2, 3) = -w;
+    a(3, 2) = w;
     return a;
   };
   // The phases at both ends are kept, so the clock runs in forcing phase: A s with s = phase/W.
   const double s_rate = -s * rate.frequency / frequency;
-  const Eigen::Matrix4d a =
-      generator(mode.omega * mode.omega, mode.delta, mode.force, frequency, 1.0);
-  const Eigen::Matrix4d a_rate =
-      generator(rate.stiffness, rate.delta, rate.force, rate.frequency, 0.0);
-  Matrix block = Matrix::Zero(8, 8);
-  block.topLeftCorner(4, 4) = a * s;
-  block.bottomRightCorner(4, 4) = a * s;
-  block.topRightCorner(4, 4) = a_rate * s + a * s_rate;
-  const Eigen::Vector4d state(start[0], start[1], std::cos(theta), std::sin(theta));
+  const ModeRates here{mode.omega * mode.omega, mode.delta, mode.force, frequency, load};
+  const Matrix5 a = generator(here, frequency, 1.0);
+  const Matrix5 a_rate = generator(rate, rate.frequency, 0.0);
+  Matrix block = Matrix::Zero(10, 10);
+  block.topLeftCorner(5, 5) = a * s;
+  block.bottomRightCorner(5, 5) = a * s;
+  block.topRightCorner(5, 5) = a_rate * s + a * s_rate;
+  Eigen::Matrix<double, 5, 1> state;
+  state << start[0], start[1], std::cos(theta), std::sin(theta), 1.0;
   const Matrix exponential = matrix_exponential(block);
-  return (exponential.topRightCorner(4, 4) * state).head(2);
+  return (exponential.topRightCorner(5, 5) * state).head(2);
 }
 
 }  // namespace
@@ -124,6 +134,7 @@ State vector_field(const System& system, const State& state, double theta) {
   Vector acceleration =
       -2.0 * system.delta.cwiseProduct(state.qdot) - system.omega.cwiseAbs2().cwiseProduct(state.q);
   if (system.forcing) acceleration += system.forcing->amplitude * std::cos(theta);
+  if (system.load) acceleration += *system.load;
   return {state.qdot, acceleration};
 }
 
@@ -144,8 +155,23 @@ Transition transition(const System& system, const ExactFlow<double>& flow, const
   if (system.forcing) {
     arc.start(theta + 0.5 * std::numbers::pi, Vector::Zero(n), Vector::Zero(n));
     arc.state(s, result.phase_rate.q, result.phase_rate.qdot);
+    const State loaded = load_response(system, flow, s);
+    result.phase_rate.q -= loaded.q;
+    result.phase_rate.qdot -= loaded.qdot;
   }
   return result;
+}
+
+State load_response(const System& system, const ExactFlow<double>& flow, double s) {
+  const Eigen::Index n = system.modes();
+  State response{Vector::Zero(n), Vector::Zero(n)};
+  if (!system.load) return response;
+  for (Eigen::Index j = 0; j < n; ++j) {
+    const ModeFlow<double>& mode = flow.mode(static_cast<int>(j));
+    response.q[j] = (*system.load)[j] * step_response(mode.delta, mode.omega, mode.discriminant, s);
+    response.qdot[j] = (*system.load)[j] * free_basis(mode.delta, mode.discriminant, s).sine;
+  }
+  return response;
 }
 
 State end_tangent(const System& system, const System& tangent, const ExactFlow<double>& flow,
@@ -155,12 +181,17 @@ State end_tangent(const System& system, const System& tangent, const ExactFlow<d
   State rate{Vector(n), Vector(n)};
   for (Eigen::Index j = 0; j < n; ++j) {
     const ModeFlow<double>& mode = flow.mode(static_cast<int>(j));
+    const double load = system.load ? (*system.load)[j] : 0.0;
     const ModeRates rates{2.0 * system.omega[j] * tangent.omega[j], tangent.delta[j],
-                          tangent.forcing->amplitude[j], tangent.forcing->frequency};
+                          tangent.forcing->amplitude[j], tangent.forcing->frequency,
+                          tangent.load ? (*tangent.load)[j] : 0.0};
     const Eigen::Vector2d from(start.q[j], start.qdot[j]);
-    const Eigen::Vector2d end = mode.kind == ModeKind::kResonant
-                                    ? resonant_mode_tangent(mode, rates, frequency, from, theta, s)
-                                    : harmonic_mode_tangent(mode, rates, frequency, from, theta, s);
+    // With no load there is nothing for a soft mode to rest against.
+    const bool soft = mode.omega == 0.0 ? load != 0.0 || rates.load != 0.0 : mode.load != 0.0;
+    const Eigen::Vector2d end =
+        mode.kind == ModeKind::kResonant || soft
+            ? direct_mode_tangent(mode, load, rates, frequency, from, theta, s)
+            : harmonic_mode_tangent(mode, rates, frequency, from, theta, s);
     rate.q[j] = end[0];
     rate.qdot[j] = end[1];
   }

@@ -29,6 +29,9 @@ State vector_field(const System& system, const State& state, double theta);
 Transition transition(const System& system, const ExactFlow<double>& flow, const State& start,
                       double theta, double s);
 
+// Response from rest to the constant load alone, after s seconds; zero without one.
+State load_response(const System& system, const ExactFlow<double>& flow, double s);
+
 // Derivative of the end by a parameter along `tangent` (see system_tangent), where start, start
 // phase and end phase are kept: the duration is (end phase - start phase)/frequency and so moves
 // with the frequency. Requires forcing.

@@ -8,14 +8,14 @@ namespace graze {
 namespace {
 
 // Whether the gap rises at s; where its rate is lost in rounding, its acceleration decides.
-bool rises(const GapCurve<double>& curve, double s) {
+bool rises(const ArcCurve<double>& curve, double s) {
   const CurvePoint<double> rate = curve.at(s, 1);
   return std::abs(rate.value) > rate.noise ? rate.value > 0.0 : rate.slope > 0.0;
 }
 
 }  // namespace
 
-std::optional<double> smallest_minimum(const GapCurve<double>& curve) {
+std::optional<double> smallest_minimum(const ArcCurve<double>& curve) {
   std::optional<double> smallest;
   double s = 0.0;
   bool rising = rises(curve, s);

@@ -3,7 +3,7 @@
 
 #include <optional>
 
-#include "graze/flow/gap_curve.hpp"
+#include "graze/flow/arc_curve.hpp"
 
 namespace graze {
 
@@ -11,6 +11,6 @@ namespace graze {
 // is none. Extrema are found one after the other with the certified search, so none is passed over;
 // where rounding cannot tell an inflection from a pair of extrema (both within the rounding of the
 // gap of one another) it counts as none. Minus infinity when the search cannot be finished.
-std::optional<double> smallest_minimum(const GapCurve<double>& curve);
+std::optional<double> smallest_minimum(const ArcCurve<double>& curve);
 
 }  // namespace graze

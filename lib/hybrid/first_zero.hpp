@@ -14,7 +14,7 @@
 #include <cmath>
 #include <limits>
 
-#include "graze/flow/gap_curve.hpp"
+#include "graze/flow/arc_curve.hpp"
 
 namespace graze {
 
@@ -75,12 +75,11 @@ FirstZero<Real> finish(const Sample& sample, Real s, CurvePoint<Real> point, int
 // How far a curve that starts at a zero of multiplicity n stays clear of it:
 // g >= g_n s^n/n! - K_{n+1} s^{n+1}/(n+1)!. Negative where it cannot leave.
 template <class Real>
-Real departure_step(const GapCurve<Real>& curve, int multiplicity) {
-  const Real first = curve.start_derivative(multiplicity);
-  if (!(first > 0)) return -1;
-  const Real bound = curve.start_bound(multiplicity + 1);
-  return bound > 0 ? Real((multiplicity + 1) * (first / bound))
-                   : std::numeric_limits<Real>::infinity();
+Real departure_step(const ArcCurve<Real>& curve, int multiplicity) {
+  const CurvePoint<Real> start = curve.at(Real(0), multiplicity - 1);
+  if (!(start.slope > 0)) return -1;
+  return start.bound > 0 ? Real((multiplicity + 1) * (start.slope / start.bound))
+                         : std::numeric_limits<Real>::infinity();
 }
 
 }  // namespace first_zero_detail
@@ -112,9 +111,9 @@ FirstZero<Real> first_descent(const Sample& sample, const Real& from, const Real
 }
 
 // First contact in (0, curve.window()]. `multiplicity` > 0 says that the gap starts at a known
-// zero: 1 just after an impact, 2 from rest on the stop.
+// zero: 1 just after an impact, 2 when pulled away from rest on the stop, 3 after a release.
 template <class Real>
-FirstZero<Real> first_contact(const GapCurve<Real>& curve, int multiplicity) {
+FirstZero<Real> first_contact(const ArcCurve<Real>& curve, int multiplicity) {
   Real from = 0;
   if (multiplicity > 0) {
     from = first_zero_detail::departure_step(curve, multiplicity);
@@ -123,10 +122,45 @@ FirstZero<Real> first_contact(const GapCurve<Real>& curve, int multiplicity) {
   return first_descent([&](const Real& s) { return curve.at(s, 0); }, from, curve.window());
 }
 
+// The first instant at which a contact force falls through zero. Where it only comes within its
+// rounding of zero and rises again it is still a contact.
+template <class Real>
+FirstZero<Real> first_release(const ArcCurve<Real>& force) {
+  using std::sqrt;
+  Real from = 0;
+  int evaluations = 0;
+  const auto sample = [&](const Real& s) { return force.at(s, 0); };
+  while (evaluations < kMostSearchEvaluations) {
+    FirstZero<Real> zero = first_descent(sample, from, force.window());
+    evaluations += zero.evaluations;
+    zero.evaluations = evaluations;
+    if (zero.kind != ZeroKind::kCrossing && zero.kind != ZeroKind::kTouch) return zero;
+    // Certain where the parabola through it dips below the rounding.
+    const CurvePoint<Real> point = sample(zero.s);
+    if (point.slope < 0 && point.slope * point.slope > 8 * point.bound * point.noise) {
+      zero.kind = ZeroKind::kCrossing;
+      return zero;
+    }
+    if (point.bound == 0) return {ZeroKind::kNone, force.window(), Real(0), evaluations};
+    // Past the stretch in which rounding hides the sign, from either side of the lowest point.
+    const Real beyond = zero.s + 4 * sqrt(2 * (point.noise / point.bound));
+    if (!(beyond > zero.s)) return {ZeroKind::kBudget, zero.s, Real(0), evaluations};
+    if (beyond <= force.window()) {
+      const CurvePoint<Real> after = sample(beyond);
+      if (after.value < -after.noise) {
+        zero.kind = ZeroKind::kCrossing;
+        return zero;
+      }
+    }
+    from = beyond;
+  }
+  return {ZeroKind::kBudget, from, Real(0), evaluations};
+}
+
 // The first extremum of the gap after `from`: a maximum where the gap rises at `from`, else a
 // minimum.
 template <class Real>
-FirstZero<Real> first_extremum(const GapCurve<Real>& curve, const Real& from, bool rising) {
+FirstZero<Real> first_extremum(const ArcCurve<Real>& curve, const Real& from, bool rising) {
   const auto sample = [&](const Real& s) {
     CurvePoint<Real> point = curve.at(s, 1);
     if (!rising) {

@@ -1,14 +1,24 @@
 // The hybrid motion, one certified arc at a time.
 //
-//   x- -> [contact at stop i: row.q = gap, v = row.q' > 0] -> q'+ = q'- - (1 + r) d v -> x+
+//   contact: a gap reaches zero at approach speed v = b.q' > 0; an impact is due,
+//            q'+ = q'- - D p,   p >= 0,  v+ + r v- <= 0,  p.(v+ + r v-) = 0
+//            over all stops touched at that instant (one stop: v+ = -r v-);
+//   stick:   on a stop at zero speed and pushed; its contact force holds it from then on;
+//   release: the first instant at which the contact force of a closed stop falls through zero.
 //
-// A contact happens at the first instant at which the gap reaches zero; the stop belongs to the
-// arc that ends there, its departure to the next one, which starts from the known zero.
+// Events lie at the end of the arc that leads to them; the next arc departs from its known zero of
+// the gap: simple after an impact, double when pulled away from rest, triple after a release.
+// Nothing depends on the order in which the stops are listed.
 #pragma once
 
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
 #include <vector>
 
-#include "graze/flow/gap_curve.hpp"
+#include "graze/flow/contact_phase.hpp"
+#include "graze/flow/instant.hpp"
 
 namespace graze {
 
@@ -16,9 +26,11 @@ enum class ArrivalKind {
   kTime,       // the end of the flight was reached
   kContact,    // at a stop, approaching: `impact` is due
   kTouch,      // at a stop within rounding, not approaching: no impact; fly on
-  kRest,       // on a stop, at rest and pushed against it
-  kUndecided,  // the search for a contact used up its evaluations
-  kNotFinite   // the state left the range of the scalar
+  kStick,      // at rest on a stop and pushed: it is closed from now on
+  kRelease,    // the contact force of a closed stop is gone: it is open from now on
+  kUndecided,  // the search for an event used up its evaluations
+  kNotFinite,  // the state left the range of the scalar
+  kRefused     // the motion on the stop cannot be followed; see refusal()
 };
 
 template <class Real>
@@ -29,53 +41,137 @@ struct Arrival {
   Real speed = 0;   // m/s, approach speed at a contact
 };
 
+// How a stop stands to the structure at one instant.
+enum class Contact {
+  kClear,      // gap > 0
+  kTouching,   // on the stop, and what follows is still to be decided
+  kDeparting,  // on the stop, leaving
+  kClosed,     // held on the stop by its contact force
+  kLocked      // on the stop because other, closed stops keep it there
+};
+
+// One stop's share in an impact.
+template <class Real>
+struct ImpactShare {
+  int stop = 0;
+  Real speed = 0;    // approach speed before, m/s
+  Real impulse = 0;  // p, along the stop's direction, m/s
+  bool hit = false;  // it took part by approaching
+};
+
+// What a motion needs to go on from an instant as if it had never stopped there.
+template <class Real>
+struct MotionState {
+  Instant<Real> instant;
+  RealVector<Real> q, qdot;
+  std::vector<Contact> contacts;    // one per stop
+  std::vector<int> multiplicities;  // of the gap's zero at the instant, one per stop
+};
+
 template <class Real>
 class Motion {
  public:
-  // `system` is copied into the exact flow. Starts at `instant` with the given state; a stop whose
-  // gap is zero within rounding counts as touched.
+  // Keeps a copy of `system`. Starts at `instant` with the given state; a stop whose gap is
+  // zero within rounding counts as touched.
   Motion(const System& system, const Instant<Real>& instant, const RealVector<Real>& q,
          const RealVector<Real>& qdot);
-  Motion(const Motion&) = delete;  // the arc refers to the flow beside it
+  Motion(const System& system, const MotionState<Real>& state);
+  Motion(const Motion&) = delete;
   Motion& operator=(const Motion&) = delete;
 
-  // Flies from the present instant to the first contact, at most up to `until` (seconds on the
-  // local clock, not beyond the period's end), and moves there.
-  Arrival<Real> fly(const Real& until);
+  // Flies from the present instant to the first event, at most up to `until` (seconds on the local
+  // clock, not beyond the period's end), and moves there. The event is searched up to `horizon` >=
+  // `until`: flights to different ends under one horizon agree bit for bit where they overlap.
+  Arrival<Real> fly(const Real& until, const Real& horizon);
+  Arrival<Real> fly(const Real& until) { return fly(until, until); }
 
-  // Applies the impulse of stop `stop` to the present velocities.
-  void impact(int stop);
+  // Applies the impact that is due after kContact; the shares of all stops touched.
+  std::vector<ImpactShare<Real>> impact();
 
-  const Instant<Real>& instant() const { return instant_; }
-  const RealVector<Real>& q() const { return q_; }
-  const RealVector<Real>& qdot() const { return qdot_; }
-  const ExactFlow<Real>& flow() const { return flow_; }
-  // The arc flown last, from its own start.
-  const Arc<Real>& arc() const { return arc_; }
+  // Right after an impact on `stop` that left at speed `leaving`: whether a chatter against a push
+  // `a_n` that outlives it will complete,
+  //   duration = 2 v+/(a_n (1 - r)),   duration * |d a_n/dt| <= a_n/2,
+  // with nothing else happening meanwhile. Then the structure is put to rest on the stop and the
+  // duration (s) returned; the error of what follows is of second order in the speed.
+  std::optional<Real> close_chatter(int stop, const Real& restitution);
+
+  const Instant<Real>& instant() const { return now_.instant; }
+  const RealVector<Real>& q() const { return now_.q; }
+  const RealVector<Real>& qdot() const { return now_.qdot; }
+  const MotionState<Real>& state() const { return now_; }
+  // The state from which the last arc was flown: a motion made from it flies the same arc again.
+  const MotionState<Real>& departure() const { return departure_; }
+  // Whether something of the present instant (impact, sticking, release) is still to be decided or
+  // handed out.
+  bool has_news() const { return undecided_ || !changes_.empty(); }
+  bool is_closed(int stop) const { return contact(stop) == Contact::kClosed; }
+  bool is_closed_anywhere() const;
+  const std::string& refusal() const { return refusal_; }
+  // The clock: forcing period and phase.
+  const ExactFlow<Real>& flow() const { return clock_; }
+  // The phase and arc flown last, from its own start.
+  const ContactPhase<Real>& flown() const { return *flown_; }
   // The gap at a stop along the arc that starts now, for `window` seconds.
-  GapCurve<Real> gap_ahead(int stop, const Real& window);
+  ArcCurve<Real> gap_ahead(int stop, const Real& window);
+  // Contact force of a closed stop at the present instant, N.
+  Real force(int stop) {
+    return phase_of(closed()).force_at(stop, clock_.phase(now_.instant), now_.q, now_.qdot);
+  }
   // gap - row.q at the present instant.
   Real gap(int stop) const;
   // Approach speed row.q' at the present instant.
   Real approach_speed(int stop) const;
 
  private:
-  enum class Contact { kClear, kTouching, kDeparting };
+  using Matrix_ = RealMatrix<Real>;
   struct Stop {
     RealVector<Real> row, direction;
-    Real gap = 0, restitution = 0;
-    Contact contact = Contact::kClear;
+    Real gap = 0;
+    Restitution restitution{0.0};
+  };
+  struct Change {
+    ArrivalKind kind;
+    int stop;
   };
 
-  bool touches(const Stop& stop) const;
-  void move(const Real& flight, const Real& until);
-  void settle_on(const Stop& stop);
+  void adopt(const System& system);
+  const Stop& stop(int i) const { return stops_[static_cast<std::size_t>(i)]; }
+  Contact contact(int i) const { return now_.contacts[static_cast<std::size_t>(i)]; }
+  void set(int i, Contact contact, int multiplicity = 0);
+  bool touches(int i) const;
+  std::vector<int> closed() const;
+  ContactPhase<Real>& phase_of(const std::vector<int>& closed);
+  ContactPhase<Real>& start_phase();
 
-  ExactFlow<Real> flow_;
-  Arc<Real> arc_;
+  std::optional<Arrival<Real>> decide();
+  bool decide_resting(const std::vector<int>& resting);
+  void decide_degenerate(int stop);
+  void hold(int stop);
+  void let_go(int stop, int multiplicity);
+  void rest_on_closed();
+  bool is_independent(int stop) const;
+
+  void apply(const std::vector<int>& touched, const RealVector<Real>& target,
+             RealVector<Real>& impulse);
+  Arrival<Real> search(const Real& until, const Real& horizon);
+  Arrival<Real> arrive(Arrival<Real> arrival, const Real& until);
+  void settle_on(int stop);
+  void touch_simultaneous(const Real& flight);
+
+  const System system_;
+  ExactFlow<Real> clock_;
+  LinearSystem<Real> linear_;
   std::vector<Stop> stops_;
-  Instant<Real> instant_;
-  RealVector<Real> q_, qdot_;
+  std::vector<int> order_;  // in which stops are looked at: the same however they are listed
+  MotionState<Real> now_, departure_;
+  std::map<std::vector<int>, std::unique_ptr<ContactPhase<Real>>> phases_;
+  ContactPhase<Real>* phase_ = nullptr;  // of the closed stops; null until it is looked up
+  ContactPhase<Real>* flown_ = nullptr;
+  bool undecided_ = false;  // some stop is touching
+  bool recheck_ = false;    // closed stops have felt an impulse
+  std::vector<Change> changes_;
+  int standstill_ = 0;  // arrivals without flight in a row
+  std::string refusal_;
 };
 
 }  // namespace graze

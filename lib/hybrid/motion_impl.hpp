@@ -1,105 +1,226 @@
-// Definitions of motion.hpp; included by one translation unit per scalar.
+// Definitions of motion.hpp: setting up, flying and arriving; included by one translation unit per
+// scalar.
 #pragma once
 
+#include <algorithm>
+#include <cmath>
+
+#include "graze/hybrid/contact_decision_impl.hpp"
 #include "graze/hybrid/first_zero.hpp"
+#include "graze/hybrid/impact_impl.hpp"
 #include "graze/hybrid/motion.hpp"
 #include "graze/system/gap_value.hpp"
 
 namespace graze {
+namespace motion_detail {
+
+// Arrivals in a row without any flight: each stop may be hit, closed and opened a few times at one
+// instant; a motion that does not get away from it after this many cannot be decided.
+inline constexpr int kMostStandstills = 1000;
+
+// Whether stop a comes before stop b in an order that knows nothing of how they are listed.
+inline bool precedes(const RigidStop& a, const RigidStop& b) {
+  for (Eigen::Index j = 0; j < a.row.size(); ++j)
+    if (a.row[j] != b.row[j]) return a.row[j] < b.row[j];
+  if (a.gap != b.gap) return a.gap < b.gap;
+  return a.restitution.coefficients() < b.restitution.coefficients();
+}
+
+}  // namespace motion_detail
 
 template <class Real>
 Motion<Real>::Motion(const System& system, const Instant<Real>& instant, const RealVector<Real>& q,
                      const RealVector<Real>& qdot)
-    : flow_(system), arc_(flow_), instant_(instant), q_(q), qdot_(qdot) {
-  for (const RigidStop& stop : system.stops) {
-    stops_.push_back({stop.row.template cast<Real>(), stop.direction.template cast<Real>(),
-                      Real(stop.gap), Real(stop.restitution), Contact::kClear});
-    if (touches(stops_.back())) stops_.back().contact = Contact::kTouching;
-  }
+    : system_(system), clock_(system), linear_(linear_system<Real>(system)) {
+  adopt(system);
+  now_ = {instant, q, qdot, std::vector<Contact>(stops_.size(), Contact::kClear),
+          std::vector<int>(stops_.size(), 0)};
+  for (const int i : order_)
+    if (touches(i)) set(i, Contact::kTouching);
 }
 
 template <class Real>
-bool Motion<Real>::touches(const Stop& stop) const {
-  const GapValue<Real> gap = gap_value(stop.row, q_, stop.gap);
+Motion<Real>::Motion(const System& system, const MotionState<Real>& state)
+    : system_(system), clock_(system), linear_(linear_system<Real>(system)), now_(state) {
+  adopt(system);
+  undecided_ = std::any_of(now_.contacts.begin(), now_.contacts.end(),
+                           [](Contact c) { return c == Contact::kTouching; });
+  recheck_ = undecided_;
+}
+
+template <class Real>
+void Motion<Real>::adopt(const System& system) {
+  for (const RigidStop& stop : system.stops) {
+    order_.push_back(static_cast<int>(stops_.size()));
+    stops_.push_back({stop.row.template cast<Real>(), stop.direction.template cast<Real>(),
+                      Real(stop.gap), stop.restitution});
+  }
+  std::stable_sort(order_.begin(), order_.end(), [&](int a, int b) {
+    return motion_detail::precedes(system.stops[static_cast<std::size_t>(a)],
+                                   system.stops[static_cast<std::size_t>(b)]);
+  });
+}
+
+template <class Real>
+void Motion<Real>::set(int i, Contact contact, int multiplicity) {
+  now_.contacts[static_cast<std::size_t>(i)] = contact;
+  now_.multiplicities[static_cast<std::size_t>(i)] = multiplicity;
+  if (contact == Contact::kTouching) undecided_ = true;
+}
+
+template <class Real>
+bool Motion<Real>::touches(int i) const {
+  const GapValue<Real> gap = gap_value(stop(i).row, now_.q, stop(i).gap);
   return gap.value <= gap.rounding;
 }
 
 template <class Real>
-Real Motion<Real>::gap(int stop) const {
-  const Stop& s = stops_[static_cast<std::size_t>(stop)];
-  return s.gap - s.row.dot(q_);
+std::vector<int> Motion<Real>::closed() const {
+  std::vector<int> list;
+  for (const int i : order_)
+    if (contact(i) == Contact::kClosed) list.push_back(i);
+  return list;
 }
 
 template <class Real>
-Real Motion<Real>::approach_speed(int stop) const {
-  return stops_[static_cast<std::size_t>(stop)].row.dot(qdot_);
+bool Motion<Real>::is_closed_anywhere() const {
+  return std::any_of(now_.contacts.begin(), now_.contacts.end(),
+                     [](Contact c) { return c == Contact::kClosed; });
 }
 
 template <class Real>
-GapCurve<Real> Motion<Real>::gap_ahead(int stop, const Real& window) {
-  arc_.start(flow_.phase(instant_), q_, qdot_);
-  const Stop& s = stops_[static_cast<std::size_t>(stop)];
-  return GapCurve<Real>(arc_, s.row, s.gap, window, s.contact != Contact::kClear);
+ContactPhase<Real>& Motion<Real>::phase_of(const std::vector<int>& closed) {
+  std::unique_ptr<ContactPhase<Real>>& phase = phases_[closed];
+  if (!phase) phase = std::make_unique<ContactPhase<Real>>(system_, closed);
+  return *phase;
 }
 
 template <class Real>
-Arrival<Real> Motion<Real>::fly(const Real& until) {
+ContactPhase<Real>& Motion<Real>::start_phase() {
+  if (!phase_) phase_ = &phase_of(closed());
+  phase_->start(clock_.phase(now_.instant), now_.q, now_.qdot);
+  return *phase_;
+}
+
+template <class Real>
+Real Motion<Real>::gap(int i) const {
+  return stop(i).gap - stop(i).row.dot(now_.q);
+}
+
+template <class Real>
+Real Motion<Real>::approach_speed(int i) const {
+  return stop(i).row.dot(now_.qdot);
+}
+
+template <class Real>
+ArcCurve<Real> Motion<Real>::gap_ahead(int i, const Real& window) {
+  return start_phase().gap(i, window, contact(i) != Contact::kClear);
+}
+
+template <class Real>
+Arrival<Real> Motion<Real>::fly(const Real& until, const Real& horizon) {
+  std::optional<Arrival<Real>> arrival;
+  if (changes_.empty() && undecided_) arrival = decide();
+  if (!arrival && !changes_.empty()) {
+    arrival = Arrival<Real>{changes_.front().kind, changes_.front().stop, Real(0), Real(0)};
+    changes_.erase(changes_.begin());
+  }
+  if (!arrival) arrival = arrive(search(until, horizon), until);
+  const bool stands = arrival->flight == 0 && arrival->kind != ArrivalKind::kTime;
+  standstill_ = stands ? standstill_ + 1 : 0;
+  if (standstill_ > motion_detail::kMostStandstills) arrival->kind = ArrivalKind::kUndecided;
+  return *arrival;
+}
+
+// The first event along the arc that starts now.
+template <class Real>
+Arrival<Real> Motion<Real>::search(const Real& until, const Real& horizon) {
+  departure_ = now_;
+  ContactPhase<Real>& phase = start_phase();
   Arrival<Real> arrival;
-  arc_.start(flow_.phase(instant_), q_, qdot_);
-  arrival.flight = until - instant_.local;
-  for (std::size_t i = 0; i < stops_.size(); ++i) {
-    const Stop& stop = stops_[i];
-    const int index = static_cast<int>(i);
-    const GapCurve<Real> curve(arc_, stop.row, stop.gap, arrival.flight,
-                               stop.contact != Contact::kClear);
-    int multiplicity = 0;
-    if (stop.contact != Contact::kClear) {
-      const CurvePoint<Real> rate = curve.at(Real(0), 1);
-      if (stop.contact == Contact::kTouching && rate.value < -rate.noise)
-        return {ArrivalKind::kContact, index, Real(0), approach_speed(index)};
-      multiplicity = rate.value > rate.noise ? 1 : 2;
-    }
-    const FirstZero<Real> zero = first_contact(curve, multiplicity);
+  arrival.flight = std::min<Real>(horizon - now_.instant.local, phase.longest_flight());
+  for (const int i : order_) {
+    if (contact(i) == Contact::kLocked) continue;
+    const bool is_closed = contact(i) == Contact::kClosed;
+    const int multiplicity = now_.multiplicities[static_cast<std::size_t>(i)];
+    const FirstZero<Real> zero =
+        is_closed ? first_release(phase.force(i, arrival.flight))
+                  : first_contact(phase.gap(i, arrival.flight, multiplicity > 0), multiplicity);
     if (zero.kind == ZeroKind::kNone) continue;
-    arrival.stop = index;
+    arrival.stop = i;
     arrival.flight = zero.s;
-    arrival.kind = zero.kind == ZeroKind::kBlocked     ? ArrivalKind::kRest
-                   : zero.kind == ZeroKind::kBudget    ? ArrivalKind::kUndecided
+    arrival.kind = zero.kind == ZeroKind::kBudget      ? ArrivalKind::kUndecided
                    : zero.kind == ZeroKind::kNotFinite ? ArrivalKind::kNotFinite
+                   : zero.kind == ZeroKind::kBlocked   ? ArrivalKind::kTouch
+                   : is_closed                         ? ArrivalKind::kRelease
                                                        : ArrivalKind::kContact;
     if (arrival.kind == ArrivalKind::kNotFinite) return arrival;
   }
-  move(arrival.flight, until);
-  if (arrival.kind == ArrivalKind::kContact) {
-    // The state decides: within rounding its speed can differ in sign from the curve's slope.
-    arrival.speed = approach_speed(arrival.stop);
-    if (!(arrival.speed > 0)) arrival.kind = ArrivalKind::kTouch;
-  }
-  if (arrival.kind == ArrivalKind::kContact)
-    settle_on(stops_[static_cast<std::size_t>(arrival.stop)]);
-  for (std::size_t i = 0; i < stops_.size(); ++i) {
-    const bool here = static_cast<int>(i) == arrival.stop;
-    const bool stays = arrival.flight == 0 && !here;
-    if (here)
-      stops_[i].contact =
-          arrival.kind == ArrivalKind::kTouch ? Contact::kDeparting : Contact::kTouching;
-    else if (!stays)
-      stops_[i].contact = Contact::kClear;
-  }
-  using std::isfinite;
-  for (Eigen::Index j = 0; j < q_.size(); ++j)
-    if (!isfinite(q_[j]) || !isfinite(qdot_[j])) arrival.kind = ArrivalKind::kNotFinite;
+  if (arrival.flight > until - now_.instant.local)
+    return {ArrivalKind::kTime, -1, until - now_.instant.local, Real(0)};
   return arrival;
 }
 
 template <class Real>
-void Motion<Real>::move(const Real& flight, const Real& until) {
-  const bool whole = flight == until - instant_.local;
-  if (flight > 0) arc_.state(flight, q_, qdot_);
-  instant_.local = whole ? until : Real(instant_.local + flight);
-  if (instant_.local >= flow_.period()) {
-    ++instant_.period;
-    instant_.local = 0;
+Arrival<Real> Motion<Real>::arrive(Arrival<Real> arrival, const Real& until) {
+  using std::isfinite;
+  flown_ = phase_;
+  const bool whole = arrival.flight == until - now_.instant.local;
+  if (arrival.flight > 0) {
+    phase_->state(arrival.flight, now_.q, now_.qdot);
+    // A stop that has hardly been left still counts as touched: the sign of its gap is rounding.
+    for (const int i : order_)
+      if (contact(i) == Contact::kDeparting)
+        set(i, touches(i) ? Contact::kTouching : Contact::kClear);
+  }
+  now_.instant.local = whole ? until : Real(now_.instant.local + arrival.flight);
+  if (now_.instant.local >= clock_.period()) {
+    ++now_.instant.period;
+    now_.instant.local = 0;
+  }
+  for (Eigen::Index j = 0; j < now_.q.size(); ++j)
+    if (!isfinite(now_.q[j]) || !isfinite(now_.qdot[j])) {
+      arrival.kind = ArrivalKind::kNotFinite;
+      return arrival;
+    }
+  switch (arrival.kind) {
+    case ArrivalKind::kContact:
+      // A gap that touches zero without approaching has nothing to undo: a grazing from outside, or
+      // a point within rounding of one.
+      arrival.speed = approach_speed(arrival.stop);
+      if (!(arrival.speed > 0)) arrival.kind = ArrivalKind::kTouch;
+      [[fallthrough]];
+    case ArrivalKind::kTouch:
+      set(arrival.stop, Contact::kTouching);
+      if (arrival.kind == ArrivalKind::kContact) {
+        settle_on(arrival.stop);
+        touch_simultaneous(arrival.flight);
+      }
+      break;
+    case ArrivalKind::kRelease:
+      set(arrival.stop, Contact::kDeparting, 3);
+      phase_ = nullptr;
+      for (const int i : order_)
+        if (contact(i) == Contact::kLocked) set(i, Contact::kTouching);
+      break;
+    default:
+      break;
+  }
+  return arrival;
+}
+
+// Other stops whose gap vanishes at the located instant, within its rounding and that of time.
+template <class Real>
+void Motion<Real>::touch_simultaneous(const Real& flight) {
+  using std::abs;
+  const Real eps = std::numeric_limits<Real>::epsilon();
+  for (const int i : order_) {
+    if (contact(i) != Contact::kClear) continue;
+    const GapValue<Real> gap = gap_value(stop(i).row, now_.q, stop(i).gap);
+    const Real moved = eps * (now_.instant.local + flight) * abs(approach_speed(i));
+    if (!(gap.value <= gap.rounding + moved)) continue;
+    set(i, Contact::kTouching);
+    settle_on(i);
   }
 }
 
@@ -107,21 +228,10 @@ void Motion<Real>::move(const Real& flight, const Real& until) {
 // next arc starts from it. The offset, small against the present motion, would outlive a decaying
 // one.
 template <class Real>
-void Motion<Real>::settle_on(const Stop& stop) {
-  const Real offset = (stop.gap - stop.row.dot(q_)) / stop.row.squaredNorm();
-  for (Eigen::Index j = 0; j < q_.size(); ++j) q_[j] += offset * stop.row[j];
-}
-
-template <class Real>
-void Motion<Real>::impact(int stop) {
-  Stop& s = stops_[static_cast<std::size_t>(stop)];
-  const Real target = -s.restitution * s.row.dot(qdot_);
-  // Twice: row.direction = 1 holds to rounding only, and errs to the same side at every impact.
-  for (int pass = 0; pass < 2; ++pass) {
-    const Real jump = s.row.dot(qdot_) - target;
-    for (Eigen::Index j = 0; j < qdot_.size(); ++j) qdot_[j] -= jump * s.direction[j];
-  }
-  s.contact = Contact::kDeparting;
+void Motion<Real>::settle_on(int i) {
+  const Stop& s = stop(i);
+  const Real offset = (s.gap - s.row.dot(now_.q)) / s.row.squaredNorm();
+  for (Eigen::Index j = 0; j < now_.q.size(); ++j) now_.q[j] += offset * s.row[j];
 }
 
 }  // namespace graze

@@ -9,7 +9,8 @@
 #include "graze/base/angle.hpp"
 #include "graze/contact/impulse.hpp"
 #include "graze/hybrid/clearance.hpp"
-#include "graze/hybrid/motion.hpp"
+#include "graze/system/gap_value.hpp"
+#include "graze/system/scale.hpp"
 
 namespace graze {
 namespace {
@@ -24,28 +25,28 @@ double longest_free_flight(const System& system) {
   return std::isfinite(slowest) ? kOscillations * kTurn / slowest : slowest;
 }
 
+bool not_before(const Instant<double>& a, const Instant<double>& b) {
+  return a.period > b.period || (a.period == b.period && a.local >= b.local);
+}
+
 class Run {
  public:
-  Run(const System& system, const State& start, const SimulationOptions& options,
+  // Keeps its own state and the motion's; `state` says where it begins.
+  Run(const System& system, const RunState& state, const SimulationOptions& options,
       const RunListeners& listeners)
       : system_(system),
         options_(options),
         listeners_(listeners),
-        motion_(system, {}, start.q, start.qdot) {
-    if (options.duration) {
-      end_.local = *options.duration;
-      if (system.forcing) {
-        const double periods = std::floor(*options.duration / system.period());
-        end_.period = static_cast<long long>(periods);
-        end_.local =
-            std::clamp(*options.duration - periods * system.period(), 0.0, system.period());
-      }
-    } else {
-      end_.period = options.periods;
-    }
+        motion_(system, state.motion),
+        state_(state) {
+    set_end();
     if (!system.forcing) longest_flight_ = longest_free_flight(system);
-    for (std::size_t i = 0; i < system.stops.size(); ++i)
-      note_gap(motion_.gap(static_cast<int>(i)));
+    for (std::size_t i = 0; i < system.stops.size(); ++i) note_gap_at(static_cast<int>(i));
+    if (options.energy && !state_.keeps_book) {
+      state_.keeps_book = true;
+      state_.book.start = energy();
+    }
+    state_.keeps_book = options.energy;
   }
 
   Simulation finish() {
@@ -53,114 +54,260 @@ class Run {
     }
     result_.end_time = time();
     result_.final = {motion_.q(), motion_.qdot()};
+    for (int i = 0; i < stops(); ++i) {
+      const bool stuck = is_stuck(i);
+      if (stuck) result_.stuck.push_back(i);
+      result_.forces.push_back(motion_.is_closed(i) && !motion_.has_news() ? motion_.force(i)
+                                                                           : 0.0);
+    }
+    result_.totals = state_.totals;
+    if (options_.energy) {
+      state_.book.now = energy();
+      result_.energy = state_.book;
+    }
+    // An arc that was cut by the end of the run is flown again, whole, by one that goes on from it.
+    result_.state = cut_arc_ ? *cut_arc_ : state_;
+    result_.state.motion = cut_arc_ ? motion_.departure() : motion_.state();
+    result_.state.samples = state_.samples;
     return result_;
   }
 
  private:
-  // One arc; false when the run is over.
+  int stops() const { return static_cast<int>(system_.stops.size()); }
+  const RigidStop& stop(int i) const { return system_.stops[static_cast<std::size_t>(i)]; }
+  bool is_stuck(int i) const {
+    return motion_.is_closed(i) && !(state_.due && state_.due->stop == i);
+  }
+  double energy() const { return mechanical_energy(system_, motion_.q(), motion_.qdot()); }
+
+  void set_end() {
+    if (!options_.duration) {
+      end_.period = options_.periods;
+      return;
+    }
+    end_.local = *options_.duration;
+    if (!system_.forcing) return;
+    const double periods = std::floor(*options_.duration / system_.period());
+    end_.period = static_cast<long long>(periods);
+    end_.local = std::clamp(*options_.duration - periods * system_.period(), 0.0, system_.period());
+  }
+
+  // One arc or one change; false when the run is over.
   bool proceed() {
     const Instant<double> start = motion_.instant();
-    if (start.period > end_.period || (start.period == end_.period && start.local >= end_.local))
-      return false;
-    if (!within_budget()) return false;
-    double until = start.period == end_.period ? end_.local : motion_.flow().period();
-    if (until - start.local > longest_flight_) until = start.local + longest_flight_;
+    // What a cut arc's end would decide is decided when it is flown again, whole.
+    if (cut_arc_ && not_before(start, end_)) return false;
+    if (motion_.has_news()) return receive(motion_.fly(start.local));
+    if (state_.due && not_before(start, state_.due->at)) announce_due();
+    if (not_before(start, end_) || !within_budget()) return false;
+    // The end of the run cuts an arc; it is searched as if it went on, so that a run that goes on
+    // from here finds the same to the last bit.
+    double horizon = motion_.flow().period();
+    if (state_.due && state_.due->at.period == start.period)
+      horizon = std::min(horizon, state_.due->at.local);
+    if (horizon - start.local > longest_flight_) horizon = start.local + longest_flight_;
+    const bool cut = start.period == end_.period && end_.local <= horizon;
+    const double until = cut ? end_.local : horizon;
+    if (!std::isfinite(horizon)) horizon = until;
+    cut_arc_.reset();
+    if (cut || listeners_.sample) cut_arc_ = state_;
     const double start_time = time();
     // Until the first contact the smallest gap is not known to be zero and has to be looked for.
-    if (result_.totals.impacts == 0) note_minima(until - start.local);
-    const Arrival<double> arrival = motion_.fly(until);
-    if (listeners_.sample && !hand_out_samples(start_time, arrival.flight)) return false;
+    if (state_.totals.impacts == 0 && !motion_.is_closed_anywhere())
+      note_minima(until - start.local);
+    const Arrival<double> arrival = motion_.fly(until, horizon);
+    if (!follow(start_time, arrival.flight)) return false;  // within the arc
+    if (!cut || arrival.kind != ArrivalKind::kTime) cut_arc_.reset();
     return receive(arrival);
+  }
+
+  // Along the arc just flown.
+  bool follow(double start_time, double flight) {
+    if (flight > 0.0) state_.started = true;
+    if (listeners_.sample && !hand_out_samples(start_time, flight)) return false;
+    if (options_.energy && flight > 0.0)
+      state_.book.work = state_.book.work + work_along(system_, motion_.flown(), flight);
+    if (!motion_.flown().closed().empty() && !state_.due) state_.totals.stuck_time += flight;
+    return true;
   }
 
   bool receive(const Arrival<double>& arrival) {
     switch (arrival.kind) {
       case ArrivalKind::kTime:
         if (listeners_.progress) listeners_.progress(fraction());
-        for (std::size_t i = 0; i < system_.stops.size(); ++i)
-          note_gap(motion_.gap(static_cast<int>(i)));
+        for (int i = 0; i < stops(); ++i) note_gap_at(i);
         return true;
       case ArrivalKind::kTouch:
-        ++result_.totals.undecided_touches;
+        ++state_.totals.undecided_touches;
         return true;
       case ArrivalKind::kContact:
-        book_impact(arrival);
+        book_impact();
         return true;
-      case ArrivalKind::kRest:
-        result_.resting_stop = arrival.stop;
-        return stop(RunOutcome::kEventBudget, rest_sentence(arrival.stop));
+      case ArrivalKind::kStick:
+        book_stick(arrival.stop);
+        return true;
+      case ArrivalKind::kRelease:
+        emit(event_at(EventKind::kRelease, arrival.stop));
+        return true;
       case ArrivalKind::kUndecided:
-        return stop(RunOutcome::kEventBudget,
-                    fmt::format("the search for the next contact with stop {} used up its "
-                                "evaluations at t = {:.9g} s",
-                                arrival.stop + 1, time()));
+        return stop_run(RunOutcome::kEventBudget,
+                        fmt::format("the search for the next event at stop {} used up its "
+                                    "evaluations at t = {:.9g} s",
+                                    arrival.stop + 1, time()));
       case ArrivalKind::kNotFinite:
-        return stop(
+        return stop_run(
             RunOutcome::kNotFinite,
             fmt::format("the motion left the range of double precision at t = {:.9g} s", time()));
+      case ArrivalKind::kRefused:
+        return stop_run(
+            RunOutcome::kRefused,
+            fmt::format("the motion comes to rest on stop {} at t = {:.9g} s and cannot "
+                        "be followed there: {}",
+                        arrival.stop + 1, time(), motion_.refusal()));
     }
     return false;
   }
 
-  std::string rest_sentence(int stop) const {
-    const long long impacts = result_.totals.impacts;
-    if (impacts == 0)
-      return fmt::format(
-          "the motion rests against stop {} at t = {:.9g} s; sticking is not "
-          "available in this version",
-          stop + 1, time());
-    return fmt::format(
-        "the motion came to rest on stop {} at t = {:.9g} s after {} impact{}; "
-        "sticking is not available in this version",
-        stop + 1, time(), impacts, impacts == 1 ? "" : "s");
-  }
-
   bool within_budget() {
-    if (result_.totals.impacts >= options_.max_impacts)
-      return stop(RunOutcome::kEventBudget,
-                  fmt::format("the budget of {} impacts was spent at t = {:.9g} s",
-                              options_.max_impacts, time()));
+    if (state_.totals.impacts >= options_.max_impacts)
+      return stop_run(RunOutcome::kEventBudget,
+                      fmt::format("the budget of {} impacts was spent at t = {:.9g} s",
+                                  options_.max_impacts, time()));
     if (options_.stop.is_interrupted())
-      return stop(RunOutcome::kInterrupted, fmt::format("stopped at t = {:.9g} s", time()));
+      return stop_run(RunOutcome::kInterrupted, fmt::format("stopped at t = {:.9g} s", time()));
     // The clock costs as much as an arc of a small system: it is read once in 256 times.
     if ((++polls_ & 255) == 0 && options_.stop.is_late())
-      return stop(RunOutcome::kTimeBudget,
-                  fmt::format("the budget of computing time was spent at t = {:.9g} s", time()));
+      return stop_run(
+          RunOutcome::kTimeBudget,
+          fmt::format("the budget of computing time was spent at t = {:.9g} s", time()));
     return true;
   }
 
-  bool stop(RunOutcome outcome, std::string message) {
+  bool stop_run(RunOutcome outcome, std::string message) {
     result_.outcome = outcome;
     result_.message = std::move(message);
     return false;
   }
 
-  void book_impact(const Arrival<double>& arrival) {
-    const RigidStop& stop = system_.stops[static_cast<std::size_t>(arrival.stop)];
+  Event event_at(EventKind kind, int i) const {
     Event event;
+    event.kind = kind;
     event.time = time();
     event.period_index = motion_.instant().period;
-    event.stop = arrival.stop;
-    event.speed = arrival.speed;
-    event.energy_change =
-        impact_energy_change(stop.row, stop.direction, motion_.qdot(), stop.restitution);
-    if (system_.forcing) event.phase = wrapped(motion_.flow().phase(motion_.instant()));
-    note_gap(motion_.gap(arrival.stop));
-    ++result_.totals.impacts;
-    (event.energy_change > 0.0 ? result_.totals.energy_added : result_.totals.energy_lost) +=
-        std::abs(event.energy_change);
-    motion_.impact(arrival.stop);
+    event.stop = i;
+    return event;
+  }
+
+  void emit(const Event& event) {
+    state_.started = true;
     if (listeners_.event) listeners_.event(event);
   }
 
+  void book_energy(double change) {
+    (change > 0.0 ? state_.totals.energy_added : state_.totals.energy_lost) += std::abs(change);
+    state_.book.impacts += change;
+  }
+
+  void book_impact() {
+    const Vector before = motion_.qdot();
+    std::vector<ImpactShare<double>> shares = motion_.impact();
+    std::sort(shares.begin(), shares.end(),
+              [](const auto& a, const auto& b) { return a.stop < b.stop; });
+    const auto acts = [](const ImpactShare<double>& share) { return share.impulse > 0.0; };
+    const bool alone = std::count_if(shares.begin(), shares.end(), acts) == 1;
+    const Vector mean = 0.5 * (before + motion_.qdot());
+    const ImpactShare<double>* last = nullptr;
+    for (const ImpactShare<double>& share : shares) {
+      if (!acts(share)) continue;
+      const RigidStop& s = stop(share.stop);
+      const double r = s.restitution.at(share.speed);
+      const double change =
+          alone ? impact_energy_change(s.row, s.direction, before, r)
+                : shared_energy_change(s.row, s.direction, share.impulse, share.speed, r, mean);
+      book_energy(change);
+      if (!share.hit) continue;
+      last = &share;
+      Event event = event_at(EventKind::kImpact, share.stop);
+      event.speed = share.speed;
+      event.energy_change = change;
+      if (system_.forcing) event.phase = wrapped(motion_.flow().phase(motion_.instant()));
+      note_gap_at(share.stop);
+      ++state_.totals.impacts;
+      if (s.restitution.clamps_at(share.speed)) ++state_.totals.clamped_restitutions;
+      RunState::Streak& streak = state_.streaks[static_cast<std::size_t>(share.stop)];
+      streak.impacts = share.speed < streak.speed ? streak.impacts + 1 : 1;
+      streak.speed = share.speed;
+      emit(event);
+    }
+    if (alone && last && last->speed <= state_.closure_speed) close_chatter(*last);
+  }
+
+  // Sums the tail of a chatter where it will complete.
+  void close_chatter(const ImpactShare<double>& impact) {
+    const RigidStop& s = stop(impact.stop);
+    if (!(s.restitution.at_rest() < 1.0)) return;
+    const Vector before = motion_.qdot();
+    const std::optional<double> duration =
+        motion_.close_chatter(impact.stop, s.restitution.at(impact.speed));
+    if (!duration) return;
+    Event event = chatter_event(impact.stop);
+    event.energy_change = impact_energy_change(s.row, s.direction, before, 0.0);
+    book_energy(event.energy_change);
+    ++state_.totals.chatters;
+    emit(event);
+    RunState::Due due{impact.stop, motion_.instant()};
+    due.at.local += *duration;
+    if (due.at.local >= motion_.flow().period()) {
+      due.at.local -= motion_.flow().period();
+      ++due.at.period;
+    }
+    state_.due = due;
+  }
+
+  Event chatter_event(int i) {
+    Event event = event_at(EventKind::kChatter, i);
+    event.impacts = state_.streaks[static_cast<std::size_t>(i)].impacts;
+    event.closure_speed = state_.closure_speed;
+    state_.streaks[static_cast<std::size_t>(i)] = {};
+    return event;
+  }
+
+  void book_stick(int i) {
+    if (state_.due && state_.due->stop == i) return;  // announced when its tail is over
+    if (!state_.started) return;                      // it starts there
+    // A chatter that was followed down to the rounding of its speeds; without restitution there is
+    // none.
+    const RunState::Streak& streak = state_.streaks[static_cast<std::size_t>(i)];
+    if (streak.impacts > 1 && stop(i).restitution.at(streak.speed) > 0.0) emit(chatter_event(i));
+    announce_stick(i);
+  }
+
+  void announce_stick(int i) {
+    Event event = event_at(EventKind::kStick, i);
+    event.force = motion_.force(i);
+    emit(event);
+  }
+
+  void announce_due() {
+    const int i = state_.due->stop;
+    state_.due.reset();
+    if (motion_.is_closed(i)) announce_stick(i);
+  }
+
   void note_gap(double gap) {
-    std::optional<double>& smallest = result_.totals.smallest_gap;
+    std::optional<double>& smallest = state_.totals.smallest_gap;
     if (!smallest || gap < *smallest) smallest = gap;
   }
 
+  // A gap within its rounding of zero is zero.
+  void note_gap_at(int i) {
+    const GapValue<double> gap = gap_value<double>(stop(i).row, motion_.q(), stop(i).gap);
+    note_gap(std::abs(gap.value) <= gap.rounding ? 0.0 : gap.value);
+  }
+
   void note_minima(double window) {
-    for (std::size_t i = 0; i < system_.stops.size(); ++i) {
-      const GapCurve<double> curve = motion_.gap_ahead(static_cast<int>(i), window);
+    for (int i = 0; i < stops(); ++i) {
+      const ArcCurve<double> curve = motion_.gap_ahead(i, window);
       // A minimum beyond the first contact is not part of the motion; the contact itself is zero.
       if (const auto gap = smallest_minimum(curve)) note_gap(std::max(*gap, 0.0));
     }
@@ -168,28 +315,35 @@ class Run {
 
   // False when the run has to stop: an arc can hold any number of samples.
   bool hand_out_samples(double start_time, double flight) {
-    Sample sample{0.0, {Vector(system_.modes()), Vector(system_.modes())}};
+    Sample sample{0.0, {Vector(system_.modes()), Vector(system_.modes())}, {}, {}};
+    const ContactPhase<double>& phase = motion_.flown();
     for (;;) {
-      sample.time = static_cast<double>(samples_) / listeners_.sample_rate;
+      sample.time = static_cast<double>(state_.samples) / listeners_.sample_rate;
       const double s = std::max(sample.time - start_time, 0.0);
       if (s > flight) return true;
       if (!within_budget()) return false;
-      motion_.arc().state(s, sample.state.q, sample.state.qdot);
+      phase.state(s, sample.state.q, sample.state.qdot);
+      sample.forces.assign(system_.stops.size(), 0.0);
+      for (const int i : phase.closed())
+        sample.forces[static_cast<std::size_t>(i)] = phase.force(i, flight).at(s, 0).value;
+      if (options_.energy) {
+        sample.energy = state_.book;
+        sample.energy->work = state_.book.work + work_along(system_, phase, s);
+        sample.energy->now = mechanical_energy(system_, sample.state.q, sample.state.qdot);
+      }
       listeners_.sample(sample);
-      ++samples_;
+      ++state_.samples;
     }
   }
 
-  double time() const {
-    const Instant<double>& now = motion_.instant();
-    return now.period == 0 ? now.local
-                           : static_cast<double>(now.period) * motion_.flow().period() + now.local;
+  double time_of(const Instant<double>& instant) const {
+    return instant.period == 0
+               ? instant.local
+               : static_cast<double>(instant.period) * motion_.flow().period() + instant.local;
   }
-
+  double time() const { return time_of(motion_.instant()); }
   double fraction() const {
-    const double end =
-        end_.period == 0 ? end_.local
-                         : static_cast<double>(end_.period) * motion_.flow().period() + end_.local;
+    const double end = time_of(end_);
     return end > 0.0 ? std::min(time() / end, 1.0) : 1.0;
   }
 
@@ -197,18 +351,36 @@ class Run {
   const SimulationOptions& options_;
   const RunListeners& listeners_;
   Motion<double> motion_;
+  RunState state_;
+  std::optional<RunState> cut_arc_;  // before the arc that the end of the run cuts
   Instant<double> end_;
   double longest_flight_ = std::numeric_limits<double>::infinity();  // s
   long long polls_ = 0;
-  long long samples_ = 0;
   Simulation result_;
 };
 
 }  // namespace
 
+double default_closure_speed(const System& system, const State& start, double tolerance) {
+  return speed_scale(system, start) * std::sqrt(tolerance / 100.0);
+}
+
 Simulation simulate(const System& system, const State& start, const SimulationOptions& options,
                     const RunListeners& listeners) {
-  return Run(system, start, options, listeners).finish();
+  constexpr double kTolerance = 1e-10;  // as of a scene that names none
+  RunState state;
+  state.motion = Motion<double>(system, {}, start.q, start.qdot).state();
+  state.streaks.resize(system.stops.size());
+  state.closure_speed =
+      options.closure_speed.value_or(default_closure_speed(system, start, kTolerance));
+  return Run(system, state, options, listeners).finish();
+}
+
+Simulation resume(const System& system, const RunState& from, const SimulationOptions& options,
+                  const RunListeners& listeners) {
+  RunState state = from;
+  if (options.closure_speed) state.closure_speed = *options.closure_speed;
+  return Run(system, state, options, listeners).finish();
 }
 
 }  // namespace graze

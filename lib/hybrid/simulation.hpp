@@ -1,4 +1,4 @@
-// A run: the motion from its initial state until its end, its budget or its rest on a stop.
+// A run: the motion from its initial state until its end or its budget, event by event.
 #pragma once
 
 #include <functional>
@@ -7,25 +7,36 @@
 #include <vector>
 
 #include "graze/base/stop_signal.hpp"
-#include "graze/system/system.hpp"
+#include "graze/hybrid/energy_book.hpp"
+#include "graze/hybrid/motion.hpp"
 
 namespace graze {
 
-enum class EventKind { kImpact };
+enum class EventKind { kImpact, kChatter, kStick, kRelease };
 
 struct Event {
   EventKind kind = EventKind::kImpact;
-  double time = 0.0;            // s
-  long long period_index = 0;   // whole forcing periods before it
-  int stop = 0;                 // index from 0
-  double speed = 0.0;           // approach speed just before, m/s, > 0
-  std::optional<double> phase;  // (frequency t + phase) mod 2 pi, rad; absent without forcing
-  double energy_change = 0.0;   // of the kinetic energy, J
+  double time = 0.0;           // s
+  long long period_index = 0;  // whole forcing periods before it
+  int stop = 0;                // index from 0
+  // Impact: approach speed just before, m/s, > 0; forcing phase (frequency t + phase) mod 2 pi,
+  // rad, absent without forcing; change of the kinetic energy, J.
+  double speed = 0.0;
+  std::optional<double> phase;
+  double energy_change = 0.0;
+  // Chatter, at its last resolved impact: how many impacts on this stop fell in speed one after the
+  // other up to it, and the speed below which the rest was summed, m/s.
+  long long impacts = 0;
+  double closure_speed = 0.0;
+  // Stick: the contact force that sets in, N.
+  double force = 0.0;
 };
 
 struct Sample {
   double time = 0.0;  // s
   State state;
+  std::vector<double> forces;        // contact force at every stop, N; 0 where it is open
+  std::optional<EnergyBook> energy;  // up to this instant, when the run keeps the book
 };
 
 // Who wants to hear of the run as it goes; an empty function is never called and costs nothing.
@@ -37,22 +48,59 @@ struct RunListeners {
 };
 
 struct SimulationOptions {
-  // The end: `duration` seconds when given, else `periods` forcing periods.
+  // The end: `duration` seconds after t = 0 when given, else `periods` forcing periods.
   std::optional<double> duration;
   long long periods = 100;
   long long max_impacts = 10'000'000;
+  // Speed below which a chatter is summed, m/s; see default_closure_speed.
+  std::optional<double> closure_speed;
+  bool energy = false;  // keep the energy book
   StopSignal stop;
 };
 
-enum class RunOutcome { kReachedEnd, kEventBudget, kTimeBudget, kNotFinite, kInterrupted };
+// Summing the tail of a chatter from speed v on errs by about 100 (v/V)^2 of a forcing period at
+// r = 0.8, V the speed of the motion: v = V sqrt(tolerance/100).
+double default_closure_speed(const System& system, const State& start, double tolerance);
+
+enum class RunOutcome {
+  kReachedEnd,
+  kEventBudget,
+  kTimeBudget,
+  kNotFinite,
+  kRefused,  // the motion on a stop cannot be followed: its law makes it grow without bound
+  kInterrupted
+};
 
 struct RunTotals {
   long long impacts = 0;
+  long long chatters = 0;              // that were summed
+  long long clamped_restitutions = 0;  // impacts at which r(v) left [0, 1] and was clamped
   long long undecided_touches = 0;     // grazings within rounding, passed without impact
-  double stuck_time = 0.0;             // s
+  double stuck_time = 0.0;             // with at least one stop closed, s
   double energy_added = 0.0;           // by impacts that gained kinetic energy, J
   double energy_lost = 0.0;            // by impacts that lost kinetic energy, J
   std::optional<double> smallest_gap;  // over the whole run and all stops, m; absent without stops
+};
+
+// Everything a run needs to go on as if it had never ended: where its last arc began.
+struct RunState {
+  MotionState<double> motion;
+  bool started = false;  // something has happened since t = 0
+  struct Streak {        // impacts on a stop that fall in speed
+    long long impacts = 0;
+    double speed = 0.0;
+  };
+  std::vector<Streak> streaks;  // per stop
+  struct Due {                  // a chatter was summed: it sticks then
+    int stop = 0;
+    Instant<double> at;
+  };
+  std::optional<Due> due;
+  RunTotals totals;
+  bool keeps_book = false;
+  EnergyBook book;
+  long long samples = 0;       // handed out so far
+  double closure_speed = 0.0;  // m/s
 };
 
 struct Simulation {
@@ -60,12 +108,20 @@ struct Simulation {
   std::string message;  // a sentence unless the end was reached
   double end_time = 0.0;
   State final;
-  std::optional<int> resting_stop;  // the motion came to rest on this stop (index from 0)
+  std::vector<int> stuck;      // closed stops at the end (index from 0)
+  std::vector<double> forces;  // contact forces at the end, N, one per stop
   RunTotals totals;
+  std::optional<EnergyBook> energy;
+  RunState state;  // to go on from
 };
 
 // Runs the system from `start` at t = 0. Requires forcing or a duration.
 Simulation simulate(const System& system, const State& start, const SimulationOptions& options,
                     const RunListeners& listeners = {});
+
+// Goes on from the state that an earlier run of the same system left behind; the events that follow
+// are, bit for bit, those of a run that was never cut.
+Simulation resume(const System& system, const RunState& from, const SimulationOptions& options,
+                  const RunListeners& listeners = {});
 
 }  // namespace graze

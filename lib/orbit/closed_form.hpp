@@ -5,7 +5,8 @@
 //
 //   y- = (I - E J)^-1 Re(R e^{i phi}),   contact:  |kappa| cos(phi + arg kappa) = gap,
 //
-// (R = (I - E) Y where there is a steady response Y; R exists at resonance too.) There are
+// A constant load adds its own (I - E J)^-1 r_0 to y-, r_0 its response from rest, and so moves the
+// gap. (R = (I - E) Y where there is a steady response Y; R exists at resonance too.) There are
 // two solutions where |kappa| > |gap|, a fold exactly where they meet. It starts the finder and
 // referees shooting, continuation, multipliers and simulation; it knows nothing of admissibility.
 #pragma once
@@ -20,6 +21,8 @@ namespace graze {
 
 struct ClosedForm {
   Complex kappa;           // m
+  State rest;              // part of y- that a constant load makes
+  double moved = 0.0;      // row.rest, m
   ComplexVector response;  // y- = Re(response e^{i phi}), (q; q'), 2N
 
   // The solutions for contact at `gap`: none, or two (equal at the fold), phase in [0, 2 pi).

@@ -33,7 +33,7 @@ struct FoundOrbits {
   std::vector<Orbit> orbits;  // by period, impacts, phases; each once, each minimal
   int inadmissible = 0;       // distinct solutions left out because they are no orbits
   StartCount closed_form, simulation, random;
-  bool simulated = false;  // whether the simulation was among the starts
+  bool simulated = false;          // whether the simulation was among the starts
   std::vector<std::string> notes;  // sentences: what the simulation does, what did not hold
 };
 

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "graze/base/angle.hpp"
-#include "graze/flow/gap_curve.hpp"
+#include "graze/flow/arc_curve.hpp"
 #include "graze/flow/transition.hpp"
 #include "graze/hybrid/clearance.hpp"
 
@@ -75,15 +75,17 @@ Matrix saltation_matrix(const System& system, const RigidStop& stop, const State
                         double theta) {
   const Eigen::Index n = system.modes();
   const double v = stop.row.dot(before.qdot);
+  const double jump = (1.0 + stop.restitution.at(v)) * v, slope = jump_slope(stop, v);
   const State rate_before = vector_field(system, before, theta);
   const State rate_after = vector_field(system, after_impact(stop, before), theta);
-  // f+ - J f-: the displacement part is the jump of velocity, -(1 + r) v d.
+  // f+ - J f-: the displacement part is the jump of velocity, -(1 + r) v d. J holds the derivative
+  // of the jump by v, 1 + r + v r'.
   Vector defect(2 * n);
-  defect.head(n) = -(1.0 + stop.restitution) * v * stop.direction;
-  defect.tail(n) = rate_after.qdot - rate_before.qdot +
-                   (1.0 + stop.restitution) * stop.row.dot(rate_before.qdot) * stop.direction;
+  defect.head(n) = -jump * stop.direction;
+  defect.tail(n) =
+      rate_after.qdot - rate_before.qdot + slope * stop.row.dot(rate_before.qdot) * stop.direction;
   Matrix s = Matrix::Identity(2 * n, 2 * n);
-  s.bottomRightCorner(n, n) -= (1.0 + stop.restitution) * stop.direction * stop.row.transpose();
+  s.bottomRightCorner(n, n) -= slope * stop.direction * stop.row.transpose();
   s.leftCols(n) += defect / v * stop.row.transpose();
   return s;
 }
@@ -119,7 +121,8 @@ Admissibility admissibility(const System& system, const ImpactPattern& pattern,
     arc.start(points[i].theta, after.q, after.qdot);
     for (std::size_t k = 0; k < system.stops.size(); ++k) {
       const bool here = static_cast<int>(k) == pattern.stops[i];
-      const GapCurve<double> curve(arc, system.stops[k].row, system.stops[k].gap, flight, here);
+      const ArcCurve<double> curve(
+          arc, gap_observable<double>(system.stops[k].row, system.stops[k].gap), flight, here);
       const std::optional<double> minimum = smallest_minimum(curve);
       if (!minimum) continue;
       if (!result.clearance || *minimum < *result.clearance) result.clearance = minimum;

@@ -80,10 +80,10 @@ SettledMotion settle(const System& system, const State& start, const SettleOptio
                                    options.max_impacts));
     const Arrival<double> arrival = motion.fly(motion.flow().period());
     const Instant<double>& now = motion.instant();
-    if (arrival.kind == ArrivalKind::kRest)
+    if (arrival.kind == ArrivalKind::kStick || arrival.kind == ArrivalKind::kRefused)
       return unsettled(
           fmt::format("from the scene's initial state the motion comes to rest on "
-                      "stop {} in forcing period {}; motions that stick are not "
+                      "stop {} in forcing period {}; orbits that stick are not "
                       "available in this version",
                       arrival.stop + 1, now.period + 1));
     if (arrival.kind == ArrivalKind::kContact && arrival.speed <= still)
@@ -97,7 +97,7 @@ SettledMotion settle(const System& system, const State& start, const SettleOptio
                      motion.flow().phase(now),
                      arrival.speed,
                      {motion.q(), motion.qdot()}});
-      motion.impact(arrival.stop);
+      motion.impact();
       ++impacts;
       if (++in_period > kMostImpactsPerPeriod)
         return unsettled("from the scene's initial state the motion impacts without end");

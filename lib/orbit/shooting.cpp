@@ -1,11 +1,11 @@
 #include "graze/orbit/shooting.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <limits>
 
 #include "graze/base/angle.hpp"
 #include "graze/flow/transition.hpp"
+#include "graze/system/scale.hpp"
 
 namespace graze {
 namespace {
@@ -14,9 +14,10 @@ namespace {
 State after_impact_tangent(const RigidStop& stop, const RigidStop& rate, const State& before) {
   const double v = stop.row.dot(before.qdot);
   const double v_rate = rate.row.dot(before.qdot);
+  const double r_rate = stop.restitution.rate_at(v, rate.restitution);
   return {Vector::Zero(before.q.size()),
-          -(rate.restitution * v + (1.0 + stop.restitution) * v_rate) * stop.direction -
-              (1.0 + stop.restitution) * v * rate.direction};
+          -(r_rate * v + jump_slope(stop, v) * v_rate) * stop.direction -
+              (1.0 + stop.restitution.at(v)) * v * rate.direction};
 }
 
 }  // namespace
@@ -25,11 +26,7 @@ ShootingScale shooting_scale(const System& system) {
   const double frequency = system.forcing->frequency;
   ShootingScale scale{0.0, 0.0, {}};
   for (const RigidStop& stop : system.stops) {
-    double reach = std::abs(stop.gap);
-    for (Eigen::Index j = 0; j < system.omega.size(); ++j)
-      reach =
-          std::max(reach, std::abs(stop.row[j] * system.forcing->amplitude[j]) /
-                              std::max(system.omega[j] * system.omega[j], frequency * frequency));
+    const double reach = reach_at(system, stop);
     if (reach > scale.length) {
       scale.length = reach;
       scale.displacement = reach / stop.row.norm();
@@ -46,8 +43,13 @@ double still_speed(const System& system) {
          system.forcing->frequency;
 }
 
+double jump_slope(const RigidStop& stop, double v) {
+  return 1.0 + stop.restitution.at(v) + v * stop.restitution.slope_at(v);
+}
+
 State after_impact(const RigidStop& stop, const State& before) {
-  const double jump = (1.0 + stop.restitution) * stop.row.dot(before.qdot);
+  const double v = stop.row.dot(before.qdot);
+  const double jump = (1.0 + stop.restitution.at(v)) * v;
   return {before.q, before.qdot - jump * stop.direction};
 }
 
@@ -118,7 +120,8 @@ Vector ShootingProblem::residual(const System& system, const Vector& x, Matrix* 
       jacobian->block(at + 1, at, 2 * n, 1) += scaled(arc.phase_rate) - end_by_phase;
       jacobian->block(at + 1, to, 2 * n, 1) += end_by_phase;
       Matrix jump = unit.asDiagonal();
-      jump.bottomRightCorner(n, n) -= (1.0 + stop.restitution) * stop.direction *
+      jump.bottomRightCorner(n, n) -= jump_slope(stop, stop.row.dot(impact.before.qdot)) *
+                                      stop.direction *
                                       stop.row.cwiseProduct(scale_.velocity).transpose();
       jacobian->block(at + 1, at + 1, 2 * n, 2 * n) +=
           unit.cwiseInverse().asDiagonal() * arc.flow.times(jump);

@@ -73,4 +73,7 @@ class ShootingProblem {
 // The state just after the impact of `before` at a stop.
 State after_impact(const RigidStop& stop, const State& before);
 
+// Derivative of the velocity jump (1 + r(v)) v by the approach speed: 1 + r + v r'(v).
+double jump_slope(const RigidStop& stop, double v);
+
 }  // namespace graze

@@ -1,12 +1,14 @@
 #include "graze/record/files.hpp"
 
 #include <fmt/format.h>
-#include <sys/stat.h>
 #include <unistd.h>
 
 #include <cerrno>
+#include <cstdio>
 #include <cstring>
+#include <fstream>
 #include <system_error>
+#include <utility>
 
 #include "graze/base/errors.hpp"
 
@@ -17,39 +19,43 @@ namespace {
   throw FileError(fmt::format("{}: cannot {}: {}", path.string(), action, std::strerror(error)));
 }
 
-void write_all(int descriptor, const std::string& text, const std::filesystem::path& path) {
-  std::size_t done = 0;
-  while (done < text.size()) {
-    const ssize_t count = ::write(descriptor, text.data() + done, text.size() - done);
-    if (count < 0 && errno == EINTR) continue;
-    if (count < 0) fail(path, "write", errno);
-    done += static_cast<std::size_t>(count);
-  }
-}
-
 }  // namespace
 
-void write_file(const std::filesystem::path& file, const std::string& text) {
-  std::string temporary = file.string() + ".XXXXXX";
-  const int descriptor = ::mkstemp(temporary.data());
-  if (descriptor < 0) fail(file, "write", errno);
-  try {
-    write_all(descriptor, text, file);
-    // mkstemp makes files that only their owner reads; results are for everyone the umask allows.
-    const mode_t mask = ::umask(0);
-    ::umask(mask);
-    if (::fchmod(descriptor, 0666 & ~mask) != 0 || ::fsync(descriptor) != 0)
-      fail(file, "write", errno);
-  } catch (...) {
-    ::close(descriptor);
-    ::unlink(temporary.c_str());
-    throw;
+PendingFile::PendingFile(PendingFile&& other) noexcept
+    : file_(std::move(other.file_)), pending_(std::exchange(other.pending_, false)) {}
+
+PendingFile::~PendingFile() {
+  if (pending_) ::unlink(file_.written_as().c_str());
+}
+
+void PendingFile::commit() {
+  file_.sync();
+  if (std::rename(file_.written_as().c_str(), file_.path().c_str()) != 0)
+    fail(file_.path(), "write", errno);
+  pending_ = false;
+}
+
+void write_file(const std::filesystem::path& file, std::string_view text) {
+  PendingFile pending(file);
+  pending.append(text);
+  pending.commit();
+}
+
+std::string read_file(const std::filesystem::path& file, std::size_t most) {
+  std::error_code no_matter;  // what cannot be looked at cannot be opened either
+  if (std::filesystem::is_directory(file, no_matter)) fail(file, "read", EISDIR);
+  errno = 0;
+  std::ifstream stream(file, std::ios::binary);
+  if (!stream) fail(file, "read", errno != 0 ? errno : EIO);
+  std::string text;
+  std::string piece(64 * 1024, '\0');
+  while (stream && text.size() <= most) {
+    stream.read(piece.data(), static_cast<std::streamsize>(piece.size()));
+    text.append(piece.data(), static_cast<std::size_t>(stream.gcount()));
   }
-  if (::close(descriptor) != 0 || ::rename(temporary.c_str(), file.c_str()) != 0) {
-    const int error = errno;
-    ::unlink(temporary.c_str());
-    fail(file, "write", error);
-  }
+  if (stream.bad()) fail(file, "read", EIO);
+  if (text.size() > most) text.resize(most + 1);
+  return text;
 }
 
 void check_folder(const std::filesystem::path& folder) {

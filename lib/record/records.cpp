@@ -2,7 +2,69 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
+#include <limits>
+
 namespace graze {
+namespace {
+
+// A table of up to twice as many events and one shows them all.
+constexpr std::size_t kShown = 10;
+
+}  // namespace
+
+void EventExcerpt::add(const Event& event) {
+  ++count_;
+  if (first_.size() < kShown) {
+    first_.push_back(event);
+    return;
+  }
+  last_.push_back(event);
+  const std::size_t most = count_ > static_cast<long long>(2 * kShown + 1) ? kShown : kShown + 1;
+  while (last_.size() > most) last_.pop_front();
+}
+
+long long EventExcerpt::left_out() const {
+  return count_ - static_cast<long long>(first_.size() + last_.size());
+}
+
+EnergyEntries energy_entries(const System& system, const EnergyBook& book) {
+  EnergyEntries entries;
+  if (system.forcing) entries.forcing = book.work.forcing;
+  if (system.load) entries.load = book.work.load;
+  if (!system.stops.empty()) {
+    entries.constraint = book.work.constraint;
+    entries.impacts = book.impacts;
+  }
+  if ((system.delta.array() != 0.0).any()) entries.dissipation = book.work.dissipation;
+  return entries;
+}
+
+double relative_defect(const EnergyBook& book) {
+  const double defect = std::abs(book.defect());
+  return defect == 0.0 ? 0.0 : defect / book.size();
+}
+
+std::vector<std::string> simulation_warnings(const System& system, const Simulation& run) {
+  const RunTotals& totals = run.totals;
+  std::vector<std::string> warnings;
+  // Elastic impacts on several stops at once err by a few roundings of the energy each.
+  constexpr double kRoundings = 16.0;
+  const double energy = std::fmax(mechanical_energy(system, run.final.q, run.final.qdot),
+                                  std::fmax(totals.energy_lost, totals.energy_added));
+  const double rounding = kRoundings * std::numeric_limits<double>::epsilon() *
+                          static_cast<double>(totals.impacts) * energy;
+  if (totals.energy_added > rounding)
+    warnings.push_back(
+        fmt::format("impacts added {:.3g} J of kinetic energy, as an oblique impulse law can, and "
+                    "unequal restitutions of stops that are hit at once",
+                    totals.energy_added));
+  if (totals.clamped_restitutions > 0)
+    warnings.push_back(
+        fmt::format("the restitution r(v) left 0 to 1 at {} impact{} and was clamped",
+                    totals.clamped_restitutions, totals.clamped_restitutions == 1 ? "" : "s"));
+  return warnings;
+}
 
 Outcome simulation_outcome(const Simulation& run) {
   switch (run.outcome) {
@@ -14,6 +76,8 @@ Outcome simulation_outcome(const Simulation& run) {
       return {"time_budget", run.message};
     case RunOutcome::kNotFinite:
       return {"not_finite", run.message};
+    case RunOutcome::kRefused:
+      return {"refused", run.message};
     case RunOutcome::kInterrupted:
       return {"interrupted", run.message};
   }

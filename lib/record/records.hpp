@@ -1,6 +1,7 @@
 // The results of the commands as values: what was computed and what made it. Reports format them.
 #pragma once
 
+#include <deque>
 #include <optional>
 #include <string>
 #include <vector>
@@ -22,18 +23,38 @@ struct CheckRecord {
   RunInfo info;
   Scene scene;
   System system;
-  double collocation_condition = 0.0;  // 0: nothing collocates
+  double collocation_condition = 0.0;   // 0: nothing collocates
+  std::optional<double> closure_speed;  // the default of a simulation, m/s; absent without stops
   std::vector<std::string> warnings;
   Outcome outcome;
 };
 
+// The first and the last events of a run, which may have any number of them.
+class EventExcerpt {
+ public:
+  void add(const Event& event);
+  long long count() const { return count_; }
+  const std::vector<Event>& first() const { return first_; }
+  // Those after the first ones, all or only the last.
+  const std::deque<Event>& last() const { return last_; }
+  long long left_out() const;
+
+ private:
+  long long count_ = 0;
+  std::vector<Event> first_;
+  std::deque<Event> last_;
+};
+
+// A run may be longer than memory: its events and samples go to files as they come, and here stands
+// only what is shown of them.
 struct SimulationRecord {
   RunInfo info;
   System system;
   Simulation run;
-  std::vector<Event> events;    // empty unless recorded
-  std::vector<Sample> samples;  // empty unless recorded
-  std::vector<std::string> warnings;
+  EventExcerpt excerpt;         // empty unless recorded
+  std::vector<Event> events;    // the end of the run, for pictures
+  std::vector<Sample> samples;  // the end of the run, for pictures
+  std::vector<std::string> warnings, notes;
   Outcome outcome;
 };
 
@@ -55,7 +76,18 @@ struct BranchRecord {
   Outcome outcome;
 };
 
+// What a book holds of the effects that the system has, J: no load without gravity, no impacts
+// without stops, no dissipation without damping.
+struct EnergyEntries {
+  std::optional<double> forcing, load, constraint, impacts, dissipation;
+};
+EnergyEntries energy_entries(const System& system, const EnergyBook& book);
+// The book's defect as a part of its largest entry.
+double relative_defect(const EnergyBook& book);
+
 Outcome simulation_outcome(const Simulation& run);
+// What happened in the run that its user should know of.
+std::vector<std::string> simulation_warnings(const System& system, const Simulation& run);
 Outcome orbit_outcome(const FoundOrbits& found, const FinderOptions& options, StopReason stopped);
 Outcome branch_outcome(const OrbitBranches& traced, const BranchOptions& options);
 

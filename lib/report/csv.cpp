@@ -16,32 +16,61 @@ std::string cell(const std::optional<bool>& value) { return value ? (*value ? "1
 
 }  // namespace
 
-std::string events_csv(const SimulationRecord& record) {
-  std::string text = "kind,time,stop,speed,phase,energy_change\n";
-  for (const Event& e : record.events)
-    fmt::format_to(std::back_inserter(text), "{},{},{},{},{},{}\n", name_of(e.kind), cell(e.time),
-                   e.stop + 1, cell(e.speed), cell(e.phase), cell(e.energy_change));
-  return text;
+std::string events_csv_header() {
+  return "kind,time,stop,speed,phase,energy_change,impacts,closure_speed,force\n";
 }
 
-std::string samples_csv(const SimulationRecord& record) {
-  const int n = record.system.modes();
-  const auto out = [](std::string& text) { return std::back_inserter(text); };
-  std::string text = "time";
-  for (int j = 1; j <= n; ++j) fmt::format_to(out(text), ",q{}", j);
-  for (int j = 1; j <= n; ++j) fmt::format_to(out(text), ",qdot{}", j);
-  for (std::size_t i = 1; i <= record.system.stops.size(); ++i)
-    fmt::format_to(out(text), ",gap{}", i);
-  text += "\n";
-  for (const Sample& s : record.samples) {
-    text += cell(s.time);
-    const auto add = [&](double value) { fmt::format_to(out(text), ",{}", cell(value)); };
-    for (const double value : s.state.q) add(value);
-    for (const double value : s.state.qdot) add(value);
-    for (const RigidStop& stop : record.system.stops) add(stop.gap - stop.row.dot(s.state.q));
-    text += "\n";
+std::string events_csv_row(const Event& e) {
+  const std::string start = fmt::format("{},{},{}", name_of(e.kind), cell(e.time), e.stop + 1);
+  switch (e.kind) {
+    case EventKind::kImpact:
+      return fmt::format("{},{},{},{},,,\n", start, cell(e.speed), cell(e.phase),
+                         cell(e.energy_change));
+    case EventKind::kChatter:
+      return fmt::format("{},,,{},{},{},\n", start, cell(e.energy_change), e.impacts,
+                         cell(e.closure_speed));
+    case EventKind::kStick:
+      return fmt::format("{},,,,,,{}\n", start, cell(e.force));
+    case EventKind::kRelease:
+      break;
   }
-  return text;
+  return start + ",,,,,,\n";
+}
+
+std::string samples_csv_header(const System& system, bool energy) {
+  std::string text = "time";
+  const auto columns = [&](const char* name, std::size_t count) {
+    for (std::size_t i = 1; i <= count; ++i)
+      fmt::format_to(std::back_inserter(text), ",{}{}", name, i);
+  };
+  const auto modes = static_cast<std::size_t>(system.modes());
+  columns("q", modes);
+  columns("qdot", modes);
+  columns("gap", system.stops.size());
+  columns("force", system.stops.size());
+  if (energy) text += ",energy,work_forcing,work_load,work_constraint,work_impacts,dissipation";
+  return text + "\n";
+}
+
+std::string samples_csv_row(const System& system, const Sample& sample) {
+  std::string text = cell(sample.time);
+  const auto add = [&](const auto& value) {
+    fmt::format_to(std::back_inserter(text), ",{}", cell(value));
+  };
+  for (const double value : sample.state.q) add(value);
+  for (const double value : sample.state.qdot) add(value);
+  for (const RigidStop& stop : system.stops) add(stop.gap - stop.row.dot(sample.state.q));
+  for (const double force : sample.forces) add(force);
+  if (sample.energy) {
+    const EnergyEntries entries = energy_entries(system, *sample.energy);
+    add(sample.energy->now);
+    add(entries.forcing);
+    add(entries.load);
+    add(entries.constraint);
+    add(entries.impacts);
+    add(entries.dissipation);
+  }
+  return text + "\n";
 }
 
 std::string orbits_csv(const OrbitRecord& record) {

@@ -1,4 +1,4 @@
-// The same results as comma-separated tables: header row first, no comment lines, numbers with all
+// The results as comma-separated tables: header row first, no comment lines, numbers with all
 // their digits, empty cells for what does not exist. Units stand in result.json.
 #pragma once
 
@@ -8,8 +8,13 @@
 
 namespace graze {
 
-std::string events_csv(const SimulationRecord& record);
-std::string samples_csv(const SimulationRecord& record);
+// Tables of a run grow row by row, so header and rows come apart.
+std::string events_csv_header();
+std::string events_csv_row(const Event& event);
+// With `energy` the entries of the energy book follow.
+std::string samples_csv_header(const System& system, bool energy);
+std::string samples_csv_row(const System& system, const Sample& sample);
+
 std::string orbits_csv(const OrbitRecord& record);
 std::string branches_csv(const BranchRecord& record);
 std::string special_csv(const BranchRecord& record);

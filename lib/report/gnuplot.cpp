@@ -118,18 +118,27 @@ std::string drawn(const std::string& file, const std::string& script) {
   return picture;
 }
 
-// The same proportions three times: text of 9 points on a width of 12 cm, still read in a column.
-std::string terminal(const std::filesystem::path& file) {
+// The same picture three times: text of 7 points on a width of 12 cm, still read in a column.
+// Points in units of `mark` look alike, too.
+std::string terminal(const std::filesystem::path& file, double proportion) {
   const std::string extension = file.extension().string();
   if (extension == ".png")
-    return "set terminal pngcairo enhanced font 'DejaVu Sans,11' fontscale 2.6 linewidth 3 "
-           "pointscale 3.4 dashlength 0.7 size 1360,1020 background '#FFFFFF'\n";
+    return fmt::format(
+        "set terminal pngcairo enhanced font 'DejaVu Sans,11' fontscale 2.6 linewidth 3 "
+        "pointscale 3.4 dashlength 0.7 size 1360,{:.0f} background '#FFFFFF'\n"
+        "mark = 1\n",
+        1360.0 * proportion);
   if (extension == ".pdf")
-    return "set terminal pdfcairo enhanced font 'DejaVu Sans,11' fontscale 0.64 linewidth 1.1 "
-           "pointscale 0.9 dashlength 0.7 size 12cm,9cm background '#FFFFFF'\n";
-  return "set terminal svg enhanced font 'DejaVu Sans,11' fontscale 1.4 linewidth 1.4 dashlength "
-         "0.7 "
-         "size 640,480 background '#FFFFFF'\n";
+    return fmt::format(
+        "set terminal pdfcairo enhanced font 'DejaVu Sans,11' fontscale 0.64 linewidth 1.1 "
+        "pointscale 0.9 dashlength 0.7 size 12cm,{:.4g}cm background '#FFFFFF'\n"
+        "mark = 1\n",
+        12.0 * proportion);
+  return fmt::format(
+      "set terminal svg enhanced font 'DejaVu Sans,11' fontscale 1.4 linewidth 1.4 dashlength 0.7 "
+      "size 640,{:.0f} background '#FFFFFF'\n"
+      "mark = 1.6\n",
+      640.0 * proportion);
 }
 
 // gnuplot takes a leading | for a command and a leading ~ for a home.
@@ -175,9 +184,9 @@ std::string gnuplot_string(const std::string& text) {
   return quoted + "'";
 }
 
-void draw_picture(const std::string& file, const GnuplotScript& script) {
+void draw_picture(const std::string& file, const GnuplotScript& script, double proportion) {
   const std::filesystem::path path(file);
-  const std::string head = "set encoding utf8\n" + terminal(path);
+  const std::string head = "set encoding utf8\n" + terminal(path, proportion);
   const std::string picture = drawn(file, head + script.text());
   const std::string comment = fmt::format("# Draws {}: gnuplot {}\n", path.filename().string(),
                                           path.stem().string() + ".gp");

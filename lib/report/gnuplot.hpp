@@ -22,7 +22,8 @@ class PlotTable {
   std::size_t rows_ = 0;
 };
 
-// A gnuplot script in the making, all but its terminal and output.
+// A gnuplot script in the making, all but its terminal and output. Point sizes in units of the
+// variable `mark`, which comes with the terminal, look the same in every file format.
 class GnuplotScript {
  public:
   void command(const std::string& line);
@@ -41,9 +42,10 @@ class GnuplotScript {
 // `text` as a gnuplot string; _ and ^ in it lower and raise, {} group.
 std::string gnuplot_string(const std::string& text);
 
-// Draws the script into `file` (.svg, .png or .pdf) and keeps it beside the picture as .gp, so that
-// `gnuplot name.gp`, run in that folder, draws the picture again. Throws FileError, leaving both
-// files as they were, when gnuplot is missing or fails, or the folder cannot be written to.
-void draw_picture(const std::string& file, const GnuplotScript& script);
+// Draws the script into `file` (.svg, .png or .pdf), `proportion` times as high as wide, and keeps
+// it beside the picture as .gp, so that `gnuplot name.gp`, run in that folder, draws the picture
+// again. Throws FileError, leaving both files as they were, when gnuplot is missing or fails, or
+// the folder cannot be written to.
+void draw_picture(const std::string& file, const GnuplotScript& script, double proportion = 0.75);
 
 }  // namespace graze

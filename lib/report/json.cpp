@@ -1,5 +1,6 @@
 #include "graze/report/json.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
 
@@ -26,6 +27,12 @@ Json list(const Vector& v) {
   Json array = Json::array();
   for (const double value : v) array.push_back(number(value));
   return array;
+}
+
+// A number, or the list a0, a1, .. of one that depends on the speed.
+Json restitution(const Restitution& r) {
+  if (r.is_constant()) return r.at_rest();
+  return r.coefficients();
 }
 
 Json pair(const Complex& z) { return Json::array({number(z.real()), number(z.imag())}); }
@@ -113,6 +120,64 @@ Json special_json(const SpecialPoint& special) {
   return json;
 }
 
+Json event_json(const Event& event) {
+  Json json = {
+      {"kind", name_of(event.kind)}, {"time", number(event.time)}, {"stop", event.stop + 1}};
+  switch (event.kind) {
+    case EventKind::kImpact:
+      json["speed"] = number(event.speed);
+      json["phase"] = maybe(event.phase);
+      json["energy_change"] = number(event.energy_change);
+      break;
+    case EventKind::kChatter:
+      json["impacts"] = event.impacts;
+      json["closure_speed"] = number(event.closure_speed);
+      json["energy_change"] = number(event.energy_change);
+      break;
+    case EventKind::kStick:
+      json["force"] = number(event.force);
+      break;
+    case EventKind::kRelease:
+      break;
+  }
+  return json;
+}
+
+Json final_json(const Simulation& run) {
+  Json stuck = Json::array(), forces = Json::array();
+  for (const int stop : run.stuck) stuck.push_back(stop + 1);
+  for (const double force : run.forces) forces.push_back(number(force));
+  return {{"time", number(run.end_time)},
+          {"q", list(run.final.q)},
+          {"qdot", list(run.final.qdot)},
+          {"stuck", stuck},
+          {"forces", forces}};
+}
+
+Json totals_json(const RunTotals& totals) {
+  return {{"impacts", totals.impacts},
+          {"chatters", totals.chatters},
+          {"stuck_time", number(totals.stuck_time)},
+          {"energy_added_by_impacts", number(totals.energy_added)},
+          {"energy_lost_by_impacts", number(totals.energy_lost)},
+          {"smallest_gap", maybe(totals.smallest_gap)},
+          {"undecided_touches", totals.undecided_touches},
+          {"clamped_restitutions", totals.clamped_restitutions}};
+}
+
+Json energy_json(const System& system, const EnergyBook& book) {
+  const EnergyEntries entries = energy_entries(system, book);
+  return {{"start", number(book.start)},
+          {"forcing", maybe(entries.forcing)},
+          {"load", maybe(entries.load)},
+          {"constraint", maybe(entries.constraint)},
+          {"impacts", maybe(entries.impacts)},
+          {"dissipation", maybe(entries.dissipation)},
+          {"end", number(book.now)},
+          {"defect", number(book.defect())},
+          {"relative_defect", number(relative_defect(book))}};
+}
+
 }  // namespace
 
 std::string to_json(const CheckRecord& record) {
@@ -124,52 +189,57 @@ std::string to_json(const CheckRecord& record) {
         {{"mode", j + 1},
          {"frequency", number(system.omega[j])},
          {"decay_rate", number(system.delta[j])},
-         {"force", system.forcing ? number(system.forcing->amplitude[j]) : Json(nullptr)}});
+         {"force", system.forcing ? number(system.forcing->amplitude[j]) : Json(nullptr)},
+         {"load", system.load ? number((*system.load)[j]) : Json(nullptr)}});
   document["title"] = record.scene.title;
   document["modes"] = modes;
   document["forcing_period"] = system.forcing ? number(system.period()) : Json(nullptr);
+  document["gravity"] =
+      record.scene.gravity ? number(record.scene.gravity->acceleration) : Json(nullptr);
   Json stops = Json::array();
   for (const RigidStop& stop : system.stops)
     stops.push_back({{"gap", number(stop.gap)},
-                     {"restitution", number(stop.restitution)},
+                     {"restitution", restitution(stop.restitution)},
                      {"row", list(stop.row)},
                      {"direction", list(stop.direction)},
                      {"effective_mass", number(1.0 / stop.row.squaredNorm())}});
   document["stops"] = stops;
   document["collocation_condition"] =
       record.collocation_condition > 0.0 ? number(record.collocation_condition) : Json(nullptr);
+  document["closure_speed"] = maybe(record.closure_speed);
   document["flow"] = "exact";
   return text(document);
 }
 
-std::string to_json(const SimulationRecord& record) {
+void add_event_json(const Event& event, Spool& events) {
+  const std::string entry = event_json(event).dump(1);
+  std::string text = events.empty() ? "\n" : ",\n";
+  // Two levels deep in the document, so every line begins with two more blanks.
+  for (std::size_t start = 0; start < entry.size();) {
+    const std::size_t end = std::min(entry.find('\n', start), entry.size() - 1) + 1;
+    text += "  ";
+    text.append(entry, start, end - start);
+    start = end;
+  }
+  events.append(text);
+}
+
+Document to_json(const SimulationRecord& record, Spool& events) {
   Json document = header(record.info, record.outcome, record.warnings);
-  Json events = Json::array();
-  for (const Event& event : record.events)
-    events.push_back({{"kind", name_of(event.kind)},
-                      {"time", number(event.time)},
-                      {"stop", event.stop + 1},
-                      {"speed", number(event.speed)},
-                      {"phase", maybe(event.phase)},
-                      {"energy_change", number(event.energy_change)}});
-  document["units"] = {
-      {"time", "s"},     {"speed", "m/s"},       {"phase", "rad"}, {"energy_change", "J"},
-      {"q", "kg^1/2 m"}, {"qdot", "kg^1/2 m/s"}, {"gap", "m"}};
-  document["events"] = events;
-  const Simulation& run = record.run;
-  Json stuck = Json::array();
-  if (run.resting_stop) stuck.push_back(*run.resting_stop + 1);
-  document["final"] = {{"time", number(run.end_time)},
-                       {"q", list(run.final.q)},
-                       {"qdot", list(run.final.qdot)},
-                       {"stuck", stuck}};
-  document["totals"] = {{"impacts", run.totals.impacts},
-                        {"stuck_time", number(run.totals.stuck_time)},
-                        {"energy_added_by_impacts", number(run.totals.energy_added)},
-                        {"energy_lost_by_impacts", number(run.totals.energy_lost)},
-                        {"smallest_gap", maybe(run.totals.smallest_gap)},
-                        {"undecided_touches", run.totals.undecided_touches}};
-  return text(document);
+  if (!record.notes.empty()) document["notes"] = record.notes;
+  document["units"] = {{"time", "s"},          {"speed", "m/s"},         {"phase", "rad"},
+                       {"energy_change", "J"}, {"closure_speed", "m/s"}, {"force", "N"},
+                       {"q", "kg^1/2 m"},      {"qdot", "kg^1/2 m/s"},   {"gap", "m"},
+                       {"energy", "J"}};
+  document["events"] = Json::array();
+  document["final"] = final_json(record.run);
+  document["totals"] = totals_json(record.run.totals);
+  if (record.run.energy) document["energy"] = energy_json(record.system, *record.run.energy);
+  const std::string whole = text(document);
+  // Quotes inside strings are escaped, so this is found once, where it stands.
+  const std::string opening = "\n \"events\": [";
+  const std::size_t at = whole.find(opening + "]") + opening.size();
+  return {whole.substr(0, at), events, (events.empty() ? "" : "\n ") + whole.substr(at)};
 }
 
 std::string to_json(const OrbitRecord& record) {

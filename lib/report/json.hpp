@@ -5,11 +5,14 @@
 #include <string>
 
 #include "graze/record/records.hpp"
+#include "graze/record/spool.hpp"
 
 namespace graze {
 
 std::string to_json(const CheckRecord& record);
-std::string to_json(const SimulationRecord& record);
+// The events of a run, each as `add_event_json` wrote it, stand in the middle of its document.
+Document to_json(const SimulationRecord& record, Spool& events);
+void add_event_json(const Event& event, Spool& events);
 std::string to_json(const OrbitRecord& record);
 std::string to_json(const BranchRecord& record);
 

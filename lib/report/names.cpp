@@ -2,7 +2,19 @@
 
 namespace graze {
 
-std::string name_of(EventKind) { return "impact"; }
+std::string name_of(EventKind kind) {
+  switch (kind) {
+    case EventKind::kImpact:
+      return "impact";
+    case EventKind::kChatter:
+      return "chatter";
+    case EventKind::kStick:
+      return "stick";
+    case EventKind::kRelease:
+      break;
+  }
+  return "release";
+}
 
 std::string name_of(SpecialKind kind) { return kind == SpecialKind::kFold ? "LP" : "GR"; }
 

@@ -2,349 +2,323 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
+#include <set>
+#include <span>
+#include <utility>
 
-#include "graze/report/picture_style.hpp"
+#include "graze/report/picture_column.hpp"
+#include "graze/report/picture_motion.hpp"
+#include "graze/report/picture_stops.hpp"
 #include "graze/report/pictures.hpp"
 
 namespace graze {
 namespace {
 
-// Past this many points a curve is drawn as the band between its extremes, one pair of them to
-// every hair's breadth of the picture.
-constexpr std::size_t kMostPoints = 12'000;
-constexpr std::size_t kBands = 3'000;
 constexpr std::size_t kMostMarks = 3'000;
 constexpr std::size_t kMostJumps = 200;  // beyond, their lines fill the panel
+constexpr std::size_t kMostPlaces = 4;
+constexpr std::size_t kMostPortrayed = 20'000;  // points, which no band can stand for
 
-struct CurvePoint {
-  double time = 0.0;
-  double value = 0.0;  // NaN: the curve breaks
-};
-using Curve = std::vector<CurvePoint>;
-
-// A stop that the first stop's row sees: at `place` on the axis, approached towards `sense`.
-struct SeenStop {
-  int index = 0;
-  double sense = 1.0;  // +1, or -1 for a stop on the other side
-  double place = 0.0;  // m
-};
-
-struct SeenImpact {
-  double time = 0.0, place = 0.0;    // s, m
-  double before = 0.0, after = 0.0;  // velocity, m/s
-};
-
-// What the record shows along the row of its first stop, or along the first mode without stops.
-struct MotionSeen {
-  Vector row;
-  std::vector<SeenStop> stops;
-  std::vector<SeenImpact> impacts;
-  Curve displacement, velocity;  // with the impacts themselves, between which samples may miss them
-  double start = 0.0, end = 1.0;  // of the window, s
-};
-
-std::vector<SeenStop> stops_along(const System& system, const Vector& row) {
-  std::vector<SeenStop> seen;
-  for (std::size_t i = 0; i < system.stops.size(); ++i) {
-    const RigidStop& stop = system.stops[i];
-    for (const double sense : {1.0, -1.0})
-      if ((stop.row - sense * row).norm() <= 1e-9 * row.norm())
-        seen.push_back({static_cast<int>(i), sense, sense * stop.gap});
-  }
-  return seen;
+std::string line(const std::string& data, const char* colour, double width = 1.2) {
+  return fmt::format("${} with lines lw {} lc rgb '{}'", data, width, colour);
 }
 
-void set_window(const SimulationRecord& record, MotionSeen& seen) {
-  if (record.samples.empty()) {
-    seen.end = record.run.end_time;
-    return;
-  }
-  seen.start = record.samples.front().time;
-  seen.end = record.samples.back().time;
-  // Samples stop short of an end between two of them, where the last impacts may be.
-  const double spacing = (seen.end - seen.start) /
-                         static_cast<double>(std::max<std::size_t>(record.samples.size(), 2) - 1);
-  if (record.run.end_time - seen.end <= 1.5 * spacing)
-    seen.end = std::max(seen.end, record.run.end_time);
-}
-
-void gather_impacts(const SimulationRecord& record, MotionSeen& seen) {
-  for (const Event& event : record.events) {
-    if (event.kind != EventKind::kImpact || event.time < seen.start || event.time > seen.end)
-      continue;
-    for (const SeenStop& stop : seen.stops) {
-      if (stop.index != event.stop) continue;
-      const double restitution =
-          record.system.stops[static_cast<std::size_t>(event.stop)].restitution;
-      const double before = stop.sense * event.speed;
-      seen.impacts.push_back({event.time, stop.place, before, -restitution * before});
-    }
-  }
-}
-
-void gather_curves(const SimulationRecord& record, MotionSeen& seen) {
-  auto next = seen.impacts.begin();
-  const auto add_impacts_until = [&](double time) {
-    for (; next != seen.impacts.end() && next->time <= time; ++next) {
-      seen.displacement.push_back({next->time, next->place});
-      seen.velocity.push_back({next->time, next->before});
-      seen.velocity.push_back({next->time, std::nan("")});
-      seen.velocity.push_back({next->time, next->after});
-    }
-  };
-  for (const Sample& sample : record.samples) {
-    add_impacts_until(sample.time);
-    // A sample at the very time of an impact may stand on either side of the jump.
-    if (!seen.velocity.empty() && next != seen.impacts.begin() &&
-        std::prev(next)->time == sample.time)
-      continue;
-    seen.displacement.push_back({sample.time, seen.row.dot(sample.state.q)});
-    seen.velocity.push_back({sample.time, seen.row.dot(sample.state.qdot)});
-  }
-  add_impacts_until(seen.end);
-}
-
-MotionSeen see(const SimulationRecord& record) {
-  MotionSeen seen;
-  const System& system = record.system;
-  seen.row = system.stops.empty() ? Vector(Vector::Unit(system.modes(), 0)) : system.stops[0].row;
-  seen.stops = stops_along(system, seen.row);
-  set_window(record, seen);
-  gather_impacts(record, seen);
-  gather_curves(record, seen);
-  return seen;
-}
-
-PlotTable table_of(const Curve& curve, double time_factor, double factor) {
-  PlotTable table;
-  const auto add = [&](const CurvePoint& p) {
-    table.row({time_factor * p.time, factor * p.value});
-  };
-  if (curve.size() <= kMostPoints) {
-    for (const CurvePoint& point : curve) add(point);
-    return table;
-  }
-  for (std::size_t band = 0; band < kBands; ++band) {
-    const auto first = curve.begin() + static_cast<std::ptrdiff_t>(band * curve.size() / kBands);
-    const auto last =
-        curve.begin() + static_cast<std::ptrdiff_t>((band + 1) * curve.size() / kBands);
-    std::optional<CurvePoint> lowest, highest;
-    for (auto point = first; point != last; ++point) {
-      if (!std::isfinite(point->value)) continue;
-      if (!lowest || point->value < lowest->value) lowest = *point;
-      if (!highest || point->value > highest->value) highest = *point;
-    }
-    if (!lowest) continue;
-    add(lowest->time <= highest->time ? *lowest : *highest);
-    add(lowest->time <= highest->time ? *highest : *lowest);
-  }
-  return table;
-}
-
-AxisRange range_of(const Curve& curve) {
-  AxisRange range;
-  for (const CurvePoint& point : curve) range.include(point.value);
-  return range;
-}
-
-double largest(const AxisRange& range) {
-  return range.empty() ? 0.0 : std::max(std::abs(range.low), std::abs(range.high));
-}
-
-// The stop as a line with the space behind it shaded; a stop far off the motion is only named.
-class StopMarks {
- public:
-  StopMarks(const MotionSeen& seen, const AxisRange& motion, const AxisUnit& unit) : unit_(unit) {
-    const double reach =
-        4.0 * std::max(motion.empty() ? 0.0 : motion.span(), 0.25 * largest(motion));
-    for (const SeenStop& stop : seen.stops) {
-      const bool near =
-          motion.empty() || (stop.place >= motion.low - reach && stop.place <= motion.high + reach);
-      (near ? near_ : far_).push_back(stop);
-    }
-  }
-
-  void include(AxisRange& range) const {
-    for (const SeenStop& stop : near_) range.include(unit_.factor * stop.place);
-  }
-
-  // Into the panel's axes, whose range is settled.
-  void draw(GnuplotScript& script, const AxisRange& range) const {
-    for (const SeenStop& stop : near_) {
-      const double at = unit_.factor * stop.place;
-      const double edge = stop.sense > 0.0 ? range.high : range.low;
-      script.command(fmt::format(
-          "set object rectangle from graph 0, first {:.9g} to graph 1, first {:.9g} behind "
-          "fillcolor rgb '{}' fillstyle solid noborder",
-          at, edge, kStopShade));
-      script.command(
-          fmt::format("set arrow from graph 0, first {:.9g} to graph 1, first {:.9g} "
-                      "nohead lw 2 lc rgb '{}'",
-                      at, at, kBlack));
-    }
-  }
-
-  // Their entries in the legend.
-  void list(std::vector<std::string>& layers) const {
-    if (!near_.empty())
-      layers.push_back(fmt::format("NaN with lines lw 2 lc rgb '{}' title 'stop'", kBlack));
-    for (const SeenStop& stop : far_)
-      layers.push_back(fmt::format("NaN with dots lc rgb '#FFFFFF' title 'stop at {}{:.4g} {}'",
-                                   stop.place < 0.0 ? "−" : "", unit_.factor * std::abs(stop.place),
-                                   unit_.unit));
-  }
-
- private:
-  AxisUnit unit_;
-  std::vector<SeenStop> near_, far_;
-};
-
+// A column of panels over time, and below it the phase portrait.
 class SimulationPicture {
  public:
-  explicit SimulationPicture(const SimulationRecord& record) : record_(record), seen_(see(record)) {
-    time_ = axis_unit("s", std::max(std::abs(seen_.start), std::abs(seen_.end)));
-    const AxisRange displacement = range_of(seen_.displacement);
-    const AxisRange velocity = range_of(seen_.velocity);
-    // Without a stop the picture shows a modal coordinate, which is no length.
-    if (!seen_.stops.empty()) {
-      length_ = axis_unit("m", largest(displacement));
-      speed_ = axis_unit("m/s", largest(velocity));
-    } else {
-      length_ = axis_unit("kg^1/2 m", largest(displacement));
-      speed_ = axis_unit("kg^1/2 m/s", largest(velocity));
-    }
-    if (record.samples.empty()) displacement_.include(0.0);
-    displacement_.include(length_.factor * displacement.low);
-    displacement_.include(length_.factor * displacement.high);
-    velocity_.include(speed_.factor * velocity.low);
-    velocity_.include(speed_.factor * velocity.high);
-    velocity_.settle(0.08);
-    window_ = {time_.factor * seen_.start, time_.factor * seen_.end};
+  explicit SimulationPicture(const SimulationRecord& record)
+      : record_(record), seen_(motion_seen(record)) {
+    places_left_out_ = seen_.places.size() - std::min(seen_.places.size(), kMostPlaces);
+    seen_.places.resize(seen_.places.size() - places_left_out_);
+    measure_motion();
+    for (const SeenForce& seen : seen_.forces) force_range_.include(range_of(seen.force));
+    force_ = axis_unit("N", largest(force_range_));
+    for (const EnergyTerm& term : seen_.energy) energy_range_.include(range_of(term.curve));
+    energy_ = axis_unit("J", largest(energy_range_));
+    time_ = axis_unit("s", std::max(std::abs(seen_.window.start), std::abs(seen_.window.end)));
+    window_ = {time_.factor * seen_.window.start, time_.factor * seen_.window.end};
     if (!(window_.span() > 0.0)) window_.high = window_.low + 1.0;
+    lay_out();
   }
 
   GnuplotScript script() {
     set_style(script_);
-    write_data();
+    for (std::size_t i = 0; i < seen_.places.size(); ++i) write_place(i);
     script_.command("set multiplot");
-    script_.command("set xrange " + window_.text());
-    script_.command(fmt::format("set xtics {:.6g}", window_.tic_step(7)));
-    draw_displacement();
+    column_.set_time_axis(window_, time_.unit);
+    for (std::size_t i = 0; i < seen_.places.size(); ++i) draw_displacement(i);
     draw_velocity();
+    if (shows_forces()) draw_forces();
+    if (shows_energy()) draw_energy();
+    const std::size_t portraits = std::min(seen_.places.size(), std::size_t{2});
+    for (std::size_t i = 0; i < portraits && shows_portraits(); ++i) draw_portrait(i, portraits);
     script_.command("unset multiplot");
     return script_;
   }
 
- private:
-  bool no_stops() const { return record_.system.stops.empty(); }
+  double proportion() const { return column_.proportion(); }
 
-  std::string towards_stop() const {
-    return record_.system.stops.size() > 1 ? "towards stop 1" : "towards stop";
+ private:
+  void lay_out() {
+    gather_legend();
+    std::vector<double> panels(seen_.places.size() + 1, PanelColumn::kPanel);
+    if (shows_forces()) panels.push_back(PanelColumn::kLowPanel);
+    if (shows_energy()) panels.push_back(PanelColumn::kPanel);
+    column_.lay_out(panels, shows_portraits(), !legend_.empty(), shows_energy() || several_stops());
   }
 
-  void write_data() {
-    script_.data("displacement", table_of(seen_.displacement, time_.factor, length_.factor));
-    script_.data("velocity", table_of(seen_.velocity, time_.factor, speed_.factor));
-    PlotTable touches, jumps;
-    const std::size_t stride = seen_.impacts.size() / kMostMarks + 1;
-    for (std::size_t i = 0; i < seen_.impacts.size(); i += stride) {
-      const SeenImpact& impact = seen_.impacts[i];
-      const double time = time_.factor * impact.time;
-      touches.row({time, length_.factor * impact.place});
+  bool no_stops() const { return record_.system.stops.empty(); }
+  bool several_stops() const { return record_.system.stops.size() > 1; }
+  bool shows_forces() const { return !seen_.forces.empty(); }
+  bool shows_energy() const { return !seen_.energy.empty(); }
+  bool shows_portraits() const { return !record_.samples.empty(); }
+
+  void measure_motion() {
+    AxisRange displacement, velocity;
+    for (const Place& place : seen_.places)
+      for (const MotionPoint& point : place.motion) {
+        displacement.include(point.displacement);
+        velocity.include(point.velocity);
+      }
+    // Without a stop the picture shows a modal coordinate, which is no length.
+    length_ = axis_unit(no_stops() ? "kg^1/2 m" : "m", largest(displacement));
+    speed_ = axis_unit(no_stops() ? "kg^1/2 m/s" : "m/s", largest(velocity));
+    for (const Place& place : seen_.places)
+      stops_.emplace_back(place.stops, displacement_range(place.motion), length_, several_stops());
+  }
+
+  AxisRange displacement_range(std::span<const MotionPoint> motion) const {
+    AxisRange range;
+    for (const MotionPoint& point : motion) range.include(length_.factor * point.displacement);
+    return range;
+  }
+
+  AxisRange velocity_range(std::span<const MotionPoint> motion) const {
+    AxisRange range;
+    for (const MotionPoint& point : motion) range.include(speed_.factor * point.velocity);
+    range.settle(0.08);
+    return range;
+  }
+
+  // What a portrait shows: the end of a long motion, whose beginning would only be drawn over.
+  static std::span<const MotionPoint> portrayed(const Place& place) {
+    return std::span(place.motion).last(std::min(place.motion.size(), kMostPortrayed));
+  }
+
+  // One entry for every kind of mark.
+  void gather_legend() {
+    const auto any = [&](const auto& has) {
+      return std::any_of(seen_.places.begin(), seen_.places.end(), has);
+    };
+    if (std::any_of(stops_.begin(), stops_.end(), [](const StopMarks& s) { return s.drawn(); }))
+      legend_.push_back(fmt::format("NaN with lines lw 2 lc rgb '{}' title 'stop'", kBlack));
+    if (any([](const Place& place) { return !place.stuck.empty(); }))
+      legend_.push_back(fmt::format(
+          "NaN with boxes fillstyle solid noborder fc rgb '{}' title 'stuck'", kStuckShade));
+    if (any([](const Place& place) { return !place.impacts.empty(); }))
+      legend_.push_back(
+          fmt::format("NaN with points pt 7 ps mark*0.55 lc rgb '{}' title 'impact'", kVermillion));
+  }
+
+  // "stop", or "stop 2" where there are several: the first one at the place.
+  std::string stop_name(const Place& place) const {
+    return several_stops() ? fmt::format("stop {}", place.stops.front().index + 1) : "stop";
+  }
+
+  void write_place(std::size_t i) {
+    const Place& place = seen_.places[i];
+    DrawnCurve displacement, velocity;
+    for (const MotionPoint& point : place.motion) {
+      displacement.push_back({point.time, point.displacement});
+      velocity.push_back({point.time, point.velocity});
+    }
+    script_.data(fmt::format("displacement{}", i + 1),
+                 table_of(displacement, time_.factor, length_.factor));
+    script_.data(fmt::format("velocity{}", i + 1), table_of(velocity, time_.factor, speed_.factor));
+    PlotTable portrait, touches, approaches, jumps, stuck, rest;
+    for (const MotionPoint& point : portrayed(place))
+      portrait.row({length_.factor * point.displacement, speed_.factor * point.velocity});
+    const std::size_t stride = place.impacts.size() / kMostMarks + 1;
+    for (std::size_t k = 0; k < place.impacts.size(); k += stride) {
+      const SeenImpact& impact = place.impacts[k];
+      const double time = time_.factor * impact.time, at = length_.factor * impact.place;
+      touches.row({time, at});
+      if (impact.time >= portrayed(place).front().time)
+        approaches.row({at, speed_.factor * impact.before});
       jumps.row({time, speed_.factor * impact.before});
       jumps.row({time, speed_.factor * impact.after});
       jumps.gap();
     }
-    script_.data("touches", touches);
-    script_.data("jumps", jumps);
+    std::set<double> rests;
+    for (const StuckPhase& phase : place.stuck) {
+      stuck.row({time_.factor * phase.time.start, time_.factor * phase.time.end});
+      rests.insert(length_.factor * phase.place);
+    }
+    for (const double at : rests) rest.row({at, 0.0});
+    script_.data(fmt::format("portrait{}", i + 1), portrait);
+    script_.data(fmt::format("touches{}", i + 1), touches);
+    script_.data(fmt::format("approaches{}", i + 1), approaches);
+    script_.data(fmt::format("jumps{}", i + 1), jumps);
+    script_.data(fmt::format("stuck{}", i + 1), stuck);
+    script_.data(fmt::format("rest{}", i + 1), rest);
+  }
+
+  void add_stuck(std::vector<std::string>& layers, std::size_t i, const AxisRange& range) const {
+    if (seen_.places[i].stuck.empty()) return;
+    layers.push_back(
+        fmt::format("$stuck{} using 1:({:.9g}):1:2:({:.9g}):({:.9g}) with boxxyerror "
+                    "fillstyle solid border lc rgb '{}' lw 0.5 fc rgb '{}'",
+                    i + 1, range.low, range.low, range.high, kStuckShade, kStuckShade));
   }
 
   // Marks shrink as they crowd.
-  double mark_size() const {
-    const double count = static_cast<double>(seen_.impacts.size());
+  double mark_size(const Place& place) const {
+    const double count = static_cast<double>(place.impacts.size());
     return std::clamp(0.55 * std::sqrt(40.0 / std::max(count, 1.0)), 0.18, 0.55);
   }
 
-  void draw_displacement() {
-    const AxisRange motion = range_of(seen_.displacement);
-    const StopMarks stops(seen_, motion, length_);
-    stops.include(displacement_);
-    displacement_.settle(0.1);
-    stops.draw(script_, displacement_);
-    set_panel(0.55, 0.08, displacement_);
-    name_vertical_axis(script_,
-                       no_stops() ? "first mode q_1\\n" : "displacement\\n" + towards_stop(),
-                       length_.unit);
-    script_.command("set format x ''");
-    script_.command(
-        "set key at screen 0.965, screen 0.96 right center horizontal Left reverse "
-        "samplen 1.5 font ',9'");
+  void set_legend_at_head(std::vector<std::string>& layers) {
+    if (legend_.empty()) return;
+    column_.set_legend();
+    layers.insert(layers.end(), legend_.begin(), legend_.end());
+    if (places_left_out_ > 0)
+      column_.remark(fmt::format("the first {} of {} places", seen_.places.size(),
+                                 seen_.places.size() + places_left_out_));
+  }
+
+  void draw_displacement(std::size_t i) {
+    const Place& place = seen_.places[i];
+    const StopMarks& stops = stops_[i];
+    AxisRange range = displacement_range(place.motion);
+    if (record_.samples.empty()) range.include(0.0);
+    stops.include(range);
+    range.settle(0.1);
+    stops.make_room(range);
+    column_.begin_panel(range,
+                        no_stops() ? "first mode q_1\n" : "displacement\nat " + stop_name(place),
+                        length_.unit);
     std::vector<std::string> layers;
+    if (i == 0) set_legend_at_head(layers);
+    add_stuck(layers, i, stops.between(range));
+    stops.draw(script_, range, column_.label_line(), layers);
     if (record_.samples.empty())
       script_.command("set label 'no samples were recorded' at graph 0.5, graph 0.4 center");
     else
-      layers.push_back(fmt::format("$displacement with lines lw 1.2 lc rgb '{}'", kBlue));
-    if (!seen_.impacts.empty())
-      layers.push_back(
-          fmt::format("$touches with points pt 7 ps {:.2f} lc rgb '{}'", mark_size(), kVermillion));
-    stops.list(layers);
-    if (!seen_.impacts.empty())
-      layers.push_back(
-          fmt::format("NaN with points pt 7 ps 0.55 lc rgb '{}' title 'impact'", kVermillion));
-    mark_rest(layers);
-    script_.plot(layers);
-    script_.command("unset object\nunset arrow\nunset label\nunset key");
+      layers.push_back(line(fmt::format("displacement{}", i + 1), kBlue));
+    if (!place.impacts.empty())
+      layers.push_back(fmt::format("$touches{} with points pt 7 ps mark*{:.2f} lc rgb '{}'", i + 1,
+                                   mark_size(place), kVermillion));
+    column_.end_panel(layers);
   }
 
-  void mark_rest(std::vector<std::string>& layers) const {
-    if (!record_.run.resting_stop) return;
-    for (const SeenStop& stop : seen_.stops) {
-      if (stop.index != *record_.run.resting_stop || record_.run.end_time > seen_.end) continue;
-      const double time = time_.factor * record_.run.end_time;
-      const double at = length_.factor * stop.place;
-      layers.push_back(
-          fmt::format("'+' using ({:.9g}):({:.9g}) every ::0::0 with points pt 5 "
-                      "ps 0.6 lc rgb '{}' title 'at rest'",
-                      time, at, kBlack));
-    }
+  // Above the panel, unless what it shows begins with the run.
+  void note_start(const char* what, double start) {
+    if (start > 0.0)
+      column_.note(fmt::format("{} {:.5g} {}", what, time_.factor * start, time_.unit));
   }
 
   void draw_velocity() {
-    set_panel(0.15, 0.49, velocity_);
-    script_.command("set format x '%h'");
-    script_.command("set xlabel " + axis_label("time", time_.unit));
-    name_vertical_axis(script_, no_stops() ? "rate of q_1\\n" : "velocity", speed_.unit);
-    script_.command(
-        fmt::format("set arrow from graph 0, first 0 to graph 1, first 0 nohead back "
-                    "lw 0.5 lc rgb '{}'",
-                    kGrey));
+    const AxisRange range = velocity_range(seen_.places[0].motion);
+    std::string name = no_stops() ? "rate of q_1\n" : "velocity\n";
+    if (seen_.places.size() > 1) name += "at " + stop_name(seen_.places[0]);
+    column_.begin_panel(range, name, speed_.unit);
+    column_.draw_zero_line();
     std::vector<std::string> layers;
-    if (!record_.samples.empty())
-      layers.push_back(fmt::format("$velocity with lines lw 1.2 lc rgb '{}'", kBlue));
-    if (!seen_.impacts.empty() && seen_.impacts.size() <= kMostJumps)
-      layers.push_back(fmt::format("$jumps with lines lw 0.8 dt (6,4) lc rgb '{}'", kVermillion));
-    script_.plot(layers);
+    add_stuck(layers, 0, range);
+    if (!record_.samples.empty()) layers.push_back(line("velocity1", kBlue));
+    const std::size_t jumps = seen_.places[0].impacts.size();
+    if (jumps > 0 && jumps <= kMostJumps)
+      layers.push_back(fmt::format("$jumps1 with lines lw 0.8 dt (6,4) lc rgb '{}'", kVermillion));
+    column_.end_panel(layers);
   }
 
-  void set_panel(double bottom, double top, const AxisRange& range) {
-    set_margins(script_, {.left = 0.2, .bottom = bottom, .top = top});
-    script_.command("set yrange " + range.text());
-    script_.command(fmt::format("set ytics {:.6g}", range.tic_step(6)));
+  void draw_forces() {
+    AxisRange range{force_.factor * force_range_.low, force_.factor * force_range_.high};
+    range.include(0.0);
+    range.settle(0.08);
+    range.low = std::min(range.low, 0.0);
+    column_.begin_panel(range, "contact\nforce", force_.unit);
+    column_.draw_zero_line();
+    static constexpr const char* kColours[] = {kBlue, kVermillion, kGreen, kOrange, kPurple, kSky};
+    std::vector<std::string> layers;
+    std::vector<CurveLabel> labels;
+    for (const SeenForce& seen : seen_.forces) {
+      const char* colour = kColours[static_cast<std::size_t>(seen.stop) % std::size(kColours)];
+      const std::string name = fmt::format("force{}", seen.stop + 1);
+      script_.data(name, table_of(seen.force, time_.factor, force_.factor));
+      layers.push_back(line(name, colour));
+      if (several_stops())
+        labels.push_back(
+            {0.5 * (range.low + range.high), fmt::format("stop {}", seen.stop + 1), colour});
+    }
+    label_curves(script_, labels, range, column_.label_line());
+    column_.end_panel(layers);
+  }
+
+  void draw_energy() {
+    AxisRange range{energy_.factor * energy_range_.low, energy_.factor * energy_range_.high};
+    range.include(0.0);
+    range.settle(0.06);
+    column_.begin_panel(range, seen_.energy.size() > 1 ? "energy,\nwork" : "energy", energy_.unit);
+    column_.draw_zero_line();
+    std::vector<std::string> layers;
+    std::vector<CurveLabel> labels;
+    for (const EnergyTerm& term : seen_.energy) {
+      const std::string name = term.name;
+      script_.data(name, table_of(term.curve, time_.factor, energy_.factor));
+      // The first, the energy, shows from below a term that coincides with it.
+      layers.push_back(line(name, term.colour.c_str(), layers.empty() ? 2.0 : 1.2));
+      labels.push_back({energy_.factor * term.curve.back().value, name, term.colour});
+    }
+    if (seen_.energy.size() > 1) note_start("work since", seen_.window.start);
+    label_curves(script_, labels, range, column_.label_line());
+    column_.end_panel(layers);
+  }
+
+  void draw_portrait(std::size_t i, std::size_t count) {
+    const Place& place = seen_.places[i];
+    AxisRange x = displacement_range(portrayed(place));
+    stops_[i].include(x);
+    x.settle(0.06);
+    column_.begin_in_row(i, count, x, velocity_range(portrayed(place)));
+    const bool alone = count == 1;
+    const std::string axis =
+        no_stops() ? "first mode q_1"
+                   : (alone ? "displacement " : "") + std::string("towards ") + stop_name(place);
+    script_.command("set xlabel " + axis_label(axis, length_.unit));
+    if (i == 0) column_.name_vertical(no_stops() ? "rate of q_1\n" : "velocity\n", speed_.unit);
+    if (portrayed(place).size() < place.motion.size())
+      note_start("since", portrayed(place).front().time);
+    column_.draw_zero_line();
+    stops_[i].draw_across(script_, x);
+    std::vector<std::string> layers{line(fmt::format("portrait{}", i + 1), kBlue, 1.0)};
+    if (!place.impacts.empty())
+      layers.push_back(fmt::format("$approaches{} with points pt 7 ps mark*{:.2f} lc rgb '{}'",
+                                   i + 1, mark_size(place), kVermillion));
+    if (!place.stuck.empty())
+      for (const auto& [type, colour] : {std::pair{7, kStuckShade}, {6, kBlack}})
+        layers.push_back(fmt::format("$rest{} with points pt {} ps mark lw 0.5 lc rgb '{}'", i + 1,
+                                     type, colour));
+    column_.end_in_row(layers);
   }
 
   const SimulationRecord& record_;
   MotionSeen seen_;
-  AxisUnit time_, length_, speed_;
-  AxisRange displacement_, velocity_;
-  AxisRange window_;
+  std::size_t places_left_out_ = 0;
+  std::vector<StopMarks> stops_;     // of every place
+  std::vector<std::string> legend_;  // layers that draw nothing but their entry
+  AxisUnit time_, length_, speed_, force_, energy_;
+  AxisRange window_;                      // in the axis' unit
+  AxisRange force_range_, energy_range_;  // SI
   GnuplotScript script_;
+  PanelColumn column_{script_};
 };
 
 }  // namespace
 
 void draw_simulation(const std::string& file, const SimulationRecord& record) {
-  draw_picture(file, SimulationPicture(record).script());
+  SimulationPicture picture(record);
+  draw_picture(file, picture.script(), picture.proportion());
 }
 
 }  // namespace graze

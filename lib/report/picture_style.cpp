@@ -27,17 +27,24 @@ AxisUnit axis_unit(const std::string& si_unit, double largest) {
     AxisUnit unit;
   };
   // The first that fits; a unit's last entry takes what is larger.
-  static const std::array<Named, 9> kNamed = {{{"m", 1e-4, {1e6, "µm"}},
-                                               {"m", 0.1, {1e3, "mm"}},
-                                               {"m/s", 1e-5, {1e6, "µm/s"}},
-                                               {"m/s", 0.02, {1e3, "mm/s"}},
-                                               {"s", 1e-3, {1e6, "µs"}},
-                                               {"s", 0.5, {1e3, "ms"}},
-                                               {"Pa", 1e6, {1e0, "Pa"}},
-                                               {"Pa", 1e9, {1e-6, "MPa"}},
-                                               {"Pa", 1e300, {1e-9, "GPa"}}}};
+  static const std::array<Named, 15> kNamed = {{{"m", 1e-4, {1e6, "µm"}},
+                                                {"m", 0.1, {1e3, "mm"}},
+                                                {"m/s", 1e-5, {1e6, "µm/s"}},
+                                                {"m/s", 0.02, {1e3, "mm/s"}},
+                                                {"s", 1e-3, {1e6, "µs"}},
+                                                {"s", 0.5, {1e3, "ms"}},
+                                                {"N", 5e-4, {1e6, "µN"}},
+                                                {"N", 0.5, {1e3, "mN"}},
+                                                {"J", 5e-7, {1e9, "nJ"}},
+                                                {"J", 5e-4, {1e6, "µJ"}},
+                                                {"J", 0.5, {1e3, "mJ"}},
+                                                {"J", 1e4, {1e0, "J"}},
+                                                {"Pa", 1e6, {1e0, "Pa"}},
+                                                {"Pa", 1e9, {1e-6, "MPa"}},
+                                                {"Pa", 1e300, {1e-9, "GPa"}}}};
   for (const Named& named : kNamed)
-    if (si_unit == named.si && largest < named.below) return named.unit;
+    if (si_unit == named.si && largest < named.below && named.unit.factor * largest >= 0.02)
+      return named.unit;
   // Numbers that would not fit beside an axis leave their power of a thousand to the unit.
   if (largest >= 0.02 && largest < 1e5) return {1.0, si_unit};
   const int power = 3 * static_cast<int>(std::floor(std::log10(largest) / 3.0));
@@ -54,6 +61,12 @@ void AxisRange::include(double value) {
   if (!(std::abs(value) < 1e300)) return;
   low = std::min(low, value);
   high = std::max(high, value);
+}
+
+void AxisRange::include(const AxisRange& other) {
+  if (other.empty()) return;
+  include(other.low);
+  include(other.high);
 }
 
 void AxisRange::settle(double margin) {
@@ -94,10 +107,17 @@ void set_margins(GnuplotScript& script, const Margins& margins) {
   script.command(fmt::format("set tmargin at screen {:.4g}", 1.0 - margins.top));
 }
 
-void name_vertical_axis(GnuplotScript& script, const std::string& name, const std::string& unit) {
-  // A line break takes gnuplot's double quotes.
-  script.command(fmt::format("set label \"{} ({})\" at screen 0.03, graph 0.5 center rotate", name,
-                             unit_markup(unit)));
+void name_vertical_axis(GnuplotScript& script, const std::string& name, const std::string& unit,
+                        double place) {
+  // Lines far enough apart for a subscript above an exponent, which gnuplot's own are not.
+  constexpr double kLine = 0.039;
+  const std::string text = name + " (" + unit_markup(unit) + ")";
+  for (std::size_t start = 0; start < text.size(); place += kLine) {
+    const std::size_t end = std::min(text.find('\n', start), text.size());
+    script.command(fmt::format("set label {} at screen {:.4g}, graph 0.5 center rotate",
+                               gnuplot_string(text.substr(start, end - start)), place));
+    start = end + 1;
+  }
 }
 
 double legend_height(std::size_t entries, std::size_t columns) {

@@ -18,6 +18,7 @@ inline constexpr const char* kSky = "#56B4E9";
 inline constexpr const char* kPurple = "#CC79A7";
 inline constexpr const char* kGrey = "#999999";
 inline constexpr const char* kStopShade = "#DDDDDD";
+inline constexpr const char* kStuckShade = "#F8DA98";
 
 // How SI values are shown on an axis: `factor` times the value, in `unit`.
 struct AxisUnit {
@@ -39,6 +40,7 @@ struct AxisRange {
   bool empty() const { return !(low <= high); }
   double span() const { return high - low; }
   void include(double value);  // ignored unless finite, and below 1e300
+  void include(const AxisRange& other);
   // Wide enough to draw on, whatever was included; then a part of the span more on both sides.
   void settle(double margin);
   std::string text() const;  // "[low:high]"
@@ -55,9 +57,10 @@ struct Margins {
 };
 void set_margins(GnuplotScript& script, const Margins& margins);
 
-// Names the vertical axis at a set distance from the picture's edge, however wide its numbers are;
-// \n in the name begins a new line.
-void name_vertical_axis(GnuplotScript& script, const std::string& name, const std::string& unit);
+// Names the vertical axis at a set place, a part of the picture's width from its left edge, however
+// wide the axis' numbers are; \n in the name begins a new line.
+void name_vertical_axis(GnuplotScript& script, const std::string& name, const std::string& unit,
+                        double place = 0.03);
 
 // Room at the foot for a legend of `entries` in `columns`, and the legend there.
 double legend_height(std::size_t entries, std::size_t columns);

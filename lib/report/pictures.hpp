@@ -14,8 +14,11 @@ void check_picture_name(const std::string& file);
 // All throw FileError, leaving the files as they were, when gnuplot is missing or fails or the
 // files cannot be written.
 
-// The recorded samples over time: displacement and velocity towards the first stop, with the
-// impacts; without stops the first modal coordinate.
+// The recorded samples over time: displacement at every place that has stops (the first four), with
+// the impacts and the phases in which it was stuck; velocity at the first of them; contact forces
+// where there were any; the energy, when the samples carry its book, and the work done on it since
+// the first sample. Below, the phase portraits of the first two places. Without stops all of it for
+// the first modal coordinate.
 void draw_simulation(const std::string& file, const SimulationRecord& record);
 
 // Phase portrait of the orbits found, at most eight of them, seen at the stop of the first one's

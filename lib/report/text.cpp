@@ -12,6 +12,16 @@
 namespace graze {
 namespace {
 
+// 0.8, or 0.8 - 0.1 v - ..
+std::string restitution_text(const std::vector<double>& coefficients) {
+  std::string text = fmt::format("{:g}", coefficients.front());
+  for (std::size_t i = 1; i < coefficients.size(); ++i) {
+    text += fmt::format(" {} {:g} v", coefficients[i] < 0.0 ? "+" : "-", std::abs(coefficients[i]));
+    if (i > 1) text += fmt::format("^{}", i);
+  }
+  return text;
+}
+
 std::string title(const Scene& scene) { return scene.title.empty() ? "" : scene.title + "\n"; }
 
 std::string simulated_effects(const Scene& scene) {
@@ -44,11 +54,12 @@ std::string simulated_effects(const Scene& scene) {
                      kTurn / scene.forcing->frequency));
   else
     line("forcing", "none");
+  if (scene.gravity) line("gravity", fmt::format("{:g} m/s^2", scene.gravity->acceleration));
   for (const Stop& stop : scene.stops)
-    line("stop",
-         fmt::format("{}, gap {:g} m, restitution {:g}, {} impulse",
-                     stop.side == Side::kAbove ? "above" : "below", stop.gap, stop.restitution,
-                     stop.impulse == Impulse::kMomentum ? "momentum" : "collocation"));
+    line("stop", fmt::format("{}, gap {:g} m, restitution {}, {} impulse",
+                             stop.side == Side::kAbove ? "above" : "below", stop.gap,
+                             restitution_text(stop.restitution),
+                             stop.impulse == Impulse::kMomentum ? "momentum" : "collocation"));
   if (scene.stops.empty()) line("stop", "none: no contact is looked for");
   line("flow",
        "exact: every effect in this scene is linear between impacts, so motion and first "
@@ -71,6 +82,48 @@ std::string notes_text(const std::vector<std::string>& notes) {
   return text;
 }
 
+std::vector<std::string> event_row(long long number, const Event& e) {
+  const bool impact = e.kind == EventKind::kImpact, chatter = e.kind == EventKind::kChatter;
+  return {fmt::format("{}", number),
+          name_of(e.kind),
+          fmt::format("{:.12g}", e.time),
+          fmt::format("{}", e.stop + 1),
+          impact ? fmt::format("{:.9g}", e.speed) : "-",
+          impact && e.phase ? fmt::format("{:.9f}", *e.phase) : "-",
+          impact || chatter ? fmt::format("{:.4e}", e.energy_change) : "-",
+          chatter ? fmt::format("{}", e.impacts) : "-",
+          e.kind == EventKind::kStick ? fmt::format("{:.6g}", e.force) : "-"};
+}
+
+std::string events_text(const EventExcerpt& events) {
+  if (events.count() == 0) return "";
+  Table table({"event", "kind", "time (s)", "stop", "speed (m/s)", "phase (rad)",
+               "energy change (J)", "impacts", "force (N)"});
+  long long number = 0;
+  for (const Event& event : events.first()) table.add(event_row(++number, event));
+  if (events.left_out() > 0) table.add({".."});
+  number += events.left_out();
+  for (const Event& event : events.last()) table.add(event_row(++number, event));
+  return table.text() + "\n";
+}
+
+std::string energy_text(const System& system, const EnergyBook& book) {
+  const EnergyEntries entries = energy_entries(system, book);
+  std::string text;
+  const auto add = [&](const char* name, const std::optional<double>& value) {
+    if (value) text += fmt::format("{:<24} {:>15.8g} J\n", name, *value);
+  };
+  add("energy at the start", book.start);
+  add("+ work of the forcing", entries.forcing);
+  add("+ work of the load", entries.load);
+  add("+ work of closed stops", entries.constraint);
+  add("+ change at impacts", entries.impacts);
+  add("- dissipation", entries.dissipation);
+  add("= energy at the end", book.now);
+  return text + fmt::format("{:<24} {:>15.2e} J, {:.1e} of the largest entry\n", "missing",
+                            book.defect(), relative_defect(book));
+}
+
 }  // namespace
 
 std::string to_text(const CheckRecord& record) {
@@ -85,9 +138,13 @@ std::string to_text(const CheckRecord& record) {
          system.omega[j] > 0.0 ? fmt::format("{:.4g}", system.delta[j] / system.omega[j]) : "-",
          system.forcing ? fmt::format("{:.6g}", system.forcing->amplitude[j]) : "-"});
   text += modes.text();
+  if (!system.stops.empty()) text += "\n";
   for (std::size_t i = 0; i < system.stops.size(); ++i)
-    text += fmt::format("\nstop {}: effective mass at the contact {:.6g} kg\n", i + 1,
+    text += fmt::format("stop {}: effective mass at the contact {:.6g} kg\n", i + 1,
                         1.0 / system.stops[i].row.squaredNorm());
+  if (record.closure_speed)
+    text += fmt::format("chatter that completes is summed below {:.4g} m/s (--closure-speed)\n",
+                        *record.closure_speed);
   if (record.collocation_condition > 0.0)
     text +=
         fmt::format("collocation matrix: condition number {:.4g}\n", record.collocation_condition);
@@ -96,32 +153,22 @@ std::string to_text(const CheckRecord& record) {
 
 std::string to_text(const SimulationRecord& record) {
   const Simulation& run = record.run;
-  std::string text;
-  if (!record.events.empty()) {
-    constexpr std::size_t kShown = 10;
-    const std::size_t hidden =
-        record.events.size() > 2 * kShown + 1 ? record.events.size() - 2 * kShown : 0;
-    Table table({"impact", "time (s)", "stop", "speed (m/s)", "phase (rad)", "energy change (J)"});
-    for (std::size_t i = 0; i < record.events.size(); ++i) {
-      if (hidden > 0 && i == kShown) table.add({"..", "", "", "", "", ""});
-      if (hidden > 0 && i >= kShown && i < kShown + hidden) continue;
-      const Event& e = record.events[i];
-      table.add({fmt::format("{}", i + 1), fmt::format("{:.12g}", e.time),
-                 fmt::format("{}", e.stop + 1), fmt::format("{:.9g}", e.speed),
-                 e.phase ? fmt::format("{:.9f}", *e.phase) : "-",
-                 fmt::format("{:.4e}", e.energy_change)});
-    }
-    text += table.text() + "\n";
-  }
+  std::string text = events_text(record.excerpt);
   text += fmt::format("{:<24} {:.9g} s\n", "simulated until", run.end_time);
   if (!record.system.stops.empty()) {
     text += fmt::format("{:<24} {}\n", "impacts", run.totals.impacts);
+    text += fmt::format("{:<24} {}\n", "chatters closed", run.totals.chatters);
+    text += fmt::format("{:<24} {:.6g} s\n", "stuck time", run.totals.stuck_time);
     text += fmt::format("{:<24} {:.6g} J\n", "energy lost at impacts", run.totals.energy_lost);
     text += fmt::format("{:<24} {:.6g} J\n", "energy added at impacts", run.totals.energy_added);
   }
   if (run.totals.smallest_gap)
     text += fmt::format("{:<24} {:.6g} m\n", "smallest gap", *run.totals.smallest_gap);
-  return text + ending(record.outcome);
+  for (const int stop : run.stuck)
+    text += fmt::format("{:<24} stop {}, force {:.6g} N\n", "held at the end by", stop + 1,
+                        run.forces[static_cast<std::size_t>(stop)]);
+  if (run.energy) text += "\n" + energy_text(record.system, *run.energy);
+  return text + notes_text(record.notes) + ending(record.outcome);
 }
 
 std::string to_text(const OrbitRecord& record) {

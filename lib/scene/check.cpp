@@ -162,6 +162,17 @@ void check_forcing(const Scene& scene) {
   }
 }
 
+void check_gravity(const Scene& scene) {
+  if (!scene.gravity) {
+    return;
+  }
+  Checker(scene, "gravity").finite("acceleration", scene.gravity->acceleration);
+  if (scene.modal() != nullptr && scene.modal()->inertia.empty()) {
+    throw scene_error(scene, "modal.inertia",
+                      "the key is missing, [gravity] needs a list of numbers, one per mode");
+  }
+}
+
 // A point with 15 digits where these stand for it (0.225 and not 0.22499999999999998).
 std::string point_text(double point, double length) {
   const std::string text = fmt::format("{:.15g}", point);
@@ -189,6 +200,25 @@ void check_collocation_impulse(const Checker& checker, const Scene& scene, const
                            stop.position, joined(points, "or")));
 }
 
+// Only a0, the restitution of a vanishing speed, has bounds of its own: where r(v) leaves 0..1
+// depends on the speeds that occur.
+void check_restitution(const Checker& checker, const std::vector<double>& coefficients) {
+  if (coefficients.empty()) {
+    checker.fail("restitution", "the list is empty, it must have at least one number");
+  }
+  // The keys are those of the parameters: a constant has no number.
+  const double first = coefficients.front();
+  checker.require(first >= 0.0 && first <= 1.0,
+                  coefficients.size() == 1 ? "restitution" : "restitution.1", first,
+                  "a number from 0 to 1");
+  for (std::size_t k = 1; k < coefficients.size(); ++k) {
+    if (!std::isfinite(coefficients[k])) {
+      checker.require(false, fmt::format("restitution.{}", k + 1), coefficients[k],
+                      "a finite number");
+    }
+  }
+}
+
 void check_stop(const Scene& scene, const Stop& stop, std::size_t number) {
   const Checker checker(scene, number == 1 ? "stop" : fmt::format("stop.{}", number));
   if (const Beam* beam = scene.beam()) {
@@ -211,21 +241,30 @@ void check_stop(const Scene& scene, const Stop& stop, std::size_t number) {
     }
   }
   checker.finite("gap", stop.gap);
-  checker.require(stop.restitution >= 0.0 && stop.restitution <= 1.0, "restitution",
-                  stop.restitution, "a number from 0 to 1");
+  check_restitution(checker, stop.restitution);
   if (stop.impulse == Impulse::kCollocation) {
     check_collocation_impulse(checker, scene, stop);
   }
+}
+
+const char* impulse_name(Impulse impulse) {
+  return impulse == Impulse::kMomentum ? "momentum" : "collocation";
 }
 
 void check_stops(const Scene& scene) {
   for (std::size_t k = 0; k < scene.stops.size(); ++k) {
     check_stop(scene, scene.stops[k], k + 1);
   }
-  if (scene.stops.size() > 1) {
-    throw scene_error(scene, "stop.2",
-                      "more than one stop is not available in this version, there must be at most "
-                      "one [[stop]]");
+  // An impact at several stops at once is solved by one law for all of them.
+  for (std::size_t k = 1; k < scene.stops.size(); ++k) {
+    const Impulse first = scene.stops.front().impulse;
+    const Impulse here = scene.stops[k].impulse;
+    if (here != first) {
+      throw scene_error(scene, fmt::format("stop.{}.impulse", k + 1),
+                        fmt::format("the law \"{}\" is not allowed beside \"{}\" of the first "
+                                    "stop, all stops must have one impulse law",
+                                    impulse_name(here), impulse_name(first)));
+    }
   }
 }
 
@@ -244,6 +283,7 @@ void check_scene(const Scene& scene) {
   check_structure(scene);
   check_damping(scene);
   check_forcing(scene);
+  check_gravity(scene);
   check_stops(scene);
   check_initial(scene);
   const double tolerance = scene.solver.tolerance;

@@ -9,8 +9,8 @@ namespace {
 const std::vector<TableKeys>& all_keys() {
   static const std::vector<TableKeys> keys = {
       {"",
-       {"title", "beam", "modal", "damping", "forcing", "stop", "initial", "solver"},
-       {"gravity", "hub", "probe"}},
+       {"title", "beam", "modal", "damping", "forcing", "gravity", "stop", "initial", "solver"},
+       {"hub", "probe"}},
       {"beam",
        {"length", "youngs_modulus", "second_moment", "density", "area", "modes", "discretisation",
         "points"},
@@ -19,6 +19,7 @@ const std::vector<TableKeys>& all_keys() {
       {"damping", {"viscous", "ratios", "rayleigh"}, {}},
       {"damping.rayleigh", {"mass", "stiffness"}, {}},
       {"forcing", {"kind", "amplitude", "frequency", "phase"}, {}},
+      {"gravity", {"acceleration"}, {}},
       {"stop", {"position", "shape", "gap", "side", "restitution", "impulse"}, {"spring"}},
       {"initial", {"q", "qdot"}, {"angle", "rate"}},
       {"solver", {"flow", "tolerance"}, {"step"}},

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <array>
+#include <cstdlib>
 #include <type_traits>
 #include <utility>
 
@@ -68,6 +69,9 @@ void visit_parameters(S& scene, F&& f) {
     f("forcing.frequency", scene.forcing->frequency);
     f("forcing.phase", scene.forcing->phase);
   }
+  if (scene.gravity) {
+    f("gravity.acceleration", scene.gravity->acceleration);
+  }
   const bool beam = scene.beam() != nullptr;
   for (std::size_t k = 0; k < scene.stops.size(); ++k) {
     const std::string stop = k == 0 ? "stop" : fmt::format("stop.{}", k + 1);
@@ -76,7 +80,11 @@ void visit_parameters(S& scene, F&& f) {
       f(stop + ".position", values.position);
     }
     f(stop + ".gap", values.gap);
-    f(stop + ".restitution", values.restitution);
+    if (values.restitution.size() == 1) {
+      f(stop + ".restitution", values.restitution.front());
+    } else {
+      visit_list(values.restitution, stop + ".restitution", f);
+    }
     visit_list(values.shape, stop + ".shape", f);
   }
 }
@@ -117,6 +125,15 @@ std::vector<std::string> shortened(const std::vector<std::string>& names) {
     }
   }
   return result;
+}
+
+// Entry k + 1 of a restitution is the factor of v^k, and a constant has no number.
+std::string restitution_unit(const std::string& entry) {
+  if (entry.empty() || entry == "1") {
+    return "";
+  }
+  const long power = std::strtol(entry.c_str(), nullptr, 10) - 1;
+  return power == 1 ? "s/m" : fmt::format("s^{0}/m^{0}", power);
 }
 
 InputError unknown_parameter(const Scene& scene, const std::string& path) {
@@ -178,19 +195,24 @@ std::string parameter_unit(const Scene& scene, const std::string& path) {
   std::string name = canonical(path);
   // Entries of a list, and stops after the first, have the unit of the first.
   const std::size_t dot = name.rfind('.');
+  std::string entry;
   if (dot != std::string::npos &&
       name.find_first_not_of("0123456789", dot + 1) == std::string::npos) {
+    entry = name.substr(dot + 1);
     name.resize(dot);
   }
   if (name.compare(0, 5, "stop.") == 0) {
     name = "stop" + name.substr(name.rfind('.'));
+  }
+  if (name == "stop.restitution") {
+    return restitution_unit(entry);
   }
   if (name == "forcing.amplitude" && scene.forcing) {
     const ForcingKind kind = scene.forcing->kind;
     return kind == ForcingKind::kBase ? "m" : (kind == ForcingKind::kDistributed ? "N/m" : "");
   }
   // Mass-normalised coordinates q are in kg^1/2 m, so modal forces are in kg^1/2 m/s^2.
-  static constexpr std::array<std::pair<const char*, const char*>, 16> kUnits = {{
+  static constexpr std::array<std::pair<const char*, const char*>, 18> kUnits = {{
       {"beam.length", "m"},
       {"beam.youngs_modulus", "Pa"},
       {"beam.second_moment", "m^4"},
@@ -205,15 +227,17 @@ std::string parameter_unit(const Scene& scene, const std::string& path) {
       {"damping.rayleigh.stiffness", "s"},
       {"forcing.frequency", "rad/s"},
       {"forcing.phase", "rad"},
+      {"gravity.acceleration", "m/s^2"},
       {"stop.position", "m"},
       {"stop.gap", "m"},
+      {"stop.shape", "kg^-1/2"},
   }};
   for (const auto& [known, unit] : kUnits) {
     if (name == known) {
       return unit;
     }
   }
-  return name == "stop.shape" ? "kg^-1/2" : "";
+  return "";
 }
 
 }  // namespace graze

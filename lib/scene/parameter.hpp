@@ -1,6 +1,8 @@
 // A parameter is a number of the scene, named by its path: "forcing.frequency", "stop.gap" (the
-// first stop; "stop.2.gap" the second), "damping.viscous", "modal.frequencies.2". The one place
-// where names meet values, for --set, --parameter and tangents alike.
+// first stop; "stop.2.gap" the second), "damping.viscous", "modal.frequencies.2". A constant
+// restitution is "stop.restitution", the coefficients a0, a1, .. of r(v) are "stop.restitution.1",
+// "stop.restitution.2", .. The one place where names meet values, for --set, --parameter and
+// tangents alike.
 #pragma once
 
 #include <string>

@@ -100,6 +100,21 @@ Forcing read_forcing(const Node& node, bool modal, Origins& origins) {
   return forcing;
 }
 
+Gravity read_gravity(const Node& node, Origins& origins) {
+  const TableReader table(node, "gravity", origins);
+  return Gravity{table.number("acceleration", "a number in m/s^2")};
+}
+
+// A number is the list of one entry.
+std::vector<double> read_restitution(const TableReader& table) {
+  const std::string key = "restitution";
+  const std::string what = "a number from 0 to 1 or a list [a0, a1, ..] of numbers";
+  if (table.required(key, what).as<NodeList>() != nullptr) {
+    return table.numbers(key, what);
+  }
+  return {table.number(key, what)};
+}
+
 Stop read_stop(const Node& node, const std::string& path, bool modal, Origins& origins) {
   const TableReader table(node, path, origins);
   Stop stop;
@@ -118,14 +133,7 @@ Stop read_stop(const Node& node, const std::string& path, bool modal, Origins& o
   }
   stop.gap = table.number("gap", "a number in m");
   stop.side = table.choice<Side>("side", {{"above", Side::kAbove}, {"below", Side::kBelow}});
-  const std::string restitution = "a number from 0 to 1";
-  if (table.required("restitution", restitution).as<NodeList>() != nullptr) {
-    table.fail("restitution",
-               "a restitution that depends on the speed is not available in this version, it must "
-               "be " +
-                   restitution);
-  }
-  stop.restitution = table.number("restitution", restitution);
+  stop.restitution = read_restitution(table);
   stop.impulse = table.choice<Impulse>(
       "impulse", {{"momentum", Impulse::kMomentum}, {"collocation", Impulse::kCollocation}});
   return stop;
@@ -203,6 +211,9 @@ Scene read_root(const Node& node) {
   }
   if (const Node* forcing = root.find("forcing")) {
     scene.forcing = read_forcing(*forcing, modal, *origins);
+  }
+  if (const Node* gravity = root.find("gravity")) {
+    scene.gravity = read_gravity(*gravity, *origins);
   }
   if (const Node* stops = root.find("stop")) {
     scene.stops = read_stops(*stops, modal, *origins);

@@ -59,12 +59,19 @@ struct Forcing {
   double phase = 0.0;      // rad
 };
 
+// Uniform acceleration along +u of every mass element; a constant load of the modes.
+struct Gravity {
+  double acceleration = 0.0;  // m/s^2
+};
+
 struct Stop {
   double position = 0.0;      // m from the clamp (beam)
   std::vector<double> shape;  // phi_j at the stop (modal structure), kg^-1/2
   double gap = 0.0;           // m; may be 0 or negative (preload)
   Side side = Side::kAbove;   // above: free while u < gap; below: free while u > -gap
-  double restitution = 0.0;   // r, 0..1
+  // r(v) = a0 - a1 v - a2 v^2 - .., v the approach speed; one entry: r is constant. a0 in 0..1,
+  // a_i in (s/m)^i.
+  std::vector<double> restitution = {0.0};
   Impulse impulse = Impulse::kMomentum;
 };
 
@@ -86,6 +93,7 @@ struct Scene {
   std::variant<Beam, ModalStructure> structure;
   std::optional<Damping> damping;
   std::optional<Forcing> forcing;
+  std::optional<Gravity> gravity;
   std::vector<Stop> stops;
   std::optional<Initial> initial;
   Solver solver;

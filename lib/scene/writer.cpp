@@ -91,6 +91,11 @@ void write(Writer& out, const Forcing& forcing) {
   out.number("phase", forcing.phase);
 }
 
+void write(Writer& out, const Gravity& gravity) {
+  out.table("[gravity]");
+  out.number("acceleration", gravity.acceleration);
+}
+
 void write(Writer& out, const Stop& stop, bool modal) {
   out.table("[[stop]]");
   if (modal) {
@@ -100,7 +105,11 @@ void write(Writer& out, const Stop& stop, bool modal) {
   }
   out.number("gap", stop.gap);
   out.word("side", stop.side == Side::kAbove ? "above" : "below");
-  out.number("restitution", stop.restitution);
+  if (stop.restitution.size() == 1) {
+    out.number("restitution", stop.restitution.front());
+  } else {
+    out.list("restitution", stop.restitution);
+  }
   out.word("impulse", stop.impulse == Impulse::kMomentum ? "momentum" : "collocation");
 }
 
@@ -117,6 +126,9 @@ std::string write_scene(const Scene& scene) {
   }
   if (scene.forcing) {
     write(out, *scene.forcing);
+  }
+  if (scene.gravity) {
+    write(out, *scene.gravity);
   }
   for (const Stop& stop : scene.stops) {
     write(out, stop, scene.modal() != nullptr);

@@ -124,24 +124,34 @@ Vector decay_tangent(const Scene& scene, const ModalModel& model, const Vector& 
          model.delta * (rate.density / beam.density + rate.area / beam.area);
 }
 
-// Galerkin: integral of rho A phi_j (per acceleration); collocation: Phi^-1 1. A load per length
-// is an acceleration times rho A.
-Vector beam_participation(const Beam& beam, ForcingKind kind, const Matrix& phi) {
+// Modal force per unit of uniform acceleration. Galerkin: integral of rho A phi_j; collocation:
+// Phi^-1 1.
+Vector beam_inertia(const Beam& beam, const Matrix& phi) {
+  if (beam.discretisation == Projection::kCollocation)
+    return phi.partialPivLu().solve(Vector::Ones(beam.modes));
   Vector g(beam.modes);
-  if (beam.discretisation == Projection::kCollocation) {
-    g = phi.partialPivLu().solve(Vector::Ones(beam.modes));
-  } else {
-    for (int j = 0; j < beam.modes; ++j) g[j] = cantilever_mean(j + 1) / mass_scale(beam);
-  }
+  for (int j = 0; j < beam.modes; ++j) g[j] = cantilever_mean(j + 1) / mass_scale(beam);
+  return g;
+}
+
+// The rate of the inertia `g`, or of any multiple of it.
+Vector beam_inertia_rate(const Beam& beam, const Beam& rate, const Vector& g, const Matrix& phi,
+                         const Matrix& phi_rate) {
+  return beam.discretisation == Projection::kCollocation
+             ? Vector(-phi.partialPivLu().solve(phi_rate * g))
+             : Vector(-mass_scale_rate(beam, rate) * g);
+}
+
+// A load per length is an acceleration times rho A.
+Vector beam_participation(const Beam& beam, ForcingKind kind, const Matrix& phi) {
+  const Vector g = beam_inertia(beam, phi);
   return kind == ForcingKind::kDistributed ? Vector(g / (beam.density * beam.area)) : g;
 }
 
 Vector beam_participation_rate(const Beam& beam, const Beam& rate, ForcingKind kind,
                                const ModalModel& model, const Matrix& phi_rate) {
   const Vector& g = model.participation;
-  Vector g_rate = beam.discretisation == Projection::kCollocation
-                      ? Vector(-model.collocation.partialPivLu().solve(phi_rate * g))
-                      : Vector(-mass_scale_rate(beam, rate) * g);
+  Vector g_rate = beam_inertia_rate(beam, rate, g, model.collocation, phi_rate);
   if (kind == ForcingKind::kDistributed)
     g_rate -= g * (rate.density / beam.density + rate.area / beam.area);
   return g_rate;
@@ -152,7 +162,7 @@ Vector beam_participation_rate(const Beam& beam, const Beam& rate, ForcingKind k
 bool uses_collocation(const Scene& scene) {
   const Beam* beam = scene.beam();
   if (beam == nullptr) return false;
-  return (scene.forcing && beam->discretisation == Projection::kCollocation) ||
+  return ((scene.forcing || scene.gravity) && beam->discretisation == Projection::kCollocation) ||
          std::any_of(scene.stops.begin(), scene.stops.end(),
                      [](const Stop& stop) { return stop.impulse == Impulse::kCollocation; });
 }
@@ -166,11 +176,13 @@ ModalModel modal_model(const Scene& scene) {
     if (scene.forcing)
       model.participation = as_vector(
           scene.forcing->kind == ForcingKind::kBase ? modal->inertia : modal->participation);
+    if (scene.gravity) model.inertia = as_vector(modal->inertia);
     for (const Stop& stop : scene.stops) model.shapes.emplace_back(as_vector(stop.shape));
   } else {
     const Beam& beam = *scene.beam();
     if (scene.forcing)
       model.participation = beam_participation(beam, scene.forcing->kind, model.collocation);
+    if (scene.gravity) model.inertia = beam_inertia(beam, model.collocation);
     for (const Stop& stop : scene.stops) model.shapes.push_back(shapes_at(beam, stop.position));
   }
   return model;
@@ -184,6 +196,7 @@ ModalModel modal_tangent(const Scene& scene, const ModalModel& model, const Scen
     if (scene.forcing)
       rate.participation = as_vector(
           scene.forcing->kind == ForcingKind::kBase ? modal->inertia : modal->participation);
+    if (scene.gravity) rate.inertia = as_vector(modal->inertia);
     for (const Stop& stop : direction.stops) rate.shapes.emplace_back(as_vector(stop.shape));
     return rate;
   }
@@ -193,6 +206,9 @@ ModalModel modal_tangent(const Scene& scene, const ModalModel& model, const Scen
   if (scene.forcing)
     rate.participation =
         beam_participation_rate(beam, beam_rate, scene.forcing->kind, model, rate.collocation);
+  if (scene.gravity)
+    rate.inertia =
+        beam_inertia_rate(beam, beam_rate, model.inertia, model.collocation, rate.collocation);
   for (std::size_t i = 0; i < scene.stops.size(); ++i)
     rate.shapes.push_back(
         shape_rates_at(beam, beam_rate, scene.stops[i].position, direction.stops[i].position));

@@ -2,11 +2,13 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
 #include "graze/base/angle.hpp"
 #include "graze/base/decompositions.hpp"
+#include "graze/contact/complementarity.hpp"
 #include "graze/contact/impulse.hpp"
 #include "graze/scene/check.hpp"
 #include "graze/scene/parameter.hpp"
@@ -49,7 +51,7 @@ RigidStop assemble_stop(const Scene& scene, const Stop& stop, const Vector& shap
       stop.impulse == Impulse::kMomentum
           ? momentum_direction(row)
           : collocation_direction(phi, collocation_index(*scene.beam(), stop.position), sign);
-  return {row, stop.gap, direction, stop.restitution};
+  return {row, stop.gap, direction, Restitution(stop.restitution)};
 }
 
 RigidStop stop_tangent(const Stop& stop, const Stop& rate, const RigidStop& assembled,
@@ -59,7 +61,36 @@ RigidStop stop_tangent(const Stop& stop, const Stop& rate, const RigidStop& asse
       stop.impulse == Impulse::kMomentum
           ? momentum_direction_rate(assembled.row, row_rate)
           : collocation_direction_rate(phi, phi_rate, assembled.direction);
-  return {row_rate, rate.gap, direction_rate, rate.restitution};
+  return {row_rate, rate.gap, direction_rate, Restitution(rate.restitution)};
+}
+
+bool is_preloaded(const System& system) {
+  return std::any_of(system.stops.begin(), system.stops.end(),
+                     [](const RigidStop& stop) { return stop.gap < 0.0; });
+}
+
+// Rest under the constant load with every stop's force >= 0 and gap >= 0:
+//   q = W^-1 (load - D lambda),   lambda >= 0,   b.q <= a,   lambda (a - b.q) = 0.
+std::optional<Vector> static_equilibrium(const System& system) {
+  const Eigen::Index n = system.modes(), k = static_cast<Eigen::Index>(system.stops.size());
+  if (system.omega.minCoeff() <= 0.0) return {};
+  const Vector compliance = system.omega.cwiseAbs2().cwiseInverse();
+  const Vector free =
+      system.load ? Vector(compliance.cwiseProduct(*system.load)) : Vector(Vector::Zero(n));
+  Matrix rows(n, k), directions(n, k);
+  Vector beyond(k), rounding(k);
+  for (Eigen::Index i = 0; i < k; ++i) {
+    const RigidStop& stop = system.stops[static_cast<std::size_t>(i)];
+    rows.col(i) = stop.row;
+    directions.col(i) = stop.direction;
+    const GapValue<double> gap = gap_value<double>(stop.row, free, stop.gap);
+    beyond[i] = -gap.value;
+    rounding[i] = gap.rounding;
+  }
+  const Matrix delassus = rows.transpose() * compliance.asDiagonal() * directions;
+  const std::optional<Vector> force = solve_contacts<double>(delassus, beyond, rounding);
+  if (!force || !force->allFinite()) return {};
+  return free - compliance.cwiseProduct(directions * *force);
 }
 
 }  // namespace
@@ -68,8 +99,9 @@ double System::period() const { return kTurn / forcing->frequency; }
 
 System assemble(const Scene& scene) {
   const ModalModel model = modal_model(scene);
-  System system{model.omega, model.delta, {}, {}};
+  System system{model.omega, model.delta, {}, {}, {}};
   if (scene.forcing) system.forcing = assemble_forcing(*scene.forcing, model.participation);
+  if (scene.gravity) system.load = scene.gravity->acceleration * model.inertia;
   for (std::size_t i = 0; i < scene.stops.size(); ++i)
     system.stops.push_back(
         assemble_stop(scene, scene.stops[i], model.shapes[i], model.collocation));
@@ -80,9 +112,12 @@ System system_tangent(const Scene& scene, const std::string& parameter) {
   const Scene direction = parameter_direction(scene, parameter);
   const ModalModel model = modal_model(scene);
   const ModalModel rate = modal_tangent(scene, model, direction);
-  System tangent{rate.omega, rate.delta, {}, {}};
+  System tangent{rate.omega, rate.delta, {}, {}, {}};
   if (scene.forcing)
     tangent.forcing = forcing_tangent(*scene.forcing, *direction.forcing, model, rate);
+  if (scene.gravity)
+    tangent.load = direction.gravity->acceleration * model.inertia +
+                   scene.gravity->acceleration * rate.inertia;
   for (std::size_t i = 0; i < scene.stops.size(); ++i) {
     const RigidStop stop = assemble_stop(scene, scene.stops[i], model.shapes[i], model.collocation);
     tangent.stops.push_back(stop_tangent(scene.stops[i], direction.stops[i], stop, rate.shapes[i],
@@ -97,6 +132,15 @@ State initial_state(const Scene& scene, const System& system) {
   if (scene.initial) {
     state.q = Eigen::Map<const Vector>(scene.initial->q.data(), n);
     state.qdot = Eigen::Map<const Vector>(scene.initial->qdot.data(), n);
+  } else if (is_preloaded(system)) {
+    const std::optional<Vector> q = static_equilibrium(system);
+    if (!q)
+      throw scene_error(scene, "stop.gap",
+                        "a preloaded stop (negative gap) without [initial] starts in static "
+                        "equilibrium, which this structure does not have (a mode of frequency 0, "
+                        "or stops that contradict each other); give [initial] a state clear of "
+                        "the stops");
+    state.q = *q;
   }
   for (std::size_t i = 0; i < system.stops.size(); ++i) {
     const RigidStop& stop = system.stops[i];
@@ -104,10 +148,6 @@ State initial_state(const Scene& scene, const System& system) {
     if (gap.value < -gap.rounding) {
       const std::string key =
           system.stops.size() == 1 ? "stop.gap" : fmt::format("stop.{}.gap", i + 1);
-      if (!scene.initial && stop.gap < 0.0)
-        throw scene_error(scene, key,
-                          "a preloaded stop (negative gap) without [initial] starts stuck, which "
-                          "is not available in this version; give [initial] a state clear of it");
       throw scene_error(scene, scene.initial ? "initial.q" : key,
                         fmt::format("the motion starts {:.6g} m beyond stop {}; the displacement "
                                     "at the stop must not exceed its gap",
@@ -140,7 +180,9 @@ std::vector<std::string> system_warnings(const Scene& scene, const System& syste
   for (std::size_t i = 0; i < system.stops.size(); ++i) {
     if (scene.stops[i].impulse != Impulse::kCollocation) continue;
     const RigidStop& stop = system.stops[i];
-    const double gain = worst_energy_gain(stop.row, stop.direction, stop.restitution);
+    // The gain grows with r; one that depends on the speed is not known beforehand.
+    const double r = stop.restitution.is_constant() ? stop.restitution.at_rest() : 1.0;
+    const double gain = worst_energy_gain(stop.row, stop.direction, r);
     // For N = 1 the collocation law is the momentum law.
     if (gain > 1.0 + 16.0 * std::numeric_limits<double>::epsilon())
       warnings.push_back(fmt::format(

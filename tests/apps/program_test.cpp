@@ -44,7 +44,9 @@ TEST(Program, UsageErrorsExitWith2AndPrintNothingOnStdout) {
 TEST(Program, RefusesWhatALaterVersionBrings) {
   for (const std::string& line : std::vector<std::string>{
            "diagram " + kOneMode, "cost " + kOneMode, "compare " + kOneMode, "fit a b",
-           "simulate --energy " + kOneMode, "simulate --closure-speed 1e-6 " + kOneMode,
+           "orbit --closure-speed 1e-6 " + kOneMode,
+           "continue --closure-speed 1e-6 --parameter stop.gap --from 0 --to 1 " + kOneMode,
+           "continue --parameter stop.gap --from 1e-3 --to 2e-3 " + scene("07_two_stops.toml"),
            "orbit --plot picture.html " + kOneMode,
            "continue --parameter stop.gap --from 0 --to 1 --impacts 2 " + kOneMode,
            "continue --parameter stop.gap --from 0 --to 1 --locus LP " + kOneMode,
@@ -100,51 +102,14 @@ TEST(Program, JsonIsOneDocumentWithTheContractsKeys) {
 
 TEST(Program, OrbitSpeaksOfTheSimulationOnlyWhereThereWasOne) {
   const std::string said = "simulation settle";
-  const Finished preloaded = run_graze("orbit --json --set stop.gap=-1e-4 " + kOneMode);
+  const Finished preloaded = run_graze(
+      "orbit --json --set stop.gap=-1e-4 --set 'initial={q=[0.0],qdot=[0.0]}' " + kOneMode);
   EXPECT_EQ(preloaded.code, 3);
   EXPECT_EQ(preloaded.out.find(said), std::string::npos);
   EXPECT_NE(preloaded.err.find("no start by simulation"), std::string::npos);
   const Finished resting = run_graze("orbit --json " + scene("02_wagg_momentum.toml"));
   EXPECT_EQ(resting.code, 3);
   EXPECT_NE(resting.out.find(said), std::string::npos);
-}
-
-TEST(Program, SimulateReportsEveryImpactAndTheEnd) {
-  const Finished run =
-      run_graze("simulate --json --duration 0.5 " + scene("02_wagg_momentum.toml"));
-  ASSERT_EQ(run.code, 0) << run.err;
-  const json document = json::parse(run.out);
-  EXPECT_EQ(document["outcome"], "reached_end");
-  EXPECT_EQ(document["final"]["time"], 0.5);
-  EXPECT_EQ(document["final"]["q"].size(), 4U);
-  EXPECT_EQ(document["totals"]["impacts"], document["events"].size());
-  const json& first = document["events"][0];
-  // Independent 40-digit values.
-  EXPECT_NEAR(first["time"].get<double>(), 0.13575577310536956, 1e-11);
-  EXPECT_NEAR(first["speed"].get<double>(), 0.0473040851227817, 1e-11);
-  EXPECT_LT(first["energy_change"].get<double>(), 0.0);
-}
-
-TEST(Program, MotionThatComesToRestSaysSoAndExitsWith3) {
-  const Finished run = run_graze("simulate --json " + scene("02_wagg_momentum.toml"));
-  EXPECT_EQ(run.code, 3);
-  const json document = json::parse(run.out);
-  EXPECT_EQ(document["outcome"], "event_budget");
-  EXPECT_NE(document["message"].get<std::string>().find("came to rest on stop 1"),
-            std::string::npos);
-  EXPECT_NEAR(document["final"]["time"].get<double>(), 0.541289, 1e-6);
-  EXPECT_EQ(document["final"]["stuck"], json::array({1}));
-}
-
-TEST(Program, BudgetsEndWithTheirOutcome) {
-  const Finished impacts = run_graze("simulate --json --max-impacts 5 " + kOneMode);
-  EXPECT_EQ(impacts.code, 3);
-  EXPECT_EQ(json::parse(impacts.out)["outcome"], "event_budget");
-  EXPECT_EQ(json::parse(impacts.out)["totals"]["impacts"], 5);
-  const Finished seconds =
-      run_graze("simulate --json --periods 1000000000 --max-seconds 0.2 --record none " + kOneMode);
-  EXPECT_EQ(seconds.code, 3);
-  EXPECT_EQ(json::parse(seconds.out)["outcome"], "time_budget");
 }
 
 TEST(Program, ContinueEndsAtGrazingsAndFoldsAreLocated) {
@@ -184,15 +149,6 @@ TEST(Program, OutWritesTheDocumentTheSceneAndTheTables) {
   EXPECT_EQ(json::parse(again.out)["branches"], json::parse(run.out)["branches"]);
   EXPECT_EQ(json::parse(again.out)["graze"]["scene_sha256"],
             json::parse(run.out)["graze"]["scene_sha256"]);
-}
-
-TEST(Program, InterruptKeepsWhatWasFinishedAndExitsWith130) {
-  const Finished run = run_graze("simulate --json --periods 1000000000 --record none " + kOneMode,
-                                 "timeout --preserve-status -s INT 0.5 ");
-  EXPECT_EQ(run.code, 130);
-  const json document = json::parse(run.out);
-  EXPECT_EQ(document["outcome"], "interrupted");
-  EXPECT_GT(document["totals"]["impacts"].get<long long>(), 0);
 }
 
 TEST(Program, PicturesAreDrawnWithTheirScript) {

@@ -50,6 +50,34 @@ void SimulateOneMode(benchmark::State& state) {
 }
 BENCHMARK(SimulateOneMode)->Unit(benchmark::kMillisecond);
 
+// Scene 02, four modes, momentum law: 10 s with chatter, sticking and release.
+void SimulateChatter(benchmark::State& state) {
+  const Scene scene = read_scene(GRAZE_SOURCE_DIR "/data/scenes/02_wagg_momentum.toml");
+  const System system = assemble(scene);
+  const State start = initial_state(scene, system);
+  SimulationOptions options;
+  options.duration = 10.0;
+  options.energy = state.range(0) != 0;
+  long long impacts = 0;
+  for (auto _ : state) impacts = simulate(system, start, options).totals.impacts;
+  state.counters["impacts"] = static_cast<double>(impacts);
+}
+BENCHMARK(SimulateChatter)->ArgName("energy")->Arg(0)->Arg(1)->Unit(benchmark::kMillisecond);
+
+// The same beam with a gap of 5 mm for 1000 forcing periods.
+void SimulateWideGap(benchmark::State& state) {
+  const Scene scene = read_scene(GRAZE_SOURCE_DIR "/data/scenes/02_wagg_momentum.toml",
+                                 {"stop.gap=5e-3", "beam.modes=" + std::to_string(state.range(0))});
+  const System system = assemble(scene);
+  const State start = initial_state(scene, system);
+  SimulationOptions options;
+  options.periods = 1000;
+  long long impacts = 0;
+  for (auto _ : state) impacts = simulate(system, start, options).totals.impacts;
+  state.counters["impacts"] = static_cast<double>(impacts);
+}
+BENCHMARK(SimulateWideGap)->ArgName("modes")->Arg(1)->Arg(4)->Arg(8)->Unit(benchmark::kMillisecond);
+
 }  // namespace
 }  // namespace graze
 

@@ -44,7 +44,8 @@ TEST_P(TransitionOf, StartPhaseAndTimeAreDifferentiated) {
   for (std::uint64_t seed = 1; seed <= 20; ++seed) {
     SCOPED_TRACE(testing::Message() << "seed " << seed);
     Dice dice(seed);
-    const System system = system_of_kind(kind(), dice);
+    System system = system_of_kind(kind(), dice);
+    if (seed % 2 == 0) system.load = dice.vector(2, -1.0, 1.0);
     const Vector y = dice.vector(4, -1.0, 1.0);
     const double theta = dice.uniform(0.0, 6.0), s = dice.uniform(0.1, 1.2) * system.period();
     const ExactFlow<double> flow(system);
@@ -69,6 +70,7 @@ System moved(const System& system, const System& tangent, double h) {
   there.delta += h * tangent.delta;
   there.forcing->frequency += h * tangent.forcing->frequency;
   there.forcing->amplitude += h * tangent.forcing->amplitude;
+  if (there.load) *there.load += h * *tangent.load;
   return there;
 }
 
@@ -77,6 +79,7 @@ System random_tangent(Damped kind, Dice& dice) {
   // A frequency or a damping of zero cannot fall.
   if (kind == Damped::kFreeMass) tangent.omega.setZero();
   tangent.forcing = HarmonicForcing{dice.uniform(-1.0, 1.0), 0.0, dice.vector(2, -1.0, 1.0)};
+  tangent.load = dice.vector(2, -1.0, 1.0);
   return tangent;
 }
 
@@ -84,8 +87,10 @@ TEST_P(TransitionOf, CoefficientsAreDifferentiatedAtFixedPhases) {
   for (std::uint64_t seed = 1; seed <= 20; ++seed) {
     SCOPED_TRACE(testing::Message() << "seed " << seed);
     Dice dice(100 + seed);
-    const System system = system_of_kind(kind(), dice);
-    const System tangent = random_tangent(kind(), dice);
+    System system = system_of_kind(kind(), dice);
+    if (seed % 2 == 0) system.load = dice.vector(2, -1.0, 1.0);
+    System tangent = random_tangent(kind(), dice);
+    if (!system.load) tangent.load.reset();
     const Vector y = dice.vector(4, -1.0, 1.0);
     const double theta = dice.uniform(0.0, 6.0), turn = dice.uniform(0.5, 8.0);
     const double s = turn / system.forcing->frequency;

@@ -216,7 +216,7 @@ TEST(HardCases, G3SaltationDeterminantAndFold) {
     ASSERT_TRUE(answer.form);
     for (const ImpactPoint& point : answer.form->solutions(system.stops[0].gap)) {
       const Matrix m = monodromy_matrix(system, {period, {0}}, {point});
-      const double r = system.stops[0].restitution;
+      const double r = system.stops[0].restitution.at_rest();
       const double expected =
           r * r * std::exp(-2.0 * period * system.period() * system.delta.sum());
       // A determinant loses the products of the matrix's entries to rounding.

@@ -11,8 +11,8 @@
 namespace graze {
 namespace {
 
-GapCurve<double> curve_of(const System& system, const Arc<double>& arc, double window) {
-  return {arc, system.stops[0].row, system.stops[0].gap, window, false};
+ArcCurve<double> curve_of(const System& system, const Arc<double>& arc, double window) {
+  return {arc, gap_observable<double>(system.stops[0].row, system.stops[0].gap), window, false};
 }
 
 TEST(Clearance, OfASineIsItsCrest) {
@@ -58,7 +58,7 @@ TEST(Clearance, AgreesWithDenseSampling) {
     arc.start(system.forcing->phase, dice.vector(system.modes(), -0.5, 0.5),
               dice.vector(system.modes(), -1.0, 1.0));
     const double window = system.period(), h = window / kSamples;
-    const GapCurve<double> curve = curve_of(system, arc, window);
+    const ArcCurve<double> curve = curve_of(system, arc, window);
     Vector q(system.modes()), qdot(system.modes());
     std::optional<double> sampled;
     double before = 0.0, here = 0.0;
@@ -71,7 +71,7 @@ TEST(Clearance, AgreesWithDenseSampling) {
     }
     const std::optional<double> minimum = smallest_minimum(curve);
     // Sampling can miss a shallow minimum, but not one deeper than a sample's distance can hide.
-    const double hidden = 0.5 * curve.start_bound(2) * h * h + 1e-13;
+    const double hidden = 0.5 * curve.at(0.0, 0).bound * h * h + 1e-13;
     if (sampled) {
       ASSERT_TRUE(minimum) << "seed " << seed;
       ++minima;

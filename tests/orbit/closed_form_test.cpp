@@ -135,6 +135,27 @@ TEST(ClosedForm, FoldsAgreeWithTheReference) {
   }
 }
 
+// A constant load moves the gap; the shooting equations, which know nothing of the closed form,
+// agree.
+TEST(ClosedForm, HoldsUnderAConstantLoad) {
+  int found = 0;
+  for (const char* name : {"sdof_1_6", "three_modes_2_1", "beam_n2_40", "beam_n4_40"}) {
+    System system = assemble(support::reference_scene(std::string("orbits/") + name));
+    for (const double part : {-0.4, 0.1, 0.5}) {
+      SCOPED_TRACE(name);
+      system.load = part * system.forcing->amplitude;
+      const ClosedFormAnswer answer = closed_form(system, 0, 1);
+      ASSERT_TRUE(answer.form);
+      const ShootingProblem problem({1, {0}}, shooting_scale(system));
+      for (const ImpactPoint& point : answer.form->solutions(system.stops[0].gap)) {
+        ++found;
+        EXPECT_LE(problem.residual(system, problem.pack({point})).cwiseAbs().maxCoeff(), 1e-11);
+      }
+    }
+  }
+  EXPECT_GE(found, 12);
+}
+
 TEST(ClosedForm, HasNoSolutionBeyondTheFold) {
   const System system = assemble(support::reference_scene("orbits/beam_n2_40"));
   const ClosedFormAnswer answer = closed_form(system, 0, 1);

@@ -40,7 +40,7 @@ Vector simulated(const System& system, const Vector& y, double theta, double tur
     if (!(motion.instant().local < until)) break;
     const Arrival<double> arrival = motion.fly(until);
     if (arrival.kind == ArrivalKind::kContact) {
-      motion.impact(arrival.stop);
+      motion.impact();
       ++*impacts;
     } else if (arrival.kind != ArrivalKind::kTime) {
       ADD_FAILURE() << "no impact and no flight";
@@ -126,6 +126,26 @@ TEST(Saltation, DeterminantIsThatOfTheImpactLaw) {
     const Matrix s = saltation_matrix(system, {row, 0.5, direction, r}, before, 0.9);
     // det J = -r, and a change of clock multiplies it by (c f+)/(c f-) = -r.
     EXPECT_NEAR(s.determinant(), r * r, 1e-15 * std::pow(s.norm(), 2) + 1e-12);
+  }
+}
+
+TEST(Saltation, DeterminantOfARestitutionThatDependsOnTheSpeed) {
+  // det S = r (r + v r'(v))
+  support::Dice dice(13);
+  for (int i = 0; i < 200; ++i) {
+    const int n = 1 + dice.pick(4);
+    System system{dice.vector(n, 0.5, 9.0), dice.vector(n, 0.0, 1.0), {}, {}, {}};
+    system.forcing = HarmonicForcing{1.7, 0.3, dice.vector(n, -1.0, 1.0)};
+    const Vector row = dice.vector(n, -2.0, 2.0);
+    const double a0 = dice.uniform(0.7, 1.0), a1 = dice.uniform(0.0, 0.2);
+    const State before{dice.vector(n, -1.0, 1.0), dice.vector(n, -1.0, 1.0)};
+    const double v = row.dot(before.qdot);
+    if (v < 0.1) continue;
+    const RigidStop stop{row, 0.5, momentum_direction(row),
+                         Restitution(std::vector<double>{a0, a1})};
+    const Matrix s = saltation_matrix(system, stop, before, 0.9);
+    const double r = a0 - a1 * v;
+    EXPECT_NEAR(s.determinant(), r * (r - v * a1), 1e-15 * std::pow(s.norm(), 2) + 1e-12);
   }
 }
 

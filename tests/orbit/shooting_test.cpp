@@ -100,6 +100,20 @@ TEST(Shooting, DerivativesWithTheCollocationProjectionAndLaw) {
   expect_derivatives(support::reference_scene("C"), {2, {0, 0}});
 }
 
+TEST(Shooting, DerivativesWithGravityAndRestitutionThatFallsWithTheSpeed) {
+  for (const char* name : {"orbits/sdof_1_6", "orbits/three_modes_2_1"}) {
+    const int modes = support::reference_scene(name).modes();
+    const std::string inertia =
+        modes == 1 ? "modal.inertia=[0.7]" : "modal.inertia=[0.7, -0.2, 0.4]";
+    expect_derivatives(support::reference_scene(name, {inertia, "gravity.acceleration=0.3",
+                                                       "stop.restitution=[0.9, 0.02, 0.001]"}),
+                       {1, {0, 0}});
+  }
+  expect_derivatives(inner_stop("orbits/beam_n2_40",
+                                {"gravity.acceleration=9.81", "stop.restitution=[0.85, 0.05]"}),
+                     {1, {0}});
+}
+
 TEST(Shooting, DerivativesAtResonance) {
   // The forcing at the natural frequency: the third mode kind of the flow's tangent.
   expect_derivatives(support::reference_scene("orbits/sdof_1_6", {"forcing.frequency=1.0",

@@ -9,15 +9,19 @@
 namespace graze {
 namespace {
 
+int entries_of(const ScratchFolder& folder) {
+  int entries = 0;
+  for ([[maybe_unused]] const auto& entry : std::filesystem::directory_iterator(folder.string()))
+    ++entries;
+  return entries;
+}
+
 TEST(WriteFile, ReplacesWholeFilesAndLeavesNothingElse) {
   const ScratchFolder scratch;
   write_file(scratch / "a", "first");
   write_file(scratch / "a", "second");
   EXPECT_EQ(read_text(scratch / "a"), "second");
-  int entries = 0;
-  for ([[maybe_unused]] const auto& entry : std::filesystem::directory_iterator(scratch.string()))
-    ++entries;
-  EXPECT_EQ(entries, 1);
+  EXPECT_EQ(entries_of(scratch), 1);
 }
 
 TEST(WriteFile, FailureLeavesTheFileAsItWas) {
@@ -26,6 +30,52 @@ TEST(WriteFile, FailureLeavesTheFileAsItWas) {
   EXPECT_THROW(write_file(scratch / "taken", "text"), FileError);
   EXPECT_THROW(write_file(scratch / "no/such/folder", "text"), FileError);
   EXPECT_TRUE(std::filesystem::is_directory(scratch / "taken"));
+}
+
+TEST(PendingFile, TakesItsPlaceOnlyWhenItIsComplete) {
+  const ScratchFolder scratch;
+  write_file(scratch / "table", "old");
+  {
+    PendingFile file(scratch / "table");
+    file.append("half ");
+    file.sync();
+    EXPECT_EQ(read_text(scratch / "table"), "old");
+    EXPECT_EQ(entries_of(scratch), 2);
+  }
+  EXPECT_EQ(read_text(scratch / "table"), "old");
+  EXPECT_EQ(entries_of(scratch), 1);
+  std::string all;
+  {
+    PendingFile file(scratch / "table");
+    for (int i = 0; i < 100'000; ++i) {
+      file.append("row\n");
+      all += "row\n";
+    }
+    PendingFile moved = std::move(file);
+    moved.append("end\n");
+    moved.commit();
+  }
+  EXPECT_EQ(read_text(scratch / "table"), all + "end\n");
+  EXPECT_EQ(entries_of(scratch), 1);
+}
+
+TEST(PendingFile, ALostFolderIsAnError) {
+  const ScratchFolder scratch;
+  std::filesystem::create_directory(scratch / "results");
+  PendingFile file(scratch / "results/table");
+  file.append("row\n");
+  std::filesystem::remove_all(scratch / "results");
+  EXPECT_THROW(file.commit(), FileError);
+}
+
+TEST(ReadFile, ReadsNoMoreThanItIsAllowed) {
+  const ScratchFolder scratch;
+  write_file(scratch / "file", std::string(200'000, 'x'));
+  EXPECT_EQ(read_file(scratch / "file", 200'000).size(), 200'000U);
+  EXPECT_EQ(read_file(scratch / "file", 100).size(), 101U);
+  EXPECT_EQ(read_file("/dev/zero", 1000).size(), 1001U);
+  EXPECT_THROW(read_file(scratch / "missing", 1), FileError);
+  EXPECT_THROW(read_file(scratch.string(), 1), FileError);
 }
 
 TEST(PrepareFolder, MakesParentsAndRefusesFiles) {

@@ -1,14 +1,14 @@
 """From a scene file to the modal equations, in high precision.
 
-    q_j'' + 2 delta_j q_j' + w_j^2 q_j = g_j cos(Omega t + psi),      j = 1..N
+    q_j'' + 2 delta_j q_j' + w_j^2 q_j = g_j cos(Omega t + psi) + c_j,      j = 1..N
 
-with mass-normalised modes and one stop: free while  row . q < gap.  An impact with approach speed
+with mass-normalised modes and stops: free while  row . q < gap.  An impact with approach speed
 v = row . q'  changes the velocities by  -(1 + r) v d,  where  row . d = 1.
 
 Every number of the scene is taken as the double nearest to its literal and is exact from there on.
 """
 import tomllib
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from mpmath import mp, mpf
 
@@ -62,22 +62,49 @@ def mode_integral(j):
 # ---------------------------------------------------------------- the modal system
 
 @dataclass
+class Stop:
+    row: list                # contact row, pointing into the stop
+    jump: list               # d, with row . d = 1
+    gap: mpf
+    restitution: mpf
+
+
+@dataclass
 class ModalSystem:
     frequency: list          # w_j, rad/s
     two_delta: list          # 2 delta_j, 1/s
     force: list              # g_j: amplitude of the modal force
     omega: mpf               # Omega, rad/s
     psi: mpf                 # phase of the forcing
-    row: list                # contact row, pointing into the stop
-    jump: list               # d, with row . d = 1
-    gap: mpf
-    restitution: mpf
+    static: list             # c_j: the constant load (gravity)
+    stops: list
     q0: list                 # initial state
     v0: list
 
     @property
     def modes(self):
         return len(self.frequency)
+
+    # Of a system with one stop:
+    @property
+    def row(self):
+        return self.stops[0].row
+
+    @property
+    def jump(self):
+        return self.stops[0].jump
+
+    @property
+    def restitution(self):
+        return self.stops[0].restitution
+
+    @property
+    def gap(self):
+        return self.stops[0].gap
+
+    @gap.setter
+    def gap(self, value):
+        self.stops = [replace(self.stops[0], gap=value)] + self.stops[1:]
 
 
 def dot(a, b):
@@ -109,9 +136,8 @@ def assemble(scene):
     return from_beam(scene) if 'beam' in scene else from_modes(scene)
 
 
-def finish(scene, n, w, two_delta, force, row, columns):
-    """Forcing, stop, impact law and initial state: alike for a beam and for given modes."""
-    forcing, (stop,) = scene['forcing'], scene['stop']
+def make_stop(stop, row, columns):
+    """One stop of the scene. row: the shapes at it; columns: d of the collocation law."""
     side = {'above': 1, 'below': -1}[stop.get('side', 'above')]
     row = [side * x for x in row]
     law = stop.get('impulse', 'momentum')
@@ -119,23 +145,42 @@ def finish(scene, n, w, two_delta, force, row, columns):
         size = dot(row, row)
         jump = [x / size for x in row]
     else:                                             # Phi^-1 R Phi: only the stop's own point is turned back
-        jump = [side * x for x in columns['jump']]
-    initial = scene.get('initial', {})
-    zero = [0.0] * n
-    return ModalSystem(w, two_delta, force, real(forcing['frequency']), real(forcing.get('phase', 0.0)),
-                       row, jump, real(stop['gap']), real(stop['restitution']),
+        jump = [side * x for x in columns]
+    return Stop(row, jump, real(stop['gap']), real(stop['restitution']))
+
+
+def finish(scene, w, two_delta, force, static, stops):
+    """Forcing and initial state: alike for a beam and for given modes."""
+    forcing, initial = scene.get('forcing', {}), scene.get('initial', {})
+    zero = [0.0] * len(w)
+    return ModalSystem(w, two_delta, force, real(forcing.get('frequency', 0.0)), real(forcing.get('phase', 0.0)),
+                       static, stops,
                        [real(x) for x in initial.get('q', zero)], [real(x) for x in initial.get('qdot', zero)])
+
+
+def twice_decay_rates(scene, w, ratios):
+    """2 delta_j from the scene's damping other than viscous; `ratios`: those that stand with the modes."""
+    damping = scene.get('damping', {})
+    if 'rayleigh' in damping:
+        alpha, beta = (real(damping['rayleigh'][key]) for key in ('mass', 'stiffness'))
+        return [alpha + beta * wj ** 2 for wj in w]
+    return [2 * real(z) * wj for z, wj in zip(damping.get('ratios', ratios), w)]
+
+
+def gravity(scene):
+    return real(scene.get('gravity', {}).get('acceleration', 0.0))
 
 
 def from_modes(scene):
     modal = scene['modal']
     w = [real(x) for x in modal['frequencies']]
-    ratios = modal.get('damping_ratios', [0.0] * len(w))
-    two_delta = [2 * real(z) * wj for z, wj in zip(ratios, w)]
-    amplitude = real(scene['forcing']['amplitude'])
-    force = [amplitude * real(x) for x in modal['participation']]
-    row = [real(x) for x in scene['stop'][0]['shape']]
-    return finish(scene, len(w), w, two_delta, force, row, None)
+    zero = [0.0] * len(w)
+    two_delta = twice_decay_rates(scene, w, modal.get('damping_ratios', zero))
+    amplitude = real(scene.get('forcing', {}).get('amplitude', 0.0))
+    force = [amplitude * real(x) for x in modal.get('participation', zero)]
+    static = [gravity(scene) * real(x) for x in modal.get('inertia', zero)]
+    stops = [make_stop(stop, [real(x) for x in stop['shape']], None) for stop in scene['stop']]
+    return finish(scene, w, two_delta, force, static, stops)
 
 
 def from_beam(scene):
@@ -151,11 +196,8 @@ def from_beam(scene):
     damping = scene.get('damping', {})
     if 'viscous' in damping:
         two_delta = [real(damping['viscous']) / mass_per_length] * n
-    elif 'rayleigh' in damping:
-        alpha, beta = (real(damping['rayleigh'][key]) for key in ('mass', 'stiffness'))
-        two_delta = [alpha + beta * wj ** 2 for wj in w]
     else:
-        two_delta = [2 * real(z) * wj for z, wj in zip(damping.get('ratios', [0.0] * n), w)]
+        two_delta = twice_decay_rates(scene, w, [0.0] * n)
 
     def shapes_at(xi):
         return [norm * mode_shape(j, xi)[0] for j in range(1, n + 1)]
@@ -177,12 +219,15 @@ def from_beam(scene):
     else:
         amplitude /= mass_per_length                  # distributed: force per length
     force = [amplitude * x for x in share]
+    static = [gravity(scene) * x for x in share]
 
-    xi_stop = real(scene['stop'][0]['position']) / length
-    columns = {}
-    if scene['stop'][0].get('impulse') == 'collocation':
-        unit = [mpf(1) if abs(xi - xi_stop) < mpf('1e-12') else mpf(0) for xi in points]
-        if sum(unit) != 1:
-            raise ValueError("the stop is not a collocation point")
-        columns['jump'] = solve_columns(columns_of_phi, unit)
-    return finish(scene, n, w, two_delta, force, shapes_at(xi_stop), columns)
+    def stop_at(stop):
+        xi, columns = real(stop['position']) / length, None
+        if stop.get('impulse') == 'collocation':
+            unit = [mpf(1) if abs(point - xi) < mpf('1e-12') else mpf(0) for point in points]
+            if sum(unit) != 1:
+                raise ValueError("the stop is not a collocation point")
+            columns = solve_columns(columns_of_phi, unit)
+        return make_stop(stop, shapes_at(xi), columns)
+
+    return finish(scene, w, two_delta, force, static, [stop_at(stop) for stop in scene['stop']])

@@ -3,39 +3,80 @@
 #include <gtest/gtest.h>
 
 #include <limits>
-#include <sstream>
 
 #include "graze/report/table.hpp"
+#include "support/reference.hpp"
+#include "support/systems.hpp"
 
 namespace graze {
 namespace {
 
-SimulationRecord record_with(const std::vector<Event>& events) {
-  SimulationRecord record;
-  record.system.omega = Vector::Ones(1);
-  record.events = events;
-  return record;
+std::vector<std::string> cells_of(std::string row) {
+  EXPECT_EQ(row.back(), '\n');
+  row.pop_back();
+  return support::split_cells(row);
 }
 
 TEST(EventsCsv, KeepsEveryDigitAndLeavesWhatDoesNotExistEmpty) {
+  EXPECT_EQ(events_csv_header(),
+            "kind,time,stop,speed,phase,energy_change,impacts,closure_speed,force\n");
   Event event;
   event.time = 0.1 + 0.2;
   event.speed = 1.0 / 3.0;
   event.energy_change = -std::numeric_limits<double>::min();
-  std::istringstream text(events_csv(record_with({event})));
-  std::string header, row;
-  std::getline(text, header);
-  std::getline(text, row);
-  EXPECT_EQ(header, "kind,time,stop,speed,phase,energy_change");
-  std::istringstream cells(row);
-  std::vector<std::string> cell(6);
-  for (std::string& c : cell) std::getline(cells, c, ',');
+  const std::vector<std::string> cell = cells_of(events_csv_row(event));
+  ASSERT_EQ(cell.size(), 9U);
   EXPECT_EQ(cell[0], "impact");
   EXPECT_EQ(std::stod(cell[1]), event.time);
   EXPECT_EQ(cell[2], "1");
   EXPECT_EQ(std::stod(cell[3]), event.speed);
-  EXPECT_EQ(cell[4], "");
   EXPECT_EQ(std::stod(cell[5]), event.energy_change);
+  for (const std::size_t i : {4U, 6U, 7U, 8U}) EXPECT_EQ(cell[i], "") << i;
+}
+
+TEST(EventsCsv, EveryKindFillsItsOwnColumns) {
+  Event event;
+  event.time = 1.5;
+  event.stop = 2;
+  event.speed = 0.25;
+  event.phase = 0.75;
+  event.energy_change = -0.5;
+  event.impacts = 12;
+  event.closure_speed = 0.125;
+  event.force = 4.5;
+  const auto row = [&](EventKind kind) {
+    event.kind = kind;
+    return events_csv_row(event);
+  };
+  EXPECT_EQ(row(EventKind::kImpact), "impact,1.5,3,0.25,0.75,-0.5,,,\n");
+  EXPECT_EQ(row(EventKind::kChatter), "chatter,1.5,3,,,-0.5,12,0.125,\n");
+  EXPECT_EQ(row(EventKind::kStick), "stick,1.5,3,,,,,,4.5\n");
+  EXPECT_EQ(row(EventKind::kRelease), "release,1.5,3,,,,,,\n");
+}
+
+TEST(SamplesCsv, HoldsStateGapsAndForces) {
+  System system = support::oscillator(2.0, 0.0, 0.5, 0.8);
+  system.stops.push_back({-Vector::Ones(1), 0.25, -Vector::Ones(1), 0.8});
+  Sample sample{1.5, support::state_of({0.125}, {-2.0}), {0.0, 3.5}, {}};
+  EXPECT_EQ(samples_csv_header(system, false), "time,q1,qdot1,gap1,gap2,force1,force2\n");
+  EXPECT_EQ(samples_csv_row(system, sample), "1.5,0.125,-2,0.375,0.375,0,3.5\n");
+}
+
+TEST(SamplesCsv, HoldsTheEntriesOfTheEnergyBookThatTheSystemHas) {
+  System system = support::oscillator(2.0, 0.0, 0.5, 0.8);
+  Sample sample{0.0, support::state_of({0.125}, {-2.0}), {0.0}, EnergyBook{}};
+  sample.energy->now = 2.03125;
+  sample.energy->work = {0.5, 0.25, 0.125, 0.75};
+  sample.energy->impacts = -1.5;
+  EXPECT_EQ(samples_csv_header(system, true),
+            "time,q1,qdot1,gap1,force1,energy,work_forcing,work_load,work_constraint,work_impacts,"
+            "dissipation\n");
+  EXPECT_EQ(samples_csv_row(system, sample), "0,0.125,-2,0.375,0,2.03125,,,0.125,-1.5,\n");
+  system.delta[0] = 0.1;
+  system.load = Vector::Ones(1);
+  system = support::forced(system, 1.0, 0.0, Vector::Ones(1));
+  EXPECT_EQ(samples_csv_row(system, sample),
+            "0,0.125,-2,0.375,0,2.03125,0.5,0.25,0.125,-1.5,0.75\n");
 }
 
 TEST(Table, ColumnsLineUpOnTheRight) {

@@ -30,6 +30,15 @@ Scene modal_scene() {
       "s");
 }
 
+// Gravity, r(v) and two stops.
+Scene two_stop_scene() {
+  return parse_scene(
+      "[modal]\nfrequencies = [0, 6]\ninertia = [1, 0.25]\n[gravity]\nacceleration = 9.81\n"
+      "[[stop]]\nshape = [1, -1]\ngap = 1\nrestitution = [0.9, 0.1, 0.02]\n"
+      "[[stop]]\nshape = [1, 1]\ngap = 0.5\nside = \"below\"\nrestitution = 0.7\n",
+      "s");
+}
+
 template <typename F>
 std::string message_of(F&& f) {
   try {
@@ -53,6 +62,12 @@ TEST(Parameter, NamesAreThoseOfTheScene) {
                 "modal.damping_ratios.2", "modal.participation.1", "modal.participation.2",
                 "modal.inertia.1", "modal.inertia.2", "forcing.amplitude", "forcing.frequency",
                 "forcing.phase", "stop.gap", "stop.restitution", "stop.shape.1", "stop.shape.2"}));
+  EXPECT_EQ(parameter_names(two_stop_scene()),
+            (std::vector<std::string>{
+                "modal.frequencies.1", "modal.frequencies.2", "modal.inertia.1", "modal.inertia.2",
+                "gravity.acceleration", "stop.gap", "stop.restitution.1", "stop.restitution.2",
+                "stop.restitution.3", "stop.shape.1", "stop.shape.2", "stop.2.gap",
+                "stop.2.restitution", "stop.2.shape.1", "stop.2.shape.2"}));
 }
 
 TEST(Parameter, DampingHasTheNamesOfItsKind) {
@@ -67,7 +82,7 @@ TEST(Parameter, DampingHasTheNamesOfItsKind) {
 }
 
 TEST(Parameter, EveryNameIsFoundAndNoTwoMeanTheSameNumber) {
-  for (Scene scene : {beam_scene(), modal_scene()}) {
+  for (Scene scene : {beam_scene(), modal_scene(), two_stop_scene()}) {
     double value = 100.0;
     for (const std::string& name : parameter_names(scene)) {
       ASSERT_NE(find_parameter(scene, name), nullptr) << name;
@@ -81,7 +96,7 @@ TEST(Parameter, EveryNameIsFoundAndNoTwoMeanTheSameNumber) {
 }
 
 TEST(Parameter, NamesAreTheReadersKeys) {
-  for (const Scene& scene : {beam_scene(), modal_scene()}) {
+  for (const Scene& scene : {beam_scene(), modal_scene(), two_stop_scene()}) {
     for (const std::string& name : parameter_names(scene)) {
       if (name != "forcing.phase") {  // not written in these scenes
         EXPECT_EQ(scene.origins->count(name), 1u) << name;
@@ -96,6 +111,20 @@ TEST(Parameter, FirstStopMayHaveItsNumber) {
   EXPECT_EQ(find_parameter(scene, "stop.2.gap"), nullptr);
   scene.stops.push_back(scene.stops[0]);
   EXPECT_EQ(find_parameter(scene, "stop.2.gap"), &scene.stops[1].gap);
+}
+
+TEST(Parameter, RestitutionOfTheSpeedIsNamedByItsCoefficients) {
+  Scene scene = two_stop_scene();
+  EXPECT_EQ(find_parameter(scene, "gravity.acceleration"), &scene.gravity->acceleration);
+  EXPECT_EQ(find_parameter(scene, "stop.restitution"), nullptr);
+  EXPECT_EQ(find_parameter(scene, "stop.restitution.2"), &scene.stops[0].restitution[1]);
+  EXPECT_EQ(find_parameter(scene, "stop.1.restitution.3"), &scene.stops[0].restitution[2]);
+  EXPECT_EQ(find_parameter(scene, "stop.restitution.4"), nullptr);
+  EXPECT_EQ(find_parameter(scene, "stop.2.restitution"), &scene.stops[1].restitution[0]);
+  EXPECT_EQ(find_parameter(scene, "stop.2.restitution.1"), nullptr);
+  scene.stops[1].restitution = {0.5, 0.1};
+  EXPECT_EQ(find_parameter(scene, "stop.2.restitution.2"), &scene.stops[1].restitution[1]);
+  EXPECT_EQ(find_parameter(scene, "stop.2.restitution"), nullptr);
 }
 
 TEST(Parameter, WhatIsNotContinuousIsNone) {
@@ -124,6 +153,24 @@ TEST(Parameter, ChangesOneNumberAndChecksTheScene) {
             "length 0.25");
 }
 
+TEST(Parameter, ChangesGravityAndEveryStop) {
+  const Scene scene = two_stop_scene();
+  EXPECT_EQ(with_parameter(scene, "gravity.acceleration", -1.6).gravity->acceleration, -1.6);
+  EXPECT_EQ(with_parameter(scene, "stop.2.gap", -2e-3).stops[1].gap, -2e-3);
+  // Only a0 has bounds.
+  EXPECT_EQ(with_parameter(scene, "stop.restitution.2", -50.0).stops[0].restitution,
+            (std::vector<double>{0.9, -50.0, 0.02}));
+  EXPECT_EQ(message_of([&] { with_parameter(scene, "stop.restitution.1", 1.01); }),
+            "stop.restitution.1: 1.01 is not allowed, it must be a number from 0 to 1");
+  EXPECT_EQ(message_of([&] { with_parameter(scene, "stop.2.restitution", -0.5); }),
+            "stop.2.restitution: -0.5 is not allowed, it must be a number from 0 to 1");
+  const double infinity = std::numeric_limits<double>::infinity();
+  EXPECT_EQ(message_of([&] { with_parameter(scene, "stop.restitution.3", infinity); }),
+            "stop.restitution.3: inf is not allowed, it must be a finite number");
+  EXPECT_EQ(message_of([&] { with_parameter(scene, "gravity.acceleration", infinity); }),
+            "gravity.acceleration: inf is not allowed, it must be a finite number");
+}
+
 TEST(Parameter, UnknownNamesGetASuggestionAndTheList) {
   const Scene scene = beam_scene();
   const std::string list =
@@ -138,10 +185,15 @@ TEST(Parameter, UnknownNamesGetASuggestionAndTheList) {
   EXPECT_EQ(message_of([&] { parameter_direction(scene, "forcing.freq"); }),
             "forcing.freq" + none + "Did you mean forcing.frequency? " + list);
   EXPECT_EQ(message_of([&] { parameter_direction(scene, "colour"); }), "colour" + none + list);
+  EXPECT_EQ(message_of([&] { parameter_direction(two_stop_scene(), "stop.restitution"); }),
+            "stop.restitution" + none +
+                "Did you mean stop.restitution.1? Allowed are modal.frequencies.1..2, "
+                "modal.inertia.1..2, gravity.acceleration, stop.gap, stop.restitution.1..3, "
+                "stop.shape.1..2, stop.2.gap, stop.2.restitution and stop.2.shape.1..2.");
 }
 
 TEST(Parameter, DirectionIsOneNumberInTheShapeOfTheScene) {
-  for (const Scene& scene : {beam_scene(), modal_scene()}) {
+  for (const Scene& scene : {beam_scene(), modal_scene(), two_stop_scene()}) {
     for (const std::string& name : parameter_names(scene)) {
       const Scene direction = parameter_direction(scene, name);
       EXPECT_EQ(parameter_names(direction), parameter_names(scene));
@@ -181,6 +233,14 @@ TEST(Parameter, HasItsUnit) {
   EXPECT_EQ(parameter_unit(modal, "modal.frequencies.1"), "rad/s");
   EXPECT_EQ(parameter_unit(modal, "stop.shape.1"), "kg^-1/2");
   EXPECT_EQ(parameter_unit(modal, "stop.2.shape.1"), "kg^-1/2");
+  const Scene stops = two_stop_scene();
+  EXPECT_EQ(parameter_unit(stops, "gravity.acceleration"), "m/s^2");
+  // a_k v^k is a pure number.
+  EXPECT_EQ(parameter_unit(stops, "stop.restitution.1"), "");
+  EXPECT_EQ(parameter_unit(stops, "stop.restitution.2"), "s/m");
+  EXPECT_EQ(parameter_unit(stops, "stop.1.restitution.3"), "s^2/m^2");
+  EXPECT_EQ(parameter_unit(stops, "stop.2.restitution"), "");
+  EXPECT_EQ(parameter_unit(stops, "stop.2.restitution.2"), "s/m");
 }
 
 }  // namespace

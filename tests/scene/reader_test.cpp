@@ -34,7 +34,7 @@ TEST(Reader, WhatIsNotNamedIsAbsent) {
   const Scene scene = parse_scene(kBeam, "s");
   EXPECT_EQ(scene.title, "");
   EXPECT_EQ(scene.modes(), 4);
-  EXPECT_FALSE(scene.damping || scene.forcing || scene.initial);
+  EXPECT_FALSE(scene.damping || scene.forcing || scene.gravity || scene.initial);
   EXPECT_TRUE(scene.stops.empty());
   EXPECT_TRUE(scene.beam()->points.empty());
   const Scene modal = parse_scene(kModal, "s");
@@ -62,6 +62,42 @@ TEST(Reader, DefaultsAreTheContracts) {
   const Scene modal = parse_scene(
       kModal + "participation = [1, 0]\n[forcing]\namplitude = 1\nfrequency = 2\n", "s");
   EXPECT_EQ(modal.forcing->kind, ForcingKind::kModal);
+}
+
+TEST(Reader, GravityIsAnyNumberAndNeedsInertia) {
+  EXPECT_EQ(parse_scene(kBeam + "[gravity]\nacceleration = -9.81\n", "s").gravity->acceleration,
+            -9.81);
+  const std::string ball = "[modal]\nfrequencies = [0.0]\ninertia = [1.0]\n";
+  EXPECT_EQ(parse_scene(ball + "[gravity]\nacceleration = 10\n", "s").gravity->acceleration, 10.0);
+  EXPECT_EQ(message_of(kModal + "[gravity]\nacceleration = 0\n"),
+            "s:1:1: modal.inertia: the key is missing, [gravity] needs a list of numbers, one per "
+            "mode");
+}
+
+TEST(Reader, ConstantRestitutionIsOneEntry) {
+  const auto restitution = [](const std::string& value) {
+    return parse_scene(kModal + "[[stop]]\nshape = [1, 2]\ngap = 0\nrestitution = " + value, "s")
+        .stops[0]
+        .restitution;
+  };
+  EXPECT_EQ(restitution("1"), std::vector<double>{1.0});
+  EXPECT_EQ(restitution("[0.8]"), std::vector<double>{0.8});
+  EXPECT_EQ(restitution("[1, -0.25, 3e8]"), (std::vector<double>{1.0, -0.25, 3e8}));
+}
+
+TEST(Reader, StopsAreKeptInOrder) {
+  const std::string text = kBeam +
+                           "[[stop]]\nposition = 0.15\ngap = 0.1\nrestitution = 0.9\n"
+                           "impulse = \"collocation\"\n"
+                           "[[stop]]\nposition = 0.3\ngap = -0.2\nrestitution = [0.5, 0.1]\n"
+                           "side = \"below\"\nimpulse = \"collocation\"\n";
+  const Scene scene = parse_scene(text, "s");
+  ASSERT_EQ(scene.stops.size(), 2u);
+  EXPECT_EQ(scene.stops[0].position, 0.15);
+  EXPECT_EQ(scene.stops[1].position, 0.3);
+  EXPECT_EQ(scene.stops[1].gap, -0.2);  // preload needs no [initial]
+  EXPECT_EQ(scene.stops[1].side, Side::kBelow);
+  EXPECT_EQ(scene.origins->at("stop.2.restitution.2").text(), "s:16:21");
 }
 
 // The C library's strtod rounds correctly; so must the reader.
@@ -108,6 +144,24 @@ TEST(Reader, SceneErrorStandsAtTheNearestTableAbove) {
   EXPECT_EQ(message("stop.side"), "s.toml:4:1: stop.side: is wrong");
   EXPECT_EQ(message("modal.inertia.2"), "s.toml:2:1: modal.inertia.2: is wrong");
   EXPECT_EQ(message("forcing.phase"), "s.toml:1:1: forcing.phase: is wrong");
+}
+
+TEST(Reader, StopsMadeInCodeKeepTheRules) {
+  Scene scene;
+  scene.structure = ModalStructure{{1.0}, {}, {}, {}};
+  scene.stops.resize(2);
+  for (Stop& stop : scene.stops) {
+    stop.shape = {1.0};
+  }
+  EXPECT_NO_THROW(check_scene(scene));
+  scene.stops[1].restitution.clear();
+  try {
+    check_scene(scene);
+    FAIL();
+  } catch (const InputError& error) {
+    EXPECT_STREQ(error.what(),
+                 "stop.2.restitution: the list is empty, it must have at least one number");
+  }
 }
 
 TEST(Reader, SceneErrorOfASceneMadeInCodeHasNoPlace) {

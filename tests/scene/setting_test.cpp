@@ -15,6 +15,8 @@ const std::string kScene =
     "[forcing]\namplitude = 1.0\nfrequency = 2.8\n"
     "[[stop]]\nshape = [1.0, 1.0]\ngap = 0.0\nrestitution = 0.8\n";
 
+const std::string kSecondStop = "[[stop]]\nshape = [1.0, -1.0]\ngap = 2.0\nrestitution = 0.5\n";
+
 Scene with(const std::vector<std::string>& settings) { return parse_scene(kScene, "s", settings); }
 
 std::string message_of(const std::string& setting, const std::string& text = kScene) {
@@ -37,6 +39,8 @@ TEST(Setting, LaterSettingsWin) { EXPECT_EQ(with({"stop.gap=1", "stop.gap=2"}).s
 TEST(Setting, AddsKeysAndTables) {
   EXPECT_EQ(with({"forcing.phase=0.5"}).forcing->phase, 0.5);
   EXPECT_EQ(with({"solver.tolerance=1e-8"}).solver.tolerance, 1e-8);
+  EXPECT_EQ(with({"modal.inertia=[1, 0]", "gravity.acceleration=9.81"}).gravity->acceleration,
+            9.81);
   const Scene scene = with({"damping.rayleigh.mass=0.1", "damping.rayleigh.stiffness=1e-3"});
   EXPECT_EQ(std::get<RayleighDamping>(*scene.damping).mass, 0.1);
   EXPECT_EQ(std::get<RayleighDamping>(*scene.damping).stiffness, 1e-3);
@@ -50,12 +54,38 @@ TEST(Setting, ReplacesWholeTablesAndLists) {
 
 TEST(Setting, NamesStopsByNumber) {
   EXPECT_EQ(with({"stop.1.gap=0.25"}).stops[0].gap, 0.25);
-  EXPECT_EQ(message_of("stop.2.gap=0.25"),
-            "--set stop.2.gap=0.25:1:1: stop.2.gap: there is no entry 2 in stop, the number must "
-            "be 1");
-  EXPECT_EQ(
-      message_of("stop.0.gap=1"),
-      "--set stop.0.gap=1:1:1: stop.0.gap: there is no entry 0 in stop, the number must be 1");
+  const Scene scene = parse_scene(kScene + kSecondStop, "s",
+                                  {"stop.2.gap=0.25", "stop.2.side=below", "stop.2.shape.1=3"});
+  EXPECT_EQ(scene.stops[0].gap, 0.0);
+  EXPECT_EQ(scene.stops[1].gap, 0.25);
+  EXPECT_EQ(scene.stops[1].side, Side::kBelow);
+  EXPECT_EQ(scene.stops[1].shape, (std::vector<double>{3, -1}));
+  EXPECT_EQ(message_of("stop.2.gap=nan", kScene + kSecondStop),
+            "--set stop.2.gap=nan:1:12: stop.2.gap: nan is not allowed, it must be a finite "
+            "number");
+  EXPECT_EQ(message_of("stop.3.gap=0.25"),
+            "--set stop.3.gap=0.25:1:1: stop.3.gap: there is no entry 3 in stop, the number must "
+            "be from 1 to 2");
+  EXPECT_EQ(message_of("stop.0.gap=1"),
+            "--set stop.0.gap=1:1:1: stop.0.gap: there is no entry 0 in stop, the number must be "
+            "from 1 to 2");
+  EXPECT_EQ(message_of("stop.2.gap=1", "[modal]\nfrequencies = [1.0]\n"),
+            "--set stop.2.gap=1:1:1: stop.2.gap: there is no entry 2 in stop, the number must be "
+            "1");
+}
+
+TEST(Setting, MakesTheNextStop) {
+  const Scene scene =
+      with({"stop.2.shape=[2, 3]", "stop.2.gap=0.5", "stop.2.restitution=[0.9, 0.1]",
+            "stop.3={shape=[1, 0], gap=1, restitution=0}"});
+  ASSERT_EQ(scene.stops.size(), 3u);
+  EXPECT_EQ(scene.stops[0].gap, 0.0);
+  EXPECT_EQ(scene.stops[1].gap, 0.5);
+  EXPECT_EQ(scene.stops[1].restitution, (std::vector<double>{0.9, 0.1}));
+  EXPECT_EQ(scene.stops[2].gap, 1.0);
+  EXPECT_EQ(message_of("stop.2.gap=0.5"),
+            "--set stop.2.gap=0.5:1:12: stop.2.shape: the key is missing, it must be a list of "
+            "numbers, the mode shapes at the stop");
 }
 
 TEST(Setting, MakesTheFirstStop) {
@@ -76,6 +106,11 @@ TEST(Setting, NamesEntriesOfLists) {
   EXPECT_EQ(with({"modal.frequencies.2=7"}).modal()->frequencies, (std::vector<double>{1, 7}));
   EXPECT_EQ(with({"stop.shape.1=3"}).stops[0].shape, (std::vector<double>{3, 1}));
   EXPECT_EQ(with({"stop.1.shape.2=3"}).stops[0].shape, (std::vector<double>{1, 3}));
+  EXPECT_EQ(with({"stop.restitution=[0.9, 0.2]", "stop.restitution.2=0.1"}).stops[0].restitution,
+            (std::vector<double>{0.9, 0.1}));
+  EXPECT_EQ(message_of("stop.restitution.2=0.1"),
+            "--set stop.restitution.2=0.1:1:1: stop.restitution.2: stop.restitution is the number "
+            "0.8, it must be a table or a list to hold 2");
   EXPECT_EQ(message_of("modal.frequencies.3=7"),
             "--set modal.frequencies.3=7:1:1: modal.frequencies.3: there is no entry 3 in "
             "modal.frequencies, the number must be from 1 to 2");
@@ -109,8 +144,8 @@ TEST(Setting, ErrorsOfValuesStandInTheSetting) {
             "--set frequency=3:1:11: frequency: there is no such key, did you mean "
             "forcing.frequency?");
   EXPECT_EQ(message_of("gravity.acceleration=9.81"),
-            "--set gravity.acceleration=9.81:1:22: gravity: gravity is not available in this "
-            "version, it must be left out");
+            "s:2:1: modal.inertia: the key is missing, [gravity] needs a list of numbers, one per "
+            "mode");
 }
 
 TEST(Setting, MalformedOnesSayWhatIsAllowed) {

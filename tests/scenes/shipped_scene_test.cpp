@@ -1,6 +1,7 @@
 // Every scene in data/scenes is read, and what is written of it reads back to the same values.
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -37,6 +38,7 @@ void expect_equal(const Scene& a, const Scene& b) {
   if (a.forcing) {
     EXPECT_EQ(a.forcing->kind, b.forcing->kind);
   }
+  ASSERT_EQ(a.gravity.has_value(), b.gravity.has_value());
   ASSERT_EQ(a.stops.size(), b.stops.size());
   for (std::size_t k = 0; k < a.stops.size(); ++k) {
     EXPECT_EQ(a.stops[k].side, b.stops[k].side);
@@ -51,7 +53,7 @@ void expect_equal(const Scene& a, const Scene& b) {
   EXPECT_EQ(a.solver.tolerance, b.solver.tolerance);
 }
 
-TEST(ShippedScene, ThereAreSome) { EXPECT_GE(shipped_scenes().size(), 5u); }
+TEST(ShippedScene, ThereAreSome) { EXPECT_GE(shipped_scenes().size(), 8u); }
 
 TEST(ShippedScene, IsReadAndHasATitle) {
   for (const auto& file : shipped_scenes()) {
@@ -89,9 +91,49 @@ TEST(ShippedScene, WaggHasThePapersNumbers) {
   EXPECT_EQ(scene.stops[0].position, 0.3);
   EXPECT_EQ(scene.stops[0].gap, 1.05e-3);
   EXPECT_EQ(scene.stops[0].side, Side::kBelow);
-  EXPECT_EQ(scene.stops[0].restitution, 0.8);
+  EXPECT_EQ(scene.stops[0].restitution, std::vector<double>{0.8});
   EXPECT_EQ(scene.stops[0].impulse, Impulse::kCollocation);
   EXPECT_EQ(read_scene(kFolder / "03_wagg_fig4.toml").stops[0].gap, 10.05e-3);
+}
+
+// 07 is 02 between two stops.
+TEST(ShippedScene, TwoStopsHoldTheSameBeam) {
+  Scene one = read_scene(kFolder / "02_wagg_momentum.toml");
+  Scene two = read_scene(kFolder / "07_two_stops.toml");
+  ASSERT_EQ(two.stops.size(), 2u);
+  for (const Stop& stop : two.stops) {
+    EXPECT_EQ(stop.position, 0.3);
+    EXPECT_EQ(stop.gap, 1.05e-3);
+    EXPECT_EQ(stop.impulse, Impulse::kMomentum);
+  }
+  EXPECT_NE(two.stops[0].side, two.stops[1].side);
+  for (Scene* scene : {&one, &two}) {
+    scene->title.clear();
+    scene->stops.clear();
+  }
+  expect_equal(one, two);
+}
+
+// Falls from rest, then a flight of 2 v/g after every impact, v shrinking by r each time:
+// sqrt(2 h/g) (1 + r)/(1 - r) is the time that the scene's words name.
+TEST(ShippedScene, BouncingBallRestsAfterTheTimeItNames) {
+  const Scene scene = read_scene(kFolder / "06_bouncing_ball.toml");
+  EXPECT_EQ(scene.modal()->frequencies, std::vector<double>{0.0});
+  EXPECT_FALSE(scene.damping || scene.forcing || scene.initial);
+  ASSERT_EQ(scene.stops.size(), 1u);
+  const double r = scene.stops[0].restitution[0];
+  const double fall = std::sqrt(2.0 * scene.stops[0].gap / scene.gravity->acceleration);
+  EXPECT_NEAR(fall * (1.0 + r) / (1.0 - r), 4.0637127688715781, 1e-14);
+}
+
+// At its stop the spring pushes with 0.2, the load pulls with up to 0.3 away from it.
+TEST(ShippedScene, PreloadedOscillatorLiftsOff) {
+  const Scene scene = read_scene(kFolder / "08_preloaded_oscillator.toml");
+  ASSERT_EQ(scene.stops.size(), 1u);
+  EXPECT_FALSE(scene.initial.has_value());
+  EXPECT_EQ(scene.modal()->frequencies, std::vector<double>{1.0});
+  EXPECT_LT(scene.stops[0].gap, 0.0);
+  EXPECT_GT(scene.forcing->amplitude, -scene.stops[0].gap);
 }
 
 // Every table and choice, with numbers that need all 17 digits.
@@ -109,11 +151,21 @@ TEST(ShippedScene, WritingKeepsEveryKindOfScene) {
           "[forcing]\nkind = \"distributed\"\namplitude = -1\nfrequency = 2\nphase = 0.7\n"
           "[[stop]]\nposition = 0.2\ngap = -1e-3\nrestitution = 1\nimpulse = \"collocation\"\n"
           "[initial]\nq = [1, 2]\nqdot = [3, 4]\n[solver]\nflow = \"exact\"\ntolerance = 1e-7\n",
-      beam, modal + "damping_ratios = [0.0, 2.0]\n",
+      beam,
+      modal + "damping_ratios = [0.0, 2.0]\n",
       modal +
           "[damping]\nratios = [0.1, 0.2]\n"
           "[forcing]\nkind = \"base\"\namplitude = 1\nfrequency = 2\n"
-          "[[stop]]\nshape = [0.5, -0.5]\ngap = 0\nrestitution = 0\nside = \"below\"\n"};
+          "[[stop]]\nshape = [0.5, -0.5]\ngap = 0\nrestitution = 0\nside = \"below\"\n",
+      modal +
+          "[gravity]\nacceleration = -9.8066500000000012\n"
+          "[[stop]]\nshape = [0.5, 0.5]\ngap = 0.1\nrestitution = [1, 0.1, -4.9e-324, 1e300]\n"
+          "[[stop]]\nshape = [1, 0]\ngap = 0.2\nrestitution = [0.3]\nside = \"below\"\n"
+          "[[stop]]\nshape = [0, 1]\ngap = 0.2\nrestitution = 0.7\n",
+      beam +
+          "[gravity]\nacceleration = 1\n"
+          "[[stop]]\nposition = 0.1\ngap = 1\nrestitution = 1\nimpulse = \"collocation\"\n"
+          "[[stop]]\nposition = 0.2\ngap = 1\nrestitution = 1\nimpulse = \"collocation\"\n"};
   for (const std::string& text : texts) {
     SCOPED_TRACE(text);
     const Scene scene = parse_scene(text, "text");

@@ -93,11 +93,53 @@ TEST(ModalModel, CollocationMatrixHoldsTheShapesAtEvenPoints) {
                   1e-14 * scale);
 }
 
+// Gravity is the uniform acceleration that base forcing is.
+TEST(ModalModel, InertiaOfTheBeamIsItsBaseParticipation) {
+  for (const char* name : {"01_wagg_2004", "02_wagg_momentum"}) {
+    const ModalModel base = modal_model(support::shipped_scene(name));
+    const ModalModel both = modal_model(
+        support::shipped_scene(name, {"gravity.acceleration=9.81", "forcing.kind=distributed"}));
+    EXPECT_EQ(base.inertia.size(), 0);
+    EXPECT_EQ(both.inertia, base.participation) << name;
+    EXPECT_LE((both.participation * (kDensity * kArea) - both.inertia).norm(),
+              1e-15 * both.inertia.norm());
+  }
+}
+
+// Per unit of acceleration the tip of a cantilever sinks by rho A L^4/(8 EI) under its own weight.
+TEST(ModalModel, WeightBendsTheBeamAsStaticsSays) {
+  const Scene scene = parse_scene(
+      "[beam]\nlength = 0.3\nyoungs_modulus = 205e9\nsecond_moment = 24.4e-14\n"
+      "density = 8500.0\narea = 12.4e-6\nmodes = 40\n[gravity]\nacceleration = 2\n"
+      "[[stop]]\nposition = 0.3\ngap = 1\nrestitution = 0\n",
+      "weight.toml");
+  const ModalModel model = modal_model(scene);
+  EXPECT_EQ(model.participation.size(), 0);
+  const Vector q = model.inertia.cwiseQuotient(model.omega.cwiseAbs2());
+  const double sag = kDensity * kArea * std::pow(kLength, 4) / (8.0 * kModulus * kSecond);
+  // The terms are +-32/b_j^5 of the sum: what lies beyond 40 modes is less than the next, 9.6e-10.
+  EXPECT_NEAR(model.shapes[0].dot(q) / sag, 1.0, 1e-9);
+}
+
+TEST(ModalModel, InertiaOfGivenModesIsTheirs) {
+  const Scene scene = parse_scene(
+      "[modal]\nfrequencies = [0.0, 6.0]\ninertia = [1.0, -0.5]\n[gravity]\nacceleration = 3\n",
+      "given.toml");
+  EXPECT_EQ(modal_model(scene).inertia, (Vector(2) << 1.0, -0.5).finished());
+}
+
 TEST(ModalModel, OnlyWhatIsCalledForIsComputed) {
   EXPECT_EQ(modal_model(support::shipped_scene("02_wagg_momentum")).collocation.size(), 0);
   EXPECT_FALSE(uses_collocation(support::shipped_scene("02_wagg_momentum")));
   EXPECT_TRUE(uses_collocation(support::shipped_scene("01_wagg_2004")));
   EXPECT_TRUE(uses_collocation(support::reference_scene("C")));
+  const std::string beam =
+      "[beam]\nlength = 1\nyoungs_modulus = 1\nsecond_moment = 1\ndensity = 1\narea = 1\n"
+      "modes = 3\ndiscretisation = \"collocation\"\n";
+  EXPECT_FALSE(uses_collocation(parse_scene(beam, "beam.toml")));
+  EXPECT_TRUE(uses_collocation(parse_scene(beam, "beam.toml", {"gravity.acceleration=1"})));
+  EXPECT_FALSE(uses_collocation(
+      parse_scene(beam, "beam.toml", {"gravity.acceleration=1", "beam.discretisation=galerkin"})));
 }
 
 // All numbers of a model in one vector.
@@ -109,6 +151,7 @@ Vector numbers(const ModalModel& model) {
   add(model.omega);
   add(model.delta);
   add(model.participation);
+  add(model.inertia);
   for (const Vector& shape : model.shapes) add(shape);
   add(model.collocation);
   return Eigen::Map<const Vector>(list.data(), static_cast<Eigen::Index>(list.size()));
@@ -163,6 +206,32 @@ TEST(ModalTangent, OfEveryKindOfDampingAndForcing) {
             12);
 }
 
+TEST(ModalTangent, OfGravityUnderBothProjections) {
+  // Twelve numbers of a beam and the acceleration.
+  for (const std::string kind : {"base", "distributed"})
+    for (const std::string projection : {"galerkin", "collocation"})
+      EXPECT_EQ(
+          expect_derivatives(support::shipped_scene(
+              "02_wagg_momentum", {"stop.position=0.27", "gravity.acceleration=-9.81",
+                                   "forcing.kind=" + kind, "beam.discretisation=" + projection})),
+          13);
+  // Without damping and forcing: five of the beam, the acceleration, three of the stop.
+  EXPECT_EQ(expect_derivatives(parse_scene(
+                "[beam]\nlength = 0.3\nyoungs_modulus = 205e9\nsecond_moment = 24.4e-14\n"
+                "density = 8500.0\narea = 12.4e-6\nmodes = 3\ndiscretisation = \"collocation\"\n"
+                "[gravity]\nacceleration = 9.81\n"
+                "[[stop]]\nposition = 0.2\ngap = 0.1\nrestitution = 0.8\n",
+                "gravity.toml")),
+            9);
+}
+
+TEST(ModalTangent, OfSeveralStops) {
+  EXPECT_EQ(expect_derivatives(support::shipped_scene(
+                "02_wagg_momentum",
+                {"stop.position=0.27", "stop.2={position=0.1, gap=1e-3, restitution=[0.8, 0.1]}"})),
+            16);
+}
+
 TEST(ModalTangent, OfGivenModes) {
   EXPECT_EQ(expect_derivatives(support::reference_scene("orbits/three_modes_2_1")), 17);
   EXPECT_EQ(expect_derivatives(
@@ -172,6 +241,10 @@ TEST(ModalTangent, OfGivenModes) {
                             "[[stop]]\nshape = [1.0, -1.0]\ngap = 0.1\nrestitution = 0.8\n",
                             "given.toml")),
             13);
+  EXPECT_EQ(expect_derivatives(parse_scene("[modal]\nfrequencies = [1.0, 6.0]\n"
+                                           "inertia = [1.0, 0.5]\n[gravity]\nacceleration = 2.0\n",
+                                           "gravity.toml")),
+            5);
 }
 
 }  // namespace

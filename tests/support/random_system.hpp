@@ -40,7 +40,7 @@ inline void set_mode(System& system, int j, Damped kind, double frequency, Dice&
 
 // Forced, with one stop at the given gap and random rows of entries up to 1.
 inline System random_system(Dice& dice, int modes, double gap) {
-  System system{Vector(modes), Vector(modes), {}, {}};
+  System system{Vector(modes), Vector(modes), {}, {}, {}};
   const double frequency = dice.uniform(0.5, 4.0);
   for (int j = 0; j < modes; ++j)
     set_mode(system, j, static_cast<Damped>(dice.pick(kDampedKinds)), frequency, dice);

@@ -23,11 +23,12 @@ Vector numbers(const System& system) {
     list.push_back(system.forcing->phase);
     add(system.forcing->amplitude);
   }
+  if (system.load) add(*system.load);
   for (const RigidStop& stop : system.stops) {
     add(stop.row);
     list.push_back(stop.gap);
     add(stop.direction);
-    list.push_back(stop.restitution);
+    for (const double a : stop.restitution.coefficients()) list.push_back(a);
   }
   return Eigen::Map<const Vector>(list.data(), static_cast<Eigen::Index>(list.size()));
 }

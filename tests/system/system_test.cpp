@@ -41,7 +41,7 @@ TEST(System, OfGivenModesHoldsTheirNumbers) {
   ASSERT_EQ(system.stops.size(), 1u);
   EXPECT_EQ(system.stops[0].row[1], -2.0);
   EXPECT_EQ(system.stops[0].gap, 0.1);
-  EXPECT_EQ(system.stops[0].restitution, 0.7);
+  EXPECT_EQ(system.stops[0].restitution.at_rest(), 0.7);
   EXPECT_DOUBLE_EQ(system.stops[0].direction[1], -2.0 / 5.0);
 }
 
@@ -118,11 +118,47 @@ TEST(System, StartOnTheStopIsAllowedWithinRounding) {
       "accepted");
 }
 
-TEST(System, PreloadedStopWithoutAStartIsAnError) {
-  const std::string message =
-      start_error(oscillator("[[stop]]\nshape = [1.0, -2.0]\ngap = -0.1\nrestitution = 0.7\n"));
-  EXPECT_EQ(message.find("oscillator.toml:13:"), 0u) << message;
-  EXPECT_NE(message.find("stop.gap"), std::string::npos) << message;
+TEST(System, PreloadedStopStartsInStaticEquilibrium) {
+  // One mode: x'' + w^2 x pressed to x = -a needs no more than q = a/b.
+  const Scene scene = parse_scene(
+      "[modal]\nfrequencies = [1.5, 4.0]\n[[stop]]\nshape = [1.0, -2.0]\ngap = -0.1\n"
+      "restitution = 0.7\n",
+      "pressed.toml");
+  const System system = assemble(scene);
+  const State start = initial_state(scene, system);
+  // q_j proportional to d_j/w_j^2, b.q = a.
+  const double soft = 1.0 / 2.25, stiff = -2.0 / 16.0;
+  const double force = -0.1 / (soft - 2.0 * stiff);
+  EXPECT_NEAR(start.q[0], force * soft, 1e-16);
+  EXPECT_NEAR(start.q[1], force * stiff, 1e-16);
+  EXPECT_EQ(start.qdot.norm(), 0.0);
+}
+
+TEST(System, PreloadBesideAStopThatHasNoForce) {
+  // The second stop is out of reach: it must not pull.
+  const Scene scene = parse_scene(
+      "[modal]\nfrequencies = [1.0, 2.0]\n[[stop]]\nshape = [1.0, 1.0]\ngap = -0.2\n"
+      "restitution = 0.7\n[[stop]]\nshape = [1.0, -1.0]\ngap = 0.5\nrestitution = 0.7\n",
+      "pressed.toml");
+  const System system = assemble(scene);
+  const State start = initial_state(scene, system);
+  EXPECT_NEAR(start.q[0], -0.16, 1e-16);
+  EXPECT_NEAR(start.q[1], -0.04, 1e-16);
+}
+
+TEST(System, PreloadWithoutStiffnessOrWithoutRoomIsAnError) {
+  const auto message = [](const std::string& text) {
+    const Scene scene = parse_scene(text, "pressed.toml");
+    return start_error(scene);
+  };
+  const std::string free_mass = message(
+      "[modal]\nfrequencies = [0.0]\n[[stop]]\nshape = [1.0]\ngap = -0.1\nrestitution = 0.7\n");
+  EXPECT_EQ(free_mass.find("pressed.toml:5:"), 0u) << free_mass;
+  EXPECT_NE(free_mass.find("static equilibrium"), std::string::npos) << free_mass;
+  const std::string no_room = message(
+      "[modal]\nfrequencies = [1.0]\n[[stop]]\nshape = [1.0]\ngap = -0.2\nrestitution = 0.7\n"
+      "[[stop]]\nshape = [1.0]\ngap = 0.1\nside = \"below\"\nrestitution = 0.7\n");
+  EXPECT_NE(no_room, "accepted");
 }
 
 Scene beam(int modes, const std::string& points, const std::string& impulse = "momentum",

@@ -1,0 +1,43 @@
+#include "resumption.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <filesystem>
+#include <limits>
+
+#include "graze/base/errors.hpp"
+
+namespace graze {
+
+CutRun read_cut_run(const Command& command, const System& system, const RunInfo& info) {
+  std::filesystem::path file = command.resume;
+  std::error_code no_matter;  // what cannot be looked at cannot be read either
+  if (std::filesystem::is_directory(file, no_matter)) file /= kStateFile;
+  const std::filesystem::path folder = file.has_parent_path() ? file.parent_path() : ".";
+  if (!command.out.empty() && std::filesystem::equivalent(folder, command.out, no_matter))
+    throw InputError(
+        fmt::format("--out: {} holds the run that --resume goes on from, whose tables "
+                    "it would replace; give another folder",
+                    command.out));
+  return read_run_state(file, system, info.scene_sha256);
+}
+
+void check_end(const CutRun& cut, const SimulationOptions& options, const System& system) {
+  const double end =
+      options.duration ? *options.duration : static_cast<double>(options.periods) * system.period();
+  const double rounding = 4.0 * std::numeric_limits<double>::epsilon() * cut.time;
+  if (end < cut.time - rounding)
+    throw InputError(
+        fmt::format("{}: the end, t = {:.9g} s, lies before t = {:.9g} s, to which the "
+                    "run went already; both count from t = 0",
+                    options.duration ? "--duration" : "--periods", end, cut.time));
+}
+
+void place_samples(CutRun& cut, double rate) {
+  constexpr double kMost = 0x1p62;
+  if (cut.sample_rate != rate)
+    cut.state.samples = static_cast<long long>(std::fmin(std::ceil(cut.time * rate), kMost));
+}
+
+}  // namespace graze

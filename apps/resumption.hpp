@@ -1,0 +1,21 @@
+// How simulate --resume finds the run to go on from.
+#pragma once
+
+#include "command.hpp"
+#include "graze/record/run_info.hpp"
+#include "graze/record/run_state.hpp"
+
+namespace graze {
+
+// The run that --resume names, by its state file or the folder that holds it. Throws InputError
+// also where --out is that folder, whose tables would be lost.
+CutRun read_cut_run(const Command& command, const System& system, const RunInfo& info);
+
+// Throws InputError where the run is past the end asked for; both count from t = 0.
+void check_end(const CutRun& cut, const SimulationOptions& options, const System& system);
+
+// Sets which sample comes next: at the rate of before (1/s) the one after the last, at another the
+// first whose time is not over.
+void place_samples(CutRun& cut, double rate);
+
+}  // namespace graze

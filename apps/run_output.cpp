@@ -1,0 +1,90 @@
+#include "run_output.hpp"
+
+#include <filesystem>
+#include <system_error>
+
+#include "graze/base/errors.hpp"
+#include "graze/report/csv.hpp"
+#include "graze/report/json.hpp"
+
+namespace graze {
+namespace {
+
+// A picture shows the end of a run, this much of it at most.
+constexpr std::size_t kPictureSamples = 12 * 400;  // 12 forcing periods
+constexpr std::size_t kPictureEvents = 100'000;
+
+// Beside the results, where room for them is needed anyway, or else among the temporary files.
+std::filesystem::path spool_folder(const Command& command) {
+  if (!command.out.empty()) return command.out;
+  std::error_code error;
+  const std::filesystem::path folder = std::filesystem::temp_directory_path(error);
+  return error ? "/tmp" : folder;
+}
+
+}  // namespace
+
+RunOutput::RunOutput(const Command& command, const System& system)
+    : system_(system),
+      records_events_(command.record != "none"),
+      records_samples_(command.record == "samples"),
+      writes_document_(command.json || !command.out.empty()),
+      draws_(!command.plot.empty()),
+      events_(spool_folder(command)) {
+  if (command.out.empty()) return;
+  const std::filesystem::path folder = command.out;
+  if (records_events_) {
+    event_table_.emplace(folder / "events.csv");
+    event_table_->append(events_csv_header());
+  }
+  if (records_samples_) {
+    sample_table_.emplace(folder / "samples.csv");
+    sample_table_->append(samples_csv_header(system, command.keeps_book()));
+  }
+}
+
+void RunOutput::add(const Event& event) {
+  if (records_events_) {
+    excerpt_.add(event);
+    if (writes_document_) add_event_json(event, events_);
+    if (event_table_) event_table_->append(events_csv_row(event));
+  }
+  if (draws_) {
+    last_events_.push_back(event);
+    trim();
+  }
+}
+
+void RunOutput::add(const Sample& sample) {
+  if (sample_table_) sample_table_->append(samples_csv_row(system_, sample));
+  if (draws_) {
+    last_samples_.push_back(sample);
+    trim();
+  }
+}
+
+// Events from before the oldest sample would stand outside the picture.
+void RunOutput::trim() {
+  while (last_samples_.size() > kPictureSamples) last_samples_.pop_front();
+  while (!last_events_.empty() &&
+         (last_events_.size() > kPictureEvents ||
+          (!last_samples_.empty() && last_events_.front().time < last_samples_.front().time)))
+    last_events_.pop_front();
+}
+
+std::vector<PendingFile> RunOutput::take_tables() {
+  std::vector<PendingFile> tables;
+  if (event_table_) tables.push_back(std::move(*event_table_));
+  if (sample_table_) tables.push_back(std::move(*sample_table_));
+  event_table_.reset();
+  sample_table_.reset();
+  return tables;
+}
+
+void RunOutput::show_in(SimulationRecord& record) const {
+  record.excerpt = excerpt_;
+  record.events.assign(last_events_.begin(), last_events_.end());
+  record.samples.assign(last_samples_.begin(), last_samples_.end());
+}
+
+}  // namespace graze

@@ -1,0 +1,48 @@
+// Where the events and samples of a run go while it runs.
+#pragma once
+
+#include <deque>
+#include <optional>
+#include <vector>
+
+#include "command.hpp"
+#include "graze/record/files.hpp"
+#include "graze/record/records.hpp"
+#include "graze/record/spool.hpp"
+
+namespace graze {
+
+// Takes what the run hands out: rows of the tables in the output folder, the events of the
+// document, and the few that the printed table and the picture show. Memory stays bounded however
+// long the run is. Throws FileError where something cannot be written.
+class RunOutput {
+ public:
+  // `system` must outlive it.
+  RunOutput(const Command& command, const System& system);
+
+  void add(const Event& event);
+  void add(const Sample& sample);
+
+  bool wants_events() const { return records_events_ || draws_; }
+  bool wants_samples() const { return records_samples_ || draws_; }
+
+  // The document's events; empty unless a document is wanted.
+  Spool& events() { return events_; }
+  // The tables, complete. Empties this.
+  std::vector<PendingFile> take_tables();
+  // Fills in what the record shows of events and samples.
+  void show_in(SimulationRecord& record) const;
+
+ private:
+  void trim();
+
+  const System& system_;
+  bool records_events_, records_samples_, writes_document_, draws_;
+  std::optional<PendingFile> event_table_, sample_table_;
+  Spool events_;
+  EventExcerpt excerpt_;
+  std::deque<Event> last_events_;
+  std::deque<Sample> last_samples_;
+};
+
+}  // namespace graze

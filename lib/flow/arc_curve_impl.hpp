@@ -1,0 +1,219 @@
+// Definitions of arc_curve.hpp; included by one translation unit per scalar.
+#pragma once
+
+#include <limits>
+
+#include "graze/flow/arc_curve.hpp"
+#include "graze/flow/exact_flow_impl.hpp"
+
+namespace graze {
+namespace arc_curve_detail {
+
+// Rounding of one term k (e^{l s} - 1): the argument, sine, exponential, two products and the sum
+// add at most about one eps each of |k| |l| s.
+inline constexpr int kRoundings = 8;
+
+}  // namespace arc_curve_detail
+
+template <class Real>
+CurvePoint<Real> observed(const Observable<Real>& observable, const Real& theta,
+                          const RealVector<Real>& q, const RealVector<Real>& qdot) {
+  using std::abs, std::cos, std::sin;
+  Real value = 0, size = abs(observable.constant);
+  const auto add = [&](const Real& part) {
+    value += part;
+    size += abs(part);
+  };
+  const bool moves = observable.velocity.size() > 0;
+  for (Eigen::Index j = 0; j < q.size(); ++j) {
+    add(observable.displacement[j] * q[j]);
+    if (moves) add(observable.velocity[j] * qdot[j]);
+  }
+  if (observable.harmonic.re != 0 || observable.harmonic.im != 0)
+    add(observable.harmonic.re * cos(theta) - observable.harmonic.im * sin(theta));
+  const int terms = static_cast<int>(moves ? 2 * q.size() : q.size()) + 2;
+  CurvePoint<Real> start;
+  // In this order: the constant last, as the gap is formed everywhere.
+  start.value = observable.constant + value;
+  start.noise = Real(terms) * std::numeric_limits<Real>::epsilon() * size;
+  return start;
+}
+
+template <class Real>
+ArcCurve<Real>::ArcCurve(const Arc<Real>& arc, const Observable<Real>& observable,
+                         const Real& window, bool from_zero)
+    : frequency_(arc.flow().frequency()), theta_(arc.start_phase()), window_(window) {
+  using exact_flow_detail::times;
+  using std::abs, std::cos, std::sin;
+  const ExactFlow<Real>& flow = arc.flow();
+  const bool moves = observable.velocity.size() > 0;
+  PlanarNumber<Real> harmonic = observable.harmonic;
+  exponentials_.reserve(static_cast<std::size_t>(2 * flow.modes() + 1));
+  for (int j = 0; j < flow.modes(); ++j) {
+    const ModeFlow<Real>& mode = flow.mode(j);
+    const PlanarNumber<Real>& a = arc.amplitude(j);
+    const Real x = observable.displacement[j], v = moves ? observable.velocity[j] : Real(0);
+    const PlanarNumber<Real> forced = times(PlanarNumber<Real>{x, v * frequency_}, mode.forced);
+    harmonic.re += forced.re;
+    harmonic.im += forced.im;
+    // The free part is the state less the forced response and the offset: it carries their
+    // rounding.
+    const Real apart = abs(mode.forced.re) + abs(mode.forced.im) + abs(mode.offset);
+    if (mode.kind == ModeKind::kOscillatory) {
+      const PlanarNumber<Real> weight{x - v * mode.first, v * mode.second};
+      add_exponential(
+          times(weight, a), mode.first, mode.second,
+          (abs(x) + abs(v) * mode.omega) * apart * (1 + (frequency_ + mode.first) / mode.second));
+    } else if (mode.kind == ModeKind::kOverdamped) {
+      const Real formed_from = apart * (1 + frequency_ / mode.second);
+      const Real slow = x - v * mode.first, fast = x - v * mode.second;
+      add_exponential({slow * a.re, 0}, mode.first, 0, abs(slow) * formed_from);
+      add_exponential({fast * a.im, 0}, mode.second, 0, abs(fast) * formed_from);
+    } else {
+      specials_.push_back({&mode, x, v, a.re, a.im, apart});
+    }
+  }
+  if (flow.forced())
+    add_exponential(times(harmonic, PlanarNumber<Real>{cos(theta_), sin(theta_)}), 0, frequency_,
+                    0);
+  if (!from_zero) {
+    const CurvePoint<Real> start =
+        observed(observable, theta_, arc.start_displacements(), arc.start_velocities());
+    start_value_ = start.value;
+    start_noise_ = start.noise;
+  }
+}
+
+template <class Real>
+ArcCurve<Real>::ArcCurve(const Real& start, const Real& noise, const Real& window)
+    : window_(window), start_value_(start), start_noise_(noise) {}
+
+template <class Real>
+void ArcCurve<Real>::add_exponential(const PlanarNumber<Real>& k, const Real& decay,
+                                     const Real& frequency, const Real& formed_from) {
+  using std::abs, std::sqrt;
+  Exponential& term = exponentials_.emplace_back();
+  term.decay = decay;
+  term.frequency = frequency;
+  term.rate = {-decay, frequency};
+  term.rate_size = decay == 0 ? frequency : Real(sqrt(decay * decay + frequency * frequency));
+  term.coefficient = k;
+  // Where the square of |k| leaves the range of the scalar, the sum of its parts bounds it.
+  const Real square = k.re * k.re + k.im * k.im;
+  const bool in_range =
+      square > std::numeric_limits<Real>::min() && square < std::numeric_limits<Real>::max();
+  term.size = in_range ? Real(sqrt(square)) : Real(abs(k.re) + abs(k.im));
+  term.rounded = term.size + formed_from;
+}
+
+template <class Real>
+CurvePoint<Real> ArcCurve<Real>::at(const Real& s, int m) const {
+  using std::cos, std::expm1, std::sin;
+  CurvePoint<Real> point;
+  Real rounding = 0;
+  Real decay_rate = 0, decay_minus_one = 0;  // modes often share their decay
+  for (const Exponential& term : exponentials_) {
+    if (term.decay != decay_rate) {
+      decay_rate = term.decay;
+      decay_minus_one = expm1(-decay_rate * s);
+    }
+    const Real decay = 1 + decay_minus_one;
+    const Real half = term.frequency * s / 2;
+    const Real sine = sin(half), cosine = cos(half);
+    const Real re_minus_one = decay_minus_one - decay * 2 * sine * sine;
+    const Real re = 1 + re_minus_one, im = decay * 2 * sine * cosine;
+    PlanarNumber<Real> k = term.coefficient;  // k l^m
+    Real power = 1;                           // |l|^m
+    for (int i = 0; i < m; ++i) {
+      k = exact_flow_detail::times(k, term.rate);
+      power *= term.rate_size;
+    }
+    const PlanarNumber<Real> next = exact_flow_detail::times(k, term.rate);
+    point.value += k.re * (m == 0 ? re_minus_one : re) - k.im * im;
+    point.slope += next.re * re - next.im * im;
+    point.bound += decay * term.size * power * term.rate_size * term.rate_size;
+    rounding += term.rounded * power * ((m == 0 ? Real(0) : decay) + s * term.rate_size);
+  }
+  point.noise = arc_curve_detail::kRoundings * std::numeric_limits<Real>::epsilon() * rounding;
+  for (const Special& special : specials_) add_special(special, s, m, point);
+  if (part_) part_(s, m, point);
+  if (m == 0) {
+    point.value += start_value_;
+    point.noise += start_noise_;
+  }
+  return point;
+}
+
+template <class Real>
+void ArcCurve<Real>::add_special(const Special& special, const Real& s, int m,
+                                 CurvePoint<Real>& point) const {
+  using std::abs, std::cos, std::sin, std::sqrt;
+  const ModeFlow<Real>& mode = *special.mode;
+  const Real w2 = mode.omega * mode.omega, damping = 2 * mode.delta;
+  const FreeBasis<Real> basis = free_basis(mode.delta, mode.discriminant, s);
+  // Change of displacement and velocity since the start; from the equation of motion the rest.
+  Real change =
+      special.q * (basis.cosine_minus_one + mode.delta * basis.sine) + special.qdot * basis.sine;
+  Real rate_change = special.qdot * (basis.cosine_minus_one - mode.delta * basis.sine) -
+                     special.q * w2 * basis.sine;
+  // force: the harmonic one and its derivatives, the load with the first.
+  std::array<Real, kOrders> force{};
+  Real force_size = 0;
+  if (mode.kind == ModeKind::kResonant) {
+    const PlanarNumber<Real> x = resonant_response(mode, frequency_, theta_, s);
+    change += mode.force * x.re;
+    rate_change += mode.force * x.im;
+    const Real c = mode.force * cos(theta_ + frequency_ * s);
+    const Real n = -mode.force * frequency_ * sin(theta_ + frequency_ * s);
+    const Real turn = -frequency_ * frequency_;
+    force = {c, n, turn * c, turn * n, turn * turn * c};
+    force_size = abs(mode.force);
+  }
+  if (mode.load != 0) {
+    change += mode.load * step_response(mode.delta, mode.omega, mode.discriminant, s);
+    rate_change += mode.load * basis.sine;
+    force[0] += mode.load;
+    force_size += abs(mode.load);
+  }
+  // d[m]: derivative m of the displacement.
+  std::array<Real, kOrders + 1> d;
+  d[0] = special.q + change;
+  d[1] = special.qdot + rate_change;
+  for (std::size_t k = 2; k <= kOrders; ++k)
+    d[k] = force[k - 2] - damping * d[k - 1] - w2 * d[k - 2];
+
+  // sqrt(q'^2 + w^2 q^2) of the free motion never grows; the force adds at most |f| per time, and
+  // to a free mass no more than |f|/(2 delta) in all.
+  Real ahead = window_ > s ? Real(window_ - s) : Real(0);
+  if (mode.omega == 0 && damping > 0 && damping * ahead > 1) ahead = 1 / damping;
+  std::array<Real, kOrders + 2> bound;
+  bound[1] = sqrt(d[1] * d[1] + w2 * d[0] * d[0]);
+  if (force_size > 0) bound[1] += force_size * ahead;
+  Real harmonic_size = force_size;
+  for (std::size_t k = 2; k < kOrders + 2; ++k) {
+    bound[k] =
+        k == 2 ? (mode.omega + damping) * bound[1] : damping * bound[k - 1] + w2 * bound[k - 2];
+    bound[k] += harmonic_size;
+    // Derivative k - 1 of the force: the load is gone from it.
+    harmonic_size = mode.kind == ModeKind::kResonant ? Real(abs(mode.force)) : Real(0);
+    for (std::size_t power = 1; power < k; ++power) harmonic_size *= frequency_;
+  }
+
+  const auto order = static_cast<std::size_t>(m);
+  const Real x = special.displacement, v = special.velocity;
+  point.value +=
+      m == 0 ? Real(x * change + v * rate_change) : Real(x * d[order] + v * d[order + 1]);
+  point.slope += x * d[order + 1] + v * d[order + 2];
+  point.bound += abs(x) * bound[order + 2] + abs(v) * bound[order + 3];
+  // The start's energy, not the present one, has gone through the roundings.
+  const Real quick = mode.omega + damping;
+  Real rounding = sqrt(special.qdot * special.qdot + w2 * special.q * special.q) +
+                  damping * abs(special.q) + force_size * s + (quick + frequency_) * special.apart;
+  for (std::size_t k = 1; k < order; ++k) rounding *= quick;
+  if (order >= 2) rounding += force_size;
+  point.noise += arc_curve_detail::kRoundings * std::numeric_limits<Real>::epsilon() * rounding *
+                 (m == 0 ? Real(abs(x) * s + abs(v) * (quick * s))
+                         : Real((abs(x) + abs(v) * quick) * (1 + s * quick)));
+}
+
+}  // namespace graze

@@ -1,0 +1,24 @@
+// Work done along an arc, for the energy book:
+//
+//   change of (|q'|^2 + |w q|^2)/2 = forcing + load + constraint - dissipation.
+//
+// Velocities and forces are sums Re(c e^{l s}); the integrals of their products are known in closed
+// form. Modes without that form (near critical, resonant, a soft one under a load) and matrix
+// exponentials are integrated by Gauss' rule on panels short enough for it to be exact to rounding.
+#pragma once
+
+#include "graze/flow/contact_phase.hpp"
+
+namespace graze {
+
+struct Work {
+  double forcing = 0.0;      // of the harmonic forcing, J
+  double load = 0.0;         // of the constant load, J
+  double constraint = 0.0;   // of the closed stops; zero but for an oblique law, J
+  double dissipation = 0.0;  // taken by damping, J, >= 0
+};
+
+// From the start of the phase's arc over s seconds.
+Work work_along(const System& system, const ContactPhase<double>& phase, double s);
+
+}  // namespace graze

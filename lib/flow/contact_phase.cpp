@@ -1,0 +1,7 @@
+#include "graze/flow/contact_phase_impl.hpp"
+
+namespace graze {
+
+template class ContactPhase<double>;
+
+}  // namespace graze

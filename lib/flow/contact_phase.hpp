@@ -1,0 +1,89 @@
+// A contact phase: the smooth motion while a given set of stops is closed (none: free flight).
+//
+// Closed stops keep b_i.q = a_i by accelerations -d_i lambda_i along the directions of their
+// impulses:
+//
+//   q'' = P (g - 2 delta q' - w^2 q),  P = I - D (B^T D)^-1 B^T,
+//   lambda = (B^T D)^-1 B^T (g - 2 delta q' - w^2 q),   contact force = lambda_i/(b_i.b_i).
+//
+// This is again a linear system, on the reduced coordinates y of q = q_c + U y with B^T U = 0. For
+// the momentum law and proportional damping (equal decay rates or Rayleigh's) it decouples into
+// real modes, those of the structure held at its stops, and everything that holds in free flight
+// holds here; otherwise see coupled_flow.hpp (double only).
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "graze/flow/arc_curve.hpp"
+#include "graze/flow/coupled_flow.hpp"
+
+namespace graze {
+
+template <class Real>
+using RealMatrix = Eigen::Matrix<Real, Eigen::Dynamic, Eigen::Dynamic>;
+
+template <class Real>
+class ContactPhase {
+ public:
+  // `closed`: indices of stops with linearly independent rows.
+  ContactPhase(const System& system, const std::vector<int>& closed);
+  ContactPhase(const ContactPhase&) = delete;  // the arc refers to the flow beside it
+  ContactPhase& operator=(const ContactPhase&) = delete;
+
+  // Why the phase cannot be followed, or empty: its constrained motion grows without bound (an
+  // oblique law can do that), or has no real modes and the scalar is not double.
+  const std::string& refusal() const { return refusal_; }
+  const std::vector<int>& closed() const { return closed_; }
+  // Flights are to be cut to this, s; infinite but for matrix exponentials.
+  Real longest_flight() const;
+
+  void start(const Real& theta, const RealVector<Real>& q, const RealVector<Real>& qdot);
+  // Displacements and velocities s seconds after the start.
+  void state(const Real& s, RealVector<Real>& q, RealVector<Real>& qdot) const;
+  // The gap of an open stop along the arc, for `window` seconds; `from_zero`: it starts on the
+  // stop.
+  ArcCurve<Real> gap(int stop, const Real& window, bool from_zero) const;
+  // The contact force of a closed stop, N (in units of the modal mass).
+  ArcCurve<Real> force(int stop, const Real& window) const;
+  // The force now, at forcing phase theta.
+  Real force_at(int stop, const Real& theta, const RealVector<Real>& q,
+                const RealVector<Real>& qdot) const;
+
+  // The reduced motion, for what integrates over it.
+  bool has_real_modes() const { return !coupled_flow_; }
+  const Arc<Real>& arc() const { return *arc_; }
+  const CoupledArc& coupled_arc() const { return *coupled_arc_; }
+  const RealMatrix<Real>& basis() const { return basis_; }  // U, N x m
+  const LinearSystem<Real>& reduced() const { return reduced_; }
+  // Gap of an open stop or contact force of a closed one, on the reduced coordinates.
+  const Observable<Real>& observable(int stop) const {
+    return observables_[static_cast<std::size_t>(stop)];
+  }
+
+ private:
+  void reduce(const System& system, const LinearSystem<Real>& full);
+  void couple(const LinearSystem<Real>& full);
+  Observable<Real> force_observable(const LinearSystem<Real>& full, const RealVector<Real>& share,
+                                    const Real& unit) const;
+  Observable<Real> reduced_observable(const Observable<Real>& full) const;
+  ArcCurve<Real> curve(const Observable<Real>& observable, const Real& window,
+                       bool from_zero) const;
+  RealVector<Real> reduced_coordinates(const RealVector<Real>& q) const;
+
+  std::vector<int> closed_;
+  std::string refusal_;
+  RealMatrix<Real> rows_, directions_;  // B, D: N x closed
+  RealVector<Real> held_;               // q_c; empty in free flight
+  RealMatrix<Real> basis_;              // U
+  LinearSystem<Real> reduced_;
+  std::vector<Observable<Real>> observables_;  // of every stop: gap, or contact force where closed
+  std::optional<ExactFlow<Real>> flow_;
+  std::optional<Arc<Real>> arc_;
+  std::unique_ptr<CoupledFlow> coupled_flow_;
+  std::optional<CoupledArc> coupled_arc_;
+};
+
+}  // namespace graze

@@ -1,0 +1,279 @@
+// Definitions of contact_phase.hpp; included by one translation unit per scalar.
+#pragma once
+
+#include <Eigen/LU>
+#include <Eigen/QR>
+#include <Eigen/SVD>
+#include <algorithm>
+#include <cmath>
+#include <type_traits>
+
+#include "graze/flow/arc_curve_impl.hpp"
+#include "graze/flow/contact_phase.hpp"
+
+namespace graze {
+namespace contact_phase_detail {
+
+// Roundings by which decay rates may miss alpha + beta w^2 and a direction b/(b.b).
+inline constexpr int kRoundings = 16;
+
+// Decay rates proportional to mass and stiffness: delta_j = alpha + beta w_j^2.
+template <class Real>
+struct ProportionalDamping {
+  Real alpha = 0, beta = 0;
+};
+
+template <class Real>
+std::optional<ProportionalDamping<Real>> proportional_damping(const LinearSystem<Real>& system) {
+  using std::abs;
+  const Eigen::Index n = system.omega.size();
+  const RealVector<Real> stiffness = system.omega.cwiseAbs2();
+  Eigen::Index low = 0, high = 0;
+  for (Eigen::Index j = 1; j < n; ++j) {
+    if (stiffness[j] < stiffness[low]) low = j;
+    if (stiffness[j] > stiffness[high]) high = j;
+  }
+  ProportionalDamping<Real> law;
+  if (system.delta[high] != system.delta[low] && stiffness[high] > stiffness[low])
+    law.beta = (system.delta[high] - system.delta[low]) / (stiffness[high] - stiffness[low]);
+  law.alpha = system.delta[low] - law.beta * stiffness[low];
+  for (Eigen::Index j = 0; j < n; ++j) {
+    const Real miss = abs(system.delta[j] - law.alpha - law.beta * stiffness[j]);
+    // The decay rates come in double precision, whatever the scalar.
+    if (miss > kRoundings * std::numeric_limits<double>::epsilon() * system.delta[j]) return {};
+  }
+  return law;
+}
+
+template <class Real>
+bool is_normal(const RealVector<Real>& row, const RealVector<Real>& direction) {
+  const RealVector<Real> normal = row / row.squaredNorm();
+  return (direction - normal).norm() <=
+         kRoundings * std::numeric_limits<double>::epsilon() * normal.norm();
+}
+
+}  // namespace contact_phase_detail
+
+template <class Real>
+ContactPhase<Real>::ContactPhase(const System& system, const std::vector<int>& closed)
+    : closed_(closed) {
+  const LinearSystem<Real> full = linear_system<Real>(system);
+  if (closed_.empty()) {
+    reduced_ = full;
+  } else {
+    const Eigen::Index n = system.modes(), k = static_cast<Eigen::Index>(closed_.size());
+    rows_.resize(n, k);
+    directions_.resize(n, k);
+    for (Eigen::Index i = 0; i < k; ++i) {
+      const RigidStop& stop =
+          system.stops[static_cast<std::size_t>(closed_[static_cast<std::size_t>(i)])];
+      rows_.col(i) = stop.row.template cast<Real>();
+      directions_.col(i) = stop.direction.template cast<Real>();
+    }
+    reduce(system, full);
+  }
+  if (!coupled_flow_) {
+    flow_.emplace(reduced_);
+    arc_.emplace(*flow_);
+  }
+  RealMatrix<Real> shares;  // columns: lambda_i = share_i.(free acceleration)
+  if (!closed_.empty())
+    shares = rows_ * (rows_.transpose() * directions_).transpose().fullPivLu().inverse();
+  for (std::size_t i = 0; i < system.stops.size(); ++i) {
+    const RigidStop& stop = system.stops[i];
+    const RealVector<Real> row = stop.row.template cast<Real>();
+    const auto found = std::find(closed_.begin(), closed_.end(), static_cast<int>(i));
+    const Observable<Real> observable =
+        found == closed_.end() ? gap_observable<Real>(row, Real(stop.gap))
+                               : force_observable(full, shares.col(found - closed_.begin()),
+                                                  Real(1) / row.squaredNorm());
+    observables_.push_back(closed_.empty() ? observable : reduced_observable(observable));
+  }
+}
+
+// Coordinates in which the held structure has real modes: U = Q V, Q an orthonormal basis of what
+// the rows leave free, V the right singular vectors of w Q. The singular values are the
+// frequencies, with an error of eps times the largest one (of their squares it would be far worse).
+template <class Real>
+void ContactPhase<Real>::reduce(const System& system, const LinearSystem<Real>& full) {
+  using namespace contact_phase_detail;
+  const Eigen::Index n = rows_.rows(), k = rows_.cols(), m = n - k;
+  const Eigen::HouseholderQR<RealMatrix<Real>> qr(rows_);
+  const RealMatrix<Real> all = qr.householderQ() * RealMatrix<Real>::Identity(n, n);
+  RealVector<Real> gaps(k);
+  for (Eigen::Index i = 0; i < k; ++i)
+    gaps[i] =
+        Real(system.stops[static_cast<std::size_t>(closed_[static_cast<std::size_t>(i)])].gap);
+  // The shortest q with B^T q = a.
+  held_ = rows_ * (rows_.transpose() * rows_).fullPivLu().solve(gaps);
+  basis_ = all.rightCols(m);
+  reduced_.omega.resize(m);
+  if (m > 0) {
+    const RealMatrix<Real> root = full.omega.asDiagonal() * basis_;
+    const Eigen::JacobiSVD<RealMatrix<Real>> svd(root, Eigen::ComputeThinU | Eigen::ComputeThinV);
+    basis_ = (basis_ * svd.matrixV()).rowwise().reverse().eval();
+    reduced_.omega = svd.singularValues().reverse();
+    // Within the error of the singular values a mode is free.
+    const Real smallest =
+        Real(static_cast<int>(n)) * std::numeric_limits<Real>::epsilon() * reduced_.omega[m - 1];
+    for (Real& w : reduced_.omega)
+      if (w <= smallest) w = 0;
+  }
+  reduced_.forced = full.forced;
+  reduced_.frequency = full.frequency;
+  reduced_.phase = full.phase;
+
+  bool normal = true;
+  for (Eigen::Index i = 0; i < k; ++i)
+    normal = normal && is_normal<Real>(rows_.col(i), directions_.col(i));
+  const std::optional<ProportionalDamping<Real>> damping = proportional_damping(full);
+  if (!normal || (!damping && m > 1)) {
+    couple(full);
+    return;
+  }
+  reduced_.delta.resize(m);
+  for (Eigen::Index j = 0; j < m; ++j)
+    reduced_.delta[j] =
+        damping ? Real(damping->alpha + damping->beta * reduced_.omega[j] * reduced_.omega[j])
+                : Real(full.delta.dot(basis_.col(j).cwiseAbs2()));
+  if (full.forced) reduced_.amplitude = basis_.transpose() * full.amplitude;
+  // Held at rest where its stiffness balances the load, so that nothing large has to cancel.
+  const RealVector<Real> stiffness = full.omega.cwiseAbs2();
+  const RealVector<Real> load =
+      full.load.size() > 0 ? full.load : RealVector<Real>(RealVector<Real>::Zero(n));
+  const RealVector<Real> unbalanced = basis_.transpose() * (load - stiffness.cwiseProduct(held_));
+  reduced_.load = RealVector<Real>::Zero(m);
+  for (Eigen::Index j = 0; j < m; ++j) {
+    const Real w = reduced_.omega[j];
+    if (w > exact_flow_detail::kSoftByForcing * full.frequency)
+      held_ += basis_.col(j) * (unbalanced[j] / (w * w));
+    else
+      reduced_.load[j] = unbalanced[j];
+  }
+}
+
+template <class Real>
+void ContactPhase<Real>::couple(const LinearSystem<Real>& full) {
+  if constexpr (!std::is_same_v<Real, double>) {
+    refusal_ = "the constrained motion has no real modes; it is followed in double precision only";
+    // Something to hold on to; a refused phase is never flown.
+    reduced_ = LinearSystem<Real>{reduced_.omega, reduced_.omega, false, 0, 0, {}, {}};
+  } else {
+    const Eigen::Index n = rows_.rows(), m = basis_.cols();
+    // Left inverse of the basis that knows nothing of the directions: Z^T U = I, Z^T D = 0.
+    Matrix whole(n, n);
+    whole << basis_, directions_;
+    const Matrix left = whole.partialPivLu().inverse().topRows(m);
+    const Vector stiffness = full.omega.cwiseAbs2();
+    const Vector load = full.load.size() > 0 ? full.load : Vector(Vector::Zero(n));
+    CoupledSystem reduced;
+    reduced.stiffness = left * stiffness.asDiagonal() * basis_;
+    reduced.damping = left * (2.0 * full.delta).asDiagonal() * basis_;
+    reduced.load = left * (load - stiffness.cwiseProduct(held_));
+    reduced.force = full.forced ? Vector(left * full.amplitude) : Vector(Vector::Zero(m));
+    reduced.frequency = full.forced ? full.frequency : 0.0;
+    const double slowest = std::max(full.frequency, 1e-3 * reduced_.omega.maxCoeff());
+    reduced.scale = reduced_.omega.cwiseMax(slowest > 0.0 ? slowest : 1.0);
+    coupled_flow_ = std::make_unique<CoupledFlow>(reduced);
+    coupled_arc_.emplace(*coupled_flow_);
+    reduced_.delta = Vector::Zero(m);
+    refusal_ = coupled_flow_->instability();
+  }
+}
+
+template <class Real>
+Observable<Real> ContactPhase<Real>::force_observable(const LinearSystem<Real>& full,
+                                                      const RealVector<Real>& share,
+                                                      const Real& unit) const {
+  Observable<Real> force;
+  force.displacement = -unit * full.omega.cwiseAbs2().cwiseProduct(share);
+  force.velocity = -2 * unit * full.delta.cwiseProduct(share);
+  if (full.load.size() > 0) force.constant = unit * share.dot(full.load);
+  if (full.forced) force.harmonic.re = unit * share.dot(full.amplitude);
+  return force;
+}
+
+template <class Real>
+Observable<Real> ContactPhase<Real>::reduced_observable(const Observable<Real>& full) const {
+  Observable<Real> reduced;
+  reduced.constant = full.constant + full.displacement.dot(held_);
+  reduced.displacement = basis_.transpose() * full.displacement;
+  if (full.velocity.size() > 0) reduced.velocity = basis_.transpose() * full.velocity;
+  reduced.harmonic = full.harmonic;
+  return reduced;
+}
+
+template <class Real>
+Real ContactPhase<Real>::longest_flight() const {
+  return coupled_flow_ ? Real(coupled_flow_->longest_flight())
+                       : std::numeric_limits<Real>::infinity();
+}
+
+template <class Real>
+RealVector<Real> ContactPhase<Real>::reduced_coordinates(const RealVector<Real>& q) const {
+  return basis_.transpose() * (q - held_);
+}
+
+template <class Real>
+void ContactPhase<Real>::start(const Real& theta, const RealVector<Real>& q,
+                               const RealVector<Real>& qdot) {
+  if (closed_.empty()) {
+    arc_->start(theta, q, qdot);
+    return;
+  }
+  const RealVector<Real> y = reduced_coordinates(q), ydot = basis_.transpose() * qdot;
+  if constexpr (std::is_same_v<Real, double>) {
+    if (coupled_arc_) {
+      coupled_arc_->start(theta, y, ydot);
+      return;
+    }
+  }
+  arc_->start(theta, y, ydot);
+}
+
+template <class Real>
+void ContactPhase<Real>::state(const Real& s, RealVector<Real>& q, RealVector<Real>& qdot) const {
+  if (closed_.empty()) {
+    arc_->state(s, q, qdot);
+    return;
+  }
+  RealVector<Real> y(basis_.cols()), ydot(basis_.cols());
+  if constexpr (std::is_same_v<Real, double>) {
+    if (coupled_arc_)
+      coupled_arc_->state(s, y, ydot);
+    else
+      arc_->state(s, y, ydot);
+  } else {
+    arc_->state(s, y, ydot);
+  }
+  q = held_ + basis_ * y;
+  qdot = basis_ * ydot;
+}
+
+template <class Real>
+ArcCurve<Real> ContactPhase<Real>::curve(const Observable<Real>& observable, const Real& window,
+                                         bool from_zero) const {
+  if constexpr (std::is_same_v<Real, double>) {
+    if (coupled_arc_) return coupled_arc_->curve(observable, window, from_zero);
+  }
+  return ArcCurve<Real>(*arc_, observable, window, from_zero);
+}
+
+template <class Real>
+ArcCurve<Real> ContactPhase<Real>::gap(int stop, const Real& window, bool from_zero) const {
+  return curve(observables_[static_cast<std::size_t>(stop)], window, from_zero);
+}
+
+template <class Real>
+ArcCurve<Real> ContactPhase<Real>::force(int stop, const Real& window) const {
+  return curve(observables_[static_cast<std::size_t>(stop)], window, false);
+}
+
+template <class Real>
+Real ContactPhase<Real>::force_at(int stop, const Real& theta, const RealVector<Real>& q,
+                                  const RealVector<Real>& qdot) const {
+  const RealVector<Real> y = reduced_coordinates(q), ydot = basis_.transpose() * qdot;
+  return observed<Real>(observables_[static_cast<std::size_t>(stop)], theta, y, ydot).value;
+}
+
+}  // namespace graze

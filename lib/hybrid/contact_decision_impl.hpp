@@ -1,0 +1,170 @@
+// Definitions of motion.hpp: what becomes of the stops that the structure is on.
+//
+// At an instant every touched stop is one of: approached (an impact is due), left at a speed, or at
+// rest. Those at rest, with the closed ones, share out the push by complementarity: contact forces
+// >= 0, accelerations into the stops <= 0, one of the two zero. Where both vanish, the next
+// derivative decides.
+#pragma once
+
+#include <Eigen/LU>
+#include <algorithm>
+#include <cmath>
+
+#include "graze/contact/complementarity.hpp"
+#include "graze/hybrid/motion.hpp"
+
+namespace graze {
+namespace contact_decision_detail {
+
+// Roundings of a push, sum_j b_j (load + force - damping - stiffness)_j.
+inline constexpr int kRoundings = 16;
+
+}  // namespace contact_decision_detail
+
+// An arrival where an impact is due or nothing can be decided; else empty, with the changes noted.
+template <class Real>
+std::optional<Arrival<Real>> Motion<Real>::decide() {
+  const ContactPhase<Real>& phase = start_phase();
+  std::vector<int> resting;
+  for (const int i : order_) {
+    if (contact(i) != Contact::kTouching) continue;
+    const CurvePoint<Real> rate = phase.gap(i, Real(0), true).at(Real(0), 1);
+    if (rate.value < -rate.noise)
+      return Arrival<Real>{ArrivalKind::kContact, i, Real(0), approach_speed(i)};
+    if (rate.value > rate.noise)
+      set(i, Contact::kDeparting, 1);
+    else
+      resting.push_back(i);
+  }
+  undecided_ = false;
+  if (resting.empty() && !recheck_) return {};
+  recheck_ = false;
+  const bool decided = decide_resting(resting);
+  phase_ = nullptr;
+  undecided_ = false;
+  if (!decided) return Arrival<Real>{ArrivalKind::kUndecided, resting.front(), Real(0), Real(0)};
+  refusal_ = phase_of(closed()).refusal();
+  if (!refusal_.empty())
+    return Arrival<Real>{ArrivalKind::kRefused, closed().front(), Real(0), Real(0)};
+  return {};
+}
+
+template <class Real>
+bool Motion<Real>::decide_resting(const std::vector<int>& resting) {
+  using std::abs, std::cos;
+  std::vector<int> candidates;
+  for (const int i : order_)
+    if (contact(i) == Contact::kClosed ||
+        std::find(resting.begin(), resting.end(), i) != resting.end())
+      candidates.push_back(i);
+  const Eigen::Index n = now_.q.size(), k = static_cast<Eigen::Index>(candidates.size());
+  RealVector<Real> acceleration(n), size(n);
+  const Real c = linear_.forced ? Real(cos(clock_.phase(now_.instant))) : Real(0);
+  for (Eigen::Index j = 0; j < n; ++j) {
+    const Real load = linear_.load.size() > 0 ? linear_.load[j] : Real(0);
+    const Real force = linear_.forced ? Real(linear_.amplitude[j] * c) : Real(0);
+    const Real damping = 2 * linear_.delta[j] * now_.qdot[j];
+    const Real stiffness = linear_.omega[j] * linear_.omega[j] * now_.q[j];
+    acceleration[j] = load + force - damping - stiffness;
+    size[j] = abs(load) + (linear_.forced ? Real(abs(linear_.amplitude[j])) : Real(0)) +
+              abs(damping) + abs(stiffness);
+  }
+  Matrix_ delassus(k, k);
+  RealVector<Real> push(k), rounding(k);
+  for (Eigen::Index a = 0; a < k; ++a) {
+    const Stop& s = stop(candidates[static_cast<std::size_t>(a)]);
+    push[a] = s.row.dot(acceleration);
+    rounding[a] = contact_decision_detail::kRoundings * std::numeric_limits<Real>::epsilon() *
+                  s.row.cwiseAbs().dot(size);
+    for (Eigen::Index b = 0; b < k; ++b)
+      delassus(a, b) = s.row.dot(stop(candidates[static_cast<std::size_t>(b)]).direction);
+  }
+  const std::optional<RealVector<Real>> held = solve_contacts(delassus, push, rounding);
+  if (!held) return false;
+  const RealVector<Real> into = push - delassus * *held;
+  std::vector<int> degenerate;
+  for (Eigen::Index a = 0; a < k; ++a) {
+    const int i = candidates[static_cast<std::size_t>(a)];
+    if ((*held)[a] * delassus(a, a) > rounding[a])
+      hold(i);
+    else if (into[a] < -rounding[a])
+      let_go(i, 2);
+    else
+      degenerate.push_back(i);
+  }
+  for (const int i : degenerate) decide_degenerate(i);
+  rest_on_closed();
+  return true;
+}
+
+// Neither pushed nor pulled: the push that follows decides. Without any it stays where it is.
+template <class Real>
+void Motion<Real>::decide_degenerate(int i) {
+  std::vector<int> others;
+  for (const int j : closed())
+    if (j != i) others.push_back(j);
+  ContactPhase<Real>& phase = phase_of(others);
+  if (phase.refusal().empty()) {
+    phase.start(clock_.phase(now_.instant), now_.q, now_.qdot);
+    const CurvePoint<Real> jerk = phase.gap(i, Real(0), true).at(Real(0), 3);
+    if (jerk.value > jerk.noise) {
+      let_go(i, 3);
+      return;
+    }
+  }
+  hold(i);
+}
+
+template <class Real>
+void Motion<Real>::hold(int i) {
+  if (contact(i) == Contact::kClosed) return;
+  if (!is_independent(i)) {
+    set(i, Contact::kLocked);
+    return;
+  }
+  set(i, Contact::kClosed);
+  changes_.push_back({ArrivalKind::kStick, i});
+}
+
+template <class Real>
+void Motion<Real>::let_go(int i, int multiplicity) {
+  if (contact(i) == Contact::kClosed) changes_.push_back({ArrivalKind::kRelease, i});
+  set(i, Contact::kDeparting, multiplicity);
+}
+
+// Whether the stop's row is no combination of those of the closed stops.
+template <class Real>
+bool Motion<Real>::is_independent(int i) const {
+  const std::vector<int> list = closed();
+  if (list.empty()) return true;
+  Matrix_ rows(now_.q.size(), static_cast<Eigen::Index>(list.size()));
+  for (std::size_t a = 0; a < list.size(); ++a)
+    rows.col(static_cast<Eigen::Index>(a)) = stop(list[a]).row;
+  const RealVector<Real>& row = stop(i).row;
+  const RealVector<Real> share =
+      (rows.transpose() * rows).fullPivLu().solve(rows.transpose() * row);
+  // Half of the digits: nearer rows could not be told apart by their forces.
+  return (row - rows * share).squaredNorm() >
+         std::numeric_limits<double>::epsilon() * row.squaredNorm();
+}
+
+// Velocities with b.q' = 0 at every closed stop.
+template <class Real>
+void Motion<Real>::rest_on_closed() {
+  const std::vector<int> list = closed();
+  const auto k = static_cast<Eigen::Index>(list.size());
+  if (k == 0) return;
+  Matrix_ delassus(k, k);
+  RealVector<Real> speed(k);
+  for (Eigen::Index a = 0; a < k; ++a) {
+    const int i = list[static_cast<std::size_t>(a)];
+    speed[a] = approach_speed(i);
+    for (Eigen::Index b = 0; b < k; ++b)
+      delassus(a, b) = stop(i).row.dot(stop(list[static_cast<std::size_t>(b)]).direction);
+  }
+  const RealVector<Real> undo = delassus.partialPivLu().solve(speed);
+  for (Eigen::Index a = 0; a < k; ++a)
+    now_.qdot -= undo[a] * stop(list[static_cast<std::size_t>(a)]).direction;
+}
+
+}  // namespace graze

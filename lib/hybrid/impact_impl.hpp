@@ -1,0 +1,133 @@
+// Definitions of motion.hpp: impacts on the touched stops, and chatter that completes.
+#pragma once
+
+#include <Eigen/LU>
+#include <cmath>
+
+#include "graze/contact/complementarity.hpp"
+#include "graze/hybrid/first_zero.hpp"
+#include "graze/hybrid/motion.hpp"
+
+namespace graze {
+namespace impact_detail {
+
+// Roundings of an approach speed b.q'.
+inline constexpr int kRoundings = 8;
+
+}  // namespace impact_detail
+
+template <class Real>
+std::vector<ImpactShare<Real>> Motion<Real>::impact() {
+  std::vector<int> touched;
+  for (const int i : order_)
+    if (contact(i) != Contact::kClear) touched.push_back(i);
+  const auto k = static_cast<Eigen::Index>(touched.size());
+  std::vector<ImpactShare<Real>> shares(touched.size());
+  Matrix_ delassus(k, k);
+  RealVector<Real> undone(k), rounding(k), target(k);
+  for (Eigen::Index a = 0; a < k; ++a) {
+    ImpactShare<Real>& share = shares[static_cast<std::size_t>(a)];
+    share.stop = touched[static_cast<std::size_t>(a)];
+    const Stop& s = stop(share.stop);
+    rounding[a] = impact_detail::kRoundings * std::numeric_limits<Real>::epsilon() *
+                  s.row.cwiseAbs().dot(now_.qdot.cwiseAbs());
+    // A closed stop is at rest; what is left of its speed is rounding.
+    share.speed = contact(share.stop) == Contact::kClosed ? Real(0) : approach_speed(share.stop);
+    target[a] = share.speed > 0 ? Real(-s.restitution.at(share.speed) * share.speed) : Real(0);
+    undone[a] = share.speed - target[a];
+    for (Eigen::Index b = 0; b < k; ++b)
+      delassus(a, b) = s.row.dot(stop(touched[static_cast<std::size_t>(b)]).direction);
+  }
+  RealVector<Real> impulse = undone;
+  if (k > 1) {
+    const std::optional<RealVector<Real>> solved = solve_contacts(delassus, undone, rounding);
+    // Only contacts that depend on each other can go round in circles; then each acts for itself.
+    if (solved) impulse = *solved;
+  }
+  apply(touched, target, impulse);
+  for (Eigen::Index a = 0; a < k; ++a) {
+    ImpactShare<Real>& share = shares[static_cast<std::size_t>(a)];
+    share.impulse = impulse[a];
+    share.hit = share.impulse > 0 && share.speed > rounding[a];
+    if (contact(share.stop) != Contact::kClosed) {
+      set(share.stop, Contact::kTouching);
+    } else if (approach_speed(share.stop) < -rounding[a]) {
+      changes_.push_back({ArrivalKind::kRelease, share.stop});
+      set(share.stop, Contact::kTouching);
+    } else {
+      recheck_ = true;
+    }
+  }
+  if (k == 1) shares.front().hit = true;
+  phase_ = nullptr;
+  return shares;
+}
+
+// Twice: row.direction = 1 holds to rounding only, and errs to the same side at every impact.
+template <class Real>
+void Motion<Real>::apply(const std::vector<int>& touched, const RealVector<Real>& target,
+                         RealVector<Real>& impulse) {
+  std::vector<Eigen::Index> active;
+  for (Eigen::Index a = 0; a < impulse.size(); ++a)
+    if (impulse[a] > 0) active.push_back(a);
+  if (active.size() == 1) {
+    const Eigen::Index a = active.front();
+    const Stop& s = stop(touched[static_cast<std::size_t>(a)]);
+    impulse[a] = 0;
+    for (int pass = 0; pass < 2; ++pass) {
+      const Real jump = s.row.dot(now_.qdot) - target[a];
+      for (Eigen::Index j = 0; j < now_.qdot.size(); ++j) now_.qdot[j] -= jump * s.direction[j];
+      impulse[a] += jump;
+    }
+    return;
+  }
+  for (const Eigen::Index a : active)
+    now_.qdot -= impulse[a] * stop(touched[static_cast<std::size_t>(a)]).direction;
+  const auto k = static_cast<Eigen::Index>(active.size());
+  Matrix_ delassus(k, k);
+  RealVector<Real> left(k);
+  for (Eigen::Index a = 0; a < k; ++a) {
+    const Eigen::Index at = active[static_cast<std::size_t>(a)];
+    const Stop& s = stop(touched[static_cast<std::size_t>(at)]);
+    left[a] = s.row.dot(now_.qdot) - target[at];
+    for (Eigen::Index b = 0; b < k; ++b)
+      delassus(a, b) = s.row.dot(
+          stop(touched[static_cast<std::size_t>(active[static_cast<std::size_t>(b)])]).direction);
+  }
+  const RealVector<Real> more = delassus.fullPivLu().solve(left);
+  for (Eigen::Index a = 0; a < k; ++a) {
+    const Eigen::Index at = active[static_cast<std::size_t>(a)];
+    now_.qdot -= more[a] * stop(touched[static_cast<std::size_t>(at)]).direction;
+    impulse[at] += more[a];
+  }
+}
+
+template <class Real>
+std::optional<Real> Motion<Real>::close_chatter(int i, const Real& restitution) {
+  using std::abs;
+  const Real leaving = -approach_speed(i);
+  if (!changes_.empty() || !(restitution < 1) || !(leaving > 0)) return {};
+  for (const int j : order_)
+    if (j != i && contact(j) != Contact::kClear && contact(j) != Contact::kClosed) return {};
+  const ContactPhase<Real>& phase = start_phase();
+  const CurvePoint<Real> now = phase.gap(i, Real(0), true).at(Real(0), 2);
+  const Real push = -now.value;
+  if (!(push > now.noise)) return {};
+  const Real duration = 2 * leaving / (push * (1 - restitution));
+  const CurvePoint<Real> ahead = phase.gap(i, duration, true).at(Real(0), 2);
+  if (!(duration * (abs(ahead.slope) + ahead.bound * duration) <= push / 2)) return {};
+  for (const int j : order_) {
+    if (j == i) continue;
+    const FirstZero<Real> zero = contact(j) == Contact::kClosed
+                                     ? first_release(phase.force(j, duration))
+                                     : first_contact(phase.gap(j, duration, false), 0);
+    if (zero.kind != ZeroKind::kNone) return {};
+  }
+  // What the tail's impulses add up to: the part of the push that the closed stop would have taken,
+  // less the speed at which the structure leaves.
+  for (int pass = 0; pass < 2; ++pass) now_.qdot -= approach_speed(i) * stop(i).direction;
+  set(i, Contact::kTouching);
+  return duration;
+}
+
+}  // namespace graze

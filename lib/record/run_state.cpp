@@ -1,0 +1,277 @@
+#include "graze/record/run_state.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <iterator>
+#include <utility>
+
+#include "graze/record/files.hpp"
+#include "graze/record/state_table.hpp"
+#include "graze/scene/document.hpp"
+#include "graze/scene/text_check.hpp"
+
+namespace graze {
+namespace {
+
+// What the numbers of the file mean; another meaning is another format.
+constexpr long long kFormat = 1;
+// Beyond, a double cannot tell the periods apart.
+constexpr long long kMostPeriods = 1LL << 53;
+
+const std::vector<std::pair<Contact, std::string>>& contact_names() {
+  static const std::vector<std::pair<Contact, std::string>> names = {
+      {Contact::kClear, "clear"},
+      {Contact::kTouching, "touching"},
+      {Contact::kDeparting, "departing"},
+      {Contact::kClosed, "closed"},
+      {Contact::kLocked, "locked"}};
+  return names;
+}
+
+template <class Range, class Text>
+std::string listed(const Range& range, Text text) {
+  std::string entries;
+  for (const auto& entry : range) entries += (entries.empty() ? "" : ", ") + text(entry);
+  return "[" + entries + "]";
+}
+
+std::string contact_name(Contact contact) {
+  for (const auto& [value, name] : contact_names())
+    if (value == contact) return quoted(name);
+  return {};
+}
+
+class Lines {
+ public:
+  void table(const char* name) { fmt::format_to(end(), "\n[{}]\n", name); }
+  void text(const char* key, const std::string& value) {
+    fmt::format_to(end(), "{} = {}\n", key, value);
+  }
+  void number(const char* key, double value) { text(key, real_text(value)); }
+  void count(const char* key, long long value) { text(key, std::to_string(value)); }
+  std::string take() { return std::move(text_); }
+
+ private:
+  std::back_insert_iterator<std::string> end() { return std::back_inserter(text_); }
+  std::string text_ = "# The state of a run: graze simulate SCENE --resume FILE goes on from it.\n";
+};
+
+void write_motion(Lines& lines, const MotionState<double>& motion) {
+  lines.table("motion");
+  lines.count("period", motion.instant.period);
+  lines.number("local", motion.instant.local);
+  lines.text("q", listed(motion.q, real_text));
+  lines.text("qdot", listed(motion.qdot, real_text));
+  lines.text("contacts", listed(motion.contacts, contact_name));
+  lines.text("multiplicities",
+             listed(motion.multiplicities, [](int count) { return std::to_string(count); }));
+}
+
+void write_totals(Lines& lines, const RunTotals& totals) {
+  lines.table("totals");
+  lines.count("impacts", totals.impacts);
+  lines.count("chatters", totals.chatters);
+  lines.count("clamped_restitutions", totals.clamped_restitutions);
+  lines.count("undecided_touches", totals.undecided_touches);
+  lines.number("stuck_time", totals.stuck_time);
+  lines.number("energy_added", totals.energy_added);
+  lines.number("energy_lost", totals.energy_lost);
+  if (totals.smallest_gap) lines.number("smallest_gap", *totals.smallest_gap);
+}
+
+void write_book(Lines& lines, const EnergyBook& book) {
+  lines.table("energy");
+  lines.number("start", book.start);
+  lines.number("forcing", book.work.forcing);
+  lines.number("load", book.work.load);
+  lines.number("constraint", book.work.constraint);
+  lines.number("impacts", book.impacts);
+  lines.number("dissipation", book.work.dissipation);
+}
+
+Instant<double> read_instant(const StateTable& table, const System& system) {
+  const Instant<double> instant{table.count("period"), table.size("local")};
+  if (instant.period > kMostPeriods || (!system.forcing && instant.period != 0))
+    table.fail("period", "the scene has no such forcing period");
+  if (system.forcing && instant.local > system.period())
+    table.fail("local", "it must not exceed the scene's forcing period");
+  return instant;
+}
+
+Contact contact_of(const StateTable& table, const std::string& word) {
+  for (const auto& [value, name] : contact_names())
+    if (name == word) return value;
+  table.fail("contacts", fmt::format("there is no contact called {}", quoted(word)));
+}
+
+MotionState<double> read_motion(const Node& node, const System& system) {
+  const StateTable table(node, "motion",
+                         {"period", "local", "q", "qdot", "contacts", "multiplicities"});
+  const auto modes = static_cast<std::size_t>(system.modes());
+  MotionState<double> motion;
+  motion.instant = read_instant(table, system);
+  const std::vector<double> q = table.numbers("q", modes), qdot = table.numbers("qdot", modes);
+  motion.q = Eigen::Map<const Vector>(q.data(), system.modes());
+  motion.qdot = Eigen::Map<const Vector>(qdot.data(), system.modes());
+  for (const std::string& word : table.words("contacts", system.stops.size()))
+    motion.contacts.push_back(contact_of(table, word));
+  for (const long long count : table.counts("multiplicities", system.stops.size())) {
+    if (count > 3) table.fail("multiplicities", "they are 0 to 3");
+    motion.multiplicities.push_back(static_cast<int>(count));
+  }
+  return motion;
+}
+
+std::vector<RunState::Streak> read_streaks(const Node& node, const System& system) {
+  const StateTable table(node, "streaks", {"impacts", "speeds"});
+  const std::vector<long long> impacts = table.counts("impacts", system.stops.size());
+  const std::vector<double> speeds = table.numbers("speeds", system.stops.size());
+  std::vector<RunState::Streak> streaks;
+  for (std::size_t i = 0; i < system.stops.size(); ++i) streaks.push_back({impacts[i], speeds[i]});
+  return streaks;
+}
+
+RunState::Due read_due(const Node& node, const System& system) {
+  const StateTable table(node, "chatter", {"stop", "period", "local"});
+  const long long stop = table.count("stop");
+  if (stop < 1 || stop > static_cast<long long>(system.stops.size()))
+    table.fail("stop", "the scene has no such stop");
+  return {static_cast<int>(stop) - 1, read_instant(table, system)};
+}
+
+RunTotals read_totals(const Node& node) {
+  const StateTable table(node, "totals",
+                         {"impacts", "chatters", "clamped_restitutions", "undecided_touches",
+                          "stuck_time", "energy_added", "energy_lost", "smallest_gap"});
+  RunTotals totals;
+  totals.impacts = table.count("impacts");
+  totals.chatters = table.count("chatters");
+  totals.clamped_restitutions = table.count("clamped_restitutions");
+  totals.undecided_touches = table.count("undecided_touches");
+  totals.stuck_time = table.size("stuck_time");
+  totals.energy_added = table.size("energy_added");
+  totals.energy_lost = table.size("energy_lost");
+  if (table.find("smallest_gap")) totals.smallest_gap = table.number("smallest_gap");
+  return totals;
+}
+
+EnergyBook read_book(const Node& node) {
+  const StateTable table(node, "energy",
+                         {"start", "forcing", "load", "constraint", "impacts", "dissipation"});
+  EnergyBook book;
+  book.start = table.size("start");
+  book.work = {table.number("forcing"), table.number("load"), table.number("constraint"),
+               table.number("dissipation")};
+  book.impacts = table.number("impacts");
+  return book;
+}
+
+// Before any other key is looked at: is this such a file, does it fit, can the run go on?
+void check_origin(const Node& root, const std::string& name, const std::string& scene_sha256) {
+  const auto* members = root.as<NodeTable>();
+  const Node* format = members ? find_member(*members, "graze_state") : nullptr;
+  if (!format)
+    throw InputError(root.place.location(), "graze_state",
+                     "the key is missing, this is not the state of a run");
+  const auto* number = format->as<std::int64_t>();
+  if (!number || *number != kFormat)
+    throw InputError(format->place.location(), "graze_state",
+                     fmt::format("{} is the format of another version, this one reads {}",
+                                 node_description(*format), kFormat));
+  const auto place_of = [&](const char* key) {
+    const Node* node = find_member(*members, key);
+    return (node ? *node : root).place.location();
+  };
+  const auto word_at = [&](const char* key) {
+    const Node* node = find_member(*members, key);
+    const auto* word = node ? node->as<std::string>() : nullptr;
+    return word ? *word : std::string();
+  };
+  if (word_at("scene_sha256") != scene_sha256)
+    throw InputError(
+        place_of("scene_sha256"), "scene_sha256",
+        fmt::format("{} is the state of another scene; go on with the scene that was simulated, "
+                    "with the same --set (it is scene.toml in the folder of --out)",
+                    name));
+  const std::string outcome = word_at("outcome");
+  if (outcome == "not_finite" || outcome == "refused")
+    throw InputError(place_of("outcome"), "outcome",
+                     outcome == "refused"
+                         ? "the run ended on a stop on which it cannot be followed, it cannot go on"
+                         : "the motion left the range of double precision, it cannot go on");
+}
+
+}  // namespace
+
+std::string write_run_state(const CutRun& cut) {
+  const RunState& state = cut.state;
+  Lines lines;
+  lines.count("graze_state", kFormat);
+  lines.text("version", quoted(cut.version));
+  lines.text("scene_sha256", quoted(cut.scene_sha256));
+  lines.text("outcome", quoted(cut.outcome));
+  lines.number("time", cut.time);
+  if (cut.sample_rate) {
+    lines.number("sample_rate", *cut.sample_rate);
+    lines.count("samples", state.samples);
+  }
+  lines.number("closure_speed", state.closure_speed);
+  lines.text("started", state.started ? "true" : "false");
+  write_motion(lines, state.motion);
+  lines.table("streaks");
+  lines.text("impacts", listed(state.streaks, [](const RunState::Streak& streak) {
+               return std::to_string(streak.impacts);
+             }));
+  lines.text("speeds", listed(state.streaks, [](const RunState::Streak& streak) {
+               return real_text(streak.speed);
+             }));
+  if (state.due) {
+    lines.table("chatter");
+    lines.count("stop", state.due->stop + 1);
+    lines.count("period", state.due->at.period);
+    lines.number("local", state.due->at.local);
+  }
+  write_totals(lines, state.totals);
+  if (state.keeps_book) write_book(lines, state.book);
+  return lines.take();
+}
+
+CutRun parse_run_state(const std::string& text, const std::string& name, const System& system,
+                       const std::string& scene_sha256) {
+  const Node root = read_document(text, name);
+  check_origin(root, name, scene_sha256);
+  const StateTable table(
+      root, "",
+      {"graze_state", "version", "scene_sha256", "outcome", "time", "sample_rate", "samples",
+       "closure_speed", "started", "motion", "streaks", "chatter", "totals", "energy"});
+  CutRun cut;
+  cut.version = table.word("version");
+  cut.scene_sha256 = scene_sha256;
+  cut.outcome = table.word("outcome");
+  cut.time = table.size("time");
+  RunState& state = cut.state;
+  if (table.find("sample_rate")) {
+    cut.sample_rate = table.size("sample_rate");
+    if (*cut.sample_rate == 0.0) table.fail("sample_rate", "it must be above 0");
+    state.samples = table.count("samples");
+  }
+  state.closure_speed = table.size("closure_speed");
+  state.started = table.flag("started");
+  state.motion = read_motion(table.at("motion"), system);
+  state.streaks = read_streaks(table.at("streaks"), system);
+  if (const Node* due = table.find("chatter")) state.due = read_due(*due, system);
+  state.totals = read_totals(table.at("totals"));
+  if (const Node* book = table.find("energy")) {
+    state.keeps_book = true;
+    state.book = read_book(*book);
+  }
+  return cut;
+}
+
+CutRun read_run_state(const std::filesystem::path& file, const System& system,
+                      const std::string& scene_sha256) {
+  return parse_run_state(read_file(file, kLargestText), file.string(), system, scene_sha256);
+}
+
+}  // namespace graze

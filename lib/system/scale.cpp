@@ -1,0 +1,31 @@
+#include "graze/system/scale.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace graze {
+
+double reach_at(const System& system, const RigidStop& stop) {
+  double reach = std::abs(stop.gap);
+  if (!system.forcing) return reach;
+  const double frequency = system.forcing->frequency;
+  for (Eigen::Index j = 0; j < system.omega.size(); ++j)
+    reach = std::max(reach, std::abs(stop.row[j] * system.forcing->amplitude[j]) /
+                                std::max(system.omega[j] * system.omega[j], frequency * frequency));
+  return reach;
+}
+
+double speed_scale(const System& system, const State& start) {
+  double scale = 0.0;
+  for (const RigidStop& stop : system.stops) {
+    const double reach = reach_at(system, stop) + std::abs(stop.row.dot(start.q));
+    if (system.forcing) scale = std::max(scale, reach * system.forcing->frequency);
+    if (system.load)
+      scale = std::max(scale, std::sqrt(2.0 * std::abs(stop.row.dot(*system.load)) * reach));
+    const Vector swing = system.omega.cwiseProduct(start.q).cwiseAbs() + start.qdot.cwiseAbs();
+    scale = std::max(scale, stop.row.cwiseAbs().dot(swing));
+  }
+  return scale;
+}
+
+}  // namespace graze

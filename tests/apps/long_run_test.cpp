@@ -1,0 +1,89 @@
+// Long runs: memory that does not grow, files that appear whole or not at all, interrupts.
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "apps/program.hpp"
+
+namespace graze {
+namespace {
+
+using nlohmann::json;
+
+const std::string kOneMode = scene("05_wagg_one_mode.toml");
+// No end within the time of a test, and neither samples nor pictures in the way.
+const std::string kEndless = "simulate --periods 1000000000 ";
+
+TEST(LongRun, MemoryDoesNotGrowWithTheRun) {
+#if defined(__SANITIZE_ADDRESS__)
+  GTEST_SKIP() << "the sanitizer keeps what is freed";
+#endif
+  const ScratchFolder scratch;
+  const std::string folder = scratch.string();
+  for (const std::string& options :
+       std::vector<std::string>{"", "--json ", "--out " + folder + "/run ",
+                                "--record samples --sample-rate 5 --out " + folder + "/samples ",
+                                "--plot " + folder + "/picture.svg "}) {
+    const double brief = peak_memory("simulate --periods 10000 " + options + kOneMode);
+    const double lengthy = peak_memory("simulate --periods 100000 " + options + kOneMode);
+    EXPECT_GT(brief, 0.0) << options;
+    // 100000 events are 18 MiB of JSON.
+    EXPECT_LT(lengthy, brief + 4.0) << options;
+  }
+}
+
+TEST(LongRun, InterruptKeepsWhatWasFinishedAndExitsWith130) {
+  const ScratchFolder scratch;
+  for (const char* signal : {"INT", "TERM"}) {
+    const std::string folder = (scratch / signal).string();
+    const Finished run = run_graze(kEndless + "--json --out " + folder + " " + kOneMode,
+                                   "timeout --preserve-status -s " + std::string(signal) + " 0.5 ");
+    EXPECT_EQ(run.code, 130);
+    const json document = json::parse(run.out);
+    EXPECT_EQ(document["outcome"], "interrupted");
+    EXPECT_GT(document["totals"]["impacts"].get<long long>(), 0);
+    EXPECT_EQ(document["totals"]["impacts"], document["events"].size());
+    EXPECT_EQ(names_in(folder),
+              (std::vector<std::string>{"events.csv", "result.json", "scene.toml", "state.toml"}));
+    EXPECT_TRUE(read_text(folder + "/result.json") == run.out);
+    EXPECT_EQ(lines_of(folder + "/events.csv").size(), document["events"].size() + 1);
+  }
+}
+
+TEST(LongRun, StoppedRunsKeepTheirFilesToo) {
+  const ScratchFolder scratch;
+  const std::string folder = (scratch / "run").string();
+  EXPECT_EQ(run_graze("simulate --max-impacts 7 --out " + folder + " " + kOneMode).code, 3);
+  EXPECT_EQ(json::parse(read_text(folder + "/result.json"))["outcome"], "event_budget");
+  EXPECT_EQ(lines_of(folder + "/events.csv").size(), 8U);
+}
+
+TEST(LongRun, AFullDiskLeavesNothingBehind) {
+  const ScratchFolder scratch;
+  const std::string folder = (scratch / "run").string();
+  ASSERT_EQ(run_graze("simulate --periods 5 --out " + folder + " " + kOneMode).code, 0);
+  const std::string before = read_text(folder + "/events.csv");
+  // In blocks of 512 bytes: the table, the document, or their end do not fit.
+  for (const char* blocks : {"100", "1000", "2500"}) {
+    const Finished run = run_graze("simulate --periods 10000 --out " + folder + " " + kOneMode,
+                                   "ulimit -f " + std::string(blocks) + "; ");
+    EXPECT_EQ(run.code, 4) << blocks;
+    EXPECT_EQ(run.out, "") << blocks;
+    EXPECT_NE(run.err.find("cannot write"), std::string::npos) << run.err;
+    EXPECT_EQ(names_in(folder).size(), 4U) << blocks;
+    EXPECT_TRUE(read_text(folder + "/events.csv") == before) << blocks;
+  }
+}
+
+TEST(LongRun, AFolderThatIsLostExitsWith4) {
+  const ScratchFolder scratch;
+  const std::string folder = (scratch / "run").string();
+  const Finished run = run_graze(kEndless + "--max-seconds 1.5 --out " + folder + " " + kOneMode,
+                                 "(sleep 0.5; rm -r " + folder + ") & ");
+  EXPECT_EQ(run.code, 4);
+  EXPECT_EQ(run.out, "");
+  EXPECT_EQ(names_in(scratch.string()), std::vector<std::string>{});
+}
+
+}  // namespace
+}  // namespace graze

@@ -1,0 +1,230 @@
+#include "graze/report/pictures.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <sstream>
+
+#include "apps/program.hpp"
+#include "graze/base/errors.hpp"
+#include "graze/report/picture_motion.hpp"
+#include "support/systems.hpp"
+
+namespace graze {
+namespace {
+
+constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+
+Event event_of(EventKind kind, double time, int stop = 0) {
+  Event event;
+  event.kind = kind;
+  event.time = time;
+  event.stop = stop;
+  event.speed = 1.0;
+  event.force = 3.0;
+  return event;
+}
+
+// A sample every second from `first` to `last`, in which the stops hold with these forces.
+SimulationRecord record_of(int first, int last, const std::vector<double>& forces,
+                           const std::vector<Event>& events) {
+  SimulationRecord record;
+  record.system = support::oscillator(1.0, 0.1, 0.0, 0.5);
+  while (record.system.stops.size() < forces.size())
+    record.system.stops.push_back(record.system.stops[0]);
+  for (int t = first; t <= last; ++t)
+    record.samples.push_back({static_cast<double>(t), support::rest(record.system), forces, {}});
+  record.run.end_time = last;
+  record.run.final = support::rest(record.system);
+  record.run.forces = forces;
+  record.events = events;
+  return record;
+}
+
+void expect_phases(const std::vector<TimeSpan>& phases,
+                   const std::vector<std::pair<double, double>>& expected) {
+  ASSERT_EQ(phases.size(), expected.size());
+  for (std::size_t i = 0; i < phases.size(); ++i) {
+    EXPECT_EQ(phases[i].start, expected[i].first);
+    EXPECT_EQ(phases[i].end, expected[i].second);
+  }
+}
+
+TEST(StuckPhases, LastFromStickToReleaseOfTheirStop) {
+  const SimulationRecord record =
+      record_of(0, 10, {0.0, 0.0},
+                {event_of(EventKind::kStick, 1.0), event_of(EventKind::kStick, 2.0, 1),
+                 event_of(EventKind::kRelease, 3.0), event_of(EventKind::kRelease, 4.0, 1),
+                 event_of(EventKind::kStick, 5.0), event_of(EventKind::kRelease, 6.0)});
+  expect_phases(stuck_phases(record, 0, {0.0, 10.0}), {{1.0, 3.0}, {5.0, 6.0}});
+  expect_phases(stuck_phases(record, 1, {0.0, 10.0}), {{2.0, 4.0}});
+}
+
+TEST(StuckPhases, MayBeginBeforeTheWindowAndOutlastIt) {
+  // The stick at 1 s is before the window, which begins at 2 s.
+  const SimulationRecord record =
+      record_of(2, 10, {3.0},
+                {event_of(EventKind::kStick, 1.0), event_of(EventKind::kRelease, 4.0),
+                 event_of(EventKind::kStick, 7.0)});
+  expect_phases(stuck_phases(record, 0, {2.0, 10.0}), {{2.0, 4.0}, {7.0, 10.0}});
+  expect_phases(stuck_phases(record_of(2, 10, {3.0}, {}), 0, {2.0, 10.0}), {{2.0, 10.0}});
+  expect_phases(stuck_phases(record_of(2, 10, {0.0}, {}), 0, {2.0, 10.0}), {});
+}
+
+TEST(StuckPhases, WithoutSamplesComeFromTheEventsAndTheEnd) {
+  SimulationRecord record = record_of(1, 0, {0.0}, {});
+  record.run.end_time = 5.0;
+  expect_phases(stuck_phases(record, 0, {0.0, 5.0}), {});
+  record.run.stuck = {0};
+  expect_phases(stuck_phases(record, 0, {0.0, 5.0}), {{0.0, 5.0}});
+  record.run.stuck = {};
+  record.events = {event_of(EventKind::kRelease, 2.0)};
+  expect_phases(stuck_phases(record, 0, {0.0, 5.0}), {{0.0, 2.0}});
+}
+
+TEST(StuckPhases, OfAChatterCutShortBeginWithIt) {
+  const SimulationRecord record =
+      record_of(0, 10, {0.0},
+                {event_of(EventKind::kImpact, 1.0), event_of(EventKind::kImpact, 2.0),
+                 event_of(EventKind::kChatter, 2.0), event_of(EventKind::kRelease, 3.0)});
+  expect_phases(stuck_phases(record, 0, {0.0, 10.0}), {{2.0, 3.0}});
+}
+
+TEST(MotionSeen, GathersTheStopsOfAPlaceOnBothSides) {
+  SimulationRecord record = record_of(0, 2, {0.0}, {});
+  const Vector along = Vector::Constant(1, 2.0);
+  record.system.stops.push_back({-Vector::Ones(1), 0.25, -Vector::Ones(1), 0.5});
+  record.system.stops.push_back({along, 0.5, 0.5 * Vector::Ones(1), 0.5});
+  record.events = {event_of(EventKind::kImpact, 1.5, 1)};
+  const MotionSeen seen = motion_seen(record);
+  ASSERT_EQ(seen.places.size(), 2U);
+  ASSERT_EQ(seen.places[0].stops.size(), 2U);
+  EXPECT_EQ(seen.places[0].stops[1].place, -0.25);
+  EXPECT_EQ(seen.places[0].stops[1].sense, -1.0);
+  ASSERT_EQ(seen.places[0].impacts.size(), 1U);
+  EXPECT_EQ(seen.places[0].impacts[0].before, -1.0);
+  EXPECT_EQ(seen.places[0].impacts[0].after, 0.5);
+  EXPECT_EQ(seen.places[1].stops[0].index, 2);
+  EXPECT_TRUE(seen.places[1].impacts.empty());
+}
+
+TEST(MotionSeen, BreaksTheForceWhereTheStopOpens) {
+  SimulationRecord record = record_of(
+      0, 3, {0.0}, {event_of(EventKind::kStick, 0.5), event_of(EventKind::kRelease, 1.5)});
+  record.samples[1].forces = {2.0};
+  const MotionSeen seen = motion_seen(record);
+  ASSERT_EQ(seen.forces.size(), 1U);
+  const std::vector<std::pair<double, double>> expected = {
+      {0.5, 3.0}, {1.0, 2.0}, {1.5, 0.0}, {1.5, kNaN}};
+  ASSERT_EQ(seen.forces[0].force.size(), expected.size());
+  for (std::size_t i = 0; i < expected.size(); ++i) {
+    EXPECT_EQ(seen.forces[0].force[i].time, expected[i].first);
+    if (i + 1 < expected.size())
+      EXPECT_EQ(seen.forces[0].force[i].value, expected[i].second);
+    else
+      EXPECT_TRUE(std::isnan(seen.forces[0].force[i].value));
+  }
+}
+
+// The run, and of its samples the last ones.
+SimulationRecord simulated(const System& system, double duration, std::size_t last) {
+  SimulationRecord record;
+  record.system = system;
+  SimulationOptions options;
+  options.duration = duration;
+  options.energy = true;
+  RunListeners listeners;
+  listeners.sample_rate = 50.0;
+  listeners.event = [&](const Event& event) { record.events.push_back(event); };
+  listeners.sample = [&](const Sample& sample) { record.samples.push_back(sample); };
+  record.run = simulate(system, support::rest(system), options, listeners);
+  if (record.samples.size() > last)
+    record.samples.erase(record.samples.begin(),
+                         record.samples.end() - static_cast<std::ptrdiff_t>(last));
+  return record;
+}
+
+System pressed_oscillator() { return support::forced_oscillator(1.0, 0.05, 0.0, 0.5, 0.5, 0.3); }
+
+TEST(MotionSeen, EnergyRisesByTheSumOfTheWorksSinceTheWindowBegan) {
+  for (const std::size_t last : {100'000U, 1'000U}) {
+    const MotionSeen seen = motion_seen(simulated(pressed_oscillator(), 60.0, last));
+    ASSERT_EQ(seen.energy.size(), 4U);
+    EXPECT_EQ(seen.energy[0].name, "energy");
+    EXPECT_EQ(seen.energy[1].name, "forcing");
+    EXPECT_EQ(seen.energy[2].name, "damping");
+    EXPECT_EQ(seen.energy[3].name, "impacts");
+    const DrawnCurve& energy = seen.energy[0].curve;
+    for (std::size_t i = 0; i < energy.size(); ++i) {
+      double sum = energy[0].value;
+      for (std::size_t k = 1; k < seen.energy.size(); ++k) sum += seen.energy[k].curve[i].value;
+      // The works reach 1 J or so, each a sum of a few thousand arcs' at most.
+      EXPECT_NEAR(sum, energy[i].value, 1e-12);
+    }
+  }
+}
+
+TEST(MotionSeen, ReachesTheEndOfTheRunBetweenTwoSamples) {
+  const SimulationRecord record = simulated(pressed_oscillator(), 10.013, 100'000);
+  const MotionSeen seen = motion_seen(record);
+  EXPECT_EQ(seen.window.end, record.run.end_time);
+  EXPECT_EQ(seen.places[0].motion.back().time, record.run.end_time);
+}
+
+TEST(LabelCurves, KeepsItsDistance) {
+  GnuplotScript script;
+  std::vector<CurveLabel> labels;
+  for (const double at : {0.5, 0.52, 0.51, 1.0, 0.99, -3.0, kNaN}) labels.push_back({at, "x", "y"});
+  AxisRange axis;
+  axis.include(0.0);
+  axis.include(1.0);
+  label_curves(script, labels, axis, 0.1);
+  std::istringstream lines(script.text());
+  std::vector<double> places;
+  for (std::string line; std::getline(lines, line);) {
+    const std::string before = "graph 1.015, graph ";
+    places.push_back(std::stod(line.substr(line.find(before) + before.size())));
+  }
+  ASSERT_EQ(places.size(), labels.size());
+  EXPECT_EQ(places.front(), 0.0);
+  EXPECT_EQ(places.back(), 1.0);
+  for (std::size_t i = 1; i < places.size(); ++i) EXPECT_GT(places[i] - places[i - 1], 0.0999);
+}
+
+TEST(AxisUnit, KeepsNumbersShort) {
+  const auto expect_unit = [](const char* si, double largest, const char* unit, double factor) {
+    EXPECT_EQ(axis_unit(si, largest).unit, unit);
+    EXPECT_DOUBLE_EQ(axis_unit(si, largest).factor, factor);
+  };
+  expect_unit("N", 0.1, "mN", 1e3);
+  expect_unit("N", 3.0, "N", 1.0);
+  expect_unit("J", 4e-5, "µJ", 1e6);
+  expect_unit("J", 0.1, "mJ", 1e3);
+  expect_unit("m", 1.05e-3, "mm", 1e3);
+  expect_unit("m", 2e-14, "10^{-15} m", 1e15);
+}
+
+TEST(DrawSimulation, DrawsWhateverWasRecorded) {
+  SimulationRecord two_places = simulated(pressed_oscillator(), 20.0, 100'000);
+  two_places.system.stops.push_back(
+      {Vector::Constant(1, 2.0), 30.0, Vector::Constant(1, 0.5), 0.5});
+  System free{Vector::Ones(1), Vector::Zero(1), {}, {}, {}};
+  SimulationRecord not_finite = simulated(pressed_oscillator(), 20.0, 100'000);
+  not_finite.samples.back().state.q[0] = kNaN;
+  not_finite.samples.back().energy->now = kNaN;
+  not_finite.run.final.qdot[0] = std::numeric_limits<double>::infinity();
+  const ScratchFolder scratch;
+  const std::string picture = (scratch / "x.svg").string();
+  for (const SimulationRecord& record :
+       {simulated(pressed_oscillator(), 60.0, 100'000), simulated(pressed_oscillator(), 0.0, 1),
+        record_of(0, 0, {1.0}, {}), record_of(1, 0, {0.0}, {event_of(EventKind::kImpact, 0.0)}),
+        two_places, not_finite, simulated(free, 10.0, 100'000)}) {
+    EXPECT_NO_THROW(draw_simulation(picture, record));
+    EXPECT_GT(read_text(picture).size(), 1000U);
+    EXPECT_EQ(read_text(scratch / "x.gp").find("nan"), std::string::npos);
+  }
+}
+
+}  // namespace
+}  // namespace graze
