@@ -25,8 +25,11 @@ inline constexpr int kRoundings = 16;
 template <class Real>
 std::optional<Arrival<Real>> Motion<Real>::decide() {
   const ContactPhase<Real>& phase = start_phase();
-  std::vector<int> resting;
+  std::vector<int> resting, lingering;
   for (const int i : order_) {
+    // Left at this instant without speed: what the others do now may hold it back.
+    if (contact(i) == Contact::kDeparting && now_.multiplicities[static_cast<std::size_t>(i)] > 1)
+      lingering.push_back(i);
     if (contact(i) != Contact::kTouching) continue;
     const CurvePoint<Real> rate = phase.gap(i, Real(0), true).at(Real(0), 1);
     if (rate.value < -rate.noise)
@@ -39,13 +42,16 @@ std::optional<Arrival<Real>> Motion<Real>::decide() {
   undecided_ = false;
   if (resting.empty() && !recheck_) return {};
   recheck_ = false;
+  resting.insert(resting.end(), lingering.begin(), lingering.end());
   const bool decided = decide_resting(resting);
   phase_ = nullptr;
   undecided_ = false;
-  if (!decided) return Arrival<Real>{ArrivalKind::kUndecided, resting.front(), Real(0), Real(0)};
+  if (!decided) return Arrival<Real>{ArrivalKind::kUndecided, order_.front()};
   refusal_ = phase_of(closed()).refusal();
-  if (!refusal_.empty())
-    return Arrival<Real>{ArrivalKind::kRefused, closed().front(), Real(0), Real(0)};
+  if (!refusal_.empty()) {
+    changes_.clear();
+    return Arrival<Real>{ArrivalKind::kRefused, closed().front()};
+  }
   return {};
 }
 
@@ -92,27 +98,35 @@ bool Motion<Real>::decide_resting(const std::vector<int>& resting) {
     else
       degenerate.push_back(i);
   }
-  for (const int i : degenerate) decide_degenerate(i);
+  decide_degenerate(std::move(degenerate));
   rest_on_closed();
   return true;
 }
 
-// Neither pushed nor pulled: the push that follows decides. Without any it stays where it is.
+// Neither pushed nor pulled: the push that follows decides, which depends on who else is held.
+// Without any they stay where they are.
 template <class Real>
-void Motion<Real>::decide_degenerate(int i) {
-  std::vector<int> others;
-  for (const int j : closed())
-    if (j != i) others.push_back(j);
-  ContactPhase<Real>& phase = phase_of(others);
-  if (phase.refusal().empty()) {
+void Motion<Real>::decide_degenerate(std::vector<int> stops) {
+  const auto is_held = [&](int i) {
+    if (contact(i) != Contact::kClosed && !is_independent(i)) return true;  // kept there by others
+    std::vector<int> others;
+    for (const int j : closed())
+      if (j != i) others.push_back(j);
+    ContactPhase<Real>& phase = phase_of(others);
+    if (!phase.refusal().empty()) return true;
     phase.start(clock_.phase(now_.instant), now_.q, now_.qdot);
     const CurvePoint<Real> jerk = phase.gap(i, Real(0), true).at(Real(0), 3);
-    if (jerk.value > jerk.noise) {
-      let_go(i, 3);
-      return;
-    }
+    return !(jerk.value > jerk.noise);
+  };
+  // Each pass holds one more, so there are no more passes than stops.
+  for (auto held = stops.begin(); held != stops.end();) {
+    held = std::find_if(stops.begin(), stops.end(), is_held);
+    if (held == stops.end()) break;
+    hold(*held);
+    stops.erase(held);
+    held = stops.begin();
   }
-  hold(i);
+  for (const int i : stops) let_go(i, 3);
 }
 
 template <class Real>

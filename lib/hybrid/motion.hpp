@@ -37,8 +37,9 @@ template <class Real>
 struct Arrival {
   ArrivalKind kind = ArrivalKind::kTime;
   int stop = -1;
-  Real flight = 0;  // s, length of the arc
-  Real speed = 0;   // m/s, approach speed at a contact
+  Real flight = 0;      // s, length of the arc
+  Real speed = 0;       // m/s, approach speed at a contact
+  int evaluations = 0;  // of gaps and contact forces, in search of the event
 };
 
 // How a stop stands to the structure at one instant.
@@ -145,7 +146,7 @@ class Motion {
 
   std::optional<Arrival<Real>> decide();
   bool decide_resting(const std::vector<int>& resting);
-  void decide_degenerate(int stop);
+  void decide_degenerate(std::vector<int> stops);
   void hold(int stop);
   void let_go(int stop, int multiplicity);
   void rest_on_closed();

@@ -122,7 +122,7 @@ Arrival<Real> Motion<Real>::fly(const Real& until, const Real& horizon) {
   std::optional<Arrival<Real>> arrival;
   if (changes_.empty() && undecided_) arrival = decide();
   if (!arrival && !changes_.empty()) {
-    arrival = Arrival<Real>{changes_.front().kind, changes_.front().stop, Real(0), Real(0)};
+    arrival = Arrival<Real>{changes_.front().kind, changes_.front().stop};
     changes_.erase(changes_.begin());
   }
   if (!arrival) arrival = arrive(search(until, horizon), until);
@@ -137,6 +137,10 @@ template <class Real>
 Arrival<Real> Motion<Real>::search(const Real& until, const Real& horizon) {
   departure_ = now_;
   ContactPhase<Real>& phase = start_phase();
+  if (!phase.refusal().empty()) {
+    refusal_ = phase.refusal();
+    return {ArrivalKind::kRefused, phase.closed().front()};
+  }
   Arrival<Real> arrival;
   arrival.flight = std::min<Real>(horizon - now_.instant.local, phase.longest_flight());
   for (const int i : order_) {
@@ -146,6 +150,7 @@ Arrival<Real> Motion<Real>::search(const Real& until, const Real& horizon) {
     const FirstZero<Real> zero =
         is_closed ? first_release(phase.force(i, arrival.flight))
                   : first_contact(phase.gap(i, arrival.flight, multiplicity > 0), multiplicity);
+    arrival.evaluations += zero.evaluations;
     if (zero.kind == ZeroKind::kNone) continue;
     arrival.stop = i;
     arrival.flight = zero.s;
@@ -157,7 +162,7 @@ Arrival<Real> Motion<Real>::search(const Real& until, const Real& horizon) {
     if (arrival.kind == ArrivalKind::kNotFinite) return arrival;
   }
   if (arrival.flight > until - now_.instant.local)
-    return {ArrivalKind::kTime, -1, until - now_.instant.local, Real(0)};
+    return {ArrivalKind::kTime, -1, until - now_.instant.local, Real(0), arrival.evaluations};
   return arrival;
 }
 
