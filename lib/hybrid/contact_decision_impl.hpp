@@ -75,23 +75,21 @@ bool Motion<Real>::decide_resting(const std::vector<int>& resting) {
     size[j] = abs(load) + (linear_.forced ? Real(abs(linear_.amplitude[j])) : Real(0)) +
               abs(damping) + abs(stiffness);
   }
-  Matrix_ delassus(k, k);
   RealVector<Real> push(k), rounding(k);
   for (Eigen::Index a = 0; a < k; ++a) {
     const Stop& s = stop(candidates[static_cast<std::size_t>(a)]);
     push[a] = s.row.dot(acceleration);
     rounding[a] = contact_decision_detail::kRoundings * std::numeric_limits<Real>::epsilon() *
                   s.row.cwiseAbs().dot(size);
-    for (Eigen::Index b = 0; b < k; ++b)
-      delassus(a, b) = s.row.dot(stop(candidates[static_cast<std::size_t>(b)]).direction);
   }
-  const std::optional<RealVector<Real>> held = solve_contacts(delassus, push, rounding);
+  const Matrix_ shares = delassus(candidates);
+  const std::optional<RealVector<Real>> held = solve_contacts(shares, push, rounding);
   if (!held) return false;
-  const RealVector<Real> into = push - delassus * *held;
+  const RealVector<Real> into = push - shares * *held;
   std::vector<int> degenerate;
   for (Eigen::Index a = 0; a < k; ++a) {
     const int i = candidates[static_cast<std::size_t>(a)];
-    if ((*held)[a] * delassus(a, a) > rounding[a])
+    if ((*held)[a] * shares(a, a) > rounding[a])
       hold(i);
     else if (into[a] < -rounding[a])
       let_go(i, 2);
@@ -165,20 +163,12 @@ bool Motion<Real>::is_independent(int i) const {
 // Velocities with b.q' = 0 at every closed stop.
 template <class Real>
 void Motion<Real>::rest_on_closed() {
-  const std::vector<int> list = closed();
-  const auto k = static_cast<Eigen::Index>(list.size());
-  if (k == 0) return;
-  Matrix_ delassus(k, k);
-  RealVector<Real> speed(k);
-  for (Eigen::Index a = 0; a < k; ++a) {
-    const int i = list[static_cast<std::size_t>(a)];
-    speed[a] = approach_speed(i);
-    for (Eigen::Index b = 0; b < k; ++b)
-      delassus(a, b) = stop(i).row.dot(stop(list[static_cast<std::size_t>(b)]).direction);
-  }
-  const RealVector<Real> undo = delassus.partialPivLu().solve(speed);
-  for (Eigen::Index a = 0; a < k; ++a)
-    now_.qdot -= undo[a] * stop(list[static_cast<std::size_t>(a)]).direction;
+  const std::vector<int> stops = closed();
+  if (stops.empty()) return;
+  RealVector<Real> speeds(static_cast<Eigen::Index>(stops.size()));
+  for (std::size_t a = 0; a < stops.size(); ++a)
+    speeds[static_cast<Eigen::Index>(a)] = approach_speed(stops[a]);
+  push_back_from(stops, delassus(stops).partialPivLu().solve(speeds));
 }
 
 }  // namespace graze

@@ -23,7 +23,6 @@ std::vector<ImpactShare<Real>> Motion<Real>::impact() {
     if (contact(i) != Contact::kClear) touched.push_back(i);
   const auto k = static_cast<Eigen::Index>(touched.size());
   std::vector<ImpactShare<Real>> shares(touched.size());
-  Matrix_ delassus(k, k);
   RealVector<Real> undone(k), rounding(k), target(k);
   for (Eigen::Index a = 0; a < k; ++a) {
     ImpactShare<Real>& share = shares[static_cast<std::size_t>(a)];
@@ -35,12 +34,11 @@ std::vector<ImpactShare<Real>> Motion<Real>::impact() {
     share.speed = contact(share.stop) == Contact::kClosed ? Real(0) : approach_speed(share.stop);
     target[a] = share.speed > 0 ? Real(-s.restitution.at(share.speed) * share.speed) : Real(0);
     undone[a] = share.speed - target[a];
-    for (Eigen::Index b = 0; b < k; ++b)
-      delassus(a, b) = s.row.dot(stop(touched[static_cast<std::size_t>(b)]).direction);
   }
   RealVector<Real> impulse = undone;
   if (k > 1) {
-    const std::optional<RealVector<Real>> solved = solve_contacts(delassus, undone, rounding);
+    const std::optional<RealVector<Real>> solved =
+        solve_contacts(delassus(touched), undone, rounding);
     // Only contacts that depend on each other can go round in circles; then each acts for itself.
     if (solved) impulse = *solved;
   }
@@ -63,43 +61,45 @@ std::vector<ImpactShare<Real>> Motion<Real>::impact() {
   return shares;
 }
 
-// Twice: row.direction = 1 holds to rounding only, and errs to the same side at every impact.
+template <class Real>
+RealMatrix<Real> Motion<Real>::delassus(const std::vector<int>& stops) const {
+  const auto k = static_cast<Eigen::Index>(stops.size());
+  Matrix_ matrix(k, k);
+  for (Eigen::Index a = 0; a < k; ++a)
+    for (Eigen::Index b = 0; b < k; ++b)
+      matrix(a, b) = stop(stops[static_cast<std::size_t>(a)])
+                         .row.dot(stop(stops[static_cast<std::size_t>(b)]).direction);
+  return matrix;
+}
+
+template <class Real>
+void Motion<Real>::push_back_from(const std::vector<int>& stops, const RealVector<Real>& amounts) {
+  for (std::size_t a = 0; a < stops.size(); ++a)
+    now_.qdot -= amounts[static_cast<Eigen::Index>(a)] * stop(stops[a]).direction;
+}
+
+// Twice: row.direction = 1 and the solution of several contacts hold to rounding only, and err to
+// the same side at every impact. `impulse` becomes what was applied.
 template <class Real>
 void Motion<Real>::apply(const std::vector<int>& touched, const RealVector<Real>& target,
                          RealVector<Real>& impulse) {
-  std::vector<Eigen::Index> active;
-  for (Eigen::Index a = 0; a < impulse.size(); ++a)
-    if (impulse[a] > 0) active.push_back(a);
-  if (active.size() == 1) {
-    const Eigen::Index a = active.front();
-    const Stop& s = stop(touched[static_cast<std::size_t>(a)]);
-    impulse[a] = 0;
-    for (int pass = 0; pass < 2; ++pass) {
-      const Real jump = s.row.dot(now_.qdot) - target[a];
-      for (Eigen::Index j = 0; j < now_.qdot.size(); ++j) now_.qdot[j] -= jump * s.direction[j];
-      impulse[a] += jump;
-    }
-    return;
+  std::vector<int> active;
+  std::vector<Eigen::Index> places;
+  for (Eigen::Index a = 0; a < impulse.size(); ++a) {
+    if (!(impulse[a] > 0)) continue;
+    active.push_back(touched[static_cast<std::size_t>(a)]);
+    places.push_back(a);
   }
-  for (const Eigen::Index a : active)
-    now_.qdot -= impulse[a] * stop(touched[static_cast<std::size_t>(a)]).direction;
-  const auto k = static_cast<Eigen::Index>(active.size());
-  Matrix_ delassus(k, k);
-  RealVector<Real> left(k);
-  for (Eigen::Index a = 0; a < k; ++a) {
-    const Eigen::Index at = active[static_cast<std::size_t>(a)];
-    const Stop& s = stop(touched[static_cast<std::size_t>(at)]);
-    left[a] = s.row.dot(now_.qdot) - target[at];
-    for (Eigen::Index b = 0; b < k; ++b)
-      delassus(a, b) = s.row.dot(
-          stop(touched[static_cast<std::size_t>(active[static_cast<std::size_t>(b)])]).direction);
-  }
-  const RealVector<Real> more = delassus.fullPivLu().solve(left);
-  for (Eigen::Index a = 0; a < k; ++a) {
-    const Eigen::Index at = active[static_cast<std::size_t>(a)];
-    now_.qdot -= more[a] * stop(touched[static_cast<std::size_t>(at)]).direction;
-    impulse[at] += more[a];
-  }
+  RealVector<Real> amounts = impulse(places);
+  push_back_from(active, amounts);
+  RealVector<Real> left(amounts.size());
+  for (std::size_t a = 0; a < active.size(); ++a)
+    left[static_cast<Eigen::Index>(a)] = approach_speed(active[a]) - target[places[a]];
+  // The diagonal of one stop's matrix is 1 to rounding; of several the directions overlap.
+  const RealVector<Real> more =
+      active.size() == 1 ? left : RealVector<Real>(delassus(active).fullPivLu().solve(left));
+  push_back_from(active, more);
+  impulse(places) = amounts + more;
 }
 
 template <class Real>

@@ -144,6 +144,11 @@ class Motion {
   ContactPhase<Real>& phase_of(const std::vector<int>& closed);
   ContactPhase<Real>& start_phase();
 
+  // D: how the impulse of each of these stops acts on the approach speed at each.
+  Matrix_ delassus(const std::vector<int>& stops) const;
+  // q' -= sum_i amounts_i d_i
+  void push_back_from(const std::vector<int>& stops, const RealVector<Real>& amounts);
+
   std::optional<Arrival<Real>> decide();
   bool decide_resting(const std::vector<int>& resting);
   void decide_degenerate(std::vector<int> stops);

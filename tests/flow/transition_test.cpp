@@ -75,7 +75,7 @@ System moved(const System& system, const System& tangent, double h) {
 }
 
 System random_tangent(Damped kind, Dice& dice) {
-  System tangent{dice.vector(2, -1.0, 1.0), dice.vector(2, -0.5, 0.5), {}, {}};
+  System tangent{dice.vector(2, -1.0, 1.0), dice.vector(2, -0.5, 0.5), {}, {}, {}};
   // A frequency or a damping of zero cannot fall.
   if (kind == Damped::kFreeMass) tangent.omega.setZero();
   tangent.forcing = HarmonicForcing{dice.uniform(-1.0, 1.0), 0.0, dice.vector(2, -1.0, 1.0)};

@@ -113,7 +113,7 @@ TEST(Saltation, DeterminantIsThatOfTheImpactLaw) {
   support::Dice dice(11);
   for (int i = 0; i < 1000; ++i) {
     const int n = 1 + dice.pick(5);
-    System system{dice.vector(n, 0.5, 9.0), dice.vector(n, 0.0, 1.0), {}, {}};
+    System system{dice.vector(n, 0.5, 9.0), dice.vector(n, 0.0, 1.0), {}, {}, {}};
     system.forcing = HarmonicForcing{1.7, 0.3, dice.vector(n, -1.0, 1.0)};
     const Vector row = dice.vector(n, -2.0, 2.0);
     const double r = dice.uniform(0.1, 1.0);
@@ -153,7 +153,7 @@ TEST(Saltation, CarriesTheVectorFieldAcross) {
   // A shift in time along the motion before becomes the same shift along the motion after.
   support::Dice dice(12);
   const Vector row = dice.vector(3, -2.0, 2.0);
-  System system{dice.vector(3, 0.5, 9.0), dice.vector(3, 0.0, 1.0), {}, {}};
+  System system{dice.vector(3, 0.5, 9.0), dice.vector(3, 0.0, 1.0), {}, {}, {}};
   system.forcing = HarmonicForcing{1.7, 0.0, dice.vector(3, -1.0, 1.0)};
   const RigidStop stop{row, 0.5, momentum_direction(row), 0.6};
   const State before{dice.vector(3, -1.0, 1.0), dice.vector(3, -1.0, 1.0)};
