@@ -36,6 +36,8 @@ SimulationOptions simulation_options(const Command& command, const Scene& scene)
   if (options.duration && scene.forcing &&
       *options.duration * scene.forcing->frequency > kTurn * 0x1p53)
     throw InputError("--duration: it must not exceed 2^53 forcing periods");
+  if (options.periods > (1LL << 53))
+    throw InputError("--periods: it must not exceed 2^53 forcing periods");
   if (command.sample_rate && command.record != "samples")
     throw InputError("--sample-rate: it needs --record samples");
   return options;

@@ -3,8 +3,9 @@
 //   p >= 0,   w = v - D p <= 0,   p_i w_i = 0,
 //
 // v: what would happen without them (approach speeds to be undone, accelerations into the stops,
-// penetrations); D: how each of them acts on each (Delassus matrix). Solved by Murty's principal
-// pivoting with least index, which ends for every P-matrix (all those of independent contacts).
+// penetrations); D: how each of them acts on each (Delassus matrix). The contacts that act are
+// searched among all sets of them, in one order: few are ever touched at one instant, and contacts
+// that depend on each other (two stops at one place) need no rule of their own.
 #pragma once
 
 #include <Eigen/Core>
@@ -14,47 +15,35 @@
 
 namespace graze {
 
-// p, or nothing when the pivoting does not end. `rounding`: of v, per contact; a violation within
-// it counts as none.
+// More contacts at one instant than this are not decided.
+inline constexpr int kMostContacts = 12;
+
+// p, or nothing where no set of contacts fits (they contradict each other) or there are too many.
+// `rounding`: of v, per contact; a violation within it counts as none.
 template <class Real>
 std::optional<Eigen::Matrix<Real, Eigen::Dynamic, 1>> solve_contacts(
     const Eigen::Matrix<Real, Eigen::Dynamic, Eigen::Dynamic>& delassus,
     const Eigen::Matrix<Real, Eigen::Dynamic, 1>& v,
     const Eigen::Matrix<Real, Eigen::Dynamic, 1>& rounding) {
   using ResultVector = Eigen::Matrix<Real, Eigen::Dynamic, 1>;
-  const Eigen::Index n = v.size();
+  const auto n = static_cast<int>(v.size());
+  if (n > kMostContacts) return {};
   std::vector<Eigen::Index> active;
-  // Every set of contacts is met at most once; beyond 2^12 of them something else is wrong.
-  const int most = 1 << (n < 12 ? static_cast<int>(n) : 12);
-  for (int pivots = 0; pivots <= most; ++pivots) {
+  for (int set = 0; set < 1 << n; ++set) {
+    active.clear();
+    for (int i = 0; i < n; ++i)
+      if ((set >> i & 1) != 0) active.push_back(i);
     ResultVector p = ResultVector::Zero(n);
     if (!active.empty()) {
-      const auto block = delassus(active, active).eval();
-      const ResultVector part = block.partialPivLu().solve(v(active).eval());
-      p(active) = part;
+      const auto lu = delassus(active, active).eval().fullPivLu();
+      if (!lu.isInvertible()) continue;
+      p(active) = lu.solve(v(active).eval());
     }
     const ResultVector w = v - delassus * p;
-    Eigen::Index wrong = n;
-    for (Eigen::Index i = 0; i < n && wrong == n; ++i) {
-      bool in = false;
-      for (const Eigen::Index a : active) in = in || a == i;
-      if (in ? p[i] * delassus(i, i) < -rounding[i] : w[i] > rounding[i]) wrong = i;
-    }
-    if (wrong == n) return p.cwiseMax(Real(0));
-    std::vector<Eigen::Index> next;
-    bool was_in = false;
-    for (const Eigen::Index a : active) {
-      if (a == wrong)
-        was_in = true;
-      else
-        next.push_back(a);
-    }
-    if (!was_in) {
-      auto at = next.begin();
-      while (at != next.end() && *at < wrong) ++at;
-      next.insert(at, wrong);
-    }
-    active = next;
+    bool fits = true;
+    for (int i = 0; i < n && fits; ++i)
+      fits = (set >> i & 1) != 0 ? p[i] * delassus(i, i) >= -rounding[i] : w[i] <= rounding[i];
+    if (fits) return p.cwiseMax(Real(0));
   }
   return {};
 }

@@ -32,10 +32,10 @@ double impact_energy_change(const Vector& row, const Vector& direction, const Ve
 }
 
 double shared_energy_change(const Vector& row, const Vector& direction, double impulse, double v,
-                            double restitution, const Vector& mean) {
-  // -impulse direction.mean, with row.mean = (1 - r) v/2: never a gain for the momentum law.
+                            double v_after, const Vector& mean) {
+  // -impulse direction.mean, with row.mean = (v + v_after)/2 known without rounding.
   const Vector oblique = direction - momentum_direction(row);
-  return -impulse * (0.5 * (1.0 - restitution) * v / row.squaredNorm() + oblique.dot(mean));
+  return -impulse * (0.5 * (v + v_after) / row.squaredNorm() + oblique.dot(mean));
 }
 
 double worst_energy_gain(const Vector& row, const Vector& direction, double restitution) {

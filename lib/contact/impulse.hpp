@@ -26,9 +26,10 @@ double impact_energy_change(const Vector& row, const Vector& direction, const Ve
                             double restitution);
 
 // One stop's part in that change when several are hit at once: it undid `impulse` (m/s along its
-// direction) at approach speed v; `mean` is the mean of the velocities before and after.
+// direction) while its approach speed went from v to v_after; `mean` is the mean of the velocities
+// before and after.
 double shared_energy_change(const Vector& row, const Vector& direction, double impulse, double v,
-                            double restitution, const Vector& mean);
+                            double v_after, const Vector& mean);
 
 // The largest factor by which the jump can multiply kinetic energy: 1 for the momentum law, more
 // for an oblique direction (the square of the largest singular value of I - (1 + r) d b^T).

@@ -127,7 +127,7 @@ void ContactPhase<Real>::reduce(const System& system, const LinearSystem<Real>& 
   for (Eigen::Index i = 0; i < k; ++i)
     normal = normal && is_normal<Real>(rows_.col(i), directions_.col(i));
   const std::optional<ProportionalDamping<Real>> damping = proportional_damping(full);
-  if (!normal || (!damping && m > 1)) {
+  if (m > 0 && (!normal || (!damping && m > 1))) {
     couple(full);
     return;
   }

@@ -45,7 +45,7 @@ std::string CoupledFlow::instability() const {
   if (!(growth_ > 0.0)) return "";
   return fmt::format(
       "held on its stops by an oblique impulse law the structure is unstable (a motion grows at "
-      "{:.3g} 1/s); collocation points spread evenly (i L/N) have no such motion",
+      "{:.3g} 1/s); points spread evenly (i L/N) and equal decay rates have no such motion",
       growth_);
 }
 

@@ -33,6 +33,7 @@ std::optional<double> smallest_minimum(const ArcCurve<double>& curve) {
     } else if (extremum.kind == ZeroKind::kTouch) {
       // An inflection within rounding: pass the width over which the rate stays in its rounding.
       const CurvePoint<double> point = curve.at(extremum.s, 1);
+      if (point.bound == 0.0) return smallest;  // the gap does not change
       const double width = std::sqrt(2.0 * point.noise / point.bound);
       if (!(extremum.s + width > s)) break;
       s = extremum.s + width;

@@ -31,6 +31,10 @@ std::optional<Arrival<Real>> Motion<Real>::decide() {
     if (contact(i) == Contact::kDeparting && now_.multiplicities[static_cast<std::size_t>(i)] > 1)
       lingering.push_back(i);
     if (contact(i) != Contact::kTouching) continue;
+    if (now_.multiplicities[static_cast<std::size_t>(i)] > 1) {  // known to be at rest
+      resting.push_back(i);
+      continue;
+    }
     const CurvePoint<Real> rate = phase.gap(i, Real(0), true).at(Real(0), 1);
     if (rate.value < -rate.noise)
       return Arrival<Real>{ArrivalKind::kContact, i, Real(0), approach_speed(i)};

@@ -33,14 +33,21 @@ std::vector<ImpactShare<Real>> Motion<Real>::impact() {
     // A closed stop is at rest; what is left of its speed is rounding.
     share.speed = contact(share.stop) == Contact::kClosed ? Real(0) : approach_speed(share.stop);
     target[a] = share.speed > 0 ? Real(-s.restitution.at(share.speed) * share.speed) : Real(0);
+    share.speed_after = target[a];
     undone[a] = share.speed - target[a];
   }
   RealVector<Real> impulse = undone;
   if (k > 1) {
-    const std::optional<RealVector<Real>> solved =
-        solve_contacts(delassus(touched), undone, rounding);
-    // Only contacts that depend on each other can go round in circles; then each acts for itself.
-    if (solved) impulse = *solved;
+    const Matrix_ acting = delassus(touched);
+    std::optional<RealVector<Real>> solved = solve_contacts(acting, undone, rounding);
+    // Stops that leave no room between them cannot all be left: then nothing rebounds.
+    if (!solved) {
+      undone += target;
+      target.setZero();
+      solved = solve_contacts(acting, undone, rounding);
+      for (ImpactShare<Real>& share : shares) share.speed_after = 0;
+    }
+    impulse = solved ? *solved : RealVector<Real>(RealVector<Real>::Zero(k));
   }
   apply(touched, target, impulse);
   for (Eigen::Index a = 0; a < k; ++a) {

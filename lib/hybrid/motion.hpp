@@ -55,9 +55,10 @@ enum class Contact {
 template <class Real>
 struct ImpactShare {
   int stop = 0;
-  Real speed = 0;    // approach speed before, m/s
-  Real impulse = 0;  // p, along the stop's direction, m/s
-  bool hit = false;  // it took part by approaching
+  Real speed = 0;        // approach speed before, m/s
+  Real speed_after = 0;  // and after, where the impulse is not zero, m/s
+  Real impulse = 0;      // p, along the stop's direction, m/s
+  bool hit = false;      // it took part by approaching
 };
 
 // What a motion needs to go on from an instant as if it had never stopped there.
@@ -89,8 +90,8 @@ class Motion {
   // Applies the impact that is due after kContact; the shares of all stops touched.
   std::vector<ImpactShare<Real>> impact();
 
-  // Right after an impact on `stop` that left at speed `leaving`: whether a chatter against a push
-  // `a_n` that outlives it will complete,
+  // Right after an impact on `stop` with restitution r that left at speed v+: whether a chatter
+  // against a push a_n that outlives it will complete,
   //   duration = 2 v+/(a_n (1 - r)),   duration * |d a_n/dt| <= a_n/2,
   // with nothing else happening meanwhile. Then the structure is put to rest on the stop and the
   // duration (s) returned; the error of what follows is of second order in the speed.

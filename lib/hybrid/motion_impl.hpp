@@ -206,7 +206,7 @@ Arrival<Real> Motion<Real>::arrive(Arrival<Real> arrival, const Real& until) {
       set(arrival.stop, Contact::kDeparting, 3);
       phase_ = nullptr;
       for (const int i : order_)
-        if (contact(i) == Contact::kLocked) set(i, Contact::kTouching);
+        if (contact(i) == Contact::kLocked) set(i, Contact::kTouching, 2);  // at rest there
       break;
     default:
       break;

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "graze/base/angle.hpp"
 #include "graze/contact/impulse.hpp"
@@ -20,8 +21,10 @@ namespace {
 double longest_free_flight(const System& system) {
   constexpr double kOscillations = 64.0;
   double slowest = std::numeric_limits<double>::infinity();
-  for (const double omega : system.omega)
-    if (omega > 0.0) slowest = std::min(slowest, omega);
+  for (Eigen::Index j = 0; j < system.omega.size(); ++j) {
+    const double rate = system.omega[j] > 0.0 ? system.omega[j] : system.delta[j];
+    if (rate > 0.0) slowest = std::min(slowest, rate);
+  }
   return std::isfinite(slowest) ? kOscillations * kTurn / slowest : slowest;
 }
 
@@ -127,7 +130,10 @@ class Run {
     if (listeners_.sample && !hand_out_samples(start_time, flight)) return false;
     if (options_.energy && flight > 0.0)
       state_.book.work = state_.book.work + work_along(system_, motion_.flown(), flight);
-    if (!motion_.flown().closed().empty() && !state_.due) state_.totals.stuck_time += flight;
+    const std::vector<int>& closed = motion_.flown().closed();
+    const bool stuck = std::any_of(closed.begin(), closed.end(),
+                                   [&](int i) { return !(state_.due && state_.due->stop == i); });
+    if (stuck) state_.totals.stuck_time += flight;
     return true;
   }
 
@@ -208,6 +214,16 @@ class Run {
     state_.book.impacts += change;
   }
 
+  double energy_change(const ImpactShare<double>& share, bool alone, const Vector& before,
+                       const Vector& mean) const {
+    const RigidStop& s = stop(share.stop);
+    const double r = s.restitution.at(share.speed);
+    return alone && share.speed_after == -r * share.speed
+               ? impact_energy_change(s.row, s.direction, before, r)
+               : shared_energy_change(s.row, s.direction, share.impulse, share.speed,
+                                      share.speed_after, mean);
+  }
+
   void book_impact() {
     const Vector before = motion_.qdot();
     std::vector<ImpactShare<double>> shares = motion_.impact();
@@ -216,24 +232,28 @@ class Run {
     const auto acts = [](const ImpactShare<double>& share) { return share.impulse > 0.0; };
     const bool alone = std::count_if(shares.begin(), shares.end(), acts) == 1;
     const Vector mean = 0.5 * (before + motion_.qdot());
-    const ImpactShare<double>* last = nullptr;
+    // What goes through stops that are not hit themselves counts to the first one that is.
+    double total = 0.0, elsewhere = 0.0;
+    std::vector<double> changes;
     for (const ImpactShare<double>& share : shares) {
-      if (!acts(share)) continue;
-      const RigidStop& s = stop(share.stop);
-      const double r = s.restitution.at(share.speed);
-      const double change =
-          alone ? impact_energy_change(s.row, s.direction, before, r)
-                : shared_energy_change(s.row, s.direction, share.impulse, share.speed, r, mean);
-      book_energy(change);
+      const double change = acts(share) ? energy_change(share, alone, before, mean) : 0.0;
+      changes.push_back(change);
+      total += change;
+      if (!share.hit) elsewhere += change;
+    }
+    book_energy(total);
+    const ImpactShare<double>* last = nullptr;
+    for (std::size_t k = 0; k < shares.size(); ++k) {
+      const ImpactShare<double>& share = shares[k];
       if (!share.hit) continue;
       last = &share;
       Event event = event_at(EventKind::kImpact, share.stop);
       event.speed = share.speed;
-      event.energy_change = change;
+      event.energy_change = changes[k] + std::exchange(elsewhere, 0.0);
       if (system_.forcing) event.phase = wrapped(motion_.flow().phase(motion_.instant()));
       note_gap_at(share.stop);
       ++state_.totals.impacts;
-      if (s.restitution.clamps_at(share.speed)) ++state_.totals.clamped_restitutions;
+      if (stop(share.stop).restitution.clamps_at(share.speed)) ++state_.totals.clamped_restitutions;
       RunState::Streak& streak = state_.streaks[static_cast<std::size_t>(share.stop)];
       streak.impacts = share.speed < streak.speed ? streak.impacts + 1 : 1;
       streak.speed = share.speed;
@@ -257,10 +277,10 @@ class Run {
     emit(event);
     RunState::Due due{impact.stop, motion_.instant()};
     due.at.local += *duration;
-    if (due.at.local >= motion_.flow().period()) {
-      due.at.local -= motion_.flow().period();
-      ++due.at.period;
-    }
+    const double periods = std::floor(due.at.local / motion_.flow().period());  // 0 if infinite
+    due.at.local =
+        std::max(due.at.local - (periods > 0.0 ? periods * motion_.flow().period() : 0.0), 0.0);
+    due.at.period += static_cast<long long>(periods);
     state_.due = due;
   }
 
@@ -275,10 +295,11 @@ class Run {
   void book_stick(int i) {
     if (state_.due && state_.due->stop == i) return;  // announced when its tail is over
     if (!state_.started) return;                      // it starts there
-    // A chatter that was followed down to the rounding of its speeds; without restitution there is
-    // none.
+    // A chatter that could not be summed and was followed down to the rounding of its speeds.
     const RunState::Streak& streak = state_.streaks[static_cast<std::size_t>(i)];
-    if (streak.impacts > 1 && stop(i).restitution.at(streak.speed) > 0.0) emit(chatter_event(i));
+    if (streak.impacts > 1 && streak.speed <= state_.closure_speed &&
+        stop(i).restitution.at(streak.speed) > 0.0)
+      emit(chatter_event(i));
     announce_stick(i);
   }
 
@@ -309,7 +330,8 @@ class Run {
     for (int i = 0; i < stops(); ++i) {
       const ArcCurve<double> curve = motion_.gap_ahead(i, window);
       // A minimum beyond the first contact is not part of the motion; the contact itself is zero.
-      if (const auto gap = smallest_minimum(curve)) note_gap(std::max(*gap, 0.0));
+      const std::optional<double> gap = smallest_minimum(curve);
+      if (gap && std::isfinite(*gap)) note_gap(std::max(*gap, 0.0));
     }
   }
 

@@ -5,8 +5,8 @@
 
 namespace graze {
 
-double reach_at(const System& system, const RigidStop& stop) {
-  double reach = std::abs(stop.gap);
+double forced_reach_at(const System& system, const RigidStop& stop) {
+  double reach = 0.0;
   if (!system.forcing) return reach;
   const double frequency = system.forcing->frequency;
   for (Eigen::Index j = 0; j < system.omega.size(); ++j)
@@ -15,11 +15,16 @@ double reach_at(const System& system, const RigidStop& stop) {
   return reach;
 }
 
+double reach_at(const System& system, const RigidStop& stop) {
+  return std::max(std::abs(stop.gap), forced_reach_at(system, stop));
+}
+
 double speed_scale(const System& system, const State& start) {
   double scale = 0.0;
   for (const RigidStop& stop : system.stops) {
     const double reach = reach_at(system, stop) + std::abs(stop.row.dot(start.q));
-    if (system.forcing) scale = std::max(scale, reach * system.forcing->frequency);
+    if (system.forcing)
+      scale = std::max(scale, forced_reach_at(system, stop) * system.forcing->frequency);
     if (system.load)
       scale = std::max(scale, std::sqrt(2.0 * std::abs(stop.row.dot(*system.load)) * reach));
     const Vector swing = system.omega.cwiseProduct(start.q).cwiseAbs() + start.qdot.cwiseAbs();

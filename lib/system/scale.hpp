@@ -5,10 +5,13 @@
 
 namespace graze {
 
-// Length at a stop, m: the gap, or how far one mode's force moves it if that is more.
+// How far the force of any one mode moves the structure at a stop, m; 0 without forcing.
+double forced_reach_at(const System& system, const RigidStop& stop);
+
+// Length at a stop, m: that, or the gap if it is more.
 double reach_at(const System& system, const RigidStop& stop);
 
-// Speed at the stops, m/s: reach times forcing frequency, the fall through the reach under a
+// Speed at the stops, m/s: forced reach times forcing frequency, the fall through the reach under a
 // constant load, and what the start brings along, whichever is largest.
 double speed_scale(const System& system, const State& start);
 

@@ -1,0 +1,93 @@
+// The energy book closes along every run, and what each entry may be.
+#include "graze/hybrid/simulation.hpp"
+#include "property/scene_property.hpp"
+
+namespace graze {
+namespace {
+
+using property::Prepared;
+using property::relative;
+using property::Summary;
+
+constexpr double kDefect = 1e-10;
+
+bool momentum_law(const Scene& scene) {
+  return std::all_of(scene.stops.begin(), scene.stops.end(),
+                     [](const Stop& stop) { return stop.impulse == Impulse::kMomentum; });
+}
+
+// Energy of the forced response and of the rest position under load, J. Where the motion is small
+// against them, at first or at a beat's low, the terms of the work are of this size and cancel.
+double energy_scale(const System& system) {
+  constexpr double kLargestAmplification = 256.0;  // beyond it a mode counts as resonant
+  const double frequency = system.forcing ? system.forcing->frequency : 0.0;
+  double scale = 0.0;
+  for (Eigen::Index j = 0; j < system.omega.size(); ++j) {
+    const double omega = system.omega[j], quickest = std::max(omega, frequency);
+    double speed = 0.0;
+    if (system.forcing) {
+      const double impedance =
+          std::hypot((omega - frequency) * (omega + frequency), 2.0 * system.delta[j] * frequency);
+      speed = std::abs(system.forcing->amplitude[j]) * quickest /
+              std::max(impedance, quickest * quickest / kLargestAmplification);
+    }
+    if (system.load && quickest > 0.0) speed += std::abs((*system.load)[j]) / quickest;
+    scale += 0.5 * speed * speed;
+  }
+  return scale;
+}
+
+// Of the largest entry, or roundings of the terms that entries are made of.
+double size_of(const EnergyBook& book, double scale) {
+  constexpr double kRounding = 256.0 * std::numeric_limits<double>::epsilon();
+  return book.size() + kRounding / kDefect * scale;
+}
+
+void check_book(const EnergyBook& book, double scale, bool momentum, double time,
+                Summary& summary) {
+  // An oblique law can make the motion grow until its squares leave the range.
+  if (!momentum && !(book.size() < 1e100)) return;
+  const double size = size_of(book, scale);
+  const std::string when = fmt::format(
+      "at t = {:.17g} s: start {:.6g}, now {:.6g}, forcing {:.6g}, load {:.6g}, constraint {:.6g}, "
+      "impacts {:.6g}, dissipation {:.6g}",
+      time, book.start, book.now, book.work.forcing, book.work.load, book.work.constraint,
+      book.impacts, book.work.dissipation);
+  summary.require("defect/size", relative(std::abs(book.defect()), size), kDefect, when);
+  summary.require("-dissipation/size", relative(-book.work.dissipation, size), kDefect, when);
+  if (momentum)
+    summary.require("work of constraint/size, momentum law",
+                    relative(std::abs(book.work.constraint), size), kDefect, when);
+}
+
+TEST(RandomScene, EnergyBookCloses) {
+  property::for_random_scenes([](const Prepared& prepared, Summary& summary) {
+    SimulationOptions options;
+    const double unit = support::time_unit(prepared);
+    options.duration = property::kPeriods * unit;
+    options.max_impacts = property::kMostImpacts;
+    options.energy = true;
+    const bool momentum = momentum_law(prepared.scene);
+    const double scale = energy_scale(prepared.system);
+    RunListeners listeners;
+    // The work up to a sample costs as much as that of a whole arc.
+    listeners.sample_rate = std::max(3.0, property::samples_per_period() / 1e4) / unit;
+    listeners.sample = [&](const Sample& sample) {
+      check_book(*sample.energy, scale, momentum, sample.time, summary);
+    };
+    const Simulation run = simulate(prepared.system, prepared.start, options, listeners);
+    check_book(*run.energy, scale, momentum, run.end_time, summary);
+    const EnergyBook& book = *run.energy;
+    const RunTotals& totals = run.totals;
+    if (momentum)
+      summary.require("energy added by impacts/size, momentum law",
+                      relative(totals.energy_added, size_of(book, scale)), 0.0, "at the end");
+    if (totals.energy_added > 0.0) summary.count("scenes whose impacts add energy");
+    if (book.work.constraint != 0.0) summary.count("scenes whose stops do work");
+    summary.count("scenes");
+    summary.count("impacts", totals.impacts);
+  });
+}
+
+}  // namespace
+}  // namespace graze
