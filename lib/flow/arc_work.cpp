@@ -3,6 +3,7 @@
 #include <boost/math/quadrature/gauss.hpp>
 #include <cmath>
 #include <functional>
+#include <limits>
 
 namespace graze {
 namespace {
@@ -62,14 +63,24 @@ Signal mode_velocity(const Arc<double>& arc, int j) {
   return signal;
 }
 
+// After this, s, the free motion of a near-critical mode is below the rounding of its start.
+double settling_time(const ModeFlow<double>& mode) {
+  if (mode.kind != ModeKind::kNearCritical || mode.load != 0.0 || !(mode.delta > 0.0))
+    return std::numeric_limits<double>::infinity();
+  const double root = mode.discriminant < 0.0 ? std::sqrt(-mode.discriminant) : 0.0;
+  // The velocity of a free mass decays at 2 delta, whatever becomes of its displacement.
+  const double slowest =
+      mode.omega > 0.0 ? mode.omega * mode.omega / (mode.delta + root) : 2.0 * mode.delta;
+  constexpr double kDecays = 48.0;  // e^-36 is eps; a linear factor of time comes with it
+  return kDecays / slowest;
+}
+
 void add_real_modes(const ContactPhase<double>& phase, double s, Work& work) {
   const Arc<double>& arc = phase.arc();
   const ExactFlow<double>& flow = arc.flow();
   const double frequency = flow.frequency(), theta = arc.start_phase();
   const Signal force{{std::polar(1.0, theta), Complex(0.0, frequency)}};
-  const int modes = flow.modes();
-  Vector y(modes), ydot(modes);
-  for (int j = 0; j < modes; ++j) {
+  for (int j = 0; j < flow.modes(); ++j) {
     const ModeFlow<double>& mode = flow.mode(j);
     if (mode.kind == ModeKind::kOscillatory || mode.kind == ModeKind::kOverdamped) {
       const Signal velocity = mode_velocity(arc, j);
@@ -79,17 +90,22 @@ void add_real_modes(const ContactPhase<double>& phase, double s, Work& work) {
       continue;
     }
     const double quickest = mode.omega + 2.0 * mode.delta + 2.0 * frequency;
-    const auto velocity = [&](double at) {
-      arc.state(at, y, ydot);
-      return ydot[j];
-    };
+    const auto velocity = [&](double at) { return arc.mode_velocity(j, at); };
+    const double settled = std::fmin(s, settling_time(mode));
     if (mode.delta > 0.0)
-      work.dissipation += panel_integral(
-          [&](double at) { return 2.0 * mode.delta * velocity(at) * velocity(at); }, s, quickest);
+      work.dissipation +=
+          panel_integral([&](double at) { return 2.0 * mode.delta * velocity(at) * velocity(at); },
+                         settled, quickest);
     if (flow.forced())
       work.forcing += panel_integral(
           [&](double at) { return mode.force * std::cos(theta + frequency * at) * velocity(at); },
-          s, quickest);
+          settled, quickest);
+    if (!(settled < s) || !flow.forced()) continue;
+    // From there on only the forced response moves.
+    const Complex rate(0.0, frequency), turn = std::polar(1.0, theta + frequency * settled);
+    const Signal left{{Complex(mode.forced.re, mode.forced.im) * rate * turn, rate}};
+    work.dissipation += 2.0 * mode.delta * product_integral(left, left, s - settled);
+    work.forcing += mode.force * product_integral({{turn, rate}}, left, s - settled);
   }
 }
 

@@ -106,6 +106,9 @@ class Arc {
   // Displacements and velocities at s >= 0.
   void state(const Real& s, RealVector<Real>& q, RealVector<Real>& qdot) const;
 
+  // Velocity of one mode at s >= 0.
+  Real mode_velocity(int j, const Real& s) const;
+
   const ExactFlow<Real>& flow() const { return *flow_; }
   const Real& start_phase() const { return theta_; }
   // Displacements and velocities at the start, as they were given.
@@ -118,6 +121,9 @@ class Arc {
   }
 
  private:
+  // Mode j at s, where the forcing has cosine c and sine n.
+  void mode_state(int j, const Real& s, const Real& c, const Real& n, Real& q, Real& qdot) const;
+
   const ExactFlow<Real>* flow_;
   Real theta_ = 0;
   RealVector<Real> start_, start_rate_;

@@ -171,43 +171,58 @@ PlanarNumber<Real> resonant_response(const ModeFlow<Real>& mode, const Real& fre
 }
 
 template <class Real>
-void Arc<Real>::state(const Real& s, RealVector<Real>& q, RealVector<Real>& qdot) const {
+void Arc<Real>::mode_state(int j, const Real& s, const Real& c, const Real& n, Real& q,
+                           Real& qdot) const {
   using std::cos, std::exp, std::sin;
   const Real frequency = flow_->frequency();
-  const Real theta = theta_ + frequency * s;
+  const ModeFlow<Real>& mode = flow_->mode(j);
+  const PlanarNumber<Real>& a = amplitudes_[static_cast<std::size_t>(j)];
+  Real y, ydot;
+  if (mode.kind == ModeKind::kOscillatory) {
+    const Real decay = exp(-mode.delta * s);
+    const Real cw = decay * cos(mode.second * s), sw = decay * sin(mode.second * s);
+    y = a.re * cw - a.im * sw;
+    ydot = -mode.delta * y - mode.second * (a.re * sw + a.im * cw);
+  } else if (mode.kind == ModeKind::kOverdamped) {
+    const Real slow = a.re * exp(-mode.first * s), fast = a.im * exp(-mode.second * s);
+    y = slow + fast;
+    ydot = -mode.first * slow - mode.second * fast;
+  } else {
+    const FreeBasis<Real> basis = free_basis(mode.delta, mode.discriminant, s);
+    y = a.re * (basis.cosine + mode.delta * basis.sine) + a.im * basis.sine;
+    ydot = a.im * (basis.cosine - mode.delta * basis.sine) -
+           a.re * mode.omega * mode.omega * basis.sine;
+    if (mode.kind == ModeKind::kResonant) {
+      const PlanarNumber<Real> x = resonant_response(mode, frequency, theta_, s);
+      y += mode.force * x.re;
+      ydot += mode.force * x.im;
+    }
+    if (mode.load != 0) {
+      y += mode.load * step_response(mode.delta, mode.omega, mode.discriminant, s);
+      ydot += mode.load * basis.sine;
+    }
+  }
+  q = y + mode.offset + mode.forced.re * c - mode.forced.im * n;
+  qdot = ydot - frequency * (mode.forced.re * n + mode.forced.im * c);
+}
+
+template <class Real>
+Real Arc<Real>::mode_velocity(int j, const Real& s) const {
+  using std::cos, std::sin;
+  const Real theta = theta_ + flow_->frequency() * s;
+  Real q, qdot;
+  mode_state(j, s, flow_->forced() ? Real(cos(theta)) : Real(0),
+             flow_->forced() ? Real(sin(theta)) : Real(0), q, qdot);
+  return qdot;
+}
+
+template <class Real>
+void Arc<Real>::state(const Real& s, RealVector<Real>& q, RealVector<Real>& qdot) const {
+  using std::cos, std::sin;
+  const Real theta = theta_ + flow_->frequency() * s;
   const Real c = flow_->forced() ? Real(cos(theta)) : Real(0);
   const Real n = flow_->forced() ? Real(sin(theta)) : Real(0);
-  for (int j = 0; j < flow_->modes(); ++j) {
-    const ModeFlow<Real>& mode = flow_->mode(j);
-    const PlanarNumber<Real>& a = amplitudes_[static_cast<std::size_t>(j)];
-    Real y, ydot;
-    if (mode.kind == ModeKind::kOscillatory) {
-      const Real decay = exp(-mode.delta * s);
-      const Real cw = decay * cos(mode.second * s), sw = decay * sin(mode.second * s);
-      y = a.re * cw - a.im * sw;
-      ydot = -mode.delta * y - mode.second * (a.re * sw + a.im * cw);
-    } else if (mode.kind == ModeKind::kOverdamped) {
-      const Real slow = a.re * exp(-mode.first * s), fast = a.im * exp(-mode.second * s);
-      y = slow + fast;
-      ydot = -mode.first * slow - mode.second * fast;
-    } else {
-      const FreeBasis<Real> basis = free_basis(mode.delta, mode.discriminant, s);
-      y = a.re * (basis.cosine + mode.delta * basis.sine) + a.im * basis.sine;
-      ydot = a.im * (basis.cosine - mode.delta * basis.sine) -
-             a.re * mode.omega * mode.omega * basis.sine;
-      if (mode.kind == ModeKind::kResonant) {
-        const PlanarNumber<Real> x = resonant_response(mode, frequency, theta_, s);
-        y += mode.force * x.re;
-        ydot += mode.force * x.im;
-      }
-      if (mode.load != 0) {
-        y += mode.load * step_response(mode.delta, mode.omega, mode.discriminant, s);
-        ydot += mode.load * basis.sine;
-      }
-    }
-    q[j] = y + mode.offset + mode.forced.re * c - mode.forced.im * n;
-    qdot[j] = ydot - frequency * (mode.forced.re * n + mode.forced.im * c);
-  }
+  for (int j = 0; j < flow_->modes(); ++j) mode_state(j, s, c, n, q[j], qdot[j]);
 }
 
 }  // namespace graze

@@ -1,9 +1,32 @@
 #include "graze/hybrid/energy_book.hpp"
 
+#include <algorithm>
+
+#include "graze/contact/impulse.hpp"
+
 namespace graze {
 
 double mechanical_energy(const System& system, const Vector& q, const Vector& qdot) {
   return 0.5 * (qdot.squaredNorm() + system.omega.cwiseProduct(q).squaredNorm());
+}
+
+std::vector<double> impact_energies(const System& system,
+                                    const std::vector<ImpactShare<double>>& shares,
+                                    const Vector& before, const Vector& after) {
+  const auto acts = [](const ImpactShare<double>& share) { return share.impulse > 0.0; };
+  const bool alone = std::count_if(shares.begin(), shares.end(), acts) == 1;
+  const Vector mean = 0.5 * (before + after);
+  std::vector<double> changes;
+  for (const ImpactShare<double>& share : shares) {
+    const RigidStop& s = system.stops[static_cast<std::size_t>(share.stop)];
+    const double r = s.restitution.at(share.speed);
+    changes.push_back(!acts(share) ? 0.0
+                      : alone && share.speed_after == -r * share.speed
+                          ? impact_energy_change(s.row, s.direction, before, r)
+                          : shared_energy_change(s.row, s.direction, share.impulse, share.speed,
+                                                 share.speed_after, mean));
+  }
+  return changes;
 }
 
 Work operator+(const Work& a, const Work& b) {

@@ -7,8 +7,10 @@
 #pragma once
 
 #include <cmath>
+#include <vector>
 
 #include "graze/flow/arc_work.hpp"
+#include "graze/hybrid/motion.hpp"
 
 namespace graze {
 
@@ -29,6 +31,11 @@ struct EnergyBook {
         std::fmax(std::fmax(std::abs(work.constraint), std::abs(impacts)), work.dissipation));
   }
 };
+
+// Change of the kinetic energy through each share of an impact, J.
+std::vector<double> impact_energies(const System& system,
+                                    const std::vector<ImpactShare<double>>& shares,
+                                    const Vector& before, const Vector& after);
 
 Work operator+(const Work& a, const Work& b);
 

@@ -16,18 +16,6 @@
 namespace graze {
 namespace {
 
-// Without forcing nothing divides time; flights are cut after a number of the slowest oscillations,
-// so that a search neither runs out of its evaluations nor lets the phase's rounding grow.
-double longest_free_flight(const System& system) {
-  constexpr double kOscillations = 64.0;
-  double slowest = std::numeric_limits<double>::infinity();
-  for (Eigen::Index j = 0; j < system.omega.size(); ++j) {
-    const double rate = system.omega[j] > 0.0 ? system.omega[j] : system.delta[j];
-    if (rate > 0.0) slowest = std::min(slowest, rate);
-  }
-  return std::isfinite(slowest) ? kOscillations * kTurn / slowest : slowest;
-}
-
 bool not_before(const Instant<double>& a, const Instant<double>& b) {
   return a.period > b.period || (a.period == b.period && a.local >= b.local);
 }
@@ -55,8 +43,10 @@ class Run {
   Simulation finish() {
     while (proceed()) {
     }
-    result_.end_time = time();
-    result_.final = {motion_.q(), motion_.qdot()};
+    // A run that was stopped within an arc, while it handed out samples, ends where the arc began.
+    const MotionState<double>& last = stopped_in_arc_ ? motion_.departure() : motion_.state();
+    result_.end_time = stopped_in_arc_.value_or(time());
+    result_.final = {last.q, last.qdot};
     for (int i = 0; i < stops(); ++i) {
       const bool stuck = is_stuck(i);
       if (stuck) result_.stuck.push_back(i);
@@ -65,7 +55,7 @@ class Run {
     }
     result_.totals = state_.totals;
     if (options_.energy) {
-      state_.book.now = energy();
+      state_.book.now = mechanical_energy(system_, last.q, last.qdot);
       result_.energy = state_.book;
     }
     // An arc that was cut by the end of the run is flown again, whole, by one that goes on from it.
@@ -119,7 +109,11 @@ class Run {
     if (state_.totals.impacts == 0 && !motion_.is_closed_anywhere())
       note_minima(until - start.local);
     const Arrival<double> arrival = motion_.fly(until, horizon);
-    if (!follow(start_time, arrival.flight)) return false;  // within the arc
+    if (!follow(start_time, arrival.flight)) {
+      stopped_in_arc_ = start_time;
+      result_.message = fmt::format("stopped at t = {:.9g} s", start_time);
+      return false;
+    }
     if (!cut || arrival.kind != ArrivalKind::kTime) cut_arc_.reset();
     return receive(arrival);
   }
@@ -181,8 +175,9 @@ class Run {
                                   options_.max_impacts, time()));
     if (options_.stop.is_interrupted())
       return stop_run(RunOutcome::kInterrupted, fmt::format("stopped at t = {:.9g} s", time()));
-    // The clock costs as much as an arc of a small system: it is read once in 256 times.
-    if ((++polls_ & 255) == 0 && options_.stop.is_late())
+    // The clock costs as much as an arc of a small system: it is read once in 256 times, but an arc
+    // whose work is integrated may be long.
+    if (((++polls_ & 255) == 0 || options_.energy) && options_.stop.is_late())
       return stop_run(
           RunOutcome::kTimeBudget,
           fmt::format("the budget of computing time was spent at t = {:.9g} s", time()));
@@ -214,16 +209,6 @@ class Run {
     state_.book.impacts += change;
   }
 
-  double energy_change(const ImpactShare<double>& share, bool alone, const Vector& before,
-                       const Vector& mean) const {
-    const RigidStop& s = stop(share.stop);
-    const double r = s.restitution.at(share.speed);
-    return alone && share.speed_after == -r * share.speed
-               ? impact_energy_change(s.row, s.direction, before, r)
-               : shared_energy_change(s.row, s.direction, share.impulse, share.speed,
-                                      share.speed_after, mean);
-  }
-
   void book_impact() {
     const Vector before = motion_.qdot();
     std::vector<ImpactShare<double>> shares = motion_.impact();
@@ -231,15 +216,12 @@ class Run {
               [](const auto& a, const auto& b) { return a.stop < b.stop; });
     const auto acts = [](const ImpactShare<double>& share) { return share.impulse > 0.0; };
     const bool alone = std::count_if(shares.begin(), shares.end(), acts) == 1;
-    const Vector mean = 0.5 * (before + motion_.qdot());
+    const std::vector<double> changes = impact_energies(system_, shares, before, motion_.qdot());
     // What goes through stops that are not hit themselves counts to the first one that is.
     double total = 0.0, elsewhere = 0.0;
-    std::vector<double> changes;
-    for (const ImpactShare<double>& share : shares) {
-      const double change = acts(share) ? energy_change(share, alone, before, mean) : 0.0;
-      changes.push_back(change);
-      total += change;
-      if (!share.hit) elsewhere += change;
+    for (std::size_t k = 0; k < shares.size(); ++k) {
+      total += changes[k];
+      if (!shares[k].hit) elsewhere += changes[k];
     }
     book_energy(total);
     const ImpactShare<double>* last = nullptr;
@@ -374,7 +356,8 @@ class Run {
   const RunListeners& listeners_;
   Motion<double> motion_;
   RunState state_;
-  std::optional<RunState> cut_arc_;  // before the arc that the end of the run cuts
+  std::optional<double> stopped_in_arc_;  // s, where that arc began
+  std::optional<RunState> cut_arc_;       // before the arc that the end of the run cuts
   Instant<double> end_;
   double longest_flight_ = std::numeric_limits<double>::infinity();  // s
   long long polls_ = 0;

@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+
+#include "graze/base/angle.hpp"
 
 namespace graze {
 
@@ -31,6 +34,16 @@ double speed_scale(const System& system, const State& start) {
     scale = std::max(scale, stop.row.cwiseAbs().dot(swing));
   }
   return scale;
+}
+
+double longest_free_flight(const System& system) {
+  constexpr double kOscillations = 64.0;
+  double slowest = std::numeric_limits<double>::infinity();
+  for (Eigen::Index j = 0; j < system.omega.size(); ++j) {
+    const double rate = system.omega[j] > 0.0 ? system.omega[j] : system.delta[j];
+    if (rate > 0.0) slowest = std::min(slowest, rate);
+  }
+  return std::isfinite(slowest) ? kOscillations * kTurn / slowest : slowest;
 }
 
 }  // namespace graze

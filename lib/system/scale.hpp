@@ -15,4 +15,9 @@ double reach_at(const System& system, const RigidStop& stop);
 // constant load, and what the start brings along, whichever is largest.
 double speed_scale(const System& system, const State& start);
 
+// Without forcing nothing divides time: flights are cut after a number of the slowest oscillations
+// (or decays, of a free mass), so that a search neither runs out of its evaluations nor lets the
+// phase's rounding grow, s. Infinite where nothing oscillates or decays.
+double longest_free_flight(const System& system);
+
 }  // namespace graze

@@ -17,8 +17,9 @@ using property::Summary;
 // them, up to 700 rad a period.
 constexpr double kOfLength = 1e-12;
 constexpr double kOfForce = 1e-12;
-// A dot product of at most eight terms, through the reduced coordinates and back.
-constexpr double kOfRest = 1e-13;
+// A dot product of at most eight terms, through the reduced coordinates and back. (The gap has the
+// wider bound: where a soft structure is held, its place of rest is far beyond its motion.)
+constexpr double kOfSpeed = 1e-13;
 
 // Which stops are closed, as told by the events.
 class ClosedStops {
@@ -98,10 +99,10 @@ class Watch {
                               sample.time));
         continue;
       }
-      require("gap while stuck/length", relative(std::abs(gap), length), kOfRest, sample, i);
+      require("gap while stuck/length", relative(std::abs(gap), length), kOfLength, sample, i);
       const double speed = stop.row.lpNorm<1>() * sample.state.qdot.lpNorm<Eigen::Infinity>();
       require("speed while stuck/speed", relative(std::abs(stop.row.dot(sample.state.qdot)), speed),
-              kOfRest, sample, i);
+              kOfSpeed, sample, i);
     }
     look_at_forces(sample);
   }
@@ -157,7 +158,7 @@ void check_outcome(const Prepared& prepared, const Simulation& run, Summary& sum
       RC_ASSERT(run.message.empty());
       return;
     case RunOutcome::kEventBudget:
-      summary.count(run.totals.impacts == property::kMostImpacts ? "spent the impacts"
+      summary.count(run.totals.impacts >= property::kMostImpacts ? "spent the impacts"
                                                                  : "undecided");
       break;
     case RunOutcome::kNotFinite:
