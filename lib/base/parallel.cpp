@@ -1,0 +1,24 @@
+#include "graze/base/parallel.hpp"
+
+#include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
+
+namespace graze {
+
+void for_each_index(std::size_t count, int threads, const std::function<void(std::size_t)>& work) {
+  if (threads == 1 || count < 2) {
+    for (std::size_t i = 0; i < count; ++i) work(i);
+    return;
+  }
+  tbb::task_arena arena(threads > 0 ? threads : tbb::task_arena::automatic);
+  arena.execute([&] {
+    tbb::parallel_for(
+        tbb::blocked_range<std::size_t>(0, count, 1),
+        [&](const tbb::blocked_range<std::size_t>& part) {
+          for (std::size_t i = part.begin(); i < part.end(); ++i) work(i);
+        },
+        tbb::simple_partitioner());
+  });
+}
+
+}  // namespace graze

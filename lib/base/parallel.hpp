@@ -1,0 +1,15 @@
+// Independent pieces of work on several cores.
+#pragma once
+
+#include <cstddef>
+#include <functional>
+
+namespace graze {
+
+// Calls work(0) .. work(count - 1), each once, on up to `threads` threads (0: as many as there are
+// cores), and returns when all are done; the first exception is thrown on. Nothing is said of the
+// order: each call has a place of its own for its result, so that the number of threads changes
+// nothing.
+void for_each_index(std::size_t count, int threads, const std::function<void(std::size_t)>& work);
+
+}  // namespace graze
