@@ -69,4 +69,10 @@ Vector null_vector(const Matrix& matrix) {
   return q.col(q.cols() - 1);
 }
 
+NullSpaces null_spaces(const Matrix& matrix, int dimension) {
+  const Eigen::JacobiSVD<Matrix, Eigen::FullPivHouseholderQRPreconditioner> svd(
+      matrix, Eigen::ComputeFullU | Eigen::ComputeFullV);
+  return {svd.matrixV().rightCols(dimension), svd.matrixU().rightCols(dimension - 1)};
+}
+
 }  // namespace graze

@@ -41,4 +41,12 @@ Matrix matrix_exponential(const Matrix& matrix);
 // A unit vector that `matrix` (n x (n + 1)) maps to zero.
 Vector null_vector(const Matrix& matrix);
 
+// Orthonormal bases of what a matrix (n x (n + 1)) nearly maps to zero, from either side: the
+// `dimension` right and `dimension` - 1 left singular vectors of its smallest singular values.
+struct NullSpaces {
+  Matrix right;  // (n + 1) x dimension
+  Matrix left;   // n x (dimension - 1)
+};
+NullSpaces null_spaces(const Matrix& matrix, int dimension);
+
 }  // namespace graze

@@ -1,11 +1,11 @@
 #include "graze/continuation/branch.hpp"
 
 #include <algorithm>
-#include <boost/math/tools/roots.hpp>
 #include <cmath>
 #include <limits>
 
-#include "graze/continuation/corrector.hpp"
+#include "graze/continuation/critical.hpp"
+#include "graze/continuation/locate.hpp"
 
 namespace graze {
 namespace {
@@ -13,8 +13,6 @@ namespace {
 // Growth of the step after an easy one, and the turn (as a part of the largest) it aims at.
 constexpr double kGrowth = 1.5;
 constexpr double kAimedTurn = 0.5;
-// Solutions nearer than this are one: next to a fold they are known to about sqrt(eps).
-constexpr double kOnePoint = 1e-7;
 // A step, relative to 1 + |x|, over which the orientation may change.
 constexpr double kShortest = 1e-6;
 // A branch closes only after it has been this far from its start, well beyond kOnePoint.
@@ -52,15 +50,18 @@ class Tracer {
   Tracer(const ZeroProblem& problem, const ContinuationOptions& options)
       : problem_(problem), options_(options), corrector_(problem, options) {}
 
-  Branch trace(const BranchPoint& start) {
-    Branch forward = follow(start, 1.0);
-    if (forward.closed()) {
-      forward.ends[0] = BranchEnd::kClosed;
-      forward.evaluations = corrector_.evaluations();
-      return forward;
-    }
-    const Branch backward = follow(start, -1.0);
-    return join(backward, forward);
+  Branch trace(const BranchPoint& from, Directions directions) {
+    BranchPoint start = from;
+    if (problem_.multipliers && start.multipliers.empty())
+      start.multipliers = problem_.multipliers(start.u, start.parameter);
+    Branch branch = follow(start, 1.0);
+    if (branch.closed())
+      branch.ends[0] = BranchEnd::kClosed;
+    else if (directions == Directions::kBoth)
+      branch = join(follow(start, -1.0), branch);
+    add_critical_points(branch, problem_, corrector_);
+    branch.evaluations = corrector_.evaluations();
+    return branch;
   }
 
  private:
@@ -150,11 +151,15 @@ class Tracer {
 
   void add(Branch& branch, const BranchPoint& here, const BranchPoint& next) {
     if (const auto fold = fold_between(here, next))
-      branch.folds.push_back({*fold, branch.points.size() - 1});
+      branch.critical.push_back({CriticalKind::kFold, *fold, branch.points.size() - 1, {}});
     branch.points.push_back(next);
+    if (problem_.multipliers)
+      branch.points.back().multipliers = problem_.multipliers(next.u, next.parameter);
   }
 
   std::optional<BranchPoint> fold_between(const BranchPoint& a, const BranchPoint& b) {
+    // Where a branch leaves another one its parameter may stand still, but it does not turn back.
+    if (a.orientation == 0) return {};
     const auto rate = [](const BranchPoint& p) { return p.tangent[p.tangent.size() - 1]; };
     if (rate(a) * rate(b) >= 0.0) return {};
     return between(a, b, rate);
@@ -176,7 +181,7 @@ class Tracer {
     if (!leads_back(x, *next, chord)) return {};
     // Two sheets of one fold run opposite ways. At a branch point the orientation does change; a
     // step as short as this has nowhere to jump to.
-    if (next->orientation != here.orientation && chord.norm() > kShortest * (1.0 + x.norm()))
+    if (next->orientation * here.orientation < 0 && chord.norm() > kShortest * (1.0 + x.norm()))
       return {};
     const Eigen::Index last = x.size() - 1;
     if (hides_folds(here.tangent[last], next->tangent[last], chord[last], chord.norm())) return {};
@@ -220,91 +225,36 @@ class Tracer {
     const BranchPoint& start = branch.points.front();
     const double away = corrector_.difference(corrector_.pack(here), corrector_.pack(start)).norm();
     left_start_ = left_start_ || away > kAway;
-    return left_start_ && passes(here, next, start) && start.tangent.dot(here.tangent) > 0.0;
+    return left_start_ && lies_between(corrector_, here, next, start, options_.max_turn) &&
+           start.tangent.dot(here.tangent) > 0.0;
   }
 
   std::optional<BranchPoint> between(const BranchPoint& a, const BranchPoint& b,
                                      const std::function<double(const BranchPoint&)>& test) {
-    return locate_with(corrector_, a, b, test);
+    return locate(corrector_, a, b, test);
   }
 
   Branch join(const Branch& backward, const Branch& forward) {
     Branch branch;
     branch.ends = {backward.ends[1], forward.ends[1]};
     branch.rejected = backward.rejected + forward.rejected;
-    branch.evaluations = corrector_.evaluations();
     for (auto p = backward.points.rbegin(); p != backward.points.rend(); ++p) {
       branch.points.push_back(*p);
       turn_round(branch.points.back());
     }
-    for (auto f = backward.folds.rbegin(); f != backward.folds.rend(); ++f) {
-      branch.folds.push_back({f->point, backward.points.size() - 2 - f->after});
-      turn_round(branch.folds.back().point);
+    for (auto c = backward.critical.rbegin(); c != backward.critical.rend(); ++c) {
+      branch.critical.push_back(*c);
+      branch.critical.back().after = backward.points.size() - 2 - c->after;
+      turn_round(branch.critical.back().point);
     }
-    for (const Fold& f : forward.folds)
-      branch.folds.push_back({f.point, f.after + backward.points.size() - 1});
+    for (const CriticalPoint& c : forward.critical) {
+      branch.critical.push_back(c);
+      branch.critical.back().after += backward.points.size() - 1;
+    }
     branch.points.insert(branch.points.end(), forward.points.begin() + 1, forward.points.end());
     return branch;
   }
 
- public:
-  // Whether `point` lies on the branch between neighbours a and b.
-  bool passes(const BranchPoint& a, const BranchPoint& b, const BranchPoint& point) {
-    const Vector chord = corrector_.pack(b) - corrector_.pack(a);
-    const double length = chord.norm();
-    const Vector offset = corrector_.difference(corrector_.pack(point), corrector_.pack(a));
-    // At the very ends there is nothing to correct, and at a limit perhaps nothing to evaluate.
-    if (offset.norm() < kOnePoint || (offset - chord).norm() < kOnePoint) return true;
-    const double along = offset.dot(chord) / length;
-    if (!(along >= 0.0 && along <= length)) return false;
-    if ((offset - along * chord / length).norm() > 0.5 * options_.max_turn * length) return false;
-    return meets(a, offset) || meets(b, offset - chord);
-  }
-
-  // Whether the branch through `near` leads to near + offset.
-  bool meets(const BranchPoint& near, const Vector& offset) {
-    const Vector x = corrector_.pack(near);
-    const auto there =
-        corrector_.on_hyperplane(x + offset.dot(near.tangent) * near.tangent, near.tangent);
-    return there && corrector_.difference(corrector_.pack(*there), x + offset).norm() < kOnePoint;
-  }
-
-  static std::optional<BranchPoint> locate_with(
-      Corrector& corrector, const BranchPoint& a, const BranchPoint& b,
-      const std::function<double(const BranchPoint&)>& test) {
-    const Vector x = corrector.pack(a);
-    const Vector chord = corrector.difference(corrector.pack(b), x);
-    const double length = chord.dot(a.tangent);
-    const double at_a = test(a), at_b = test(b);
-    if (at_a == 0.0) return a;
-    if (at_b == 0.0) return b;
-    if (!(at_a * at_b < 0.0) || !(length > 0.0)) return {};
-    // Of the two last bits that enclose the zero, the one on the side where the test is positive.
-    std::optional<BranchPoint> best = at_a > 0.0 ? a : b;
-    double smallest = std::max(at_a, at_b);
-    bool failed = false;
-    const auto value = [&](double s) {
-      auto point = corrector.on_hyperplane(x + s * a.tangent, a.tangent);
-      if (!point) point = corrector.on_hyperplane(x + s / length * chord, a.tangent);
-      if (!point) {
-        failed = true;
-        return 0.0;  // ends the search
-      }
-      const double v = test(*point);
-      if (v >= 0.0 && v <= smallest) {
-        smallest = v;
-        best = point;
-      }
-      return v;
-    };
-    // To the last bits of s; 100 halvings exhaust them even from afar.
-    std::uintmax_t iterations = 100;
-    boost::math::tools::toms748_solve(value, 0.0, length, at_a, at_b,
-                                      boost::math::tools::eps_tolerance<double>(52), iterations);
-    return failed ? std::nullopt : best;
-  }
-
- private:
   const ZeroProblem& problem_;
   const ContinuationOptions& options_;
   Corrector corrector_;
@@ -312,6 +262,13 @@ class Tracer {
 };
 
 }  // namespace
+
+std::vector<CriticalPoint> Branch::critical_of(CriticalKind kind) const {
+  std::vector<CriticalPoint> list;
+  for (const CriticalPoint& point : critical)
+    if (point.kind == kind) list.push_back(point);
+  return list;
+}
 
 std::optional<BranchPoint> solve_at(const ZeroProblem& problem, const ContinuationOptions& options,
                                     const Vector& u, double parameter) {
@@ -324,22 +281,23 @@ std::optional<BranchPoint> solve_at(const ZeroProblem& problem, const Continuati
 }
 
 Branch trace_branch(const ZeroProblem& problem, const ContinuationOptions& options,
-                    const BranchPoint& start) {
-  return Tracer(problem, options).trace(start);
+                    const BranchPoint& start, Directions directions) {
+  return Tracer(problem, options).trace(start, directions);
 }
 
 std::optional<BranchPoint> locate(const ZeroProblem& problem, const ContinuationOptions& options,
                                   const BranchPoint& a, const BranchPoint& b,
                                   const std::function<double(const BranchPoint&)>& test) {
   Corrector corrector(problem, options);
-  return Tracer::locate_with(corrector, a, b, test);
+  return locate(corrector, a, b, test);
 }
 
 bool lies_on(const ZeroProblem& problem, const ContinuationOptions& options, const Branch& branch,
              const BranchPoint& point) {
-  Tracer tracer(problem, options);
+  Corrector corrector(problem, options);
   for (std::size_t i = 0; i + 1 < branch.points.size(); ++i)
-    if (tracer.passes(branch.points[i], branch.points[i + 1], point)) return true;
+    if (lies_between(corrector, branch.points[i], branch.points[i + 1], point, options.max_turn))
+      return true;
   return false;
 }
 

@@ -4,8 +4,13 @@
 //   #include "graze/continuation/branch.hpp"
 //
 // A point is x = (u, parameter/range); the predictor follows the unit tangent, the corrector is
-// Newton's method on F bordered by the hyperplane through the prediction. It passes folds. The
-// metric is Euclidean: scale the unknowns so that a change of one is large.
+// Newton's method on F bordered by the hyperplane through the prediction. It passes folds and
+// branch points. The metric is Euclidean: scale the unknowns so that a change of one is large.
+//
+// Special points, named as AUTO and MatCont name them: folds (LP) and branch points (BP) of any
+// equations; period doublings (PD) and tori (NS) where the problem tells the multipliers of its
+// solutions (map.hpp makes such a problem of a map). They are located to the last digits that
+// arclength carries. See switching.hpp for going on across them.
 #pragma once
 
 #include <array>
@@ -14,6 +19,7 @@
 #include <string>
 #include <vector>
 
+#include "graze/base/decompositions.hpp"
 #include "graze/base/stop_signal.hpp"
 #include "graze/base/vector.hpp"
 
@@ -28,8 +34,13 @@ struct ZeroEvaluation {
 struct ZeroProblem {
   // Nothing where F cannot be evaluated.
   std::function<std::optional<ZeroEvaluation>(const Vector& u, double parameter)> evaluate;
-  // For unknowns that are angles: their period; 0 for the others. Empty: no angles.
+  // u and u + m wrap are one solution for every integer m: for unknowns that are angles. Empty
+  // where nothing comes round.
   Vector wrap;
+  // Multipliers of the solution at (u, parameter), where it stands for the periodic orbit of
+  // something: largest modulus first, conjugate pairs adjacent, as eigenvalues() gives them. Empty
+  // function: the equations have none.
+  std::function<std::vector<Eigenvalue>(const Vector& u, double parameter)> multipliers;
 };
 
 struct BranchPoint {
@@ -37,8 +48,10 @@ struct BranchPoint {
   double parameter = 0.0;
   Vector tangent;         // unit, in (u, parameter/range), n + 1
   double residual = 0.0;  // largest entry of F, recomputed at the point
-  // Sign of det [dF/dx; tangent]: constant along a branch, folds included, but for branch points.
+  // Sign of det [dF/dx; tangent]: constant along a branch, folds included, but for branch points. 0
+  // on a branch point.
   int orientation = 0;
+  std::vector<Eigenvalue> multipliers;  // where the problem has them
 };
 
 // A branch is given up after this many points in one direction.
@@ -68,19 +81,29 @@ enum class BranchEnd {
   kStopped        // from outside
 };
 
-struct Fold {
+enum class CriticalKind {
+  kFold,            // LP: the branch turns back
+  kPeriodDoubling,  // PD: a multiplier passes -1
+  kTorus,           // NS: a complex pair of multipliers passes the unit circle
+  kBranchPoint      // BP: another branch of solutions crosses
+};
+
+struct CriticalPoint {
+  CriticalKind kind = CriticalKind::kFold;
   BranchPoint point;
-  std::size_t after = 0;  // lies between points after and after + 1
+  std::size_t after = 0;                 // lies between points after and after + 1
+  std::optional<Eigenvalue> multiplier;  // the critical one; of a pair that with positive imag
 };
 
 struct Branch {
-  std::vector<BranchPoint> points;  // in order along the branch; a closed one repeats its first
-  std::vector<Fold> folds;          // in order
+  std::vector<BranchPoint> points;      // in order along the branch; a closed one repeats its first
+  std::vector<CriticalPoint> critical;  // in order along the branch
   std::array<BranchEnd, 2> ends{BranchEnd::kNotConverged, BranchEnd::kNotConverged};
   long long evaluations = 0;  // of F
   long long rejected = 0;     // steps refused for turning, contracting slowly or not converging
 
   bool closed() const { return ends[1] == BranchEnd::kClosed; }
+  std::vector<CriticalPoint> critical_of(CriticalKind kind) const;
 };
 
 // The solution near u at a fixed parameter, with a tangent that points to growing parameter (or
@@ -88,9 +111,11 @@ struct Branch {
 std::optional<BranchPoint> solve_at(const ZeroProblem& problem, const ContinuationOptions& options,
                                     const Vector& u, double parameter);
 
-// The branch through a solution, both ways to their ends, folds located.
+enum class Directions { kBoth, kForward };  // forward: along the tangent of the start
+
+// The branch through a solution, to its ends, its special points located.
 Branch trace_branch(const ZeroProblem& problem, const ContinuationOptions& options,
-                    const BranchPoint& start);
+                    const BranchPoint& start, Directions directions = Directions::kBoth);
 
 // The point of the branch between neighbours a and b where `test` changes sign, to the last digits
 // that arclength carries and on the side where `test` is not negative. Nothing when the corrector

@@ -34,7 +34,7 @@ Vector Corrector::pack(const BranchPoint& point) const {
 BranchPoint Corrector::unpack(const Vector& x, const Vector& tangent, double residual,
                               int sign) const {
   const Eigen::Index n = x.size() - 1;
-  return {x.head(n), x[n] * range_, tangent, residual, sign};
+  return {x.head(n), x[n] * range_, tangent, residual, sign, {}};
 }
 
 std::optional<Corrector::Linearised> Corrector::linearise(const Vector& x) {
@@ -90,6 +90,26 @@ std::optional<Vector> Corrector::newton_step(const Vector& guess, const Vector& 
   return guess + step;
 }
 
+double Corrector::determinant_ratio(const BranchPoint& a, const BranchPoint& b) {
+  const std::optional<Linearised> at_a = linearise(pack(a)), at_b = linearise(pack(b));
+  if (!at_a || !at_b) return std::numeric_limits<double>::quiet_NaN();
+  // Entry by entry of the triangular factors: the determinants themselves might overflow.
+  const Vector pivots_a =
+      Eigen::PartialPivLU<Matrix>(bordered(at_a->slope, a.tangent)).matrixLU().diagonal();
+  const Vector pivots_b =
+      Eigen::PartialPivLU<Matrix>(bordered(at_b->slope, b.tangent)).matrixLU().diagonal();
+  double logarithm = 0.0;
+  for (Eigen::Index i = 0; i < pivots_a.size(); ++i)
+    logarithm += std::log(std::abs(pivots_b[i])) - std::log(std::abs(pivots_a[i]));
+  return std::exp(logarithm);
+}
+
+std::optional<Matrix> Corrector::slope_at(const Vector& x) {
+  const std::optional<Linearised> at = linearise(x);
+  if (!at) return {};
+  return at->slope;
+}
+
 std::optional<BranchPoint> Corrector::at_parameter(const Vector& guess) {
   // Newton at a fixed parameter is Newton on the hyperplane normal to the parameter's axis; only
   // the tangent has to be sought without it, for it may lie in that hyperplane.
@@ -107,8 +127,10 @@ std::optional<BranchPoint> Corrector::at_parameter(const Vector& guess) {
 
 Vector Corrector::difference(const Vector& x, const Vector& y) const {
   Vector d = x - y;
-  for (Eigen::Index i = 0; i < problem_.wrap.size(); ++i)
-    if (problem_.wrap[i] > 0.0) d[i] = std::remainder(d[i], problem_.wrap[i]);
+  if (problem_.wrap.size() == 0) return d;
+  const Eigen::Index n = problem_.wrap.size();
+  const double rounds = d.head(n).dot(problem_.wrap) / problem_.wrap.squaredNorm();
+  d.head(n) -= std::round(rounds) * problem_.wrap;
   return d;
 }
 

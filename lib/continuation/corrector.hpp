@@ -26,6 +26,11 @@ class Corrector {
   // The solution at the parameter of `guess`, with its tangent towards growing parameter.
   std::optional<BranchPoint> at_parameter(const Vector& guess);
 
+  // [dF/du, dF/dparameter * range] at x, n x (n + 1).
+  std::optional<Matrix> slope_at(const Vector& x);
+  // |det [slope; tangent]| at b over that at a.
+  double determinant_ratio(const BranchPoint& a, const BranchPoint& b);
+
   // x - y with angles taken the short way round.
   Vector difference(const Vector& x, const Vector& y) const;
 

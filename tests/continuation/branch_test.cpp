@@ -68,8 +68,8 @@ TEST(Continuation, CircleClosesOnceWithTwoFolds) {
         2.0 * std::numbers::pi);
   }
   EXPECT_NEAR(std::abs(turned), 2.0 * std::numbers::pi, 1e-6);
-  ASSERT_EQ(branch.folds.size(), 2u);
-  for (const Fold& fold : branch.folds) {
+  ASSERT_EQ(branch.critical_of(CriticalKind::kFold).size(), 2u);
+  for (const CriticalPoint& fold : branch.critical_of(CriticalKind::kFold)) {
     EXPECT_NEAR(std::abs(fold.point.parameter), 1.0, 1e-13);
     EXPECT_NEAR(fold.point.u[0], 0.0, 1e-7);
   }
@@ -78,7 +78,7 @@ TEST(Continuation, CircleClosesOnceWithTwoFolds) {
 TEST(Continuation, RangeIsTheSameInEitherOrder) {
   const Branch branch = traced(circle(), range(2.0, -2.0), 1.0, 0.1);
   EXPECT_TRUE(branch.closed());
-  EXPECT_EQ(branch.folds.size(), 2u);
+  EXPECT_EQ(branch.critical_of(CriticalKind::kFold).size(), 2u);
 }
 
 TEST(Continuation, CuspHasItsTwoFoldsAndEndsAtBothLimits) {
@@ -88,8 +88,8 @@ TEST(Continuation, CuspHasItsTwoFoldsAndEndsAtBothLimits) {
   // To the last bit.
   EXPECT_EQ(std::min(branch.points.front().parameter, branch.points.back().parameter), -5.0);
   EXPECT_EQ(std::max(branch.points.front().parameter, branch.points.back().parameter), 5.0);
-  ASSERT_EQ(branch.folds.size(), 2u);
-  for (const Fold& fold : branch.folds) {
+  ASSERT_EQ(branch.critical_of(CriticalKind::kFold).size(), 2u);
+  for (const CriticalPoint& fold : branch.critical_of(CriticalKind::kFold)) {
     EXPECT_NEAR(std::abs(fold.point.parameter), 2.0, 1e-13);
     EXPECT_NEAR(fold.point.u[0], fold.point.parameter > 0.0 ? -1.0 : 1.0, 1e-7);
     const double before = branch.points[fold.after].u[0],
@@ -102,7 +102,8 @@ TEST(Continuation, LimitBetweenTheFoldsEndsTheBranchThere) {
   const Branch branch = traced(cubic(1.0), range(-1.0, 5.0), 2.1, 3.0);
   EXPECT_EQ(branch.ends[0], BranchEnd::kParameterLimit);
   EXPECT_EQ(branch.ends[1], BranchEnd::kParameterLimit);
-  EXPECT_TRUE(branch.folds.empty());  // the upper sheet leaves at p = -1, before its fold at -2
+  EXPECT_TRUE(branch.critical_of(CriticalKind::kFold)
+                  .empty());  // the upper sheet leaves at p = -1, before its fold at -2
   for (const BranchPoint& point : branch.points) {
     EXPECT_GE(point.parameter, -1.0);
     EXPECT_LE(point.parameter, 5.0);
@@ -116,8 +117,8 @@ TEST(Continuation, TwoFoldsWithinOneLongStepAreBothFound) {
     options.max_step = 2.0;
     options.max_distance = 1.0;
     const Branch branch = traced(cubic(s), options, 1.5, 3.0);
-    ASSERT_EQ(branch.folds.size(), 2u) << s;
-    for (const Fold& fold : branch.folds)
+    ASSERT_EQ(branch.critical_of(CriticalKind::kFold).size(), 2u) << s;
+    for (const CriticalPoint& fold : branch.critical_of(CriticalKind::kFold))
       EXPECT_NEAR(std::abs(fold.point.parameter) / (2.0 * std::pow(s, 1.5)), 1.0, 1e-9) << s;
   }
 }
@@ -129,7 +130,7 @@ TEST(Continuation, AngleClosesAfterATurn) {
   problem.wrap = Vector::Constant(1, 2.0 * std::numbers::pi);
   const Branch branch = traced(problem, range(-1.0, 1.0), 0.3, 0.5 * std::sin(0.3));
   ASSERT_TRUE(branch.closed());
-  EXPECT_EQ(branch.folds.size(), 2u);
+  EXPECT_EQ(branch.critical_of(CriticalKind::kFold).size(), 2u);
   EXPECT_NEAR(std::abs(branch.points.back().u[0] - branch.points.front().u[0]),
               2.0 * std::numbers::pi, 1e-7);
 }

@@ -41,8 +41,8 @@ double fold_of(int intervals) {
   EXPECT_TRUE(start);
   const Branch branch = trace_branch(problem, options, *start);
   EXPECT_EQ(branch.ends[0], BranchEnd::kParameterLimit);
-  EXPECT_EQ(branch.folds.size(), 1u) << intervals;
-  return branch.folds.front().point.parameter;
+  EXPECT_EQ(branch.critical_of(CriticalKind::kFold).size(), 1u) << intervals;
+  return branch.critical_of(CriticalKind::kFold).front().point.parameter;
 }
 
 double continuous_fold() {

@@ -1,0 +1,18 @@
+// Special points of a traced branch that its tangents do not show: branch points from its
+// orientation, period doublings and tori from its multipliers.
+//
+// Test functions are the moduli of the multipliers, sorted: rho_1 >= rho_2 >= .., each continuous
+// along the branch even where multipliers meet, so that the crossing rho_j = 1 between two points
+// is a root of one function however many others cross in the same step; no product of all
+// multipliers is ever formed. What crossed is read off the multiplier itself: real and negative a
+// period doubling, complex a torus, real and positive a fold or branch point (found otherwise).
+#pragma once
+
+#include "graze/continuation/corrector.hpp"
+
+namespace graze {
+
+// Adds them to branch.critical, which holds the folds, and puts all in order along the branch.
+void add_critical_points(Branch& branch, const ZeroProblem& problem, Corrector& corrector);
+
+}  // namespace graze

@@ -1,0 +1,25 @@
+// Going on across special points.
+//
+//   #include "graze/continuation/switching.hpp"
+//
+// At a branch point the kernel of dF/dx is two-dimensional. The tangents a t1 + b t2 of the
+// branches through it solve the algebraic bifurcation equation
+//
+//   psi^T F_xx [a t1 + b t2]^2 = 0,   psi the left null vector;
+//
+// one root is the known branch, the other the branch that crosses it (Keller, in: Applications of
+// Bifurcation Theory, 1977; Govaerts, Numerical Methods for Bifurcations of Dynamical Equilibria,
+// 2000). A period doubling is a branch point of the equations of twice the period.
+#pragma once
+
+#include "graze/continuation/branch.hpp"
+
+namespace graze {
+
+// The branch point once more, with the tangent of the other branch that passes it: a start for
+// trace_branch. `at.tangent` is that of the known one. Nothing where the equations cannot be
+// evaluated around it, or where no second branch stands out.
+std::optional<BranchPoint> other_branch(const ZeroProblem& problem,
+                                        const ContinuationOptions& options, const BranchPoint& at);
+
+}  // namespace graze
