@@ -61,7 +61,11 @@ double norm_growth_rate(const Matrix& matrix) {
       .maxCoeff();
 }
 
-Matrix matrix_exponential(const Matrix& matrix) { return matrix.exp(); }
+Matrix matrix_exponential(const Matrix& matrix) {
+  // A structure held in all its directions has none left: the exponential of nothing is nothing.
+  if (matrix.rows() == 0) return matrix;
+  return matrix.exp();
+}
 
 Vector null_vector(const Matrix& matrix) {
   const Eigen::ColPivHouseholderQR<Matrix> qr(matrix.transpose());

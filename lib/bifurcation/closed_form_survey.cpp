@@ -16,9 +16,10 @@ int samples_for(int modes) { return std::clamp(16384 / modes, 512, 4096); }
 
 }  // namespace
 
-ClosedFormSurvey::ClosedFormSurvey(const SystemFamily& family, int period, double lowest,
+ClosedFormSurvey::ClosedFormSurvey(const SystemFamily& family, int stop, int period, double lowest,
                                    double highest, bool admissible_only)
     : family_(family),
+      stop_(stop),
       period_(period),
       samples_(samples_for(family.scene().modes())),
       lowest_(lowest),
@@ -32,16 +33,18 @@ ClosedFormSurvey::ClosedFormSurvey(const SystemFamily& family, int period, doubl
   for (int i = 0; i <= samples_; ++i) {
     const double value = i == samples_ ? highest : lowest + i * spacing_;
     const std::optional<System> system = family.at(value);
-    const ClosedFormAnswer answer = system ? closed_form(*system, 0, period) : ClosedFormAnswer{};
+    const ClosedFormAnswer answer =
+        system ? closed_form(*system, stop, period) : ClosedFormAnswer{};
     std::vector<ImpactPoint> solutions;
-    if (answer.form) solutions = answer.form->solutions(system->stops[0].gap);
+    if (answer.form)
+      solutions = answer.form->solutions(system->stops[static_cast<std::size_t>(stop_)].gap);
     if (!solutions.empty() && !inside) intervals_.push_back({i, i});
     inside = !solutions.empty();
     if (inside) intervals_.back().last = i;
     for (std::size_t k = 0; k < 2; ++k) {
       const bool wanted =
           inside &&
-          (!admissible_only || admissibility(*system, {period, {0}}, {solutions[k]}).admissible);
+          (!admissible_only || admissibility(*system, {period, {stop}}, {solutions[k]}).admissible);
       if (wanted)
         runs[k].push_back({value, solutions[k]});
       else
@@ -61,9 +64,10 @@ std::optional<int> ClosedFormSurvey::component(double value, double phase) const
     const bool folds = interval.first > 0 || interval.last < samples_;
     const std::optional<System> system = family_.at(value);
     if (folds || !system) return name;
-    const ClosedFormAnswer answer = closed_form(*system, 0, period_);
+    const ClosedFormAnswer answer = closed_form(*system, stop_, period_);
     if (!answer.form) return name;
-    const std::vector<ImpactPoint> solutions = answer.form->solutions(system->stops[0].gap);
+    const std::vector<ImpactPoint> solutions =
+        answer.form->solutions(system->stops[static_cast<std::size_t>(stop_)].gap);
     if (solutions.empty()) return name;
     const auto distance = [&](const ImpactPoint& point) {
       return std::abs(std::remainder(point.theta - phase, kTurn));

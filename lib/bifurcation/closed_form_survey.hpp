@@ -19,9 +19,9 @@ class ClosedFormSurvey {
     ImpactPoint point;
   };
 
-  // Samples [lowest, highest] for impacts on the first stop every `period` forcing periods. With
-  // `admissible_only` starts are offered where the solution is an orbit of the system.
-  ClosedFormSurvey(const SystemFamily& family, int period, double lowest, double highest,
+  // Samples [lowest, highest] for impacts on a stop (index from 0) every `period` forcing periods.
+  // With `admissible_only` starts are offered where the solution is an orbit of the system.
+  ClosedFormSurvey(const SystemFamily& family, int stop, int period, double lowest, double highest,
                    bool admissible_only);
 
   // One in the middle of every run of samples that have the solution in question.
@@ -39,7 +39,7 @@ class ClosedFormSurvey {
   };
 
   const SystemFamily& family_;
-  int period_, samples_;
+  int stop_, period_, samples_;
   double lowest_, spacing_;
   std::vector<Start> starts_;
   std::vector<Interval> intervals_;

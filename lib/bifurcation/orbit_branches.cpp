@@ -1,17 +1,27 @@
 #include "graze/bifurcation/orbit_branches.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <map>
+#include <memory>
+#include <utility>
 
-#include "graze/base/angle.hpp"
 #include "graze/bifurcation/closed_form_survey.hpp"
-#include "graze/bifurcation/orbit_component.hpp"
+#include "graze/bifurcation/pattern_branches.hpp"
+#include "graze/bifurcation/pattern_switching.hpp"
+#include "graze/bifurcation/special_names.hpp"
+#include "graze/continuation/switching.hpp"
 #include "graze/orbit/closed_form.hpp"
 
 namespace graze {
 namespace {
+
+// A branch as it was traced, before all are put in order and named.
+struct Found {
+  OrbitBranch branch;
+  PatternBranches* pattern = nullptr;
+  int origin_branch = -1;  // index of the found branch it was switched onto from
+  std::size_t origin_special = 0;
+};
 
 class OrbitTracer {
  public:
@@ -20,24 +30,20 @@ class OrbitTracer {
         options_(options),
         lowest_(std::min(options.from, options.to)),
         highest_(std::max(options.from, options.to)),
-        // One scale for all values: the metric of the branch must not change on the way.
-        shooting_({options.period, {0}}, shooting_scale(*family.at(family.value()))),
-        components_(family, shooting_, continuation_) {
+        scale_(shooting_scale(*family.at(family.value()))) {
     result_.parameter = family.parameter();
     continuation_.from = options.from;
     continuation_.to = options.to;
     continuation_.max_step = options.max_step;
     continuation_.stop = options.stop;
-    if (!options.keep_virtual)
-      continuation_.proceed = [this](const BranchPoint& point) { return is_orbit(point); };
   }
 
   OrbitBranches trace() {
     trace_from_values();
-    if (options_.start_values > 0 && options_.finder.from_closed_form) trace_from_survey();
+    if (options_.start_values > 0 && options_.finder.from_closed_form && options_.impacts == 1)
+      trace_from_surveys();
+    follow();
     put_in_order();
-    name_components();
-    number_special_points();
     // What the simulation does is worth a line only where it explains that there is nothing else.
     if (!result_.branches.empty()) result_.notes.clear();
     result_.stopped = options_.stop.reason();
@@ -55,147 +61,198 @@ class OrbitTracer {
     for (std::size_t i = 0; i < values.size() && !options_.stop.requested(); ++i) {
       if (options_.progress)
         options_.progress(static_cast<double>(i) / static_cast<double>(values.size() + 1));
-      for (const Vector& x : starts_at(values[i], i == 0)) trace_from(values[i], x);
+      for (const Orbit& orbit : orbits_at(values[i], i == 0))
+        trace_from(orbit.pattern(), orbit.points(), values[i]);
     }
   }
 
-  void trace_from_survey() {
-    survey_.emplace(family_, options_.period, lowest_, highest_, !options_.keep_virtual);
-    result_.surveyed_values = survey_->samples();
-    for (const ClosedFormSurvey::Start& start : survey_->starts()) {
-      if (options_.stop.requested()) return;
-      trace_from(start.value, shooting_.pack({start.point}));
+  void trace_from_surveys() {
+    for (std::size_t stop = 0; stop < family_.scene().stops.size(); ++stop) {
+      const int index = static_cast<int>(stop);
+      surveys_.emplace(index, ClosedFormSurvey(family_, index, options_.period, lowest_, highest_,
+                                               !options_.keep_virtual));
+      const ClosedFormSurvey& survey = surveys_.at(index);
+      result_.surveyed_values = survey.samples();
+      for (const ClosedFormSurvey::Start& start : survey.starts()) {
+        if (options_.stop.requested()) return;
+        trace_from({options_.period, {index}}, {start.point}, start.value);
+      }
     }
   }
 
-  // Traces the branch through the solution near x, unless it is known already or is none.
-  void trace_from(double value, const Vector& x) {
-    ++result_.starts;
-    const auto start = solve_at(components_.problem(), continuation_, x, value);
-    if (!start || (!options_.keep_virtual && !is_orbit(*start))) return;
-    for (const Branch& branch : traced_)
-      if (lies_on(components_.problem(), continuation_, branch, *start)) return;
-    traced_.push_back(trace_branch(components_.problem(), continuation_, *start));
-    add_parts(traced_.back());
-  }
-
-  bool is_orbit(const BranchPoint& point) const {
-    return components_.admissibility_at(point).admissible;
-  }
-
-  // Solutions at one value; the simulation and the random guesses join in at the first one only.
-  std::vector<Vector> starts_at(double value, bool first) {
-    std::vector<Vector> starts;
+  // Orbits at one value; the simulation and the random guesses join in at the first one only.
+  std::vector<Orbit> orbits_at(double value, bool first) {
     const std::optional<System> system = family_.at(value);
-    if (!system) return starts;
+    if (!system) return {};
     FinderOptions finder = options_.finder;
     finder.period = options_.period;
-    finder.impacts = 1;
+    finder.impacts = options_.impacts;
     finder.keep_virtual = true;
     finder.stop = options_.stop;
-    if (!first) {
+    if (!first && options_.impacts == 1) {
       // Random guesses cost more than all else; elsewhere they stand in where the closed form
       // cannot.
       const bool closed = finder.from_closed_form && closed_form(*system, 0, options_.period).form;
       finder.from_random = finder.from_random && !closed;
     }
     std::optional<State> start;
-    if (first) start = clear_start(family_.scene(), *system);
-    const FoundOrbits found = find_orbits(*system, start, finder);
-    for (const Orbit& orbit : found.orbits) starts.push_back(shooting_.pack(orbit.points()));
+    if (first || options_.impacts > 1) start = clear_start(family_.scene(), *system);
+    FoundOrbits found = find_orbits(*system, start, finder);
     if (first) result_.notes = found.notes;
-    return starts;
+    return std::move(found.orbits);
   }
 
-  void add_parts(const Branch& branch) {
+  PatternBranches& pattern_branches(const ImpactPattern& pattern) {
+    auto& place = patterns_[{pattern.period, pattern.stops}];
+    if (!place)
+      place = std::make_unique<PatternBranches>(family_, pattern, scale_, continuation_,
+                                                options_.keep_virtual);
+    return *place;
+  }
+
+  // Traces the branch through the solution near these impacts, unless it is known already or is
+  // none.
+  void trace_from(const ImpactPattern& pattern, const std::vector<ImpactPoint>& impacts,
+                  double value) {
+    ++result_.starts;
+    PatternBranches& branches = pattern_branches(canonical(pattern));
+    const auto start = branches.solve(in_canonical_order(pattern, impacts), value);
+    if (start && !branches.knows(*start)) add_trace(branches, *start, Directions::kBoth, -1, 0);
+  }
+
+  // Traces from a start and keeps the parts. The origin: a special point, where there is one.
+  void add_trace(PatternBranches& branches, const BranchPoint& start, Directions directions,
+                 int origin_branch, std::size_t origin_special) {
+    const Branch& branch = branches.trace(start, directions);
     const auto is_cut = [](BranchEnd end) {
       return end == BranchEnd::kStepLimit || end == BranchEnd::kNotConverged;
     };
-    bool cut = std::any_of(branch.ends.begin(), branch.ends.end(), is_cut);
+    // Where a trace goes one way only, it has no other end.
+    bool cut =
+        is_cut(branch.ends[1]) || (directions == Directions::kBoth && is_cut(branch.ends[0]));
     result_.shooting_evaluations += branch.evaluations;
     result_.rejected_steps += branch.rejected;
-    for (OrbitBranch& part : components_.parts(branch, options_.keep_virtual)) {
+    ++components_;
+    for (OrbitBranch& part : branches.parts(branch)) {
       cut = cut || part.ends[0] == OrbitBranchEnd::kNotConverged ||
             part.ends[1] == OrbitBranchEnd::kNotConverged;
-      part.component = static_cast<int>(traced_.size());
-      result_.branches.push_back(std::move(part));
+      part.component = components_;
+      found_.push_back({std::move(part), &branches, origin_branch, origin_special});
     }
     ++result_.traced;
     if (cut) ++result_.cut_short;
   }
 
-  // By lowest parameter value, whatever start found them.
+  // Switches at the special points, those of one depth after the other.
+  void follow() {
+    std::size_t first = 0;
+    for (int depth = 0; depth < options_.follow_depth; ++depth) {
+      const std::size_t last = found_.size();
+      for (std::size_t i = first; i < last; ++i)
+        for (std::size_t k = 0; k < found_[i].branch.special.size(); ++k) {
+          if (options_.stop.requested()) return;
+          switch_at(i, k);
+        }
+      first = last;
+    }
+    for (std::size_t i = first; i < found_.size() && options_.follow_depth > 0; ++i)
+      for (const SpecialPoint& special : found_[i].branch.special)
+        result_.left_open +=
+            pattern_switch(found_[i].pattern->equations(), special).has_value() ? 1 : 0;
+  }
+
+  void switch_at(std::size_t index, std::size_t which) {
+    const SpecialPoint special = found_[index].branch.special[which];
+    const std::optional<PatternSwitch> next =
+        pattern_switch(found_[index].pattern->equations(), special);
+    if (!next) return;
+    PatternBranches& branches = pattern_branches(canonical(next->pattern));
+    const OrbitEquations& equations = branches.equations();
+    const std::vector<ImpactPoint> impacts = in_canonical_order(next->pattern, next->impacts);
+    std::optional<BranchPoint> start;
+    if (next->known_tangent.size() == 0) {
+      start = solve_at(equations.problem(), branches.options(), equations.shooting().pack(impacts),
+                       special.solution.parameter);
+    } else {
+      BranchPoint at = special.solution;
+      at.u = equations.shooting().pack(impacts);
+      at.tangent = next->known_tangent;
+      at.multipliers.clear();
+      start = other_branch(equations.problem(), branches.options(), at);
+    }
+    if (!start || branches.knows(*start)) return;
+    ++result_.switched;
+    // Either way from a doubling lead the same orbits, half a period apart.
+    const bool doubling = special.kind == SpecialKind::kPeriodDoubling;
+    add_trace(branches, *start, doubling ? Directions::kForward : Directions::kBoth,
+              static_cast<int>(index), which);
+  }
+
+  // By period, impacts and lowest parameter value, whatever start found them; then all are named.
   void put_in_order() {
-    const auto lowest = [](const OrbitBranch& branch) {
+    const auto lowest = [](const Found& found) {
       const auto less = [](const OrbitBranchPoint& a, const OrbitBranchPoint& b) {
         return a.value < b.value;
       };
-      return std::min_element(branch.points.begin(), branch.points.end(), less)->value;
+      const auto& points = found.branch.points;
+      return std::min_element(points.begin(), points.end(), less)->value;
     };
-    std::stable_sort(
-        result_.branches.begin(), result_.branches.end(),
-        [&](const OrbitBranch& a, const OrbitBranch& b) { return lowest(a) < lowest(b); });
+    std::vector<std::size_t> order(found_.size());
+    for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
+    std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+      const ImpactPattern &pa = found_[a].branch.pattern, &pb = found_[b].branch.pattern;
+      if (pa.period != pb.period) return pa.period < pb.period;
+      if (pa.stops.size() != pb.stops.size()) return pa.stops.size() < pb.stops.size();
+      if (pa.stops != pb.stops) return pa.stops < pb.stops;
+      return lowest(found_[a]) < lowest(found_[b]);
+    });
+    name_components(order);
+    SpecialNames names;
     int id = 0;
-    for (OrbitBranch& branch : result_.branches) branch.id = ++id;
+    for (const std::size_t i : order) {
+      found_[i].branch.id = ++id;
+      for (SpecialPoint& special : found_[i].branch.special) special.id = names.next(special.kind);
+    }
+    for (Found& found : found_)
+      if (found.origin_branch >= 0)
+        found.branch.origin = found_[static_cast<std::size_t>(found.origin_branch)]
+                                  .branch.special[found.origin_special]
+                                  .id;
+    for (const std::size_t i : order) result_.branches.push_back(std::move(found_[i].branch));
   }
 
   // Branches that were traced apart may be parts of one component, connected where the solutions
   // are no orbits; the closed form knows. Numbers follow the order of appearance.
-  void name_components() {
-    std::map<int, int> numbers;
-    for (OrbitBranch& branch : result_.branches) {
+  void name_components(const std::vector<std::size_t>& order) {
+    std::map<std::pair<int, int>, int> numbers;
+    for (const std::size_t i : order) {
+      OrbitBranch& branch = found_[i].branch;
       const OrbitBranchPoint& middle = branch.points[branch.points.size() / 2];
-      const std::optional<int> name =
-          survey_ && !options_.keep_virtual
-              ? survey_->component(middle.value, middle.orbit.impacts.front().phase)
-              : std::nullopt;
-      const int key = name ? *name : -branch.component;
+      std::optional<int> name;
+      const bool closed = branch.pattern.impacts() == 1 && branch.pattern.period == options_.period;
+      const auto survey = surveys_.find(branch.pattern.stops.front());
+      if (closed && survey != surveys_.end() && !options_.keep_virtual)
+        name = survey->second.component(middle.value, middle.orbit.impacts.front().phase);
+      const std::pair<int, int> key =
+          name ? std::pair(branch.pattern.stops.front(), *name) : std::pair(-1, branch.component);
       branch.component =
           numbers.try_emplace(key, static_cast<int>(numbers.size()) + 1).first->second;
     }
   }
 
-  void number_special_points() {
-    int folds = 0, grazings = 0;
-    for (OrbitBranch& branch : result_.branches)
-      for (SpecialPoint& special : branch.special)
-        special.id = special.kind == SpecialKind::kFold ? fmt::format("LP{}", ++folds)
-                                                        : fmt::format("GR{}", ++grazings);
-  }
-
   const SystemFamily& family_;
   const BranchOptions& options_;
   double lowest_, highest_;
-  ShootingProblem shooting_;
+  ShootingScale scale_;
   ContinuationOptions continuation_;
-  OrbitComponents components_;
-  std::optional<ClosedFormSurvey> survey_;
-  std::vector<Branch> traced_;
+  std::map<std::pair<int, std::vector<int>>, std::unique_ptr<PatternBranches>> patterns_;
+  std::map<int, ClosedFormSurvey> surveys_;  // by stop
+  std::vector<Found> found_;
+  int components_ = 0;
   OrbitBranches result_;
 };
 
 }  // namespace
-
-ZeroProblem orbit_problem(const SystemFamily& family, const ShootingProblem& shooting) {
-  ZeroProblem problem;
-  problem.evaluate = [&family, &shooting](const Vector& u,
-                                          double value) -> std::optional<ZeroEvaluation> {
-    const std::optional<System> system = family.at(value);
-    if (!system) return {};
-    const std::optional<System> tangent = family.tangent_at(value);
-    ZeroEvaluation at;
-    at.residual = shooting.residual(*system, u, &at.jacobian, &*tangent, &at.parameter_derivative);
-    return at;
-  };
-  const std::optional<System> system = family.at(family.value());
-  const Eigen::Index block = 2 * system->modes() + 1;
-  problem.wrap = Vector::Zero(shooting.size(*system));
-  // A whole orbit's phases move together; only the first can wrap on its own, and for k = 1 it is
-  // the only one.
-  if (shooting.pattern().impacts() == 1)
-    for (Eigen::Index at = 0; at < problem.wrap.size(); at += block) problem.wrap[at] = kTurn;
-  return problem;
-}
 
 OrbitBranches trace_orbits(const SystemFamily& family, const BranchOptions& options) {
   return OrbitTracer(family, options).trace();

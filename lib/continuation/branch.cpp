@@ -88,7 +88,7 @@ class Tracer {
           return ended(std::move(branch), BranchEnd::kNotConverged);
       }
       if (advance(branch, *next)) return branch;
-      if (options_.proceed && !options_.proceed(branch.points.back()))
+      if (options_.proceed && !options_.proceed(here, branch.points.back()))
         return ended(std::move(branch), BranchEnd::kHalted);
       h *= std::clamp(kAimedTurn * options_.max_turn / std::max(turn, 1e-12), 0.5, kGrowth);
     }

@@ -68,8 +68,8 @@ struct ContinuationOptions {
   double residual_tolerance = 1e-11;   // largest entry of F at an accepted point
   int max_points = kMostBranchPoints;  // in each direction
   StopSignal stop;
-  // Asked of every new point; false ends the branch there. Empty: go on.
-  std::function<bool(const BranchPoint&)> proceed;
+  // Asked of every new point and the one before it; false ends the branch there. Empty: go on.
+  std::function<bool(const BranchPoint& previous, const BranchPoint& here)> proceed;
 };
 
 enum class BranchEnd {

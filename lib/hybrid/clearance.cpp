@@ -15,8 +15,8 @@ bool rises(const ArcCurve<double>& curve, double s) {
 
 }  // namespace
 
-std::optional<double> smallest_minimum(const ArcCurve<double>& curve) {
-  std::optional<double> smallest;
+std::optional<GapMinimum> lowest_minimum(const ArcCurve<double>& curve) {
+  std::optional<GapMinimum> lowest;
   double s = 0.0;
   bool rising = rises(curve, s);
   int evaluations = 0;
@@ -27,25 +27,31 @@ std::optional<double> smallest_minimum(const ArcCurve<double>& curve) {
       s = extremum.s;
       if (!rising) {
         const double gap = curve.at(s, 0).value;
-        if (!smallest || gap < *smallest) smallest = gap;
+        if (!lowest || gap < lowest->gap) lowest = GapMinimum{s, gap};
       }
       rising = !rising;
     } else if (extremum.kind == ZeroKind::kTouch) {
       // An inflection within rounding: pass the width over which the rate stays in its rounding.
       const CurvePoint<double> point = curve.at(extremum.s, 1);
-      if (point.bound == 0.0) return smallest;  // the gap does not change
+      if (point.bound == 0.0) return lowest;  // the gap does not change
       const double width = std::sqrt(2.0 * point.noise / point.bound);
       if (!(extremum.s + width > s)) break;
       s = extremum.s + width;
       rising = rises(curve, s);
     } else if (extremum.kind == ZeroKind::kNone) {
-      return smallest;
+      return lowest;
     } else {
       break;
     }
   }
   // Nothing is known of the rest of the window, so nothing is promised of it.
-  return -std::numeric_limits<double>::infinity();
+  return GapMinimum{s, -std::numeric_limits<double>::infinity()};
+}
+
+std::optional<double> smallest_minimum(const ArcCurve<double>& curve) {
+  const std::optional<GapMinimum> lowest = lowest_minimum(curve);
+  if (!lowest) return {};
+  return lowest->gap;
 }
 
 }  // namespace graze

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <utility>
 
 #include "graze/base/angle.hpp"
 #include "graze/flow/arc_curve.hpp"
@@ -109,11 +111,16 @@ Admissibility admissibility(const System& system, const ImpactPattern& pattern,
   const ExactFlow<double> flow(system);
   Arc<double> arc(flow);
   const double still = still_speed(system);
-  Admissibility result{true, {}, stop_of(system, pattern, 0).row.dot(points[0].before.qdot)};
+  Admissibility result;
+  result.admissible = true;
+  result.smallest_speed = std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < points.size(); ++i) {
     const RigidStop& stop = stop_of(system, pattern, i);
     const double speed = stop.row.dot(points[i].before.qdot);
-    result.smallest_speed = std::min(result.smallest_speed, speed);
+    if (speed < result.smallest_speed) {
+      result.smallest_speed = speed;
+      result.slowest = i;
+    }
     const double flight = flight_time(system, pattern, points, i);
     if (!(speed > still) || !(flight > 0.0)) result.admissible = false;
     if (!(flight > 0.0)) continue;
@@ -123,22 +130,33 @@ Admissibility admissibility(const System& system, const ImpactPattern& pattern,
       const bool here = static_cast<int>(k) == pattern.stops[i];
       const ArcCurve<double> curve(
           arc, gap_observable<double>(system.stops[k].row, system.stops[k].gap), flight, here);
-      const std::optional<double> minimum = smallest_minimum(curve);
-      if (!minimum) continue;
-      if (!result.clearance || *minimum < *result.clearance) result.clearance = minimum;
+      const std::optional<GapMinimum> minimum = lowest_minimum(curve);
+      if (minimum && (!result.nearest || minimum->gap < result.nearest->gap))
+        result.nearest = NearestApproach{i, static_cast<int>(k), minimum->s, minimum->gap};
     }
   }
-  if (result.clearance && *result.clearance < 0.0) result.admissible = false;
+  if (result.nearest && result.nearest->gap < 0.0) result.admissible = false;
   return result;
 }
 
+std::vector<Eigenvalue> orbit_multipliers(const System& system, const ImpactPattern& pattern,
+                                          const std::vector<ImpactPoint>& points) {
+  return eigenvalues(monodromy_matrix(system, pattern, points));
+}
+
 Orbit make_orbit(const System& system, const ShootingProblem& problem, const Vector& solution) {
+  return make_orbit(system, problem, solution,
+                    orbit_multipliers(system, problem.pattern(), problem.unpack(system, solution)));
+}
+
+Orbit make_orbit(const System& system, const ShootingProblem& problem, const Vector& solution,
+                 std::vector<Eigenvalue> multipliers) {
   const std::vector<ImpactPoint> points = problem.unpack(system, solution);
   Orbit orbit;
   orbit.period = problem.pattern().period;
   orbit.impacts = ordered_impacts(system, problem.pattern(), points);
   orbit.residual = problem.residual(system, solution).cwiseAbs().maxCoeff();
-  orbit.multipliers = eigenvalues(monodromy_matrix(system, problem.pattern(), points));
+  orbit.multipliers = std::move(multipliers);
   const MultiplierCount count = count_multipliers(orbit.multipliers);
   if (count.outside > 0)
     orbit.stable = false;
@@ -146,7 +164,7 @@ Orbit make_orbit(const System& system, const ShootingProblem& problem, const Vec
     orbit.stable = true;
   const Admissibility verdict = admissibility(system, problem.pattern(), points);
   orbit.admissible = verdict.admissible;
-  orbit.clearance = verdict.clearance;
+  orbit.clearance = verdict.clearance();
   return orbit;
 }
 

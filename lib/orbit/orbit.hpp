@@ -51,14 +51,34 @@ Matrix saltation_matrix(const System& system, const RigidStop& stop, const State
 Matrix monodromy_matrix(const System& system, const ImpactPattern& pattern,
                         const std::vector<ImpactPoint>& points);
 
-// Assembles the orbit of a solution of the shooting equations.
+// The multipliers of the orbit: eigenvalues of its monodromy matrix.
+std::vector<Eigenvalue> orbit_multipliers(const System& system, const ImpactPattern& pattern,
+                                          const std::vector<ImpactPoint>& points);
+
+// Assembles the orbit of a solution of the shooting equations, with its multipliers where they are
+// known already.
 Orbit make_orbit(const System& system, const ShootingProblem& problem, const Vector& solution);
+Orbit make_orbit(const System& system, const ShootingProblem& problem, const Vector& solution,
+                 std::vector<Eigenvalue> multipliers);
+
+// Where the motion comes nearest to a stop between impacts.
+struct NearestApproach {
+  std::size_t flight = 0;  // after this impact of the pattern
+  int stop = 0;            // index from 0
+  double after = 0.0;      // s after that impact
+  double gap = 0.0;        // m; negative: it penetrates
+};
 
 // What makes the orbit admissible or not, without its multipliers.
 struct Admissibility {
   bool admissible = false;
-  std::optional<double> clearance;  // m
-  double smallest_speed = 0.0;      // m/s
+  std::optional<NearestApproach> nearest;  // nothing where no gap has an interior minimum
+  double smallest_speed = 0.0;             // m/s
+  std::size_t slowest = 0;                 // the impact of the pattern that has it
+
+  std::optional<double> clearance() const {  // m
+    return nearest ? std::optional(nearest->gap) : std::nullopt;
+  }
 };
 Admissibility admissibility(const System& system, const ImpactPattern& pattern,
                             const std::vector<ImpactPoint>& points);

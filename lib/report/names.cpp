@@ -1,5 +1,7 @@
 #include "graze/report/names.hpp"
 
+#include "graze/bifurcation/special_names.hpp"
+
 namespace graze {
 
 std::string name_of(EventKind kind) {
@@ -16,7 +18,7 @@ std::string name_of(EventKind kind) {
   return "release";
 }
 
-std::string name_of(SpecialKind kind) { return kind == SpecialKind::kFold ? "LP" : "GR"; }
+std::string name_of(SpecialKind kind) { return label_of(kind); }
 
 std::string name_of(OrbitBranchEnd end) {
   switch (end) {
@@ -26,6 +28,8 @@ std::string name_of(OrbitBranchEnd end) {
       return "closed";
     case OrbitBranchEnd::kGrazing:
       return "GR";
+    case OrbitBranchEnd::kPeriodDoubling:
+      return "PD";
     case OrbitBranchEnd::kStepLimit:
       return "step limit";
     case OrbitBranchEnd::kNotConverged:

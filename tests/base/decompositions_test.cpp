@@ -41,6 +41,21 @@ TEST(NullVector, IsMappedToZero) {
   EXPECT_NEAR((matrix * x).norm(), 0.0, 1e-14);
 }
 
+TEST(MatrixExponential, OfNothingIsNothing) {
+  EXPECT_EQ(matrix_exponential(Matrix(0, 0)).size(), 0);
+}
+
+TEST(NullSpaces, AreWhatASingularMatrixMapsToZeroFromEitherSide) {
+  Matrix matrix(2, 3);
+  matrix << 1, 2, -1, 2, 4, -2;
+  const NullSpaces null = null_spaces(matrix, 2);
+  ASSERT_EQ(null.right.cols(), 2);
+  ASSERT_EQ(null.left.cols(), 1);
+  EXPECT_NEAR((matrix * null.right).norm(), 0.0, 1e-14);
+  EXPECT_NEAR((null.left.transpose() * matrix).norm(), 0.0, 1e-14);
+  EXPECT_NEAR((null.right.transpose() * null.right - Matrix::Identity(2, 2)).norm(), 0.0, 1e-14);
+}
+
 TEST(ConditionNumber, IsInfiniteForASingularMatrix) {
   EXPECT_NEAR(condition_number(Eigen::Vector2d(4.0, 0.5).asDiagonal().toDenseMatrix()), 8.0, 1e-14);
   EXPECT_EQ(condition_number(Matrix::Zero(2, 2)), std::numeric_limits<double>::infinity());

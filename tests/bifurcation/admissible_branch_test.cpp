@@ -78,7 +78,7 @@ void expect_complete(const Scene& scene, const std::string& parameter, double fr
       const Admissibility verdict = admissibility(system, {1, {0}}, {point});
       admissible += verdict.admissible;
       border = border || std::abs(verdict.smallest_speed) < 1e-9 ||
-               std::abs(verdict.clearance.value_or(1.0)) < 1e-9;
+               std::abs(verdict.clearance().value_or(1.0)) < 1e-9;
     }
     border = border ||
              std::abs(support::fold_distance(family, value)->relative()) < support::kBesideFold;

@@ -1,0 +1,58 @@
+// A branch of periodic orbits as a value: its points, its special points, how it ends.
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "graze/continuation/branch.hpp"
+#include "graze/orbit/orbit.hpp"
+
+namespace graze {
+
+enum class SpecialKind {
+  kFold,            // LP: the branch turns back
+  kPeriodDoubling,  // PD: a multiplier passes -1
+  kTorus,           // NS: a complex pair of multipliers passes the unit circle
+  kBranchPoint,     // BP: another branch of the same impact pattern crosses
+  kGrazing          // GR: an interior approach touches a stop, or an impact speed goes to zero
+};
+
+struct OrbitBranchPoint {
+  double value = 0.0;  // of the parameter
+  Orbit orbit;
+  int unstable_multipliers = 0;
+  double smallest_speed = 0.0;  // m/s
+};
+
+struct SpecialPoint {
+  SpecialKind kind = SpecialKind::kFold;
+  std::string id;  // "LP1"
+  OrbitBranchPoint at;
+  std::optional<Complex> multiplier;  // the critical one
+  // For a grazing: whether an impact speed vanishes there (else an interior approach touches).
+  bool by_speed = false;
+  BranchPoint solution;  // of the shooting equations, to go on from
+};
+
+enum class OrbitBranchEnd {
+  kParameterLimit,
+  kClosed,
+  kGrazing,
+  kPeriodDoubling,  // where it joins orbits of half the period
+  kStepLimit,
+  kNotConverged
+};
+
+struct OrbitBranch {
+  int id = 0;         // from 1
+  int component = 0;  // connected set of solutions it is part of, from 1
+  ImpactPattern pattern;
+  std::string origin;                    // id of the special point it was switched onto from, or ""
+  std::vector<OrbitBranchPoint> points;  // in order along the branch, special points among them
+  std::vector<SpecialPoint> special;     // in order along the branch
+  std::array<OrbitBranchEnd, 2> ends{OrbitBranchEnd::kNotConverged, OrbitBranchEnd::kNotConverged};
+};
+
+}  // namespace graze

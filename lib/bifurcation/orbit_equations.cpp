@@ -1,0 +1,81 @@
+#include "graze/bifurcation/orbit_equations.hpp"
+
+#include <algorithm>
+#include <limits>
+
+#include "graze/base/angle.hpp"
+
+namespace graze {
+
+OrbitEquations::OrbitEquations(const SystemFamily& family, ImpactPattern pattern,
+                               const ShootingScale& scale)
+    : family_(family), shooting_(std::move(pattern), scale) {
+  problem_.evaluate = [this](const Vector& u, double value) { return evaluate(u, value); };
+  problem_.multipliers = [this](const Vector& u, double value) -> std::vector<Eigenvalue> {
+    const System* system = system_at(value);
+    if (!system) return {};
+    return orbit_multipliers(*system, this->pattern(), shooting_.unpack(*system, u));
+  };
+  const Eigen::Index block = 2 * family.scene().modes() + 1;
+  problem_.wrap = Vector::Zero(block * shooting_.pattern().impacts());
+  for (Eigen::Index at = 0; at < problem_.wrap.size(); at += block) problem_.wrap[at] = kTurn;
+}
+
+const System* OrbitEquations::system_at(double value) const {
+  if (!cached_ || value != cached_value_) {
+    cached_ = family_.at(value);
+    cached_value_ = value;
+  }
+  return cached_ ? &*cached_ : nullptr;
+}
+
+std::optional<ZeroEvaluation> OrbitEquations::evaluate(const Vector& u, double value) const {
+  const System* system = system_at(value);
+  if (!system) return {};
+  const std::optional<System> tangent = family_.tangent_at(value);
+  if (!tangent) return {};
+  ZeroEvaluation at;
+  at.residual = shooting_.residual(*system, u, &at.jacobian, &*tangent, &at.parameter_derivative);
+  return at;
+}
+
+std::vector<ImpactPoint> OrbitEquations::points(const BranchPoint& solution) const {
+  return shooting_.unpack(*system_at(solution.parameter), solution.u);
+}
+
+Admissibility OrbitEquations::admissibility_of(const BranchPoint& solution) const {
+  return admissibility(*system_at(solution.parameter), pattern(), points(solution));
+}
+
+OrbitBranchPoint OrbitEquations::judge(const BranchPoint& solution) const {
+  const System& system = *system_at(solution.parameter);
+  OrbitBranchPoint result;
+  result.value = solution.parameter;
+  result.orbit = solution.multipliers.empty()
+                     ? make_orbit(system, shooting_, solution.u)
+                     : make_orbit(system, shooting_, solution.u, solution.multipliers);
+  result.unstable_multipliers = count_multipliers(result.orbit.multipliers).outside;
+  result.smallest_speed = std::numeric_limits<double>::infinity();
+  for (const OrbitImpact& impact : result.orbit.impacts)
+    result.smallest_speed = std::min(result.smallest_speed, impact.speed);
+  return result;
+}
+
+Vector OrbitEquations::halves_differ(const BranchPoint& solution) const {
+  const ImpactPattern& whole = pattern();
+  const int half = whole.impacts() / 2;
+  if (whole.period % 2 != 0 || whole.impacts() % 2 != 0 ||
+      !std::equal(whole.stops.begin(), whole.stops.begin() + half, whole.stops.begin() + half))
+    return {};
+  const Eigen::Index size = solution.u.size() / 2, block = size / half;
+  Vector difference = solution.u.tail(size) - solution.u.head(size);
+  for (Eigen::Index at = 0; at < size; at += block) difference[at] -= kTurn * (whole.period / 2);
+  return difference;
+}
+
+bool OrbitEquations::passes_half(const BranchPoint& a, const BranchPoint& b) const {
+  const Vector at_a = halves_differ(a);
+  return at_a.size() > 0 && at_a.dot(halves_differ(b)) < 0.0;
+}
+
+}  // namespace graze

@@ -1,0 +1,53 @@
+// The orbits of one impact pattern over a parameter of the scene: the shooting equations as a zero
+// problem, and the verdict on each of their solutions.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "graze/bifurcation/orbit_branch.hpp"
+#include "graze/orbit/shooting.hpp"
+#include "graze/system/system_family.hpp"
+
+namespace graze {
+
+// Remembers the system of the value asked for last: one thread at a time.
+class OrbitEquations {
+ public:
+  // Refers to the family, which must outlive it. `scale` is that of one value for all: the metric
+  // of a branch must not change on the way.
+  OrbitEquations(const SystemFamily& family, ImpactPattern pattern, const ShootingScale& scale);
+  OrbitEquations(const OrbitEquations&) = delete;
+  OrbitEquations& operator=(const OrbitEquations&) = delete;
+
+  const ZeroProblem& problem() const { return problem_; }
+  const ShootingProblem& shooting() const { return shooting_; }
+  const ImpactPattern& pattern() const { return shooting_.pattern(); }
+
+  // Null where the scene does not allow the value.
+  const System* system_at(double value) const;
+
+  // The impacts of a solution; requires its value to be allowed, as do the verdicts.
+  std::vector<ImpactPoint> points(const BranchPoint& solution) const;
+  // The verdict without multipliers.
+  Admissibility admissibility_of(const BranchPoint& solution) const;
+  OrbitBranchPoint judge(const BranchPoint& solution) const;
+
+  // What the second half of the impacts differs from the first by, in the units of the unknowns:
+  // zero where the orbit has half the period. Empty for patterns that are not twice one.
+  Vector halves_differ(const BranchPoint& solution) const;
+  // Whether the solutions at two neighbours lie on either side of one that has half the period:
+  // beyond it come the same orbits again, half a period later.
+  bool passes_half(const BranchPoint& a, const BranchPoint& b) const;
+
+ private:
+  std::optional<ZeroEvaluation> evaluate(const Vector& u, double value) const;
+
+  const SystemFamily& family_;
+  ShootingProblem shooting_;
+  ZeroProblem problem_;
+  mutable double cached_value_ = 0.0;
+  mutable std::optional<System> cached_;
+};
+
+}  // namespace graze

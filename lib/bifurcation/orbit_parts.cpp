@@ -1,0 +1,200 @@
+#include "graze/bifurcation/orbit_parts.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace graze {
+namespace {
+
+// Halves nearer than this, in the units of the unknowns, are one: solutions are known to about the
+// square root of eps where they are least well determined.
+constexpr double kOneOrbit = 1e-7;
+
+OrbitBranchEnd as_orbit_end(BranchEnd end) {
+  switch (end) {
+    case BranchEnd::kParameterLimit:
+      return OrbitBranchEnd::kParameterLimit;
+    case BranchEnd::kClosed:
+      return OrbitBranchEnd::kClosed;
+    case BranchEnd::kStepLimit:
+    case BranchEnd::kStopped:
+      return OrbitBranchEnd::kStepLimit;
+    case BranchEnd::kHalted:
+    case BranchEnd::kNotConverged:
+      break;
+  }
+  return OrbitBranchEnd::kNotConverged;
+}
+
+SpecialKind as_special(CriticalKind kind) {
+  switch (kind) {
+    case CriticalKind::kFold:
+      return SpecialKind::kFold;
+    case CriticalKind::kPeriodDoubling:
+      return SpecialKind::kPeriodDoubling;
+    case CriticalKind::kTorus:
+      return SpecialKind::kTorus;
+    case CriticalKind::kBranchPoint:
+      break;
+  }
+  return SpecialKind::kBranchPoint;
+}
+
+// A point or special point met along a component.
+struct Station {
+  OrbitBranchPoint at;
+  std::optional<SpecialPoint> special;
+  bool joins_half = false;  // has half the period: orbits of that period end the branch here
+
+  bool is_grazing() const { return special && special->kind == SpecialKind::kGrazing; }
+  bool is_orbit() const { return at.orbit.admissible || is_grazing(); }
+  // What ends a branch here: a grazing, unless none could be located.
+  OrbitBranchEnd end() const {
+    if (joins_half) return OrbitBranchEnd::kPeriodDoubling;
+    return is_grazing() ? OrbitBranchEnd::kGrazing : OrbitBranchEnd::kNotConverged;
+  }
+};
+
+// Puts the grazing between the stations from `first` on where their verdict changes.
+void insert_grazing(std::vector<Station>& stations, std::size_t first,
+                    const SpecialPoint& grazing) {
+  const bool verdict = stations[first].at.orbit.admissible;
+  const auto changed =
+      std::find_if(stations.begin() + static_cast<std::ptrdiff_t>(first), stations.end(),
+                   [&](const Station& s) { return s.at.orbit.admissible != verdict; });
+  stations.insert(changed, {grazing.at, grazing});
+}
+
+// Starts a closed sequence where it is no orbit, so that no part is cut in two by the start.
+void open_outside(std::vector<Station>& stations) {
+  const auto outside = std::find_if(stations.begin(), stations.end(),
+                                    [](const Station& s) { return !s.is_orbit(); });
+  if (outside == stations.begin() || outside == stations.end()) return;
+  const auto offset = outside - stations.begin();
+  stations.pop_back();  // repeats the first
+  std::rotate(stations.begin(), stations.begin() + offset, stations.end());
+  stations.push_back(stations.front());
+}
+
+class Parts {
+ public:
+  Parts(const OrbitEquations& equations, const ContinuationOptions& options, const Branch& branch,
+        bool keep_virtual)
+      : equations_(equations), options_(options), branch_(branch), keep_virtual_(keep_virtual) {}
+
+  std::vector<OrbitBranch> divide() {
+    visit();
+    drop_beyond_halves();
+    if (branch_.closed() && !keep_virtual_) open_outside(stations_);
+    std::vector<OrbitBranch> parts;
+    bool inside = false;
+    for (std::size_t i = 0; i < stations_.size(); ++i) {
+      const Station& here = stations_[i];
+      const bool kept = keep_virtual_ || here.is_orbit();
+      if (kept && !inside) {
+        parts.emplace_back();
+        parts.back().pattern = equations_.pattern();
+        parts.back().ends[0] =
+            i == 0 && !here.joins_half ? as_orbit_end(branch_.ends[0]) : here.end();
+      }
+      if (kept) {
+        parts.back().points.push_back(here.at);
+        if (here.special) parts.back().special.push_back(*here.special);
+        parts.back().ends[1] = i + 1 == stations_.size() && !here.joins_half
+                                   ? as_orbit_end(branch_.ends[1])
+                                   : here.end();
+      }
+      inside = kept;
+    }
+    return parts;
+  }
+
+ private:
+  void visit() {
+    auto critical = branch_.critical.begin();
+    for (std::size_t i = 0; i < branch_.points.size(); ++i) {
+      Station here{equations_.judge(branch_.points[i]), {}};
+      if (i == 0) {
+        // A branch that was switched onto starts at the orbit of half the period.
+        const Vector halves = equations_.halves_differ(branch_.points[0]);
+        here.joins_half = halves.size() > 0 && halves.norm() < kOneOrbit;
+        stations_.push_back(here);
+        continue;
+      }
+      const std::size_t first = stations_.size() - 1;
+      const OrbitBranchPoint before = stations_[first].at;
+      for (; critical != branch_.critical.end() && critical->after == i - 1; ++critical)
+        stations_.push_back(special(*critical));
+      stations_.push_back(here);
+      if (const auto touch = grazing(branch_.points[i - 1], branch_.points[i], before, here.at))
+        insert_grazing(stations_, first, *touch);
+    }
+  }
+
+  Station special(const CriticalPoint& critical) const {
+    Station station{equations_.judge(critical.point), {}};
+    if (critical.kind == CriticalKind::kBranchPoint &&
+        equations_.passes_half(branch_.points[critical.after],
+                               branch_.points[critical.after + 1])) {
+      // The doubling is a special point of the orbits of half the period; here it is an end.
+      station.joins_half = true;
+      return station;
+    }
+    SpecialPoint special{as_special(critical.kind), "", station.at, {}, false, critical.point};
+    if (critical.multiplier) special.multiplier = critical.multiplier->value;
+    station.special = special;
+    return station;
+  }
+
+  // Beyond a joint the trace went on by one point, at either end.
+  void drop_beyond_halves() {
+    if (stations_.size() > 2 && stations_[1].joins_half) stations_.erase(stations_.begin());
+    if (stations_.size() > 2 && stations_[stations_.size() - 2].joins_half) stations_.pop_back();
+  }
+
+  std::optional<SpecialPoint> grazing(const BranchPoint& a, const BranchPoint& b,
+                                      const OrbitBranchPoint& at_a,
+                                      const OrbitBranchPoint& at_b) const {
+    if (at_a.orbit.admissible == at_b.orbit.admissible) return {};
+    const double still = still_speed(*equations_.system_at(a.parameter));
+    const bool by_speed = (at_a.smallest_speed > still) != (at_b.smallest_speed > still);
+    std::optional<BranchPoint> point;
+    if (by_speed && at_a.smallest_speed > 0.0 && at_b.smallest_speed > 0.0) {
+      // One of them is on the grazing within rounding.
+      point = at_a.smallest_speed < at_b.smallest_speed ? a : b;
+    } else if (by_speed) {
+      point = locate(equations_.problem(), options_, a, b, [&](const BranchPoint& p) {
+        return equations_.admissibility_of(p).smallest_speed;
+      });
+    } else {
+      // Without an interior minimum the motion is as clear as its gap is wide.
+      const double clear =
+          std::max(at_a.orbit.clearance.value_or(0.0), at_b.orbit.clearance.value_or(0.0)) + 1.0;
+      point = locate(equations_.problem(), options_, a, b, [&](const BranchPoint& p) {
+        return equations_.admissibility_of(p).clearance().value_or(clear);
+      });
+    }
+    if (!point) return {};
+    SpecialPoint special{SpecialKind::kGrazing, "", equations_.judge(*point), {}, by_speed, *point};
+    // It touches and does not cross; which side of that the last bit falls on says nothing.
+    special.at.orbit.admissible = true;
+    return special;
+  }
+
+  const OrbitEquations& equations_;
+  const ContinuationOptions& options_;
+  const Branch& branch_;
+  bool keep_virtual_;
+  std::vector<Station> stations_;
+};
+
+}  // namespace
+
+std::vector<OrbitBranch> orbit_parts(const OrbitEquations& equations,
+                                     const ContinuationOptions& options, const Branch& branch,
+                                     bool keep_virtual) {
+  return Parts(equations, options, branch, keep_virtual).divide();
+}
+
+}  // namespace graze

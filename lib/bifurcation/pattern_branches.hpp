@@ -1,0 +1,50 @@
+// All branches of one impact pattern that have been traced so far.
+#pragma once
+
+#include <deque>
+#include <optional>
+#include <vector>
+
+#include "graze/bifurcation/orbit_parts.hpp"
+
+namespace graze {
+
+// The same pattern, written from the impact that puts its stops first in lexicographic order: the
+// name of a pattern, which does not depend on where its period is said to begin.
+ImpactPattern canonical(ImpactPattern pattern);
+
+// The impacts of an orbit in the order of its canonical pattern.
+std::vector<ImpactPoint> in_canonical_order(const ImpactPattern& pattern,
+                                            std::vector<ImpactPoint> impacts);
+
+class PatternBranches {
+ public:
+  // Refers to the family, which must outlive it. `range` says from where to where, how fast, and
+  // when to stop.
+  PatternBranches(const SystemFamily& family, ImpactPattern pattern, const ShootingScale& scale,
+                  ContinuationOptions range, bool keep_virtual);
+  PatternBranches(const PatternBranches&) = delete;
+  PatternBranches& operator=(const PatternBranches&) = delete;
+
+  const OrbitEquations& equations() const { return equations_; }
+  const ContinuationOptions& options() const { return options_; }
+  int traces() const { return static_cast<int>(traced_.size()); }
+
+  // The solution near these impacts at a value; nothing where there is none, or none that is
+  // listed.
+  std::optional<BranchPoint> solve(const std::vector<ImpactPoint>& impacts, double value) const;
+  // Whether the solution lies on a branch that has been traced, wherever its period begins.
+  bool knows(const BranchPoint& solution) const;
+  // Traces the branch through a solution.
+  const Branch& trace(const BranchPoint& start, Directions directions);
+  // Its parts that are listed.
+  std::vector<OrbitBranch> parts(const Branch& branch) const;
+
+ private:
+  OrbitEquations equations_;
+  ContinuationOptions options_;
+  bool keep_virtual_;
+  std::deque<Branch> traced_;  // references to them stay valid
+};
+
+}  // namespace graze

@@ -1,0 +1,78 @@
+#include "graze/bifurcation/pattern_switching.hpp"
+
+#include <utility>
+
+#include "graze/base/angle.hpp"
+#include "graze/flow/transition.hpp"
+
+namespace graze {
+namespace {
+
+PatternSwitch doubled(const OrbitEquations& equations, const SpecialPoint& special) {
+  PatternSwitch next{equations.pattern(), equations.points(special.solution), {}};
+  const double turn = kTurn * next.pattern.period;
+  next.pattern.period *= 2;
+  for (std::size_t i = 0, k = next.impacts.size(); i < k; ++i) {
+    next.pattern.stops.push_back(next.pattern.stops[i]);
+    next.impacts.push_back(next.impacts[i]);
+    next.impacts.back().theta += turn;
+  }
+  const Vector& tangent = special.solution.tangent;
+  const Eigen::Index n = tangent.size() - 1;
+  next.known_tangent.resize(2 * n + 1);
+  next.known_tangent << tangent.head(n), tangent.head(n), tangent[n];
+  next.known_tangent.normalize();
+  return next;
+}
+
+// The impact that a touching approach becomes.
+std::optional<PatternSwitch> with_touch(const OrbitEquations& equations,
+                                        const SpecialPoint& special) {
+  PatternSwitch next{equations.pattern(), equations.points(special.solution), {}};
+  const System& system = *equations.system_at(special.solution.parameter);
+  const Admissibility verdict = admissibility(system, next.pattern, next.impacts);
+  if (!verdict.nearest) return {};
+  const NearestApproach& touch = *verdict.nearest;
+  const ImpactPoint& from = next.impacts[touch.flight];
+  const auto stop = static_cast<std::size_t>(next.pattern.stops[touch.flight]);
+  const ExactFlow<double> flow(system);
+  const Transition arc = transition(system, flow, after_impact(system.stops[stop], from.before),
+                                    from.theta, touch.after);
+  const ImpactPoint impact{from.theta + touch.after * system.forcing->frequency, arc.end};
+  const auto at = static_cast<std::ptrdiff_t>(touch.flight) + 1;
+  next.impacts.insert(next.impacts.begin() + at, impact);
+  next.pattern.stops.insert(next.pattern.stops.begin() + at, touch.stop);
+  return next;
+}
+
+std::optional<PatternSwitch> without_slowest(const OrbitEquations& equations,
+                                             const SpecialPoint& special) {
+  PatternSwitch next{equations.pattern(), equations.points(special.solution), {}};
+  if (next.pattern.impacts() == 1) return {};
+  const auto at = static_cast<std::ptrdiff_t>(equations.admissibility_of(special.solution).slowest);
+  next.impacts.erase(next.impacts.begin() + at);
+  next.pattern.stops.erase(next.pattern.stops.begin() + at);
+  return next;
+}
+
+}  // namespace
+
+std::optional<PatternSwitch> pattern_switch(const OrbitEquations& equations,
+                                            const SpecialPoint& special) {
+  switch (special.kind) {
+    case SpecialKind::kPeriodDoubling:
+      return doubled(equations, special);
+    case SpecialKind::kBranchPoint:
+      return PatternSwitch{equations.pattern(), equations.points(special.solution),
+                           special.solution.tangent};
+    case SpecialKind::kGrazing:
+      return special.by_speed ? without_slowest(equations, special)
+                              : with_touch(equations, special);
+    case SpecialKind::kFold:
+    case SpecialKind::kTorus:
+      break;
+  }
+  return {};
+}
+
+}  // namespace graze

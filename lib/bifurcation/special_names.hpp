@@ -1,0 +1,37 @@
+// Names of special points, as AUTO and MatCont users know them.
+#pragma once
+
+#include <map>
+#include <string>
+
+#include "graze/bifurcation/orbit_branch.hpp"
+
+namespace graze {
+
+// "LP", "PD", "NS", "BP", "GR".
+inline std::string label_of(SpecialKind kind) {
+  switch (kind) {
+    case SpecialKind::kFold:
+      return "LP";
+    case SpecialKind::kPeriodDoubling:
+      return "PD";
+    case SpecialKind::kTorus:
+      return "NS";
+    case SpecialKind::kBranchPoint:
+      return "BP";
+    case SpecialKind::kGrazing:
+      break;
+  }
+  return "GR";
+}
+
+// Numbers them, each kind from 1.
+class SpecialNames {
+ public:
+  std::string next(SpecialKind kind) { return label_of(kind) + std::to_string(++counts_[kind]); }
+
+ private:
+  std::map<SpecialKind, int> counts_;
+};
+
+}  // namespace graze
