@@ -40,6 +40,8 @@ struct Command {
   std::string parameter;
   double from = 0.0, to = 0.0;
   std::optional<double> max_step;
+  std::string follow = "none";  // none | all
+  int depth = 2;
 
   long long max_impacts = 10'000'000;
   double max_seconds = 3600.0;

@@ -176,15 +176,20 @@ void add_continue(CLI::App& graze, Command& command) {
                   "Largest change of the parameter in one step (default: range/50)")
       ->check(above_zero())
       ->type_name("D");
-  app->add_option_function<std::string>(
-         "--impacts",
-         [&command](const std::string& text) {
-           if (text != "1") throw not_available("--impacts other than 1 for continue");
-           command.impacts = 1;
-         },
-         "Impacts per orbit: 1 in this version")
+  app->add_option("--impacts", command.impacts,
+                  "Impacts per orbit, on all stops together (default: 1)")
+      ->check(CLI::Range(1, 64))
       ->type_name("K");
-  for (const char* later : {"--locus", "--second", "--second-from", "--second-to", "--follow"})
+  app->add_option("--follow", command.follow,
+                  "Switch branches at special points: none, or all: doubled orbits at PD, crossing "
+                  "branches at BP, rewritten impact sequences at GR (default: none)")
+      ->check(CLI::IsMember({"none", "all"}))
+      ->type_name("WHAT");
+  app->add_option("--depth", command.depth,
+                  "With --follow all: special points switched at one after the other (default: 2)")
+      ->check(CLI::Range(1, 16))
+      ->type_name("D");
+  for (const char* later : {"--locus", "--second", "--second-from", "--second-to"})
     app->add_option_function<std::string>(
            later, [later](const std::string&) { throw not_available(later); },
            "(not available in this version)")

@@ -36,6 +36,8 @@ BranchOptions branch_options(const Command& command) {
                     kMostBranchPoints, *command.max_step, finest));
   BranchOptions options;
   options.period = command.period;
+  options.impacts = command.impacts.value_or(1);
+  options.follow_depth = command.follow == "all" ? command.depth : 0;
   options.from = command.from;
   options.to = command.to;
   options.max_step = command.max_step.value_or(0.0);
@@ -52,8 +54,6 @@ int run_continue(const Command& command) {
   if (!command.plot.empty()) check_picture_name(command.plot);
   const Scene scene = read_scene(command.scene, command.settings);
   require_forcing_and_stop(scene);
-  if (scene.stops.size() > 1)
-    throw InputError("continue with several stops: not available in this version");
   BranchOptions options = branch_options(command);
   const SystemFamily family(scene, command.parameter);
   BranchRecord record{run_info(command.name, command.scene, scene),
@@ -71,6 +71,9 @@ int run_continue(const Command& command) {
   record.info.options.emplace_back("from", command.from);
   record.info.options.emplace_back("to", command.to);
   if (command.max_step) record.info.options.emplace_back("max_step", *command.max_step);
+  record.info.options.emplace_back("follow", command.follow);
+  if (command.follow == "all")
+    record.info.options.emplace_back("depth", static_cast<long long>(command.depth));
   record_search(command, record.info);
   record.warnings = system_warnings(scene, record.system);
   warn(command, record.warnings);

@@ -118,12 +118,13 @@ Outcome branch_outcome(const OrbitBranches& traced, const BranchOptions& options
     return {"budget",
             "the budget of computing time was spent; the branches traced so far are kept"};
   if (traced.branches.empty() && traced.cut_short == 0)
-    return {"no_orbit", fmt::format("no ({}, 1) orbit was found for {} between {:g} and {:g}{}",
-                                    options.period, traced.parameter, options.from, options.to,
-                                    traced.starts > 0
-                                        ? "; every solution of the equations penetrates a stop or "
-                                          "impacts at negative speed (--virtual traces such)"
-                                        : "")};
+    return {
+        "no_orbit",
+        fmt::format("no ({}, {}) orbit was found for {} between {:g} and {:g}{}", options.period,
+                    options.impacts, traced.parameter, options.from, options.to,
+                    traced.starts > 0 ? "; every solution of the equations penetrates a stop or "
+                                        "impacts at negative speed (--virtual traces such)"
+                                      : "")};
   if (traced.cut_short > 0)
     return {"budget",
             fmt::format("{} of {} traces could not be followed to an end, so branches may be "

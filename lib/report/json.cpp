@@ -106,6 +106,13 @@ Json point_json(const OrbitBranchPoint& point) {
   return json;
 }
 
+// From 1, in the order of the impacts.
+Json stops_of(const ImpactPattern& pattern) {
+  Json stops = Json::array();
+  for (const int stop : pattern.stops) stops.push_back(stop + 1);
+  return stops;
+}
+
 Json special_json(const SpecialPoint& special) {
   const OrbitImpact& first = special.at.orbit.impacts.front();
   Json json = {{"id", special.id},
@@ -115,6 +122,7 @@ Json special_json(const SpecialPoint& special) {
                {"speed", number(first.speed)},
                {"multiplier", special.multiplier ? pair(*special.multiplier) : Json(nullptr)},
                {"admissible", special.at.orbit.admissible}};
+  if (special.at.orbit.impacts.size() > 1) json["at"] = impacts_at(special.at.orbit);
   if (special.kind == SpecialKind::kGrazing)
     json["grazing"] = special.by_speed ? "impact speed vanishes" : "interior approach touches";
   return json;
@@ -271,8 +279,10 @@ std::string to_json(const BranchRecord& record) {
     for (const SpecialPoint& s : branch.special) special.push_back(special_json(s));
     branches.push_back({{"id", branch.id},
                         {"component", branch.component},
-                        {"period", branch.points.front().orbit.period},
-                        {"impacts", branch.points.front().orbit.impacts.size()},
+                        {"period", branch.pattern.period},
+                        {"impacts", branch.pattern.impacts()},
+                        {"stops", stops_of(branch.pattern)},
+                        {"origin", branch.origin.empty() ? Json(nullptr) : Json(branch.origin)},
                         {"ends", {name_of(branch.ends[0]), name_of(branch.ends[1])}},
                         {"points", points},
                         {"special", special}});
@@ -284,7 +294,9 @@ std::string to_json(const BranchRecord& record) {
                           {"traces", record.traced.traced},
                           {"traces_cut_short", record.traced.cut_short},
                           {"shooting_evaluations", record.traced.shooting_evaluations},
-                          {"rejected_steps", record.traced.rejected_steps}};
+                          {"rejected_steps", record.traced.rejected_steps},
+                          {"switched", record.traced.switched},
+                          {"left_open", record.traced.left_open}};
   document["notes"] = record.traced.notes;
   return text(document);
 }

@@ -4,9 +4,11 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <optional>
 
 #include "graze/base/angle.hpp"
+#include "graze/bifurcation/special_names.hpp"
 #include "graze/report/picture_style.hpp"
 #include "graze/report/pictures.hpp"
 
@@ -88,6 +90,31 @@ void insert_special(std::vector<Node>& nodes, const Node& special, const Axes& a
   if (least < 0.05) nodes.insert(nodes.begin() + static_cast<std::ptrdiff_t>(place), special);
 }
 
+// How a kind of special point is marked: told apart by shape first, by colour second.
+struct MarkStyle {
+  const char* title;
+  int point;  // gnuplot's point type
+  double size;
+  const char* colour;
+  bool open;  // an outline; the same shape filled is the next point type
+};
+
+MarkStyle mark_of(SpecialKind kind) {
+  switch (kind) {
+    case SpecialKind::kFold:
+      return {"fold", 7, 0.8, kBlack, false};
+    case SpecialKind::kPeriodDoubling:
+      return {"period doubling", 5, 0.8, kBlack, false};
+    case SpecialKind::kTorus:
+      return {"torus", 13, 1.1, kBlack, false};
+    case SpecialKind::kBranchPoint:
+      return {"branch point", 12, 1.2, kBlack, true};
+    case SpecialKind::kGrazing:
+      break;
+  }
+  return {"grazing", 8, 1.0, kGreen, true};
+}
+
 class BranchesPicture {
  public:
   explicit BranchesPicture(const BranchRecord& record) : record_(record) {
@@ -111,9 +138,8 @@ class BranchesPicture {
   GnuplotScript script() {
     set_style(script_);
     for (std::size_t kind = 0; kind < kKinds; ++kind) write_kind(kind);
-    if (!folds_.empty()) script_.data("folds", folds_);
-    if (!virtual_folds_.empty()) script_.data("virtual_folds", virtual_folds_);
-    if (!grazings_.empty()) script_.data("grazings", grazings_);
+    for (const auto& [kind, marks] : marks_) script_.data(label_of(kind), marks);
+    if (!virtual_marks_.empty()) script_.data("virtual_marks", virtual_marks_);
     set_axes();
     script_.plot(layers());
     return script_;
@@ -162,10 +188,10 @@ class BranchesPicture {
   void add_special(const OrbitBranch& branch) {
     for (const SpecialPoint& special : branch.special) {
       const Node at = node(special.at);
-      if (special.kind == SpecialKind::kGrazing)
-        grazings_.row({at.x, at.y});
+      if (!special.at.orbit.admissible)
+        virtual_marks_.row({at.x, at.y});
       else
-        (special.at.orbit.admissible ? folds_ : virtual_folds_).row({at.x, at.y});
+        marks_[special.kind].row({at.x, at.y});
     }
   }
 
@@ -173,7 +199,7 @@ class BranchesPicture {
     AxisRange y = axes_.y;
     const double room = 0.06 * y.span();
     y.high += room;
-    if (y.low < 0.0 || !grazings_.empty()) {
+    if (y.low < 0.0 || marks_.count(SpecialKind::kGrazing) > 0) {
       y.low -= room;
       script_.command(
           fmt::format("set arrow from graph 0, first 0 to graph 1, first 0 nohead back "
@@ -211,12 +237,9 @@ class BranchesPicture {
     script_.command("set x2label 'forcing frequency (Hz)'");
   }
 
-  std::string fold_style(const char* colour) const {
-    return fmt::format("with points pt 7 ps {:.2f} lc rgb '{}'", 0.8 * mark_size(), colour);
-  }
-
-  std::string grazing_style() const {
-    return fmt::format("with points pt 8 ps {:.2f} lw 1.2 lc rgb '{}'", mark_size(), kGreen);
+  std::string mark(const MarkStyle& style) const {
+    return fmt::format("with points pt {} ps {:.2f} lw 1.2 lc rgb '{}'", style.point,
+                       style.size * mark_size(), style.colour);
   }
 
   // Marks shrink as they crowd.
@@ -235,14 +258,16 @@ class BranchesPicture {
         layers.push_back(fmt::format("$lone_{} with points pt 7 ps 0.4 lc rgb '{}'", name,
                                      style_of(kind).colour));
     }
-    if (!grazings_.empty()) {
-      // Filled with the paper's white, so that the curve does not run through the triangle.
-      layers.push_back(
-          fmt::format("$grazings with points pt 9 ps {:.2f} lc rgb '#FFFFFF'", mark_size()));
-      layers.push_back("$grazings " + grazing_style());
+    if (!virtual_marks_.empty())
+      layers.push_back("$virtual_marks " + mark({"", 7, 0.6, kGrey, false}));
+    for (const auto& [kind, points] : marks_) {
+      const MarkStyle style = mark_of(kind);
+      // Filled with the paper's white, so that the curve does not run through an open mark.
+      if (style.open)
+        layers.push_back(fmt::format("${} with points pt {} ps {:.2f} lc rgb '#FFFFFF'",
+                                     label_of(kind), style.point + 1, style.size * mark_size()));
+      layers.push_back("$" + label_of(kind) + " " + mark(style));
     }
-    if (!virtual_folds_.empty()) layers.push_back("$virtual_folds " + fold_style(kGrey));
-    if (!folds_.empty()) layers.push_back("$folds " + fold_style(kBlack));
     for (const std::string& entry : legend()) layers.push_back(entry);
     return layers;
   }
@@ -252,18 +277,21 @@ class BranchesPicture {
     for (std::size_t kind = 0; kind < kKinds; ++kind)
       if (!curves_[kind].empty() || !lone_[kind].empty())
         entries.push_back(fmt::format("NaN {} title '{}'", line_style(kind), style_of(kind).title));
-    if (!folds_.empty()) entries.push_back("NaN " + fold_style(kBlack) + " title 'fold (LP)'");
-    if (!virtual_folds_.empty())
-      entries.push_back("NaN " + fold_style(kGrey) + " title 'virtual fold'");
-    if (!grazings_.empty()) entries.push_back("NaN " + grazing_style() + " title 'grazing (GR)'");
+    for (const auto& [kind, points] : marks_)
+      entries.push_back(fmt::format("NaN {} title '{} ({})'", mark(mark_of(kind)),
+                                    mark_of(kind).title, label_of(kind)));
+    if (!virtual_marks_.empty())
+      entries.push_back("NaN " + mark({"", 7, 0.6, kGrey, false}) +
+                        " title 'virtual special point'");
     return entries;
   }
 
   const BranchRecord& record_;
   Axes axes_;
   std::array<PlotTable, kKinds> curves_;
-  std::array<PlotTable, kKinds> lone_;  // branches of a single point
-  PlotTable folds_, virtual_folds_, grazings_;
+  std::array<PlotTable, kKinds> lone_;      // branches of a single point
+  std::map<SpecialKind, PlotTable> marks_;  // special points of orbits
+  PlotTable virtual_marks_;
   GnuplotScript script_;
 };
 

@@ -202,8 +202,13 @@ std::string to_text(const OrbitRecord& record) {
 
 std::string to_text(const BranchRecord& record) {
   const std::string unit = record.unit.empty() ? "" : fmt::format(" ({})", record.unit);
-  Table branches(
-      {"branch", "component", "points", "stable", "lowest" + unit, "highest" + unit, "ends"});
+  const bool switched =
+      std::any_of(record.traced.branches.begin(), record.traced.branches.end(),
+                  [](const OrbitBranch& branch) { return !branch.origin.empty(); });
+  std::vector<std::string> columns = {"branch", "component",     "orbit",          "points",
+                                      "stable", "lowest" + unit, "highest" + unit, "ends"};
+  if (switched) columns.push_back("from");
+  Table branches(columns);
   Table special({"point", "branch", record.traced.parameter + unit, "phase (rad)", "speed (m/s)",
                  "multiplier"});
   for (const OrbitBranch& branch : record.traced.branches) {
@@ -223,9 +228,17 @@ std::string to_text(const BranchRecord& record) {
                                  ? name_of(branch.ends[0])
                                  : end(branch.ends[0], branch.points.front()) + ", " +
                                        end(branch.ends[1], branch.points.back());
-    branches.add({fmt::format("{}", branch.id), fmt::format("{}", branch.component),
-                  fmt::format("{}", branch.points.size()), fmt::format("{}", stable),
-                  fmt::format("{:.8g}", lowest), fmt::format("{:.8g}", highest), ends});
+    std::vector<std::string> row = {
+        fmt::format("{}", branch.id),
+        fmt::format("{}", branch.component),
+        fmt::format("({}, {})", branch.pattern.period, branch.pattern.impacts()),
+        fmt::format("{}", branch.points.size()),
+        fmt::format("{}", stable),
+        fmt::format("{:.8g}", lowest),
+        fmt::format("{:.8g}", highest),
+        ends};
+    if (switched) row.push_back(branch.origin.empty() ? "-" : branch.origin);
+    branches.add(row);
     for (const SpecialPoint& s : branch.special)
       special.add({s.id, fmt::format("{}", branch.id), fmt::format("{:.13g}", s.at.value),
                    fmt::format("{:.9f}", s.at.orbit.impacts.front().phase),
@@ -238,6 +251,10 @@ std::string to_text(const BranchRecord& record) {
   text +=
       fmt::format("{} start{}, {} evaluations of the shooting equations\n", record.traced.starts,
                   record.traced.starts == 1 ? "" : "s", record.traced.shooting_evaluations);
+  if (record.traced.switched > 0 || record.traced.left_open > 0)
+    text += fmt::format("{} special point{} switched at; {} beyond the depth left open\n",
+                        record.traced.switched, record.traced.switched == 1 ? "" : "s",
+                        record.traced.left_open);
   return text + notes_text(record.traced.notes) + ending(record.outcome);
 }
 
