@@ -19,6 +19,7 @@ namespace {
 struct Found {
   OrbitBranch branch;
   PatternBranches* pattern = nullptr;
+  int trace = 0;           // its number
   int origin_branch = -1;  // index of the found branch it was switched onto from
   std::size_t origin_special = 0;
 };
@@ -132,12 +133,10 @@ class OrbitTracer {
         is_cut(branch.ends[1]) || (directions == Directions::kBoth && is_cut(branch.ends[0]));
     result_.shooting_evaluations += branch.evaluations;
     result_.rejected_steps += branch.rejected;
-    ++components_;
     for (OrbitBranch& part : branches.parts(branch)) {
       cut = cut || part.ends[0] == OrbitBranchEnd::kNotConverged ||
             part.ends[1] == OrbitBranchEnd::kNotConverged;
-      part.component = components_;
-      found_.push_back({std::move(part), &branches, origin_branch, origin_special});
+      found_.push_back({std::move(part), &branches, result_.traced, origin_branch, origin_special});
     }
     ++result_.traced;
     if (cut) ++result_.cut_short;
@@ -221,23 +220,30 @@ class OrbitTracer {
     for (const std::size_t i : order) result_.branches.push_back(std::move(found_[i].branch));
   }
 
-  // Branches that were traced apart may be parts of one component, connected where the solutions
-  // are no orbits; the closed form knows. Numbers follow the order of appearance.
+  // Numbers follow the order of appearance.
   void name_components(const std::vector<std::size_t>& order) {
     std::map<std::pair<int, int>, int> numbers;
-    for (const std::size_t i : order) {
-      OrbitBranch& branch = found_[i].branch;
-      const OrbitBranchPoint& middle = branch.points[branch.points.size() / 2];
-      std::optional<int> name;
-      const bool closed = branch.pattern.impacts() == 1 && branch.pattern.period == options_.period;
-      const auto survey = surveys_.find(branch.pattern.stops.front());
-      if (closed && survey != surveys_.end() && !options_.keep_virtual)
-        name = survey->second.component(middle.value, middle.orbit.impacts.front().phase);
-      const std::pair<int, int> key =
-          name ? std::pair(branch.pattern.stops.front(), *name) : std::pair(-1, branch.component);
-      branch.component =
-          numbers.try_emplace(key, static_cast<int>(numbers.size()) + 1).first->second;
-    }
+    for (const std::size_t i : order)
+      found_[i].branch.component =
+          numbers.try_emplace(component_of(i), static_cast<int>(numbers.size()) + 1).first->second;
+  }
+
+  // What is switched onto is connected to where it was switched from. Branches that were traced
+  // apart may be parts of one component, connected where the solutions are no orbits; the closed
+  // form knows.
+  std::pair<int, int> component_of(std::size_t index) const {
+    const Found& found = found_[index];
+    if (found.origin_branch >= 0)
+      return component_of(static_cast<std::size_t>(found.origin_branch));
+    const OrbitBranch& branch = found.branch;
+    const int stop = branch.pattern.stops.front();
+    const OrbitBranchPoint& middle = branch.points[branch.points.size() / 2];
+    const auto survey = surveys_.find(stop);
+    if (survey != surveys_.end() && !options_.keep_virtual)
+      if (const std::optional<int> name =
+              survey->second.component(middle.value, middle.orbit.impacts.front().phase))
+        return {stop, *name};
+    return {-1, found.trace};
   }
 
   const SystemFamily& family_;
@@ -248,7 +254,6 @@ class OrbitTracer {
   std::map<std::pair<int, std::vector<int>>, std::unique_ptr<PatternBranches>> patterns_;
   std::map<int, ClosedFormSurvey> surveys_;  // by stop
   std::vector<Found> found_;
-  int components_ = 0;
   OrbitBranches result_;
 };
 

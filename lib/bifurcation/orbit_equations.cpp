@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "graze/base/angle.hpp"
+#include "graze/orbit/solve.hpp"
 
 namespace graze {
 
@@ -75,7 +76,12 @@ Vector OrbitEquations::halves_differ(const BranchPoint& solution) const {
 
 bool OrbitEquations::passes_half(const BranchPoint& a, const BranchPoint& b) const {
   const Vector at_a = halves_differ(a);
-  return at_a.size() > 0 && at_a.dot(halves_differ(b)) < 0.0;
+  if (at_a.size() == 0) return false;
+  const Vector at_b = halves_differ(b);
+  // Where a branch was switched onto, its first point has half the period to rounding: the sign of
+  // what is left says nothing.
+  if (std::min(at_a.norm(), at_b.norm()) <= kShootingTolerance) return false;
+  return at_a.dot(at_b) < 0.0;
 }
 
 }  // namespace graze
