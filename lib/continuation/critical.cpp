@@ -11,12 +11,41 @@ namespace {
 // The modulus of the j-th multiplier less 1, and what rounding leaves open of it.
 struct Excess {
   double value = 0.0, error = 0.0;
-  int sign() const { return value > error ? 1 : value < -error ? -1 : 0; }
 };
 
 Excess excess(const std::vector<Eigenvalue>& multipliers, std::size_t j) {
   return {std::abs(multipliers[j].value) - 1.0, multipliers[j].error};
 }
+
+// Multipliers outside the unit circle by kind.
+struct OutsideCount {
+  int flipped = 0;  // real, below -1
+  int grown = 0;    // real, above 1
+  int pairs = 0;    // complex
+  bool operator==(const OutsideCount&) const = default;
+};
+
+OutsideCount count_outside(const std::vector<Eigenvalue>& multipliers) {
+  OutsideCount count;
+  for (const Eigenvalue& m : multipliers) {
+    if (!(std::abs(m.value) > 1.0)) continue;
+    if (m.value.imag() > 0.0) ++count.pairs;
+    if (m.value.imag() == 0.0) ++(m.value.real() < 0.0 ? count.flipped : count.grown);
+  }
+  return count;
+}
+
+// Whether these changes are those of one crossing, or of a pair that meets outside the circle and
+// parts on the real axis, or the other way round.
+bool is_single(int flipped, int grown, int pairs) {
+  if (std::abs(flipped) + std::abs(grown) + std::abs(pairs) == 1) return true;
+  return (flipped == -2 * pairs && grown == 0 && std::abs(pairs) == 1) ||
+         (grown == -2 * pairs && flipped == 0 && std::abs(pairs) == 1);
+}
+
+// Crossings in one step are told apart down to 2^-30 of it; nearer than that each is still found by
+// its own modulus.
+constexpr int kMostHalvings = 30;
 
 std::optional<Eigenvalue> nearest_to_one(const std::vector<Eigenvalue>& multipliers) {
   std::optional<Eigenvalue> nearest;
@@ -83,95 +112,128 @@ class CriticalSearch {
   }
 
   void add_crossings() {
-    const std::size_t count = branch_.points.front().multipliers.size();
-    for (std::size_t j = 0; j < count; ++j) {
-      std::size_t last = 0;  // the last point at which the sign was certain
-      int sign = 0;
-      for (std::size_t i = 0; i < branch_.points.size(); ++i) {
-        if (branch_.points[i].multipliers.size() != count) return;
-        const int here = sign_at(i, j);
-        if (here == 0) continue;
-        if (here * sign < 0) add_crossing(last, i, j);
-        sign = here;
-        last = i;
-      }
-      for (std::size_t i = 1; i + 2 < branch_.points.size(); ++i)
-        if (sign_at(i, j) != 0 && sign_at(i, j) == sign_at(i + 1, j)) add_hidden(i, j);
+    const std::vector<BranchPoint>& points = branch_.points;
+    const std::size_t count = points.front().multipliers.size();
+    for (const BranchPoint& point : points)
+      if (point.multipliers.size() != count) return;
+    for (std::size_t i = 0; i + 1 < points.size(); ++i) {
+      // The step's ends, and between them where a modulus crosses and comes back.
+      std::vector<BranchPoint> stations = {points[i]};
+      if (i > 0 && i + 2 < points.size())
+        for (std::size_t j = 0; j < count; ++j)
+          if (std::optional<BranchPoint> middle = hidden(i, j))
+            stations.push_back(std::move(*middle));
+      std::sort(stations.begin() + 1, stations.end(), [&](const auto& a, const auto& b) {
+        return distance_from(points[i], a) < distance_from(points[i], b);
+      });
+      stations.push_back(points[i + 1]);
+      for (std::size_t k = 0; k + 1 < stations.size(); ++k)
+        divide(stations[k], stations[k + 1], i, kMostHalvings);
     }
   }
 
-  int sign_at(std::size_t i, std::size_t j) const {
-    return excess(branch_.points[i].multipliers, j).sign();
-  }
-
-  // Between the points `from` and `to` the sign changes for certain; in between it is open.
-  void add_crossing(std::size_t from, std::size_t to, std::size_t j) {
-    for (std::size_t i = from; i < to; ++i) {
-      const double a = excess(branch_.points[i].multipliers, j).value;
-      const double b = excess(branch_.points[i + 1].multipliers, j).value;
-      if (a * b <= 0.0) {
-        add_crossing(branch_.points[i], branch_.points[i + 1], i, j);
+  // Halves the piece from a to b of step `after` until each part holds one crossing at most, and
+  // locates that. Crossings may add up to the changes of a single one: the pieces on either side of
+  // what was located are looked at again.
+  void divide(const BranchPoint& a, const BranchPoint& b, std::size_t after, int halvings) {
+    const OutsideCount at_a = count_outside(a.multipliers), at_b = count_outside(b.multipliers);
+    if (at_a == at_b) return;
+    const Vector chord = corrector_.difference(corrector_.pack(b), corrector_.pack(a));
+    const double length = chord.dot(a.tangent);
+    const bool single =
+        is_single(at_b.flipped - at_a.flipped, at_b.grown - at_a.grown, at_b.pairs - at_a.pairs);
+    if (!single && halvings > 0) {
+      if (const auto middle = point_between(a, 0.5 * length)) {
+        divide(a, *middle, after, halvings - 1);
+        divide(*middle, b, after, halvings - 1);
         return;
       }
     }
+    for (std::size_t j = 0; j < a.multipliers.size(); ++j) {
+      if (excess(a.multipliers, j).value * excess(b.multipliers, j).value > 0.0) continue;
+      const std::optional<BranchPoint> found = add_crossing(a, b, after, j);
+      if (!found || halvings == 0) continue;
+      const double at =
+          corrector_.difference(corrector_.pack(*found), corrector_.pack(a)).dot(a.tangent);
+      const double aside = std::ldexp(length, -kMostHalvings / 2);
+      const auto before = at > aside ? point_between(a, at - aside) : std::nullopt;
+      const auto behind = at + aside < length ? point_between(a, at + aside) : std::nullopt;
+      if (before) divide(a, *before, after, halvings - 1);
+      if (behind) divide(*behind, b, after, halvings - 1);
+      return;
+    }
   }
 
-  void add_crossing(const BranchPoint& a, const BranchPoint& b, std::size_t after, std::size_t j) {
+  // Whether the j-th modulus is known to differ from 1 at either end of the step. Where all
+  // multipliers sit on the circle, crossings are rounding.
+  bool is_significant(std::size_t after, std::size_t j) const {
+    for (const std::size_t i : {after, after + 1}) {
+      const Excess at = excess(branch_.points[i].multipliers, j);
+      if (std::abs(at.value) > at.error) return true;
+    }
+    return false;
+  }
+
+  // Where the j-th modulus passes 1 between a and b; nothing where it cannot be located.
+  std::optional<BranchPoint> add_crossing(const BranchPoint& a, const BranchPoint& b,
+                                          std::size_t after, std::size_t j) {
+    if (!is_significant(after, j)) return {};
     std::optional<BranchPoint> point = locate(corrector_, a, b, [&](const BranchPoint& p) {
       const std::vector<Eigenvalue> multipliers = multipliers_of(p);
       return j < multipliers.size() ? excess(multipliers, j).value : std::nan("");
     });
-    if (!point) return;
+    if (!point) return {};
     point->multipliers = multipliers_of(*point);
-    if (j >= point->multipliers.size()) return;
-    const Eigenvalue& critical = point->multipliers[j];
+    if (j >= point->multipliers.size()) return {};
+    Eigenvalue critical = point->multipliers[j];
     const bool complex = critical.value.imag() != 0.0;
-    if (!complex && critical.value.real() > 0.0) return;
-    // One of a pair is enough: that with the positive imaginary part, which comes second.
-    if (complex && critical.value.imag() < 0.0) return;
-    branch_.critical.push_back(
-        {complex ? CriticalKind::kTorus : CriticalKind::kPeriodDoubling, *point, after, critical});
+    // Of a pair that with the positive imaginary part is named.
+    if (complex && critical.value.imag() < 0.0) critical.value = std::conj(critical.value);
+    if (complex || critical.value.real() < 0.0)
+      branch_.critical.push_back({complex ? CriticalKind::kTorus : CriticalKind::kPeriodDoubling,
+                                  *point, after, critical});
+    return point;
   }
 
   // Whether the modulus crosses the circle and comes back between points i and i + 1, as its course
   // outside of them suggests: the lines through the two points on either side meet, where two
   // multipliers change places or a smooth course bends, beyond the circle. If what is found there
   // does not cross, the parabola through it is asked once more.
-  void add_hidden(std::size_t i, std::size_t j) {
+  std::optional<BranchPoint> hidden(std::size_t i, std::size_t j) {
     const auto value = [&](std::size_t k) {
       return excess(branch_.points[k].multipliers, j).value;
     };
     const double length = distance(i, i + 1);
     const double at = value(i), next = value(i + 1);
+    if (!(at * next > 0.0)) return {};
     const double rate_in = (at - value(i - 1)) / distance(i - 1, i);
     const double rate_out = (value(i + 2) - next) / distance(i + 1, i + 2);
     const double s = (next - at - rate_out * length) / (rate_in - rate_out);
-    if (!(s > 0.0 && s < length) || (at + rate_in * s) * at > 0.0) return;
-    std::optional<BranchPoint> middle = point_between(i, s);
-    if (!middle || middle->multipliers.size() <= j) return;
+    if (!(s > 0.0 && s < length) || (at + rate_in * s) * at > 0.0) return {};
+    std::optional<BranchPoint> middle = point_between(branch_.points[i], s);
+    if (!middle || middle->multipliers.size() <= j) return {};
     const double found = excess(middle->multipliers, j).value;
     if (found * at > 0.0) {
       const double left = (found - at) / s, right = (next - found) / (length - s);
       const double curvature = (right - left) / length;
       const double vertex = 0.5 * (s - left / curvature);
-      if (!(vertex > 0.0 && vertex < length)) return;
-      middle = point_between(i, vertex);
-      if (!middle || middle->multipliers.size() <= j) return;
+      if (!(vertex > 0.0 && vertex < length)) return {};
+      middle = point_between(branch_.points[i], vertex);
+      if (!middle || middle->multipliers.size() <= j) return {};
     }
-    if (!(excess(middle->multipliers, j).value * at < 0.0)) return;
-    add_crossing(branch_.points[i], *middle, i, j);
-    add_crossing(*middle, branch_.points[i + 1], i, j);
+    if (!(excess(middle->multipliers, j).value * at < 0.0)) return {};
+    return middle;
   }
 
+  double distance_from(const BranchPoint& a, const BranchPoint& b) const {
+    return corrector_.difference(corrector_.pack(b), corrector_.pack(a)).norm();
+  }
   double distance(std::size_t i, std::size_t k) const {
-    return corrector_
-        .difference(corrector_.pack(branch_.points[k]), corrector_.pack(branch_.points[i]))
-        .norm();
+    return distance_from(branch_.points[i], branch_.points[k]);
   }
 
-  // The point of the branch s behind point i, its multipliers with it.
-  std::optional<BranchPoint> point_between(std::size_t i, double s) {
-    const BranchPoint& from = branch_.points[i];
+  // The point of the branch s behind another one, its multipliers with it.
+  std::optional<BranchPoint> point_between(const BranchPoint& from, double s) {
     std::optional<BranchPoint> point =
         corrector_.on_hyperplane(corrector_.pack(from) + s * from.tangent, from.tangent);
     if (point) point->multipliers = multipliers_of(*point);

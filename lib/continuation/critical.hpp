@@ -3,9 +3,11 @@
 //
 // Test functions are the moduli of the multipliers, sorted: rho_1 >= rho_2 >= .., each continuous
 // along the branch even where multipliers meet, so that the crossing rho_j = 1 between two points
-// is a root of one function however many others cross in the same step; no product of all
-// multipliers is ever formed. What crossed is read off the multiplier itself: real and negative a
-// period doubling, complex a torus, real and positive a fold or branch point (found otherwise).
+// is a root of one function; no product of all multipliers is ever formed. Multipliers outside the
+// circle are counted by kind (real below -1, real above 1, complex), and a step whose counts change
+// by more than one crossing is halved. What crossed is read off the multiplier itself: real and
+// negative a period doubling, complex a torus, real and positive a fold or branch point (found
+// otherwise).
 #pragma once
 
 #include "graze/continuation/corrector.hpp"

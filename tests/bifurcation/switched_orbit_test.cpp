@@ -1,0 +1,183 @@
+// Branches that have no closed form, confirmed by simulation; what special points part.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "branch_checks.hpp"
+#include "graze/base/angle.hpp"
+#include "graze/orbit/settled.hpp"
+
+namespace graze {
+namespace {
+
+using support::special_points;
+
+OrbitBranches followed(const Scene& scene, const std::string& parameter, double from, double to,
+                       int depth, int period = 1, int impacts = 1) {
+  const SystemFamily family(scene, parameter);
+  BranchOptions options;
+  options.period = period;
+  options.impacts = impacts;
+  options.from = from;
+  options.to = to;
+  options.follow_depth = depth;
+  return trace_orbits(family, options);
+}
+
+// The state at the start of a forcing period, on the orbit but for a relative push.
+State pushed(const System& system, const Orbit& orbit, double push) {
+  // From the last impact on to the end of its period the motion is one arc.
+  const OrbitImpact& last = orbit.impacts.back();
+  const RigidStop& stop = system.stops[static_cast<std::size_t>(last.stop)];
+  const ExactFlow<double> flow(system);
+  Arc<double> arc(flow);
+  const State after = after_impact(stop, last.before);
+  arc.start(last.phase, after.q, after.qdot);
+  const double left =
+      (orbit.period - last.period_index) * system.period() - last.phase / system.forcing->frequency;
+  Vector q(system.modes()), qdot(system.modes());
+  arc.state(left, q, qdot);
+  return {(1.0 + push) * q, (1.0 + push) * qdot};
+}
+
+// Whether a motion that starts near the orbit, within a relative push, settles on it.
+bool is_reached(const SystemFamily& family, const OrbitBranchPoint& point, double push,
+                double accuracy) {
+  const System system = *family.at(point.value);
+  SettleOptions options;
+  options.periods = 20000;
+  // The clock of a run starts at phase `forcing.phase`; these scenes have none.
+  const SettledMotion settled = settle(system, pushed(system, point.orbit, push), options);
+  // Where deviations alternate in sign two periods may be seen to repeat before one does.
+  if (!settled.pattern || settled.pattern->period % point.orbit.period != 0) return false;
+  const std::size_t own = point.orbit.impacts.size(), met = settled.points.size();
+  const auto rounds = static_cast<std::size_t>(settled.pattern->period / point.orbit.period);
+  if (met != own * rounds) return false;
+  double nearest = 1.0;
+  for (std::size_t turn = 0; turn < met; ++turn) {
+    double worst = 0.0;
+    for (std::size_t i = 0; i < met; ++i)
+      worst = std::max(worst, std::abs(std::remainder(settled.points[(i + turn) % met].theta -
+                                                          point.orbit.impacts[i % own].phase,
+                                                      kTurn)));
+    nearest = std::min(nearest, worst);
+  }
+  return nearest <= accuracy;
+}
+
+// How far inside the circle the multipliers lie.
+double contraction(const Orbit& orbit) { return std::abs(orbit.multipliers.front().value); }
+
+int expect_stable_points_are_reached(const OrbitBranches& result, const SystemFamily& family) {
+  int reached = 0;
+  for (const OrbitBranch& branch : result.branches) {
+    SCOPED_TRACE(testing::Message() << "branch " << branch.id << " (" << branch.pattern.period
+                                    << ", " << branch.pattern.impacts() << ")");
+    for (std::size_t i = 1; i + 1 < branch.points.size(); ++i) {
+      const OrbitBranchPoint& point = branch.points[i];
+      if (!point.orbit.stable.value_or(false) || contraction(point.orbit) > 0.95) continue;
+      // Near a grazing the basin is as narrow as the way to it.
+      if (point.smallest_speed < 1e-3 || point.orbit.clearance.value_or(1.0) < 1e-5) continue;
+      EXPECT_TRUE(is_reached(family, point, 1e-6, 1e-5)) << "at " << point.value;
+      ++reached;
+    }
+  }
+  return reached;
+}
+
+TEST(SwitchedOrbits, OfTheOneModeBeamAreReachedBySimulation) {
+  const Scene scene = support::shipped_scene("05_wagg_one_mode");
+  const SystemFamily family(scene, "forcing.frequency");
+  const OrbitBranches result = followed(scene, "forcing.frequency", 15.0, 120.0, 2);
+  EXPECT_GE(expect_stable_points_are_reached(result, family), 100);
+  // The patterns that leave its grazings and doublings.
+  for (const auto& [period, impacts] : {std::pair(1, 2), {2, 2}, {2, 1}, {2, 4}}) {
+    const bool there =
+        std::any_of(result.branches.begin(), result.branches.end(), [&](const OrbitBranch& b) {
+          return b.pattern.period == period && b.pattern.impacts() == impacts;
+        });
+    EXPECT_TRUE(there) << period << " " << impacts;
+  }
+}
+
+// A doubled branch starts at the doubling it came from, its speeds parting as a square root.
+TEST(SwitchedOrbits, DoubledBranchStartsAtItsDoubling) {
+  const Scene scene = support::shipped_scene("05_wagg_one_mode");
+  const OrbitBranches result = followed(scene, "forcing.frequency", 15.0, 120.0, 1);
+  const auto doublings = special_points(result, SpecialKind::kPeriodDoubling);
+  int doubled = 0;
+  for (const OrbitBranch& branch : result.branches) {
+    if (branch.origin.rfind("PD", 0) != 0) continue;
+    ++doubled;
+    EXPECT_EQ(branch.ends[0], OrbitBranchEnd::kPeriodDoubling);
+    const auto origin =
+        std::find_if(doublings.begin(), doublings.end(),
+                     [&](const SpecialPoint* special) { return special->id == branch.origin; });
+    ASSERT_NE(origin, doublings.end());
+    EXPECT_EQ(branch.points.front().value, (*origin)->at.value);
+  }
+  EXPECT_EQ(doubled, 2);
+}
+
+// Across a grazing the impact sequence is rewritten: the new branch starts where the old one ends,
+// its new impact at speed zero, and on both the touch is one and the same instant.
+TEST(SwitchedOrbits, GrazingJoinsTheSequencesWithAndWithoutTheImpact) {
+  const Scene scene = support::shipped_scene("05_wagg_one_mode");
+  const OrbitBranches result = followed(scene, "forcing.frequency", 15.0, 120.0, 2);
+  int joined = 0;
+  for (const OrbitBranch& branch : result.branches) {
+    if (branch.origin.rfind("GR", 0) != 0) continue;
+    for (const OrbitBranch& from : result.branches)
+      for (const SpecialPoint& grazing : from.special) {
+        if (grazing.id != branch.origin) continue;
+        ++joined;
+        EXPECT_EQ(std::abs(branch.pattern.impacts() - from.pattern.impacts()), 1);
+        EXPECT_EQ(grazing.by_speed, branch.pattern.impacts() < from.pattern.impacts());
+        const auto twin = std::find_if(
+            branch.special.begin(), branch.special.end(), [&](const SpecialPoint& special) {
+              return special.kind == SpecialKind::kGrazing &&
+                     std::abs(special.at.value / grazing.at.value - 1.0) <= 1e-10;
+            });
+        ASSERT_NE(twin, branch.special.end()) << grazing.id;
+        EXPECT_EQ(twin->by_speed, !grazing.by_speed) << grazing.id;
+      }
+  }
+  EXPECT_GE(joined, 3);
+}
+
+// Every doubling parts orbits that a perturbed motion returns to from orbits that it leaves.
+TEST(SwitchedOrbits, DoublingsPartWhatSimulationReachesFromWhatItLeaves) {
+  const Scene scene = support::shipped_scene("05_wagg_one_mode");
+  const SystemFamily family(scene, "forcing.frequency");
+  const OrbitBranches result = followed(scene, "forcing.frequency", 15.0, 120.0, 0);
+  int parted = 0;
+  for (const OrbitBranch& branch : result.branches)
+    for (std::size_t i = 0; i < branch.points.size(); ++i)
+      for (const SpecialPoint& special : branch.special) {
+        if (special.kind != SpecialKind::kPeriodDoubling ||
+            branch.points[i].value != special.at.value)
+          continue;
+        ASSERT_GT(i, 0u);
+        ASSERT_LT(i + 1, branch.points.size());
+        for (const OrbitBranchPoint* side : {&branch.points[i - 1], &branch.points[i + 1]}) {
+          ASSERT_TRUE(side->orbit.stable);
+          EXPECT_EQ(is_reached(family, *side, 1e-6, 1e-4), *side->orbit.stable) << side->value;
+        }
+        EXPECT_NE(*branch.points[i - 1].orbit.stable, *branch.points[i + 1].orbit.stable);
+        ++parted;
+      }
+  EXPECT_EQ(parted, 2);
+}
+
+// r(v): no closed form.
+TEST(SwitchedOrbits, WithSpeedDependentRestitutionAreReachedBySimulation) {
+  const Scene scene =
+      support::shipped_scene("04_impact_oscillator", {"stop.restitution=[0.9, 0.15]"});
+  const SystemFamily family(scene, "forcing.frequency");
+  const OrbitBranches result = followed(scene, "forcing.frequency", 2.0, 4.0, 1);
+  EXPECT_GE(expect_stable_points_are_reached(result, family), 10);
+}
+
+}  // namespace
+}  // namespace graze
