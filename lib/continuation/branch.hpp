@@ -67,9 +67,9 @@ struct ContinuationOptions {
   double max_turn = 0.3;
   double residual_tolerance = 1e-11;   // largest entry of F at an accepted point
   int max_points = kMostBranchPoints;  // in each direction
-  StopSignal stop;
+  StopSignal stop{};
   // Asked of every new point and the one before it; false ends the branch there. Empty: go on.
-  std::function<bool(const BranchPoint& previous, const BranchPoint& here)> proceed;
+  std::function<bool(const BranchPoint& previous, const BranchPoint& here)> proceed{};
 };
 
 enum class BranchEnd {
@@ -87,6 +87,9 @@ enum class CriticalKind {
   kTorus,           // NS: a complex pair of multipliers passes the unit circle
   kBranchPoint      // BP: another branch of solutions crosses
 };
+
+// "LP", "PD", "NS", "BP".
+const char* label_of(CriticalKind kind);
 
 struct CriticalPoint {
   CriticalKind kind = CriticalKind::kFold;
