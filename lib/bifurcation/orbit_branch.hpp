@@ -41,6 +41,7 @@ enum class OrbitBranchEnd {
   kClosed,
   kGrazing,
   kPeriodDoubling,  // where it joins orbits of half the period
+  kImpactsMeet,     // a flight from impact to impact shrinks to nothing: their order would change
   kStepLimit,
   kNotConverged
 };

@@ -136,6 +136,8 @@ class OrbitTracer {
     for (OrbitBranch& part : branches.parts(branch)) {
       cut = cut || part.ends[0] == OrbitBranchEnd::kNotConverged ||
             part.ends[1] == OrbitBranchEnd::kNotConverged;
+      result_.meetings += static_cast<int>(
+          std::count(part.ends.begin(), part.ends.end(), OrbitBranchEnd::kImpactsMeet));
       found_.push_back({std::move(part), &branches, result_.traced, origin_branch, origin_special});
     }
     ++result_.traced;
@@ -179,7 +181,9 @@ class OrbitTracer {
       at.multipliers.clear();
       start = other_branch(equations.problem(), branches.options(), at);
     }
-    if (!start || branches.knows(*start)) return;
+    // At a branch point the known branch passes too.
+    const bool crossing = special.kind == SpecialKind::kBranchPoint;
+    if (!start || (crossing ? branches.knows_crossing(*start) : branches.knows(*start))) return;
     ++result_.switched;
     // Either way from a doubling lead the same orbits, half a period apart.
     const bool doubling = special.kind == SpecialKind::kPeriodDoubling;

@@ -40,6 +40,7 @@ struct OrbitBranches {
   int surveyed_values = 0;  // at which the closed form was sampled for further starts
   int traced = 0;           // traces begun, one for each start that no earlier one had passed
   int cut_short = 0;        // traces that could not be followed to an end
+  int meetings = 0;         // branches ended by impacts that meet
   int switched = 0;         // special points switched at
   int left_open = 0;        // special points at the stated depth that were not switched at
   StopReason stopped = StopReason::kNone;

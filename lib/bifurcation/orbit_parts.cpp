@@ -46,24 +46,25 @@ struct Station {
   OrbitBranchPoint at;
   std::optional<SpecialPoint> special;
   bool joins_half = false;  // has half the period: orbits of that period end the branch here
+  bool meets = false;       // two impacts come together here
 
   bool is_grazing() const { return special && special->kind == SpecialKind::kGrazing; }
-  bool is_orbit() const { return at.orbit.admissible || is_grazing(); }
+  bool is_orbit() const { return at.orbit.admissible || is_grazing() || meets; }
   // What ends a branch here: a grazing, unless none could be located.
   OrbitBranchEnd end() const {
     if (joins_half) return OrbitBranchEnd::kPeriodDoubling;
+    if (meets) return OrbitBranchEnd::kImpactsMeet;
     return is_grazing() ? OrbitBranchEnd::kGrazing : OrbitBranchEnd::kNotConverged;
   }
 };
 
-// Puts the grazing between the stations from `first` on where their verdict changes.
-void insert_grazing(std::vector<Station>& stations, std::size_t first,
-                    const SpecialPoint& grazing) {
+// Puts the border between the stations from `first` on where their verdict changes.
+void insert_border(std::vector<Station>& stations, std::size_t first, const Station& border) {
   const bool verdict = stations[first].at.orbit.admissible;
   const auto changed =
       std::find_if(stations.begin() + static_cast<std::ptrdiff_t>(first), stations.end(),
                    [&](const Station& s) { return s.at.orbit.admissible != verdict; });
-  stations.insert(changed, {grazing.at, grazing});
+  stations.insert(changed, border);
 }
 
 // Starts a closed sequence where it is no orbit, so that no part is cut in two by the start.
@@ -127,8 +128,9 @@ class Parts {
       for (; critical != branch_.critical.end() && critical->after == i - 1; ++critical)
         stations_.push_back(special(*critical));
       stations_.push_back(here);
-      if (const auto touch = grazing(branch_.points[i - 1], branch_.points[i], before, here.at))
-        insert_grazing(stations_, first, *touch);
+      if (before.orbit.admissible != here.at.orbit.admissible)
+        if (const auto edge = border(branch_.points[i - 1], branch_.points[i], before, here.at))
+          insert_border(stations_, first, *edge);
     }
   }
 
@@ -153,10 +155,26 @@ class Parts {
     if (stations_.size() > 2 && stations_[stations_.size() - 2].joins_half) stations_.pop_back();
   }
 
+  // Where between a and b the solutions stop being orbits.
+  std::optional<Station> border(const BranchPoint& a, const BranchPoint& b,
+                                const OrbitBranchPoint& at_a, const OrbitBranchPoint& at_b) const {
+    const auto flight = [&](const BranchPoint& p) {
+      return equations_.admissibility_of(p).shortest_flight;
+    };
+    if ((flight(a) > 0.0) != (flight(b) > 0.0))
+      if (const auto point = locate(equations_.problem(), options_, a, b, flight)) {
+        Station station{equations_.judge(*point), {}};
+        station.meets = true;
+        return station;
+      }
+    const std::optional<SpecialPoint> touch = grazing(a, b, at_a, at_b);
+    if (!touch) return {};
+    return Station{touch->at, touch};
+  }
+
   std::optional<SpecialPoint> grazing(const BranchPoint& a, const BranchPoint& b,
                                       const OrbitBranchPoint& at_a,
                                       const OrbitBranchPoint& at_b) const {
-    if (at_a.orbit.admissible == at_b.orbit.admissible) return {};
     const double still = still_speed(*equations_.system_at(a.parameter));
     const bool by_speed = (at_a.smallest_speed > still) != (at_b.smallest_speed > still);
     std::optional<BranchPoint> point;

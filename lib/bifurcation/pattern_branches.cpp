@@ -66,20 +66,34 @@ std::optional<BranchPoint> PatternBranches::solve(const std::vector<ImpactPoint>
   return start;
 }
 
-bool PatternBranches::knows(const BranchPoint& solution) const {
-  if (traced_.empty()) return false;
+std::vector<BranchPoint> PatternBranches::rewritten(const BranchPoint& solution) const {
   const ImpactPattern& pattern = equations_.pattern();
   const std::vector<ImpactPoint> impacts = equations_.points(solution);
+  std::vector<BranchPoint> list;
   for (std::size_t turn = 0; turn < impacts.size(); ++turn) {
     std::vector<int> stops = pattern.stops;
     std::rotate(stops.begin(), stops.begin() + static_cast<std::ptrdiff_t>(turn), stops.end());
     if (stops != pattern.stops) continue;
-    BranchPoint same = solution;
-    same.u = equations_.shooting().pack(turned(impacts, turn, pattern.period));
+    list.push_back(solution);
+    list.back().u = equations_.shooting().pack(turned(impacts, turn, pattern.period));
+  }
+  return list;
+}
+
+bool PatternBranches::knows(const BranchPoint& solution) const {
+  if (traced_.empty()) return false;
+  for (const BranchPoint& same : rewritten(solution))
     for (const Branch& branch : traced_)
       if (lies_on(equations_.problem(), options_, branch, same)) return true;
-  }
   return false;
+}
+
+bool PatternBranches::knows_crossing(const BranchPoint& at) const {
+  int passing = 0;
+  for (const BranchPoint& same : rewritten(at))
+    for (const Branch& branch : traced_)
+      passing += crosses_at(equations_.problem(), options_, branch, same) ? 1 : 0;
+  return passing >= 2;
 }
 
 const Branch& PatternBranches::trace(const BranchPoint& start, Directions directions) {

@@ -35,12 +35,17 @@ class PatternBranches {
   std::optional<BranchPoint> solve(const std::vector<ImpactPoint>& impacts, double value) const;
   // Whether the solution lies on a branch that has been traced, wherever its period begins.
   bool knows(const BranchPoint& solution) const;
+  // Whether both branches that cross at a branch point have been traced.
+  bool knows_crossing(const BranchPoint& at) const;
   // Traces the branch through a solution.
   const Branch& trace(const BranchPoint& start, Directions directions);
   // Its parts that are listed.
   std::vector<OrbitBranch> parts(const Branch& branch) const;
 
  private:
+  // The solution, written from each impact that its pattern may begin with.
+  std::vector<BranchPoint> rewritten(const BranchPoint& solution) const;
+
   OrbitEquations equations_;
   ContinuationOptions options_;
   bool keep_virtual_;

@@ -13,8 +13,6 @@ namespace {
 // Growth of the step after an easy one, and the turn (as a part of the largest) it aims at.
 constexpr double kGrowth = 1.5;
 constexpr double kAimedTurn = 0.5;
-// A step, relative to 1 + |x|, over which the orientation may change.
-constexpr double kShortest = 1e-6;
 // A branch closes only after it has been this far from its start, well beyond kOnePoint.
 constexpr double kAway = 1e-5;
 // Newton's contraction asked of a step, and of the first step on the way back from its end. Where
@@ -304,6 +302,18 @@ std::optional<BranchPoint> locate(const ZeroProblem& problem, const Continuation
                                   const std::function<double(const BranchPoint&)>& test) {
   Corrector corrector(problem, options);
   return locate(corrector, a, b, test);
+}
+
+bool crosses_at(const ZeroProblem& problem, const ContinuationOptions& options,
+                const Branch& branch, const BranchPoint& point) {
+  const Corrector corrector(problem, options);
+  const Vector x = corrector.pack(point);
+  return std::any_of(branch.critical.begin(), branch.critical.end(),
+                     [&](const CriticalPoint& critical) {
+                       return critical.kind == CriticalKind::kBranchPoint &&
+                              corrector.difference(corrector.pack(critical.point), x).norm() <=
+                                  kOneCrossing * (1.0 + x.norm());
+                     });
 }
 
 bool lies_on(const ZeroProblem& problem, const ContinuationOptions& options, const Branch& branch,

@@ -68,6 +68,7 @@ class CriticalSearch {
     for (std::size_t i = 0; i + 1 < branch_.points.size(); ++i)
       if (branch_.points[i].orientation * branch_.points[i + 1].orientation < 0)
         add_branch_point(i);
+    drop_folds_at_branch_points();
     if (problem_.multipliers) add_crossings();
     std::stable_sort(branch_.critical.begin(), branch_.critical.end(),
                      [this](const CriticalPoint& a, const CriticalPoint& b) {
@@ -109,6 +110,26 @@ class CriticalSearch {
       found.multiplier = nearest_to_one(found.point.multipliers);
     }
     branch_.critical.push_back(std::move(found));
+  }
+
+  // Where a branch meets another one at its own turning point (a pitchfork seen from the side that
+  // branches off), the fold is that branch point; so near to it tangents are lost in rounding and
+  // show several.
+  void drop_folds_at_branch_points() {
+    std::vector<Vector> crossings;
+    for (const CriticalPoint& critical : branch_.critical)
+      if (critical.kind == CriticalKind::kBranchPoint)
+        crossings.push_back(corrector_.pack(critical.point));
+    const auto is_at_one = [&](const CriticalPoint& critical) {
+      if (critical.kind != CriticalKind::kFold) return false;
+      const Vector x = corrector_.pack(critical.point);
+      return std::any_of(crossings.begin(), crossings.end(), [&](const Vector& crossing) {
+        return corrector_.difference(x, crossing).norm() <= kOneCrossing * (1.0 + x.norm());
+      });
+    };
+    branch_.critical.erase(
+        std::remove_if(branch_.critical.begin(), branch_.critical.end(), is_at_one),
+        branch_.critical.end());
   }
 
   void add_crossings() {

@@ -11,6 +11,13 @@ namespace graze {
 // Solutions nearer than this are one: next to a fold they are known to about sqrt(eps).
 inline constexpr double kOnePoint = 1e-7;
 
+// A step, relative to 1 + |x|, over which the orientation may change: branch points are passed with
+// steps as short as this.
+inline constexpr double kShortest = 1e-6;
+// Special points nearer to a branch point than this, relative to 1 + |x|, are at it: some steps of
+// that length.
+inline constexpr double kOneCrossing = 10.0 * kShortest;
+
 // As `locate` of branch.hpp.
 std::optional<BranchPoint> locate(Corrector& corrector, const BranchPoint& a, const BranchPoint& b,
                                   const std::function<double(const BranchPoint&)>& test);

@@ -113,7 +113,7 @@ Admissibility admissibility(const System& system, const ImpactPattern& pattern,
   const double still = still_speed(system);
   Admissibility result;
   result.admissible = true;
-  result.smallest_speed = std::numeric_limits<double>::infinity();
+  result.smallest_speed = result.shortest_flight = std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < points.size(); ++i) {
     const RigidStop& stop = stop_of(system, pattern, i);
     const double speed = stop.row.dot(points[i].before.qdot);
@@ -122,6 +122,7 @@ Admissibility admissibility(const System& system, const ImpactPattern& pattern,
       result.slowest = i;
     }
     const double flight = flight_time(system, pattern, points, i);
+    result.shortest_flight = std::min(result.shortest_flight, flight);
     if (!(speed > still) || !(flight > 0.0)) result.admissible = false;
     if (!(flight > 0.0)) continue;
     const State after = after_impact(stop, points[i].before);

@@ -75,6 +75,7 @@ struct Admissibility {
   std::optional<NearestApproach> nearest;  // nothing where no gap has an interior minimum
   double smallest_speed = 0.0;             // m/s
   std::size_t slowest = 0;                 // the impact of the pattern that has it
+  double shortest_flight = 0.0;            // from impact to impact, s; negative: out of order
 
   std::optional<double> clearance() const {  // m
     return nearest ? std::optional(nearest->gap) : std::nullopt;

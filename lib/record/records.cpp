@@ -130,6 +130,11 @@ Outcome branch_outcome(const OrbitBranches& traced, const BranchOptions& options
             fmt::format("{} of {} traces could not be followed to an end, so branches may be "
                         "missing or cut short",
                         traced.cut_short, traced.traced)};
+  if (traced.meetings > 0)
+    return {"budget",
+            fmt::format("{} branch end{} where two impacts meet (a flight between them shrinks to "
+                        "nothing); beyond it their order changes, which is not followed",
+                        traced.meetings, traced.meetings == 1 ? " lies" : "s lie")};
   return {"complete", ""};
 }
 

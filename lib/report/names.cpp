@@ -30,6 +30,8 @@ std::string name_of(OrbitBranchEnd end) {
       return "GR";
     case OrbitBranchEnd::kPeriodDoubling:
       return "PD";
+    case OrbitBranchEnd::kImpactsMeet:
+      return "impacts meet";
     case OrbitBranchEnd::kStepLimit:
       return "step limit";
     case OrbitBranchEnd::kNotConverged:
