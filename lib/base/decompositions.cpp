@@ -17,6 +17,15 @@ double condition_number(const Matrix& matrix) {
   return smallest > 0.0 ? sigma[0] / smallest : std::numeric_limits<double>::infinity();
 }
 
+void sort_eigenvalues(std::vector<Eigenvalue>& list) {
+  std::stable_sort(list.begin(), list.end(), [](const Eigenvalue& a, const Eigenvalue& b) {
+    const double ma = std::abs(a.value), mb = std::abs(b.value);
+    // A conjugate pair has one modulus up to rounding of hypot; Eigen returns it bit-identical.
+    if (ma != mb) return ma > mb;
+    return a.value.imag() < b.value.imag();
+  });
+}
+
 std::vector<Eigenvalue> eigenvalues(const Matrix& matrix) {
   const Eigen::EigenSolver<Matrix> solver(matrix, true);
   if (solver.info() != Eigen::Success) return {};
@@ -31,12 +40,7 @@ std::vector<Eigenvalue> eigenvalues(const Matrix& matrix) {
     const double first_order = unit * right.col(i).norm() * left.row(i).norm();
     list.push_back({solver.eigenvalues()[i], first_order < elsner ? first_order : elsner});
   }
-  std::stable_sort(list.begin(), list.end(), [](const Eigenvalue& a, const Eigenvalue& b) {
-    const double ma = std::abs(a.value), mb = std::abs(b.value);
-    // A conjugate pair has one modulus up to rounding of hypot; Eigen returns it bit-identical.
-    if (ma != mb) return ma > mb;
-    return a.value.imag() < b.value.imag();
-  });
+  sort_eigenvalues(list);
   return list;
 }
 

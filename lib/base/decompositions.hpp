@@ -19,6 +19,9 @@ struct Eigenvalue {
   double error = 0.0;
 };
 
+// Largest modulus first, of a conjugate pair the negative imaginary part first.
+void sort_eigenvalues(std::vector<Eigenvalue>& list);
+
 // Eigenvalues of a real square matrix, largest modulus first, conjugate pairs adjacent with the
 // negative imaginary part first. Empty when the iteration does not converge.
 std::vector<Eigenvalue> eigenvalues(const Matrix& matrix);

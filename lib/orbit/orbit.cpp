@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "graze/base/angle.hpp"
+#include "graze/base/product_eigenvalues.hpp"
 #include "graze/flow/arc_curve.hpp"
 #include "graze/flow/transition.hpp"
 #include "graze/hybrid/clearance.hpp"
@@ -44,6 +45,37 @@ std::vector<OrbitImpact> ordered_impacts(const System& system, const ImpactPatte
                        points[i].before});
   }
   return impacts;
+}
+
+// What an impact and the flight after it do to a deviation.
+struct ImpactPassage {
+  Matrix saltation;
+  FlowMatrix flow;
+};
+
+std::vector<ImpactPassage> impact_passages(const System& system, const ImpactPattern& pattern,
+                                           const std::vector<ImpactPoint>& points) {
+  const ExactFlow<double> flow(system);
+  std::vector<ImpactPassage> passages;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const RigidStop& stop = stop_of(system, pattern, i);
+    passages.push_back({saltation_matrix(system, stop, points[i].before, points[i].theta),
+                        transition(system, flow, after_impact(stop, points[i].before),
+                                   points[i].theta, flight_time(system, pattern, points, i))
+                            .flow});
+  }
+  return passages;
+}
+
+// Impact factors larger than eps^(-1/4), in units of the flow, are taken apart (see orbit.hpp).
+constexpr double kViolentNorm = 0x1p13;
+
+// Velocity per displacement, 1/s, of each mode: a power of two, which does not round, next to the
+// faster of mode and forcing.
+Vector velocity_units(const System& system) {
+  return system.omega.unaryExpr([&](double omega) {
+    return std::ldexp(1.0, std::ilogb(std::max(omega, system.forcing->frequency)));
+  });
 }
 
 }  // namespace
@@ -92,18 +124,56 @@ Matrix saltation_matrix(const System& system, const RigidStop& stop, const State
   return s;
 }
 
+std::vector<Matrix> impact_factors(const System& system, const ImpactPattern& pattern,
+                                   const std::vector<ImpactPoint>& points) {
+  std::vector<Matrix> factors;
+  for (const ImpactPassage& passage : impact_passages(system, pattern, points))
+    factors.push_back(passage.flow.times(passage.saltation));
+  return factors;
+}
+
 Matrix monodromy_matrix(const System& system, const ImpactPattern& pattern,
                         const std::vector<ImpactPoint>& points) {
-  const ExactFlow<double> flow(system);
   Matrix product = Matrix::Identity(2 * system.modes(), 2 * system.modes());
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    const RigidStop& stop = stop_of(system, pattern, i);
-    const Transition arc = transition(system, flow, after_impact(stop, points[i].before),
-                                      points[i].theta, flight_time(system, pattern, points, i));
-    product =
-        arc.flow.times(saltation_matrix(system, stop, points[i].before, points[i].theta) * product);
-  }
+  for (const Matrix& factor : impact_factors(system, pattern, points))
+    product = (factor * product).eval();
   return product;
+}
+
+std::vector<Eigenvalue> orbit_multipliers(const System& system, const ImpactPattern& pattern,
+                                          const std::vector<ImpactPoint>& points) {
+  const Eigen::Index n = system.modes();
+  const Vector unit = velocity_units(system);
+  const auto scaled = [&](Matrix matrix) {
+    matrix.bottomRows(n) = unit.cwiseInverse().asDiagonal() * matrix.bottomRows(n);
+    matrix.rightCols(n) = matrix.rightCols(n) * unit.asDiagonal();
+    return matrix;
+  };
+  std::vector<Matrix> factors;
+  double violent = kViolentNorm;
+  std::ptrdiff_t most_violent = -1;
+  for (const ImpactPassage& passage : impact_passages(system, pattern, points)) {
+    Matrix factor = scaled(passage.flow.times(passage.saltation));
+    const double size = factor.norm();
+    if (size <= kViolentNorm) {
+      factors.push_back(std::move(factor));
+      continue;
+    }
+    if (size > violent) {
+      violent = size;
+      most_violent = static_cast<std::ptrdiff_t>(factors.size());
+    }
+    factors.push_back(scaled(passage.saltation));
+    factors.push_back(scaled(passage.flow.times(Matrix::Identity(2 * n, 2 * n))));
+  }
+  // The second factor is the first one to be made triangular, before any change of basis mixes its
+  // columns: those that are large next to grazing stay apart from the others.
+  if (most_violent >= 0) {
+    const auto count = static_cast<std::ptrdiff_t>(factors.size());
+    std::rotate(factors.begin(), factors.begin() + (most_violent + count - 1) % count,
+                factors.end());
+  }
+  return product_eigenvalues(factors);
 }
 
 Admissibility admissibility(const System& system, const ImpactPattern& pattern,
@@ -138,11 +208,6 @@ Admissibility admissibility(const System& system, const ImpactPattern& pattern,
   }
   if (result.nearest && result.nearest->gap < 0.0) result.admissible = false;
   return result;
-}
-
-std::vector<Eigenvalue> orbit_multipliers(const System& system, const ImpactPattern& pattern,
-                                          const std::vector<ImpactPoint>& points) {
-  return eigenvalues(monodromy_matrix(system, pattern, points));
 }
 
 Orbit make_orbit(const System& system, const ShootingProblem& problem, const Vector& solution) {

@@ -47,11 +47,23 @@ MultiplierCount count_multipliers(const std::vector<Eigenvalue>& multipliers);
 Matrix saltation_matrix(const System& system, const RigidStop& stop, const State& before,
                         double theta);
 
-// Product of flow and saltation matrices over the orbit, from just before its first impact.
+// The linearised map from just before each impact to just before the next one, flow times
+// saltation, 2N x 2N each, in time order from the first impact on.
+std::vector<Matrix> impact_factors(const System& system, const ImpactPattern& pattern,
+                                   const std::vector<ImpactPoint>& points);
+
+// Their product: the linearised map over the orbit, from just before its first impact.
 Matrix monodromy_matrix(const System& system, const ImpactPattern& pattern,
                         const std::vector<ImpactPoint>& points);
 
-// The multipliers of the orbit: eigenvalues of its monodromy matrix.
+// Eigenvalues of the product of the impact factors, never formed for several impacts. They are
+// taken in units in which the free flow only turns and shrinks, velocities by the faster of mode
+// and forcing: otherwise the errors would be those of the fast modes' stiffness.
+//
+// Next to grazing the impact factor grows like 1/v and one multiplier falls like v. A pair of sizes
+// |A| and 1/|A| leaves the smaller one a relative error of eps |A|^2 in the product of flow and
+// saltation; where that takes more than half of the digits, |A| > eps^(-1/4), the two stay separate
+// factors. Empty when the iteration does not converge.
 std::vector<Eigenvalue> orbit_multipliers(const System& system, const ImpactPattern& pattern,
                                           const std::vector<ImpactPoint>& points);
 

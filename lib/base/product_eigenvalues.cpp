@@ -1,0 +1,253 @@
+#include "graze/base/product_eigenvalues.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "graze/base/periodic_schur.hpp"
+
+namespace graze {
+namespace {
+
+using Eigen::Index;
+using Factors = std::vector<Eigen::MatrixXcd>;
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+// mantissa 2^exponent; the mantissa's modulus near 1, or zero.
+template <class Mantissa>
+struct Scaled {
+  Mantissa mantissa;
+  long exponent = 0;
+
+  void times(const Mantissa& factor) {
+    mantissa *= factor;
+    const double size = std::abs(mantissa);
+    if (!(size > 0.0) || !std::isfinite(size)) return;
+    const int shift = std::ilogb(size);
+    mantissa *= std::ldexp(1.0, -shift);
+    exponent += shift;
+  }
+  Mantissa value() const {
+    // In two halves: either may be out of range where their product is not.
+    const int e = static_cast<int>(std::clamp(exponent, -4000L, 4000L));
+    return mantissa * std::ldexp(1.0, e / 2) * std::ldexp(1.0, e - e / 2);
+  }
+};
+
+// Scales a matrix by a power of two to entries of at most 1; returns the exponent taken out.
+int take_exponent(Matrix& matrix) {
+  const double size = matrix.cwiseAbs().maxCoeff();
+  if (!(size > 0.0)) return 0;
+  const int exponent = std::ilogb(size) + 1;
+  // In two halves: 2^1074 is out of range.
+  matrix *= std::ldexp(1.0, -exponent / 2);
+  matrix *= std::ldexp(1.0, -(exponent - exponent / 2));
+  return exponent;
+}
+
+// Solves a_i z_i - t_i z_{i+1} = -g_i, i = 0..k-1, z_k = z_0, with row interchanges; false when it
+// is singular and the right-hand side does not fit. z_i is free, and then 0, where it only appears
+// with the factor 0.
+class CyclicBidiagonal {
+ public:
+  explicit CyclicBidiagonal(Index k) : rows_(static_cast<std::size_t>(k)) {}
+
+  template <class A, class T>
+  bool solve(const A& a, const T& t, const ComplexVector& g, ComplexVector& z) {
+    const Index k = g.size();
+    // The row carried along: p z_0 + q z_i = r.
+    Row carry{a(0), -t(0), 0.0, -g[0]};
+    for (Index i = 1; i < k; ++i) {
+      Row& kept = rows_[static_cast<std::size_t>(i)];
+      const Complex ai = a(i), ti = t(i);
+      if (std::norm(carry.q) >= std::norm(ai)) {
+        kept = carry;
+        const Complex m = carry.q == 0.0 ? 0.0 : ai / carry.q;
+        carry = {-m * kept.p, -ti, 0.0, -g[i] - m * kept.r};
+      } else {
+        kept = {0.0, ai, -ti, -g[i]};
+        const Complex m = carry.q / ai;
+        carry = {carry.p, m * ti, 0.0, carry.r + m * g[i]};
+      }
+    }
+    if (!divide(carry.r, carry.p + carry.q, z[0])) return false;
+    for (Index i = k - 1; i > 0; --i) {
+      const Row& row = rows_[static_cast<std::size_t>(i)];
+      if (!divide(row.r - row.p * z[0] - row.w * z[i + 1 == k ? 0 : i + 1], row.q, z[i]))
+        return false;
+    }
+    return true;
+  }
+
+ private:
+  struct Row {
+    Complex p, q, w, r;  // p z_0 + q z_i + w z_{i+1} = r
+  };
+  static bool divide(Complex above, Complex below, Complex& ratio) {
+    if (below == 0.0 && above != 0.0) return false;
+    ratio = below == 0.0 ? 0.0 : above / below;
+    return std::isfinite(ratio.real()) && std::isfinite(ratio.imag());
+  }
+  std::vector<Row> rows_;
+};
+
+// |x_i| of the vectors T_i x_i = T_i(j, j) x_{i+1}, x_i(j) = 1 (i from 0, cyclic), row i and column
+// j; infinite where there are none.
+Matrix vector_norms(const Factors& factors) {
+  const Index n = factors[0].rows(), k = static_cast<Index>(factors.size());
+  const auto at = [&factors](Index i) -> const Eigen::MatrixXcd& {
+    return factors[static_cast<std::size_t>(i)];
+  };
+  Matrix norms = Matrix::Ones(k, n);
+  Eigen::MatrixXcd x(n, k);
+  ComplexVector g(k), z(k);
+  CyclicBidiagonal system(k);
+  for (Index j = 0; j < n; ++j) {
+    x.row(j).setOnes();
+    bool found = true;
+    for (Index l = j - 1; l >= 0 && found; --l) {
+      for (Index i = 0; i < k; ++i)
+        g[i] = (at(i).row(l).segment(l + 1, j - l) * x.col(i).segment(l + 1, j - l)).value();
+      found = system.solve([&](Index i) { return at(i)(l, l); },
+                           [&](Index i) { return at(i)(j, j); }, g, z);
+      x.row(l) = z.transpose();
+    }
+    for (Index i = 0; i < k; ++i)
+      norms(i, j) = found ? x.col(i).head(j + 1).stableNorm() : kInfinity;
+  }
+  return norms;
+}
+
+// |y_i| of the vectors y_{i+1}^* T_i = T_i(j, j) y_i^*: those above of the factors in opposite
+// order, transposed and read from the last row and column.
+Matrix left_vector_norms(const Factors& factors) {
+  Factors mirrored;
+  for (auto factor = factors.rbegin(); factor != factors.rend(); ++factor)
+    mirrored.push_back(factor->transpose().reverse());
+  const Matrix norms = vector_norms(mirrored);
+  const Index k = norms.rows(), n = norms.cols();
+  Matrix result(k, n);
+  // The factor from space i to i + 1 goes from mirrored space k - 1 - i to k - i.
+  for (Index i = 0; i < k; ++i) result.row(i) = norms.row((k - i) % k).reverse();
+  return result;
+}
+
+// First-order errors of the eigenvalues in units of 2^exponent (see the header).
+std::vector<Scaled<double>> first_order_errors(const Factors& factors, long exponent) {
+  const Index n = factors[0].rows(), k = static_cast<Index>(factors.size());
+  const double unit = std::numeric_limits<double>::epsilon() * static_cast<double>(n);
+  const Matrix right = vector_norms(factors), left = left_vector_norms(factors);
+  std::vector<Scaled<double>> errors;
+  for (Index j = 0; j < n; ++j) {
+    // |l| without its zero factors, of which one may be left out.
+    Scaled<double> product{1.0, exponent};
+    Index zeros = 0;
+    for (const Eigen::MatrixXcd& factor : factors) {
+      const double t = std::abs(factor(j, j));
+      if (t == 0.0)
+        ++zeros;
+      else
+        product.times(t);
+    }
+    double sum = 0.0;
+    for (Index i = 0; i < k; ++i) {
+      const Eigen::MatrixXcd& factor = factors[static_cast<std::size_t>(i)];
+      const double t = std::abs(factor(j, j));
+      const bool only_zero = zeros == 1 && t == 0.0;
+      if (zeros > 0 && !only_zero) continue;
+      sum += factor.norm() * left((i + 1) % k, j) * right(i, j) / (only_zero ? 1.0 : t);
+    }
+    const bool defective = !std::isfinite(right.col(j).sum() + left.col(j).sum());
+    product.times(defective ? kInfinity : unit * sum);
+    errors.push_back(product);
+  }
+  return errors;
+}
+
+// Elsner's bound for the product, in units of 2^exponent.
+Scaled<double> elsner_bound(const Factors& factors, long exponent) {
+  const Index n = factors[0].rows();
+  const std::size_t k = factors.size();
+  const double unit = std::numeric_limits<double>::epsilon() * static_cast<double>(n);
+  // Norms of the products of the first i and the last k - i factors.
+  const auto norms = [&](bool forwards) {
+    std::vector<Scaled<double>> list{{1.0, 0}};
+    Eigen::MatrixXcd product = Eigen::MatrixXcd::Identity(n, n);
+    for (std::size_t i = 0; i < k; ++i) {
+      product = forwards ? (factors[i] * product).eval() : (product * factors[k - 1 - i]).eval();
+      const double size = product.norm();
+      Scaled<double> norm = list.back();
+      norm.times(size);
+      list.push_back(norm);
+      if (size > 0.0) product /= size;
+    }
+    return list;
+  };
+  const std::vector<Scaled<double>> before = norms(true), after = norms(false);
+  const double log2_norm = std::log2(before[k].mantissa) + static_cast<double>(before[k].exponent);
+  double log2_error = -kInfinity;
+  for (std::size_t i = 0; i < k; ++i) {
+    Scaled<double> term = before[i];
+    term.times(after[k - 1 - i].mantissa);
+    term.exponent += after[k - 1 - i].exponent;
+    term.times(unit * factors[i].norm() * static_cast<double>(k));
+    log2_error =
+        std::max(log2_error, std::log2(term.mantissa) + static_cast<double>(term.exponent));
+  }
+  if (!(log2_error > -kInfinity)) return {0.0, 0};
+  // |M| + e is at most twice the larger.
+  const double share = 1.0 / static_cast<double>(n);
+  const double log2_bound =
+      (1.0 - share) * (std::max(log2_norm, log2_error) + 1.0) + share * log2_error;
+  const double whole = std::floor(log2_bound);
+  return {std::exp2(log2_bound - whole), exponent + static_cast<long>(whole)};
+}
+
+// The eigenvalues along the diagonal, times 2^exponent, with their errors.
+std::vector<Eigenvalue> diagonal_products(const Factors& factors, long exponent) {
+  const std::vector<Scaled<double>> errors = first_order_errors(factors, exponent);
+  std::vector<Eigenvalue> list;
+  std::optional<double> elsner;
+  for (Index j = 0; j < factors[0].rows(); ++j) {
+    Scaled<Complex> value{1.0, exponent};
+    for (const Eigen::MatrixXcd& factor : factors) value.times(factor(j, j));
+    double error = errors[static_cast<std::size_t>(j)].value();
+    // Only an eigenvalue as sensitive as this can have an error above the other bound.
+    if (!(error < 1e-3 * std::abs(value.value()))) {
+      if (!elsner) elsner = elsner_bound(factors, exponent).value();
+      error = std::isnan(error) ? *elsner : std::min(error, *elsner);
+    }
+    list.push_back({value.value(), error});
+  }
+  return list;
+}
+
+}  // namespace
+
+std::vector<Eigenvalue> product_eigenvalues(const std::vector<Matrix>& factors) {
+  if (factors.empty() || factors.front().size() == 0) return {};
+  for (const Matrix& factor : factors)
+    if (!factor.allFinite()) return {};
+  if (factors.size() == 1) return eigenvalues(factors.front());
+  long exponent = 0;
+  std::vector<Matrix> scaled = factors;
+  for (Matrix& factor : scaled) exponent += take_exponent(factor);
+  const std::optional<PeriodicSchurForm> form = periodic_schur(std::move(scaled));
+  if (!form) return {};
+  std::vector<Eigenvalue> list = diagonal_products(form->factors, exponent);
+  for (std::size_t j = 0, pair = 0; j < list.size(); ++j) {
+    if (pair == form->pairs.size() || form->pairs[pair] != static_cast<Index>(j)) {
+      list[j].value = list[j].value.real();
+      continue;
+    }
+    list[j].value = 0.5 * (list[j].value + std::conj(list[j + 1].value));
+    list[j + 1].value = std::conj(list[j].value);
+    list[j].error = list[j + 1].error = std::max(list[j].error, list[j + 1].error);
+    ++j, ++pair;
+  }
+  sort_eigenvalues(list);
+  return list;
+}
+
+}  // namespace graze

@@ -1,0 +1,387 @@
+// Eigenvalues of products against 50-digit arithmetic and closed forms: no true error may exceed
+// the error that is given.
+#include "graze/base/product_eigenvalues.hpp"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/Eigenvalues>
+#include <Eigen/QR>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "graze/base/angle.hpp"
+#include "graze/flow/extended.hpp"
+#include "support/systems.hpp"
+
+namespace graze {
+namespace {
+
+using ExtendedMatrix = Eigen::Matrix<Extended, Eigen::Dynamic, Eigen::Dynamic>;
+using support::Dice;
+
+constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
+
+Matrix random_matrix(Dice& dice, int n) {
+  Matrix matrix(n, n);
+  for (double& entry : matrix.reshaped()) entry = dice.uniform(-1.0, 1.0);
+  return matrix;
+}
+
+Matrix random_rotation(Dice& dice, int n) {
+  return Eigen::HouseholderQR<Matrix>(random_matrix(dice, n)).householderQ();
+}
+
+struct ExtendedComplex {
+  Extended re, im;
+  Extended distance(Complex z) const {
+    const Extended x = re - Extended(z.real()), y = im - Extended(z.imag());
+    return sqrt(x * x + y * y);
+  }
+  Extended modulus() const { return sqrt(re * re + im * im); }
+};
+
+// Of the product formed with 50 digits.
+std::vector<ExtendedComplex> extended_eigenvalues(const std::vector<Matrix>& factors) {
+  const Eigen::Index n = factors[0].rows();
+  ExtendedMatrix product = ExtendedMatrix::Identity(n, n);
+  for (const Matrix& factor : factors) product = (factor.cast<Extended>() * product).eval();
+  const Eigen::EigenSolver<ExtendedMatrix> solver(product, false);
+  std::vector<ExtendedComplex> list;
+  for (Eigen::Index i = 0; i < n; ++i)
+    list.push_back({solver.eigenvalues()[i].real(), solver.eigenvalues()[i].imag()});
+  return list;
+}
+
+// Largest relative errors over the eigenvalues, each compared with the nearest one not yet taken.
+struct Comparison {
+  double of_value = 0.0;  // true error over modulus
+  double of_error = 0.0;  // true error over the error given
+  double given = 0.0;     // error given over modulus
+};
+
+Comparison compare(const std::vector<Eigenvalue>& values, std::vector<ExtendedComplex> expected) {
+  Comparison worst;
+  EXPECT_EQ(values.size(), expected.size());
+  if (values.size() != expected.size()) return worst;
+  for (const Eigenvalue& value : values) {
+    const auto nearest =
+        std::min_element(expected.begin(), expected.end(), [&](const auto& a, const auto& b) {
+          return a.distance(value.value) < b.distance(value.value);
+        });
+    const double error = static_cast<double>(nearest->distance(value.value));
+    const double modulus = static_cast<double>(nearest->modulus());
+    worst.of_value = std::max(worst.of_value, error / modulus);
+    worst.of_error = std::max(worst.of_error, error / value.error);
+    worst.given = std::max(worst.given, value.error / modulus);
+    expected.erase(nearest);
+  }
+  return worst;
+}
+
+Comparison compare(const std::vector<Matrix>& factors) {
+  return compare(product_eigenvalues(factors), extended_eigenvalues(factors));
+}
+
+TEST(ProductEigenvalues, RandomProductsAreWithinTheirErrors) {
+  Dice dice(21);
+  for (const int n : {2, 3, 4, 6, 8, 16})
+    for (const int k : {2, 3, 5, 8, 40}) {
+      SCOPED_TRACE("n = " + std::to_string(n) + ", k = " + std::to_string(k));
+      std::vector<Matrix> factors;
+      for (int i = 0; i < k; ++i) factors.push_back(random_matrix(dice, n));
+      const Comparison worst = compare(factors);
+      EXPECT_LE(worst.of_error, 1.0);
+      // Forty random factors spread over 1e20, and every eigenvalue keeps its digits.
+      EXPECT_LE(worst.of_value, 1e-10);
+      EXPECT_LE(worst.given, 1e-7);
+    }
+}
+
+TEST(ProductEigenvalues, ManySmallRandomProductsAreWithinTheirErrors) {
+  Dice dice(22);
+  for (int i = 0; i < 1000; ++i) {
+    const int n = 2 + dice.pick(3), k = 2 + dice.pick(4);
+    std::vector<Matrix> factors;
+    for (int m = 0; m < k; ++m) factors.push_back(random_matrix(dice, n));
+    EXPECT_LE(compare(factors).of_error, 1.0) << i;
+  }
+}
+
+TEST(ProductEigenvalues, FactorsOfVeryDifferentSizesAreWithinTheirErrors) {
+  Dice dice(23);
+  for (const int n : {2, 4, 8})
+    for (const int k : {2, 5, 8}) {
+      SCOPED_TRACE("n = " + std::to_string(n) + ", k = " + std::to_string(k));
+      std::vector<Matrix> factors;
+      for (int i = 0; i < k; ++i)
+        factors.push_back(random_matrix(dice, n) * (i % 2 == 0 ? 1e8 : 1e-8));
+      const Comparison worst = compare(factors);
+      EXPECT_LE(worst.of_error, 1.0);
+      EXPECT_LE(worst.of_value, 1e-11);
+    }
+}
+
+TEST(ProductEigenvalues, GradedFactorsAreWithinTheirErrors) {
+  Dice dice(24);
+  for (int i = 0; i < 100; ++i) {
+    const int n = 2 + dice.pick(5), k = 2 + dice.pick(4);
+    std::vector<Matrix> factors;
+    for (int m = 0; m < k; ++m) {
+      Vector grade(n);
+      for (double& g : grade) g = std::pow(10.0, dice.uniform(-4.0, 4.0));
+      const Matrix matrix = random_matrix(dice, n);
+      factors.push_back(dice.pick(2) == 0 ? Matrix(matrix * grade.asDiagonal())
+                                          : Matrix(grade.asDiagonal() * matrix));
+    }
+    EXPECT_LE(compare(factors).of_error, 1.0) << i;
+  }
+}
+
+// Factors X_{i+1} D_i X_i^T with rotations X_i: one direction grows tenfold at each of twelve, all
+// others keep their size.
+std::vector<Matrix> one_growing_direction(Dice& dice, int n, int k) {
+  std::vector<Matrix> bases;
+  for (int i = 0; i < k; ++i) bases.push_back(random_rotation(dice, n));
+  std::vector<Matrix> factors;
+  for (int i = 0; i < k; ++i) {
+    Vector sizes(n);
+    for (double& size : sizes) size = dice.uniform(0.95, 1.05);
+    sizes[0] = 10.0;
+    const auto at = static_cast<std::size_t>(i);
+    factors.push_back(bases[(at + 1) % bases.size()] * sizes.asDiagonal() * bases[at].transpose());
+  }
+  return factors;
+}
+
+TEST(ProductEigenvalues, OnesBesideALargeOneKeepTheDigitsThatTheFormedProductLoses) {
+  Dice dice(25);
+  for (const int n : {2, 4, 8}) {
+    SCOPED_TRACE(n);
+    const std::vector<Matrix> factors = one_growing_direction(dice, n, 12);
+    const std::vector<ExtendedComplex> expected = extended_eigenvalues(factors);
+    const Comparison worst = compare(product_eigenvalues(factors), expected);
+    EXPECT_LE(worst.of_error, 1.0);
+    EXPECT_LE(worst.of_value, 1e-12);
+    EXPECT_LE(worst.given, 1e-11);
+
+    Matrix formed = Matrix::Identity(n, n);
+    for (const Matrix& factor : factors) formed = (factor * formed).eval();
+    EXPECT_NEAR(formed.norm(), 1e12, 1e-2 * 1e12);
+    EXPECT_GE(compare(eigenvalues(formed), expected).of_value, 1e-6);
+  }
+}
+
+TEST(ProductEigenvalues, PairsNextToTheUnitCircleAreToldInsideFromOutside) {
+  Dice dice(26);
+  for (const double excess : {-1e-11, 1e-11, -1e-9, 1e-9}) {
+    // Twelve turns by 0.3 rad that grow by (1 + excess)^(1/12) each, beside one direction that
+    // grows and one that shrinks.
+    const int n = 4, k = 12;
+    const double growth = std::exp(std::log1p(excess) / k);
+    std::vector<Matrix> bases, factors;
+    for (int i = 0; i < k; ++i) bases.push_back(random_rotation(dice, n));
+    Matrix core = Matrix::Zero(n, n);
+    core.topLeftCorner(2, 2) << std::cos(0.3), -std::sin(0.3), std::sin(0.3), std::cos(0.3);
+    core.topLeftCorner(2, 2) *= growth;
+    core(2, 2) = 10.0;
+    core(3, 3) = 0.1;
+    for (std::size_t i = 0; i < bases.size(); ++i)
+      factors.push_back(bases[(i + 1) % bases.size()] * core * bases[i].transpose());
+    const std::vector<Eigenvalue> values = product_eigenvalues(factors);
+    ASSERT_EQ(values.size(), 4u);
+    EXPECT_LE(compare(values, extended_eigenvalues(factors)).of_error, 1.0);
+    for (const int i : {1, 2}) {
+      const Eigenvalue& value = values[static_cast<std::size_t>(i)];
+      EXPECT_NEAR(std::abs(std::arg(value.value)), kTurn - 12 * 0.3, 1e-12);
+      EXPECT_LT(value.error, 0.5 * std::abs(excess) + 1e-12);
+      if (std::abs(excess) > 1e-10) {
+        EXPECT_GT((std::abs(value.value) - 1.0) / excess, 0.9);
+      }
+    }
+    EXPECT_EQ(values[1].value, std::conj(values[2].value));
+    EXPECT_LT(values[1].value.imag(), 0.0);
+    EXPECT_EQ(values[0].value.imag(), 0.0);
+  }
+}
+
+// U J U^-1 as the product of U and J U^-1 with integers, so that it is exactly defective.
+std::vector<Matrix> jordan_factors(int n) {
+  Matrix u = Matrix::Identity(n, n), inverse = Matrix::Identity(n, n);
+  for (int i = 0; i + 1 < n; ++i) {
+    Matrix add = Matrix::Identity(n, n), subtract = add;
+    add(i + 1, i) = 2.0;
+    subtract(i + 1, i) = -2.0;
+    if (i % 2 == 0) {
+      add.transposeInPlace();
+      subtract.transposeInPlace();
+    }
+    u = (u * add).eval();
+    inverse = (subtract * inverse).eval();
+  }
+  Matrix jordan = Matrix::Identity(n, n);
+  jordan.diagonal(1).setOnes();
+  return {jordan * inverse, u};
+}
+
+TEST(ProductEigenvalues, DefectiveOnesAreWithinALargeError) {
+  for (const int n : {2, 3, 4}) {
+    SCOPED_TRACE(n);
+    const std::vector<Eigenvalue> values = product_eigenvalues(jordan_factors(n));
+    ASSERT_EQ(values.size(), static_cast<std::size_t>(n));
+    for (const Eigenvalue& value : values) {
+      EXPECT_LE(std::abs(value.value - 1.0), value.error);
+      // No bound is smaller than what the last digit of the product does to a Jordan block.
+      EXPECT_GE(value.error, 0.1 * std::pow(kEpsilon, 1.0 / n));
+      EXPECT_LE(value.error, 1e4 * std::pow(kEpsilon, 1.0 / n));
+    }
+  }
+}
+
+int exact_zeros(const std::vector<Eigenvalue>& values) {
+  return static_cast<int>(std::count_if(values.begin(), values.end(),
+                                        [](const Eigenvalue& v) { return v.value == 0.0; }));
+}
+
+TEST(ProductEigenvalues, SingularFactorsGiveExactZeros) {
+  Dice dice(27);
+  for (const int n : {2, 4, 8})
+    for (int missing = 1; missing <= n; ++missing) {
+      SCOPED_TRACE("n = " + std::to_string(n) + ", missing = " + std::to_string(missing));
+      const Matrix basis = random_rotation(dice, n).leftCols(n - missing);
+      const Matrix projection = basis * basis.transpose();
+      const std::vector<Matrix> factors = {random_matrix(dice, n), projection,
+                                           random_matrix(dice, n)};
+      const std::vector<Eigenvalue> values = product_eigenvalues(factors);
+      ASSERT_EQ(values.size(), static_cast<std::size_t>(n));
+      EXPECT_EQ(exact_zeros(values), missing);
+      // The projection is rounded: its zeros are those of a perturbed factor.
+      for (const Eigenvalue& value : values)
+        if (value.value == 0.0) {
+          EXPECT_LE(value.error, 1e-10);
+        }
+      EXPECT_LE(compare(values, extended_eigenvalues(factors)).of_error, 1.0);
+    }
+}
+
+TEST(ProductEigenvalues, SeveralSingularFactorsCombineTheirZeros) {
+  // Projections on coordinates, one more left out by each; a cyclic shift in between, k = 2: of
+  // four coordinates 0..3 the first factor keeps 1, 2, 3, the shift moves them to 2, 3, 0, the
+  // second one keeps 2, 3.
+  Matrix shift = Matrix::Zero(4, 4);
+  for (int i = 0; i < 4; ++i) shift((i + 1) % 4, i) = 1.0;
+  const Matrix first = Eigen::Vector4d(0, 1, 1, 1).asDiagonal();
+  const Matrix second = Eigen::Vector4d(0, 0, 1, 1).asDiagonal();
+  EXPECT_EQ(exact_zeros(product_eigenvalues({first, second * shift})), 4);  // nilpotent
+  EXPECT_EQ(exact_zeros(product_eigenvalues({first, second})), 2);
+  EXPECT_EQ(exact_zeros(product_eigenvalues({Matrix::Zero(4, 4), shift})), 4);
+  for (const Eigenvalue& value : product_eigenvalues({first, second}))
+    if (value.value != 0.0) {
+      EXPECT_NEAR(value.value.real(), 1.0, 1e-15);
+    }
+}
+
+TEST(ProductEigenvalues, ANilpotentProductKnownToRoundingIsWithinItsError) {
+  // e1 -> e2 -> e3 -> 0 through a basis that is orthogonal to rounding only: the zeros are those of
+  // a Jordan block up to a perturbation, some of the size eps^(1/3).
+  Dice dice(28);
+  for (int i = 0; i < 50; ++i) {
+    const Matrix q = random_rotation(dice, 3);
+    Matrix nilpotent = Matrix::Zero(3, 3);
+    nilpotent(1, 0) = nilpotent(2, 1) = 1.0;
+    const std::vector<Matrix> factors = {nilpotent * q.transpose(), q};
+    const std::vector<Eigenvalue> values = product_eigenvalues(factors);
+    EXPECT_GE(exact_zeros(values), 1);
+    EXPECT_LE(compare(values, extended_eigenvalues(factors)).of_error, 1.0);
+    for (const Eigenvalue& value : values) EXPECT_LE(value.error, 100.0 * std::cbrt(kEpsilon));
+  }
+}
+
+TEST(ProductEigenvalues, NeitherOverflowNorVanishOnTheWay) {
+  Dice dice(29);
+  std::vector<Matrix> factors, sized;
+  for (int i = 0; i < 6; ++i) {
+    factors.push_back(random_matrix(dice, 4));
+    // Powers of two, which do not round: 3 x 2^900 and 3 x 2^-900, in this order.
+    sized.push_back(factors.back() * (i < 3 ? 0x1p900 : 0x1p-900));
+  }
+  const std::vector<Eigenvalue> plain = product_eigenvalues(factors);
+  const std::vector<Eigenvalue> scaled = product_eigenvalues(sized);
+  ASSERT_EQ(plain.size(), scaled.size());
+  for (std::size_t i = 0; i < plain.size(); ++i) {
+    EXPECT_EQ(plain[i].value, scaled[i].value);
+    EXPECT_EQ(plain[i].error, scaled[i].error);
+  }
+  // A value next to the end of the range, through factors whose norms multiply beyond it.
+  const Matrix turn = (Matrix(2, 2) << 0, 1, 1, 0).finished();
+  const std::vector<Eigenvalue> ends =
+      product_eigenvalues({Eigen::Vector2d(1e300, 1e-300).asDiagonal().toDenseMatrix(), turn,
+                           Eigen::Vector2d(1e-300, 1e8).asDiagonal().toDenseMatrix(), turn});
+  ASSERT_EQ(ends.size(), 2u);
+  EXPECT_NEAR(ends[0].value.real() / 1e308, 1.0, 1e-14);
+}
+
+TEST(ProductEigenvalues, CyclicPermutationsHaveRootsOfUnity) {
+  for (const int n : {3, 4, 5, 7}) {
+    Matrix shift = Matrix::Zero(n, n);
+    for (int i = 0; i < n; ++i) shift((i + 1) % n, i) = 1.0;
+    const std::vector<Eigenvalue> values =
+        product_eigenvalues({shift, Matrix::Identity(n, n), Matrix::Identity(n, n)});
+    ASSERT_EQ(values.size(), static_cast<std::size_t>(n));
+    for (const Eigenvalue& value : values)
+      EXPECT_LE(std::abs(std::pow(value.value, n) - 1.0), n * value.error * (1.0 + 1e-6));
+  }
+}
+
+TEST(ProductEigenvalues, DoNotDependOnWhereTheCycleStarts) {
+  Dice dice(30);
+  for (int i = 0; i < 20; ++i) {
+    std::vector<Matrix> factors;
+    for (int m = 0; m < 5; ++m) factors.push_back(random_matrix(dice, 4));
+    const std::vector<Eigenvalue> here = product_eigenvalues(factors);
+    std::rotate(factors.begin(), factors.begin() + 2, factors.end());
+    const std::vector<Eigenvalue> there = product_eigenvalues(factors);
+    ASSERT_EQ(here.size(), there.size());
+    for (std::size_t j = 0; j < here.size(); ++j)
+      EXPECT_LE(std::abs(here[j].value - there[j].value), here[j].error + there[j].error);
+  }
+}
+
+TEST(ProductEigenvalues, OneFactorIsAMatrix) {
+  Dice dice(31);
+  const Matrix matrix = random_matrix(dice, 5);
+  const std::vector<Eigenvalue> product = product_eigenvalues({matrix}),
+                                alone = eigenvalues(matrix);
+  ASSERT_EQ(product.size(), alone.size());
+  for (std::size_t i = 0; i < alone.size(); ++i) {
+    EXPECT_EQ(product[i].value, alone[i].value);
+    EXPECT_EQ(product[i].error, alone[i].error);
+  }
+}
+
+TEST(ProductEigenvalues, AreNoneWithoutFactorsOrWithEntriesThatAreNoNumbers) {
+  EXPECT_TRUE(product_eigenvalues({}).empty());
+  Matrix broken = Matrix::Identity(3, 3);
+  broken(1, 2) = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_TRUE(product_eigenvalues({Matrix::Identity(3, 3), broken}).empty());
+  broken(1, 2) = std::numeric_limits<double>::infinity();
+  EXPECT_TRUE(product_eigenvalues({broken, Matrix::Identity(3, 3)}).empty());
+}
+
+TEST(ProductEigenvalues, ConvergeForFactorsOfSmallIntegers) {
+  // Full of singular, defective and derogatory products.
+  Dice dice(32);
+  for (int i = 0; i < 3000; ++i) {
+    const int n = 2 + dice.pick(6), k = 2 + dice.pick(3);
+    std::vector<Matrix> factors;
+    for (int m = 0; m < k; ++m) {
+      Matrix factor(n, n);
+      for (double& entry : factor.reshaped()) entry = dice.pick(3) - 1;
+      factors.push_back(factor);
+    }
+    EXPECT_EQ(product_eigenvalues(factors).size(), static_cast<std::size_t>(n)) << i;
+  }
+}
+
+}  // namespace
+}  // namespace graze
