@@ -1,0 +1,92 @@
+#include "graze/orbit/phase_deflation.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "graze/base/angle.hpp"
+
+namespace graze {
+namespace {
+
+// How far a known point reaches, rad: an orbit's neighbours on the torus are no nearer than that as
+// a rule, and further away the equations are left as they are.
+constexpr double kReach = 0.1;
+
+}  // namespace
+
+double PhaseDeflation::chord(double difference) const {
+  const double turns = 2.0 * pattern_.period;
+  return turns * std::sin(difference / turns);
+}
+
+void PhaseDeflation::add(const std::vector<int>& stops, const Vector& phases) {
+  const std::size_t k = stops.size();
+  for (std::size_t first = 0; first < k; ++first) {
+    bool fits = true;
+    for (std::size_t i = 0; i < k && fits; ++i) fits = stops[(first + i) % k] == pattern_.stops[i];
+    if (!fits) continue;
+    for (int lap = 0; lap < pattern_.period; ++lap) {
+      Vector image(static_cast<Eigen::Index>(k));
+      for (std::size_t i = 0; i < k; ++i)
+        image[static_cast<Eigen::Index>(i)] =
+            phases[static_cast<Eigen::Index>((first + i) % k)] + kTurn * lap;
+      points_.push_back(image);
+    }
+  }
+}
+
+double PhaseDeflation::factor(const Vector& phases, Vector* gradient) const {
+  const Eigen::Index k = phases.size();
+  double sum = 1.0;
+  if (gradient) gradient->setZero(k);
+  // Half the derivative of the squared chord.
+  const auto half_slope = [&](double difference) {
+    return pattern_.period * std::sin(difference / pattern_.period);
+  };
+  for (const Vector& point : points_) {
+    double distance = 0.0;
+    for (Eigen::Index i = 0; i < k; ++i)
+      distance += chord(phases[i] - point[i]) * chord(phases[i] - point[i]);
+    const double part = kReach * kReach / distance;
+    sum += part;
+    if (!gradient) continue;
+    for (Eigen::Index i = 0; i < k; ++i)
+      (*gradient)[i] -= 2.0 * part / distance * half_slope(phases[i] - point[i]);
+  }
+  for (Eigen::Index i = 0; i < k; ++i)
+    for (Eigen::Index j = 0; j < i; ++j) {
+      if (pattern_.stops[static_cast<std::size_t>(i)] !=
+          pattern_.stops[static_cast<std::size_t>(j)])
+        continue;
+      const double difference = phases[i] - phases[j];
+      const double distance = chord(difference) * chord(difference);
+      const double part = kReach * kReach / distance;
+      sum += part;
+      if (!gradient) continue;
+      const double slope = 2.0 * part / distance * half_slope(difference);
+      (*gradient)[i] -= slope;
+      (*gradient)[j] += slope;
+    }
+  return sum;
+}
+
+bool PhaseDeflation::knows(const Vector& phases, double distance) const {
+  return std::any_of(points_.begin(), points_.end(), [&](const Vector& point) {
+    for (Eigen::Index i = 0; i < phases.size(); ++i)
+      if (!(std::abs(chord(phases[i] - point[i])) <= distance)) return false;
+    return true;
+  });
+}
+
+double PhaseDeflation::nearest_pair(const Vector& phases) const {
+  double nearest = std::numeric_limits<double>::infinity();
+  for (Eigen::Index i = 0; i < phases.size(); ++i)
+    for (Eigen::Index j = 0; j < i; ++j)
+      if (pattern_.stops[static_cast<std::size_t>(i)] ==
+          pattern_.stops[static_cast<std::size_t>(j)])
+        nearest = std::min(nearest, std::abs(chord(phases[i] - phases[j])));
+  return nearest;
+}
+
+}  // namespace graze
