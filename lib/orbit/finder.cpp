@@ -40,8 +40,8 @@ constexpr int kGlobalRuns = 4;
 // phases are known: a thousand times what they are known to.
 constexpr double kSurely = 1e3 * kSameOrbit;
 
-// Budgets of the local solves by the number of impacts: what it takes to find all orbits of
-// docs/decisions/0009 with some to spare.
+// Budgets of the local solves by the number of impacts: see
+// docs/decisions/0008.
 PhaseSearchOptions search_budget(int impacts, bool explicitly) {
   PhaseSearchOptions budget;
   budget.starts = impacts == 1 ? 16 : impacts == 2 ? 64 : 128;

@@ -9,9 +9,11 @@
 namespace graze {
 namespace {
 
-// How far a known point reaches, rad: an orbit's neighbours on the torus are no nearer than that as
-// a rule, and further away the equations are left as they are.
-constexpr double kReach = 0.1;
+// How far a known point reaches, rad. With one impact and gap 0, the residual is a sine about a
+// solution, chord times cos(x/2), and the product (chord + eta^2/chord) cos(x/2) falls all the way
+// to the other solution, half a turn away, when eta is no less than the longest chord, 2. With a
+// shorter reach a valley is left around the known point, and a descent ends there.
+constexpr double kReach = 2.0;
 
 }  // namespace
 
