@@ -15,12 +15,14 @@ namespace {
 // shorter reach a valley is left around the known point, and a descent ends there.
 constexpr double kReach = 2.0;
 
-}  // namespace
-
-double PhaseDeflation::chord(double difference) const {
-  const double turns = 2.0 * pattern_.period;
-  return turns * std::sin(difference / turns);
+double chord(double difference, double turns) {
+  return 2.0 * turns * std::sin(difference / (2.0 * turns));
 }
+
+// Half the derivative of its square.
+double half_slope(double difference, double turns) { return turns * std::sin(difference / turns); }
+
+}  // namespace
 
 void PhaseDeflation::add(const std::vector<int>& stops, const Vector& phases) {
   const std::size_t k = stops.size();
@@ -28,33 +30,32 @@ void PhaseDeflation::add(const std::vector<int>& stops, const Vector& phases) {
     bool fits = true;
     for (std::size_t i = 0; i < k && fits; ++i) fits = stops[(first + i) % k] == pattern_.stops[i];
     if (!fits) continue;
-    for (int lap = 0; lap < pattern_.period; ++lap) {
-      Vector image(static_cast<Eigen::Index>(k));
-      for (std::size_t i = 0; i < k; ++i)
-        image[static_cast<Eigen::Index>(i)] =
-            phases[static_cast<Eigen::Index>((first + i) % k)] + kTurn * lap;
-      points_.push_back(image);
-    }
+    Vector image(static_cast<Eigen::Index>(k));
+    for (std::size_t i = 0; i < k; ++i)
+      image[static_cast<Eigen::Index>(i)] = phases[static_cast<Eigen::Index>((first + i) % k)];
+    points_.push_back(image);
   }
 }
 
 double PhaseDeflation::factor(const Vector& phases, Vector* gradient) const {
   const Eigen::Index k = phases.size();
+  const double turns = pattern_.period;
   double sum = 1.0;
   if (gradient) gradient->setZero(k);
-  // Half the derivative of the squared chord.
-  const auto half_slope = [&](double difference) {
-    return pattern_.period * std::sin(difference / pattern_.period);
-  };
   for (const Vector& point : points_) {
-    double distance = 0.0;
-    for (Eigen::Index i = 0; i < k; ++i)
-      distance += chord(phases[i] - point[i]) * chord(phases[i] - point[i]);
+    const Vector from = phases - point;
+    double distance = chord(from[0], 1.0) * chord(from[0], 1.0);
+    for (Eigen::Index i = 1; i < k; ++i)
+      distance += chord(from[i] - from[0], turns) * chord(from[i] - from[0], turns);
     const double part = kReach * kReach / distance;
     sum += part;
     if (!gradient) continue;
-    for (Eigen::Index i = 0; i < k; ++i)
-      (*gradient)[i] -= 2.0 * part / distance * half_slope(phases[i] - point[i]);
+    (*gradient)[0] -= 2.0 * part / distance * half_slope(from[0], 1.0);
+    for (Eigen::Index i = 1; i < k; ++i) {
+      const double slope = 2.0 * part / distance * half_slope(from[i] - from[0], turns);
+      (*gradient)[i] -= slope;
+      (*gradient)[0] += slope;
+    }
   }
   for (Eigen::Index i = 0; i < k; ++i)
     for (Eigen::Index j = 0; j < i; ++j) {
@@ -62,11 +63,11 @@ double PhaseDeflation::factor(const Vector& phases, Vector* gradient) const {
           pattern_.stops[static_cast<std::size_t>(j)])
         continue;
       const double difference = phases[i] - phases[j];
-      const double distance = chord(difference) * chord(difference);
+      const double distance = chord(difference, turns) * chord(difference, turns);
       const double part = kReach * kReach / distance;
       sum += part;
       if (!gradient) continue;
-      const double slope = 2.0 * part / distance * half_slope(difference);
+      const double slope = 2.0 * part / distance * half_slope(difference, turns);
       (*gradient)[i] -= slope;
       (*gradient)[j] += slope;
     }
@@ -74,9 +75,12 @@ double PhaseDeflation::factor(const Vector& phases, Vector* gradient) const {
 }
 
 bool PhaseDeflation::knows(const Vector& phases, double distance) const {
+  const double turns = pattern_.period;
   return std::any_of(points_.begin(), points_.end(), [&](const Vector& point) {
-    for (Eigen::Index i = 0; i < phases.size(); ++i)
-      if (!(std::abs(chord(phases[i] - point[i])) <= distance)) return false;
+    const Vector from = phases - point;
+    if (!(std::abs(chord(from[0], 1.0)) <= distance)) return false;
+    for (Eigen::Index i = 1; i < from.size(); ++i)
+      if (!(std::abs(chord(from[i] - from[0], turns)) <= 2.0 * distance)) return false;
     return true;
   });
 }
@@ -87,7 +91,7 @@ double PhaseDeflation::nearest_pair(const Vector& phases) const {
     for (Eigen::Index j = 0; j < i; ++j)
       if (pattern_.stops[static_cast<std::size_t>(i)] ==
           pattern_.stops[static_cast<std::size_t>(j)])
-        nearest = std::min(nearest, std::abs(chord(phases[i] - phases[j])));
+        nearest = std::min(nearest, std::abs(chord(phases[i] - phases[j], pattern_.period)));
   return nearest;
 }
 

@@ -228,7 +228,7 @@ bool PhaseSearch::learn(const PhaseSolution& solution) {
 
 std::vector<Vector> PhaseSearch::starts_of_a_round() {
   // Where fewer points than this are approached, what there is has to do.
-  constexpr int kMostDraws = 16;
+  constexpr int kMostDraws = 64;
   const std::vector<int>& stops = deflation_.pattern().stops;
   const PhaseProblem problem(*response_, stops,
                              restitutions_at(response_->system(), stops, options_.speed));
@@ -244,8 +244,10 @@ std::vector<Vector> PhaseSearch::starts_of_a_round() {
 }
 
 std::vector<PhaseSolution> PhaseSearch::local() {
+  constexpr int kBarrenRounds = 2;
   std::vector<PhaseSolution> found;
-  for (int round = 0; round < options_.rounds; ++round) {
+  int barren = 0;  // rounds in a row without anything new
+  for (int round = 0; round < options_.rounds && barren < kBarrenRounds; ++round) {
     if (options_.stop.requested()) break;
     const std::vector<Vector> starts = starts_of_a_round();
     std::vector<std::optional<PhaseSolution>> solved(starts.size());
@@ -260,7 +262,7 @@ std::vector<PhaseSolution> PhaseSearch::local() {
       ++converged_;
       if (learn(*solution)) found.push_back(*solution);
     }
-    if (found.size() == before) break;
+    barren = found.size() == before ? barren + 1 : 0;
   }
   return found;
 }

@@ -2,9 +2,9 @@
 //
 // In rounds: starts are points of a Sobol sequence on the ordered phases; from each a
 // Levenberg-Marquardt solve (Ceres) of the deflated phase problem, then Newton's method on the
-// problem itself. What a round has found is deflated in the next one; a round that finds nothing
-// new is the last. Where all that found nothing, the lowest deflated residual on the whole torus is
-// looked for (global_phases.hpp) and solved from in the same way.
+// problem itself. What a round has found is deflated in the next one; two rounds in a row without
+// anything new are the last. Where all that found nothing, the lowest deflated residual on the
+// whole torus is looked for (global_phases.hpp) and solved from in the same way.
 //
 // The number of threads changes nothing: the starts of a round know nothing of each other and are
 // collected in their order.
