@@ -53,7 +53,7 @@ void add_shared(CLI::App* app, Command& command) {
   app->add_option("--out", command.out, "Write result.json, scene.toml and tables into this folder")
       ->type_name("DIR");
   app->add_option("--threads", command.threads,
-                  "Threads to use; results do not depend on it (this version uses one)")
+                  "Threads to use, 0 (default) for all cores; results do not depend on it")
       ->check(at_least("a whole number from 1, or 0 for all cores", 0.0))
       ->type_name("N");
   app->add_flag("--quiet", command.quiet, "No progress, no messages");
@@ -92,12 +92,14 @@ void add_orbit_search(CLI::App* app, Command& command) {
       ->type_name("P");
   app->add_flag("--virtual", command.keep_virtual,
                 "Keep solutions that are no orbits: penetrating, or impact speed < 0");
-  app->add_option("--start", command.starts,
-                  "Where the search starts: closed-form, simulation or random (default: all)")
+  app->add_option(
+         "--start", command.starts,
+         "Where the search starts: closed-form (k = 1), simulation, or random (quasi-random "
+         "phases, deflation, then global minimisation) (default: all)")
       ->check(CLI::IsMember({"closed-form", "simulation", "random"}))
       ->delimiter(',')
       ->type_name("NAME");
-  app->add_option("--random-seed", command.random_seed, "Seed of the random starts")
+  app->add_option("--random-seed", command.random_seed, "Moves the quasi-random starts")
       ->check(at_least("a whole number, 0 or more", 0.0))
       ->capture_default_str()
       ->type_name("N");
@@ -155,7 +157,9 @@ void add_orbit(CLI::App& graze, Command& command) {
                  "--impacts: '{}' is not allowed; give a whole number from 1, or 'any'", text));
            command.impacts = value;
          },
-         "Impacts k per orbit, or 'any' (default): also what the simulation settles on")
+         "Impacts k per orbit, on every sequence of stops; 'any' (default): 1, then 2 and 3 while "
+         "the "
+         "structure is small, and what the simulation settles on")
       ->type_name("K|any");
 }
 

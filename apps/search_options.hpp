@@ -24,6 +24,7 @@ inline FinderOptions finder_options(const Command& command) {
   options.keep_virtual = command.keep_virtual;
   options.random_seed = command.random_seed;
   options.max_impacts = command.max_impacts;
+  options.threads = command.threads;
   options.stop = stop_signal(command);
   return options;
 }

@@ -4,44 +4,66 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
+#include <limits>
 #include <random>
 
 #include "graze/base/angle.hpp"
+#include "graze/base/parallel.hpp"
 #include "graze/flow/exact_flow.hpp"
 #include "graze/orbit/closed_form.hpp"
+#include "graze/orbit/impact_sequences.hpp"
+#include "graze/orbit/orbit_identity.hpp"
+#include "graze/orbit/periodic_response.hpp"
+#include "graze/orbit/phase_search.hpp"
 #include "graze/orbit/settled.hpp"
 #include "graze/orbit/solve.hpp"
 
 namespace graze {
 namespace {
 
-// Solutions are accurate to about the square root of eps even next to a fold, where they are least
-// well determined; nearer than this two of them cannot be told apart.
-constexpr double kSame = 1e-7;
+// Patterns that a search for whatever there is adds to (p, 1): 2 and 3 impacts, while an evaluation
+// of all their phase problems takes no more products than this (k^2 N for each sequence of stops;
+// 512 of them cost some ten microseconds, a search a few thousand evaluations).
+constexpr int kCheapWork = 512;
 
-double phase_distance(double a, double b) { return std::abs(std::remainder(a - b, kTurn)); }
+// The most sequences of stops that are searched, whatever k.
+constexpr std::size_t kMostSequences = 4096;
 
-// The pattern that an orbit repeats within itself, when it is not minimal.
-std::optional<ImpactPattern> shorter_pattern(const Orbit& orbit) {
-  const int k = static_cast<int>(orbit.impacts.size());
-  double largest = 0.0;
-  for (const OrbitImpact& impact : orbit.impacts) largest = std::max(largest, impact.speed);
-  for (int parts = k; parts > 1; --parts) {
-    if (k % parts != 0 || orbit.period % parts != 0) continue;
-    const int p = orbit.period / parts, n = k / parts;
-    bool repeats = true;
-    for (int i = n; i < k && repeats; ++i) {
-      const OrbitImpact& a = orbit.impacts[static_cast<std::size_t>(i - n)];
-      const OrbitImpact& b = orbit.impacts[static_cast<std::size_t>(i)];
-      repeats = a.stop == b.stop && phase_distance(a.phase, b.phase) <= kSame &&
-                std::abs(a.speed - b.speed) <= kSame * largest;
-    }
-    if (!repeats) continue;
-    ImpactPattern pattern{p, orbit.pattern().stops};
-    pattern.stops.resize(static_cast<std::size_t>(n));
-    return pattern;
+// Boost's table for Sobol sequences reaches further; a dense solve for more is out of the question.
+constexpr int kMostImpacts = 1024;
+
+// Minimisations of a pattern that the local solves leave without an orbit.
+constexpr int kGlobalRuns = 4;
+
+// A solution that penetrates by more than this part of a length is no orbit, however little the
+// phases are known: a thousand times what they are known to.
+constexpr double kSurely = 1e3 * kSameOrbit;
+
+// Budgets of the local solves by the number of impacts: see
+// docs/decisions/0008.
+PhaseSearchOptions search_budget(int impacts, bool explicitly) {
+  PhaseSearchOptions budget;
+  budget.starts = impacts == 1 ? 16 : impacts == 2 ? 64 : 128;
+  budget.rounds = impacts == 1 ? 2 : explicitly ? 16 : 4;
+  budget.global_evaluations = 1024 * impacts;
+  return budget;
+}
+
+// The orbit that a solution of the phase problem is, without states and multipliers.
+Orbit outline(const PhaseSolution& solution) {
+  Orbit orbit;
+  orbit.period = solution.pattern.period;
+  orbit.residual = std::numeric_limits<double>::infinity();  // not known
+  for (Eigen::Index i = 0; i < solution.phases.size(); ++i) {
+    const double phase = wrapped(solution.phases[i]);
+    orbit.impacts.push_back({solution.pattern.stops[static_cast<std::size_t>(i)],
+                             static_cast<int>(std::lround((solution.phases[i] - phase) / kTurn)),
+                             phase,
+                             solution.speeds[i],
+                             {}});
   }
-  return {};
+  return orbit;
 }
 
 class Finder {
@@ -53,7 +75,7 @@ class Finder {
     const bool one_impact = !options_.impacts || *options_.impacts == 1;
     if (options_.from_closed_form && one_impact) from_closed_form();
     if (options_.from_simulation && start_) from_simulation();
-    if (options_.from_random && one_impact) from_random();
+    if (options_.from_random) from_random();
     return conclude();
   }
 
@@ -96,23 +118,144 @@ class Finder {
   }
 
   void from_random() {
+    if (options_.impacts && *options_.impacts > kMostImpacts) {
+      found_.notes.push_back(fmt::format(
+          "no random starts: quasi-random phases are for up to {} impacts", kMostImpacts));
+      return;
+    }
+    const PeriodicResponseAnswer answer = periodic_response(system_, options_.period);
+    if (!answer.response)
+      found_.notes.push_back("impacts are not sought by their phases alone: " + answer.why_not);
+    for (const std::vector<int>& stops : sequences()) {
+      if (options_.stop.requested()) return;
+      ++found_.patterns;
+      const ImpactPattern pattern{options_.period, stops};
+      if (answer.response)
+        from_phases(*answer.response, pattern);
+      else
+        from_rough_guesses(pattern);
+    }
+  }
+
+  // The sequences of stops to search.
+  std::vector<std::vector<int>> sequences() {
+    const int stops = static_cast<int>(system_.stops.size());
+    std::vector<std::vector<int>> all;
+    const int least = options_.impacts.value_or(1), most = options_.impacts.value_or(3);
+    for (int k = least; k <= most; ++k) {
+      ImpactSequences part = impact_sequences(stops, k, kMostSequences);
+      const int work = static_cast<int>(part.sequences.size()) * k * k * system_.modes();
+      if (k > 1 && !options_.impacts && work > kCheapWork) break;
+      if (!part.complete)
+        found_.notes.push_back(
+            fmt::format("only the first {} sequences of {} impacts were searched, of the {} "
+                        "stops there are more",
+                        kMostSequences, k, stops));
+      std::move(part.sequences.begin(), part.sequences.end(), std::back_inserter(all));
+    }
+    return all;
+  }
+
+  void from_phases(const PeriodicResponse& response, const ImpactPattern& pattern) {
+    PhaseSearchOptions budget = search_budget(pattern.impacts(), options_.impacts.has_value());
+    budget.approaching = !options_.keep_virtual;
+    budget.seed = options_.random_seed;
+    budget.length = scale_.length;
+    budget.speed = speed_scale();
+    budget.threads = options_.threads;
+    budget.stop = options_.stop;
+    PhaseSearch search(response, pattern, budget);
+    // Of one impact the closed form and the search are to confirm each other.
+    if (pattern.impacts() > 1)
+      for (const Orbit& orbit : found_.orbits)
+        if (orbit.period == pattern.period && orbit.pattern().impacts() == pattern.impacts())
+          search.know(orbit.pattern().stops, turned_phases(orbit));
+    bool any = keep(response, search.local());
+    found_.random.tried += search.tried();
+    found_.random.converged += search.converged();
+    for (int run = 0; run < kGlobalRuns && !any && !options_.stop.requested(); ++run) {
+      ++found_.global.tried;
+      const std::optional<PhaseSolution> solution = search.global();
+      if (!solution) continue;
+      ++found_.global.converged;
+      any = keep(response, {*solution});
+    }
+  }
+
+  static Vector turned_phases(const Orbit& orbit) {
+    Vector phases(static_cast<Eigen::Index>(orbit.impacts.size()));
+    Eigen::Index i = 0;
+    for (const ImpactPoint& point : orbit.points()) phases[i++] = point.theta;
+    return phases;
+  }
+
+  // Keeps the solutions that are orbits (or may be listed); whether there was one.
+  bool keep(const PeriodicResponse& response, const std::vector<PhaseSolution>& solutions) {
+    std::vector<std::optional<Orbit>> orbits(solutions.size());
+    for_each_index(solutions.size(), options_.threads,
+                   [&](std::size_t i) { orbits[i] = judge(response, solutions[i]); });
+    bool any = false;
+    for (const std::optional<Orbit>& orbit : orbits) {
+      if (!orbit) continue;
+      any = any || orbit->admissible || options_.keep_virtual;
+      keep(*orbit);
+    }
+    return any;
+  }
+
+  // The orbit of a solution of the phase problem; only outlined where it surely is none and is not
+  // to be listed. Nothing where there is no solution or it is not minimal.
+  std::optional<Orbit> judge(const PeriodicResponse& response,
+                             const PhaseSolution& solution) const {
+    Orbit orbit = outline(solution);
+    if (repeated_pattern(orbit)) return {};
+    const PhaseProblem phases(response, solution.pattern.stops, solution.restitution);
+    const std::vector<ImpactPoint> points = phases.points(solution.phases);
+    if (!options_.keep_virtual && surely_virtual(solution, points)) return orbit;
+    const ShootingProblem problem(solution.pattern, scale_);
+    std::optional<ShootingSolution> polished = newton(problem, system_, problem.pack(points));
+    if (!polished) polished = seek(problem, system_, problem.pack(points));
+    if (!polished) return {};
+    orbit = make_orbit(system_, problem, polished->x);
+    if (repeated_pattern(orbit)) return {};
+    return orbit;
+  }
+
+  bool surely_virtual(const PhaseSolution& solution, const std::vector<ImpactPoint>& points) const {
+    for (const int stop : solution.pattern.stops)
+      if (!system_.stops[static_cast<std::size_t>(stop)].restitution.is_constant()) return false;
+    if (solution.speeds.minCoeff() < -kSurely * speed_scale()) return true;
+    const Admissibility verdict = admissibility(system_, solution.pattern, points);
+    return verdict.clearance && *verdict.clearance < -kSurely * scale_.length;
+  }
+
+  void from_rough_guesses(const ImpactPattern& pattern) {
+    // A least-squares solve grows as the cube of its unknowns: many modes get fewer guesses.
+    const int guesses =
+        std::min(options_.random_guesses, std::max(4, 128 / (system_.modes() * pattern.impacts())));
+    PhaseStarts starts(pattern.period, pattern.impacts(), options_.random_seed);
     std::mt19937_64 engine(options_.random_seed);
-    // Bits to [0, 1) by hand: the standard leaves the distributions' algorithms open, and results
-    // shall not depend on the library.
+    // Bits to [0, 1) by hand: the standard leaves the distributions' algorithms open.
     const auto uniform = [&engine] { return static_cast<double>(engine() >> 11) * 0x1p-53; };
-    // A least-squares solve grows as N^3: many modes get fewer guesses, but never less than four.
-    const int guesses = std::min(options_.random_guesses, std::max(4, 128 / system_.modes()));
-    for (std::size_t i = 0; i < system_.stops.size(); ++i) {
-      const ShootingProblem problem({options_.period, {static_cast<int>(i)}}, scale_);
-      for (int guess = 0; guess < guesses; ++guess) {
-        if (options_.stop.requested()) return;
-        const double theta = kTurn * uniform();
-        const double speed = 2.0 * uniform() * scale_.length * system_.forcing->frequency;
-        keep(problem,
-             seek(problem, system_,
-                  problem.pack({rough_guess(system_, static_cast<int>(i), theta, speed)})),
-             found_.random);
-      }
+    const ShootingProblem problem(pattern, scale_);
+    std::vector<Vector> from;
+    for (int guess = 0; guess < guesses; ++guess) {
+      const Vector phases = starts.next();
+      std::vector<ImpactPoint> points;
+      for (Eigen::Index i = 0; i < phases.size(); ++i)
+        points.push_back(rough_guess(system_, pattern.stops[static_cast<std::size_t>(i)], phases[i],
+                                     2.0 * uniform() * speed_scale()));
+      from.push_back(problem.pack(points));
+    }
+    std::vector<std::optional<ShootingSolution>> solutions(from.size());
+    for_each_index(from.size(), options_.threads, [&](std::size_t i) {
+      if (!options_.stop.requested()) solutions[i] = seek(problem, system_, from[i]);
+    });
+    for (const std::optional<ShootingSolution>& solution : solutions) {
+      const std::optional<Orbit> orbit = judge(problem, solution, found_.random);
+      if (orbit && orbit->period == pattern.period &&
+          orbit->pattern().impacts() == pattern.impacts())
+        keep(*orbit);
     }
   }
 
@@ -123,7 +266,7 @@ class Finder {
     if (!solution) return {};
     ++count.converged;
     Orbit orbit = make_orbit(system_, problem, solution->x);
-    const std::optional<ImpactPattern> shorter = shorter_pattern(orbit);
+    const std::optional<ImpactPattern> shorter = repeated_pattern(orbit);
     if (!shorter) return orbit;
     const ShootingProblem part(*shorter, scale_);
     std::vector<ImpactPoint> points = orbit.points();
@@ -140,7 +283,7 @@ class Finder {
 
   void keep(const Orbit& orbit) {
     for (Orbit& known : found_.orbits)
-      if (same_orbit(known, orbit, scale_.length * system_.forcing->frequency)) {
+      if (same_orbit(known, orbit, speed_scale())) {
         if (orbit.residual < known.residual) known = orbit;
         return;
       }
@@ -155,13 +298,26 @@ class Finder {
           static_cast<int>(std::count_if(orbits.begin(), orbits.end(), is_virtual));
       orbits.erase(std::remove_if(orbits.begin(), orbits.end(), is_virtual), orbits.end());
     }
-    std::sort(orbits.begin(), orbits.end(), [](const Orbit& a, const Orbit& b) {
-      if (a.period != b.period) return a.period < b.period;
-      if (a.impacts.size() != b.impacts.size()) return a.impacts.size() < b.impacts.size();
-      return a.impacts.front().phase < b.impacts.front().phase;
-    });
+    std::sort(orbits.begin(), orbits.end(), comes_before);
+    found_.tried = what_was_tried();
     return std::move(found_);
   }
+
+  std::string what_was_tried() const {
+    std::vector<std::string> parts;
+    if (found_.closed_form.tried > 0)
+      parts.push_back(fmt::format("{} solutions of the closed form", found_.closed_form.tried));
+    if (found_.simulated) parts.push_back("the simulation");
+    if (found_.patterns > 0)
+      parts.push_back(fmt::format("{} random starts on {} sequence{} of stops", found_.random.tried,
+                                  found_.patterns, found_.patterns == 1 ? "" : "s"));
+    if (found_.global.tried > 0)
+      parts.push_back(fmt::format("{} global minimisations", found_.global.tried));
+    return fmt::format("{}", fmt::join(parts, ", "));
+  }
+
+  // m/s, of the forced motion
+  double speed_scale() const { return scale_.length * system_.forcing->frequency; }
 
   const System& system_;
   const std::optional<State>& start_;
@@ -171,24 +327,6 @@ class Finder {
 };
 
 }  // namespace
-
-bool same_orbit(const Orbit& a, const Orbit& b, double speed_scale) {
-  if (a.period != b.period || a.impacts.size() != b.impacts.size()) return false;
-  double largest = speed_scale;
-  for (const OrbitImpact& impact : a.impacts) largest = std::max(largest, std::abs(impact.speed));
-  // Two impacts of nearly one phase may have been ordered either way: try every rotation.
-  for (std::size_t turn = 0; turn < b.impacts.size(); ++turn) {
-    bool same = true;
-    for (std::size_t i = 0; i < a.impacts.size() && same; ++i) {
-      const OrbitImpact& x = a.impacts[i];
-      const OrbitImpact& y = b.impacts[(i + turn) % b.impacts.size()];
-      same = x.stop == y.stop && phase_distance(x.phase, y.phase) <= kSame &&
-             std::abs(x.speed - y.speed) <= kSame * largest;
-    }
-    if (same) return true;
-  }
-  return false;
-}
 
 ImpactPoint rough_guess(const System& system, int stop_index, double theta, double speed) {
   const RigidStop& stop = system.stops[static_cast<std::size_t>(stop_index)];

@@ -1,4 +1,15 @@
 // Finding the periodic orbits of a scene's system from several independent starts.
+//
+//   closed form   both (p, 1) solutions on each stop, exactly (closed_form.hpp);
+//   simulation    what the motion from the scene's initial state settles on, whatever its pattern;
+//   random        for each pattern the phase problem (phase_problem.hpp) searched from quasi-random
+//                 phases, known solutions deflated, and by global minimisation where that leaves no
+//                 orbit (phase_search.hpp). Where the phase problem does not hold (a mode whose
+//                 free motion repeats by itself), Levenberg-Marquardt on the shooting equations
+//                 from rough guesses.
+//
+// Newton's method on the shooting equations polishes each solution, and the recomputed residual is
+// the judge. A list is what the budgets have found, never proved to be all there is.
 #pragma once
 
 #include <cstdint>
@@ -8,19 +19,26 @@
 
 #include "graze/base/stop_signal.hpp"
 #include "graze/orbit/orbit.hpp"
+#include "graze/orbit/orbit_identity.hpp"
 
 namespace graze {
 
 struct FinderOptions {
-  int period = 1;              // p
-  std::optional<int> impacts;  // k; nothing: (p, 1) orbits and whatever the simulation settles on
+  int period = 1;  // p
+  // k, on every sequence of stops of that length (those that are rotations of each other once).
+  // Nothing: k = 1, then 2 and 3 while the structure is small (finder.cpp, kCheapWork), and
+  // whatever the simulation settles on.
+  std::optional<int> impacts;
   bool from_closed_form = true;
   bool from_simulation = true;
   bool from_random = true;
   bool keep_virtual = false;  // list inadmissible solutions too
-  int random_guesses = 32;    // at most; 128/N where that is less, but at least 4
+  // Rough guesses at a pattern, where it comes to that: at most; 128/(N k) where that is less, but
+  // at least 4.
+  int random_guesses = 32;
   std::uint64_t random_seed = 1;
   long long max_impacts = 10'000'000;  // of the simulation
+  int threads = 0;                     // 0: as many as there are cores; changes no result
   StopSignal stop;
 };
 
@@ -30,11 +48,13 @@ struct StartCount {
 };
 
 struct FoundOrbits {
-  std::vector<Orbit> orbits;  // by period, impacts, phases; each once, each minimal
+  std::vector<Orbit> orbits;  // in the order of comes_before; each once, each minimal
   int inadmissible = 0;       // distinct solutions left out because they are no orbits
-  StartCount closed_form, simulation, random;
+  StartCount closed_form, simulation, random, global;
+  int patterns = 0;                // patterns searched at random
   bool simulated = false;          // whether the simulation was among the starts
   std::vector<std::string> notes;  // sentences: what the simulation does, what did not hold
+  std::string tried;               // what was done, for a search that found nothing
 };
 
 // Finds orbits. Requires forcing and a stop; finding none is an empty list. Without a start there
@@ -45,9 +65,5 @@ FoundOrbits find_orbits(const System& system, const std::optional<State>& start,
 // A guess at a (p, 1) orbit: at forcing phase theta the motion meets the stop at speed v, otherwise
 // as near to the forced response as a static push and a matching velocity allow.
 ImpactPoint rough_guess(const System& system, int stop, double theta, double speed);
-
-// Whether two orbits are one: same pattern, phases and speeds within the accuracy of a solution.
-// `speed_scale`, m/s: that of the forced motion, from which impact speeds are left over.
-bool same_orbit(const Orbit& a, const Orbit& b, double speed_scale);
 
 }  // namespace graze

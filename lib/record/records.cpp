@@ -90,18 +90,19 @@ Outcome orbit_outcome(const FoundOrbits& found, const FinderOptions& options, St
   if (stopped == StopReason::kOutOfTime)
     return {"budget", "the budget of computing time was spent before all starts were tried"};
   if (!found.orbits.empty()) return {"found", ""};
-  if (found.closed_form.tried + found.random.tried == 0 && !found.simulated && found.notes.empty())
+  if (found.tried.empty())
     return {"none",
-            "none of the chosen starts applies: the closed form and the random starts are "
-            "for one impact, the simulation needs a start clear of the stop"};
-  std::string message =
+            "none of the chosen starts applies: the closed form is for one impact, the simulation "
+            "needs a start clear of the stop" +
+                (found.notes.empty() ? "" : " (" + found.notes.front() + ")")};
+  std::string message = fmt::format(
+      "no orbit{} in {} forcing period{} was found{}, from {}",
       options.impacts
-          ? fmt::format("no orbit with {} impact{} in {} forcing period{} was found",
-                        *options.impacts, *options.impacts == 1 ? "" : "s", options.period,
-                        options.period == 1 ? "" : "s")
-          : fmt::format("no orbit with one impact in {} forcing period{} was found{}",
-                        options.period, options.period == 1 ? "" : "s",
-                        found.simulated ? ", nor does the simulation settle on one" : "");
+          ? fmt::format(" with {} impact{}", *options.impacts, *options.impacts == 1 ? "" : "s")
+          : "",
+      options.period, options.period == 1 ? "" : "s",
+      !options.impacts && found.simulated ? ", nor does the simulation settle on one" : "",
+      found.tried);
   if (found.inadmissible > 0)
     message += fmt::format(
         "; {} solution{} of the equations {} no orbit of the system (penetrating "

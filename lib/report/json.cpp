@@ -261,7 +261,9 @@ std::string to_json(const OrbitRecord& record) {
   };
   document["starts"] = {{"closed_form", count(record.found.closed_form)},
                         {"simulation", count(record.found.simulation)},
-                        {"random", count(record.found.random)}};
+                        {"random", count(record.found.random)},
+                        {"global", count(record.found.global)}};
+  document["patterns_searched"] = record.found.patterns;
   document["left_out_as_inadmissible"] = record.found.inadmissible;
   document["notes"] = record.found.notes;
   return text(document);

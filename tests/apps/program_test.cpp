@@ -103,11 +103,14 @@ TEST(Program, JsonIsOneDocumentWithTheContractsKeys) {
 TEST(Program, OrbitSpeaksOfTheSimulationOnlyWhereThereWasOne) {
   const std::string said = "simulation settle";
   const Finished preloaded = run_graze(
-      "orbit --json --set stop.gap=-1e-4 --set 'initial={q=[0.0],qdot=[0.0]}' " + kOneMode);
+      "orbit --json --start closed-form,simulation --set stop.gap=-1e-4 "
+      "--set 'initial={q=[0.0],qdot=[0.0]}' " +
+      kOneMode);
   EXPECT_EQ(preloaded.code, 3);
   EXPECT_EQ(preloaded.out.find(said), std::string::npos);
   EXPECT_NE(preloaded.err.find("no start by simulation"), std::string::npos);
-  const Finished resting = run_graze("orbit --json " + scene("02_wagg_momentum.toml"));
+  const Finished resting =
+      run_graze("orbit --json --start simulation " + scene("02_wagg_momentum.toml"));
   EXPECT_EQ(resting.code, 3);
   EXPECT_NE(resting.out.find(said), std::string::npos);
 }
@@ -167,10 +170,32 @@ TEST(Program, PicturesAreDrawnWithTheirScript) {
   }
 }
 
-TEST(Program, SameSeedGivesTheSameBytes) {
-  const std::string line = "orbit --json --start random --random-seed 7 --set beam.modes=2 ";
-  EXPECT_EQ(run_graze(line + "--threads 1 " + kOneMode).out,
-            run_graze(line + "--threads 2 " + kOneMode).out);
+TEST(Program, ThreadsDoNotChangeTheBytesOfASearch) {
+  const std::string lines[] = {
+      " --json --start random --random-seed 7 --set beam.modes=2 --virtual " + kOneMode,
+      " --json --impacts 2 --virtual " + scene("07_two_stops.toml"),
+      " --json " + scene("04_impact_oscillator.toml")};
+  for (const std::string& line : lines) {
+    SCOPED_TRACE(line);
+    const Finished one = run_graze("orbit --threads 1" + line);
+    EXPECT_EQ(one.code, 0) << one.err;
+    EXPECT_EQ(run_graze("orbit --threads 2" + line).out, one.out);
+    EXPECT_EQ(run_graze("orbit --threads 5" + line).out, one.out);
+  }
+}
+
+// Exit code 3, and the sentence says what was tried.
+TEST(Program, ASearchInVainSaysWhatItTried) {
+  const Finished run = run_graze("orbit --json --impacts 2 --set stop.gap=1.0 " + kOneMode);
+  EXPECT_EQ(run.code, 3);
+  const json document = json::parse(run.out);
+  EXPECT_EQ(document["outcome"], "none");
+  EXPECT_TRUE(document["orbits"].empty());
+  const std::string message = document["message"];
+  EXPECT_NE(message.find("random starts on 1 sequence of stops"), std::string::npos) << message;
+  EXPECT_NE(message.find("global minimisations"), std::string::npos) << message;
+  EXPECT_EQ(document["starts"]["global"]["converged"], 0);
+  EXPECT_GT(document["starts"]["random"]["tried"], 0);
 }
 
 }  // namespace

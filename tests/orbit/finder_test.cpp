@@ -130,6 +130,7 @@ TEST(Finder, LeavesOutAndCountsWhatIsNoOrbit) {
 TEST(Finder, RandomGuessesAloneFindTheClosedForm) {
   const System system = assemble(support::reference_scene("orbits/beam_n4_40"));
   FinderOptions options;
+  options.impacts = 1;
   options.from_closed_form = options.from_simulation = false;
   options.keep_virtual = true;
   const FoundOrbits found = find_orbits(system, support::rest(system), options);

@@ -1,0 +1,57 @@
+// The (p, k) orbits of a linear structure, reduced to the forcing phases of their impacts: the
+// closed form of one impact, carried on to any number of them.
+//
+// With Y and G_j of periodic_response.hpp, impulses u_j = (1 + r_j) v_j at the phases theta_j make
+//
+//   y(theta) = Y(theta) - sum_j u_j G_j(s_j),       s_j in (0, pT] the time since impact j.
+//
+// It is linear in u, and that v_i = b_i.q' just before impact i are k linear equations,
+//
+//   (R^-1 + H(theta)) u = (b_i.Y'(theta_i))_i,     H_ij = b_i.G_j'(s_ij),  R = diag(1 + r_j).
+//
+// What remains is contact, k equations in the k phases, whatever the number of modes:
+//
+//   c_i(theta) = b_i.Y(theta_i) - sum_j u_j b_i.G_j(s_ij) - a_i = 0.
+//
+// The phases live on a torus, each modulo 2 pi p; their order says which impact comes first. Two
+// impacts of one stop at one instant solve the equations where a single one of restitution -r^2
+// does: such points are no orbits. Restitution is a number for each impact here: with r(v) the
+// solutions are exact once r_j is that of their v_j.
+#pragma once
+
+#include <vector>
+
+#include "graze/orbit/periodic_response.hpp"
+#include "graze/orbit/shooting.hpp"
+
+namespace graze {
+
+class PhaseProblem {
+ public:
+  // One stop (index from 0) and one restitution for each impact. Refers to the response.
+  PhaseProblem(const PeriodicResponse& response, std::vector<int> stops, Vector restitution);
+
+  int impacts() const { return static_cast<int>(stops_.size()); }
+  const std::vector<int>& stops() const { return stops_; }
+  const Vector& restitution() const { return restitution_; }
+  const PeriodicResponse& response() const { return *response_; }
+
+  // c at the phases (rad, k), m; where asked for its Jacobian by them, m/rad, and the approach
+  // speeds, m/s. Not finite where the approach speeds have no or many solutions.
+  Vector contact(const Vector& phases, Matrix* jacobian = nullptr, Vector* speeds = nullptr) const;
+
+  // The impacts as points of the shooting equations, in the order of the phases given.
+  std::vector<ImpactPoint> points(const Vector& phases) const;
+
+ private:
+  // Seconds from impact j to impact i, in (0, pT].
+  double since(const Vector& phases, Eigen::Index i, Eigen::Index j) const;
+
+  const PeriodicResponse* response_;
+  std::vector<int> stops_;
+  Vector restitution_;
+  // An impact's own impulse, one orbit later.
+  std::vector<RowMotion> own_;
+};
+
+}  // namespace graze
