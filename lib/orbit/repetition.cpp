@@ -109,11 +109,10 @@ double PeriodHistory::state_difference(long long period, int p) const {
   const long long now = 2 * modes_ * (period + 1), then = 2 * modes_ * (period + 1 - p);
   double largest = 0.0;
   for (Eigen::Index j = 0; j < modes_; ++j) {
-    largest = std::max(largest, std::abs(strobes_[now + j] - strobes_[then + j]) /
-                                    scale_.displacement);
-    largest = std::max(
-        largest, std::abs(strobes_[now + modes_ + j] - strobes_[then + modes_ + j]) /
-                     scale_.velocity[j]);
+    largest =
+        std::max(largest, std::abs(strobes_[now + j] - strobes_[then + j]) / scale_.displacement);
+    largest = std::max(largest, std::abs(strobes_[now + modes_ + j] - strobes_[then + modes_ + j]) /
+                                    scale_.velocity[j]);
   }
   return beyond_rounding(largest, kRounding);
 }

@@ -36,8 +36,8 @@ class Settling {
         options_(options),
         motion_(system, {}, start.q, start.qdot),
         history_(system, start, remembered(options)),
-        closure_speed_(options.closure_speed.value_or(
-            default_closure_speed(system, start, kTolerance))),
+        closure_speed_(
+            options.closure_speed.value_or(default_closure_speed(system, start, kTolerance))),
         still_(still_speed(system)) {}
 
   SettledMotion finish() {
@@ -104,9 +104,8 @@ class Settling {
                                                   "die out in forcing period {}",
                                                   arrival.stop + 1, now()));
     if (result_.impacts_met >= options_.max_impacts)
-      return end(SettledKind::kImpactBudget,
-                 fmt::format("spent the budget of {} before it settled",
-                             count(options_.max_impacts, "impact")));
+      return end(SettledKind::kImpactBudget, fmt::format("spent the budget of {} before it settled",
+                                                         count(options_.max_impacts, "impact")));
     if (++in_period_ > kMostImpactsPerPeriod)
       return end(SettledKind::kImpactBudget,
                  fmt::format("impacts without end in forcing period {}", now()));
@@ -175,8 +174,8 @@ class Settling {
     result_.remaining = 0.0;
     result_.at_start = result_.at_end = *steady;
     result_.strobes = {*steady};
-    end(SettledKind::kClear, result_.impacts_met == 0 ? "meets no stop"
-                                                      : "settles clear of every stop");
+    end(SettledKind::kClear,
+        result_.impacts_met == 0 ? "meets no stop" : "settles clear of every stop");
     return true;
   }
 

@@ -59,7 +59,7 @@ struct SettleOptions {
   // system's scale) is estimated to be less than this. Nothing: stop where the motion repeats; 0:
   // run all the periods.
   std::optional<double> nearness;
-  long long tail = 100;                             // periods kept where nothing repeats
+  long long tail = 100;                            // periods kept where nothing repeats
   std::string from = "the scene's initial state";  // for the verdict: where it starts
   StopSignal stop;
 };
