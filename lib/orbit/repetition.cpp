@@ -148,7 +148,10 @@ double PeriodHistory::remaining(int p) const {
   if (late == 0.0) return 0.0;
   const double early = largest(now - 2 * window, now - window, p);
   if (!(late < early) || !std::isfinite(early)) return kInfinity;
-  const double ratio = late / early;
+  const double last = difference(p), before = largest(now - 2LL * p, now - p, p);
+  const double latest = before > 0.0 ? std::pow(last / before, kWindow) : 0.0;
+  const double ratio = std::max(late / early, latest);
+  if (!(ratio < 1.0)) return kInfinity;
   return kWindow * late * ratio / (1.0 - ratio);
 }
 

@@ -9,7 +9,8 @@
 //
 // the distance from the orbit. A multiplier of 0.99 makes it about a hundred times the last
 // difference. Five, so that differences that turn while they shrink (complex multipliers) do not
-// pass for settled where they cross zero; still it is an estimate and no bound.
+// pass for settled where they cross zero; and where the last two repetitions shrink by less, theirs
+// counts. Still it is an estimate and no bound: a quick deviation can hide a slow one.
 #pragma once
 
 #include <cstddef>

@@ -4,11 +4,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "graze/base/angle.hpp"
 #include "graze/hybrid/chatter_closure.hpp"
 #include "graze/hybrid/clearance.hpp"
 #include "graze/hybrid/simulation.hpp"
+#include "graze/orbit/nearby_orbit.hpp"
 
 namespace graze {
 namespace {
@@ -17,11 +19,12 @@ constexpr double kRepeats = 1e-6;
 constexpr int kRepetitions = 3;
 // An impact this much more frequent than the forcing is no pattern to look for.
 constexpr long long kMostImpactsPerPeriod = 4096;
+constexpr double kLost = 1e-3;        // so far from an orbit a motion is on its way elsewhere
+constexpr int kPatience = 32;         // repetitions until an orbit is asked for its stability again
 constexpr double kTolerance = 1e-10;  // as of a scene that names none
 
 long long remembered(const SettleOptions& options) {
-  const long long repetitions =
-      options.nearness ? 2 * (2 * PeriodHistory::kWindow + 1) : kRepetitions;
+  const long long repetitions = options.nearness ? 2 * PeriodHistory::kWindow + 1 : kRepetitions;
   return std::max(repetitions * options.longest_period, options.tail);
 }
 
@@ -38,7 +41,8 @@ class Settling {
         history_(system, start, remembered(options)),
         closure_speed_(
             options.closure_speed.value_or(default_closure_speed(system, start, kTolerance))),
-        still_(still_speed(system)) {}
+        still_(still_speed(system)),
+        scale_(shooting_scale(system)) {}
 
   SettledMotion finish() {
     while (!over_) {
@@ -135,26 +139,66 @@ class Settling {
   void look_back() {
     const auto latest = history_.contacts_since(history_.periods() - 1);
     if (options_.nearness != 0.0 && in_period_ == 0 && !latest.any && conclude_clear()) return;
+    if (options_.nearness == 0.0) return;
+    if (approached_) return come_nearer();
     const int p = repetition();
     if (p == 0) return;
+    const Pattern motion = pattern_of_last(p);
+    const bool impacts_alone =
+        motion.pattern.impacts() > 0 && !history_.contacts_since(history_.periods() - p).any;
     if (!options_.nearness) {
       // A drift too slow to see may still lead to the stop: being clear of it takes certainty.
-      const long long from = history_.periods() - p;
-      if (history_.impacts_since(from).empty() && !history_.contacts_since(from).any) return;
-      return conclude_periodic(p);
+      if (impacts_alone || history_.contacts_since(history_.periods() - p).any)
+        conclude_periodic(p);
+      return;
     }
-    // Where deviations alternate in sign, twice the period shrinks where one does not.
-    for (const int q : {p, 2 * p}) {
-      // While the last difference alone is more than allowed the estimate would be in vain.
-      if (q > options_.longest_period || !(history_.difference(q) < *options_.nearness)) continue;
-      const double remaining = history_.remaining(q);
-      if (!(remaining < *options_.nearness)) continue;
-      // Orbits of this distance are one.
-      const bool half = q > p && history_.difference(p) < 4.0 * *options_.nearness;
-      result_.near = true;
-      result_.remaining = remaining;
-      return conclude_periodic(half ? p : q);
+    if (impacts_alone && history_.periods() < next_solve_) return;
+    if (impacts_alone) {
+      approached_ = nearby_orbit(system_, motion.pattern, motion.points);
+      if (approached_ && approached_->stable == true) {
+        solved_at_ = history_.periods();
+        return come_nearer();
+      }
+      // Passing by an orbit that it will leave again.
+      const bool unstable = approached_ && approached_->stable == false;
+      approached_.reset();
+      if (unstable) {
+        next_solve_ = history_.periods() + static_cast<long long>(kPatience) * p;
+        return;
+      }
     }
+    // While the last difference alone is more than allowed the estimate would be in vain.
+    if (!(history_.difference(p) < *options_.nearness)) return;
+    const double remaining = history_.remaining(p);
+    if (remaining < *options_.nearness) conclude_near(p, remaining);
+  }
+
+  // The orbit is known: the motion is compared with it once a repetition.
+  void come_nearer() {
+    const int p = approached_->pattern.period;
+    if ((history_.periods() - solved_at_) % p != 0) return;
+    const Pattern motion = pattern_of_last(p);
+    const double left = motion.pattern.stops == approached_->pattern.stops
+                            ? distance(system_, scale_, *approached_, motion.points)
+                            : std::numeric_limits<double>::infinity();
+    if (left < *options_.nearness)
+      conclude_near(p, left);
+    else if (left > kLost)
+      approached_.reset();
+  }
+
+  // An orbit seen several times over is the shorter one.
+  void conclude_near(int p, double remaining) {
+    const double same = 4.0 * *options_.nearness;
+    int least = p;
+    if (approached_)
+      least = shortest_period(system_, *approached_, same);
+    else
+      for (int q = p - 1; q > 0; --q)
+        if (p % q == 0 && history_.difference(q) < same) least = q;
+    result_.near = true;
+    result_.remaining = remaining;
+    conclude_periodic(least);
   }
 
   // The smallest p after which the motion repeats, or 0.
@@ -197,26 +241,36 @@ class Settling {
       end(SettledKind::kImpacts,
           fmt::format("settles on {} that repeat {}",
                       count(static_cast<long long>(result_.impacts.size()), "impact"), every));
-      keep_pattern(p, from);
+      Pattern last = pattern_of_last(p);
+      result_.pattern = std::move(last.pattern);
+      result_.points = std::move(last.points);
     }
   }
 
-  void keep_pattern(int p, long long from) {
-    ImpactPattern pattern{p, {}};
+  struct Pattern {
+    ImpactPattern pattern;
+    std::vector<ImpactPoint> points;
+  };
+
+  Pattern pattern_of_last(int p) const {
+    Pattern last{{p, {}}, {}};
+    const long long from = history_.periods() - p;
+    const std::vector<MetImpact> impacts = history_.impacts_since(from);
     const std::vector<State> before = history_.states_before_impacts_since(from);
     for (std::size_t i = 0; i < before.size(); ++i) {
-      const MetImpact& impact = result_.impacts[i];
-      pattern.stops.push_back(impact.stop);
-      result_.points.push_back(
-          {impact.phase + kTurn * static_cast<double>(impact.period - from), before[i]});
+      last.pattern.stops.push_back(impacts[i].stop);
+      last.points.push_back(
+          {impacts[i].phase + kTurn * static_cast<double>(impacts[i].period - from), before[i]});
     }
-    result_.pattern = std::move(pattern);
+    return last;
   }
 
   void conclude_unsettled() {
     // It repeats, but not nearly enough: said so, and shown as what it comes to.
     if (const int p = options_.nearness ? repetition() : 0) {
-      result_.remaining = history_.remaining(p);
+      result_.remaining = approached_
+                              ? distance(system_, scale_, *approached_, pattern_of_last(p).points)
+                              : history_.remaining(p);
       return conclude_periodic(p);
     }
     keep_since(std::max(history_.oldest(), history_.periods() - options_.tail));
@@ -258,6 +312,9 @@ class Settling {
   Motion<double> motion_;
   PeriodHistory history_;
   double closure_speed_, still_;  // m/s
+  ShootingScale scale_;
+  std::optional<NearbyOrbit> approached_;     // stable; solved for when the motion began to repeat
+  long long solved_at_ = 0, next_solve_ = 0;  // periods
   PeriodHistory::Contacts contacts_;
   long long in_period_ = 0;
   bool over_ = false;

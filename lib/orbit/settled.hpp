@@ -28,8 +28,10 @@ enum class SettledKind {
 struct SettledMotion {
   SettledKind kind = SettledKind::kNotPeriodic;
   int period = 0;  // p of the repetition, in forcing periods; 0: none
-  // Where it was to get near: whether it did, and how far it still is by the estimate of
-  // repetition.hpp. 0 within rounding, infinite where nothing shrinks.
+  // Where it was to get near: whether it did, and how far it still is. Where it impacts without
+  // sticking that is its distance from the orbit by the shooting equations, which has to be stable;
+  // elsewhere it is the estimate of repetition.hpp, 0 within rounding, infinite where nothing
+  // shrinks.
   bool near = false;
   double remaining = std::numeric_limits<double>::infinity();
   bool sticks = false;     // a stop was closed during what `impacts` covers
@@ -56,8 +58,8 @@ struct SettleOptions {
   // Speed below which a chatter is summed, m/s; nothing: the default of a simulation.
   std::optional<double> closure_speed;
   // Go on until what is left to the orbit (phases in rad, relative speeds, states in units of the
-  // system's scale) is estimated to be less than this. Nothing: stop where the motion repeats; 0:
-  // run all the periods.
+  // system's scale) is less than this. Nothing: stop where the motion repeats; 0: run all the
+  // periods.
   std::optional<double> nearness;
   long long tail = 100;                            // periods kept where nothing repeats
   std::string from = "the scene's initial state";  // for the verdict: where it starts
