@@ -178,12 +178,12 @@ class Settling {
     const int p = approached_->pattern.period;
     if ((history_.periods() - solved_at_) % p != 0) return;
     const Pattern motion = pattern_of_last(p);
-    const double left = motion.pattern.stops == approached_->pattern.stops
-                            ? distance(system_, scale_, *approached_, motion.points)
-                            : std::numeric_limits<double>::infinity();
-    if (left < *options_.nearness)
-      conclude_near(p, left);
-    else if (left > kLost)
+    left_ = motion.pattern.stops == approached_->pattern.stops
+                ? distance(system_, scale_, *approached_, motion.points)
+                : std::numeric_limits<double>::infinity();
+    if (left_ < *options_.nearness)
+      conclude_near(p, left_);
+    else if (left_ > kLost)
       approached_.reset();
   }
 
@@ -314,6 +314,7 @@ class Settling {
   double closure_speed_, still_;  // m/s
   ShootingScale scale_;
   std::optional<NearbyOrbit> approached_;     // stable; solved for when the motion began to repeat
+  double left_ = 0.0;                         // distance from it, one repetition ago at most
   long long solved_at_ = 0, next_solve_ = 0;  // periods
   PeriodHistory::Contacts contacts_;
   long long in_period_ = 0;

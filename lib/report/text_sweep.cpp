@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "graze/report/sweep_names.hpp"
 #include "graze/report/table.hpp"
@@ -16,13 +17,15 @@ std::string approaching_note(const Sweep& swept) {
   for (const SweepRow& row : swept.rows) {
     if (row.status != SweepStatus::kApproaching) continue;
     ++count;
-    farthest = std::max(farthest, row.motion.remaining);
+    if (std::isfinite(row.motion.remaining)) farthest = std::max(farthest, row.motion.remaining);
   }
   if (count == 0) return "";
   return fmt::format(
-      "note: at {} value{} the motion repeats but is not yet within {:g} of its orbit after {} "
-      "periods (largest estimate {:.1g}); more --periods bring it nearer\n",
-      count, count == 1 ? "" : "s", swept.options.nearness, swept.options.periods, farthest);
+      "note: at {} value{} the motion repeats but is not known to be within {:g} of its orbit "
+      "after "
+      "{} periods{}; more --periods bring it nearer or show that it goes elsewhere\n",
+      count, count == 1 ? "" : "s", swept.options.nearness, swept.options.periods,
+      farthest > 0.0 ? fmt::format(" (up to {:.1g} away)", farthest) : "");
 }
 
 }  // namespace
