@@ -27,9 +27,9 @@ struct LineStyle {
 // In the order in which they are drawn: what is seen in an experiment lies on top.
 constexpr std::array<LineStyle, kLines> kLineStyles = {
     {{"virtual", "virtual", "lw 0.8 dt solid lc rgb '#999999'"},
-     {"open", "stability open", "lw 1.4 dt (2,3) lc rgb '#000000'"},
-     {"unstable", "unstable", "lw 1.4 dt (8,5) lc rgb '#D55E00'"},
-     {"stable", "stable", "lw 1.6 dt solid lc rgb '#0072B2'"}}};
+     {"open", "stability open", "lw 1.2 dt (2,3) lc rgb '#000000'"},
+     {"unstable", "unstable", "lw 1.2 dt (8,5) lc rgb '#D55E00'"},
+     {"stable", "stable", "lw 1.1 dt solid lc rgb '#0072B2'"}}};
 
 enum Dot : std::size_t { kWild, kPeriodic, kDots };
 struct DotStyle {
@@ -84,7 +84,7 @@ class DiagramPicture {
     layer.script.command("set xrange " + x_.text() + "\nset yrange " + y_.text());
     write_dots(layer.script);
     // Points of size 1 are some 6 pixels wide here, so a dot is 0.3 mm at most.
-    layer.script.plot(dot_layers(0.9 * dot_size()));
+    layer.script.plot(dot_layers(0.9));
     return layer;
   }
 
@@ -240,10 +240,12 @@ class DiagramPicture {
       script_.command("set label 'no impacts' at graph 0.5, graph 0.5 center");
   }
 
-  // Dots shrink as they crowd.
-  double dot_size() const {
-    const double crowd = static_cast<double>(std::max<std::size_t>(dots_.size(), 1));
-    return std::clamp(std::sqrt(4000.0 / crowd), 0.5, 1.0);
+  // Motions that never repeat fill areas: their dots shrink as they crowd.
+  double dot_size(std::size_t kind) const {
+    if (kind != kWild) return 1.0;
+    const auto crowd =
+        std::count_if(dots_.begin(), dots_.end(), [](auto& dot) { return dot.wild; });
+    return std::clamp(std::sqrt(4000.0 / static_cast<double>(crowd)), 0.5, 1.0);
   }
 
   void write_dots(GnuplotScript& script) const {
@@ -256,7 +258,7 @@ class DiagramPicture {
     for (std::size_t k = 0; k < kDots; ++k)
       if (!dot_tables_[k].empty())
         layers.push_back(fmt::format("${} with points pt 7 ps {:.3g} lc rgb '{}'",
-                                     kDotStyles[k].name, size, kDotStyles[k].colour));
+                                     kDotStyles[k].name, size * dot_size(k), kDotStyles[k].colour));
     return layers;
   }
 
@@ -270,7 +272,7 @@ class DiagramPicture {
                       "dx={:.12g} dy={:.12g} with rgbalpha",
                       x_.low + dx / 2.0, y_.low + dy / 2.0, dx, dy));
     } else {
-      layers = dot_layers(0.16 * dot_size());
+      layers = dot_layers(0.16);
     }
     for (std::size_t k = 0; k < kLines; ++k)
       if (!lines_[k].empty())
