@@ -8,7 +8,7 @@
 namespace graze {
 
 struct Command {
-  std::string name;   // "check", "simulate", "orbit", "continue"
+  std::string name;   // "check", "simulate", "orbit", "continue", "diagram"
   std::string scene;  // file
   std::vector<std::string> settings;
 
@@ -36,12 +36,19 @@ struct Command {
   std::vector<std::string> starts;  // empty: all
   unsigned long long random_seed = 1;
 
-  // continue
+  // continue, diagram
   std::string parameter;
   double from = 0.0, to = 0.0;
   std::optional<double> max_step;
   std::string follow = "none";  // none | all
   int depth = 2;
+
+  // diagram, with `periods` the most at a value
+  int points = 400;
+  std::string direction = "up";    // up | down | fresh
+  std::string section = "impact";  // impact | strobe
+  std::string branches = "all";    // none | all
+  long long samples = 100;
 
   long long max_impacts = 10'000'000;
   double max_seconds = 3600.0;

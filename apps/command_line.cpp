@@ -14,7 +14,7 @@ namespace graze {
 namespace {
 
 // Options that a later version brings: known by name, refused in words.
-const char* const kLaterCommands[] = {"diagram", "cost", "compare", "fit"};
+const char* const kLaterCommands[] = {"cost", "compare", "fit"};
 
 InputError not_available(const std::string& what) {
   return InputError(what + ": not available in this version");
@@ -105,6 +105,20 @@ void add_orbit_search(CLI::App* app, Command& command) {
       ->type_name("N");
 }
 
+void add_range(CLI::App* app, Command& command) {
+  app->add_option("--parameter", command.parameter, "Path of the parameter, e.g. forcing.frequency")
+      ->required()
+      ->type_name("NAME");
+  app->add_option("--from", command.from, "Start of the parameter's range")
+      ->required()
+      ->type_name("A");
+  app->add_option("--to", command.to, "End of the parameter's range")->required()->type_name("B");
+  app->add_option("--max-step", command.max_step,
+                  "Largest change of the parameter in one step of a branch (default: range/50)")
+      ->check(above_zero())
+      ->type_name("D");
+}
+
 void add_check(CLI::App& graze, Command& command) {
   CLI::App* app = graze.add_subcommand(
       "check", "Read a scene and say what is simulated: modes, frequencies, conditioning, flow");
@@ -169,17 +183,7 @@ void add_continue(CLI::App& graze, Command& command) {
   add_shared(app, command);
   add_plot(app, command);
   add_orbit_search(app, command);
-  app->add_option("--parameter", command.parameter, "Path of the parameter, e.g. forcing.frequency")
-      ->required()
-      ->type_name("NAME");
-  app->add_option("--from", command.from, "Start of the parameter's range")
-      ->required()
-      ->type_name("A");
-  app->add_option("--to", command.to, "End of the parameter's range")->required()->type_name("B");
-  app->add_option("--max-step", command.max_step,
-                  "Largest change of the parameter in one step (default: range/50)")
-      ->check(above_zero())
-      ->type_name("D");
+  add_range(app, command);
   app->add_option("--impacts", command.impacts,
                   "Impacts per orbit, on all stops together (default: 1)")
       ->check(CLI::Range(1, 64))
@@ -200,6 +204,50 @@ void add_continue(CLI::App& graze, Command& command) {
         ->type_name("X");
 }
 
+void add_diagram(CLI::App& graze, Command& command) {
+  CLI::App* app = graze.add_subcommand(
+      "diagram", "Bifurcation diagram: sweep a parameter, with the branches of orbits over it");
+  add_shared(app, command);
+  add_plot(app, command);
+  add_range(app, command);
+  app->add_option("--points", command.points, "Values from A to B, both among them")
+      ->check(CLI::Range(2, 1'000'000))
+      ->capture_default_str()
+      ->type_name("N");
+  app->add_option("--direction", command.direction,
+                  "up or down: each value goes on from the one before; fresh: each starts as the "
+                  "scene says")
+      ->check(CLI::IsMember({"up", "down", "fresh"}))
+      ->capture_default_str()
+      ->type_name("HOW");
+  app->add_option("--section", command.section,
+                  "What is shown of a motion: impact (phase and speed of every impact) or strobe "
+                  "(displacement and velocity at the stops once a forcing period)")
+      ->check(CLI::IsMember({"impact", "strobe"}))
+      ->capture_default_str()
+      ->type_name("WHAT");
+  app->add_option("--periods", command.periods,
+                  "Forcing periods run at a value, at most (default 1000); fewer once it settled")
+      ->check(at_least("a whole number from 1", 1.0))
+      ->type_name("K");
+  app->add_option("--samples", command.samples, "Forcing periods shown where nothing repeats")
+      ->check(CLI::Range(1LL, 1'000'000LL))
+      ->capture_default_str()
+      ->type_name("M");
+  app->add_option("--closure-speed", command.closure_speed, kClosureSpeed + std::string(")"))
+      ->check(at_least("a speed in m/s, 0 or more", 0.0))
+      ->type_name("V");
+  app->add_option("--branches", command.branches, "Branches over the sweep: all, or none")
+      ->check(CLI::IsMember({"none", "all"}))
+      ->capture_default_str()
+      ->type_name("WHICH");
+  app->add_option("--period", command.period, "Forcing periods p of the branches' orbits")
+      ->check(at_least("a whole number from 1", 1.0))
+      ->capture_default_str()
+      ->type_name("P");
+  add_limits(app, command);
+}
+
 void add_later(CLI::App& graze) {
   for (const char* name : kLaterCommands) {
     CLI::App* app = graze.add_subcommand(name, "(not available in this version)");
@@ -210,7 +258,7 @@ void add_later(CLI::App& graze) {
 
 // A sentence about a first word that is no command, or "".
 std::string unknown_command(int argc, char** argv, const CLI::App& app) {
-  if (argc < 2) return "give a command: check, simulate, orbit or continue";
+  if (argc < 2) return "give a command: check, simulate, orbit, continue or diagram";
   const std::string word = argv[1];
   std::vector<std::string> names;
   for (const CLI::App* command : app.get_subcommands({})) names.push_back(command->get_name());
@@ -237,6 +285,7 @@ ParsedCommand parse_command_line(int argc, char** argv) {
   add_simulate(app, command);
   add_orbit(app, command);
   add_continue(app, command);
+  add_diagram(app, command);
   add_later(app);
   try {
     app.parse(argc, argv);

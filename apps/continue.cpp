@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "branch_options.hpp"
 #include "graze/report/csv.hpp"
 #include "graze/report/json.hpp"
 #include "graze/report/pictures.hpp"
@@ -15,7 +16,6 @@
 #include "session.hpp"
 
 namespace graze {
-namespace {
 
 BranchOptions branch_options(const Command& command) {
   if (!std::isfinite(command.from) || !std::isfinite(command.to) || command.from == command.to)
@@ -47,8 +47,6 @@ BranchOptions branch_options(const Command& command) {
   options.progress = progress_line(command);
   return options;
 }
-
-}  // namespace
 
 int run_continue(const Command& command) {
   if (!command.plot.empty()) check_picture_name(command.plot);

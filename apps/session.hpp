@@ -46,5 +46,6 @@ int run_check(const Command& command);
 int run_simulate(const Command& command);
 int run_orbit(const Command& command);
 int run_continue(const Command& command);
+int run_diagram(const Command& command);
 
 }  // namespace graze

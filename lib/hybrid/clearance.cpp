@@ -1,5 +1,6 @@
 #include "graze/hybrid/clearance.hpp"
 
+#include <cmath>
 #include <limits>
 
 #include "graze/hybrid/first_zero.hpp"
@@ -52,6 +53,42 @@ std::optional<double> smallest_minimum(const ArcCurve<double>& curve) {
   const std::optional<GapMinimum> lowest = lowest_minimum(curve);
   if (!lowest) return {};
   return lowest->gap;
+}
+
+std::optional<State> clear_for_ever(const System& system, const ExactFlow<double>& flow,
+                                    const State& state) {
+  if (!flow.forced()) return {};
+  const double theta = flow.phase({});
+  const double c = std::cos(theta), n = std::sin(theta), frequency = flow.frequency();
+  State steady{Vector(system.modes()), Vector(system.modes())};
+  Vector free(system.modes());
+  for (int j = 0; j < system.modes(); ++j) {
+    const ModeFlow<double>& mode = flow.mode(j);
+    if (mode.kind == ModeKind::kResonant || !(mode.omega > 0.0) || !(mode.delta > 0.0) ||
+        mode.load != 0.0)
+      return {};
+    steady.q[j] = mode.offset + mode.forced.re * c - mode.forced.im * n;
+    steady.qdot[j] = -frequency * (mode.forced.re * n + mode.forced.im * c);
+    free[j] = std::hypot(state.q[j] - steady.q[j], (state.qdot[j] - steady.qdot[j]) / mode.omega);
+  }
+  for (const RigidStop& stop : system.stops) {
+    double re = 0.0, im = 0.0, swing = 0.0, rest = 0.0, size = std::abs(stop.gap);
+    for (int j = 0; j < system.modes(); ++j) {
+      const ModeFlow<double>& mode = flow.mode(j);
+      const double b = stop.row[j];
+      re += b * mode.forced.re;
+      im += b * mode.forced.im;
+      swing += std::abs(b) * free[j];
+      rest += b * mode.offset;
+      size += std::abs(b) * (std::abs(mode.forced.re) + std::abs(mode.forced.im) +
+                             std::abs(mode.offset) + std::abs(state.q[j]));
+    }
+    // The sums above round once a term.
+    const double rounding =
+        4.0 * (system.modes() + 2) * std::numeric_limits<double>::epsilon() * size;
+    if (!(std::hypot(re, im) + swing + rounding < stop.gap - rest)) return {};
+  }
+  return steady;
 }
 
 }  // namespace graze

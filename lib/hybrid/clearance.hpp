@@ -1,9 +1,10 @@
-// How near the motion comes to a stop between contacts.
+// How near the motion comes to a stop between contacts, and whether it ever will.
 #pragma once
 
 #include <optional>
 
 #include "graze/flow/arc_curve.hpp"
+#include "graze/flow/exact_flow.hpp"
 
 namespace graze {
 
@@ -21,5 +22,15 @@ std::optional<GapMinimum> lowest_minimum(const ArcCurve<double>& curve);
 
 // Its gap alone, m.
 std::optional<double> smallest_minimum(const ArcCurve<double>& curve);
+
+// The steady response at the start of a forcing period, where the motion that starts there in
+// `state` is sure to tend to it without meeting a stop again; else nothing. With u the free part,
+//
+//   |sum_j b_j P_j| + sum_j |b_j| sqrt(u_j^2 + u'_j^2/w_j^2) < gap - b.offset
+//
+// at every stop, because w^2 u^2 + u'^2 never grows. Needs forcing, and every mode stiff, damped
+// and off resonance. `flow` is the system's.
+std::optional<State> clear_for_ever(const System& system, const ExactFlow<double>& flow,
+                                    const State& state);
 
 }  // namespace graze

@@ -9,6 +9,7 @@
 
 #include "graze/base/angle.hpp"
 #include "graze/contact/impulse.hpp"
+#include "graze/hybrid/chatter_closure.hpp"
 #include "graze/hybrid/clearance.hpp"
 #include "graze/system/gap_value.hpp"
 #include "graze/system/scale.hpp"
@@ -214,8 +215,6 @@ class Run {
     std::vector<ImpactShare<double>> shares = motion_.impact();
     std::sort(shares.begin(), shares.end(),
               [](const auto& a, const auto& b) { return a.stop < b.stop; });
-    const auto acts = [](const ImpactShare<double>& share) { return share.impulse > 0.0; };
-    const bool alone = std::count_if(shares.begin(), shares.end(), acts) == 1;
     const std::vector<double> changes = impact_energies(system_, shares, before, motion_.qdot());
     // What goes through stops that are not hit themselves counts to the first one that is.
     double total = 0.0, elsewhere = 0.0;
@@ -224,11 +223,9 @@ class Run {
       if (!shares[k].hit) elsewhere += changes[k];
     }
     book_energy(total);
-    const ImpactShare<double>* last = nullptr;
     for (std::size_t k = 0; k < shares.size(); ++k) {
       const ImpactShare<double>& share = shares[k];
       if (!share.hit) continue;
-      last = &share;
       Event event = event_at(EventKind::kImpact, share.stop);
       event.speed = share.speed;
       event.energy_change = changes[k] + std::exchange(elsewhere, 0.0);
@@ -241,13 +238,13 @@ class Run {
       streak.speed = share.speed;
       emit(event);
     }
-    if (alone && last && last->speed <= state_.closure_speed) close_chatter(*last);
+    if (const auto* last = closing_impact(system_, shares, state_.closure_speed))
+      close_chatter(*last);
   }
 
   // Sums the tail of a chatter where it will complete.
   void close_chatter(const ImpactShare<double>& impact) {
     const RigidStop& s = stop(impact.stop);
-    if (!(s.restitution.at_rest() < 1.0)) return;
     const Vector before = motion_.qdot();
     const std::optional<double> duration =
         motion_.close_chatter(impact.stop, s.restitution.at(impact.speed));

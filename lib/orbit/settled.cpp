@@ -4,121 +4,328 @@
 
 #include <algorithm>
 #include <cmath>
-#include <deque>
+#include <limits>
 
 #include "graze/base/angle.hpp"
-#include "graze/hybrid/motion.hpp"
+#include "graze/hybrid/chatter_closure.hpp"
+#include "graze/hybrid/clearance.hpp"
+#include "graze/hybrid/simulation.hpp"
+#include "graze/orbit/nearby_orbit.hpp"
 
 namespace graze {
 namespace {
 
 constexpr double kRepeats = 1e-6;
 constexpr int kRepetitions = 3;
+// An impact this much more frequent than the forcing is no pattern to look for.
+constexpr long long kMostImpactsPerPeriod = 4096;
+constexpr double kLost = 1e-3;        // so far from an orbit a motion is on its way elsewhere
+constexpr int kPatience = 32;         // repetitions until an orbit is asked for its stability again
+constexpr double kTolerance = 1e-10;  // as of a scene that names none
 
-struct Met {
-  long long period;
-  int stop;
-  double phase, speed;
-  State before;
+long long remembered(const SettleOptions& options) {
+  const long long repetitions = options.nearness ? 2 * PeriodHistory::kWindow + 1 : kRepetitions;
+  return std::max(repetitions * options.longest_period, options.tail);
+}
+
+std::string count(long long number, const char* what) {
+  return fmt::format("{} {}{}", number, what, number == 1 ? "" : "s");
+}
+
+class Settling {
+ public:
+  Settling(const System& system, const State& start, const SettleOptions& options)
+      : system_(system),
+        options_(options),
+        motion_(system, {}, start.q, start.qdot),
+        history_(system, start, remembered(options)),
+        closure_speed_(
+            options.closure_speed.value_or(default_closure_speed(system, start, kTolerance))),
+        still_(still_speed(system)),
+        scale_(shooting_scale(system)) {}
+
+  SettledMotion finish() {
+    while (!over_) {
+      if (history_.periods() >= options_.periods)
+        conclude_unsettled();
+      else if (fly_period())
+        look_back();
+    }
+    result_.periods = history_.periods();
+    if (result_.at_end.q.size() == 0) result_.at_end = history_.state_at_start(result_.periods);
+    return std::move(result_);
+  }
+
+ private:
+  // False when the motion could not be followed to the end of the period.
+  bool fly_period() {
+    contacts_ = {motion_.is_closed_anywhere(), motion_.is_closed_anywhere()};
+    in_period_ = 0;
+    if (stop_requested()) return false;
+    for (;;) {
+      const Arrival<double> arrival = motion_.fly(motion_.flow().period());
+      if (arrival.kind == ArrivalKind::kTime) break;
+      if (!receive(arrival)) return false;
+    }
+    history_.end_period(motion_.q(), motion_.qdot(), contacts_);
+    return true;
+  }
+
+  bool receive(const Arrival<double>& arrival) {
+    switch (arrival.kind) {
+      case ArrivalKind::kContact:
+        return take_impact(arrival);
+      case ArrivalKind::kStick:
+        contacts_.any = true;
+        return options_.through_sticking || come_to_rest(arrival.stop);
+      case ArrivalKind::kRelease:
+        contacts_.held = false;
+        return true;
+      case ArrivalKind::kTouch:
+      case ArrivalKind::kTime:
+        return true;
+      case ArrivalKind::kRefused:
+        if (!options_.through_sticking) return come_to_rest(arrival.stop);
+        return end(SettledKind::kRefused,
+                   fmt::format("comes to rest on stop {} in forcing period {} and cannot be "
+                               "followed there: {}",
+                               arrival.stop + 1, now(), motion_.refusal()));
+      case ArrivalKind::kUndecided:
+        return end(SettledKind::kRefused,
+                   fmt::format("could not be followed in forcing period {}: the search for the "
+                               "next event at stop {} used up its evaluations",
+                               now(), arrival.stop + 1));
+      case ArrivalKind::kNotFinite:
+        break;
+    }
+    return end(SettledKind::kRefused,
+               fmt::format("left the range of double precision in forcing period {}", now()));
+  }
+
+  bool take_impact(const Arrival<double>& arrival) {
+    if (!options_.through_sticking && arrival.speed <= still_)
+      return end(SettledKind::kStuck, fmt::format("meets stop {} ever more slowly: the impacts "
+                                                  "die out in forcing period {}",
+                                                  arrival.stop + 1, now()));
+    if (result_.impacts_met >= options_.max_impacts)
+      return end(SettledKind::kImpactBudget, fmt::format("spent the budget of {} before it settled",
+                                                         count(options_.max_impacts, "impact")));
+    if (++in_period_ > kMostImpactsPerPeriod)
+      return end(SettledKind::kImpactBudget,
+                 fmt::format("impacts without end in forcing period {}", now()));
+    ++result_.impacts_met;
+    contacts_.held = false;
+    history_.add_impact({motion_.instant().period, arrival.stop,
+                         motion_.flow().phase(motion_.instant()), arrival.speed},
+                        motion_.q(), motion_.qdot());
+    const std::vector<ImpactShare<double>> shares = motion_.impact();
+    if (!options_.through_sticking) return true;
+    if (const auto* last = closing_impact(system_, shares, closure_speed_))
+      motion_.close_chatter(
+          last->stop,
+          system_.stops[static_cast<std::size_t>(last->stop)].restitution.at(last->speed));
+    return true;
+  }
+
+  bool stop_requested() {
+    // The clock costs as much as a few arcs of a small system.
+    const bool late = (history_.periods() & 31) == 0 && options_.stop.is_late();
+    if (!late && !options_.stop.is_interrupted()) return false;
+    end(late ? SettledKind::kTimeBudget : SettledKind::kInterrupted,
+        "was stopped before it settled");
+    return true;
+  }
+
+  void look_back() {
+    const auto latest = history_.contacts_since(history_.periods() - 1);
+    if (options_.nearness != 0.0 && in_period_ == 0 && !latest.any && conclude_clear()) return;
+    if (options_.nearness == 0.0) return;
+    if (approached_) return come_nearer();
+    const int p = repetition();
+    if (p == 0) return;
+    const Pattern motion = pattern_of_last(p);
+    const bool impacts_alone =
+        motion.pattern.impacts() > 0 && !history_.contacts_since(history_.periods() - p).any;
+    if (!options_.nearness) {
+      // A drift too slow to see may still lead to the stop: being clear of it takes certainty.
+      if (impacts_alone || history_.contacts_since(history_.periods() - p).any)
+        conclude_periodic(p);
+      return;
+    }
+    if (impacts_alone && history_.periods() < next_solve_) return;
+    if (impacts_alone) {
+      approached_ = nearby_orbit(system_, motion.pattern, motion.points);
+      if (approached_ && approached_->stable == true) {
+        solved_at_ = history_.periods();
+        return come_nearer();
+      }
+      // Passing by an orbit that it will leave again.
+      const bool unstable = approached_ && approached_->stable == false;
+      approached_.reset();
+      if (unstable) {
+        next_solve_ = history_.periods() + static_cast<long long>(kPatience) * p;
+        return;
+      }
+    }
+    // While the last difference alone is more than allowed the estimate would be in vain.
+    if (!(history_.difference(p) < *options_.nearness)) return;
+    const double remaining = history_.remaining(p);
+    if (remaining < *options_.nearness) conclude_near(p, remaining);
+  }
+
+  // The orbit is known: the motion is compared with it once a repetition.
+  void come_nearer() {
+    const int p = approached_->pattern.period;
+    if ((history_.periods() - solved_at_) % p != 0) return;
+    const Pattern motion = pattern_of_last(p);
+    left_ = motion.pattern.stops == approached_->pattern.stops
+                ? distance(system_, scale_, *approached_, motion.points)
+                : std::numeric_limits<double>::infinity();
+    if (left_ < *options_.nearness)
+      conclude_near(p, left_);
+    else if (left_ > kLost)
+      approached_.reset();
+  }
+
+  // An orbit seen several times over is the shorter one.
+  void conclude_near(int p, double remaining) {
+    const double same = 4.0 * *options_.nearness;
+    int least = p;
+    if (approached_)
+      least = shortest_period(system_, *approached_, same);
+    else
+      for (int q = p - 1; q > 0; --q)
+        if (p % q == 0 && history_.difference(q) < same) least = q;
+    result_.near = true;
+    result_.remaining = remaining;
+    conclude_periodic(least);
+  }
+
+  // The smallest p after which the motion repeats, or 0.
+  int repetition() const {
+    for (int p = 1; p <= options_.longest_period; ++p)
+      if (history_.repeats(p, kRepetitions, kRepeats)) return p;
+    return 0;
+  }
+
+  bool conclude_clear() {
+    const State now{motion_.q(), motion_.qdot()};
+    const std::optional<State> steady = clear_for_ever(system_, motion_.flow(), now);
+    if (!steady) return false;
+    result_.kind = SettledKind::kClear;
+    result_.period = 1;
+    result_.near = true;
+    result_.remaining = 0.0;
+    result_.at_start = result_.at_end = *steady;
+    result_.strobes = {*steady};
+    end(SettledKind::kClear,
+        result_.impacts_met == 0 ? "meets no stop" : "settles clear of every stop");
+    return true;
+  }
+
+  void conclude_periodic(int p) {
+    const long long from = history_.periods() - p;
+    const auto contacts = history_.contacts_since(from);
+    keep_since(from);
+    result_.period = p;
+    result_.sticks = contacts.any;
+    const std::string every = "every " + (p == 1 ? "forcing period" : count(p, "forcing period"));
+    if (contacts.held) {
+      end(SettledKind::kAtRest, "stays on the stop for ever");
+    } else if (contacts.any) {
+      end(SettledKind::kSticks, "comes to rest on a stop and is released, the same " + every);
+    } else if (result_.impacts.empty()) {
+      end(SettledKind::kClear,
+          result_.impacts_met == 0 ? "meets no stop" : "settles clear of every stop");
+    } else {
+      end(SettledKind::kImpacts,
+          fmt::format("settles on {} that repeat {}",
+                      count(static_cast<long long>(result_.impacts.size()), "impact"), every));
+      Pattern last = pattern_of_last(p);
+      result_.pattern = std::move(last.pattern);
+      result_.points = std::move(last.points);
+    }
+  }
+
+  struct Pattern {
+    ImpactPattern pattern;
+    std::vector<ImpactPoint> points;
+  };
+
+  Pattern pattern_of_last(int p) const {
+    Pattern last{{p, {}}, {}};
+    const long long from = history_.periods() - p;
+    const std::vector<MetImpact> impacts = history_.impacts_since(from);
+    const std::vector<State> before = history_.states_before_impacts_since(from);
+    for (std::size_t i = 0; i < before.size(); ++i) {
+      last.pattern.stops.push_back(impacts[i].stop);
+      last.points.push_back(
+          {impacts[i].phase + kTurn * static_cast<double>(impacts[i].period - from), before[i]});
+    }
+    return last;
+  }
+
+  void conclude_unsettled() {
+    // It repeats, but not nearly enough: said so, and shown as what it comes to.
+    if (const int p = options_.nearness ? repetition() : 0) {
+      result_.remaining = approached_
+                              ? distance(system_, scale_, *approached_, pattern_of_last(p).points)
+                              : history_.remaining(p);
+      return conclude_periodic(p);
+    }
+    keep_since(std::max(history_.oldest(), history_.periods() - options_.tail));
+    end(SettledKind::kNotPeriodic,
+        result_.impacts_met == 0
+            ? fmt::format("meets no stop within {}", count(options_.periods, "forcing period"))
+        : result_.impacts.empty() && history_.contacts_since(history_.oldest()).any == false
+            ? "settles clear of every stop"
+            : fmt::format("repeats no pattern of up to {} forcing periods within {}",
+                          options_.longest_period, count(options_.periods, "period")));
+  }
+
+  void keep_since(long long from) {
+    result_.at_start = history_.state_at_start(from);
+    result_.sticks = history_.contacts_since(from).any;
+    result_.impacts = history_.impacts_since(from);
+    for (long long n = from; n < history_.periods(); ++n)
+      result_.strobes.push_back(history_.state_at_start(n));
+  }
+
+  bool come_to_rest(int stop) {
+    return end(SettledKind::kStuck,
+               fmt::format("comes to rest on stop {} in forcing period {}; orbits that stick "
+                           "are not available in this version",
+                           stop + 1, now()));
+  }
+
+  bool end(SettledKind kind, const std::string& what) {
+    over_ = true;
+    result_.kind = kind;
+    result_.verdict = fmt::format("from {} the motion {}", options_.from, what);
+    return false;
+  }
+
+  long long now() const { return motion_.instant().period + 1; }
+
+  const System& system_;
+  const SettleOptions& options_;
+  Motion<double> motion_;
+  PeriodHistory history_;
+  double closure_speed_, still_;  // m/s
+  ShootingScale scale_;
+  std::optional<NearbyOrbit> approached_;     // stable; solved for when the motion began to repeat
+  double left_ = 0.0;                         // distance from it, one repetition ago at most
+  long long solved_at_ = 0, next_solve_ = 0;  // periods
+  PeriodHistory::Contacts contacts_;
+  long long in_period_ = 0;
+  bool over_ = false;
+  SettledMotion result_;
 };
-
-// Whether the impacts of the last kRepetitions * p whole periods repeat after p.
-bool repeats(const std::deque<Met>& met, long long now, int p) {
-  const long long from = now - static_cast<long long>(kRepetitions) * p;
-  std::vector<const Met*> tail;
-  for (const Met& m : met)
-    if (m.period >= from && m.period < now) tail.push_back(&m);
-  std::size_t k = 0;
-  while (k < tail.size() && tail[k]->period < from + p) ++k;
-  if (k == 0 || tail.size() != k * kRepetitions) return false;
-  for (std::size_t i = k; i < tail.size(); ++i) {
-    const Met &a = *tail[i - k], &b = *tail[i];
-    if (b.period != a.period + p || b.stop != a.stop) return false;
-    if (std::abs(b.phase - a.phase) > kRepeats ||
-        std::abs(b.speed - a.speed) > kRepeats * (std::abs(a.speed) + std::abs(b.speed)))
-      return false;
-  }
-  return true;
-}
-
-SettledMotion settled_on(const std::deque<Met>& met, long long now, int p) {
-  SettledMotion result;
-  ImpactPattern pattern{p, {}};
-  for (const Met& m : met) {
-    if (m.period < now - p || m.period >= now) continue;
-    pattern.stops.push_back(m.stop);
-    result.points.push_back(
-        {m.phase + kTurn * static_cast<double>(m.period - (now - p)), m.before});
-  }
-  result.verdict =
-      fmt::format("from the scene's initial state {} impacts repeat every {} forcing periods",
-                  pattern.impacts(), p);
-  result.pattern = std::move(pattern);
-  return result;
-}
-
-SettledMotion unsettled(std::string verdict) {
-  SettledMotion result;
-  result.verdict = std::move(verdict);
-  return result;
-}
 
 }  // namespace
 
 SettledMotion settle(const System& system, const State& start, const SettleOptions& options) {
-  // An impact this much more frequent than the forcing is chatter, not a pattern to look for.
-  constexpr std::size_t kMostImpactsPerPeriod = 4096;
-  const double still = still_speed(system);
-  Motion<double> motion(system, {}, start.q, start.qdot);
-  std::deque<Met> met;
-  std::size_t in_period = 0;
-  long long impacts = 0;
-  while (motion.instant().period < options.periods) {
-    if (options.stop.requested()) return unsettled("stopped before the motion settled");
-    if (impacts >= options.max_impacts)
-      return unsettled(fmt::format("the budget of {} impacts was spent before the motion settled",
-                                   options.max_impacts));
-    const Arrival<double> arrival = motion.fly(motion.flow().period());
-    const Instant<double>& now = motion.instant();
-    if (arrival.kind == ArrivalKind::kStick || arrival.kind == ArrivalKind::kRefused)
-      return unsettled(
-          fmt::format("from the scene's initial state the motion comes to rest on "
-                      "stop {} in forcing period {}; orbits that stick are not "
-                      "available in this version",
-                      arrival.stop + 1, now.period + 1));
-    if (arrival.kind == ArrivalKind::kContact && arrival.speed <= still)
-      return unsettled(
-          fmt::format("from the scene's initial state the impacts on stop {} die out "
-                      "in forcing period {}",
-                      arrival.stop + 1, now.period + 1));
-    if (arrival.kind == ArrivalKind::kContact) {
-      met.push_back({now.period,
-                     arrival.stop,
-                     motion.flow().phase(now),
-                     arrival.speed,
-                     {motion.q(), motion.qdot()}});
-      motion.impact();
-      ++impacts;
-      if (++in_period > kMostImpactsPerPeriod)
-        return unsettled("from the scene's initial state the motion impacts without end");
-      continue;
-    }
-    if (arrival.kind == ArrivalKind::kTouch) continue;
-    if (arrival.kind != ArrivalKind::kTime)
-      return unsettled("the simulation from the scene's initial state could not go on");
-    in_period = 0;
-    const long long keep = static_cast<long long>(kRepetitions) * options.longest_period;
-    while (!met.empty() && met.front().period < now.period - keep) met.pop_front();
-    for (int p = 1; p <= options.longest_period && kRepetitions * p <= now.period; ++p)
-      if (repeats(met, now.period, p)) return settled_on(met, now.period, p);
-  }
-  if (impacts == 0) return unsettled("from the scene's initial state the motion meets no stop");
-  if (met.empty())
-    return unsettled("from the scene's initial state the motion settles clear of every stop");
-  return unsettled(
-      fmt::format("from the scene's initial state no pattern of up to {} forcing "
-                  "periods repeats within {} periods",
-                  options.longest_period, options.periods));
+  return Settling(system, start, options).finish();
 }
 
 }  // namespace graze

@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "graze/record/records.hpp"
+#include "graze/record/diagram_record.hpp"
 
 namespace graze {
 
@@ -18,5 +18,8 @@ std::string samples_csv_row(const System& system, const Sample& sample);
 std::string orbits_csv(const OrbitRecord& record);
 std::string branches_csv(const BranchRecord& record);
 std::string special_csv(const BranchRecord& record);
+
+// One line a sample, one for a value that has none.
+std::string sweep_csv(const DiagramRecord& record);
 
 }  // namespace graze

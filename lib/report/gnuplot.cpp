@@ -9,6 +9,7 @@
 #include <cerrno>
 #include <cmath>
 #include <cstdio>
+#include <cstdlib>
 #include <cstring>
 #include <filesystem>
 #include <memory>
@@ -184,15 +185,61 @@ std::string gnuplot_string(const std::string& text) {
   return quoted + "'";
 }
 
-void draw_picture(const std::string& file, const GnuplotScript& script, double proportion) {
+namespace {
+
+// A file of our own that goes when its picture is drawn.
+class ScratchFile {
+ public:
+  ScratchFile() : path_((std::filesystem::temp_directory_path() / "graze.XXXXXX").string()) {
+    const int descriptor = ::mkstemp(path_.data());
+    if (descriptor < 0)
+      throw FileError(fmt::format("cannot draw the picture: no temporary file can be made: {}",
+                                  std::strerror(errno)));
+    ::close(descriptor);
+  }
+  ~ScratchFile() { ::unlink(path_.c_str()); }
+  ScratchFile(const ScratchFile&) = delete;
+  ScratchFile& operator=(const ScratchFile&) = delete;
+  const std::string& path() const { return path_; }
+
+ private:
+  std::string path_;
+};
+
+std::string pixel_terminal(const PixelLayer& layer) {
+  return fmt::format("set terminal pngcairo transparent size {},{}\n", layer.width, layer.height);
+}
+
+void draw(const std::string& file, const std::string& head, const std::string& layers,
+          const GnuplotScript& script, const std::string& picture) {
   const std::filesystem::path path(file);
-  const std::string head = "set encoding utf8\n" + terminal(path, proportion);
-  const std::string picture = drawn(file, head + script.text());
   const std::string comment = fmt::format("# Draws {}: gnuplot {}\n", path.filename().string(),
                                           path.stem().string() + ".gp");
   write_file(path, picture);
   write_file(std::filesystem::path(path).replace_extension(".gp"),
-             comment + head + output(path) + script.text());
+             comment + layers + head + output(path) + script.text());
+}
+
+}  // namespace
+
+void draw_picture(const std::string& file, const GnuplotScript& script, double proportion) {
+  const std::string head = "set encoding utf8\n" + terminal(file, proportion);
+  draw(file, head, "", script, drawn(file, head + script.text()));
+}
+
+void draw_picture(const std::string& file, const GnuplotScript& script, double proportion,
+                  const PixelLayer& layer) {
+  const std::string head = "set encoding utf8\n" + terminal(file, proportion);
+  const ScratchFile scratch;
+  write_file(scratch.path(), drawn(file, pixel_terminal(layer) + layer.script.text()));
+  const std::string picture =
+      drawn(file, head + "pixels = " + gnuplot_string(scratch.path()) + "\n" + script.text());
+  const std::filesystem::path kept =
+      std::filesystem::path(file).replace_extension(".dots.png").filename();
+  draw(file, head,
+       pixel_terminal(layer) + output(kept) + layer.script.text() +
+           "set output\nreset\npixels = " + gnuplot_string(kept.string()) + "\n",
+       script, picture);
 }
 
 }  // namespace graze

@@ -48,4 +48,17 @@ std::string gnuplot_string(const std::string& text);
 // the folder cannot be written to.
 void draw_picture(const std::string& file, const GnuplotScript& script, double proportion = 0.75);
 
+// A layer of very many dots, drawn as pixels. A vector picture that held each of them as a shape
+// would be megabytes large.
+struct PixelLayer {
+  GnuplotScript script;       // draws the layer over the whole of its canvas
+  int width = 0, height = 0;  // of the canvas, pixels
+};
+
+// The same with a layer of pixels: where `script` is run, the variable `pixels` names a PNG file
+// that shows the layer on a transparent ground. The script that is kept makes that file, x.dots.png
+// for x.svg, anew.
+void draw_picture(const std::string& file, const GnuplotScript& script, double proportion,
+                  const PixelLayer& layer);
+
 }  // namespace graze

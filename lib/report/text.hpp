@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "graze/record/records.hpp"
+#include "graze/record/diagram_record.hpp"
 
 namespace graze {
 
@@ -11,5 +11,6 @@ std::string to_text(const CheckRecord& record);
 std::string to_text(const SimulationRecord& record);
 std::string to_text(const OrbitRecord& record);
 std::string to_text(const BranchRecord& record);
+std::string to_text(const DiagramRecord& record);
 
 }  // namespace graze

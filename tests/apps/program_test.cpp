@@ -15,7 +15,7 @@ const std::string kOneMode = scene("05_wagg_one_mode.toml");
 
 TEST(Program, PrintsVersionAndHelpOfEveryCommand) {
   EXPECT_EQ(run_graze("--version").out, "graze 0.1.0\n");
-  for (const char* command : {"", "check ", "simulate ", "orbit ", "continue "}) {
+  for (const char* command : {"", "check ", "simulate ", "orbit ", "continue ", "diagram "}) {
     const Finished help = run_graze(std::string(command) + "--help");
     EXPECT_EQ(help.code, 0);
     EXPECT_NE(help.out.find("Usage"), std::string::npos);
@@ -43,7 +43,7 @@ TEST(Program, UsageErrorsExitWith2AndPrintNothingOnStdout) {
 
 TEST(Program, RefusesWhatALaterVersionBrings) {
   for (const std::string& line : std::vector<std::string>{
-           "diagram " + kOneMode, "cost " + kOneMode, "compare " + kOneMode, "fit a b",
+           "cost " + kOneMode, "compare " + kOneMode, "fit a b",
            "orbit --closure-speed 1e-6 " + kOneMode,
            "continue --closure-speed 1e-6 --parameter stop.gap --from 0 --to 1 " + kOneMode,
            "continue --parameter stop.gap --from 1e-3 --to 2e-3 " + scene("07_two_stops.toml"),

@@ -28,7 +28,8 @@ const std::map<std::string, std::set<std::string>> kAbove = {
     {"orbit", {"hybrid"}},
     {"continuation", {"base"}},
     {"bifurcation", {"orbit", "continuation"}},
-    {"record", {"bifurcation"}},
+    {"study", {"bifurcation"}},
+    {"record", {"study"}},
     {"report", {"record"}},
 };
 

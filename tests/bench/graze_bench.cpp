@@ -4,6 +4,7 @@
 #include "graze/bifurcation/orbit_branches.hpp"
 #include "graze/hybrid/simulation.hpp"
 #include "graze/scene/reader.hpp"
+#include "graze/study/sweep.hpp"
 
 namespace graze {
 namespace {
@@ -77,6 +78,33 @@ void SimulateWideGap(benchmark::State& state) {
   state.counters["impacts"] = static_cast<double>(impacts);
 }
 BENCHMARK(SimulateWideGap)->ArgName("modes")->Arg(1)->Arg(4)->Arg(8)->Unit(benchmark::kMillisecond);
+
+// 1000 values of the forcing frequency of scene 05, up to 1000 forcing periods at each: fewer where
+// the motion settles, or all of them (nearness 0); on one or two threads, for which real time
+// counts.
+void SweepOneMode(benchmark::State& state) {
+  const SystemFamily family(one_mode_scene({}), "forcing.frequency");
+  SweepOptions options;
+  options.from = 15.0;
+  options.to = 120.0;
+  options.points = 1000;
+  options.threads = static_cast<int>(state.range(1));
+  if (state.range(0) != 0) options.nearness = 0.0;
+  long long periods = 0, impacts = 0;
+  for (auto _ : state) {
+    const Sweep swept = sweep(family, options);
+    periods = swept.periods;
+    impacts = swept.impacts;
+  }
+  state.counters["periods"] = static_cast<double>(periods);
+  state.counters["impacts"] = static_cast<double>(impacts);
+}
+BENCHMARK(SweepOneMode)
+    ->ArgNames({"all_periods", "threads"})
+    ->ArgsProduct({{0, 1}, {1, 2}})
+    ->UseRealTime()
+    ->MeasureProcessCPUTime()
+    ->Unit(benchmark::kMillisecond);
 
 }  // namespace
 }  // namespace graze

@@ -1,0 +1,113 @@
+// graze diagram: a brute-force sweep over a parameter, and the branches of orbits over it.
+#include "branch_options.hpp"
+#include "graze/report/csv.hpp"
+#include "graze/report/json.hpp"
+#include "graze/report/pictures.hpp"
+#include "graze/report/text.hpp"
+#include "graze/scene/parameter.hpp"
+#include "graze/scene/reader.hpp"
+#include "search_options.hpp"
+#include "session.hpp"
+
+namespace graze {
+namespace {
+
+SweepOptions sweep_options(const Command& command, const StopSignal& stop) {
+  SweepOptions options;
+  options.from = command.from;
+  options.to = command.to;
+  options.points = command.points;
+  options.direction = command.direction == "up"     ? SweepDirection::kUp
+                      : command.direction == "down" ? SweepDirection::kDown
+                                                    : SweepDirection::kFresh;
+  options.periods = command.periods.value_or(options.periods);
+  options.samples = command.samples;
+  options.max_impacts = command.max_impacts;
+  options.closure_speed = command.closure_speed;
+  options.threads = command.threads;
+  options.stop = stop;
+  options.progress = progress_line(command);
+  return options;
+}
+
+void note_options(const Command& command, const SweepOptions& options, RunInfo& info) {
+  info.options.emplace_back("parameter", command.parameter);
+  info.options.emplace_back("from", command.from);
+  info.options.emplace_back("to", command.to);
+  info.options.emplace_back("points", static_cast<long long>(command.points));
+  info.options.emplace_back("direction", command.direction);
+  info.options.emplace_back("section", command.section);
+  info.options.emplace_back("periods", options.periods);
+  info.options.emplace_back("samples", options.samples);
+  if (command.closure_speed) info.options.emplace_back("closure_speed", *command.closure_speed);
+  info.options.emplace_back("branches", command.branches);
+  if (command.branches != "none")
+    info.options.emplace_back("period", static_cast<long long>(command.period));
+  if (command.max_step) info.options.emplace_back("max_step", *command.max_step);
+  info.options.emplace_back("max_impacts", command.max_impacts);
+  info.options.emplace_back("max_seconds", command.max_seconds);
+}
+
+// The branches, as far as this version traces them; how that ended, or nothing where it was not
+// tried.
+std::optional<Outcome> add_branches(const Command& command, const Scene& scene,
+                                    const SystemFamily& family, BranchOptions options,
+                                    DiagramRecord& record) {
+  OrbitBranches& traced = record.branches.traced;
+  traced.parameter = command.parameter;
+  if (command.branches == "none") return {};
+  if (scene.stops.size() > 1) {
+    traced.notes.push_back(
+        "no branches are traced: with several stops they are not available in "
+        "this version");
+    return {};
+  }
+  traced = trace_orbits(family, options);
+  const Outcome outcome = branch_outcome(traced, options);
+  if (outcome.name == "no_orbit") traced.notes.push_back(outcome.message);
+  record.curves = diagram_curves(family, traced, record.section);
+  return outcome;
+}
+
+}  // namespace
+
+int run_diagram(const Command& command) {
+  if (!command.plot.empty()) check_picture_name(command.plot);
+  const Scene scene = read_scene(command.scene, command.settings);
+  require_forcing_and_stop(scene);
+  BranchOptions tracing = branch_options(command);
+  SweepOptions options = sweep_options(command, tracing.stop);
+  const SystemFamily family(scene, command.parameter);
+  // A range that reaches beyond what the scene allows is the user's error, not a row.
+  for (const double value : {command.from, command.to})
+    with_parameter(scene, command.parameter, value);
+  DiagramRecord record;
+  record.section = command.section == "impact" ? DiagramSection::kImpact : DiagramSection::kStrobe;
+  record.branches = {run_info(command.name, command.scene, scene),
+                     assemble(scene),
+                     {},
+                     command.from,
+                     command.to,
+                     parameter_unit(scene, command.parameter),
+                     {},
+                     {}};
+  note_options(command, options, record.branches.info);
+  record.branches.warnings = system_warnings(scene, record.branches.system);
+  warn(command, record.branches.warnings);
+  prepare_output(command);
+  record.swept = sweep(family, options);
+  options.progress = nullptr;
+  const std::optional<Outcome> traced =
+      add_branches(command, scene, family, std::move(tracing), record);
+  record.branches.outcome = diagram_outcome(record.swept, traced);
+  return conclude(command, record.branches.info, record.branches.outcome,
+                  {to_json(record),
+                   to_text(record),
+                   {{"sweep.csv", sweep_csv(record)},
+                    {"branches.csv", branches_csv(record.branches)},
+                    {"special.csv", special_csv(record.branches)}},
+                   [&] { draw_diagram(command.plot, record); },
+                   {}});
+}
+
+}  // namespace graze

@@ -1,0 +1,22 @@
+#include "graze/report/special_marks.hpp"
+
+#include <map>
+
+#include "graze/report/picture_style.hpp"
+
+namespace graze {
+
+SpecialMark special_mark(const std::string& label) {
+  static const std::map<std::string, SpecialMark> kMarks = {
+      {"LP", {"fold (LP)", 7, 0.8, kBlack, 0}},
+      {"GR", {"grazing (GR)", 8, 1.0, kGreen, 9}},
+      {"PD", {"period doubling (PD)", 5, 0.75, kPurple, 0}},
+      {"NS", {"torus (NS)", 12, 1.1, kBlack, 13}},
+      {"BP", {"branch point (BP)", 3, 1.0, kBlack, 0}},
+      {"CH", {"chatter completes (CH)", 10, 1.0, kOrange, 11}},
+  };
+  const auto known = kMarks.find(label);
+  return known != kMarks.end() ? known->second : SpecialMark{label, 4, 0.9, kBlack, 5};
+}
+
+}  // namespace graze

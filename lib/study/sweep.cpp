@@ -1,0 +1,232 @@
+#include "graze/study/sweep.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <mutex>
+
+#include "graze/base/errors.hpp"
+#include "graze/base/parallel.hpp"
+#include "graze/hybrid/simulation.hpp"
+#include "graze/scene/parameter.hpp"
+#include "graze/system/gap_value.hpp"
+
+namespace graze {
+namespace {
+
+SweepStatus status_of(const SettledMotion& motion) {
+  switch (motion.kind) {
+    case SettledKind::kImpacts:
+    case SettledKind::kSticks:
+    case SettledKind::kClear:
+    case SettledKind::kAtRest:
+      return motion.near ? SweepStatus::kSettled : SweepStatus::kApproaching;
+    case SettledKind::kNotPeriodic:
+      return SweepStatus::kNotPeriodic;
+    case SettledKind::kImpactBudget:
+      return SweepStatus::kImpactBudget;
+    default:
+      return SweepStatus::kRefused;
+  }
+}
+
+bool is_finished(const SettledMotion& motion) {
+  return motion.kind != SettledKind::kInterrupted && motion.kind != SettledKind::kTimeBudget;
+}
+
+// A motion that was followed to the end of its periods leaves a state to go on from.
+bool hands_on(const SweepRow& row) {
+  return row.status == SweepStatus::kSettled || row.status == SweepStatus::kApproaching ||
+         row.status == SweepStatus::kNotPeriodic;
+}
+
+bool is_clear(const System& system, const State& state) {
+  return std::all_of(system.stops.begin(), system.stops.end(), [&](const RigidStop& stop) {
+    const GapValue<double> gap = gap_value<double>(stop.row, state.q, stop.gap);
+    return gap.value >= -gap.rounding;
+  });
+}
+
+class Sweeper {
+ public:
+  Sweeper(const SystemFamily& family, const SweepOptions& options)
+      : family_(family), options_(options), rows_(static_cast<std::size_t>(options.points)) {}
+
+  Sweep finish() {
+    const bool chains = options_.direction != SweepDirection::kFresh;
+    const std::size_t block = chains ? Sweep::kBlock : 1;
+    const std::size_t blocks = (rows_.size() + block - 1) / block;
+    for_each_index(blocks, options_.threads, [&](std::size_t b) {
+      const std::size_t end = std::min((b + 1) * block, rows_.size());
+      for (std::size_t k = b * block; k < end; ++k) {
+        const bool first = !chains || k == b * block;
+        std::optional<SweepRow> row = run(k, first ? nullptr : &*at(k - 1));
+        if (!row) return;
+        at(k) = std::move(row);
+        report();
+      }
+    });
+    for (std::size_t b = 1; chains && b < blocks && join(b * block, block); ++b) {
+    }
+    return collect();
+  }
+
+ private:
+  // The row that is the k-th to be run.
+  std::optional<SweepRow>& at(std::size_t k) { return rows_[place(k)]; }
+  std::size_t place(std::size_t k) const {
+    const bool grows = options_.from < options_.to;
+    const bool backwards =
+        options_.direction == (grows ? SweepDirection::kDown : SweepDirection::kUp);
+    return backwards ? rows_.size() - 1 - k : k;
+  }
+
+  // Nothing when it was stopped before it was finished.
+  std::optional<SweepRow> run(std::size_t k, const SweepRow* before) {
+    SweepRow row;
+    row.value = sweep_value(options_, static_cast<int>(place(k)));
+    try {
+      const Scene scene = with_parameter(family_.scene(), family_.parameter(), row.value);
+      const System system = assemble(scene);
+      const State rest{Vector::Zero(system.modes()), Vector::Zero(system.modes())};
+      SettleOptions settle_options;
+      settle_options.periods = options_.periods;
+      settle_options.max_impacts = options_.max_impacts;
+      settle_options.through_sticking = true;
+      // By the scene alone, so that it does not depend on what was handed on.
+      settle_options.closure_speed = options_.closure_speed.value_or(default_closure_speed(
+          system, clear_start(scene, system).value_or(rest), scene.solver.tolerance));
+      settle_options.nearness = options_.nearness;
+      settle_options.tail = options_.samples;
+      settle_options.stop = options_.stop;
+      State start;
+      if (before && hands_on(*before) && is_clear(system, before->motion.at_end)) {
+        row.start = SweepStart::kHandedOn;
+        settle_options.from = "the state handed on";
+        start = before->motion.at_end;
+      } else {
+        if (before) row.start = SweepStart::kAnew;
+        start = initial_state(scene, system);
+      }
+      row.motion = settle(system, start, settle_options);
+      if (!is_finished(row.motion)) return {};
+      row.status = status_of(row.motion);
+      row.message = row.status == SweepStatus::kSettled ? "" : row.motion.verdict;
+      row.motion.pattern.reset();
+      row.motion.points.clear();
+      keep_strobes(system, row);
+    } catch (const InputError& error) {
+      row.message = error.what();
+    }
+    return row;
+  }
+
+  static void keep_strobes(const System& system, SweepRow& row) {
+    for (const State& state : row.motion.strobes)
+      for (std::size_t i = 0; i < system.stops.size(); ++i)
+        row.strobes.push_back({static_cast<int>(i), system.stops[i].row.dot(state.q),
+                               system.stops[i].row.dot(state.qdot)});
+  }
+
+  // Runs the rows of a block again, from what the block before handed on, until one of them settles
+  // on what the block had found. False when the sweep was stopped.
+  bool join(std::size_t first, std::size_t block) {
+    const std::size_t end = std::min(first + block, rows_.size());
+    for (std::size_t k = first; k < end; ++k) {
+      std::optional<SweepRow> row;
+      if (at(k - 1) && at(k)) row = run(k, &*at(k - 1));
+      if (!row) return is_joined_ = false;
+      ++run_again_;
+      const bool joined = is_same_attractor(*row, *at(k));
+      at(k) = std::move(row);
+      if (joined) return true;
+    }
+    return true;
+  }
+
+  // Orbits are the same in whichever of their periods they are seen first.
+  bool is_same_attractor(const SweepRow& a, const SweepRow& b) const {
+    if (attractor_class(a) != attractor_class(b)) return false;
+    const std::vector<State>&left = a.motion.strobes, &right = b.motion.strobes;
+    // Where nothing is handed on, the next value starts anew either way.
+    if (a.status != SweepStatus::kSettled || left.size() != right.size()) return true;
+    const std::optional<System> system = family_.at(a.value);
+    if (!system) return false;
+    const ShootingScale scale = shooting_scale(*system);
+    // Both are this near to their orbit, each in its own way.
+    const double apart = 16.0 * options_.nearness;
+    for (std::size_t turn = 0; turn < right.size(); ++turn) {
+      bool same = true;
+      for (std::size_t i = 0; i < left.size() && same; ++i) {
+        const State &x = left[i], &y = right[(i + turn) % right.size()];
+        same = ((x.q - y.q).cwiseAbs().array() <= apart * scale.displacement).all() &&
+               ((x.qdot - y.qdot).cwiseAbs().array() <= apart * scale.velocity.array()).all();
+      }
+      if (same) return true;
+    }
+    return false;
+  }
+
+  void report() {
+    if (!options_.progress) return;
+    const std::lock_guard<std::mutex> lock(mutex_);
+    options_.progress(static_cast<double>(++finished_) / static_cast<double>(rows_.size()));
+  }
+
+  Sweep collect() {
+    Sweep result{family_.parameter(), options_, {}, 0, 0, run_again_, options_.stop.reason()};
+    result.options.progress = nullptr;
+    for (std::optional<SweepRow>& row : rows_) {
+      if (!row) continue;
+      result.periods += row->motion.periods;
+      result.impacts += row->motion.impacts_met;
+      result.rows.push_back(std::move(*row));
+    }
+    // Whatever was asked for meanwhile, a sweep that has all its rows was not stopped.
+    if (result.rows.size() == rows_.size() && is_joined_) result.stopped = StopReason::kNone;
+    return result;
+  }
+
+  const SystemFamily& family_;
+  const SweepOptions& options_;
+  std::vector<std::optional<SweepRow>> rows_;
+  int run_again_ = 0;
+  bool is_joined_ = true;
+  std::mutex mutex_;
+  std::size_t finished_ = 0;
+};
+
+}  // namespace
+
+double sweep_value(const SweepOptions& options, int i) {
+  // Both ends exactly.
+  const double part = static_cast<double>(i) / static_cast<double>(options.points - 1);
+  return i + 1 == options.points ? options.to : options.from + part * (options.to - options.from);
+}
+
+Sweep sweep(const SystemFamily& family, const SweepOptions& options) {
+  return Sweeper(family, options).finish();
+}
+
+AttractorClass attractor_class(const SweepRow& row) {
+  const SettledMotion& motion = row.motion;
+  AttractorClass attractor{row.status, motion.kind, motion.period, 0};
+  // Nearness is no part of what it is.
+  if (row.status == SweepStatus::kApproaching) attractor.status = SweepStatus::kSettled;
+  if (motion.kind == SettledKind::kImpacts)
+    attractor.impacts = static_cast<int>(motion.impacts.size());
+  return attractor;
+}
+
+std::vector<AttractorRange> attractor_ranges(const std::vector<SweepRow>& rows) {
+  std::vector<AttractorRange> ranges;
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    const AttractorClass attractor = attractor_class(rows[i]);
+    if (!ranges.empty() && ranges.back().attractor == attractor)
+      ranges.back().last = i;
+    else
+      ranges.push_back({attractor, i, i});
+  }
+  return ranges;
+}
+
+}  // namespace graze

@@ -1,0 +1,110 @@
+// A brute-force sweep: what the motion settles on at one value of a parameter after the other.
+//
+// Up and down, each value starts from the state that the one before handed on, so that an attractor
+// is followed as far as it goes (hysteresis). The values are cut into blocks of kBlock that are run
+// side by side, each from the scene's initial state; then the blocks are joined in order: the first
+// value of each is run again from what the block before handed on, and the next ones too, until one
+// settles on what the block had found there. That is the sweep in one go, up to the attractor that
+// motions which never repeat are on (two of them count as the same), and it depends on nothing but
+// its values, however many threads share the work.
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "graze/orbit/settled.hpp"
+#include "graze/system/system_family.hpp"
+
+namespace graze {
+
+enum class SweepDirection {
+  kUp,    // from the smallest value, each handing its state on to the next
+  kDown,  // from the largest
+  kFresh  // every value from the scene's initial state
+};
+
+enum class SweepStart {
+  kScene,     // the scene's initial state
+  kHandedOn,  // the state that the value before settled to
+  kAnew       // the scene's initial state, as what the value before left cannot be gone on from
+};
+
+enum class SweepStatus {
+  kSettled,      // periodic, and as near to its orbit as asked for
+  kApproaching,  // repeats, but is still further from its orbit than that
+  kNotPeriodic,
+  kImpactBudget,
+  kRefused,  // the motion could not be followed
+  kNoStart   // the scene does not allow the value, or a start there
+};
+
+struct SweepRow {
+  double value = 0.0;  // of the parameter, SI
+  SweepStatus status = SweepStatus::kNoStart;
+  SweepStart start = SweepStart::kScene;
+  SettledMotion motion;  // without pattern and points; empty where there is no start
+  // Gap and row of the stops do not fit a table of rows; what they make of a stroboscopic state
+  // does: row.q (m) and row.q' (m/s) of every stop, for each of the motion's strobes.
+  struct Strobe {
+    int stop = 0;
+    double displacement = 0.0, velocity = 0.0;
+  };
+  std::vector<Strobe> strobes;
+  std::string message;  // a sentence where there is something to say
+};
+
+struct SweepOptions {
+  double from = 0.0, to = 0.0;
+  int points = 400;  // values from `from` to `to`, both among them; at least 2
+  SweepDirection direction = SweepDirection::kUp;
+  long long periods = 1000;  // forcing periods run at a value, at most
+  long long samples = 100;   // periods shown where nothing repeats
+  // How near a motion has to come to its orbit; see SettleOptions. 0: run all the periods.
+  double nearness = 1e-8;
+  long long max_impacts = 10'000'000;   // at a value
+  std::optional<double> closure_speed;  // m/s
+  int threads = 0;                      // 0: all cores
+  StopSignal stop;
+  std::function<void(double fraction)> progress;  // called by one thread at a time
+};
+
+struct Sweep {
+  static constexpr int kBlock = 16;  // values that are run one after the other
+
+  std::string parameter;
+  SweepOptions options;
+  std::vector<SweepRow> rows;  // in the order of the values from `from` to `to`; the finished ones
+  long long periods = 0;       // forcing periods run, all together
+  long long impacts = 0;
+  int run_again = 0;  // rows that were run again where blocks are joined
+  StopReason stopped = StopReason::kNone;
+};
+
+// Sweeps the family's parameter. Requires forcing and a stop. Values that cannot be settled are
+// rows that say so.
+Sweep sweep(const SystemFamily& family, const SweepOptions& options);
+
+// The value of the i-th of `points` from `from` to `to`.
+double sweep_value(const SweepOptions& options, int i);
+
+// What rows that belong together have in common, in the order in which they are listed.
+struct AttractorClass {
+  SweepStatus status = SweepStatus::kNoStart;
+  SettledKind kind = SettledKind::kNotPeriodic;
+  int period = 0;   // 0 where nothing repeats
+  int impacts = 0;  // in a repetition; 0 where it sticks, as how many are counted is a matter of
+                    // the speed at which chatter is summed
+  auto operator<=>(const AttractorClass&) const = default;
+};
+AttractorClass attractor_class(const SweepRow& row);
+
+// Neighbouring rows of one class.
+struct AttractorRange {
+  AttractorClass attractor;
+  std::size_t first = 0, last = 0;  // rows
+};
+std::vector<AttractorRange> attractor_ranges(const std::vector<SweepRow>& rows);
+
+}  // namespace graze

@@ -1,0 +1,199 @@
+// graze diagram: what it prints, writes and draws, and how it ends.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <set>
+
+#include "apps/program.hpp"
+
+namespace graze {
+namespace {
+
+using nlohmann::json;
+
+const std::string kOneMode = scene("05_wagg_one_mode.toml");
+const std::string kOscillator = scene("04_impact_oscillator.toml");
+// The oscillator of hard case G2: both clear of the stop and impacting between fold and grazing.
+const std::string kBistable =
+    kOscillator + " --set forcing.frequency=1.6 --set stop.gap=0.5 --set 'initial.q=[0.0]'" +
+    " --parameter forcing.amplitude --from 0.2 --to 1 --points 41 ";
+
+json diagram(const std::string& arguments, int code = 0) {
+  const Finished run = run_graze("diagram --json " + arguments);
+  EXPECT_EQ(run.code, code) << run.err;
+  return json::parse(run.out);
+}
+
+TEST(Diagram, HasSweepAndBranchesInOneDocument) {
+  const json document = diagram(kBistable + "--direction down");
+  EXPECT_EQ(document["outcome"], "complete");
+  EXPECT_EQ(document["parameter"], "forcing.amplitude");
+  EXPECT_EQ(document["graze"]["options"]["direction"], "down");
+  EXPECT_GE(document["branches"].size(), 1U);
+  const json& sweep = document["sweep"];
+  EXPECT_EQ(sweep["section"], "impact");
+  EXPECT_EQ(sweep["direction"], "down");
+  ASSERT_EQ(sweep["rows"].size(), 41U);
+  for (const json& row : sweep["rows"])
+    for (const char* key : {"value", "start", "status", "attractor", "period", "impacts", "sticks",
+                            "periods", "remaining", "stops", "phases", "speeds"})
+      EXPECT_TRUE(row.contains(key)) << key;
+  // Fold at .2766517..., so 0.26 is clear and 0.28 is not.
+  ASSERT_EQ(sweep["ranges"].size(), 2U);
+  EXPECT_EQ(sweep["ranges"][0]["attractor"], "clear");
+  EXPECT_NEAR(sweep["ranges"][0]["to"].get<double>(), 0.26, 1e-12);
+  EXPECT_EQ(sweep["ranges"][1]["attractor"], "(1,1)");
+  EXPECT_NEAR(sweep["ranges"][1]["from"].get<double>(), 0.28, 1e-12);
+  EXPECT_EQ(sweep["ranges"][1]["values"], 37);
+}
+
+TEST(Diagram, DotsLieOnTheStableBranch) {
+  const json document = diagram(kBistable + "--direction down");
+  const json& last = document["sweep"]["rows"].back();
+  double nearest = 1.0;
+  for (const json& branch : document["branches"])
+    for (const json& point : branch["points"])
+      if (point["value"] == 1.0 && point["stable"] == true)
+        nearest = std::min(
+            nearest, std::abs(point["speed"].get<double>() - last["speeds"][0].get<double>()));
+  EXPECT_LE(nearest, 1e-8);
+}
+
+TEST(Diagram, GivesTheSameBytesForAnyNumberOfThreads) {
+  for (const char* direction : {"up", "down", "fresh"}) {
+    const std::string line = "diagram --json " + kOneMode +
+                             " --parameter forcing.frequency --from 55 --to 70 --points 70"
+                             " --periods 150 --branches none --direction " +
+                             direction + " --threads ";
+    const std::string one = run_graze(line + "1").out;
+    EXPECT_GT(one.size(), 1000U);
+    EXPECT_EQ(run_graze(line + "2").out, one);
+    EXPECT_EQ(run_graze(line + "5").out, one);
+  }
+}
+
+TEST(Diagram, WritesItsTablesWhole) {
+  const ScratchFolder scratch;
+  for (const char* section : {"impact", "strobe"}) {
+    const std::string folder = (scratch / section).string();
+    const Finished run = run_graze("diagram " + kBistable + "--section " + section +
+                                   " --direction down --out " + folder);
+    EXPECT_EQ(run.code, 0) << run.err;
+    const std::vector<std::string> names = {"branches.csv", "result.json", "scene.toml",
+                                            "special.csv", "sweep.csv"};
+    EXPECT_EQ(names_in(folder), names);
+    const std::vector<std::string> lines = lines_of(folder + "/sweep.csv");
+    EXPECT_EQ(lines.front(),
+              "value,start,status,attractor,period,impacts,periods,remaining,sample,stop,"
+              "period_index,phase,speed,displacement,velocity");
+    ASSERT_EQ(lines.size(), 42U);  // one impact or one strobe a value; a clear one has its line too
+    for (const std::string& line : lines)
+      EXPECT_EQ(std::count(line.begin(), line.end(), ','), 14) << line;
+  }
+}
+
+TEST(Diagram, PrintsRangesOfAttractors) {
+  const Finished run = run_graze("diagram " + kBistable + "--direction down --branches none");
+  EXPECT_EQ(run.code, 0);
+  EXPECT_NE(run.out.find("settles on"), std::string::npos);
+  EXPECT_NE(run.out.find("(1,1)"), std::string::npos);
+  EXPECT_NE(run.out.find("clear"), std::string::npos);
+  EXPECT_EQ(run.err, "");
+}
+
+TEST(Diagram, DrawsInEveryFormatAndKeepsThemSmall) {
+  const ScratchFolder scratch;
+  for (const char* format : {"png", "svg", "pdf"}) {
+    const std::string file = (scratch / (std::string("d.") + format)).string();
+    // Fifteen thousand dots of a motion that never repeats, and both directions' branches.
+    const Finished run = run_graze("diagram " + kOscillator +
+                                   " --parameter forcing.frequency --from 2.74 --to 2.9 --points 60"
+                                   " --periods 400 --samples 250 --plot " +
+                                   file);
+    EXPECT_EQ(run.code, 0) << run.err;
+    const std::string picture = read_text(file);
+    EXPECT_GT(picture.size(), 10'000U) << format;
+    EXPECT_LT(picture.size(), 1'000'000U) << format;
+    EXPECT_TRUE(std::filesystem::exists(scratch / "d.gp"));
+    if (std::string(format) != "svg") continue;
+    EXPECT_NE(picture.find("data:image/png;base64"), std::string::npos);
+    // Axes and words are no pixels; each kind stands in the legend once.
+    EXPECT_NE(picture.find(">impact speed (m/s)<"), std::string::npos);
+    const std::string entry = ">unstable</tspan>";
+    const std::size_t first = picture.find(entry);
+    ASSERT_NE(first, std::string::npos);
+    EXPECT_EQ(picture.find(entry, first + 1), std::string::npos);
+    EXPECT_EQ(names_in(scratch.string()), (std::vector<std::string>{"d.gp", "d.png", "d.svg"}));
+  }
+}
+
+TEST(Diagram, ASpentBudgetEndsWith3AndKeepsAllRows) {
+  const json document = diagram(kBistable + "--max-impacts 3 --branches none", 3);
+  EXPECT_EQ(document["outcome"], "budget");
+  EXPECT_FALSE(document["message"].get<std::string>().empty());
+  const json& rows = document["sweep"]["rows"];
+  ASSERT_EQ(rows.size(), 41U);
+  EXPECT_EQ(rows[0]["status"], "settled");
+  EXPECT_EQ(rows[40]["status"], "impact budget");
+  EXPECT_TRUE(rows[40]["message"].is_string());
+}
+
+TEST(Diagram, OutOfTimeKeepsWhatIsFinished) {
+  const json document = diagram(kOneMode +
+                                    " --parameter forcing.frequency --from 60 --to 66 --points "
+                                    "100000 --branches none --max-seconds 0.3",
+                                3);
+  EXPECT_EQ(document["outcome"], "budget");
+  EXPECT_GT(document["sweep"]["rows"].size(), 0U);
+  EXPECT_LT(document["sweep"]["rows"].size(), 100000U);
+}
+
+TEST(Diagram, AnInterruptKeepsWhatIsFinished) {
+  const ScratchFolder scratch;
+  const std::string folder = (scratch / "out").string();
+  const Finished run = run_graze("diagram " + kOneMode +
+                                     " --parameter forcing.frequency --from 60 --to 66 --points "
+                                     "500000 --branches none --out " +
+                                     folder,
+                                 "timeout -s INT 0.5 ");
+  EXPECT_NE(run.code, 0);
+  const json document = json::parse(read_text(folder + "/result.json"));
+  EXPECT_EQ(document["outcome"], "interrupted");
+  EXPECT_GT(document["sweep"]["rows"].size(), 0U);
+  const std::vector<std::string> lines = lines_of(folder + "/sweep.csv");
+  EXPECT_GT(lines.size(), document["sweep"]["rows"].size());
+}
+
+TEST(Diagram, SweepsSeveralStopsWithoutBranches) {
+  const json document = diagram(scene("07_two_stops.toml") +
+                                " --set beam.modes=1 --parameter forcing.frequency --from 27 --to "
+                                "29 --points 5 --periods 60");
+  EXPECT_EQ(document["outcome"], "complete");
+  EXPECT_EQ(document["branches"].size(), 0U);
+  ASSERT_EQ(document["notes"].size(), 1U);
+  std::set<int> stops;
+  for (const json& row : document["sweep"]["rows"])
+    for (const int stop : row["stops"]) stops.insert(stop);
+  EXPECT_EQ(stops, (std::set<int>{1, 2}));
+}
+
+TEST(Diagram, UsageErrorsExitWith2) {
+  const std::string range = " --parameter stop.gap --from 0 --to 1e-3 ";
+  for (const std::string& line : std::vector<std::string>{
+           kOneMode, kOneMode + " --parameter nope --from 0 --to 1",
+           kOneMode + " --parameter stop.gap --from 1 --to 1",
+           kOneMode + " --parameter beam.length --from -1 --to 1", kOneMode + range + "--points 1",
+           kOneMode + range + "--direction sideways", kOneMode + range + "--section poincare",
+           kOneMode + range + "--periods 0", kOneMode + range + "--samples 0",
+           kOneMode + range + "--branches some", kOneMode + range + "--plot x.gif",
+           scene("06_bouncing_ball.toml") + " --parameter stop.gap --from 1 --to 2"}) {
+    const Finished run = run_graze("diagram " + line);
+    EXPECT_EQ(run.code, 2) << line;
+    EXPECT_EQ(run.out, "") << line;
+    EXPECT_NE(run.err, "") << line;
+  }
+}
+
+}  // namespace
+}  // namespace graze

@@ -1,0 +1,171 @@
+// When a motion counts as settled: near its orbit by the closed form, not only slow.
+#include "graze/orbit/settled.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "graze/base/angle.hpp"
+#include "graze/flow/exact_flow.hpp"
+#include "graze/orbit/closed_form.hpp"
+#include "graze/orbit/orbit.hpp"
+#include "support/systems.hpp"
+
+namespace graze {
+namespace {
+
+SettleOptions as_near_as(double nearness, long long periods = 20000) {
+  SettleOptions options;
+  options.periods = periods;
+  options.through_sticking = true;
+  options.nearness = nearness;
+  return options;
+}
+
+double distance(const MetImpact& impact, const ImpactPoint& exact) {
+  return std::max(std::abs(std::remainder(impact.phase - exact.theta, kTurn)),
+                  std::abs(impact.speed / exact.before.qdot[0] - 1.0));
+}
+
+// The state of an orbit half a period after its impact, from where a period is made to start: an
+// impact at the very start of a period would be counted now to this, now to that one.
+State half_way(System& system, const ImpactPoint& exact) {
+  const ExactFlow<double> flow(system);
+  Arc<double> arc(flow);
+  const State after = after_impact(system.stops[0], exact.before);
+  arc.start(exact.theta, after.q, after.qdot);
+  State state{Vector(system.modes()), Vector(system.modes())};
+  arc.state(0.5 * flow.period(), state.q, state.qdot);
+  system.forcing->phase = exact.theta + 0.5 * kTurn;
+  return state;
+}
+
+// x'' + .1 x' + x = F cos(1.6 t), r = .8, just inside the fold |kappa| = gap, where the largest
+// multiplier of the stable orbit is 1 - O(sqrt(1 - gap/|kappa|)).
+TEST(Settled, ASlowApproachIsFollowedToItsEnd) {
+  for (const double inside : {1e-2, 1e-3, 1e-4, 1e-5}) {
+    SCOPED_TRACE(inside);
+    System system = support::forced_oscillator(1.0, 0.05, 0.5, 0.8, 1.6, 1.0);
+    system.stops[0].gap = std::abs(closed_form(system, 0, 1).form->kappa) * (1.0 - inside);
+    const ShootingProblem problem({1, {0}}, shooting_scale(system));
+    for (const ImpactPoint& exact :
+         closed_form(system, 0, 1).form->solutions(system.stops[0].gap)) {
+      const Orbit orbit = make_orbit(system, problem, problem.pack({exact}));
+      if (orbit.stable != true || !orbit.admissible) continue;
+      const double slowest = std::abs(orbit.multipliers.front().value);
+      State start = half_way(system, exact);
+      start.qdot *= 1.0 + 1e-3 * inside;
+      const SettledMotion settled = settle(system, start, as_near_as(1e-8));
+      ASSERT_EQ(settled.kind, SettledKind::kImpacts) << settled.verdict;
+      EXPECT_TRUE(settled.near);
+      EXPECT_LT(settled.remaining, 1e-8);
+      ASSERT_EQ(settled.impacts.size(), 1u);
+      const double off = distance(settled.impacts[0], exact);
+      EXPECT_LE(off, 1e-8) << "multiplier " << slowest;
+      // A test of differences alone would have stopped at 1e-8/(1 - multiplier).
+      if (inside <= 1e-4) {
+        EXPECT_GT(slowest, 0.97);
+      }
+    }
+  }
+}
+
+TEST(Settled, NearnessIsTheDistanceThatIsLeft) {
+  const System system = support::forced_oscillator(1.0, 0.05, 0.0, 0.8, 1.6, 1.0);
+  for (const double nearness : {1e-4, 1e-6, 1e-8, 1e-10, 1e-12}) {
+    const SettledMotion settled =
+        settle(system, support::state_of({-1.0}, {0.0}), as_near_as(nearness));
+    ASSERT_TRUE(settled.near) << nearness;
+    double least = 1.0;
+    for (const ImpactPoint& exact : closed_form(system, 0, 1).form->solutions(0.0))
+      least = std::min(least, distance(settled.impacts[0], exact));
+    EXPECT_LE(least, std::max(nearness, 1e-13));
+  }
+}
+
+// Multipliers near -1: after two periods the motion seems to repeat long before it does after one.
+TEST(Settled, AnOrbitSeenTwiceIsOne) {
+  for (double frequency = 2.60; frequency < 2.66; frequency += 0.004) {
+    const System system = support::forced_oscillator(1.0, 0.05, 0.0, 0.8, frequency, 1.0);
+    const ShootingProblem problem({1, {0}}, shooting_scale(system));
+    for (const ImpactPoint& exact : closed_form(system, 0, 1).form->solutions(0.0)) {
+      const Orbit orbit = make_orbit(system, problem, problem.pack({exact}));
+      if (orbit.stable != true || !orbit.admissible) continue;
+      System shifted = system;
+      State start = half_way(shifted, exact);
+      start.qdot *= 1.0 + 1e-4;
+      const SettledMotion settled = settle(shifted, start, as_near_as(1e-8));
+      SCOPED_TRACE(testing::Message() << frequency << ": " << orbit.multipliers.front().value);
+      EXPECT_TRUE(settled.near);
+      EXPECT_EQ(settled.period, 1);
+      ASSERT_EQ(settled.impacts.size(), 1u);
+      EXPECT_LE(distance(settled.impacts[0], exact), 1e-8);
+    }
+  }
+}
+
+TEST(Settled, SaysSoWhenThePeriodsDoNotSuffice) {
+  const System system = support::forced_oscillator(1.0, 0.05, 0.0, 0.8, 1.6, 1.0);
+  const SettledMotion settled =
+      settle(system, support::state_of({-1.0}, {0.0}), as_near_as(1e-300, 60));
+  EXPECT_EQ(settled.kind, SettledKind::kImpacts);
+  EXPECT_EQ(settled.periods, 60);
+  EXPECT_FALSE(settled.near);
+  EXPECT_GE(settled.remaining, 1e-300);
+}
+
+// Free of the stop the motion tends to Re(P e^{i Omega t}); decay e^{-.005 * 2 pi} a period, so
+// 1e-8 by waiting would take six hundred of them.
+TEST(Settled, ClearMotionEndsOnItsSteadyResponse) {
+  const System system = support::forced_oscillator(1.0, 0.005, 2.0, 0.8, 2.0, 1.0);
+  const SettledMotion settled =
+      settle(system, support::state_of({0.1}, {0.2}), as_near_as(1e-8, 1000));
+  ASSERT_EQ(settled.kind, SettledKind::kClear) << settled.verdict;
+  EXPECT_TRUE(settled.near);
+  EXPECT_EQ(settled.periods, 1);
+  // P = 1/(1 - 4 + 2 i 0.005 2)
+  const Complex response = 1.0 / Complex(-3.0, 0.02);
+  EXPECT_NEAR(settled.at_end.q[0], response.real(), 1e-15);
+  EXPECT_NEAR(settled.at_end.qdot[0], -2.0 * response.imag(), 1e-15);
+}
+
+// The same, but beating into the stop first: the steady amplitude 1/3 clears it, the start does
+// not.
+TEST(Settled, ABeatThatReachesTheStopIsNotClear) {
+  const System system = support::forced_oscillator(1.0, 0.005, 0.4, 0.8, 2.0, 1.0);
+  const SettledMotion settled =
+      settle(system, support::state_of({0.3}, {0.5}), as_near_as(1e-8, 1000));
+  ASSERT_EQ(settled.kind, SettledKind::kClear) << settled.verdict;
+  EXPECT_GT(settled.impacts_met, 0);
+  EXPECT_GT(settled.periods, 1);
+}
+
+// x'' + x = cos(W t), x <= s: sticks once a period and is released where cos(W t) = s. W = .3, s =
+// .1, r = .8, first impact after the release at v = .548917278001831 (docs/hard_cases.md, Z2).
+TEST(Settled, FollowsChatterAndSticking) {
+  const System system = support::forced_oscillator(1.0, 0.0, 0.1, 0.8, 0.3, 1.0);
+  SettleOptions options = as_near_as(1e-8, 200);
+  const SettledMotion settled = settle(system, support::state_of({0.1}, {0.0}), options);
+  ASSERT_EQ(settled.kind, SettledKind::kSticks) << settled.verdict;
+  EXPECT_EQ(settled.period, 1);
+  EXPECT_TRUE(settled.near);
+  EXPECT_TRUE(settled.sticks);
+  EXPECT_FALSE(settled.pattern);
+  const double release = std::acos(0.1);
+  const MetImpact* first = nullptr;
+  for (const MetImpact& impact : settled.impacts)
+    if (impact.phase > release && (!first || impact.phase < first->phase)) first = &impact;
+  ASSERT_NE(first, nullptr);
+  EXPECT_NEAR(first->speed, 0.548917278001831, 1e-9);
+  EXPECT_NEAR(first->phase, 0.3 * 16.723521925366774, 1e-9);
+}
+
+TEST(Settled, WithoutSayingSoStopsWhereItSticks) {
+  const System system = support::forced_oscillator(1.0, 0.0, 0.1, 0.8, 0.3, 1.0);
+  const SettledMotion settled = settle(system, support::state_of({0.1}, {0.0}));
+  EXPECT_EQ(settled.kind, SettledKind::kStuck);
+  EXPECT_EQ(settled.period, 0);
+}
+
+}  // namespace
+}  // namespace graze
