@@ -104,6 +104,28 @@ TEST(Settled, AnOrbitSeenTwiceIsOne) {
   }
 }
 
+// On an unstable orbit to the last bit: differences are roundings and stay so for a while, which
+// must not pass for settled. Left alone it ends on the doubled orbit.
+TEST(Settled, AnUnstableOrbitIsNoPlaceToSettle) {
+  System system = support::forced_oscillator(1.0, 0.05, 0.0, 0.8, 2.7, 1.0);
+  const ShootingProblem problem({1, {0}}, shooting_scale(system));
+  int met = 0;
+  for (const ImpactPoint& exact : closed_form(system, 0, 1).form->solutions(0.0)) {
+    const Orbit orbit = make_orbit(system, problem, problem.pack({exact}));
+    if (!orbit.admissible) continue;
+    ++met;
+    EXPECT_EQ(orbit.stable, false);
+    System shifted = system;
+    const State start = half_way(shifted, exact);
+    EXPECT_FALSE(settle(shifted, start, as_near_as(1e-8, 60)).near);
+    const SettledMotion end = settle(shifted, start, as_near_as(1e-8));
+    EXPECT_TRUE(end.near);
+    EXPECT_EQ(end.period, 2);
+    EXPECT_EQ(end.impacts.size(), 2u);
+  }
+  EXPECT_GE(met, 1);
+}
+
 TEST(Settled, SaysSoWhenThePeriodsDoNotSuffice) {
   const System system = support::forced_oscillator(1.0, 0.05, 0.0, 0.8, 1.6, 1.0);
   const SettledMotion settled =
