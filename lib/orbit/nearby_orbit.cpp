@@ -14,6 +14,10 @@ namespace {
 // A dense solve grows as its cube: 1 ms here, a thousand forcing periods of a small system.
 constexpr Eigen::Index kMostUnknowns = 192;
 
+// A motion that repeats to 1e-6 is this near its orbit unless a multiplier is within 1e-3 of one; a
+// solution further away is another orbit.
+constexpr double kNear = 1e-3;
+
 }  // namespace
 
 std::optional<NearbyOrbit> nearby_orbit(const System& system, const ImpactPattern& pattern,
@@ -23,6 +27,7 @@ std::optional<NearbyOrbit> nearby_orbit(const System& system, const ImpactPatter
   const auto solution = newton(problem, system, problem.pack(points));
   if (!solution) return {};
   NearbyOrbit orbit{pattern, problem.unpack(system, solution->x), {}};
+  if (!(distance(system, shooting_scale(system), orbit, points) <= kNear)) return {};
   const MultiplierCount count =
       count_multipliers(eigenvalues(monodromy_matrix(system, pattern, orbit.points)));
   if (count.outside > 0)

@@ -17,8 +17,9 @@ struct NearbyOrbit {
   std::optional<bool> stable;       // nothing where a multiplier sits on the unit circle
 };
 
-// Newton's method from points of the motion. Nothing where it does not converge, or where there are
-// so many unknowns that solving for them would cost more than running on.
+// Newton's method from points of the motion. Nothing where it does not converge to a solution
+// within 1e-3 of them, or where there are so many unknowns that solving for them would cost more
+// than running on.
 std::optional<NearbyOrbit> nearby_orbit(const System& system, const ImpactPattern& pattern,
                                         const std::vector<ImpactPoint>& points);
 

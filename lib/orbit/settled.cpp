@@ -61,7 +61,8 @@ class Settling {
   bool fly_period() {
     contacts_ = {motion_.is_closed_anywhere(), motion_.is_closed_anywhere()};
     in_period_ = 0;
-    if (stop_requested()) return false;
+    // The clock costs as much as a few arcs of a small system.
+    if (stop_requested((history_.periods() & 31) == 0)) return false;
     for (;;) {
       const Arrival<double> arrival = motion_.fly(motion_.flow().period());
       if (arrival.kind == ArrivalKind::kTime) break;
@@ -113,7 +114,8 @@ class Settling {
     if (++in_period_ > kMostImpactsPerPeriod)
       return end(SettledKind::kImpactBudget,
                  fmt::format("impacts without end in forcing period {}", now()));
-    ++result_.impacts_met;
+    // A period can hold thousands of impacts on a large structure.
+    if ((++result_.impacts_met & 255) == 0 && stop_requested(true)) return false;
     contacts_.held = false;
     history_.add_impact({motion_.instant().period, arrival.stop,
                          motion_.flow().phase(motion_.instant()), arrival.speed},
@@ -127,9 +129,8 @@ class Settling {
     return true;
   }
 
-  bool stop_requested() {
-    // The clock costs as much as a few arcs of a small system.
-    const bool late = (history_.periods() & 31) == 0 && options_.stop.is_late();
+  bool stop_requested(bool reads_clock) {
+    const bool late = reads_clock && options_.stop.is_late();
     if (!late && !options_.stop.is_interrupted()) return false;
     end(late ? SettledKind::kTimeBudget : SettledKind::kInterrupted,
         "was stopped before it settled");
@@ -152,21 +153,19 @@ class Settling {
         conclude_periodic(p);
       return;
     }
-    if (impacts_alone && history_.periods() < next_solve_) return;
-    if (impacts_alone) {
+    if (impacts_alone && history_.periods() >= next_solve_) {
       approached_ = nearby_orbit(system_, motion.pattern, motion.points);
       if (approached_ && approached_->stable == true) {
         solved_at_ = history_.periods();
         return come_nearer();
       }
-      // Passing by an orbit that it will leave again.
       const bool unstable = approached_ && approached_->stable == false;
       approached_.reset();
-      if (unstable) {
-        next_solve_ = history_.periods() + static_cast<long long>(kPatience) * p;
-        return;
-      }
+      next_solve_ = history_.periods() + static_cast<long long>(kPatience) * p;
+      if (unstable) leaving_until_ = next_solve_;
     }
+    // Passing by an orbit that it will leave again.
+    if (history_.periods() < leaving_until_) return;
     // While the last difference alone is more than allowed the estimate would be in vain.
     if (!(history_.difference(p) < *options_.nearness)) return;
     const double remaining = history_.remaining(p);
@@ -183,7 +182,7 @@ class Settling {
                 : std::numeric_limits<double>::infinity();
     if (left_ < *options_.nearness)
       conclude_near(p, left_);
-    else if (left_ > kLost)
+    else if (!(left_ <= kLost))
       approached_.reset();
   }
 
@@ -313,9 +312,9 @@ class Settling {
   PeriodHistory history_;
   double closure_speed_, still_;  // m/s
   ShootingScale scale_;
-  std::optional<NearbyOrbit> approached_;     // stable; solved for when the motion began to repeat
-  double left_ = 0.0;                         // distance from it, one repetition ago at most
-  long long solved_at_ = 0, next_solve_ = 0;  // periods
+  std::optional<NearbyOrbit> approached_;  // stable; solved for when the motion began to repeat
+  double left_ = 0.0;                      // distance from it, one repetition ago at most
+  long long solved_at_ = 0, next_solve_ = 0, leaving_until_ = 0;  // periods
   PeriodHistory::Contacts contacts_;
   long long in_period_ = 0;
   bool over_ = false;

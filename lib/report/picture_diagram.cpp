@@ -83,8 +83,8 @@ class DiagramPicture {
     layer.script.command("unset border\nunset tics\nunset key");
     layer.script.command("set xrange " + x_.text() + "\nset yrange " + y_.text());
     write_dots(layer.script);
-    // Points of size 1 are some 6 pixels wide here, so a dot is 0.3 mm at most.
-    layer.script.plot(dot_layers(0.9));
+    // Points of size 1 are some 5 pixels wide here, so a dot is 0.3 mm at most.
+    layer.script.plot(dot_layers(1.0));
     return layer;
   }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <mutex>
 
 #include "graze/base/errors.hpp"
@@ -59,7 +60,7 @@ class Sweeper {
       const std::size_t end = std::min((b + 1) * block, rows_.size());
       for (std::size_t k = b * block; k < end; ++k) {
         const bool first = !chains || k == b * block;
-        std::optional<SweepRow> row = run(k, first ? nullptr : &*at(k - 1));
+        std::unique_ptr<SweepRow> row = run(k, first ? nullptr : at(k - 1).get());
         if (!row) return;
         at(k) = std::move(row);
         report();
@@ -72,7 +73,7 @@ class Sweeper {
 
  private:
   // The row that is the k-th to be run.
-  std::optional<SweepRow>& at(std::size_t k) { return rows_[place(k)]; }
+  std::unique_ptr<SweepRow>& at(std::size_t k) { return rows_[place(k)]; }
   std::size_t place(std::size_t k) const {
     const bool grows = options_.from < options_.to;
     const bool backwards =
@@ -81,8 +82,9 @@ class Sweeper {
   }
 
   // Nothing when it was stopped before it was finished.
-  std::optional<SweepRow> run(std::size_t k, const SweepRow* before) {
-    SweepRow row;
+  std::unique_ptr<SweepRow> run(std::size_t k, const SweepRow* before) {
+    auto made = std::make_unique<SweepRow>();
+    SweepRow& row = *made;
     row.value = sweep_value(options_, static_cast<int>(place(k)));
     try {
       const Scene scene = with_parameter(family_.scene(), family_.parameter(), row.value);
@@ -117,7 +119,7 @@ class Sweeper {
     } catch (const InputError& error) {
       row.message = error.what();
     }
-    return row;
+    return made;
   }
 
   static void keep_strobes(const System& system, SweepRow& row) {
@@ -132,8 +134,8 @@ class Sweeper {
   bool join(std::size_t first, std::size_t block) {
     const std::size_t end = std::min(first + block, rows_.size());
     for (std::size_t k = first; k < end; ++k) {
-      std::optional<SweepRow> row;
-      if (at(k - 1) && at(k)) row = run(k, &*at(k - 1));
+      std::unique_ptr<SweepRow> row;
+      if (at(k - 1) && at(k)) row = run(k, at(k - 1).get());
       if (!row) return is_joined_ = false;
       ++run_again_;
       const bool joined = is_same_attractor(*row, *at(k));
@@ -175,7 +177,7 @@ class Sweeper {
   Sweep collect() {
     Sweep result{family_.parameter(), options_, {}, 0, 0, run_again_, options_.stop.reason()};
     result.options.progress = nullptr;
-    for (std::optional<SweepRow>& row : rows_) {
+    for (std::unique_ptr<SweepRow>& row : rows_) {
       if (!row) continue;
       result.periods += row->motion.periods;
       result.impacts += row->motion.impacts_met;
@@ -188,7 +190,7 @@ class Sweeper {
 
   const SystemFamily& family_;
   const SweepOptions& options_;
-  std::vector<std::optional<SweepRow>> rows_;
+  std::vector<std::unique_ptr<SweepRow>> rows_;
   int run_again_ = 0;
   bool is_joined_ = true;
   std::mutex mutex_;

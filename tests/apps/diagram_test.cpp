@@ -154,9 +154,9 @@ TEST(Diagram, AnInterruptKeepsWhatIsFinished) {
   const std::string folder = (scratch / "out").string();
   const Finished run = run_graze("diagram " + kOneMode +
                                      " --parameter forcing.frequency --from 60 --to 66 --points "
-                                     "500000 --branches none --out " +
+                                     "200000 --branches none --out " +
                                      folder,
-                                 "timeout -s INT 0.5 ");
+                                 "timeout -s INT 2 ");
   EXPECT_NE(run.code, 0);
   const json document = json::parse(read_text(folder + "/result.json"));
   EXPECT_EQ(document["outcome"], "interrupted");
