@@ -232,7 +232,7 @@ void PeriodicHessenberg::triangularise_bulge(Index row, Index size, Index last) 
 }
 
 void PeriodicHessenberg::step(Index first, Index last, const Eigen::Vector3d& start) {
-  // The first reflection is that of `start`: appended for a moment as a column before the block.
+  // The first reflection is that of `start`, the others chase the bulge that it makes to the end.
   Matrix& h = factors_[0];
   for (Index row = first; row < last; ++row) {
     const Index size = std::min<Index>(3, last - row + 1);

@@ -241,9 +241,12 @@ std::vector<Eigenvalue> product_eigenvalues(const std::vector<Matrix>& factors) 
       list[j].value = list[j].value.real();
       continue;
     }
-    list[j].value = 0.5 * (list[j].value + std::conj(list[j + 1].value));
+    // Computed apart, they are conjugate up to their errors.
+    const Complex first = list[j].value, second = std::conj(list[j + 1].value);
+    list[j].value = 0.5 * (first + second);
     list[j + 1].value = std::conj(list[j].value);
-    list[j].error = list[j + 1].error = std::max(list[j].error, list[j + 1].error);
+    list[j].error = list[j + 1].error =
+        std::max({list[j].error, list[j + 1].error, 0.5 * std::abs(first - second)});
     ++j, ++pair;
   }
   sort_eigenvalues(list);

@@ -4,84 +4,29 @@
 
 #include <gtest/gtest.h>
 
-#include <Eigen/Eigenvalues>
-#include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <limits>
+#include <map>
+#include <sstream>
 
 #include "graze/base/angle.hpp"
-#include "graze/flow/extended.hpp"
-#include "support/systems.hpp"
+#include "support/product_reference.hpp"
+#include "support/reference.hpp"
 
 namespace graze {
 namespace {
 
-using ExtendedMatrix = Eigen::Matrix<Extended, Eigen::Dynamic, Eigen::Dynamic>;
+using support::compare;
+using support::Comparison;
 using support::Dice;
+using support::extended_eigenvalues;
+using support::ExtendedComplex;
+using support::random_matrix;
+using support::random_rotation;
 
 constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
-
-Matrix random_matrix(Dice& dice, int n) {
-  Matrix matrix(n, n);
-  for (double& entry : matrix.reshaped()) entry = dice.uniform(-1.0, 1.0);
-  return matrix;
-}
-
-Matrix random_rotation(Dice& dice, int n) {
-  return Eigen::HouseholderQR<Matrix>(random_matrix(dice, n)).householderQ();
-}
-
-struct ExtendedComplex {
-  Extended re, im;
-  Extended distance(Complex z) const {
-    const Extended x = re - Extended(z.real()), y = im - Extended(z.imag());
-    return sqrt(x * x + y * y);
-  }
-  Extended modulus() const { return sqrt(re * re + im * im); }
-};
-
-// Of the product formed with 50 digits.
-std::vector<ExtendedComplex> extended_eigenvalues(const std::vector<Matrix>& factors) {
-  const Eigen::Index n = factors[0].rows();
-  ExtendedMatrix product = ExtendedMatrix::Identity(n, n);
-  for (const Matrix& factor : factors) product = (factor.cast<Extended>() * product).eval();
-  const Eigen::EigenSolver<ExtendedMatrix> solver(product, false);
-  std::vector<ExtendedComplex> list;
-  for (Eigen::Index i = 0; i < n; ++i)
-    list.push_back({solver.eigenvalues()[i].real(), solver.eigenvalues()[i].imag()});
-  return list;
-}
-
-// Largest relative errors over the eigenvalues, each compared with the nearest one not yet taken.
-struct Comparison {
-  double of_value = 0.0;  // true error over modulus
-  double of_error = 0.0;  // true error over the error given
-  double given = 0.0;     // error given over modulus
-};
-
-Comparison compare(const std::vector<Eigenvalue>& values, std::vector<ExtendedComplex> expected) {
-  Comparison worst;
-  EXPECT_EQ(values.size(), expected.size());
-  if (values.size() != expected.size()) return worst;
-  for (const Eigenvalue& value : values) {
-    const auto nearest =
-        std::min_element(expected.begin(), expected.end(), [&](const auto& a, const auto& b) {
-          return a.distance(value.value) < b.distance(value.value);
-        });
-    const double error = static_cast<double>(nearest->distance(value.value));
-    const double modulus = static_cast<double>(nearest->modulus());
-    worst.of_value = std::max(worst.of_value, error / modulus);
-    worst.of_error = std::max(worst.of_error, error / value.error);
-    worst.given = std::max(worst.given, value.error / modulus);
-    expected.erase(nearest);
-  }
-  return worst;
-}
-
-Comparison compare(const std::vector<Matrix>& factors) {
-  return compare(product_eigenvalues(factors), extended_eigenvalues(factors));
-}
 
 TEST(ProductEigenvalues, RandomProductsAreWithinTheirErrors) {
   Dice dice(21);
@@ -96,6 +41,45 @@ TEST(ProductEigenvalues, RandomProductsAreWithinTheirErrors) {
       EXPECT_LE(worst.of_value, 1e-10);
       EXPECT_LE(worst.given, 1e-7);
     }
+}
+
+// The factors of a row of product_eigenvalues.csv (see product_eigenvalues.py).
+std::vector<Matrix> tabled_factors(const support::TableRow& row) {
+  std::uint64_t x = std::stoull(row.at("seed"));
+  std::vector<int> exponents;
+  std::stringstream cell(row.at("exponents"));
+  for (int exponent = 0; cell >> exponent;) exponents.push_back(exponent);
+  const int n = std::stoi(row.at("n")), k = std::stoi(row.at("k"));
+  std::vector<Matrix> factors;
+  for (int i = 0; i < k; ++i) {
+    Matrix factor(n, n);
+    for (double& entry : factor.reshaped()) {
+      x = 6364136223846793005u * x + 1442695040888963407u;
+      entry = std::ldexp(static_cast<double>(x >> 11) * 0x1p-52 - 1.0,
+                         exponents[static_cast<std::size_t>(i) % exponents.size()]);
+    }
+    factors.push_back(factor);
+  }
+  return factors;
+}
+
+TEST(ProductEigenvalues, AreThoseOfTheTable) {
+  std::map<std::string, std::vector<Eigenvalue>> cases;
+  for (const support::TableRow& row : support::read_table("product_eigenvalues.csv")) {
+    SCOPED_TRACE(row.at("case"));
+    std::vector<Eigenvalue>& values = cases[row.at("case")];
+    if (values.empty()) values = product_eigenvalues(tabled_factors(row));
+    const Complex expected(support::number(row, "re"), support::number(row, "im"));
+    const auto nearest =
+        std::min_element(values.begin(), values.end(), [&](const auto& a, const auto& b) {
+          return std::abs(a.value - expected) < std::abs(b.value - expected);
+        });
+    ASSERT_NE(nearest, values.end());
+    // The table's own digits end at a rounding of the double.
+    EXPECT_LE(std::abs(nearest->value - expected), nearest->error + kEpsilon * std::abs(expected));
+    EXPECT_LE(nearest->error, 1e-9 * std::abs(expected));
+    EXPECT_EQ(nearest->value.imag() == 0.0, expected.imag() == 0.0);
+  }
 }
 
 TEST(ProductEigenvalues, ManySmallRandomProductsAreWithinTheirErrors) {
@@ -205,98 +189,6 @@ TEST(ProductEigenvalues, PairsNextToTheUnitCircleAreToldInsideFromOutside) {
   }
 }
 
-// U J U^-1 as the product of U and J U^-1 with integers, so that it is exactly defective.
-std::vector<Matrix> jordan_factors(int n) {
-  Matrix u = Matrix::Identity(n, n), inverse = Matrix::Identity(n, n);
-  for (int i = 0; i + 1 < n; ++i) {
-    Matrix add = Matrix::Identity(n, n), subtract = add;
-    add(i + 1, i) = 2.0;
-    subtract(i + 1, i) = -2.0;
-    if (i % 2 == 0) {
-      add.transposeInPlace();
-      subtract.transposeInPlace();
-    }
-    u = (u * add).eval();
-    inverse = (subtract * inverse).eval();
-  }
-  Matrix jordan = Matrix::Identity(n, n);
-  jordan.diagonal(1).setOnes();
-  return {jordan * inverse, u};
-}
-
-TEST(ProductEigenvalues, DefectiveOnesAreWithinALargeError) {
-  for (const int n : {2, 3, 4}) {
-    SCOPED_TRACE(n);
-    const std::vector<Eigenvalue> values = product_eigenvalues(jordan_factors(n));
-    ASSERT_EQ(values.size(), static_cast<std::size_t>(n));
-    for (const Eigenvalue& value : values) {
-      EXPECT_LE(std::abs(value.value - 1.0), value.error);
-      // No bound is smaller than what the last digit of the product does to a Jordan block.
-      EXPECT_GE(value.error, 0.1 * std::pow(kEpsilon, 1.0 / n));
-      EXPECT_LE(value.error, 1e4 * std::pow(kEpsilon, 1.0 / n));
-    }
-  }
-}
-
-int exact_zeros(const std::vector<Eigenvalue>& values) {
-  return static_cast<int>(std::count_if(values.begin(), values.end(),
-                                        [](const Eigenvalue& v) { return v.value == 0.0; }));
-}
-
-TEST(ProductEigenvalues, SingularFactorsGiveExactZeros) {
-  Dice dice(27);
-  for (const int n : {2, 4, 8})
-    for (int missing = 1; missing <= n; ++missing) {
-      SCOPED_TRACE("n = " + std::to_string(n) + ", missing = " + std::to_string(missing));
-      const Matrix basis = random_rotation(dice, n).leftCols(n - missing);
-      const Matrix projection = basis * basis.transpose();
-      const std::vector<Matrix> factors = {random_matrix(dice, n), projection,
-                                           random_matrix(dice, n)};
-      const std::vector<Eigenvalue> values = product_eigenvalues(factors);
-      ASSERT_EQ(values.size(), static_cast<std::size_t>(n));
-      EXPECT_EQ(exact_zeros(values), missing);
-      // The projection is rounded: its zeros are those of a perturbed factor.
-      for (const Eigenvalue& value : values)
-        if (value.value == 0.0) {
-          EXPECT_LE(value.error, 1e-10);
-        }
-      EXPECT_LE(compare(values, extended_eigenvalues(factors)).of_error, 1.0);
-    }
-}
-
-TEST(ProductEigenvalues, SeveralSingularFactorsCombineTheirZeros) {
-  // Projections on coordinates, one more left out by each; a cyclic shift in between, k = 2: of
-  // four coordinates 0..3 the first factor keeps 1, 2, 3, the shift moves them to 2, 3, 0, the
-  // second one keeps 2, 3.
-  Matrix shift = Matrix::Zero(4, 4);
-  for (int i = 0; i < 4; ++i) shift((i + 1) % 4, i) = 1.0;
-  const Matrix first = Eigen::Vector4d(0, 1, 1, 1).asDiagonal();
-  const Matrix second = Eigen::Vector4d(0, 0, 1, 1).asDiagonal();
-  EXPECT_EQ(exact_zeros(product_eigenvalues({first, second * shift})), 4);  // nilpotent
-  EXPECT_EQ(exact_zeros(product_eigenvalues({first, second})), 2);
-  EXPECT_EQ(exact_zeros(product_eigenvalues({Matrix::Zero(4, 4), shift})), 4);
-  for (const Eigenvalue& value : product_eigenvalues({first, second}))
-    if (value.value != 0.0) {
-      EXPECT_NEAR(value.value.real(), 1.0, 1e-15);
-    }
-}
-
-TEST(ProductEigenvalues, ANilpotentProductKnownToRoundingIsWithinItsError) {
-  // e1 -> e2 -> e3 -> 0 through a basis that is orthogonal to rounding only: the zeros are those of
-  // a Jordan block up to a perturbation, some of the size eps^(1/3).
-  Dice dice(28);
-  for (int i = 0; i < 50; ++i) {
-    const Matrix q = random_rotation(dice, 3);
-    Matrix nilpotent = Matrix::Zero(3, 3);
-    nilpotent(1, 0) = nilpotent(2, 1) = 1.0;
-    const std::vector<Matrix> factors = {nilpotent * q.transpose(), q};
-    const std::vector<Eigenvalue> values = product_eigenvalues(factors);
-    EXPECT_GE(exact_zeros(values), 1);
-    EXPECT_LE(compare(values, extended_eigenvalues(factors)).of_error, 1.0);
-    for (const Eigenvalue& value : values) EXPECT_LE(value.error, 100.0 * std::cbrt(kEpsilon));
-  }
-}
-
 TEST(ProductEigenvalues, NeitherOverflowNorVanishOnTheWay) {
   Dice dice(29);
   std::vector<Matrix> factors, sized;
@@ -366,21 +258,6 @@ TEST(ProductEigenvalues, AreNoneWithoutFactorsOrWithEntriesThatAreNoNumbers) {
   EXPECT_TRUE(product_eigenvalues({Matrix::Identity(3, 3), broken}).empty());
   broken(1, 2) = std::numeric_limits<double>::infinity();
   EXPECT_TRUE(product_eigenvalues({broken, Matrix::Identity(3, 3)}).empty());
-}
-
-TEST(ProductEigenvalues, ConvergeForFactorsOfSmallIntegers) {
-  // Full of singular, defective and derogatory products.
-  Dice dice(32);
-  for (int i = 0; i < 3000; ++i) {
-    const int n = 2 + dice.pick(6), k = 2 + dice.pick(3);
-    std::vector<Matrix> factors;
-    for (int m = 0; m < k; ++m) {
-      Matrix factor(n, n);
-      for (double& entry : factor.reshaped()) entry = dice.pick(3) - 1;
-      factors.push_back(factor);
-    }
-    EXPECT_EQ(product_eigenvalues(factors).size(), static_cast<std::size_t>(n)) << i;
-  }
 }
 
 }  // namespace
