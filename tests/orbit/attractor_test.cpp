@@ -113,8 +113,8 @@ TEST(Attractors, BetweenTwoStopsAreListed) {
 // A second mode that rings, and r that falls with the speed.
 TEST(Attractors, OfTwoModesWithRestitutionBySpeedAreListed) {
   std::set<Kind> kinds;
-  for (int i = 0; i < 12; ++i) {
-    const double frequency = 0.9 + 0.25 * i;
+  for (int i = 0; i < 5; ++i) {
+    const double frequency = 0.9 + 0.6 * i;
     SCOPED_TRACE(testing::Message() << "frequency " << frequency);
     System system{
         (Vector(2) << 1.0, 4.3).finished(), (Vector(2) << 0.05, 0.1).finished(), {}, {}, {}};
