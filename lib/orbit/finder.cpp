@@ -209,7 +209,7 @@ class Finder {
                              const PhaseSolution& solution) const {
     Orbit orbit = outline(solution);
     if (repeated_pattern(orbit)) return {};
-    const PhaseProblem phases(response, solution.pattern.stops, solution.restitution);
+    const PhaseProblem phases(response, solution.pattern.stops, speed_scale());
     const std::vector<ImpactPoint> points = phases.points(solution.phases);
     if (!options_.keep_virtual && surely_virtual(solution, points)) return orbit;
     const ShootingProblem problem(solution.pattern, scale_);
@@ -222,8 +222,6 @@ class Finder {
   }
 
   bool surely_virtual(const PhaseSolution& solution, const std::vector<ImpactPoint>& points) const {
-    for (const int stop : solution.pattern.stops)
-      if (!system_.stops[static_cast<std::size_t>(stop)].restitution.is_constant()) return false;
     if (solution.speeds.minCoeff() < -kSurely * speed_scale()) return true;
     const Admissibility verdict = admissibility(system_, solution.pattern, points);
     return verdict.clearance && *verdict.clearance < -kSurely * scale_.length;

@@ -5,9 +5,12 @@
 //
 //   y(theta) = Y(theta) - sum_j u_j G_j(s_j),       s_j in (0, pT] the time since impact j.
 //
-// It is linear in u, and that v_i = b_i.q' just before impact i are k linear equations,
+// It is linear in u, and that v_i = b_i.q' just before impact i are k equations for the k speeds,
 //
-//   (R^-1 + H(theta)) u = (b_i.Y'(theta_i))_i,     H_ij = b_i.G_j'(s_ij),  R = diag(1 + r_j).
+//   v_i + sum_j H_ij (1 + r_j(v_j)) v_j = b_i.Y'(theta_i),     H_ij = b_i.G_j'(s_ij),
+//
+// linear where the restitutions are constant, else solved by Newton's method from the speeds that
+// constant ones give.
 //
 // What remains is contact, k equations in the k phases, whatever the number of modes:
 //
@@ -15,10 +18,10 @@
 //
 // The phases live on a torus, each modulo 2 pi p; their order says which impact comes first. Two
 // impacts of one stop at one instant solve the equations where a single one of restitution -r^2
-// does: such points are no orbits. Restitution is a number for each impact here: with r(v) the
-// solutions are exact once r_j is that of their v_j.
+// does: such points are no orbits.
 #pragma once
 
+#include <Eigen/LU>
 #include <vector>
 
 #include "graze/orbit/periodic_response.hpp"
@@ -28,28 +31,38 @@ namespace graze {
 
 class PhaseProblem {
  public:
-  // One stop (index from 0) and one restitution for each impact. Refers to the response.
-  PhaseProblem(const PeriodicResponse& response, std::vector<int> stops, Vector restitution);
+  // One stop (index from 0) for each impact. `speed`, m/s: of the forced motion; r(v) is taken
+  // there at first. Refers to the response.
+  PhaseProblem(const PeriodicResponse& response, std::vector<int> stops, double speed);
 
   int impacts() const { return static_cast<int>(stops_.size()); }
   const std::vector<int>& stops() const { return stops_; }
-  const Vector& restitution() const { return restitution_; }
   const PeriodicResponse& response() const { return *response_; }
 
   // c at the phases (rad, k), m; where asked for its Jacobian by them, m/rad, and the approach
-  // speeds, m/s. Not finite where the approach speeds have no or many solutions.
+  // speeds, m/s. Not finite where the approach speeds have no or many solutions, or are not
+  // found.
   Vector contact(const Vector& phases, Matrix* jacobian = nullptr, Vector* speeds = nullptr) const;
 
   // The impacts as points of the shooting equations, in the order of the phases given.
   std::vector<ImpactPoint> points(const Vector& phases) const;
 
  private:
+  const RigidStop& stop(Eigen::Index impact) const;
+  // Approach speeds v for H and the forced rates, with the factorised derivative of their
+  // equations; not finite where Newton's method does not settle.
+  Vector approach_speeds(const Matrix& h, const Vector& forced_rate,
+                         Eigen::PartialPivLU<Matrix>& derivative) const;
+  // (1 + r(v)) v of each impact, and its derivative by v.
+  Vector impulses(const Vector& speeds) const;
+  Vector impulse_slopes(const Vector& speeds) const;
   // Seconds from impact j to impact i, in (0, pT].
   double since(const Vector& phases, Eigen::Index i, Eigen::Index j) const;
 
   const PeriodicResponse* response_;
   std::vector<int> stops_;
-  Vector restitution_;
+  double speed_;
+  bool constant_ = true;  // whether all restitutions are
   // An impact's own impulse, one orbit later.
   std::vector<RowMotion> own_;
 };

@@ -116,23 +116,14 @@ PhaseSolution in_order(const PhaseProblem& problem, const Vector& phases) {
   for (Eigen::Index i = 0; i < k; ++i) order[static_cast<std::size_t>(i)] = i;
   std::stable_sort(order.begin(), order.end(),
                    [&](Eigen::Index a, Eigen::Index b) { return after(a) < after(b); });
-  PhaseSolution solution{{period, {}}, Vector(k), Vector(k), Vector(k)};
+  PhaseSolution solution{{period, {}}, Vector(k), Vector(k)};
   for (Eigen::Index m = 0; m < k; ++m) {
     const Eigen::Index i = order[static_cast<std::size_t>(m)];
     solution.pattern.stops.push_back(problem.stops()[static_cast<std::size_t>(i)]);
     solution.phases[m] = wrapped(phases[first]) + after(i);
     solution.speeds[m] = speeds[i];
-    solution.restitution[m] = problem.restitution()[i];
   }
   return solution;
-}
-
-Vector restitutions_at(const System& system, const std::vector<int>& stops, double speed) {
-  Vector restitution(static_cast<Eigen::Index>(stops.size()));
-  for (std::size_t i = 0; i < stops.size(); ++i)
-    restitution[static_cast<Eigen::Index>(i)] =
-        system.stops[static_cast<std::size_t>(stops[i])].restitution.at(speed);
-  return restitution;
 }
 
 }  // namespace
@@ -140,39 +131,11 @@ Vector restitutions_at(const System& system, const std::vector<int>& stops, doub
 std::optional<PhaseSolution> solve_phases(const PeriodicResponse& response,
                                           const PhaseDeflation& deflation, const Vector& start,
                                           const PhaseSearchOptions& options) {
-  const std::vector<int>& stops = deflation.pattern().stops;
-  const auto k = static_cast<Eigen::Index>(stops.size());
-  const auto law = [&](Eigen::Index i) -> const Restitution& {
-    return response.system()
-        .stops[static_cast<std::size_t>(stops[static_cast<std::size_t>(i)])]
-        .restitution;
-  };
-  bool constant = true;
-  for (Eigen::Index i = 0; i < k; ++i) constant = constant && law(i).is_constant();
-  Vector restitution = restitutions_at(response.system(), stops, options.speed);
-  // With r(v): restitutions of the speeds found, until they stay.
-  constexpr int kMostRepeats = 12;
-  Vector phases = start;
-  for (int repeat = 0; repeat < kMostRepeats; ++repeat) {
-    const PhaseProblem problem(response, stops, restitution);
-    const std::optional<Vector> solved = newton_phases(
-        problem, options.length, levenberg_marquardt(problem, deflation, options.length, phases));
-    if (!solved || !(deflation.nearest_pair(*solved) > kSameOrbit)) return {};
-    phases = *solved;
-    const PhaseSolution solution = in_order(problem, phases);
-    if (constant) return solution;
-    Vector speeds;
-    problem.contact(phases, nullptr, &speeds);
-    double change = 0.0;
-    for (Eigen::Index i = 0; i < k; ++i) {
-      const double r = law(i).at(speeds[i]);
-      change = std::max(change, std::abs(r - restitution[i]));
-      restitution[i] = r;
-    }
-    if (change <= kSameOrbit) return solution;
-  }
-  // Not settled, but near: shooting takes it from here.
-  return in_order(PhaseProblem(response, stops, restitution), phases);
+  const PhaseProblem problem(response, deflation.pattern().stops, options.speed);
+  const std::optional<Vector> phases = newton_phases(
+      problem, options.length, levenberg_marquardt(problem, deflation, options.length, start));
+  if (!phases || !(deflation.nearest_pair(*phases) > kSameOrbit)) return {};
+  return in_order(problem, *phases);
 }
 
 struct PhaseStarts::Sequence {
@@ -230,8 +193,7 @@ std::vector<Vector> PhaseSearch::starts_of_a_round() {
   // Where fewer points than this are approached, what there is has to do.
   constexpr int kMostDraws = 64;
   const std::vector<int>& stops = deflation_.pattern().stops;
-  const PhaseProblem problem(*response_, stops,
-                             restitutions_at(response_->system(), stops, options_.speed));
+  const PhaseProblem problem(*response_, stops, options_.speed);
   std::vector<Vector> starts;
   for (int draw = 0; draw < kMostDraws * options_.starts; ++draw) {
     if (static_cast<int>(starts.size()) == options_.starts) break;
@@ -269,8 +231,7 @@ std::vector<PhaseSolution> PhaseSearch::local() {
 
 std::optional<PhaseSolution> PhaseSearch::global() {
   const std::vector<int>& stops = deflation_.pattern().stops;
-  const PhaseProblem problem(*response_, stops,
-                             restitutions_at(response_->system(), stops, options_.speed));
+  const PhaseProblem problem(*response_, stops, options_.speed);
   const std::optional<Vector> lowest = lowest_phases(problem, deflation_, options_);
   if (!lowest) return {};
   const std::optional<PhaseSolution> solution =

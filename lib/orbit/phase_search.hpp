@@ -25,9 +25,8 @@ namespace graze {
 // [0, 2 pi), the others within p turns of it.
 struct PhaseSolution {
   ImpactPattern pattern;
-  Vector phases;       // rad
-  Vector speeds;       // m/s
-  Vector restitution;  // of each impact
+  Vector phases;  // rad
+  Vector speeds;  // m/s
 };
 
 struct PhaseSearchOptions {

@@ -19,14 +19,6 @@ namespace {
 
 constexpr double kTurn = 2.0 * std::numbers::pi;
 
-Vector restitution_of(const System& system, const std::vector<int>& stops) {
-  Vector r(static_cast<Eigen::Index>(stops.size()));
-  for (std::size_t i = 0; i < stops.size(); ++i)
-    r[static_cast<Eigen::Index>(i)] =
-        system.stops[static_cast<std::size_t>(stops[i])].restitution.at_rest();
-  return r;
-}
-
 // Every kind of mode at once: oscillatory, overdamped, critically damped, nearly resonant with the
 // forcing, a soft one; with a load and two stops.
 System many_kinds() {
@@ -44,15 +36,14 @@ System many_kinds() {
 
 // Whatever the phases, the motion repeats: all matching equations hold, and the contact equations
 // leave what `contact` says. Both are computed in other ways by ShootingProblem.
-TEST(PhaseProblem, TheMotionRepeatsWhateverThePhases) {
-  const System system = many_kinds();
+void expect_repetition(const System& system) {
   const ShootingScale scale = shooting_scale(system);
   for (const int period : {1, 2, 3}) {
     const PeriodicResponseAnswer answer = periodic_response(system, period);
     ASSERT_TRUE(answer.response) << answer.why_not;
     for (const std::vector<int>& stops :
          {std::vector<int>{0}, {1}, {0, 0}, {0, 1}, {0, 1, 1}, {1, 0, 0, 1}}) {
-      const PhaseProblem phases(*answer.response, stops, restitution_of(system, stops));
+      const PhaseProblem phases(*answer.response, stops, 1.0);
       Vector theta(static_cast<Eigen::Index>(stops.size()));
       for (Eigen::Index i = 0; i < theta.size(); ++i)
         theta[i] = 0.7 + 1.3 * static_cast<double>(i) + 0.1 * static_cast<double>(i * i);
@@ -70,12 +61,24 @@ TEST(PhaseProblem, TheMotionRepeatsWhateverThePhases) {
   }
 }
 
-TEST(PhaseProblem, DerivativesAgreeWithDifferences) {
-  const System system = many_kinds();
+TEST(PhaseProblem, TheMotionRepeatsWhateverThePhases) { expect_repetition(many_kinds()); }
+
+// r(v) = .9 - .05 v - .01 v^2 at one of the stops.
+System with_restitution_by_speed() {
+  System system = many_kinds();
+  system.stops[0].restitution = Restitution(std::vector<double>{0.9, 0.05, 0.01});
+  return system;
+}
+
+TEST(PhaseProblem, TheMotionRepeatsWithRestitutionBySpeed) {
+  expect_repetition(with_restitution_by_speed());
+}
+
+void expect_derivatives(const System& system) {
   const PeriodicResponseAnswer answer = periodic_response(system, 2);
   ASSERT_TRUE(answer.response);
   const std::vector<int> stops{0, 1, 0};
-  const PhaseProblem problem(*answer.response, stops, restitution_of(system, stops));
+  const PhaseProblem problem(*answer.response, stops, 1.0);
   // The second and third are in another order than the impacts' numbers.
   for (const Vector& theta :
        {(Vector(3) << 0.4, 2.0, 7.0).finished(), (Vector(3) << 3.0, 2.0, 1.0).finished(),
@@ -94,6 +97,11 @@ TEST(PhaseProblem, DerivativesAgreeWithDifferences) {
   }
 }
 
+TEST(PhaseProblem, DerivativesAgreeWithDifferences) {
+  expect_derivatives(many_kinds());
+  expect_derivatives(with_restitution_by_speed());
+}
+
 TEST(PhaseProblem, ForOneImpactItIsTheClosedForm) {
   for (const char* name : {"sdof_2_8", "sdof_1_6", "three_modes_2_1", "beam_n2_40", "beam_n4_47"}) {
     SCOPED_TRACE(name);
@@ -101,7 +109,7 @@ TEST(PhaseProblem, ForOneImpactItIsTheClosedForm) {
     const ShootingScale scale = shooting_scale(system);
     const PeriodicResponseAnswer answer = periodic_response(system, 1);
     ASSERT_TRUE(answer.response);
-    const PhaseProblem problem(*answer.response, {0}, restitution_of(system, {0}));
+    const PhaseProblem problem(*answer.response, {0}, 1.0);
     for (const ImpactPoint& exact :
          closed_form(system, 0, 1).form->solutions(system.stops[0].gap)) {
       const Vector theta = Vector::Constant(1, exact.theta);
@@ -118,7 +126,7 @@ TEST(PhaseProblem, ContactOfOneImpactIsACosine) {
   const System system = many_kinds();
   const PeriodicResponseAnswer answer = periodic_response(system, 2);
   ASSERT_TRUE(answer.response);
-  const PhaseProblem problem(*answer.response, {0}, restitution_of(system, {0}));
+  const PhaseProblem problem(*answer.response, {0}, 1.0);
   const ClosedFormAnswer exact = closed_form(system, 0, 2);
   ASSERT_TRUE(exact.form);
   for (int i = 0; i < 7; ++i) {
@@ -135,7 +143,7 @@ TEST(PhaseProblem, IsPeriodicOnTheTorus) {
   const PeriodicResponseAnswer answer = periodic_response(system, 3);
   ASSERT_TRUE(answer.response);
   const std::vector<int> stops{0, 1};
-  const PhaseProblem problem(*answer.response, stops, restitution_of(system, stops));
+  const PhaseProblem problem(*answer.response, stops, 1.0);
   const Vector theta = (Vector(2) << 1.0, 4.0).finished();
   const Vector contact = problem.contact(theta);
   const double lap = 3.0 * kTurn;

@@ -157,7 +157,7 @@ TEST(PhaseSearch, TheGlobalStageAloneFindsTheClosedForm) {
 }
 
 bool is_orbit(const PeriodicResponse& response, const PhaseSolution& solution) {
-  const PhaseProblem phases(response, solution.pattern.stops, solution.restitution);
+  const PhaseProblem phases(response, solution.pattern.stops, 1.0);
   return solution.speeds.minCoeff() > 0.0 &&
          admissibility(response.system(), solution.pattern, phases.points(solution.phases))
              .admissible;
@@ -208,7 +208,7 @@ TEST(PhaseSearch, SolutionsSolveTheShootingEquations) {
   const std::vector<PhaseSolution> found = search.local();
   EXPECT_GT(found.size(), 2u);
   for (std::size_t i = 0; i < found.size(); ++i) {
-    const PhaseProblem phases(*answer.response, found[i].pattern.stops, found[i].restitution);
+    const PhaseProblem phases(*answer.response, found[i].pattern.stops, 1.0);
     const ShootingProblem problem(found[i].pattern, shooting_scale(system));
     const Vector x = problem.pack(phases.points(found[i].phases));
     EXPECT_LE(problem.residual(system, x).cwiseAbs().maxCoeff(), 1e-9);
