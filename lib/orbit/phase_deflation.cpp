@@ -24,6 +24,28 @@ double half_slope(double difference, double turns) { return turns * std::sin(dif
 
 }  // namespace
 
+Vector PhaseDeflation::place(const Vector& phases) const {
+  const double turns = pattern_.period;
+  Vector where(2 * phases.size());
+  where.head(2) << std::cos(phases[0]), std::sin(phases[0]);
+  for (Eigen::Index i = 1; i < phases.size(); ++i) {
+    const double angle = (phases[i] - phases[0]) / turns;
+    where.segment(2 * i, 2) << turns * std::cos(angle), turns * std::sin(angle);
+  }
+  return where;
+}
+
+Vector PhaseDeflation::pull_back(const Vector& where, const Vector& along) const {
+  const double turns = pattern_.period;
+  Vector gradient(where.size() / 2);
+  gradient[0] = along[1] * where[0] - along[0] * where[1];
+  for (Eigen::Index i = 1; i < gradient.size(); ++i) {
+    gradient[i] = (along[2 * i + 1] * where[2 * i] - along[2 * i] * where[2 * i + 1]) / turns;
+    gradient[0] -= gradient[i];
+  }
+  return gradient;
+}
+
 void PhaseDeflation::add(const std::vector<int>& stops, const Vector& phases) {
   const std::size_t k = stops.size();
   for (std::size_t first = 0; first < k; ++first) {
@@ -33,30 +55,23 @@ void PhaseDeflation::add(const std::vector<int>& stops, const Vector& phases) {
     Vector image(static_cast<Eigen::Index>(k));
     for (std::size_t i = 0; i < k; ++i)
       image[static_cast<Eigen::Index>(i)] = phases[static_cast<Eigen::Index>((first + i) % k)];
-    points_.push_back(image);
+    points_.push_back(place(image));
   }
 }
 
 double PhaseDeflation::factor(const Vector& phases, Vector* gradient) const {
   const Eigen::Index k = phases.size();
   const double turns = pattern_.period;
+  const Vector here = place(phases);
   double sum = 1.0;
-  if (gradient) gradient->setZero(k);
+  Vector along = Vector::Zero(2 * k);
   for (const Vector& point : points_) {
-    const Vector from = phases - point;
-    double distance = chord(from[0], 1.0) * chord(from[0], 1.0);
-    for (Eigen::Index i = 1; i < k; ++i)
-      distance += chord(from[i] - from[0], turns) * chord(from[i] - from[0], turns);
+    const double distance = (here - point).squaredNorm();
     const double part = kReach * kReach / distance;
     sum += part;
-    if (!gradient) continue;
-    (*gradient)[0] -= 2.0 * part / distance * half_slope(from[0], 1.0);
-    for (Eigen::Index i = 1; i < k; ++i) {
-      const double slope = 2.0 * part / distance * half_slope(from[i] - from[0], turns);
-      (*gradient)[i] -= slope;
-      (*gradient)[0] += slope;
-    }
+    if (gradient) along -= 2.0 * part / distance * (here - point);
   }
+  if (gradient) *gradient = pull_back(here, along);
   for (Eigen::Index i = 0; i < k; ++i)
     for (Eigen::Index j = 0; j < i; ++j) {
       if (pattern_.stops[static_cast<std::size_t>(i)] !=
@@ -75,14 +90,11 @@ double PhaseDeflation::factor(const Vector& phases, Vector* gradient) const {
 }
 
 bool PhaseDeflation::knows(const Vector& phases, double distance) const {
-  const double turns = pattern_.period;
-  return std::any_of(points_.begin(), points_.end(), [&](const Vector& point) {
-    const Vector from = phases - point;
-    if (!(std::abs(chord(from[0], 1.0)) <= distance)) return false;
-    for (Eigen::Index i = 1; i < from.size(); ++i)
-      if (!(std::abs(chord(from[i] - from[0], turns)) <= 2.0 * distance)) return false;
-    return true;
-  });
+  // The first phase, and the difference of two for each other.
+  const double most = distance * std::sqrt(4.0 * static_cast<double>(phases.size()) - 3.0);
+  const Vector here = place(phases);
+  return std::any_of(points_.begin(), points_.end(),
+                     [&](const Vector& point) { return (here - point).norm() <= most; });
 }
 
 double PhaseDeflation::nearest_pair(const Vector& phases) const {

@@ -11,8 +11,9 @@
 // later by some forcing periods, which the distance does not see: it is made of the first phase
 // modulo one turn and of the others' distances from the first modulo p turns,
 //
-//   d^2 = (2 sin(D_0/2))^2 + sum_i>0 (2 p sin((D_i - D_0)/(2 p)))^2,     D = theta - point.
+//   d^2 = (2 sin(D_0/2))^2 + sum_i>0 (2 p sin((D_i - D_0)/(2 p)))^2,     D = theta - point,
 //
+// the distance in space of the points that `place` makes of the phases.
 // The pairs are the points where two impacts become one, which solve the equations but are no
 // orbits (phase_problem.hpp); their distance is the chord of p turns.
 #pragma once
@@ -33,15 +34,19 @@ class PhaseDeflation {
   void add(const std::vector<int>& stops, const Vector& phases);
   // M at the phases and, where asked for, its gradient.
   double factor(const Vector& phases, Vector* gradient = nullptr) const;
-  // Whether the phases are those of a known point, the first to within `distance`, rad, the others
-  // and it to within twice that of each other.
+  // Whether the phases are those of a known point, each to within `distance`, rad.
   bool knows(const Vector& phases, double distance) const;
   // Smallest distance between two impacts of one stop, rad; infinite without such a pair.
   double nearest_pair(const Vector& phases) const;
 
  private:
+  // (cos theta_0, sin theta_0, .. p cos((theta_i - theta_0)/p), p sin(..) ..)
+  Vector place(const Vector& phases) const;
+  // The derivative by the phases of a function of the place whose gradient is `along`.
+  Vector pull_back(const Vector& where, const Vector& along) const;
+
   ImpactPattern pattern_;
-  std::vector<Vector> points_;  // numbered from each impact that the pattern may begin with
+  std::vector<Vector> points_;  // places, numbered from each impact that fits the pattern
 };
 
 }  // namespace graze

@@ -163,9 +163,9 @@ bool is_orbit(const PeriodicResponse& response, const PhaseSolution& solution) {
              .admissible;
 }
 
-// Three modes that have a (2, 3) orbit. From eight starts local solves miss it with every other
-// seed; on top of what they did find, the global stage finds it each time. (Found by experiment. A
-// full budget of local solves needs no global stage here.)
+// Three modes that have a (2, 3) orbit. Eight local solves miss it with about every other seed; the
+// global stage finds it with no start at all. (Found by experiment. A full budget of local solves
+// needs no global stage here.)
 TEST(PhaseSearch, TheGlobalStageFindsWhatFewLocalSolvesMiss) {
   System system;
   system.omega = (Vector(3) << 1.0, 3.71, 10.9445).finished();
@@ -179,22 +179,20 @@ TEST(PhaseSearch, TheGlobalStageFindsWhatFewLocalSolvesMiss) {
   options.starts = 8;
   options.rounds = 1;
   options.global_evaluations = 3072;
+  const ImpactPattern pattern{2, {0, 0, 0}};
+  const auto is_found = [&](const PhaseSolution& s) { return is_orbit(*answer.response, s); };
   int missed = 0;
   for (options.seed = 1; options.seed <= 10; ++options.seed) {
-    PhaseSearch search(*answer.response, {2, {0, 0, 0}}, options);
-    const auto orbit_among = [&](const std::vector<PhaseSolution>& solutions) {
-      return std::any_of(solutions.begin(), solutions.end(), [&](const PhaseSolution& solution) {
-        return is_orbit(*answer.response, solution);
-      });
-    };
-    if (orbit_among(search.local())) continue;
-    ++missed;
-    bool found = false;
-    for (int run = 0; run < 4 && !found; ++run)
-      if (const auto solution = search.global()) found = orbit_among({*solution});
-    EXPECT_TRUE(found) << "seed " << options.seed;
+    const std::vector<PhaseSolution> found =
+        PhaseSearch(*answer.response, pattern, options).local();
+    missed += std::none_of(found.begin(), found.end(), is_found);
   }
-  EXPECT_GE(missed, 3);
+  EXPECT_GE(missed, 1);
+  PhaseSearch search(*answer.response, pattern, options);
+  bool found = false;
+  for (int run = 0; run < 4 && !found; ++run)
+    if (const auto solution = search.global()) found = is_found(*solution);
+  EXPECT_TRUE(found);
 }
 
 // Every solution is one of the shooting equations, which know nothing of phases; each is there
