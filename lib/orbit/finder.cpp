@@ -224,7 +224,7 @@ class Finder {
   bool surely_virtual(const PhaseSolution& solution, const std::vector<ImpactPoint>& points) const {
     if (solution.speeds.minCoeff() < -kSurely * speed_scale()) return true;
     const Admissibility verdict = admissibility(system_, solution.pattern, points);
-    return verdict.clearance && *verdict.clearance < -kSurely * scale_.length;
+    return verdict.nearest && verdict.nearest->gap < -kSurely * scale_.length;
   }
 
   void from_rough_guesses(const ImpactPattern& pattern) {
