@@ -93,6 +93,25 @@ TEST(Simulation, StopsWhenInterrupted) {
   EXPECT_EQ(later.totals.impacts, 3);
 }
 
+// The oblique law makes the held structure grow (tests/flow/contact_phase_test.cpp): the run is
+// refused at its start, and hands out no sample there, whether in one piece or resumed.
+TEST(Simulation, ARefusedStartHasNoSamplesHoweverOftenItIsResumed) {
+  System system{Eigen::Vector2d(3.0, 1.0), Vector::Zero(2), {}, {}, {}};
+  const Vector row = Eigen::Vector2d(1.0, 1.0);
+  system.stops.push_back({row, -1.0, Eigen::Vector2d(1.25, -0.25), 0.5});
+  // At rest on the stop: free acceleration into it -(b.w^2 q) = 9.
+  const State start = state_of({-1.0, 0.0}, {0.0, 0.0});
+  int samples = 0;
+  RunListeners listeners;
+  listeners.sample = [&samples](const Sample&) { ++samples; };
+  listeners.sample_rate = 10.0;
+  Simulation run = simulate(system, start, for_seconds(1.0), listeners);
+  EXPECT_EQ(run.outcome, RunOutcome::kRefused);
+  run = resume(system, run.state, for_seconds(1.0), listeners);
+  EXPECT_EQ(run.outcome, RunOutcome::kRefused);
+  EXPECT_EQ(samples, 0);
+}
+
 TEST(Simulation, InelasticImpactRestsWherePushedAndLeavesWherePulled) {
   // The spring pulls the mass off a stop beyond its place of rest, ...
   const RecordedRun pulled =
