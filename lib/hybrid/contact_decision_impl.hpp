@@ -31,14 +31,17 @@ std::optional<Arrival<Real>> Motion<Real>::decide() {
     if (contact(i) == Contact::kDeparting && now_.multiplicities[static_cast<std::size_t>(i)] > 1)
       lingering.push_back(i);
     if (contact(i) != Contact::kTouching) continue;
-    if (now_.multiplicities[static_cast<std::size_t>(i)] > 1) {  // known to be at rest
+    // Known to be at rest, or kept at rest by closed stops: then its rate is mere rounding.
+    if (now_.multiplicities[static_cast<std::size_t>(i)] > 1 || !is_independent(i, closed())) {
       resting.push_back(i);
       continue;
     }
     const CurvePoint<Real> rate = phase.gap(i, Real(0), true).at(Real(0), 1);
-    if (rate.value < -rate.noise)
+    // The phase forgets what closed stops leave of the velocities: rounding of b.q'.
+    const Real rounding = std::max<Real>(rate.noise, speed_rounding(i));
+    if (rate.value < -rounding)
       return Arrival<Real>{ArrivalKind::kContact, i, Real(0), approach_speed(i)};
-    if (rate.value > rate.noise)
+    if (rate.value > rounding)
       set(i, Contact::kDeparting, 1);
     else
       resting.push_back(i);

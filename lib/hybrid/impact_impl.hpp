@@ -44,8 +44,12 @@ std::vector<ImpactShare<Real>> Motion<Real>::impact() {
     if (impulse > 0 || !is_left(touched, a))
       shares.push_back(
           {i, speed, jump.target[a], impulse, impulse > 0 && speed > touched.rounding[a]});
-    if (contact(i) != Contact::kClosed) {
+    if (!is_held(i)) {
       set(i, Contact::kTouching);
+    } else if (contact(i) == Contact::kLocked) {  // at rest, while the others stay
+      const bool stays = !(approach_speed(i) < -touched.rounding[a]);
+      set(i, Contact::kTouching, stays ? 2 : 0);
+      recheck_ = true;
     } else if (approach_speed(i) < -touched.rounding[a]) {
       changes_.push_back({ArrivalKind::kRelease, i});
       set(i, Contact::kTouching);
@@ -59,6 +63,12 @@ std::vector<ImpactShare<Real>> Motion<Real>::impact() {
 }
 
 template <class Real>
+Real Motion<Real>::speed_rounding(int i) const {
+  return impact_detail::kRoundings * std::numeric_limits<Real>::epsilon() *
+         stop(i).row.cwiseAbs().dot(now_.qdot.cwiseAbs());
+}
+
+template <class Real>
 typename Motion<Real>::Touched Motion<Real>::touched_stops() const {
   Touched touched;
   for (const int i : order_)
@@ -68,10 +78,9 @@ typename Motion<Real>::Touched Motion<Real>::touched_stops() const {
   touched.rounding.resize(k);
   for (Eigen::Index a = 0; a < k; ++a) {
     const int i = touched.stops[static_cast<std::size_t>(a)];
-    // A closed stop is at rest; what is left of its speed is rounding.
-    touched.speed[a] = contact(i) == Contact::kClosed ? Real(0) : approach_speed(i);
-    touched.rounding[a] = impact_detail::kRoundings * std::numeric_limits<Real>::epsilon() *
-                          stop(i).row.cwiseAbs().dot(now_.qdot.cwiseAbs());
+    // On a stop that is held the structure is at rest; what is left of its speed is rounding.
+    touched.speed[a] = is_held(i) ? Real(0) : approach_speed(i);
+    touched.rounding[a] = speed_rounding(i);
   }
   touched.acting = delassus(touched.stops);
   return touched;

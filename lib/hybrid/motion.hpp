@@ -142,7 +142,12 @@ class Motion {
   void adopt(const System& system);
   const Stop& stop(int i) const { return stops_[static_cast<std::size_t>(i)]; }
   Contact contact(int i) const { return now_.contacts[static_cast<std::size_t>(i)]; }
+  bool is_held(int i) const {
+    return contact(i) == Contact::kClosed || contact(i) == Contact::kLocked;
+  }
   void set(int i, Contact contact, int multiplicity = 0);
+  // What of the approach speed may be rounding, m/s.
+  Real speed_rounding(int i) const;
   bool touches(int i) const;
   std::vector<int> closed() const;
   ContactPhase<Real>& phase_of(const std::vector<int>& closed);
