@@ -56,7 +56,7 @@ awk '
   }
   test && /^    / {
     value = $NF; name = $0; sub(/^ */, "", name); sub(/ [^ ]*$/, "", name)
-    number = value == "inf" ? 1e999 : value + 0
+    number = value == "inf" ? 1e308 : value + 0  # awks differ in what is beyond it
     if (!seen[test, name]++) { worsts[test] = worsts[test] SUBSEP name; worst[test, name] = number }
     else if (number > worst[test, name]) worst[test, name] = number
     next

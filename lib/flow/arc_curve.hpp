@@ -12,6 +12,7 @@
 
 #include <array>
 #include <functional>
+#include <limits>
 #include <vector>
 
 #include "graze/flow/exact_flow.hpp"
@@ -35,11 +36,16 @@ Observable<Real> gap_observable(const RealVector<Real>& row, const Real& gap) {
 // A derivative of the curve at one s: what a certified search needs.
 template <class Real>
 struct CurvePoint {
-  Real value = 0;  // derivative m of the curve
-  Real slope = 0;  // derivative m + 1
-  Real bound = 0;  // |derivative m + 2| from s to the end of the window
-  Real noise = 0;  // rounding error of value
+  Real value = 0;                                      // derivative m of the curve
+  Real slope = 0;                                      // derivative m + 1
+  Real bound = 0;                                      // |derivative m + 2| from s over `reach`
+  Real noise = 0;                                      // rounding error of value
+  Real reach = std::numeric_limits<Real>::infinity();  // s; infinite: to the end of the window
 };
+
+// How far a bound has to hold: to the end of the window, or only as far as the next step of a
+// search needs it, where that makes the step longer.
+enum class Reach { kWindow, kStep };
 
 // The observable at forcing phase theta: value, and its rounding as noise (one eps for every
 // product and every sum, of its size).
@@ -51,7 +57,8 @@ template <class Real>
 class ArcCurve {
  public:
   // What cannot be written in modes: adds derivative m of its part and m + 1, a bound and noise.
-  using Part = std::function<void(const Real& s, int m, CurvePoint<Real>& point)>;
+  // The rest of the curve is in the point already.
+  using Part = std::function<void(const Real& s, int m, Reach reach, CurvePoint<Real>& point)>;
 
   // `window`: the arc is used for 0 <= s <= window. `from_zero`: c(0) = 0 as an identity.
   ArcCurve(const Arc<Real>& arc, const Observable<Real>& observable, const Real& window,
@@ -66,7 +73,7 @@ class ArcCurve {
   void add_part(Part part) { part_ = std::move(part); }
 
   // Derivative m = 0..3 of the curve with its slope and bound.
-  CurvePoint<Real> at(const Real& s, int m) const;
+  CurvePoint<Real> at(const Real& s, int m, Reach reach = Reach::kWindow) const;
   const Real& window() const { return window_; }
 
  private:

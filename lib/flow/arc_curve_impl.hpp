@@ -107,7 +107,7 @@ void ArcCurve<Real>::add_exponential(const PlanarNumber<Real>& k, const Real& de
 }
 
 template <class Real>
-CurvePoint<Real> ArcCurve<Real>::at(const Real& s, int m) const {
+CurvePoint<Real> ArcCurve<Real>::at(const Real& s, int m, Reach reach) const {
   using std::cos, std::expm1, std::sin;
   CurvePoint<Real> point;
   Real rounding = 0;
@@ -136,11 +136,11 @@ CurvePoint<Real> ArcCurve<Real>::at(const Real& s, int m) const {
   }
   point.noise = arc_curve_detail::kRoundings * std::numeric_limits<Real>::epsilon() * rounding;
   for (const Special& special : specials_) add_special(special, s, m, point);
-  if (part_) part_(s, m, point);
   if (m == 0) {
     point.value += start_value_;
     point.noise += start_noise_;
   }
+  if (part_) part_(s, m, reach, point);
   return point;
 }
 

@@ -68,9 +68,11 @@ double settling_time(const ModeFlow<double>& mode) {
   if (mode.kind != ModeKind::kNearCritical || mode.load != 0.0 || !(mode.delta > 0.0))
     return std::numeric_limits<double>::infinity();
   const double root = mode.discriminant < 0.0 ? std::sqrt(-mode.discriminant) : 0.0;
-  // The velocity of a free mass decays at 2 delta, whatever becomes of its displacement.
-  const double slowest =
-      mode.omega > 0.0 ? mode.omega * mode.omega / (mode.delta + root) : 2.0 * mode.delta;
+  // Below critical damping everything decays at delta, above it the slower of two rates leads. The
+  // velocity of a free mass decays at 2 delta, whatever becomes of its displacement.
+  const double slowest = mode.discriminant >= 0.0 ? mode.delta
+                         : mode.omega > 0.0       ? mode.omega * mode.omega / (mode.delta + root)
+                                                  : 2.0 * mode.delta;
   constexpr double kDecays = 48.0;  // e^-36 is eps; a linear factor of time comes with it
   return kDecays / slowest;
 }

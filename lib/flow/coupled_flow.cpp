@@ -22,6 +22,28 @@ double certain_growth(const Matrix& generator) {
   return growth;
 }
 
+// Norms know nothing of what an observable sees of the motion. Over a short reach h the derivatives
+// at hand bound the second one better,
+//
+//   B(h) = |g^(2)| + |g^(3)| h + |g^(4)| h^2/2 + K_5 h^3/6,
+//
+// and the h at which the last term alone would just allow a step of h, 2 (|g| + noise) = B h^2, is
+// taken where it is longer than the step that the norms allow.
+constexpr std::size_t kMostDerivatives = 3 + 5;  // of a curve's derivative 3 or lower
+
+void sharpen(const std::array<double, 3>& derivatives, double last, CurvePoint<double>& point) {
+  const double value = std::abs(point.value) + point.noise;
+  if (!(value > 0.0) || !(last > 0.0) || !std::isfinite(last)) return;
+  const double reach = std::pow(12.0 * (value / last), 0.2);
+  if (!(reach > std::sqrt(2.0 * (value / point.bound)))) return;
+  const double bound =
+      derivatives[0] +
+      reach * (derivatives[1] + reach / 2.0 * (derivatives[2] + reach / 3.0 * last));
+  if (!(bound < point.bound)) return;
+  point.bound = bound;
+  point.reach = reach;
+}
+
 }  // namespace
 
 CoupledFlow::CoupledFlow(const CoupledSystem& system)
@@ -183,7 +205,7 @@ ArcCurve<double>::Part CoupledArc::matrix_part(const Vector& weight, Complex har
     Complex phase;          // weight of e^{i theta}
     double bound_of_input = 0.0;
   };
-  std::array<Derivative, 6> derivatives;
+  std::array<Derivative, kMostDerivatives + 1> derivatives;
   derivatives[0] = {weight, 0.0, harmonic, std::abs(harmonic)};
   for (std::size_t p = 1; p < derivatives.size(); ++p) {
     const Derivative& before = derivatives[p - 1];
@@ -193,7 +215,7 @@ ArcCurve<double>::Part CoupledArc::matrix_part(const Vector& weight, Complex har
     now.phase = before.phase * Complex(0.0, flow.frequency_) + before.state.dot(flow.force_);
     now.bound_of_input = std::abs(now.constant) + std::abs(now.phase);
   }
-  return [*this, derivatives, window](double s, int m, CurvePoint<double>& point) {
+  return [*this, derivatives, window](double s, int m, Reach reach, CurvePoint<double>& point) {
     const CoupledFlow& system = *flow_;
     const Vector x = matrix_state(s);
     const Complex turn = std::polar(1.0, theta_ + system.frequency_ * s);
@@ -208,13 +230,18 @@ ArcCurve<double>::Part CoupledArc::matrix_part(const Vector& weight, Complex har
     point.slope += value(order + 1);
     const double ahead = std::max(window - s, 0.0);
     const double input = system.load_.norm() + system.force_.norm();
-    const double reach = std::exp(system.norm_growth_ * ahead) * (x.norm() + input * ahead);
-    const Derivative& next = derivatives[order + 2];
-    point.bound += next.state.norm() * reach + next.bound_of_input;
-    const double size = x_.norm() + input * s;
-    point.noise += kRoundings * std::numeric_limits<double>::epsilon() *
-                   (1.0 + system.generator_.norm() * s) *
-                   (derivatives[order].state.norm() * size + derivatives[order].bound_of_input);
+    const double size = std::exp(system.norm_growth_ * ahead) * (x.norm() + input * ahead);
+    const auto bound = [&](std::size_t p) {
+      return derivatives[p].state.norm() * size + derivatives[p].bound_of_input;
+    };
+    point.bound += bound(order + 2);
+    const double formed_from = x_.norm() + input * s;
+    point.noise +=
+        kRoundings * std::numeric_limits<double>::epsilon() * (1.0 + system.generator_.norm() * s) *
+        (derivatives[order].state.norm() * formed_from + derivatives[order].bound_of_input);
+    if (reach == Reach::kWindow) return;
+    sharpen({std::abs(value(order + 2)), std::abs(value(order + 3)), std::abs(value(order + 4))},
+            bound(order + 5), point);
   };
 }
 

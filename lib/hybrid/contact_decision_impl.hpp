@@ -31,14 +31,17 @@ std::optional<Arrival<Real>> Motion<Real>::decide() {
     if (contact(i) == Contact::kDeparting && now_.multiplicities[static_cast<std::size_t>(i)] > 1)
       lingering.push_back(i);
     if (contact(i) != Contact::kTouching) continue;
-    if (now_.multiplicities[static_cast<std::size_t>(i)] > 1) {  // known to be at rest
+    // Known to be at rest, or kept at rest by closed stops: then its rate is mere rounding.
+    if (now_.multiplicities[static_cast<std::size_t>(i)] > 1 || !is_independent(i, closed())) {
       resting.push_back(i);
       continue;
     }
     const CurvePoint<Real> rate = phase.gap(i, Real(0), true).at(Real(0), 1);
-    if (rate.value < -rate.noise)
+    // The phase forgets what closed stops leave of the velocities: rounding of b.q'.
+    const Real rounding = std::max<Real>(rate.noise, speed_rounding(i));
+    if (rate.value < -rounding)
       return Arrival<Real>{ArrivalKind::kContact, i, Real(0), approach_speed(i)};
-    if (rate.value > rate.noise)
+    if (rate.value > rounding)
       set(i, Contact::kDeparting, 1);
     else
       resting.push_back(i);
@@ -64,7 +67,7 @@ bool Motion<Real>::decide_resting(const std::vector<int>& resting) {
   using std::abs, std::cos;
   std::vector<int> candidates;
   for (const int i : order_)
-    if (contact(i) == Contact::kClosed ||
+    if (contact(i) == Contact::kClosed || contact(i) == Contact::kLocked ||
         std::find(resting.begin(), resting.end(), i) != resting.end())
       candidates.push_back(i);
   const Eigen::Index n = now_.q.size(), k = static_cast<Eigen::Index>(candidates.size());
@@ -90,51 +93,53 @@ bool Motion<Real>::decide_resting(const std::vector<int>& resting) {
   const std::optional<RealVector<Real>> held = solve_contacts(shares, push, rounding);
   if (!held) return false;
   const RealVector<Real> into = push - shares * *held;
-  std::vector<int> degenerate;
+  std::vector<int> pressed, degenerate;
   for (Eigen::Index a = 0; a < k; ++a) {
     const int i = candidates[static_cast<std::size_t>(a)];
     if ((*held)[a] * shares(a, a) > rounding[a])
-      hold(i);
+      pressed.push_back(i);
     else if (into[a] < -rounding[a])
       let_go(i, 2);
     else
       degenerate.push_back(i);
   }
-  decide_degenerate(std::move(degenerate));
+  // Who is left goes first: nobody is kept on a stop by one that is open.
+  const std::vector<int> kept = decide_degenerate(pressed, std::move(degenerate));
+  for (const int i : pressed) hold(i);
+  for (const int i : kept) hold(i);
   rest_on_closed();
   return true;
 }
 
 // Neither pushed nor pulled: the push that follows decides, which depends on who else is held.
-// Without any they stay where they are.
+// Without any they stay where they are. Lets go of those that are left; the rest of them.
 template <class Real>
-void Motion<Real>::decide_degenerate(std::vector<int> stops) {
-  const auto is_held = [&](int i) {
-    if (contact(i) != Contact::kClosed && !is_independent(i)) return true;  // kept there by others
-    std::vector<int> others;
-    for (const int j : closed())
-      if (j != i) others.push_back(j);
-    ContactPhase<Real>& phase = phase_of(others);
+std::vector<int> Motion<Real>::decide_degenerate(std::vector<int> held, std::vector<int> stops) {
+  std::vector<int> kept;
+  const auto stays = [&](int i) {
+    if (!is_independent(i, held)) return true;  // kept there by others
+    ContactPhase<Real>& phase = phase_of(held);
     if (!phase.refusal().empty()) return true;
     phase.start(clock_.phase(now_.instant), now_.q, now_.qdot);
     const CurvePoint<Real> jerk = phase.gap(i, Real(0), true).at(Real(0), 3);
     return !(jerk.value > jerk.noise);
   };
-  // Each pass holds one more, so there are no more passes than stops.
-  for (auto held = stops.begin(); held != stops.end();) {
-    held = std::find_if(stops.begin(), stops.end(), is_held);
-    if (held == stops.end()) break;
-    hold(*held);
-    stops.erase(held);
-    held = stops.begin();
+  // Each pass keeps one more, so there are no more passes than stops.
+  for (auto next = stops.begin(); next != stops.end(); next = stops.begin()) {
+    next = std::find_if(stops.begin(), stops.end(), stays);
+    if (next == stops.end()) break;
+    if (is_independent(*next, held)) held.push_back(*next);
+    kept.push_back(*next);
+    stops.erase(next);
   }
   for (const int i : stops) let_go(i, 3);
+  return kept;
 }
 
 template <class Real>
 void Motion<Real>::hold(int i) {
   if (contact(i) == Contact::kClosed) return;
-  if (!is_independent(i)) {
+  if (!is_independent(i, closed())) {
     set(i, Contact::kLocked);
     return;
   }
@@ -148,10 +153,9 @@ void Motion<Real>::let_go(int i, int multiplicity) {
   set(i, Contact::kDeparting, multiplicity);
 }
 
-// Whether the stop's row is no combination of those of the closed stops.
+// Whether the stop's row is no combination of those of the others.
 template <class Real>
-bool Motion<Real>::is_independent(int i) const {
-  const std::vector<int> list = closed();
+bool Motion<Real>::is_independent(int i, const std::vector<int>& list) const {
   if (list.empty()) return true;
   Matrix_ rows(now_.q.size(), static_cast<Eigen::Index>(list.size()));
   for (std::size_t a = 0; a < list.size(); ++a)

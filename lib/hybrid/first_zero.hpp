@@ -95,7 +95,7 @@ FirstZero<Real> first_descent(const Sample& sample, const Real& from, const Real
     const CurvePoint<Real> point = sample(s);
     if (!isfinite(point.value) || !isfinite(point.slope) || !isfinite(point.bound))
       return {ZeroKind::kNotFinite, s, Real(0), i};
-    if (point.slope < 0 &&
+    if (point.slope < 0 && 2 * (abs(point.value) / -point.slope) <= point.reach &&
         4 * (point.bound / -point.slope) * (abs(point.value) / -point.slope) <= 1) {
       FirstZero<Real> zero = finish(sample, s, point, i);
       if (!(zero.s <= window)) return {ZeroKind::kNone, window, Real(0), zero.evaluations};
@@ -103,7 +103,11 @@ FirstZero<Real> first_descent(const Sample& sample, const Real& from, const Real
     }
     const Real certain = std::max<Real>(point.value - point.noise, 0);
     if (certain == 0 && point.slope <= 0) return {ZeroKind::kTouch, s, point.slope, i};
-    const Real step = safe_step(certain, point.slope, point.bound);
+    // Rising too slowly to leave the rounding: no contact can be resolved before the curve is down
+    // to the far side of it.
+    const bool lingers = certain == 0 && point.slope * point.slope < point.bound * point.noise;
+    const Real clear = lingers ? std::max<Real>(point.value + point.noise, 0) : certain;
+    const Real step = std::min<Real>(safe_step(clear, point.slope, point.bound), point.reach);
     if (s + step == s) return {ZeroKind::kTouch, s, point.slope, i};
     s += step;
   }
@@ -119,7 +123,8 @@ FirstZero<Real> first_contact(const ArcCurve<Real>& curve, int multiplicity) {
     from = first_zero_detail::departure_step(curve, multiplicity);
     if (from < 0) return {ZeroKind::kBlocked, Real(0), Real(0), 1};
   }
-  return first_descent([&](const Real& s) { return curve.at(s, 0); }, from, curve.window());
+  return first_descent([&](const Real& s) { return curve.at(s, 0, Reach::kStep); }, from,
+                       curve.window());
 }
 
 // The first instant at which a contact force falls through zero. Where it only comes within its
@@ -129,14 +134,14 @@ FirstZero<Real> first_release(const ArcCurve<Real>& force) {
   using std::sqrt;
   Real from = 0;
   int evaluations = 0;
-  const auto sample = [&](const Real& s) { return force.at(s, 0); };
+  const auto sample = [&](const Real& s) { return force.at(s, 0, Reach::kStep); };
   while (evaluations < kMostSearchEvaluations) {
     FirstZero<Real> zero = first_descent(sample, from, force.window());
     evaluations += zero.evaluations;
     zero.evaluations = evaluations;
     if (zero.kind != ZeroKind::kCrossing && zero.kind != ZeroKind::kTouch) return zero;
     // Certain where the parabola through it dips below the rounding.
-    const CurvePoint<Real> point = sample(zero.s);
+    const CurvePoint<Real> point = force.at(zero.s, 0);
     if (point.slope < 0 && point.slope * point.slope > 8 * point.bound * point.noise) {
       zero.kind = ZeroKind::kCrossing;
       return zero;
@@ -162,7 +167,7 @@ FirstZero<Real> first_release(const ArcCurve<Real>& force) {
 template <class Real>
 FirstZero<Real> first_extremum(const ArcCurve<Real>& curve, const Real& from, bool rising) {
   const auto sample = [&](const Real& s) {
-    CurvePoint<Real> point = curve.at(s, 1);
+    CurvePoint<Real> point = curve.at(s, 1, Reach::kStep);
     if (!rising) {
       point.value = -point.value;
       point.slope = -point.slope;

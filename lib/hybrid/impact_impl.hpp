@@ -14,58 +14,138 @@ namespace impact_detail {
 // Roundings of an approach speed b.q'.
 inline constexpr int kRoundings = 8;
 
+// Impacts at one instant that are looked at to see whether they ever end: those that do, end after
+// about pi over the angle between two stops; those that do not fall to the rounding of the speeds
+// geometrically.
+inline constexpr int kMostRepetitions = 1 << 16;
+
+// All of them at rest: six bits above the rounding of their speeds, where one may still be taken
+// for left while the other is not.
+inline constexpr int kAtRest = 64;
+
 }  // namespace impact_detail
 
 template <class Real>
 std::vector<ImpactShare<Real>> Motion<Real>::impact() {
-  std::vector<int> touched;
-  for (const int i : order_)
-    if (contact(i) != Contact::kClear) touched.push_back(i);
-  const auto k = static_cast<Eigen::Index>(touched.size());
-  std::vector<ImpactShare<Real>> shares(touched.size());
-  RealVector<Real> undone(k), rounding(k), target(k);
-  for (Eigen::Index a = 0; a < k; ++a) {
-    ImpactShare<Real>& share = shares[static_cast<std::size_t>(a)];
-    share.stop = touched[static_cast<std::size_t>(a)];
-    const Stop& s = stop(share.stop);
-    rounding[a] = impact_detail::kRoundings * std::numeric_limits<Real>::epsilon() *
-                  s.row.cwiseAbs().dot(now_.qdot.cwiseAbs());
-    // A closed stop is at rest; what is left of its speed is rounding.
-    share.speed = contact(share.stop) == Contact::kClosed ? Real(0) : approach_speed(share.stop);
-    target[a] = share.speed > 0 ? Real(-s.restitution.at(share.speed) * share.speed) : Real(0);
-    share.speed_after = target[a];
-    undone[a] = share.speed - target[a];
+  const Touched touched = touched_stops();
+  Jump jump = jump_of(touched);
+  if (drives_back(touched, jump) && comes_to_rest(touched)) {
+    const std::optional<RealVector<Real>> solved =
+        solve_contacts(touched.acting, touched.speed, touched.rounding);
+    // Who comes to rest by impacts without end is held there by all of them.
+    if (solved && (solved->array() > 0).count() > 1)
+      jump = {RealVector<Real>::Zero(touched.speed.size()), *solved};
   }
-  RealVector<Real> impulse = undone;
-  if (k > 1) {
-    const Matrix_ acting = delassus(touched);
-    std::optional<RealVector<Real>> solved = solve_contacts(acting, undone, rounding);
-    // Stops that leave no room between them cannot all be left: then nothing rebounds.
-    if (!solved) {
-      undone += target;
-      target.setZero();
-      solved = solve_contacts(acting, undone, rounding);
-      for (ImpactShare<Real>& share : shares) share.speed_after = 0;
-    }
-    impulse = solved ? *solved : RealVector<Real>(RealVector<Real>::Zero(k));
-  }
-  apply(touched, target, impulse);
-  for (Eigen::Index a = 0; a < k; ++a) {
-    ImpactShare<Real>& share = shares[static_cast<std::size_t>(a)];
-    share.impulse = impulse[a];
-    share.hit = share.impulse > 0 && share.speed > rounding[a];
-    if (contact(share.stop) != Contact::kClosed) {
-      set(share.stop, Contact::kTouching);
-    } else if (approach_speed(share.stop) < -rounding[a]) {
-      changes_.push_back({ArrivalKind::kRelease, share.stop});
-      set(share.stop, Contact::kTouching);
+  apply(touched.stops, jump.target, jump.impulse);
+  std::vector<ImpactShare<Real>> shares;
+  for (Eigen::Index a = 0; a < touched.speed.size(); ++a) {
+    const int i = touched.stops[static_cast<std::size_t>(a)];
+    const Real speed = touched.speed[a], impulse = jump.impulse[a];
+    if (impulse > 0 || !is_left(touched, a))
+      shares.push_back(
+          {i, speed, jump.target[a], impulse, impulse > 0 && speed > touched.rounding[a]});
+    if (!is_held(i)) {
+      set(i, Contact::kTouching);
+    } else if (contact(i) == Contact::kLocked) {  // at rest, while the others stay
+      const bool stays = !(approach_speed(i) < -touched.rounding[a]);
+      set(i, Contact::kTouching, stays ? 2 : 0);
+      recheck_ = true;
+    } else if (approach_speed(i) < -touched.rounding[a]) {
+      changes_.push_back({ArrivalKind::kRelease, i});
+      set(i, Contact::kTouching);
     } else {
       recheck_ = true;
     }
   }
-  if (k == 1) shares.front().hit = true;
+  if (shares.size() == 1) shares.front().hit = true;
   phase_ = nullptr;
   return shares;
+}
+
+template <class Real>
+Real Motion<Real>::speed_rounding(int i) const {
+  return impact_detail::kRoundings * std::numeric_limits<Real>::epsilon() *
+         stop(i).row.cwiseAbs().dot(now_.qdot.cwiseAbs());
+}
+
+template <class Real>
+typename Motion<Real>::Touched Motion<Real>::touched_stops() const {
+  Touched touched;
+  for (const int i : order_)
+    if (contact(i) != Contact::kClear) touched.stops.push_back(i);
+  const auto k = static_cast<Eigen::Index>(touched.stops.size());
+  touched.speed.resize(k);
+  touched.rounding.resize(k);
+  for (Eigen::Index a = 0; a < k; ++a) {
+    const int i = touched.stops[static_cast<std::size_t>(a)];
+    // On a stop that is held the structure is at rest; what is left of its speed is rounding.
+    touched.speed[a] = is_held(i) ? Real(0) : approach_speed(i);
+    touched.rounding[a] = speed_rounding(i);
+  }
+  touched.acting = delassus(touched.stops);
+  return touched;
+}
+
+template <class Real>
+typename Motion<Real>::Jump Motion<Real>::jump_of(const Touched& touched) const {
+  const Eigen::Index k = touched.speed.size();
+  Jump jump{RealVector<Real>::Zero(k), RealVector<Real>::Zero(k)};
+  std::vector<Eigen::Index> partakes;
+  RealVector<Real> undone = RealVector<Real>::Zero(k);
+  for (Eigen::Index a = 0; a < k; ++a) {
+    if (is_left(touched, a)) continue;
+    partakes.push_back(a);
+    const Real speed = touched.speed[a];
+    if (!(speed > 0)) continue;
+    const Stop& s = stop(touched.stops[static_cast<std::size_t>(a)]);
+    jump.target[a] = -s.restitution.at(speed) * speed;
+    undone[a] = speed - jump.target[a];
+  }
+  if (partakes.size() == 1) {
+    jump.impulse = undone;
+    return jump;
+  }
+  const Matrix_ acting = touched.acting(partakes, partakes);
+  const RealVector<Real> rounding = touched.rounding(partakes);
+  std::optional<RealVector<Real>> solved = solve_contacts<Real>(acting, undone(partakes), rounding);
+  // Stops that leave no room between them cannot all be left: then nothing rebounds.
+  if (!solved) {
+    undone += jump.target;
+    jump.target.setZero();
+    solved = solve_contacts<Real>(acting, undone(partakes), rounding);
+  }
+  if (solved) jump.impulse(partakes) = *solved;
+  return jump;
+}
+
+template <class Real>
+bool Motion<Real>::drives_back(const Touched& touched, const Jump& jump) const {
+  for (Eigen::Index a = 0; a < touched.speed.size(); ++a)
+    if (is_left(touched, a) &&
+        touched.speed[a] - touched.acting.row(a).dot(jump.impulse) > touched.rounding[a])
+      return true;
+  return false;
+}
+
+template <class Real>
+bool Motion<Real>::comes_to_rest(Touched touched) const {
+  using std::abs;
+  const Eigen::Index k = touched.speed.size();
+  std::vector<bool> hit(static_cast<std::size_t>(k), false);
+  for (int i = 0; i < impact_detail::kMostRepetitions; ++i) {
+    const Jump jump = jump_of(touched);
+    touched.speed -= touched.acting * jump.impulse;
+    bool approached = false, resting = true;
+    for (Eigen::Index a = 0; a < k; ++a) {
+      const auto place = static_cast<std::size_t>(a);
+      hit[place] = hit[place] || jump.impulse[a] > 0;
+      approached = approached || touched.speed[a] > touched.rounding[a];
+      resting = resting && (!hit[place] ||
+                            abs(touched.speed[a]) <= impact_detail::kAtRest * touched.rounding[a]);
+    }
+    if (resting || !approached) return resting;
+  }
+  return false;
 }
 
 template <class Real>

@@ -2,7 +2,10 @@
 //
 //   contact: a gap reaches zero at approach speed v = b.q' > 0; an impact is due,
 //            q'+ = q'- - D p,   p >= 0,  v+ + r v- <= 0,  p.(v+ + r v-) = 0
-//            over all stops touched at that instant (one stop: v+ = -r v-);
+//            over all stops touched at that instant (one stop: v+ = -r v-). A stop that is being
+//            left takes no part; thrown back onto it, the structure hits it next, at the same
+//            instant. Where such impacts would never end (the corner between two stops, reached by
+//            ever quicker impacts on both) they are summed: v+ = 0;
 //   stick:   on a stop at zero speed and pushed; its contact force holds it from then on;
 //   release: the first instant at which the contact force of a closed stop falls through zero.
 //
@@ -139,7 +142,12 @@ class Motion {
   void adopt(const System& system);
   const Stop& stop(int i) const { return stops_[static_cast<std::size_t>(i)]; }
   Contact contact(int i) const { return now_.contacts[static_cast<std::size_t>(i)]; }
+  bool is_held(int i) const {
+    return contact(i) == Contact::kClosed || contact(i) == Contact::kLocked;
+  }
   void set(int i, Contact contact, int multiplicity = 0);
+  // What of the approach speed may be rounding, m/s.
+  Real speed_rounding(int i) const;
   bool touches(int i) const;
   std::vector<int> closed() const;
   ContactPhase<Real>& phase_of(const std::vector<int>& closed);
@@ -152,12 +160,33 @@ class Motion {
 
   std::optional<Arrival<Real>> decide();
   bool decide_resting(const std::vector<int>& resting);
-  void decide_degenerate(std::vector<int> stops);
+  std::vector<int> decide_degenerate(std::vector<int> held, std::vector<int> stops);
   void hold(int stop);
   void let_go(int stop, int multiplicity);
   void rest_on_closed();
-  bool is_independent(int stop) const;
+  bool is_independent(int stop, const std::vector<int>& of) const;
 
+  // The stops touched at this instant: approach speeds (m/s; 0 where closed), what of them is
+  // rounding, and D.
+  struct Touched {
+    std::vector<int> stops;
+    RealVector<Real> speed, rounding;
+    Matrix_ acting;
+  };
+  // What an impact does at each: the speed it leaves where it acts, and p; m/s.
+  struct Jump {
+    RealVector<Real> target, impulse;
+  };
+  static bool is_left(const Touched& touched, Eigen::Index a) {
+    return touched.speed[a] < -touched.rounding[a];
+  }
+  Touched touched_stops() const;
+  // The impact on those that are approached or at rest.
+  Jump jump_of(const Touched& touched) const;
+  // Whether that throws the structure back onto a stop that it is leaving.
+  bool drives_back(const Touched& touched, const Jump& jump) const;
+  // Whether impacts at this instant then follow each other without end, down to rest.
+  bool comes_to_rest(Touched touched) const;
   void apply(const std::vector<int>& touched, const RealVector<Real>& target,
              RealVector<Real>& impulse);
   Arrival<Real> search(const Real& until, const Real& horizon);

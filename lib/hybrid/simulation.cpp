@@ -110,6 +110,8 @@ class Run {
     if (state_.totals.impacts == 0 && !motion_.is_closed_anywhere())
       note_minima(until - start.local);
     const Arrival<double> arrival = motion_.fly(until, horizon);
+    // A motion that cannot be followed has no samples, be it found out now or by an earlier run.
+    if (arrival.kind == ArrivalKind::kRefused) return receive(arrival);
     if (!follow(start_time, arrival.flight)) {
       stopped_in_arc_ = start_time;
       result_.message = fmt::format("stopped at t = {:.9g} s", start_time);
@@ -212,34 +214,38 @@ class Run {
 
   void book_impact() {
     const Vector before = motion_.qdot();
-    std::vector<ImpactShare<double>> shares = motion_.impact();
-    std::sort(shares.begin(), shares.end(),
-              [](const auto& a, const auto& b) { return a.stop < b.stop; });
+    const std::vector<ImpactShare<double>> shares = motion_.impact();
     const std::vector<double> changes = impact_energies(system_, shares, before, motion_.qdot());
-    // What goes through stops that are not hit themselves counts to the first one that is.
+    // Sums are formed in the order of the shares, which knows nothing of how stops are listed. What
+    // goes through stops that are not hit themselves counts to the first one that is.
     double total = 0.0, elsewhere = 0.0;
     for (std::size_t k = 0; k < shares.size(); ++k) {
       total += changes[k];
       if (!shares[k].hit) elsewhere += changes[k];
     }
     book_energy(total);
-    for (std::size_t k = 0; k < shares.size(); ++k) {
-      const ImpactShare<double>& share = shares[k];
-      if (!share.hit) continue;
-      Event event = event_at(EventKind::kImpact, share.stop);
-      event.speed = share.speed;
-      event.energy_change = changes[k] + std::exchange(elsewhere, 0.0);
-      if (system_.forcing) event.phase = wrapped(motion_.flow().phase(motion_.instant()));
-      note_gap_at(share.stop);
-      ++state_.totals.impacts;
-      if (stop(share.stop).restitution.clamps_at(share.speed)) ++state_.totals.clamped_restitutions;
-      RunState::Streak& streak = state_.streaks[static_cast<std::size_t>(share.stop)];
-      streak.impacts = share.speed < streak.speed ? streak.impacts + 1 : 1;
-      streak.speed = share.speed;
-      emit(event);
-    }
+    std::vector<std::pair<ImpactShare<double>, double>> hits;
+    for (std::size_t k = 0; k < shares.size(); ++k)
+      if (shares[k].hit) hits.emplace_back(shares[k], changes[k] + std::exchange(elsewhere, 0.0));
+    std::sort(hits.begin(), hits.end(),
+              [](const auto& a, const auto& b) { return a.first.stop < b.first.stop; });
+    for (const auto& [share, change] : hits) book_hit(share, change);
     if (const auto* last = closing_impact(system_, shares, state_.closure_speed))
       close_chatter(*last);
+  }
+
+  void book_hit(const ImpactShare<double>& share, double energy_change) {
+    Event event = event_at(EventKind::kImpact, share.stop);
+    event.speed = share.speed;
+    event.energy_change = energy_change;
+    if (system_.forcing) event.phase = wrapped(motion_.flow().phase(motion_.instant()));
+    note_gap_at(share.stop);
+    ++state_.totals.impacts;
+    if (stop(share.stop).restitution.clamps_at(share.speed)) ++state_.totals.clamped_restitutions;
+    RunState::Streak& streak = state_.streaks[static_cast<std::size_t>(share.stop)];
+    streak.impacts = share.speed < streak.speed ? streak.impacts + 1 : 1;
+    streak.speed = share.speed;
+    emit(event);
   }
 
   // Sums the tail of a chatter where it will complete.

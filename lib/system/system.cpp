@@ -90,7 +90,22 @@ std::optional<Vector> static_equilibrium(const System& system) {
   const Matrix delassus = rows.transpose() * compliance.asDiagonal() * directions;
   const std::optional<Vector> force = solve_contacts<double>(delassus, beyond, rounding);
   if (!force || !force->allFinite()) return {};
-  return free - compliance.cwiseProduct(directions * *force);
+  Vector q = free - compliance.cwiseProduct(directions * *force);
+  // What is pressed is on its stop to the rounding of the gap itself, not only to that of the
+  // solution.
+  std::vector<Eigen::Index> pressed;
+  for (Eigen::Index i = 0; i < k; ++i)
+    if ((*force)[i] > 0.0) pressed.push_back(i);
+  const Eigen::FullPivLU<Matrix> lu(delassus(pressed, pressed));
+  for (int pass = 0; pass < 2 && !pressed.empty(); ++pass) {
+    Vector left(static_cast<Eigen::Index>(pressed.size()));
+    for (std::size_t a = 0; a < pressed.size(); ++a) {
+      const RigidStop& stop = system.stops[static_cast<std::size_t>(pressed[a])];
+      left[static_cast<Eigen::Index>(a)] = -gap_value<double>(stop.row, q, stop.gap).value;
+    }
+    q -= compliance.cwiseProduct(directions(Eigen::all, pressed) * lu.solve(left));
+  }
+  return q;
 }
 
 }  // namespace

@@ -93,6 +93,77 @@ TEST(Simulation, StopsWhenInterrupted) {
   EXPECT_EQ(later.totals.impacts, 3);
 }
 
+// The oblique law makes the held structure grow (tests/flow/contact_phase_test.cpp): the run is
+// refused at its start, and hands out no sample there, whether in one piece or resumed.
+TEST(Simulation, ARefusedStartHasNoSamplesHoweverOftenItIsResumed) {
+  System system{Eigen::Vector2d(3.0, 1.0), Vector::Zero(2), {}, {}, {}};
+  const Vector row = Eigen::Vector2d(1.0, 1.0);
+  system.stops.push_back({row, -1.0, Eigen::Vector2d(1.25, -0.25), 0.5});
+  // At rest on the stop: free acceleration into it -(b.w^2 q) = 9.
+  const State start = state_of({-1.0, 0.0}, {0.0, 0.0});
+  int samples = 0;
+  RunListeners listeners;
+  listeners.sample = [&samples](const Sample&) { ++samples; };
+  listeners.sample_rate = 10.0;
+  Simulation run = simulate(system, start, for_seconds(1.0), listeners);
+  EXPECT_EQ(run.outcome, RunOutcome::kRefused);
+  run = resume(system, run.state, for_seconds(1.0), listeners);
+  EXPECT_EQ(run.outcome, RunOutcome::kRefused);
+  EXPECT_EQ(samples, 0);
+}
+
+// Two stops at one place, one with r = 0: the one that holds the structure keeps the other closed,
+// and both are left together. The mass never gets beyond either.
+TEST(Simulation, StopsAtOnePlaceAreLeftTogether) {
+  System system = forced_oscillator(63.0, 0.0, 0.0, 0.0, 91.0, 72.0);
+  system.forcing->phase = 0.94;
+  system.stops[0].row[0] = system.stops[0].direction[0] = -1.0;
+  system.stops.push_back(system.stops[0]);
+  system.stops[1].restitution = Restitution(0.7364336049948917);
+  system.stops.push_back({Vector::Ones(1), 0.0006, Vector::Ones(1), 0.78});
+  SimulationOptions options = for_periods(50);
+  RunListeners listeners;
+  double beyond = 0.0;
+  long long samples = 0;
+  listeners.sample = [&](const Sample& sample) {
+    beyond = std::max({beyond, -sample.state.q[0], sample.state.q[0] - 0.0006});
+    ++samples;
+  };
+  listeners.sample_rate = 1000.0;
+  const Simulation run = simulate(system, support::rest(system), options, listeners);
+  EXPECT_EQ(run.outcome, RunOutcome::kReachedEnd) << run.message;
+  EXPECT_GT(samples, 3000);
+  EXPECT_LE(beyond, 1e-15);
+}
+
+// A mode far slower than its forcing, hardly damped: its free part lasts for 1/delta = 1000 s.
+TEST(Simulation, EnergyBookOfASoftModeCloses) {
+  const System system = forced_oscillator(0.9, 0.001, 1e3, 0.5, 79.0, 1200.0);
+  SimulationOptions options = for_periods(10);
+  options.energy = true;
+  const Simulation run = simulate(system, support::rest(system), options);
+  // The mass swings at 1200/79 m/s, and is back at rest after whole periods.
+  const double swing = 0.5 * (1200.0 / 79.0) * (1200.0 / 79.0);
+  EXPECT_LE(std::abs(run.energy->defect()), 1e-13 * swing);
+}
+
+// Held by a stop that sees another mode, a mode glides to its place of rest on a stop of gap zero
+// and gets ever nearer. Unequal damping and w = delta leave no modes to the held structure; the
+// quick one makes the norms that bound its motion large.
+TEST(Simulation, AGlideOntoAStopBesideAQuickMotionIsFollowed) {
+  System system{Eigen::Vector4d(178.0, 154.0, 4070.0, 98.0), Vector::Zero(4), {}, {}, {}};
+  system.delta << 178.0, 28.0, 0.0, 25.0;
+  system.stops.push_back({-Vector::Unit(4, 1), -0.007, -Vector::Unit(4, 1), 0.0});
+  system.stops.push_back({-Vector::Unit(4, 0), 0.0, -Vector::Unit(4, 0), 0.0});
+  const RecordedRun run = record_run(
+      system, state_of({0.006, 0.007, -5e-5, 0.09}, {0.2, 0.0, -0.04, 2.5}), for_seconds(0.4));
+  EXPECT_EQ(run.result.outcome, RunOutcome::kReachedEnd) << run.result.message;
+  EXPECT_EQ(run.result.stuck.front(), 0);
+  // Critical damping: (q0 + (q0' + w q0) t) e^{-w t}.
+  const double t = 0.4, w = 178.0;
+  EXPECT_NEAR(run.result.final.q[0], (0.006 + (0.2 + w * 0.006) * t) * std::exp(-w * t), 1e-15);
+}
+
 TEST(Simulation, InelasticImpactRestsWherePushedAndLeavesWherePulled) {
   // The spring pulls the mass off a stop beyond its place of rest, ...
   const RecordedRun pulled =

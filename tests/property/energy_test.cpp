@@ -10,6 +10,9 @@ using property::relative;
 using property::Summary;
 
 constexpr double kDefect = 1e-10;
+// The shares of an impact that brings the structure to rest on several stops may be of either sign
+// and cancel: 4 roundings of its energy. A run meets a corner that does that in few places; 64.
+constexpr double kAddedByMomentumLaw = 256.0 * std::numeric_limits<double>::epsilon();
 
 bool momentum_law(const Scene& scene) {
   return std::all_of(scene.stops.begin(), scene.stops.end(),
@@ -81,7 +84,8 @@ TEST(RandomScene, EnergyBookCloses) {
     const RunTotals& totals = run.totals;
     if (momentum)
       summary.require("energy added by impacts/size, momentum law",
-                      relative(totals.energy_added, size_of(book, scale)), 0.0, "at the end");
+                      relative(totals.energy_added, size_of(book, scale)), kAddedByMomentumLaw,
+                      "at the end");
     if (totals.energy_added > 0.0) summary.count("scenes whose impacts add energy");
     if (book.work.constraint != 0.0) summary.count("scenes whose stops do work");
     summary.count("scenes");

@@ -201,6 +201,7 @@ inline void for_random_scenes(const std::function<void(const Prepared&, Summary&
   const bool progress = std::getenv("GRAZE_PROGRESS") != nullptr;
   Summary summary(info->name());
   int tried = 0;
+  double slowest = 1.0;  // s; quicker ones are not worth telling
   const auto check = [&]() {
     const Drawn drawn = *random_scenes();
     if (progress && ++tried % 20 == 0)
@@ -209,6 +210,13 @@ inline void for_random_scenes(const std::function<void(const Prepared&, Summary&
     property(*support::prepared(drawn.scene), summary);
     const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - start;
     summary.note("seconds, slowest scene", spent.count());
+    if (progress && spent.count() > slowest) {
+      slowest = spent.count();
+      std::ostringstream text;
+      showValue(drawn, text);
+      std::cerr << fmt::format("the slowest scene so far took {:.3g} s:\n{}\n", slowest,
+                               text.str());
+    }
   };
   const auto result = rc::detail::checkTestable(check, metadata, params);
   if (result.template is<rc::detail::SuccessResult>()) return;

@@ -1,12 +1,14 @@
 // The assembled system: its numbers by hand, its start, its warnings.
 #include "graze/system/system.hpp"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <Eigen/LU>
 #include <cmath>
 #include <numbers>
 
+#include "graze/system/gap_value.hpp"
 #include "support/reference.hpp"
 
 namespace graze {
@@ -132,6 +134,27 @@ TEST(System, PreloadedStopStartsInStaticEquilibrium) {
   EXPECT_NEAR(start.q[0], force * soft, 1e-16);
   EXPECT_NEAR(start.q[1], force * stiff, 1e-16);
   EXPECT_EQ(start.qdot.norm(), 0.0);
+}
+
+// Two preloaded stops at nearly the same place: their forces are large and nearly cancel, and yet
+// the structure starts on both to the rounding of the gap.
+TEST(System, PreloadOnTwoStopsStartsOnBoth) {
+  for (int i = 1; i <= 200; ++i) {
+    const double shape = -0.7573359957408217 - 0.003 * i, gap = -0.49462350597752763 - 0.001 * i;
+    const Scene scene = parse_scene(
+        "[modal]\nfrequencies = [700.0, 496.8302297571207]\n"
+        "[[stop]]\nshape = [0.014, 0.66]\ngap = 0.048\nrestitution = 0.72\n"
+        "[[stop]]\nshape = [0.4365084619759272, " +
+            fmt::format("{}", shape) + "]\ngap = " + fmt::format("{}", gap) +
+            "\nrestitution = 0.0\n",
+        "pair.toml");
+    const System system = assemble(scene);
+    const State start = initial_state(scene, system);
+    for (const RigidStop& stop : system.stops) {
+      const GapValue<double> value = gap_value<double>(stop.row, start.q, stop.gap);
+      EXPECT_LE(std::abs(value.value), value.rounding) << i;
+    }
+  }
 }
 
 TEST(System, PreloadBesideAStopThatHasNoForce) {
