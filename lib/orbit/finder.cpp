@@ -8,9 +8,12 @@
 
 #include "graze/base/angle.hpp"
 #include "graze/flow/exact_flow.hpp"
+#include "graze/hybrid/simulation.hpp"
 #include "graze/orbit/closed_form.hpp"
+#include "graze/orbit/repetition.hpp"
 #include "graze/orbit/settled.hpp"
 #include "graze/orbit/solve.hpp"
+#include "graze/orbit/sticking_orbit.hpp"
 
 namespace graze {
 namespace {
@@ -78,7 +81,7 @@ class Finder {
     settle_options.stop = options_.stop;
     const SettledMotion settled = settle(system_, *start_, settle_options);
     if (!settled.pattern) {
-      found_.notes.push_back(settled.verdict);
+      found_.notes.push_back(settled.verdict + (settled.sticks ? from_sticking() : ""));
       return;
     }
     const ShootingProblem problem(*settled.pattern, scale_);
@@ -93,6 +96,32 @@ class Finder {
         "from the scene's initial state the motion settles on a ({}, {}) orbit", orbit->period, k));
     if (!options_.impacts || (k == *options_.impacts && orbit->period == options_.period))
       keep(*orbit);
+  }
+
+  // What becomes of a motion that comes to rest on a stop: the rest of a sentence.
+  std::string from_sticking() {
+    RepetitionOptions simulated;
+    simulated.closure_speed = options_.closure_speed.value_or(
+        default_closure_speed(system_, *start_, kDefaultClosureTolerance));
+    simulated.max_impacts = options_.max_impacts;
+    simulated.stop = options_.stop;
+    const Repetition repetition = find_repetition(system_, *start_, simulated);
+    if (repetition.period == 0) return "; " + repetition.why_not;
+    if (!repetition.sticks)
+      return fmt::format("; what it settles on, with period {}, does not stick", repetition.period);
+    ++found_.simulation.tried;
+    const StickingOrbitAnswer answer =
+        sticking_orbit(system_, repetition.at_start, repetition.period,
+                       {simulated.closure_speed, options_.max_impacts, options_.stop});
+    if (!answer.orbit) return "; " + answer.why_not;
+    ++found_.simulation.converged;
+    const Orbit& orbit = *answer.orbit;
+    const int k = static_cast<int>(orbit.impacts.size());
+    if (!options_.impacts || (k == *options_.impacts && orbit.period == options_.period))
+      keep(orbit);
+    return fmt::format(
+        "; it settles on a ({}, {}) orbit that sticks, its chatters summed below {:.4g} m/s",
+        orbit.period, k, simulated.closure_speed);
   }
 
   void from_random() {
@@ -173,7 +202,9 @@ class Finder {
 }  // namespace
 
 bool same_orbit(const Orbit& a, const Orbit& b, double speed_scale) {
-  if (a.period != b.period || a.impacts.size() != b.impacts.size()) return false;
+  if (a.period != b.period || a.impacts.size() != b.impacts.size() ||
+      a.sticking.has_value() != b.sticking.has_value())
+    return false;
   double largest = speed_scale;
   for (const OrbitImpact& impact : a.impacts) largest = std::max(largest, std::abs(impact.speed));
   // Two impacts of nearly one phase may have been ordered either way: try every rotation.

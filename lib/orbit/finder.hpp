@@ -21,6 +21,8 @@ struct FinderOptions {
   int random_guesses = 32;    // at most; 128/N where that is less, but at least 4
   std::uint64_t random_seed = 1;
   long long max_impacts = 10'000'000;  // of the simulation
+  // Below it the tail of a chatter is summed, m/s; default_closure_speed where absent.
+  std::optional<double> closure_speed;
   StopSignal stop;
 };
 

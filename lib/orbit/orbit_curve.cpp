@@ -1,17 +1,68 @@
 #include "graze/orbit/orbit_curve.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "graze/base/angle.hpp"
 #include "graze/flow/exact_flow.hpp"
+#include "graze/orbit/passage.hpp"
 
 namespace graze {
+namespace {
+
+// An orbit that sticks, flown from its section; flights begin at impacts.
+std::vector<std::vector<CurveSample>> sticking_curve(const System& system, const Orbit& orbit,
+                                                     const Vector& row, int per_period) {
+  const OrbitSticking& sticking = *orbit.sticking;
+  const double frequency = system.forcing->frequency;
+  std::vector<std::vector<CurveSample>> flights;
+  std::vector<Instant<double>> starts;
+  double theta = sticking.section.phase + kTurn * sticking.section.period_index;
+  State state{Vector(system.modes()), Vector(system.modes())};
+  PassageOptions options;
+  options.closure_speed = sticking.closure_speed;
+  options.flight = [&](const ContactPhase<double>& phase, const Instant<double>& start, double s) {
+    const int count = std::max(1, static_cast<int>(std::ceil(frequency * s / kTurn * per_period)));
+    starts.push_back(start);
+    flights.emplace_back();
+    for (int k = 0; k <= count; ++k) {
+      phase.state(s * k / count, state.q, state.qdot);
+      flights.back().push_back(
+          {theta + frequency * s * k / count, row.dot(state.q), row.dot(state.qdot)});
+    }
+    theta += frequency * s;
+  };
+  const Instant<double>& from = sticking.at_section.instant;
+  const Passage passage =
+      pass(system, sticking.at_section, {from.period + orbit.period, from.local}, options);
+  const auto begins_at_impact = [&](std::size_t i) {
+    return std::any_of(passage.impacts.begin(), passage.impacts.end(), [&](const auto& impact) {
+      return impact.at.period == starts[i].period && impact.at.local == starts[i].local;
+    });
+  };
+  std::vector<std::vector<CurveSample>> joined;
+  std::vector<CurveSample> head;  // up to the first impact: the end of the last flight
+  for (std::size_t i = 0; i < flights.size(); ++i) {
+    if (begins_at_impact(i)) joined.emplace_back();
+    std::vector<CurveSample>& into = joined.empty() ? head : joined.back();
+    into.insert(into.end(), flights[i].begin(), flights[i].end());
+  }
+  if (joined.empty()) return {head};
+  for (CurveSample& sample : head) {
+    sample.theta += kTurn * orbit.period;
+    joined.back().push_back(sample);
+  }
+  return joined;
+}
+
+}  // namespace
 
 std::vector<std::vector<CurveSample>> orbit_curve(const System& system, const Orbit& orbit,
                                                   int stop, int per_period) {
+  const Vector& row = system.stops[static_cast<std::size_t>(stop)].row;
+  if (orbit.sticking) return sticking_curve(system, orbit, row, per_period);
   const ExactFlow<double> flow(system);
   Arc<double> arc(flow);
-  const Vector& row = system.stops[static_cast<std::size_t>(stop)].row;
   const std::vector<ImpactPoint> points = orbit.points();
   std::vector<std::vector<CurveSample>> flights;
   Vector q(system.modes()), qdot(system.modes());

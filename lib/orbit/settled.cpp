@@ -80,17 +80,22 @@ SettledMotion settle(const System& system, const State& start, const SettleOptio
                                    options.max_impacts));
     const Arrival<double> arrival = motion.fly(motion.flow().period());
     const Instant<double>& now = motion.instant();
-    if (arrival.kind == ArrivalKind::kStick || arrival.kind == ArrivalKind::kRefused)
-      return unsettled(
-          fmt::format("from the scene's initial state the motion comes to rest on "
-                      "stop {} in forcing period {}; orbits that stick are not "
-                      "available in this version",
+    if (arrival.kind == ArrivalKind::kStick || arrival.kind == ArrivalKind::kRefused) {
+      SettledMotion result = unsettled(
+          fmt::format("from the scene's initial state the motion comes to rest on stop {} in "
+                      "forcing period {}",
                       arrival.stop + 1, now.period + 1));
-    if (arrival.kind == ArrivalKind::kContact && arrival.speed <= still)
-      return unsettled(
-          fmt::format("from the scene's initial state the impacts on stop {} die out "
-                      "in forcing period {}",
-                      arrival.stop + 1, now.period + 1));
+      result.sticks = true;
+      return result;
+    }
+    if (arrival.kind == ArrivalKind::kContact && arrival.speed <= still) {
+      SettledMotion result =
+          unsettled(fmt::format("from the scene's initial state the impacts on stop {} die out "
+                                "in forcing period {}",
+                                arrival.stop + 1, now.period + 1));
+      result.sticks = true;
+      return result;
+    }
     if (arrival.kind == ArrivalKind::kContact) {
       met.push_back({now.period,
                      arrival.stop,

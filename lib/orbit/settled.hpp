@@ -16,6 +16,7 @@ struct SettledMotion {
   // need not be minimal: where deviations alternate in sign, two periods agree before one does.
   std::optional<ImpactPattern> pattern;
   std::vector<ImpactPoint> points;
+  bool sticks = false;  // it came to rest on a stop, or nearly: what follows was not looked at
   std::string verdict;  // a sentence: what the motion does
 };
 

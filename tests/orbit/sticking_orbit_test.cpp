@@ -1,0 +1,193 @@
+// Orbits that stick: events against 60-digit runs, multipliers against central differences of the
+// simulated map and against the same map in 50 digits, the price of closing a chatter.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "graze/base/angle.hpp"
+#include "graze/flow/extended.hpp"
+#include "graze/orbit/repetition.hpp"
+#include "graze/orbit/sticking_orbit.hpp"
+#include "support/differences.hpp"
+#include "support/reference.hpp"
+#include "support/systems.hpp"
+
+namespace graze {
+namespace {
+
+using support::number;
+using support::TableRow;
+
+struct Found {
+  System system;
+  Orbit orbit;
+};
+
+// The orbit that the motion of a scene settles on.
+Found settled_orbit(const Scene& scene, std::optional<double> closure_speed = {}) {
+  Found found{assemble(scene), {}};
+  const State start = initial_state(scene, found.system);
+  const double speed =
+      closure_speed.value_or(default_closure_speed(found.system, start, kDefaultClosureTolerance));
+  RepetitionOptions options;
+  options.closure_speed = speed;
+  const Repetition repetition = find_repetition(found.system, start, options);
+  EXPECT_TRUE(repetition.sticks) << repetition.why_not;
+  const StickingOrbitAnswer answer =
+      sticking_orbit(found.system, repetition.at_start, repetition.period, {speed, 10'000'000, {}});
+  EXPECT_TRUE(answer.orbit) << answer.why_not;
+  if (answer.orbit) found.orbit = *answer.orbit;
+  return found;
+}
+
+Scene sticking_case(const std::string& name, const std::vector<std::string>& settings = {}) {
+  return support::reference_scene("sticking/" + name, settings);
+}
+
+// The beam of the reference cases, softened until its motion repeats.
+Scene beam(const char* law, int modes, double frequency) {
+  return sticking_case("beam2", {"beam.modes=" + std::to_string(modes),
+                                 "forcing.frequency=" + std::to_string(frequency),
+                                 "stop.impulse=\"" + std::string(law) + "\"",
+                                 "stop.restitution=0.2", "damping.viscous=0.05"});
+}
+
+int exact_zeros(const Orbit& orbit) {
+  return static_cast<int>(
+      std::count_if(orbit.multipliers.begin(), orbit.multipliers.end(),
+                    [](const Eigenvalue& m) { return m.value == Complex(0.0) && m.error == 0.0; }));
+}
+
+double turned(double a, double b) { return std::abs(std::remainder(a - b, kTurn)); }
+
+// ---------------------------------------------------------------- events
+
+// tests/reference/sticking_motion.csv: 60 digits, every chatter followed to its end. Its last full
+// period comes after the motion has stuck, and so lies on the orbit to the modulus of the largest
+// multiplier.
+void expect_listed_events(const std::string& name, const std::vector<TableRow>& rows,
+                          double tolerance) {
+  SCOPED_TRACE(name);
+  const Found found = settled_orbit(sticking_case(name));
+  const Orbit& orbit = found.orbit;
+  ASSERT_TRUE(orbit.sticking);
+  ASSERT_EQ(orbit.period, 1);
+  const double period = found.system.period(), end = number(rows.back(), "time");
+  std::size_t impacts = 0, sticks = 0, releases = 0;
+  for (const TableRow& row : rows) {
+    const double time = number(row, "time");
+    if (!(time > end - period)) continue;
+    const int stop = static_cast<int>(number(row, "stop")) - 1;
+    const double phase = found.system.forcing->frequency * time + found.system.forcing->phase;
+    double nearest = kTurn, speed_miss = 0.0;
+    const auto consider = [&](int at_stop, double at_phase, double miss) {
+      if (at_stop != stop || !(turned(at_phase, phase) < nearest)) return;
+      nearest = turned(at_phase, phase);
+      speed_miss = miss;
+    };
+    if (row.at("kind") == "impact") {
+      ++impacts;
+      for (const OrbitImpact& impact : orbit.impacts)
+        consider(impact.stop, impact.phase, impact.speed - number(row, "speed"));
+    }
+    for (const OrbitHold& hold : orbit.sticking->holds) {
+      if (row.at("kind") == "stick") consider(hold.stop, hold.from.phase, 0.0);
+      if (row.at("kind") == "release") consider(hold.stop, hold.to.phase, 0.0);
+    }
+    sticks += row.at("kind") == "stick";
+    releases += row.at("kind") == "release";
+    EXPECT_LE(nearest, tolerance) << "row " << row.at("event");
+    EXPECT_LE(std::abs(speed_miss), tolerance) << "row " << row.at("event");
+  }
+  EXPECT_EQ(sticks, orbit.sticking->holds.size());
+  EXPECT_EQ(releases, orbit.sticking->holds.size());
+  EXPECT_LE(impacts, orbit.impacts.size());
+  EXPECT_GE(impacts, 3u);
+}
+
+TEST(StickingOrbit, EventsAreThoseOfSixtyDigits) {
+  std::map<std::string, std::vector<TableRow>> cases;
+  for (const TableRow& row : support::read_table("sticking_motion.csv"))
+    cases[row.at("case")].push_back(row);
+  // Closing the chatter moves its end by some 100 (v_c/V)^2 of a period: 1e-10.
+  for (const char* name : {"Z2a", "Z2b", "Z2c", "Z2s", "two_sides", "two_stops2"})
+    expect_listed_events(name, cases.at(name), 1e-9);
+}
+
+// ---------------------------------------------------------------- multipliers
+
+// The simulated map over the orbit's periods from its section, by a run.
+State simulated(const Found& found, const State& start) {
+  const OrbitSticking& sticking = *found.orbit.sticking;
+  RunState from;
+  from.motion = sticking.at_section;
+  from.motion.q = start.q;
+  from.motion.qdot = start.qdot;
+  from.streaks.resize(found.system.stops.size());
+  from.closure_speed = sticking.closure_speed;
+  from.started = true;
+  SimulationOptions options;
+  options.duration = sticking.at_section.instant.local + found.orbit.period * found.system.period();
+  return resume(found.system, from, options).final;
+}
+
+std::vector<int> closed_at_section(const Orbit& orbit) {
+  std::vector<int> closed;
+  const auto& contacts = orbit.sticking->at_section.contacts;
+  for (std::size_t i = 0; i < contacts.size(); ++i)
+    if (contacts[i] == Contact::kClosed) closed.push_back(static_cast<int>(i));
+  return closed;
+}
+
+// Eigenvalues of the map on the held motion's coordinates, by central differences.
+std::vector<Eigenvalue> differenced_multipliers(const Found& found) {
+  const ContactPhase<double> phase(found.system, closed_at_section(found.orbit));
+  const Matrix basis = phase.basis();
+  const Eigen::Index m = basis.cols();
+  const ShootingScale scale = shooting_scale(found.system);
+  const MotionState<double>& at = found.orbit.sticking->at_section;
+  Vector unit(2 * m);
+  unit << Vector::Constant(m, scale.displacement),
+      scale.displacement * phase.reduced().omega.cwiseMax(found.system.forcing->frequency);
+  const auto map = [&](const Vector& z) {
+    const Vector x = z.cwiseProduct(unit);
+    const State end = simulated(found, {at.q + basis * x.head(m), at.qdot + basis * x.tail(m)});
+    Vector y(2 * m);
+    y << basis.transpose() * (end.q - at.q), basis.transpose() * (end.qdot - at.qdot);
+    return Vector(y.cwiseQuotient(unit));
+  };
+  return eigenvalues(
+      support::central_jacobian(map, Vector::Zero(2 * m), Vector::Constant(2 * m, 1e-4)));
+}
+
+void expect_multipliers(const Scene& scene, int zeros) {
+  SCOPED_TRACE(scene.title);
+  const Found found = settled_orbit(scene);
+  ASSERT_TRUE(found.orbit.sticking);
+  EXPECT_EQ(static_cast<int>(found.orbit.multipliers.size()), 2 * found.system.modes());
+  EXPECT_EQ(exact_zeros(found.orbit), zeros);
+  EXPECT_LE(found.orbit.residual, 1e-13);
+  const std::vector<Eigenvalue> expected = differenced_multipliers(found);
+  for (std::size_t i = 0; i < expected.size(); ++i) {
+    EXPECT_LE(std::abs(found.orbit.multipliers[i].value - expected[i].value), 1e-8) << i;
+  }
+}
+
+TEST(StickingOrbit, MultipliersAreThoseOfTheSimulatedMap) {
+  for (const char* name : {"rayl3", "gravity2", "plastic", "defect", "defect3", "ratio2", "ratio3"})
+    expect_multipliers(sticking_case(name), 2);
+  expect_multipliers(sticking_case("two_stops3"), 4);
+}
+
+TEST(StickingOrbit, MultipliersOfBeams) {
+  expect_multipliers(beam("momentum", 2, 24.0), 2);
+  expect_multipliers(beam("momentum", 3, 18.0), 2);
+  expect_multipliers(beam("momentum", 3, 24.0), 2);
+  expect_multipliers(beam("collocation", 2, 24.0), 2);
+  expect_multipliers(beam("collocation", 3, 44.0), 2);
+}
+
+}  // namespace
+}  // namespace graze
