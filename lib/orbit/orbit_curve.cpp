@@ -22,7 +22,8 @@ std::vector<std::vector<CurveSample>> sticking_curve(const System& system, const
   PassageOptions options;
   options.closure_speed = sticking.closure_speed;
   options.flight = [&](const ContactPhase<double>& phase, const Instant<double>& start, double s) {
-    const int count = std::max(1, static_cast<int>(std::ceil(frequency * s / kTurn * per_period)));
+    // The hops of a chatter are short and still curves.
+    const int count = std::max(12, static_cast<int>(std::ceil(frequency * s / kTurn * per_period)));
     starts.push_back(start);
     flights.emplace_back();
     for (int k = 0; k <= count; ++k) {
@@ -52,6 +53,17 @@ std::vector<std::vector<CurveSample>> sticking_curve(const System& system, const
     sample.theta += kTurn * orbit.period;
     joined.back().push_back(sample);
   }
+  // Every flight begins within the orbit's periods, the one of the smallest phase first.
+  for (std::vector<CurveSample>& flight : joined) {
+    const double turn =
+        kTurn * orbit.period * std::floor(flight.front().theta / (kTurn * orbit.period));
+    for (CurveSample& sample : flight) sample.theta -= turn;
+  }
+  std::rotate(joined.begin(),
+              std::min_element(
+                  joined.begin(), joined.end(),
+                  [](const auto& a, const auto& b) { return a.front().theta < b.front().theta; }),
+              joined.end());
   return joined;
 }
 

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
 
@@ -187,6 +188,111 @@ TEST(StickingOrbit, MultipliersOfBeams) {
   expect_multipliers(beam("momentum", 3, 24.0), 2);
   expect_multipliers(beam("collocation", 2, 24.0), 2);
   expect_multipliers(beam("collocation", 3, 44.0), 2);
+}
+
+// ---------------------------------------------------------------- the map in 50 digits
+
+using Real = Extended;
+
+RealVector<Real> extended_map(const Found& found, const MotionState<Real>& from,
+                              const RealVector<Real>& dq, const RealVector<Real>& dqdot,
+                              const Real& closure_speed) {
+  MotionState<Real> start = from;
+  start.q += dq;
+  start.qdot += dqdot;
+  Motion<Real> motion(found.system, start);
+  const Instant<Real> end{from.instant.period + found.orbit.period, from.instant.local};
+  for (;;) {
+    const Instant<Real> now = motion.instant();
+    const bool last = now.period == end.period;
+    if (!motion.has_news() && last && now.local >= end.local) break;
+    const Real until = motion.has_news() ? now.local : last ? end.local : motion.flow().period();
+    const Arrival<Real> arrival = motion.fly(until);
+    if (arrival.kind == ArrivalKind::kUndecided || arrival.kind == ArrivalKind::kRefused ||
+        arrival.kind == ArrivalKind::kNotFinite) {
+      ADD_FAILURE() << "the motion cannot be followed";
+      break;
+    }
+    if (arrival.kind != ArrivalKind::kContact) continue;
+    const std::vector<ImpactShare<Real>> shares = motion.impact();
+    if (shares.size() == 1 && arrival.speed <= closure_speed)
+      motion.close_chatter(
+          arrival.stop,
+          found.system.stops[static_cast<std::size_t>(arrival.stop)].restitution.at(arrival.speed));
+  }
+  RealVector<Real> state(2 * dq.size());
+  state << motion.q(), motion.qdot();
+  return state;
+}
+
+// Eigenvalues of the map of the held coordinates: central differences whose error, of the order of
+// the square of their step, is below 1e-20.
+std::vector<Eigenvalue> extended_multipliers(const Found& found, const Real& closure_speed) {
+  const MotionState<double>& at = found.orbit.sticking->at_section;
+  const MotionState<Real> from{{at.instant.period, Real(at.instant.local)},
+                               at.q.cast<Real>(), at.qdot.cast<Real>(), at.contacts,
+                               at.multiplicities};
+  const ContactPhase<double> phase(found.system, closed_at_section(found.orbit));
+  const RealMatrix<Real> basis = phase.basis().cast<Real>();
+  const Eigen::Index n = basis.rows(), m = basis.cols();
+  const Real step = 1e-12 * shooting_scale(found.system).displacement;
+  Matrix map(2 * m, 2 * m);
+  for (Eigen::Index column = 0; column < 2 * m; ++column) {
+    RealVector<Real> dq = RealVector<Real>::Zero(n), dqdot = dq;
+    (column < m ? dq : dqdot) = basis.col(column % m) * step;
+    const RealVector<Real> change =
+        extended_map(found, from, dq, dqdot, closure_speed) -
+        extended_map(found, from, -dq, -dqdot, closure_speed);
+    RealVector<Real> reduced(2 * m);
+    reduced << basis.transpose() * change.head(n), basis.transpose() * change.tail(n);
+    map.col(column) = RealVector<Real>(reduced / (2 * step)).cast<double>();
+  }
+  // Velocities in units of the frequencies of the held structure, as the orbit has them.
+  Vector unit(2 * m);
+  unit << Vector::Ones(m), phase.reduced().omega.cwiseMax(found.system.forcing->frequency);
+  return eigenvalues(unit.cwiseInverse().asDiagonal() * map * unit.asDiagonal());
+}
+
+TEST(StickingOrbit, MultipliersAreThoseOfFiftyDigits) {
+  for (const Scene& scene : {sticking_case("rayl3"), sticking_case("gravity2"),
+                             sticking_case("plastic"), beam("momentum", 2, 24.0)}) {
+    SCOPED_TRACE(scene.title);
+    // Chatters followed so far that closing them is below rounding: short flights cost no digits.
+    const Found found = settled_orbit(scene, 1e-9 * shooting_scale(assemble(scene)).length);
+    const std::vector<Eigenvalue> expected =
+        extended_multipliers(found, Real(1e-12) * shooting_scale(found.system).length);
+    for (std::size_t i = 0; i < expected.size(); ++i)
+      { std::printf("%.3g ", std::abs(found.orbit.multipliers[i].value - expected[i].value));
+      EXPECT_LE(std::abs(found.orbit.multipliers[i].value - expected[i].value), 1e-11) << i; }
+      std::printf("\n");
+  }
+}
+
+// ---------------------------------------------------------------- what closing a chatter costs
+
+TEST(StickingOrbit, ClosingAChatterCostsTheSquareOfItsSpeed) {
+  const Scene scene = sticking_case("rayl3");
+  const Found fine = settled_orbit(scene, 1e-8);
+  const auto miss = [&](double speed) {
+    const Found coarse = settled_orbit(scene, speed);
+    const OrbitHold &a = coarse.orbit.sticking->holds.front(),
+                    &b = fine.orbit.sticking->holds.front();
+    return std::array<double, 3>{
+        turned(a.from.phase, b.from.phase), turned(a.to.phase, b.to.phase),
+        std::abs(coarse.orbit.multipliers[0].value - fine.orbit.multipliers[0].value)};
+  };
+  // The last resolved impact jumps between two speeds: means over one factor r at either end.
+  const auto mean = [&](double speed) {
+    std::array<double, 3> sum{};
+    for (int k = 0; k < 8; ++k) {
+      const std::array<double, 3> one = miss(speed * std::pow(0.65, k / 8.0));
+      for (std::size_t i = 0; i < 3; ++i) sum[i] += std::log(one[i]) / 8.0;
+    }
+    return sum;
+  };
+  const std::array<double, 3> coarse = mean(1e-2), finer = mean(1e-3);
+  for (std::size_t i = 0; i < 3; ++i)
+    std::printf("order %g   %g %g\n", (coarse[i] - finer[i]) / std::log(10.0), std::exp(coarse[i]), std::exp(finer[i]));
 }
 
 }  // namespace
