@@ -64,11 +64,13 @@ Deviations modal_growth(const Arc<double>& arc, double s, const Deviations& star
   for (int j = 0; j < flow.modes(); ++j) {
     const ModeFlow<double>& mode = flow.mode(j);
     const FreeBasis<double> basis = free_basis(mode.delta, mode.discriminant, s);
-    const double mixed = mode.delta * basis.sine;
+    const double stiffness = mode.omega * mode.omega;
+    // c + delta S - 1 is what the stiffness does from rest; formed as the difference it cancels.
+    const double yielded = stiffness * step_response(mode.delta, mode.omega, mode.discriminant, s);
     const auto q = start.q.row(j), qdot = start.qdot.row(j);
-    change.q.row(j) = (basis.cosine_minus_one + mixed) * q + basis.sine * qdot;
+    change.q.row(j) = basis.sine * qdot - yielded * q;
     change.qdot.row(j) =
-        (basis.cosine_minus_one - mixed) * qdot - mode.omega * mode.omega * basis.sine * q;
+        (basis.cosine_minus_one - mode.delta * basis.sine) * qdot - stiffness * basis.sine * q;
     if (!flow.forced() || !(s > 0.0)) continue;
     const ModeGrowth late = late_start(mode, basis, flow.frequency(), arc.start_phase(), s);
     change.q.row(j) += late.q * start.delay;

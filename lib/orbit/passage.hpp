@@ -4,7 +4,7 @@
 // The derivative of the map from start to end, event by event (docs/theory.md, Orbits that stick):
 //   impact   the derivative of the jump at fixed position, shared with the stops that are touched;
 //   closure  as an impact with r = 0 on that stop: what it closes on forgets its deviation along
-//            (b.q, b.q'). The derivative errs by O(v_c) times that of one more impact;
+//            (b.q, b.q'). State and derivative err by O(v_c^3);
 //   release  the identity: the contact force vanishes there and (q', q'') is continuous.
 #pragma once
 

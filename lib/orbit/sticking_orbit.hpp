@@ -11,8 +11,8 @@
 // other 2m are zero, exactly: the held motion has forgotten what came before. With N = m there is
 // nothing left to solve: the orbit is met by any start that sticks.
 //
-// The tail of a chatter below the closure speed is summed: the orbit errs by O(v_c^2), and the
-// number of its impacts is that of the resolved ones.
+// The tail of a chatter below the closure speed v_c is summed: the accumulation time errs by
+// O(v_c^2), state and multipliers by O(v_c^3), and the impacts are the resolved ones.
 #pragma once
 
 #include <optional>

@@ -230,7 +230,9 @@ RealVector<Real> extended_map(const Found& found, const MotionState<Real>& from,
 std::vector<Eigenvalue> extended_multipliers(const Found& found, const Real& closure_speed) {
   const MotionState<double>& at = found.orbit.sticking->at_section;
   const MotionState<Real> from{{at.instant.period, Real(at.instant.local)},
-                               at.q.cast<Real>(), at.qdot.cast<Real>(), at.contacts,
+                               at.q.cast<Real>(),
+                               at.qdot.cast<Real>(),
+                               at.contacts,
                                at.multiplicities};
   const ContactPhase<double> phase(found.system, closed_at_section(found.orbit));
   const RealMatrix<Real> basis = phase.basis().cast<Real>();
@@ -240,9 +242,8 @@ std::vector<Eigenvalue> extended_multipliers(const Found& found, const Real& clo
   for (Eigen::Index column = 0; column < 2 * m; ++column) {
     RealVector<Real> dq = RealVector<Real>::Zero(n), dqdot = dq;
     (column < m ? dq : dqdot) = basis.col(column % m) * step;
-    const RealVector<Real> change =
-        extended_map(found, from, dq, dqdot, closure_speed) -
-        extended_map(found, from, -dq, -dqdot, closure_speed);
+    const RealVector<Real> change = extended_map(found, from, dq, dqdot, closure_speed) -
+                                    extended_map(found, from, -dq, -dqdot, closure_speed);
     RealVector<Real> reduced(2 * m);
     reduced << basis.transpose() * change.head(n), basis.transpose() * change.tail(n);
     map.col(column) = RealVector<Real>(reduced / (2 * step)).cast<double>();
@@ -262,17 +263,16 @@ TEST(StickingOrbit, MultipliersAreThoseOfFiftyDigits) {
     const std::vector<Eigenvalue> expected =
         extended_multipliers(found, Real(1e-12) * shooting_scale(found.system).length);
     for (std::size_t i = 0; i < expected.size(); ++i)
-      { std::printf("%.3g ", std::abs(found.orbit.multipliers[i].value - expected[i].value));
-      EXPECT_LE(std::abs(found.orbit.multipliers[i].value - expected[i].value), 1e-11) << i; }
-      std::printf("\n");
+      EXPECT_LE(std::abs(found.orbit.multipliers[i].value - expected[i].value), 1e-12) << i;
   }
 }
 
 // ---------------------------------------------------------------- what closing a chatter costs
 
-TEST(StickingOrbit, ClosingAChatterCostsTheSquareOfItsSpeed) {
+TEST(StickingOrbit, ClosingAChatterCostsPowersOfItsSpeed) {
   const Scene scene = sticking_case("rayl3");
   const Found fine = settled_orbit(scene, 1e-8);
+  // Of the accumulation, of the release, of the largest multiplier.
   const auto miss = [&](double speed) {
     const Found coarse = settled_orbit(scene, speed);
     const OrbitHold &a = coarse.orbit.sticking->holds.front(),
@@ -291,8 +291,137 @@ TEST(StickingOrbit, ClosingAChatterCostsTheSquareOfItsSpeed) {
     return sum;
   };
   const std::array<double, 3> coarse = mean(1e-2), finer = mean(1e-3);
+  const std::array<double, 3> expected = {2.0, 3.0, 3.0};
   for (std::size_t i = 0; i < 3; ++i)
-    std::printf("order %g   %g %g\n", (coarse[i] - finer[i]) / std::log(10.0), std::exp(coarse[i]), std::exp(finer[i]));
+    EXPECT_NEAR((coarse[i] - finer[i]) / std::log(10.0), expected[i], 0.1) << i;
+}
+
+// ---------------------------------------------------------------- the search
+
+// The state of an orbit at the start of a forcing period.
+State at_period_start(const Found& found) {
+  const MotionState<double>& section = found.orbit.sticking->at_section;
+  RunState from;
+  from.motion = section;
+  from.streaks.resize(found.system.stops.size());
+  from.closure_speed = found.orbit.sticking->closure_speed;
+  from.started = true;
+  return resume(found.system, from, support::for_periods(section.instant.period + 1)).final;
+}
+
+StickingOrbitAnswer search_from(const Found& found, const State& guess, int period) {
+  return sticking_orbit(found.system, guess, period,
+                        {found.orbit.sticking->closure_speed, 10'000'000, {}});
+}
+
+TEST(StickingOrbit, IsFoundFromARoughGuess) {
+  support::Dice dice(7);
+  for (const Scene& scene : {sticking_case("rayl3"), sticking_case("gravity2"),
+                             beam("momentum", 2, 24.0), beam("collocation", 3, 44.0)}) {
+    SCOPED_TRACE(scene.title);
+    const Found found = settled_orbit(scene);
+    const State start = at_period_start(found);
+    const ShootingScale scale = shooting_scale(found.system);
+    for (const double off : {1e-6, 1e-4}) {
+      State guess = start;
+      for (Eigen::Index j = 0; j < guess.q.size(); ++j) {
+        guess.q[j] += off * scale.displacement * dice.uniform(-1.0, 1.0);
+        guess.qdot[j] += off * scale.velocity[j] * dice.uniform(-1.0, 1.0);
+      }
+      const StickingOrbitAnswer answer = search_from(found, guess, found.orbit.period);
+      ASSERT_TRUE(answer.orbit) << off << ": " << answer.why_not;
+      EXPECT_LE(answer.orbit->residual, 1e-13);
+      ASSERT_FALSE(answer.orbit->sticking->holds.empty());
+      EXPECT_LE(turned(answer.orbit->sticking->holds.front().to.phase,
+                       found.orbit.sticking->holds.front().to.phase),
+                1e-11);
+    }
+  }
+}
+
+TEST(StickingOrbit, IsListedWithItsShortestPeriod) {
+  const Found one = settled_orbit(sticking_case("rayl3"));
+  const StickingOrbitAnswer again = search_from(one, at_period_start(one), 4);
+  ASSERT_TRUE(again.orbit) << again.why_not;
+  EXPECT_EQ(again.orbit->period, 1);
+  EXPECT_EQ(again.orbit->impacts.size(), one.orbit.impacts.size());
+  const Found two = settled_orbit(beam("momentum", 3, 24.0));
+  EXPECT_EQ(two.orbit.period, 2);
+  const StickingOrbitAnswer twice = search_from(two, at_period_start(two), 4);
+  ASSERT_TRUE(twice.orbit) << twice.why_not;
+  EXPECT_EQ(twice.orbit->period, 2);
+  ASSERT_FALSE(two.orbit.impacts.empty());
+  EXPECT_EQ(two.orbit.impacts.front().period_index, 0);
+  for (std::size_t i = 1; i < two.orbit.impacts.size(); ++i) {
+    const OrbitImpact &a = two.orbit.impacts[i - 1], &b = two.orbit.impacts[i];
+    EXPECT_LT(a.phase + kTurn * a.period_index, b.phase + kTurn * b.period_index);
+    EXPECT_LT(b.period_index, 2);
+  }
+}
+
+// One mode remembers nothing: every start that sticks is on the orbit one period later.
+TEST(StickingOrbit, OfOneModeForgetsEveryStart) {
+  const Found found = settled_orbit(sticking_case("Z2c"));
+  for (const double q : {0.15, 0.1, -0.05})
+    for (const double qdot : {0.0, 0.02}) {
+      const StickingOrbitAnswer answer = search_from(found, support::state_of({q}, {qdot}), 2);
+      ASSERT_TRUE(answer.orbit) << answer.why_not;
+      EXPECT_EQ(answer.orbit->period, 1);
+      EXPECT_EQ(answer.orbit->residual, 0.0);
+      EXPECT_EQ(exact_zeros(*answer.orbit), 2);
+      EXPECT_EQ(answer.orbit->stable, std::optional<bool>(true));
+      ASSERT_EQ(answer.orbit->impacts.size(), found.orbit.impacts.size());
+      for (std::size_t i = 0; i < found.orbit.impacts.size(); ++i)
+        EXPECT_NEAR(answer.orbit->impacts[i].speed, found.orbit.impacts[i].speed, 1e-14);
+    }
+}
+
+// Past its flip the orbit is still there, and no simulation shows it.
+TEST(StickingOrbit, ThatIsUnstableIsFoundFromItsNeighbour) {
+  const Found stable = settled_orbit(beam("momentum", 2, 24.0));
+  EXPECT_EQ(stable.orbit.stable, std::optional<bool>(true));
+  Found unstable{assemble(beam("momentum", 2, 24.1)), {}};
+  const StickingOrbitAnswer answer =
+      sticking_orbit(unstable.system, at_period_start(stable), 1,
+                     {stable.orbit.sticking->closure_speed, 10'000'000, {}});
+  ASSERT_TRUE(answer.orbit) << answer.why_not;
+  unstable.orbit = *answer.orbit;
+  EXPECT_EQ(unstable.orbit.stable, std::optional<bool>(false));
+  const std::vector<Eigenvalue> expected = differenced_multipliers(unstable);
+  EXPECT_LT(expected.front().value.real(), -1.0);
+  for (std::size_t i = 0; i < expected.size(); ++i)
+    EXPECT_LE(std::abs(unstable.orbit.multipliers[i].value - expected[i].value), 1e-8) << i;
+  const Found settled = settled_orbit(beam("momentum", 2, 24.1));
+  EXPECT_GT(settled.orbit.period, 1);
+}
+
+TEST(StickingOrbit, SaysWhyThereIsNone) {
+  StickingOptions options;
+  options.closure_speed = 1e-6;
+  // Pressed onto its stop for ever.
+  const System held = support::forced_oscillator(1.0, 0.0, -0.2, 0.7, 1.3, 0.1);
+  const StickingOrbitAnswer rest =
+      sticking_orbit(held, support::state_of({-0.2}, {0.0}), 1, options);
+  EXPECT_FALSE(rest.orbit);
+  EXPECT_NE(rest.why_not.find("without any impact"), std::string::npos) << rest.why_not;
+  // Far from its stop.
+  const System free = support::forced_oscillator(1.0, 0.1, 50.0, 0.7, 1.3, 0.1);
+  const StickingOrbitAnswer clear =
+      sticking_orbit(free, support::state_of({0.0}, {0.0}), 3, options);
+  EXPECT_FALSE(clear.orbit);
+  EXPECT_NE(clear.why_not.find("no stop is closed within 3"), std::string::npos) << clear.why_not;
+  // Two equal oscillators, side by side, each with its stop: hit at the same instants.
+  System pair = support::forced_oscillator(1.0, 0.0, 0.2, 0.2, 0.5, 1.0);
+  pair.omega = Vector::Ones(2);
+  pair.delta = Vector::Zero(2);
+  pair.forcing->amplitude = Vector::Ones(2);
+  pair.stops[0].row = pair.stops[0].direction = Vector::Unit(2, 0);
+  pair.stops.push_back(pair.stops[0]);
+  pair.stops[1].row = pair.stops[1].direction = Vector::Unit(2, 1);
+  const StickingOrbitAnswer both =
+      sticking_orbit(pair, support::state_of({0.2, 0.2}, {0.0, 0.0}), 1, options);
+  EXPECT_FALSE(both.orbit);
+  EXPECT_NE(both.why_not.find("one instant"), std::string::npos) << both.why_not;
 }
 
 }  // namespace
