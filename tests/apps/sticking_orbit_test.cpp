@@ -4,7 +4,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "program.hpp"
+#include "apps/program.hpp"
 
 namespace graze {
 namespace {

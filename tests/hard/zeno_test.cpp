@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "graze/base/angle.hpp"
 #include "graze/flow/contact_phase.hpp"
 #include "graze/orbit/finder.hpp"
 #include "graze/structure/cantilever.hpp"
@@ -148,9 +149,13 @@ TEST(HardCases, Z2OrbitSticks) {
                      turned(hold.to.phase, std::acos(c.stop)), 1e-10);
       expect_reached("Z2", "orbit that sticks: accumulation, s",
                      turned(hold.from.phase, c.frequency * c.accumulation) / c.frequency, 1e-9);
+      // The one that follows the release.
+      const auto since = [&](const OrbitImpact& impact) {
+        return wrapped(impact.phase - hold.to.phase);
+      };
       const auto first =
-          std::max_element(orbit.impacts.begin(), orbit.impacts.end(),
-                           [](const auto& a, const auto& b) { return a.speed < b.speed; });
+          std::min_element(orbit.impacts.begin(), orbit.impacts.end(),
+                           [&](const auto& i, const auto& j) { return since(i) < since(j); });
       expect_reached("Z2", "orbit that sticks: first impact, s",
                      turned(first->phase, c.frequency * c.impact) / c.frequency, 1e-10);
       expect_reached("Z2", "orbit that sticks: first impact, speed",
