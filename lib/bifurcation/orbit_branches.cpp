@@ -102,7 +102,8 @@ class OrbitTracer {
     std::optional<State> start;
     if (first) start = clear_start(family_.scene(), *system);
     const FoundOrbits found = find_orbits(*system, start, finder);
-    for (const Orbit& orbit : found.orbits) starts.push_back(shooting_.pack(orbit.points()));
+    for (const Orbit& orbit : found.orbits)
+      if (!orbit.sticking) starts.push_back(shooting_.pack(orbit.points()));
     if (first) result_.notes = found.notes;
     return starts;
   }

@@ -15,10 +15,19 @@ bool rises(const ArcCurve<double>& curve, double s) {
 
 }  // namespace
 
-std::optional<double> smallest_minimum(const ArcCurve<double>& curve) {
+std::optional<double> smallest_minimum(const ArcCurve<double>& curve, int multiplicity) {
   std::optional<double> smallest;
   double s = 0.0;
-  bool rising = rises(curve, s);
+  bool rising = false;
+  if (multiplicity > 0) {
+    const CurvePoint<double> start = curve.at(0.0, multiplicity - 1);
+    if (start.slope > 0.0) {
+      if (start.bound == 0.0) return smallest;  // it rises for ever
+      s = multiplicity * (start.slope / start.bound);
+      rising = true;
+    }
+  }
+  if (!rising) rising = rises(curve, s);
   int evaluations = 0;
   while (evaluations < kMostSearchEvaluations) {
     const FirstZero<double> extremum = first_extremum(curve, s, rising);

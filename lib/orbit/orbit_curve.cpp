@@ -10,7 +10,35 @@
 namespace graze {
 namespace {
 
-// An orbit that sticks, flown from its section; flights begin at impacts.
+// The arcs of a whole orbit, some of which begin at an impact, as flights that all do; `whole`: its
+// periods, rad. Every flight begins within them, the one of the smallest phase first.
+std::vector<std::vector<CurveSample>> from_impact_to_impact(
+    const std::vector<std::vector<CurveSample>>& arcs, const std::vector<bool>& begins_at_impact,
+    double whole) {
+  std::vector<std::vector<CurveSample>> flights;
+  std::vector<CurveSample> head;  // up to the first impact: the end of the last flight
+  for (std::size_t i = 0; i < arcs.size(); ++i) {
+    if (begins_at_impact[i]) flights.emplace_back();
+    std::vector<CurveSample>& into = flights.empty() ? head : flights.back();
+    into.insert(into.end(), arcs[i].begin(), arcs[i].end());
+  }
+  if (flights.empty()) return {head};
+  for (CurveSample& sample : head) {
+    sample.theta += whole;
+    flights.back().push_back(sample);
+  }
+  for (std::vector<CurveSample>& flight : flights) {
+    const double turn = whole * std::floor(flight.front().theta / whole);
+    for (CurveSample& sample : flight) sample.theta -= turn;
+  }
+  const auto first = std::min_element(
+      flights.begin(), flights.end(),
+      [](const auto& a, const auto& b) { return a.front().theta < b.front().theta; });
+  std::rotate(flights.begin(), first, flights.end());
+  return flights;
+}
+
+// An orbit that sticks, flown from its section.
 std::vector<std::vector<CurveSample>> sticking_curve(const System& system, const Orbit& orbit,
                                                      const Vector& row, int per_period) {
   const OrbitSticking& sticking = *orbit.sticking;
@@ -36,35 +64,13 @@ std::vector<std::vector<CurveSample>> sticking_curve(const System& system, const
   const Instant<double>& from = sticking.at_section.instant;
   const Passage passage =
       pass(system, sticking.at_section, {from.period + orbit.period, from.local}, options);
-  const auto begins_at_impact = [&](std::size_t i) {
-    return std::any_of(passage.impacts.begin(), passage.impacts.end(), [&](const auto& impact) {
-      return impact.at.period == starts[i].period && impact.at.local == starts[i].local;
-    });
-  };
-  std::vector<std::vector<CurveSample>> joined;
-  std::vector<CurveSample> head;  // up to the first impact: the end of the last flight
-  for (std::size_t i = 0; i < flights.size(); ++i) {
-    if (begins_at_impact(i)) joined.emplace_back();
-    std::vector<CurveSample>& into = joined.empty() ? head : joined.back();
-    into.insert(into.end(), flights[i].begin(), flights[i].end());
-  }
-  if (joined.empty()) return {head};
-  for (CurveSample& sample : head) {
-    sample.theta += kTurn * orbit.period;
-    joined.back().push_back(sample);
-  }
-  // Every flight begins within the orbit's periods, the one of the smallest phase first.
-  for (std::vector<CurveSample>& flight : joined) {
-    const double turn =
-        kTurn * orbit.period * std::floor(flight.front().theta / (kTurn * orbit.period));
-    for (CurveSample& sample : flight) sample.theta -= turn;
-  }
-  std::rotate(joined.begin(),
-              std::min_element(
-                  joined.begin(), joined.end(),
-                  [](const auto& a, const auto& b) { return a.front().theta < b.front().theta; }),
-              joined.end());
-  return joined;
+  std::vector<bool> begins_at_impact;
+  for (const Instant<double>& start : starts)
+    begins_at_impact.push_back(std::any_of(
+        passage.impacts.begin(), passage.impacts.end(), [&start](const PassedImpact& impact) {
+          return impact.at.period == start.period && impact.at.local == start.local;
+        }));
+  return from_impact_to_impact(flights, begins_at_impact, kTurn * orbit.period);
 }
 
 }  // namespace

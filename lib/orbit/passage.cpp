@@ -134,7 +134,8 @@ class Follower {
       if (motion_.departure().contacts[k] == Contact::kLocked) continue;
       const auto& closed = phase.closed();
       if (std::find(closed.begin(), closed.end(), i) == closed.end()) {
-        note_smallest(passage_.clearance, smallest_minimum(phase.gap(i, flight, departed_from(i))));
+        note_smallest(passage_.clearance, smallest_minimum(phase.gap(i, flight, departed_from(i)),
+                                                           motion_.departure().multiplicities[k]));
         continue;
       }
       for (PassedHold& hold : holding_)

@@ -104,8 +104,12 @@ SettledMotion settle(const System& system, const State& start, const SettleOptio
                      {motion.q(), motion.qdot()}});
       motion.impact();
       ++impacts;
-      if (++in_period > kMostImpactsPerPeriod)
-        return unsettled("from the scene's initial state the motion impacts without end");
+      if (++in_period > kMostImpactsPerPeriod) {
+        SettledMotion result =
+            unsettled("from the scene's initial state the motion impacts without end");
+        result.sticks = true;
+        return result;
+      }
       continue;
     }
     if (arrival.kind == ArrivalKind::kTouch) continue;

@@ -180,6 +180,13 @@ TEST(StickingOrbit, MultipliersAreThoseOfTheSimulatedMap) {
   for (const char* name : {"rayl3", "gravity2", "plastic", "defect", "defect3", "ratio2", "ratio3"})
     expect_multipliers(sticking_case(name), 2);
   expect_multipliers(sticking_case("two_stops3"), 4);
+  // Unequal damping ratios: complex modes while held.
+  for (const char* settings : {"1.1", "0.9"})
+    expect_multipliers(sticking_case("ratio3", {"forcing.frequency=" + std::string(settings),
+                                                "stop.restitution=0.2"}),
+                       2);
+  // r(v)
+  expect_multipliers(sticking_case("rayl3", {"stop.restitution=[0.65, 0.3]"}), 2);
 }
 
 TEST(StickingOrbit, MultipliersOfBeams) {
@@ -393,6 +400,17 @@ TEST(StickingOrbit, ThatIsUnstableIsFoundFromItsNeighbour) {
     EXPECT_LE(std::abs(unstable.orbit.multipliers[i].value - expected[i].value), 1e-8) << i;
   const Found settled = settled_orbit(beam("momentum", 2, 24.1));
   EXPECT_GT(settled.orbit.period, 1);
+}
+
+// Leaving the stop after a release is no minimum of the gap, however it is rounded.
+TEST(StickingOrbit, ClearanceKnowsNothingOfTheReleaseItself) {
+  for (const double frequency : {0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0.9}) {
+    SCOPED_TRACE(frequency);
+    const Found found = settled_orbit(sticking_case(
+        "ratio3", {"forcing.frequency=" + std::to_string(frequency), "stop.restitution=0.2"}));
+    EXPECT_GT(found.orbit.clearance.value_or(1.0), 1e-9);
+    EXPECT_TRUE(found.orbit.admissible);
+  }
 }
 
 TEST(StickingOrbit, SaysWhyThereIsNone) {
