@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "graze/base/angle.hpp"
 #include "graze/orbit/finder.hpp"
 #include "support/reference.hpp"
 #include "support/systems.hpp"
@@ -18,8 +19,7 @@ void expect_same_multipliers(const System& system, const Orbit& orbit, double to
   const OrbitImpact& last = orbit.impacts.back();
   const State after = after_impact(system.stops[static_cast<std::size_t>(last.stop)], last.before);
   const ExactFlow<double> flow(system);
-  const double s = (2.0 * 3.14159265358979323846 + system.forcing->phase - last.phase) /
-                   system.forcing->frequency;
+  const double s = (kTurn + system.forcing->phase - last.phase) / system.forcing->frequency;
   Arc<double> arc(flow);
   arc.start(last.phase, after.q, after.qdot);
   State start{Vector(n), Vector(n)};
