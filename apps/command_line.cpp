@@ -67,7 +67,13 @@ void add_plot(CLI::App* app, Command& command) {
 
 constexpr const char* kClosureSpeed =
     "Speed below which the rest of a chatter is summed, m/s (default: sqrt(solver.tolerance/100) "
-    "of the motion's speed";
+    "of the motion's speed)";
+
+void add_closure_speed(CLI::App* app, Command& command) {
+  app->add_option("--closure-speed", command.closure_speed, kClosureSpeed)
+      ->check(at_least("a speed in m/s, 0 or more", 0.0))
+      ->type_name("V");
+}
 
 void add_limits(CLI::App* app, Command& command) {
   app->add_option("--max-impacts", command.max_impacts, "Stop after this many impacts")
@@ -82,10 +88,6 @@ void add_limits(CLI::App* app, Command& command) {
 
 void add_orbit_search(CLI::App* app, Command& command) {
   add_limits(app, command);
-  app->add_option_function<double>(
-         "--closure-speed", [](double) { throw not_available("--closure-speed"); },
-         kClosureSpeed + std::string("; another is not available in this version)"))
-      ->type_name("V");
   app->add_option("--period", command.period, "Forcing periods p after which the orbit repeats")
       ->check(at_least("a whole number from 1", 1.0))
       ->capture_default_str()
@@ -146,9 +148,7 @@ void add_simulate(CLI::App& graze, Command& command) {
       ->type_name("RATE");
   app->add_flag("--energy", command.energy,
                 "Keep the energy book: work of every effect, and whether it closes (--plot does)");
-  app->add_option("--closure-speed", command.closure_speed, kClosureSpeed + std::string(")"))
-      ->check(at_least("a speed in m/s, 0 or more", 0.0))
-      ->type_name("V");
+  add_closure_speed(app, command);
   app->add_option("--resume", command.resume,
                   "Go on from the state.toml that --out left, given as file or folder; the end "
                   "still counts from t = 0")
@@ -161,6 +161,7 @@ void add_orbit(CLI::App& graze, Command& command) {
   add_shared(app, command);
   add_plot(app, command);
   add_orbit_search(app, command);
+  add_closure_speed(app, command);
   app->add_option_function<std::string>(
          "--impacts",
          [&command](const std::string& text) {
@@ -188,6 +189,10 @@ void add_continue(CLI::App& graze, Command& command) {
                   "Impacts per orbit, on all stops together (default: 1)")
       ->check(CLI::Range(1, 64))
       ->type_name("K");
+  app->add_option_function<double>(
+         "--closure-speed", [](double) { throw not_available("--closure-speed for continue"); },
+         "(not available in this version: branches of orbits that stick are not followed)")
+      ->type_name("V");
   app->add_option("--follow", command.follow,
                   "Switch branches at special points: none, or all: doubled orbits at PD, crossing "
                   "branches at BP, rewritten impact sequences at GR (default: none)")

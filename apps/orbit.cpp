@@ -17,9 +17,14 @@ int run_orbit(const Command& command) {
   record_search(command, record.info);
   record.warnings = system_warnings(scene, record.system);
   warn(command, record.warnings);
-  const FinderOptions options = finder_options(command);
+  FinderOptions options = finder_options(command);
   // Orbits exist whether or not the scene's own start does.
   const std::optional<State> start = clear_start(scene, record.system);
+  options.closure_speed = command.closure_speed;
+  if (!options.closure_speed && start)
+    options.closure_speed = default_closure_speed(record.system, *start, scene.solver.tolerance);
+  if (options.closure_speed)
+    record.info.options.emplace_back("closure_speed", *options.closure_speed);
   if (!start && options.from_simulation)
     warn(command, {"no start by simulation: the scene's initial state is not clear of the stop"});
   prepare_output(command);
@@ -28,7 +33,7 @@ int run_orbit(const Command& command) {
   return conclude(command, record.info, record.outcome,
                   {to_json(record),
                    to_text(record),
-                   {{"orbits.csv", orbits_csv(record)}},
+                   {{"orbits.csv", orbits_csv(record)}, {"stuck.csv", stuck_csv(record)}},
                    [&] { draw_orbits(command.plot, record); },
                    {}});
 }

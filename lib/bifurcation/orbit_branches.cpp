@@ -99,6 +99,10 @@ class OrbitTracer {
     std::optional<State> start;
     if (first || options_.impacts > 1) start = clear_start(family_.scene(), *system);
     FoundOrbits found = find_orbits(*system, start, finder);
+    // Branches of orbits that stick are not followed.
+    const auto sticks = [](const Orbit& orbit) { return orbit.sticking.has_value(); };
+    found.orbits.erase(std::remove_if(found.orbits.begin(), found.orbits.end(), sticks),
+                       found.orbits.end());
     if (first) result_.notes = found.notes;
     return std::move(found.orbits);
   }

@@ -120,7 +120,7 @@ void CoupledArc::state(double s, Vector& y, Vector& ydot) const {
   ydot = x.tail(y_.size());
 }
 
-Vector CoupledArc::matrix_state(double s) const {
+Matrix CoupledArc::extended_generator(double s) const {
   const CoupledFlow& flow = *flow_;
   const Eigen::Index n = x_.size();
   Matrix extended = Matrix::Zero(n + 3, n + 3);
@@ -129,9 +129,40 @@ Vector CoupledArc::matrix_state(double s) const {
   extended.block(0, n + 2, n, 1) = flow.load_ * s;
   extended(n, n + 1) = -flow.frequency_ * s;
   extended(n + 1, n) = flow.frequency_ * s;
+  return extended;
+}
+
+Vector CoupledArc::matrix_state(double s) const {
+  const Eigen::Index n = x_.size();
   Vector start(n + 3);
   start << x_, std::cos(theta_), std::sin(theta_), 1.0;
-  return (matrix_exponential(extended) * start).head(n);
+  return (matrix_exponential(extended_generator(s)) * start).head(n);
+}
+
+// The extended system is autonomous: a later start is a deviation of (cos theta, sin theta).
+Matrix CoupledArc::growth(double s, const Matrix& deviations,
+                          const Eigen::RowVectorXd& delay) const {
+  const CoupledFlow& flow = *flow_;
+  const Eigen::Index n = x_.size(), m = n / 2;
+  Vector unit(n);
+  unit << flow.scale_, Vector::Ones(m);
+  Matrix x = Matrix::Zero(n + 3, deviations.cols());
+  x.topRows(n) = unit.asDiagonal() * deviations;
+  x.row(n) = -flow.frequency_ * std::sin(theta_) * delay;
+  x.row(n + 1) = flow.frequency_ * std::cos(theta_) * delay;
+  const Matrix extended = extended_generator(s);
+  Matrix sum = Matrix::Zero(x.rows(), x.cols());
+  if (extended.norm() < 1.0) {
+    // exp - 1 by its series, which keeps short flights accurate; 20! is beyond 1/eps.
+    Matrix term = x;
+    for (int k = 1; k <= 20; ++k) {
+      term = extended * term / k;
+      sum += term;
+    }
+  } else {
+    sum = matrix_exponential(extended) * x - x;
+  }
+  return unit.cwiseInverse().asDiagonal() * sum.topRows(n);
 }
 
 Vector CoupledArc::weight_of(const Observable<double>& observable) const {

@@ -61,6 +61,9 @@ class CoupledArc {
   explicit CoupledArc(const CoupledFlow& flow) : flow_(&flow) {}
   void start(double theta, const Vector& y, const Vector& ydot);
   void state(double s, Vector& y, Vector& ydot) const;
+  // What is added in s seconds to deviations (y; y') of the start, 2m x k, of a motion that starts
+  // `delay` seconds later, k: (exp(A s) - 1) x + (d end/d start instant) delay, on (y; y').
+  Matrix growth(double s, const Matrix& deviations, const Eigen::RowVectorXd& delay) const;
   ArcCurve<double> curve(const Observable<double>& observable, double window, bool from_zero) const;
 
   // The observable as a sum of exponentials, where the flow has modes.
@@ -74,7 +77,9 @@ class CoupledArc {
   Vector weight_of(const Observable<double>& observable) const;
   void add_modes(const Vector& weight, Complex harmonic, ArcCurve<double>& curve) const;
   ArcCurve<double>::Part matrix_part(const Vector& weight, Complex harmonic, double window) const;
-  // x at s, by the exponential of the system extended by (cos theta, sin theta, 1).
+  // A s, extended by (cos theta, sin theta, 1).
+  Matrix extended_generator(double s) const;
+  // x at s, by the exponential of the extended system.
   Vector matrix_state(double s) const;
 
   const CoupledFlow* flow_;

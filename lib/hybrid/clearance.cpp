@@ -16,10 +16,19 @@ bool rises(const ArcCurve<double>& curve, double s) {
 
 }  // namespace
 
-std::optional<GapMinimum> lowest_minimum(const ArcCurve<double>& curve) {
+std::optional<GapMinimum> lowest_minimum(const ArcCurve<double>& curve, int multiplicity) {
   std::optional<GapMinimum> lowest;
   double s = 0.0;
-  bool rising = rises(curve, s);
+  bool rising = false;
+  if (multiplicity > 0) {
+    const CurvePoint<double> start = curve.at(0.0, multiplicity - 1);
+    if (start.slope > 0.0) {
+      if (start.bound == 0.0) return lowest;  // it rises for ever
+      s = multiplicity * (start.slope / start.bound);
+      rising = true;
+    }
+  }
+  if (!rising) rising = rises(curve, s);
   int evaluations = 0;
   while (evaluations < kMostSearchEvaluations) {
     const FirstZero<double> extremum = first_extremum(curve, s, rising);
@@ -49,8 +58,8 @@ std::optional<GapMinimum> lowest_minimum(const ArcCurve<double>& curve) {
   return GapMinimum{s, -std::numeric_limits<double>::infinity()};
 }
 
-std::optional<double> smallest_minimum(const ArcCurve<double>& curve) {
-  const std::optional<GapMinimum> lowest = lowest_minimum(curve);
+std::optional<double> smallest_minimum(const ArcCurve<double>& curve, int multiplicity) {
+  const std::optional<GapMinimum> lowest = lowest_minimum(curve, multiplicity);
   if (!lowest) return {};
   return lowest->gap;
 }

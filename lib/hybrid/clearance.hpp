@@ -18,10 +18,14 @@ struct GapMinimum {
 // where rounding cannot tell an inflection from a pair of extrema (both within the rounding of the
 // gap of one another) it counts as none. A gap of minus infinity when the search cannot be
 // finished.
-std::optional<GapMinimum> lowest_minimum(const ArcCurve<double>& curve);
+//
+// `multiplicity` n > 0 says that the gap departs from a known zero: 1 just after an impact, 2 when
+// pulled away from rest on the stop, 3 after a release. It then rises at least until n g_n/K_(n+1),
+// g_n the first derivative that does not vanish and K the bound on the next.
+std::optional<GapMinimum> lowest_minimum(const ArcCurve<double>& curve, int multiplicity = 0);
 
 // Its gap alone, m.
-std::optional<double> smallest_minimum(const ArcCurve<double>& curve);
+std::optional<double> smallest_minimum(const ArcCurve<double>& curve, int multiplicity = 0);
 
 // The steady response at the start of a forcing period, where the motion that starts there in
 // `state` is sure to tend to it without meeting a stop again; else nothing. With u the free part,

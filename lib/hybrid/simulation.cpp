@@ -375,12 +375,11 @@ double default_closure_speed(const System& system, const State& start, double to
 
 Simulation simulate(const System& system, const State& start, const SimulationOptions& options,
                     const RunListeners& listeners) {
-  constexpr double kTolerance = 1e-10;  // as of a scene that names none
   RunState state;
   state.motion = Motion<double>(system, {}, start.q, start.qdot).state();
   state.streaks.resize(system.stops.size());
-  state.closure_speed =
-      options.closure_speed.value_or(default_closure_speed(system, start, kTolerance));
+  state.closure_speed = options.closure_speed.value_or(
+      default_closure_speed(system, start, kDefaultClosureTolerance));
   return Run(system, state, options, listeners).finish();
 }
 

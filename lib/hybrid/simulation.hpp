@@ -58,6 +58,9 @@ struct SimulationOptions {
   StopSignal stop;
 };
 
+// The tolerance of a scene that names none: part of a forcing period.
+inline constexpr double kDefaultClosureTolerance = 1e-10;
+
 // Summing the tail of a chatter from speed v on errs by about 100 (v/V)^2 of a forcing period at
 // r = 0.8, V the speed of the motion: v = V sqrt(tolerance/100).
 double default_closure_speed(const System& system, const State& start, double tolerance);

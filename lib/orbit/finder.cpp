@@ -11,6 +11,7 @@
 #include "graze/base/angle.hpp"
 #include "graze/base/parallel.hpp"
 #include "graze/flow/exact_flow.hpp"
+#include "graze/hybrid/simulation.hpp"
 #include "graze/orbit/closed_form.hpp"
 #include "graze/orbit/impact_sequences.hpp"
 #include "graze/orbit/orbit_identity.hpp"
@@ -18,6 +19,7 @@
 #include "graze/orbit/phase_search.hpp"
 #include "graze/orbit/settled.hpp"
 #include "graze/orbit/solve.hpp"
+#include "graze/orbit/sticking_orbit.hpp"
 
 namespace graze {
 namespace {
@@ -41,7 +43,7 @@ constexpr int kGlobalRuns = 4;
 constexpr double kSurely = 1e3 * kSameOrbit;
 
 // Budgets of the local solves by the number of impacts: see
-// docs/decisions/0008.
+// docs/decisions/0009.
 PhaseSearchOptions search_budget(int impacts, bool explicitly) {
   PhaseSearchOptions budget;
   budget.starts = impacts == 1 ? 16 : impacts == 2 ? 64 : 128;
@@ -98,9 +100,12 @@ class Finder {
     SettleOptions settle_options;
     settle_options.max_impacts = options_.max_impacts;
     settle_options.stop = options_.stop;
+    settle_options.through_sticking = true;
+    settle_options.closure_speed = options_.closure_speed;
     const SettledMotion settled = settle(system_, *start_, settle_options);
     if (!settled.pattern) {
-      found_.notes.push_back(settled.verdict);
+      const bool sticks = settled.kind == SettledKind::kSticks;
+      found_.notes.push_back(settled.verdict + (sticks ? from_sticking(settled) : ""));
       return;
     }
     const ShootingProblem problem(*settled.pattern, scale_);
@@ -115,6 +120,25 @@ class Finder {
         "from the scene's initial state the motion settles on a ({}, {}) orbit", orbit->period, k));
     if (!options_.impacts || (k == *options_.impacts && orbit->period == options_.period))
       keep(*orbit);
+  }
+
+  // What comes of a motion that repeats and sticks: the rest of a sentence.
+  std::string from_sticking(const SettledMotion& settled) {
+    const double closure_speed = options_.closure_speed.value_or(
+        default_closure_speed(system_, *start_, kDefaultClosureTolerance));
+    ++found_.simulation.tried;
+    const StickingOrbitAnswer answer =
+        sticking_orbit(system_, settled.at_start, settled.period,
+                       {closure_speed, options_.max_impacts, options_.stop});
+    if (!answer.orbit) return "; " + answer.why_not;
+    ++found_.simulation.converged;
+    const Orbit& orbit = *answer.orbit;
+    const int k = static_cast<int>(orbit.impacts.size());
+    if (!options_.impacts || (k == *options_.impacts && orbit.period == options_.period))
+      keep(orbit);
+    return fmt::format(
+        "; that is a ({}, {}) orbit that sticks, its chatters summed below {:.4g} m/s",
+        orbit.period, k, closure_speed);
   }
 
   void from_random() {

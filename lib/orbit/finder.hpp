@@ -39,6 +39,8 @@ struct FinderOptions {
   std::uint64_t random_seed = 1;
   long long max_impacts = 10'000'000;  // of the simulation
   int threads = 0;                     // 0: as many as there are cores; changes no result
+  // Below it the tail of a chatter is summed, m/s; default_closure_speed where absent.
+  std::optional<double> closure_speed;
   StopSignal stop;
 };
 

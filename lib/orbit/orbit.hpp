@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "graze/base/decompositions.hpp"
+#include "graze/hybrid/motion.hpp"
 #include "graze/orbit/shooting.hpp"
 
 namespace graze {
@@ -18,9 +19,36 @@ struct OrbitImpact {
   State before;          // just before the impact
 };
 
+// A time within an orbit.
+struct OrbitInstant {
+  int period_index = 0;  // forcing period within the orbit, 0..p-1
+  double phase = 0.0;    // (frequency t + phase) mod 2 pi, rad
+};
+
+// A stop closed from the end of its chatter (or an impact with r = 0) to its release.
+struct OrbitHold {
+  int stop = 0;
+  OrbitInstant from, to;
+  double duration = 0.0;  // s; of the whole orbit where it is never released
+  double force = 0.0;     // contact force that sets in, N
+  // Smallest interior local minimum of the contact force, N; nothing when there is none.
+  std::optional<double> smallest_force;
+};
+
+// What an orbit that sticks has beyond its impacts; see sticking_orbit.hpp.
+struct OrbitSticking {
+  std::vector<OrbitHold> holds;  // in time order
+  // The orbit's state at an instant within a stuck phase, from which a motion repeats it.
+  OrbitInstant section;
+  MotionState<double> at_section;
+  double closure_speed = 0.0;  // m/s: the tails of its chatters below it are summed
+};
+
 struct Orbit {
-  int period = 1;                       // p
-  std::vector<OrbitImpact> impacts;     // in time order from the smallest (period_index, phase)
+  int period = 1;  // p
+  // In time order from the smallest (period_index, phase). Where a chatter completes, the impacts
+  // that were resolved: their number depends on the closure speed.
+  std::vector<OrbitImpact> impacts;
   std::vector<Eigenvalue> multipliers;  // of the map over p periods, largest modulus first
   // Nothing when a multiplier sits on the unit circle within its error.
   std::optional<bool> stable;
@@ -29,8 +57,10 @@ struct Orbit {
   // Smallest interior local minimum of any stop's gap between the impacts, m; nothing when there is
   // none.
   std::optional<double> clearance;
-  double residual = 0.0;  // of the shooting equations, scaled, largest entry
+  double residual = 0.0;                  // of the shooting equations, scaled, largest entry
+  std::optional<OrbitSticking> sticking;  // of an orbit that sticks
 
+  // For the shooting equations, which know no sticking.
   ImpactPattern pattern() const;
   std::vector<ImpactPoint> points() const;
 };

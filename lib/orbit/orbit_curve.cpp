@@ -1,17 +1,86 @@
 #include "graze/orbit/orbit_curve.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "graze/base/angle.hpp"
 #include "graze/flow/exact_flow.hpp"
+#include "graze/orbit/passage.hpp"
 
 namespace graze {
+namespace {
+
+// The arcs of a whole orbit, some of which begin at an impact, as flights that all do; `whole`: its
+// periods, rad. Every flight begins within them, the one of the smallest phase first.
+std::vector<std::vector<CurveSample>> from_impact_to_impact(
+    const std::vector<std::vector<CurveSample>>& arcs, const std::vector<bool>& begins_at_impact,
+    double whole) {
+  std::vector<std::vector<CurveSample>> flights;
+  std::vector<CurveSample> head;  // up to the first impact: the end of the last flight
+  for (std::size_t i = 0; i < arcs.size(); ++i) {
+    if (begins_at_impact[i]) flights.emplace_back();
+    std::vector<CurveSample>& into = flights.empty() ? head : flights.back();
+    into.insert(into.end(), arcs[i].begin(), arcs[i].end());
+  }
+  if (flights.empty()) return {head};
+  for (CurveSample& sample : head) {
+    sample.theta += whole;
+    flights.back().push_back(sample);
+  }
+  for (std::vector<CurveSample>& flight : flights) {
+    const double turn = whole * std::floor(flight.front().theta / whole);
+    for (CurveSample& sample : flight) sample.theta -= turn;
+  }
+  const auto first = std::min_element(
+      flights.begin(), flights.end(),
+      [](const auto& a, const auto& b) { return a.front().theta < b.front().theta; });
+  std::rotate(flights.begin(), first, flights.end());
+  return flights;
+}
+
+// An orbit that sticks, flown from its section.
+std::vector<std::vector<CurveSample>> sticking_curve(const System& system, const Orbit& orbit,
+                                                     const Vector& row, int per_period) {
+  const OrbitSticking& sticking = *orbit.sticking;
+  const double frequency = system.forcing->frequency;
+  std::vector<std::vector<CurveSample>> flights;
+  std::vector<Instant<double>> starts;
+  double theta = sticking.section.phase + kTurn * sticking.section.period_index;
+  State state{Vector(system.modes()), Vector(system.modes())};
+  PassageOptions options;
+  options.closure_speed = sticking.closure_speed;
+  options.flight = [&](const ContactPhase<double>& phase, const Instant<double>& start, double s) {
+    // The hops of a chatter are short and still curves.
+    const int count = std::max(12, static_cast<int>(std::ceil(frequency * s / kTurn * per_period)));
+    starts.push_back(start);
+    flights.emplace_back();
+    for (int k = 0; k <= count; ++k) {
+      phase.state(s * k / count, state.q, state.qdot);
+      flights.back().push_back(
+          {theta + frequency * s * k / count, row.dot(state.q), row.dot(state.qdot)});
+    }
+    theta += frequency * s;
+  };
+  const Instant<double>& from = sticking.at_section.instant;
+  const Passage passage =
+      pass(system, sticking.at_section, {from.period + orbit.period, from.local}, options);
+  std::vector<bool> begins_at_impact;
+  for (const Instant<double>& start : starts)
+    begins_at_impact.push_back(std::any_of(
+        passage.impacts.begin(), passage.impacts.end(), [&start](const PassedImpact& impact) {
+          return impact.at.period == start.period && impact.at.local == start.local;
+        }));
+  return from_impact_to_impact(flights, begins_at_impact, kTurn * orbit.period);
+}
+
+}  // namespace
 
 std::vector<std::vector<CurveSample>> orbit_curve(const System& system, const Orbit& orbit,
                                                   int stop, int per_period) {
+  const Vector& row = system.stops[static_cast<std::size_t>(stop)].row;
+  if (orbit.sticking) return sticking_curve(system, orbit, row, per_period);
   const ExactFlow<double> flow(system);
   Arc<double> arc(flow);
-  const Vector& row = system.stops[static_cast<std::size_t>(stop)].row;
   const std::vector<ImpactPoint> points = orbit.points();
   std::vector<std::vector<CurveSample>> flights;
   Vector q(system.modes()), qdot(system.modes());

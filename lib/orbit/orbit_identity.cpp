@@ -38,7 +38,9 @@ int compare(const Orbit& a, const Orbit& b, Number OrbitImpact::*number) {
 }  // namespace
 
 bool same_orbit(const Orbit& a, const Orbit& b, double speed_scale) {
-  if (a.period != b.period || a.impacts.size() != b.impacts.size()) return false;
+  if (a.period != b.period || a.impacts.size() != b.impacts.size() ||
+      a.sticking.has_value() != b.sticking.has_value())
+    return false;
   double largest = speed_scale;
   for (const OrbitImpact& impact : a.impacts) largest = std::max(largest, std::abs(impact.speed));
   // Two impacts of nearly one phase may have been ordered either way: try every rotation.

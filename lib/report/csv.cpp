@@ -76,7 +76,7 @@ std::string samples_csv_row(const System& system, const Sample& sample) {
 std::string orbits_csv(const OrbitRecord& record) {
   std::string text =
       "orbit,period,impacts,impact,stop,period_index,phase,speed,stable,admissible,clearance,"
-      "largest_multiplier,residual\n";
+      "largest_multiplier,residual,stuck\n";
   int number = 0;
   for (const Orbit& orbit : record.found.orbits) {
     ++number;
@@ -84,11 +84,27 @@ std::string orbits_csv(const OrbitRecord& record) {
     const double largest =
         orbit.multipliers.empty() ? NAN : std::abs(orbit.multipliers.front().value);
     for (const OrbitImpact& impact : orbit.impacts)
-      fmt::format_to(std::back_inserter(text), "{},{},{},{},{},{},{},{},{},{},{},{},{}\n", number,
-                     orbit.period, orbit.impacts.size(), ++index, impact.stop + 1,
+      fmt::format_to(std::back_inserter(text), "{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n",
+                     number, orbit.period, orbit.impacts.size(), ++index, impact.stop + 1,
                      impact.period_index, cell(impact.phase), cell(impact.speed),
                      cell(orbit.stable), orbit.admissible ? 1 : 0, cell(orbit.clearance),
-                     cell(largest), cell(orbit.residual));
+                     cell(largest), cell(orbit.residual), orbit.sticking ? 1 : 0);
+  }
+  return text;
+}
+
+std::string stuck_csv(const OrbitRecord& record) {
+  std::string text =
+      "orbit,stop,from_period_index,from_phase,to_period_index,to_phase,duration,force,"
+      "smallest_force\n";
+  for (std::size_t i = 0; i < record.found.orbits.size(); ++i) {
+    const std::optional<OrbitSticking>& sticking = record.found.orbits[i].sticking;
+    if (!sticking) continue;
+    for (const OrbitHold& hold : sticking->holds)
+      fmt::format_to(std::back_inserter(text), "{},{},{},{},{},{},{},{},{}\n", i + 1, hold.stop + 1,
+                     hold.from.period_index, cell(hold.from.phase), hold.to.period_index,
+                     cell(hold.to.phase), cell(hold.duration), cell(hold.force),
+                     cell(hold.smallest_force));
   }
   return text;
 }

@@ -74,23 +74,46 @@ Json impacts_at(const Orbit& orbit) {
   return array;
 }
 
+Json instant_json(const OrbitInstant& at) {
+  return {{"period_index", at.period_index}, {"phase", number(at.phase)}};
+}
+
+void add_sticking(const OrbitSticking& sticking, Json& orbit) {
+  Json phases = Json::array();
+  for (const OrbitHold& hold : sticking.holds)
+    phases.push_back({{"stop", hold.stop + 1},
+                      {"from", instant_json(hold.from)},
+                      {"to", instant_json(hold.to)},
+                      {"duration", number(hold.duration)},
+                      {"force", number(hold.force)},
+                      {"smallest_force", maybe(hold.smallest_force)}});
+  orbit["stuck_phases"] = phases;
+  Json section = instant_json(sticking.section);
+  section["q"] = list(sticking.at_section.q);
+  section["qdot"] = list(sticking.at_section.qdot);
+  orbit["section"] = section;
+  orbit["closure_speed"] = number(sticking.closure_speed);
+}
+
 Json orbit_json(const Orbit& orbit) {
   Json phases = Json::array(), speeds = Json::array();
   for (const OrbitImpact& impact : orbit.impacts) {
     phases.push_back(number(impact.phase));
     speeds.push_back(number(impact.speed));
   }
-  return {{"period", orbit.period},
-          {"impacts", orbit.impacts.size()},
-          {"phases", phases},
-          {"speeds", speeds},
-          {"at", impacts_at(orbit)},
-          {"multipliers", multipliers(orbit)},
-          {"stable", maybe(orbit.stable)},
-          {"admissible", orbit.admissible},
-          {"clearance", maybe(orbit.clearance)},
-          {"residual", number(orbit.residual)},
-          {"stuck", false}};
+  Json json = {{"period", orbit.period},
+               {"impacts", orbit.impacts.size()},
+               {"phases", phases},
+               {"speeds", speeds},
+               {"at", impacts_at(orbit)},
+               {"multipliers", multipliers(orbit)},
+               {"stable", maybe(orbit.stable)},
+               {"admissible", orbit.admissible},
+               {"clearance", maybe(orbit.clearance)},
+               {"residual", number(orbit.residual)},
+               {"stuck", orbit.sticking.has_value()}};
+  if (orbit.sticking) add_sticking(*orbit.sticking, json);
+  return json;
 }
 
 Json point_json(const OrbitBranchPoint& point) {
@@ -254,7 +277,9 @@ std::string to_json(const OrbitRecord& record) {
   Json document = header(record.info, record.outcome, record.warnings);
   Json orbits = Json::array();
   for (const Orbit& orbit : record.found.orbits) orbits.push_back(orbit_json(orbit));
-  document["units"] = {{"phase", "rad"}, {"speed", "m/s"}, {"clearance", "m"}, {"residual", "1"}};
+  document["units"] = {{"phase", "rad"},  {"speed", "m/s"},      {"clearance", "m"},
+                       {"residual", "1"}, {"duration", "s"},     {"force", "N"},
+                       {"q", "kg^1/2 m"}, {"qdot", "kg^1/2 m/s"}};
   document["orbits"] = orbits;
   const auto count = [](const StartCount& c) {
     return Json{{"tried", c.tried}, {"converged", c.converged}};

@@ -124,6 +124,28 @@ std::string energy_text(const System& system, const EnergyBook& book) {
                             book.defect(), relative_defect(book));
 }
 
+// Of the impacts of an orbit that closes a chatter only the first and the last are shown.
+constexpr std::size_t kShownImpacts = 8;
+
+std::string holds_text(const std::vector<Orbit>& orbits) {
+  Table table({"orbit", "stuck on stop", "from phase (rad)", "to phase (rad)", "duration (s)",
+               "force (N)", "smallest force (N)"});
+  for (std::size_t i = 0; i < orbits.size(); ++i) {
+    if (!orbits[i].sticking) continue;
+    const auto at = [&](const OrbitInstant& instant) {
+      return orbits[i].period == 1
+                 ? fmt::format("{:.12f}", instant.phase)
+                 : fmt::format("{:.12f}, period {}", instant.phase, instant.period_index);
+    };
+    for (const OrbitHold& hold : orbits[i].sticking->holds)
+      table.add({fmt::format("{}", i + 1), fmt::format("{}", hold.stop + 1), at(hold.from),
+                 at(hold.to), fmt::format("{:.9g}", hold.duration),
+                 fmt::format("{:.6g}", hold.force),
+                 hold.smallest_force ? fmt::format("{:.6g}", *hold.smallest_force) : "-"});
+  }
+  return table.empty() ? "" : table.text() + "\n";
+}
+
 }  // namespace
 
 std::string to_text(const CheckRecord& record) {
@@ -179,7 +201,14 @@ std::string to_text(const OrbitRecord& record) {
   for (const Orbit& orbit : record.found.orbits) {
     bool first = true;
     ++number;
-    for (const OrbitImpact& impact : orbit.impacts) {
+    const std::size_t count = orbit.impacts.size();
+    const bool excerpt = orbit.sticking && count > 2 * kShownImpacts;
+    for (std::size_t i = 0; i < count; ++i) {
+      if (excerpt && i == kShownImpacts) {
+        table.add({"", ".."});
+        i = count - kShownImpacts;
+      }
+      const OrbitImpact& impact = orbit.impacts[i];
       std::vector<std::string> row{"", "", fmt::format("{:.12f}", impact.phase),
                                    fmt::format("{:.12g}", impact.speed)};
       if (first) {
@@ -197,6 +226,7 @@ std::string to_text(const OrbitRecord& record) {
     }
   }
   if (!table.empty()) text += table.text() + "\n";
+  text += holds_text(record.found.orbits);
   return text + notes_text(record.found.notes) + ending(record.outcome);
 }
 

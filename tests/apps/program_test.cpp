@@ -44,7 +44,6 @@ TEST(Program, UsageErrorsExitWith2AndPrintNothingOnStdout) {
 TEST(Program, RefusesWhatALaterVersionBrings) {
   for (const std::string& line : std::vector<std::string>{
            "cost " + kOneMode, "compare " + kOneMode, "fit a b",
-           "orbit --closure-speed 1e-6 " + kOneMode,
            "continue --closure-speed 1e-6 --parameter stop.gap --from 0 --to 1 " + kOneMode,
            "continue --parameter stop.gap --from 1e-3 --to 2e-3 " + scene("07_two_stops.toml"),
            "orbit --plot picture.html " + kOneMode,

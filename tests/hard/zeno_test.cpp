@@ -1,11 +1,14 @@
 // Z1 to Z7: chatter, sticking and release. Expected values: closed forms, stated at each test.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <boost/multiprecision/cpp_bin_float.hpp>
 #include <cmath>
 #include <numbers>
 
+#include "graze/base/angle.hpp"
 #include "graze/flow/contact_phase.hpp"
+#include "graze/orbit/finder.hpp"
 #include "graze/structure/cantilever.hpp"
 #include "support/reached.hpp"
 #include "support/reference.hpp"
@@ -118,6 +121,56 @@ TEST(HardCases, Z2StickingForgetsTheStart) {
             std::max(off(final.q[0], reference.q[0]), off(final.qdot[0], reference.qdot[0])),
             1e-14);
       }
+    }
+  }
+}
+
+// The orbit that sticks: its events are those of the catalogue, its multipliers are zero.
+TEST(HardCases, Z2OrbitSticks) {
+  const double turn = 2.0 * std::numbers::pi;
+  const auto turned = [turn](double a, double b) { return std::abs(std::remainder(a - b, turn)); };
+  for (const ForcedChatter& c : kForcedChatters) {
+    SCOPED_TRACE(c.frequency);
+    const System system = pushed_oscillator(c.frequency, c.stop, c.restitution);
+    State reference;
+    for (const double x : {c.stop, 0.0, 0.05}) {
+      FinderOptions options;
+      options.from_closed_form = options.from_random = false;
+      const State start = state_of({x}, {0.0});
+      const FoundOrbits found = find_orbits(system, start, options);
+      ASSERT_EQ(found.orbits.size(), 1u) << found.notes.front();
+      const Orbit& orbit = found.orbits.front();
+      ASSERT_TRUE(orbit.sticking);
+      ASSERT_EQ(orbit.sticking->holds.size(), 1u);
+      EXPECT_TRUE(orbit.admissible);
+      EXPECT_EQ(orbit.stable, std::optional<bool>(true));
+      const OrbitHold& hold = orbit.sticking->holds.front();
+      expect_reached("Z2", "orbit that sticks: release, rad",
+                     turned(hold.to.phase, std::acos(c.stop)), 1e-10);
+      expect_reached("Z2", "orbit that sticks: accumulation, s",
+                     turned(hold.from.phase, c.frequency * c.accumulation) / c.frequency, 1e-9);
+      // The one that follows the release.
+      const auto since = [&](const OrbitImpact& impact) {
+        return wrapped(impact.phase - hold.to.phase);
+      };
+      const auto first =
+          std::min_element(orbit.impacts.begin(), orbit.impacts.end(),
+                           [&](const auto& i, const auto& j) { return since(i) < since(j); });
+      expect_reached("Z2", "orbit that sticks: first impact, s",
+                     turned(first->phase, c.frequency * c.impact) / c.frequency, 1e-10);
+      expect_reached("Z2", "orbit that sticks: first impact, speed",
+                     relative(first->speed, c.speed), 1e-10);
+      ASSERT_EQ(orbit.multipliers.size(), 2u);
+      for (const Eigenvalue& multiplier : orbit.multipliers)
+        expect_reached("Z2", "orbit that sticks: multipliers, all zero",
+                       std::abs(multiplier.value) + multiplier.error, 0.0);
+      // One period later, from any start that sticks.
+      State& at = reference;
+      const State after = record_run(system, start, for_periods(4)).result.final;
+      if (at.q.size() == 0) at = after;
+      expect_reached("Z2", "state is independent of a start that sticks",
+                     std::max(off(after.q[0], at.q[0]), off(after.qdot[0], at.qdot[0])), 1e-14);
+      expect_reached("Z2", "orbit that sticks: residual one period later", orbit.residual, 1e-14);
     }
   }
 }

@@ -1,0 +1,275 @@
+#include "graze/orbit/passage.hpp"
+
+#include <fmt/format.h>
+
+#include <Eigen/LU>
+#include <algorithm>
+#include <cmath>
+
+#include "graze/hybrid/clearance.hpp"
+#include "graze/orbit/shooting.hpp"
+
+namespace graze {
+namespace {
+
+bool not_before(const Instant<double>& a, const Instant<double>& b) {
+  return a.period > b.period || (a.period == b.period && a.local >= b.local);
+}
+
+void note_smallest(std::optional<double>& smallest, const std::optional<double>& value) {
+  if (value && (!smallest || *value < *smallest)) smallest = value;
+}
+
+class Follower {
+ public:
+  Follower(const System& system, const MotionState<double>& start, const Instant<double>& end,
+           const PassageOptions& options, Deviations* deviations)
+      : system_(system),
+        end_(end),
+        options_(options),
+        deviations_(deviations),
+        motion_(system, start),
+        period_(start.instant.period) {
+    for (std::size_t i = 0; i < start.contacts.size(); ++i)
+      if (start.contacts[i] == Contact::kClosed)
+        open_hold(static_cast<int>(i), start.instant, true);
+  }
+
+  Passage follow() {
+    while (proceed()) {
+    }
+    for (PassedHold& hold : holding_) {
+      hold.to = motion_.instant();
+      hold.to_end = true;
+      passage_.holds.push_back(hold);
+    }
+    passage_.end = motion_.state();
+    if (deviations_ && passage_.failure.empty())
+      move_instant(*deviations_, rate_now(closed_now()), -deviations_->delay);
+    return std::move(passage_);
+  }
+
+ private:
+  const RigidStop& stop(int i) const { return system_.stops[static_cast<std::size_t>(i)]; }
+
+  bool fail(std::string sentence) {
+    passage_.failure = std::move(sentence);
+    return false;
+  }
+
+  std::vector<int> closed_now() const {
+    std::vector<int> closed;
+    for (std::size_t i = 0; i < system_.stops.size(); ++i)
+      if (motion_.is_closed(static_cast<int>(i))) closed.push_back(static_cast<int>(i));
+    return closed;
+  }
+
+  State rate_now(const std::vector<int>& closed) const {
+    return held_rate(system_, closed, {motion_.q(), motion_.qdot()},
+                     motion_.flow().phase(motion_.instant()));
+  }
+
+  // One flight or one change; false when the passage is over.
+  bool proceed() {
+    const Instant<double> start = motion_.instant();
+    if (motion_.has_news()) {
+      const Arrival<double> news = motion_.fly(start.local);
+      if (deviations_ && news.kind == ArrivalKind::kContact)
+        meet(news, stop(news.stop).row.transpose() * deviations_->q, closed_now());
+      return receive(news);
+    }
+    if (due_ && not_before(start, due_->at)) announce_due();
+    if (options_.period_start && start.period > period_) {
+      period_ = start.period;  // an event may have come with its start
+      if (!options_.period_start(motion_.state())) return false;
+    }
+    if (not_before(start, end_)) return false;
+    if ((++polls_ & 255) == 0 && options_.stop.requested())
+      return fail("stopped before the orbit was found");
+    double horizon = motion_.flow().period();
+    if (due_ && due_->at.period == start.period) horizon = std::min(horizon, due_->at.local);
+    const bool cut = start.period == end_.period && end_.local <= horizon;
+    const Arrival<double> arrival = motion_.fly(cut ? end_.local : horizon, horizon);
+    if (arrival.kind == ArrivalKind::kNotFinite || arrival.kind == ArrivalKind::kRefused)
+      return receive(arrival);
+    const std::vector<int>& closed = motion_.flown().closed();
+    if (options_.flight) options_.flight(motion_.flown(), start, arrival.flight);
+    if (options_.minima && arrival.flight > 0.0) note_minima(arrival.flight);
+    if (deviations_) carry(arrival, closed);
+    return receive(arrival);
+  }
+
+  bool departed_from(int i) const {
+    return motion_.departure().contacts[static_cast<std::size_t>(i)] != Contact::kClear;
+  }
+
+  // Deviations along the flight; at a contact, to the deviated motion's own contact.
+  void carry(const Arrival<double>& arrival, const std::vector<int>& closed) {
+    hold(system_, closed, *deviations_);
+    const Deviations change = growth(motion_.flown(), arrival.flight, *deviations_);
+    Eigen::RowVectorXd reach(deviations_->count());
+    if (arrival.kind == ArrivalKind::kContact) {
+      const RigidStop& s = stop(arrival.stop);
+      reach = s.row.transpose() * change.q;
+      // A flight that left this stop left it with b.dq = 0, as an identity.
+      if (!departed_from(arrival.stop)) reach += s.row.transpose() * deviations_->q;
+    }
+    deviations_->q += change.q;
+    deviations_->qdot += change.qdot;
+    if (arrival.kind == ArrivalKind::kContact) meet(arrival, reach, closed);
+  }
+
+  // `reach`: b.dq at the undeviated contact.
+  void meet(const Arrival<double>& arrival, const Eigen::RowVectorXd& reach,
+            const std::vector<int>& closed) {
+    const RigidStop& s = stop(arrival.stop);
+    move_instant(*deviations_, rate_now(closed), -reach / arrival.speed);
+    deviations_->q -= s.row * (s.row.transpose() * deviations_->q) / s.row.squaredNorm();
+  }
+
+  void note_minima(double flight) {
+    const ContactPhase<double>& phase = motion_.flown();
+    for (std::size_t k = 0; k < system_.stops.size(); ++k) {
+      const int i = static_cast<int>(k);
+      if (motion_.departure().contacts[k] == Contact::kLocked) continue;
+      const auto& closed = phase.closed();
+      if (std::find(closed.begin(), closed.end(), i) == closed.end()) {
+        note_smallest(passage_.clearance, smallest_minimum(phase.gap(i, flight, departed_from(i)),
+                                                           motion_.departure().multiplicities[k]));
+        continue;
+      }
+      for (PassedHold& hold : holding_)
+        if (hold.stop == i)
+          note_smallest(hold.smallest_force, smallest_minimum(phase.force(i, flight)));
+    }
+  }
+
+  bool receive(const Arrival<double>& arrival) {
+    switch (arrival.kind) {
+      case ArrivalKind::kTime:
+      case ArrivalKind::kTouch:
+        return true;
+      case ArrivalKind::kContact:
+        return impact();
+      case ArrivalKind::kStick:
+        if (!(due_ && due_->stop == arrival.stop))
+          open_hold(arrival.stop, motion_.instant(), false);
+        return true;
+      case ArrivalKind::kRelease:
+        close_hold(arrival.stop);
+        return true;
+      case ArrivalKind::kUndecided:
+        return fail(fmt::format("the search for the next event at stop {} used up its evaluations",
+                                arrival.stop + 1));
+      case ArrivalKind::kNotFinite:
+        return fail("the motion left the range of double precision");
+      case ArrivalKind::kRefused:
+        return fail("the motion on the stop cannot be followed: " + motion_.refusal());
+    }
+    return false;
+  }
+
+  bool impact() {
+    const State before{motion_.q(), motion_.qdot()};
+    const std::vector<ImpactShare<double>> shares = motion_.impact();
+    int hits = 0, acting = 0;
+    const ImpactShare<double>* last = nullptr;
+    for (const ImpactShare<double>& share : shares) {
+      if (share.impulse > 0.0) ++acting;
+      if (!share.hit) continue;
+      ++hits;
+      last = &share;
+      ++impacts_;
+      if (options_.keep_impacts)
+        passage_.impacts.push_back({share.stop, motion_.instant(), share.speed, before});
+    }
+    if (impacts_ > options_.max_impacts)
+      return fail(fmt::format("the budget of {} impacts was spent", options_.max_impacts));
+    if (deviations_) {
+      if (hits > 1)
+        return fail("two stops are hit at one instant: the map has no derivative there");
+      jump(shares);
+    }
+    if (acting == 1 && last && last->speed <= options_.closure_speed) close_chatter(*last);
+    return true;
+  }
+
+  // The derivative of q'+ = q'- - D (B^T D)^-1 (v- - target) over the stops that act.
+  void jump(const std::vector<ImpactShare<double>>& shares) {
+    std::vector<const ImpactShare<double>*> acting;
+    for (const ImpactShare<double>& share : shares)
+      if (share.impulse > 0.0) acting.push_back(&share);
+    const auto k = static_cast<Eigen::Index>(acting.size());
+    Matrix rows(system_.modes(), k), directions(system_.modes(), k);
+    Vector slopes(k);
+    for (Eigen::Index a = 0; a < k; ++a) {
+      const ImpactShare<double>& share = *acting[static_cast<std::size_t>(a)];
+      rows.col(a) = stop(share.stop).row;
+      directions.col(a) = stop(share.stop).direction;
+      // A closed stop takes up what comes; so does one that leaves no room for a rebound.
+      slopes[a] = share.speed_after < 0.0 ? jump_slope(stop(share.stop), share.speed) : 1.0;
+    }
+    const Matrix undone = slopes.asDiagonal() * (rows.transpose() * deviations_->qdot);
+    deviations_->qdot -= directions * (rows.transpose() * directions).partialPivLu().solve(undone);
+  }
+
+  // As a run does (lib/hybrid/simulation.cpp).
+  void close_chatter(const ImpactShare<double>& impact) {
+    const RigidStop& s = stop(impact.stop);
+    if (!(s.restitution.at_rest() < 1.0)) return;
+    const std::optional<double> duration =
+        motion_.close_chatter(impact.stop, s.restitution.at(impact.speed));
+    if (!duration) return;
+    if (deviations_) deviations_->qdot -= s.direction * (s.row.transpose() * deviations_->qdot);
+    const double period = motion_.flow().period();
+    due_ = Due{impact.stop, motion_.instant()};
+    due_->at.local += *duration;
+    const double periods = std::floor(due_->at.local / period);
+    due_->at.local = std::max(due_->at.local - periods * period, 0.0);
+    due_->at.period += static_cast<long long>(periods);
+  }
+
+  void announce_due() {
+    const int i = due_->stop;
+    due_.reset();
+    if (motion_.is_closed(i)) open_hold(i, motion_.instant(), false);
+  }
+
+  void open_hold(int i, const Instant<double>& from, bool from_start) {
+    holding_.push_back({i, from, from, from_start, false, motion_.force(i), {}});
+  }
+
+  void close_hold(int i) {
+    if (due_ && due_->stop == i) due_.reset();
+    const auto held = std::find_if(holding_.begin(), holding_.end(),
+                                   [i](const PassedHold& hold) { return hold.stop == i; });
+    if (held == holding_.end()) return;
+    held->to = motion_.instant();
+    passage_.holds.push_back(*held);
+    holding_.erase(held);
+  }
+
+  struct Due {  // a chatter was summed: it sticks then
+    int stop = 0;
+    Instant<double> at;
+  };
+
+  const System& system_;
+  const Instant<double> end_;
+  const PassageOptions& options_;
+  Deviations* deviations_;
+  Motion<double> motion_;
+  std::vector<PassedHold> holding_;
+  std::optional<Due> due_;
+  long long polls_ = 0, impacts_ = 0, period_;
+  Passage passage_;
+};
+
+}  // namespace
+
+Passage pass(const System& system, const MotionState<double>& start, const Instant<double>& end,
+             const PassageOptions& options, Deviations* deviations) {
+  return Follower(system, start, end, options, deviations).follow();
+}
+
+}  // namespace graze

@@ -1,0 +1,64 @@
+// One passage of the hybrid motion between two instants, with its impacts, closed chatters, stuck
+// phases and releases, certified as in a run; and what becomes of small deviations from it.
+//
+// The derivative of the map from start to end, event by event (docs/theory.md, Orbits that stick):
+//   impact   the derivative of the jump at fixed position, shared with the stops that are touched;
+//   closure  as an impact with r = 0 on that stop: what it closes on forgets its deviation along
+//            (b.q, b.q'). State and derivative err by O(v_c^3);
+//   release  the identity: the contact force vanishes there and (q', q'') is continuous.
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "graze/base/stop_signal.hpp"
+#include "graze/flow/deviation.hpp"
+#include "graze/hybrid/motion.hpp"
+
+namespace graze {
+
+struct PassageOptions {
+  double closure_speed = 0.0;  // m/s: below it the tail of a chatter is summed
+  long long max_impacts = 10'000'000;
+  bool minima = false;  // look for the minima of gaps and contact forces
+  bool keep_impacts = true;
+  StopSignal stop;
+  // Called for every flight: the phase as it was flown, when it began, how long it was, s.
+  std::function<void(const ContactPhase<double>&, const Instant<double>&, double)> flight;
+  // Called at every start of a forcing period after the first; false ends the passage there.
+  std::function<bool(const MotionState<double>&)> period_start;
+};
+
+struct PassedImpact {
+  int stop = 0;
+  Instant<double> at;
+  double speed = 0.0;  // m/s, before
+  State before;
+};
+
+// A stop that is closed: from the end of its chatter, or from the start of the passage.
+struct PassedHold {
+  int stop = 0;
+  Instant<double> from, to;
+  bool from_start = false, to_end = false;  // cut by the ends of the passage
+  double force = 0.0;                       // contact force at `from`, N
+  std::optional<double> smallest_force;     // interior local minimum, N; with `minima`
+};
+
+struct Passage {
+  std::string failure;  // a sentence where the end was not reached; empty: it was
+  MotionState<double> end;
+  std::vector<PassedImpact> impacts;
+  std::vector<PassedHold> holds;    // by the instant at which they end
+  std::optional<double> clearance;  // smallest interior local minimum of a gap, m; with `minima`
+};
+
+// Follows the motion from `start` to `end`. With `deviations`, those of the start become those of
+// the end (both at unmoved instants); fails where two stops are hit at one instant, where the map
+// has no derivative.
+Passage pass(const System& system, const MotionState<double>& start, const Instant<double>& end,
+             const PassageOptions& options, Deviations* deviations = nullptr);
+
+}  // namespace graze
