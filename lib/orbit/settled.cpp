@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "graze/base/angle.hpp"
 #include "graze/hybrid/chatter_closure.hpp"
@@ -63,9 +64,16 @@ class Settling {
     in_period_ = 0;
     // The clock costs as much as a few arcs of a small system.
     if (stop_requested((history_.periods() & 31) == 0)) return false;
+    const long long period = history_.periods();
     for (;;) {
-      const Arrival<double> arrival = motion_.fly(motion_.flow().period());
+      const Arrival<double> arrival =
+          pending_ ? *std::exchange(pending_, std::nullopt) : motion_.fly(motion_.flow().period());
       if (arrival.kind == ArrivalKind::kTime) break;
+      // What happens at the very end of a period belongs to the next one.
+      if (motion_.instant().period > period) {
+        pending_ = arrival;
+        break;
+      }
       if (!receive(arrival)) return false;
     }
     history_.end_period(motion_.q(), motion_.qdot(), contacts_);
@@ -317,6 +325,7 @@ class Settling {
   long long solved_at_ = 0, next_solve_ = 0, leaving_until_ = 0;  // periods
   PeriodHistory::Contacts contacts_;
   long long in_period_ = 0;
+  std::optional<Arrival<double>> pending_;  // at the end of the last period, not yet dealt with
   bool over_ = false;
   SettledMotion result_;
 };

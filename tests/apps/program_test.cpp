@@ -45,11 +45,8 @@ TEST(Program, RefusesWhatALaterVersionBrings) {
   for (const std::string& line : std::vector<std::string>{
            "cost " + kOneMode, "compare " + kOneMode, "fit a b",
            "continue --closure-speed 1e-6 --parameter stop.gap --from 0 --to 1 " + kOneMode,
-           "continue --parameter stop.gap --from 1e-3 --to 2e-3 " + scene("07_two_stops.toml"),
            "orbit --plot picture.html " + kOneMode,
-           "continue --parameter stop.gap --from 0 --to 1 --impacts 2 " + kOneMode,
-           "continue --parameter stop.gap --from 0 --to 1 --locus LP " + kOneMode,
-           "continue --parameter stop.gap --from 0 --to 1 --follow all " + kOneMode}) {
+           "continue --parameter stop.gap --from 0 --to 1 --locus LP " + kOneMode}) {
     const Finished run = run_graze(line);
     EXPECT_EQ(run.code, 2) << line;
     EXPECT_NE(run.err.find("not available in this version"), std::string::npos) << run.err;

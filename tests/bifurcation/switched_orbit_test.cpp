@@ -179,5 +179,15 @@ TEST(SwitchedOrbits, WithSpeedDependentRestitutionAreReachedBySimulation) {
   EXPECT_GE(expect_stable_points_are_reached(result, family), 10);
 }
 
+// Sequences asked for by their number of impacts.
+TEST(SwitchedOrbits, SequencesOfTwoImpactsAreFoundWithoutFollowing) {
+  const Scene scene = support::shipped_scene("05_wagg_one_mode", {"forcing.frequency=16"});
+  const SystemFamily family(scene, "forcing.frequency");
+  const OrbitBranches result = followed(scene, "forcing.frequency", 15.5, 17.5, 0, 1, 2);
+  ASSERT_FALSE(result.branches.empty());
+  for (const OrbitBranch& branch : result.branches) EXPECT_EQ(branch.pattern.impacts(), 2);
+  EXPECT_GE(expect_stable_points_are_reached(result, family), 3);
+}
+
 }  // namespace
 }  // namespace graze
