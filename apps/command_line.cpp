@@ -121,6 +121,23 @@ void add_range(CLI::App* app, Command& command) {
       ->type_name("D");
 }
 
+// Which orbits' branches are traced, and how far from the first.
+void add_branch_kind(CLI::App* app, Command& command) {
+  app->add_option("--impacts", command.impacts,
+                  "Impacts per orbit, on all stops together (default: 1)")
+      ->check(CLI::Range(1, 64))
+      ->type_name("K");
+  app->add_option("--follow", command.follow,
+                  "Switch branches at special points: none, or all: doubled orbits at PD, crossing "
+                  "branches at BP, rewritten impact sequences at GR (default: none)")
+      ->check(CLI::IsMember({"none", "all"}))
+      ->type_name("WHAT");
+  app->add_option("--depth", command.depth,
+                  "With --follow all: special points switched at one after the other (default: 2)")
+      ->check(CLI::Range(1, 16))
+      ->type_name("D");
+}
+
 void add_check(CLI::App& graze, Command& command) {
   CLI::App* app = graze.add_subcommand(
       "check", "Read a scene and say what is simulated: modes, frequencies, conditioning, flow");
@@ -185,23 +202,11 @@ void add_continue(CLI::App& graze, Command& command) {
   add_plot(app, command);
   add_orbit_search(app, command);
   add_range(app, command);
-  app->add_option("--impacts", command.impacts,
-                  "Impacts per orbit, on all stops together (default: 1)")
-      ->check(CLI::Range(1, 64))
-      ->type_name("K");
+  add_branch_kind(app, command);
   app->add_option_function<double>(
          "--closure-speed", [](double) { throw not_available("--closure-speed for continue"); },
          "(not available in this version: branches of orbits that stick are not followed)")
       ->type_name("V");
-  app->add_option("--follow", command.follow,
-                  "Switch branches at special points: none, or all: doubled orbits at PD, crossing "
-                  "branches at BP, rewritten impact sequences at GR (default: none)")
-      ->check(CLI::IsMember({"none", "all"}))
-      ->type_name("WHAT");
-  app->add_option("--depth", command.depth,
-                  "With --follow all: special points switched at one after the other (default: 2)")
-      ->check(CLI::Range(1, 16))
-      ->type_name("D");
   for (const char* later : {"--locus", "--second", "--second-from", "--second-to"})
     app->add_option_function<std::string>(
            later, [later](const std::string&) { throw not_available(later); },
@@ -250,6 +255,7 @@ void add_diagram(CLI::App& graze, Command& command) {
       ->check(at_least("a whole number from 1", 1.0))
       ->capture_default_str()
       ->type_name("P");
+  add_branch_kind(app, command);
   add_limits(app, command);
 }
 

@@ -41,27 +41,24 @@ void note_options(const Command& command, const SweepOptions& options, RunInfo& 
   info.options.emplace_back("samples", options.samples);
   if (command.closure_speed) info.options.emplace_back("closure_speed", *command.closure_speed);
   info.options.emplace_back("branches", command.branches);
-  if (command.branches != "none")
+  if (command.branches != "none") {
     info.options.emplace_back("period", static_cast<long long>(command.period));
+    info.options.emplace_back("impacts", static_cast<long long>(command.impacts.value_or(1)));
+    info.options.emplace_back("follow", command.follow);
+    if (command.follow == "all")
+      info.options.emplace_back("depth", static_cast<long long>(command.depth));
+  }
   if (command.max_step) info.options.emplace_back("max_step", *command.max_step);
   info.options.emplace_back("max_impacts", command.max_impacts);
   info.options.emplace_back("max_seconds", command.max_seconds);
 }
 
-// The branches, as far as this version traces them; how that ended, or nothing where it was not
-// tried.
-std::optional<Outcome> add_branches(const Command& command, const Scene& scene,
-                                    const SystemFamily& family, BranchOptions options,
-                                    DiagramRecord& record) {
+// The branches; how that ended, or nothing where they are not wanted.
+std::optional<Outcome> add_branches(const Command& command, const SystemFamily& family,
+                                    const BranchOptions& options, DiagramRecord& record) {
   OrbitBranches& traced = record.branches.traced;
   traced.parameter = command.parameter;
   if (command.branches == "none") return {};
-  if (scene.stops.size() > 1) {
-    traced.notes.push_back(
-        "no branches are traced: with several stops they are not available in "
-        "this version");
-    return {};
-  }
   traced = trace_orbits(family, options);
   const Outcome outcome = branch_outcome(traced, options);
   if (outcome.name == "no_orbit") traced.notes.push_back(outcome.message);
@@ -97,8 +94,7 @@ int run_diagram(const Command& command) {
   prepare_output(command);
   record.swept = sweep(family, options);
   options.progress = nullptr;
-  const std::optional<Outcome> traced =
-      add_branches(command, scene, family, std::move(tracing), record);
+  const std::optional<Outcome> traced = add_branches(command, family, tracing, record);
   record.branches.outcome = diagram_outcome(record.swept, traced);
   return conclude(command, record.branches.info, record.branches.outcome,
                   {to_json(record),

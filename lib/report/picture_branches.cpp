@@ -115,6 +115,8 @@ MarkStyle mark_of(SpecialKind kind) {
   return {"grazing", 8, 1.0, kGreen, true};
 }
 
+constexpr std::size_t kColumns = 2;  // of the legend: the names of special points are long
+
 class BranchesPicture {
  public:
   explicit BranchesPicture(const BranchRecord& record) : record_(record) {
@@ -154,6 +156,9 @@ class BranchesPicture {
   std::vector<Node> nodes_of(const OrbitBranch& branch) const {
     std::vector<Node> nodes;
     for (const OrbitBranchPoint& point : branch.points) nodes.push_back(node(point));
+    // Where it joins orbits of half the period a multiplier is 1; that says nothing of the branch.
+    if (branch.ends[0] == OrbitBranchEnd::kPeriodDoubling) nodes.front().kind.reset();
+    if (branch.ends[1] == OrbitBranchEnd::kPeriodDoubling) nodes.back().kind.reset();
     for (const SpecialPoint& special : branch.special) {
       Node place = node(special.at);
       place.kind.reset();
@@ -207,10 +212,10 @@ class BranchesPicture {
                       kGrey));
     }
     Margins margins;
-    margins.bottom += legend_height(legend().size(), 3);
+    margins.bottom += legend_height(legend().size(), kColumns);
     if (record_.traced.parameter == "forcing.frequency") margins.top = 0.145;
     set_margins(script_, margins);
-    set_legend(script_, margins, 3);
+    set_legend(script_, margins, kColumns);
     script_.command("set xrange " + axes_.x.text());
     script_.command(fmt::format("set xtics {:.6g}", axes_.x.tic_step(7)));
     script_.command("set yrange " + y.text());
