@@ -165,17 +165,20 @@ TEST(Diagram, AnInterruptKeepsWhatIsFinished) {
   EXPECT_GT(lines.size(), document["sweep"]["rows"].size());
 }
 
-TEST(Diagram, SweepsSeveralStopsWithoutBranches) {
+// One mode between two stops: the motion hits them in turn, and that is the branch drawn over it.
+TEST(Diagram, SweepsSeveralStopsWithTheirBranches) {
   const json document = diagram(scene("07_two_stops.toml") +
                                 " --set beam.modes=1 --parameter forcing.frequency --from 27 --to "
-                                "29 --points 5 --periods 60");
+                                "29 --points 5 --periods 60 --impacts 2");
   EXPECT_EQ(document["outcome"], "complete");
-  EXPECT_EQ(document["branches"].size(), 0U);
-  ASSERT_EQ(document["notes"].size(), 1U);
   std::set<int> stops;
   for (const json& row : document["sweep"]["rows"])
     for (const int stop : row["stops"]) stops.insert(stop);
   EXPECT_EQ(stops, (std::set<int>{1, 2}));
+  bool in_turn = false;
+  for (const json& branch : document["branches"])
+    in_turn = in_turn || branch["stops"] == json::array({1, 2});
+  EXPECT_TRUE(in_turn);
 }
 
 TEST(Diagram, UsageErrorsExitWith2) {
