@@ -177,6 +177,7 @@ void Motion<Real>::apply(const std::vector<int>& touched, const RealVector<Real>
     active.push_back(touched[static_cast<std::size_t>(a)]);
     places.push_back(a);
   }
+  if (active.empty()) return;
   RealVector<Real> amounts = impulse(places);
   push_back_from(active, amounts);
   RealVector<Real> left(amounts.size());
