@@ -95,13 +95,18 @@ class CriticalSearch {
     const double ratio = corrector_.determinant_ratio(a, b);
     if (!std::isfinite(ratio)) return;
     const double part = 1.0 / (1.0 + ratio);
+    // On the cubic through both ends and their tangents: where the branch turns back at the
+    // crossing (a pitchfork seen from its side) a chord would miss the parameter by its curvature.
     const Vector x = corrector_.pack(a);
-    const Vector at = x + part * corrector_.difference(corrector_.pack(b), x);
+    const Vector chord = corrector_.difference(corrector_.pack(b), x);
+    const double length = chord.norm(), rest = 1.0 - part;
+    const Vector at = x + part * part * (3.0 - 2.0 * part) * chord +
+                      part * rest * length * (rest * a.tangent - part * b.tangent);
     const Eigen::Index n = a.u.size();
     CriticalPoint found{CriticalKind::kBranchPoint, {}, i, {}};
     found.point = {at.head(n),
-                   (1.0 - part) * a.parameter + part * b.parameter,
-                   ((1.0 - part) * a.tangent + part * b.tangent).normalized(),
+                   at[n] * corrector_.range(),
+                   (rest * a.tangent + part * b.tangent).normalized(),
                    std::max(a.residual, b.residual),
                    0,
                    {}};

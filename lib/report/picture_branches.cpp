@@ -11,6 +11,7 @@
 #include "graze/bifurcation/special_names.hpp"
 #include "graze/report/picture_style.hpp"
 #include "graze/report/pictures.hpp"
+#include "graze/report/special_marks.hpp"
 
 namespace graze {
 namespace {
@@ -90,30 +91,7 @@ void insert_special(std::vector<Node>& nodes, const Node& special, const Axes& a
   if (least < 0.05) nodes.insert(nodes.begin() + static_cast<std::ptrdiff_t>(place), special);
 }
 
-// How a kind of special point is marked: told apart by shape first, by colour second.
-struct MarkStyle {
-  const char* title;
-  int point;  // gnuplot's point type
-  double size;
-  const char* colour;
-  bool open;  // an outline; the same shape filled is the next point type
-};
-
-MarkStyle mark_of(SpecialKind kind) {
-  switch (kind) {
-    case SpecialKind::kFold:
-      return {"fold", 7, 0.8, kBlack, false};
-    case SpecialKind::kPeriodDoubling:
-      return {"period doubling", 5, 0.8, kBlack, false};
-    case SpecialKind::kTorus:
-      return {"torus", 13, 1.1, kBlack, false};
-    case SpecialKind::kBranchPoint:
-      return {"branch point", 12, 1.2, kBlack, true};
-    case SpecialKind::kGrazing:
-      break;
-  }
-  return {"grazing", 8, 1.0, kGreen, true};
-}
+const SpecialMark kVirtualMark = {"", 7, 0.6, kGrey, 0};
 
 constexpr std::size_t kColumns = 2;  // of the legend: the names of special points are long
 
@@ -242,16 +220,15 @@ class BranchesPicture {
     script_.command("set x2label 'forcing frequency (Hz)'");
   }
 
-  std::string mark(const MarkStyle& style) const {
+  std::string mark(const SpecialMark& style) const {
     return fmt::format("with points pt {} ps {:.2f} lw 1.2 lc rgb '{}'", style.point,
                        style.size * mark_size(), style.colour);
   }
 
-  // Marks shrink as they crowd.
   double mark_size() const {
     std::size_t count = 0;
     for (const OrbitBranch& branch : record_.traced.branches) count += branch.special.size();
-    return std::clamp(std::sqrt(12.0 / std::max(static_cast<double>(count), 1.0)), 0.5, 1.0) * 0.9;
+    return crowded_mark_size(count);
   }
 
   std::vector<std::string> layers() const {
@@ -263,14 +240,13 @@ class BranchesPicture {
         layers.push_back(fmt::format("$lone_{} with points pt 7 ps 0.4 lc rgb '{}'", name,
                                      style_of(kind).colour));
     }
-    if (!virtual_marks_.empty())
-      layers.push_back("$virtual_marks " + mark({"", 7, 0.6, kGrey, false}));
+    if (!virtual_marks_.empty()) layers.push_back("$virtual_marks " + mark(kVirtualMark));
     for (const auto& [kind, points] : marks_) {
-      const MarkStyle style = mark_of(kind);
-      // Filled with the paper's white, so that the curve does not run through an open mark.
-      if (style.open)
+      const SpecialMark style = special_mark(label_of(kind));
+      // Filled with the paper's white, so that the curve does not run through an outline.
+      if (style.ground > 0)
         layers.push_back(fmt::format("${} with points pt {} ps {:.2f} lc rgb '#FFFFFF'",
-                                     label_of(kind), style.point + 1, style.size * mark_size()));
+                                     label_of(kind), style.ground, style.size * mark_size()));
       layers.push_back("$" + label_of(kind) + " " + mark(style));
     }
     for (const std::string& entry : legend()) layers.push_back(entry);
@@ -282,12 +258,12 @@ class BranchesPicture {
     for (std::size_t kind = 0; kind < kKinds; ++kind)
       if (!curves_[kind].empty() || !lone_[kind].empty())
         entries.push_back(fmt::format("NaN {} title '{}'", line_style(kind), style_of(kind).title));
-    for (const auto& [kind, points] : marks_)
-      entries.push_back(fmt::format("NaN {} title '{} ({})'", mark(mark_of(kind)),
-                                    mark_of(kind).title, label_of(kind)));
+    for (const auto& [kind, points] : marks_) {
+      const SpecialMark style = special_mark(label_of(kind));
+      entries.push_back(fmt::format("NaN {} title '{}'", mark(style), style.title));
+    }
     if (!virtual_marks_.empty())
-      entries.push_back("NaN " + mark({"", 7, 0.6, kGrey, false}) +
-                        " title 'virtual special point'");
+      entries.push_back("NaN " + mark(kVirtualMark) + " title 'virtual special point'");
     return entries;
   }
 

@@ -140,6 +140,9 @@ class DiagramPicture {
       nodes.push_back(node(branch.points[k], curve.points[k]));
       if (k > 0) align(nodes[k - 1], nodes[k]);
     }
+    // Where it joins orbits of half the period a multiplier is 1; that says nothing of the branch.
+    if (branch.ends[0] == OrbitBranchEnd::kPeriodDoubling) nodes.front().line.reset();
+    if (branch.ends[1] == OrbitBranchEnd::kPeriodDoubling) nodes.back().line.reset();
     for (std::size_t k = 0; k < branch.special.size(); ++k) {
       Node special = node(branch.special[k].at, curve.special[k]);
       special.line.reset();
@@ -283,16 +286,23 @@ class DiagramPicture {
       // Filled with the paper's white, so that the curve does not run through the outline.
       if (mark.ground > 0)
         layers.push_back(fmt::format("$special_{} with points pt {} ps {:.2f} lc rgb '#FFFFFF'",
-                                     label, mark.ground, 0.9 * mark.size));
+                                     label, mark.ground, mark_size() * mark.size));
       layers.push_back(fmt::format("$special_{} {}", label, mark_style(mark)));
     }
     for (const std::string& entry : legend()) layers.push_back(entry);
     return layers;
   }
 
-  static std::string mark_style(const SpecialMark& mark) {
+  std::string mark_style(const SpecialMark& mark) const {
     return fmt::format("with points pt {} ps {:.2f} lw 1.2 lc rgb '{}'", mark.point,
-                       0.9 * mark.size, mark.colour);
+                       mark_size() * mark.size, mark.colour);
+  }
+
+  double mark_size() const {
+    std::size_t count = 0;
+    for (const OrbitBranch& branch : record_.branches.traced.branches)
+      for (const SpecialPoint& special : branch.special) count += special.at.orbit.impacts.size();
+    return crowded_mark_size(count);
   }
 
   std::vector<std::string> legend() const {

@@ -1,5 +1,7 @@
 #include "graze/report/special_marks.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <map>
 
 #include "graze/report/picture_style.hpp"
@@ -17,6 +19,10 @@ SpecialMark special_mark(const std::string& label) {
   };
   const auto known = kMarks.find(label);
   return known != kMarks.end() ? known->second : SpecialMark{label, 4, 0.9, kBlack, 5};
+}
+
+double crowded_mark_size(std::size_t count) {
+  return 0.9 * std::clamp(std::sqrt(12.0 / std::max(static_cast<double>(count), 1.0)), 0.5, 1.0);
 }
 
 }  // namespace graze

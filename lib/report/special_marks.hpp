@@ -1,6 +1,7 @@
 // How the kinds of special points are marked in pictures.
 #pragma once
 
+#include <cstddef>
 #include <string>
 
 namespace graze {
@@ -18,5 +19,8 @@ struct SpecialMark {
 // The mark of a kind of special point by its label, "LP"; one that is not known has a mark too and
 // its label for a title.
 SpecialMark special_mark(const std::string& label);
+
+// Marks shrink as they crowd: the size that suits this many.
+double crowded_mark_size(std::size_t count);
 
 }  // namespace graze

@@ -201,6 +201,11 @@ TEST(SpecialPoints, PitchforkOnACurvedBranch) {
   }
   EXPECT_EQ(other.points.front().parameter, 1.0);
   EXPECT_EQ(other.points.back().parameter, 1.0);
+  // Met from the side, where its parameter turns back; the fold is not named apart.
+  const Branch again = trace_branch(problem, options, other.points[other.points.size() / 4]);
+  ASSERT_EQ(again.critical.size(), 1u);
+  EXPECT_EQ(again.critical[0].kind, CriticalKind::kBranchPoint);
+  EXPECT_NEAR(again.critical[0].point.parameter, 0.3, 1e-11);
 }
 
 }  // namespace
