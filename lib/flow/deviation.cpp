@@ -124,7 +124,7 @@ State held_rate(const System& system, const std::vector<int>& closed, const Stat
 }
 
 void hold(const System& system, const std::vector<int>& closed, Deviations& deviations) {
-  if (closed.empty()) return;
+  if (closed.empty() || deviations.count() == 0) return;
   const Matrix rows = columns_of(system, closed, false),
                directions = columns_of(system, closed, true);
   deviations.q -=

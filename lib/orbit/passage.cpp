@@ -210,6 +210,7 @@ class Follower {
       slopes[a] = share.speed_after < 0.0 ? jump_slope(stop(share.stop), share.speed) : 1.0;
     }
     const Matrix undone = slopes.asDiagonal() * (rows.transpose() * deviations_->qdot);
+    if (deviations_->count() == 0) return;
     deviations_->qdot -= directions * (rows.transpose() * directions).partialPivLu().solve(undone);
   }
 
