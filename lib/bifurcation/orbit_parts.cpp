@@ -1,8 +1,6 @@
 #include "graze/bifurcation/orbit_parts.hpp"
 
 #include <algorithm>
-#include <cmath>
-#include <limits>
 
 namespace graze {
 namespace {

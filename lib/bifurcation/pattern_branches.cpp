@@ -1,7 +1,6 @@
 #include "graze/bifurcation/pattern_branches.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
 
 #include "graze/base/angle.hpp"

@@ -2,6 +2,9 @@
 // only the rest is a real number. Without forcing the period is infinite and `local` is the time.
 #pragma once
 
+#include <algorithm>
+#include <cmath>
+
 namespace graze {
 
 template <class Real>
@@ -9,5 +12,24 @@ struct Instant {
   long long period = 0;  // whole forcing periods since t = 0
   Real local = 0;        // s since the start of that period, in [0, T)
 };
+
+template <class Real>
+bool not_before(const Instant<Real>& a, const Instant<Real>& b) {
+  return a.period > b.period || (a.period == b.period && a.local >= b.local);
+}
+
+// `seconds` >= 0 later, where forcing periods last `period` seconds.
+template <class Real>
+Instant<Real> later(const Instant<Real>& from, const Real& seconds, const Real& period) {
+  using std::floor;
+  Instant<Real> at = from;
+  at.local += seconds;
+  const Real periods = floor(at.local / period);  // 0 if infinite
+  if (periods > 0) {
+    at.local = std::max<Real>(at.local - periods * period, 0);
+    at.period += static_cast<long long>(periods);
+  }
+  return at;
+}
 
 }  // namespace graze

@@ -17,10 +17,6 @@
 namespace graze {
 namespace {
 
-bool not_before(const Instant<double>& a, const Instant<double>& b) {
-  return a.period > b.period || (a.period == b.period && a.local >= b.local);
-}
-
 class Run {
  public:
   // Keeps its own state and the motion's; `state` says where it begins.
@@ -260,13 +256,8 @@ class Run {
     book_energy(event.energy_change);
     ++state_.totals.chatters;
     emit(event);
-    RunState::Due due{impact.stop, motion_.instant()};
-    due.at.local += *duration;
-    const double periods = std::floor(due.at.local / motion_.flow().period());  // 0 if infinite
-    due.at.local =
-        std::max(due.at.local - (periods > 0.0 ? periods * motion_.flow().period() : 0.0), 0.0);
-    due.at.period += static_cast<long long>(periods);
-    state_.due = due;
+    state_.due =
+        RunState::Due{impact.stop, later(motion_.instant(), *duration, motion_.flow().period())};
   }
 
   Event chatter_event(int i) {

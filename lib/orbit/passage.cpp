@@ -6,15 +6,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "graze/hybrid/chatter_closure.hpp"
 #include "graze/hybrid/clearance.hpp"
+#include "graze/hybrid/simulation.hpp"
 #include "graze/orbit/shooting.hpp"
 
 namespace graze {
 namespace {
-
-bool not_before(const Instant<double>& a, const Instant<double>& b) {
-  return a.period > b.period || (a.period == b.period && a.local >= b.local);
-}
 
 void note_smallest(std::optional<double>& smallest, const std::optional<double>& value) {
   if (value && (!smallest || *value < *smallest)) smallest = value;
@@ -28,8 +26,7 @@ class Follower {
         end_(end),
         options_(options),
         deviations_(deviations),
-        motion_(system, start),
-        period_(start.instant.period) {
+        motion_(system, start) {
     for (std::size_t i = 0; i < start.contacts.size(); ++i)
       if (start.contacts[i] == Contact::kClosed)
         open_hold(static_cast<int>(i), start.instant, true);
@@ -79,10 +76,6 @@ class Follower {
       return receive(news);
     }
     if (due_ && not_before(start, due_->at)) announce_due();
-    if (options_.period_start && start.period > period_) {
-      period_ = start.period;  // an event may have come with its start
-      if (!options_.period_start(motion_.state())) return false;
-    }
     if (not_before(start, end_)) return false;
     if ((++polls_ & 255) == 0 && options_.stop.requested())
       return fail("stopped before the orbit was found");
@@ -172,16 +165,12 @@ class Follower {
   bool impact() {
     const State before{motion_.q(), motion_.qdot()};
     const std::vector<ImpactShare<double>> shares = motion_.impact();
-    int hits = 0, acting = 0;
-    const ImpactShare<double>* last = nullptr;
+    int hits = 0;
     for (const ImpactShare<double>& share : shares) {
-      if (share.impulse > 0.0) ++acting;
       if (!share.hit) continue;
       ++hits;
-      last = &share;
       ++impacts_;
-      if (options_.keep_impacts)
-        passage_.impacts.push_back({share.stop, motion_.instant(), share.speed, before});
+      passage_.impacts.push_back({share.stop, motion_.instant(), share.speed, before});
     }
     if (impacts_ > options_.max_impacts)
       return fail(fmt::format("the budget of {} impacts was spent", options_.max_impacts));
@@ -190,7 +179,8 @@ class Follower {
         return fail("two stops are hit at one instant: the map has no derivative there");
       jump(shares);
     }
-    if (acting == 1 && last && last->speed <= options_.closure_speed) close_chatter(*last);
+    if (const auto* last = closing_impact(system_, shares, options_.closure_speed))
+      close_chatter(*last);
     return true;
   }
 
@@ -217,17 +207,11 @@ class Follower {
   // As a run does (lib/hybrid/simulation.cpp).
   void close_chatter(const ImpactShare<double>& impact) {
     const RigidStop& s = stop(impact.stop);
-    if (!(s.restitution.at_rest() < 1.0)) return;
     const std::optional<double> duration =
         motion_.close_chatter(impact.stop, s.restitution.at(impact.speed));
     if (!duration) return;
     if (deviations_) deviations_->qdot -= s.direction * (s.row.transpose() * deviations_->qdot);
-    const double period = motion_.flow().period();
-    due_ = Due{impact.stop, motion_.instant()};
-    due_->at.local += *duration;
-    const double periods = std::floor(due_->at.local / period);
-    due_->at.local = std::max(due_->at.local - periods * period, 0.0);
-    due_->at.period += static_cast<long long>(periods);
+    due_ = RunState::Due{impact.stop, later(motion_.instant(), *duration, motion_.flow().period())};
   }
 
   void announce_due() {
@@ -250,19 +234,14 @@ class Follower {
     holding_.erase(held);
   }
 
-  struct Due {  // a chatter was summed: it sticks then
-    int stop = 0;
-    Instant<double> at;
-  };
-
   const System& system_;
   const Instant<double> end_;
   const PassageOptions& options_;
   Deviations* deviations_;
   Motion<double> motion_;
   std::vector<PassedHold> holding_;
-  std::optional<Due> due_;
-  long long polls_ = 0, impacts_ = 0, period_;
+  std::optional<RunState::Due> due_;
+  long long polls_ = 0, impacts_ = 0;
   Passage passage_;
 };
 

@@ -23,12 +23,9 @@ struct PassageOptions {
   double closure_speed = 0.0;  // m/s: below it the tail of a chatter is summed
   long long max_impacts = 10'000'000;
   bool minima = false;  // look for the minima of gaps and contact forces
-  bool keep_impacts = true;
   StopSignal stop;
   // Called for every flight: the phase as it was flown, when it began, how long it was, s.
   std::function<void(const ContactPhase<double>&, const Instant<double>&, double)> flight;
-  // Called at every start of a forcing period after the first; false ends the passage there.
-  std::function<bool(const MotionState<double>&)> period_start;
 };
 
 struct PassedImpact {

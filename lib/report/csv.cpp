@@ -5,6 +5,7 @@
 #include <cmath>
 #include <iterator>
 
+#include "graze/bifurcation/special_names.hpp"
 #include "graze/report/names.hpp"
 
 namespace graze {
@@ -130,7 +131,7 @@ std::string special_csv(const BranchRecord& record) {
   for (const OrbitBranch& branch : record.traced.branches)
     for (const SpecialPoint& s : branch.special) {
       const OrbitImpact& first = s.at.orbit.impacts.front();
-      fmt::format_to(std::back_inserter(text), "{},{},{},{},{},{},{},{}\n", s.id, name_of(s.kind),
+      fmt::format_to(std::back_inserter(text), "{},{},{},{},{},{},{},{}\n", s.id, label_of(s.kind),
                      branch.id, cell(s.at.value), cell(first.phase), cell(first.speed),
                      s.multiplier ? cell(s.multiplier->real()) : "",
                      s.multiplier ? cell(s.multiplier->imag()) : "");

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "graze/bifurcation/special_names.hpp"
 #include "graze/report/names.hpp"
 
 namespace graze {
@@ -139,7 +140,7 @@ Json stops_of(const ImpactPattern& pattern) {
 Json special_json(const SpecialPoint& special) {
   const OrbitImpact& first = special.at.orbit.impacts.front();
   Json json = {{"id", special.id},
-               {"label", name_of(special.kind)},
+               {"label", label_of(special.kind)},
                {"value", number(special.at.value)},
                {"phase", number(first.phase)},
                {"speed", number(first.speed)},

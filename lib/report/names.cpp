@@ -1,7 +1,5 @@
 #include "graze/report/names.hpp"
 
-#include "graze/bifurcation/special_names.hpp"
-
 namespace graze {
 
 std::string name_of(EventKind kind) {
@@ -17,8 +15,6 @@ std::string name_of(EventKind kind) {
   }
   return "release";
 }
-
-std::string name_of(SpecialKind kind) { return label_of(kind); }
 
 std::string name_of(OrbitBranchEnd end) {
   switch (end) {

@@ -9,7 +9,6 @@
 namespace graze {
 
 std::string name_of(EventKind kind);
-std::string name_of(SpecialKind kind);
 std::string name_of(OrbitBranchEnd end);
 
 // "yes", "no", or "on the circle" for a stability that rounding leaves open.

@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "graze/base/angle.hpp"
+#include "graze/bifurcation/special_names.hpp"
 #include "graze/report/names.hpp"
 #include "graze/report/picture_style.hpp"
 #include "graze/report/pictures.hpp"
@@ -147,7 +148,7 @@ class DiagramPicture {
       Node special = node(branch.special[k].at, curve.special[k]);
       special.line.reset();
       insert(nodes, special);
-      for (const double y : special.y) marks_[name_of(branch.special[k].kind)].row({special.x, y});
+      for (const double y : special.y) marks_[label_of(branch.special[k].kind)].row({special.x, y});
     }
     for (std::size_t j = 0; !nodes.empty() && j < nodes.front().y.size(); ++j) draw(nodes, j);
   }
