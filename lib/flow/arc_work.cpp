@@ -1,5 +1,6 @@
 #include "graze/flow/arc_work.hpp"
 
+#include <algorithm>
 #include <boost/math/quadrature/gauss.hpp>
 #include <cmath>
 #include <functional>
@@ -8,6 +9,10 @@
 namespace graze {
 namespace {
 
+// Re(size e^{rate s})
+struct SignalTerm {
+  Complex size, rate;
+};
 using Signal = std::vector<SignalTerm>;
 
 // integral of e^{l s}, without cancellation for small l s.
@@ -111,63 +116,61 @@ void add_real_modes(const ContactPhase<double>& phase, double s, Work& work) {
   }
 }
 
+// The states of a coupled motion and its inputs, z = (x, cos theta, sin theta, 1) with z' = E z.
+// Every power is a quadratic form in z, so that the moments of a flight give all works at once.
+struct Moments {
+  Matrix integral;                         // of z z^T over the flight
+  Eigen::Index forcing = 0, constant = 0;  // where cos theta and 1 stand in z; sin theta between
+};
+
+// Over h with 2 |E| h <= 1 by the Taylor series of z z^T, of which 18 terms are exact to rounding
+// (1/19! < eps); then doubled: the integral over 2h is M(h) + e^(Eh) M(h) e^(Eh)^T.
+Moments moments_along(const CoupledArc& arc, double s) {
+  const FirstOrderSystem& system = arc.flow().first_order();
+  const Eigen::Index n = system.load.size();
+  const Matrix whole = extended_generator(system, s);
+  const int doublings = std::clamp(std::ilogb(whole.norm()), -2, 1024) + 2;
+  const Matrix generator = std::ldexp(1.0, -doublings) * whole;
+  Vector z(n + 3);
+  z << arc.start_state(), std::cos(arc.start_phase()), std::sin(arc.start_phase()), 1.0;
+  Matrix term = std::ldexp(s, -doublings) * z * z.transpose();
+  Moments moments{term, n, n + 2};
+  for (int k = 1; k <= 18; ++k) {
+    const Matrix next = generator * term;
+    term = (next + next.transpose()) / (k + 1);
+    moments.integral += term;
+  }
+  Matrix step = matrix_exponential(generator);
+  for (int k = 0; k < doublings; ++k) {
+    moments.integral += (step * moments.integral * step.transpose()).eval();
+    step = (step * step).eval();
+  }
+  return moments;
+}
+
 // While an oblique law or unequal damping couples the modes.
 void add_coupled(const System& system, const ContactPhase<double>& phase, double s, Work& work) {
   const CoupledArc& arc = phase.coupled_arc();
+  const Moments moments = moments_along(arc, s);
   const Matrix& basis = phase.basis();
-  const Vector damping = 2.0 * system.delta;
-  Matrix pull = Matrix::Zero(system.modes(), static_cast<Eigen::Index>(phase.closed().size()));
-  for (std::size_t i = 0; i < phase.closed().size(); ++i) {
-    const RigidStop& stop = system.stops[static_cast<std::size_t>(phase.closed()[i])];
-    // Acceleration by a contact force of 1 N.
-    pull.col(static_cast<Eigen::Index>(i)) = -stop.direction * stop.row.squaredNorm();
+  const Eigen::Index m = basis.cols();
+  // Moments of the modal velocities with z, N x (2m + 3).
+  const Matrix velocity = basis * moments.integral.middleRows(m, m);
+  const Vector squares = velocity.middleCols(m, m).cwiseProduct(basis).rowwise().sum();
+  work.dissipation += 2.0 * system.delta.dot(squares);
+  if (system.forcing) work.forcing += system.forcing->amplitude.dot(velocity.col(moments.forcing));
+  for (const int i : phase.closed()) {
+    const RigidStop& stop = system.stops[static_cast<std::size_t>(i)];
+    const Observable<double>& force = phase.observable(i);
+    Vector weight = Vector::Zero(2 * m + 3);
+    weight.head(m) = force.displacement.cwiseQuotient(arc.flow().scale());
+    if (force.velocity.size() > 0) weight.segment(m, m) = force.velocity;
+    weight[moments.forcing] = force.harmonic.re;
+    weight[moments.forcing + 1] = -force.harmonic.im;
+    weight[moments.constant] = force.constant;
+    // A contact force of 1 N accelerates by -direction |row|^2.
+    work.constraint -= stop.row.squaredNorm() * stop.direction.dot(velocity * weight);
   }
-  const Matrix power_of_force = basis.transpose() * pull;
-  if (!arc.has_terms()) {
-    const double quickest = 2.0 * arc.quickest();
-    Vector y(basis.cols()), ydot(basis.cols());
-    const double theta = arc.start_phase();
-    const auto at = [&](double t) {
-      arc.state(t, y, ydot);
-      return Vector(basis * ydot);
-    };
-    work.dissipation +=
-        panel_integral([&](double t) { return damping.dot(at(t).cwiseAbs2()); }, s, quickest);
-    if (system.forcing)
-      work.forcing += panel_integral(
-          [&](double t) {
-            return std::cos(theta + system.forcing->frequency * t) *
-                   system.forcing->amplitude.dot(at(t));
-          },
-          s, quickest);
-    for (std::size_t i = 0; i < phase.closed().size(); ++i)
-      work.constraint += panel_integral(
-          [&](double t) {
-            arc.state(t, y, ydot);
-            const double angle = system.forcing ? theta + system.forcing->frequency * t : 0.0;
-            return observed<double>(phase.observable(phase.closed()[i]), angle, y, ydot).value *
-                   power_of_force.col(static_cast<Eigen::Index>(i)).dot(ydot);
-          },
-          s, quickest);
-    return;
-  }
-  const auto velocity = [&](const Vector& weight) {
-    return arc.terms({0.0, Vector::Zero(basis.cols()), weight, {}});
-  };
-  for (Eigen::Index j = 0; j < damping.size(); ++j) {
-    const Signal signal = velocity(basis.row(j).transpose());
-    work.dissipation += damping[j] * product_integral(signal, signal, s);
-  }
-  if (system.forcing) {
-    const Signal force{
-        {std::polar(1.0, arc.start_phase()), Complex(0.0, system.forcing->frequency)}};
-    work.forcing +=
-        product_integral(force, velocity(basis.transpose() * system.forcing->amplitude), s);
-  }
-  for (std::size_t i = 0; i < phase.closed().size(); ++i)
-    work.constraint +=
-        product_integral(arc.terms(phase.observable(phase.closed()[i])),
-                         velocity(power_of_force.col(static_cast<Eigen::Index>(i))), s);
 }
 
 }  // namespace

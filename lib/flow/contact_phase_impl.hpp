@@ -108,6 +108,7 @@ void ContactPhase<Real>::reduce(const System& system, const LinearSystem<Real>& 
   held_ = rows_ * (rows_.transpose() * rows_).fullPivLu().solve(gaps);
   basis_ = all.rightCols(m);
   reduced_.omega.resize(m);
+  RealMatrix<Real> stretched(n, m);  // w U
   if (m > 0) {
     const RealMatrix<Real> root = full.omega.asDiagonal() * basis_;
     const Eigen::JacobiSVD<RealMatrix<Real>> svd(root, Eigen::ComputeThinU | Eigen::ComputeThinV);
@@ -118,6 +119,7 @@ void ContactPhase<Real>::reduce(const System& system, const LinearSystem<Real>& 
         Real(static_cast<int>(n)) * std::numeric_limits<Real>::epsilon() * reduced_.omega[m - 1];
     for (Real& w : reduced_.omega)
       if (w <= smallest) w = 0;
+    stretched = svd.matrixU().rowwise().reverse() * reduced_.omega.asDiagonal();
   }
   reduced_.forced = full.forced;
   reduced_.frequency = full.frequency;
@@ -128,7 +130,7 @@ void ContactPhase<Real>::reduce(const System& system, const LinearSystem<Real>& 
     normal = normal && is_normal<Real>(rows_.col(i), directions_.col(i));
   const std::optional<ProportionalDamping<Real>> damping = proportional_damping(full);
   if (m > 0 && (!normal || (!damping && m > 1))) {
-    couple(full);
+    couple(full, stretched, normal);
     return;
   }
   reduced_.delta.resize(m);
@@ -153,7 +155,8 @@ void ContactPhase<Real>::reduce(const System& system, const LinearSystem<Real>& 
 }
 
 template <class Real>
-void ContactPhase<Real>::couple(const LinearSystem<Real>& full) {
+void ContactPhase<Real>::couple(const LinearSystem<Real>& full, const RealMatrix<Real>& stretched,
+                                bool normal) {
   if constexpr (!std::is_same_v<Real, double>) {
     refusal_ = "the constrained motion has no real modes; it is followed in double precision only";
     // Something to hold on to; a refused phase is never flown.
@@ -164,12 +167,15 @@ void ContactPhase<Real>::couple(const LinearSystem<Real>& full) {
     Matrix whole(n, n);
     whole << basis_, directions_;
     const Matrix left = whole.partialPivLu().inverse().topRows(m);
-    const Vector stiffness = full.omega.cwiseAbs2();
     const Vector load = full.load.size() > 0 ? full.load : Vector(Vector::Zero(n));
     CoupledSystem reduced;
-    reduced.stiffness = left * stiffness.asDiagonal() * basis_;
+    // From w U, that soft and free directions see nothing of the rounding of stiff ones.
+    reduced.stiffness = normal ? Matrix(reduced_.omega.cwiseAbs2().asDiagonal())
+                               : Matrix(left * full.omega.asDiagonal() * stretched);
     reduced.damping = left * (2.0 * full.delta).asDiagonal() * basis_;
-    reduced.load = left * (load - stiffness.cwiseProduct(held_));
+    reduced.load = left * load;
+    reduced.load -= normal ? Vector(stretched.transpose() * full.omega.cwiseProduct(held_))
+                           : Vector(left * full.omega.cwiseAbs2().cwiseProduct(held_));
     reduced.force = full.forced ? Vector(left * full.amplitude) : Vector(Vector::Zero(m));
     reduced.frequency = full.forced ? full.frequency : 0.0;
     const double slowest = std::max(full.frequency, 1e-3 * reduced_.omega.maxCoeff());

@@ -2,23 +2,20 @@
 //
 //   y'' + C y' + K y = load + Re(force e^{i theta}),
 //
-// as it arises while a stop is closed under an oblique impulse law or unequal damping ratios:
-// through the complex modes of its first-order form, or, where these are nearly dependent
-// (defective, a free direction, or resonant with the forcing), through its matrix exponential.
+// as it arises while a stop is closed under an oblique impulse law or unequal damping ratios: in
+// its first-order form, by complex modes where these are told apart well; otherwise split along its
+// invariant subspaces, so that only what is defective, free, or resonant with the forcing goes
+// through matrix exponentials.
 #pragma once
 
-#include <limits>
 #include <string>
+#include <vector>
 
-#include "graze/base/decompositions.hpp"
 #include "graze/flow/arc_curve.hpp"
+#include "graze/flow/complex_mode_flow.hpp"
+#include "graze/flow/exponential_flow.hpp"
 
 namespace graze {
-
-// Re(size e^{rate s})
-struct SignalTerm {
-  Complex size, rate;
-};
 
 struct CoupledSystem {
   Matrix stiffness, damping;  // K, C, m x m
@@ -31,34 +28,31 @@ class CoupledFlow {
  public:
   explicit CoupledFlow(const CoupledSystem& system);
 
-  int size() const { return static_cast<int>(scale_.size()); }
   // A sentence where a free motion grows without bound, by more than the rounding of its
   // eigenvalue; else empty.
   std::string instability() const;
-  bool has_modes() const { return has_modes_; }
-  // Bounds of the matrix exponential grow with the flight: longer flights are to be cut, s.
-  double longest_flight() const { return longest_flight_; }
+  // Bounds of matrix exponentials grow with the flight: longer flights are to be cut, s.
+  double longest_flight() const;
+
+  // The first-order form, x = (scale y, y').
+  const FirstOrderSystem& first_order() const { return whole_; }
+  const Vector& scale() const { return scale_; }
 
  private:
   friend class CoupledArc;
-  void use_modes(const CoupledSystem& system);
+  void part(double quickest);
 
   Vector scale_;
-  double frequency_ = 0.0;
-  Matrix generator_;     // A of x' = A x + b, x = (scale y, y')
-  Vector load_, force_;  // of x'
-  double growth_ = 0.0, norm_growth_ = 0.0;
-  double longest_flight_ = std::numeric_limits<double>::infinity();
-  bool has_modes_ = false;
-  ComplexModes modes_;
-  Vector rest_;             // static response
-  ComplexVector harmonic_;  // response to e^{i theta}
+  FirstOrderSystem whole_;
+  std::vector<ComplexModeFlow> modes_;  // one or none
+  std::vector<ExponentialFlow> exponentials_;
+  double growth_ = 0.0;
 };
 
 // One smooth piece of it; refers to its flow.
 class CoupledArc {
  public:
-  explicit CoupledArc(const CoupledFlow& flow) : flow_(&flow) {}
+  explicit CoupledArc(const CoupledFlow& flow);
   void start(double theta, const Vector& y, const Vector& ydot);
   void state(double s, Vector& y, Vector& ydot) const;
   // What is added in s seconds to deviations (y; y') of the start, 2m x k, of a motion that starts
@@ -66,26 +60,16 @@ class CoupledArc {
   Matrix growth(double s, const Matrix& deviations, const Eigen::RowVectorXd& delay) const;
   ArcCurve<double> curve(const Observable<double>& observable, double window, bool from_zero) const;
 
-  // The observable as a sum of exponentials, where the flow has modes.
-  bool has_terms() const { return flow_->has_modes(); }
-  std::vector<SignalTerm> terms(const Observable<double>& observable) const;
+  const CoupledFlow& flow() const { return *flow_; }
   double start_phase() const { return theta_; }
-  // A bound on every rate of the motion, 1/s.
-  double quickest() const { return flow_->generator_.norm() + flow_->frequency_; }
+  const Vector& start_state() const { return x_; }  // x = (scale y, y')
 
  private:
-  Vector weight_of(const Observable<double>& observable) const;
-  void add_modes(const Vector& weight, Complex harmonic, ArcCurve<double>& curve) const;
-  ArcCurve<double>::Part matrix_part(const Vector& weight, Complex harmonic, double window) const;
-  // A s, extended by (cos theta, sin theta, 1).
-  Matrix extended_generator(double s) const;
-  // x at s, by the exponential of the extended system.
-  Vector matrix_state(double s) const;
-
   const CoupledFlow* flow_;
   double theta_ = 0.0;
   Vector y_, ydot_, x_;
-  ComplexVector amplitude_;
+  std::vector<ComplexModeArc> modes_;
+  std::vector<ExponentialArc> exponentials_;
 };
 
 }  // namespace graze

@@ -1,0 +1,19 @@
+// A linear system of first order under a constant and a harmonic input,
+//
+//   x' = A x + load + Re(force e^{i theta}).
+#pragma once
+
+#include "graze/base/vector.hpp"
+
+namespace graze {
+
+struct FirstOrderSystem {
+  Matrix generator;        // A, n x n, 1/s
+  Vector load, force;      // n each; zero where there is none
+  double frequency = 0.0;  // of the force, rad/s; 0: none
+};
+
+// A s, extended by what makes the inputs states, (cos theta, sin theta, 1).
+Matrix extended_generator(const FirstOrderSystem& system, double s);
+
+}  // namespace graze
