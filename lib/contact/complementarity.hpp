@@ -10,6 +10,7 @@
 
 #include <Eigen/Core>
 #include <Eigen/LU>
+#include <limits>
 #include <optional>
 #include <vector>
 
@@ -18,8 +19,20 @@ namespace graze {
 // More contacts at one instant than this are not decided.
 inline constexpr int kMostContacts = 12;
 
+// Roundings of v - D p by the contacts' own action: the elimination, the products and the sum.
+inline constexpr int kRoundingsOfAction = 8;
+
+// What they leave of each contact.
+template <class Real>
+Eigen::Matrix<Real, Eigen::Dynamic, 1> rounding_of_action(
+    const Eigen::Matrix<Real, Eigen::Dynamic, Eigen::Dynamic>& delassus,
+    const Eigen::Matrix<Real, Eigen::Dynamic, 1>& p) {
+  return kRoundingsOfAction * std::numeric_limits<Real>::epsilon() * delassus.cwiseAbs() *
+         p.cwiseAbs();
+}
+
 // p, or nothing where no set of contacts fits (they contradict each other) or there are too many.
-// `rounding`: of v, per contact; a violation within it counts as none.
+// `rounding`: of v, per contact; a violation within it and that of p counts as none.
 template <class Real>
 std::optional<Eigen::Matrix<Real, Eigen::Dynamic, 1>> solve_contacts(
     const Eigen::Matrix<Real, Eigen::Dynamic, Eigen::Dynamic>& delassus,
@@ -38,11 +51,15 @@ std::optional<Eigen::Matrix<Real, Eigen::Dynamic, 1>> solve_contacts(
       const auto lu = delassus(active, active).eval().fullPivLu();
       if (!lu.isInvertible()) continue;
       p(active) = lu.solve(v(active).eval());
+      // Once more for what is left: rows of different size come out with roundings of the largest.
+      p(active) += lu.solve((v - delassus * p)(active).eval());
     }
     const ResultVector w = v - delassus * p;
+    const ResultVector own = rounding_of_action(delassus, p);
     bool fits = true;
     for (int i = 0; i < n && fits; ++i)
-      fits = (set >> i & 1) != 0 ? p[i] * delassus(i, i) >= -rounding[i] : w[i] <= rounding[i];
+      fits = (set >> i & 1) != 0 ? p[i] * delassus(i, i) >= -rounding[i]
+                                 : w[i] <= rounding[i] + own[i];
     if (fits) return p.cwiseMax(Real(0));
   }
   return {};

@@ -116,25 +116,31 @@ void add_real_modes(const ContactPhase<double>& phase, double s, Work& work) {
   }
 }
 
-// The states of a coupled motion and its inputs, z = (x, cos theta, sin theta, 1) with z' = E z.
-// Every power is a quadratic form in z, so that the moments of a flight give all works at once.
+// The states of a coupled motion and its inputs, z = (x, u cos theta, u sin theta, u) with z' = E z
+// and u as large as x, that inputs cost no digits. Every power is a quadratic form in z, so that
+// the moments of a flight give all works at once.
 struct Moments {
-  Matrix integral;                         // of z z^T over the flight
-  Eigen::Index forcing = 0, constant = 0;  // where cos theta and 1 stand in z; sin theta between
+  Matrix integral;    // of z z^T over the flight
+  double unit = 1.0;  // u
 };
 
 // Over h with 2 |E| h <= 1 by the Taylor series of z z^T, of which 18 terms are exact to rounding
 // (1/19! < eps); then doubled: the integral over 2h is M(h) + e^(Eh) M(h) e^(Eh)^T.
 Moments moments_along(const CoupledArc& arc, double s) {
-  const FirstOrderSystem& system = arc.flow().first_order();
-  const Eigen::Index n = system.load.size();
+  FirstOrderSystem system = arc.flow().first_order();
+  const double inputs = system.load.norm() + system.force.norm();
+  const double size = arc.start_state().norm() + inputs / system.generator.norm();
+  const double unit = size > 0.0 ? size : 1.0;
+  system.load /= unit;
+  system.force /= unit;
   const Matrix whole = extended_generator(system, s);
   const int doublings = std::clamp(std::ilogb(whole.norm()), -2, 1024) + 2;
   const Matrix generator = std::ldexp(1.0, -doublings) * whole;
-  Vector z(n + 3);
-  z << arc.start_state(), std::cos(arc.start_phase()), std::sin(arc.start_phase()), 1.0;
+  Vector z(whole.rows());
+  z << arc.start_state(), unit * std::cos(arc.start_phase()), unit * std::sin(arc.start_phase()),
+      unit;
   Matrix term = std::ldexp(s, -doublings) * z * z.transpose();
-  Moments moments{term, n, n + 2};
+  Moments moments{term, unit};
   for (int k = 1; k <= 18; ++k) {
     const Matrix next = generator * term;
     term = (next + next.transpose()) / (k + 1);
@@ -158,16 +164,16 @@ void add_coupled(const System& system, const ContactPhase<double>& phase, double
   const Matrix velocity = basis * moments.integral.middleRows(m, m);
   const Vector squares = velocity.middleCols(m, m).cwiseProduct(basis).rowwise().sum();
   work.dissipation += 2.0 * system.delta.dot(squares);
-  if (system.forcing) work.forcing += system.forcing->amplitude.dot(velocity.col(moments.forcing));
+  if (system.forcing)
+    work.forcing += system.forcing->amplitude.dot(velocity.col(2 * m)) / moments.unit;
   for (const int i : phase.closed()) {
     const RigidStop& stop = system.stops[static_cast<std::size_t>(i)];
     const Observable<double>& force = phase.observable(i);
     Vector weight = Vector::Zero(2 * m + 3);
     weight.head(m) = force.displacement.cwiseQuotient(arc.flow().scale());
     if (force.velocity.size() > 0) weight.segment(m, m) = force.velocity;
-    weight[moments.forcing] = force.harmonic.re;
-    weight[moments.forcing + 1] = -force.harmonic.im;
-    weight[moments.constant] = force.constant;
+    weight.tail(3) << force.harmonic.re, -force.harmonic.im, force.constant;
+    weight.tail(3) /= moments.unit;
     // A contact force of 1 N accelerates by -direction |row|^2.
     work.constraint -= stop.row.squaredNorm() * stop.direction.dot(velocity * weight);
   }

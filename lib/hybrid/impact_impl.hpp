@@ -27,7 +27,7 @@ inline constexpr int kAtRest = 64;
 
 template <class Real>
 std::vector<ImpactShare<Real>> Motion<Real>::impact() {
-  const Touched touched = touched_stops();
+  Touched touched = touched_stops();
   Jump jump = jump_of(touched);
   if (drives_back(touched, jump) && comes_to_rest(touched)) {
     const std::optional<RealVector<Real>> solved =
@@ -44,6 +44,10 @@ std::vector<ImpactShare<Real>> Motion<Real>::impact() {
     if (impulse > 0 || !is_left(touched, a))
       shares.push_back(
           {i, speed, jump.target[a], impulse, impulse > 0 && speed > touched.rounding[a]});
+  }
+  touched.rounding += rounding_of_action(touched.acting, jump.impulse);
+  for (Eigen::Index a = 0; a < touched.speed.size(); ++a) {
+    const int i = touched.stops[static_cast<std::size_t>(a)];
     if (!is_held(i)) {
       set(i, Contact::kTouching);
     } else if (contact(i) == Contact::kLocked) {  // at rest, while the others stay
@@ -120,9 +124,11 @@ typename Motion<Real>::Jump Motion<Real>::jump_of(const Touched& touched) const 
 
 template <class Real>
 bool Motion<Real>::drives_back(const Touched& touched, const Jump& jump) const {
+  const RealVector<Real> rounding =
+      touched.rounding + rounding_of_action(touched.acting, jump.impulse);
   for (Eigen::Index a = 0; a < touched.speed.size(); ++a)
     if (is_left(touched, a) &&
-        touched.speed[a] - touched.acting.row(a).dot(jump.impulse) > touched.rounding[a])
+        touched.speed[a] - touched.acting.row(a).dot(jump.impulse) > rounding[a])
       return true;
   return false;
 }
@@ -135,6 +141,7 @@ bool Motion<Real>::comes_to_rest(Touched touched) const {
   for (int i = 0; i < impact_detail::kMostRepetitions; ++i) {
     const Jump jump = jump_of(touched);
     touched.speed -= touched.acting * jump.impulse;
+    touched.rounding += rounding_of_action(touched.acting, jump.impulse);
     bool approached = false, resting = true;
     for (Eigen::Index a = 0; a < k; ++a) {
       const auto place = static_cast<std::size_t>(a);

@@ -56,6 +56,25 @@ TEST(Complementarity, StopsThatActAsOneShareNothingTwice) {
   EXPECT_EQ((*p)[1], 0.0);
 }
 
+// A direction held from both sides, at rest to the last bit, while another stop takes a blow: what
+// the two make up is the blow's rounding, not that of their own speeds.
+TEST(Complementarity, BothSidesOfAHeldDirectionStandABlow) {
+  support::Dice dice(12);
+  for (int i = 0; i < 1000; ++i) {
+    Matrix rows(2, 3);
+    rows.col(0) = dice.vector(2, -1.0, 1.0);
+    rows.col(1) << dice.uniform(0.1, 1.0), 0.0;
+    rows.col(2) = -rows.col(1);
+    const Matrix directions = rows * rows.colwise().squaredNorm().cwiseInverse().asDiagonal();
+    const Matrix delassus = rows.transpose() * directions;
+    const Vector blow = Eigen::Vector3d(dice.uniform(0.0, 100.0), 0.0, 0.0);
+    const std::optional<Vector> p =
+        solve_contacts<double>(delassus, blow, Eigen::Vector3d(1e-13, 0.0, 0.0));
+    ASSERT_TRUE(p) << "case " << i;
+    EXPECT_LE((blow - delassus * *p).norm(), 1e-14 * delassus.cwiseAbs().sum() * p->sum());
+  }
+}
+
 TEST(Complementarity, NothingToUndoNeedsNoImpulse) {
   const std::optional<Vector> p = solve_contacts<double>(
       Matrix::Identity(3, 3), Eigen::Vector3d(-1.0, 0.0, -0.5), Vector::Zero(3));

@@ -78,6 +78,33 @@ TEST(Motion, FreeMassComesToRestInANarrowCorner) {
   EXPECT_LE(motion.qdot().norm(), 1e-15);
 }
 
+// One coordinate clamped between two stops without room, the other thrown against a third that
+// touches both: it rebounds as v+ = -r v-, and the clamp stays as it is.
+TEST(Motion, ClampedCoordinateStandsImpactsOfAnother) {
+  for (std::uint64_t seed = 1; seed <= 200; ++seed) {
+    SCOPED_TRACE(seed);
+    Dice dice(2200 + seed);
+    System system{dice.vector(2, 10.0, 500.0), Vector::Zero(2), {}, {}, {}};
+    const Vector clamp = Eigen::Vector2d(dice.uniform(-1.0, 1.0), 0.0);
+    const Vector struck = dice.vector(2, -1.0, 1.0);
+    for (const Vector& row : {struck, clamp, Vector(-clamp)})
+      system.stops.push_back({row, 0.0, momentum_direction(row), dice.uniform(0.1, 0.9)});
+    system.stops[0].gap = 0.01;
+    Motion<double> motion(system, {}, Vector::Zero(2), Eigen::Vector2d(0.0, 30.0 * struck[1]));
+    Arrival<double> arrival = motion.fly(1.0);
+    while (arrival.kind == ArrivalKind::kStick) arrival = motion.fly(1.0);
+    if (arrival.kind == ArrivalKind::kTime) continue;  // does not come so far
+    ASSERT_EQ(arrival.kind, ArrivalKind::kContact);
+    ASSERT_EQ(arrival.stop, 0);
+    const double r = system.stops[0].restitution.at(arrival.speed);
+    motion.impact();
+    EXPECT_NEAR(struck.dot(motion.qdot()), -r * arrival.speed, 1e-13 * arrival.speed);
+    EXPECT_NEAR(clamp.dot(motion.qdot()), 0.0, 1e-14 * arrival.speed);
+    EXPECT_GE(motion.fly(1.0).flight, 0.0);
+    EXPECT_NE(motion.fly(1.0).kind, ArrivalKind::kUndecided);
+  }
+}
+
 TEST(Motion, EndsAFlightWhereItIsToldTo) {
   Motion<double> motion(support::oscillator(1.0, 0.0, 5.0, 0.8), {}, Vector::Ones(1),
                         Vector::Zero(1));
