@@ -65,7 +65,9 @@ class ContactPhase {
 
  private:
   void reduce(const System& system, const LinearSystem<Real>& full);
-  // `stretched`: w U; `normal`: impulses act along the rows.
+  // `stretched`: w U.
+  RealVector<Real> balance(const LinearSystem<Real>& full, const RealMatrix<Real>& stretched);
+  // `normal`: impulses act along the rows.
   void couple(const LinearSystem<Real>& full, const RealMatrix<Real>& stretched, bool normal);
   Observable<Real> force_observable(const LinearSystem<Real>& full, const RealVector<Real>& share,
                                     const Real& unit) const;

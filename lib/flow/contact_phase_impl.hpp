@@ -139,19 +139,23 @@ void ContactPhase<Real>::reduce(const System& system, const LinearSystem<Real>& 
         damping ? Real(damping->alpha + damping->beta * reduced_.omega[j] * reduced_.omega[j])
                 : Real(full.delta.dot(basis_.col(j).cwiseAbs2()));
   if (full.forced) reduced_.amplitude = basis_.transpose() * full.amplitude;
-  // Held at rest where its stiffness balances the load, so that nothing large has to cancel.
-  const RealVector<Real> stiffness = full.omega.cwiseAbs2();
-  const RealVector<Real> load =
-      full.load.size() > 0 ? full.load : RealVector<Real>(RealVector<Real>::Zero(n));
-  const RealVector<Real> unbalanced = basis_.transpose() * (load - stiffness.cwiseProduct(held_));
-  reduced_.load = RealVector<Real>::Zero(m);
-  for (Eigen::Index j = 0; j < m; ++j) {
+  reduced_.load = balance(full, stretched);
+}
+
+// Moves what is held to where its stiffness balances the load, so that nothing large has to cancel;
+// returns the load that is left to modes too soft for it.
+template <class Real>
+RealVector<Real> ContactPhase<Real>::balance(const LinearSystem<Real>& full,
+                                             const RealMatrix<Real>& stretched) {
+  RealVector<Real> load = -stretched.transpose() * full.omega.cwiseProduct(held_);
+  if (full.load.size() > 0) load += basis_.transpose() * full.load;
+  for (Eigen::Index j = 0; j < load.size(); ++j) {
     const Real w = reduced_.omega[j];
-    if (w > exact_flow_detail::kSoftByForcing * full.frequency)
-      held_ += basis_.col(j) * (unbalanced[j] / (w * w));
-    else
-      reduced_.load[j] = unbalanced[j];
+    if (!(w > exact_flow_detail::kSoftByForcing * full.frequency)) continue;
+    held_ += basis_.col(j) * (load[j] / (w * w));
+    load[j] = 0;
   }
+  return load;
 }
 
 template <class Real>
@@ -167,15 +171,23 @@ void ContactPhase<Real>::couple(const LinearSystem<Real>& full, const RealMatrix
     Matrix whole(n, n);
     whole << basis_, directions_;
     const Matrix left = whole.partialPivLu().inverse().topRows(m);
-    const Vector load = full.load.size() > 0 ? full.load : Vector(Vector::Zero(n));
     CoupledSystem reduced;
     // From w U, that soft and free directions see nothing of the rounding of stiff ones.
     reduced.stiffness = normal ? Matrix(reduced_.omega.cwiseAbs2().asDiagonal())
                                : Matrix(left * full.omega.asDiagonal() * stretched);
     reduced.damping = left * (2.0 * full.delta).asDiagonal() * basis_;
-    reduced.load = left * load;
-    reduced.load -= normal ? Vector(stretched.transpose() * full.omega.cwiseProduct(held_))
-                           : Vector(left * full.omega.cwiseAbs2().cwiseProduct(held_));
+    if (normal) {
+      reduced.load = balance(full, stretched);
+    } else {
+      reduced.load = -left * full.omega.cwiseAbs2().cwiseProduct(held_);
+      if (full.load.size() > 0) reduced.load += left * full.load;
+      const auto stiffness = reduced.stiffness.fullPivLu();
+      const double soft = exact_flow_detail::kSoftByForcing * full.frequency;
+      if (reduced_.omega.minCoeff() > soft && stiffness.isInvertible()) {
+        held_ += basis_ * stiffness.solve(reduced.load);
+        reduced.load.setZero();
+      }
+    }
     reduced.force = full.forced ? Vector(left * full.amplitude) : Vector(Vector::Zero(m));
     reduced.frequency = full.forced ? full.frequency : 0.0;
     const double slowest = std::max(full.frequency, 1e-3 * reduced_.omega.maxCoeff());
