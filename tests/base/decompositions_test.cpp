@@ -33,6 +33,19 @@ TEST(Eigenvalues, ComeLargestFirstWithConjugatePairsTogether) {
   EXPECT_NEAR(values[3].value.real(), 0.1, 1e-15);
 }
 
+// Critical damping, x' = (y, -w^2 x - 2 w y): one eigenvector only, whatever the rounding of w^2.
+TEST(ComplexModes, OfDefectiveMatricesAreNone) {
+  for (double w = 0.5; w < 1000.0; w *= 1.01) {
+    for (const double scale : {1.0, w, 110.18237244860363}) {
+      Matrix matrix(2, 2);
+      matrix << 0.0, scale, -w * w / scale, -2.0 * w;
+      const ComplexModes modes = complex_modes(matrix);
+      if (modes.condition > 1e6) continue;
+      ADD_FAILURE() << "w = " << w << ", condition " << modes.condition;
+    }
+  }
+}
+
 TEST(NullVector, IsMappedToZero) {
   Matrix matrix(2, 3);
   matrix << 1, 2, 3, 4, 5, 6;

@@ -26,8 +26,10 @@ void expect_parted(const Matrix& matrix, const std::vector<InvariantBlock>& bloc
   for (const InvariantBlock& a : blocks) {
     sum += a.basis * a.matrix * a.coordinates;
     one += a.basis * a.coordinates;
-    for (const InvariantBlock& b : blocks)
-      if (&a != &b) EXPECT_LE((a.coordinates * b.basis).norm(), 1e-11);
+    for (const InvariantBlock& b : blocks) {
+      if (&a == &b) continue;
+      EXPECT_LE((a.coordinates * b.basis).norm(), 1e-11);
+    }
   }
   EXPECT_LE((sum - matrix).norm(), 1e-11 * matrix.norm());
   EXPECT_LE((one - Matrix::Identity(n, n)).norm(), 1e-11);
