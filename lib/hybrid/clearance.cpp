@@ -1,5 +1,6 @@
 #include "graze/hybrid/clearance.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -14,9 +15,29 @@ bool rises(const ArcCurve<double>& curve, double s) {
   return std::abs(rate.value) > rate.noise ? rate.value > 0.0 : rate.slope > 0.0;
 }
 
+// Until when, from s on, the gap is sure to stay above a level: steps as those of first_zero.hpp,
+// while they are as long as one that would pass an extremum.
+double stays_above(const ArcCurve<double>& curve, double level, double s, int& evaluations) {
+  double longest = 0.0;
+  while (s <= curve.window() && evaluations < kMostSearchEvaluations) {
+    const CurvePoint<double> point = curve.at(s, 0, Reach::kStep);
+    ++evaluations;
+    const double clear = point.value - point.noise - level;
+    if (!(clear > 0.0)) break;
+    const double step =
+        std::min(first_zero_detail::safe_step(clear, point.slope, point.bound), point.reach);
+    // They shrink where the gap comes down to the level.
+    if (!(s + step > s) || 4.0 * step < longest) break;
+    s += step;
+    longest = std::max(longest, step);
+  }
+  return s;
+}
+
 }  // namespace
 
-std::optional<GapMinimum> lowest_minimum(const ArcCurve<double>& curve, int multiplicity) {
+std::optional<GapMinimum> lowest_minimum(const ArcCurve<double>& curve, int multiplicity,
+                                         double below) {
   std::optional<GapMinimum> lowest;
   double s = 0.0;
   bool rising = false;
@@ -31,13 +52,22 @@ std::optional<GapMinimum> lowest_minimum(const ArcCurve<double>& curve, int mult
   if (!rising) rising = rises(curve, s);
   int evaluations = 0;
   while (evaluations < kMostSearchEvaluations) {
+    if (std::isfinite(below)) {
+      const double clear = stays_above(curve, below, s, evaluations);
+      if (!(clear <= curve.window())) return lowest;
+      if (clear > s) rising = rises(curve, clear);
+      s = clear;
+    }
     const FirstZero<double> extremum = first_extremum(curve, s, rising);
     evaluations += extremum.evaluations;
     if (extremum.kind == ZeroKind::kCrossing) {
       s = extremum.s;
       if (!rising) {
         const double gap = curve.at(s, 0).value;
-        if (!lowest || gap < lowest->gap) lowest = GapMinimum{s, gap};
+        if (gap < below) {
+          lowest = GapMinimum{s, gap};
+          below = gap;
+        }
       }
       rising = !rising;
     } else if (extremum.kind == ZeroKind::kTouch) {
