@@ -112,6 +112,12 @@ std::optional<Matrix> Corrector::slope_at(const Vector& x) {
   return at->bordered.topRows(n);
 }
 
+std::optional<double> Corrector::residual_at(const Vector& x) {
+  const std::optional<Linearised> at = linearise(x, Vector::Zero(x.size()));
+  if (!at) return {};
+  return at->residual.cwiseAbs().maxCoeff();
+}
+
 std::optional<BranchPoint> Corrector::at_parameter(const Vector& guess) {
   // Newton at a fixed parameter is Newton on the hyperplane normal to the parameter's axis; only
   // the tangent has to be sought without it, for it may lie in that hyperplane.

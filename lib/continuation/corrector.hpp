@@ -34,6 +34,8 @@ class Corrector {
   std::optional<Linearised> linearise(const Vector& x, const Vector& normal);
   // [dF/du, dF/dparameter * range] at x, n x (n + 1).
   std::optional<Matrix> slope_at(const Vector& x);
+  // Largest entry of F at x.
+  std::optional<double> residual_at(const Vector& x);
   // |det [slope; tangent]| at b over that at a.
   double determinant_ratio(const BranchPoint& a, const BranchPoint& b);
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "graze/continuation/crossing.hpp"
 #include "graze/continuation/locate.hpp"
 
 namespace graze {
@@ -108,26 +109,23 @@ class CriticalSearch {
   }
 
   // The tracer passes a branch point with a step so short (1e-6) that the determinant is linear
-  // over it, while its ends are far enough for solutions to be well determined; on the branch point
-  // itself they are not.
+  // over it. That is where to look for the branch point itself: the ends of the step are badly
+  // determined along the branch that crosses.
   void add_branch_point(std::size_t i) {
     const BranchPoint &a = branch_.points[i], &b = branch_.points[i + 1];
     const double ratio = corrector_.determinant_ratio(a, b);
     if (!std::isfinite(ratio)) return;
-    const double part = 1.0 / (1.0 + ratio);
-    // On the cubic through both ends and their tangents: where the branch turns back at the
-    // crossing (a pitchfork seen from its side) a chord would miss the parameter by its curvature.
-    const Vector x = corrector_.pack(a);
-    const Vector chord = corrector_.difference(corrector_.pack(b), x);
-    const double length = chord.norm(), rest = 1.0 - part;
-    const Vector at = x + part * part * (3.0 - 2.0 * part) * chord +
-                      part * rest * length * (rest * a.tangent - part * b.tangent);
+    const double part = 1.0 / (1.0 + ratio), rest = 1.0 - part;
+    const Vector chord = corrector_.difference(corrector_.pack(b), corrector_.pack(a));
+    Vector at = cubic_between(corrector_, a, part * chord.dot(a.tangent), a, b);
+    const std::optional<Vector> crossing = crossing_near(corrector_, at);
+    if (crossing && (*crossing - at).norm() <= kOneCrossing * (1.0 + at.norm())) at = *crossing;
     const Eigen::Index n = a.u.size();
     CriticalPoint found{CriticalKind::kBranchPoint, {}, i, {}};
     found.point = {at.head(n),
                    at[n] * corrector_.range(),
                    (rest * a.tangent + part * b.tangent).normalized(),
-                   std::max(a.residual, b.residual),
+                   corrector_.residual_at(at).value_or(std::max(a.residual, b.residual)),
                    0,
                    {}};
     if (problem_.multipliers) {
