@@ -52,7 +52,7 @@ constexpr int kMostHalvings = 30;
 // circle is beside it. The trace is smooth and runs with it: on the scale asinh(trace), which
 // counts factors of e far out and units near zero, a piece that holds no unseen crossing changes by
 // less than this.
-constexpr double kLargestChange = 1.0;
+constexpr double kLargestChange = 0.5;
 
 double trace_scale(const std::vector<Eigenvalue>& multipliers) {
   double trace = 0.0;
