@@ -22,9 +22,13 @@ struct Eigenvalue {
 // Largest modulus first, of a conjugate pair the negative imaginary part first.
 void sort_eigenvalues(std::vector<Eigenvalue>& list);
 
+// Whether errors are asked for. They cost about as much as the eigenvalues; left out they are 0.
+enum class ErrorBounds { kGiven, kLeftOut };
+
 // Eigenvalues of a real square matrix, largest modulus first, conjugate pairs adjacent with the
-// negative imaginary part first. Empty when the iteration does not converge.
-std::vector<Eigenvalue> eigenvalues(const Matrix& matrix);
+// negative imaginary part first; the same to the last bit with and without their errors. Empty when
+// the iteration does not converge.
+std::vector<Eigenvalue> eigenvalues(const Matrix& matrix, ErrorBounds errors = ErrorBounds::kGiven);
 
 // A = V diag(values) V^-1.
 struct ComplexModes {

@@ -204,38 +204,45 @@ Scaled<double> elsner_bound(const Factors& factors, long exponent) {
   return {std::exp2(log2_bound - whole), exponent + static_cast<long>(whole)};
 }
 
-// The eigenvalues along the diagonal, times 2^exponent, with their errors.
+// The eigenvalues along the diagonal, times 2^exponent.
 std::vector<Eigenvalue> diagonal_products(const Factors& factors, long exponent) {
-  const std::vector<Scaled<double>> errors = first_order_errors(factors, exponent);
   std::vector<Eigenvalue> list;
-  std::optional<double> elsner;
   for (Index j = 0; j < factors[0].rows(); ++j) {
     Scaled<Complex> value{1.0, exponent};
     for (const Eigen::MatrixXcd& factor : factors) value.times(factor(j, j));
-    double error = errors[static_cast<std::size_t>(j)].value();
-    // Only an eigenvalue as sensitive as this can have an error above the other bound.
-    if (!(error < 1e-3 * std::abs(value.value()))) {
-      if (!elsner) elsner = elsner_bound(factors, exponent).value();
-      error = std::isnan(error) ? *elsner : std::min(error, *elsner);
-    }
-    list.push_back({value.value(), error});
+    list.push_back({value.value(), 0.0});
   }
   return list;
 }
 
+// Their errors.
+void add_errors(const Factors& factors, long exponent, std::vector<Eigenvalue>& list) {
+  const std::vector<Scaled<double>> errors = first_order_errors(factors, exponent);
+  std::optional<double> elsner;
+  for (std::size_t j = 0; j < list.size(); ++j) {
+    list[j].error = errors[j].value();
+    // Only an eigenvalue as sensitive as this can have an error above the other bound.
+    if (list[j].error < 1e-3 * std::abs(list[j].value)) continue;
+    if (!elsner) elsner = elsner_bound(factors, exponent).value();
+    list[j].error = std::isnan(list[j].error) ? *elsner : std::min(list[j].error, *elsner);
+  }
+}
+
 }  // namespace
 
-std::vector<Eigenvalue> product_eigenvalues(const std::vector<Matrix>& factors) {
+std::vector<Eigenvalue> product_eigenvalues(const std::vector<Matrix>& factors,
+                                            ErrorBounds errors) {
   if (factors.empty() || factors.front().size() == 0) return {};
   for (const Matrix& factor : factors)
     if (!factor.allFinite()) return {};
-  if (factors.size() == 1) return eigenvalues(factors.front());
+  if (factors.size() == 1) return eigenvalues(factors.front(), errors);
   long exponent = 0;
   std::vector<Matrix> scaled = factors;
   for (Matrix& factor : scaled) exponent += take_exponent(factor);
   const std::optional<PeriodicSchurForm> form = periodic_schur(std::move(scaled));
   if (!form) return {};
   std::vector<Eigenvalue> list = diagonal_products(form->factors, exponent);
+  if (errors == ErrorBounds::kGiven) add_errors(form->factors, exponent, list);
   for (std::size_t j = 0, pair = 0; j < list.size(); ++j) {
     if (pair == form->pairs.size() || form->pairs[pair] != static_cast<Index>(j)) {
       list[j].value = list[j].value.real();
@@ -245,8 +252,9 @@ std::vector<Eigenvalue> product_eigenvalues(const std::vector<Matrix>& factors) 
     const Complex first = list[j].value, second = std::conj(list[j + 1].value);
     list[j].value = 0.5 * (first + second);
     list[j + 1].value = std::conj(list[j].value);
-    list[j].error = list[j + 1].error =
-        std::max({list[j].error, list[j + 1].error, 0.5 * std::abs(first - second)});
+    if (errors == ErrorBounds::kGiven)
+      list[j].error = list[j + 1].error =
+          std::max({list[j].error, list[j + 1].error, 0.5 * std::abs(first - second)});
     ++j, ++pair;
   }
   sort_eigenvalues(list);

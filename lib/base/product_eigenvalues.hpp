@@ -35,7 +35,8 @@ namespace graze {
 // rows and columns that are dependent within n eps of their sizes. Empty without factors, when the
 // iteration does not converge, and where an entry is not finite. One factor: eigenvalues(), whose
 // zeros are within their error only. Products of diagonal entries neither overflow nor vanish where
-// their value is representable.
-std::vector<Eigenvalue> product_eigenvalues(const std::vector<Matrix>& factors);
+// their value is representable. The values do not depend on whether their errors are asked for.
+std::vector<Eigenvalue> product_eigenvalues(const std::vector<Matrix>& factors,
+                                            ErrorBounds errors = ErrorBounds::kGiven);
 
 }  // namespace graze

@@ -93,8 +93,8 @@ class OrbitTracer {
     if (!first && options_.impacts == 1) {
       // Random guesses cost more than all else; elsewhere they stand in where the closed form
       // cannot.
-      const bool closed = finder.from_closed_form && closed_form(*system, 0, options_.period).form;
-      finder.from_random = finder.from_random && !closed;
+      finder.from_random =
+          finder.from_random && !(finder.from_closed_form && has_closed_forms(*system));
     }
     std::optional<State> start;
     if (first || options_.impacts > 1) start = clear_start(family_.scene(), *system);
@@ -105,6 +105,13 @@ class OrbitTracer {
                        found.orbits.end());
     if (first) result_.notes = found.notes;
     return std::move(found.orbits);
+  }
+
+  // Whether the closed form holds at every stop.
+  bool has_closed_forms(const System& system) const {
+    for (std::size_t stop = 0; stop < system.stops.size(); ++stop)
+      if (!closed_form(system, static_cast<int>(stop), options_.period).form) return false;
+    return true;
   }
 
   PatternBranches& pattern_branches(const ImpactPattern& pattern) {

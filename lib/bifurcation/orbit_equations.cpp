@@ -10,33 +10,27 @@ namespace graze {
 
 OrbitEquations::OrbitEquations(const SystemFamily& family, ImpactPattern pattern,
                                const ShootingScale& scale)
-    : family_(family), shooting_(std::move(pattern), scale) {
+    : systems_(family), shooting_(std::move(pattern), scale) {
   problem_.evaluate = [this](const Vector& u, double value) { return evaluate(u, value); };
-  problem_.multipliers = [this](const Vector& u, double value) -> std::vector<Eigenvalue> {
+  problem_.multipliers = [this](const Vector& u, double value,
+                                ErrorBounds errors) -> std::vector<Eigenvalue> {
     const System* system = system_at(value);
     if (!system) return {};
-    return orbit_multipliers(*system, this->pattern(), shooting_.unpack(*system, u));
+    return orbit_multipliers(*system, this->pattern(), shooting_.unpack(*system, u), errors);
   };
   const Eigen::Index block = 2 * family.scene().modes() + 1;
   problem_.wrap = Vector::Zero(block * shooting_.pattern().impacts());
   for (Eigen::Index at = 0; at < problem_.wrap.size(); at += block) problem_.wrap[at] = kTurn;
 }
 
-const System* OrbitEquations::system_at(double value) const {
-  if (!cached_ || value != cached_value_) {
-    cached_ = family_.at(value);
-    cached_value_ = value;
-  }
-  return cached_ ? &*cached_ : nullptr;
-}
+const System* OrbitEquations::system_at(double value) const { return systems_.at(value); }
 
 std::optional<ZeroEvaluation> OrbitEquations::evaluate(const Vector& u, double value) const {
-  const System* system = system_at(value);
-  if (!system) return {};
-  const std::optional<System> tangent = family_.tangent_at(value);
-  if (!tangent) return {};
+  const System* system = systems_.at(value);
+  const System* tangent = systems_.tangent_at(value);
+  if (system == nullptr || tangent == nullptr) return {};
   ZeroEvaluation at;
-  at.residual = shooting_.residual(*system, u, &at.jacobian, &*tangent, &at.parameter_derivative);
+  at.residual = shooting_.residual(*system, u, &at.jacobian, tangent, &at.parameter_derivative);
   return at;
 }
 

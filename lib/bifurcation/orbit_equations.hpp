@@ -14,8 +14,7 @@ namespace graze {
 // Remembers the system of the value asked for last: one thread at a time.
 class OrbitEquations {
  public:
-  // Refers to the family, which must outlive it. `scale` is that of one value for all: the metric
-  // of a branch must not change on the way.
+  // `scale` is that of one value for all: the metric of a branch must not change on the way.
   OrbitEquations(const SystemFamily& family, ImpactPattern pattern, const ShootingScale& scale);
   OrbitEquations(const OrbitEquations&) = delete;
   OrbitEquations& operator=(const OrbitEquations&) = delete;
@@ -43,11 +42,9 @@ class OrbitEquations {
  private:
   std::optional<ZeroEvaluation> evaluate(const Vector& u, double value) const;
 
-  const SystemFamily& family_;
+  mutable SystemCursor systems_;
   ShootingProblem shooting_;
   ZeroProblem problem_;
-  mutable double cached_value_ = 0.0;
-  mutable std::optional<System> cached_;
 };
 
 }  // namespace graze

@@ -19,8 +19,7 @@ std::vector<ImpactPoint> in_canonical_order(const ImpactPattern& pattern,
 
 class PatternBranches {
  public:
-  // Refers to the family, which must outlive it. `range` says from where to where, how fast, and
-  // when to stop.
+  // `range` says from where to where, how fast, and when to stop.
   PatternBranches(const SystemFamily& family, ImpactPattern pattern, const ShootingScale& scale,
                   ContinuationOptions range, bool keep_virtual);
   PatternBranches(const PatternBranches&) = delete;

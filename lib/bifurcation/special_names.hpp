@@ -8,17 +8,17 @@
 
 namespace graze {
 
-// "LP", "PD", "NS", "BP", "GR".
+// "GR", or the label that any branch gives to such a point.
 inline std::string label_of(SpecialKind kind) {
   switch (kind) {
     case SpecialKind::kFold:
-      return "LP";
+      return label_of(CriticalKind::kFold);
     case SpecialKind::kPeriodDoubling:
-      return "PD";
+      return label_of(CriticalKind::kPeriodDoubling);
     case SpecialKind::kTorus:
-      return "NS";
+      return label_of(CriticalKind::kTorus);
     case SpecialKind::kBranchPoint:
-      return "BP";
+      return label_of(CriticalKind::kBranchPoint);
     case SpecialKind::kGrazing:
       break;
   }

@@ -13,6 +13,9 @@ namespace {
 // Growth of the step after an easy one, and the turn (as a part of the largest) it aims at.
 constexpr double kGrowth = 1.5;
 constexpr double kAimedTurn = 0.5;
+// Steps up to this many times the last one are predicted from the last two points; they grow by
+// kGrowth at most.
+constexpr double kFarthest = 2.0;
 // A branch closes only after it has been this far from its start, well beyond kOnePoint.
 constexpr double kAway = 1e-5;
 // Newton's contraction asked of a step, and of the first step on the way back from its end. Where
@@ -51,7 +54,7 @@ class Tracer {
   Branch trace(const BranchPoint& from, Directions directions) {
     BranchPoint start = from;
     if (problem_.multipliers && start.multipliers.empty())
-      start.multipliers = problem_.multipliers(start.u, start.parameter);
+      start.multipliers = problem_.multipliers(start.u, start.parameter, ErrorBounds::kGiven);
     Branch branch = follow(start, 1.0);
     if (branch.closed())
       branch.ends[0] = BranchEnd::kClosed;
@@ -78,7 +81,9 @@ class Tracer {
       h = std::min(h, longest_step(here));
       std::optional<BranchPoint> next;
       double turn = 0.0;
-      while (!(next = step(here, h, &turn))) {
+      const BranchPoint* before =
+          branch.points.size() > 1 ? &branch.points[branch.points.size() - 2] : nullptr;
+      while (!(next = step(before, here, h, &turn))) {
         ++branch.rejected;
         h *= 0.5;
         // Below this the two ends of a step are one point in double precision.
@@ -152,7 +157,8 @@ class Tracer {
       branch.critical.push_back({CriticalKind::kFold, *fold, branch.points.size() - 1, {}});
     branch.points.push_back(next);
     if (problem_.multipliers)
-      branch.points.back().multipliers = problem_.multipliers(next.u, next.parameter);
+      branch.points.back().multipliers =
+          problem_.multipliers(next.u, next.parameter, ErrorBounds::kGiven);
   }
 
   std::optional<BranchPoint> fold_between(const BranchPoint& a, const BranchPoint& b) {
@@ -163,11 +169,27 @@ class Tracer {
     return between(a, b, rate);
   }
 
-  // One step of length h, accepted only where it stays on this branch.
-  std::optional<BranchPoint> step(const BranchPoint& here, double h, double* turn) {
+  // What the branch is expected to bend by, at right angles to the tangent, over a step of length
+  // h: the cubic through the last two points and their tangents.
+  Vector bend(const BranchPoint* before, const BranchPoint& here, double h) const {
     const Vector x = corrector_.pack(here);
-    const Vector guess = x + h * here.tangent;
-    const double predicted = guess[x.size() - 1] * corrector_.range();
+    Vector bent = Vector::Zero(x.size());
+    if (before == nullptr) return bent;
+    const Vector chord = x - corrector_.pack(*before);
+    const double length = chord.norm(), part = h / length;
+    // Far beyond the two points their cubic says nothing.
+    if (!(part <= kFarthest)) return bent;
+    bent = part * part * (length * (before->tangent + 2.0 * here.tangent) - 3.0 * chord) +
+           part * part * part * (length * (before->tangent + here.tangent) - 2.0 * chord);
+    return bent - bent.dot(here.tangent) * here.tangent;
+  }
+
+  // One step of length h, accepted only where it stays on this branch.
+  std::optional<BranchPoint> step(const BranchPoint* before, const BranchPoint& here, double h,
+                                  double* turn) {
+    const Vector x = corrector_.pack(here);
+    const Vector ahead = x + h * here.tangent, guess = ahead + bend(before, here, h);
+    const double predicted = ahead[x.size() - 1] * corrector_.range();
     // Beyond the limit the equations may not exist: a step that would pass it ends there.
     std::optional<BranchPoint> next =
         outside(predicted) ? on_limit(here, limit_towards(predicted - here.parameter))

@@ -38,9 +38,10 @@ struct ZeroProblem {
   // where nothing comes round.
   Vector wrap;
   // Multipliers of the solution at (u, parameter), where it stands for the periodic orbit of
-  // something: largest modulus first, conjugate pairs adjacent, as eigenvalues() gives them. Empty
-  // function: the equations have none.
-  std::function<std::vector<Eigenvalue>(const Vector& u, double parameter)> multipliers;
+  // something: largest modulus first, conjugate pairs adjacent, as eigenvalues() gives them, with
+  // or without errors. Empty function: the equations have none.
+  std::function<std::vector<Eigenvalue>(const Vector& u, double parameter, ErrorBounds errors)>
+      multipliers;
 };
 
 struct BranchPoint {

@@ -2,6 +2,7 @@
 
 #include <Eigen/LU>
 #include <cmath>
+#include <utility>
 
 #include "graze/base/decompositions.hpp"
 
@@ -12,10 +13,14 @@ constexpr int kMostIterations = 8;
 // A step this small leaves an error of its square, below rounding.
 constexpr double kSettled = 1e-8;
 
-Matrix bordered(const Matrix& slope, const Vector& normal) {
-  Matrix matrix(slope.rows() + 1, slope.cols());
-  matrix << slope, normal.transpose();
-  return matrix;
+// Factorised where it stands: the matrix is not needed any more.
+using InPlaceLU = Eigen::PartialPivLU<Eigen::Ref<Matrix>>;
+
+// The right-hand side (-residual, 0).
+Vector correction_target(const Vector& residual) {
+  Vector target(residual.size() + 1);
+  target << -residual, 0.0;
+  return target;
 }
 
 }  // namespace
@@ -37,25 +42,27 @@ BranchPoint Corrector::unpack(const Vector& x, const Vector& tangent, double res
   return {x.head(n), x[n] * range_, tangent, residual, sign, {}};
 }
 
-std::optional<Corrector::Linearised> Corrector::linearise(const Vector& x) {
+std::optional<Corrector::Linearised> Corrector::linearise(const Vector& x, const Vector& normal) {
   const Eigen::Index n = x.size() - 1;
   ++evaluations_;
-  const std::optional<ZeroEvaluation> at = problem_.evaluate(x.head(n), x[n] * range_);
+  std::optional<ZeroEvaluation> at = problem_.evaluate(x.head(n), x[n] * range_);
   if (!at || !at->residual.allFinite() || !at->jacobian.allFinite() ||
       !at->parameter_derivative.allFinite())
     return {};
-  Matrix slope(n, n + 1);
-  slope << at->jacobian, at->parameter_derivative * range_;
-  return Linearised{at->residual, slope};
+  Linearised result{std::move(at->residual), Matrix(n + 1, n + 1)};
+  result.bordered.topLeftCorner(n, n) = at->jacobian;
+  result.bordered.col(n).head(n) = at->parameter_derivative * range_;
+  result.bordered.row(n) = normal.transpose();
+  return result;
 }
 
 std::optional<BranchPoint> Corrector::solve(Vector x, const Vector& normal, double contraction) {
   const Eigen::Index n = x.size() - 1;
   double last = std::numeric_limits<double>::infinity();
   for (int i = 0; i < kMostIterations; ++i) {
-    const std::optional<Linearised> at = linearise(x);
+    std::optional<Linearised> at = linearise(x, normal);
     if (!at) return {};
-    const Eigen::PartialPivLU<Matrix> lu(bordered(at->slope, normal));
+    const InPlaceLU lu(at->bordered);
     const double residual = at->residual.cwiseAbs().maxCoeff();
     if (residual <= options_.residual_tolerance && last <= kSettled) {
       const Vector tangent = lu.solve(Vector::Unit(n + 1, n)).normalized();
@@ -63,9 +70,7 @@ std::optional<BranchPoint> Corrector::solve(Vector x, const Vector& normal, doub
       // The tangent leans to the side of the normal, so its determinant has the normal's sign.
       return unpack(x, tangent, residual, lu.determinant() < 0.0 ? -1 : 1);
     }
-    Vector target = Vector::Zero(n + 1);
-    target.head(n) = -at->residual;
-    const Vector step = lu.solve(target);
+    const Vector step = lu.solve(correction_target(at->residual));
     const double size = step.norm();
     if (!std::isfinite(size) || (size > contraction * last && size > kSettled)) return {};
     x += step;
@@ -80,24 +85,20 @@ std::optional<BranchPoint> Corrector::on_hyperplane(const Vector& guess, const V
 }
 
 std::optional<Vector> Corrector::newton_step(const Vector& guess, const Vector& normal) {
-  const Eigen::Index n = guess.size() - 1;
-  const std::optional<Linearised> at = linearise(guess);
+  std::optional<Linearised> at = linearise(guess, normal);
   if (!at) return {};
-  Vector target = Vector::Zero(n + 1);
-  target.head(n) = -at->residual;
-  const Vector step = bordered(at->slope, normal).partialPivLu().solve(target);
+  const Vector step = InPlaceLU(at->bordered).solve(correction_target(at->residual));
   if (!step.allFinite()) return {};
   return guess + step;
 }
 
 double Corrector::determinant_ratio(const BranchPoint& a, const BranchPoint& b) {
-  const std::optional<Linearised> at_a = linearise(pack(a)), at_b = linearise(pack(b));
+  std::optional<Linearised> at_a = linearise(pack(a), a.tangent),
+                            at_b = linearise(pack(b), b.tangent);
   if (!at_a || !at_b) return std::numeric_limits<double>::quiet_NaN();
   // Entry by entry of the triangular factors: the determinants themselves might overflow.
-  const Vector pivots_a =
-      Eigen::PartialPivLU<Matrix>(bordered(at_a->slope, a.tangent)).matrixLU().diagonal();
-  const Vector pivots_b =
-      Eigen::PartialPivLU<Matrix>(bordered(at_b->slope, b.tangent)).matrixLU().diagonal();
+  const Vector pivots_a = InPlaceLU(at_a->bordered).matrixLU().diagonal();
+  const Vector pivots_b = InPlaceLU(at_b->bordered).matrixLU().diagonal();
   double logarithm = 0.0;
   for (Eigen::Index i = 0; i < pivots_a.size(); ++i)
     logarithm += std::log(std::abs(pivots_b[i])) - std::log(std::abs(pivots_a[i]));
@@ -105,9 +106,16 @@ double Corrector::determinant_ratio(const BranchPoint& a, const BranchPoint& b) 
 }
 
 std::optional<Matrix> Corrector::slope_at(const Vector& x) {
-  const std::optional<Linearised> at = linearise(x);
+  const Eigen::Index n = x.size() - 1;
+  const std::optional<Linearised> at = linearise(x, Vector::Zero(n + 1));
   if (!at) return {};
-  return at->slope;
+  return at->bordered.topRows(n);
+}
+
+std::optional<double> Corrector::residual_at(const Vector& x) {
+  const std::optional<Linearised> at = linearise(x, Vector::Zero(x.size()));
+  if (!at) return {};
+  return at->residual.cwiseAbs().maxCoeff();
 }
 
 std::optional<BranchPoint> Corrector::at_parameter(const Vector& guess) {
@@ -116,12 +124,12 @@ std::optional<BranchPoint> Corrector::at_parameter(const Vector& guess) {
   const Eigen::Index n = guess.size() - 1;
   std::optional<BranchPoint> point = solve(guess, Vector::Unit(n + 1, n), kConvergent);
   if (!point) return {};
-  const std::optional<Linearised> at = linearise(pack(*point));
+  std::optional<Linearised> at = linearise(pack(*point), Vector::Zero(n + 1));
   if (!at) return {};
-  point->tangent = null_vector(at->slope);
+  point->tangent = null_vector(at->bordered.topRows(n));
   if (point->tangent[n] < 0.0) point->tangent *= -1.0;
-  point->orientation =
-      bordered(at->slope, point->tangent).partialPivLu().determinant() < 0.0 ? -1 : 1;
+  at->bordered.row(n) = point->tangent.transpose();
+  point->orientation = InPlaceLU(at->bordered).determinant() < 0.0 ? -1 : 1;
   return point;
 }
 

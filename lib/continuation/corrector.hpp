@@ -26,8 +26,16 @@ class Corrector {
   // The solution at the parameter of `guess`, with its tangent towards growing parameter.
   std::optional<BranchPoint> at_parameter(const Vector& guess);
 
+  struct Linearised {
+    Vector residual;
+    Matrix bordered;  // [dF/du, dF/dparameter * range], below it the normal, (n + 1) x (n + 1)
+  };
+  // The equations at x; nothing where they cannot be evaluated.
+  std::optional<Linearised> linearise(const Vector& x, const Vector& normal);
   // [dF/du, dF/dparameter * range] at x, n x (n + 1).
   std::optional<Matrix> slope_at(const Vector& x);
+  // Largest entry of F at x.
+  std::optional<double> residual_at(const Vector& x);
   // |det [slope; tangent]| at b over that at a.
   double determinant_ratio(const BranchPoint& a, const BranchPoint& b);
 
@@ -35,11 +43,6 @@ class Corrector {
   Vector difference(const Vector& x, const Vector& y) const;
 
  private:
-  struct Linearised {
-    Vector residual;
-    Matrix slope;  // [dF/du, dF/dparameter * range], n x (n + 1)
-  };
-  std::optional<Linearised> linearise(const Vector& x);
   // Newton's method from here still converges; more is not asked where there is nothing to mistake.
   static constexpr double kConvergent = 0.8;
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "graze/continuation/crossing.hpp"
 #include "graze/continuation/locate.hpp"
 
 namespace graze {
@@ -46,6 +47,25 @@ bool is_single(int flipped, int grown, int pairs) {
 // Crossings in one step are told apart down to 2^-30 of it; nearer than that each is still found by
 // its own modulus.
 constexpr int kMostHalvings = 30;
+// Next to grazing one large multiplier runs through the whole real line within a step, and all
+// others change places where it passes the unit circle, in a part of the step as small as the
+// circle is beside it. The trace is smooth and runs with it: on the scale asinh(trace), which
+// counts factors of e far out and units near zero, a piece that holds no unseen crossing changes by
+// less than this.
+constexpr double kLargestChange = 0.5;
+
+double trace_scale(const std::vector<Eigenvalue>& multipliers) {
+  double trace = 0.0;
+  for (const Eigenvalue& m : multipliers) trace += m.value.real();
+  return std::asinh(trace);
+}
+
+// The part of a piece, whose ends lie at these values of the scale, after which half of the change
+// is done, as the trace runs evenly; not too near to either end.
+double halfway(double from, double to) {
+  const double start = std::sinh(from), change = std::sinh(to) - start;
+  return std::clamp((std::sinh(0.5 * (from + to)) - start) / change, 1.0 / 64.0, 63.0 / 64.0);
+}
 
 std::optional<Eigenvalue> nearest_to_one(const std::vector<Eigenvalue>& multipliers) {
   std::optional<Eigenvalue> nearest;
@@ -77,8 +97,9 @@ class CriticalSearch {
   }
 
  private:
-  std::vector<Eigenvalue> multipliers_of(const BranchPoint& point) const {
-    return problem_.multipliers(point.u, point.parameter);
+  std::vector<Eigenvalue> multipliers_of(const BranchPoint& point,
+                                         ErrorBounds errors = ErrorBounds::kGiven) const {
+    return problem_.multipliers(point.u, point.parameter, errors);
   }
 
   double along(const CriticalPoint& critical) const {
@@ -88,26 +109,23 @@ class CriticalSearch {
   }
 
   // The tracer passes a branch point with a step so short (1e-6) that the determinant is linear
-  // over it, while its ends are far enough for solutions to be well determined; on the branch point
-  // itself they are not.
+  // over it. That is where to look for the branch point itself: the ends of the step are badly
+  // determined along the branch that crosses.
   void add_branch_point(std::size_t i) {
     const BranchPoint &a = branch_.points[i], &b = branch_.points[i + 1];
     const double ratio = corrector_.determinant_ratio(a, b);
     if (!std::isfinite(ratio)) return;
-    const double part = 1.0 / (1.0 + ratio);
-    // On the cubic through both ends and their tangents: where the branch turns back at the
-    // crossing (a pitchfork seen from its side) a chord would miss the parameter by its curvature.
-    const Vector x = corrector_.pack(a);
-    const Vector chord = corrector_.difference(corrector_.pack(b), x);
-    const double length = chord.norm(), rest = 1.0 - part;
-    const Vector at = x + part * part * (3.0 - 2.0 * part) * chord +
-                      part * rest * length * (rest * a.tangent - part * b.tangent);
+    const double part = 1.0 / (1.0 + ratio), rest = 1.0 - part;
+    const Vector chord = corrector_.difference(corrector_.pack(b), corrector_.pack(a));
+    Vector at = cubic_between(corrector_, a, part * chord.dot(a.tangent), a, b);
+    const std::optional<Vector> crossing = crossing_near(corrector_, at);
+    if (crossing && (*crossing - at).norm() <= kOneCrossing * (1.0 + at.norm())) at = *crossing;
     const Eigen::Index n = a.u.size();
     CriticalPoint found{CriticalKind::kBranchPoint, {}, i, {}};
     found.point = {at.head(n),
                    at[n] * corrector_.range(),
                    (rest * a.tangent + part * b.tangent).normalized(),
-                   std::max(a.residual, b.residual),
+                   corrector_.residual_at(at).value_or(std::max(a.residual, b.residual)),
                    0,
                    {}};
     if (problem_.multipliers) {
@@ -142,34 +160,41 @@ class CriticalSearch {
     const std::size_t count = points.front().multipliers.size();
     for (const BranchPoint& point : points)
       if (point.multipliers.size() != count) return;
+    for (std::size_t i = 0; i + 1 < points.size(); ++i)
+      lengths_.push_back(distance_from(points[i], points[i + 1]));
     for (std::size_t i = 0; i + 1 < points.size(); ++i) {
-      // The step's ends, and between them where a modulus crosses and comes back.
-      std::vector<BranchPoint> stations = {points[i]};
-      if (i > 0 && i + 2 < points.size())
-        for (std::size_t j = 0; j < count; ++j)
-          if (std::optional<BranchPoint> middle = hidden(i, j))
-            stations.push_back(std::move(*middle));
-      std::sort(stations.begin() + 1, stations.end(), [&](const auto& a, const auto& b) {
+      // Between the step's ends, where a modulus crosses and comes back.
+      std::vector<BranchPoint> stations;
+      for (std::size_t j = 0; j < count && i > 0 && i + 2 < points.size(); ++j)
+        if (std::optional<BranchPoint> middle = hidden(i, j))
+          stations.push_back(std::move(*middle));
+      std::sort(stations.begin(), stations.end(), [&](const auto& a, const auto& b) {
         return distance_from(points[i], a) < distance_from(points[i], b);
       });
-      stations.push_back(points[i + 1]);
-      for (std::size_t k = 0; k + 1 < stations.size(); ++k)
-        divide(stations[k], stations[k + 1], i, kMostHalvings);
+      const BranchPoint* last = &points[i];
+      for (const BranchPoint& station : stations) {
+        divide(*last, station, i, kMostHalvings);
+        last = &station;
+      }
+      divide(*last, points[i + 1], i, kMostHalvings);
     }
   }
 
-  // Halves the piece from a to b of step `after` until each part holds one crossing at most, and
+  // Divides the piece from a to b of step `after` until each part holds one crossing at most, and
   // locates that. Crossings may add up to the changes of a single one: the pieces on either side of
   // what was located are looked at again.
   void divide(const BranchPoint& a, const BranchPoint& b, std::size_t after, int halvings) {
     const OutsideCount at_a = count_outside(a.multipliers), at_b = count_outside(b.multipliers);
-    if (at_a == at_b) return;
+    const double from = trace_scale(a.multipliers), to = trace_scale(b.multipliers);
+    const bool runs = std::abs(to - from) > kLargestChange && halvings > 0;
+    if (at_a == at_b && !runs) return;
     const Vector chord = corrector_.difference(corrector_.pack(b), corrector_.pack(a));
     const double length = chord.dot(a.tangent);
     const bool single =
         is_single(at_b.flipped - at_a.flipped, at_b.grown - at_a.grown, at_b.pairs - at_a.pairs);
-    if (!single && halvings > 0) {
-      if (const auto middle = point_between(a, 0.5 * length)) {
+    if (runs || (!single && halvings > 0)) {
+      const double part = runs ? halfway(from, to) : 0.5;
+      if (const auto middle = known_between(a, part * length, a, b)) {
         divide(a, *middle, after, halvings - 1);
         divide(*middle, b, after, halvings - 1);
         return;
@@ -182,8 +207,9 @@ class CriticalSearch {
       const double at =
           corrector_.difference(corrector_.pack(*found), corrector_.pack(a)).dot(a.tangent);
       const double aside = std::ldexp(length, -kMostHalvings / 2);
-      const auto before = at > aside ? point_between(a, at - aside) : std::nullopt;
-      const auto behind = at + aside < length ? point_between(a, at + aside) : std::nullopt;
+      const auto before = at > aside ? known_between(a, at - aside, a, *found) : std::nullopt;
+      const auto behind =
+          at + aside < length ? known_between(a, at + aside, *found, b) : std::nullopt;
       if (before) divide(a, *before, after, halvings - 1);
       if (behind) divide(*behind, b, after, halvings - 1);
       return;
@@ -205,7 +231,7 @@ class CriticalSearch {
                                           std::size_t after, std::size_t j) {
     if (!is_significant(after, j)) return {};
     std::optional<BranchPoint> point = locate(corrector_, a, b, [&](const BranchPoint& p) {
-      const std::vector<Eigenvalue> multipliers = multipliers_of(p);
+      const std::vector<Eigenvalue> multipliers = multipliers_of(p, ErrorBounds::kLeftOut);
       return j < multipliers.size() ? excess(multipliers, j).value : std::nan("");
     });
     if (!point) return {};
@@ -229,14 +255,15 @@ class CriticalSearch {
     const auto value = [&](std::size_t k) {
       return excess(branch_.points[k].multipliers, j).value;
     };
-    const double length = distance(i, i + 1);
+    const double length = lengths_[i];
     const double at = value(i), next = value(i + 1);
     if (!(at * next > 0.0)) return {};
-    const double rate_in = (at - value(i - 1)) / distance(i - 1, i);
-    const double rate_out = (value(i + 2) - next) / distance(i + 1, i + 2);
+    const double rate_in = (at - value(i - 1)) / lengths_[i - 1];
+    const double rate_out = (value(i + 2) - next) / lengths_[i + 1];
     const double s = (next - at - rate_out * length) / (rate_in - rate_out);
     if (!(s > 0.0 && s < length) || (at + rate_in * s) * at > 0.0) return {};
-    std::optional<BranchPoint> middle = point_between(branch_.points[i], s);
+    const BranchPoint &a = branch_.points[i], &b = branch_.points[i + 1];
+    std::optional<BranchPoint> middle = known_between(a, s, a, b);
     if (!middle || middle->multipliers.size() <= j) return {};
     const double found = excess(middle->multipliers, j).value;
     if (found * at > 0.0) {
@@ -244,7 +271,7 @@ class CriticalSearch {
       const double curvature = (right - left) / length;
       const double vertex = 0.5 * (s - left / curvature);
       if (!(vertex > 0.0 && vertex < length)) return {};
-      middle = point_between(branch_.points[i], vertex);
+      middle = known_between(a, vertex, a, b);
       if (!middle || middle->multipliers.size() <= j) return {};
     }
     if (!(excess(middle->multipliers, j).value * at < 0.0)) return {};
@@ -254,21 +281,19 @@ class CriticalSearch {
   double distance_from(const BranchPoint& a, const BranchPoint& b) const {
     return corrector_.difference(corrector_.pack(b), corrector_.pack(a)).norm();
   }
-  double distance(std::size_t i, std::size_t k) const {
-    return distance_from(branch_.points[i], branch_.points[k]);
-  }
 
-  // The point of the branch s behind another one, its multipliers with it.
-  std::optional<BranchPoint> point_between(const BranchPoint& from, double s) {
-    std::optional<BranchPoint> point =
-        corrector_.on_hyperplane(corrector_.pack(from) + s * from.tangent, from.tangent);
-    if (point) point->multipliers = multipliers_of(*point);
+  // The point of the branch s ahead of another one, between a and b, its multipliers with it.
+  std::optional<BranchPoint> known_between(const BranchPoint& from, double s, const BranchPoint& a,
+                                           const BranchPoint& b) {
+    std::optional<BranchPoint> point = point_between(corrector_, from, s, a, b);
+    if (point) point->multipliers = multipliers_of(*point, ErrorBounds::kLeftOut);
     return point;
   }
 
   Branch& branch_;
   const ZeroProblem& problem_;
   Corrector& corrector_;
+  std::vector<double> lengths_;  // of the steps
 };
 
 }  // namespace

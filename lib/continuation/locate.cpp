@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <boost/math/tools/roots.hpp>
 #include <cmath>
+#include <limits>
+#include <utility>
 
 namespace graze {
 namespace {
@@ -17,6 +19,26 @@ bool meets(Corrector& corrector, const BranchPoint& near, const Vector& offset) 
 
 }  // namespace
 
+Vector cubic_between(const Corrector& corrector, const BranchPoint& from, double s,
+                     const BranchPoint& a, const BranchPoint& b) {
+  const Vector x = corrector.pack(from), x_a = corrector.pack(a);
+  const Vector chord = corrector.difference(corrector.pack(b), x_a);
+  // Along the normal: from a to b, and from a to the hyperplane.
+  const double length = chord.dot(from.tangent);
+  const double ahead = s - corrector.difference(x_a, x).dot(from.tangent);
+  const double rate_a = a.tangent.dot(from.tangent), rate_b = b.tangent.dot(from.tangent);
+  const double part = ahead / length, rest = 1.0 - part;
+  const Vector start = x + corrector.difference(x_a, x);
+  if (!(rate_a > 0.0 && rate_b > 0.0)) return start + part * chord;
+  return start + part * part * (3.0 - 2.0 * part) * chord +
+         part * rest * length * (rest / rate_a * a.tangent - part / rate_b * b.tangent);
+}
+
+std::optional<BranchPoint> point_between(Corrector& corrector, const BranchPoint& from, double s,
+                                         const BranchPoint& a, const BranchPoint& b) {
+  return corrector.on_hyperplane(cubic_between(corrector, from, s, a, b), from.tangent);
+}
+
 std::optional<BranchPoint> locate(Corrector& corrector, const BranchPoint& a, const BranchPoint& b,
                                   const std::function<double(const BranchPoint&)>& test) {
   const Vector x = corrector.pack(a);
@@ -29,9 +51,12 @@ std::optional<BranchPoint> locate(Corrector& corrector, const BranchPoint& a, co
   // Of the two last bits that enclose the zero, the one on the side where the test is positive.
   std::optional<BranchPoint> best = at_a > 0.0 ? a : b;
   double smallest = std::max(at_a, at_b);
+  // The nearest points known on either side of the zero.
+  BranchPoint low = a, high = b;
   bool failed = false;
   const auto value = [&](double s) {
-    auto point = corrector.on_hyperplane(x + s * a.tangent, a.tangent);
+    auto point = point_between(corrector, a, s, low, high);
+    if (!point) point = corrector.on_hyperplane(x + s * a.tangent, a.tangent);
     if (!point) point = corrector.on_hyperplane(x + s / length * chord, a.tangent);
     if (!point) {
       failed = true;
@@ -42,12 +67,14 @@ std::optional<BranchPoint> locate(Corrector& corrector, const BranchPoint& a, co
       smallest = v;
       best = point;
     }
+    (v * at_a > 0.0 ? low : high) = std::move(*point);
     return v;
   };
-  // To the last bits of s; 100 halvings exhaust them even from afar.
+  // To the last bits of x; 100 halvings exhaust them even from afar.
+  const double resolution = std::numeric_limits<double>::epsilon() * (1.0 + x.norm());
+  const auto settled = [&](double from, double to) { return to - from <= resolution; };
   std::uintmax_t iterations = 100;
-  boost::math::tools::toms748_solve(value, 0.0, length, at_a, at_b,
-                                    boost::math::tools::eps_tolerance<double>(52), iterations);
+  boost::math::tools::toms748_solve(value, 0.0, length, at_a, at_b, settled, iterations);
   return failed ? std::nullopt : best;
 }
 

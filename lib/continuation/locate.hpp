@@ -18,6 +18,15 @@ inline constexpr double kShortest = 1e-6;
 // that length.
 inline constexpr double kOneCrossing = 10.0 * kShortest;
 
+// Where the cubic through neighbours a and b and their tangents meets the hyperplane normal to that
+// of `from`, s ahead of it. Misses the branch by the fourth power of their distance.
+Vector cubic_between(const Corrector& corrector, const BranchPoint& from, double s,
+                     const BranchPoint& a, const BranchPoint& b);
+
+// The point of the branch there.
+std::optional<BranchPoint> point_between(Corrector& corrector, const BranchPoint& from, double s,
+                                         const BranchPoint& a, const BranchPoint& b);
+
 // As `locate` of branch.hpp.
 std::optional<BranchPoint> locate(Corrector& corrector, const BranchPoint& a, const BranchPoint& b,
                                   const std::function<double(const BranchPoint&)>& test);

@@ -21,7 +21,8 @@ std::optional<ZeroEvaluation> evaluate(const Map& map, int period, const Vector&
   return at;
 }
 
-std::vector<Eigenvalue> multipliers(const Map& map, int period, const Vector& u, double parameter) {
+std::vector<Eigenvalue> multipliers(const Map& map, int period, const Vector& u, double parameter,
+                                    ErrorBounds errors) {
   const Eigen::Index n = u.size() / period;
   Matrix product = Matrix::Identity(n, n);
   for (Eigen::Index i = 0; i < u.size(); i += n) {
@@ -29,7 +30,7 @@ std::vector<Eigenvalue> multipliers(const Map& map, int period, const Vector& u,
     if (!f) return {};
     product = f->jacobian * product;
   }
-  return eigenvalues(product);
+  return eigenvalues(product, errors);
 }
 
 }  // namespace
@@ -39,8 +40,8 @@ ZeroProblem periodic_points(Map map, int period) {
   problem.evaluate = [map, period](const Vector& u, double parameter) {
     return evaluate(map, period, u, parameter);
   };
-  problem.multipliers = [map, period](const Vector& u, double parameter) {
-    return multipliers(map, period, u, parameter);
+  problem.multipliers = [map, period](const Vector& u, double parameter, ErrorBounds errors) {
+    return multipliers(map, period, u, parameter, errors);
   };
   return problem;
 }

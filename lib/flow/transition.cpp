@@ -9,18 +9,33 @@
 namespace graze {
 namespace {
 
-FlowMatrix flow_matrix(const System& system, const ExactFlow<double>& flow, double s) {
-  const Eigen::Index n = system.modes();
-  FlowMatrix e{Vector(n), Vector(n), Vector(n), Vector(n)};
-  for (Eigen::Index j = 0; j < n; ++j) {
-    const ModeFlow<double>& mode = flow.mode(static_cast<int>(j));
-    const FreeBasis<double> basis = free_basis(mode.delta, mode.discriminant, s);
-    e.qq[j] = basis.cosine + mode.delta * basis.sine;
-    e.qv[j] = basis.sine;
-    e.vq[j] = -mode.omega * mode.omega * basis.sine;
-    e.vv[j] = basis.cosine - mode.delta * basis.sine;
+// The flow over s seconds of the free motion that starts with (y, ydot), and where that ends.
+void set_free(const ModeFlow<double>& mode, double s, double y, double ydot, ModeTransition& arc) {
+  if (mode.kind == ModeKind::kOscillatory) {
+    const double decay = std::exp(-mode.delta * s), angle = mode.second * s;
+    const double c = decay * std::cos(angle), n = decay * std::sin(angle);
+    arc.basis = {c - 1.0, c, n / mode.second};
+    const double lag = (ydot + mode.delta * y) / mode.second;
+    arc.q = y * c + lag * n;
+    arc.qdot = mode.second * (lag * c - y * n) - mode.delta * arc.q;
+  } else {
+    arc.basis = free_basis(mode.delta, mode.discriminant, s);
   }
-  return e;
+  const FreeBasis<double>& basis = arc.basis;
+  arc.qq = basis.cosine + mode.delta * basis.sine;
+  arc.qv = basis.sine;
+  arc.vq = -mode.omega * mode.omega * basis.sine;
+  arc.vv = basis.cosine - mode.delta * basis.sine;
+  if (mode.kind == ModeKind::kOverdamped) {
+    const double spread = mode.second - mode.first;
+    const double slow = (ydot + mode.second * y) / spread * std::exp(-mode.first * s);
+    const double fast = -(ydot + mode.first * y) / spread * std::exp(-mode.second * s);
+    arc.q = slow + fast;
+    arc.qdot = -mode.first * slow - mode.second * fast;
+  } else if (mode.kind != ModeKind::kOscillatory) {
+    arc.q = arc.qq * y + arc.qv * ydot;
+    arc.qdot = arc.vq * y + arc.vv * ydot;
+  }
 }
 
 // Derivative of S = e^{-delta s} sin(sqrt(D) s)/sqrt(D) by D: (s c - S)/(2 D), by its series where
@@ -42,10 +57,16 @@ struct ModeRates {   // of one mode's coefficients
   double delta, force, frequency, load;
 };
 
+// The forcing phase at both ends of an arc.
+struct EndPhases {
+  double start_cosine, start_sine, end_cosine, end_sine;
+};
+
 // One mode's end, seen as free part about the harmonic response: y1 = E (y0 - p0) + p1.
 Eigen::Vector2d harmonic_mode_tangent(const ModeFlow<double>& mode, const ModeRates& rate,
-                                      double frequency, const Eigen::Vector2d& start, double theta,
-                                      double s) {
+                                      double frequency, const Eigen::Vector2d& start,
+                                      const EndPhases& at, double s,
+                                      const FreeBasis<double>& basis) {
   const Complex forced{mode.forced.re, mode.forced.im};
   const Complex impedance{mode.omega * mode.omega - frequency * frequency,
                           2.0 * mode.delta * frequency};
@@ -54,18 +75,17 @@ Eigen::Vector2d harmonic_mode_tangent(const ModeFlow<double>& mode, const ModeRa
        forced * Complex{rate.stiffness - 2.0 * frequency * rate.frequency,
                         2.0 * (frequency * rate.delta + mode.delta * rate.frequency)}) /
       impedance;
-  const auto harmonic = [](Complex displacement, Complex velocity, double phase) {
-    const Complex turn = std::polar(1.0, phase);
-    return Eigen::Vector2d((displacement * turn).real(), (velocity * turn).real());
+  const auto harmonic = [](Complex displacement, Complex velocity, double c, double n) {
+    return Eigen::Vector2d(displacement.real() * c - displacement.imag() * n,
+                           velocity.real() * c - velocity.imag() * n);
   };
   const Complex i_frequency{0.0, frequency};
   const Complex velocity_rate = i_frequency * forced_rate + Complex{0.0, rate.frequency} * forced;
-  const double theta_end = theta + frequency * s;
   const Eigen::Vector2d rest(mode.offset, 0.0);
-  const Eigen::Vector2d free = start - rest - harmonic(forced, i_frequency * forced, theta);
+  const Eigen::Vector2d free =
+      start - rest - harmonic(forced, i_frequency * forced, at.start_cosine, at.start_sine);
 
   const double w2 = mode.omega * mode.omega;
-  const FreeBasis<double> basis = free_basis(mode.delta, mode.discriminant, s);
   // d c and d S through delta, D = w^2 - delta^2 and, at fixed end phase, the duration.
   const double discriminant_rate = rate.stiffness - 2.0 * mode.delta * rate.delta;
   const double s_rate = -s * rate.frequency / frequency;
@@ -82,8 +102,9 @@ Eigen::Vector2d harmonic_mode_tangent(const ModeFlow<double>& mode, const ModeRa
       c_rate - mixed_rate;
   const Eigen::Vector2d rest_rate(w2 > 0.0 ? (rate.load - mode.offset * rate.stiffness) / w2 : 0.0,
                                   0.0);
-  return e_rate * free - e * (rest_rate + harmonic(forced_rate, velocity_rate, theta)) + rest_rate +
-         harmonic(forced_rate, velocity_rate, theta_end);
+  return e_rate * free -
+         e * (rest_rate + harmonic(forced_rate, velocity_rate, at.start_cosine, at.start_sine)) +
+         rest_rate + harmonic(forced_rate, velocity_rate, at.end_cosine, at.end_sine);
 }
 
 // A resonant mode has no harmonic response to lean on, a soft one no rest position: derivative of
@@ -138,26 +159,102 @@ State vector_field(const System& system, const State& state, double theta) {
   return {state.qdot, acceleration};
 }
 
+ModalTransitions::ModalTransitions(const System& system, const ExactFlow<double>& flow,
+                                   double theta, double s)
+    : system_(system), flow_(flow), theta_(theta), s_(s) {
+  if (!system.forcing) return;
+  const double theta_end = theta + system.forcing->frequency * s;
+  start_cosine_ = std::cos(theta);
+  start_sine_ = std::sin(theta);
+  end_cosine_ = std::cos(theta_end);
+  end_sine_ = std::sin(theta_end);
+}
+
+ModeTransition ModalTransitions::from(Eigen::Index j, double q, double qdot) const {
+  const ModeFlow<double>& mode = flow_.mode(static_cast<int>(j));
+  const double w = flow_.frequency();
+  // The harmonic response and its derivative by the phase, at either end.
+  const double re = mode.forced.re, im = mode.forced.im;
+  const double before = re * start_cosine_ - im * start_sine_;
+  const double before_rate = -(re * start_sine_ + im * start_cosine_);
+  const double after = re * end_cosine_ - im * end_sine_;
+  const double after_rate = -(re * end_sine_ + im * end_cosine_);
+
+  ModeTransition arc;
+  set_free(mode, s_, q - mode.offset - before, qdot - w * before_rate, arc);
+  arc.q += mode.offset + after;
+  arc.qdot += w * after_rate;
+  arc.phase_rate_q = after_rate - (arc.qq * before_rate - arc.qv * w * before);
+  arc.phase_rate_qdot = -w * after - (arc.vq * before_rate - arc.vv * w * before);
+  if (mode.kind == ModeKind::kResonant) {
+    const PlanarNumber<double> now = resonant_response(mode, w, theta_, s_);
+    // Linear in (cos, sin) of the start phase: its derivative is the response a quarter turn later.
+    const PlanarNumber<double> later =
+        resonant_response(mode, w, theta_ + 0.5 * std::numbers::pi, s_);
+    arc.q += mode.force * now.re;
+    arc.qdot += mode.force * now.im;
+    arc.phase_rate_q += mode.force * later.re;
+    arc.phase_rate_qdot += mode.force * later.im;
+  }
+  if (mode.load != 0.0) {
+    arc.q += mode.load * step_response(mode.delta, mode.omega, mode.discriminant, s_);
+    arc.qdot += mode.load * arc.basis.sine;
+  }
+  arc.acceleration = -2.0 * mode.delta * arc.qdot - mode.omega * mode.omega * arc.q;
+  if (system_.forcing) arc.acceleration += system_.forcing->amplitude[j] * end_cosine_;
+  if (system_.load) arc.acceleration += (*system_.load)[j];
+  return arc;
+}
+
+Eigen::Vector2d ModalTransitions::tangent(Eigen::Index j, double q, double qdot,
+                                          const ModeTransition& of, const System& tangent) const {
+  const ModeFlow<double>& mode = flow_.mode(static_cast<int>(j));
+  const double load = system_.load ? (*system_.load)[j] : 0.0;
+  const ModeRates rates{2.0 * system_.omega[j] * tangent.omega[j], tangent.delta[j],
+                        tangent.forcing->amplitude[j], tangent.forcing->frequency,
+                        tangent.load ? (*tangent.load)[j] : 0.0};
+  const Eigen::Vector2d start(q, qdot);
+  // With no load there is nothing for a soft mode to rest against.
+  const bool soft = mode.omega == 0.0 ? load != 0.0 || rates.load != 0.0 : mode.load != 0.0;
+  const double frequency = flow_.frequency();
+  if (mode.kind == ModeKind::kResonant || soft)
+    return direct_mode_tangent(mode, load, rates, frequency, start, theta_, s_);
+  return harmonic_mode_tangent(mode, rates, frequency, start,
+                               {start_cosine_, start_sine_, end_cosine_, end_sine_}, s_, of.basis);
+}
+
+FlowMatrix flow_matrix(const System& system, const ExactFlow<double>& flow, double s) {
+  const Eigen::Index n = system.modes();
+  FlowMatrix e{Vector(n), Vector(n), Vector(n), Vector(n)};
+  for (Eigen::Index j = 0; j < n; ++j) {
+    ModeTransition arc;
+    set_free(flow.mode(static_cast<int>(j)), s, 0.0, 0.0, arc);
+    e.qq[j] = arc.qq;
+    e.qv[j] = arc.qv;
+    e.vq[j] = arc.vq;
+    e.vv[j] = arc.vv;
+  }
+  return e;
+}
+
 Transition transition(const System& system, const ExactFlow<double>& flow, const State& start,
                       double theta, double s) {
   const Eigen::Index n = system.modes();
-  Transition result;
-  result.flow = flow_matrix(system, flow, s);
-  Arc<double> arc(flow);
-  arc.start(theta, start.q, start.qdot);
-  result.end = {Vector(n), Vector(n)};
-  arc.state(s, result.end.q, result.end.qdot);
-  const double theta_end = system.forcing ? theta + system.forcing->frequency * s : 0.0;
-  result.end_rate = vector_field(system, result.end, theta_end);
-  // The forced response from rest is linear in (cos, sin) of the start phase; its derivative is
-  // the response a quarter turn later.
-  result.phase_rate = {Vector::Zero(n), Vector::Zero(n)};
-  if (system.forcing) {
-    arc.start(theta + 0.5 * std::numbers::pi, Vector::Zero(n), Vector::Zero(n));
-    arc.state(s, result.phase_rate.q, result.phase_rate.qdot);
-    const State loaded = load_response(system, flow, s);
-    result.phase_rate.q -= loaded.q;
-    result.phase_rate.qdot -= loaded.qdot;
+  const auto empty = [n] { return State{Vector(n), Vector(n)}; };
+  Transition result{empty(), empty(), {Vector(n), Vector(n), Vector(n), Vector(n)}, empty()};
+  const ModalTransitions modes(system, flow, theta, s);
+  for (Eigen::Index j = 0; j < n; ++j) {
+    const ModeTransition arc = modes.from(j, start.q[j], start.qdot[j]);
+    result.end.q[j] = arc.q;
+    result.end.qdot[j] = arc.qdot;
+    result.end_rate.q[j] = arc.qdot;
+    result.end_rate.qdot[j] = arc.acceleration;
+    result.flow.qq[j] = arc.qq;
+    result.flow.qv[j] = arc.qv;
+    result.flow.vq[j] = arc.vq;
+    result.flow.vv[j] = arc.vv;
+    result.phase_rate.q[j] = arc.phase_rate_q;
+    result.phase_rate.qdot[j] = arc.phase_rate_qdot;
   }
   return result;
 }
@@ -177,21 +274,11 @@ State load_response(const System& system, const ExactFlow<double>& flow, double 
 State end_tangent(const System& system, const System& tangent, const ExactFlow<double>& flow,
                   const State& start, double theta, double s) {
   const Eigen::Index n = system.modes();
-  const double frequency = system.forcing->frequency;
   State rate{Vector(n), Vector(n)};
+  const ModalTransitions modes(system, flow, theta, s);
   for (Eigen::Index j = 0; j < n; ++j) {
-    const ModeFlow<double>& mode = flow.mode(static_cast<int>(j));
-    const double load = system.load ? (*system.load)[j] : 0.0;
-    const ModeRates rates{2.0 * system.omega[j] * tangent.omega[j], tangent.delta[j],
-                          tangent.forcing->amplitude[j], tangent.forcing->frequency,
-                          tangent.load ? (*tangent.load)[j] : 0.0};
-    const Eigen::Vector2d from(start.q[j], start.qdot[j]);
-    // With no load there is nothing for a soft mode to rest against.
-    const bool soft = mode.omega == 0.0 ? load != 0.0 || rates.load != 0.0 : mode.load != 0.0;
-    const Eigen::Vector2d end =
-        mode.kind == ModeKind::kResonant || soft
-            ? direct_mode_tangent(mode, load, rates, frequency, from, theta, s)
-            : harmonic_mode_tangent(mode, rates, frequency, from, theta, s);
+    const ModeTransition arc = modes.from(j, start.q[j], start.qdot[j]);
+    const Eigen::Vector2d end = modes.tangent(j, start.q[j], start.qdot[j], arc, tangent);
     rate.q[j] = end[0];
     rate.qdot[j] = end[1];
   }

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "graze/flow/exact_flow.hpp"
+#include "graze/flow/free_basis.hpp"
 
 namespace graze {
 
@@ -21,6 +22,38 @@ struct Transition {
   FlowMatrix flow;   // d end/d start
   State phase_rate;  // d end/d start phase, at fixed duration; zero without forcing
 };
+
+// One mode of a transition.
+struct ModeTransition {
+  double q = 0.0, qdot = 0.0;                        // at the end
+  double acceleration = 0.0;                         // there
+  double qq = 0.0, qv = 0.0, vq = 0.0, vv = 0.0;     // d end/d start
+  double phase_rate_q = 0.0, phase_rate_qdot = 0.0;  // d end/d start phase, at fixed duration
+  FreeBasis<double> basis{};                         // of the free response over the arc
+};
+
+// The transitions over s seconds from forcing phase theta, mode by mode and without allocating: for
+// loops that keep none of them. Refers to the system and to its flow. s may be negative.
+class ModalTransitions {
+ public:
+  ModalTransitions(const System& system, const ExactFlow<double>& flow, double theta, double s);
+
+  // Mode j from (q, qdot).
+  ModeTransition from(Eigen::Index j, double q, double qdot) const;
+  // Derivative (of q, of qdot) of its end, see end_tangent(); `of` is that transition.
+  Eigen::Vector2d tangent(Eigen::Index j, double q, double qdot, const ModeTransition& of,
+                          const System& tangent) const;
+
+ private:
+  const System& system_;
+  const ExactFlow<double>& flow_;
+  double theta_, s_;
+  // Of the forcing phase at both ends; zero without forcing.
+  double start_cosine_ = 0.0, start_sine_ = 0.0, end_cosine_ = 0.0, end_sine_ = 0.0;
+};
+
+// Its flow matrix alone.
+FlowMatrix flow_matrix(const System& system, const ExactFlow<double>& flow, double s);
 
 // (q', q'') of the system at forcing phase theta.
 State vector_field(const System& system, const State& state, double theta);

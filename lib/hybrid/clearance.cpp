@@ -1,5 +1,6 @@
 #include "graze/hybrid/clearance.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -14,9 +15,66 @@ bool rises(const ArcCurve<double>& curve, double s) {
   return std::abs(rate.value) > rate.noise ? rate.value > 0.0 : rate.slope > 0.0;
 }
 
+// Until when, from s on, the gap is sure to stay above a level: steps as those of first_zero.hpp,
+// while they are as long as one that would pass an extremum.
+double stays_above(const ArcCurve<double>& curve, double level, double s, int& evaluations) {
+  double longest = 0.0;
+  while (s <= curve.window() && evaluations < kMostSearchEvaluations) {
+    const CurvePoint<double> point = curve.at(s, 0, Reach::kStep);
+    ++evaluations;
+    const double clear = point.value - point.noise - level;
+    if (!(clear > 0.0)) break;
+    const double step =
+        std::min(first_zero_detail::safe_step(clear, point.slope, point.bound), point.reach);
+    // They shrink where the gap comes down to the level.
+    if (!(s + step > s) || 4.0 * step < longest) break;
+    s += step;
+    longest = std::max(longest, step);
+  }
+  return s;
+}
+
+// The next extremum of the gap after s: a maximum where the gap rises at s, else a minimum. Where
+// it is comes with it only where that is asked for: of a minimum that may lie below a level.
+struct Extremum {
+  FirstZero<double> place;
+  bool exact = false;
+  double beyond = 0.0;  // past the extremum, and before the next
+};
+
+Extremum next_extremum(const ArcCurve<double>& curve, double s, bool rising, double level) {
+  using namespace first_zero_detail;
+  const auto sample = [&](double at) {
+    CurvePoint<double> point = curve.at(at, 1, Reach::kStep);
+    if (!rising) {
+      point.value = -point.value;
+      point.slope = -point.slope;
+    }
+    return point;
+  };
+  const Descent<double> near = approach_descent(sample, s, curve.window());
+  Extremum found{near.zero, false, 0.0};
+  if (near.zero.kind != ZeroKind::kCrossing) return found;
+  // The rate only falls until here, and passes zero on the way.
+  const double rate = std::max(near.point.value, 0.0);
+  found.beyond = near.zero.s + 2.0 * (rate / -near.point.slope);
+  if (found.beyond <= curve.window() && found.beyond > s) {
+    if (rising) return found;
+    const CurvePoint<double> gap = curve.at(near.zero.s, 0);
+    ++found.place.evaluations;
+    if (gap.value - gap.noise - rate * (found.beyond - near.zero.s) > level) return found;
+  }
+  found.place = finish_descent(sample, near, curve.window());
+  found.exact = true;
+  // The rate leaves its zero on a parabola at least.
+  found.beyond = found.place.s + 2.0 * (-found.place.slope / near.point.bound);
+  return found;
+}
+
 }  // namespace
 
-std::optional<GapMinimum> lowest_minimum(const ArcCurve<double>& curve, int multiplicity) {
+std::optional<GapMinimum> lowest_minimum(const ArcCurve<double>& curve, int multiplicity,
+                                         double below) {
   std::optional<GapMinimum> lowest;
   double s = 0.0;
   bool rising = false;
@@ -31,24 +89,34 @@ std::optional<GapMinimum> lowest_minimum(const ArcCurve<double>& curve, int mult
   if (!rising) rising = rises(curve, s);
   int evaluations = 0;
   while (evaluations < kMostSearchEvaluations) {
-    const FirstZero<double> extremum = first_extremum(curve, s, rising);
-    evaluations += extremum.evaluations;
-    if (extremum.kind == ZeroKind::kCrossing) {
-      s = extremum.s;
-      if (!rising) {
-        const double gap = curve.at(s, 0).value;
-        if (!lowest || gap < lowest->gap) lowest = GapMinimum{s, gap};
+    if (std::isfinite(below)) {
+      const double clear = stays_above(curve, below, s, evaluations);
+      if (!(clear <= curve.window())) return lowest;
+      if (clear > s) rising = rises(curve, clear);
+      s = clear;
+    }
+    const Extremum extremum = next_extremum(curve, s, rising, below);
+    const FirstZero<double>& place = extremum.place;
+    evaluations += place.evaluations;
+    if (place.kind == ZeroKind::kCrossing) {
+      if (!rising && extremum.exact) {
+        const double gap = curve.at(place.s, 0).value;
+        if (gap < below) {
+          lowest = GapMinimum{place.s, gap};
+          below = gap;
+        }
       }
+      s = extremum.beyond;
       rising = !rising;
-    } else if (extremum.kind == ZeroKind::kTouch) {
+    } else if (place.kind == ZeroKind::kTouch) {
       // An inflection within rounding: pass the width over which the rate stays in its rounding.
-      const CurvePoint<double> point = curve.at(extremum.s, 1);
+      const CurvePoint<double> point = curve.at(place.s, 1);
       if (point.bound == 0.0) return lowest;  // the gap does not change
       const double width = std::sqrt(2.0 * point.noise / point.bound);
-      if (!(extremum.s + width > s)) break;
-      s = extremum.s + width;
+      if (!(place.s + width > s)) break;
+      s = place.s + width;
       rising = rises(curve, s);
-    } else if (extremum.kind == ZeroKind::kNone) {
+    } else if (place.kind == ZeroKind::kNone) {
       return lowest;
     } else {
       break;

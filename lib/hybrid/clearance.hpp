@@ -1,6 +1,7 @@
 // How near the motion comes to a stop between contacts, and whether it ever will.
 #pragma once
 
+#include <limits>
 #include <optional>
 
 #include "graze/flow/arc_curve.hpp"
@@ -13,16 +14,18 @@ struct GapMinimum {
   double gap = 0.0;  // m
 };
 
-// The smallest interior local minimum of the gap along the curve's window, or nothing when there is
-// none. Extrema are found one after the other with the certified search, so none is passed over;
-// where rounding cannot tell an inflection from a pair of extrema (both within the rounding of the
-// gap of one another) it counts as none. A gap of minus infinity when the search cannot be
-// finished.
+// The smallest interior local minimum of the gap along the curve's window that is lower than
+// `below`, or nothing when there is none: where the gap is sure to stay above that, or above the
+// lowest minimum found, minima are passed over. Elsewhere extrema are found one after the other
+// with the certified search, so none is passed over; where rounding cannot tell an inflection from
+// a pair of extrema (both within the rounding of the gap of one another) it counts as none. A gap
+// of minus infinity when the search cannot be finished.
 //
 // `multiplicity` n > 0 says that the gap departs from a known zero: 1 just after an impact, 2 when
 // pulled away from rest on the stop, 3 after a release. It then rises at least until n g_n/K_(n+1),
 // g_n the first derivative that does not vanish and K the bound on the next.
-std::optional<GapMinimum> lowest_minimum(const ArcCurve<double>& curve, int multiplicity = 0);
+std::optional<GapMinimum> lowest_minimum(const ArcCurve<double>& curve, int multiplicity = 0,
+                                         double below = std::numeric_limits<double>::infinity());
 
 // Its gap alone, m.
 std::optional<double> smallest_minimum(const ArcCurve<double>& curve, int multiplicity = 0);

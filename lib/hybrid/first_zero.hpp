@@ -53,6 +53,15 @@ Real safe_step(const Real& value, const Real& slope, const Real& bound) {
   return slope > 0 ? Real((slope / bound) * (1 + root)) : Real((value / -slope) * (2 / (1 + root)));
 }
 
+// Where the search for a descent through zero ends. For a crossing: the point from which Newton's
+// method is certain to converge to it. Within twice its first step the curve then falls all the way
+// and gets below minus half of where it started.
+template <class Real>
+struct Descent {
+  FirstZero<Real> zero;
+  CurvePoint<Real> point;  // at zero.s
+};
+
 // Newton's method inside its ball of certain convergence; stops when the step no longer shrinks.
 template <class Real, class Sample>
 FirstZero<Real> finish(const Sample& sample, Real s, CurvePoint<Real> point, int evaluations) {
@@ -82,36 +91,56 @@ Real departure_step(const ArcCurve<Real>& curve, int multiplicity) {
                          : std::numeric_limits<Real>::infinity();
 }
 
+template <class Real, class Sample>
+Descent<Real> approach_descent(const Sample& sample, const Real& from, const Real& window) {
+  using std::abs, std::isfinite;
+  Real s = from;
+  CurvePoint<Real> point;
+  const auto ended = [&](ZeroKind kind, const Real& slope, int evaluations) {
+    return Descent<Real>{{kind, s, slope, evaluations}, point};
+  };
+  for (int i = 1; i <= kMostSearchEvaluations; ++i) {
+    if (!(s <= window)) {
+      s = window;
+      return ended(ZeroKind::kNone, Real(0), i);
+    }
+    point = sample(s);
+    if (!isfinite(point.value) || !isfinite(point.slope) || !isfinite(point.bound))
+      return ended(ZeroKind::kNotFinite, Real(0), i);
+    if (point.slope < 0 && 2 * (abs(point.value) / -point.slope) <= point.reach &&
+        4 * (point.bound / -point.slope) * (abs(point.value) / -point.slope) <= 1)
+      return ended(ZeroKind::kCrossing, point.slope, i);
+    const Real certain = std::max<Real>(point.value - point.noise, 0);
+    if (certain == 0 && point.slope <= 0) return ended(ZeroKind::kTouch, point.slope, i);
+    // Rising too slowly to leave the rounding: no contact can be resolved before the curve is down
+    // to the far side of it.
+    const bool lingers = certain == 0 && point.slope * point.slope < point.bound * point.noise;
+    const Real clear = lingers ? std::max<Real>(point.value + point.noise, 0) : certain;
+    const Real step = std::min<Real>(safe_step(clear, point.slope, point.bound), point.reach);
+    if (s + step == s) return ended(ZeroKind::kTouch, point.slope, i);
+    s += step;
+  }
+  return ended(ZeroKind::kBudget, Real(0), kMostSearchEvaluations);
+}
+
+// The crossing itself, if it is within the window.
+template <class Real, class Sample>
+FirstZero<Real> finish_descent(const Sample& sample, const Descent<Real>& descent,
+                               const Real& window) {
+  if (descent.zero.kind != ZeroKind::kCrossing) return descent.zero;
+  const FirstZero<Real> zero =
+      finish(sample, descent.zero.s, descent.point, descent.zero.evaluations);
+  if (!(zero.s <= window)) return {ZeroKind::kNone, window, Real(0), zero.evaluations};
+  return zero;
+}
+
 }  // namespace first_zero_detail
 
 // First descent through zero, in (from, curve.window()], of the curve that `sample` gives.
 template <class Real, class Sample>
 FirstZero<Real> first_descent(const Sample& sample, const Real& from, const Real& window) {
   using namespace first_zero_detail;
-  using std::abs, std::isfinite;
-  Real s = from;
-  for (int i = 1; i <= kMostSearchEvaluations; ++i) {
-    if (!(s <= window)) return {ZeroKind::kNone, window, Real(0), i};
-    const CurvePoint<Real> point = sample(s);
-    if (!isfinite(point.value) || !isfinite(point.slope) || !isfinite(point.bound))
-      return {ZeroKind::kNotFinite, s, Real(0), i};
-    if (point.slope < 0 && 2 * (abs(point.value) / -point.slope) <= point.reach &&
-        4 * (point.bound / -point.slope) * (abs(point.value) / -point.slope) <= 1) {
-      FirstZero<Real> zero = finish(sample, s, point, i);
-      if (!(zero.s <= window)) return {ZeroKind::kNone, window, Real(0), zero.evaluations};
-      return zero;
-    }
-    const Real certain = std::max<Real>(point.value - point.noise, 0);
-    if (certain == 0 && point.slope <= 0) return {ZeroKind::kTouch, s, point.slope, i};
-    // Rising too slowly to leave the rounding: no contact can be resolved before the curve is down
-    // to the far side of it.
-    const bool lingers = certain == 0 && point.slope * point.slope < point.bound * point.noise;
-    const Real clear = lingers ? std::max<Real>(point.value + point.noise, 0) : certain;
-    const Real step = std::min<Real>(safe_step(clear, point.slope, point.bound), point.reach);
-    if (s + step == s) return {ZeroKind::kTouch, s, point.slope, i};
-    s += step;
-  }
-  return {ZeroKind::kBudget, s, Real(0), kMostSearchEvaluations};
+  return finish_descent(sample, approach_descent(sample, from, window), window);
 }
 
 // First contact in (0, curve.window()]. `multiplicity` > 0 says that the gap starts at a known
@@ -160,21 +189,6 @@ FirstZero<Real> first_release(const ArcCurve<Real>& force) {
     from = beyond;
   }
   return {ZeroKind::kBudget, from, Real(0), evaluations};
-}
-
-// The first extremum of the gap after `from`: a maximum where the gap rises at `from`, else a
-// minimum.
-template <class Real>
-FirstZero<Real> first_extremum(const ArcCurve<Real>& curve, const Real& from, bool rising) {
-  const auto sample = [&](const Real& s) {
-    CurvePoint<Real> point = curve.at(s, 1, Reach::kStep);
-    if (!rising) {
-      point.value = -point.value;
-      point.slope = -point.slope;
-    }
-    return point;
-  };
-  return first_descent(sample, from, curve.window());
 }
 
 }  // namespace graze

@@ -60,9 +60,7 @@ std::vector<ImpactPassage> impact_passages(const System& system, const ImpactPat
   for (std::size_t i = 0; i < points.size(); ++i) {
     const RigidStop& stop = stop_of(system, pattern, i);
     passages.push_back({saltation_matrix(system, stop, points[i].before, points[i].theta),
-                        transition(system, flow, after_impact(stop, points[i].before),
-                                   points[i].theta, flight_time(system, pattern, points, i))
-                            .flow});
+                        flow_matrix(system, flow, flight_time(system, pattern, points, i))});
   }
   return passages;
 }
@@ -141,12 +139,13 @@ Matrix monodromy_matrix(const System& system, const ImpactPattern& pattern,
 }
 
 std::vector<Eigenvalue> orbit_multipliers(const System& system, const ImpactPattern& pattern,
-                                          const std::vector<ImpactPoint>& points) {
+                                          const std::vector<ImpactPoint>& points,
+                                          ErrorBounds errors) {
   const Eigen::Index n = system.modes();
   const Vector unit = velocity_units(system);
   const auto scaled = [&](Matrix matrix) {
-    matrix.bottomRows(n) = unit.cwiseInverse().asDiagonal() * matrix.bottomRows(n);
-    matrix.rightCols(n) = matrix.rightCols(n) * unit.asDiagonal();
+    matrix.bottomRows(n).array().colwise() /= unit.array();
+    matrix.rightCols(n).array().rowwise() *= unit.transpose().array();
     return matrix;
   };
   std::vector<Matrix> factors;
@@ -173,7 +172,7 @@ std::vector<Eigenvalue> orbit_multipliers(const System& system, const ImpactPatt
     std::rotate(factors.begin(), factors.begin() + (most_violent + count - 1) % count,
                 factors.end());
   }
-  return product_eigenvalues(factors);
+  return product_eigenvalues(factors, errors);
 }
 
 Admissibility admissibility(const System& system, const ImpactPattern& pattern,
@@ -181,6 +180,7 @@ Admissibility admissibility(const System& system, const ImpactPattern& pattern,
   const ExactFlow<double> flow(system);
   Arc<double> arc(flow);
   const double still = still_speed(system);
+  double lowest = std::numeric_limits<double>::infinity();
   Admissibility result;
   result.admissible = true;
   result.smallest_speed = result.shortest_flight = std::numeric_limits<double>::infinity();
@@ -201,9 +201,10 @@ Admissibility admissibility(const System& system, const ImpactPattern& pattern,
       const bool here = static_cast<int>(k) == pattern.stops[i];
       const ArcCurve<double> curve(
           arc, gap_observable<double>(system.stops[k].row, system.stops[k].gap), flight, here);
-      const std::optional<GapMinimum> minimum = lowest_minimum(curve);
-      if (minimum && (!result.nearest || minimum->gap < result.nearest->gap))
-        result.nearest = NearestApproach{i, static_cast<int>(k), minimum->s, minimum->gap};
+      const std::optional<GapMinimum> minimum = lowest_minimum(curve, 0, lowest);
+      if (!minimum) continue;
+      lowest = minimum->gap;
+      result.nearest = NearestApproach{i, static_cast<int>(k), minimum->s, minimum->gap};
     }
   }
   if (result.nearest && result.nearest->gap < 0.0) result.admissible = false;

@@ -95,7 +95,8 @@ Matrix monodromy_matrix(const System& system, const ImpactPattern& pattern,
 // saltation; where that takes more than half of the digits, |A| > eps^(-1/4), the two stay separate
 // factors. Empty when the iteration does not converge.
 std::vector<Eigenvalue> orbit_multipliers(const System& system, const ImpactPattern& pattern,
-                                          const std::vector<ImpactPoint>& points);
+                                          const std::vector<ImpactPoint>& points,
+                                          ErrorBounds errors = ErrorBounds::kGiven);
 
 // Assembles the orbit of a solution of the shooting equations, with its multipliers where they are
 // known already.

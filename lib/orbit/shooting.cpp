@@ -4,20 +4,39 @@
 #include <limits>
 
 #include "graze/base/angle.hpp"
-#include "graze/flow/transition.hpp"
 #include "graze/system/scale.hpp"
 
 namespace graze {
 namespace {
 
-// Derivative of the state after an impact along the system's tangent, at a fixed state before.
-State after_impact_tangent(const RigidStop& stop, const RigidStop& rate, const State& before) {
-  const double v = stop.row.dot(before.qdot);
-  const double v_rate = rate.row.dot(before.qdot);
-  const double r_rate = stop.restitution.rate_at(v, rate.restitution);
-  return {Vector::Zero(before.q.size()),
-          -(r_rate * v + jump_slope(stop, v) * v_rate) * stop.direction -
-              (1.0 + stop.restitution.at(v)) * v * rate.direction};
+// What a stop sees of the state before an impact.
+struct Impact {
+  double reach = 0.0;       // row.q, m
+  double jump = 0.0;        // (1 + r) v, m/s
+  double slope = 0.0;       // its derivative by v
+  double reach_rate = 0.0;  // along the system's tangent, at a fixed state
+  double jump_rate = 0.0;
+};
+
+// `rate`: the stop's derivative along the system's tangent, or null.
+Impact impact_of(const RigidStop& stop, const RigidStop* rate, const ShootingScale& scale,
+                 const double* state) {
+  const Eigen::Index n = stop.row.size();
+  Impact impact;
+  double v = 0.0, v_rate = 0.0;
+  for (Eigen::Index j = 0; j < n; ++j) {
+    const double q = state[j] * scale.displacement, qdot = state[n + j] * scale.velocity[j];
+    impact.reach += stop.row[j] * q;
+    v += stop.row[j] * qdot;
+    if (rate == nullptr) continue;
+    impact.reach_rate += rate->row[j] * q;
+    v_rate += rate->row[j] * qdot;
+  }
+  impact.jump = (1.0 + stop.restitution.at(v)) * v;
+  impact.slope = jump_slope(stop, v);
+  if (rate != nullptr)
+    impact.jump_rate = stop.restitution.rate_at(v, rate->restitution) * v + impact.slope * v_rate;
+  return impact;
 }
 
 }  // namespace
@@ -80,63 +99,70 @@ std::vector<ImpactPoint> ShootingProblem::unpack(const System& system, const Vec
   return impacts;
 }
 
+void ShootingProblem::add_mode(const System& system, const RigidStop& stop, double jump_slope,
+                               const ModeTransition& arc, Eigen::Index j, Eigen::Index at,
+                               Eigen::Index to, Matrix& jacobian) const {
+  const Eigen::Index n = system.modes(), row = at + 1 + j, row_v = row + n;
+  const double unit = scale_.displacement, unit_v = scale_.velocity[j];
+  const double frequency = system.forcing->frequency;
+  const double end_rate = arc.qdot / unit / frequency;
+  const double end_rate_v = arc.acceleration / unit_v / frequency;
+  jacobian(row, at) += arc.phase_rate_q / unit - end_rate;
+  jacobian(row_v, at) += arc.phase_rate_qdot / unit_v - end_rate_v;
+  jacobian(row, to) += end_rate;
+  jacobian(row_v, to) += end_rate_v;
+  jacobian(row, at + 1 + j) += arc.qq;
+  jacobian(row, at + 1 + n + j) += arc.qv * unit_v / unit;
+  jacobian(row_v, at + 1 + j) += arc.vq * unit / unit_v;
+  jacobian(row_v, at + 1 + n + j) += arc.vv;
+  // The jump of this mode by the velocities of all.
+  const double jump = jump_slope * stop.direction[j];
+  for (Eigen::Index m = 0; m < n; ++m) {
+    const double by = jump * stop.row[m] * scale_.velocity[m];
+    jacobian(row, at + 1 + n + m) -= arc.qv / unit * by;
+    jacobian(row_v, at + 1 + n + m) -= arc.vv / unit_v * by;
+  }
+  jacobian(row, to + 1 + j) -= 1.0;
+  jacobian(row_v, to + 1 + n + j) -= 1.0;
+}
+
 Vector ShootingProblem::residual(const System& system, const Vector& x, Matrix* jacobian,
                                  const System* tangent, Vector* parameter_derivative) const {
   const Eigen::Index n = system.modes(), block = 2 * n + 1;
   const int k = pattern_.impacts();
-  const double frequency = system.forcing->frequency;
   const ExactFlow<double> flow(system);
-  const std::vector<ImpactPoint> impacts = unpack(system, x);
-  Vector unit(2 * n);  // of a scaled state
-  unit << Vector::Constant(n, scale_.displacement), scale_.velocity;
-  const auto scaled = [&](const State& state) {
-    Vector y(2 * n);
-    y << state.q, state.qdot;
-    return Vector(y.cwiseQuotient(unit));
-  };
-
   Vector r(x.size());
   if (jacobian) jacobian->setZero(x.size(), x.size());
-  if (parameter_derivative) parameter_derivative->setZero(x.size());
+  if (parameter_derivative) parameter_derivative->resize(x.size());
   for (int i = 0; i < k; ++i) {
-    const auto index = static_cast<std::size_t>(i);
-    const auto next = static_cast<std::size_t>((i + 1) % k);
-    const auto which = static_cast<std::size_t>(pattern_.stops[index]);
+    const Eigen::Index at = i * block, to = i + 1 == k ? 0 : at + block;
+    const auto which = static_cast<std::size_t>(pattern_.stops[static_cast<std::size_t>(i)]);
     const RigidStop& stop = system.stops[which];
-    const ImpactPoint& impact = impacts[index];
+    const RigidStop* rate = parameter_derivative ? &tangent->stops[which] : nullptr;
+    const Impact impact = impact_of(stop, rate, scale_, x.data() + at + 1);
     const double turn = i + 1 == k ? kTurn * pattern_.period : 0.0;
-    const double s = (impacts[next].theta - impact.theta + turn) / frequency;
-    const State after = after_impact(stop, impact.before);
-    const Transition arc = transition(system, flow, after, impact.theta, s);
-
-    const Eigen::Index at = i * block, to = static_cast<Eigen::Index>(next) * block;
-    r[at] = (stop.row.dot(impact.before.q) - stop.gap) / scale_.length;
-    r.segment(at + 1, 2 * n) = scaled(arc.end) - x.segment(to + 1, 2 * n);
-
-    if (jacobian) {
-      const Vector end_by_phase = scaled(arc.end_rate) / frequency;
-      jacobian->block(at, at + 1, 1, n) +=
+    const double theta = x[at], s = (x[to] - theta + turn) / system.forcing->frequency;
+    const ModalTransitions arcs(system, flow, theta, s);
+    r[at] = (impact.reach - stop.gap) / scale_.length;
+    if (jacobian)
+      jacobian->row(at).segment(at + 1, n) +=
           stop.row.transpose() * (scale_.displacement / scale_.length);
-      jacobian->block(at + 1, at, 2 * n, 1) += scaled(arc.phase_rate) - end_by_phase;
-      jacobian->block(at + 1, to, 2 * n, 1) += end_by_phase;
-      Matrix jump = unit.asDiagonal();
-      jump.bottomRightCorner(n, n) -= jump_slope(stop, stop.row.dot(impact.before.qdot)) *
-                                      stop.direction *
-                                      stop.row.cwiseProduct(scale_.velocity).transpose();
-      jacobian->block(at + 1, at + 1, 2 * n, 2 * n) +=
-          unit.cwiseInverse().asDiagonal() * arc.flow.times(jump);
-      jacobian->block(at + 1, to + 1, 2 * n, 2 * n) -= Matrix::Identity(2 * n, 2 * n);
-    }
-    if (parameter_derivative) {
-      const RigidStop& rate = tangent->stops[which];
-      const State jump_rate = after_impact_tangent(stop, rate, impact.before);
-      Matrix start_rate(2 * n, 1);
-      start_rate << jump_rate.q, jump_rate.qdot;
-      const Vector carried = arc.flow.times(start_rate);
-      (*parameter_derivative)[at] = (rate.row.dot(impact.before.q) - rate.gap) / scale_.length;
-      parameter_derivative->segment(at + 1, 2 * n) =
-          carried.cwiseQuotient(unit) +
-          scaled(end_tangent(system, *tangent, flow, after, impact.theta, s));
+    if (rate) (*parameter_derivative)[at] = (impact.reach_rate - rate->gap) / scale_.length;
+    for (Eigen::Index j = 0; j < n; ++j) {
+      const double unit = scale_.displacement, unit_v = scale_.velocity[j];
+      const double q = x[at + 1 + j] * unit;
+      const double qdot = x[at + 1 + n + j] * unit_v - impact.jump * stop.direction[j];
+      const ModeTransition arc = arcs.from(j, q, qdot);
+      r[at + 1 + j] = arc.q / unit - x[to + 1 + j];
+      r[at + 1 + n + j] = arc.qdot / unit_v - x[to + 1 + n + j];
+      if (jacobian) add_mode(system, stop, impact.slope, arc, j, at, to, *jacobian);
+      if (rate) {
+        const Eigen::Vector2d end = arcs.tangent(j, q, qdot, arc, *tangent);
+        const double qdot_rate =
+            -impact.jump_rate * stop.direction[j] - impact.jump * rate->direction[j];
+        (*parameter_derivative)[at + 1 + j] = (arc.qv * qdot_rate + end[0]) / unit;
+        (*parameter_derivative)[at + 1 + n + j] = (arc.vv * qdot_rate + end[1]) / unit_v;
+      }
     }
   }
   return r;

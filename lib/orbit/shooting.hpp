@@ -12,7 +12,7 @@
 
 #include <vector>
 
-#include "graze/flow/exact_flow.hpp"
+#include "graze/flow/transition.hpp"
 #include "graze/system/system.hpp"
 
 namespace graze {
@@ -66,6 +66,12 @@ class ShootingProblem {
                   const System* tangent = nullptr, Vector* parameter_derivative = nullptr) const;
 
  private:
+  // The derivatives of the two matching equations of mode j, from the impact whose unknowns begin
+  // at `at` to that whose unknowns begin at `to`.
+  void add_mode(const System& system, const RigidStop& stop, double jump_slope,
+                const ModeTransition& arc, Eigen::Index j, Eigen::Index at, Eigen::Index to,
+                Matrix& jacobian) const;
+
   ImpactPattern pattern_;
   ShootingScale scale_;
 };

@@ -12,7 +12,7 @@
 #include "graze/contact/impulse.hpp"
 #include "graze/scene/check.hpp"
 #include "graze/scene/parameter.hpp"
-#include "graze/structure/modal_model.hpp"
+#include "graze/system/assembly.hpp"
 #include "graze/system/gap_value.hpp"
 
 namespace graze {
@@ -112,11 +112,13 @@ std::optional<Vector> static_equilibrium(const System& system) {
 
 double System::period() const { return kTurn / forcing->frequency; }
 
-System assemble(const Scene& scene) {
-  const ModalModel model = modal_model(scene);
+System assemble(const Scene& scene) { return assemble(scene, modal_model(scene)); }
+
+System assemble(const Scene& scene, const ModalModel& model) {
   System system{model.omega, model.delta, {}, {}, {}};
   if (scene.forcing) system.forcing = assemble_forcing(*scene.forcing, model.participation);
   if (scene.gravity) system.load = scene.gravity->acceleration * model.inertia;
+  system.stops.reserve(scene.stops.size());
   for (std::size_t i = 0; i < scene.stops.size(); ++i)
     system.stops.push_back(
         assemble_stop(scene, scene.stops[i], model.shapes[i], model.collocation));
@@ -126,18 +128,22 @@ System assemble(const Scene& scene) {
 System system_tangent(const Scene& scene, const std::string& parameter) {
   const Scene direction = parameter_direction(scene, parameter);
   const ModalModel model = modal_model(scene);
-  const ModalModel rate = modal_tangent(scene, model, direction);
+  return system_tangent(scene, direction, model, modal_tangent(scene, model, direction),
+                        assemble(scene, model));
+}
+
+System system_tangent(const Scene& scene, const Scene& direction, const ModalModel& model,
+                      const ModalModel& rate, const System& system) {
   System tangent{rate.omega, rate.delta, {}, {}, {}};
   if (scene.forcing)
     tangent.forcing = forcing_tangent(*scene.forcing, *direction.forcing, model, rate);
   if (scene.gravity)
     tangent.load = direction.gravity->acceleration * model.inertia +
                    scene.gravity->acceleration * rate.inertia;
-  for (std::size_t i = 0; i < scene.stops.size(); ++i) {
-    const RigidStop stop = assemble_stop(scene, scene.stops[i], model.shapes[i], model.collocation);
-    tangent.stops.push_back(stop_tangent(scene.stops[i], direction.stops[i], stop, rate.shapes[i],
-                                         model.collocation, rate.collocation));
-  }
+  tangent.stops.reserve(scene.stops.size());
+  for (std::size_t i = 0; i < scene.stops.size(); ++i)
+    tangent.stops.push_back(stop_tangent(scene.stops[i], direction.stops[i], system.stops[i],
+                                         rate.shapes[i], model.collocation, rate.collocation));
   return tangent;
 }
 

@@ -1,8 +1,21 @@
 #include "graze/system/system_family.hpp"
 
+#include "graze/scene/check.hpp"
 #include "graze/scene/parameter.hpp"
 
 namespace graze {
+namespace {
+
+// Whether the modal model is the same at all values of the parameter: forcing, gravity, gaps and
+// restitutions come on top of it.
+bool leaves_model(const std::string& parameter) {
+  const auto begins = [&](const char* with) { return parameter.rfind(with, 0) == 0; };
+  const auto contains = [&](const char* part) { return parameter.find(part) != std::string::npos; };
+  return begins("forcing.") || begins("gravity.") ||
+         (begins("stop.") && (contains(".gap") || contains(".restitution")));
+}
+
+}  // namespace
 
 SystemFamily::SystemFamily(Scene scene, std::string parameter)
     : scene_(std::move(scene)), parameter_(std::move(parameter)) {
@@ -29,6 +42,43 @@ std::optional<System> SystemFamily::tangent_at(double value) const {
   const std::optional<Scene> scene = scene_at(value);
   if (!scene) return {};
   return system_tangent(*scene, parameter_);
+}
+
+SystemCursor::SystemCursor(const SystemFamily& family)
+    : scene_(family.scene()),
+      direction_(parameter_direction(scene_, family.parameter())),
+      number_(find_parameter(scene_, family.parameter())),
+      fixed_model_(leaves_model(family.parameter())) {
+  scene_.origins = nullptr;  // the values are not those in the file
+}
+
+const System* SystemCursor::at(double value) {
+  if (moved_ && *number_ == value) return system_ ? &*system_ : nullptr;
+  moved_ = true;
+  *number_ = value;
+  system_.reset();
+  tangent_.reset();
+  try {
+    check_scene(scene_);
+  } catch (const InputError&) {
+    return nullptr;
+  }
+  if (!model_ || !fixed_model_) {
+    model_ = modal_model(scene_);
+    model_rate_.reset();
+  }
+  system_ = assemble(scene_, *model_);
+  return &*system_;
+}
+
+const System* SystemCursor::tangent_at(double value) {
+  const System* system = at(value);
+  if (system == nullptr) return nullptr;
+  if (!tangent_) {
+    if (!model_rate_) model_rate_ = modal_tangent(scene_, *model_, direction_);
+    tangent_ = system_tangent(scene_, direction_, *model_, *model_rate_, *system);
+  }
+  return &*tangent_;
 }
 
 }  // namespace graze

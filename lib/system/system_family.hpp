@@ -4,7 +4,7 @@
 #include <optional>
 #include <string>
 
-#include "graze/system/system.hpp"
+#include "graze/system/assembly.hpp"
 
 namespace graze {
 
@@ -28,6 +28,30 @@ class SystemFamily {
 
   Scene scene_;
   std::string parameter_;
+};
+
+// The systems of a family one after the other, as a continuation asks for them: what does not
+// change with the parameter is assembled once. One thread at a time.
+class SystemCursor {
+ public:
+  explicit SystemCursor(const SystemFamily& family);
+  SystemCursor(const SystemCursor&) = delete;
+  SystemCursor& operator=(const SystemCursor&) = delete;
+
+  // As those of the family; they hold until the next value is asked for. Null where the scene does
+  // not allow the value.
+  const System* at(double value);
+  const System* tangent_at(double value);
+
+ private:
+  Scene scene_, direction_;
+  double* number_;  // the parameter in scene_
+  bool fixed_model_;
+  bool moved_ = false;               // to any value yet
+  std::optional<System> system_;     // at the present value; nothing where it is not allowed
+  std::optional<System> tangent_;    // once asked for
+  std::optional<ModalModel> model_;  // of the present value, or of all
+  std::optional<ModalModel> model_rate_;
 };
 
 }  // namespace graze

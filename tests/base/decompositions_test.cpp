@@ -46,6 +46,84 @@ TEST(ComplexModes, OfDefectiveMatricesAreNone) {
   }
 }
 
+// [2, a, 0; 0, 1, 0; 0, 0, -3]: right and left vectors of 2 and 1 have the condition number
+// sqrt(1 + a^2), those of -3 have 1; also behind a rotation.
+TEST(Eigenvalues, ErrorsAreThoseOfTheirConditionNumbers) {
+  const double a = 40.0, sine = 0.6, cosine = 0.8;
+  Matrix matrix(3, 3), turn(3, 3);
+  matrix << 2, a, 0, 0, 1, 0, 0, 0, -3;
+  turn << cosine, -sine, 0, sine, cosine, 0, 0, 0, 1;
+  for (const Matrix& m : {matrix, Matrix(turn * matrix * turn.transpose())}) {
+    const std::vector<Eigenvalue> values = eigenvalues(m);
+    ASSERT_EQ(values.size(), 3u);
+    const double unit = 3.0 * std::numeric_limits<double>::epsilon() * matrix.norm();
+    EXPECT_NEAR(values[0].error / unit, 1.0, 1e-12);
+    EXPECT_NEAR(values[1].error / unit, std::sqrt(1.0 + a * a), 1e-9);
+    EXPECT_NEAR(values[2].error / unit, std::sqrt(1.0 + a * a), 1e-9);
+  }
+  // [0, 1; -w^2, 0] has the values +-i w, right vectors (1, +-i w) and left ones (+-i w, 1): the
+  // condition number (1 + w^2)/(2 w).
+  const double w = 25.0;
+  Matrix oscillator(2, 2);
+  oscillator << 0, 1, -w * w, 0;
+  const double unit = 2.0 * std::numeric_limits<double>::epsilon() * oscillator.norm();
+  for (const Eigenvalue& value : eigenvalues(oscillator))
+    EXPECT_NEAR(value.error / unit, (1.0 + w * w) / (2.0 * w), 1e-12);
+}
+
+TEST(Eigenvalues, AreTheSameWithoutTheirErrors) {
+  for (const int n : {1, 2, 5, 8, 16, 17, 24}) {
+    const Matrix matrix = Matrix::NullaryExpr(n, n, [](Eigen::Index i, Eigen::Index j) {
+      return std::sin(1.0 + 3.0 * static_cast<double>(i * i) + 7.0 * static_cast<double>(j));
+    });
+    const std::vector<Eigenvalue> with = eigenvalues(matrix);
+    const std::vector<Eigenvalue> without = eigenvalues(matrix, ErrorBounds::kLeftOut);
+    ASSERT_EQ(with.size(), static_cast<std::size_t>(n));
+    ASSERT_EQ(without.size(), with.size());
+    for (std::size_t j = 0; j < with.size(); ++j) {
+      EXPECT_EQ(with[j].value, without[j].value);
+      EXPECT_GT(with[j].error, 0.0);
+      EXPECT_EQ(without[j].error, 0.0);
+    }
+  }
+}
+
+// Row i of a circulant matrix is its first row c turned by i: the eigenvalues are the sums of
+// c_k e^{2 pi i j k/n}. Of a mere permutation all have one modulus, and shifts by the eigenvalues
+// of the last rows lead nowhere.
+TEST(Eigenvalues, OfCirculantMatricesAreFourierSums) {
+  for (const int n : {1, 2, 3, 4, 7, 8, 15, 16, 17, 40})
+    for (const bool permutation : {true, false}) {
+      SCOPED_TRACE(testing::Message() << n << (permutation ? " permutation" : ""));
+      Vector c = Vector::Zero(n);
+      for (int k = 0; k < n; ++k)
+        c[k] = permutation ? (k == 1 % n ? 1.0 : 0.0) : std::cos(1.0 + k * k);
+      const Matrix matrix = Matrix::NullaryExpr(
+          n, n, [&](Eigen::Index i, Eigen::Index j) { return c[(j - i + n) % n]; });
+      std::vector<Complex> expected;
+      for (int j = 0; j < n; ++j) {
+        Complex sum = 0.0;
+        for (int k = 0; k < n; ++k) sum += c[k] * std::polar(1.0, kTurn * j * k / n);
+        expected.push_back(sum);
+      }
+      const std::vector<Eigenvalue> values = eigenvalues(matrix);
+      ASSERT_EQ(values.size(), expected.size());
+      for (const Complex& wanted : expected) {
+        double nearest = 1.0;
+        for (const Eigenvalue& value : values)
+          nearest = std::min(nearest, std::abs(value.value - wanted));
+        EXPECT_LE(nearest, 1e-13 * n);
+      }
+    }
+}
+
+TEST(Eigenvalues, AreNoneOfWhatIsNoMatrixOfNumbers) {
+  Matrix matrix = Matrix::Identity(3, 3);
+  matrix(1, 0) = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_TRUE(eigenvalues(matrix).empty());
+  EXPECT_TRUE(eigenvalues(Matrix(0, 0)).empty());
+}
+
 TEST(NullVector, IsMappedToZero) {
   Matrix matrix(2, 3);
   matrix << 1, 2, 3, 4, 5, 6;

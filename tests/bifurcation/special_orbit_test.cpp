@@ -170,5 +170,34 @@ TEST(SpecialOrbits, ToriAreWhereTheClosedFormHasThem) {
   EXPECT_GE(tori, 1);
 }
 
+// Slow impacts of the four-mode beam: within 1e-5 of the frequency the large multiplier runs from
+// 500 to -2000, and where it passes the circle doublings and tori follow one another by 2e-8.
+TEST(SpecialOrbits, AreAllFoundWhereALargeMultiplierRunsThroughTheCircle) {
+  const Scene scene = support::shipped_scene("05_wagg_one_mode", {"beam.modes=4"});
+  const SystemFamily family(scene, "forcing.frequency");
+  const double from = 102.8244, to = 102.8258;
+  constexpr int kSamples = 7000;  // 2e-7 rad/s apart
+  std::size_t expected = 0;
+  for (const std::size_t which : {0, 1}) {
+    int before = 0;
+    for (int i = 0; i <= kSamples; ++i) {
+      const System system = *family.at(from + (to - from) * i / kSamples);
+      const auto solutions = closed_form(system, 0, 1).form->solutions(system.stops[0].gap);
+      int here = 0;  // multipliers outside the circle
+      for (const Eigenvalue& m : orbit_multipliers(system, {1, {0}}, {solutions.at(which)}))
+        here += std::abs(m.value) > 1.0 ? 1 : 0;
+      if (i > 0 && here != before) ++expected;
+      before = here;
+    }
+  }
+  const OrbitBranches result = trace(scene, "forcing.frequency", 102.0, 104.0, true);
+  std::size_t found = 0;
+  for (const SpecialKind kind : {SpecialKind::kPeriodDoubling, SpecialKind::kTorus})
+    for (const double value : values_of(special_points(result, kind)))
+      found += value >= from && value <= to ? 1 : 0;
+  EXPECT_EQ(found, expected);
+  EXPECT_GE(expected, 12u);
+}
+
 }  // namespace
 }  // namespace graze

@@ -120,6 +120,26 @@ TEST(SwitchedOrbits, DoubledBranchStartsAtItsDoubling) {
   EXPECT_EQ(doubled, 2);
 }
 
+// Doubled orbits that were found by themselves end at the doubling, a branch point that they meet
+// from the side of the pitchfork: at the value that the orbits of half the period have for it.
+TEST(SwitchedOrbits, DoubledBranchesEndWhereTheOrbitsOfHalfThePeriodDouble) {
+  const Scene scene = support::shipped_scene("05_wagg_one_mode");
+  const OrbitBranches single = followed(scene, "forcing.frequency", 15.0, 120.0, 0);
+  const OrbitBranches twice = followed(scene, "forcing.frequency", 15.0, 120.0, 0, 2, 2);
+  int met = 0;
+  for (const OrbitBranch& branch : twice.branches)
+    for (const std::size_t end : {0, 1}) {
+      if (branch.ends[end] != OrbitBranchEnd::kPeriodDoubling) continue;
+      ++met;
+      const double value = (end == 0 ? branch.points.front() : branch.points.back()).value;
+      double nearest = 1.0;
+      for (const SpecialPoint* doubling : special_points(single, SpecialKind::kPeriodDoubling))
+        nearest = std::min(nearest, std::abs(value / doubling->at.value - 1.0));
+      EXPECT_LE(nearest, 1e-12) << value;
+    }
+  EXPECT_EQ(met, 2);
+}
+
 // Across a grazing the impact sequence is rewritten: the new branch starts where the old one ends,
 // its new impact at speed zero, and on both the touch is one and the same instant.
 TEST(SwitchedOrbits, GrazingJoinsTheSequencesWithAndWithoutTheImpact) {

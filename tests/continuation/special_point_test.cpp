@@ -208,5 +208,36 @@ TEST(SpecialPoints, PitchforkOnACurvedBranch) {
   EXPECT_NEAR(again.critical[0].point.parameter, 0.3, 1e-11);
 }
 
+// Orbits of period 2 pass through those of period 1 where these double: a branch point met from
+// the side of the pitchfork, where the parameter turns back, and each point next to it is badly
+// determined along the branch that crosses.
+TEST(SpecialPoints, PitchforksAreLocatedFromTheirOwnSide) {
+  const ContinuationOptions options = range(-1.0, 3.5);
+  const auto expect_crossing = [&](const Map& map, const Vector& u, double p, double crossing) {
+    const Branch branch = traced(periodic_points(map, 2), options, u, p);
+    const auto found = branch.critical_of(CriticalKind::kBranchPoint);
+    ASSERT_EQ(found.size(), 1u);
+    EXPECT_NEAR(found[0].point.parameter, crossing, 1e-13);
+    EXPECT_LE(found[0].point.residual, 1e-14);
+    const Eigen::Index n = u.size() / 2;
+    EXPECT_LE((found[0].point.u.head(n) - found[0].point.u.tail(n)).norm(), 1e-12);
+  };
+  // x = (p + 1 +- sqrt((p + 1)(p - 3)))/(2 p)
+  const double p = 3.3, root = std::sqrt((p + 1.0) * (p - 3.0));
+  Vector u(2);
+  u << (p + 1.0 + root) / (2.0 * p), (p + 1.0 - root) / (2.0 * p);
+  expect_crossing(logistic(), u, p, 3.0);
+  for (const double b : {0.3, -0.4, 0.9}) {
+    SCOPED_TRACE(b);
+    // p x^2 - (1 - b) x + ((1 - b)^2 - p)/p = 0
+    const double q = 0.75 * (1.0 - b) * (1.0 - b) + 0.1;
+    const double half = std::sqrt(4.0 * q - 3.0 * (1.0 - b) * (1.0 - b));
+    const double first = (1.0 - b + half) / (2.0 * q), second = (1.0 - b - half) / (2.0 * q);
+    Vector x(4);
+    x << first, b * second, second, b * first;
+    expect_crossing(henon(b), x, q, 0.75 * (1.0 - b) * (1.0 - b));
+  }
+}
+
 }  // namespace
 }  // namespace graze

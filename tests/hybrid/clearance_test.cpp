@@ -47,6 +47,23 @@ TEST(Clearance, IsNothingForAMonotoneApproach) {
   EXPECT_FALSE(smallest_minimum(curve_of(system, arc, 50.0)));
 }
 
+// Only minima below what is asked for count.
+TEST(Clearance, OfWhatLiesBelowALevel) {
+  const System system = support::oscillator(1.0, 0.1, 1.0, 0.8);
+  const ExactFlow<double> flow(system);
+  Arc<double> arc(flow);
+  arc.start(0.0, Vector::Zero(1), Vector::Ones(1));
+  const ArcCurve<double> curve = curve_of(system, arc, 30.0);
+  const double smallest = *smallest_minimum(curve);
+  EXPECT_FALSE(lowest_minimum(curve, 0, smallest));
+  EXPECT_FALSE(lowest_minimum(curve, 0, -1.0));
+  for (const double above : {1e-12, 1e-3, 0.5, 10.0}) {
+    const auto minimum = lowest_minimum(curve, 0, smallest + above);
+    ASSERT_TRUE(minimum) << above;
+    EXPECT_NEAR(minimum->gap, smallest, 1e-14) << above;
+  }
+}
+
 TEST(Clearance, AgreesWithDenseSampling) {
   constexpr int kSamples = 20'000;
   int minima = 0;
