@@ -8,7 +8,7 @@
 
 namespace graze {
 
-// "LP", "PD", "NS", "BP", "GR".
+// "LP", "PD", "NS", "BP", "GR", "CH".
 inline std::string label_of(SpecialKind kind) {
   switch (kind) {
     case SpecialKind::kFold:
@@ -20,9 +20,11 @@ inline std::string label_of(SpecialKind kind) {
     case SpecialKind::kBranchPoint:
       return "BP";
     case SpecialKind::kGrazing:
+      return "GR";
+    case SpecialKind::kChatterCompletes:
       break;
   }
-  return "GR";
+  return "CH";
 }
 
 // Numbers them, each kind from 1.

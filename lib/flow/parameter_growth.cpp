@@ -5,20 +5,11 @@
 #include <limits>
 #include <optional>
 
+#include "graze/flow/contact_share.hpp"
 #include "graze/flow/transition.hpp"
 
 namespace graze {
 namespace {
-
-// The rows or directions of some stops, N x k.
-Matrix columns_of(const System& system, const std::vector<int>& stops, bool directions) {
-  Matrix columns(system.modes(), static_cast<Eigen::Index>(stops.size()));
-  for (std::size_t a = 0; a < stops.size(); ++a) {
-    const RigidStop& stop = system.stops[static_cast<std::size_t>(stops[a])];
-    columns.col(static_cast<Eigen::Index>(a)) = directions ? stop.direction : stop.row;
-  }
-  return columns;
-}
 
 struct ModeEnd {
   double q = 0.0, qdot = 0.0;  // derivatives of the end by the parameter
@@ -106,17 +97,10 @@ class HeldGenerator {
  public:
   HeldGenerator(const System& system, const System& tangent, const std::vector<int>& closed)
       : n_(system.modes()), rates_(system.omega.cwiseMax(system.forcing->frequency)) {
-    const Matrix rows = columns_of(system, closed, false),
-                 rows_rate = columns_of(tangent, closed, false);
-    const Matrix directions = columns_of(system, closed, true),
-                 directions_rate = columns_of(tangent, closed, true);
-    const Matrix inverse = (rows.transpose() * directions).partialPivLu().inverse();
-    const Matrix share = inverse * rows.transpose();  // (B^T D)^-1 B^T
-    const Matrix share_rate =
-        inverse * rows_rate.transpose() -
-        inverse * (rows_rate.transpose() * directions + rows.transpose() * directions_rate) * share;
+    const Matrix directions = directions_of(system, closed), share = contact_share(system, closed);
     const Matrix projection = Matrix::Identity(n_, n_) - directions * share;
-    const Matrix projection_rate = -directions_rate * share - directions * share_rate;
+    const Matrix projection_rate = -directions_of(tangent, closed) * share -
+                                   directions * contact_share_rate(system, tangent, closed);
     const Matrix forces = forces_of(system), forces_rate = forces_rate_of(system, tangent);
     generator_ = Matrix::Zero(size(), size());
     generator_.topRows(n_).middleCols(n_, n_) = rates_.asDiagonal();
@@ -205,9 +189,8 @@ ParameterGrowth parameter_growth(const System& system, const System& tangent,
 void hold(const System& system, const System& tangent, const std::vector<int>& closed,
           const State& state, Deviations& column) {
   if (closed.empty()) return;
-  const Matrix rows = columns_of(system, closed, false),
-               directions = columns_of(system, closed, true),
-               rows_rate = columns_of(tangent, closed, false);
+  const Matrix rows = rows_of(system, closed), directions = directions_of(system, closed),
+               rows_rate = rows_of(tangent, closed);
   Vector gaps(static_cast<Eigen::Index>(closed.size()));
   for (std::size_t a = 0; a < closed.size(); ++a)
     gaps[static_cast<Eigen::Index>(a)] = tangent.stops[static_cast<std::size_t>(closed[a])].gap;

@@ -295,4 +295,9 @@ StickingOrbitAnswer sticking_orbit(const System& system, const State& at_period_
   return {orbit_at(system, section, shortest, options.closure_speed), ""};
 }
 
+Orbit sticking_orbit_through(const System& system, const MotionState<double>& at_section,
+                             int period, const StickingOptions& options) {
+  return orbit_at(system, HeldSection(system, at_section, options), period, options.closure_speed);
+}
+
 }  // namespace graze

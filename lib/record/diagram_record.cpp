@@ -9,9 +9,28 @@
 namespace graze {
 namespace {
 
+// Impacts slower than this part of the fastest are not shown where a chatter completes: there is no
+// end to them.
+constexpr double kSlowest = 1e-3;
+
+// From the release on, so that each keeps its place however the phases move.
+std::vector<double> chatter_heights(const Orbit& orbit) {
+  std::vector<OrbitImpact> impacts = orbit.impacts;
+  std::rotate(impacts.begin(), impacts.begin() + (&leading_impact(orbit) - orbit.impacts.data()),
+              impacts.end());
+  double fastest = 0.0;
+  for (const OrbitImpact& impact : impacts) fastest = std::max(fastest, impact.speed);
+  std::vector<double> heights;
+  for (const OrbitImpact& impact : impacts)
+    if (impact.speed >= kSlowest * fastest) heights.push_back(impact.speed);
+  return heights;
+}
+
 std::vector<double> heights_of(const SystemFamily& family, const OrbitBranchPoint& point,
                                DiagramSection section) {
   std::vector<double> heights;
+  if (section == DiagramSection::kImpact && point.orbit.sticking)
+    return chatter_heights(point.orbit);
   if (section == DiagramSection::kImpact) {
     for (const OrbitImpact& impact : point.orbit.impacts) heights.push_back(impact.speed);
     return heights;
@@ -32,8 +51,11 @@ std::vector<DiagramCurve> diagram_curves(const SystemFamily& family, const Orbit
     DiagramCurve curve;
     for (const OrbitBranchPoint& point : branch.points)
       curve.points.push_back(heights_of(family, point, section));
-    for (const SpecialPoint& special : branch.special)
+    for (const SpecialPoint& special : branch.special) {
       curve.special.push_back(heights_of(family, special.at, section));
+      // One mark is enough for all the impacts of a chatter.
+      if (branch.sticks() && curve.special.back().size() > 1) curve.special.back().resize(1);
+    }
     curves.push_back(std::move(curve));
   }
   return curves;
