@@ -35,6 +35,9 @@ struct SpecialPoint {
   // For a grazing: whether an impact speed vanishes there (else an interior approach touches).
   bool by_speed = false;
   BranchPoint solution;  // of the shooting equations, to go on from
+  // For CH: whether a contact force touches zero within a stuck phase and cuts it in two (else one
+  // shrinks to nothing).
+  bool interrupted = false;
 };
 
 enum class OrbitBranchEnd {

@@ -16,11 +16,25 @@ namespace {
 // 1e-10 of the parameter leaves of it beside CH, (1e-10)^(3/5).
 constexpr double kGone = 1e-6;
 
+// Where the contact force touches zero the stop is open for a time that goes as the square root of
+// the distance: what 1e-10 of the parameter leaves of it, of a forcing period.
+constexpr double kInterrupted = 1e-5;
+
+// An approach nearer than this part of a length touches: a trace that comes to its end there is
+// within its shortest step, some 1e-12, of the grazing. From the side on which it impacts the map's
+// derivative grows like 1/v, and solutions are found down to speeds of about the square root of
+// that.
+constexpr double kTouches = 1e-9;
+constexpr double kStill = 1e-5;
+
 // One end of a traced branch: the last of its points that are orbits with the stuck phases of the
 // start, and what lies beyond.
 struct Tip {
   OrbitBranchEnd end = OrbitBranchEnd::kNotConverged;
-  std::optional<BranchPoint> border;  // the last orbit before the stuck phases change
+  std::optional<BranchPoint> border;  // the special point that ends it
+  bool by_speed = false;              // of a grazing
+  bool interrupted = false;           // of CH
+  double value = 0.0;                 // of the parameter there
 };
 
 class StickingParts {
@@ -64,6 +78,19 @@ class StickingParts {
     return back.shortest_hold <= kGone * equations_.system_at(at.parameter)->period();
   }
 
+  // Whether a stop is let go and closed again at once.
+  bool is_interrupted(const ReleaseReturn& back, const BranchPoint& at) const {
+    const double period = equations_.system_at(at.parameter)->period();
+    for (const PassedHold& first : back.passage.holds)
+      for (const PassedHold& next : back.passage.holds) {
+        if (next.from_start || next.stop != first.stop) continue;
+        const double open = static_cast<double>(next.from.period - first.to.period) * period +
+                            next.from.local - first.to.local;
+        if (open >= 0.0 && open <= kInterrupted * period) return true;
+      }
+    return false;
+  }
+
   // `inner`: the last point that is an orbit; `outer`: the first beyond, where the trace was
   // halted.
   Tip tip(std::size_t side, std::size_t inner, std::size_t outer) {
@@ -74,11 +101,37 @@ class StickingParts {
     const std::optional<ReleaseReturn> here = equations_.follow(at);
     if (end == BranchEnd::kNotConverged) {
       // Where the equations are solved no further the trace has come as near as it gets.
-      if (here && has_shrunk(*here, at)) return {OrbitBranchEnd::kChatterCompletes, at};
-      return {};
+      if (here && has_shrunk(*here, at))
+        return {OrbitBranchEnd::kChatterCompletes, at, false, false, at.parameter};
+      return grazing(at, inner, side == 0 ? 1 : -1);
     }
     if (!here) return {};
     return border(at, branch_.points[outer], *here);
+  }
+
+  // Whether an impact or an approach touches where the trace came to its end, at point `inner`;
+  // `inward` (1 or -1) leads back along the branch.
+  Tip grazing(const BranchPoint& at, std::size_t inner, int inward) const {
+    const std::optional<ReleaseReturn> here = equations_.follow(at, true);
+    if (!here) return {};
+    const System& system = *equations_.system_at(at.parameter);
+    const double length = shooting_scale(system).length;
+    const double frequency = system.forcing->frequency;
+    const std::optional<double>& clearance = here->passage.clearance;
+    if (clearance && *clearance <= kTouches * length)
+      return {OrbitBranchEnd::kGrazing, at, false, false, at.parameter};
+    if (!(here->slowest <= kStill * length * frequency)) return {};
+    // The speed goes linearly with the parameter. Neighbours of the last point may be as near as
+    // its rounding; one at twice its speed tells where it vanishes.
+    for (std::size_t i = inner; i<branch_.points.size(); inward> 0 ? ++i : --i) {
+      const std::optional<ReleaseReturn> back = equations_.follow(branch_.points[i]);
+      if (!back) return {};
+      if (!(back->slowest > 2.0 * here->slowest)) continue;
+      const double rate =
+          (branch_.points[i].parameter - at.parameter) / (back->slowest - here->slowest);
+      return {OrbitBranchEnd::kGrazing, at, true, false, at.parameter - here->slowest * rate};
+    }
+    return {};
   }
 
   // From `a` towards `b` as far as the stuck phases stay what they are at `a`.
@@ -112,18 +165,24 @@ class StickingParts {
     const bool one_less = has_shrunk(*last, inside);
     const bool one_more = beyond && beyond->returns && beyond->holds.size() > at_a.holds.size() &&
                           has_shrunk(*beyond, there);
-    if (!one_less && !one_more) return {};
-    return {OrbitBranchEnd::kChatterCompletes, inside};
+    const bool interrupted =
+        is_interrupted(*last, inside) || (beyond && is_interrupted(*beyond, there));
+    if (!one_less && !one_more && !interrupted) return {};
+    return {OrbitBranchEnd::kChatterCompletes, inside, false, !one_less && !one_more,
+            inside.parameter};
   }
 
   void add_border(const Tip& tip, OrbitBranch& result) const {
     if (!tip.border) return;
-    const std::optional<OrbitBranchPoint> at = equations_.judge(*tip.border);
+    std::optional<OrbitBranchPoint> at = equations_.judge(*tip.border);
     if (!at) return;
+    at->value = tip.value;
     // A trace that came to its end there has the point already.
     if (result.points.empty() || result.points.back().value != at->value)
       result.points.push_back(*at);
-    result.special.push_back({SpecialKind::kChatterCompletes, "", *at, {}, false, *tip.border});
+    const SpecialKind kind = tip.end == OrbitBranchEnd::kGrazing ? SpecialKind::kGrazing
+                                                                 : SpecialKind::kChatterCompletes;
+    result.special.push_back({kind, "", *at, {}, tip.by_speed, *tip.border, tip.interrupted});
   }
 
   void add_critical(const CriticalPoint& critical, OrbitBranch& result) const {
@@ -171,10 +230,11 @@ const System* StickingEquations::system_at(double value) const {
   return cached_ ? &*cached_ : nullptr;
 }
 
-std::optional<ReleaseReturn> StickingEquations::follow(const BranchPoint& solution) const {
+std::optional<ReleaseReturn> StickingEquations::follow(const BranchPoint& solution,
+                                                       bool minima) const {
   const System* system = system_at(solution.parameter);
   if (!system) return {};
-  return section_.follow(*system, solution.u);
+  return section_.follow(*system, solution.u, minima);
 }
 
 std::optional<OrbitBranchPoint> StickingEquations::judge(const BranchPoint& solution) const {

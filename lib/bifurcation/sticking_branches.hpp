@@ -6,7 +6,11 @@
 // one more begins): the chatter completes at the instant of the release, and beyond it the
 // structure leaves before it has come to rest.
 //
-// That point is where the motion stops coming to rest, and it is located as that: between an orbit
+// Where an impact outside the chatters loses its speed, or an interior approach touches a stop, the
+// map has a corner and no derivative on one side: a branch of several modes ends there with GR.
+// With N = m held directions the equations do not see it and the branch goes on.
+//
+// CH is where the motion stops coming to rest, and it is located as that: between an orbit
 // that sticks and a solution that does not, to the last digits of arclength. A chatter is summed
 // only where the push outlives it with room to spare, whatever the closure speed; nearer to CH than
 // that it is followed impact by impact. So CH does not depend on how chatters are closed. The
@@ -42,7 +46,7 @@ class StickingEquations {
   // Null where the scene does not allow the value.
   const System* system_at(double value) const;
   // What becomes of the motion of a solution; nothing where it cannot be followed.
-  std::optional<ReleaseReturn> follow(const BranchPoint& solution) const;
+  std::optional<ReleaseReturn> follow(const BranchPoint& solution, bool minima = false) const;
   // The orbit of a solution that returns.
   std::optional<OrbitBranchPoint> judge(const BranchPoint& solution) const;
 

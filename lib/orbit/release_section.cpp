@@ -32,6 +32,28 @@ double push_scale(const System& system, const RigidStop& stop) {
   return scale > 0.0 ? scale : 1.0;
 }
 
+bool before(const Instant<double>& a, const Instant<double>& b) { return !not_before(a, b); }
+
+// The slowest impact outside the chatters that lead to the stuck phases.
+double slowest_impact(const std::vector<PassedImpact>& impacts,
+                      const std::vector<const PassedHold*>& holds) {
+  std::vector<bool> chatters(impacts.size(), false);
+  for (const PassedHold* hold : holds) {
+    double faster = 0.0;
+    for (std::size_t i = impacts.size(); i-- > 0;) {
+      const PassedImpact& impact = impacts[i];
+      if (impact.stop != hold->stop || before(hold->from, impact.at)) continue;
+      if (!(impact.speed > faster)) break;
+      faster = impact.speed;
+      chatters[i] = true;
+    }
+  }
+  double slowest = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < impacts.size(); ++i)
+    if (!chatters[i]) slowest = std::min(slowest, impacts[i].speed);
+  return slowest;
+}
+
 }  // namespace
 
 // The state at the unknowns, and how it moves with y and y': q_y = V, q'_{y'} = V.
@@ -207,20 +229,22 @@ std::vector<Eigenvalue> ReleaseSection::multipliers(const System& system, const 
   return list;
 }
 
-std::optional<ReleaseReturn> ReleaseSection::follow(const System& system, const Vector& u) const {
+std::optional<ReleaseReturn> ReleaseSection::follow(const System& system, const Vector& u,
+                                                    bool minima) const {
   const std::optional<MotionState<double>> start = state_of(system, u);
   if (!start) return {};
   ReleaseReturn result;
-  result.passage = pass(system, *start, end_of(*start), passage_options(options_));
+  PassageOptions options = passage_options(options_);
+  options.minima = minima;
+  result.passage = pass(system, *start, end_of(*start), options);
   if (!result.passage.failure.empty()) return {};
   const Instant<double>& end = result.passage.end.instant;
   std::vector<const PassedHold*> begun;
   for (const PassedHold& hold : result.passage.holds)
     if (!hold.from_start) begun.push_back(&hold);
-  std::sort(begun.begin(), begun.end(), [](const PassedHold* a, const PassedHold* b) {
-    return a->from.period != b->from.period ? a->from.period < b->from.period
-                                            : a->from.local < b->from.local;
-  });
+  std::sort(begun.begin(), begun.end(),
+            [](const PassedHold* a, const PassedHold* b) { return before(a->from, b->from); });
+  result.slowest = slowest_impact(result.passage.impacts, begun);
   result.shortest_hold = std::numeric_limits<double>::infinity();
   // The release is where the force equation has it, to the accuracy of a solution.
   const double together = kShootingAccuracy * system.period();

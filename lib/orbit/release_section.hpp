@@ -38,6 +38,9 @@ struct ReleaseReturn {
   bool returns = false;  // to the same stops, released at the section
   // The shortest of these stuck phases, s; infinite where there is none.
   double shortest_hold = 0.0;
+  // The slowest impact that is not of a chatter, a run of ever slower impacts on a stop that leads
+  // to a stuck phase on it, m/s; infinite where there is none.
+  double slowest = 0.0;
 };
 
 class ReleaseSection {
@@ -68,7 +71,9 @@ class ReleaseSection {
   // The multipliers of the solution: those of P, and 2m exact zeros.
   std::vector<Eigenvalue> multipliers(const System& system, const Vector& u) const;
 
-  std::optional<ReleaseReturn> follow(const System& system, const Vector& u) const;
+  // `minima`: as in PassageOptions.
+  std::optional<ReleaseReturn> follow(const System& system, const Vector& u,
+                                      bool minima = false) const;
   // The orbit of a solution that returns.
   std::optional<Orbit> orbit(const System& system, const Vector& u) const;
 

@@ -154,6 +154,9 @@ Json special_json(const SpecialPoint& special) {
                {"admissible", special.at.orbit.admissible}};
   if (special.at.orbit.impacts.size() > 1) json["at"] = impacts_at(special.at.orbit);
   if (special.at.orbit.sticking) add_sticking(*special.at.orbit.sticking, json);
+  if (special.kind == SpecialKind::kChatterCompletes)
+    json["chatter"] =
+        special.interrupted ? "a stuck phase is cut in two" : "completes at its release";
   if (special.kind == SpecialKind::kGrazing)
     json["grazing"] = special.by_speed ? "impact speed vanishes" : "interior approach touches";
   return json;

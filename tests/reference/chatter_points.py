@@ -27,7 +27,7 @@ CASES = {
     'Z2a_r': ((0.0, 0.3, 0.1, 0.8), 'r', 0.8, 0.83),
     'Z2b_r': ((0.0, 0.5, 0.2, 0.2), 'r', 0.2, 0.6),
     'Z2b_gap': ((0.0, 0.5, 0.2, 0.2), 's', 0.2, 0.75),
-    'Z2b_frequency': ((0.0, 0.5, 0.2, 0.2), 'W', 0.5, 1.0),
+    'Z2b_frequency': ((0.0, 0.5, 0.2, 0.2), 'W', 0.5, 0.96),
     'damped_r': ((0.05, 0.4, 0.15, 0.5), 'r', 0.5, 0.8),
     'damped_frequency': ((0.05, 0.4, 0.15, 0.5), 'W', 0.4, 0.62),
 }
@@ -89,7 +89,7 @@ class Oscillator:
             if a > 0 and 2 * u / (a * (1 - self.r)) < left / 1000 and a > self.W * left * mpf('1e-3'):
                 return True
             # Against a push a - c h the gap u h - a h^2/2 + c h^3/6 stays open for good where u > 3 a^2/(8 c).
-            if left < mpf('1e-3') and (a < 0 or u * self.W * mp.sin(self.W * t) > mpf('0.38') * a * a):
+            if left < mpf('1e-4') and (a < 0 or u * self.W * mp.sin(self.W * t) > mpf('0.3755') * a * a):
                 return False
             arc = self.start(t, -u)
             # Leaving at u against an acceleration of at most K the gap stays open for 2 u/K.
