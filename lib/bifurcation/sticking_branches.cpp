@@ -20,6 +20,10 @@ constexpr double kGone = 1e-6;
 // the distance: what 1e-10 of the parameter leaves of it, of a forcing period.
 constexpr double kInterrupted = 1e-5;
 
+// Points before a border that may be flown once more instead of it, each at least half as far from
+// it as the one before.
+constexpr int kMostBack = 8;
+
 // An approach nearer than this part of a length touches: a trace that comes to its end there is
 // within its shortest step, some 1e-12, of the grazing. From the side on which it impacts the map's
 // derivative grows like 1/v, and solutions are found down to speeds of about the square root of
@@ -139,6 +143,7 @@ class StickingParts {
     const Vector chord = corrector_.difference(corrector_.pack(b), corrector_.pack(a));
     BranchPoint inside = a;
     if (inside.tangent.dot(chord) < 0.0) inside.tangent *= -1.0;
+    std::vector<BranchPoint> reached = {inside};
     std::optional<ReleaseReturn> last = at_a, beyond = equations_.follow(b);
     double at_beyond = b.parameter;
     // Two points nearer than this are one in double precision.
@@ -152,6 +157,7 @@ class StickingParts {
       if (back && back->returns && back->holds == at_a.holds) {
         inside = *next;
         last = back;
+        reached.push_back(inside);
         continue;
       }
       if (back) {
@@ -168,8 +174,12 @@ class StickingParts {
     const bool interrupted =
         is_interrupted(*last, inside) || (beyond && is_interrupted(*beyond, there));
     if (!one_less && !one_more && !interrupted) return {};
-    return {OrbitBranchEnd::kChatterCompletes, inside, false, !one_less && !one_more,
-            inside.parameter};
+    // On the border itself rounding may decide otherwise when the orbit is flown once more.
+    for (int back = 0; back < kMostBack && !reached.empty(); ++back, reached.pop_back())
+      if (equations_.judge(reached.back()))
+        return {OrbitBranchEnd::kChatterCompletes, reached.back(), false, !one_less && !one_more,
+                inside.parameter};
+    return {};
   }
 
   void add_border(const Tip& tip, OrbitBranch& result) const {

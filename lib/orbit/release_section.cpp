@@ -288,7 +288,7 @@ std::optional<Orbit> ReleaseSection::orbit(const System& system, const Vector& u
   }
   const Passage to_middle = pass(system, *start, middle, passage_options(options_));
   if (!to_middle.failure.empty()) return {};
-  return sticking_orbit_through(system, to_middle.end, release_.period, options_);
+  return sticking_orbit_through(system, to_middle.end, release_.period, options_).orbit;
 }
 
 std::vector<OrbitRelease> releases_of(const System& system, const Orbit& orbit,

@@ -41,8 +41,10 @@ StickingOrbitAnswer sticking_orbit(const System& system, const State& at_period_
                                    const StickingOptions& options);
 
 // The orbit that repeats, after `period` forcing periods, a motion that is known to do so, from a
-// state within a stuck phase. Nothing is solved; its residual says how nearly it repeats.
-Orbit sticking_orbit_through(const System& system, const MotionState<double>& at_section,
-                             int period, const StickingOptions& options);
+// state within a stuck phase. Nothing is solved; its residual says how nearly it repeats. No orbit
+// where the motion does not come back to that stuck phase.
+StickingOrbitAnswer sticking_orbit_through(const System& system,
+                                           const MotionState<double>& at_section, int period,
+                                           const StickingOptions& options);
 
 }  // namespace graze
