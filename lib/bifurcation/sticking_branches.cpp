@@ -24,6 +24,10 @@ constexpr double kInterrupted = 1e-5;
 // it as the one before.
 constexpr int kMostBack = 8;
 
+// A branch point is interpolated over a step of 1e-6; its multiplier is 1 within the square root of
+// that.
+constexpr double kAtOne = 1e-3;
+
 // An approach nearer than this part of a length touches: a trace that comes to its end there is
 // within its shortest step, some 1e-12, of the grazing. From the side on which it impacts the map's
 // derivative grows like 1/v, and solutions are found down to speeds of about the square root of
@@ -196,6 +200,11 @@ class StickingParts {
   }
 
   void add_critical(const CriticalPoint& critical, OrbitBranch& result) const {
+    // Beside a grazing the map's derivative jumps, and the orientation with it; where another
+    // branch crosses a multiplier is 1.
+    if (critical.kind == CriticalKind::kBranchPoint &&
+        !(critical.multiplier && std::abs(critical.multiplier->value - 1.0) <= kAtOne))
+      return;
     const std::optional<OrbitBranchPoint> at = equations_.judge(critical.point);
     if (!at) return;
     SpecialPoint special{as_special(critical.kind), "", *at, {}, false, critical.point};

@@ -74,7 +74,7 @@ TEST(StickingBranchCommand, SumsChattersBelowTheClosureSpeed) {
 TEST(StickingBranchCommand, PrintsTheBranch) {
   const Finished run = run_graze("continue" + kRange + kForcedChatter);
   ASSERT_EQ(run.code, 0) << run.err;
-  EXPECT_NE(run.out.find("(1, sticks)"), std::string::npos) << run.out;
+  EXPECT_NE(run.out.find("(1, stick)"), std::string::npos) << run.out;
   EXPECT_NE(run.out.find("CH at 0.51349414"), std::string::npos) << run.out;
 }
 
@@ -85,9 +85,9 @@ TEST(StickingBranchCommand, IsDrawnInBothPictures) {
   EXPECT_NE(read_text(branches).find("chatter completes (CH)"), std::string::npos);
   for (const char* section : {"impact", "strobe"}) {
     const std::string diagram = (scratch / (std::string(section) + ".svg")).string();
-    const Finished run = run_graze("diagram --points 21 --periods 50 --section " +
-                                   std::string(section) + " --plot " + diagram + kRange +
-                                   kForcedChatter);
+    const Finished run =
+        run_graze("diagram --points 21 --periods 50 --section " + std::string(section) +
+                  " --plot " + diagram + kRange + kForcedChatter);
     ASSERT_EQ(run.code, 0) << run.err;
     EXPECT_NE(read_text(diagram).find("chatter completes (CH)"), std::string::npos);
   }
