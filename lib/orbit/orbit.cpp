@@ -95,17 +95,9 @@ std::vector<ImpactPoint> Orbit::points() const {
 
 const OrbitImpact& leading_impact(const Orbit& orbit) {
   if (!orbit.sticking) return orbit.impacts.front();
-  const auto turned = [](int period_index, double phase) { return kTurn * period_index + phase; };
-  const OrbitInstant& section = orbit.sticking->section;
-  const auto after_section = [&](const OrbitImpact& impact) {
-    const double turn =
-        turned(impact.period_index, impact.phase) - turned(section.period_index, section.phase);
-    return turn < 0.0 ? turn + kTurn * orbit.period : turn;
-  };
-  return *std::min_element(orbit.impacts.begin(), orbit.impacts.end(),
-                           [&](const OrbitImpact& a, const OrbitImpact& b) {
-                             return after_section(a) < after_section(b);
-                           });
+  return *std::max_element(
+      orbit.impacts.begin(), orbit.impacts.end(),
+      [](const OrbitImpact& a, const OrbitImpact& b) { return a.speed < b.speed; });
 }
 
 MultiplierCount count_multipliers(const std::vector<Eigenvalue>& multipliers) {

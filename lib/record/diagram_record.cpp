@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <functional>
 
 #include "graze/study/strobes.hpp"
 
@@ -13,16 +14,13 @@ namespace {
 // end to them.
 constexpr double kSlowest = 1e-3;
 
-// From the release on, so that each keeps its place however the phases move.
+// By speed: the j-th of them is continuous along a branch whatever impacts come and go.
 std::vector<double> chatter_heights(const Orbit& orbit) {
-  std::vector<OrbitImpact> impacts = orbit.impacts;
-  std::rotate(impacts.begin(), impacts.begin() + (&leading_impact(orbit) - orbit.impacts.data()),
-              impacts.end());
-  double fastest = 0.0;
-  for (const OrbitImpact& impact : impacts) fastest = std::max(fastest, impact.speed);
+  const double fastest = leading_impact(orbit).speed;
   std::vector<double> heights;
-  for (const OrbitImpact& impact : impacts)
+  for (const OrbitImpact& impact : orbit.impacts)
     if (impact.speed >= kSlowest * fastest) heights.push_back(impact.speed);
+  std::sort(heights.begin(), heights.end(), std::greater<>());
   return heights;
 }
 
