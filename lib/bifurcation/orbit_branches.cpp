@@ -157,16 +157,32 @@ class OrbitTracer {
                        {*settling.closure_speed, settling.max_impacts, options_.stop});
     if (!answer.orbit || answer.orbit->period != options_.period) return;
     ++result_.starts;
-    StickingTrace trace = sticking_->trace(*answer.orbit, value);
-    if (trace.known) return;
+    add_sticking(*answer.orbit, value, 0, -1, 0);
+  }
+
+  // Traces the branch of an orbit that sticks unless it is known, and with `follow_depth` those
+  // beyond its ends.
+  void add_sticking(const Orbit& orbit, double value, int depth, int origin_branch,
+                    std::size_t origin_special) {
+    StickingTrace trace = sticking_->trace(orbit, value);
+    if (trace.known || options_.stop.requested()) return;
     result_.shooting_evaluations += trace.evaluations;
     result_.rejected_steps += trace.rejected;
     if (!trace.branch) {
       sticking_notes_.insert(trace.why_not);
       return;
     }
-    found_.push_back({std::move(*trace.branch), nullptr, result_.traced++, -1, 0});
+    const int index = static_cast<int>(found_.size());
+    found_.push_back(
+        {std::move(*trace.branch), nullptr, result_.traced++, origin_branch, origin_special});
     if (trace.cut_short) ++result_.cut_short;
+    if (origin_branch >= 0) ++result_.switched;
+    for (const StickingNeighbour& other : trace.neighbours) {
+      if (depth < options_.follow_depth)
+        add_sticking(other.orbit, other.value, depth + 1, index, other.special);
+      else
+        result_.left_open += options_.follow_depth > 0 ? 1 : 0;
+    }
   }
 
   // Traces from a start and keeps the parts. The origin: a special point, where there is one.

@@ -23,6 +23,7 @@ constexpr double kInterrupted = 1e-5;
 // Points before a border that may be flown once more instead of it, each at least half as far from
 // it as the one before.
 constexpr int kMostBack = 8;
+constexpr int kMostSteps = 400;  // of a bisection that may need two for each of some 100 halvings
 
 // A branch point is interpolated over a step of 1e-6; its multiplier is 1 within the square root of
 // that.
@@ -43,6 +44,7 @@ struct Tip {
   bool by_speed = false;              // of a grazing
   bool interrupted = false;           // of CH
   double value = 0.0;                 // of the parameter there
+  std::optional<BranchPoint> beyond;  // an orbit on the other side of CH
 };
 
 class StickingParts {
@@ -54,8 +56,8 @@ class StickingParts {
         branch_(branch),
         corrector_(equations.problem(), options_) {}
 
-  // Nothing where a point of it cannot be judged.
-  std::optional<OrbitBranch> judge() {
+  // Nothing where a point of it cannot be judged. Adds what lies beyond its ends.
+  std::optional<OrbitBranch> judge(std::vector<StickingNeighbour>& neighbours) {
     const std::size_t last = branch_.points.size() - 1;
     const bool cut_front = branch_.ends[0] == BranchEnd::kHalted,
                cut_back = branch_.ends[1] == BranchEnd::kHalted;
@@ -64,7 +66,7 @@ class StickingParts {
     OrbitBranch result;
     result.pattern.period = equations_.section().release().period;
     result.ends = {tips[0].end, tips[1].end};
-    add_border(tips[0], result);
+    add_border(tips[0], result, neighbours);
     auto critical = branch_.critical.begin();
     while (critical != branch_.critical.end() && critical->after < first) ++critical;
     for (std::size_t i = first; i <= end; ++i) {
@@ -74,7 +76,7 @@ class StickingParts {
       for (; critical != branch_.critical.end() && critical->after == i && i < end; ++critical)
         add_critical(*critical, result);
     }
-    add_border(tips[1], result);
+    add_border(tips[1], result, neighbours);
     const std::optional<ReleaseReturn> back = equations_.follow(branch_.points[first]);
     if (!back) return {};
     result.holds = back->holds;
@@ -104,13 +106,13 @@ class StickingParts {
   Tip tip(std::size_t side, std::size_t inner, std::size_t outer) {
     const BranchEnd end = branch_.ends[side];
     if (end != BranchEnd::kHalted && end != BranchEnd::kNotConverged)
-      return {as_orbit_end(end), {}};
+      return {as_orbit_end(end), {}, false, false, 0.0, {}};
     const BranchPoint& at = branch_.points[inner];
     const std::optional<ReleaseReturn> here = equations_.follow(at);
     if (end == BranchEnd::kNotConverged) {
       // Where the equations are solved no further the trace has come as near as it gets.
       if (here && has_shrunk(*here, at))
-        return {OrbitBranchEnd::kChatterCompletes, at, false, false, at.parameter};
+        return {OrbitBranchEnd::kChatterCompletes, at, false, false, at.parameter, {}};
       return grazing(at, inner, side == 0 ? 1 : -1);
     }
     if (!here) return {};
@@ -127,7 +129,7 @@ class StickingParts {
     const double frequency = system.forcing->frequency;
     const std::optional<double>& clearance = here->passage.clearance;
     if (clearance && *clearance <= kTouches * length)
-      return {OrbitBranchEnd::kGrazing, at, false, false, at.parameter};
+      return {OrbitBranchEnd::kGrazing, at, false, false, at.parameter, {}};
     if (!(here->slowest <= kStill * length * frequency)) return {};
     // The speed goes linearly with the parameter. Neighbours of the last point may be as near as
     // its rounding; one at twice its speed tells where it vanishes.
@@ -137,7 +139,7 @@ class StickingParts {
       if (!(back->slowest > 2.0 * here->slowest)) continue;
       const double rate =
           (branch_.points[i].parameter - at.parameter) / (back->slowest - here->slowest);
-      return {OrbitBranchEnd::kGrazing, at, true, false, at.parameter - here->slowest * rate};
+      return {OrbitBranchEnd::kGrazing, at, true, false, at.parameter - here->slowest * rate, {}};
     }
     return {};
   }
@@ -153,7 +155,12 @@ class StickingParts {
     // Two points nearer than this are one in double precision.
     const double least =
         4.0 * std::numeric_limits<double>::epsilon() * (1.0 + corrector_.pack(a).norm());
-    for (double h = 0.5 * chord.norm(); h > least && !options_.stop.requested();) {
+    // Orbits beyond the border with their stuck phases, those nearest to it last.
+    std::vector<std::pair<BranchPoint, std::vector<int>>> others;
+    if (beyond && beyond->returns) others.emplace_back(b, beyond->holds);
+    // Some two steps to a bit; more of them would lead past `b`.
+    int steps = 0;
+    for (double h = 0.5 * chord.norm(); h > least && steps < kMostSteps; ++steps) {
       std::optional<BranchPoint> next =
           corrector_.on_hyperplane(corrector_.pack(inside) + h * inside.tangent, inside.tangent);
       const std::optional<ReleaseReturn> back =
@@ -167,6 +174,7 @@ class StickingParts {
       if (back) {
         beyond = back;
         at_beyond = next->parameter;
+        if (back->returns) others.emplace_back(*next, back->holds);
       }
       h *= 0.5;
     }
@@ -177,16 +185,26 @@ class StickingParts {
                           has_shrunk(*beyond, there);
     const bool interrupted =
         is_interrupted(*last, inside) || (beyond && is_interrupted(*beyond, there));
-    if (!one_less && !one_more && !interrupted) return {};
+    if ((!one_less && !one_more && !interrupted) || steps == kMostSteps) return {};
+    std::optional<BranchPoint> other;
+    for (auto known = others.rbegin(); known != others.rend(); ++known) {
+      if (known->second.size() == at_a.holds.size() || known->second != others.back().second) break;
+      other = known->first;
+    }
     // On the border itself rounding may decide otherwise when the orbit is flown once more.
     for (int back = 0; back < kMostBack && !reached.empty(); ++back, reached.pop_back())
       if (equations_.judge(reached.back()))
-        return {OrbitBranchEnd::kChatterCompletes, reached.back(), false, !one_less && !one_more,
-                inside.parameter};
+        return {OrbitBranchEnd::kChatterCompletes,
+                reached.back(),
+                false,
+                !one_less && !one_more,
+                inside.parameter,
+                other};
     return {};
   }
 
-  void add_border(const Tip& tip, OrbitBranch& result) const {
+  void add_border(const Tip& tip, OrbitBranch& result,
+                  std::vector<StickingNeighbour>& neighbours) const {
     if (!tip.border) return;
     std::optional<OrbitBranchPoint> at = equations_.judge(*tip.border);
     if (!at) return;
@@ -197,6 +215,9 @@ class StickingParts {
     const SpecialKind kind = tip.end == OrbitBranchEnd::kGrazing ? SpecialKind::kGrazing
                                                                  : SpecialKind::kChatterCompletes;
     result.special.push_back({kind, "", *at, {}, tip.by_speed, *tip.border, tip.interrupted});
+    if (!tip.beyond) return;
+    if (std::optional<OrbitBranchPoint> other = equations_.judge(*tip.beyond))
+      neighbours.push_back({result.special.size() - 1, std::move(other->orbit), other->value});
   }
 
   void add_critical(const CriticalPoint& critical, OrbitBranch& result) const {
@@ -218,6 +239,24 @@ class StickingParts {
   const Branch& branch_;
   Corrector corrector_;
 };
+
+// Where the trace was halted it is one point too long: it ends at the special point there, if it
+// was located.
+void cut_beyond(Branch& trace, const OrbitBranch& judged) {
+  const auto located = [&](std::size_t side) {
+    return judged.ends[side] == OrbitBranchEnd::kChatterCompletes;
+  };
+  if (trace.ends[1] == BranchEnd::kHalted) {
+    trace.points.pop_back();
+    if (located(1)) trace.points.push_back(judged.special.back().solution);
+  }
+  if (trace.ends[0] == BranchEnd::kHalted) {
+    if (located(0))
+      trace.points.front() = judged.special.front().solution;
+    else
+      trace.points.erase(trace.points.begin());
+  }
+}
 
 }  // namespace
 
@@ -317,7 +356,7 @@ StickingTrace StickingBranches::trace(const Orbit& orbit, double value) {
     return result;
   }
   traced.branch = trace_branch(equations.problem(), range, *start);
-  result.branch = StickingParts(equations, range, traced.branch).judge();
+  result.branch = StickingParts(equations, range, traced.branch).judge(result.neighbours);
   result.evaluations = traced.branch.evaluations;
   result.rejected = traced.branch.rejected;
   if (!result.branch)
@@ -327,6 +366,7 @@ StickingTrace StickingBranches::trace(const Orbit& orbit, double value) {
         std::any_of(result.branch->ends.begin(), result.branch->ends.end(), [](auto end) {
           return end == OrbitBranchEnd::kNotConverged || end == OrbitBranchEnd::kStepLimit;
         });
+  if (result.branch) cut_beyond(traced.branch, *result.branch);
   traced_.push_back(std::move(traced));
   return result;
 }

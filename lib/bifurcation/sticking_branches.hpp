@@ -58,8 +58,16 @@ class StickingEquations {
   mutable std::optional<System> cached_;
 };
 
+// An orbit with one stuck phase more or less beyond a CH of a branch.
+struct StickingNeighbour {
+  std::size_t special = 0;  // index of the CH among the branch's special points
+  Orbit orbit;
+  double value = 0.0;  // of the parameter
+};
+
 struct StickingTrace {
   std::optional<OrbitBranch> branch;
+  std::vector<StickingNeighbour> neighbours;
   bool known = false;   // the orbit lies on a branch that was traced before
   std::string why_not;  // a sentence where there is neither
   bool cut_short = false;

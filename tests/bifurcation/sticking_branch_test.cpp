@@ -23,12 +23,13 @@ using support::TableRow;
 
 // Orbits that stick only.
 OrbitBranches sticking_branches(const Scene& scene, const std::string& parameter, double from,
-                                double to, int start_values = 32) {
+                                double to, int start_values = 32, int depth = 0) {
   const SystemFamily family(scene, parameter);
   BranchOptions options;
   options.from = from;
   options.to = to;
   options.start_values = start_values;
+  options.follow_depth = depth;
   options.finder.from_closed_form = options.finder.from_random = false;
   OrbitBranches result = trace_orbits(family, options);
   const auto bounces = [](const OrbitBranch& branch) { return !branch.sticks(); };
@@ -236,6 +237,33 @@ TEST(StickingBranch, RunsStickAsOftenAsTheirBranchSays) {
   EXPECT_GE(parted, 4);
   EXPECT_GE(interrupted, 1);
   EXPECT_LT(interrupted, parted);
+}
+
+// Beyond CH the orbits have a stuck phase more or less; seen from there it is the same point.
+TEST(StickingBranch, IsFollowedAcrossItsChatterPoints) {
+  const OrbitBranches result = sticking_branches(support::reference_scene("sticking/rayl3"),
+                                                 "forcing.frequency", 0.13, 0.17, 1, 2);
+  int followed = 0;
+  for (const OrbitBranch& branch : result.branches)
+    for (const OrbitBranch& from : result.branches)
+      for (const SpecialPoint& origin : from.special) {
+        if (origin.id != branch.origin) continue;
+        EXPECT_EQ(origin.kind, SpecialKind::kChatterCompletes);
+        EXPECT_EQ(branch.component, from.component);
+        EXPECT_EQ(
+            std::abs(static_cast<int>(branch.holds.size()) - static_cast<int>(from.holds.size())),
+            1);
+        EXPECT_TRUE(std::any_of(branch.special.begin(), branch.special.end(),
+                                [&](const SpecialPoint& special) {
+                                  return special.kind == SpecialKind::kChatterCompletes &&
+                                         std::abs(special.at.value / origin.at.value - 1.0) <=
+                                             1e-10;
+                                }))
+            << origin.id;
+        ++followed;
+      }
+  EXPECT_GE(followed, 2);
+  EXPECT_EQ(result.switched, followed);
 }
 
 // A grazing is the same one from the side on which the approach touches and from the side on which
