@@ -155,42 +155,52 @@ void ReleaseSection::add_force(const System& system, const Vector& u, const Char
       (share_rate.dot(acceleration) + share.dot(acceleration_rate)) / push_;
 }
 
+// How the state at fixed unknowns moves with the parameter: B^T dq = da - dB^T q, U^T dq = 0.
+State ReleaseSection::chart_rate(const System& tangent, const Chart& chart) const {
+  const Eigen::Index n = chart.state.q.size(), k = n - freedoms();
+  const Matrix rows_rate = rows_of(tangent, release_.closed);
+  Matrix right = Matrix::Zero(n, 2);
+  right.col(0).head(k) = -rows_rate.transpose() * chart.state.q;
+  right.col(1).head(k) = -rows_rate.transpose() * chart.state.qdot;
+  for (Eigen::Index a = 0; a < k; ++a)
+    right(a, 0) +=
+        tangent.stops[static_cast<std::size_t>(release_.closed[static_cast<std::size_t>(a)])].gap;
+  const Matrix moved = chart.left.solve(right);
+  return {moved.col(0), moved.col(1)};
+}
+
 std::optional<ReleaseSection::Equations> ReleaseSection::evaluate(const System& system,
                                                                   const Vector& u,
                                                                   const System* tangent) const {
   const std::optional<Chart> chart = chart_at(system, u);
   if (!chart || !u.allFinite()) return {};
-  const Eigen::Index n = system.modes(), m = freedoms();
-  Equations equations{Vector::Zero(size()), Matrix::Zero(size(), size()), Vector(), Matrix(0, 0)};
-  State chart_rate{Vector::Zero(n), Vector::Zero(n)};
-  if (tangent) {
-    equations.parameter_derivative = Vector::Zero(size());
-    const Matrix rows_rate = rows_of(*tangent, release_.closed);
-    Matrix right = Matrix::Zero(n, 2);
-    right.col(0).head(n - m) = -rows_rate.transpose() * chart->state.q;
-    for (Eigen::Index a = 0; a < n - m; ++a)
-      right(a, 0) +=
-          tangent->stops[static_cast<std::size_t>(release_.closed[static_cast<std::size_t>(a)])]
-              .gap;
-    right.col(1).head(n - m) = -rows_rate.transpose() * chart->state.qdot;
-    const Matrix moved = chart->left.solve(right);
-    chart_rate = {moved.col(0), moved.col(1)};
-  }
-  add_force(system, u, *chart, tangent, chart_rate, equations);
-  if (m == 0) return equations;
+  const Eigen::Index n = system.modes();
+  Equations equations{Vector::Zero(size()), Matrix::Zero(size(), size()),
+                      tangent ? Vector(Vector::Zero(size())) : Vector(), Matrix(0, 0)};
+  const State rate =
+      tangent ? chart_rate(*tangent, *chart) : State{Vector::Zero(n), Vector::Zero(n)};
+  add_force(system, u, *chart, tangent, rate, equations);
+  if (freedoms() > 0 && !add_return(system, u, *chart, tangent, rate, equations)) return {};
+  return equations;
+}
 
+// The map and its derivatives; false where the motion cannot be followed.
+bool ReleaseSection::add_return(const System& system, const Vector& u, const Chart& chart,
+                                const System* tangent, const State& chart_rate,
+                                Equations& equations) const {
+  const Eigen::Index n = system.modes(), m = freedoms();
   const MotionState<double> start = *state_of(system, u);
   // A later theta is a later start of the same state, and a later end.
   Deviations deviations{Matrix::Zero(n, 2 * m + 1), Matrix::Zero(n, 2 * m + 1),
                         Eigen::RowVectorXd::Zero(2 * m + 1)};
   deviations.delay[0] = 1.0 / system.forcing->frequency;
-  deviations.q.middleCols(1, m) = chart->slope;
-  deviations.qdot.rightCols(m) = chart->slope;
+  deviations.q.middleCols(1, m) = chart.slope;
+  deviations.qdot.rightCols(m) = chart.slope;
   std::optional<ParameterDeviation> parameter;
   if (tangent) parameter.emplace(system, *tangent, chart_rate);
   const Passage passage = pass(system, start, end_of(start), passage_options(options_), &deviations,
                                parameter ? &*parameter : nullptr);
-  if (!passage.failure.empty()) return {};
+  if (!passage.failure.empty()) return false;
   std::vector<int> closed;
   for (std::size_t i = 0; i < passage.end.contacts.size(); ++i)
     if (passage.end.contacts[i] == Contact::kClosed) closed.push_back(static_cast<int>(i));
@@ -214,7 +224,7 @@ std::optional<ReleaseSection::Equations> ReleaseSection::evaluate(const System& 
     const State moved = parameter->value();
     equations.parameter_derivative.tail(2 * m) = seen(moved.q, moved.qdot);
   }
-  return equations;
+  return true;
 }
 
 std::vector<Eigenvalue> ReleaseSection::multipliers(const System& system, const Vector& u) const {

@@ -56,7 +56,6 @@ class ReleaseSection {
   ReleaseSection(const System& reference, Release release, const StickingOptions& options);
 
   const Release& release() const { return release_; }
-  const StickingOptions& options() const { return options_; }
   Eigen::Index size() const { return 1 + 2 * freedoms(); }
 
   // Unknowns of a state at forcing phase theta, rad.
@@ -84,6 +83,9 @@ class ReleaseSection {
   std::optional<Chart> chart_at(const System& system, const Vector& u) const;
   void add_force(const System& system, const Vector& u, const Chart& chart, const System* tangent,
                  const State& chart_rate, Equations& equations) const;
+  State chart_rate(const System& tangent, const Chart& chart) const;
+  bool add_return(const System& system, const Vector& u, const Chart& chart, const System* tangent,
+                  const State& chart_rate, Equations& equations) const;
   Instant<double> end_of(const MotionState<double>& start) const;
 
   Release release_;
