@@ -355,6 +355,12 @@ StickingTrace StickingBranches::trace(const Orbit& orbit, double value) {
     result.why_not = "the orbit that sticks was not found again at its release";
     return result;
   }
+  if (back->shortest_hold <= kGone * system->period()) {
+    result.why_not =
+        "an orbit with stuck phases without end (a chatter on one stop throws the structure off "
+        "another) is not continued";
+    return result;
+  }
   traced.branch = trace_branch(equations.problem(), range, *start);
   result.branch = StickingParts(equations, range, traced.branch).judge(result.neighbours);
   result.evaluations = traced.branch.evaluations;

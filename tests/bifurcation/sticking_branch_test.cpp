@@ -266,6 +266,17 @@ TEST(StickingBranch, IsFollowedAcrossItsChatterPoints) {
   EXPECT_EQ(result.switched, followed);
 }
 
+// How many stuck phases are followed before a chatter is summed would be an accident.
+TEST(StickingBranch, IsNotTracedWhereStuckPhasesHaveNoEnd) {
+  const OrbitBranches result =
+      sticking_branches(support::reference_scene("sticking/thrown_off", {"forcing.frequency=0.9"}),
+                        "forcing.frequency", 0.88, 0.92, 2);
+  EXPECT_TRUE(result.branches.empty());
+  EXPECT_TRUE(std::any_of(result.notes.begin(), result.notes.end(), [](const std::string& note) {
+    return note.find("stuck phases without end") != std::string::npos;
+  }));
+}
+
 // A grazing is the same one from the side on which the approach touches and from the side on which
 // the impact loses its speed.
 TEST(StickingBranch, GrazingIsFoundFromEitherSide) {
