@@ -8,7 +8,7 @@
 
 namespace graze {
 
-// "LP", "PD", "NS", "BP", "GR", "CH".
+// "GR", or the label that any branch gives to such a point.
 inline std::string label_of(SpecialKind kind) {
   switch (kind) {
     case SpecialKind::kFold:

@@ -272,7 +272,9 @@ StickingEquations::StickingEquations(const SystemFamily& family, const System& r
     if (!at) return {};
     return ZeroEvaluation{at->residual, at->jacobian, at->parameter_derivative};
   };
-  problem_.multipliers = [this](const Vector& u, double value) -> std::vector<Eigenvalue> {
+  // The errors of the eigenvalues come with them, whether or not they are asked for.
+  problem_.multipliers = [this](const Vector& u, double value,
+                                auto&&...) -> std::vector<Eigenvalue> {
     const System* system = system_at(value);
     return system ? section_.multipliers(*system, u) : std::vector<Eigenvalue>();
   };
