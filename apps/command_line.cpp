@@ -203,10 +203,7 @@ void add_continue(CLI::App& graze, Command& command) {
   add_orbit_search(app, command);
   add_range(app, command);
   add_branch_kind(app, command);
-  app->add_option_function<double>(
-         "--closure-speed", [](double) { throw not_available("--closure-speed for continue"); },
-         "(not available in this version: branches of orbits that stick are not followed)")
-      ->type_name("V");
+  add_closure_speed(app, command);
   for (const char* later : {"--locus", "--second", "--second-from", "--second-to"})
     app->add_option_function<std::string>(
            later, [later](const std::string&) { throw not_available(later); },

@@ -42,7 +42,10 @@ BranchOptions branch_options(const Command& command) {
   options.to = command.to;
   options.max_step = command.max_step.value_or(0.0);
   options.keep_virtual = command.keep_virtual;
+  // A number of impacts that was asked for is none of an orbit that closes a chatter.
+  options.sticking = !command.impacts.has_value();
   options.finder = finder_options(command);
+  options.finder.closure_speed = command.closure_speed;
   options.stop = options.finder.stop;
   options.progress = progress_line(command);
   return options;
@@ -69,6 +72,8 @@ int run_continue(const Command& command) {
   record.info.options.emplace_back("from", command.from);
   record.info.options.emplace_back("to", command.to);
   if (command.max_step) record.info.options.emplace_back("max_step", *command.max_step);
+  if (command.closure_speed)
+    record.info.options.emplace_back("closure_speed", *command.closure_speed);
   record.info.options.emplace_back("follow", command.follow);
   if (command.follow == "all")
     record.info.options.emplace_back("depth", static_cast<long long>(command.depth));

@@ -12,11 +12,12 @@
 namespace graze {
 
 enum class SpecialKind {
-  kFold,            // LP: the branch turns back
-  kPeriodDoubling,  // PD: a multiplier passes -1
-  kTorus,           // NS: a complex pair of multipliers passes the unit circle
-  kBranchPoint,     // BP: another branch of the same impact pattern crosses
-  kGrazing          // GR: an interior approach touches a stop, or an impact speed goes to zero
+  kFold,             // LP: the branch turns back
+  kPeriodDoubling,   // PD: a multiplier passes -1
+  kTorus,            // NS: a complex pair of multipliers passes the unit circle
+  kBranchPoint,      // BP: another branch of the same impact pattern crosses
+  kGrazing,          // GR: an interior approach touches a stop, or an impact speed goes to zero
+  kChatterCompletes  // CH: a chatter completes at the instant of its release
 };
 
 struct OrbitBranchPoint {
@@ -34,12 +35,16 @@ struct SpecialPoint {
   // For a grazing: whether an impact speed vanishes there (else an interior approach touches).
   bool by_speed = false;
   BranchPoint solution;  // of the shooting equations, to go on from
+  // For CH: whether a contact force touches zero within a stuck phase and cuts it in two (else one
+  // shrinks to nothing).
+  bool interrupted = false;
 };
 
 enum class OrbitBranchEnd {
   kParameterLimit,
   kClosed,
   kGrazing,
+  kChatterCompletes,
   kPeriodDoubling,  // where it joins orbits of half the period
   kImpactsMeet,     // a flight from impact to impact shrinks to nothing: their order would change
   kStepLimit,
@@ -47,13 +52,17 @@ enum class OrbitBranchEnd {
 };
 
 struct OrbitBranch {
-  int id = 0;         // from 1
-  int component = 0;  // connected set of solutions it is part of, from 1
-  ImpactPattern pattern;
+  int id = 0;             // from 1
+  int component = 0;      // connected set of solutions it is part of, from 1
+  ImpactPattern pattern;  // its stops empty where the orbits stick: no number of impacts is theirs
+  // Of orbits that stick: the stops that are closed by a chatter, in time order.
+  std::vector<int> holds;
   std::string origin;                    // id of the special point it was switched onto from, or ""
   std::vector<OrbitBranchPoint> points;  // in order along the branch, special points among them
   std::vector<SpecialPoint> special;     // in order along the branch
   std::array<OrbitBranchEnd, 2> ends{OrbitBranchEnd::kNotConverged, OrbitBranchEnd::kNotConverged};
+
+  bool sticks() const { return !holds.empty(); }
 };
 
 }  // namespace graze

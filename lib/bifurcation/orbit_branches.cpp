@@ -3,24 +3,32 @@
 #include <algorithm>
 #include <map>
 #include <memory>
+#include <set>
 #include <utility>
 
 #include "graze/bifurcation/closed_form_survey.hpp"
 #include "graze/bifurcation/pattern_branches.hpp"
 #include "graze/bifurcation/pattern_switching.hpp"
 #include "graze/bifurcation/special_names.hpp"
+#include "graze/bifurcation/sticking_branches.hpp"
 #include "graze/continuation/switching.hpp"
+#include "graze/hybrid/simulation.hpp"
 #include "graze/orbit/closed_form.hpp"
+#include "graze/orbit/settled.hpp"
 
 namespace graze {
 namespace {
 
+// Forcing periods within which a motion has to repeat to count as one that sticks: each time it
+// comes to rest it forgets what came before.
+constexpr long long kPeriodsToStick = 300;
+
 // A branch as it was traced, before all are put in order and named.
 struct Found {
   OrbitBranch branch;
-  PatternBranches* pattern = nullptr;
-  int trace = 0;           // its number
-  int origin_branch = -1;  // index of the found branch it was switched onto from
+  PatternBranches* pattern = nullptr;  // null where the orbits stick
+  int trace = 0;                       // its number
+  int origin_branch = -1;              // index of the found branch it was switched onto from
   std::size_t origin_special = 0;
 };
 
@@ -37,6 +45,7 @@ class OrbitTracer {
     continuation_.to = options.to;
     continuation_.max_step = options.max_step;
     continuation_.stop = options.stop;
+    sticking_ = std::make_unique<StickingBranches>(family, continuation_);
   }
 
   OrbitBranches trace() {
@@ -47,6 +56,7 @@ class OrbitTracer {
     put_in_order();
     // What the simulation does is worth a line only where it explains that there is nothing else.
     if (!result_.branches.empty()) result_.notes.clear();
+    for (const std::string& note : sticking_notes_) result_.notes.push_back(note);
     result_.stopped = options_.stop.reason();
     return std::move(result_);
   }
@@ -64,6 +74,7 @@ class OrbitTracer {
         options_.progress(static_cast<double>(i) / static_cast<double>(values.size() + 1));
       for (const Orbit& orbit : orbits_at(values[i], i == 0))
         trace_from(orbit.pattern(), orbit.points(), values[i]);
+      if (options_.sticking && options_.finder.from_simulation) trace_sticking(values[i]);
     }
   }
 
@@ -99,7 +110,7 @@ class OrbitTracer {
     std::optional<State> start;
     if (first || options_.impacts > 1) start = clear_start(family_.scene(), *system);
     FoundOrbits found = find_orbits(*system, start, finder);
-    // Branches of orbits that stick are not followed.
+    // Those have branches of their own.
     const auto sticks = [](const Orbit& orbit) { return orbit.sticking.has_value(); };
     found.orbits.erase(std::remove_if(found.orbits.begin(), found.orbits.end(), sticks),
                        found.orbits.end());
@@ -132,6 +143,55 @@ class OrbitTracer {
     if (start && !branches.knows(*start)) add_trace(branches, *start, Directions::kBoth, -1, 0);
   }
 
+  // Traces the branch of the orbit that sticks, where the motion from the scene's initial state
+  // settles on one.
+  void trace_sticking(double value) {
+    const std::optional<System> system = family_.at(value);
+    if (!system) return;
+    const std::optional<State> start = clear_start(family_.scene(), *system);
+    if (!start) return;
+    SettleOptions settling;
+    settling.periods = kPeriodsToStick;
+    settling.max_impacts = options_.finder.max_impacts;
+    settling.through_sticking = true;
+    settling.closure_speed = options_.finder.closure_speed.value_or(
+        default_closure_speed(*system, *start, family_.scene().solver.tolerance));
+    settling.stop = options_.stop;
+    const SettledMotion settled = settle(*system, *start, settling);
+    if (settled.kind != SettledKind::kSticks) return;
+    const StickingOrbitAnswer answer =
+        sticking_orbit(*system, settled.at_start, settled.period,
+                       {*settling.closure_speed, settling.max_impacts, options_.stop});
+    if (!answer.orbit || answer.orbit->period != options_.period) return;
+    ++result_.starts;
+    add_sticking(*answer.orbit, value, 0, -1, 0);
+  }
+
+  // Traces the branch of an orbit that sticks unless it is known, and with `follow_depth` those
+  // beyond its ends.
+  void add_sticking(const Orbit& orbit, double value, int depth, int origin_branch,
+                    std::size_t origin_special) {
+    StickingTrace trace = sticking_->trace(orbit, value);
+    if (trace.known || options_.stop.requested()) return;
+    result_.shooting_evaluations += trace.evaluations;
+    result_.rejected_steps += trace.rejected;
+    if (!trace.branch) {
+      sticking_notes_.insert(trace.why_not);
+      return;
+    }
+    const int index = static_cast<int>(found_.size());
+    found_.push_back(
+        {std::move(*trace.branch), nullptr, result_.traced++, origin_branch, origin_special});
+    if (trace.cut_short) ++result_.cut_short;
+    if (origin_branch >= 0) ++result_.switched;
+    for (const StickingNeighbour& other : trace.neighbours) {
+      if (depth < options_.follow_depth)
+        add_sticking(other.orbit, other.value, depth + 1, index, other.special);
+      else
+        result_.left_open += options_.follow_depth > 0 ? 1 : 0;
+    }
+  }
+
   // Traces from a start and keeps the parts. The origin: a special point, where there is one.
   void add_trace(PatternBranches& branches, const BranchPoint& start, Directions directions,
                  int origin_branch, std::size_t origin_special) {
@@ -161,7 +221,7 @@ class OrbitTracer {
     for (int depth = 0; depth < options_.follow_depth; ++depth) {
       const std::size_t last = found_.size();
       for (std::size_t i = first; i < last; ++i)
-        for (std::size_t k = 0; k < found_[i].branch.special.size(); ++k) {
+        for (std::size_t k = 0; k < found_[i].branch.special.size() && found_[i].pattern; ++k) {
           if (options_.stop.requested()) return;
           switch_at(i, k);
         }
@@ -170,7 +230,7 @@ class OrbitTracer {
     for (std::size_t i = first; i < found_.size() && options_.follow_depth > 0; ++i)
       for (const SpecialPoint& special : found_[i].branch.special)
         result_.left_open +=
-            pattern_switch(found_[i].pattern->equations(), special).has_value() ? 1 : 0;
+            found_[i].pattern && pattern_switch(found_[i].pattern->equations(), special) ? 1 : 0;
   }
 
   void switch_at(std::size_t index, std::size_t which) {
@@ -216,6 +276,8 @@ class OrbitTracer {
     std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
       const ImpactPattern &pa = found_[a].branch.pattern, &pb = found_[b].branch.pattern;
       if (pa.period != pb.period) return pa.period < pb.period;
+      // Those that stick last.
+      if (pa.stops.empty() != pb.stops.empty()) return pb.stops.empty();
       if (pa.stops.size() != pb.stops.size()) return pa.stops.size() < pb.stops.size();
       if (pa.stops != pb.stops) return pa.stops < pb.stops;
       return lowest(found_[a]) < lowest(found_[b]);
@@ -250,6 +312,7 @@ class OrbitTracer {
     const Found& found = found_[index];
     if (found.origin_branch >= 0)
       return component_of(static_cast<std::size_t>(found.origin_branch));
+    if (!found.pattern) return {-2, found.trace};
     const OrbitBranch& branch = found.branch;
     const int stop = branch.pattern.stops.front();
     const OrbitBranchPoint& middle = branch.points[branch.points.size() / 2];
@@ -267,6 +330,8 @@ class OrbitTracer {
   ShootingScale scale_;
   ContinuationOptions continuation_;
   std::map<std::pair<int, std::vector<int>>, std::unique_ptr<PatternBranches>> patterns_;
+  std::unique_ptr<StickingBranches> sticking_;
+  std::set<std::string> sticking_notes_;     // why one was not continued
   std::map<int, ClosedFormSurvey> surveys_;  // by stop
   std::vector<Found> found_;
   OrbitBranches result_;

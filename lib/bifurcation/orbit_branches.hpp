@@ -22,8 +22,11 @@ struct BranchOptions {
   // of the closed form offers.
   int start_values = 32;
   bool keep_virtual = false;
+  // Orbits that stick too, whatever their number of impacts, with period p; sought by simulation.
+  bool sticking = true;
   // How many special points in a row are switched at, onto doubled orbits (PD), crossing branches
-  // (BP) and rewritten impact sequences (GR); 0: none.
+  // (BP), rewritten impact sequences (GR), and orbits with a stuck phase more or less (CH); 0:
+  // none.
   int follow_depth = 0;
   FinderOptions finder;  // starts, at the scene's own value
   StopSignal stop;

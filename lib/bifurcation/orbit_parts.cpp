@@ -9,36 +9,6 @@ namespace {
 // square root of eps where they are least well determined.
 constexpr double kOneOrbit = 1e-7;
 
-OrbitBranchEnd as_orbit_end(BranchEnd end) {
-  switch (end) {
-    case BranchEnd::kParameterLimit:
-      return OrbitBranchEnd::kParameterLimit;
-    case BranchEnd::kClosed:
-      return OrbitBranchEnd::kClosed;
-    case BranchEnd::kStepLimit:
-    case BranchEnd::kStopped:
-      return OrbitBranchEnd::kStepLimit;
-    case BranchEnd::kHalted:
-    case BranchEnd::kNotConverged:
-      break;
-  }
-  return OrbitBranchEnd::kNotConverged;
-}
-
-SpecialKind as_special(CriticalKind kind) {
-  switch (kind) {
-    case CriticalKind::kFold:
-      return SpecialKind::kFold;
-    case CriticalKind::kPeriodDoubling:
-      return SpecialKind::kPeriodDoubling;
-    case CriticalKind::kTorus:
-      return SpecialKind::kTorus;
-    case CriticalKind::kBranchPoint:
-      break;
-  }
-  return SpecialKind::kBranchPoint;
-}
-
 // A point or special point met along a component.
 struct Station {
   OrbitBranchPoint at;
@@ -206,6 +176,36 @@ class Parts {
 };
 
 }  // namespace
+
+OrbitBranchEnd as_orbit_end(BranchEnd end) {
+  switch (end) {
+    case BranchEnd::kParameterLimit:
+      return OrbitBranchEnd::kParameterLimit;
+    case BranchEnd::kClosed:
+      return OrbitBranchEnd::kClosed;
+    case BranchEnd::kStepLimit:
+    case BranchEnd::kStopped:
+      return OrbitBranchEnd::kStepLimit;
+    case BranchEnd::kHalted:
+    case BranchEnd::kNotConverged:
+      break;
+  }
+  return OrbitBranchEnd::kNotConverged;
+}
+
+SpecialKind as_special(CriticalKind kind) {
+  switch (kind) {
+    case CriticalKind::kFold:
+      return SpecialKind::kFold;
+    case CriticalKind::kPeriodDoubling:
+      return SpecialKind::kPeriodDoubling;
+    case CriticalKind::kTorus:
+      return SpecialKind::kTorus;
+    case CriticalKind::kBranchPoint:
+      break;
+  }
+  return SpecialKind::kBranchPoint;
+}
 
 std::vector<OrbitBranch> orbit_parts(const OrbitEquations& equations,
                                      const ContinuationOptions& options, const Branch& branch,

@@ -8,6 +8,10 @@
 
 namespace graze {
 
+// What an end, and a special point, of a traced branch are called where it is one of orbits.
+OrbitBranchEnd as_orbit_end(BranchEnd end);
+SpecialKind as_special(CriticalKind kind);
+
 // The branches that a traced component consists of: its admissible parts, each ended by the grazing
 // where it stops being an orbit, or with `keep_virtual` the whole in one piece, its grazings among
 // the special points.

@@ -70,6 +70,7 @@ std::optional<PatternSwitch> pattern_switch(const OrbitEquations& equations,
                               : with_touch(equations, special);
     case SpecialKind::kFold:
     case SpecialKind::kTorus:
+    case SpecialKind::kChatterCompletes:
       break;
   }
   return {};

@@ -20,9 +20,11 @@ inline std::string label_of(SpecialKind kind) {
     case SpecialKind::kBranchPoint:
       return label_of(CriticalKind::kBranchPoint);
     case SpecialKind::kGrazing:
+      return "GR";
+    case SpecialKind::kChatterCompletes:
       break;
   }
-  return "GR";
+  return "CH";
 }
 
 // Numbers them, each kind from 1.

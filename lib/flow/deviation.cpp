@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "graze/flow/contact_share.hpp"
 #include "graze/flow/free_basis.hpp"
 #include "graze/flow/transition.hpp"
 
@@ -79,15 +80,6 @@ Deviations modal_growth(const Arc<double>& arc, double s, const Deviations& star
   return change;
 }
 
-Matrix columns_of(const System& system, const std::vector<int>& stops, bool directions) {
-  Matrix columns(system.modes(), static_cast<Eigen::Index>(stops.size()));
-  for (std::size_t a = 0; a < stops.size(); ++a) {
-    const RigidStop& stop = system.stops[static_cast<std::size_t>(stops[a])];
-    columns.col(static_cast<Eigen::Index>(a)) = directions ? stop.direction : stop.row;
-  }
-  return columns;
-}
-
 }  // namespace
 
 Deviations growth(const ContactPhase<double>& phase, double s, const Deviations& start) {
@@ -116,17 +108,13 @@ State held_rate(const System& system, const std::vector<int>& closed, const Stat
                 double theta) {
   State rate = vector_field(system, state, theta);
   if (closed.empty()) return rate;
-  const Matrix rows = columns_of(system, closed, false),
-               directions = columns_of(system, closed, true);
-  rate.qdot -= directions *
-               (rows.transpose() * directions).partialPivLu().solve(rows.transpose() * rate.qdot);
+  rate.qdot -= directions_of(system, closed) * (contact_share(system, closed) * rate.qdot);
   return rate;
 }
 
 void hold(const System& system, const std::vector<int>& closed, Deviations& deviations) {
   if (closed.empty() || deviations.count() == 0) return;
-  const Matrix rows = columns_of(system, closed, false),
-               directions = columns_of(system, closed, true);
+  const Matrix rows = rows_of(system, closed), directions = directions_of(system, closed);
   deviations.q -=
       rows * (rows.transpose() * rows).partialPivLu().solve(rows.transpose() * deviations.q);
   deviations.qdot -=

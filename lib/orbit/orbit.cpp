@@ -91,6 +91,13 @@ std::vector<ImpactPoint> Orbit::points() const {
   return result;
 }
 
+const OrbitImpact& leading_impact(const Orbit& orbit) {
+  if (!orbit.sticking) return orbit.impacts.front();
+  return *std::max_element(
+      orbit.impacts.begin(), orbit.impacts.end(),
+      [](const OrbitImpact& a, const OrbitImpact& b) { return a.speed < b.speed; });
+}
+
 MultiplierCount count_multipliers(const std::vector<Eigenvalue>& multipliers) {
   MultiplierCount count;
   for (const Eigenvalue& multiplier : multipliers) {

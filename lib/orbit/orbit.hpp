@@ -65,6 +65,10 @@ struct Orbit {
   std::vector<ImpactPoint> points() const;
 };
 
+// The impact that stands for the orbit in a picture: the first; where the orbit sticks, and has
+// stuck phases and tiny impacts come and go along its branch, the fastest. Requires an impact.
+const OrbitImpact& leading_impact(const Orbit& orbit);
+
 // How many multipliers lie outside the unit circle, and how many sit on it within their error.
 struct MultiplierCount {
   int outside = 0;

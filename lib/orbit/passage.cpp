@@ -21,11 +21,12 @@ void note_smallest(std::optional<double>& smallest, const std::optional<double>&
 class Follower {
  public:
   Follower(const System& system, const MotionState<double>& start, const Instant<double>& end,
-           const PassageOptions& options, Deviations* deviations)
+           const PassageOptions& options, Deviations* deviations, ParameterDeviation* parameter)
       : system_(system),
         end_(end),
         options_(options),
         deviations_(deviations),
+        parameter_(parameter),
         motion_(system, start) {
     for (std::size_t i = 0; i < start.contacts.size(); ++i)
       if (start.contacts[i] == Contact::kClosed)
@@ -43,6 +44,7 @@ class Follower {
     passage_.end = motion_.state();
     if (deviations_ && passage_.failure.empty())
       move_instant(*deviations_, rate_now(closed_now()), -deviations_->delay);
+    if (parameter_ && passage_.failure.empty()) parameter_->end(rate_now(closed_now()));
     return std::move(passage_);
   }
 
@@ -61,6 +63,8 @@ class Follower {
     return closed;
   }
 
+  State state_now() const { return {motion_.q(), motion_.qdot()}; }
+
   State rate_now(const std::vector<int>& closed) const {
     return held_rate(system_, closed, {motion_.q(), motion_.qdot()},
                      motion_.flow().phase(motion_.instant()));
@@ -73,6 +77,8 @@ class Follower {
       const Arrival<double> news = motion_.fly(start.local);
       if (deviations_ && news.kind == ArrivalKind::kContact)
         meet(news, stop(news.stop).row.transpose() * deviations_->q, closed_now());
+      if (parameter_ && news.kind == ArrivalKind::kContact)
+        parameter_->meet_at_once(news.stop, state_now(), rate_now(closed_now()), news.speed);
       return receive(news);
     }
     if (due_ && not_before(start, due_->at)) announce_due();
@@ -89,6 +95,7 @@ class Follower {
     if (options_.flight) options_.flight(motion_.flown(), start, arrival.flight);
     if (options_.minima && arrival.flight > 0.0) note_minima(arrival.flight);
     if (deviations_) carry(arrival, closed);
+    if (parameter_) carry_parameter(arrival, closed);
     return receive(arrival);
   }
 
@@ -110,6 +117,15 @@ class Follower {
     deviations_->q += change.q;
     deviations_->qdot += change.qdot;
     if (arrival.kind == ArrivalKind::kContact) meet(arrival, reach, closed);
+  }
+
+  void carry_parameter(const Arrival<double>& arrival, const std::vector<int>& closed) {
+    const MotionState<double>& start = motion_.departure();
+    parameter_->carry(motion_.flown(), {start.q, start.qdot}, motion_.flow().phase(start.instant),
+                      arrival.flight);
+    if (arrival.kind == ArrivalKind::kContact)
+      parameter_->meet(arrival.stop, state_now(), rate_now(closed), arrival.speed,
+                       departed_from(arrival.stop));
   }
 
   // `reach`: b.dq at the undeviated contact.
@@ -163,7 +179,7 @@ class Follower {
   }
 
   bool impact() {
-    const State before{motion_.q(), motion_.qdot()};
+    const State before = state_now();
     const std::vector<ImpactShare<double>> shares = motion_.impact();
     int hits = 0;
     for (const ImpactShare<double>& share : shares) {
@@ -174,11 +190,10 @@ class Follower {
     }
     if (impacts_ > options_.max_impacts)
       return fail(fmt::format("the budget of {} impacts was spent", options_.max_impacts));
-    if (deviations_) {
-      if (hits > 1)
-        return fail("two stops are hit at one instant: the map has no derivative there");
-      jump(shares);
-    }
+    if ((deviations_ || parameter_) && hits > 1)
+      return fail("two stops are hit at one instant: the map has no derivative there");
+    if (deviations_) jump(shares);
+    if (parameter_) parameter_->jump(shares, before.qdot);
     if (const auto* last = closing_impact(system_, shares, options_.closure_speed))
       close_chatter(*last);
     return true;
@@ -207,10 +222,12 @@ class Follower {
   // As a run does (lib/hybrid/simulation.cpp).
   void close_chatter(const ImpactShare<double>& impact) {
     const RigidStop& s = stop(impact.stop);
+    const Vector rebound = motion_.qdot();
     const std::optional<double> duration =
         motion_.close_chatter(impact.stop, s.restitution.at(impact.speed));
     if (!duration) return;
     if (deviations_) deviations_->qdot -= s.direction * (s.row.transpose() * deviations_->qdot);
+    if (parameter_) parameter_->close(impact.stop, rebound);
     due_ = RunState::Due{impact.stop, later(motion_.instant(), *duration, motion_.flow().period())};
   }
 
@@ -238,6 +255,7 @@ class Follower {
   const Instant<double> end_;
   const PassageOptions& options_;
   Deviations* deviations_;
+  ParameterDeviation* parameter_;
   Motion<double> motion_;
   std::vector<PassedHold> holding_;
   std::optional<RunState::Due> due_;
@@ -248,8 +266,8 @@ class Follower {
 }  // namespace
 
 Passage pass(const System& system, const MotionState<double>& start, const Instant<double>& end,
-             const PassageOptions& options, Deviations* deviations) {
-  return Follower(system, start, end, options, deviations).follow();
+             const PassageOptions& options, Deviations* deviations, ParameterDeviation* parameter) {
+  return Follower(system, start, end, options, deviations, parameter).follow();
 }
 
 }  // namespace graze

@@ -16,6 +16,7 @@
 #include "graze/base/stop_signal.hpp"
 #include "graze/flow/deviation.hpp"
 #include "graze/hybrid/motion.hpp"
+#include "graze/orbit/parameter_deviation.hpp"
 
 namespace graze {
 
@@ -54,8 +55,9 @@ struct Passage {
 
 // Follows the motion from `start` to `end`. With `deviations`, those of the start become those of
 // the end (both at unmoved instants); fails where two stops are hit at one instant, where the map
-// has no derivative.
+// has no derivative. `parameter` likewise, at unmoved forcing phases.
 Passage pass(const System& system, const MotionState<double>& start, const Instant<double>& end,
-             const PassageOptions& options, Deviations* deviations = nullptr);
+             const PassageOptions& options, Deviations* deviations = nullptr,
+             ParameterDeviation* parameter = nullptr);
 
 }  // namespace graze

@@ -217,8 +217,8 @@ std::vector<OrbitHold> holds_of(const System& system, int period, const Passage&
   return holds;
 }
 
-Orbit orbit_at(const System& system, const HeldSection& section, int period, double closure_speed) {
-  const HeldSection::Return back = section.after(period, true);
+Orbit orbit_of(const System& system, const HeldSection& section, const HeldSection::Return& back,
+               int period, double closure_speed) {
   const OrbitClock clock(system, period, back.passage.impacts);
   Orbit orbit;
   orbit.period = period;
@@ -292,7 +292,17 @@ StickingOrbitAnswer sticking_orbit(const System& system, const State& at_period_
   const std::string failure = solve(section, period);
   if (!failure.empty()) return {{}, failure};
   const int shortest = shortest_period(section, period);
-  return {orbit_at(system, section, shortest, options.closure_speed), ""};
+  return {orbit_of(system, section, section.after(shortest, true), shortest, options.closure_speed),
+          ""};
+}
+
+StickingOrbitAnswer sticking_orbit_through(const System& system,
+                                           const MotionState<double>& at_section, int period,
+                                           const StickingOptions& options) {
+  const HeldSection section(system, at_section, options);
+  const HeldSection::Return back = section.after(period, true);
+  if (!back.passage.failure.empty()) return {{}, back.passage.failure};
+  return {orbit_of(system, section, back, period, options.closure_speed), ""};
 }
 
 }  // namespace graze

@@ -40,4 +40,11 @@ struct StickingOrbitAnswer {
 StickingOrbitAnswer sticking_orbit(const System& system, const State& at_period_start, int period,
                                    const StickingOptions& options);
 
+// The orbit that repeats, after `period` forcing periods, a motion that is known to do so, from a
+// state within a stuck phase. Nothing is solved; its residual says how nearly it repeats. No orbit
+// where the motion does not come back to that stuck phase.
+StickingOrbitAnswer sticking_orbit_through(const System& system,
+                                           const MotionState<double>& at_section, int period,
+                                           const StickingOptions& options);
+
 }  // namespace graze

@@ -3,15 +3,32 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <functional>
 
 #include "graze/study/strobes.hpp"
 
 namespace graze {
 namespace {
 
+// Impacts slower than this part of the fastest are not shown where a chatter completes: there is no
+// end to them.
+constexpr double kSlowest = 1e-3;
+
+// By speed: the j-th of them is continuous along a branch whatever impacts come and go.
+std::vector<double> chatter_heights(const Orbit& orbit) {
+  const double fastest = leading_impact(orbit).speed;
+  std::vector<double> heights;
+  for (const OrbitImpact& impact : orbit.impacts)
+    if (impact.speed >= kSlowest * fastest) heights.push_back(impact.speed);
+  std::sort(heights.begin(), heights.end(), std::greater<>());
+  return heights;
+}
+
 std::vector<double> heights_of(const SystemFamily& family, const OrbitBranchPoint& point,
                                DiagramSection section) {
   std::vector<double> heights;
+  if (section == DiagramSection::kImpact && point.orbit.sticking)
+    return chatter_heights(point.orbit);
   if (section == DiagramSection::kImpact) {
     for (const OrbitImpact& impact : point.orbit.impacts) heights.push_back(impact.speed);
     return heights;
@@ -32,8 +49,11 @@ std::vector<DiagramCurve> diagram_curves(const SystemFamily& family, const Orbit
     DiagramCurve curve;
     for (const OrbitBranchPoint& point : branch.points)
       curve.points.push_back(heights_of(family, point, section));
-    for (const SpecialPoint& special : branch.special)
+    for (const SpecialPoint& special : branch.special) {
       curve.special.push_back(heights_of(family, special.at, section));
+      // One mark is enough for all the impacts of a chatter.
+      if (branch.sticks() && curve.special.back().size() > 1) curve.special.back().resize(1);
+    }
     curves.push_back(std::move(curve));
   }
   return curves;

@@ -113,15 +113,16 @@ std::string stuck_csv(const OrbitRecord& record) {
 std::string branches_csv(const BranchRecord& record) {
   std::string text =
       "branch,component,period,impacts,value,phase,speed,stable,admissible,unstable_multipliers,"
-      "clearance\n";
+      "clearance,stuck\n";
   for (const OrbitBranch& branch : record.traced.branches)
     for (const OrbitBranchPoint& point : branch.points) {
       const OrbitImpact& first = point.orbit.impacts.front();
-      fmt::format_to(std::back_inserter(text), "{},{},{},{},{},{},{},{},{},{},{}\n", branch.id,
-                     branch.component, branch.pattern.period, branch.pattern.impacts(),
+      fmt::format_to(std::back_inserter(text), "{},{},{},{},{},{},{},{},{},{},{},{}\n", branch.id,
+                     branch.component, branch.pattern.period, point.orbit.impacts.size(),
                      cell(point.value), cell(first.phase), cell(first.speed),
                      cell(point.orbit.stable), point.orbit.admissible ? 1 : 0,
-                     point.unstable_multipliers, cell(point.orbit.clearance));
+                     point.unstable_multipliers, cell(point.orbit.clearance),
+                     branch.sticks() ? 1 : 0);
     }
   return text;
 }

@@ -127,13 +127,19 @@ Json point_json(const OrbitBranchPoint& point) {
                {"unstable_multipliers", point.unstable_multipliers},
                {"clearance", maybe(point.orbit.clearance)}};
   if (point.orbit.impacts.size() > 1) json["at"] = impacts_at(point.orbit);
+  json["stuck"] = point.orbit.sticking.has_value();
+  if (point.orbit.sticking) {
+    json["impacts"] = point.orbit.impacts.size();
+    json["multipliers"] = multipliers(point.orbit);
+    add_sticking(*point.orbit.sticking, json);
+  }
   return json;
 }
 
-// From 1, in the order of the impacts.
-Json stops_of(const ImpactPattern& pattern) {
+// From 1, in the order of the impacts, or of the stuck phases.
+Json stops_of(const std::vector<int>& order) {
   Json stops = Json::array();
-  for (const int stop : pattern.stops) stops.push_back(stop + 1);
+  for (const int stop : order) stops.push_back(stop + 1);
   return stops;
 }
 
@@ -147,6 +153,10 @@ Json special_json(const SpecialPoint& special) {
                {"multiplier", special.multiplier ? pair(*special.multiplier) : Json(nullptr)},
                {"admissible", special.at.orbit.admissible}};
   if (special.at.orbit.impacts.size() > 1) json["at"] = impacts_at(special.at.orbit);
+  if (special.at.orbit.sticking) add_sticking(*special.at.orbit.sticking, json);
+  if (special.kind == SpecialKind::kChatterCompletes)
+    json["chatter"] =
+        special.interrupted ? "a stuck phase is cut in two" : "completes at its release";
   if (special.kind == SpecialKind::kGrazing)
     json["grazing"] = special.by_speed ? "impact speed vanishes" : "interior approach touches";
   return json;
@@ -298,22 +308,25 @@ std::string to_json(const OrbitRecord& record) {
 std::string to_json(const BranchRecord& record) {
   Json document = header(record.info, record.outcome, record.warnings);
   document["parameter"] = record.traced.parameter;
-  document["units"] = {
-      {"value", record.unit}, {"phase", "rad"}, {"speed", "m/s"}, {"clearance", "m"}};
+  document["units"] = {{"value", record.unit}, {"phase", "rad"},       {"speed", "m/s"},
+                       {"clearance", "m"},     {"duration", "s"},      {"force", "N"},
+                       {"q", "kg^1/2 m"},      {"qdot", "kg^1/2 m/s"}, {"closure_speed", "m/s"}};
   Json branches = Json::array();
   for (const OrbitBranch& branch : record.traced.branches) {
     Json points = Json::array(), special = Json::array();
     for (const OrbitBranchPoint& point : branch.points) points.push_back(point_json(point));
     for (const SpecialPoint& s : branch.special) special.push_back(special_json(s));
-    branches.push_back({{"id", branch.id},
-                        {"component", branch.component},
-                        {"period", branch.pattern.period},
-                        {"impacts", branch.pattern.impacts()},
-                        {"stops", stops_of(branch.pattern)},
-                        {"origin", branch.origin.empty() ? Json(nullptr) : Json(branch.origin)},
-                        {"ends", {name_of(branch.ends[0]), name_of(branch.ends[1])}},
-                        {"points", points},
-                        {"special", special}});
+    branches.push_back(
+        {{"id", branch.id},
+         {"component", branch.component},
+         {"period", branch.pattern.period},
+         {"impacts", branch.sticks() ? Json(nullptr) : Json(branch.pattern.impacts())},
+         {"stops", stops_of(branch.sticks() ? branch.holds : branch.pattern.stops)},
+         {"stuck", branch.sticks()},
+         {"origin", branch.origin.empty() ? Json(nullptr) : Json(branch.origin)},
+         {"ends", {name_of(branch.ends[0]), name_of(branch.ends[1])}},
+         {"points", points},
+         {"special", special}});
   }
   document["branches"] = branches;
   document["loci"] = Json::array();

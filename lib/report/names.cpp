@@ -24,6 +24,8 @@ std::string name_of(OrbitBranchEnd end) {
       return "closed";
     case OrbitBranchEnd::kGrazing:
       return "GR";
+    case OrbitBranchEnd::kChatterCompletes:
+      return "CH";
     case OrbitBranchEnd::kPeriodDoubling:
       return "PD";
     case OrbitBranchEnd::kImpactsMeet:

@@ -58,7 +58,7 @@ struct Node {
 };
 
 double first_speed(const OrbitBranchPoint& point) {
-  return point.orbit.impacts.empty() ? std::nan("") : point.orbit.impacts.front().speed;
+  return point.orbit.impacts.empty() ? std::nan("") : leading_impact(point.orbit).speed;
 }
 
 struct Axes {

@@ -301,8 +301,8 @@ class DiagramPicture {
 
   double mark_size() const {
     std::size_t count = 0;
-    for (const OrbitBranch& branch : record_.branches.traced.branches)
-      for (const SpecialPoint& special : branch.special) count += special.at.orbit.impacts.size();
+    for (const DiagramCurve& curve : record_.curves)
+      for (const std::vector<double>& heights : curve.special) count += heights.size();
     return crowded_mark_size(count);
   }
 

@@ -261,7 +261,8 @@ std::string to_text(const BranchRecord& record) {
     std::vector<std::string> row = {
         fmt::format("{}", branch.id),
         fmt::format("{}", branch.component),
-        fmt::format("({}, {})", branch.pattern.period, branch.pattern.impacts()),
+        branch.sticks() ? fmt::format("({}, stick)", branch.pattern.period)
+                        : fmt::format("({}, {})", branch.pattern.period, branch.pattern.impacts()),
         fmt::format("{}", branch.points.size()),
         fmt::format("{}", stable),
         fmt::format("{:.8g}", lowest),

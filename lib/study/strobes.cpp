@@ -1,13 +1,35 @@
 #include "graze/study/strobes.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "graze/base/angle.hpp"
 #include "graze/flow/exact_flow.hpp"
+#include "graze/orbit/passage.hpp"
 
 namespace graze {
+namespace {
+
+// Flown from the orbit's section.
+std::vector<State> sticking_states(const System& system, const Orbit& orbit) {
+  const MotionState<double>& section = orbit.sticking->at_section;
+  PassageOptions options;
+  options.closure_speed = orbit.sticking->closure_speed;
+  std::vector<State> states;
+  for (int n = 1; n <= orbit.period; ++n) {
+    const Passage passage = pass(system, section, {section.instant.period + n, 0.0}, options);
+    states.push_back({passage.end.q, passage.end.qdot});
+  }
+  // The first of them starts the period after that of the section.
+  const int first = (orbit.sticking->section.period_index + 1) % orbit.period;
+  std::rotate(states.begin(), states.begin() + (orbit.period - first) % orbit.period, states.end());
+  return states;
+}
+
+}  // namespace
 
 std::vector<State> stroboscopic_states(const System& system, const Orbit& orbit) {
+  if (orbit.sticking) return sticking_states(system, orbit);
   const ExactFlow<double> flow(system);
   Arc<double> arc(flow);
   const std::vector<ImpactPoint> points = orbit.points();

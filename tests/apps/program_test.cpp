@@ -44,7 +44,6 @@ TEST(Program, UsageErrorsExitWith2AndPrintNothingOnStdout) {
 TEST(Program, RefusesWhatALaterVersionBrings) {
   for (const std::string& line : std::vector<std::string>{
            "cost " + kOneMode, "compare " + kOneMode, "fit a b",
-           "continue --closure-speed 1e-6 --parameter stop.gap --from 0 --to 1 " + kOneMode,
            "orbit --plot picture.html " + kOneMode,
            "continue --parameter stop.gap --from 0 --to 1 --locus LP " + kOneMode}) {
     const Finished run = run_graze(line);

@@ -23,6 +23,7 @@ inline OrbitBranches trace(const Scene& scene, const std::string& parameter, dou
   options.from = from;
   options.to = to;
   options.keep_virtual = keep_virtual;
+  options.sticking = false;
   return trace_orbits(family, options);
 }
 

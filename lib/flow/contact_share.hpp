@@ -1,0 +1,21 @@
+// How closed stops share out the push against them, lambda = (B^T D)^-1 B^T f with f the free
+// acceleration, B the rows and D the directions of the stops; and how that moves with a parameter.
+#pragma once
+
+#include <vector>
+
+#include "graze/system/system.hpp"
+
+namespace graze {
+
+// The rows or the directions of some stops, N x k.
+Matrix rows_of(const System& system, const std::vector<int>& stops);
+Matrix directions_of(const System& system, const std::vector<int>& stops);
+
+// (B^T D)^-1 B^T, k x N. Requires independent rows.
+Matrix contact_share(const System& system, const std::vector<int>& closed);
+// Its derivative along the system's tangent.
+Matrix contact_share_rate(const System& system, const System& tangent,
+                          const std::vector<int>& closed);
+
+}  // namespace graze

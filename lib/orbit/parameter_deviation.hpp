@@ -1,0 +1,55 @@
+// The deviation to the motion of a system that is a little different, event by event, per unit of
+// the parameter that moves the system along its tangent: the derivative of a passage by a parameter
+// of the scene.
+//
+// Carried like the deviations of a start (passage.hpp), on its own events, with what the parameter
+// itself moves:
+//   contact  b.dq + db.q = da at the deviated contact,  dt' = dt - (b.dq + db.q - da)/v;
+//   impact   the derivative of the jump at fixed position, by its speeds, rows, directions and r;
+//   closure  as an impact with r = 0;
+//   release  nothing: the contact force vanishes there.
+// The clock is the forcing phase, as in parameter_growth.hpp.
+#pragma once
+
+#include <vector>
+
+#include "graze/flow/parameter_growth.hpp"
+#include "graze/hybrid/motion.hpp"
+
+namespace graze {
+
+class ParameterDeviation {
+ public:
+  // `start`: how the state at the start of the passage moves, at a fixed forcing phase. Refers to
+  // both systems. Requires forcing.
+  ParameterDeviation(const System& system, const System& tangent, const State& start);
+
+  // Of the state at hand; at a fixed forcing phase again once the passage has ended.
+  State value() const { return {column_.q.col(0), column_.qdot.col(0)}; }
+
+  // Along a flight of s seconds from `start` at phase theta. What it adds to b.dq + db.q - da at a
+  // stop is remembered for a contact at its end.
+  void carry(const ContactPhase<double>& phase, const State& start, double theta, double s);
+  // On from a contact of the undisturbed motion to its own: `at` is the state before the impact,
+  // `rate` how it moves with time, v the approach speed, `departed`: the flight left this stop.
+  void meet(int stop, const State& at, const State& rate, double v, bool departed);
+  // Thrown back onto a stop without any flight.
+  void meet_at_once(int stop, const State& at, const State& rate, double v);
+  void jump(const std::vector<ImpactShare<double>>& shares, const Vector& qdot_before);
+  void close(int stop, const Vector& qdot_before);
+  // Back to the undisturbed instant.
+  void end(const State& rate);
+
+ private:
+  const RigidStop& stop(int i) const { return system_->stops[static_cast<std::size_t>(i)]; }
+  const RigidStop& stop_rate(int i) const { return tangent_->stops[static_cast<std::size_t>(i)]; }
+  void move_to(int stop, const State& at, const State& rate, double shift);
+
+  const System* system_;
+  const System* tangent_;
+  Deviations column_;  // one
+  Deviations last_;    // what the last flight added
+  Vector moved_;       // and how far it went
+};
+
+}  // namespace graze

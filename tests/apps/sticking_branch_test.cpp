@@ -1,0 +1,97 @@
+// `graze continue` and `graze diagram` on a motion that sticks: documents, tables, CSV, pictures.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+
+#include "apps/program.hpp"
+
+namespace graze {
+namespace {
+
+using nlohmann::json;
+
+const std::string kForcedChatter =
+    std::string(GRAZE_SOURCE_DIR) + "/tests/reference/cases/sticking/Z2b.toml";
+const std::string kRange = " --parameter stop.restitution --from 0.1 --to 0.6 ";
+
+TEST(StickingBranchCommand, ReportsTheBranchAndItsChatterPoint) {
+  const ScratchFolder scratch;
+  const std::string folder = (scratch / "out").string();
+  const Finished run =
+      run_graze("continue --json" + kRange + "--out " + folder + " " + kForcedChatter);
+  ASSERT_EQ(run.code, 0) << run.err;
+  const json document = json::parse(run.out);
+  EXPECT_EQ(document["outcome"], "complete");
+  ASSERT_EQ(document["branches"].size(), 1U);
+  const json& branch = document["branches"][0];
+  EXPECT_EQ(branch["stuck"], true);
+  EXPECT_TRUE(branch["impacts"].is_null());
+  EXPECT_EQ(branch["stops"], json::parse("[1]"));
+  EXPECT_EQ(branch["ends"], json::parse(R"(["parameter limit", "CH"])"));
+  ASSERT_EQ(branch["special"].size(), 1U);
+  const json& special = branch["special"][0];
+  EXPECT_EQ(special["id"], "CH1");
+  EXPECT_EQ(special["label"], "CH");
+  EXPECT_EQ(special["chatter"], "completes at its release");
+  // tests/reference/chatter_points.csv, Z2b_r
+  EXPECT_NEAR(special["value"].get<double>(), 0.5134941368753766, 1e-10 * 0.5);
+  EXPECT_EQ(branch["points"].back()["value"], special["value"]);
+  ASSERT_GE(branch["points"].size(), 10U);
+  for (const json& point : branch["points"]) {
+    EXPECT_EQ(point["stuck"], true);
+    EXPECT_EQ(point["admissible"], true);
+    EXPECT_EQ(point["stable"], true);
+    EXPECT_EQ(point["multipliers"], json::parse("[[0.0, 0.0], [0.0, 0.0]]"));
+    EXPECT_EQ(point["impacts"].get<std::size_t>(), point["at"].size());
+    ASSERT_EQ(point["stuck_phases"].size(), 1U);
+    EXPECT_NEAR(point["stuck_phases"][0]["to"]["phase"].get<double>(), std::acos(0.2), 1e-10);
+  }
+  const std::vector<std::string> rows = lines_of(scratch / "out/branches.csv");
+  ASSERT_EQ(rows.size(), 1U + branch["points"].size());
+  EXPECT_EQ(rows[0].substr(rows[0].size() - 6), ",stuck");
+  EXPECT_EQ(rows[1].substr(rows[1].size() - 2), ",1");
+  EXPECT_EQ(lines_of(scratch / "out/special.csv").size(), 2U);
+}
+
+TEST(StickingBranchCommand, IsNotTracedWhereANumberOfImpactsIsAsked) {
+  const Finished run = run_graze("continue --json --impacts 1" + kRange + kForcedChatter);
+  for (const json& branch : json::parse(run.out)["branches"]) EXPECT_EQ(branch["stuck"], false);
+}
+
+TEST(StickingBranchCommand, SumsChattersBelowTheClosureSpeed) {
+  for (const char* speed : {"1e-3", "1e-6"}) {
+    const Finished run = run_graze("continue --json --closure-speed " + std::string(speed) +
+                                   kRange + kForcedChatter);
+    ASSERT_EQ(run.code, 0) << run.err;
+    const json branch = json::parse(run.out)["branches"][0];
+    EXPECT_EQ(branch["points"][0]["closure_speed"].get<double>(), std::stod(speed));
+    EXPECT_NEAR(branch["special"][0]["value"].get<double>(), 0.5134941368753766, 1e-10 * 0.5);
+  }
+}
+
+TEST(StickingBranchCommand, PrintsTheBranch) {
+  const Finished run = run_graze("continue" + kRange + kForcedChatter);
+  ASSERT_EQ(run.code, 0) << run.err;
+  EXPECT_NE(run.out.find("(1, stick)"), std::string::npos) << run.out;
+  EXPECT_NE(run.out.find("CH at 0.51349414"), std::string::npos) << run.out;
+}
+
+TEST(StickingBranchCommand, IsDrawnInBothPictures) {
+  const ScratchFolder scratch;
+  const std::string branches = (scratch / "branches.svg").string();
+  ASSERT_EQ(run_graze("continue --plot " + branches + kRange + kForcedChatter).code, 0);
+  EXPECT_NE(read_text(branches).find("chatter ends (CH)"), std::string::npos);
+  for (const char* section : {"impact", "strobe"}) {
+    const std::string diagram = (scratch / (std::string(section) + ".svg")).string();
+    const Finished run =
+        run_graze("diagram --points 21 --periods 50 --section " + std::string(section) +
+                  " --plot " + diagram + kRange + kForcedChatter);
+    ASSERT_EQ(run.code, 0) << run.err;
+    EXPECT_NE(read_text(diagram).find("chatter ends (CH)"), std::string::npos);
+  }
+}
+
+}  // namespace
+}  // namespace graze

@@ -1,0 +1,299 @@
+// Branches of orbits that stick: chatters that complete at their release against a bisection in 60
+// digits, points against what simulations settle on.
+#include "graze/bifurcation/sticking_branches.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "branch_checks.hpp"
+#include "graze/base/angle.hpp"
+#include "graze/hybrid/simulation.hpp"
+#include "graze/orbit/settled.hpp"
+#include "graze/scene/parameter.hpp"
+#include "support/systems.hpp"
+
+namespace graze {
+namespace {
+
+using support::number;
+using support::special_points;
+using support::TableRow;
+
+// Orbits that stick only.
+OrbitBranches sticking_branches(const Scene& scene, const std::string& parameter, double from,
+                                double to, int start_values = 32, int depth = 0) {
+  const SystemFamily family(scene, parameter);
+  BranchOptions options;
+  options.from = from;
+  options.to = to;
+  options.start_values = start_values;
+  options.follow_depth = depth;
+  options.finder.from_closed_form = options.finder.from_random = false;
+  OrbitBranches result = trace_orbits(family, options);
+  const auto bounces = [](const OrbitBranch& branch) { return !branch.sticks(); };
+  result.branches.erase(std::remove_if(result.branches.begin(), result.branches.end(), bounces),
+                        result.branches.end());
+  return result;
+}
+
+Scene oscillator(const TableRow& row) {
+  return support::reference_scene(
+      "sticking/Z2b",
+      {"modal.damping_ratios=[" + row.at("zeta") + "]", "forcing.frequency=" + row.at("frequency"),
+       "stop.gap=" + row.at("gap"), "stop.restitution=" + row.at("restitution"),
+       "initial.q=[" + row.at("gap") + "]"});
+}
+
+// ---------------------------------------------------------------- CH of oscillators
+
+TEST(StickingBranch, EndsWhereTheChatterCompletesAtItsRelease) {
+  for (const TableRow& row : support::read_table("chatter_points.csv")) {
+    SCOPED_TRACE(row.at("case"));
+    const double critical = number(row, "critical");
+    const double own = *find_parameter(oscillator(row), row.at("parameter"));
+    const OrbitBranches result =
+        sticking_branches(oscillator(row), row.at("parameter"), 0.8 * own, 1.02 * critical, 0);
+    ASSERT_EQ(result.branches.size(), 1u);
+    const OrbitBranch& branch = result.branches[0];
+    EXPECT_EQ(branch.holds, std::vector<int>{0});
+    EXPECT_EQ(branch.ends[0], OrbitBranchEnd::kParameterLimit);
+    EXPECT_EQ(branch.ends[1], OrbitBranchEnd::kChatterCompletes);
+    ASSERT_EQ(branch.special.size(), 1u);
+    const SpecialPoint& ch = branch.special[0];
+    EXPECT_EQ(ch.id, "CH1");
+    EXPECT_FALSE(ch.interrupted);
+    EXPECT_LE(std::abs(ch.at.value / critical - 1.0), 1e-10);
+    EXPECT_EQ(ch.at.value, branch.points.back().value);
+    // What is left of the stuck phase, and of the contact force that sets in.
+    const OrbitHold& last = ch.at.orbit.sticking->holds.front();
+    const System system = *SystemFamily(oscillator(row), row.at("parameter")).at(ch.at.value);
+    EXPECT_LE(last.duration, 1e-6 * system.period());
+    EXPECT_LE(last.force, 1e-6);
+    for (const OrbitBranchPoint& point : branch.points) {
+      ASSERT_TRUE(point.orbit.sticking);
+      EXPECT_TRUE(point.orbit.admissible);
+      EXPECT_EQ(point.orbit.stable, true);
+      EXPECT_EQ(point.unstable_multipliers, 0);
+      ASSERT_EQ(point.orbit.multipliers.size(), 2u);
+      for (const Eigenvalue& m : point.orbit.multipliers) EXPECT_EQ(m.value, Complex(0.0));
+      // Released where the push ends: cos(phase) = gap.
+      const OrbitHold& hold = point.orbit.sticking->holds.front();
+      const double gap =
+          SystemFamily(oscillator(row), row.at("parameter")).at(point.value)->stops[0].gap;
+      EXPECT_NEAR(hold.to.phase, std::acos(gap), 1e-10);
+    }
+  }
+}
+
+// However its tail is summed.
+TEST(StickingBranch, ChatterPointDoesNotDependOnTheClosureSpeed) {
+  const TableRow row = support::read_table("chatter_points.csv")[1];
+  const SystemFamily family(oscillator(row), row.at("parameter"));
+  for (const double speed : {1e-3, 1e-5, 1e-9}) {
+    BranchOptions options;
+    options.from = 0.1;
+    options.to = 0.9;
+    options.start_values = 0;
+    options.finder.from_closed_form = options.finder.from_random = false;
+    options.finder.closure_speed = speed;
+    const OrbitBranches result = trace_orbits(family, options);
+    const auto found = special_points(result, SpecialKind::kChatterCompletes);
+    ASSERT_EQ(found.size(), 1u) << speed;
+    EXPECT_LE(std::abs(found[0]->at.value / number(row, "critical") - 1.0), 1e-10) << speed;
+  }
+}
+
+// Whether a run from the release of an oscillator sticks within one forcing period.
+bool sticks_after_release(const System& system) {
+  const HarmonicForcing& forcing = *system.forcing;
+  const double release = std::acos(system.stops[0].gap / forcing.amplitude[0]) - forcing.phase;
+  // The rest of the period in which the push ends, and the next one up to its own end.
+  MotionState<double> start;
+  start.instant.local = (release < 0.0 ? release + kTurn : release) / forcing.frequency;
+  start.q = Vector::Constant(1, system.stops[0].gap);
+  start.qdot = Vector::Zero(1);
+  start.contacts = {Contact::kDeparting};
+  start.multiplicities = {3};
+  RunState from;
+  from.motion = start;
+  from.streaks.resize(1);
+  from.started = true;
+  from.closure_speed = 1e-8;
+  bool sticks = false;
+  RunListeners listeners;
+  listeners.event = [&](const Event& event) { sticks = sticks || event.kind == EventKind::kStick; };
+  SimulationOptions options;
+  options.duration = start.instant.local + system.period();
+  resume(system, from, options, listeners);
+  return sticks;
+}
+
+TEST(StickingBranch, ChatterPointPartsRunsThatStickFromRunsThatDoNot) {
+  for (const TableRow& row : support::read_table("chatter_points.csv")) {
+    SCOPED_TRACE(row.at("case"));
+    const SystemFamily family(oscillator(row), row.at("parameter"));
+    const OrbitBranches result =
+        sticking_branches(oscillator(row), row.at("parameter"), 0.8 * family.value(),
+                          1.02 * number(row, "critical"), 0);
+    const auto found = special_points(result, SpecialKind::kChatterCompletes);
+    ASSERT_EQ(found.size(), 1u);
+    for (const double aside : {1e-9, 1e-6, 1e-3}) {
+      EXPECT_TRUE(sticks_after_release(*family.at(found[0]->at.value * (1.0 - aside)))) << aside;
+      EXPECT_FALSE(sticks_after_release(*family.at(found[0]->at.value * (1.0 + aside)))) << aside;
+    }
+  }
+}
+
+// ---------------------------------------------------------------- several modes
+
+// The state at the section after some periods of a run from it, its velocities pushed.
+State pushed_run(const System& system, const Orbit& orbit, double push, int rounds) {
+  const OrbitSticking& sticking = *orbit.sticking;
+  RunState from;
+  from.motion = sticking.at_section;
+  from.motion.qdot *= 1.0 + push;  // still b.q' = 0
+  from.streaks.resize(system.stops.size());
+  from.closure_speed = sticking.closure_speed;
+  from.started = true;
+  from.motion.instant.period = 0;
+  SimulationOptions options;
+  options.duration = from.motion.instant.local + rounds * orbit.period * system.period();
+  return resume(system, from, options).final;
+}
+
+// Stable orbits are returned to by a run that starts beside them, unstable ones are left.
+int expect_stability_of_runs(const Scene& scene, const std::string& parameter,
+                             const OrbitBranches& result) {
+  const SystemFamily family(scene, parameter);
+  int seen = 0;
+  for (const OrbitBranch& branch : result.branches)
+    for (std::size_t i = 0; i < branch.points.size(); i += 8) {
+      const OrbitBranchPoint& point = branch.points[i];
+      SCOPED_TRACE(testing::Message() << "branch " << branch.id << " at " << point.value);
+      const double largest = std::abs(point.orbit.multipliers.front().value);
+      if (largest > 0.8 && largest < 1.25) continue;
+      // Beside a grazing the basin is as narrow as the way to it.
+      if (largest > 20.0 || point.orbit.clearance.value_or(1.0) < 1e-3) continue;
+      const System system = *family.at(point.value);
+      const State at{point.orbit.sticking->at_section.q, point.orbit.sticking->at_section.qdot};
+      const double size = at.qdot.norm();
+      const auto miss = [&](int rounds) {
+        return (pushed_run(system, point.orbit, 1e-6, rounds).qdot - at.qdot).norm() / size;
+      };
+      if (largest < 1.0)
+        EXPECT_LE(miss(80), 1e-9);
+      else
+        EXPECT_GE(miss(80), 1e-5);
+      ++seen;
+    }
+  return seen;
+}
+
+TEST(StickingBranch, OfSeveralModesAreReturnedToByRunsOrLeft) {
+  const Scene scene = support::reference_scene("sticking/rayl3");
+  EXPECT_GE(expect_stability_of_runs(scene, "forcing.frequency",
+                                     sticking_branches(scene, "forcing.frequency", 0.15, 0.35, 9)),
+            20);
+  EXPECT_GE(expect_stability_of_runs(scene, "stop.gap",
+                                     sticking_branches(scene, "stop.gap", 0.05, 0.4, 9)),
+            10);
+}
+
+// Sticks in one period, counted over some of them after the motion has settled.
+double sticks_a_period(const SystemFamily& family, double value) {
+  const System system = *family.at(value);
+  const Scene scene = with_parameter(family.scene(), family.parameter(), value);
+  SimulationOptions options;
+  options.periods = 400;
+  int sticks = 0;
+  RunListeners listeners;
+  listeners.event = [&](const Event& event) {
+    sticks += event.kind == EventKind::kStick && event.period_index >= 200;
+  };
+  simulate(system, initial_state(scene, system), options, listeners);
+  return sticks / 200.0;
+}
+
+TEST(StickingBranch, RunsStickAsOftenAsTheirBranchSays) {
+  const Scene scene = support::reference_scene("sticking/rayl3");
+  const SystemFamily family(scene, "forcing.frequency");
+  const OrbitBranches result = sticking_branches(scene, "forcing.frequency", 0.12, 0.3, 9);
+  int parted = 0, interrupted = 0;
+  for (const OrbitBranch& branch : result.branches)
+    for (const SpecialPoint& special : branch.special) {
+      if (special.kind != SpecialKind::kChatterCompletes) continue;
+      const double inward = special.at.value == branch.points.back().value ? -1.0 : 1.0;
+      const auto rate = [&](double side) {
+        return sticks_a_period(family, special.at.value * (1.0 + side * inward * 1e-5));
+      };
+      const double holds = static_cast<double>(branch.holds.size());
+      EXPECT_EQ(rate(1.0), holds) << special.at.value;
+      EXPECT_EQ(std::abs(rate(-1.0) - holds), 1.0) << special.at.value;
+      ++parted;
+      interrupted += special.interrupted;
+    }
+  EXPECT_GE(parted, 4);
+  EXPECT_GE(interrupted, 1);
+  EXPECT_LT(interrupted, parted);
+}
+
+// Beyond CH the orbits have a stuck phase more or less; seen from there it is the same point.
+TEST(StickingBranch, IsFollowedAcrossItsChatterPoints) {
+  const OrbitBranches result = sticking_branches(support::reference_scene("sticking/rayl3"),
+                                                 "forcing.frequency", 0.13, 0.17, 1, 2);
+  int followed = 0;
+  for (const OrbitBranch& branch : result.branches)
+    for (const OrbitBranch& from : result.branches)
+      for (const SpecialPoint& origin : from.special) {
+        if (origin.id != branch.origin) continue;
+        EXPECT_EQ(origin.kind, SpecialKind::kChatterCompletes);
+        EXPECT_EQ(branch.component, from.component);
+        EXPECT_EQ(
+            std::abs(static_cast<int>(branch.holds.size()) - static_cast<int>(from.holds.size())),
+            1);
+        EXPECT_TRUE(std::any_of(branch.special.begin(), branch.special.end(),
+                                [&](const SpecialPoint& special) {
+                                  return special.kind == SpecialKind::kChatterCompletes &&
+                                         std::abs(special.at.value / origin.at.value - 1.0) <=
+                                             1e-10;
+                                }))
+            << origin.id;
+        ++followed;
+      }
+  EXPECT_GE(followed, 2);
+  EXPECT_EQ(result.switched, followed);
+}
+
+// How many stuck phases are followed before a chatter is summed would be an accident.
+TEST(StickingBranch, IsNotTracedWhereStuckPhasesHaveNoEnd) {
+  const OrbitBranches result =
+      sticking_branches(support::reference_scene("sticking/thrown_off", {"forcing.frequency=0.9"}),
+                        "forcing.frequency", 0.88, 0.92, 2);
+  EXPECT_TRUE(result.branches.empty());
+  EXPECT_TRUE(std::any_of(result.notes.begin(), result.notes.end(), [](const std::string& note) {
+    return note.find("stuck phases without end") != std::string::npos;
+  }));
+}
+
+// A grazing is the same one from the side on which the approach touches and from the side on which
+// the impact loses its speed.
+TEST(StickingBranch, GrazingIsFoundFromEitherSide) {
+  const OrbitBranches result =
+      sticking_branches(support::reference_scene("sticking/rayl3"), "forcing.frequency", 0.15, 0.3);
+  int pairs = 0;
+  const auto grazings = special_points(result, SpecialKind::kGrazing);
+  for (const SpecialPoint* a : grazings)
+    for (const SpecialPoint* b : grazings) {
+      if (!a->by_speed || b->by_speed || std::abs(a->at.value - b->at.value) > 1e-6) continue;
+      EXPECT_LE(std::abs(a->at.value / b->at.value - 1.0), 1e-10);
+      ++pairs;
+    }
+  EXPECT_GE(pairs, 1);
+  for (const OrbitBranch& branch : result.branches)
+    for (const OrbitBranchEnd end : branch.ends) EXPECT_NE(end, OrbitBranchEnd::kNotConverged);
+}
+
+}  // namespace
+}  // namespace graze
