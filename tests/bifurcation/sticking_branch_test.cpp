@@ -169,7 +169,7 @@ int expect_stability_of_runs(const Scene& scene, const std::string& parameter,
   const SystemFamily family(scene, parameter);
   int seen = 0;
   for (const OrbitBranch& branch : result.branches)
-    for (std::size_t i = 0; i < branch.points.size(); i += 8) {
+    for (std::size_t i = 0; i < branch.points.size(); i += 6) {
       const OrbitBranchPoint& point = branch.points[i];
       SCOPED_TRACE(testing::Message() << "branch " << branch.id << " at " << point.value);
       const double largest = std::abs(point.orbit.multipliers.front().value);
