@@ -47,7 +47,7 @@ void add_shared(CLI::App* app, Command& command) {
   app->add_option("--set", command.settings,
                   "NAME=VALUE: replace or add one key of the scene, e.g. stop.gap=2e-3")
       ->type_name("NAME=VALUE")
-      ->expected(1)
+      ->allow_extra_args(false)
       ->take_all();
   app->add_flag("--json", command.json, "Print one JSON document and nothing else on stdout");
   app->add_option("--out", command.out, "Write result.json, scene.toml and tables into this folder")

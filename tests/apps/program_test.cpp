@@ -41,6 +41,21 @@ TEST(Program, UsageErrorsExitWith2AndPrintNothingOnStdout) {
   }
 }
 
+// Wherever the scene stands among the options; each --set takes one value.
+TEST(Program, OptionsStandInAnyOrder) {
+  for (const std::string& line : std::vector<std::string>{
+           "check " + kOneMode + " --set stop.gap=2e-3 --set beam.modes=2",
+           "check --set stop.gap=2e-3 " + kOneMode + " --set beam.modes=2 --threads 1",
+           "check --threads 1 --set stop.gap=2e-3 --set beam.modes=2 " + kOneMode}) {
+    const Finished run = run_graze(line + " --json");
+    EXPECT_EQ(run.code, 0) << line << run.err;
+    EXPECT_EQ(
+        run.out,
+        run_graze("check --json --set stop.gap=2e-3 --set beam.modes=2 --threads 1 " + kOneMode)
+            .out);
+  }
+}
+
 TEST(Program, RefusesWhatALaterVersionBrings) {
   for (const std::string& line : std::vector<std::string>{
            "cost " + kOneMode, "compare " + kOneMode, "fit a b",
