@@ -3,9 +3,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <string>
 
 #include "branch_checks.hpp"
 #include "graze/base/angle.hpp"
+#include "graze/hybrid/motion.hpp"
 #include "graze/orbit/settled.hpp"
 
 namespace graze {
@@ -188,6 +191,120 @@ TEST(SwitchedOrbits, DoublingsPartWhatSimulationReachesFromWhatItLeaves) {
         ++parted;
       }
   EXPECT_EQ(parted, 2);
+}
+
+// How long after an impact of the orbit a motion without closing of chatters hits the next,
+// periods.
+double flight_from(const System& system, const Orbit& orbit) {
+  const OrbitImpact& impact = orbit.impacts.front();
+  const State after = after_impact(system.stops[0], impact.before);
+  Motion<double> motion(system, {0, impact.phase / system.forcing->frequency}, after.q, after.qdot);
+  const double period = system.period();
+  for (int k = 0; k < 4; ++k) {
+    const Arrival<double> arrival = motion.fly(period);
+    if (arrival.kind == ArrivalKind::kContact)
+      return static_cast<double>(motion.instant().period) +
+             (motion.instant().local - impact.phase / system.forcing->frequency) / period;
+  }
+  return std::numeric_limits<double>::infinity();
+}
+
+// Impacts of the motion that is not to touch the stop, over some periods from on it.
+int impacts_of_free_response(const System& system) {
+  const double w = system.forcing->frequency;
+  const Complex response =
+      system.forcing->amplitude[0] /
+      Complex(system.omega[0] * system.omega[0] - w * w, 2.0 * system.delta[0] * w);
+  Motion<double> motion(system, {}, Vector::Constant(1, response.real()),
+                        Vector::Constant(1, (Complex(0.0, w) * response).real()));
+  int impacts = 0;
+  while (motion.instant().period < 20) {
+    if (motion.fly(system.period()).kind != ArrivalKind::kContact) continue;
+    motion.impact();
+    ++impacts;
+  }
+  return impacts;
+}
+
+// Every grazing parts runs by their impacts: those without any, where the speed of an impact
+// vanishes, and those from impact to impact of the orbit, where an approach between them touches.
+TEST(SwitchedOrbits, GrazingsPartRunsByTheirImpacts) {
+  const Scene scene = support::shipped_scene("05_wagg_one_mode");
+  const SystemFamily family(scene, "forcing.frequency");
+  BranchOptions options;
+  options.from = 15.0;
+  options.to = 120.0;
+  options.keep_virtual = true;
+  const OrbitBranches result = trace_orbits(family, options);
+  int by_speed = 0, between = 0;
+  for (const OrbitBranch& branch : result.branches)
+    for (const SpecialPoint& special : branch.special) {
+      if (special.kind != SpecialKind::kGrazing) continue;
+      const double value = special.at.value;
+      SCOPED_TRACE(testing::Message() << special.id << " at " << value);
+      if (special.by_speed) {
+        // The resonance lies between the two: more is less below it, and the other way round.
+        const int below = impacts_of_free_response(*family.at(value * (1.0 - 1e-9)));
+        const int above = impacts_of_free_response(*family.at(value * (1.0 + 1e-9)));
+        EXPECT_NE(below == 0, above == 0) << below << " and " << above << " impacts";
+        ++by_speed;
+        continue;
+      }
+      const auto here = std::find_if(branch.points.begin(), branch.points.end(),
+                                     [&](const auto& point) { return point.value == value; });
+      ASSERT_TRUE(here != branch.points.begin() && here + 1 < branch.points.end());
+      for (const auto& side : {here - 1, here + 1}) {
+        const double flight = flight_from(*family.at(side->value), side->orbit);
+        if (side->orbit.admissible)
+          EXPECT_NEAR(flight, 1.0, 1e-9);
+        else
+          EXPECT_LT(flight, 0.999);
+      }
+      EXPECT_NE((here - 1)->orbit.admissible, (here + 1)->orbit.admissible);
+      ++between;
+    }
+  EXPECT_EQ(by_speed, 2);
+  EXPECT_EQ(between, 1);
+}
+
+// A fold parts values with a stable and an unstable orbit from values with neither: on the one side
+// runs return to the one and leave the other, beyond it they go elsewhere.
+TEST(SwitchedOrbits, FoldsPartWhatSimulationReachesFromNothing) {
+  int folds = 0;
+  for (const char* restitution : {"0.5", "0.7", "0.8", "0.9"}) {
+    const SystemFamily family(
+        support::shipped_scene("08_preloaded_oscillator",
+                               {std::string("stop.restitution=") + restitution}),
+        "forcing.frequency");
+    BranchOptions options;
+    options.from = 2.0;
+    options.to = 5.0;
+    for (const OrbitBranch& branch : trace_orbits(family, options).branches)
+      for (const SpecialPoint& special : branch.special) {
+        const auto here =
+            std::find_if(branch.points.begin(), branch.points.end(),
+                         [&](const auto& point) { return point.value == special.at.value; });
+        // Next to it runs settle too slowly to tell.
+        constexpr std::ptrdiff_t kApart = 3;
+        if (special.kind != SpecialKind::kFold || here - branch.points.begin() < kApart ||
+            branch.points.end() - here <= kApart)
+          continue;
+        SCOPED_TRACE(testing::Message() << "r = " << restitution << " at " << special.at.value);
+        const OrbitBranchPoint &one = *(here - kApart), &other = *(here + kApart);
+        EXPECT_EQ(one.value < special.at.value, other.value < special.at.value);
+        for (const OrbitBranchPoint* side : {&one, &other})
+          EXPECT_EQ(is_reached(family, *side, 1e-5, 1e-4), *side->orbit.stable) << side->value;
+        // As far beyond it as the nearer of the two is before it: no orbit is left there to settle
+        // on, and the run ends somewhere else.
+        const double aside = std::min(std::abs(one.value - special.at.value),
+                                      std::abs(other.value - special.at.value));
+        OrbitBranchPoint beyond = special.at;
+        beyond.value += one.value < special.at.value ? aside : -aside;
+        EXPECT_FALSE(is_reached(family, beyond, 0.0, 1e-2));
+        ++folds;
+      }
+  }
+  EXPECT_EQ(folds, 4);
 }
 
 // r(v): no closed form.
