@@ -5,13 +5,6 @@
 #include <utility>
 
 namespace graze {
-namespace {
-
-// Modes may cost 8 of 53 bits: by dependent eigenvectors, or by a response that cancels the motion.
-constexpr double kLargestLoss = 256.0;
-
-}  // namespace
-
 std::optional<ComplexModes> usable_modes(const FirstOrderSystem& system, double quickest) {
   ComplexModes modes = complex_modes(system.generator);
   if (!(modes.condition <= kLargestLoss * static_cast<double>(system.load.size()))) return {};

@@ -12,9 +12,6 @@
 namespace graze {
 namespace {
 
-// Parting invariant subspaces may cost 8 of 53 bits, as modes may.
-constexpr double kLargestLoss = 256.0;
-
 // Largest growth beyond the error of its eigenvalue.
 double certain_growth(const Matrix& generator) {
   double growth = 0.0;
@@ -57,13 +54,13 @@ Eigen::MatrixXcd with_rates(const Vector& scale, Eigen::MatrixXcd basis,
 CoupledFlow::CoupledFlow(const CoupledSystem& system)
     : scale_(system.scale), whole_(graze::first_order(system)) {
   growth_ = certain_growth(whole_.generator);
-  part(std::max(scale_.maxCoeff(), system.frequency));
+  split(std::max(scale_.maxCoeff(), system.frequency));
 }
 
 // Decompositions err by eps times the quickest rate, and would set a stop moving that is at rest.
 // So the basis is rebuilt with velocities as the rates of displacements, (scale y)' = scale y', as
 // an identity, row by row from the half in which the rates leave rounding smaller.
-void CoupledFlow::part(double quickest) {
+void CoupledFlow::split(double quickest) {
   const Eigen::Index n = whole_.load.size();
   std::vector<FirstOrderSystem> without_modes;
   Eigen::MatrixXcd basis(n, n);

@@ -40,7 +40,7 @@ class CoupledFlow {
 
  private:
   friend class CoupledArc;
-  void part(double quickest);
+  void split(double quickest);
 
   Vector scale_;
   FirstOrderSystem whole_;
