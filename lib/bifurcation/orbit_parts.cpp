@@ -9,6 +9,9 @@ namespace {
 // square root of eps where they are least well determined.
 constexpr double kOneOrbit = 1e-7;
 
+// No stop is penetrated by more, of the length scale.
+constexpr double kPenetration = 1e-12;
+
 // A point or special point met along a component.
 struct Station {
   OrbitBranchPoint at;
@@ -94,7 +97,8 @@ class Parts {
       const std::size_t first = stations_.size() - 1;
       const OrbitBranchPoint before = stations_[first].at;
       for (; critical != branch_.critical.end() && critical->after == i - 1; ++critical)
-        stations_.push_back(special(*critical));
+        if (equations_.system_at(critical->point.parameter))  // between allowed values may be none
+          stations_.push_back(special(*critical));
       stations_.push_back(here);
       if (before.orbit.admissible != here.at.orbit.admissible)
         if (const auto edge = border(branch_.points[i - 1], branch_.points[i], before, here.at))
@@ -140,11 +144,28 @@ class Parts {
     return Station{touch->at, touch};
   }
 
+  bool penetrates(const BranchPoint& at) const {
+    const double length = shooting_scale(*equations_.system_at(at.parameter)).length;
+    return equations_.admissibility_of(at).clearance().value_or(0.0) < -kPenetration * length;
+  }
+
+  // Where an interior approach touches.
+  std::optional<BranchPoint> touch(const BranchPoint& a, const BranchPoint& b,
+                                   const OrbitBranchPoint& at_a,
+                                   const OrbitBranchPoint& at_b) const {
+    // Without an interior minimum the motion is as clear as its gap is wide.
+    const double clear =
+        std::max(at_a.orbit.clearance.value_or(0.0), at_b.orbit.clearance.value_or(0.0)) + 1.0;
+    return locate(equations_.problem(), options_, a, b, [&](const BranchPoint& p) {
+      return equations_.admissibility_of(p).clearance().value_or(clear);
+    });
+  }
+
   std::optional<SpecialPoint> grazing(const BranchPoint& a, const BranchPoint& b,
                                       const OrbitBranchPoint& at_a,
                                       const OrbitBranchPoint& at_b) const {
     const double still = still_speed(*equations_.system_at(a.parameter));
-    const bool by_speed = (at_a.smallest_speed > still) != (at_b.smallest_speed > still);
+    bool by_speed = (at_a.smallest_speed > still) != (at_b.smallest_speed > still);
     std::optional<BranchPoint> point;
     if (by_speed && at_a.smallest_speed > 0.0 && at_b.smallest_speed > 0.0) {
       // One of them is on the grazing within rounding.
@@ -153,13 +174,13 @@ class Parts {
       point = locate(equations_.problem(), options_, a, b, [&](const BranchPoint& p) {
         return equations_.admissibility_of(p).smallest_speed;
       });
+      // An approach may have touched before that speed vanished.
+      if (point && penetrates(*point)) {
+        by_speed = false;
+        point = at_a.orbit.admissible ? touch(a, *point, at_a, at_b) : touch(*point, b, at_a, at_b);
+      }
     } else {
-      // Without an interior minimum the motion is as clear as its gap is wide.
-      const double clear =
-          std::max(at_a.orbit.clearance.value_or(0.0), at_b.orbit.clearance.value_or(0.0)) + 1.0;
-      point = locate(equations_.problem(), options_, a, b, [&](const BranchPoint& p) {
-        return equations_.admissibility_of(p).clearance().value_or(clear);
-      });
+      point = touch(a, b, at_a, at_b);
     }
     if (!point) return {};
     SpecialPoint special{SpecialKind::kGrazing, "", equations_.judge(*point), {}, by_speed, *point};

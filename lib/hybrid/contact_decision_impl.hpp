@@ -24,6 +24,7 @@ inline constexpr int kRoundings = 16;
 // An arrival where an impact is due or nothing can be decided; else empty, with the changes noted.
 template <class Real>
 std::optional<Arrival<Real>> Motion<Real>::decide() {
+  using std::abs;
   const ContactPhase<Real>& phase = start_phase();
   std::vector<int> resting, lingering;
   for (const int i : order_) {
@@ -38,7 +39,11 @@ std::optional<Arrival<Real>> Motion<Real>::decide() {
     }
     const CurvePoint<Real> rate = phase.gap(i, Real(0), true).at(Real(0), 1);
     // The phase forgets what closed stops leave of the velocities: rounding of b.q'.
-    const Real rounding = std::max<Real>(rate.noise, speed_rounding(i));
+    // And the instant is known to its rounding, in which a push changes the speed: at the end of a
+    // chatter, where nothing else moves, this is what is left of it.
+    const Real located = std::numeric_limits<Real>::epsilon() * now_.instant.local *
+                         abs(stop(i).row.dot(free_acceleration()));
+    const Real rounding = std::max<Real>(rate.noise, speed_rounding(i) + located);
     if (rate.value < -rounding)
       return Arrival<Real>{ArrivalKind::kContact, i, Real(0), approach_speed(i)};
     if (rate.value > rounding)
@@ -62,16 +67,13 @@ std::optional<Arrival<Real>> Motion<Real>::decide() {
   return {};
 }
 
+// Without any stop. `size`: of the terms that are summed.
 template <class Real>
-bool Motion<Real>::decide_resting(const std::vector<int>& resting) {
+RealVector<Real> Motion<Real>::free_acceleration(RealVector<Real>* size) const {
   using std::abs, std::cos;
-  std::vector<int> candidates;
-  for (const int i : order_)
-    if (contact(i) == Contact::kClosed || contact(i) == Contact::kLocked ||
-        std::find(resting.begin(), resting.end(), i) != resting.end())
-      candidates.push_back(i);
-  const Eigen::Index n = now_.q.size(), k = static_cast<Eigen::Index>(candidates.size());
-  RealVector<Real> acceleration(n), size(n);
+  const Eigen::Index n = now_.q.size();
+  RealVector<Real> acceleration(n);
+  if (size) size->resize(n);
   const Real c = linear_.forced ? Real(cos(clock_.phase(now_.instant))) : Real(0);
   for (Eigen::Index j = 0; j < n; ++j) {
     const Real load = linear_.load.size() > 0 ? linear_.load[j] : Real(0);
@@ -79,9 +81,23 @@ bool Motion<Real>::decide_resting(const std::vector<int>& resting) {
     const Real damping = 2 * linear_.delta[j] * now_.qdot[j];
     const Real stiffness = linear_.omega[j] * linear_.omega[j] * now_.q[j];
     acceleration[j] = load + force - damping - stiffness;
-    size[j] = abs(load) + (linear_.forced ? Real(abs(linear_.amplitude[j])) : Real(0)) +
-              abs(damping) + abs(stiffness);
+    if (!size) continue;
+    (*size)[j] = abs(load) + (linear_.forced ? Real(abs(linear_.amplitude[j])) : Real(0)) +
+                 abs(damping) + abs(stiffness);
   }
+  return acceleration;
+}
+
+template <class Real>
+bool Motion<Real>::decide_resting(const std::vector<int>& resting) {
+  std::vector<int> candidates;
+  for (const int i : order_)
+    if (contact(i) == Contact::kClosed || contact(i) == Contact::kLocked ||
+        std::find(resting.begin(), resting.end(), i) != resting.end())
+      candidates.push_back(i);
+  const auto k = static_cast<Eigen::Index>(candidates.size());
+  RealVector<Real> size;
+  const RealVector<Real> acceleration = free_acceleration(&size);
   RealVector<Real> push(k), rounding(k);
   for (Eigen::Index a = 0; a < k; ++a) {
     const Stop& s = stop(candidates[static_cast<std::size_t>(a)]);

@@ -148,6 +148,7 @@ class Motion {
   void set(int i, Contact contact, int multiplicity = 0);
   // What of the approach speed may be rounding, m/s.
   Real speed_rounding(int i) const;
+  RealVector<Real> free_acceleration(RealVector<Real>* size = nullptr) const;
   bool touches(int i) const;
   std::vector<int> closed() const;
   ContactPhase<Real>& phase_of(const std::vector<int>& closed);

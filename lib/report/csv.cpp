@@ -110,16 +110,28 @@ std::string stuck_csv(const OrbitRecord& record) {
   return text;
 }
 
+namespace {
+
+// Of the first impact; empty where the orbit has none, at rest on its stop.
+std::string first_phase(const Orbit& orbit) {
+  return orbit.impacts.empty() ? "" : cell(orbit.impacts.front().phase);
+}
+
+std::string first_speed(const Orbit& orbit) {
+  return orbit.impacts.empty() ? "" : cell(orbit.impacts.front().speed);
+}
+
+}  // namespace
+
 std::string branches_csv(const BranchRecord& record) {
   std::string text =
       "branch,component,period,impacts,value,phase,speed,stable,admissible,unstable_multipliers,"
       "clearance,stuck\n";
   for (const OrbitBranch& branch : record.traced.branches)
     for (const OrbitBranchPoint& point : branch.points) {
-      const OrbitImpact& first = point.orbit.impacts.front();
       fmt::format_to(std::back_inserter(text), "{},{},{},{},{},{},{},{},{},{},{},{}\n", branch.id,
                      branch.component, branch.pattern.period, point.orbit.impacts.size(),
-                     cell(point.value), cell(first.phase), cell(first.speed),
+                     cell(point.value), first_phase(point.orbit), first_speed(point.orbit),
                      cell(point.orbit.stable), point.orbit.admissible ? 1 : 0,
                      point.unstable_multipliers, cell(point.orbit.clearance),
                      branch.sticks() ? 1 : 0);
@@ -131,9 +143,8 @@ std::string special_csv(const BranchRecord& record) {
   std::string text = "id,label,branch,value,phase,speed,multiplier_re,multiplier_im\n";
   for (const OrbitBranch& branch : record.traced.branches)
     for (const SpecialPoint& s : branch.special) {
-      const OrbitImpact& first = s.at.orbit.impacts.front();
       fmt::format_to(std::back_inserter(text), "{},{},{},{},{},{},{},{}\n", s.id, label_of(s.kind),
-                     branch.id, cell(s.at.value), cell(first.phase), cell(first.speed),
+                     branch.id, cell(s.at.value), first_phase(s.at.orbit), first_speed(s.at.orbit),
                      s.multiplier ? cell(s.multiplier->real()) : "",
                      s.multiplier ? cell(s.multiplier->imag()) : "");
     }

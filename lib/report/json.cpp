@@ -117,11 +117,19 @@ Json orbit_json(const Orbit& orbit) {
   return json;
 }
 
+// Of the first impact; null where the orbit has none, at rest on its stop.
+Json first_phase(const Orbit& orbit) {
+  return orbit.impacts.empty() ? Json(nullptr) : number(orbit.impacts.front().phase);
+}
+
+Json first_speed(const Orbit& orbit) {
+  return orbit.impacts.empty() ? Json(nullptr) : number(orbit.impacts.front().speed);
+}
+
 Json point_json(const OrbitBranchPoint& point) {
-  const OrbitImpact& first = point.orbit.impacts.front();
   Json json = {{"value", number(point.value)},
-               {"phase", number(first.phase)},
-               {"speed", number(first.speed)},
+               {"phase", first_phase(point.orbit)},
+               {"speed", first_speed(point.orbit)},
                {"stable", maybe(point.orbit.stable)},
                {"admissible", point.orbit.admissible},
                {"unstable_multipliers", point.unstable_multipliers},
@@ -144,12 +152,11 @@ Json stops_of(const std::vector<int>& order) {
 }
 
 Json special_json(const SpecialPoint& special) {
-  const OrbitImpact& first = special.at.orbit.impacts.front();
   Json json = {{"id", special.id},
                {"label", label_of(special.kind)},
                {"value", number(special.at.value)},
-               {"phase", number(first.phase)},
-               {"speed", number(first.speed)},
+               {"phase", first_phase(special.at.orbit)},
+               {"speed", first_speed(special.at.orbit)},
                {"multiplier", special.multiplier ? pair(*special.multiplier) : Json(nullptr)},
                {"admissible", special.at.orbit.admissible}};
   if (special.at.orbit.impacts.size() > 1) json["at"] = impacts_at(special.at.orbit);

@@ -270,11 +270,13 @@ std::string to_text(const BranchRecord& record) {
         ends};
     if (switched) row.push_back(branch.origin.empty() ? "-" : branch.origin);
     branches.add(row);
-    for (const SpecialPoint& s : branch.special)
+    for (const SpecialPoint& s : branch.special) {
+      const std::vector<OrbitImpact>& impacts = s.at.orbit.impacts;
       special.add({s.id, fmt::format("{}", branch.id), fmt::format("{:.13g}", s.at.value),
-                   fmt::format("{:.9f}", s.at.orbit.impacts.front().phase),
-                   fmt::format("{:.9g}", s.at.orbit.impacts.front().speed),
+                   impacts.empty() ? "-" : fmt::format("{:.9f}", impacts.front().phase),
+                   impacts.empty() ? "-" : fmt::format("{:.9g}", impacts.front().speed),
                    s.multiplier ? complex_text(*s.multiplier) : "-"});
+    }
   }
   std::string text;
   if (!branches.empty()) text += branches.text() + "\n";

@@ -78,6 +78,32 @@ TEST(Motion, FreeMassComesToRestInANarrowCorner) {
   EXPECT_LE(motion.qdot().norm(), 1e-15);
 }
 
+// A rigid bar, two free coordinates, dropped on two supports. Whatever the restitution it ends at
+// rest on both: their static forces are both positive.
+TEST(Motion, BarComesToRestOnTwoSupports) {
+  for (const double r : {0.1, 0.2, 0.3, 0.4, 0.5, 0.8, 0.9}) {
+    SCOPED_TRACE(r);
+    System system{Vector::Zero(2), Vector::Zero(2), {}, {}, {}};
+    system.load = Eigen::Vector2d(9.81, 0.0);
+    for (const Vector& row :
+         {Vector(Eigen::Vector2d(1.0, 1.5)), Vector(Eigen::Vector2d(1.0, -0.9))})
+      system.stops.push_back({row, row[1] > 0.0 ? 0.1 : 0.11, momentum_direction(row), r});
+    Motion<double> motion(system, {}, Vector::Zero(2), Vector::Zero(2));
+    for (int impacts = 0; impacts < 5000 && motion.instant().local < 20.0;) {
+      const Arrival<double> arrival = motion.fly(20.0);
+      ASSERT_NE(arrival.kind, ArrivalKind::kUndecided);
+      if (arrival.kind != ArrivalKind::kContact) continue;
+      motion.impact();
+      ++impacts;
+    }
+    EXPECT_EQ(motion.instant().local, 20.0);
+    for (const int i : {0, 1}) {
+      EXPECT_TRUE(motion.is_closed(i)) << i;
+      EXPECT_NEAR(motion.gap(i), 0.0, 1e-13);
+    }
+  }
+}
+
 // One coordinate clamped between two stops without room, the other thrown against a third that
 // touches both: it rebounds as v+ = -r v-, and the clamp stays as it is.
 TEST(Motion, ClampedCoordinateStandsImpactsOfAnother) {
