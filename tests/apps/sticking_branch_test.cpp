@@ -93,5 +93,24 @@ TEST(StickingBranchCommand, IsDrawnInBothPictures) {
   }
 }
 
+// Pressed so far that it never leaves, the oscillator rests on its stop without an impact.
+TEST(StickingBranchCommand, EndsWhereTheStructureIsNotLeftAnyMore) {
+  for (const char* range :
+       {"stop.gap --from -0.3 --to 0.1", "forcing.amplitude --from 0.1 --to 0.5"}) {
+    const Finished run = run_graze("continue " + scene("08_preloaded_oscillator.toml") +
+                                   " --json --parameter " + range);
+    EXPECT_TRUE(run.code == 0 || run.code == 3) << range << run.err;
+    EXPECT_TRUE(nlohmann::json::accept(run.out)) << range;
+  }
+}
+
+// A stop without a shape is none: the branch goes up to it from either side.
+TEST(StickingBranchCommand, SurvivesAValueThatTheSceneDoesNotAllow) {
+  const Finished run = run_graze("continue " + scene("04_impact_oscillator.toml") +
+                                 " --json --parameter stop.shape.1 --from -1 --to 1");
+  EXPECT_TRUE(run.code == 0 || run.code == 3) << run.code << run.err;
+  EXPECT_TRUE(nlohmann::json::accept(run.out));
+}
+
 }  // namespace
 }  // namespace graze

@@ -267,6 +267,22 @@ TEST(SwitchedOrbits, GrazingsPartRunsByTheirImpacts) {
   EXPECT_EQ(between, 1);
 }
 
+// Where an approach touches and a speed vanishes within one step, the branch ends at the first: no
+// point of it penetrates, however long its steps.
+TEST(SwitchedOrbits, EndAtTheFirstOfTwoGrazingsWithinOneStep) {
+  const Scene scene = support::shipped_scene("05_wagg_one_mode");
+  const OrbitBranches result = followed(scene, "forcing.frequency", 15.0, 120.0, 4);
+  const double length = shooting_scale(assemble(scene)).length;
+  int triples = 0;
+  for (const OrbitBranch& branch : result.branches) {
+    triples += branch.pattern.period == 2 && branch.pattern.impacts() == 3;
+    for (const OrbitBranchPoint& point : branch.points)
+      EXPECT_GE(point.orbit.clearance.value_or(0.0), -1e-12 * length)
+          << "branch " << branch.id << " at " << point.value;
+  }
+  EXPECT_GE(triples, 1);
+}
+
 // A fold parts values with a stable and an unstable orbit from values with neither: on the one side
 // runs return to the one and leave the other, beyond it they go elsewhere.
 TEST(SwitchedOrbits, FoldsPartWhatSimulationReachesFromNothing) {
