@@ -10,6 +10,7 @@
 
 #include "graze/flow/arc_curve_impl.hpp"
 #include "graze/flow/contact_phase.hpp"
+#include "graze/flow/contact_share.hpp"
 
 namespace graze {
 namespace contact_phase_detail {
@@ -61,15 +62,8 @@ ContactPhase<Real>::ContactPhase(const System& system, const std::vector<int>& c
   if (closed_.empty()) {
     reduced_ = full;
   } else {
-    const Eigen::Index n = system.modes(), k = static_cast<Eigen::Index>(closed_.size());
-    rows_.resize(n, k);
-    directions_.resize(n, k);
-    for (Eigen::Index i = 0; i < k; ++i) {
-      const RigidStop& stop =
-          system.stops[static_cast<std::size_t>(closed_[static_cast<std::size_t>(i)])];
-      rows_.col(i) = stop.row.template cast<Real>();
-      directions_.col(i) = stop.direction.template cast<Real>();
-    }
+    rows_ = rows_of(system, closed_).template cast<Real>();
+    directions_ = directions_of(system, closed_).template cast<Real>();
     reduce(system, full);
   }
   if (!coupled_flow_) {

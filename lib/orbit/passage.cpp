@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "graze/flow/contact_share.hpp"
 #include "graze/hybrid/chatter_closure.hpp"
 #include "graze/hybrid/clearance.hpp"
 #include "graze/hybrid/simulation.hpp"
@@ -201,19 +202,17 @@ class Follower {
 
   // The derivative of q'+ = q'- - D (B^T D)^-1 (v- - target) over the stops that act.
   void jump(const std::vector<ImpactShare<double>>& shares) {
-    std::vector<const ImpactShare<double>*> acting;
-    for (const ImpactShare<double>& share : shares)
-      if (share.impulse > 0.0) acting.push_back(&share);
-    const auto k = static_cast<Eigen::Index>(acting.size());
-    Matrix rows(system_.modes(), k), directions(system_.modes(), k);
-    Vector slopes(k);
-    for (Eigen::Index a = 0; a < k; ++a) {
-      const ImpactShare<double>& share = *acting[static_cast<std::size_t>(a)];
-      rows.col(a) = stop(share.stop).row;
-      directions.col(a) = stop(share.stop).direction;
+    std::vector<int> acting;
+    Vector slopes(static_cast<Eigen::Index>(shares.size()));
+    for (const ImpactShare<double>& share : shares) {
+      if (!(share.impulse > 0.0)) continue;
       // A closed stop takes up what comes; so does one that leaves no room for a rebound.
-      slopes[a] = share.speed_after < 0.0 ? jump_slope(stop(share.stop), share.speed) : 1.0;
+      slopes[static_cast<Eigen::Index>(acting.size())] =
+          share.speed_after < 0.0 ? jump_slope(stop(share.stop), share.speed) : 1.0;
+      acting.push_back(share.stop);
     }
+    slopes.conservativeResize(static_cast<Eigen::Index>(acting.size()));
+    const Matrix rows = rows_of(system_, acting), directions = directions_of(system_, acting);
     const Matrix undone = slopes.asDiagonal() * (rows.transpose() * deviations_->qdot);
     if (deviations_->count() == 0) return;
     deviations_->qdot -= directions * (rows.transpose() * directions).partialPivLu().solve(undone);

@@ -15,6 +15,15 @@ std::string cell(double value) { return std::isfinite(value) ? fmt::format("{}",
 std::string cell(const std::optional<double>& value) { return value ? cell(*value) : ""; }
 std::string cell(const std::optional<bool>& value) { return value ? (*value ? "1" : "0") : ""; }
 
+// Of the first impact; empty where the orbit has none, at rest on its stop.
+std::string first_phase(const Orbit& orbit) {
+  return orbit.impacts.empty() ? "" : cell(orbit.impacts.front().phase);
+}
+
+std::string first_speed(const Orbit& orbit) {
+  return orbit.impacts.empty() ? "" : cell(orbit.impacts.front().speed);
+}
+
 }  // namespace
 
 std::string events_csv_header() {
@@ -109,19 +118,6 @@ std::string stuck_csv(const OrbitRecord& record) {
   }
   return text;
 }
-
-namespace {
-
-// Of the first impact; empty where the orbit has none, at rest on its stop.
-std::string first_phase(const Orbit& orbit) {
-  return orbit.impacts.empty() ? "" : cell(orbit.impacts.front().phase);
-}
-
-std::string first_speed(const Orbit& orbit) {
-  return orbit.impacts.empty() ? "" : cell(orbit.impacts.front().speed);
-}
-
-}  // namespace
 
 std::string branches_csv(const BranchRecord& record) {
   std::string text =

@@ -94,4 +94,9 @@ inline std::string scene(const std::string& name) {
   return std::string(GRAZE_SOURCE_DIR) + "/data/scenes/" + name;
 }
 
+// A scene of tests/reference/cases.
+inline std::string reference_case(const std::string& name) {
+  return std::string(GRAZE_SOURCE_DIR) + "/tests/reference/cases/" + name;
+}
+
 }  // namespace graze

@@ -12,8 +12,7 @@ namespace {
 
 using nlohmann::json;
 
-const std::string kForcedChatter =
-    std::string(GRAZE_SOURCE_DIR) + "/tests/reference/cases/sticking/Z2b.toml";
+const std::string kForcedChatter = reference_case("sticking/Z2b.toml");
 const std::string kRange = " --parameter stop.restitution --from 0.1 --to 0.6 ";
 
 TEST(StickingBranchCommand, ReportsTheBranchAndItsChatterPoint) {

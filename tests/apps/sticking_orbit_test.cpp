@@ -11,8 +11,7 @@ namespace {
 
 using nlohmann::json;
 
-const std::string kForcedChatter =
-    std::string(GRAZE_SOURCE_DIR) + "/tests/reference/cases/sticking/Z2b.toml";
+const std::string kForcedChatter = reference_case("sticking/Z2b.toml");
 
 TEST(StickingOrbitCommand, ReportsItsStuckPhases) {
   const ScratchFolder scratch;
