@@ -145,19 +145,8 @@ Matrix CoupledArc::growth(double s, const Matrix& deviations,
   x.topRows(n) = unit.asDiagonal() * deviations;
   x.row(n) = -flow.whole_.frequency * std::sin(theta_) * delay;
   x.row(n + 1) = flow.whole_.frequency * std::cos(theta_) * delay;
-  const Matrix extended = extended_generator(flow.whole_, s);
-  Matrix sum = Matrix::Zero(x.rows(), x.cols());
-  if (extended.norm() < 1.0) {
-    // exp - 1 by its series, which keeps short flights accurate; 20! is beyond 1/eps.
-    Matrix term = x;
-    for (int k = 1; k <= 20; ++k) {
-      term = extended * term / k;
-      sum += term;
-    }
-  } else {
-    sum = matrix_exponential(extended) * x - x;
-  }
-  return unit.cwiseInverse().asDiagonal() * sum.topRows(n);
+  const Matrix change = exponential_change(extended_generator(flow.whole_, s), x);
+  return unit.cwiseInverse().asDiagonal() * change.topRows(n);
 }
 
 ArcCurve<double> CoupledArc::curve(const Observable<double>& observable, double window,

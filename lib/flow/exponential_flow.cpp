@@ -47,11 +47,31 @@ void ExponentialArc::start(double theta, const Vector& x) {
   formed_from_ = flow_->coordinates_.cwiseAbs() * x.cwiseAbs();
 }
 
-Vector ExponentialArc::inner_state(double s) const {
-  const Eigen::Index n = z_.size();
-  Vector start(n + 3);
-  start << z_, std::cos(theta_), std::sin(theta_), 1.0;
-  return (matrix_exponential(extended_generator(flow_->system_, s)) * start).head(n);
+namespace {
+
+Vector extended_start(const Vector& z, double cosine, double sine) {
+  Vector start(z.size() + 3);
+  start << z, cosine, sine, 1.0;
+  return start;
+}
+
+}  // namespace
+
+Vector ExponentialArc::change(double s) const {
+  const Vector start = extended_start(z_, std::cos(theta_), std::sin(theta_));
+  return exponential_change(extended_generator(flow_->system_, s), start).topRows(z_.size());
+}
+
+// Each product of the series with its absolute value; beyond its range the exponential rounds by
+// its norms.
+Vector ExponentialArc::change_size(double s) const {
+  const FirstOrderSystem& system = flow_->system_;
+  const Matrix sizes = extended_generator(system, s).cwiseAbs();
+  if (sizes.norm() < 1.0)
+    return exponential_change(sizes, extended_start(formed_from_, 1.0, 1.0)).topRows(z_.size());
+  const double input = system.load.norm() + system.force.norm();
+  return Vector::Constant(z_.size(),
+                          (1.0 + system.generator.norm() * s) * (formed_from_.norm() + input * s));
 }
 
 // Derivative p is weight.T^p z + sum_i weight.T^(p-1-i) d^i/dt^i (load + force).
@@ -59,10 +79,12 @@ void ExponentialSum::add(const ExponentialArc& arc, const Vector& weight) {
   const FirstOrderSystem& system = arc.flow_->system_;
   Term& term = terms_.emplace_back(Term{arc, {}});
   term.derivatives[0].state = arc.flow_->basis_.transpose() * weight;
+  term.derivatives[0].size = arc.flow_->basis_.transpose().cwiseAbs() * weight.cwiseAbs();
   for (std::size_t p = 1; p < term.derivatives.size(); ++p) {
     const Derivative& before = term.derivatives[p - 1];
     Derivative& now = term.derivatives[p];
     now.state = system.generator.transpose() * before.state;
+    now.size = system.generator.transpose().cwiseAbs() * before.size;
     now.constant = before.state.dot(system.load);
     now.phase = before.phase * Complex(0.0, system.frequency) + before.state.dot(system.force);
     now.bound_of_input = std::abs(now.constant) + std::abs(now.phase);
@@ -81,13 +103,13 @@ void ExponentialSum::add_term(const Term& term, double s, std::size_t m, CurvePo
                               Higher& higher) const {
   const ExponentialArc& arc = term.arc;
   const FirstOrderSystem& system = arc.flow_->system_;
-  const Vector z = arc.inner_state(s);
+  const Vector change = arc.change(s), z = arc.z_ + change;
   const Complex turn = std::polar(1.0, arc.theta_ + system.frequency * s);
   const auto value = [&](std::size_t p) {
     const Derivative& d = term.derivatives[p];
     return d.state.dot(z) + d.constant + (d.phase * turn).real();
   };
-  point.value += value(m) - (m == 0 ? term.derivatives[0].state.dot(arc.z_) : 0.0);
+  point.value += m == 0 ? term.derivatives[0].state.dot(change) : value(m);
   point.slope += value(m + 1);
   const double ahead = std::max(window_ - s, 0.0);
   const double input = system.load.norm() + system.force.norm();
@@ -99,10 +121,10 @@ void ExponentialSum::add_term(const Term& term, double s, std::size_t m, CurvePo
   for (std::size_t k = 0; k < higher.derivatives.size(); ++k)
     higher.derivatives[k] += value(m + 2 + k);
   higher.last += bound(m + 5);
+  const Derivative& seen = term.derivatives[m];
+  const Vector rounded = m == 0 ? arc.change_size(s) : arc.formed_from_ + arc.change_size(s);
   point.noise += kRoundings * std::numeric_limits<double>::epsilon() *
-                 (1.0 + system.generator.norm() * s) *
-                 (term.derivatives[m].state.norm() * (arc.formed_from_.norm() + input * s) +
-                  term.derivatives[m].bound_of_input);
+                 (seen.size.dot(rounded) + seen.bound_of_input);
 }
 
 }  // namespace graze

@@ -36,11 +36,13 @@ class ExponentialArc {
   explicit ExponentialArc(const ExponentialFlow& flow) : flow_(&flow) {}
   void start(double theta, const Vector& x);
   // The part of x(s) in the subspace.
-  Vector state(double s) const { return flow_->basis_ * inner_state(s); }
+  Vector state(double s) const { return flow_->basis_ * (z_ + change(s)); }
 
  private:
   friend class ExponentialSum;
-  Vector inner_state(double s) const;
+  Vector change(double s) const;  // z(s) - z(0)
+  // A bound of what rounds in it, by the size of every product.
+  Vector change_size(double s) const;
 
   const ExponentialFlow* flow_;
   double theta_ = 0.0;
@@ -60,6 +62,7 @@ class ExponentialSum {
   // Of one derivative of an observable of z.
   struct Derivative {
     Vector state;           // weight of z
+    Vector size;            // of the products that it was summed from
     double constant = 0.0;  // from the load
     Complex phase;          // weight of e^{i theta}
     double bound_of_input = 0.0;

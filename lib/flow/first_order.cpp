@@ -1,5 +1,7 @@
 #include "graze/flow/first_order.hpp"
 
+#include "graze/base/decompositions.hpp"
+
 namespace graze {
 
 Matrix extended_generator(const FirstOrderSystem& system, double s) {
@@ -11,6 +13,17 @@ Matrix extended_generator(const FirstOrderSystem& system, double s) {
   extended(n, n + 1) = -system.frequency * s;
   extended(n + 1, n) = system.frequency * s;
   return extended;
+}
+
+Matrix exponential_change(const Matrix& extended, const Matrix& x) {
+  if (!(extended.norm() < 1.0)) return matrix_exponential(extended) * x - x;
+  Matrix sum = Matrix::Zero(x.rows(), x.cols()), term = x;
+  // By its series; 20! is beyond 1/eps.
+  for (int k = 1; k <= 20; ++k) {
+    term = extended * term / k;
+    sum += term;
+  }
+  return sum;
 }
 
 }  // namespace graze

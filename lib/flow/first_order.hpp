@@ -20,4 +20,7 @@ struct FirstOrderSystem {
 // A s, extended by what makes the inputs states, (cos theta, sin theta, 1).
 Matrix extended_generator(const FirstOrderSystem& system, double s);
 
+// e^{E} x - x for such an E and columns x; a short flight's keeps its relative accuracy.
+Matrix exponential_change(const Matrix& extended, const Matrix& x);
+
 }  // namespace graze

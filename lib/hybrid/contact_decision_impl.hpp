@@ -89,6 +89,12 @@ RealVector<Real> Motion<Real>::free_acceleration(RealVector<Real>* size) const {
 }
 
 template <class Real>
+Real Motion<Real>::push_rounding(int i, const RealVector<Real>& size) const {
+  return contact_decision_detail::kRoundings * std::numeric_limits<Real>::epsilon() *
+         stop(i).row.cwiseAbs().dot(size);
+}
+
+template <class Real>
 bool Motion<Real>::decide_resting(const std::vector<int>& resting) {
   std::vector<int> candidates;
   for (const int i : order_)
@@ -102,8 +108,7 @@ bool Motion<Real>::decide_resting(const std::vector<int>& resting) {
   for (Eigen::Index a = 0; a < k; ++a) {
     const Stop& s = stop(candidates[static_cast<std::size_t>(a)]);
     push[a] = s.row.dot(acceleration);
-    rounding[a] = contact_decision_detail::kRoundings * std::numeric_limits<Real>::epsilon() *
-                  s.row.cwiseAbs().dot(size);
+    rounding[a] = push_rounding(candidates[static_cast<std::size_t>(a)], size);
   }
   const Matrix_ shares = delassus(candidates);
   const std::optional<RealVector<Real>> held = solve_contacts(shares, push, rounding);

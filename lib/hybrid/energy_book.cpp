@@ -29,6 +29,21 @@ std::vector<double> impact_energies(const System& system,
   return changes;
 }
 
+double energy_change(const System& system, const State& before, const State& after) {
+  const auto square = [](const Vector& from, const Vector& to) {
+    return 0.5 * (to - from).dot(to + from);
+  };
+  return square(before.qdot, after.qdot) +
+         square(system.omega.cwiseProduct(before.q), system.omega.cwiseProduct(after.q));
+}
+
+Work work_at_once(const System& system, double theta, const Vector& shift) {
+  Work work;
+  if (system.forcing) work.forcing = system.forcing->amplitude.dot(shift) * std::cos(theta);
+  if (system.load) work.load = system.load->dot(shift);
+  return work;
+}
+
 Work operator+(const Work& a, const Work& b) {
   return {a.forcing + b.forcing, a.load + b.load, a.constraint + b.constraint,
           a.dissipation + b.dissipation};

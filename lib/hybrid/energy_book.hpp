@@ -37,6 +37,11 @@ std::vector<double> impact_energies(const System& system,
                                     const std::vector<ImpactShare<double>>& shares,
                                     const Vector& before, const Vector& after);
 
+// Change of the mechanical energy by a sudden one of the state, and what the forces at forcing
+// phase theta (rad) do along its displacement; J.
+double energy_change(const System& system, const State& before, const State& after);
+Work work_at_once(const System& system, double theta, const Vector& shift);
+
 Work operator+(const Work& a, const Work& b);
 
 }  // namespace graze

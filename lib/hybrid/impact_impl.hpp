@@ -1,11 +1,10 @@
-// Definitions of motion.hpp: impacts on the touched stops, and chatter that completes.
+// Definitions of motion.hpp: impacts on the touched stops.
 #pragma once
 
 #include <Eigen/LU>
 #include <cmath>
 
 #include "graze/contact/complementarity.hpp"
-#include "graze/hybrid/first_zero.hpp"
 #include "graze/hybrid/motion.hpp"
 
 namespace graze {
@@ -195,34 +194,6 @@ void Motion<Real>::apply(const std::vector<int>& touched, const RealVector<Real>
       active.size() == 1 ? left : RealVector<Real>(delassus(active).fullPivLu().solve(left));
   push_back_from(active, more);
   impulse(places) = amounts + more;
-}
-
-template <class Real>
-std::optional<Real> Motion<Real>::close_chatter(int i, const Real& restitution) {
-  using std::abs;
-  const Real leaving = -approach_speed(i);
-  if (!changes_.empty() || !(restitution < 1) || !(leaving > 0)) return {};
-  for (const int j : order_)
-    if (j != i && contact(j) != Contact::kClear && contact(j) != Contact::kClosed) return {};
-  const ContactPhase<Real>& phase = start_phase();
-  const CurvePoint<Real> now = phase.gap(i, Real(0), true).at(Real(0), 2);
-  const Real push = -now.value;
-  if (!(push > now.noise)) return {};
-  const Real duration = 2 * leaving / (push * (1 - restitution));
-  const CurvePoint<Real> ahead = phase.gap(i, duration, true).at(Real(0), 2);
-  if (!(duration * (abs(ahead.slope) + ahead.bound * duration) <= push / 2)) return {};
-  for (const int j : order_) {
-    if (j == i) continue;
-    const FirstZero<Real> zero = contact(j) == Contact::kClosed
-                                     ? first_release(phase.force(j, duration))
-                                     : first_contact(phase.gap(j, duration, false), 0);
-    if (zero.kind != ZeroKind::kNone) return {};
-  }
-  // What the tail's impulses add up to: the part of the push that the closed stop would have taken,
-  // less the speed at which the structure leaves.
-  for (int pass = 0; pass < 2; ++pass) now_.qdot -= approach_speed(i) * stop(i).direction;
-  set(i, Contact::kTouching);
-  return duration;
 }
 
 }  // namespace graze

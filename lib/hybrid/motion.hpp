@@ -18,6 +18,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "graze/flow/contact_phase.hpp"
@@ -64,6 +65,14 @@ struct ImpactShare {
   bool hit = false;      // it took part by approaching
 };
 
+// A chatter whose tail was summed.
+template <class Real>
+struct ClosedChatter {
+  std::vector<int> stops;   // that it ends on, ascending
+  std::vector<int> closed;  // these and those that held the structure before
+  Real duration = 0;        // of the tail, s
+};
+
 // What a motion needs to go on from an instant as if it had never stopped there.
 template <class Real>
 struct MotionState {
@@ -93,12 +102,16 @@ class Motion {
   // Applies the impact that is due after kContact; the shares of all stops touched.
   std::vector<ImpactShare<Real>> impact();
 
-  // Right after an impact on `stop` with restitution r that left at speed v+: whether a chatter
-  // against a push a_n that outlives it will complete,
-  //   duration = 2 v+/(a_n (1 - r)),   duration * |d a_n/dt| <= a_n/2,
-  // with nothing else happening meanwhile. Then the structure is put to rest on the stop and the
-  // duration (s) returned; the error of what follows is of second order in the speed.
-  std::optional<Real> close_chatter(int stop, const Real& restitution);
+  // Right after an impact: whether what is left of a chatter can be summed. It can where the last
+  // impact was at no more than `closure_speed` (m/s), and the pushes outlive the tail with nothing
+  // else happening meanwhile. Then the structure is put to rest on the stop, or on the several
+  // stops that throw it at each other; the error of what follows is of second order in the speed.
+  std::optional<ClosedChatter<Real>> close_chatter(const std::vector<ImpactShare<Real>>& shares,
+                                                   const Real& closure_speed);
+  // The same on one stop, whatever the speed, after an impact with restitution r that left at speed
+  // v+, against a push a_n:
+  //   duration = 2 v+/(a_n (1 - r)),   duration * |d a_n/dt| <= a_n/2.
+  std::optional<ClosedChatter<Real>> close_chatter(int stop, const Real& restitution);
 
   const Instant<Real>& instant() const { return now_.instant; }
   const RealVector<Real>& q() const { return now_.q; }
@@ -149,6 +162,8 @@ class Motion {
   // What of the approach speed may be rounding, m/s.
   Real speed_rounding(int i) const;
   RealVector<Real> free_acceleration(RealVector<Real>* size = nullptr) const;
+  // What of a push row.q'' may be rounding, by the size of the terms that are summed, m/s^2.
+  Real push_rounding(int i, const RealVector<Real>& size) const;
   bool touches(int i) const;
   std::vector<int> closed() const;
   ContactPhase<Real>& phase_of(const std::vector<int>& closed);
@@ -190,6 +205,13 @@ class Motion {
   bool comes_to_rest(Touched touched) const;
   void apply(const std::vector<int>& touched, const RealVector<Real>& target,
              RealVector<Real>& impulse);
+  bool is_quiet(const ContactPhase<Real>& phase, const std::vector<int>& chattering,
+                const Real& duration) const;
+  Real resolved_speed() const;
+  std::vector<int> chattering_together(const Real& closure_speed) const;
+  std::optional<ClosedChatter<Real>> close_shared(const Real& closure_speed);
+  std::pair<RealVector<Real>, RealVector<Real>> at_rest_on(const std::vector<int>& stops) const;
+  ClosedChatter<Real> settled(const std::vector<int>& stops, const Real& duration);
   Arrival<Real> search(const Real& until, const Real& horizon);
   Arrival<Real> arrive(Arrival<Real> arrival, const Real& until);
   void settle_on(int stop);

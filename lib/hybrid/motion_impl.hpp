@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "graze/hybrid/chatter_impl.hpp"
 #include "graze/hybrid/contact_decision_impl.hpp"
 #include "graze/hybrid/first_zero.hpp"
 #include "graze/hybrid/impact_impl.hpp"

@@ -9,7 +9,6 @@
 
 #include "graze/base/angle.hpp"
 #include "graze/contact/impulse.hpp"
-#include "graze/hybrid/chatter_closure.hpp"
 #include "graze/hybrid/clearance.hpp"
 #include "graze/system/gap_value.hpp"
 #include "graze/system/scale.hpp"
@@ -66,7 +65,7 @@ class Run {
   int stops() const { return static_cast<int>(system_.stops.size()); }
   const RigidStop& stop(int i) const { return system_.stops[static_cast<std::size_t>(i)]; }
   bool is_stuck(int i) const {
-    return motion_.is_closed(i) && !(state_.due && state_.due->stop == i);
+    return motion_.is_closed(i) && !(state_.due && state_.due->holds(i));
   }
   double energy() const { return mechanical_energy(system_, motion_.q(), motion_.qdot()); }
 
@@ -125,7 +124,7 @@ class Run {
       state_.book.work = state_.book.work + work_along(system_, motion_.flown(), flight);
     const std::vector<int>& closed = motion_.flown().closed();
     const bool stuck = std::any_of(closed.begin(), closed.end(),
-                                   [&](int i) { return !(state_.due && state_.due->stop == i); });
+                                   [&](int i) { return !(state_.due && state_.due->holds(i)); });
     if (stuck) state_.totals.stuck_time += flight;
     return true;
   }
@@ -226,8 +225,7 @@ class Run {
     std::sort(hits.begin(), hits.end(),
               [](const auto& a, const auto& b) { return a.first.stop < b.first.stop; });
     for (const auto& [share, change] : hits) book_hit(share, change);
-    if (const auto* last = closing_impact(system_, shares, state_.closure_speed))
-      close_chatter(*last);
+    close_chatter(shares);
   }
 
   void book_hit(const ImpactShare<double>& share, double energy_change) {
@@ -245,19 +243,30 @@ class Run {
   }
 
   // Sums the tail of a chatter where it will complete.
-  void close_chatter(const ImpactShare<double>& impact) {
-    const RigidStop& s = stop(impact.stop);
-    const Vector before = motion_.qdot();
-    const std::optional<double> duration =
-        motion_.close_chatter(impact.stop, s.restitution.at(impact.speed));
-    if (!duration) return;
-    Event event = chatter_event(impact.stop);
-    event.energy_change = impact_energy_change(s.row, s.direction, before, 0.0);
-    book_energy(event.energy_change);
-    ++state_.totals.chatters;
-    emit(event);
-    state_.due =
-        RunState::Due{impact.stop, later(motion_.instant(), *duration, motion_.flow().period())};
+  void close_chatter(const std::vector<ImpactShare<double>>& shares) {
+    const State before{motion_.q(), motion_.qdot()};
+    const auto closed = motion_.close_chatter(shares, state_.closure_speed);
+    if (!closed) return;
+    const RigidStop& only = stop(closed->closed.front());
+    double change = impact_energy_change(only.row, only.direction, before.qdot, 0.0);
+    if (closed->closed.size() > 1) {
+      const Work work =
+          work_at_once(system_, motion_.flow().phase(motion_.instant()), motion_.q() - before.q);
+      state_.book.work = state_.book.work + work;
+      change =
+          energy_change(system_, before, {motion_.q(), motion_.qdot()}) - work.forcing - work.load;
+    }
+    book_energy(change);
+    for (const int i : closed->stops) {
+      Event event = chatter_event(i);
+      const bool hit = std::any_of(shares.begin(), shares.end(),
+                                   [i](const auto& share) { return share.hit && share.stop == i; });
+      if (hit) event.energy_change = std::exchange(change, 0.0);
+      ++state_.totals.chatters;
+      emit(event);
+    }
+    state_.due = RunState::Due{closed->stops,
+                               later(motion_.instant(), closed->duration, motion_.flow().period())};
   }
 
   Event chatter_event(int i) {
@@ -269,8 +278,8 @@ class Run {
   }
 
   void book_stick(int i) {
-    if (state_.due && state_.due->stop == i) return;  // announced when its tail is over
-    if (!state_.started) return;                      // it starts there
+    if (state_.due && state_.due->holds(i)) return;  // announced when its tail is over
+    if (!state_.started) return;                     // it starts there
     // A chatter that could not be summed and was followed down to the rounding of its speeds.
     const RunState::Streak& streak = state_.streaks[static_cast<std::size_t>(i)];
     if (streak.impacts > 1 && streak.speed <= state_.closure_speed &&
@@ -286,9 +295,10 @@ class Run {
   }
 
   void announce_due() {
-    const int i = state_.due->stop;
+    const std::vector<int> stops = state_.due->stops;
     state_.due.reset();
-    if (motion_.is_closed(i)) announce_stick(i);
+    for (const int i : stops)
+      if (motion_.is_closed(i)) announce_stick(i);
   }
 
   void note_gap(double gap) {

@@ -1,6 +1,7 @@
 // A run: the motion from its initial state until its end or its budget, event by event.
 #pragma once
 
+#include <algorithm>
 #include <functional>
 #include <optional>
 #include <string>
@@ -25,7 +26,8 @@ struct Event {
   std::optional<double> phase;
   double energy_change = 0.0;
   // Chatter, at its last resolved impact: how many impacts on this stop fell in speed one after the
-  // other up to it, and the speed below which the rest was summed, m/s.
+  // other up to it, and the speed below which the rest was summed, m/s. Stops that share a chatter
+  // are reported one by one; the energy stands with the one that was hit last.
   long long impacts = 0;
   double closure_speed = 0.0;
   // Stick: the contact force that sets in, N.
@@ -95,8 +97,9 @@ struct RunState {
   };
   std::vector<Streak> streaks;  // per stop
   struct Due {                  // a chatter was summed: it sticks then
-    int stop = 0;
+    std::vector<int> stops;     // ascending
     Instant<double> at;
+    bool holds(int stop) const { return std::binary_search(stops.begin(), stops.end(), stop); }
   };
   std::optional<Due> due;
   RunTotals totals;

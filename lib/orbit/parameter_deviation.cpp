@@ -2,6 +2,7 @@
 
 #include <Eigen/LU>
 
+#include "graze/flow/contact_share.hpp"
 #include "graze/orbit/shooting.hpp"
 
 namespace graze {
@@ -42,43 +43,63 @@ void ParameterDeviation::move_to(int i, const State& at, const State& rate, doub
   column_.q.col(0) -= s.row * (beyond / s.row.squaredNorm());
 }
 
+ParameterDeviation::Acting ParameterDeviation::acting(const std::vector<int>& stops) const {
+  const Matrix rows = rows_of(*system_, stops), directions = directions_of(*system_, stops);
+  const Matrix rows_rate = rows_of(*tangent_, stops),
+               directions_rate = directions_of(*tangent_, stops);
+  return {rows, directions, rows_rate, directions_rate,
+          rows_rate.transpose() * directions + rows.transpose() * directions_rate};
+}
+
+// Of D p with (B^T D) p = amount, when that moves at `rate`.
+Vector ParameterDeviation::Acting::change(const Vector& p, const Vector& rate) const {
+  const Vector p_rate =
+      (rows.transpose() * directions).partialPivLu().solve(rate - coupling_rate * p);
+  return directions_rate * p + directions * p_rate;
+}
+
 // q'+ = q'- - D p,   p = (B^T D)^-1 (B^T q'- - target),   over the stops that act; the target is
 // -r(v) v where the impact rebounds, 0 where a stop is closed or leaves no room for a rebound.
 void ParameterDeviation::jump(const std::vector<ImpactShare<double>>& shares,
                               const Vector& qdot_before) {
-  std::vector<const ImpactShare<double>*> acting;
-  for (const ImpactShare<double>& share : shares)
-    if (share.impulse > 0.0) acting.push_back(&share);
-  const auto k = static_cast<Eigen::Index>(acting.size());
-  if (k == 0) return;
-  const Eigen::Index n = qdot_before.size();
-  Matrix rows(n, k), directions(n, k), rows_rate(n, k), directions_rate(n, k);
-  Vector impulses(k), change(k);
-  for (Eigen::Index a = 0; a < k; ++a) {
-    const ImpactShare<double>& share = *acting[static_cast<std::size_t>(a)];
+  std::vector<int> stops;
+  std::vector<double> impulses, rates;
+  for (const ImpactShare<double>& share : shares) {
+    if (!(share.impulse > 0.0)) continue;
     const RigidStop &s = stop(share.stop), &rate = stop_rate(share.stop);
-    rows.col(a) = s.row;
-    directions.col(a) = s.direction;
-    rows_rate.col(a) = rate.row;
-    directions_rate.col(a) = rate.direction;
-    impulses[a] = share.impulse;
-    const bool rebounds = share.speed_after < 0.0;
     const double speed_rate = s.row.dot(column_.qdot.col(0)) + rate.row.dot(qdot_before);
-    change[a] = rebounds ? jump_slope(s, share.speed) * speed_rate +
-                               s.restitution.rate_at(share.speed, rate.restitution) * share.speed
-                         : speed_rate;
+    const bool rebounds = share.speed_after < 0.0;
+    stops.push_back(share.stop);
+    impulses.push_back(share.impulse);
+    rates.push_back(rebounds
+                        ? jump_slope(s, share.speed) * speed_rate +
+                              s.restitution.rate_at(share.speed, rate.restitution) * share.speed
+                        : speed_rate);
   }
-  const Matrix acting_rate =
-      rows_rate.transpose() * directions + rows.transpose() * directions_rate;
-  const Vector impulses_rate =
-      (rows.transpose() * directions).partialPivLu().solve(change - acting_rate * impulses);
-  column_.qdot.col(0) -= directions_rate * impulses + directions * impulses_rate;
+  if (stops.empty()) return;
+  const auto k = static_cast<Eigen::Index>(stops.size());
+  column_.qdot.col(0) -=
+      acting(stops).change(Vector::Map(impulses.data(), k), Vector::Map(rates.data(), k));
 }
 
-void ParameterDeviation::close(int i, const Vector& qdot_before) {
-  const RigidStop &s = stop(i), &rate = stop_rate(i);
-  const double speed_rate = s.row.dot(column_.qdot.col(0)) + rate.row.dot(qdot_before);
-  column_.qdot.col(0) -= s.direction * speed_rate + rate.direction * s.row.dot(qdot_before);
+// Speeds are undone along the directions of the impulses, and so are the gaps still open.
+void ParameterDeviation::close(const std::vector<int>& stops, const State& before) {
+  const Acting at = acting(stops);
+  Vector gaps(static_cast<Eigen::Index>(stops.size())), gaps_rate(gaps.size());
+  for (std::size_t a = 0; a < stops.size(); ++a) {
+    gaps[static_cast<Eigen::Index>(a)] = stop(stops[a]).gap;
+    gaps_rate[static_cast<Eigen::Index>(a)] = stop_rate(stops[a]).gap;
+  }
+  const auto undo = [&](Eigen::Ref<Vector> column, const Vector& value, const Vector& offset,
+                        const Vector& offset_rate) {
+    const Vector amount = at.rows.transpose() * value - offset;
+    const Vector rate =
+        at.rows.transpose() * column + at.rows_rate.transpose() * value - offset_rate;
+    column -= at.change((at.rows.transpose() * at.directions).partialPivLu().solve(amount), rate);
+  };
+  undo(column_.q.col(0), before.q, gaps, gaps_rate);
+  const Vector none = Vector::Zero(gaps.size());
+  undo(column_.qdot.col(0), before.qdot, none, none);
 }
 
 void ParameterDeviation::end(const State& rate) { move_instant(column_, rate, -column_.delay); }

@@ -36,13 +36,20 @@ class ParameterDeviation {
   // Thrown back onto a stop without any flight.
   void meet_at_once(int stop, const State& at, const State& rate, double v);
   void jump(const std::vector<ImpactShare<double>>& shares, const Vector& qdot_before);
-  void close(int stop, const Vector& qdot_before);
+  // Put to rest on these stops, at the end of a chatter that was summed.
+  void close(const std::vector<int>& stops, const State& before);
   // Back to the undisturbed instant.
   void end(const State& rate);
 
  private:
   const RigidStop& stop(int i) const { return system_->stops[static_cast<std::size_t>(i)]; }
   const RigidStop& stop_rate(int i) const { return tangent_->stops[static_cast<std::size_t>(i)]; }
+  struct Acting {
+    Matrix rows, directions, rows_rate, directions_rate;  // N x k
+    Matrix coupling_rate;                                 // of B^T D
+    Vector change(const Vector& p, const Vector& rate) const;
+  };
+  Acting acting(const std::vector<int>& stops) const;
   void move_to(int stop, const State& at, const State& rate, double shift);
 
   const System* system_;

@@ -7,7 +7,6 @@
 #include <cmath>
 
 #include "graze/flow/contact_share.hpp"
-#include "graze/hybrid/chatter_closure.hpp"
 #include "graze/hybrid/clearance.hpp"
 #include "graze/hybrid/simulation.hpp"
 #include "graze/orbit/shooting.hpp"
@@ -162,8 +161,7 @@ class Follower {
       case ArrivalKind::kContact:
         return impact();
       case ArrivalKind::kStick:
-        if (!(due_ && due_->stop == arrival.stop))
-          open_hold(arrival.stop, motion_.instant(), false);
+        if (!(due_ && due_->holds(arrival.stop))) open_hold(arrival.stop, motion_.instant(), false);
         return true;
       case ArrivalKind::kRelease:
         close_hold(arrival.stop);
@@ -195,8 +193,7 @@ class Follower {
       return fail("two stops are hit at one instant: the map has no derivative there");
     if (deviations_) jump(shares);
     if (parameter_) parameter_->jump(shares, before.qdot);
-    if (const auto* last = closing_impact(system_, shares, options_.closure_speed))
-      close_chatter(*last);
+    close_chatter(shares);
     return true;
   }
 
@@ -219,21 +216,27 @@ class Follower {
   }
 
   // As a run does (lib/hybrid/simulation.cpp).
-  void close_chatter(const ImpactShare<double>& impact) {
-    const RigidStop& s = stop(impact.stop);
-    const Vector rebound = motion_.qdot();
-    const std::optional<double> duration =
-        motion_.close_chatter(impact.stop, s.restitution.at(impact.speed));
-    if (!duration) return;
-    if (deviations_) deviations_->qdot -= s.direction * (s.row.transpose() * deviations_->qdot);
-    if (parameter_) parameter_->close(impact.stop, rebound);
-    due_ = RunState::Due{impact.stop, later(motion_.instant(), *duration, motion_.flow().period())};
+  void close_chatter(const std::vector<ImpactShare<double>>& shares) {
+    const State before = state_now();
+    const auto closed = motion_.close_chatter(shares, options_.closure_speed);
+    if (!closed) return;
+    if (deviations_ && deviations_->count() > 0) {
+      const Matrix rows = rows_of(system_, closed->closed),
+                   directions = directions_of(system_, closed->closed);
+      const auto coupling = (rows.transpose() * directions).partialPivLu();
+      deviations_->q -= directions * coupling.solve(rows.transpose() * deviations_->q);
+      deviations_->qdot -= directions * coupling.solve(rows.transpose() * deviations_->qdot);
+    }
+    if (parameter_) parameter_->close(closed->closed, before);
+    due_ = RunState::Due{closed->stops,
+                         later(motion_.instant(), closed->duration, motion_.flow().period())};
   }
 
   void announce_due() {
-    const int i = due_->stop;
+    const std::vector<int> stops = due_->stops;
     due_.reset();
-    if (motion_.is_closed(i)) open_hold(i, motion_.instant(), false);
+    for (const int i : stops)
+      if (motion_.is_closed(i)) open_hold(i, motion_.instant(), false);
   }
 
   void open_hold(int i, const Instant<double>& from, bool from_start) {
@@ -241,7 +244,7 @@ class Follower {
   }
 
   void close_hold(int i) {
-    if (due_ && due_->stop == i) due_.reset();
+    if (due_ && due_->holds(i)) due_.reset();
     const auto held = std::find_if(holding_.begin(), holding_.end(),
                                    [i](const PassedHold& hold) { return hold.stop == i; });
     if (held == holding_.end()) return;

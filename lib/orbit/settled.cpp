@@ -8,7 +8,6 @@
 #include <utility>
 
 #include "graze/base/angle.hpp"
-#include "graze/hybrid/chatter_closure.hpp"
 #include "graze/hybrid/clearance.hpp"
 #include "graze/hybrid/simulation.hpp"
 #include "graze/orbit/nearby_orbit.hpp"
@@ -129,11 +128,7 @@ class Settling {
                          motion_.flow().phase(motion_.instant()), arrival.speed},
                         motion_.q(), motion_.qdot());
     const std::vector<ImpactShare<double>> shares = motion_.impact();
-    if (!options_.through_sticking) return true;
-    if (const auto* last = closing_impact(system_, shares, closure_speed_))
-      motion_.close_chatter(
-          last->stop,
-          system_.stops[static_cast<std::size_t>(last->stop)].restitution.at(last->speed));
+    if (options_.through_sticking) motion_.close_chatter(shares, closure_speed_);
     return true;
   }
 

@@ -133,11 +133,14 @@ std::vector<RunState::Streak> read_streaks(const Node& node, const System& syste
 }
 
 RunState::Due read_due(const Node& node, const System& system) {
-  const StateTable table(node, "chatter", {"stop", "period", "local"});
-  const long long stop = table.count("stop");
-  if (stop < 1 || stop > static_cast<long long>(system.stops.size()))
-    table.fail("stop", "the scene has no such stop");
-  return {static_cast<int>(stop) - 1, read_instant(table, system)};
+  const StateTable table(node, "chatter", {"stops", "period", "local"});
+  std::vector<int> stops;
+  for (const long long stop : table.counts("stops")) {
+    if (stop < 1 || stop > static_cast<long long>(system.stops.size()))
+      table.fail("stops", "the scene has no such stop");
+    stops.push_back(static_cast<int>(stop) - 1);
+  }
+  return {stops, read_instant(table, system)};
 }
 
 RunTotals read_totals(const Node& node) {
@@ -228,7 +231,8 @@ std::string write_run_state(const CutRun& cut) {
              }));
   if (state.due) {
     lines.table("chatter");
-    lines.count("stop", state.due->stop + 1);
+    lines.text("stops",
+               listed(state.due->stops, [](int stop) { return std::to_string(stop + 1); }));
     lines.count("period", state.due->at.period);
     lines.number("local", state.due->at.local);
   }

@@ -68,12 +68,12 @@ std::string StateTable::word(const std::string& key) const {
   return *value;
 }
 
-const NodeList& StateTable::list(const std::string& key, std::size_t length) const {
+const NodeList& StateTable::list(const std::string& key, std::optional<std::size_t> length) const {
   const auto* entries = at(key).as<NodeList>();
   if (!entries) refuse(key, at(key), "a list");
-  if (entries->size() != length)
+  if (length && entries->size() != *length)
     fail(key, fmt::format("the list has {} entries, those of this scene have {}", entries->size(),
-                          length));
+                          *length));
   return *entries;
 }
 
@@ -86,6 +86,12 @@ std::vector<double> StateTable::numbers(const std::string& key, std::size_t leng
 std::vector<long long> StateTable::counts(const std::string& key, std::size_t length) const {
   std::vector<long long> values;
   for (const Node& entry : list(key, length)) values.push_back(count_at(key, entry));
+  return values;
+}
+
+std::vector<long long> StateTable::counts(const std::string& key) const {
+  std::vector<long long> values;
+  for (const Node& entry : list(key)) values.push_back(count_at(key, entry));
   return values;
 }
 

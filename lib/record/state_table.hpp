@@ -2,6 +2,7 @@
 // errors that say where and what.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -23,6 +24,7 @@ class StateTable {
   std::string word(const std::string& key) const;
   std::vector<double> numbers(const std::string& key, std::size_t length) const;    // finite
   std::vector<long long> counts(const std::string& key, std::size_t length) const;  // >= 0
+  std::vector<long long> counts(const std::string& key) const;  // however many, >= 0
   std::vector<std::string> words(const std::string& key, std::size_t length) const;
 
   // The key's value, or null.
@@ -31,7 +33,7 @@ class StateTable {
 
  private:
   [[noreturn]] void refuse(const std::string& key, const Node& node, const std::string& what) const;
-  const NodeList& list(const std::string& key, std::size_t length) const;
+  const NodeList& list(const std::string& key, std::optional<std::size_t> length = {}) const;
   double number_at(const std::string& key, const Node& node) const;
   long long count_at(const std::string& key, const Node& node) const;
 

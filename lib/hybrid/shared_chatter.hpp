@@ -1,0 +1,27 @@
+// Chatter that several stops share: thrown off one, the structure meets another, ever more slowly,
+// until all of them hold it.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "graze/base/vector.hpp"
+#include "graze/contact/restitution.hpp"
+
+namespace graze {
+
+// The motion of k contacts under constant pushes, one entry per stop.
+struct SharedChatter {
+  Matrix delassus;  // k x k, how the impulse of each acts on the approach speed at each
+  Vector gaps;      // m, 0 where the stop is touched
+  Vector speeds;    // approach speeds, m/s
+  Vector pushes;    // accelerations into the stops while none of them is closed, m/s^2
+  std::vector<Restitution> restitutions;
+};
+
+// How long it takes until the structure is at rest on all of them, s, to one part in a million;
+// nothing where an impact of more than `closure_speed` (m/s) is among those left, or no end is
+// seen.
+std::optional<double> time_to_rest(const SharedChatter& chatter, double closure_speed);
+
+}  // namespace graze
