@@ -259,6 +259,35 @@ TEST(HeldMotion, HoldsWithSeveralFreeMassesBesideStiffModes) {
   }
 }
 
+// A gap that starts from zero grows as g' s + g'' s^2/2; what rounds in it shrinks with s, in modes
+// that are told apart and in those that are not.
+TEST(HeldMotion, LeavesAStopWithRelativeAccuracy) {
+  for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+    SCOPED_TRACE(seed);
+    Dice dice(1500 + seed);
+    System system = random_held_system(dice, {Law::kNormal, Decay::kRatios, true}, 4, 2);
+    if (seed % 2 == 0) system.omega.head(3).setOnes();
+    if (seed % 2 == 0) system.delta.head(3) << 1.0, 1.0001, 1.0002;
+    const Constrained c = constrained(system, {0});
+    const State start = held_state(system, c, {0}, dice);
+    const double theta = dice.uniform(0.0, 6.0);
+    ContactPhase<double> phase(system, {0});
+    phase.start(theta, start.q, start.qdot);
+    const ArcCurve<double> gap = phase.gap(1, 1.0, true);
+    const Vector& row = system.stops[1].row;
+    const double speed = -row.dot(start.qdot),
+                 push = -row.dot(acceleration_of(system, c, start, theta));
+    const double size = row.norm() * (start.qdot.norm() + 1.0);
+    for (const double s : {1e-3, 1e-6, 1e-9, 1e-12}) {
+      const CurvePoint<double> point = gap.at(s, 0);
+      const double third = std::abs(gap.at(0.0, 3).value) + gap.at(0.0, 2).bound * s;
+      EXPECT_NEAR(point.value, s * (speed + push * s / 2.0), 1e-13 * size * s + third * s * s * s)
+          << s;
+      EXPECT_LE(point.noise, 1e-12 * size * s) << s;
+    }
+  }
+}
+
 TEST(HeldMotion, RefusesAnObliqueLawThatMakesItGrow) {
   // q'' = (I - d b^T)(-W q) with b = (1, 0), d = (1, t): the rest of it is q_2'' = -w_2^2 q_2
   // whatever t; with b = (1, 1), d = (1 + t, -t) the stiffness left is w_1^2 (-t) + w_2^2 (1 + t)
