@@ -190,6 +190,14 @@ Moments moments_along(const CoupledArc& arc, double s) {
   return moments;
 }
 
+// Whether the force of a stop has no part along the motion b.q' = 0 that it allows: d = b/(b.b), to
+// the roundings of forming it.
+bool acts_along_row(const RigidStop& stop) {
+  constexpr double kRoundings = 16.0;
+  return (stop.direction * stop.row.squaredNorm() - stop.row).norm() <=
+         kRoundings * std::numeric_limits<double>::epsilon() * stop.row.norm();
+}
+
 // While an oblique law or unequal damping couples the modes.
 void add_coupled(const System& system, const ContactPhase<double>& phase, double s, Work& work) {
   const CoupledArc& arc = phase.coupled_arc();
@@ -204,6 +212,7 @@ void add_coupled(const System& system, const ContactPhase<double>& phase, double
     work.forcing += system.forcing->amplitude.dot(velocity.col(2 * m)) / moments.unit;
   for (const int i : phase.closed()) {
     const RigidStop& stop = system.stops[static_cast<std::size_t>(i)];
+    if (acts_along_row(stop)) continue;
     const Observable<double>& force = phase.observable(i);
     Vector weight = Vector::Zero(2 * m + 3);
     weight.head(m) = force.displacement.cwiseQuotient(arc.flow().scale());
