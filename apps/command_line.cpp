@@ -31,6 +31,25 @@ CLI::Validator at_least(const std::string& what, double least) {
       "");
 }
 
+// A whole number; 1e3 for 1000 is one too, and then written out.
+CLI::Validator whole_number(const std::string& what, double least, double most) {
+  return CLI::Validator(
+      [what, least, most](std::string& text) {
+        double value = 0.0;
+        if (!CLI::detail::lexical_cast(text, value) || !(value >= least && value <= most) ||
+            value != std::floor(value))
+          return fmt::format("'{}' is not {}", text, what);
+        if (text.find_first_of(".eE") != std::string::npos) text = fmt::format("{:.0f}", value);
+        return std::string();
+      },
+      "");
+}
+
+// Beyond the cores of any machine, and short of what a process may start.
+constexpr double kMostThreads = 1024.0;
+// What the counts can hold.
+constexpr double kMostCounted = 0x1p62;
+
 CLI::Validator above_zero() {
   return CLI::Validator(
       [](std::string& text) {
@@ -54,7 +73,9 @@ void add_shared(CLI::App* app, Command& command) {
       ->type_name("DIR");
   app->add_option("--threads", command.threads,
                   "Threads to use, 0 (default) for all cores; results do not depend on it")
-      ->check(at_least("a whole number from 1, or 0 for all cores", 0.0))
+      ->transform(whole_number(
+          fmt::format("a whole number from 1 to {:.0f}, or 0 for all cores", kMostThreads), 0.0,
+          kMostThreads))
       ->type_name("N");
   app->add_flag("--quiet", command.quiet, "No progress, no messages");
 }
@@ -77,7 +98,7 @@ void add_closure_speed(CLI::App* app, Command& command) {
 
 void add_limits(CLI::App* app, Command& command) {
   app->add_option("--max-impacts", command.max_impacts, "Stop after this many impacts")
-      ->check(at_least("a whole number from 1", 1.0))
+      ->transform(whole_number("a whole number from 1", 1.0, kMostCounted))
       ->capture_default_str()
       ->type_name("N");
   app->add_option("--max-seconds", command.max_seconds, "Stop after this much computing")
@@ -152,7 +173,7 @@ void add_simulate(CLI::App& graze, Command& command) {
                        ->check(at_least("a number of seconds, 0 or more", 0.0))
                        ->type_name("S");
   app->add_option("--periods", command.periods, "Simulated forcing periods (default 100)")
-      ->check(at_least("a whole number, 0 or more", 0.0))
+      ->transform(whole_number("a whole number, 0 or more", 0.0, kMostCounted))
       ->type_name("K")
       ->excludes(duration);
   app->add_option("--record", command.record, "What to keep: none, events or samples")
@@ -235,7 +256,7 @@ void add_diagram(CLI::App& graze, Command& command) {
       ->type_name("WHAT");
   app->add_option("--periods", command.periods,
                   "Forcing periods run at a value, at most (default 1000); fewer once it settled")
-      ->check(at_least("a whole number from 1", 1.0))
+      ->transform(whole_number("a whole number from 1", 1.0, kMostCounted))
       ->type_name("K");
   app->add_option("--samples", command.samples, "Forcing periods shown where nothing repeats")
       ->check(CLI::Range(1LL, 1'000'000LL))

@@ -85,7 +85,7 @@ class ArcCurve {
     Real size = 0, rate_size = 0;          // |k|, |l|
     Real rounded = 0;                      // what k was rounded at: its size and its origin
   };
-  // A mode that has no exponential form: near critical, resonant, or a soft one under a load.
+  // A mode that has no exponential form: near critical, or answering from rest.
   struct Special {
     const ModeFlow<Real>* mode;
     Real displacement, velocity;  // weights
@@ -93,7 +93,12 @@ class ArcCurve {
     Real apart;                   // |P_j| + |offset|, from which the free part was told apart
   };
 
-  void add_special(const Special& special, const Real& s, int m, CurvePoint<Real>& point) const;
+  using Bounds = std::array<Real, kOrders + 2>;  // of the derivatives from the second on
+  // For `ahead` seconds from where the displacement has the derivatives d.
+  Bounds special_bounds(const ModeFlow<Real>& mode, const std::array<Real, kOrders + 1>& d,
+                        const Real& ahead) const;
+  void add_special(const Special& special, const Real& s, int m, Reach reach,
+                   CurvePoint<Real>& point) const;
 
   Real frequency_ = 0, theta_ = 0, window_ = 0;
   Real start_value_ = 0;  // c(0)

@@ -135,7 +135,7 @@ CurvePoint<Real> ArcCurve<Real>::at(const Real& s, int m, Reach reach) const {
     rounding += term.rounded * power * ((m == 0 ? Real(0) : decay) + s * term.rate_size);
   }
   point.noise = arc_curve_detail::kRoundings * std::numeric_limits<Real>::epsilon() * rounding;
-  for (const Special& special : specials_) add_special(special, s, m, point);
+  for (const Special& special : specials_) add_special(special, s, m, reach, point);
   if (m == 0) {
     point.value += start_value_;
     point.noise += start_noise_;
@@ -144,60 +144,73 @@ CurvePoint<Real> ArcCurve<Real>::at(const Real& s, int m, Reach reach) const {
   return point;
 }
 
+// A derivative y of the displacement solves y'' + 2 delta y' + w^2 y = F, the force or a derivative
+// of it. From (y, y') here on, with S and c of free_basis.hpp,
+//   y'' = y' (c - delta S)' + (F_load - w^2 y)(c - delta S) + (S * F_harmonic)'',
+// and |c - delta S| <= 1, |S| <= L = min(1/w, 1/(2 delta), time ahead), |(c - delta S)'| <= r =
+// 2 delta + w^2 L. The last term is at most |F| (1 + V), V the variation of c - delta S: r times
+// the time ahead; above critical damping it falls from 1, rises once and falls: at most 3.
 template <class Real>
-void ArcCurve<Real>::add_special(const Special& special, const Real& s, int m,
+typename ArcCurve<Real>::Bounds ArcCurve<Real>::special_bounds(
+    const ModeFlow<Real>& mode, const std::array<Real, kOrders + 1>& d, const Real& ahead) const {
+  using std::abs;
+  const Real w2 = mode.omega * mode.omega, damping = 2 * mode.delta;
+  const Real rate = std::max(mode.omega, damping);
+  const Real longest = rate * ahead > 1 ? Real(1 / rate) : ahead;
+  const Real fastest = damping + w2 * longest;
+  Real variation = fastest * ahead;
+  if (mode.discriminant <= 0) variation = std::min<Real>(variation, 3);
+  Real harmonic =
+      mode.kind == ModeKind::kFromRest ? Real(abs(mode.force) * (1 + variation)) : Real(0);
+  Bounds bound{};
+  for (std::size_t k = 2; k < bound.size(); ++k) {
+    const Real own = k == 2 ? Real(mode.load - w2 * d[0]) : Real(w2 * d[k - 2]);
+    bound[k] = abs(d[k - 1]) * fastest + abs(own) + harmonic;
+    harmonic *= frequency_;
+  }
+  return bound;
+}
+
+template <class Real>
+void ArcCurve<Real>::add_special(const Special& special, const Real& s, int m, Reach reach,
                                  CurvePoint<Real>& point) const {
   using std::abs, std::cos, std::sin, std::sqrt;
   const ModeFlow<Real>& mode = *special.mode;
   const Real w2 = mode.omega * mode.omega, damping = 2 * mode.delta;
-  const FreeBasis<Real> basis = free_basis(mode.delta, mode.discriminant, s);
+  const FreeBasis<Real> basis = free_basis(mode.omega, mode.delta, mode.discriminant, s);
+  const bool driven = mode.kind == ModeKind::kFromRest;
+  const Real push = mode.load - w2 * special.q;
   // Change of displacement and velocity since the start; from the equation of motion the rest.
-  Real change =
-      special.q * (basis.cosine_minus_one + mode.delta * basis.sine) + special.qdot * basis.sine;
-  Real rate_change = special.qdot * (basis.cosine_minus_one - mode.delta * basis.sine) -
-                     special.q * w2 * basis.sine;
-  // force: the harmonic one and its derivatives, the load with the first.
-  std::array<Real, kOrders> force{};
-  Real force_size = 0;
-  if (mode.kind == ModeKind::kResonant) {
-    const PlanarNumber<Real> x = resonant_response(mode, frequency_, theta_, s);
+  Real change = push * step_response(mode.omega, mode.delta, mode.discriminant, s) +
+                special.qdot * basis.sine;
+  Real rate_change =
+      special.qdot * (basis.cosine_minus_one - mode.delta * basis.sine) + push * basis.sine;
+  std::array<Real, kOrders> force{};  // and its derivatives
+  if (driven) {
+    const PlanarNumber<Real> x = forced_response(mode, frequency_, theta_, s);
     change += mode.force * x.re;
     rate_change += mode.force * x.im;
     const Real c = mode.force * cos(theta_ + frequency_ * s);
     const Real n = -mode.force * frequency_ * sin(theta_ + frequency_ * s);
     const Real turn = -frequency_ * frequency_;
     force = {c, n, turn * c, turn * n, turn * turn * c};
-    force_size = abs(mode.force);
   }
-  if (mode.load != 0) {
-    change += mode.load * step_response(mode.delta, mode.omega, mode.discriminant, s);
-    rate_change += mode.load * basis.sine;
-    force[0] += mode.load;
-    force_size += abs(mode.load);
-  }
-  // d[m]: derivative m of the displacement.
+  force[0] += mode.load;
+  // d[k]: derivative k of the displacement.
   std::array<Real, kOrders + 1> d;
   d[0] = special.q + change;
   d[1] = special.qdot + rate_change;
   for (std::size_t k = 2; k <= kOrders; ++k)
     d[k] = force[k - 2] - damping * d[k - 1] - w2 * d[k - 2];
 
-  // sqrt(q'^2 + w^2 q^2) of the free motion never grows; the force adds at most |f| per time, and
-  // to a free mass no more than |f|/(2 delta) in all.
+  const Real quick = mode.omega + damping;
   Real ahead = window_ > s ? Real(window_ - s) : Real(0);
-  if (mode.omega == 0 && damping > 0 && damping * ahead > 1) ahead = 1 / damping;
-  std::array<Real, kOrders + 2> bound;
-  bound[1] = sqrt(d[1] * d[1] + w2 * d[0] * d[0]);
-  if (force_size > 0) bound[1] += force_size * ahead;
-  Real harmonic_size = force_size;
-  for (std::size_t k = 2; k < kOrders + 2; ++k) {
-    bound[k] =
-        k == 2 ? (mode.omega + damping) * bound[1] : damping * bound[k - 1] + w2 * bound[k - 2];
-    bound[k] += harmonic_size;
-    // Derivative k - 1 of the force: the load is gone from it.
-    harmonic_size = mode.kind == ModeKind::kResonant ? Real(abs(mode.force)) : Real(0);
-    for (std::size_t power = 1; power < k; ++power) harmonic_size *= frequency_;
+  // A force goes on feeding the bound; a step needs it only as far as the mode's own time.
+  if (driven && reach == Reach::kStep && ahead * quick > 1) {
+    ahead = 1 / quick;
+    point.reach = std::min(point.reach, ahead);
   }
+  const Bounds bound = special_bounds(mode, d, ahead);
 
   const auto order = static_cast<std::size_t>(m);
   const Real x = special.displacement, v = special.velocity;
@@ -206,9 +219,9 @@ void ArcCurve<Real>::add_special(const Special& special, const Real& s, int m,
   point.slope += x * d[order + 1] + v * d[order + 2];
   point.bound += abs(x) * bound[order + 2] + abs(v) * bound[order + 3];
   // The start's energy, not the present one, has gone through the roundings.
-  const Real quick = mode.omega + damping;
-  Real rounding = sqrt(special.qdot * special.qdot + w2 * special.q * special.q) +
-                  damping * abs(special.q) + force_size * s + (quick + frequency_) * special.apart;
+  const Real force_size = abs(mode.load) + (driven ? Real(abs(mode.force)) : Real(0));
+  Real rounding = sqrt(special.qdot * special.qdot + w2 * special.q * special.q) + force_size * s +
+                  (quick + frequency_) * special.apart;
   for (std::size_t k = 1; k < order; ++k) rounding *= quick;
   if (order >= 2) rounding += force_size;
   point.noise += arc_curve_detail::kRoundings * std::numeric_limits<Real>::epsilon() * rounding *

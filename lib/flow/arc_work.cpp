@@ -47,72 +47,108 @@ double panel_integral(const std::function<double(double)>& f, double s, double q
   return sum;
 }
 
-// Velocity of a mode of exponential form.
+// The harmonic velocity response of a mode, from the forcing phase theta on.
+SignalTerm harmonic_velocity(const ModeFlow<double>& mode, double frequency, double theta) {
+  const Complex rate(0.0, frequency);
+  const Complex impedance((mode.omega - frequency) * (mode.omega + frequency),
+                          2.0 * mode.delta * frequency);
+  return {mode.force / impedance * rate * std::polar(1.0, theta), rate};
+}
+
+// Whether two exponentials and the harmonic response give the velocity over s without cancellation:
+// they are told apart (as in exact_flow_impl.hpp), and above critical damping each is then at most
+// the force over the damping; below, the response must not be large against that from rest, which
+// is about the force over w^2 + 2 delta/s + 2/s^2.
+bool is_exponential(const ModeFlow<double>& mode, double frequency, bool forced, double s) {
+  constexpr double kLargestAmplification = 256.0;  // 8 of 53 bits
+  const double apart = 2.0 * std::sqrt(std::abs(mode.discriminant));
+  if (!(apart * s >= 1.0 && apart >= mode.omega)) return false;
+  if (!forced || mode.discriminant < 0.0) return true;
+  const double impedance =
+      std::hypot((mode.omega - frequency) * (mode.omega + frequency), 2.0 * mode.delta * frequency);
+  return kLargestAmplification * impedance >=
+         mode.omega * mode.omega + 2.0 * (mode.delta + 1.0 / s) / s;
+}
+
+// The velocity of such a mode: v(s) = (c - delta S) v(0) + S push, see free_basis.hpp.
 Signal mode_velocity(const Arc<double>& arc, int j) {
   const ModeFlow<double>& mode = arc.flow().mode(j);
-  const PlanarNumber<double>& a = arc.amplitude(j);
+  double push = mode.load + mode.omega * mode.omega * (mode.offset - arc.start_displacements()[j]);
+  double start = arc.start_velocities()[j];
   Signal signal;
-  if (mode.kind == ModeKind::kOscillatory) {
-    const Complex rate(-mode.first, mode.second);
-    signal.push_back({Complex(a.re, a.im) * rate, rate});
-  } else {
-    signal.push_back({Complex(-mode.first * a.re), Complex(-mode.first)});
-    signal.push_back({Complex(-mode.second * a.im), Complex(-mode.second)});
+  if (arc.flow().forced() && mode.force != 0.0) {
+    const SignalTerm forced = harmonic_velocity(mode, arc.flow().frequency(), arc.start_phase());
+    signal.push_back(forced);
+    start -= forced.size.real();
+    push += mode.omega * mode.omega * (forced.size / forced.rate).real();
   }
-  if (arc.flow().forced()) {
-    const Complex rate(0.0, arc.flow().frequency());
+  const double root = std::sqrt(std::abs(mode.discriminant));
+  if (mode.discriminant > 0.0) {
     signal.push_back(
-        {Complex(mode.forced.re, mode.forced.im) * rate * std::polar(1.0, arc.start_phase()),
-         rate});
+        {Complex(start, (mode.delta * start - push) / root), Complex(-mode.delta, root)});
+  } else {
+    const double fast = mode.delta + root, slow = mode.omega * mode.omega / fast;
+    signal.push_back({Complex((push - slow * start) / (2.0 * root)), Complex(-slow)});
+    signal.push_back({Complex((fast * start - push) / (2.0 * root)), Complex(-fast)});
   }
   return signal;
 }
 
-// After this, s, the free motion of a near-critical mode is below the rounding of its start.
+// After this, s, the free motion of a mode near critical damping (root < w/2, and so delta > .8 w)
+// is below the rounding of its start. Other modes are given no such time.
 double settling_time(const ModeFlow<double>& mode) {
-  if (mode.kind != ModeKind::kNearCritical || mode.load != 0.0 || !(mode.delta > 0.0))
-    return std::numeric_limits<double>::infinity();
-  const double root = mode.discriminant < 0.0 ? std::sqrt(-mode.discriminant) : 0.0;
-  // Below critical damping everything decays at delta, above it the slower of two rates leads. The
-  // velocity of a free mass decays at 2 delta, whatever becomes of its displacement.
-  const double slowest = mode.discriminant >= 0.0 ? mode.delta
-                         : mode.omega > 0.0       ? mode.omega * mode.omega / (mode.delta + root)
-                                                  : 2.0 * mode.delta;
+  const double root = std::sqrt(std::abs(mode.discriminant));
+  if (!(2.0 * root < mode.omega)) return std::numeric_limits<double>::infinity();
+  // Below critical damping everything decays at delta, above it the slower of two rates leads.
+  const double slowest =
+      mode.discriminant >= 0.0 ? mode.delta : mode.omega * mode.omega / (mode.delta + root);
   constexpr double kDecays = 48.0;  // e^-36 is eps; a linear factor of time comes with it
   return kDecays / slowest;
+}
+
+// Dissipation and work of the forcing on one mode where exponentials would cancel. A flight lasts a
+// forcing period at most, W s <= 2 pi, so the panels are few in each case that is left:
+//   - the exponentials are not told apart, 2 root s < 1, 2 root >= w: (w + 2 delta) s < 4;
+//   - near critical damping, up to the settling time: (w + 2 delta) s < 300;
+//   - near resonance, or where the harmonic response is large against a short flight: w s < 8,
+//     delta < w.
+void add_by_panels(const Arc<double>& arc, int j, double s, Work& work) {
+  const ModeFlow<double>& mode = arc.flow().mode(j);
+  const double frequency = arc.flow().frequency(), theta = arc.start_phase();
+  const double quickest = mode.omega + 2.0 * mode.delta + 2.0 * frequency;
+  const auto velocity = [&](double at) { return arc.mode_velocity(j, at); };
+  const double settled = std::fmin(s, settling_time(mode));
+  if (mode.delta > 0.0)
+    work.dissipation +=
+        panel_integral([&](double at) { return 2.0 * mode.delta * velocity(at) * velocity(at); },
+                       settled, quickest);
+  if (!arc.flow().forced()) return;
+  work.forcing += panel_integral(
+      [&](double at) { return mode.force * std::cos(theta + frequency * at) * velocity(at); },
+      settled, quickest);
+  if (!(settled < s)) return;
+  // From there on only the forced response moves.
+  const double turned = theta + frequency * settled;
+  const Signal left{harmonic_velocity(mode, frequency, turned)};
+  const Signal force{{std::polar(1.0, turned), Complex(0.0, frequency)}};
+  work.dissipation += 2.0 * mode.delta * product_integral(left, left, s - settled);
+  work.forcing += mode.force * product_integral(force, left, s - settled);
 }
 
 void add_real_modes(const ContactPhase<double>& phase, double s, Work& work) {
   const Arc<double>& arc = phase.arc();
   const ExactFlow<double>& flow = arc.flow();
-  const double frequency = flow.frequency(), theta = arc.start_phase();
-  const Signal force{{std::polar(1.0, theta), Complex(0.0, frequency)}};
+  const Signal force{{std::polar(1.0, arc.start_phase()), Complex(0.0, flow.frequency())}};
   for (int j = 0; j < flow.modes(); ++j) {
     const ModeFlow<double>& mode = flow.mode(j);
-    if (mode.kind == ModeKind::kOscillatory || mode.kind == ModeKind::kOverdamped) {
-      const Signal velocity = mode_velocity(arc, j);
-      if (mode.delta > 0.0)
-        work.dissipation += 2.0 * mode.delta * product_integral(velocity, velocity, s);
-      if (flow.forced()) work.forcing += mode.force * product_integral(force, velocity, s);
+    if (!is_exponential(mode, flow.frequency(), flow.forced(), s)) {
+      add_by_panels(arc, j, s, work);
       continue;
     }
-    const double quickest = mode.omega + 2.0 * mode.delta + 2.0 * frequency;
-    const auto velocity = [&](double at) { return arc.mode_velocity(j, at); };
-    const double settled = std::fmin(s, settling_time(mode));
+    const Signal velocity = mode_velocity(arc, j);
     if (mode.delta > 0.0)
-      work.dissipation +=
-          panel_integral([&](double at) { return 2.0 * mode.delta * velocity(at) * velocity(at); },
-                         settled, quickest);
-    if (flow.forced())
-      work.forcing += panel_integral(
-          [&](double at) { return mode.force * std::cos(theta + frequency * at) * velocity(at); },
-          settled, quickest);
-    if (!(settled < s) || !flow.forced()) continue;
-    // From there on only the forced response moves.
-    const Complex rate(0.0, frequency), turn = std::polar(1.0, theta + frequency * settled);
-    const Signal left{{Complex(mode.forced.re, mode.forced.im) * rate * turn, rate}};
-    work.dissipation += 2.0 * mode.delta * product_integral(left, left, s - settled);
-    work.forcing += mode.force * product_integral({{turn, rate}}, left, s - settled);
+      work.dissipation += 2.0 * mode.delta * product_integral(velocity, velocity, s);
+    if (flow.forced()) work.forcing += mode.force * product_integral(force, velocity, s);
   }
 }
 
@@ -154,6 +190,14 @@ Moments moments_along(const CoupledArc& arc, double s) {
   return moments;
 }
 
+// Whether the force of a stop has no part along the motion b.q' = 0 that it allows: d = b/(b.b), to
+// the roundings of forming it.
+bool acts_along_row(const RigidStop& stop) {
+  constexpr double kRoundings = 16.0;
+  return (stop.direction * stop.row.squaredNorm() - stop.row).norm() <=
+         kRoundings * std::numeric_limits<double>::epsilon() * stop.row.norm();
+}
+
 // While an oblique law or unequal damping couples the modes.
 void add_coupled(const System& system, const ContactPhase<double>& phase, double s, Work& work) {
   const CoupledArc& arc = phase.coupled_arc();
@@ -168,6 +212,7 @@ void add_coupled(const System& system, const ContactPhase<double>& phase, double
     work.forcing += system.forcing->amplitude.dot(velocity.col(2 * m)) / moments.unit;
   for (const int i : phase.closed()) {
     const RigidStop& stop = system.stops[static_cast<std::size_t>(i)];
+    if (acts_along_row(stop)) continue;
     const Observable<double>& force = phase.observable(i);
     Vector weight = Vector::Zero(2 * m + 3);
     weight.head(m) = force.displacement.cwiseQuotient(arc.flow().scale());

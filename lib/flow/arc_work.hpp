@@ -3,9 +3,10 @@
 //   change of (|q'|^2 + |w q|^2)/2 = forcing + load + constraint - dissipation.
 //
 // Velocities and forces of a mode are sums Re(c e^{l s}); the integrals of their products are known
-// in closed form. Modes without that form (near critical, resonant, a soft one under a load) are
-// integrated by Gauss' rule on panels short enough for it to be exact to rounding; modes that a
-// closed stop couples by doubling the integral over a short flight.
+// in closed form. Where that form would cancel (near critical damping, near resonance, over a
+// flight short against the mode) Gauss' rule on panels short enough for it to be exact to rounding
+// serves; there are at most some hundred of them, whatever the rates of the mode. Modes that a
+// closed stop couples are integrated by doubling the integral over a short flight.
 #pragma once
 
 #include "graze/flow/contact_phase.hpp"

@@ -118,6 +118,7 @@ void ContactPhase<Real>::reduce(const System& system, const LinearSystem<Real>& 
   reduced_.forced = full.forced;
   reduced_.frequency = full.frequency;
   reduced_.phase = full.phase;
+  reduced_.reach = full.reach;
 
   bool normal = true;
   for (Eigen::Index i = 0; i < k; ++i)
@@ -145,7 +146,7 @@ RealVector<Real> ContactPhase<Real>::balance(const LinearSystem<Real>& full,
   if (full.load.size() > 0) load += basis_.transpose() * full.load;
   for (Eigen::Index j = 0; j < load.size(); ++j) {
     const Real w = reduced_.omega[j];
-    if (!(w > exact_flow_detail::kSoftByForcing * full.frequency)) continue;
+    if (!(w > 0 && exact_flow_detail::rests_within_reach(load[j], w, full.reach))) continue;
     held_ += basis_.col(j) * (load[j] / (w * w));
     load[j] = 0;
   }
@@ -158,7 +159,7 @@ void ContactPhase<Real>::couple(const LinearSystem<Real>& full, const RealMatrix
   if constexpr (!std::is_same_v<Real, double>) {
     refusal_ = "the constrained motion has no real modes; it is followed in double precision only";
     // Something to hold on to; a refused phase is never flown.
-    reduced_ = LinearSystem<Real>{reduced_.omega, reduced_.omega, false, 0, 0, {}, {}};
+    reduced_ = LinearSystem<Real>{reduced_.omega, reduced_.omega, false, 0, 0, {}, {}, 0};
   } else {
     const Eigen::Index n = rows_.rows(), m = basis_.cols();
     // Left inverse of the basis that knows nothing of the directions: Z^T U = I, Z^T D = 0.
@@ -176,10 +177,12 @@ void ContactPhase<Real>::couple(const LinearSystem<Real>& full, const RealMatrix
       reduced.load = -left * full.omega.cwiseAbs2().cwiseProduct(held_);
       if (full.load.size() > 0) reduced.load += left * full.load;
       const auto stiffness = reduced.stiffness.fullPivLu();
-      const double soft = exact_flow_detail::kSoftByForcing * full.frequency;
-      if (reduced_.omega.minCoeff() > soft && stiffness.isInvertible()) {
-        held_ += basis_ * stiffness.solve(reduced.load);
-        reduced.load.setZero();
+      if (reduced_.omega.minCoeff() > 0.0 && stiffness.isInvertible()) {
+        const Vector rest = stiffness.solve(reduced.load);
+        if (rest.norm() <= exact_flow_detail::kLargestAmplification * full.reach) {
+          held_ += basis_ * rest;
+          reduced.load.setZero();
+        }
       }
     }
     reduced.force = full.forced ? Vector(left * full.amplitude) : Vector(Vector::Zero(m));

@@ -43,9 +43,9 @@ ModeGrowth late_start(const ModeFlow<double>& mode, const FreeBasis<double>& bas
                       double frequency, double theta, double s) {
   if ((2.0 * mode.delta + mode.omega + frequency) * s < 2.0)
     return late_start_by_series(mode, frequency, theta, s);
-  if (mode.kind == ModeKind::kResonant) {
+  if (mode.kind == ModeKind::kFromRest) {
     const PlanarNumber<double> x =
-        resonant_response(mode, frequency, theta + 0.5 * std::numbers::pi, s);
+        forced_response(mode, frequency, theta + 0.5 * std::numbers::pi, s);
     return {frequency * mode.force * x.re, frequency * mode.force * x.im};
   }
   const Complex forced{mode.forced.re, mode.forced.im}, rate{0.0, frequency};
@@ -64,10 +64,10 @@ Deviations modal_growth(const Arc<double>& arc, double s, const Deviations& star
                     Eigen::RowVectorXd::Zero(start.count())};
   for (int j = 0; j < flow.modes(); ++j) {
     const ModeFlow<double>& mode = flow.mode(j);
-    const FreeBasis<double> basis = free_basis(mode.delta, mode.discriminant, s);
+    const FreeBasis<double> basis = free_basis(mode.omega, mode.delta, mode.discriminant, s);
     const double stiffness = mode.omega * mode.omega;
     // c + delta S - 1 is what the stiffness does from rest; formed as the difference it cancels.
-    const double yielded = stiffness * step_response(mode.delta, mode.omega, mode.discriminant, s);
+    const double yielded = stiffness * step_response(mode.omega, mode.delta, mode.discriminant, s);
     const auto q = start.q.row(j), qdot = start.qdot.row(j);
     change.q.row(j) = basis.sine * qdot - yielded * q;
     change.qdot.row(j) =

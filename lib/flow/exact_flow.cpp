@@ -9,7 +9,7 @@ template class Arc<double>;
 template class ArcCurve<double>;
 template CurvePoint<double> observed(const Observable<double>&, const double&,
                                      const RealVector<double>&, const RealVector<double>&);
-template PlanarNumber<double> resonant_response(const ModeFlow<double>&, const double&,
-                                                const double&, const double&);
+template PlanarNumber<double> forced_response(const ModeFlow<double>&, const double&, const double&,
+                                              const double&);
 
 }  // namespace graze

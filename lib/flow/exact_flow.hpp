@@ -5,15 +5,18 @@
 //   - oscillatory:    Re(Z e^{(-delta + i wd) s}) + p
 //   - overdamped:     A e^{-slow s} + B e^{-fast s} + p
 //   - near critical:  the basis of free_basis.hpp + p (also a free mass, w = 0)
-//   - resonant:       P_j is large against the motion and cancels it; the forced response from rest
-//                     is written as a divided difference of exponentials instead, exact down to
-//                     zero detuning and damping.
-// A constant load c_j moves the rest position to c_j/w_j^2; where that is far beyond the motion (a
-// free mass, w = 0, or nearly one) its response from rest is added instead.
+//   - from rest:      P_j is large against the motion and cancels it: at resonance, or where mode
+//                     and forcing are slow against the motion between impacts. The free part is the
+//                     motion's own start, and the response to the force from rest is added, in a
+//                     form that holds down to zero detuning, damping, frequency (forced_response).
+// A constant load c_j moves the rest position to c_j/w_j^2; where that is far beyond the stops (a
+// free mass, w = 0, or nearly one) or there is none to tell, its response from rest is added.
 // A template on the scalar: double, and an extended type for references.
 #pragma once
 
 #include <Eigen/Core>
+#include <algorithm>
+#include <cmath>
 #include <vector>
 
 #include "graze/flow/instant.hpp"
@@ -38,6 +41,9 @@ struct LinearSystem {
   Real frequency = 0, phase = 0;  // rad/s, rad; with forcing
   RealVector<Real> amplitude;     // f_j, with forcing
   RealVector<Real> load;          // c_j; empty: none
+  // How far the modes move between stops, in their own coordinates: the largest |gap|/|row|, m
+  // sqrt(kg); 0 where no stop tells.
+  Real reach = 0;
 };
 
 template <class Real>
@@ -48,17 +54,22 @@ LinearSystem<Real> linear_system(const System& system) {
                             0,
                             0,
                             {},
-                            {}};
+                            {},
+                            0};
   if (system.forcing) {
     linear.frequency = system.forcing->frequency;
     linear.phase = system.forcing->phase;
     linear.amplitude = system.forcing->amplitude.template cast<Real>();
   }
   if (system.load) linear.load = system.load->template cast<Real>();
+  for (const RigidStop& stop : system.stops) {
+    const double row = stop.row.norm();
+    if (row > 0.0) linear.reach = std::max<Real>(linear.reach, std::abs(stop.gap) / row);
+  }
   return linear;
 }
 
-enum class ModeKind { kOscillatory, kOverdamped, kNearCritical, kResonant };
+enum class ModeKind { kOscillatory, kOverdamped, kNearCritical, kFromRest };
 
 template <class Real>
 struct ModeFlow {
@@ -67,9 +78,9 @@ struct ModeFlow {
   Real discriminant = 0;       // w^2 - delta^2
   Real first = 0, second = 0;  // oscillatory: delta, wd; overdamped: slow, fast rate; 1/s
   Real force = 0;              // f_j
-  PlanarNumber<Real> forced;   // P_j; zero for a resonant mode
-  Real offset = 0;             // c_j/w_j^2; zero where the mode is too soft for it
-  Real load = 0;               // c_j of such a soft mode, else zero
+  PlanarNumber<Real> forced;   // P_j; zero for a mode that answers from rest
+  Real offset = 0;             // c_j/w_j^2; zero where the response to c_j is taken from rest
+  Real load = 0;               // c_j of such a mode, else zero
 };
 
 template <class Real>
@@ -130,10 +141,11 @@ class Arc {
   std::vector<PlanarNumber<Real>> amplitudes_;
 };
 
-// Forced response from rest of a resonant mode and its rate, divided by the modal force:
-// solution of x'' + 2 delta x' + w^2 x = e^{i (theta + W s)}, real part.
+// Response from rest to the harmonic force and its rate, divided by the modal force: the solution
+// of x'' + 2 delta x' + w^2 x = cos(theta + W s) that starts at rest. Relative to the bound of its
+// size, s^2 over (1 + delta s + w^2 s^2), it is accurate to rounding for every mode and frequency.
 template <class Real>
-PlanarNumber<Real> resonant_response(const ModeFlow<Real>& mode, const Real& frequency,
-                                     const Real& theta, const Real& s);
+PlanarNumber<Real> forced_response(const ModeFlow<Real>& mode, const Real& frequency,
+                                   const Real& theta, const Real& s);
 
 }  // namespace graze

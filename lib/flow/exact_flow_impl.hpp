@@ -4,55 +4,31 @@
 #include <limits>
 
 #include "graze/flow/exact_flow.hpp"
+#include "graze/flow/forced_response_impl.hpp"
 #include "graze/flow/free_basis.hpp"
 
 namespace graze {
 namespace exact_flow_detail {
 
-// Writing motion as free part plus P_j multiplies rounding by |P_j| w^2/f_j. Up to this factor (8
-// of 53 bits) that is accepted; beyond, the mode counts as resonant.
+// Writing motion as free part plus P_j multiplies rounding by |P_j| w^2/f_j, and by the rest
+// position under a load over the reach of the stops. Up to this factor (8 of 53 bits) that is
+// accepted; beyond, the response is taken from rest.
 inline constexpr double kLargestAmplification = 256.0;
+
+// A response P_j beyond this many times the reach of the stops is taken from rest as well: its
+// rounding would be 1e-12 of the reach. (Below, P_j is a usual thing, the motion away from a stop.)
+inline constexpr double kFarthestResponse = 4096.0;
 
 // The two exponentials of a mode are told apart when their rates differ by at least this part of
 // omega (one bit lost) and of the forcing frequency (six bits lost over a period).
 inline constexpr double kSeparationByOmega = 0.5;
 inline constexpr double kSeparationByForcing = 1.0 / 64.0;
 
-// A mode this much slower than the forcing moves like a free mass over a period: its rest position
-// under a constant load is too far away to refer to. Without forcing only w = 0 is.
-inline constexpr double kSoftByForcing = 1.0 / 256.0;
-
+// Whether the rest position under a load is near enough to refer to.
 template <class Real>
-PlanarNumber<Real> times(const PlanarNumber<Real>& a, const PlanarNumber<Real>& b) {
-  return {a.re * b.re - a.im * b.im, a.re * b.im + a.im * b.re};
-}
-
-template <class Real>
-PlanarNumber<Real> over(const PlanarNumber<Real>& a, const PlanarNumber<Real>& b) {
-  const Real norm = b.re * b.re + b.im * b.im;
-  return {(a.re * b.re + a.im * b.im) / norm, (a.im * b.re - a.re * b.im) / norm};
-}
-
-// e^{(re + i im) s}
-template <class Real>
-PlanarNumber<Real> exponential(const Real& re, const Real& im, const Real& s) {
-  using std::cos, std::exp, std::sin;
-  const Real size = exp(re * s);
-  return {size * cos(im * s), size * sin(im * s)};
-}
-
-// (e^{i W s} - e^{l s})/(i W - l) for l = -delta + i v, without cancellation as l -> i W.
-template <class Real>
-PlanarNumber<Real> divided_exponential(const Real& delta, const Real& v, const Real& frequency,
-                                       const Real& s) {
-  using std::cos, std::expm1, std::sin;
-  const PlanarNumber<Real> decay = exponential(Real(-delta), v, s);
-  const Real detuning = frequency - v;
-  if (delta == 0 && detuning == 0) return {decay.re * s, decay.im * s};
-  const Real growth = expm1(delta * s), half = sin(detuning * s / 2);
-  const PlanarNumber<Real> difference{growth * cos(detuning * s) - 2 * half * half,
-                                      (1 + growth) * sin(detuning * s)};
-  return over(times(decay, difference), PlanarNumber<Real>{delta, detuning});
+bool rests_within_reach(const Real& load, const Real& omega, const Real& reach) {
+  using std::abs;
+  return abs(load) <= kLargestAmplification * reach * omega * omega;
 }
 
 template <class Real>
@@ -76,27 +52,31 @@ void classify_free(ModeFlow<Real>& mode, const Real& frequency) {
 }
 
 template <class Real>
-void classify_forced(ModeFlow<Real>& mode, const Real& frequency) {
+void classify_forced(ModeFlow<Real>& mode, const Real& frequency, const Real& reach) {
+  using std::abs;
   const Real stiffness = mode.omega * mode.omega;
   const PlanarNumber<Real> impedance{(mode.omega - frequency) * (mode.omega + frequency),
                                      2 * mode.delta * frequency};
+  const Real norm = impedance.re * impedance.re + impedance.im * impedance.im;
   const Real limit = stiffness / kLargestAmplification;
-  if (impedance.re * impedance.re + impedance.im * impedance.im < limit * limit) {
-    mode.kind = ModeKind::kResonant;
-    mode.second = mode.discriminant > 0 ? Real(sqrt(mode.discriminant)) : Real(0);
-  } else {
+  const Real farthest = kFarthestResponse * reach;
+  const bool is_far = reach > 0 && mode.force * mode.force > farthest * farthest * norm;
+  if (norm < limit * limit || is_far)
+    mode.kind = ModeKind::kFromRest;
+  else
     mode.forced = over(PlanarNumber<Real>{mode.force, 0}, impedance);
-  }
 }
 
 template <class Real>
-void classify_load(ModeFlow<Real>& mode, const Real& load, const Real& frequency) {
+void classify_load(ModeFlow<Real>& mode, const Real& load, const Real& reach) {
   if (load == 0) return;
-  if (mode.omega > kSoftByForcing * frequency) {
+  const bool has_rest = mode.omega > 0 && rests_within_reach(load, mode.omega, reach);
+  if (has_rest) {
     mode.offset = load / (mode.omega * mode.omega);
   } else {
     mode.load = load;
-    mode.kind = ModeKind::kNearCritical;  // whose basis holds for any damping
+    // The basis that holds for any damping.
+    if (mode.kind != ModeKind::kFromRest) mode.kind = ModeKind::kNearCritical;
   }
 }
 
@@ -118,9 +98,10 @@ ExactFlow<Real>::ExactFlow(const LinearSystem<Real>& system) : forced_(system.fo
     exact_flow_detail::classify_free(mode, frequency_);
     if (forced_) {
       mode.force = system.amplitude[j];
-      exact_flow_detail::classify_forced(mode, frequency_);
+      exact_flow_detail::classify_forced(mode, frequency_, system.reach);
     }
-    if (system.load.size() > 0) exact_flow_detail::classify_load(mode, system.load[j], frequency_);
+    if (system.load.size() > 0)
+      exact_flow_detail::classify_load(mode, system.load[j], system.reach);
     modes_.push_back(mode);
   }
 }
@@ -154,23 +135,6 @@ void Arc<Real>::start(const Real& theta, const RealVector<Real>& q, const RealVe
 }
 
 template <class Real>
-PlanarNumber<Real> resonant_response(const ModeFlow<Real>& mode, const Real& frequency,
-                                     const Real& theta, const Real& s) {
-  using namespace exact_flow_detail;
-  using std::cos, std::sin;
-  const Real wd = mode.second;
-  const PlanarNumber<Real> up = divided_exponential(mode.delta, wd, frequency, s);
-  const PlanarNumber<Real> down = divided_exponential(mode.delta, Real(-wd), frequency, s);
-  // X = (E(l) - E(l*))/(2 i wd),  X' = (l E(l) - l* E(l*))/(2 i wd)
-  const PlanarNumber<Real> numerator{up.re - down.re, up.im - down.im};
-  const PlanarNumber<Real> rate{-mode.delta * (up.re - down.re) - wd * (up.im + down.im),
-                                -mode.delta * (up.im - down.im) + wd * (up.re + down.re)};
-  const Real c = cos(theta), n = sin(theta);
-  // Re(e^{i theta} z/(2 i wd)) = (Im z cos + Re z sin)/(2 wd)
-  return {(numerator.im * c + numerator.re * n) / (2 * wd), (rate.im * c + rate.re * n) / (2 * wd)};
-}
-
-template <class Real>
 void Arc<Real>::mode_state(int j, const Real& s, const Real& c, const Real& n, Real& q,
                            Real& qdot) const {
   using std::cos, std::exp, std::sin;
@@ -188,18 +152,16 @@ void Arc<Real>::mode_state(int j, const Real& s, const Real& c, const Real& n, R
     y = slow + fast;
     ydot = -mode.first * slow - mode.second * fast;
   } else {
-    const FreeBasis<Real> basis = free_basis(mode.delta, mode.discriminant, s);
-    y = a.re * (basis.cosine + mode.delta * basis.sine) + a.im * basis.sine;
-    ydot = a.im * (basis.cosine - mode.delta * basis.sine) -
-           a.re * mode.omega * mode.omega * basis.sine;
-    if (mode.kind == ModeKind::kResonant) {
-      const PlanarNumber<Real> x = resonant_response(mode, frequency, theta_, s);
+    // From the start on, by the acceleration there: what a soft mode does not feel cancels nothing.
+    const FreeBasis<Real> basis = free_basis(mode.omega, mode.delta, mode.discriminant, s);
+    const Real push = mode.load - mode.omega * mode.omega * a.re;
+    y = a.re + push * step_response(mode.omega, mode.delta, mode.discriminant, s) +
+        a.im * basis.sine;
+    ydot = a.im * (basis.cosine - mode.delta * basis.sine) + push * basis.sine;
+    if (mode.kind == ModeKind::kFromRest) {
+      const PlanarNumber<Real> x = forced_response(mode, frequency, theta_, s);
       y += mode.force * x.re;
       ydot += mode.force * x.im;
-    }
-    if (mode.load != 0) {
-      y += mode.load * step_response(mode.delta, mode.omega, mode.discriminant, s);
-      ydot += mode.load * basis.sine;
     }
   }
   q = y + mode.offset + mode.forced.re * c - mode.forced.im * n;

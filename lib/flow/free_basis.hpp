@@ -20,7 +20,8 @@ struct FreeBasis {
 };
 
 template <class Real>
-FreeBasis<Real> free_basis(const Real& delta, const Real& discriminant, const Real& s) {
+FreeBasis<Real> free_basis(const Real& omega, const Real& delta, const Real& discriminant,
+                           const Real& s) {
   using std::cos, std::exp, std::expm1, std::sin, std::sinh, std::sqrt;
   const Real decay_minus_one = expm1(-delta * s);
   const Real decay = 1 + decay_minus_one;
@@ -39,17 +40,19 @@ FreeBasis<Real> free_basis(const Real& delta, const Real& discriminant, const Re
     const Real difference = decay_minus_one + decay * 2 * half * half;
     return {difference, 1 + difference, decay * sinh(root * s) / root};
   }
-  // Two decaying exponentials: cosh and sinh alone would overflow.
-  const Real slow = exp((root - delta) * s), fast = exp(-(root + delta) * s);
-  const Real cosine = (slow + fast) / 2;
-  return {cosine - 1, cosine, (slow - fast) / (2 * root)};
+  // Two decaying exponentials: cosh and sinh alone would overflow. The slow rate is not delta -
+  // root, which is lost in rounding where the stiffness is soft against the damping.
+  const Real quick_rate = delta + root, slow_rate = omega * omega / quick_rate;
+  const Real slow = expm1(-slow_rate * s), fast = expm1(-quick_rate * s);
+  const Real cosine_minus_one = (slow + fast) / 2;
+  return {cosine_minus_one, 1 + cosine_minus_one, (slow - fast) / (2 * root)};
 }
 
 // Response from rest to a unit force that sets in at s = 0: the integral of S. Its closed form
 // (1 - c - delta S)/w^2 cancels while the force has hardly been felt; there the power series is
 // summed (at most one digit is lost below (2 delta + w) s = 2).
 template <class Real>
-Real step_response(const Real& delta, const Real& omega, const Real& discriminant, const Real& s) {
+Real step_response(const Real& omega, const Real& delta, const Real& discriminant, const Real& s) {
   using std::abs, std::expm1, std::sqrt;
   if ((2 * delta + omega) * abs(s) < 2) {
     // S = sum a_n s^n with a_0 = 0, a_1 = 1 from S'' = -2 delta S' - w^2 S; A = sum a_n
@@ -75,7 +78,7 @@ Real step_response(const Real& delta, const Real& omega, const Real& discriminan
       return (of_slow + expm1(-fast * s) / fast) / (2 * root);
     }
   }
-  const FreeBasis<Real> basis = free_basis(delta, discriminant, s);
+  const FreeBasis<Real> basis = free_basis(omega, delta, discriminant, s);
   return -(basis.cosine_minus_one + delta * basis.sine) / (omega * omega);
 }
 

@@ -19,7 +19,7 @@ void set_free(const ModeFlow<double>& mode, double s, double y, double ydot, Mod
     arc.q = y * c + lag * n;
     arc.qdot = mode.second * (lag * c - y * n) - mode.delta * arc.q;
   } else {
-    arc.basis = free_basis(mode.delta, mode.discriminant, s);
+    arc.basis = free_basis(mode.omega, mode.delta, mode.discriminant, s);
   }
   const FreeBasis<double>& basis = arc.basis;
   arc.qq = basis.cosine + mode.delta * basis.sine;
@@ -107,8 +107,9 @@ Eigen::Vector2d harmonic_mode_tangent(const ModeFlow<double>& mode, const ModeRa
          rest_rate + harmonic(forced_rate, velocity_rate, at.end_cosine, at.end_sine);
 }
 
-// A resonant mode has no harmonic response to lean on, a soft one no rest position: derivative of
-// the exponential of the system (q, q', cos, sin, 1) through the block matrix [A, dA; 0, A].
+// A mode that answers from rest has no harmonic response to lean on, a soft one no rest position:
+// derivative of the exponential of the system (q, q', cos, sin, 1) through the block matrix [A, dA;
+// 0, A].
 Eigen::Vector2d direct_mode_tangent(const ModeFlow<double>& mode, double load,
                                     const ModeRates& rate, double frequency,
                                     const Eigen::Vector2d& start, double theta, double s) {
@@ -186,18 +187,18 @@ ModeTransition ModalTransitions::from(Eigen::Index j, double q, double qdot) con
   arc.qdot += w * after_rate;
   arc.phase_rate_q = after_rate - (arc.qq * before_rate - arc.qv * w * before);
   arc.phase_rate_qdot = -w * after - (arc.vq * before_rate - arc.vv * w * before);
-  if (mode.kind == ModeKind::kResonant) {
-    const PlanarNumber<double> now = resonant_response(mode, w, theta_, s_);
+  if (mode.kind == ModeKind::kFromRest) {
+    const PlanarNumber<double> now = forced_response(mode, w, theta_, s_);
     // Linear in (cos, sin) of the start phase: its derivative is the response a quarter turn later.
     const PlanarNumber<double> later =
-        resonant_response(mode, w, theta_ + 0.5 * std::numbers::pi, s_);
+        forced_response(mode, w, theta_ + 0.5 * std::numbers::pi, s_);
     arc.q += mode.force * now.re;
     arc.qdot += mode.force * now.im;
     arc.phase_rate_q += mode.force * later.re;
     arc.phase_rate_qdot += mode.force * later.im;
   }
   if (mode.load != 0.0) {
-    arc.q += mode.load * step_response(mode.delta, mode.omega, mode.discriminant, s_);
+    arc.q += mode.load * step_response(mode.omega, mode.delta, mode.discriminant, s_);
     arc.qdot += mode.load * arc.basis.sine;
   }
   arc.acceleration = -2.0 * mode.delta * arc.qdot - mode.omega * mode.omega * arc.q;
@@ -217,7 +218,7 @@ Eigen::Vector2d ModalTransitions::tangent(Eigen::Index j, double q, double qdot,
   // With no load there is nothing for a soft mode to rest against.
   const bool soft = mode.omega == 0.0 ? load != 0.0 || rates.load != 0.0 : mode.load != 0.0;
   const double frequency = flow_.frequency();
-  if (mode.kind == ModeKind::kResonant || soft)
+  if (mode.kind == ModeKind::kFromRest || soft)
     return direct_mode_tangent(mode, load, rates, frequency, start, theta_, s_);
   return harmonic_mode_tangent(mode, rates, frequency, start,
                                {start_cosine_, start_sine_, end_cosine_, end_sine_}, s_, of.basis);
@@ -265,8 +266,9 @@ State load_response(const System& system, const ExactFlow<double>& flow, double 
   if (!system.load) return response;
   for (Eigen::Index j = 0; j < n; ++j) {
     const ModeFlow<double>& mode = flow.mode(static_cast<int>(j));
-    response.q[j] = (*system.load)[j] * step_response(mode.delta, mode.omega, mode.discriminant, s);
-    response.qdot[j] = (*system.load)[j] * free_basis(mode.delta, mode.discriminant, s).sine;
+    response.q[j] = (*system.load)[j] * step_response(mode.omega, mode.delta, mode.discriminant, s);
+    response.qdot[j] =
+        (*system.load)[j] * free_basis(mode.omega, mode.delta, mode.discriminant, s).sine;
   }
   return response;
 }

@@ -141,7 +141,7 @@ std::optional<State> clear_for_ever(const System& system, const ExactFlow<double
   Vector free(system.modes());
   for (int j = 0; j < system.modes(); ++j) {
     const ModeFlow<double>& mode = flow.mode(j);
-    if (mode.kind == ModeKind::kResonant || !(mode.omega > 0.0) || !(mode.delta > 0.0) ||
+    if (mode.kind == ModeKind::kFromRest || !(mode.omega > 0.0) || !(mode.delta > 0.0) ||
         mode.load != 0.0)
       return {};
     steady.q[j] = mode.offset + mode.forced.re * c - mode.forced.im * n;

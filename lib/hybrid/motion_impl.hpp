@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
 
 #include "graze/hybrid/chatter_impl.hpp"
 #include "graze/hybrid/contact_decision_impl.hpp"
@@ -120,6 +121,18 @@ ArcCurve<Real> Motion<Real>::gap_ahead(int i, const Real& window) {
 
 template <class Real>
 Arrival<Real> Motion<Real>::fly(const Real& until, const Real& horizon) {
+  // What an impact or a push does is shared out among so many stops at one instant.
+  const auto crowded = [&] {
+    const auto touched = std::count_if(order_.begin(), order_.end(), [&](int i) {
+      return contact(i) != Contact::kClear &&
+             (is_held(i) || !(approach_speed(i) < -speed_rounding(i)));
+    });
+    if (touched <= kMostContacts) return false;
+    refusal_ = std::to_string(touched) + " stops are touched at this instant, and an impact is " +
+               "shared out among " + std::to_string(kMostContacts) + " at most";
+    return true;
+  };
+  if (undecided_ && crowded()) return {ArrivalKind::kRefused, order_.front()};
   std::optional<Arrival<Real>> arrival;
   if (changes_.empty() && undecided_) arrival = decide();
   if (!arrival && !changes_.empty()) {
@@ -127,6 +140,7 @@ Arrival<Real> Motion<Real>::fly(const Real& until, const Real& horizon) {
     changes_.erase(changes_.begin());
   }
   if (!arrival) arrival = arrive(search(until, horizon), until);
+  if (arrival->kind == ArrivalKind::kContact && crowded()) arrival->kind = ArrivalKind::kRefused;
   const bool stands = arrival->flight == 0 && arrival->kind != ArrivalKind::kTime;
   standstill_ = stands ? standstill_ + 1 : 0;
   if (standstill_ > motion_detail::kMostStandstills) arrival->kind = ArrivalKind::kUndecided;

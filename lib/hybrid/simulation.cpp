@@ -106,7 +106,7 @@ class Run {
       note_minima(until - start.local);
     const Arrival<double> arrival = motion_.fly(until, horizon);
     // A motion that cannot be followed has no samples, be it found out now or by an earlier run.
-    if (arrival.kind == ArrivalKind::kRefused) return receive(arrival);
+    if (arrival.kind == ArrivalKind::kRefused && arrival.flight == 0.0) return receive(arrival);
     if (!follow(start_time, arrival.flight)) {
       stopped_in_arc_ = start_time;
       result_.message = fmt::format("stopped at t = {:.9g} s", start_time);
@@ -159,9 +159,8 @@ class Run {
       case ArrivalKind::kRefused:
         return stop_run(
             RunOutcome::kRefused,
-            fmt::format("the motion comes to rest on stop {} at t = {:.9g} s and cannot "
-                        "be followed there: {}",
-                        arrival.stop + 1, time(), motion_.refusal()));
+            fmt::format("the motion cannot be followed beyond t = {:.9g} s, on stop {}: {}", time(),
+                        arrival.stop + 1, motion_.refusal()));
     }
     return false;
   }
@@ -290,7 +289,8 @@ class Run {
 
   void announce_stick(int i) {
     Event event = event_at(EventKind::kStick, i);
-    event.force = motion_.force(i);
+    // It is held because its force is not negative; what falls below zero is rounding.
+    event.force = std::fmax(motion_.force(i), 0.0);
     emit(event);
   }
 

@@ -17,7 +17,7 @@ class RepeatedMode {
   RepeatedMode(const ModeFlow<double>& mode, const FlowMatrix& flow, Eigen::Index j, double s)
       : qq_(1.0 - flow.qq[j]), qv_(-flow.qv[j]), vq_(-flow.vq[j]), vv_(1.0 - flow.vv[j]) {
     // det (I - E) = 1 - 2 c + e^{-2 delta s}, from differences that do not cancel.
-    const FreeBasis<double> basis = free_basis(mode.delta, mode.discriminant, s);
+    const FreeBasis<double> basis = free_basis(mode.omega, mode.delta, mode.discriminant, s);
     determinant_ = std::expm1(-2.0 * mode.delta * s) - 2.0 * basis.cosine_minus_one;
   }
 
@@ -38,7 +38,7 @@ class RepeatedMode {
 }  // namespace
 
 std::pair<double, double> PeriodicResponse::after(const Mode& mode, double s) {
-  const FreeBasis<double> basis = free_basis(mode.delta, mode.discriminant, s);
+  const FreeBasis<double> basis = free_basis(mode.omega, mode.delta, mode.discriminant, s);
   const double q =
       (basis.cosine + mode.delta * basis.sine) * mode.displacement + basis.sine * mode.velocity;
   const double v = -mode.omega * mode.omega * basis.sine * mode.displacement +

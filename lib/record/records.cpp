@@ -5,11 +5,36 @@
 #include <cmath>
 #include <limits>
 
+#include "graze/system/scale.hpp"
+
 namespace graze {
 namespace {
 
 // A table of up to twice as many events and one shows them all.
 constexpr std::size_t kShown = 10;
+
+// By how much the energy book of a sound run may miss, J. Rounding is multiplied by up to 2^8 where
+// motion is written about its forced response or rest position (exact_flow_impl.hpp), and energies
+// are squares: 2^16. The flights, one per impact and one per forcing period at least, err to either
+// side, so that their errors add up like the root of their number.
+double book_rounding(const System& system, const Simulation& run) {
+  constexpr double kAmplification = 0x1p16;
+  const double periods = system.forcing ? run.end_time / system.period() : 0.0;
+  const double flights = 1.0 + periods + static_cast<double>(run.totals.impacts);
+  return kAmplification * std::numeric_limits<double>::epsilon() * std::sqrt(flights) *
+         run.energy->size();
+}
+
+// By how much a gap may fall below zero in a sound run, m: the forced response that motion is
+// written about is at most 2^12 times as large as the gap (exact_flow_impl.hpp), and rounded.
+// Infinite where neither gap nor forcing tell what is large.
+double gap_rounding(const System& system) {
+  constexpr double kAmplification = 0x1p12;
+  double reach = 0.0;
+  for (const RigidStop& stop : system.stops) reach = std::fmax(reach, reach_at(system, stop));
+  return reach > 0.0 ? kAmplification * std::numeric_limits<double>::epsilon() * reach
+                     : std::numeric_limits<double>::infinity();
+}
 
 }  // namespace
 
@@ -63,6 +88,16 @@ std::vector<std::string> simulation_warnings(const System& system, const Simulat
     warnings.push_back(
         fmt::format("the restitution r(v) left 0 to 1 at {} impact{} and was clamped",
                     totals.clamped_restitutions, totals.clamped_restitutions == 1 ? "" : "s"));
+  if (run.energy && !(std::abs(run.energy->defect()) <= book_rounding(system, run)))
+    warnings.push_back(
+        fmt::format("the energy book does not close: {:.3g} J are missing, {:.1e} of its largest "
+                    "entry, more than rounding explains; do not trust this run",
+                    run.energy->defect(), relative_defect(*run.energy)));
+  if (totals.smallest_gap && *totals.smallest_gap < -gap_rounding(system))
+    warnings.push_back(
+        fmt::format("a stop was penetrated by {:.3g} m, more than rounding explains; do not trust "
+                    "this run",
+                    -*totals.smallest_gap));
   return warnings;
 }
 

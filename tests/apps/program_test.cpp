@@ -33,12 +33,19 @@ TEST(Program, UsageErrorsExitWith2AndPrintNothingOnStdout) {
            "continue --parameter forcing.frequency --from -3 --to 3 " + kOneMode,
            "continue --parameter stop.restitution --from 0 --to 1.5 " + kOneMode,
            "check --set stop.gap " + kOneMode, "check --set stop.gapp=1 " + kOneMode,
-           "orbit --plot picture.gif " + kOneMode, "simulate --record all " + kOneMode}) {
+           "orbit --plot picture.gif " + kOneMode, "simulate --record all " + kOneMode,
+           "simulate --periods 1.5 " + kOneMode, "check --threads 5000 " + kOneMode}) {
     const Finished run = run_graze(line);
     EXPECT_EQ(run.code, 2) << line;
     EXPECT_EQ(run.out, "") << line;
     EXPECT_NE(run.err, "") << line;
   }
+}
+
+TEST(Program, WholeNumbersMayBeWrittenWithAnExponent) {
+  const Finished written = run_graze("simulate --periods 2e1 --json " + kOneMode);
+  EXPECT_EQ(written.code, 0) << written.err;
+  EXPECT_EQ(written.out, run_graze("simulate --periods 20 --json " + kOneMode).out);
 }
 
 // Wherever the scene stands among the options; each --set takes one value.

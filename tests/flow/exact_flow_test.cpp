@@ -155,7 +155,7 @@ TEST(ExactFlow, KindsAreChosenByDampingAndDetuning) {
   EXPECT_EQ(kind(1.0, 2.0, 3.0), ModeKind::kOverdamped);
   EXPECT_EQ(kind(1.0, 1.0, 3.0), ModeKind::kNearCritical);
   EXPECT_EQ(kind(0.0, 0.0, 3.0), ModeKind::kNearCritical);
-  EXPECT_EQ(kind(1.0, 0.0, 1.0), ModeKind::kResonant);
+  EXPECT_EQ(kind(1.0, 0.0, 1.0), ModeKind::kFromRest);
 }
 
 }  // namespace

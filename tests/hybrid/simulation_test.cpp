@@ -312,5 +312,21 @@ TEST(Simulation, TellsItsProgressOncePerPeriod) {
     EXPECT_NEAR(fractions[i], static_cast<double>(i + 1) / 8.0, 1e-15);
 }
 
+// 13 equal stops, all hit at once.
+TEST(Simulation, MoreStopsAtOnceThanAnImpactIsSharedAmongAreRefused) {
+  System system = support::oscillator(0.0, 0.0, 1.0, 0.8);
+  for (int k = 1; k < 13; ++k) system.stops.push_back(system.stops[0]);
+  const RecordedRun run =
+      record_run(system, support::state_of({0.0}, {1.0}), support::for_seconds(3.0));
+  EXPECT_EQ(run.result.outcome, RunOutcome::kRefused);
+  EXPECT_NEAR(run.result.end_time, 1.0, 1e-15);
+  EXPECT_NE(run.result.message.find("13 stops"), std::string::npos) << run.result.message;
+  EXPECT_NE(run.result.message.find("12 at most"), std::string::npos) << run.result.message;
+  system.stops.pop_back();
+  const RecordedRun allowed =
+      record_run(system, support::state_of({0.0}, {1.0}), support::for_seconds(3.0));
+  EXPECT_EQ(allowed.result.outcome, RunOutcome::kReachedEnd) << allowed.result.message;
+}
+
 }  // namespace
 }  // namespace graze

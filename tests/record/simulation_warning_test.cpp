@@ -1,0 +1,55 @@
+// A run whose own book or gap shows that it went wrong says so.
+#include <gtest/gtest.h>
+
+#include "graze/record/records.hpp"
+#include "support/systems.hpp"
+
+namespace graze {
+namespace {
+
+// A sound run of a forced oscillator that reached its end after about 100 periods and 100 impacts.
+Simulation sound_run() {
+  Simulation run;
+  run.end_time = 600.0;
+  run.final = support::state_of({0.0}, {0.0});
+  run.totals.impacts = 100;
+  run.totals.energy_lost = 1.0;
+  run.totals.smallest_gap = 0.0;
+  run.energy = EnergyBook{};
+  run.energy->start = 1.0;
+  run.energy->impacts = -1.0;
+  return run;
+}
+
+const System& forced_system() {
+  static const System system = support::forced_oscillator(1.0, 0.1, 0.5, 0.8, 1.0, 1.0);
+  return system;
+}
+
+TEST(SimulationWarnings, ASoundRunHasNone) {
+  EXPECT_TRUE(simulation_warnings(forced_system(), sound_run()).empty());
+  Simulation rounded = sound_run();
+  rounded.energy->work.forcing = 1e-12;
+  rounded.totals.smallest_gap = -1e-15;
+  EXPECT_TRUE(simulation_warnings(forced_system(), rounded).empty());
+}
+
+TEST(SimulationWarnings, ABookThatDoesNotCloseIsSaid) {
+  Simulation run = sound_run();
+  run.energy->work.load = 4e-3;
+  const std::vector<std::string> warnings = simulation_warnings(forced_system(), run);
+  ASSERT_EQ(warnings.size(), 1u);
+  EXPECT_NE(warnings[0].find("does not close"), std::string::npos) << warnings[0];
+  EXPECT_NE(warnings[0].find("0.004 J"), std::string::npos) << warnings[0];
+}
+
+TEST(SimulationWarnings, APenetrationIsSaid) {
+  Simulation run = sound_run();
+  run.totals.smallest_gap = -2e-3;
+  const std::vector<std::string> warnings = simulation_warnings(forced_system(), run);
+  ASSERT_EQ(warnings.size(), 1u);
+  EXPECT_NE(warnings[0].find("penetrated by 0.002 m"), std::string::npos) << warnings[0];
+}
+
+}  // namespace
+}  // namespace graze
