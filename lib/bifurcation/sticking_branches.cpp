@@ -42,7 +42,7 @@ struct Tip {
   OrbitBranchEnd end = OrbitBranchEnd::kNotConverged;
   std::optional<BranchPoint> border;  // the special point that ends it
   bool by_speed = false;              // of a grazing
-  bool interrupted = false;           // of CH
+  bool interrupted = false;           // of CH and LO
   double value = 0.0;                 // of the parameter there
   std::optional<BranchPoint> beyond;  // an orbit on the other side of CH
 };
@@ -99,6 +99,13 @@ class StickingParts {
         if (open >= 0.0 && open <= kInterrupted * period) return true;
       }
     return false;
+  }
+
+  // Whether the structure is let go once a round and held again at once.
+  bool is_at_rest(const ReleaseReturn& back, const BranchPoint& at) const {
+    const double period = equations_.system_at(at.parameter)->period();
+    const int periods = equations_.section().release().period;
+    return back.holds.size() == 1 && back.shortest_hold >= (periods - kInterrupted) * period;
   }
 
   // `inner`: the last point that is an orbit; `outer`: the first beyond, where the trace was
@@ -194,12 +201,13 @@ class StickingParts {
     // On the border itself rounding may decide otherwise when the orbit is flown once more.
     for (int back = 0; back < kMostBack && !reached.empty(); ++back, reached.pop_back())
       if (equations_.judge(reached.back()))
-        return {OrbitBranchEnd::kChatterCompletes,
-                reached.back(),
-                false,
-                !one_less && !one_more,
-                inside.parameter,
-                other};
+        return {
+            is_at_rest(*last, inside) ? OrbitBranchEnd::kAtRest : OrbitBranchEnd::kChatterCompletes,
+            reached.back(),
+            false,
+            !one_less && !one_more,
+            inside.parameter,
+            other};
     return {};
   }
 
@@ -212,8 +220,9 @@ class StickingParts {
     // A trace that came to its end there has the point already.
     if (result.points.empty() || result.points.back().value != at->value)
       result.points.push_back(*at);
-    const SpecialKind kind = tip.end == OrbitBranchEnd::kGrazing ? SpecialKind::kGrazing
-                                                                 : SpecialKind::kChatterCompletes;
+    const SpecialKind kind = tip.end == OrbitBranchEnd::kGrazing  ? SpecialKind::kGrazing
+                             : tip.end == OrbitBranchEnd::kAtRest ? SpecialKind::kLiftOff
+                                                                  : SpecialKind::kChatterCompletes;
     result.special.push_back({kind, "", *at, {}, tip.by_speed, *tip.border, tip.interrupted});
     if (!tip.beyond) return;
     if (std::optional<OrbitBranchPoint> other = equations_.judge(*tip.beyond))
@@ -244,7 +253,8 @@ class StickingParts {
 // was located.
 void cut_beyond(Branch& trace, const OrbitBranch& judged) {
   const auto located = [&](std::size_t side) {
-    return judged.ends[side] == OrbitBranchEnd::kChatterCompletes;
+    return judged.ends[side] == OrbitBranchEnd::kChatterCompletes ||
+           judged.ends[side] == OrbitBranchEnd::kAtRest;
   };
   if (trace.ends[1] == BranchEnd::kHalted) {
     trace.points.pop_back();

@@ -68,7 +68,8 @@ Outcome diagram_outcome(const Sweep& swept, const std::optional<Outcome>& branch
     return {"budget",
             fmt::format("the budget of computing time was spent; {} of {} values are kept",
                         swept.rows.size(), values)};
-  if (branches && (branches->name == "interrupted" || branches->name == "budget")) return *branches;
+  // That there are no such orbits is a note; the sweep says what there is.
+  if (branches && branches->name != "complete" && branches->name != "no_orbit") return *branches;
   const auto is_failed = [](const SweepRow& row) {
     return row.status == SweepStatus::kImpactBudget || row.status == SweepStatus::kRefused ||
            row.status == SweepStatus::kNoStart;

@@ -112,6 +112,34 @@ Outcome orbit_outcome(const FoundOrbits& found, const FinderOptions& options, St
   return {"none", message};
 }
 
+namespace {
+
+// Points of the branches that are orbits of the system with a multiplier on the unit circle, and
+// how many orbits there are. Beside a special point, or the end of a branch, that is as it should
+// be: a multiplier passes the circle there.
+std::pair<long long, long long> orbits_of_open_stability(const OrbitBranches& traced) {
+  long long open = 0, orbits = 0;
+  for (const OrbitBranch& branch : traced.branches) {
+    const std::vector<OrbitBranchPoint>& points = branch.points;
+    const auto is_special = [&](std::size_t i) {
+      return i == 0 || i + 1 == points.size() ||
+             std::any_of(branch.special.begin(), branch.special.end(), [&](const auto& special) {
+               return special.at.value == points[i].value &&
+                      special.at.smallest_speed == points[i].smallest_speed;
+             });
+    };
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      if (!points[i].orbit.admissible) continue;
+      ++orbits;
+      if (points[i].orbit.stable || is_special(i)) continue;
+      if (!is_special(i - 1) && !is_special(i + 1)) ++open;
+    }
+  }
+  return {open, orbits};
+}
+
+}  // namespace
+
 Outcome branch_outcome(const OrbitBranches& traced, const BranchOptions& options) {
   if (traced.stopped == StopReason::kInterrupted)
     return {"interrupted", "stopped; the branches traced so far are kept"};
@@ -136,6 +164,12 @@ Outcome branch_outcome(const OrbitBranches& traced, const BranchOptions& options
             fmt::format("{} branch end{} where two impacts meet (a flight between them shrinks to "
                         "nothing); beyond it their order changes, which is not followed",
                         traced.meetings, traced.meetings == 1 ? " lies" : "s lie")};
+  if (const auto [open, orbits] = orbits_of_open_stability(traced); open > 0)
+    return {
+        "on_the_circle",
+        fmt::format("{} of {} orbits {} a multiplier on the unit circle within its error, away "
+                    "from every special point: whether {} stable is open",
+                    open, orbits, open == 1 ? "has" : "have", open == 1 ? "it is" : "they are")};
   return {"complete", ""};
 }
 

@@ -16,6 +16,7 @@ SpecialMark special_mark(const std::string& label) {
       {"NS", {"torus (NS)", 12, 1.1, kBlack, 13}},
       {"BP", {"branch point (BP)", 3, 1.0, kBlack, 0}},
       {"CH", {"chatter ends (CH)", 10, 1.0, kOrange, 11}},
+      {"LO", {"lift-off (LO)", 14, 1.0, kSky, 15}},
   };
   const auto known = kMarks.find(label);
   return known != kMarks.end() ? known->second : SpecialMark{label, 4, 0.9, kBlack, 5};
