@@ -41,12 +41,8 @@ std::vector<DiagramCurve> impact_curves(const OrbitBranches& traced) {
     DiagramCurve curve;
     for (const OrbitBranchPoint& point : branch.points)
       curve.points.push_back(impact_heights(point.orbit));
-    for (const SpecialPoint& special : branch.special) {
-      std::vector<double> heights = impact_heights(special.at.orbit);
-      // One mark is enough for all the impacts of a chatter.
-      if (branch.sticks()) heights.erase(heights.begin() + 1, heights.end());
-      curve.special.push_back(std::move(heights));
-    }
+    for (const SpecialPoint& special : branch.special)
+      curve.special.push_back(impact_heights(special.at.orbit));
     curves.push_back(std::move(curve));
   }
   return curves;

@@ -79,7 +79,10 @@ void BranchCurves::add_special(const SpecialPoint& special, const std::vector<do
   place.kind.reset();
   insert(nodes, place);
   PlotTable& table = special.at.orbit.admissible ? marks_[special.kind] : virtual_marks_;
-  for (const double y : place.y) table.row({place.x, y});
+  // One mark is enough for all that a chatter shows.
+  const std::size_t marks =
+      special.at.orbit.sticking ? std::min<std::size_t>(place.y.size(), 1) : place.y.size();
+  for (std::size_t j = 0; j < marks; ++j) table.row({place.x, place.y[j]});
   ++marked_;
 }
 

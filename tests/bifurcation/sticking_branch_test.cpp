@@ -239,6 +239,25 @@ TEST(StickingBranch, RunsStickAsOftenAsTheirBranchSays) {
   EXPECT_LT(interrupted, parted);
 }
 
+// The two chatter points that the shipped scene names, each against runs from rest: they stick once
+// a period on the one side and never on the other.
+TEST(StickingBranch, OfTheShippedBeamRunsBetweenItsChatterPoints) {
+  const Scene scene = support::shipped_scene("09_soft_stop_two_modes");
+  const SystemFamily family(scene, "forcing.frequency");
+  const OrbitBranches result = sticking_branches(scene, "forcing.frequency", 36.0, 43.0, 8);
+  ASSERT_EQ(result.branches.size(), 1u);
+  const OrbitBranch& branch = result.branches[0];
+  EXPECT_EQ(branch.holds, std::vector<int>{0});
+  for (const OrbitBranchEnd end : branch.ends) EXPECT_EQ(end, OrbitBranchEnd::kChatterCompletes);
+  const double low = branch.points.front().value, high = branch.points.back().value;
+  EXPECT_NEAR(low, 37.2185, 5e-5);
+  EXPECT_NEAR(high, 41.7776, 5e-5);
+  EXPECT_EQ(sticks_a_period(family, low * (1.0 + 1e-5)), 1.0);
+  EXPECT_EQ(sticks_a_period(family, low * (1.0 - 1e-5)), 0.0);
+  EXPECT_EQ(sticks_a_period(family, high * (1.0 - 1e-5)), 1.0);
+  EXPECT_EQ(sticks_a_period(family, high * (1.0 + 1e-5)), 0.0);
+}
+
 // Beyond CH the orbits have a stuck phase more or less; seen from there it is the same point.
 TEST(StickingBranch, IsFollowedAcrossItsChatterPoints) {
   const OrbitBranches result = sticking_branches(support::reference_scene("sticking/rayl3"),
