@@ -256,6 +256,7 @@ TEST(StickingBranch, OfTheShippedBeamRunsBetweenItsChatterPoints) {
   EXPECT_EQ(sticks_a_period(family, low * (1.0 - 1e-5)), 0.0);
   EXPECT_EQ(sticks_a_period(family, high * (1.0 - 1e-5)), 1.0);
   EXPECT_EQ(sticks_a_period(family, high * (1.0 + 1e-5)), 0.0);
+  EXPECT_GE(expect_stability_of_runs(scene, "forcing.frequency", result), 3);
 }
 
 // Beyond CH the orbits have a stuck phase more or less; seen from there it is the same point.
