@@ -169,6 +169,20 @@ TEST(Program, ContinueSaysWhereStabilityIsOpen) {
             "on_the_circle");
 }
 
+// Between its two stops one mode has an orbit that is the mirror image of itself; where it loses
+// that symmetry two others branch off. Each passes the branch point, with a multiplier of 1.
+TEST(Program, ContinueTakesNoBranchPointForOpenStability) {
+  const Finished run = run_graze("continue " + scene("07_two_stops.toml") +
+                                 " --set beam.modes=1 --parameter forcing.frequency --from 20"
+                                 " --to 40 --impacts 2 --follow all --json");
+  EXPECT_EQ(run.code, 0);
+  const json document = json::parse(run.out);
+  EXPECT_EQ(document["outcome"], "complete");
+  EXPECT_EQ(std::count_if(document["branches"].begin(), document["branches"].end(),
+                          [](const json& branch) { return branch["origin"] == "BP1"; }),
+            1);
+}
+
 TEST(Program, OutWritesTheDocumentTheSceneAndTheTables) {
   const ScratchFolder scratch;
   const std::string folder = (scratch / "deep/er").string();
