@@ -115,9 +115,8 @@ TEST(StickingBranchCommand, EndsWhereTheStructureIsNotLeftAnyMore) {
     const json& special = branch["special"][0];
     EXPECT_EQ(special["id"], "LO1");
     EXPECT_EQ(special["label"], "LO");
-    EXPECT_NEAR(special["value"].get<double>(), expected.value, 1e-10);
-    // A double root: F (1 + cos theta) = 1e-10, F >= 0.2.
-    EXPECT_NEAR(special["phase"].get<double>(), kHalfTurn, 3.2e-5);
+    EXPECT_NEAR(special["value"].get<double>(), expected.value, 1e-12);
+    EXPECT_NEAR(special["phase"].get<double>(), kHalfTurn, 1e-9);
     EXPECT_EQ(special["speed"], 0.0);
     const std::string table = run_graze(line).out;
     EXPECT_NE(table.find("at rest at"), std::string::npos) << table;
