@@ -66,6 +66,10 @@ void BranchCurves::add(const OrbitBranch& branch, const DiagramCurve& curve) {
   // Where it joins orbits of half the period a multiplier is 1; that says nothing of the branch.
   if (branch.ends[0] == OrbitBranchEnd::kPeriodDoubling) nodes.front().kind.reset();
   if (branch.ends[1] == OrbitBranchEnd::kPeriodDoubling) nodes.back().kind.reset();
+  // Nor where a multiplier is on the circle in a single point: it passes there.
+  for (std::size_t k = 1; k + 1 < nodes.size(); ++k)
+    if (nodes[k].kind == kOpen && nodes[k - 1].kind != kOpen && nodes[k + 1].kind != kOpen)
+      nodes[k].kind.reset();
   for (std::size_t k = 0; k < branch.special.size(); ++k)
     add_special(branch.special[k], curve.special[k], nodes);
   std::size_t most = 0;

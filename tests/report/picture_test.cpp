@@ -274,6 +274,21 @@ TEST(DrawBranches, ShowsEveryImpactOfAnOrbitAsACurveOfItsOwn) {
   EXPECT_EQ(marks[0].size(), 2U);
 }
 
+TEST(DrawBranches, AMultiplierThatPassesTheCircleIsNoOpenStability) {
+  BranchRecord record = relabelled_branch();
+  std::vector<OrbitBranchPoint>& points = record.traced.branches[0].points;
+  points[2].orbit.stable.reset();
+  points[3].orbit.stable = false;
+  const ScratchFolder scratch;
+  const auto drawn = [&] {
+    draw_branches((scratch / "x.svg").string(), record);
+    return read_text(scratch / "x.gp");
+  };
+  EXPECT_EQ(drawn().find("stability open"), std::string::npos);
+  points[3].orbit.stable.reset();
+  EXPECT_NE(drawn().find("stability open"), std::string::npos);
+}
+
 TEST(SpecialMarks, AreToldApartByTheirShape) {
   std::set<int> shapes;
   for (const char* label : {"LP", "BP", "PD", "NS", "GR", "CH", "LO", "of a later version"})
