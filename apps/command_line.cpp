@@ -61,6 +61,15 @@ CLI::Validator above_zero() {
       "");
 }
 
+void add_later_options(CLI::App* app, const std::vector<const char*>& options) {
+  for (const char* later : options)
+    app->add_option_function<std::vector<std::string>>(
+           later, [later](const std::vector<std::string>&) { throw not_available(later); },
+           "(not available in this version)")
+        ->type_name("X")
+        ->expected(0, 1);
+}
+
 void add_shared(CLI::App* app, Command& command) {
   app->add_option("SCENE", command.scene, "Scene file (TOML)")->required();
   app->add_option("--set", command.settings,
@@ -225,11 +234,7 @@ void add_continue(CLI::App& graze, Command& command) {
   add_range(app, command);
   add_branch_kind(app, command);
   add_closure_speed(app, command);
-  for (const char* later : {"--locus", "--second", "--second-from", "--second-to"})
-    app->add_option_function<std::string>(
-           later, [later](const std::string&) { throw not_available(later); },
-           "(not available in this version)")
-        ->type_name("X");
+  add_later_options(app, {"--locus", "--second", "--second-from", "--second-to"});
 }
 
 void add_diagram(CLI::App& graze, Command& command) {
@@ -262,7 +267,7 @@ void add_diagram(CLI::App& graze, Command& command) {
       ->check(CLI::Range(1LL, 1'000'000LL))
       ->capture_default_str()
       ->type_name("M");
-  app->add_option("--closure-speed", command.closure_speed, kClosureSpeed + std::string(")"))
+  app->add_option("--closure-speed", command.closure_speed, kClosureSpeed)
       ->check(at_least("a speed in m/s, 0 or more", 0.0))
       ->type_name("V");
   app->add_option("--branches", command.branches, "Branches over the sweep: all, or none")
@@ -275,6 +280,7 @@ void add_diagram(CLI::App& graze, Command& command) {
       ->type_name("P");
   add_branch_kind(app, command);
   add_limits(app, command);
+  add_later_options(app, {"--resume", "--shard"});
 }
 
 void add_later(CLI::App& graze) {
@@ -283,6 +289,21 @@ void add_later(CLI::App& graze) {
     app->allow_extras();
     app->callback([name] { throw not_available(std::string("graze ") + name); });
   }
+}
+
+// A sentence about a word that the command does not know, or "".
+std::string unknown_option(const CLI::App& app) {
+  if (app.get_subcommands().empty()) return "";
+  const CLI::App& command = *app.get_subcommands().front();
+  std::vector<std::string> names;
+  for (const CLI::Option* option : command.get_options()) names.push_back(option->get_name());
+  for (const std::string& word : command.remaining()) {
+    if (word.rfind('-', 0) != 0) continue;
+    const std::string close = closest_name(word, names);
+    return fmt::format("'{}' is no option of {}{}", word, command.get_name(),
+                       close.empty() ? "" : fmt::format("; did you mean '{}'?", close));
+  }
+  return "";
 }
 
 // A sentence about a first word that is no command, or "".
@@ -321,7 +342,8 @@ ParsedCommand parse_command_line(int argc, char** argv) {
   } catch (const CLI::Success& done) {  // help, version
     return {std::nullopt, app.exit(done) == 0 ? 0 : 2};
   } catch (const CLI::ParseError& error) {
-    const std::string unknown = unknown_command(argc, argv, app);
+    std::string unknown = unknown_command(argc, argv, app);
+    if (unknown.empty()) unknown = unknown_option(app);
     std::cerr << "graze: " << (unknown.empty() ? error.what() : unknown) << " (see graze --help)\n";
     return {std::nullopt, 2};
   } catch (const InputError& error) {

@@ -62,7 +62,10 @@ std::optional<Outcome> add_branches(const Command& command, const SystemFamily& 
   traced = trace_orbits(family, options);
   const Outcome outcome = branch_outcome(traced, options);
   if (outcome.name == "no_orbit") traced.notes.push_back(outcome.message);
-  record.curves = diagram_curves(family, traced, record.section);
+  if (record.section == DiagramSection::kImpact)
+    record.curves = {impact_curves(traced)};
+  else
+    record.curves = strobe_curves(family, traced);
   return outcome;
 }
 

@@ -6,18 +6,20 @@
 #include <string>
 #include <vector>
 
+#include "graze/base/angle.hpp"
 #include "graze/continuation/branch.hpp"
 #include "graze/orbit/orbit.hpp"
 
 namespace graze {
 
 enum class SpecialKind {
-  kFold,             // LP: the branch turns back
-  kPeriodDoubling,   // PD: a multiplier passes -1
-  kTorus,            // NS: a complex pair of multipliers passes the unit circle
-  kBranchPoint,      // BP: another branch of the same impact pattern crosses
-  kGrazing,          // GR: an interior approach touches a stop, or an impact speed goes to zero
-  kChatterCompletes  // CH: a chatter completes at the instant of its release
+  kFold,              // LP: the branch turns back
+  kPeriodDoubling,    // PD: a multiplier passes -1
+  kTorus,             // NS: a complex pair of multipliers passes the unit circle
+  kBranchPoint,       // BP: another branch of the same impact pattern crosses
+  kGrazing,           // GR: an interior approach touches a stop, or an impact speed goes to zero
+  kChatterCompletes,  // CH: a chatter completes at the instant of its release
+  kLiftOff            // LO: the contact force of a structure at rest on a stop touches zero
 };
 
 struct OrbitBranchPoint {
@@ -38,6 +40,17 @@ struct SpecialPoint {
   // For CH: whether a contact force touches zero within a stuck phase and cuts it in two (else one
   // shrinks to nothing).
   bool interrupted = false;
+
+  // Phase, rad, and approach speed, m/s, of the orbit's first impact; of a lift-off those of the
+  // flight that shrinks to nothing. Nothing where there is neither.
+  struct Impact {
+    double phase = 0.0, speed = 0.0;
+  };
+  std::optional<Impact> impact() const {
+    if (kind == SpecialKind::kLiftOff) return Impact{wrapped(solution.u[0]), 0.0};
+    if (at.orbit.impacts.empty()) return {};
+    return Impact{at.orbit.impacts.front().phase, at.orbit.impacts.front().speed};
+  }
 };
 
 enum class OrbitBranchEnd {
@@ -45,6 +58,7 @@ enum class OrbitBranchEnd {
   kClosed,
   kGrazing,
   kChatterCompletes,
+  kAtRest,          // beyond the lift-off there, the structure is held on the stop for ever
   kPeriodDoubling,  // where it joins orbits of half the period
   kImpactsMeet,     // a flight from impact to impact shrinks to nothing: their order would change
   kStepLimit,

@@ -71,6 +71,7 @@ std::optional<PatternSwitch> pattern_switch(const OrbitEquations& equations,
     case SpecialKind::kFold:
     case SpecialKind::kTorus:
     case SpecialKind::kChatterCompletes:
+    case SpecialKind::kLiftOff:
       break;
   }
   return {};

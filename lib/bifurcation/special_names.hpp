@@ -22,9 +22,11 @@ inline std::string label_of(SpecialKind kind) {
     case SpecialKind::kGrazing:
       return "GR";
     case SpecialKind::kChatterCompletes:
+      return "CH";
+    case SpecialKind::kLiftOff:
       break;
   }
-  return "CH";
+  return "LO";
 }
 
 // Numbers them, each kind from 1.

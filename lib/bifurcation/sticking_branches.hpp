@@ -4,7 +4,8 @@
 // stuck phases; how many impacts of a chatter are resolved before its tail is summed may change on
 // the way and means nothing. It ends at CH, where one of its stuck phases shrinks to nothing (or
 // one more begins): the chatter completes at the instant of the release, and beyond it the
-// structure leaves before it has come to rest.
+// structure leaves before it has come to rest. Where its one stuck phase takes up the whole orbit
+// instead it ends at LO: beyond, the structure is pressed on the stop for ever.
 //
 // Where an impact outside the chatters loses its speed, or an interior approach touches a stop, the
 // map has a corner and no derivative on one side: a branch of several modes ends there with GR.

@@ -11,6 +11,7 @@
 #include "graze/hybrid/clearance.hpp"
 #include "graze/hybrid/simulation.hpp"
 #include "graze/orbit/nearby_orbit.hpp"
+#include "graze/orbit/solve.hpp"
 
 namespace graze {
 namespace {
@@ -189,16 +190,20 @@ class Settling {
       approached_.reset();
   }
 
-  // An orbit seen several times over is the shorter one.
   void conclude_near(int p, double remaining) {
-    const double same = 4.0 * *options_.nearness;
+    result_.near = true;
+    conclude_repeating(p, remaining);
+  }
+
+  // An orbit seen several times over is the shorter one.
+  void conclude_repeating(int p, double remaining) {
     int least = p;
     if (approached_)
-      least = shortest_period(system_, *approached_, same);
-    else
+      least = shortest_period(system_, *approached_, kShootingAccuracy);
+    else if (std::isfinite(remaining))
       for (int q = p - 1; q > 0; --q)
-        if (p % q == 0 && history_.difference(q) < same) least = q;
-    result_.near = true;
+        if (p % q == 0 && history_.difference(q) < 4.0 * std::max(remaining, *options_.nearness))
+          least = q;
     result_.remaining = remaining;
     conclude_periodic(least);
   }
@@ -241,8 +246,9 @@ class Settling {
           result_.impacts_met == 0 ? "meets no stop" : "settles clear of every stop");
     } else {
       end(SettledKind::kImpacts,
-          fmt::format("settles on {} that repeat {}",
-                      count(static_cast<long long>(result_.impacts.size()), "impact"), every));
+          fmt::format("settles on {} that {} {}",
+                      count(static_cast<long long>(result_.impacts.size()), "impact"),
+                      result_.impacts.size() == 1 ? "repeats" : "repeat", every));
       Pattern last = pattern_of_last(p);
       result_.pattern = std::move(last.pattern);
       result_.points = std::move(last.points);
@@ -268,13 +274,11 @@ class Settling {
   }
 
   void conclude_unsettled() {
-    // It repeats, but not nearly enough: said so, and shown as what it comes to.
-    if (const int p = options_.nearness ? repetition() : 0) {
-      result_.remaining = approached_
-                              ? distance(system_, scale_, *approached_, pattern_of_last(p).points)
-                              : history_.remaining(p);
-      return conclude_periodic(p);
-    }
+    // It repeats, but not nearly enough: said so, and shown as what it comes to. The budget may end
+    // within a repetition; what is left was last seen at the end of a whole one.
+    if (approached_) return conclude_repeating(approached_->pattern.period, left_);
+    if (const int p = options_.nearness ? repetition() : 0)
+      return conclude_repeating(p, history_.remaining(p));
     keep_since(std::max(history_.oldest(), history_.periods() - options_.tail));
     end(SettledKind::kNotPeriodic,
         result_.impacts_met == 0
@@ -304,6 +308,13 @@ class Settling {
     over_ = true;
     result_.kind = kind;
     result_.verdict = fmt::format("from {} the motion {}", options_.from, what);
+    if (options_.nearness > 0.0 && result_.period > 0 && !result_.near)
+      result_.verdict +=
+          fmt::format(", but {} within {}",
+                      std::isfinite(result_.remaining)
+                          ? fmt::format("comes no nearer than {:.3g}", result_.remaining)
+                          : "at a distance that does not shrink",
+                      count(options_.periods, "forcing period"));
     return false;
   }
 

@@ -24,39 +24,49 @@ std::vector<double> chatter_heights(const Orbit& orbit) {
   return heights;
 }
 
-std::vector<double> heights_of(const SystemFamily& family, const OrbitBranchPoint& point,
-                               DiagramSection section) {
+std::vector<double> impact_heights(const Orbit& orbit) {
+  if (orbit.sticking && !orbit.impacts.empty()) return chatter_heights(orbit);
   std::vector<double> heights;
-  if (section == DiagramSection::kImpact && point.orbit.sticking)
-    return chatter_heights(point.orbit);
-  if (section == DiagramSection::kImpact) {
-    for (const OrbitImpact& impact : point.orbit.impacts) heights.push_back(impact.speed);
-    return heights;
-  }
-  const std::optional<System> system = family.at(point.value);
-  if (!system || point.orbit.impacts.empty()) return heights;
-  for (const State& state : stroboscopic_states(*system, point.orbit))
-    heights.push_back(system->stops.front().row.dot(state.q));
+  for (const OrbitImpact& impact : orbit.impacts) heights.push_back(impact.speed);
+  // At rest on a stop: where impacts slow down until they are none.
+  if (orbit.sticking) heights.push_back(0.0);
   return heights;
 }
 
 }  // namespace
 
-std::vector<DiagramCurve> diagram_curves(const SystemFamily& family, const OrbitBranches& traced,
-                                         DiagramSection section) {
+std::vector<DiagramCurve> impact_curves(const OrbitBranches& traced) {
   std::vector<DiagramCurve> curves;
   for (const OrbitBranch& branch : traced.branches) {
     DiagramCurve curve;
     for (const OrbitBranchPoint& point : branch.points)
-      curve.points.push_back(heights_of(family, point, section));
-    for (const SpecialPoint& special : branch.special) {
-      curve.special.push_back(heights_of(family, special.at, section));
-      // One mark is enough for all the impacts of a chatter.
-      if (branch.sticks() && curve.special.back().size() > 1) curve.special.back().resize(1);
-    }
+      curve.points.push_back(impact_heights(point.orbit));
+    for (const SpecialPoint& special : branch.special)
+      curve.special.push_back(impact_heights(special.at.orbit));
     curves.push_back(std::move(curve));
   }
   return curves;
+}
+
+std::vector<std::vector<DiagramCurve>> strobe_curves(const SystemFamily& family,
+                                                     const OrbitBranches& traced) {
+  std::vector<std::vector<DiagramCurve>> by_stop(family.scene().stops.size());
+  for (const OrbitBranch& branch : traced.branches) {
+    for (std::vector<DiagramCurve>& curves : by_stop) curves.emplace_back();
+    const auto add = [&](const OrbitBranchPoint& point, auto part) {
+      std::vector<State> states;
+      const std::optional<System> system = family.at(point.value);
+      if (system && (point.orbit.sticking || !point.orbit.impacts.empty()))
+        states = stroboscopic_states(*system, point.orbit);
+      for (std::size_t stop = 0; stop < by_stop.size(); ++stop) {
+        std::vector<double>& heights = (by_stop[stop].back().*part).emplace_back();
+        for (const State& state : states) heights.push_back(system->stops[stop].row.dot(state.q));
+      }
+    };
+    for (const OrbitBranchPoint& point : branch.points) add(point, &DiagramCurve::points);
+    for (const SpecialPoint& special : branch.special) add(special.at, &DiagramCurve::special);
+  }
+  return by_stop;
 }
 
 Outcome diagram_outcome(const Sweep& swept, const std::optional<Outcome>& branches) {
@@ -68,7 +78,8 @@ Outcome diagram_outcome(const Sweep& swept, const std::optional<Outcome>& branch
     return {"budget",
             fmt::format("the budget of computing time was spent; {} of {} values are kept",
                         swept.rows.size(), values)};
-  if (branches && (branches->name == "interrupted" || branches->name == "budget")) return *branches;
+  // That there are no such orbits is a note; the sweep says what there is.
+  if (branches && branches->name != "complete" && branches->name != "no_orbit") return *branches;
   const auto is_failed = [](const SweepRow& row) {
     return row.status == SweepStatus::kImpactBudget || row.status == SweepStatus::kRefused ||
            row.status == SweepStatus::kNoStart;

@@ -14,8 +14,8 @@ enum class DiagramSection {
   kStrobe   // displacement and velocity at the stops at the start of every forcing period
 };
 
-// What a diagram shows of a branch over the parameter: impact speeds (m/s) or displacements at the
-// first stop (m), one for every impact or forcing period of an orbit.
+// What a picture shows of a branch over the parameter: impact speeds (m/s) or displacements at a
+// stop (m), one for every impact or forcing period of an orbit.
 struct DiagramCurve {
   std::vector<std::vector<double>> points, special;  // of each point of the branch
 };
@@ -26,12 +26,17 @@ struct DiagramRecord {
   BranchRecord branches;
   Sweep swept;
   DiagramSection section = DiagramSection::kImpact;
-  std::vector<DiagramCurve> curves;  // one a branch
+  // One a branch; of strobes such a list for each stop, of impacts one for all of them together.
+  std::vector<std::vector<DiagramCurve>> curves;
 };
 
-// The curves of the branches in this section.
-std::vector<DiagramCurve> diagram_curves(const SystemFamily& family, const OrbitBranches& traced,
-                                         DiagramSection section);
+// The speeds of all impacts along the branches; where a chatter completes of those that are not
+// many times slower than the fastest.
+std::vector<DiagramCurve> impact_curves(const OrbitBranches& traced);
+
+// The displacements at each stop at t = 0, T, 2T, .. along the branches.
+std::vector<std::vector<DiagramCurve>> strobe_curves(const SystemFamily& family,
+                                                     const OrbitBranches& traced);
 
 // How the diagram ended: `branches` is the outcome of tracing them, as far as they were asked for.
 Outcome diagram_outcome(const Sweep& swept, const std::optional<Outcome>& branches);

@@ -147,6 +147,37 @@ Outcome orbit_outcome(const FoundOrbits& found, const FinderOptions& options, St
   return {"none", message};
 }
 
+namespace {
+
+// What special points are located to, as a part of the parameter's range.
+constexpr double kLocated = 1e-10;
+
+// Points of the branches that are orbits of the system with a multiplier on the unit circle, and
+// how many orbits there are. At a special point, of this or another branch, and beside one that is
+// as it should be, for there a multiplier passes the circle; likewise at the end of a branch.
+std::pair<long long, long long> orbits_of_open_stability(const OrbitBranches& traced,
+                                                         double range) {
+  const auto is_special = [&](const OrbitBranch& branch, std::size_t i) {
+    if (i == 0 || i + 1 == branch.points.size()) return true;
+    for (const OrbitBranch& other : traced.branches)
+      for (const SpecialPoint& special : other.special)
+        if (std::abs(special.at.value - branch.points[i].value) <= kLocated * range) return true;
+    return false;
+  };
+  long long open = 0, orbits = 0;
+  for (const OrbitBranch& branch : traced.branches)
+    for (std::size_t i = 0; i < branch.points.size(); ++i) {
+      const Orbit& orbit = branch.points[i].orbit;
+      if (!orbit.admissible) continue;
+      ++orbits;
+      if (orbit.stable || is_special(branch, i)) continue;
+      if (!is_special(branch, i - 1) && !is_special(branch, i + 1)) ++open;
+    }
+  return {open, orbits};
+}
+
+}  // namespace
+
 Outcome branch_outcome(const OrbitBranches& traced, const BranchOptions& options) {
   if (traced.stopped == StopReason::kInterrupted)
     return {"interrupted", "stopped; the branches traced so far are kept"};
@@ -171,6 +202,14 @@ Outcome branch_outcome(const OrbitBranches& traced, const BranchOptions& options
             fmt::format("{} branch end{} where two impacts meet (a flight between them shrinks to "
                         "nothing); beyond it their order changes, which is not followed",
                         traced.meetings, traced.meetings == 1 ? " lies" : "s lie")};
+  if (const auto [open, orbits] =
+          orbits_of_open_stability(traced, std::abs(options.to - options.from));
+      open > 0)
+    return {
+        "on_the_circle",
+        fmt::format("{} of {} orbits {} a multiplier on the unit circle within its error, away "
+                    "from every special point: whether {} stable is open",
+                    open, orbits, open == 1 ? "has" : "have", open == 1 ? "it is" : "they are")};
   return {"complete", ""};
 }
 

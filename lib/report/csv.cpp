@@ -139,8 +139,10 @@ std::string special_csv(const BranchRecord& record) {
   std::string text = "id,label,branch,value,phase,speed,multiplier_re,multiplier_im\n";
   for (const OrbitBranch& branch : record.traced.branches)
     for (const SpecialPoint& s : branch.special) {
+      const std::optional<SpecialPoint::Impact> impact = s.impact();
       fmt::format_to(std::back_inserter(text), "{},{},{},{},{},{},{},{}\n", s.id, label_of(s.kind),
-                     branch.id, cell(s.at.value), first_phase(s.at.orbit), first_speed(s.at.orbit),
+                     branch.id, cell(s.at.value), impact ? cell(impact->phase) : "",
+                     impact ? cell(impact->speed) : "",
                      s.multiplier ? cell(s.multiplier->real()) : "",
                      s.multiplier ? cell(s.multiplier->imag()) : "");
     }

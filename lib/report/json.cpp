@@ -152,11 +152,12 @@ Json stops_of(const std::vector<int>& order) {
 }
 
 Json special_json(const SpecialPoint& special) {
+  const std::optional<SpecialPoint::Impact> impact = special.impact();
   Json json = {{"id", special.id},
                {"label", label_of(special.kind)},
                {"value", number(special.at.value)},
-               {"phase", first_phase(special.at.orbit)},
-               {"speed", first_speed(special.at.orbit)},
+               {"phase", impact ? number(impact->phase) : Json(nullptr)},
+               {"speed", impact ? number(impact->speed) : Json(nullptr)},
                {"multiplier", special.multiplier ? pair(*special.multiplier) : Json(nullptr)},
                {"admissible", special.at.orbit.admissible}};
   if (special.at.orbit.impacts.size() > 1) json["at"] = impacts_at(special.at.orbit);

@@ -26,6 +26,8 @@ std::string name_of(OrbitBranchEnd end) {
       return "GR";
     case OrbitBranchEnd::kChatterCompletes:
       return "CH";
+    case OrbitBranchEnd::kAtRest:
+      return "at rest";
     case OrbitBranchEnd::kPeriodDoubling:
       return "PD";
     case OrbitBranchEnd::kImpactsMeet:

@@ -42,25 +42,6 @@ std::optional<Sample> end_sample(const SimulationRecord& record) {
   return Sample{run.end_time, run.final, run.forces, run.energy};
 }
 
-std::vector<Place> places_of(const System& system) {
-  std::vector<Place> places;
-  for (std::size_t i = 0; i < system.stops.size(); ++i) {
-    const RigidStop& stop = system.stops[i];
-    const auto sense_at = [&](const Place& place) {
-      for (const double sense : {1.0, -1.0})
-        if ((stop.row - sense * place.row).norm() <= 1e-9 * stop.row.norm()) return sense;
-      return 0.0;
-    };
-    auto place = std::find_if(places.begin(), places.end(),
-                              [&](const Place& known) { return sense_at(known) != 0.0; });
-    if (place == places.end()) place = places.insert(place, Place{stop.row, {}, {}, {}, {}});
-    const double sense = sense_at(*place);
-    place->stops.push_back({static_cast<int>(i), sense, sense * stop.gap});
-  }
-  if (places.empty()) places.push_back({Vector::Unit(system.modes(), 0), {}, {}, {}, {}});
-  return places;
-}
-
 void gather_impacts(const SimulationRecord& record, const TimeSpan& window, Place& place) {
   for (const Event& event : record.events) {
     if (event.kind != EventKind::kImpact || event.time < window.start || event.time > window.end)
@@ -183,6 +164,25 @@ std::vector<TimeSpan> stuck_phases(const SimulationRecord& record, int stop,
   }
   if (closed) phases.push_back({since, window.end});
   return phases;
+}
+
+std::vector<Place> places_of(const System& system) {
+  std::vector<Place> places;
+  for (std::size_t i = 0; i < system.stops.size(); ++i) {
+    const RigidStop& stop = system.stops[i];
+    const auto sense_at = [&](const Place& place) {
+      for (const double sense : {1.0, -1.0})
+        if ((stop.row - sense * place.row).norm() <= 1e-9 * stop.row.norm()) return sense;
+      return 0.0;
+    };
+    auto place = std::find_if(places.begin(), places.end(),
+                              [&](const Place& known) { return sense_at(known) != 0.0; });
+    if (place == places.end()) place = places.insert(place, Place{stop.row, {}, {}, {}, {}});
+    const double sense = sense_at(*place);
+    place->stops.push_back({static_cast<int>(i), sense, sense * stop.gap});
+  }
+  if (places.empty()) places.push_back({Vector::Unit(system.modes(), 0), {}, {}, {}, {}});
+  return places;
 }
 
 MotionSeen motion_seen(const SimulationRecord& record) {

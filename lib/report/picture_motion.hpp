@@ -64,6 +64,9 @@ struct MotionSeen {
   std::vector<EnergyTerm> energy;  // energy now, and the work done on it since the window began
 };
 
+// The places of the system's stops, in their order, without motion.
+std::vector<Place> places_of(const System& system);
+
 MotionSeen motion_seen(const SimulationRecord& record);
 
 // When the stop was closed for longer than an instant, within the window.

@@ -7,6 +7,8 @@
 #include <cmath>
 #include <map>
 
+#include "graze/base/angle.hpp"
+
 namespace graze {
 namespace {
 
@@ -160,6 +162,24 @@ std::string parameter_title(const std::string& path) {
   std::string title;
   for (char c : path) title += c == '_' ? std::string("\\_") : std::string(1, c);
   return title;
+}
+
+bool has_hertz_axis(const std::string& parameter) { return parameter == "forcing.frequency"; }
+
+void set_parameter_axis(GnuplotScript& script, const std::string& parameter, const AxisRange& range,
+                        const std::string& unit, AxisNames names) {
+  script.command("set xrange " + range.text());
+  script.command(fmt::format("set xtics {:.6g}", range.tic_step(7)));
+  script.command(names.below ? "set format x '%h'" : "set format x ''");
+  script.command(names.below ? "set xlabel " + axis_label(parameter_title(parameter), unit)
+                             : "unset xlabel");
+  if (!has_hertz_axis(parameter)) return;
+  script.command(names.above ? "set border 7" : "set border 3\nunset x2tics\nunset x2label");
+  if (!names.above) return;
+  const AxisRange hertz{range.low / kTurn, range.high / kTurn};
+  script.command("set x2range " + hertz.text());
+  script.command(fmt::format("set x2tics {:.6g}", hertz.tic_step(9)));
+  script.command("set x2label 'forcing frequency (Hz)'");
 }
 
 }  // namespace graze

@@ -69,4 +69,15 @@ void set_legend(GnuplotScript& script, const Margins& margins, std::size_t colum
 // The label of a parameter given by its path, without the unit.
 std::string parameter_title(const std::string& path);
 
+// The horizontal axis of a picture over a parameter: its range, in the axis' unit, and its tics;
+// over a forcing frequency (rad/s) also one in Hz above the axes, which takes its room there. Names
+// are left out where another panel has them.
+inline constexpr double kHertzMargin = 0.145;  // of a picture 3/4 as high as wide
+bool has_hertz_axis(const std::string& parameter);
+struct AxisNames {
+  bool below = true, above = true;
+};
+void set_parameter_axis(GnuplotScript& script, const std::string& parameter, const AxisRange& range,
+                        const std::string& unit, AxisNames names = {});
+
 }  // namespace graze

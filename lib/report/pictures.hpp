@@ -25,12 +25,12 @@ void draw_simulation(const std::string& file, const SimulationRecord& record);
 // first impact.
 void draw_orbits(const std::string& file, const OrbitRecord& record);
 
-// Impact speed against the parameter, with stability and special points.
+// The speed of every impact against the parameter, with stability and special points.
 void draw_branches(const std::string& file, const BranchRecord& record);
 
-// Every sample of the sweep as a dot against the parameter: impact speeds, or displacements at the
-// first stop; over them the branches, stable and unstable, with their special points. In .svg and
-// .pdf the dots are pixels of 0.06 mm, all else is lines and text.
+// Every sample of the sweep as a dot against the parameter: impact speeds, or displacements towards
+// the stops, a panel each; over them the branches, stable and unstable, with their special points.
+// In .svg and .pdf the dots are pixels of 0.06 mm, all else is lines and text.
 void draw_diagram(const std::string& file, const DiagramRecord& record);
 
 }  // namespace graze

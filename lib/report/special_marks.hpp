@@ -14,6 +14,7 @@ struct SpecialMark {
   // Drawn as an outline over the paper's white; `point` is the outline's, this the shape's that it
   // encloses. 0: filled.
   int ground = 0;
+  double width = 1.2;  // of the outline's line
 };
 
 // The mark of a kind of special point by its label, "LP"; one that is not known has a mark too and

@@ -271,10 +271,10 @@ std::string to_text(const BranchRecord& record) {
     if (switched) row.push_back(branch.origin.empty() ? "-" : branch.origin);
     branches.add(row);
     for (const SpecialPoint& s : branch.special) {
-      const std::vector<OrbitImpact>& impacts = s.at.orbit.impacts;
+      const std::optional<SpecialPoint::Impact> impact = s.impact();
       special.add({s.id, fmt::format("{}", branch.id), fmt::format("{:.13g}", s.at.value),
-                   impacts.empty() ? "-" : fmt::format("{:.9f}", impacts.front().phase),
-                   impacts.empty() ? "-" : fmt::format("{:.9g}", impacts.front().speed),
+                   impact ? fmt::format("{:.9f}", impact->phase) : "-",
+                   impact ? fmt::format("{:.9g}", impact->speed) : "-",
                    s.multiplier ? complex_text(*s.multiplier) : "-"});
     }
   }

@@ -181,6 +181,27 @@ TEST(Diagram, SweepsSeveralStopsWithTheirBranches) {
   EXPECT_TRUE(in_turn);
 }
 
+// One place with stops on both sides has one panel, a second place its own.
+TEST(Diagram, StrobesHaveAPanelForEveryPlaceWithStops) {
+  const ScratchFolder scratch;
+  const std::string line = "diagram " + scene("07_two_stops.toml") +
+                           " --set beam.modes=2 --parameter forcing.frequency --from 27 --to 29"
+                           " --points 5 --periods 60 --impacts 2 --section strobe";
+  const auto picture = [&](const std::string& more, const std::string& name) {
+    const Finished run = run_graze(line + more + " --plot " + (scratch / name).string());
+    EXPECT_EQ(run.code, 0) << run.err;
+    return read_text(scratch / name);
+  };
+  const std::string apart = " --set stop.2.position=0.2";
+  picture(apart, "x.svg");
+  picture(apart + " --branches none", "x.png");
+  const std::string two = read_text(scratch / "x.svg"), one = picture("", "y.svg");
+  EXPECT_NE(two.find(">towards stop 1 (mm)<"), std::string::npos);
+  EXPECT_NE(two.find(">towards stop 2 (mm)<"), std::string::npos);
+  EXPECT_NE(one.find(">towards stop 1 (mm)<"), std::string::npos);
+  EXPECT_EQ(one.find(">towards stop 2 (mm)<"), std::string::npos);
+}
+
 TEST(Diagram, UsageErrorsExitWith2) {
   const std::string range = " --parameter stop.gap --from 0 --to 1e-3 ";
   for (const std::string& line : std::vector<std::string>{

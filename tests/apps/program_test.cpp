@@ -67,7 +67,10 @@ TEST(Program, RefusesWhatALaterVersionBrings) {
   for (const std::string& line : std::vector<std::string>{
            "cost " + kOneMode, "compare " + kOneMode, "fit a b",
            "orbit --plot picture.html " + kOneMode,
-           "continue --parameter stop.gap --from 0 --to 1 --locus LP " + kOneMode}) {
+           "continue --parameter stop.gap --from 0 --to 1 --locus LP " + kOneMode,
+           "diagram --parameter stop.gap --from 0 --to 1 --shard 1/2 " + kOneMode,
+           "diagram --parameter stop.gap --from 0 --to 1 --resume out " + kOneMode,
+           "diagram " + kOneMode + " --parameter stop.gap --from 0 --to 1 --resume"}) {
     const Finished run = run_graze(line);
     EXPECT_EQ(run.code, 2) << line;
     EXPECT_NE(run.err.find("not available in this version"), std::string::npos) << run.err;
@@ -151,6 +154,40 @@ TEST(Program, ContinueEndsAtGrazingsAndFoldsAreLocated) {
   EXPECT_GT(document["counters"]["shooting_evaluations"].get<int>(),
             static_cast<int>(branch["points"].size()));
   for (const json& point : branch["points"]) EXPECT_EQ(point["admissible"], true);
+}
+
+// Without damping and with r = 1 the impact map keeps areas: the product of its two multipliers is
+// 1, and where they are no real pair they lie on the unit circle.
+TEST(Program, ContinueSaysWhereStabilityIsOpen) {
+  const std::string line = scene("04_impact_oscillator.toml") +
+                           " --set 'modal.damping_ratios=[0.0]' --set stop.restitution=1"
+                           " --parameter forcing.frequency --from 1.6 --to 1.8 --json";
+  const Finished run = run_graze("continue " + line);
+  EXPECT_EQ(run.code, 3) << run.err;
+  const json document = json::parse(run.out);
+  EXPECT_EQ(document["outcome"], "on_the_circle");
+  EXPECT_NE(document["message"].get<std::string>().find("unit circle"), std::string::npos);
+  ASSERT_EQ(document["branches"].size(), 1U);
+  EXPECT_EQ(document["branches"][0]["ends"],
+            json::parse(R"(["parameter limit", "parameter limit"])"));
+  for (const json& point : document["branches"][0]["points"])
+    EXPECT_TRUE(point["stable"].is_null());
+  EXPECT_EQ(json::parse(run_graze("diagram --points 2 --periods 9 " + line).out)["outcome"],
+            "on_the_circle");
+}
+
+// Between its two stops one mode has an orbit that is the mirror image of itself; where it loses
+// that symmetry two others branch off. Each passes the branch point, with a multiplier of 1.
+TEST(Program, ContinueTakesNoBranchPointForOpenStability) {
+  const Finished run = run_graze("continue " + scene("07_two_stops.toml") +
+                                 " --set beam.modes=1 --parameter forcing.frequency --from 20"
+                                 " --to 40 --impacts 2 --follow all --json");
+  EXPECT_EQ(run.code, 0);
+  const json document = json::parse(run.out);
+  EXPECT_EQ(document["outcome"], "complete");
+  EXPECT_EQ(std::count_if(document["branches"].begin(), document["branches"].end(),
+                          [](const json& branch) { return branch["origin"] == "BP1"; }),
+            1);
 }
 
 TEST(Program, OutWritesTheDocumentTheSceneAndTheTables) {

@@ -59,7 +59,7 @@ TEST(AdmissibleBranches, OfTheBeamWithOneTwoAndFourModes) {
     SCOPED_TRACE(modes);
     const Scene scene =
         support::shipped_scene("05_wagg_one_mode", {"beam.modes=" + std::to_string(modes)});
-    expect_admissible_branches(scene, "forcing.frequency", 20.0, 120.0);
+    expect_admissible_branches(scene, "forcing.frequency", 15.0, 120.0);
   }
 }
 
@@ -94,7 +94,7 @@ TEST(AdmissibleBranches, LeaveNoOrbitOutAndNoneIn) {
     SCOPED_TRACE(modes);
     expect_complete(
         support::shipped_scene("05_wagg_one_mode", {"beam.modes=" + std::to_string(modes)}),
-        "forcing.frequency", 20.0, 120.0);
+        "forcing.frequency", 15.0, 120.0);
   }
 }
 

@@ -239,6 +239,57 @@ TEST(StickingBranch, RunsStickAsOftenAsTheirBranchSays) {
   EXPECT_LT(interrupted, parted);
 }
 
+// The two chatter points that the shipped scene names, each against runs from rest: they stick once
+// a period on the one side and never on the other.
+TEST(StickingBranch, OfTheShippedBeamRunsBetweenItsChatterPoints) {
+  const Scene scene = support::shipped_scene("09_soft_stop_two_modes");
+  const SystemFamily family(scene, "forcing.frequency");
+  const OrbitBranches result = sticking_branches(scene, "forcing.frequency", 36.0, 43.0, 8);
+  ASSERT_EQ(result.branches.size(), 1u);
+  const OrbitBranch& branch = result.branches[0];
+  EXPECT_EQ(branch.holds, std::vector<int>{0});
+  for (const OrbitBranchEnd end : branch.ends) EXPECT_EQ(end, OrbitBranchEnd::kChatterCompletes);
+  const double low = branch.points.front().value, high = branch.points.back().value;
+  EXPECT_NEAR(low, 37.2185, 5e-5);
+  EXPECT_NEAR(high, 41.7776, 5e-5);
+  EXPECT_EQ(sticks_a_period(family, low * (1.0 + 1e-5)), 1.0);
+  EXPECT_EQ(sticks_a_period(family, low * (1.0 - 1e-5)), 0.0);
+  EXPECT_EQ(sticks_a_period(family, high * (1.0 - 1e-5)), 1.0);
+  EXPECT_EQ(sticks_a_period(family, high * (1.0 + 1e-5)), 0.0);
+  EXPECT_GE(expect_stability_of_runs(scene, "forcing.frequency", result), 3);
+}
+
+// Two modes held on their stop at the gap a < 0: q'' + 2 delta q' + w^2 q = f e^{i theta} - d
+// force, b.q = a. The force is -a/(b W^-1 d), W = diag w^2, and the real part of (b H f)/(b H d)
+// e^{i theta} with H = 1/(w^2 - Omega^2 + 2 i delta Omega). It touches zero where the two
+// are as large.
+TEST(StickingBranch, EndsAtRestWhereTheForceOfTheHeldMotionTouchesZero) {
+  const Scene scene = parse_scene(
+      "[modal]\nfrequencies = [1.0, 3.6]\ndamping_ratios = [0.05, 0.05]\n"
+      "participation = [1.0, 0.4]\n"
+      "[forcing]\nkind = \"modal\"\namplitude = 1.0\nfrequency = 0.6\n"
+      "[[stop]]\nshape = [1.0, 0.6]\ngap = -0.8\nrestitution = 0.5\n",
+      "two_modes.toml");
+  const Complex first = 1.0 / Complex(1.0 - 0.36, 2.0 * 0.05 * 0.6);
+  const Complex second = 1.0 / Complex(3.6 * 3.6 - 0.36, 2.0 * 0.05 * 3.6 * 0.6);
+  const double norm = 1.0 + 0.36;  // d = b/(b.b)
+  const Complex swing = (first + 0.6 * 0.4 * second) / ((first + 0.36 * second) / norm);
+  const double compliance = (1.0 + 0.36 / (3.6 * 3.6)) / norm;
+  const OrbitBranches result = sticking_branches(scene, "stop.gap", -1.4, -0.7, 8);
+  ASSERT_EQ(result.branches.size(), 1u);
+  const OrbitBranch& branch = result.branches[0];
+  EXPECT_EQ(branch.ends[0], OrbitBranchEnd::kAtRest);
+  EXPECT_EQ(branch.ends[1], OrbitBranchEnd::kParameterLimit);
+  const auto found = special_points(result, SpecialKind::kLiftOff);
+  ASSERT_EQ(found.size(), 1u);
+  EXPECT_NEAR(found[0]->at.value, -std::abs(swing) * compliance, 1e-12);
+  EXPECT_NEAR(found[0]->impact()->phase, 0.5 * kTurn - std::arg(swing), 1e-9);
+  // Runs leave the stop once a period on the one side and never on the other.
+  const SystemFamily family(scene, "stop.gap");
+  EXPECT_EQ(sticks_a_period(family, found[0]->at.value * (1.0 - 1e-6)), 1.0);
+  EXPECT_EQ(sticks_a_period(family, found[0]->at.value * (1.0 + 1e-6)), 0.0);
+}
+
 // Beyond CH the orbits have a stuck phase more or less; seen from there it is the same point.
 TEST(StickingBranch, IsFollowedAcrossItsChatterPoints) {
   const OrbitBranches result = sticking_branches(support::reference_scene("sticking/rayl3"),

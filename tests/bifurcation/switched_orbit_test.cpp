@@ -191,6 +191,12 @@ TEST(SwitchedOrbits, DoublingsPartWhatSimulationReachesFromWhatItLeaves) {
         ++parted;
       }
   EXPECT_EQ(parted, 2);
+  // All other special points of these branches are grazings, which the next test confirms.
+  for (const OrbitBranch& branch : result.branches)
+    for (const SpecialPoint& special : branch.special)
+      EXPECT_TRUE(special.kind == SpecialKind::kPeriodDoubling ||
+                  special.kind == SpecialKind::kGrazing)
+          << special.id;
 }
 
 // How long after an impact of the orbit a motion without closing of chatters hits the next,

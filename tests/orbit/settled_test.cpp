@@ -135,6 +135,54 @@ TEST(Settled, SaysSoWhenThePeriodsDoNotSuffice) {
   EXPECT_EQ(settled.periods, 60);
   EXPECT_FALSE(settled.near);
   EXPECT_GE(settled.remaining, 1e-300);
+  EXPECT_NE(settled.verdict.find("settles on 1 impact that repeats every forcing period, but"),
+            std::string::npos)
+      << settled.verdict;
+}
+
+// The doubled orbit of the last test but two, with a budget that ends now in its first period, now
+// in its second: the motion has come to it within rounding either way.
+TEST(Settled, WhatIsLeftDoesNotDependOnWhereTheBudgetEnds) {
+  const System system = support::forced_oscillator(1.0, 0.05, 0.0, 0.8, 2.7, 1.0);
+  const State start = support::state_of({-1.0}, {0.0});
+  ASSERT_EQ(settle(system, start, as_near_as(1e-8)).period, 2);
+  for (long long periods = 900; periods < 904; ++periods) {
+    const SettledMotion settled = settle(system, start, as_near_as(1e-300, periods));
+    SCOPED_TRACE(periods);
+    EXPECT_FALSE(settled.near);
+    EXPECT_EQ(settled.period, 2);
+    EXPECT_EQ(settled.impacts.size(), 2u);
+    EXPECT_LE(settled.remaining, 1e-11);
+  }
+}
+
+// Multipliers near -1, and a budget that is spent when two periods agree to 1e-6 and one does not.
+TEST(Settled, AnOrbitSeenTwiceIsOneOnTheWayThere) {
+  int seen_twice = 0;
+  for (double frequency = 2.60; frequency < 2.66; frequency += 0.004) {
+    const System system = support::forced_oscillator(1.0, 0.05, 0.0, 0.8, frequency, 1.0);
+    const ShootingProblem problem({1, {0}}, shooting_scale(system));
+    for (const ImpactPoint& exact : closed_form(system, 0, 1).form->solutions(0.0)) {
+      const Orbit orbit = make_orbit(system, problem, problem.pack({exact}));
+      if (orbit.stable != true || !orbit.admissible) continue;
+      System shifted = system;
+      State start = half_way(shifted, exact);
+      start.qdot *= 1.0 + 1e-4;
+      const long long enough = settle(shifted, start, as_near_as(1e-8)).periods;
+      for (long long periods = enough - 8; periods < enough; ++periods) {
+        const SettledMotion settled = settle(shifted, start, as_near_as(1e-8, periods));
+        SCOPED_TRACE(testing::Message() << frequency << ", " << periods << " of " << enough);
+        if (settled.period == 0) continue;
+        EXPECT_FALSE(settled.near);
+        EXPECT_EQ(settled.period, 1);
+        EXPECT_EQ(settled.impacts.size(), 1u);
+        EXPECT_GE(settled.remaining, 1e-8);
+        EXPECT_LE(settled.remaining, 1e-3);
+        ++seen_twice;
+      }
+    }
+  }
+  EXPECT_GE(seen_twice, 16);
 }
 
 // Free of the stop the motion tends to Re(P e^{i Omega t}); decay e^{-.005 * 2 pi} a period, so

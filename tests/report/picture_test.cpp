@@ -4,11 +4,14 @@
 
 #include <cmath>
 #include <limits>
+#include <set>
 #include <sstream>
+#include <utility>
 
 #include "apps/program.hpp"
 #include "graze/base/errors.hpp"
 #include "graze/report/picture_motion.hpp"
+#include "graze/report/special_marks.hpp"
 #include "support/systems.hpp"
 
 namespace graze {
@@ -203,6 +206,95 @@ TEST(AxisUnit, KeepsNumbersShort) {
   expect_unit("J", 0.1, "mJ", 1e3);
   expect_unit("m", 1.05e-3, "mm", 1e3);
   expect_unit("m", 2e-14, "10^{-15} m", 1e15);
+}
+
+// A branch of orbits with two impacts a period; from the fourth point on the second of them has the
+// smaller phase and comes first.
+BranchRecord relabelled_branch() {
+  BranchRecord record;
+  record.from = 0.0;
+  record.to = 1.0;
+  record.traced.parameter = "stop.restitution";
+  OrbitBranch branch;
+  branch.pattern = {1, {0, 0}};
+  for (int i = 0; i <= 6; ++i) {
+    OrbitBranchPoint point;
+    point.value = i / 6.0;
+    point.orbit.admissible = true;
+    point.orbit.stable = true;
+    OrbitImpact slow, fast;
+    slow.speed = 1.0 + 0.01 * i;
+    fast.speed = 2.0 - 0.01 * i;
+    point.orbit.impacts = {slow, fast};
+    if (i >= 3) std::swap(point.orbit.impacts[0], point.orbit.impacts[1]);
+    branch.points.push_back(point);
+  }
+  SpecialPoint fold;
+  fold.id = "LP1";
+  fold.at = branch.points.back();
+  branch.special.push_back(fold);
+  record.traced.branches.push_back(branch);
+  return record;
+}
+
+// Rows of numbers of a data set of a script, those of each line apart.
+std::vector<std::vector<std::pair<double, double>>> lines_in(const std::string& script,
+                                                             const std::string& name) {
+  std::vector<std::vector<std::pair<double, double>>> lines(1);
+  const std::size_t start = script.find("$" + name + " << EOD\n");
+  if (start == std::string::npos) return {};
+  std::istringstream rows(script.substr(script.find('\n', start) + 1));
+  for (std::string row; std::getline(rows, row) && row != "EOD";) {
+    std::istringstream numbers(row);
+    double x = 0.0, y = 0.0;
+    if (numbers >> x >> y)
+      lines.back().emplace_back(x, y);
+    else if (!lines.back().empty())
+      lines.emplace_back();
+  }
+  return lines;
+}
+
+TEST(DrawBranches, ShowsEveryImpactOfAnOrbitAsACurveOfItsOwn) {
+  const ScratchFolder scratch;
+  draw_branches((scratch / "x.svg").string(), relabelled_branch());
+  const std::string script = read_text(scratch / "x.gp");
+  std::size_t curves = 0;
+  for (const auto& line : lines_in(script, "stable")) {
+    if (line.empty()) continue;
+    ++curves;
+    EXPECT_EQ(line.size(), 7U);
+    for (std::size_t i = 1; i < line.size(); ++i)
+      EXPECT_NEAR(line[i].second, line[i - 1].second, 0.011);
+  }
+  EXPECT_EQ(curves, 2U);
+  // The fold is marked on both.
+  const auto marks = lines_in(script, "LP");
+  ASSERT_EQ(marks.size(), 1U);
+  EXPECT_EQ(marks[0].size(), 2U);
+}
+
+TEST(DrawBranches, AMultiplierThatPassesTheCircleIsNoOpenStability) {
+  BranchRecord record = relabelled_branch();
+  std::vector<OrbitBranchPoint>& points = record.traced.branches[0].points;
+  points[2].orbit.stable.reset();
+  points[3].orbit.stable = false;
+  const ScratchFolder scratch;
+  const auto drawn = [&] {
+    draw_branches((scratch / "x.svg").string(), record);
+    return read_text(scratch / "x.gp");
+  };
+  EXPECT_EQ(drawn().find("stability open"), std::string::npos);
+  points[3].orbit.stable.reset();
+  EXPECT_NE(drawn().find("stability open"), std::string::npos);
+}
+
+TEST(SpecialMarks, AreToldApartByTheirShape) {
+  std::set<int> shapes;
+  for (const char* label : {"LP", "BP", "PD", "NS", "GR", "CH", "LO", "of a later version"})
+    EXPECT_TRUE(shapes.insert(special_mark(label).point).second) << label;
+  // The dots of a sweep.
+  EXPECT_FALSE(shapes.contains(7));
 }
 
 TEST(DrawSimulation, DrawsWhateverWasRecorded) {

@@ -53,7 +53,7 @@ void expect_equal(const Scene& a, const Scene& b) {
   EXPECT_EQ(a.solver.tolerance, b.solver.tolerance);
 }
 
-TEST(ShippedScene, ThereAreSome) { EXPECT_GE(shipped_scenes().size(), 8u); }
+TEST(ShippedScene, ThereAreSome) { EXPECT_GE(shipped_scenes().size(), 9u); }
 
 TEST(ShippedScene, IsReadAndHasATitle) {
   for (const auto& file : shipped_scenes()) {
@@ -112,6 +112,15 @@ TEST(ShippedScene, TwoStopsHoldTheSameBeam) {
     scene->stops.clear();
   }
   expect_equal(one, two);
+}
+
+// 09 is 02 with fewer modes, a softer stop and another frequency.
+TEST(ShippedScene, SoftStopHoldsTheSameBeam) {
+  Scene hard = read_scene(kFolder / "02_wagg_momentum.toml",
+                          {"beam.modes=2", "stop.restitution=0.3", "forcing.frequency=37.6"});
+  Scene soft = read_scene(kFolder / "09_soft_stop_two_modes.toml");
+  for (Scene* scene : {&hard, &soft}) scene->title.clear();
+  expect_equal(hard, soft);
 }
 
 // Falls from rest, then a flight of 2 v/g after every impact, v shrinking by r each time:

@@ -42,14 +42,17 @@ SystemFamily bistable_family() {
                    {"forcing.frequency=1.6", "stop.gap=0.5", "initial.q=[0.0]"});
 }
 
-// Distance of a (1, 1) row from the nearest solution of the closed form: phase in rad, speed
-// relative.
+// Distance of a row with one impact in p periods from the nearest stable orbit of the closed form:
+// phase in rad, speed relative.
 double distance_from_closed_form(const SystemFamily& family, const SweepRow& row) {
   const System system = *family.at(row.value);
   const MetImpact& impact = row.motion.impacts.front();
   const ClosedFormAnswer answer = closed_form(system, impact.stop, row.motion.period);
   double least = 1.0;
+  const ShootingProblem problem({row.motion.period, {impact.stop}}, shooting_scale(system));
   for (const ImpactPoint& exact : answer.form->solutions(system.stops[0].gap)) {
+    const Orbit orbit = make_orbit(system, problem, problem.pack({exact}));
+    if (orbit.stable != true || !orbit.admissible) continue;
     const double speed = system.stops[0].row.dot(exact.before.qdot);
     const double phase = std::abs(std::remainder(impact.phase - exact.theta, kTurn));
     least = std::min(least, std::max(phase, std::abs(impact.speed / speed - 1.0)));
