@@ -15,20 +15,19 @@ namespace graze {
 template <class Real>
 std::optional<ClosedChatter<Real>> Motion<Real>::close_chatter(
     const std::vector<ImpactShare<Real>>& shares, const Real& closure_speed) {
-  const ImpactShare<Real>* last = nullptr;
+  const ImpactShare<Real>* fastest = nullptr;
   int hits = 0;
   for (const ImpactShare<Real>& share : shares) {
     if (!share.hit) continue;
     ++hits;
-    // Of several stops hit at once the one listed last.
-    if (!last || share.stop > last->stop) last = &share;
+    if (!fastest || share.speed > fastest->speed) fastest = &share;
   }
-  if (!last || !changes_.empty()) return {};
+  if (!fastest || !changes_.empty()) return {};
   const Real speed = std::max<Real>(closure_speed, resolved_speed());
-  if (!(last->speed <= speed)) return {};
+  if (!(fastest->speed <= speed)) return {};
   if (auto closed = close_shared(speed)) return closed;
-  if (hits != 1 || !(last->speed <= closure_speed)) return {};
-  return close_chatter(last->stop, stop(last->stop).restitution.at(last->speed));
+  if (hits != 1 || !(fastest->speed <= closure_speed)) return {};
+  return close_chatter(fastest->stop, stop(fastest->stop).restitution.at(fastest->speed));
 }
 
 template <class Real>

@@ -256,11 +256,12 @@ class Run {
           energy_change(system_, before, {motion_.q(), motion_.qdot()}) - work.forcing - work.load;
     }
     book_energy(change);
+    const auto last =
+        std::max_element(shares.begin(), shares.end(),
+                         [](const auto& a, const auto& b) { return a.speed < b.speed; });
     for (const int i : closed->stops) {
       Event event = chatter_event(i);
-      const bool hit = std::any_of(shares.begin(), shares.end(),
-                                   [i](const auto& share) { return share.hit && share.stop == i; });
-      if (hit) event.energy_change = std::exchange(change, 0.0);
+      if (i == last->stop) event.energy_change = change;
       ++state_.totals.chatters;
       emit(event);
     }

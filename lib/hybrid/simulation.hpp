@@ -27,7 +27,7 @@ struct Event {
   double energy_change = 0.0;
   // Chatter, at its last resolved impact: how many impacts on this stop fell in speed one after the
   // other up to it, and the speed below which the rest was summed, m/s. Stops that share a chatter
-  // are reported one by one; the energy stands with the one that was hit last.
+  // are reported one by one; the energy stands with the one hit last (fastest).
   long long impacts = 0;
   double closure_speed = 0.0;
   // Stick: the contact force that sets in, N.
