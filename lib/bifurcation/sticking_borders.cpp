@@ -176,7 +176,10 @@ StickingTip StickingBorders::completion(Approach& approach, const ReleaseReturn&
 StickingTip StickingBorders::between(const BranchPoint& a, const BranchPoint& b) {
   BranchPoint from = a;
   std::optional<ReleaseReturn> here = equations_.follow(a);
+  const std::optional<ReleaseReturn> at_b = equations_.follow(b);
   for (int change = 0; here && change < kMostChanges; ++change) {
+    // Changes that end nothing may be all there is up to `b`.
+    if (at_b && is_like(*at_b, *here)) return {};
     Approach there = approach(from, b, *here);
     const bool same_holds =
         there.beyond && there.beyond->returns && there.beyond->holds == here->holds;
@@ -186,8 +189,7 @@ StickingTip StickingBorders::between(const BranchPoint& a, const BranchPoint& b)
       touch.beyond = there.at_beyond;
       return touch;
     }
-    // Nothing ends here; go on from the other side, unless that is `b`.
-    if (corrector_.pack(there.at_beyond) == corrector_.pack(b)) return {};
+    // Nothing ends here; go on from the other side.
     from = there.at_beyond;
     here = there.beyond;
   }

@@ -8,6 +8,7 @@
 #include "graze/base/angle.hpp"
 #include "graze/bifurcation/orbit_parts.hpp"
 #include "graze/bifurcation/sticking_borders.hpp"
+#include "graze/continuation/critical.hpp"
 
 namespace graze {
 namespace {
@@ -20,7 +21,7 @@ class StickingParts {
  public:
   StickingParts(const StickingEquations& equations, const ContinuationOptions& options,
                 const Branch& branch)
-      : equations_(equations), branch_(branch), borders_(equations, options) {}
+      : equations_(equations), options_(options), branch_(branch), borders_(equations, options) {}
 
   // Nothing where a point of it cannot be judged. Adds what lies beyond its ends.
   std::optional<OrbitBranch> judge(std::vector<StickingNeighbour>& neighbours) {
@@ -33,6 +34,7 @@ class StickingParts {
     result.pattern.period = equations_.section().release().period;
     result.ends = {tips[0].end, tips[1].end};
     add_border(tips[0], result, neighbours);
+    if (cut_front && tips[0].border) add_last_step(*tips[0].border, branch_.points[first], result);
     auto critical = branch_.critical.begin();
     while (critical != branch_.critical.end() && critical->after < first) ++critical;
     for (std::size_t i = first; i <= end; ++i) {
@@ -42,6 +44,7 @@ class StickingParts {
       for (; critical != branch_.critical.end() && critical->after == i && i < end; ++critical)
         add_critical(*critical, result);
     }
+    if (cut_back && tips[1].border) add_last_step(branch_.points[end], *tips[1].border, result);
     add_border(tips[1], result, neighbours);
     const std::optional<ReleaseReturn> back = equations_.follow(branch_.points[first]);
     if (!back) return {};
@@ -83,6 +86,29 @@ class StickingParts {
       neighbours.push_back({result.special.size() - 1, std::move(other->orbit), other->value});
   }
 
+  // The special points between the last orbit of the trace and the border, whichever comes first.
+  // The trace's own last step leads beyond it.
+  void add_last_step(BranchPoint a, BranchPoint b, OrbitBranch& result) {
+    const ZeroProblem& problem = equations_.problem();
+    Corrector corrector(problem, options_);
+    const Vector chord = corrector.difference(corrector.pack(b), corrector.pack(a));
+    Branch step;
+    for (BranchPoint* point : {&a, &b}) {
+      if (point->tangent.dot(chord) < 0.0) {
+        point->tangent *= -1.0;
+        point->orientation *= -1;
+      }
+      point->multipliers = problem.multipliers(point->u, point->parameter, ErrorBounds::kGiven);
+      step.points.push_back(*point);
+    }
+    const auto rate = [](const BranchPoint& p) { return p.tangent[p.tangent.size() - 1]; };
+    if (rate(a) * rate(b) < 0.0)
+      if (const auto fold = locate(problem, options_, a, b, rate))
+        step.critical.push_back({CriticalKind::kFold, *fold, 0, {}});
+    add_critical_points(step, problem, corrector);
+    for (const CriticalPoint& critical : step.critical) add_critical(critical, result);
+  }
+
   void add_critical(const CriticalPoint& critical, OrbitBranch& result) const {
     // Beside a grazing the map's derivative jumps, and the orientation with it; where another
     // branch crosses a multiplier is 1.
@@ -98,6 +124,7 @@ class StickingParts {
   }
 
   const StickingEquations& equations_;
+  const ContinuationOptions& options_;
   const Branch& branch_;
   StickingBorders borders_;
 };
