@@ -51,6 +51,8 @@ enum class OrbitBranchEnd {
   kPeriodDoubling,  // where it joins orbits of half the period
   kImpactsMeet,     // a flight from impact to impact shrinks to nothing: their order would change
   kStepLimit,
+  kOutOfTime,  // the budget of computing time is spent
+  kStopped,    // from outside
   kNotConverged
 };
 

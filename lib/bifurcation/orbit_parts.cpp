@@ -1,6 +1,7 @@
 #include "graze/bifurcation/orbit_parts.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace graze {
 namespace {
@@ -97,7 +98,10 @@ class Parts {
       const std::size_t first = stations_.size() - 1;
       const OrbitBranchPoint before = stations_[first].at;
       for (; critical != branch_.critical.end() && critical->after == i - 1; ++critical)
-        if (equations_.system_at(critical->point.parameter))  // between allowed values may be none
+        // Between allowed values may be none.
+        if (equations_.system_at(critical->point.parameter) &&
+            (is_of_orbits(*critical) ||
+             equations_.passes_half(branch_.points[i - 1], branch_.points[i])))
           stations_.push_back(special(*critical));
       stations_.push_back(here);
       if (before.orbit.admissible != here.at.orbit.admissible)
@@ -214,6 +218,14 @@ class Parts {
 
 }  // namespace
 
+bool is_of_orbits(const CriticalPoint& critical) {
+  // A branch point is interpolated over a step of 1e-6; its multiplier is 1 within the square root
+  // of that.
+  constexpr double kAtOne = 1e-3;
+  return critical.kind != CriticalKind::kBranchPoint ||
+         (critical.multiplier && std::abs(critical.multiplier->value - 1.0) <= kAtOne);
+}
+
 OrbitBranchEnd as_orbit_end(BranchEnd end) {
   switch (end) {
     case BranchEnd::kParameterLimit:
@@ -221,8 +233,11 @@ OrbitBranchEnd as_orbit_end(BranchEnd end) {
     case BranchEnd::kClosed:
       return OrbitBranchEnd::kClosed;
     case BranchEnd::kStepLimit:
-    case BranchEnd::kStopped:
       return OrbitBranchEnd::kStepLimit;
+    case BranchEnd::kOutOfTime:
+      return OrbitBranchEnd::kOutOfTime;
+    case BranchEnd::kStopped:
+      return OrbitBranchEnd::kStopped;
     case BranchEnd::kHalted:
     case BranchEnd::kNotConverged:
       break;

@@ -13,10 +13,6 @@
 namespace graze {
 namespace {
 
-// A branch point is interpolated over a step of 1e-6; its multiplier is 1 within the square root of
-// that.
-constexpr double kAtOne = 1e-3;
-
 class StickingParts {
  public:
   StickingParts(const StickingEquations& equations, const ContinuationOptions& options,
@@ -110,11 +106,7 @@ class StickingParts {
   }
 
   void add_critical(const CriticalPoint& critical, OrbitBranch& result) const {
-    // Beside a grazing the map's derivative jumps, and the orientation with it; where another
-    // branch crosses a multiplier is 1.
-    if (critical.kind == CriticalKind::kBranchPoint &&
-        !(critical.multiplier && std::abs(critical.multiplier->value - 1.0) <= kAtOne))
-      return;
+    if (!is_of_orbits(critical)) return;
     const std::optional<OrbitBranchPoint> at = equations_.judge(critical.point);
     if (!at) return;
     SpecialPoint special{as_special(critical.kind), "", *at, {}, false, critical.point};

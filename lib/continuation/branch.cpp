@@ -73,7 +73,10 @@ class Tracer {
     left_start_ = false;
     double h = 0.1 * longest_step(branch.points.back());
     while (true) {
-      if (options_.stop.requested()) return ended(std::move(branch), BranchEnd::kStopped);
+      const StopReason stop = options_.stop.reason();
+      if (stop != StopReason::kNone)
+        return ended(std::move(branch),
+                     stop == StopReason::kOutOfTime ? BranchEnd::kOutOfTime : BranchEnd::kStopped);
       if (static_cast<int>(branch.points.size()) > options_.max_points)
         return ended(std::move(branch), BranchEnd::kStepLimit);
       const BranchPoint here = branch.points.back();

@@ -255,5 +255,17 @@ TEST(SpecialOrbits, AreFoundWhereTheyCrossAndReturnWithinAStep) {
   }
 }
 
+// With gap 0 orbits scale with the amplitude. At amplitude 0 they shrink to rest at the stop, a
+// solution of the equations at every phase, and end there; no other orbits cross.
+TEST(SpecialOrbits, AmplitudeZeroIsAnEndAndNoBranchPoint) {
+  const OrbitBranches result =
+      trace(support::shipped_scene("04_impact_oscillator"), "forcing.amplitude", -1.0, 1.0, false);
+  EXPECT_EQ(result.branches.size(), 2u);
+  EXPECT_TRUE(special_points(result, SpecialKind::kBranchPoint).empty());
+  const auto ends = special_points(result, SpecialKind::kGrazing);
+  EXPECT_EQ(ends.size(), 2u);
+  for (const SpecialPoint* end : ends) EXPECT_LE(std::abs(end->at.value), 1e-15);
+}
+
 }  // namespace
 }  // namespace graze
