@@ -342,5 +342,25 @@ TEST(SwitchedOrbits, SequencesOfTwoImpactsAreFoundWithoutFollowing) {
   EXPECT_GE(expect_stable_points_are_reached(result, family), 3);
 }
 
+// Doubled orbits between two doublings of one branch are met from both, half a period apart.
+TEST(SwitchedOrbits, DoubledOrbitsBetweenTwoDoublingsAreTracedOnce) {
+  const OrbitBranches result =
+      followed(support::shipped_scene("04_impact_oscillator"), "forcing.frequency", 0.2, 6.0, 3);
+  int between_doublings = 0;
+  std::vector<std::pair<double, double>> ends;
+  for (const OrbitBranch& branch : result.branches) {
+    if (branch.ends[0] != OrbitBranchEnd::kPeriodDoubling ||
+        branch.ends[1] != OrbitBranchEnd::kPeriodDoubling)
+      continue;
+    ++between_doublings;
+    const auto [low, high] = std::minmax(branch.points.front().value, branch.points.back().value);
+    for (const auto& [other_low, other_high] : ends)
+      EXPECT_FALSE(std::abs(low - other_low) < 1e-9 && std::abs(high - other_high) < 1e-9)
+          << "twice between " << low << " and " << high;
+    ends.emplace_back(low, high);
+  }
+  EXPECT_GE(between_doublings, 2);
+}
+
 }  // namespace
 }  // namespace graze
