@@ -17,7 +17,8 @@ enum class SpecialKind {
   kPeriodDoubling,    // PD: a multiplier passes -1
   kTorus,             // NS: a complex pair of multipliers passes the unit circle
   kBranchPoint,       // BP: another branch of the same impact pattern crosses
-  kGrazing,           // GR: an interior approach touches a stop, or an impact speed goes to zero
+  kGrazing,           // GR: an approach touches a stop, an impact speed vanishes, or one with r = 0
+                      // begins to stick
   kChatterCompletes,  // CH: a chatter completes at the instant of its release
   kLiftOff            // LO: the contact force of a structure at rest on a stop touches zero
 };
@@ -40,6 +41,8 @@ struct SpecialPoint {
   // For CH: whether a contact force touches zero within a stuck phase and cuts it in two (else one
   // shrinks to nothing).
   bool interrupted = false;
+  // For a grazing: whether an impact that leaves its stop at rest (r = 0) begins to stick there.
+  bool by_push = false;
 
   // Phase, rad, and approach speed, m/s, of the orbit's first impact; of a lift-off those of the
   // flight that shrinks to nothing. Nothing where there is neither.
@@ -62,6 +65,8 @@ enum class OrbitBranchEnd {
   kPeriodDoubling,  // where it joins orbits of half the period
   kImpactsMeet,     // a flight from impact to impact shrinks to nothing: their order would change
   kStepLimit,
+  kOutOfTime,  // the budget of computing time is spent
+  kStopped,    // from outside
   kNotConverged
 };
 

@@ -252,12 +252,16 @@ class OrbitTracer {
       at.multipliers.clear();
       start = other_branch(equations.problem(), branches.options(), at);
     }
+    if (!start) return;
     // At a branch point the known branch passes too.
     const bool crossing = special.kind == SpecialKind::kBranchPoint;
-    if (!start || (crossing ? branches.knows_crossing(*start) : branches.knows(*start))) return;
+    const bool doubling = special.kind == SpecialKind::kPeriodDoubling;
+    if (crossing   ? branches.knows_crossing(*start)
+        : doubling ? branches.knows_doubling(*start)
+                   : branches.knows(*start))
+      return;
     ++result_.switched;
     // Either way from a doubling lead the same orbits, half a period apart.
-    const bool doubling = special.kind == SpecialKind::kPeriodDoubling;
     add_trace(branches, *start, doubling ? Directions::kForward : Directions::kBoth,
               static_cast<int>(index), which);
   }

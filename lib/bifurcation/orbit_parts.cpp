@@ -1,6 +1,7 @@
 #include "graze/bifurcation/orbit_parts.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace graze {
 namespace {
@@ -97,7 +98,10 @@ class Parts {
       const std::size_t first = stations_.size() - 1;
       const OrbitBranchPoint before = stations_[first].at;
       for (; critical != branch_.critical.end() && critical->after == i - 1; ++critical)
-        if (equations_.system_at(critical->point.parameter))  // between allowed values may be none
+        // Between allowed values may be none.
+        if (equations_.system_at(critical->point.parameter) &&
+            (is_of_orbits(*critical) ||
+             equations_.passes_half(branch_.points[i - 1], branch_.points[i])))
           stations_.push_back(special(*critical));
       stations_.push_back(here);
       if (before.orbit.admissible != here.at.orbit.admissible)
@@ -161,29 +165,45 @@ class Parts {
     });
   }
 
+  // Where an impact speed vanishes.
+  std::optional<BranchPoint> standstill(const BranchPoint& a, const BranchPoint& b,
+                                        const OrbitBranchPoint& at_a,
+                                        const OrbitBranchPoint& at_b) const {
+    // One of them is on the grazing within rounding.
+    if (at_a.smallest_speed > 0.0 && at_b.smallest_speed > 0.0)
+      return at_a.smallest_speed < at_b.smallest_speed ? a : b;
+    return locate(equations_.problem(), options_, a, b, [&](const BranchPoint& p) {
+      return equations_.admissibility_of(p).smallest_speed;
+    });
+  }
+
+  // Where an impact that leaves its stop at rest is pushed back.
+  std::optional<BranchPoint> pushed_back(const BranchPoint& a, const BranchPoint& b) const {
+    const auto pull = [&](const BranchPoint& p) {
+      return -equations_.admissibility_of(p).push.value_or(-1.0);
+    };
+    if ((pull(a) < 0.0) == (pull(b) < 0.0)) return {};
+    return locate(equations_.problem(), options_, a, b, pull);
+  }
+
   std::optional<SpecialPoint> grazing(const BranchPoint& a, const BranchPoint& b,
                                       const OrbitBranchPoint& at_a,
                                       const OrbitBranchPoint& at_b) const {
     const double still = still_speed(*equations_.system_at(a.parameter));
     bool by_speed = (at_a.smallest_speed > still) != (at_b.smallest_speed > still);
-    std::optional<BranchPoint> point;
-    if (by_speed && at_a.smallest_speed > 0.0 && at_b.smallest_speed > 0.0) {
-      // One of them is on the grazing within rounding.
-      point = at_a.smallest_speed < at_b.smallest_speed ? a : b;
-    } else if (by_speed) {
-      point = locate(equations_.problem(), options_, a, b, [&](const BranchPoint& p) {
-        return equations_.admissibility_of(p).smallest_speed;
-      });
-      // An approach may have touched before that speed vanished.
-      if (point && penetrates(*point)) {
-        by_speed = false;
-        point = at_a.orbit.admissible ? touch(a, *point, at_a, at_b) : touch(*point, b, at_a, at_b);
-      }
-    } else {
-      point = touch(a, b, at_a, at_b);
+    std::optional<BranchPoint> point = by_speed ? standstill(a, b, at_a, at_b) : pushed_back(a, b);
+    bool by_push = point && !by_speed;
+    if (by_speed && !point) return {};
+    // An approach may have touched before.
+    const bool at_end = by_speed && at_a.smallest_speed > 0.0 && at_b.smallest_speed > 0.0;
+    if (!point || (!at_end && penetrates(*point))) {
+      const bool before = point && at_a.orbit.admissible, behind = point && !before;
+      by_speed = by_push = false;
+      point = touch(behind ? *point : a, before ? *point : b, at_a, at_b);
     }
     if (!point) return {};
     SpecialPoint special{SpecialKind::kGrazing, "", equations_.judge(*point), {}, by_speed, *point};
+    special.by_push = by_push;
     // It touches and does not cross; which side of that the last bit falls on says nothing.
     special.at.orbit.admissible = true;
     return special;
@@ -198,6 +218,14 @@ class Parts {
 
 }  // namespace
 
+bool is_of_orbits(const CriticalPoint& critical) {
+  // A branch point is interpolated over a step of 1e-6; its multiplier is 1 within the square root
+  // of that.
+  constexpr double kAtOne = 1e-3;
+  return critical.kind != CriticalKind::kBranchPoint ||
+         (critical.multiplier && std::abs(critical.multiplier->value - 1.0) <= kAtOne);
+}
+
 OrbitBranchEnd as_orbit_end(BranchEnd end) {
   switch (end) {
     case BranchEnd::kParameterLimit:
@@ -205,8 +233,11 @@ OrbitBranchEnd as_orbit_end(BranchEnd end) {
     case BranchEnd::kClosed:
       return OrbitBranchEnd::kClosed;
     case BranchEnd::kStepLimit:
-    case BranchEnd::kStopped:
       return OrbitBranchEnd::kStepLimit;
+    case BranchEnd::kOutOfTime:
+      return OrbitBranchEnd::kOutOfTime;
+    case BranchEnd::kStopped:
+      return OrbitBranchEnd::kStopped;
     case BranchEnd::kHalted:
     case BranchEnd::kNotConverged:
       break;

@@ -87,12 +87,20 @@ bool PatternBranches::knows(const BranchPoint& solution) const {
   return false;
 }
 
-bool PatternBranches::knows_crossing(const BranchPoint& at) const {
+int PatternBranches::crossings(const BranchPoint& at) const {
   int passing = 0;
   for (const BranchPoint& same : rewritten(at))
     for (const Branch& branch : traced_)
       passing += crosses_at(equations_.problem(), options_, branch, same) ? 1 : 0;
-  return passing >= 2;
+  return passing;
+}
+
+bool PatternBranches::knows_crossing(const BranchPoint& at) const { return crossings(at) >= 2; }
+
+// A trace that ended at the doubling has a branch point there, beside which Newton's method is too
+// slow to tell what lies on the trace.
+bool PatternBranches::knows_doubling(const BranchPoint& at) const {
+  return crossings(at) >= 1 || knows(at);
 }
 
 const Branch& PatternBranches::trace(const BranchPoint& start, Directions directions) {

@@ -36,6 +36,9 @@ class PatternBranches {
   bool knows(const BranchPoint& solution) const;
   // Whether both branches that cross at a branch point have been traced.
   bool knows_crossing(const BranchPoint& at) const;
+  // Whether orbits of twice the period that begin at a doubling have been traced, from there or
+  // from their other end.
+  bool knows_doubling(const BranchPoint& at) const;
   // Traces the branch through a solution.
   const Branch& trace(const BranchPoint& start, Directions directions);
   // Its parts that are listed.
@@ -44,6 +47,9 @@ class PatternBranches {
  private:
   // The solution, written from each impact that its pattern may begin with.
   std::vector<BranchPoint> rewritten(const BranchPoint& solution) const;
+
+  // How many traced branches have a branch point there.
+  int crossings(const BranchPoint& at) const;
 
   OrbitEquations equations_;
   ContinuationOptions options_;

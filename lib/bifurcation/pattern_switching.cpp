@@ -66,6 +66,8 @@ std::optional<PatternSwitch> pattern_switch(const OrbitEquations& equations,
       return PatternSwitch{equations.pattern(), equations.points(special.solution),
                            special.solution.tangent};
     case SpecialKind::kGrazing:
+      // Beyond a push the orbits stick.
+      if (special.by_push) break;
       return special.by_speed ? without_slowest(equations, special)
                               : with_touch(equations, special);
     case SpecialKind::kFold:

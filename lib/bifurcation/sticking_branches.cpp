@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "graze/base/angle.hpp"
+#include "graze/bifurcation/sticking_borders.hpp"
 #include "graze/bifurcation/sticking_parts.hpp"
 
 namespace graze {
@@ -15,7 +16,8 @@ namespace {
 void cut_beyond(Branch& trace, const OrbitBranch& judged) {
   const auto located = [&](std::size_t side) {
     return judged.ends[side] == OrbitBranchEnd::kChatterCompletes ||
-           judged.ends[side] == OrbitBranchEnd::kAtRest;
+           judged.ends[side] == OrbitBranchEnd::kAtRest ||
+           judged.ends[side] == OrbitBranchEnd::kGrazing;
   };
   if (trace.ends[1] == BranchEnd::kHalted) {
     trace.points.pop_back();
@@ -114,10 +116,9 @@ StickingTrace StickingBranches::trace(const Orbit& orbit, double value) {
       std::make_unique<StickingEquations>(family_, *system, releases.front().release, options);
   const StickingEquations& equations = *traced.equations;
   ContinuationOptions range = range_;
-  range.proceed = [&equations](const BranchPoint& previous, const BranchPoint& here) {
-    const std::optional<ReleaseReturn> before = equations.follow(previous),
-                                       now = equations.follow(here);
-    return before && now && now->returns && now->holds == before->holds;
+  StickingBorders borders(equations, range_);
+  range.proceed = [&borders](const BranchPoint& previous, const BranchPoint& here) {
+    return !borders.passes(previous, here);
   };
   const auto start =
       solve_at(equations.problem(), range,
@@ -128,7 +129,7 @@ StickingTrace StickingBranches::trace(const Orbit& orbit, double value) {
     result.why_not = "the orbit that sticks was not found again at its release";
     return result;
   }
-  if (back->shortest_hold <= kGone * system->period()) {
+  if (borders.has_shrunk(*back, *start)) {
     result.why_not =
         "an orbit with stuck phases without end (a chatter on one stop throws the structure off "
         "another) is not continued";

@@ -8,8 +8,9 @@
 // instead it ends at LO: beyond, the structure is pressed on the stop for ever.
 //
 // Where an impact outside the chatters loses its speed, or an interior approach touches a stop, the
-// map has a corner and no derivative on one side: a branch of several modes ends there with GR.
-// With N = m held directions the equations do not see it and the branch goes on.
+// map has a corner and no derivative on one side: a branch of several modes ends there with GR,
+// also where a step would lead on beyond it. With N = m held directions the equations do not see it
+// and the branch goes on.
 //
 // CH is where the motion stops coming to rest, and it is located as that: between an orbit
 // that sticks and a solution that does not, to the last digits of arclength. A chatter is summed
@@ -59,9 +60,9 @@ class StickingEquations {
   mutable std::optional<System> cached_;
 };
 
-// An orbit with one stuck phase more or less beyond a CH of a branch.
+// An orbit beyond the CH or GR that ends a branch.
 struct StickingNeighbour {
-  std::size_t special = 0;  // index of the CH among the branch's special points
+  std::size_t special = 0;  // index of that among the branch's special points
   Orbit orbit;
   double value = 0.0;  // of the parameter
 };

@@ -8,10 +8,6 @@
 
 namespace graze {
 
-// A stuck phase that lasts less than this part of a forcing period has shrunk to nothing: what
-// 1e-10 of the parameter leaves of it beside CH, (1e-10)^(3/5).
-inline constexpr double kGone = 1e-6;
-
 // The branch that was traced with these equations. Nothing where a point of it cannot be judged.
 // Adds what lies beyond its ends.
 std::optional<OrbitBranch> judge_sticking(const StickingEquations& equations,

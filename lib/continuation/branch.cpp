@@ -73,7 +73,10 @@ class Tracer {
     left_start_ = false;
     double h = 0.1 * longest_step(branch.points.back());
     while (true) {
-      if (options_.stop.requested()) return ended(std::move(branch), BranchEnd::kStopped);
+      const StopReason stop = options_.stop.reason();
+      if (stop != StopReason::kNone)
+        return ended(std::move(branch),
+                     stop == StopReason::kOutOfTime ? BranchEnd::kOutOfTime : BranchEnd::kStopped);
       if (static_cast<int>(branch.points.size()) > options_.max_points)
         return ended(std::move(branch), BranchEnd::kStepLimit);
       const BranchPoint here = branch.points.back();
@@ -87,11 +90,21 @@ class Tracer {
         ++branch.rejected;
         h *= 0.5;
         // Below this the two ends of a step are one point in double precision.
-        if (h < 1e3 * std::numeric_limits<double>::epsilon() * (1.0 + corrector_.pack(here).norm()))
-          return ended(std::move(branch), BranchEnd::kNotConverged);
+        if (h >=
+            1e3 * std::numeric_limits<double>::epsilon() * (1.0 + corrector_.pack(here).norm()))
+          continue;
+        for (const double part : {1.0, 3.0, 10.0, 30.0, 100.0}) {
+          if (next) break;
+          h = part * kShortest * (1.0 + corrector_.pack(here).norm());
+          next = beyond_crossing(branch, h);
+        }
+        stuck_ = corrector_.pack(here);
+        if (!next) return ended(std::move(branch), BranchEnd::kNotConverged);
+        break;
       }
+      const BranchPoint from = branch.points.back();
       if (advance(branch, *next)) return branch;
-      if (options_.proceed && !options_.proceed(here, branch.points.back()))
+      if (options_.proceed && !options_.proceed(from, branch.points.back()))
         return ended(std::move(branch), BranchEnd::kHalted);
       h *= std::clamp(kAimedTurn * options_.max_turn / std::max(turn, 1e-12), 0.5, kGrowth);
     }
@@ -184,9 +197,10 @@ class Tracer {
     return bent - bent.dot(here.tangent) * here.tangent;
   }
 
-  // One step of length h, accepted only where it stays on this branch.
+  // One step of length h, accepted only where it stays on this branch. A branch point may be passed
+  // by a step that is as long as `passing`.
   std::optional<BranchPoint> step(const BranchPoint* before, const BranchPoint& here, double h,
-                                  double* turn) {
+                                  double* turn, double passing = 0.0) {
     const Vector x = corrector_.pack(here);
     const Vector ahead = x + h * here.tangent, guess = ahead + bend(before, here, h);
     const double predicted = ahead[x.size() - 1] * corrector_.range();
@@ -201,10 +215,43 @@ class Tracer {
     if (!leads_back(x, *next, chord)) return {};
     // Two sheets of one fold run opposite ways. At a branch point the orientation does change; a
     // step as short as this has nowhere to jump to.
-    if (next->orientation * here.orientation < 0 && chord.norm() > kShortest * (1.0 + x.norm()))
+    if (next->orientation * here.orientation < 0 &&
+        chord.norm() > std::max(passing, kShortest * (1.0 + x.norm())))
       return {};
     const Eigen::Index last = x.size() - 1;
     if (hides_folds(here.tangent[last], next->tangent[last], chord[last], chord.norm())) return {};
+    return next;
+  }
+
+  // Points next to a branch point are badly determined along the branch that crosses, and from one
+  // of them no step may lead on. Goes back half of `reach`, drops the points in between, and takes
+  // a step of nearly all of it. Nothing where that does not help either.
+  std::optional<BranchPoint> beyond_crossing(Branch& branch, double reach) {
+    const Vector x = corrector_.pack(branch.points.back());
+    if (stuck_ && (*stuck_ - x).norm() <= reach) return {};
+    const auto distance = [&](const BranchPoint& p) { return (corrector_.pack(p) - x).norm(); };
+    std::size_t keep = branch.points.size();
+    while (keep > 0 && distance(branch.points[keep - 1]) < 0.5 * reach) --keep;
+    if (keep < 2) return {};
+    BranchPoint base = branch.points[keep - 1];
+    const BranchPoint* before = &branch.points[keep - 2];
+    const double back = (x - corrector_.pack(base)).dot(base.tangent) - 0.5 * reach;
+    if (back > 0.0) {
+      const std::optional<BranchPoint> nearer = corrector_.on_hyperplane(
+          corrector_.pack(base) + back * base.tangent + bend(before, base, back), base.tangent);
+      if (!nearer || nearer->orientation != base.orientation) return {};
+      before = &branch.points[keep - 1];
+      base = *nearer;
+    }
+    double turn = 0.0;
+    std::optional<BranchPoint> next = step(before, base, 0.9 * reach, &turn, reach);
+    if (!next) return {};
+    branch.points.resize(keep);
+    const auto is_dropped = [&](const CriticalPoint& c) { return c.after + 1 >= keep; };
+    branch.critical.erase(
+        std::remove_if(branch.critical.begin(), branch.critical.end(), is_dropped),
+        branch.critical.end());
+    if (back > 0.0) add(branch, branch.points.back(), base);
     return next;
   }
 
@@ -278,7 +325,8 @@ class Tracer {
   const ZeroProblem& problem_;
   const ContinuationOptions& options_;
   Corrector corrector_;
-  bool left_start_ = false;  // the branch has been further from its start than kAway
+  std::optional<Vector> stuck_;  // where no step led on
+  bool left_start_ = false;      // the branch has been further from its start than kAway
 };
 
 }  // namespace

@@ -79,6 +79,7 @@ enum class BranchEnd {
   kStepLimit,     // max_points reached
   kNotConverged,  // no step, however small, converges
   kHalted,        // `proceed` said no
+  kOutOfTime,     // the budget of computing time is spent
   kStopped        // from outside
 };
 

@@ -5,17 +5,14 @@
 
 #include "graze/continuation/crossing.hpp"
 #include "graze/continuation/locate.hpp"
+#include "graze/continuation/stations.hpp"
 
 namespace graze {
 namespace {
 
-// The modulus of the j-th multiplier less 1, and what rounding leaves open of it.
-struct Excess {
-  double value = 0.0, error = 0.0;
-};
-
-Excess excess(const std::vector<Eigenvalue>& multipliers, std::size_t j) {
-  return {std::abs(multipliers[j].value) - 1.0, multipliers[j].error};
+// The modulus of the j-th multiplier less 1.
+double excess(const std::vector<Eigenvalue>& multipliers, std::size_t j) {
+  return std::abs(multipliers[j].value) - 1.0;
 }
 
 // Multipliers outside the unit circle by kind.
@@ -85,11 +82,16 @@ class CriticalSearch {
         fold.point.multipliers = multipliers_of(fold.point);
         fold.multiplier = nearest_to_one(fold.point.multipliers);
       }
+    find_stations();
     for (std::size_t i = 0; i + 1 < branch_.points.size(); ++i)
-      if (branch_.points[i].orientation * branch_.points[i + 1].orientation < 0)
-        add_branch_point(i);
+      for_each_piece(i, [&](const BranchPoint& a, const BranchPoint& b) {
+        if (a.orientation * b.orientation < 0) add_branch_point(a, b, i);
+      });
     drop_folds_at_branch_points();
-    if (problem_.multipliers) add_crossings();
+    if (!stations_.empty())
+      for (std::size_t i = 0; i + 1 < branch_.points.size(); ++i)
+        for_each_piece(
+            i, [&](const BranchPoint& a, const BranchPoint& b) { divide(a, b, i, kMostHalvings); });
     std::stable_sort(branch_.critical.begin(), branch_.critical.end(),
                      [this](const CriticalPoint& a, const CriticalPoint& b) {
                        return a.after != b.after ? a.after < b.after : along(a) < along(b);
@@ -108,11 +110,44 @@ class CriticalSearch {
         .dot(from.tangent);
   }
 
+  // Where all points have the same multipliers, the points between them that show how these move.
+  void find_stations() {
+    const std::vector<BranchPoint>& points = branch_.points;
+    const std::size_t count = points.front().multipliers.size();
+    const bool complete = std::all_of(points.begin(), points.end(), [&](const BranchPoint& point) {
+      return point.multipliers.size() == count;
+    });
+    if (problem_.multipliers && complete)
+      stations_ = crossing_stations(branch_, problem_, corrector_);
+  }
+
+  // Step i from station to station.
+  template <class Visit>
+  void for_each_piece(std::size_t i, const Visit& visit) const {
+    const BranchPoint* last = &branch_.points[i];
+    if (!stations_.empty())
+      for (const BranchPoint& station : stations_[i]) {
+        visit(*last, station);
+        last = &station;
+      }
+    visit(*last, branch_.points[i + 1]);
+  }
+
+  double distance(const BranchPoint& a, const BranchPoint& b) const {
+    return corrector_.difference(corrector_.pack(b), corrector_.pack(a)).norm();
+  }
+
   // The tracer passes a branch point with a step so short (1e-6) that the determinant is linear
-  // over it. That is where to look for the branch point itself: the ends of the step are badly
-  // determined along the branch that crosses.
-  void add_branch_point(std::size_t i) {
-    const BranchPoint &a = branch_.points[i], &b = branch_.points[i + 1];
+  // over it; between stations it is halved until it is as short. That is where to look for the
+  // branch point itself: the ends of the step are badly determined along the branch that crosses.
+  void add_branch_point(BranchPoint a, BranchPoint b, std::size_t i) {
+    while (distance(a, b) > kShortest * (1.0 + corrector_.pack(a).norm())) {
+      const Vector chord = corrector_.difference(corrector_.pack(b), corrector_.pack(a));
+      std::optional<BranchPoint> middle =
+          point_between(corrector_, a, 0.5 * chord.dot(a.tangent), a, b);
+      if (!middle) break;
+      (middle->orientation * a.orientation < 0 ? b : a) = std::move(*middle);
+    }
     const double ratio = corrector_.determinant_ratio(a, b);
     if (!std::isfinite(ratio)) return;
     const double part = 1.0 / (1.0 + ratio), rest = 1.0 - part;
@@ -155,31 +190,6 @@ class CriticalSearch {
         branch_.critical.end());
   }
 
-  void add_crossings() {
-    const std::vector<BranchPoint>& points = branch_.points;
-    const std::size_t count = points.front().multipliers.size();
-    for (const BranchPoint& point : points)
-      if (point.multipliers.size() != count) return;
-    for (std::size_t i = 0; i + 1 < points.size(); ++i)
-      lengths_.push_back(distance_from(points[i], points[i + 1]));
-    for (std::size_t i = 0; i + 1 < points.size(); ++i) {
-      // Between the step's ends, where a modulus crosses and comes back.
-      std::vector<BranchPoint> stations;
-      for (std::size_t j = 0; j < count && i > 0 && i + 2 < points.size(); ++j)
-        if (std::optional<BranchPoint> middle = hidden(i, j))
-          stations.push_back(std::move(*middle));
-      std::sort(stations.begin(), stations.end(), [&](const auto& a, const auto& b) {
-        return distance_from(points[i], a) < distance_from(points[i], b);
-      });
-      const BranchPoint* last = &points[i];
-      for (const BranchPoint& station : stations) {
-        divide(*last, station, i, kMostHalvings);
-        last = &station;
-      }
-      divide(*last, points[i + 1], i, kMostHalvings);
-    }
-  }
-
   // Divides the piece from a to b of step `after` until each part holds one crossing at most, and
   // locates that. Crossings may add up to the changes of a single one: the pieces on either side of
   // what was located are looked at again.
@@ -201,7 +211,7 @@ class CriticalSearch {
       }
     }
     for (std::size_t j = 0; j < a.multipliers.size(); ++j) {
-      if (excess(a.multipliers, j).value * excess(b.multipliers, j).value > 0.0) continue;
+      if (excess(a.multipliers, j) * excess(b.multipliers, j) > 0.0) continue;
       const std::optional<BranchPoint> found = add_crossing(a, b, after, j);
       if (!found || halvings == 0) continue;
       const double at =
@@ -216,23 +226,23 @@ class CriticalSearch {
     }
   }
 
-  // Whether the j-th modulus is known to differ from 1 at either end of the step. Where all
-  // multipliers sit on the circle, crossings are rounding.
-  bool is_significant(std::size_t after, std::size_t j) const {
-    for (const std::size_t i : {after, after + 1}) {
-      const Excess at = excess(branch_.points[i].multipliers, j);
-      if (std::abs(at.value) > at.error) return true;
-    }
-    return false;
+  // Whether the j-th modulus is known to differ from 1 at either end of a piece of step `after`, as
+  // far as it is known at the ends of that. Where all multipliers sit on the circle, crossings are
+  // rounding.
+  bool is_significant(const BranchPoint& a, const BranchPoint& b, std::size_t after,
+                      std::size_t j) const {
+    const double error = std::max(branch_.points[after].multipliers[j].error,
+                                  branch_.points[after + 1].multipliers[j].error);
+    return std::abs(excess(a.multipliers, j)) > error || std::abs(excess(b.multipliers, j)) > error;
   }
 
   // Where the j-th modulus passes 1 between a and b; nothing where it cannot be located.
   std::optional<BranchPoint> add_crossing(const BranchPoint& a, const BranchPoint& b,
                                           std::size_t after, std::size_t j) {
-    if (!is_significant(after, j)) return {};
+    if (!is_significant(a, b, after, j)) return {};
     std::optional<BranchPoint> point = locate(corrector_, a, b, [&](const BranchPoint& p) {
       const std::vector<Eigenvalue> multipliers = multipliers_of(p, ErrorBounds::kLeftOut);
-      return j < multipliers.size() ? excess(multipliers, j).value : std::nan("");
+      return j < multipliers.size() ? excess(multipliers, j) : std::nan("");
     });
     if (!point) return {};
     point->multipliers = multipliers_of(*point);
@@ -247,41 +257,6 @@ class CriticalSearch {
     return point;
   }
 
-  // Whether the modulus crosses the circle and comes back between points i and i + 1, as its course
-  // outside of them suggests: the lines through the two points on either side meet, where two
-  // multipliers change places or a smooth course bends, beyond the circle. If what is found there
-  // does not cross, the parabola through it is asked once more.
-  std::optional<BranchPoint> hidden(std::size_t i, std::size_t j) {
-    const auto value = [&](std::size_t k) {
-      return excess(branch_.points[k].multipliers, j).value;
-    };
-    const double length = lengths_[i];
-    const double at = value(i), next = value(i + 1);
-    if (!(at * next > 0.0)) return {};
-    const double rate_in = (at - value(i - 1)) / lengths_[i - 1];
-    const double rate_out = (value(i + 2) - next) / lengths_[i + 1];
-    const double s = (next - at - rate_out * length) / (rate_in - rate_out);
-    if (!(s > 0.0 && s < length) || (at + rate_in * s) * at > 0.0) return {};
-    const BranchPoint &a = branch_.points[i], &b = branch_.points[i + 1];
-    std::optional<BranchPoint> middle = known_between(a, s, a, b);
-    if (!middle || middle->multipliers.size() <= j) return {};
-    const double found = excess(middle->multipliers, j).value;
-    if (found * at > 0.0) {
-      const double left = (found - at) / s, right = (next - found) / (length - s);
-      const double curvature = (right - left) / length;
-      const double vertex = 0.5 * (s - left / curvature);
-      if (!(vertex > 0.0 && vertex < length)) return {};
-      middle = known_between(a, vertex, a, b);
-      if (!middle || middle->multipliers.size() <= j) return {};
-    }
-    if (!(excess(middle->multipliers, j).value * at < 0.0)) return {};
-    return middle;
-  }
-
-  double distance_from(const BranchPoint& a, const BranchPoint& b) const {
-    return corrector_.difference(corrector_.pack(b), corrector_.pack(a)).norm();
-  }
-
   // The point of the branch s ahead of another one, between a and b, its multipliers with it.
   std::optional<BranchPoint> known_between(const BranchPoint& from, double s, const BranchPoint& a,
                                            const BranchPoint& b) {
@@ -293,7 +268,7 @@ class CriticalSearch {
   Branch& branch_;
   const ZeroProblem& problem_;
   Corrector& corrector_;
-  std::vector<double> lengths_;  // of the steps
+  std::vector<std::vector<BranchPoint>> stations_;  // of each step; empty: none are known
 };
 
 }  // namespace

@@ -14,6 +14,7 @@
 #include "graze/hybrid/simulation.hpp"
 #include "graze/orbit/closed_form.hpp"
 #include "graze/orbit/impact_sequences.hpp"
+#include "graze/orbit/mirror.hpp"
 #include "graze/orbit/orbit_identity.hpp"
 #include "graze/orbit/periodic_response.hpp"
 #include "graze/orbit/phase_search.hpp"
@@ -78,6 +79,7 @@ class Finder {
     if (options_.from_closed_form && one_impact) from_closed_form();
     if (options_.from_simulation && start_) from_simulation();
     if (options_.from_random) from_random();
+    add_mirror_images();
     return conclude();
   }
 
@@ -310,6 +312,20 @@ class Finder {
         return;
       }
     found_.orbits.push_back(orbit);
+  }
+
+  // Between mirrored stops orbits come in pairs: whichever of two was found, both are listed.
+  void add_mirror_images() {
+    const std::optional<std::vector<int>> opposite = opposite_stops(system_);
+    if (!opposite) return;
+    for (const Orbit& orbit : std::vector<Orbit>(found_.orbits)) {
+      if (orbit.sticking || !(orbit.admissible || options_.keep_virtual)) continue;
+      ImpactPattern pattern = orbit.pattern();
+      for (int& stop : pattern.stops) stop = (*opposite)[static_cast<std::size_t>(stop)];
+      const ShootingProblem problem(pattern, scale_);
+      const auto image = newton(problem, system_, problem.pack(mirrored(orbit.points())));
+      if (image) keep(make_orbit(system_, problem, image->x));
+    }
   }
 
   FoundOrbits conclude() {

@@ -201,8 +201,11 @@ Admissibility admissibility(const System& system, const ImpactPattern& pattern,
     const double flight = flight_time(system, pattern, points, i);
     result.shortest_flight = std::min(result.shortest_flight, flight);
     if (!(speed > still) || !(flight > 0.0)) result.admissible = false;
-    if (!(flight > 0.0)) continue;
     const State after = after_impact(stop, points[i].before);
+    if (stop.restitution.at(speed) == 0.0)
+      result.push = std::max(result.push.value_or(-std::numeric_limits<double>::infinity()),
+                             stop.row.dot(vector_field(system, after, points[i].theta).qdot));
+    if (!(flight > 0.0)) continue;
     arc.start(points[i].theta, after.q, after.qdot);
     for (std::size_t k = 0; k < system.stops.size(); ++k) {
       const bool here = static_cast<int>(k) == pattern.stops[i];
@@ -215,6 +218,7 @@ Admissibility admissibility(const System& system, const ImpactPattern& pattern,
     }
   }
   if (result.nearest && result.nearest->gap < 0.0) result.admissible = false;
+  if (result.push && *result.push > 0.0) result.admissible = false;
   return result;
 }
 

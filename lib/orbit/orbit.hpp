@@ -52,7 +52,7 @@ struct Orbit {
   std::vector<Eigenvalue> multipliers;  // of the map over p periods, largest modulus first
   // Nothing when a multiplier sits on the unit circle within its error.
   std::optional<bool> stable;
-  // Clear of every stop between the impacts, every impact speed positive.
+  // Clear of every stop between the impacts, every impact speed positive, none sticks.
   bool admissible = false;
   // Smallest interior local minimum of any stop's gap between the impacts, m; nothing when there is
   // none.
@@ -123,6 +123,10 @@ struct Admissibility {
   double smallest_speed = 0.0;             // m/s
   std::size_t slowest = 0;                 // the impact of the pattern that has it
   double shortest_flight = 0.0;            // from impact to impact, s; negative: out of order
+  // The largest acceleration into its stop right after an impact that leaves it at rest (r = 0),
+  // m/s^2: where it is positive the stop pushes back and the structure sticks, however small the
+  // push is. Nothing where every impact rebounds.
+  std::optional<double> push;
 
   std::optional<double> clearance() const {  // m
     return nearest ? std::optional(nearest->gap) : std::nullopt;

@@ -34,9 +34,9 @@ double push_scale(const System& system, const RigidStop& stop) {
 
 bool before(const Instant<double>& a, const Instant<double>& b) { return !not_before(a, b); }
 
-// The slowest impact outside the chatters that lead to the stuck phases.
-double slowest_impact(const std::vector<PassedImpact>& impacts,
-                      const std::vector<const PassedHold*>& holds) {
+// Which impacts belong to the chatters that lead to the stuck phases.
+std::vector<bool> in_chatter(const std::vector<PassedImpact>& impacts,
+                             const std::vector<const PassedHold*>& holds) {
   std::vector<bool> chatters(impacts.size(), false);
   for (const PassedHold* hold : holds) {
     double faster = 0.0;
@@ -48,10 +48,23 @@ double slowest_impact(const std::vector<PassedImpact>& impacts,
       chatters[i] = true;
     }
   }
-  double slowest = std::numeric_limits<double>::infinity();
-  for (std::size_t i = 0; i < impacts.size(); ++i)
-    if (!chatters[i]) slowest = std::min(slowest, impacts[i].speed);
-  return slowest;
+  return chatters;
+}
+
+// The impacts outside the chatters and the stuck phases, which are in time order.
+void add_itinerary(const std::vector<PassedImpact>& impacts,
+                   const std::vector<const PassedHold*>& holds, ReleaseReturn& result) {
+  const std::vector<bool> chatters = in_chatter(impacts, holds);
+  result.slowest = std::numeric_limits<double>::infinity();
+  auto hold = holds.begin();
+  for (std::size_t i = 0; i < impacts.size(); ++i) {
+    if (chatters[i]) continue;
+    for (; hold != holds.end() && before((*hold)->from, impacts[i].at); ++hold)
+      result.itinerary.push_back(-1 - (*hold)->stop);
+    result.itinerary.push_back(impacts[i].stop);
+    result.slowest = std::min(result.slowest, impacts[i].speed);
+  }
+  for (; hold != holds.end(); ++hold) result.itinerary.push_back(-1 - (*hold)->stop);
 }
 
 }  // namespace
@@ -254,7 +267,7 @@ std::optional<ReleaseReturn> ReleaseSection::follow(const System& system, const 
     if (!hold.from_start) begun.push_back(&hold);
   std::sort(begun.begin(), begun.end(),
             [](const PassedHold* a, const PassedHold* b) { return before(a->from, b->from); });
-  result.slowest = slowest_impact(result.passage.impacts, begun);
+  add_itinerary(result.passage.impacts, begun, result);
   result.shortest_hold = std::numeric_limits<double>::infinity();
   // The release is where the force equation has it, to the accuracy of a solution.
   const double together = kShootingAccuracy * system.period();

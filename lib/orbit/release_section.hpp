@@ -38,6 +38,10 @@ struct ReleaseReturn {
   bool returns = false;  // to the same stops, released at the section
   // The shortest of these stuck phases, s; infinite where there is none.
   double shortest_hold = 0.0;
+  // What happens in time order: the stops of impacts that are not of a chatter, and -1 - stop for a
+  // stuck phase that begins. Changes where such an impact is born or lost, but also where two
+  // impacts at the head of a chatter come to be equally fast.
+  std::vector<int> itinerary;
   // The slowest impact that is not of a chatter, a run of ever slower impacts on a stop that leads
   // to a stuck phase on it, m/s; infinite where there is none.
   double slowest = 0.0;

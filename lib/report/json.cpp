@@ -166,7 +166,9 @@ Json special_json(const SpecialPoint& special) {
     json["chatter"] =
         special.interrupted ? "a stuck phase is cut in two" : "completes at its release";
   if (special.kind == SpecialKind::kGrazing)
-    json["grazing"] = special.by_speed ? "impact speed vanishes" : "interior approach touches";
+    json["grazing"] = special.by_push    ? "departure is pushed back"
+                      : special.by_speed ? "impact speed vanishes"
+                                         : "interior approach touches";
   return json;
 }
 

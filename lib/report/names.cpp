@@ -34,6 +34,10 @@ std::string name_of(OrbitBranchEnd end) {
       return "impacts meet";
     case OrbitBranchEnd::kStepLimit:
       return "step limit";
+    case OrbitBranchEnd::kOutOfTime:
+      return "time limit";
+    case OrbitBranchEnd::kStopped:
+      return "interrupted";
     case OrbitBranchEnd::kNotConverged:
       break;
   }

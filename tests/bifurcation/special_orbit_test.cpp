@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/LU>
+#include <algorithm>
 #include <cmath>
 
 #include "branch_checks.hpp"
@@ -160,7 +161,7 @@ TEST(SpecialOrbits, ToriAreWhereTheClosedFormHasThem) {
             on_circle = std::min(on_circle, std::abs(std::abs(m.value) - 1.0));
         EXPECT_LE(on_circle, 1e-10);
         const auto expected = crossings(family, 1, torus->at.value * (1.0 - 1e-4),
-                                        torus->at.value * (1.0 + 1e-4), &ClosedOrbit::torus, 20);
+                                        torus->at.value * (1.0 + 1e-4), &ClosedOrbit::torus, 200);
         double nearest = 1.0;
         for (const double value : expected)
           nearest = std::min(nearest, std::abs(torus->at.value / value - 1.0));
@@ -197,6 +198,73 @@ TEST(SpecialOrbits, AreAllFoundWhereALargeMultiplierRunsThroughTheCircle) {
       found += value >= from && value <= to ? 1 : 0;
   EXPECT_EQ(found, expected);
   EXPECT_GE(expected, 12u);
+}
+
+// Multipliers outside the circle of the closed form's two solutions at each value of a grid, where
+// they are orbits: the cells of the grid in which that number changes.
+struct Cell {
+  double from, to;
+};
+
+std::vector<Cell> cells_with_crossings(const SystemFamily& family, double from, double to,
+                                       int grid) {
+  std::vector<Cell> cells;
+  for (const std::size_t which : {0, 1}) {
+    std::optional<int> before;
+    for (int i = 0; i <= grid; ++i) {
+      const double value = from + (to - from) * i / grid;
+      const System system = *family.at(value);
+      const std::vector<ImpactPoint> points = {
+          closed_form(system, 0, 1).form->solutions(system.stops[0].gap).at(which)};
+      std::optional<int> here;
+      if (admissibility(system, {1, {0}}, points).admissible) {
+        here = 0;
+        for (const Eigenvalue& m : orbit_multipliers(system, {1, {0}}, points))
+          *here += std::abs(m.value) > 1.0 ? 1 : 0;
+      }
+      if (before && here && *here != *before)
+        cells.push_back({from + (to - from) * (i - 1) / grid, value});
+      before = here;
+    }
+  }
+  return cells;
+}
+
+// The default step is 0.14 rad/s; pairs of tori lie as near as 0.003 rad/s to one another while the
+// multipliers of the fourth mode turn by a radian in a step.
+TEST(SpecialOrbits, AreFoundWhereTheyCrossAndReturnWithinAStep) {
+  const Scene scene = support::shipped_scene("02_wagg_momentum");
+  const SystemFamily family(scene, "forcing.frequency");
+  const OrbitBranches result = trace(scene, "forcing.frequency", 25.0, 32.0, false);
+  std::vector<double> found = values_of(special_points(result, SpecialKind::kTorus));
+  for (const double value : values_of(special_points(result, SpecialKind::kPeriodDoubling)))
+    found.push_back(value);
+  const auto found_within = [&](double from, double to) {
+    return std::count_if(found.begin(), found.end(),
+                         [&](double value) { return value >= from && value <= to; });
+  };
+  std::ptrdiff_t expected = 0;
+  for (const double from : {26.7, 29.1, 30.4, 31.05}) {
+    for (const Cell& cell : cells_with_crossings(family, from, from + 0.1, 400)) {
+      EXPECT_EQ(found_within(cell.from, cell.to), 1) << cell.from;
+      ++expected;
+    }
+    EXPECT_EQ(found_within(from, from + 0.1), expected) << from;
+    EXPECT_GE(expected, 2) << from;
+    expected = 0;
+  }
+}
+
+// With gap 0 orbits scale with the amplitude. At amplitude 0 they shrink to rest at the stop, a
+// solution of the equations at every phase, and end there; no other orbits cross.
+TEST(SpecialOrbits, AmplitudeZeroIsAnEndAndNoBranchPoint) {
+  const OrbitBranches result =
+      trace(support::shipped_scene("04_impact_oscillator"), "forcing.amplitude", -1.0, 1.0, false);
+  EXPECT_EQ(result.branches.size(), 2u);
+  EXPECT_TRUE(special_points(result, SpecialKind::kBranchPoint).empty());
+  const auto ends = special_points(result, SpecialKind::kGrazing);
+  EXPECT_EQ(ends.size(), 2u);
+  for (const SpecialPoint* end : ends) EXPECT_LE(std::abs(end->at.value), 1e-15);
 }
 
 }  // namespace

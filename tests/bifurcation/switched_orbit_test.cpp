@@ -348,5 +348,52 @@ TEST(SwitchedOrbits, SequencesOfTwoImpactsAreFoundWithoutFollowing) {
   EXPECT_GE(expect_stable_points_are_reached(result, family), 3);
 }
 
+// Doubled orbits between two doublings of one branch are met from both, half a period apart.
+TEST(SwitchedOrbits, DoubledOrbitsBetweenTwoDoublingsAreTracedOnce) {
+  const OrbitBranches result =
+      followed(support::shipped_scene("04_impact_oscillator"), "forcing.frequency", 0.2, 6.0, 3);
+  int between_doublings = 0;
+  std::vector<std::pair<double, double>> ends;
+  for (const OrbitBranch& branch : result.branches) {
+    if (branch.ends[0] != OrbitBranchEnd::kPeriodDoubling ||
+        branch.ends[1] != OrbitBranchEnd::kPeriodDoubling)
+      continue;
+    ++between_doublings;
+    const auto [low, high] = std::minmax(branch.points.front().value, branch.points.back().value);
+    for (const auto& [other_low, other_high] : ends)
+      EXPECT_FALSE(std::abs(low - other_low) < 1e-9 && std::abs(high - other_high) < 1e-9)
+          << "twice between " << low << " and " << high;
+    ends.emplace_back(low, high);
+  }
+  EXPECT_GE(between_doublings, 2);
+}
+
+// A branch of orbits that are their own mirror images passes two branch points. A step that lands
+// next to one of them leads on all the same, and a step that lands elsewhere finds the same points.
+TEST(SwitchedOrbits, BranchPointsArePassedWhereverAStepLands) {
+  const Scene scene = support::shipped_scene("07_two_stops", {"forcing.frequency=26.7"});
+  const SystemFamily family(scene, "forcing.frequency");
+  BranchOptions options;
+  options.impacts = 2;
+  options.from = 26.45;
+  options.to = 27.5;
+  options.start_values = 0;
+  options.sticking = options.finder.from_simulation = false;
+  std::vector<double> first;
+  for (const double max_step : {0.14, 0.09, 0.07}) {
+    options.max_step = max_step;
+    const OrbitBranches result = trace_orbits(family, options);
+    std::vector<double> found;
+    for (const SpecialPoint* at : special_points(result, SpecialKind::kBranchPoint)) {
+      EXPECT_LE(std::abs(*at->multiplier - 1.0), 1e-6);
+      found.push_back(at->at.value);
+    }
+    EXPECT_EQ(result.cut_short, 0);
+    ASSERT_EQ(found.size(), 2u) << max_step;
+    if (first.empty()) first = found;
+    for (std::size_t i = 0; i < found.size(); ++i) EXPECT_NEAR(found[i], first[i], 1e-11);
+  }
+}
+
 }  // namespace
 }  // namespace graze

@@ -216,6 +216,14 @@ TEST(Continuation, StopsWhenInterrupted) {
   EXPECT_EQ(branch.points.size(), 1u);
 }
 
+TEST(Continuation, SaysThatItsTimeIsOver) {
+  ContinuationOptions options = range(-2.0, 2.0);
+  options.stop.deadline = std::chrono::steady_clock::now();
+  const Branch branch = traced(circle(), options, 1.0, 0.1);
+  EXPECT_EQ(branch.ends[0], BranchEnd::kOutOfTime);
+  EXPECT_EQ(branch.points.size(), 1u);
+}
+
 TEST(Continuation, TangentsAreThoseOfTheCurve) {
   ContinuationOptions options = range(-2.0, 2.0);
   const Branch branch = traced(circle(), options, 1.0, 0.1);

@@ -1,0 +1,59 @@
+// Where a branch of orbits that stick ends between two solutions of its equations: at CH, where its
+// stuck phases change, at LO, where one of them has grown to all of the period, or at GR, where an
+// impact outside the chatters is born or lost.
+//
+// A step of the trace may pass either without noticing. Both show in what happens along the
+// solutions on its two sides: the stuck phases, and the impacts outside the chatters
+// (`ReleaseReturn::itinerary`). The border is bisected to the last digits of arclength, and what
+// lies there says what it is. Nothing has to: where two impacts of nearly equal speed change places
+// at the head of a chatter, the itinerary changes and the motion does not.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "graze/bifurcation/sticking_branches.hpp"
+#include "graze/continuation/corrector.hpp"
+
+namespace graze {
+
+// One end of a traced branch.
+struct StickingTip {
+  OrbitBranchEnd end = OrbitBranchEnd::kNotConverged;
+  std::optional<BranchPoint> border;  // the special point that ends it
+  bool by_speed = false;              // of a grazing
+  bool interrupted = false;           // of CH and LO
+  double value = 0.0;                 // of the parameter there
+  std::optional<BranchPoint> beyond;  // an orbit on the other side
+};
+
+class StickingBorders {
+ public:
+  // Refers to both, which must outlive it.
+  StickingBorders(const StickingEquations& equations, const ContinuationOptions& options);
+
+  // What ends the branch between a, an orbit, and its neighbour b; "not converged" where that
+  // cannot be told.
+  StickingTip between(const BranchPoint& a, const BranchPoint& b);
+  // What ends it at the last of these points, where it was followed no further.
+  StickingTip at_last(const std::vector<BranchPoint>& reached) const;
+  // Whether the branch ends between neighbours a and b.
+  bool passes(const BranchPoint& a, const BranchPoint& b);
+  // Whether a stuck phase has shrunk to nothing.
+  bool has_shrunk(const ReleaseReturn& back, const BranchPoint& at) const;
+
+ private:
+  struct Approach;
+  bool is_interrupted(const ReleaseReturn& back, const BranchPoint& at) const;
+  bool is_at_rest(const ReleaseReturn& back, const BranchPoint& at) const;
+  bool is_like(const ReleaseReturn& back, const ReleaseReturn& other) const;
+  StickingTip grazing(const std::vector<BranchPoint>& reached) const;
+  Approach approach(const BranchPoint& a, const BranchPoint& b, const ReleaseReturn& at_a);
+  StickingTip completion(Approach& approach, const ReleaseReturn& at_a) const;
+
+  const StickingEquations& equations_;
+  const ContinuationOptions& options_;
+  Corrector corrector_;
+};
+
+}  // namespace graze

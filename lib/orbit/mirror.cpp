@@ -1,0 +1,37 @@
+#include "graze/orbit/mirror.hpp"
+
+#include "graze/base/angle.hpp"
+
+namespace graze {
+namespace {
+
+// Exactly: rows on either side of a structure come from the same shapes.
+bool are_opposite(const RigidStop& a, const RigidStop& b) {
+  return a.row == -b.row && a.gap == b.gap && a.direction == -b.direction &&
+         a.restitution.coefficients() == b.restitution.coefficients();
+}
+
+}  // namespace
+
+std::optional<std::vector<int>> opposite_stops(const System& system) {
+  if (system.load && !system.load->isZero(0.0)) return {};
+  std::vector<int> opposite;
+  for (const RigidStop& stop : system.stops) {
+    std::size_t other = 0;
+    while (other < system.stops.size() && !are_opposite(stop, system.stops[other])) ++other;
+    if (other == system.stops.size()) return {};
+    opposite.push_back(static_cast<int>(other));
+  }
+  return opposite;
+}
+
+std::vector<ImpactPoint> mirrored(std::vector<ImpactPoint> impacts) {
+  for (ImpactPoint& impact : impacts) {
+    impact.theta += 0.5 * kTurn;
+    impact.before.q *= -1.0;
+    impact.before.qdot *= -1.0;
+  }
+  return impacts;
+}
+
+}  // namespace graze

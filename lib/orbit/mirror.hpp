@@ -1,0 +1,19 @@
+// The symmetry of a linear structure between mirrored stops: where u(t) is a motion, so is
+// -u(t + T/2), T the forcing period, with every impact on the opposite stop. Orbits come in such
+// pairs unless they are their own mirror image.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "graze/orbit/shooting.hpp"
+
+namespace graze {
+
+// For each stop its opposite; nothing where one has none, or a constant load tells the sides apart.
+std::optional<std::vector<int>> opposite_stops(const System& system);
+
+// The impacts of the mirrored orbit, in the same order; their stops are the opposite ones.
+std::vector<ImpactPoint> mirrored(std::vector<ImpactPoint> impacts);
+
+}  // namespace graze

@@ -1,0 +1,85 @@
+// Impacts with r = 0 leave their stop at rest. Whether the structure departs or sticks is decided
+// by the acceleration right after: where the stop pushes back there is no orbit with one bare
+// impact.
+//
+// One mode, (1, 1): from rest at the stop, q = a/b, at the phase phi where the pull b q'' =
+// b (A cos(phi) - w^2 a/b) is just zero, back to a after one period. With x the departure from the
+// forced response, 0 = x0 (e^{-d T} cos(wd T) - 1) + (x0' + d x0) e^{-d T} sin(wd T)/wd.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <complex>
+#include <numbers>
+
+#include "branch_checks.hpp"
+#include "graze/orbit/finder.hpp"
+#include "graze/orbit/orbit.hpp"
+
+namespace graze {
+namespace {
+
+using support::special_points;
+
+Scene plastic(double frequency) {
+  return support::shipped_scene(
+      "05_wagg_one_mode", {"stop.restitution=0", "forcing.frequency=" + std::to_string(frequency)});
+}
+
+// How far q is from a/b after one period, over a/b, in extended precision.
+long double closure(const System& system, double frequency) {
+  using Real = long double;
+  const Real omega = system.omega[0], delta = system.delta[0], big = frequency;
+  const Real force = system.forcing->amplitude[0];
+  const Real q = system.stops[0].gap / static_cast<Real>(system.stops[0].row[0]);
+  const Real phi = std::acos(omega * omega * q / force);
+  const std::complex<Real> response =
+      force / std::complex<Real>(omega * omega - big * big, 2 * delta * big) *
+      std::polar(Real(1), phi);
+  const Real x = q - response.real(), rate = -(std::complex<Real>(0, big) * response).real();
+  const Real damped = std::sqrt(omega * omega - delta * delta);
+  const Real turn = 2 * std::numbers::pi_v<Real> / big, decay = std::exp(-delta * turn);
+  return (x * (decay * std::cos(damped * turn) - 1) +
+          (rate + delta * x) * decay * std::sin(damped * turn) / damped) /
+         q;
+}
+
+double zero_of_closure(const SystemFamily& family, double from, double to) {
+  const bool rises = closure(*family.at(from), from) < 0;
+  EXPECT_NE(closure(*family.at(to), to) < 0, rises);
+  for (int i = 0; i < 60; ++i) {
+    const double middle = 0.5 * (from + to);
+    ((closure(*family.at(middle), middle) < 0) == rises ? from : to) = middle;
+  }
+  return 0.5 * (from + to);
+}
+
+TEST(PlasticImpact, BranchEndsWhereTheStopBeginsToPushBack) {
+  const Scene scene = plastic(28.3);
+  const SystemFamily family(scene, "forcing.frequency");
+  const double expected[] = {zero_of_closure(family, 28.6, 29.0),
+                             zero_of_closure(family, 34.6, 34.9)};
+  const OrbitBranches result = support::trace(scene, "forcing.frequency", 25.0, 40.0, false);
+  const auto found = special_points(result, SpecialKind::kGrazing);
+  ASSERT_EQ(found.size(), 2u);
+  for (std::size_t i = 0; i < 2; ++i) {
+    EXPECT_TRUE(found[i]->by_push);
+    EXPECT_NEAR(found[i]->at.value / expected[i], 1.0, 1e-12);
+  }
+}
+
+TEST(PlasticImpact, IsNoOrbitWhereTheStopPushesBack) {
+  const SystemFamily family(plastic(28.3), "forcing.frequency");
+  const double critical = zero_of_closure(family, 28.6, 29.0);
+  for (const double offset : {1e-3, 2e-5, 1e-7, 1e-9})
+    for (const double side : {-1.0, 1.0}) {
+      const Scene scene = plastic(28.3);
+      const System system = *family.at(critical + side * offset);
+      FinderOptions options;
+      options.from_simulation = options.from_random = false;
+      const FoundOrbits found = find_orbits(system, {}, options);
+      EXPECT_EQ(found.orbits.size(), side < 0.0 ? 1u : 0u) << side * offset;
+    }
+}
+
+}  // namespace
+}  // namespace graze
