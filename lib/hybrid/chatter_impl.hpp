@@ -24,7 +24,10 @@ std::optional<ClosedChatter<Real>> Motion<Real>::close_chatter(
   }
   if (!fastest || !changes_.empty()) return {};
   const Real speed = std::max<Real>(closure_speed, resolved_speed());
-  if (!(fastest->speed <= speed)) return {};
+  if (!(fastest->speed <= speed)) {
+    now_.unsummed = 0;
+    return {};
+  }
   if (auto closed = close_shared(speed)) return closed;
   if (hits != 1 || !(fastest->speed <= closure_speed)) return {};
   return close_chatter(fastest->stop, stop(fastest->stop).restitution.at(fastest->speed));
@@ -142,6 +145,10 @@ std::optional<ClosedChatter<Real>> Motion<Real>::close_shared(const Real& closur
     chatter.pushes[a] = static_cast<double>(stop(i).row.dot(acceleration));
     chatter.restitutions.push_back(stop(i).restitution);
   }
+  // A look at it costs as much as a thousand impacts.
+  const Real left = Real(speed_left(chatter));
+  if (now_.unsummed > 0 && 2 * left > now_.unsummed) return {};
+  now_.unsummed = left;
   const std::optional<double> found = time_to_rest(chatter, static_cast<double>(closure_speed));
   if (!found) return {};
   const Real duration = Real(*found);
@@ -156,6 +163,7 @@ std::optional<ClosedChatter<Real>> Motion<Real>::close_shared(const Real& closur
   if (!is_quiet(held, stops, duration)) return {};
   now_.q = q;
   now_.qdot = qdot;
+  now_.unsummed = 0;
   return settled(stops, duration);
 }
 

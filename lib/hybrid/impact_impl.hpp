@@ -141,13 +141,14 @@ bool Motion<Real>::comes_to_rest(Touched touched) const {
     const Jump jump = jump_of(touched);
     touched.speed -= touched.acting * jump.impulse;
     touched.rounding += rounding_of_action(touched.acting, jump.impulse);
-    bool approached = false, resting = true;
+    bool approached = false, resting = true;  // those hit already, with none still to be hit
     for (Eigen::Index a = 0; a < k; ++a) {
       const auto place = static_cast<std::size_t>(a);
       hit[place] = hit[place] || jump.impulse[a] > 0;
       approached = approached || touched.speed[a] > touched.rounding[a];
-      resting = resting && (!hit[place] ||
-                            abs(touched.speed[a]) <= impact_detail::kAtRest * touched.rounding[a]);
+      resting = resting &&
+                (hit[place] ? abs(touched.speed[a]) <= impact_detail::kAtRest * touched.rounding[a]
+                            : !(touched.speed[a] > touched.rounding[a]));
     }
     if (resting || !approached) return resting;
   }

@@ -80,6 +80,9 @@ struct MotionState {
   RealVector<Real> q, qdot;
   std::vector<Contact> contacts;    // one per stop
   std::vector<int> multiplicities;  // of the gap's zero at the instant, one per stop
+  // The speed left in a shared chatter that could not be summed, m/s; 0: there was none. It is
+  // looked at again at half of it.
+  Real unsummed = 0;
 };
 
 template <class Real>

@@ -18,6 +18,9 @@ constexpr double kPartLeft = 1.0 / (1 << 20);
 // down to kPartLeft where each leaves 0.87 of them.
 constexpr int kMostArrivals = 20000;
 
+// Where more of the speed is left after as many, no end is in sight.
+constexpr double kPartInSight = 0.5;
+
 // The coordinates are the impulses' shares: x'' = D^-1 pushes, contact i at D.row(i).x = 0.
 System contacts_alone(const SharedChatter& chatter, const Eigen::FullPivLU<Matrix>& factors) {
   const Eigen::Index k = chatter.pushes.size();
@@ -31,19 +34,28 @@ System contacts_alone(const SharedChatter& chatter, const Eigen::FullPivLU<Matri
   return system;
 }
 
-// The largest speed, squared, that a stop is met at or left with, or would be met at after a fall
-// under the force that will hold it.
+double speed_of(double speed, double force, double gap) {
+  return std::sqrt(speed * speed + 2.0 * force * std::max(gap, 0.0));
+}
+
 double speed_left(const Motion<double>& motion, const Vector& forces) {
   double most = 0.0;
   for (Eigen::Index i = 0; i < forces.size(); ++i) {
-    const double speed = motion.approach_speed(static_cast<int>(i));
-    const double gap = std::max(motion.gap(static_cast<int>(i)), 0.0);
-    most = std::max(most, speed * speed + 2.0 * forces[i] * gap);
+    const int stop = static_cast<int>(i);
+    most = std::max(most, speed_of(motion.approach_speed(stop), forces[i], motion.gap(stop)));
   }
-  return std::sqrt(most);
+  return most;
 }
 
 }  // namespace
+
+double speed_left(const SharedChatter& chatter) {
+  const Vector forces = chatter.delassus.fullPivLu().solve(chatter.pushes);
+  double most = 0.0;
+  for (Eigen::Index i = 0; i < forces.size(); ++i)
+    most = std::max(most, speed_of(chatter.speeds[i], forces[i], chatter.gaps[i]));
+  return most;
+}
 
 std::optional<double> time_to_rest(const SharedChatter& chatter, double closure_speed) {
   const auto factors = chatter.delassus.fullPivLu();
@@ -51,7 +63,7 @@ std::optional<double> time_to_rest(const SharedChatter& chatter, double closure_
   const System system = contacts_alone(chatter, factors);
   if (!(system.load->array() > 0.0).all()) return {};  // one of them would have to pull
   Motion<double> motion(system, {}, -factors.solve(chatter.gaps), factors.solve(chatter.speeds));
-  const double least = kPartLeft * speed_left(motion, *system.load);
+  const double first = speed_left(motion, *system.load), least = kPartLeft * first;
   // A fall at no more than the closure speed is over in less than this; longer flights are cut.
   const double flight = 2.0 * closure_speed / chatter.pushes.maxCoeff();
   for (int i = 0; i < kMostArrivals && speed_left(motion, *system.load) > least; ++i) {
@@ -67,8 +79,10 @@ std::optional<double> time_to_rest(const SharedChatter& chatter, double closure_
       if (share.hit && share.speed <= least) motion.close_chatter(share.stop, r.at(share.speed));
     }
   }
-  if (speed_left(motion, *system.load) > least) return {};
-  return motion.instant().local;
+  const double time = motion.instant().local, left = speed_left(motion, *system.load) / first;
+  if (left > kPartInSight) return {};
+  // Times shrink with the speeds: in each stretch that leaves this part of the speed, by it.
+  return left > kPartLeft ? time / (1.0 - left) : time;
 }
 
 }  // namespace graze

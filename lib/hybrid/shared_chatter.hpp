@@ -19,9 +19,14 @@ struct SharedChatter {
   std::vector<Restitution> restitutions;
 };
 
-// How long it takes until the structure is at rest on all of them, s, to one part in a million;
-// nothing where an impact of more than `closure_speed` (m/s) is among those left, or no end is
-// seen.
+// The largest speed that a stop is met at or left with, or would be met at after a fall under the
+// force that will hold it, m/s.
+double speed_left(const SharedChatter& chatter);
+
+// How long it takes until the structure is at rest on all of them, s; nothing where an impact of
+// more than `closure_speed` (m/s) is among those left, or where no end is in sight. Followed until
+// a millionth of the speed is left; where that takes too many impacts, what is left of the time is
+// judged by the part of the speed that has gone.
 std::optional<double> time_to_rest(const SharedChatter& chatter, double closure_speed);
 
 }  // namespace graze

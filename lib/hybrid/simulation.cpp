@@ -283,8 +283,10 @@ class Run {
     // A chatter that could not be summed and was followed down to the rounding of its speeds.
     const RunState::Streak& streak = state_.streaks[static_cast<std::size_t>(i)];
     if (streak.impacts > 1 && streak.speed <= state_.closure_speed &&
-        stop(i).restitution.at(streak.speed) > 0.0)
+        stop(i).restitution.at(streak.speed) > 0.0) {
+      ++state_.totals.chatters;
       emit(chatter_event(i));
+    }
     announce_stick(i);
   }
 

@@ -78,7 +78,7 @@ enum class RunOutcome {
 
 struct RunTotals {
   long long impacts = 0;
-  long long chatters = 0;              // that were summed
+  long long chatters = 0;              // summed, or followed down to rounding
   long long clamped_restitutions = 0;  // impacts at which r(v) left [0, 1] and was clamped
   long long undecided_touches = 0;     // grazings within rounding, passed without impact
   double stuck_time = 0.0;             // with at least one stop closed, s

@@ -66,6 +66,7 @@ void write_motion(Lines& lines, const MotionState<double>& motion) {
   lines.text("contacts", listed(motion.contacts, contact_name));
   lines.text("multiplicities",
              listed(motion.multiplicities, [](int count) { return std::to_string(count); }));
+  lines.number("unsummed", motion.unsummed);
 }
 
 void write_totals(Lines& lines, const RunTotals& totals) {
@@ -106,8 +107,8 @@ Contact contact_of(const StateTable& table, const std::string& word) {
 }
 
 MotionState<double> read_motion(const Node& node, const System& system) {
-  const StateTable table(node, "motion",
-                         {"period", "local", "q", "qdot", "contacts", "multiplicities"});
+  const StateTable table(
+      node, "motion", {"period", "local", "q", "qdot", "contacts", "multiplicities", "unsummed"});
   const auto modes = static_cast<std::size_t>(system.modes());
   MotionState<double> motion;
   motion.instant = read_instant(table, system);
@@ -120,6 +121,7 @@ MotionState<double> read_motion(const Node& node, const System& system) {
     if (count > 3) table.fail("multiplicities", "they are 0 to 3");
     motion.multiplicities.push_back(static_cast<int>(count));
   }
+  motion.unsummed = table.number("unsummed");
   return motion;
 }
 

@@ -187,6 +187,20 @@ TEST(Simulation, InelasticImpactRestsWherePushedAndLeavesWherePulled) {
   EXPECT_NEAR(pushed.result.totals.stuck_time, 3.0 - std::acos(0.5), 1e-14);
 }
 
+// Into a corner whose first wall takes all of the speed towards it, and whose second throws back:
+// on the first the structure is at rest (v- = 0) when it is thrown back onto it, and stays.
+TEST(Simulation, AWallThatTakesAllSpeedDoesNotStopTheMotionAlongIt) {
+  System system{Vector::Zero(2), Vector::Zero(2), {}, {}, {}};
+  const Vector first{{1.0, 0.0}}, second{{-0.6, 0.8}};
+  system.stops.push_back({first, 0.0, momentum_direction(first), Restitution(0.0)});
+  system.stops.push_back({second, 0.0, momentum_direction(second), Restitution(0.7)});
+  const RecordedRun run = record_run(system, state_of({0.0, 0.0}, {1.0, 0.5}), for_seconds(1.0));
+  // (1, 0.5) -> (0, 0.5), v2 = 0.4 -> q2' = -0.7 * 0.4/0.8.
+  EXPECT_NEAR(run.result.final.qdot[0], 0.0, 1e-15);
+  EXPECT_NEAR(run.result.final.qdot[1], -0.35, 1e-15);
+  EXPECT_NEAR(run.result.totals.energy_lost, 0.625 - 0.5 * 0.35 * 0.35, 1e-15);
+}
+
 TEST(Simulation, ForceDecidesAtAStopAtThePlaceOfRest) {
   // r = 0, a = 0: at contact only the force acts. sin-like approach meets it with cos(W t) of
   // either sign, chosen by the phase.

@@ -34,9 +34,10 @@ CutRun cut_run() {
   state.motion.qdot = Vector::Constant(1, -Limits::max());
   state.motion.contacts = {Contact::kClosed, Contact::kDeparting};
   state.motion.multiplicities = {0, 3};
+  state.motion.unsummed = 1.0 / 9.0;
   state.started = true;
   state.streaks = {{12, 2.2250738585072011e-308}, {0, -0.0}};
-  state.due = RunState::Due{1, {3, 0.7}};
+  state.due = RunState::Due{{0, 1}, {3, 0.7}};
   state.totals = {9'000'000'000LL, 2, 3, 4, 1e22, 1e-7, 123456789.123456789, -4.3368e-19};
   state.keeps_book = true;
   state.book.start = 5e-324;
@@ -79,6 +80,7 @@ TEST(RunStateFile, BringsBackEveryDigit) {
   EXPECT_EQ(b.motion.qdot[0], a.motion.qdot[0]);
   EXPECT_EQ(b.motion.contacts, a.motion.contacts);
   EXPECT_EQ(b.motion.multiplicities, a.motion.multiplicities);
+  EXPECT_EQ(b.motion.unsummed, a.motion.unsummed);
   EXPECT_EQ(b.started, a.started);
   ASSERT_EQ(b.streaks.size(), 2U);
   for (std::size_t i = 0; i < 2; ++i) {
@@ -87,7 +89,7 @@ TEST(RunStateFile, BringsBackEveryDigit) {
   }
   EXPECT_TRUE(std::signbit(b.streaks[1].speed));
   ASSERT_TRUE(b.due);
-  EXPECT_EQ(b.due->stop, 1);
+  EXPECT_EQ(b.due->stops, (std::vector<int>{0, 1}));
   EXPECT_EQ(b.due->at.period, 3);
   EXPECT_EQ(b.due->at.local, 0.7);
   EXPECT_EQ(b.samples, 77);
