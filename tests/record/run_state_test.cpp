@@ -165,8 +165,8 @@ TEST(RunStateFile, SaysWhatIsWrongAndWhere) {
   EXPECT_EQ(
       complaint("started = true\n", ""),
       "run/state.toml:1:1: started: the key is missing, this is not the whole state of a run");
-  EXPECT_EQ(complaint("stop = 2", "stop = 3"),
-            at("stop = 2") + "chatter.stop: the scene has no such stop");
+  EXPECT_EQ(complaint("stops = [1, 2]", "stops = [1, 3]"),
+            at("stops = ") + "chatter.stops: the scene has no such stop");
 }
 
 TEST(RunStateFile, RefusesNumbersThatNoRunLeavesBehind) {
