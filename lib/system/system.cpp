@@ -96,8 +96,9 @@ std::optional<Vector> static_equilibrium(const System& system) {
   std::vector<Eigen::Index> pressed;
   for (Eigen::Index i = 0; i < k; ++i)
     if ((*force)[i] > 0.0) pressed.push_back(i);
+  if (pressed.empty()) return q;
   const Eigen::FullPivLU<Matrix> lu(delassus(pressed, pressed));
-  for (int pass = 0; pass < 2 && !pressed.empty(); ++pass) {
+  for (int pass = 0; pass < 2; ++pass) {
     Vector left(static_cast<Eigen::Index>(pressed.size()));
     for (std::size_t a = 0; a < pressed.size(); ++a) {
       const RigidStop& stop = system.stops[static_cast<std::size_t>(pressed[a])];

@@ -136,6 +136,15 @@ TEST(System, PreloadedStopStartsInStaticEquilibrium) {
   EXPECT_EQ(start.qdot.norm(), 0.0);
 }
 
+// Its weight holds it clear of the preloaded stop: q = -9.81/4, nothing pressed.
+TEST(System, PreloadedStopThatTheLoadKeepsClearIsNotTouchedAtTheStart) {
+  const Scene scene = parse_scene(
+      "[modal]\nfrequencies = [2.0]\ninertia = [1.0]\n[gravity]\nacceleration = -9.81\n"
+      "[[stop]]\nshape = [1.0]\ngap = -1.0\nrestitution = 0.5\n",
+      "hanging");
+  EXPECT_NEAR(initial_state(scene, assemble(scene)).q[0], -9.81 / 4.0, 1e-15);
+}
+
 // Two preloaded stops at nearly the same place: their forces are large and nearly cancel, and yet
 // the structure starts on both to the rounding of the gap.
 TEST(System, PreloadOnTwoStopsStartsOnBoth) {
