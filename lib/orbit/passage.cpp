@@ -208,11 +208,15 @@ class Follower {
           share.speed_after < 0.0 ? jump_slope(stop(share.stop), share.speed) : 1.0;
       acting.push_back(share.stop);
     }
-    slopes.conservativeResize(static_cast<Eigen::Index>(acting.size()));
-    const Matrix rows = rows_of(system_, acting), directions = directions_of(system_, acting);
-    const Matrix undone = slopes.asDiagonal() * (rows.transpose() * deviations_->qdot);
-    if (deviations_->count() == 0) return;
-    deviations_->qdot -= directions * (rows.transpose() * directions).partialPivLu().solve(undone);
+    undo(acting, slopes.head(static_cast<Eigen::Index>(acting.size())), deviations_->qdot);
+  }
+
+  // Takes these parts of what the stops see of the columns out of them, along the impulses.
+  void undo(const std::vector<int>& stops, const Vector& parts, Matrix& columns) const {
+    if (columns.cols() == 0) return;
+    const Matrix rows = rows_of(system_, stops), directions = directions_of(system_, stops);
+    const Matrix undone = parts.asDiagonal() * (rows.transpose() * columns);
+    columns -= directions * (rows.transpose() * directions).partialPivLu().solve(undone);
   }
 
   // As a run does (lib/hybrid/simulation.cpp).
@@ -220,12 +224,10 @@ class Follower {
     const State before = state_now();
     const auto closed = motion_.close_chatter(shares, options_.closure_speed);
     if (!closed) return;
-    if (deviations_ && deviations_->count() > 0) {
-      const Matrix rows = rows_of(system_, closed->closed),
-                   directions = directions_of(system_, closed->closed);
-      const auto coupling = (rows.transpose() * directions).partialPivLu();
-      deviations_->q -= directions * coupling.solve(rows.transpose() * deviations_->q);
-      deviations_->qdot -= directions * coupling.solve(rows.transpose() * deviations_->qdot);
+    if (deviations_) {
+      const Vector all = Vector::Ones(static_cast<Eigen::Index>(closed->closed.size()));
+      undo(closed->closed, all, deviations_->q);
+      undo(closed->closed, all, deviations_->qdot);
     }
     if (parameter_) parameter_->close(closed->closed, before);
     due_ = RunState::Due{closed->stops,

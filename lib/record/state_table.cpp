@@ -83,15 +83,10 @@ std::vector<double> StateTable::numbers(const std::string& key, std::size_t leng
   return values;
 }
 
-std::vector<long long> StateTable::counts(const std::string& key, std::size_t length) const {
+std::vector<long long> StateTable::counts(const std::string& key,
+                                          std::optional<std::size_t> length) const {
   std::vector<long long> values;
   for (const Node& entry : list(key, length)) values.push_back(count_at(key, entry));
-  return values;
-}
-
-std::vector<long long> StateTable::counts(const std::string& key) const {
-  std::vector<long long> values;
-  for (const Node& entry : list(key)) values.push_back(count_at(key, entry));
   return values;
 }
 

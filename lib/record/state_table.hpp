@@ -22,9 +22,10 @@ class StateTable {
   long long count(const std::string& key) const;  // >= 0
   bool flag(const std::string& key) const;
   std::string word(const std::string& key) const;
-  std::vector<double> numbers(const std::string& key, std::size_t length) const;    // finite
-  std::vector<long long> counts(const std::string& key, std::size_t length) const;  // >= 0
-  std::vector<long long> counts(const std::string& key) const;  // however many, >= 0
+  std::vector<double> numbers(const std::string& key, std::size_t length) const;  // finite
+  // >= 0; however many where no length is given.
+  std::vector<long long> counts(const std::string& key,
+                                std::optional<std::size_t> length = {}) const;
   std::vector<std::string> words(const std::string& key, std::size_t length) const;
 
   // The key's value, or null.
@@ -33,7 +34,7 @@ class StateTable {
 
  private:
   [[noreturn]] void refuse(const std::string& key, const Node& node, const std::string& what) const;
-  const NodeList& list(const std::string& key, std::optional<std::size_t> length = {}) const;
+  const NodeList& list(const std::string& key, std::optional<std::size_t> length) const;
   double number_at(const std::string& key, const Node& node) const;
   long long count_at(const std::string& key, const Node& node) const;
 

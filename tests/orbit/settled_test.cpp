@@ -84,8 +84,17 @@ TEST(Settled, NearnessIsTheDistanceThatIsLeft) {
   }
 }
 
-// Multipliers near -1: after two periods the motion seems to repeat long before it does after one.
-TEST(Settled, AnOrbitSeenTwiceIsOne) {
+// A motion that starts beside a stable orbit with a multiplier near -1.
+struct NearFlip {
+  double frequency = 0.0;
+  ImpactPoint exact;
+  Orbit orbit;
+  System system;  // its phase shifted
+  State start;
+};
+
+std::vector<NearFlip> motions_near_flip() {
+  std::vector<NearFlip> motions;
   for (double frequency = 2.60; frequency < 2.66; frequency += 0.004) {
     const System system = support::forced_oscillator(1.0, 0.05, 0.0, 0.8, frequency, 1.0);
     const ShootingProblem problem({1, {0}}, shooting_scale(system));
@@ -95,13 +104,22 @@ TEST(Settled, AnOrbitSeenTwiceIsOne) {
       System shifted = system;
       State start = half_way(shifted, exact);
       start.qdot *= 1.0 + 1e-4;
-      const SettledMotion settled = settle(shifted, start, as_near_as(1e-8));
-      SCOPED_TRACE(testing::Message() << frequency << ": " << orbit.multipliers.front().value);
-      EXPECT_TRUE(settled.near);
-      EXPECT_EQ(settled.period, 1);
-      ASSERT_EQ(settled.impacts.size(), 1u);
-      EXPECT_LE(distance(settled.impacts[0], exact), 1e-8);
+      motions.push_back({frequency, exact, orbit, shifted, start});
     }
+  }
+  return motions;
+}
+
+// Multipliers near -1: after two periods the motion seems to repeat long before it does after one.
+TEST(Settled, AnOrbitSeenTwiceIsOne) {
+  for (const NearFlip& motion : motions_near_flip()) {
+    const SettledMotion settled = settle(motion.system, motion.start, as_near_as(1e-8));
+    SCOPED_TRACE(testing::Message()
+                 << motion.frequency << ": " << motion.orbit.multipliers.front().value);
+    EXPECT_TRUE(settled.near);
+    EXPECT_EQ(settled.period, 1);
+    ASSERT_EQ(settled.impacts.size(), 1u);
+    EXPECT_LE(distance(settled.impacts[0], motion.exact), 1e-8);
   }
 }
 
@@ -159,27 +177,18 @@ TEST(Settled, WhatIsLeftDoesNotDependOnWhereTheBudgetEnds) {
 // Multipliers near -1, and a budget that is spent when two periods agree to 1e-6 and one does not.
 TEST(Settled, AnOrbitSeenTwiceIsOneOnTheWayThere) {
   int seen_twice = 0;
-  for (double frequency = 2.60; frequency < 2.66; frequency += 0.004) {
-    const System system = support::forced_oscillator(1.0, 0.05, 0.0, 0.8, frequency, 1.0);
-    const ShootingProblem problem({1, {0}}, shooting_scale(system));
-    for (const ImpactPoint& exact : closed_form(system, 0, 1).form->solutions(0.0)) {
-      const Orbit orbit = make_orbit(system, problem, problem.pack({exact}));
-      if (orbit.stable != true || !orbit.admissible) continue;
-      System shifted = system;
-      State start = half_way(shifted, exact);
-      start.qdot *= 1.0 + 1e-4;
-      const long long enough = settle(shifted, start, as_near_as(1e-8)).periods;
-      for (long long periods = enough - 8; periods < enough; ++periods) {
-        const SettledMotion settled = settle(shifted, start, as_near_as(1e-8, periods));
-        SCOPED_TRACE(testing::Message() << frequency << ", " << periods << " of " << enough);
-        if (settled.period == 0) continue;
-        EXPECT_FALSE(settled.near);
-        EXPECT_EQ(settled.period, 1);
-        EXPECT_EQ(settled.impacts.size(), 1u);
-        EXPECT_GE(settled.remaining, 1e-8);
-        EXPECT_LE(settled.remaining, 1e-3);
-        ++seen_twice;
-      }
+  for (const NearFlip& motion : motions_near_flip()) {
+    const long long enough = settle(motion.system, motion.start, as_near_as(1e-8)).periods;
+    for (long long periods = enough - 8; periods < enough; ++periods) {
+      const SettledMotion settled = settle(motion.system, motion.start, as_near_as(1e-8, periods));
+      SCOPED_TRACE(testing::Message() << motion.frequency << ", " << periods << " of " << enough);
+      if (settled.period == 0) continue;
+      EXPECT_FALSE(settled.near);
+      EXPECT_EQ(settled.period, 1);
+      EXPECT_EQ(settled.impacts.size(), 1u);
+      EXPECT_GE(settled.remaining, 1e-8);
+      EXPECT_LE(settled.remaining, 1e-3);
+      ++seen_twice;
     }
   }
   EXPECT_GE(seen_twice, 16);
