@@ -17,6 +17,7 @@
 #include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <vector>
 
 #include "graze/flow/instant.hpp"
@@ -95,15 +96,24 @@ class ExactFlow {
   Real frequency() const { return frequency_; }
   // Forcing period, s; infinity without forcing.
   Real period() const { return period_; }
+  // The flow in which an arc from this state is written: this one, or, where no gap tells how far
+  // the motion goes and the state is small against the harmonic responses, one whose modes all
+  // answer from rest.
+  const ExactFlow& for_start(const RealVector<Real>& q, const RealVector<Real>& qdot) const;
   // Forcing phase at an instant, rad: frequency * local + phase.
   Real phase(const Instant<Real>& instant) const {
     return forced_ ? Real(frequency_ * instant.local + phase_) : Real(0);
   }
 
  private:
+  void add_from_rest(const LinearSystem<Real>& system);
+
   std::vector<ModeFlow<Real>> modes_;
   bool forced_ = false;
   Real frequency_ = 0, phase_ = 0, period_ = 0;
+  std::shared_ptr<const ExactFlow> from_rest_;  // null where the reach of the stops decides
+  Real farthest_response_ = 0;                  // largest |P_j|, beside from_rest_
+  Real push_ = 0;                               // of forcing and load, beside from_rest_
 };
 
 // One smooth piece of motion, from a state at forcing phase theta; s counts from its start.
@@ -135,7 +145,7 @@ class Arc {
   // Mode j at s, where the forcing has cosine c and sine n.
   void mode_state(int j, const Real& s, const Real& c, const Real& n, Real& q, Real& qdot) const;
 
-  const ExactFlow<Real>* flow_;
+  const ExactFlow<Real>*whole_flow_, *flow_;  // as it was given; in which the arc is written
   Real theta_ = 0;
   RealVector<Real> start_, start_rate_;
   std::vector<PlanarNumber<Real>> amplitudes_;

@@ -17,6 +17,7 @@ inline constexpr double kLargestAmplification = 256.0;
 
 // A response P_j beyond this many times the reach of the stops is taken from rest as well: its
 // rounding would be 1e-12 of the reach. (Below, P_j is a usual thing, the motion away from a stop.)
+// Where every gap is 0 the stops say nothing of the size of the motion, and the state does.
 inline constexpr double kFarthestResponse = 4096.0;
 
 // The two exponentials of a mode are told apart when their rates differ by at least this part of
@@ -104,15 +105,43 @@ ExactFlow<Real>::ExactFlow(const LinearSystem<Real>& system) : forced_(system.fo
       exact_flow_detail::classify_load(mode, system.load[j], system.reach);
     modes_.push_back(mode);
   }
+  if (forced_ && !(system.reach > 0)) add_from_rest(system);
+}
+
+template <class Real>
+void ExactFlow<Real>::add_from_rest(const LinearSystem<Real>& system) {
+  using std::sqrt;
+  push_ = system.amplitude.norm() + (system.load.size() > 0 ? system.load.norm() : Real(0));
+  ExactFlow<Real> from_rest = *this;
+  for (ModeFlow<Real>& mode : from_rest.modes_) {
+    const PlanarNumber<Real> response = mode.forced;
+    if (response.re == 0 && response.im == 0) continue;
+    farthest_response_ = std::max<Real>(
+        farthest_response_, sqrt(response.re * response.re + response.im * response.im));
+    mode.forced = {};
+    mode.kind = ModeKind::kFromRest;
+  }
+  from_rest_ = std::make_shared<const ExactFlow<Real>>(std::move(from_rest));
+}
+
+template <class Real>
+const ExactFlow<Real>& ExactFlow<Real>::for_start(const RealVector<Real>& q,
+                                                  const RealVector<Real>& qdot) const {
+  if (!from_rest_) return *this;
+  // It is there already, or comes so far against the push that throws it back.
+  const Real height = qdot.squaredNorm() / (2 * push_);
+  const Real reach = std::max<Real>(q.norm(), height);
+  return farthest_response_ > exact_flow_detail::kFarthestResponse * reach ? *from_rest_ : *this;
 }
 
 template <class Real>
 Arc<Real>::Arc(const ExactFlow<Real>& flow)
-    : flow_(&flow), amplitudes_(static_cast<std::size_t>(flow.modes())) {}
+    : whole_flow_(&flow), flow_(&flow), amplitudes_(static_cast<std::size_t>(flow.modes())) {}
 
 template <class Real>
 void Arc<Real>::start(const Real& theta, const RealVector<Real>& q, const RealVector<Real>& qdot) {
   using std::cos, std::sin;
+  flow_ = &whole_flow_->for_start(q, qdot);
   theta_ = theta;
   start_ = q;
   start_rate_ = qdot;

@@ -10,23 +10,32 @@ double mechanical_energy(const System& system, const Vector& q, const Vector& qd
   return 0.5 * (qdot.squaredNorm() + system.omega.cwiseProduct(q).squaredNorm());
 }
 
-std::vector<double> impact_energies(const System& system,
-                                    const std::vector<ImpactShare<double>>& shares,
-                                    const Vector& before, const Vector& after) {
+ImpactEnergy impact_energy(const System& system, const std::vector<ImpactShare<double>>& shares,
+                           const Vector& before, const Vector& after) {
   const auto acts = [](const ImpactShare<double>& share) { return share.impulse > 0.0; };
   const bool alone = std::count_if(shares.begin(), shares.end(), acts) == 1;
   const Vector mean = 0.5 * (before + after);
-  std::vector<double> changes;
+  ImpactEnergy energy;
+  double elsewhere = 0.0;
+  // Sums are formed in the order of the shares, which knows nothing of how stops are listed.
   for (const ImpactShare<double>& share : shares) {
     const RigidStop& s = system.stops[static_cast<std::size_t>(share.stop)];
     const double r = s.restitution.at(share.speed);
-    changes.push_back(!acts(share) ? 0.0
-                      : alone && share.speed_after == -r * share.speed
-                          ? impact_energy_change(s.row, s.direction, before, r)
-                          : shared_energy_change(s.row, s.direction, share.impulse, share.speed,
-                                                 share.speed_after, mean));
+    const double change = !acts(share) ? 0.0
+                          : alone && share.speed_after == -r * share.speed
+                              ? impact_energy_change(s.row, s.direction, before, r)
+                              : shared_energy_change(s.row, s.direction, share.impulse, share.speed,
+                                                     share.speed_after, mean);
+    energy.total += change;
+    if (share.hit)
+      energy.hits.push_back({share, change});
+    else
+      elsewhere += change;
   }
-  return changes;
+  if (!energy.hits.empty()) energy.hits.front().change += elsewhere;
+  std::sort(energy.hits.begin(), energy.hits.end(),
+            [](const auto& a, const auto& b) { return a.share.stop < b.share.stop; });
+  return energy;
 }
 
 double energy_change(const System& system, const State& before, const State& after) {

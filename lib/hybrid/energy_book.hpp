@@ -32,10 +32,18 @@ struct EnergyBook {
   }
 };
 
-// Change of the kinetic energy through each share of an impact, J.
-std::vector<double> impact_energies(const System& system,
-                                    const std::vector<ImpactShare<double>>& shares,
-                                    const Vector& before, const Vector& after);
+// Change of the kinetic energy by an impact, whole and by the stops that were hit (ascending), J.
+// What goes through stops that are not hit themselves counts to the first one that is.
+struct ImpactEnergy {
+  struct Hit {
+    ImpactShare<double> share;
+    double change = 0.0;
+  };
+  double total = 0.0;
+  std::vector<Hit> hits;
+};
+ImpactEnergy impact_energy(const System& system, const std::vector<ImpactShare<double>>& shares,
+                           const Vector& before, const Vector& after);
 
 // Change of the mechanical energy by a sudden one of the state, and what the forces at forcing
 // phase theta (rad) do along its displacement; J.

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <utility>
 
 #include "graze/base/angle.hpp"
@@ -25,10 +24,10 @@ class Run {
         options_(options),
         listeners_(listeners),
         motion_(system, state.motion),
+        longest_flight_(longest_flight(system)),
         state_(state) {
     set_end();
-    if (!system.forcing) longest_flight_ = longest_free_flight(system);
-    for (std::size_t i = 0; i < system.stops.size(); ++i) note_gap_at(static_cast<int>(i));
+    note_gaps();
     if (options.energy && !state_.keeps_book) {
       state_.keeps_book = true;
       state_.book.start = energy();
@@ -46,8 +45,9 @@ class Run {
     for (int i = 0; i < stops(); ++i) {
       const bool stuck = is_stuck(i);
       if (stuck) result_.stuck.push_back(i);
-      result_.forces.push_back(motion_.is_closed(i) && !motion_.has_news() ? motion_.force(i)
-                                                                           : 0.0);
+      // What is refused at an instant leaves the forces as they were before it.
+      const bool is_known = !motion_.has_news() || result_.outcome == RunOutcome::kRefused;
+      result_.forces.push_back(motion_.is_closed(i) && is_known ? motion_.force(i) : 0.0);
     }
     result_.totals = state_.totals;
     if (options_.energy) {
@@ -133,7 +133,7 @@ class Run {
     switch (arrival.kind) {
       case ArrivalKind::kTime:
         if (listeners_.progress) listeners_.progress(fraction());
-        for (int i = 0; i < stops(); ++i) note_gap_at(i);
+        note_gaps();
         return true;
       case ArrivalKind::kTouch:
         ++state_.totals.undecided_touches;
@@ -157,6 +157,7 @@ class Run {
             RunOutcome::kNotFinite,
             fmt::format("the motion left the range of double precision at t = {:.9g} s", time()));
       case ArrivalKind::kRefused:
+        note_gaps();
         return stop_run(
             RunOutcome::kRefused,
             fmt::format("the motion cannot be followed beyond t = {:.9g} s, on stop {}: {}", time(),
@@ -209,21 +210,9 @@ class Run {
   void book_impact() {
     const Vector before = motion_.qdot();
     const std::vector<ImpactShare<double>> shares = motion_.impact();
-    const std::vector<double> changes = impact_energies(system_, shares, before, motion_.qdot());
-    // Sums are formed in the order of the shares, which knows nothing of how stops are listed. What
-    // goes through stops that are not hit themselves counts to the first one that is.
-    double total = 0.0, elsewhere = 0.0;
-    for (std::size_t k = 0; k < shares.size(); ++k) {
-      total += changes[k];
-      if (!shares[k].hit) elsewhere += changes[k];
-    }
-    book_energy(total);
-    std::vector<std::pair<ImpactShare<double>, double>> hits;
-    for (std::size_t k = 0; k < shares.size(); ++k)
-      if (shares[k].hit) hits.emplace_back(shares[k], changes[k] + std::exchange(elsewhere, 0.0));
-    std::sort(hits.begin(), hits.end(),
-              [](const auto& a, const auto& b) { return a.first.stop < b.first.stop; });
-    for (const auto& [share, change] : hits) book_hit(share, change);
+    const ImpactEnergy energy = impact_energy(system_, shares, before, motion_.qdot());
+    book_energy(energy.total);
+    for (const ImpactEnergy::Hit& hit : energy.hits) book_hit(hit.share, hit.change);
     close_chatter(shares);
   }
 
@@ -315,6 +304,10 @@ class Run {
     note_gap(std::abs(gap.value) <= gap.rounding ? 0.0 : gap.value);
   }
 
+  void note_gaps() {
+    for (int i = 0; i < stops(); ++i) note_gap_at(i);
+  }
+
   void note_minima(double window) {
     for (int i = 0; i < stops(); ++i) {
       const ArcCurve<double> curve = motion_.gap_ahead(i, window);
@@ -362,11 +355,11 @@ class Run {
   const SimulationOptions& options_;
   const RunListeners& listeners_;
   Motion<double> motion_;
+  double longest_flight_;  // s
   RunState state_;
   std::optional<double> stopped_in_arc_;  // s, where that arc began
   std::optional<RunState> cut_arc_;       // before the arc that the end of the run cuts
   Instant<double> end_;
-  double longest_flight_ = std::numeric_limits<double>::infinity();  // s
   long long polls_ = 0;
   Simulation result_;
 };

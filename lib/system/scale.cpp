@@ -25,18 +25,26 @@ double reach_at(const System& system, const RigidStop& stop) {
 double speed_scale(const System& system, const State& start) {
   double scale = 0.0;
   for (const RigidStop& stop : system.stops) {
-    const double reach = reach_at(system, stop) + std::abs(stop.row.dot(start.q));
-    if (system.forcing)
-      scale = std::max(scale, forced_reach_at(system, stop) * system.forcing->frequency);
-    if (system.load)
-      scale = std::max(scale, std::sqrt(2.0 * std::abs(stop.row.dot(*system.load)) * reach));
+    const double distance = std::max(std::abs(stop.gap), std::abs(stop.row.dot(start.q)));
+    const double forced = forced_reach_at(system, stop);
+    // Over a distance d an acceleration a comes to sqrt(2 a d), however slowly it turns.
+    if (forced > 0.0) {
+      const Vector& force = system.forcing->amplitude;
+      const double fall = std::sqrt(2.0 * stop.row.cwiseProduct(force).cwiseAbs().sum() * distance);
+      const double swing = forced * system.forcing->frequency;
+      scale = std::max(scale, distance > 0.0 ? std::min(swing, fall) : swing);
+    }
+    if (system.load) {
+      const double height = distance > 0.0 ? distance : forced;
+      scale = std::max(scale, std::sqrt(2.0 * std::abs(stop.row.dot(*system.load)) * height));
+    }
     const Vector swing = system.omega.cwiseProduct(start.q).cwiseAbs() + start.qdot.cwiseAbs();
     scale = std::max(scale, stop.row.cwiseAbs().dot(swing));
   }
   return scale;
 }
 
-double longest_free_flight(const System& system) {
+double longest_flight(const System& system) {
   constexpr double kOscillations = 64.0;
   double slowest = std::numeric_limits<double>::infinity();
   for (Eigen::Index j = 0; j < system.omega.size(); ++j) {

@@ -11,13 +11,15 @@ double forced_reach_at(const System& system, const RigidStop& stop);
 // Length at a stop, m: that, or the gap if it is more.
 double reach_at(const System& system, const RigidStop& stop);
 
-// Speed at the stops, m/s: forced reach times forcing frequency, the fall through the reach under a
-// constant load, and what the start brings along, whichever is largest.
+// Speed at the stops, m/s: what the forcing gives over the distance to the stop (of rest or of the
+// start, whichever is more) before it turns, the fall over that distance under a constant load, and
+// what the start brings along, whichever is largest. Where there is no distance, the forced motion
+// without stops gives it: forced reach times forcing frequency.
 double speed_scale(const System& system, const State& start);
 
-// Without forcing nothing divides time: flights are cut after a number of the slowest oscillations
-// (or decays, of a free mass), so that a search neither runs out of its evaluations nor lets the
-// phase's rounding grow, s. Infinite where nothing oscillates or decays.
-double longest_free_flight(const System& system);
+// Where no forcing period divides time, or a long one does, flights are cut after a number of the
+// slowest oscillations (or decays, of a free mass), so that a search neither runs out of its
+// evaluations nor lets the phase's rounding grow, s. Infinite where nothing oscillates or decays.
+double longest_flight(const System& system);
 
 }  // namespace graze

@@ -342,5 +342,24 @@ TEST(Simulation, MoreStopsAtOnceThanAnImpactIsSharedAmongAreRefused) {
   EXPECT_EQ(allowed.result.outcome, RunOutcome::kReachedEnd) << allowed.result.message;
 }
 
+// 13 masses above stops at different depths: the last arrives when the others rest on theirs.
+TEST(Simulation, TotalsOfARefusedRunAreThoseOfItsEnd) {
+  constexpr int kMasses = 13;
+  constexpr double kGravity = 9.81;
+  System system{Vector::Zero(kMasses), Vector::Zero(kMasses), {}, {}, {}};
+  system.load = Vector::Constant(kMasses, kGravity);
+  for (int k = 0; k < kMasses; ++k) {
+    const Vector row = Vector::Unit(kMasses, k);
+    system.stops.push_back({row, 0.1 * (k + 1), row, Restitution(0.0)});
+  }
+  const Simulation run =
+      simulate(system, {Vector::Zero(kMasses), Vector::Zero(kMasses)}, for_seconds(3.0), {});
+  EXPECT_EQ(run.outcome, RunOutcome::kRefused);
+  EXPECT_NEAR(run.end_time, std::sqrt(2.0 * 1.3 / kGravity), 1e-14);
+  EXPECT_NEAR(*run.totals.smallest_gap, 0.0, 1e-15);
+  for (std::size_t k = 0; k + 1 < kMasses; ++k) EXPECT_NEAR(run.forces[k], kGravity, 1e-12) << k;
+  EXPECT_EQ(run.forces[kMasses - 1], 0.0);
+}
+
 }  // namespace
 }  // namespace graze

@@ -89,25 +89,34 @@ TEST(SoftBall, KeepsItsGapAndItsBook) {
   }
 }
 
+// From 1 m before the stop, wherever that is; chatters are closed at the default speed, so that the
+// ten bounces must not be taken for the tail of one.
+void expect_bounces_under_slow_force(double frequency, double gap) {
+  const System system =
+      support::forced_oscillator(0.0, 0.0, gap, kRestitution, frequency, kGravity);
+  SimulationOptions options = support::for_seconds(3.9);
+  options.energy = true;
+  const RecordedRun run = record_run(system, support::state_of({gap - 1.0}, {0.0}), options);
+  ASSERT_GE(run.events.size(), 10u);
+  // q = g (1 - cos W t)/W^2, as of a mode at w = W under a constant load.
+  const double first = 2.0 / frequency * std::asin(frequency / std::sqrt(2.0 * kGravity));
+  const double speed = kGravity / frequency * std::sin(frequency * first);
+  EXPECT_NEAR(run.events[0].time, first, 1e-13 * first);
+  EXPECT_NEAR(run.events[0].speed, speed, 1e-13 * speed);
+  EXPECT_GE(*run.result.totals.smallest_gap, -1e-12);
+  EXPECT_LE(std::abs(run.result.energy->defect()), 1e-10 * run.result.energy->size());
+  const std::vector<ExactBounce> free = exact_bounces(0.0, 10);
+  const double turned = frequency * free[9].time;
+  EXPECT_NEAR(run.events[9].time, free[9].time, (turned * turned + 1e-12) * free[9].time);
+  EXPECT_EQ(run.events[9].kind, EventKind::kImpact);
+}
+
 TEST(SoftBall, UnderASlowForceAsUnderAConstantOne) {
-  for (int k = 1; k <= 9; ++k) {
-    const double frequency = std::pow(10.0, -k);
-    SCOPED_TRACE(frequency);
-    const System system =
-        support::forced_oscillator(0.0, 0.0, 1.0, kRestitution, frequency, kGravity);
-    const RecordedRun run = record_run(system, support::state_of({0.0}, {0.0}), bookkeeping(3.9));
-    ASSERT_GE(run.events.size(), 10u);
-    // q = g (1 - cos W t)/W^2, as of a mode at w = W under a constant load.
-    const double first = 2.0 / frequency * std::asin(frequency / std::sqrt(2.0 * kGravity));
-    const double speed = kGravity / frequency * std::sin(frequency * first);
-    EXPECT_NEAR(run.events[0].time, first, 1e-13 * first);
-    EXPECT_NEAR(run.events[0].speed, speed, 1e-13 * speed);
-    EXPECT_GE(*run.result.totals.smallest_gap, -1e-12);
-    EXPECT_LE(std::abs(run.result.energy->defect()), 1e-10 * run.result.energy->size());
-    const std::vector<ExactBounce> free = exact_bounces(0.0, 10);
-    const double turned = frequency * free[9].time;
-    EXPECT_NEAR(run.events[9].time, free[9].time, (turned * turned + 1e-12) * free[9].time);
-  }
+  for (int k = 1; k <= 9; ++k)
+    for (const double gap : {1.0, 0.0, 1e-9, -1.0}) {
+      SCOPED_TRACE(testing::Message() << "frequency 1e-" << k << ", gap " << gap);
+      expect_bounces_under_slow_force(std::pow(10.0, -k), gap);
+    }
 }
 
 // Heavily damped under a load and a force that is slow against it: the book is kept in closed form,
