@@ -145,6 +145,22 @@ TEST(ShippedScene, PreloadedOscillatorLiftsOff) {
   EXPECT_GT(scene.forcing->amplitude, -scene.stops[0].gap);
 }
 
+// 10 is the beam of 02 with fewer modes and no forcing, above two supports.
+TEST(ShippedScene, SupportsCarryTheSameBeam) {
+  const Scene one = read_scene(kFolder / "02_wagg_momentum.toml", {"beam.modes=2"});
+  const Scene two = read_scene(kFolder / "10_two_supports.toml");
+  ASSERT_NE(two.beam(), nullptr);
+  EXPECT_FALSE(two.forcing);
+  Scene beam = one, supported = two;
+  for (Scene* scene : {&beam, &supported}) {
+    scene->title.clear();
+    scene->stops.clear();
+    scene->forcing.reset();
+    scene->gravity.reset();
+  }
+  expect_equal(beam, supported);
+}
+
 // Every table and choice, with numbers that need all 17 digits.
 TEST(ShippedScene, WritingKeepsEveryKindOfScene) {
   const std::string beam =
