@@ -133,13 +133,15 @@ std::optional<ClosedChatter<Real>> Motion<Real>::close_shared(const Real& closur
   ContactPhase<Real>& held = phase_of(stops);
   if (!held.refusal().empty()) return {};
   const auto k = static_cast<Eigen::Index>(stops.size());
-  SharedChatter chatter{
-      delassus(stops).template cast<double>(), Vector(k), Vector(k), Vector(k), {}};
+  const auto n = now_.q.size();
+  SharedChatter chatter{Matrix(n, k), Matrix(n, k), Vector(k), Vector(k), Vector(k), {}};
   RealVector<Real> size;
   const RealVector<Real> acceleration = free_acceleration(&size);
   for (Eigen::Index a = 0; a < k; ++a) {
     const int i = stops[static_cast<std::size_t>(a)];
     const bool apart = contact(i) == Contact::kClear;
+    chatter.rows.col(a) = stop(i).row.template cast<double>();
+    chatter.directions.col(a) = stop(i).direction.template cast<double>();
     chatter.gaps[a] = apart ? static_cast<double>(gap(i)) : 0.0;
     chatter.speeds[a] = is_held(i) ? 0.0 : static_cast<double>(approach_speed(i));
     chatter.pushes[a] = static_cast<double>(stop(i).row.dot(acceleration));

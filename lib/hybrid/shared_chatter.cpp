@@ -1,6 +1,7 @@
 #include "graze/hybrid/shared_chatter.hpp"
 
 #include <Eigen/LU>
+#include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
 
@@ -21,17 +22,33 @@ constexpr int kMostArrivals = 20000;
 // Where more of the speed is left after as many, no end is in sight.
 constexpr double kPartInSight = 0.5;
 
-// The coordinates are the impulses' shares: x'' = D^-1 pushes, contact i at D.row(i).x = 0.
-System contacts_alone(const SharedChatter& chatter, const Eigen::FullPivLU<Matrix>& factors) {
-  const Eigen::Index k = chatter.pushes.size();
+// D: how the impulse of each acts on the approach speed at each.
+Eigen::FullPivLU<Matrix> factors_of(const SharedChatter& chatter) {
+  return (chatter.rows.transpose() * chatter.directions).fullPivLu();
+}
+
+// In orthonormal coordinates of the space that the impulses span, where rows and directions that
+// are parallel remain so.
+struct ContactsAlone {
   System system;
-  system.omega = Vector::Zero(k);
-  system.delta = Vector::Zero(k);
-  system.load = factors.solve(chatter.pushes);
+  State start;
+};
+ContactsAlone contacts_alone(const SharedChatter& chatter,
+                             const Eigen::FullPivLU<Matrix>& factors) {
+  const Eigen::Index n = chatter.rows.rows(), k = chatter.pushes.size();
+  const Matrix basis = chatter.directions.householderQr().householderQ() * Matrix::Identity(n, k);
+  const Matrix rows = basis.transpose() * chatter.rows;
+  const Matrix directions = basis.transpose() * chatter.directions;
+  ContactsAlone alone;
+  alone.system.omega = Vector::Zero(k);
+  alone.system.delta = Vector::Zero(k);
+  alone.system.load = directions * factors.solve(chatter.pushes);
   for (Eigen::Index i = 0; i < k; ++i)
-    system.stops.push_back({chatter.delassus.row(i).transpose(), 0.0, Vector::Unit(k, i),
-                            chatter.restitutions[static_cast<std::size_t>(i)]});
-  return system;
+    alone.system.stops.push_back(
+        {rows.col(i), 0.0, directions.col(i), chatter.restitutions[static_cast<std::size_t>(i)]});
+  alone.start = {-directions * factors.solve(chatter.gaps),
+                 directions * factors.solve(chatter.speeds)};
+  return alone;
 }
 
 double speed_of(double speed, double force, double gap) {
@@ -50,7 +67,7 @@ double speed_left(const Motion<double>& motion, const Vector& forces) {
 }  // namespace
 
 double speed_left(const SharedChatter& chatter) {
-  const Vector forces = chatter.delassus.fullPivLu().solve(chatter.pushes);
+  const Vector forces = factors_of(chatter).solve(chatter.pushes);
   double most = 0.0;
   for (Eigen::Index i = 0; i < forces.size(); ++i)
     most = std::max(most, speed_of(chatter.speeds[i], forces[i], chatter.gaps[i]));
@@ -58,15 +75,16 @@ double speed_left(const SharedChatter& chatter) {
 }
 
 std::optional<double> time_to_rest(const SharedChatter& chatter, double closure_speed) {
-  const auto factors = chatter.delassus.fullPivLu();
+  const auto factors = factors_of(chatter);
   if (!factors.isInvertible()) return {};
-  const System system = contacts_alone(chatter, factors);
-  if (!(system.load->array() > 0.0).all()) return {};  // one of them would have to pull
-  Motion<double> motion(system, {}, -factors.solve(chatter.gaps), factors.solve(chatter.speeds));
-  const double first = speed_left(motion, *system.load), least = kPartLeft * first;
+  const Vector forces = factors.solve(chatter.pushes);
+  if (!(forces.array() > 0.0).all()) return {};  // one of them would have to pull
+  const ContactsAlone alone = contacts_alone(chatter, factors);
+  Motion<double> motion(alone.system, {}, alone.start.q, alone.start.qdot);
+  const double first = speed_left(motion, forces), least = kPartLeft * first;
   // A fall at no more than the closure speed is over in less than this; longer flights are cut.
   const double flight = 2.0 * closure_speed / chatter.pushes.maxCoeff();
-  for (int i = 0; i < kMostArrivals && speed_left(motion, *system.load) > least; ++i) {
+  for (int i = 0; i < kMostArrivals && speed_left(motion, forces) > least; ++i) {
     const Arrival<double> arrival = motion.fly(motion.instant().local + flight);
     if (arrival.kind == ArrivalKind::kUndecided || arrival.kind == ArrivalKind::kNotFinite ||
         arrival.kind == ArrivalKind::kRefused)
@@ -75,11 +93,11 @@ std::optional<double> time_to_rest(const SharedChatter& chatter, double closure_
     if (!(arrival.speed <= closure_speed)) return {};
     const std::vector<ImpactShare<double>> shares = motion.impact();
     for (const ImpactShare<double>& share : shares) {
-      const Restitution& r = system.stops[static_cast<std::size_t>(share.stop)].restitution;
+      const Restitution& r = alone.system.stops[static_cast<std::size_t>(share.stop)].restitution;
       if (share.hit && share.speed <= least) motion.close_chatter(share.stop, r.at(share.speed));
     }
   }
-  const double time = motion.instant().local, left = speed_left(motion, *system.load) / first;
+  const double time = motion.instant().local, left = speed_left(motion, forces) / first;
   if (left > kPartInSight) return {};
   // Times shrink with the speeds: in each stretch that leaves this part of the speed, by it.
   return left > kPartLeft ? time / (1.0 - left) : time;

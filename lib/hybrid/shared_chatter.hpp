@@ -10,12 +10,12 @@
 
 namespace graze {
 
-// The motion of k contacts under constant pushes, one entry per stop.
+// The motion of k contacts under constant pushes, one column or entry per stop.
 struct SharedChatter {
-  Matrix delassus;  // k x k, how the impulse of each acts on the approach speed at each
-  Vector gaps;      // m, 0 where the stop is touched
-  Vector speeds;    // approach speeds, m/s
-  Vector pushes;    // accelerations into the stops while none of them is closed, m/s^2
+  Matrix rows, directions;  // N x k, b and d
+  Vector gaps;              // m, 0 where the stop is touched
+  Vector speeds;            // approach speeds, m/s
+  Vector pushes;            // accelerations into the stops while none of them is closed, m/s^2
   std::vector<Restitution> restitutions;
 };
 
