@@ -172,10 +172,11 @@ class OrbitTracer {
   void add_sticking(const Orbit& orbit, double value, int depth, int origin_branch,
                     std::size_t origin_special) {
     StickingTrace trace = sticking_->trace(orbit, value);
-    if (trace.known || options_.stop.requested()) return;
+    if (trace.known) return;
     result_.shooting_evaluations += trace.evaluations;
     result_.rejected_steps += trace.rejected;
     if (!trace.branch) {
+      if (options_.stop.requested()) return;
       sticking_notes_.insert(trace.why_not);
       return;
     }

@@ -140,7 +140,7 @@ class StickingParts {
     if (rate(a) * rate(b) < 0.0)
       if (const auto fold = locate(problem, options_, a, b, rate))
         step.critical.push_back({CriticalKind::kFold, *fold, 0, {}});
-    add_critical_points(step, problem, corrector);
+    add_critical_points(step, problem, corrector, options_.stop);
     for (const CriticalPoint& critical : step.critical) add_critical(critical, result);
   }
 

@@ -60,7 +60,7 @@ class Tracer {
       branch.ends[0] = BranchEnd::kClosed;
     else if (directions == Directions::kBoth)
       branch = join(follow(start, -1.0), branch);
-    add_critical_points(branch, problem_, corrector_);
+    add_critical_points(branch, problem_, corrector_, options_.stop);
     branch.evaluations = corrector_.evaluations();
     return branch;
   }

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "graze/continuation/crossing.hpp"
+#include "graze/continuation/crossing_tests.hpp"
 #include "graze/continuation/locate.hpp"
 #include "graze/continuation/stations.hpp"
 
@@ -44,6 +45,9 @@ bool is_single(int flipped, int grown, int pairs) {
 // Crossings in one step are told apart down to 2^-30 of it; nearer than that each is still found by
 // its own modulus.
 constexpr int kMostHalvings = 30;
+// Where multipliers jump within a step every part of it asks to be divided. A jump takes two parts
+// a halving, and a dozen crossings as many each; more is noise.
+constexpr int kMostDivisions = 1000;
 // Next to grazing one large multiplier runs through the whole real line within a step, and all
 // others change places where it passes the unit circle, in a part of the step as small as the
 // circle is beside it. The trace is smooth and runs with it: on the scale asinh(trace), which
@@ -73,8 +77,9 @@ std::optional<Eigenvalue> nearest_to_one(const std::vector<Eigenvalue>& multipli
 
 class CriticalSearch {
  public:
-  CriticalSearch(Branch& branch, const ZeroProblem& problem, Corrector& corrector)
-      : branch_(branch), problem_(problem), corrector_(corrector) {}
+  CriticalSearch(Branch& branch, const ZeroProblem& problem, Corrector& corrector,
+                 const StopSignal& stop)
+      : branch_(branch), problem_(problem), corrector_(corrector), stop_(stop) {}
 
   void run() {
     if (problem_.multipliers)
@@ -89,9 +94,11 @@ class CriticalSearch {
       });
     drop_folds_at_branch_points();
     if (!stations_.empty())
-      for (std::size_t i = 0; i + 1 < branch_.points.size(); ++i)
+      for (std::size_t i = 0; i + 1 < branch_.points.size(); ++i) {
+        divisions_ = 0;
         for_each_piece(
             i, [&](const BranchPoint& a, const BranchPoint& b) { divide(a, b, i, kMostHalvings); });
+      }
     std::stable_sort(branch_.critical.begin(), branch_.critical.end(),
                      [this](const CriticalPoint& a, const CriticalPoint& b) {
                        return a.after != b.after ? a.after < b.after : along(a) < along(b);
@@ -118,7 +125,7 @@ class CriticalSearch {
       return point.multipliers.size() == count;
     });
     if (problem_.multipliers && complete)
-      stations_ = crossing_stations(branch_, problem_, corrector_);
+      stations_ = crossing_stations(branch_, problem_, corrector_, stop_);
   }
 
   // Step i from station to station.
@@ -194,6 +201,7 @@ class CriticalSearch {
   // locates that. Crossings may add up to the changes of a single one: the pieces on either side of
   // what was located are looked at again.
   void divide(const BranchPoint& a, const BranchPoint& b, std::size_t after, int halvings) {
+    if (stop_.requested() || ++divisions_ > kMostDivisions) return;
     const OutsideCount at_a = count_outside(a.multipliers), at_b = count_outside(b.multipliers);
     const double from = trace_scale(a.multipliers), to = trace_scale(b.multipliers);
     const bool runs = std::abs(to - from) > kLargestChange && halvings > 0;
@@ -226,20 +234,21 @@ class CriticalSearch {
     }
   }
 
-  // Whether the j-th modulus is known to differ from 1 at either end of a piece of step `after`, as
-  // far as it is known at the ends of that. Where all multipliers sit on the circle, crossings are
-  // rounding.
-  bool is_significant(const BranchPoint& a, const BranchPoint& b, std::size_t after,
-                      std::size_t j) const {
-    const double error = std::max(branch_.points[after].multipliers[j].error,
-                                  branch_.points[after + 1].multipliers[j].error);
-    return std::abs(excess(a.multipliers, j)) > error || std::abs(excess(b.multipliers, j)) > error;
+  // Whether the j-th modulus is known to differ from 1: where a multiplier sits on the circle, as
+  // those of a structure that loses no energy do, what its modulus passes is rounding.
+  bool is_off_circle(const BranchPoint& point, std::size_t j) const {
+    const std::vector<Eigenvalue> multipliers = multipliers_of(point);
+    return j < multipliers.size() && std::abs(excess(multipliers, j)) > multipliers[j].error;
   }
 
   // Where the j-th modulus passes 1 between a and b; nothing where it cannot be located.
   std::optional<BranchPoint> add_crossing(const BranchPoint& a, const BranchPoint& b,
                                           std::size_t after, std::size_t j) {
-    if (!is_significant(a, b, after, j)) return {};
+    const bool leaves = is_off_circle(a, j), arrives = is_off_circle(b, j);
+    if (!leaves && !arrives) return {};
+    // Two real multipliers that meet on the circle stay on it: no modulus says where.
+    if (leaves != arrives && (leaves ? a : b).multipliers[j].value.imag() == 0.0)
+      return add_meeting(a, b, after);
     std::optional<BranchPoint> point = locate(corrector_, a, b, [&](const BranchPoint& p) {
       const std::vector<Eigenvalue> multipliers = multipliers_of(p, ErrorBounds::kLeftOut);
       return j < multipliers.size() ? excess(multipliers, j) : std::nan("");
@@ -257,6 +266,24 @@ class CriticalSearch {
     return point;
   }
 
+  // Where a multiplier is -1, by the function that passes zero there however it goes on.
+  std::optional<BranchPoint> add_meeting(const BranchPoint& a, const BranchPoint& b,
+                                         std::size_t after) {
+    std::optional<BranchPoint> point = locate(corrector_, a, b, [&](const BranchPoint& p) {
+      const CrossingTest flip = crossing_tests(multipliers_of(p, ErrorBounds::kLeftOut))[kFlip];
+      return flip.sign * std::exp(flip.log_size);
+    });
+    if (!point) return {};
+    point->multipliers = multipliers_of(*point);
+    const auto nearest = std::min_element(
+        point->multipliers.begin(), point->multipliers.end(), [](const auto& m, const auto& n) {
+          return std::abs(m.value + 1.0) < std::abs(n.value + 1.0);
+        });
+    branch_.critical.push_back({CriticalKind::kPeriodDoubling, *point, after,
+                                Eigenvalue{nearest->value.real(), nearest->error}});
+    return point;
+  }
+
   // The point of the branch s ahead of another one, between a and b, its multipliers with it.
   std::optional<BranchPoint> known_between(const BranchPoint& from, double s, const BranchPoint& a,
                                            const BranchPoint& b) {
@@ -268,13 +295,16 @@ class CriticalSearch {
   Branch& branch_;
   const ZeroProblem& problem_;
   Corrector& corrector_;
+  StopSignal stop_;
+  int divisions_ = 0;                               // of the present step
   std::vector<std::vector<BranchPoint>> stations_;  // of each step; empty: none are known
 };
 
 }  // namespace
 
-void add_critical_points(Branch& branch, const ZeroProblem& problem, Corrector& corrector) {
-  CriticalSearch(branch, problem, corrector).run();
+void add_critical_points(Branch& branch, const ZeroProblem& problem, Corrector& corrector,
+                         const StopSignal& stop) {
+  CriticalSearch(branch, problem, corrector, stop).run();
 }
 
 }  // namespace graze

@@ -8,7 +8,7 @@
 // by more than one crossing is halved. Crossings that a step's ends do not show, there and back,
 // are met at stations within it (stations.hpp). What crossed is read off the multiplier itself:
 // real and negative a period doubling, complex a torus, real and positive a fold or branch point
-// (found otherwise).
+// (found otherwise). Two that meet at -1 and go on along the circle are a period doubling too.
 #pragma once
 
 #include "graze/continuation/corrector.hpp"
@@ -16,6 +16,8 @@
 namespace graze {
 
 // Adds them to branch.critical, which holds the folds, and puts all in order along the branch.
-void add_critical_points(Branch& branch, const ZeroProblem& problem, Corrector& corrector);
+// Those found so far where `stop` asks for it.
+void add_critical_points(Branch& branch, const ZeroProblem& problem, Corrector& corrector,
+                         const StopSignal& stop);
 
 }  // namespace graze

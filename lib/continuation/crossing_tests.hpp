@@ -25,6 +25,7 @@ struct CrossingTest {
 
 // Flip, fold, torus.
 inline constexpr std::size_t kCrossingTests = 3;
+inline constexpr std::size_t kFlip = 0;
 using CrossingTests = std::array<CrossingTest, kCrossingTests>;
 
 CrossingTests crossing_tests(const std::vector<Eigenvalue>& multipliers);

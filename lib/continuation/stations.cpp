@@ -173,8 +173,9 @@ std::optional<Doubt> doubt_within(const Course& course) {
 
 class StationSearch {
  public:
-  StationSearch(const Branch& branch, const ZeroProblem& problem, Corrector& corrector)
-      : branch_(branch), problem_(problem), corrector_(corrector) {}
+  StationSearch(const Branch& branch, const ZeroProblem& problem, Corrector& corrector,
+                const StopSignal& stop)
+      : branch_(branch), problem_(problem), corrector_(corrector), stop_(stop) {}
 
   std::vector<std::vector<BranchPoint>> run() {
     const std::vector<BranchPoint>& points = branch_.points;
@@ -187,7 +188,7 @@ class StationSearch {
     advance();
     int pieces = 1;
     while (!ahead_.empty()) {
-      const bool divided = pieces < kMostPieces && divide();
+      const bool divided = pieces < kMostPieces && !stop_.requested() && divide();
       pieces = divided ? pieces + 1 : pieces;
       if (divided) continue;
       advance();
@@ -275,6 +276,7 @@ class StationSearch {
   const Branch& branch_;
   const ZeroProblem& problem_;
   Corrector& corrector_;
+  StopSignal stop_;
   std::vector<Node> passed_, ahead_;  // the latter backwards
   double rate_ = 0.0;                 // of the multipliers over the last piece
   std::deque<BranchPoint> found_;     // references to them stay valid
@@ -284,8 +286,9 @@ class StationSearch {
 
 std::vector<std::vector<BranchPoint>> crossing_stations(const Branch& branch,
                                                         const ZeroProblem& problem,
-                                                        Corrector& corrector) {
-  return StationSearch(branch, problem, corrector).run();
+                                                        Corrector& corrector,
+                                                        const StopSignal& stop) {
+  return StationSearch(branch, problem, corrector, stop).run();
 }
 
 }  // namespace graze

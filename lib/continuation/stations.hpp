@@ -18,6 +18,7 @@ namespace graze {
 // (without errors) with them. Requires multipliers, of the same number, at all points.
 std::vector<std::vector<BranchPoint>> crossing_stations(const Branch& branch,
                                                         const ZeroProblem& problem,
-                                                        Corrector& corrector);
+                                                        Corrector& corrector,
+                                                        const StopSignal& stop);
 
 }  // namespace graze

@@ -1,7 +1,9 @@
 // Special points of maps and equations for which they are known in closed form.
 #include <gtest/gtest.h>
 
+#include <atomic>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 #include "graze/continuation/map.hpp"
@@ -140,6 +142,55 @@ TEST(SpecialPoints, HenonMapFoldsAndDoubles) {
     ASSERT_EQ(again.size(), 1u);
     EXPECT_NEAR(again[0].point.parameter, second, 1e-12);
   }
+}
+
+// With b = -1 the map keeps areas: between its fold and its doubling both multipliers are on the
+// circle, and what their moduli pass there is rounding. They meet at -1 and part on the real axis.
+TEST(SpecialPoints, AreaPreservingHenonMapFoldsAndDoublesAndHasNoTorus) {
+  for (const double max_step : {0.0, 0.37, 0.01, 1e-3}) {
+    SCOPED_TRACE(max_step);
+    ContinuationOptions options = range(-1.5, 5.0);
+    options.max_step = max_step;
+    const double p = 0.1, x = (-1.0 + std::sqrt(1.0 + p)) / p;
+    const Branch branch = traced(periodic_points(henon(-1.0)), options, Vector{{x, -x}}, p);
+    ASSERT_EQ(branch.critical.size(), 2u);
+    const auto doublings = branch.critical_of(CriticalKind::kPeriodDoubling);
+    ASSERT_EQ(doublings.size(), 1u);
+    EXPECT_NEAR(doublings[0].point.parameter, 3.0, 1e-12);
+    EXPECT_NEAR(doublings[0].multiplier->value.real(), -1.0, 1e-6);
+    EXPECT_NEAR(branch.critical_of(CriticalKind::kFold).at(0).point.parameter, -1.0, 1e-13);
+  }
+}
+
+// Multipliers that are noise (of a branch that is two in one) end neither the search nor the
+// patience of whoever asked for an end.
+TEST(SpecialPoints, SearchThroughNoiseIsBounded) {
+  long long asked = 0, allowed = std::numeric_limits<long long>::max();
+  std::atomic<bool> interrupted = false;
+  ZeroProblem problem;
+  problem.evaluate = [](const Vector& u, double p) -> std::optional<ZeroEvaluation> {
+    return ZeroEvaluation{Vector::Constant(1, u[0] - p), Matrix::Identity(1, 1),
+                          Vector::Constant(1, -1.0)};
+  };
+  problem.multipliers = [&](const Vector&, double p, ErrorBounds) {
+    interrupted = ++asked >= allowed;
+    const double noise = std::sin(1e15 * p) * 4.0;
+    return std::vector<Eigenvalue>{{Complex(noise, 0.0), 1e-12}};
+  };
+  ContinuationOptions options = range(0.0, 1.0);
+  options.max_step = 0.25;
+  options.stop.interrupted = &interrupted;
+  const auto start = solve_at(problem, options, Vector::Zero(1), 0.0);
+  ASSERT_TRUE(start);
+  const Branch whole = trace_branch(problem, options, *start);
+  EXPECT_EQ(whole.ends[1], BranchEnd::kParameterLimit);
+  // A thousand divisions a step, and the location of a crossing (two bits an evaluation) in each.
+  const auto steps = static_cast<long long>(whole.points.size());
+  EXPECT_LT(asked, steps * 1000 * 60);
+  allowed = 500;
+  asked = 0;
+  trace_branch(problem, options, *start);
+  EXPECT_LT(asked, allowed + 200) << "the location at hand, and no more";
 }
 
 TEST(SpecialPoints, DelayedLogisticMapHasItsTorus) {
