@@ -148,12 +148,14 @@ std::optional<GapMinimum> lowest_minimum(const ArcCurve<double>& curve, int mult
   return lowest;
 }
 
-std::vector<GapMinimum> minima_below(const ArcCurve<double>& curve, double level) {
+std::vector<GapMinimum> minima_below(const ArcCurve<double>& curve, int multiplicity,
+                                     double level) {
   std::vector<GapMinimum> minima;
-  const std::optional<double> reached = visit_minima(curve, 0, level, [&](const GapMinimum& found) {
-    minima.push_back(found);
-    return level;
-  });
+  const std::optional<double> reached =
+      visit_minima(curve, multiplicity, level, [&](const GapMinimum& found) {
+        minima.push_back(found);
+        return level;
+      });
   if (reached) minima.push_back({*reached, -std::numeric_limits<double>::infinity()});
   return minima;
 }

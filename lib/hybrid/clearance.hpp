@@ -28,9 +28,8 @@ struct GapMinimum {
 std::optional<GapMinimum> lowest_minimum(const ArcCurve<double>& curve, int multiplicity = 0,
                                          double below = std::numeric_limits<double>::infinity());
 
-// All of them, in order, of a gap that departs from no known zero; an unfinished search adds one of
-// minus infinity.
-std::vector<GapMinimum> minima_below(const ArcCurve<double>& curve, double level);
+// All of them, in order; an unfinished search adds one of minus infinity.
+std::vector<GapMinimum> minima_below(const ArcCurve<double>& curve, int multiplicity, double level);
 
 // The gap of the lowest alone, m.
 std::optional<double> smallest_minimum(const ArcCurve<double>& curve, int multiplicity = 0);

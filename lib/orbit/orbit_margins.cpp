@@ -61,7 +61,7 @@ class Flight {
       const ArcCurve<double> curve(
           arc, gap_observable<double>(system_.stops[k].row, system_.stops[k].gap), duration_,
           from_here);
-      std::vector<GapMinimum> minima = minima_below(curve, level);
+      std::vector<GapMinimum> minima = minima_below(curve, 0, level);
       drop_dips_of_impacts(k, minima);
       for (const GapMinimum& minimum : minima) margins.push_back(margin_at(curve, k, minimum));
     }
