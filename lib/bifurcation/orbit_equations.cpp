@@ -25,6 +25,8 @@ OrbitEquations::OrbitEquations(const SystemFamily& family, ImpactPattern pattern
 
 const System* OrbitEquations::system_at(double value) const { return systems_.at(value); }
 
+const System* OrbitEquations::tangent_at(double value) const { return systems_.tangent_at(value); }
+
 std::optional<ZeroEvaluation> OrbitEquations::evaluate(const Vector& u, double value) const {
   const System* system = systems_.at(value);
   const System* tangent = systems_.tangent_at(value);

@@ -25,6 +25,8 @@ class OrbitEquations {
 
   // Null where the scene does not allow the value.
   const System* system_at(double value) const;
+  // Its derivative by the parameter; both hold until another value is asked for.
+  const System* tangent_at(double value) const;
 
   // The impacts of a solution; requires its value to be allowed, as do the verdicts.
   std::vector<ImpactPoint> points(const BranchPoint& solution) const;

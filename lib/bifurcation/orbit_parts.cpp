@@ -2,6 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
+#include <list>
+#include <utility>
+
+#include "graze/bifurcation/grazing_stations.hpp"
 
 namespace graze {
 namespace {
@@ -54,7 +59,12 @@ class Parts {
  public:
   Parts(const OrbitEquations& equations, const ContinuationOptions& options, const Branch& branch,
         bool keep_virtual)
-      : equations_(equations), options_(options), branch_(branch), keep_virtual_(keep_virtual) {}
+      : equations_(equations),
+        options_(options),
+        branch_(branch),
+        keep_virtual_(keep_virtual),
+        corrector_(equations.problem(), options),
+        grazings_(equations, options) {}
 
   std::vector<OrbitBranch> divide() {
     visit();
@@ -86,27 +96,64 @@ class Parts {
  private:
   void visit() {
     auto critical = branch_.critical.begin();
-    for (std::size_t i = 0; i < branch_.points.size(); ++i) {
-      Station here{equations_.judge(branch_.points[i]), {}};
-      if (i == 0) {
-        // A branch that was switched onto starts at the orbit of half the period.
-        const Vector halves = equations_.halves_differ(branch_.points[0]);
-        here.joins_half = halves.size() > 0 && halves.norm() < kOneOrbit;
-        stations_.push_back(here);
-        continue;
-      }
-      const std::size_t first = stations_.size() - 1;
-      const OrbitBranchPoint before = stations_[first].at;
+    Station first{equations_.judge(branch_.points[0]), {}};
+    // A branch that was switched onto starts at the orbit of half the period.
+    const Vector halves = equations_.halves_differ(branch_.points[0]);
+    first.joins_half = halves.size() > 0 && halves.norm() < kOneOrbit;
+    SeenSolution before = grazings_.seen(branch_.points[0], first.at);
+    stations_.push_back(std::move(first));
+    for (std::size_t i = 1; i < branch_.points.size(); ++i) {
+      std::vector<Along> special_points;
       for (; critical != branch_.critical.end() && critical->after == i - 1; ++critical)
         // Between allowed values may be none.
         if (equations_.system_at(critical->point.parameter) &&
             (is_of_orbits(*critical) ||
              equations_.passes_half(branch_.points[i - 1], branch_.points[i])))
-          stations_.push_back(special(*critical));
-      stations_.push_back(here);
-      if (before.orbit.admissible != here.at.orbit.admissible)
-        if (const auto edge = border(branch_.points[i - 1], branch_.points[i], before, here.at))
-          insert_border(stations_, first, *edge);
+          special_points.push_back(
+              {along(branch_.points[i - 1], critical->point), special(*critical)});
+      OrbitBranchPoint at = equations_.judge(branch_.points[i]);
+      SeenSolution here = grazings_.seen(branch_.points[i], at);
+      visit_step(before, here, std::move(at), special_points);
+      before = std::move(here);
+    }
+  }
+
+  // A special point within a step, by its distance from the start of that.
+  struct Along {
+    double at = 0.0;
+    Station station;
+  };
+
+  double along(const BranchPoint& from, const BranchPoint& point) const {
+    return corrector_.difference(corrector_.pack(point), corrector_.pack(from)).dot(from.tangent);
+  }
+
+  // A step, piece by piece: its special points, the grazings where its verdict changes, and the
+  // solutions between those.
+  void visit_step(const SeenSolution& from, const SeenSolution& to, OrbitBranchPoint at_end,
+                  const std::vector<Along>& special_points) {
+    std::list<GrazingStation> looked_at = grazings_.between(from, to);
+    auto special = special_points.begin();
+    const SeenSolution* before = &from;
+    for (auto piece = looked_at.begin();; ++piece) {
+      const bool last = piece == looked_at.end();
+      const SeenSolution& here = last ? to : piece->seen;
+      const std::size_t first = stations_.size() - 1;
+      for (; special != special_points.end() &&
+             (last || special->at <= along(*from.point, *here.point));
+           ++special)
+        stations_.push_back(special->station);
+      const bool changes = before->admissible != here.admissible;
+      const auto next = last ? piece : std::next(piece);
+      const bool changes_next =
+          !last && (next == looked_at.end() ? to : next->seen).admissible != here.admissible;
+      // Of the solutions that were only looked at those are listed that tell two grazings apart.
+      if (last || changes || changes_next)
+        stations_.push_back({std::move(last ? at_end : piece->at), {}});
+      if (changes)
+        if (const auto edge = border(*before, here)) insert_border(stations_, first, *edge);
+      if (last) return;
+      before = &here;
     }
   }
 
@@ -132,18 +179,17 @@ class Parts {
   }
 
   // Where between a and b the solutions stop being orbits.
-  std::optional<Station> border(const BranchPoint& a, const BranchPoint& b,
-                                const OrbitBranchPoint& at_a, const OrbitBranchPoint& at_b) const {
+  std::optional<Station> border(const SeenSolution& a, const SeenSolution& b) const {
     const auto flight = [&](const BranchPoint& p) {
       return equations_.admissibility_of(p).shortest_flight;
     };
-    if ((flight(a) > 0.0) != (flight(b) > 0.0))
-      if (const auto point = locate(equations_.problem(), options_, a, b, flight)) {
+    if ((flight(*a.point) > 0.0) != (flight(*b.point) > 0.0))
+      if (const auto point = locate(equations_.problem(), options_, *a.point, *b.point, flight)) {
         Station station{equations_.judge(*point), {}};
         station.meets = true;
         return station;
       }
-    const std::optional<SpecialPoint> touch = grazing(a, b, at_a, at_b);
+    const std::optional<SpecialPoint> touch = grazing(a, b);
     if (!touch) return {};
     return Station{touch->at, touch};
   }
@@ -154,25 +200,22 @@ class Parts {
   }
 
   // Where an interior approach touches.
-  std::optional<BranchPoint> touch(const BranchPoint& a, const BranchPoint& b,
-                                   const OrbitBranchPoint& at_a,
-                                   const OrbitBranchPoint& at_b) const {
+  std::optional<BranchPoint> touch(const BranchPoint& a, const BranchPoint& b) const {
     // Without an interior minimum the motion is as clear as its gap is wide.
-    const double clear =
-        std::max(at_a.orbit.clearance.value_or(0.0), at_b.orbit.clearance.value_or(0.0)) + 1.0;
-    return locate(equations_.problem(), options_, a, b, [&](const BranchPoint& p) {
-      return equations_.admissibility_of(p).clearance().value_or(clear);
-    });
+    const auto clearance = [&](const BranchPoint& p) {
+      return equations_.admissibility_of(p).clearance();
+    };
+    const double clear = std::max(clearance(a).value_or(0.0), clearance(b).value_or(0.0)) + 1.0;
+    return locate(equations_.problem(), options_, a, b,
+                  [&](const BranchPoint& p) { return clearance(p).value_or(clear); });
   }
 
   // Where an impact speed vanishes.
-  std::optional<BranchPoint> standstill(const BranchPoint& a, const BranchPoint& b,
-                                        const OrbitBranchPoint& at_a,
-                                        const OrbitBranchPoint& at_b) const {
+  std::optional<BranchPoint> standstill(const SeenSolution& a, const SeenSolution& b) const {
     // One of them is on the grazing within rounding.
-    if (at_a.smallest_speed > 0.0 && at_b.smallest_speed > 0.0)
-      return at_a.smallest_speed < at_b.smallest_speed ? a : b;
-    return locate(equations_.problem(), options_, a, b, [&](const BranchPoint& p) {
+    const double at_a = a.smallest_speed(), at_b = b.smallest_speed();
+    if (at_a > 0.0 && at_b > 0.0) return at_a < at_b ? *a.point : *b.point;
+    return locate(equations_.problem(), options_, *a.point, *b.point, [&](const BranchPoint& p) {
       return equations_.admissibility_of(p).smallest_speed;
     });
   }
@@ -186,20 +229,19 @@ class Parts {
     return locate(equations_.problem(), options_, a, b, pull);
   }
 
-  std::optional<SpecialPoint> grazing(const BranchPoint& a, const BranchPoint& b,
-                                      const OrbitBranchPoint& at_a,
-                                      const OrbitBranchPoint& at_b) const {
-    const double still = still_speed(*equations_.system_at(a.parameter));
-    bool by_speed = (at_a.smallest_speed > still) != (at_b.smallest_speed > still);
-    std::optional<BranchPoint> point = by_speed ? standstill(a, b, at_a, at_b) : pushed_back(a, b);
+  std::optional<SpecialPoint> grazing(const SeenSolution& a, const SeenSolution& b) const {
+    const double still = still_speed(*equations_.system_at(a.point->parameter));
+    bool by_speed = (a.smallest_speed() > still) != (b.smallest_speed() > still);
+    std::optional<BranchPoint> point =
+        by_speed ? standstill(a, b) : pushed_back(*a.point, *b.point);
     bool by_push = point && !by_speed;
     if (by_speed && !point) return {};
     // An approach may have touched before.
-    const bool at_end = by_speed && at_a.smallest_speed > 0.0 && at_b.smallest_speed > 0.0;
+    const bool at_end = by_speed && a.smallest_speed() > 0.0 && b.smallest_speed() > 0.0;
     if (!point || (!at_end && penetrates(*point))) {
-      const bool before = point && at_a.orbit.admissible, behind = point && !before;
+      const bool before = point && a.admissible, behind = point && !before;
       by_speed = by_push = false;
-      point = touch(behind ? *point : a, before ? *point : b, at_a, at_b);
+      point = touch(behind ? *point : *a.point, before ? *point : *b.point);
     }
     if (!point) return {};
     SpecialPoint special{SpecialKind::kGrazing, "", equations_.judge(*point), {}, by_speed, *point};
@@ -213,6 +255,8 @@ class Parts {
   const ContinuationOptions& options_;
   const Branch& branch_;
   bool keep_virtual_;
+  Corrector corrector_;
+  GrazingStations grazings_;
   std::vector<Station> stations_;
 };
 

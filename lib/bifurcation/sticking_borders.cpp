@@ -4,6 +4,8 @@
 #include <limits>
 #include <utility>
 
+#include "graze/continuation/locate.hpp"
+
 namespace graze {
 namespace {
 
@@ -20,8 +22,10 @@ constexpr double kInterrupted = 1e-5;
 constexpr int kMostBack = 8;
 constexpr int kMostSteps = 400;  // of a bisection that may need two for each of some 100 halvings
 
-// Changes of the itinerary within one step that are looked through.
-constexpr int kMostChanges = 16;
+// Changes of the itinerary within one step that are looked through. Beside CH the impacts of the
+// chatter that does not complete any more vanish one after the other, some twenty in double
+// precision.
+constexpr int kMostChanges = 64;
 
 // An approach nearer than this part of a length touches: a trace that comes to its end there is
 // within its shortest step, some 1e-12, of the grazing. From the side on which it impacts the map's
@@ -29,6 +33,32 @@ constexpr int kMostChanges = 16;
 // that.
 constexpr double kTouches = 1e-9;
 constexpr double kStill = 1e-5;
+
+// No gap is known better, of the length scale.
+constexpr double kGapRounding = 1e-12;
+
+// Solutions looked at between two with the same events.
+constexpr int kMostLooks = 40;
+
+// Whether both return through the same events.
+bool is_like(const ReleaseReturn& back, const ReleaseReturn& other, bool see_impacts) {
+  return back.returns && back.holds == other.holds &&
+         (!see_impacts || back.itinerary == other.itinerary);
+}
+
+// The margin of another solution that this one has become.
+const PassageMargin* partner(const PassageMargin& margin,
+                             const std::vector<PassageMargin>& others) {
+  const PassageMargin* nearest = nullptr;
+  for (const PassageMargin& other : others) {
+    if (other.is_speed != margin.is_speed || other.place != margin.place ||
+        other.stop != margin.stop)
+      continue;
+    if (!nearest || std::abs(other.after - margin.after) < std::abs(nearest->after - margin.after))
+      nearest = &other;
+  }
+  return nearest;
+}
 
 }  // namespace
 
@@ -72,13 +102,6 @@ bool StickingBorders::is_at_rest(const ReleaseReturn& back, const BranchPoint& a
   return back.holds.size() == 1 && back.shortest_hold >= (periods - kInterrupted) * period;
 }
 
-// Whether both return through the same events. With N = m the equations do not see the impacts.
-bool StickingBorders::is_like(const ReleaseReturn& back, const ReleaseReturn& other) const {
-  const bool sees_impacts = equations_.section().size() > 1;
-  return back.returns && back.holds == other.holds &&
-         (!sees_impacts || back.itinerary == other.itinerary);
-}
-
 // Whether an impact or an approach touches at the last of these points.
 StickingTip StickingBorders::grazing(const std::vector<BranchPoint>& reached) const {
   const BranchPoint& at = reached.back();
@@ -114,7 +137,7 @@ StickingTip StickingBorders::at_last(const std::vector<BranchPoint>& reached) co
 
 // From `a` towards `b` as far as the events stay what they are at `a`.
 StickingBorders::Approach StickingBorders::approach(const BranchPoint& a, const BranchPoint& b,
-                                                    const ReleaseReturn& at_a) {
+                                                    const ReleaseReturn& at_a, bool see_impacts) {
   const Vector chord = corrector_.difference(corrector_.pack(b), corrector_.pack(a));
   Approach result;
   BranchPoint inside = a;
@@ -134,7 +157,7 @@ StickingBorders::Approach StickingBorders::approach(const BranchPoint& a, const 
         corrector_.on_hyperplane(corrector_.pack(inside) + h * inside.tangent, inside.tangent);
     const std::optional<ReleaseReturn> back =
         next ? equations_.follow(*next) : std::optional<ReleaseReturn>();
-    if (back && is_like(*back, at_a)) {
+    if (back && is_like(*back, at_a, see_impacts)) {
       inside = *next;
       result.last = *back;
       result.reached.push_back(inside);
@@ -181,33 +204,133 @@ StickingTip StickingBorders::completion(Approach& approach, const ReleaseReturn&
   return {};
 }
 
-StickingTip StickingBorders::between(const BranchPoint& a, const BranchPoint& b) {
+// From a to b along the changes of the events, and what is there at each, until that is enough.
+void StickingBorders::walk(const BranchPoint& a, const BranchPoint& b, bool see_impacts,
+                           const std::function<bool(const StickingTip&)>& is_enough) {
   BranchPoint from = a;
   std::optional<ReleaseReturn> here = equations_.follow(a);
   const std::optional<ReleaseReturn> at_b = equations_.follow(b);
+  int looks = kMostLooks;
   for (int change = 0; here && change < kMostChanges; ++change) {
+    BranchPoint target = b;
     // Changes that end nothing may be all there is up to `b`.
-    if (at_b && is_like(*at_b, *here)) return {};
-    Approach there = approach(from, b, *here);
+    if (at_b && is_like(*at_b, *here, see_impacts)) {
+      const std::optional<BranchPoint> other = unlike_between(from, b, *here, looks);
+      if (!other) return;
+      target = *other;
+    }
+    Approach there = approach(from, target, *here, see_impacts);
     const bool same_holds =
         there.beyond && there.beyond->returns && there.beyond->holds == here->holds;
-    if (!same_holds) return completion(there, *here);
-    StickingTip touch = grazing(there.reached);
-    if (touch.border) {
-      touch.beyond = there.at_beyond;
-      return touch;
+    if (!same_holds) {
+      is_enough(completion(there, *here));
+      return;
     }
+    // A prediction is no solution.
+    const bool solved = there.at_beyond.tangent.size() > 0;
+    StickingTip touch = grazing(there.reached);
+    if (touch.border && solved) touch.beyond = there.at_beyond;
+    if (touch.border && is_enough(touch)) return;
+    if (!solved) return;
     // Nothing ends here; go on from the other side.
     from = there.at_beyond;
     here = there.beyond;
   }
-  return {};
+}
+
+StickingTip StickingBorders::between(const BranchPoint& a, const BranchPoint& b) {
+  StickingTip first;
+  walk(a, b, equations_.see_impacts(), [&](const StickingTip& tip) {
+    first = tip;
+    return true;
+  });
+  return first;
+}
+
+std::vector<StickingTip> StickingBorders::passed(const BranchPoint& a, const BranchPoint& b) {
+  std::vector<StickingTip> list;
+  if (equations_.see_impacts()) return list;
+  walk(a, b, true, [&](const StickingTip& tip) {
+    if (tip.border && tip.end == OrbitBranchEnd::kGrazing) list.push_back(tip);
+    return false;
+  });
+  return list;
+}
+
+std::optional<std::vector<PassageMargin>> StickingBorders::margins(const BranchPoint& solution) {
+  for (const Known& known : known_)
+    if (known.solution.parameter == solution.parameter && known.solution.u == solution.u &&
+        known.solution.tangent == solution.tangent)
+      return known.margins;
+  // Both ends of a piece, and a solution between.
+  if (known_.size() == 3) known_.pop_front();
+  known_.push_back({solution, equations_.margins(solution, corrector_.range())});
+  return known_.back().margins;
+}
+
+// Of what must stay positive between a and b, as far as it is known at both.
+std::vector<MarginCourse> StickingBorders::courses(const BranchPoint& a, const BranchPoint& b) {
+  const std::optional<std::vector<PassageMargin>> at_a = margins(a), at_b = margins(b);
+  if (!at_a || !at_b) return {};
+  const Vector chord = corrector_.difference(corrector_.pack(b), corrector_.pack(a));
+  const double length = chord.norm();
+  const double step_a = std::copysign(length, chord.dot(a.tangent)),
+               step_b = std::copysign(length, chord.dot(b.tangent));
+  const ShootingScale scale = shooting_scale(*equations_.system_at(a.parameter));
+  const double still = still_speed(*equations_.system_at(a.parameter));
+  std::vector<MarginCourse> list;
+  for (const PassageMargin& start : *at_a) {
+    const PassageMargin* end = partner(start, *at_b);
+    if (!end || partner(*end, *at_a) != &start) continue;
+    double from = start.value, from_rate = start.rate, to = end->value, to_rate = end->rate;
+    // Where the map does not feel the impact its speed is born as the root of the distance.
+    const bool squared = start.is_speed && !equations_.see_impacts();
+    if (squared) {
+      from_rate *= 2.0 * from;
+      to_rate *= 2.0 * to;
+      from *= from;
+      to *= to;
+    }
+    list.push_back(MarginCourse::between(from, step_a * from_rate, to, step_b * to_rate));
+    list.back().rounding = squared          ? still * still
+                           : start.is_speed ? still
+                                            : kGapRounding * scale.length;
+  }
+  return list;
+}
+
+// A solution between a and b, whose events are the same, at which they are not; or a prediction,
+// without a tangent, where none can be solved for.
+std::optional<BranchPoint> StickingBorders::unlike_between(const BranchPoint& a,
+                                                           const BranchPoint& b,
+                                                           const ReleaseReturn& at_a, int& looks) {
+  const std::vector<MarginCourse> all = courses(a, b);
+  if (all.empty() || looks-- <= 0 || !all_positive(all, 0.0) || !all_positive(all, 1.0)) return {};
+  std::optional<double> part = doubt_within(all);
+  // The ends may be of two branches with the same events.
+  if (!part && !is_shown(all)) part = 0.5;
+  if (!part) return {};
+  const double ahead =
+      *part * corrector_.difference(corrector_.pack(b), corrector_.pack(a)).dot(a.tangent);
+  const Vector predicted = cubic_between(corrector_, a, ahead, a, b);
+  std::optional<BranchPoint> point = corrector_.on_hyperplane(predicted, a.tangent);
+  const bool solved = point.has_value();
+  if (!solved) {
+    const Eigen::Index n = a.u.size();
+    point = BranchPoint{predicted.head(n), predicted[n] * corrector_.range(), {}, 0.0, 0, {}};
+  }
+  const std::optional<ReleaseReturn> there = equations_.follow(*point);
+  if (!there) return {};
+  if (!is_like(*there, at_a, true)) return point;
+  if (!solved) return {};
+  if (auto before = unlike_between(a, *point, at_a, looks)) return before;
+  return unlike_between(*point, b, at_a, looks);
 }
 
 bool StickingBorders::passes(const BranchPoint& a, const BranchPoint& b) {
   const std::optional<ReleaseReturn> before = equations_.follow(a), now = equations_.follow(b);
   if (!before || !now || !now->returns || now->holds != before->holds) return true;
-  return !is_like(*now, *before) && between(a, b).border;
+  return equations_.see_impacts() && between(a, b).border;
 }
 
 }  // namespace graze

@@ -7,13 +7,20 @@
 // (`ReleaseReturn::itinerary`). The border is bisected to the last digits of arclength, and what
 // lies there says what it is. Nothing has to: where two impacts of nearly equal speed change places
 // at the head of a chatter, the itinerary changes and the motion does not.
+//
+// Between two solutions with the same events there may be others all the same: an approach touches
+// and is clear again. Speeds and gaps with their rates at both tell where to look
+// (margin_course.hpp).
 #pragma once
 
+#include <deque>
+#include <functional>
 #include <optional>
 #include <vector>
 
 #include "graze/bifurcation/sticking_branches.hpp"
 #include "graze/continuation/corrector.hpp"
+#include "graze/continuation/margin_course.hpp"
 
 namespace graze {
 
@@ -39,6 +46,8 @@ class StickingBorders {
   StickingTip at_last(const std::vector<BranchPoint>& reached) const;
   // Whether the branch ends between neighbours a and b.
   bool passes(const BranchPoint& a, const BranchPoint& b);
+  // The grazings between orbits a and b that equations which do not see impacts (N = m) pass.
+  std::vector<StickingTip> passed(const BranchPoint& a, const BranchPoint& b);
   // Whether a stuck phase has shrunk to nothing.
   bool has_shrunk(const ReleaseReturn& back, const BranchPoint& at) const;
 
@@ -46,14 +55,26 @@ class StickingBorders {
   struct Approach;
   bool is_interrupted(const ReleaseReturn& back, const BranchPoint& at) const;
   bool is_at_rest(const ReleaseReturn& back, const BranchPoint& at) const;
-  bool is_like(const ReleaseReturn& back, const ReleaseReturn& other) const;
   StickingTip grazing(const std::vector<BranchPoint>& reached) const;
-  Approach approach(const BranchPoint& a, const BranchPoint& b, const ReleaseReturn& at_a);
+  Approach approach(const BranchPoint& a, const BranchPoint& b, const ReleaseReturn& at_a,
+                    bool see_impacts);
+  void walk(const BranchPoint& a, const BranchPoint& b, bool see_impacts,
+            const std::function<bool(const StickingTip&)>& is_enough);
+  std::optional<std::vector<PassageMargin>> margins(const BranchPoint& solution);
+  std::vector<MarginCourse> courses(const BranchPoint& a, const BranchPoint& b);
+  std::optional<BranchPoint> unlike_between(const BranchPoint& a, const BranchPoint& b,
+                                            const ReleaseReturn& at_a, int& looks);
   StickingTip completion(Approach& approach, const ReleaseReturn& at_a) const;
 
   const StickingEquations& equations_;
   const ContinuationOptions& options_;
   Corrector corrector_;
+  // Margins of the solutions asked for last.
+  struct Known {
+    BranchPoint solution;
+    std::optional<std::vector<PassageMargin>> margins;
+  };
+  std::deque<Known> known_;
 };
 
 }  // namespace graze

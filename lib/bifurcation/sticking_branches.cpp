@@ -85,6 +85,17 @@ std::optional<OrbitBranchPoint> StickingEquations::judge(const BranchPoint& solu
   return point;
 }
 
+std::optional<std::vector<PassageMargin>> StickingEquations::margins(const BranchPoint& solution,
+                                                                     double range) const {
+  const System* system = system_at(solution.parameter);
+  const std::optional<System> tangent =
+      system ? family_.tangent_at(solution.parameter) : std::optional<System>();
+  if (!tangent) return {};
+  const Eigen::Index n = solution.u.size();
+  return section_.margins(*system, solution.u, *tangent, solution.tangent.head(n),
+                          solution.tangent[n] * range);
+}
+
 bool StickingBranches::knows(const std::vector<OrbitRelease>& releases, double value) const {
   for (const Traced& traced : traced_)
     for (const OrbitRelease& at : releases) {

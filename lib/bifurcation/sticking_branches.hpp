@@ -9,8 +9,8 @@
 //
 // Where an impact outside the chatters loses its speed, or an interior approach touches a stop, the
 // map has a corner and no derivative on one side: a branch of several modes ends there with GR,
-// also where a step would lead on beyond it. With N = m held directions the equations do not see it
-// and the branch goes on.
+// also where a step would lead on beyond it, or beyond two of them. With N = m held directions the
+// equations do not see it: the grazing is a special point and the branch goes on.
 //
 // CH is where the motion stops coming to rest, and it is located as that: between an orbit
 // that sticks and a solution that does not, to the last digits of arclength. A chatter is summed
@@ -49,6 +49,12 @@ class StickingEquations {
   const System* system_at(double value) const;
   // What becomes of the motion of a solution; nothing where it cannot be followed.
   std::optional<ReleaseReturn> follow(const BranchPoint& solution, bool minima = false) const;
+  // What must stay positive for its events to stay what they are, with rates along its tangent;
+  // `range`: of the parameter, as in the tangent.
+  std::optional<std::vector<PassageMargin>> margins(const BranchPoint& solution,
+                                                    double range) const;
+  // Whether the impacts are part of the equations: not where all directions are held, N = m.
+  bool see_impacts() const { return section_.size() > 1; }
   // The orbit of a solution that returns.
   std::optional<OrbitBranchPoint> judge(const BranchPoint& solution) const;
 

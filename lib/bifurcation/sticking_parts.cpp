@@ -42,8 +42,11 @@ class StickingParts {
       const std::optional<OrbitBranchPoint> point = equations_.judge(branch_.points[i]);
       if (!point) return {};
       result.points.push_back(*point);
-      for (; critical != branch_.critical.end() && critical->after == i && i < end; ++critical)
-        add_critical(*critical, result);
+      if (i == end) break;
+      std::vector<CriticalPoint> within;
+      for (; critical != branch_.critical.end() && critical->after == i; ++critical)
+        within.push_back(*critical);
+      add_step(branch_.points[i], branch_.points[i + 1], within, result);
     }
     if (cut_back && tips[1].border) add_last_step(branch_.points[end], *tips[1].border, result);
     add_border(tips[1], result, neighbours);
@@ -141,7 +144,32 @@ class StickingParts {
       if (const auto fold = locate(problem, options_, a, b, rate))
         step.critical.push_back({CriticalKind::kFold, *fold, 0, {}});
     add_critical_points(step, problem, corrector, options_.stop);
-    for (const CriticalPoint& critical : step.critical) add_critical(critical, result);
+    add_step(a, b, step.critical, result);
+  }
+
+  // The special points between two orbits: those of the equations, and grazings that they pass.
+  void add_step(const BranchPoint& a, const BranchPoint& b,
+                const std::vector<CriticalPoint>& criticals, OrbitBranch& result) {
+    Corrector corrector(equations_.problem(), options_);
+    const auto along = [&](const BranchPoint& point) {
+      return corrector.difference(corrector.pack(point), corrector.pack(a)).norm();
+    };
+    const std::vector<StickingTip> passed = borders_.passed(a, b);
+    auto grazing = passed.begin();
+    for (const CriticalPoint& critical : criticals) {
+      for (; grazing != passed.end() && along(*grazing->border) < along(critical.point); ++grazing)
+        add_grazing(*grazing, result);
+      add_critical(critical, result);
+    }
+    for (; grazing != passed.end(); ++grazing) add_grazing(*grazing, result);
+  }
+
+  void add_grazing(const StickingTip& tip, OrbitBranch& result) const {
+    std::optional<OrbitBranchPoint> at = equations_.judge(*tip.border);
+    if (!at) return;
+    at->value = tip.value;
+    result.points.push_back(*at);
+    result.special.push_back({SpecialKind::kGrazing, "", *at, {}, tip.by_speed, *tip.border});
   }
 
   void add_critical(const CriticalPoint& critical, OrbitBranch& result) const {

@@ -71,27 +71,38 @@ Extremum next_extremum(const ArcCurve<double>& curve, double s, bool rising, dou
   return found;
 }
 
-}  // namespace
-
-std::optional<GapMinimum> lowest_minimum(const ArcCurve<double>& curve, int multiplicity,
-                                         double below) {
-  std::optional<GapMinimum> lowest;
+// Where the search for extrema begins, after a departure of this multiplicity; nothing where the
+// gap rises for ever.
+struct SearchStart {
   double s = 0.0;
   bool rising = false;
+};
+
+std::optional<SearchStart> search_start(const ArcCurve<double>& curve, int multiplicity) {
   if (multiplicity > 0) {
     const CurvePoint<double> start = curve.at(0.0, multiplicity - 1);
     if (start.slope > 0.0) {
-      if (start.bound == 0.0) return lowest;  // it rises for ever
-      s = multiplicity * (start.slope / start.bound);
-      rising = true;
+      if (start.bound == 0.0) return {};
+      return SearchStart{multiplicity * (start.slope / start.bound), true};
     }
   }
-  if (!rising) rising = rises(curve, s);
+  return SearchStart{0.0, rises(curve, 0.0)};
+}
+
+// The interior minima below a level, one after the other; what `visit` returns is the level from
+// there on. Returns how far along the window it came, or nothing when that was to its end.
+template <class Visit>
+std::optional<double> visit_minima(const ArcCurve<double>& curve, int multiplicity, double below,
+                                   const Visit& visit) {
+  const std::optional<SearchStart> start = search_start(curve, multiplicity);
+  if (!start) return {};
+  double s = start->s;
+  bool rising = start->rising;
   int evaluations = 0;
   while (evaluations < kMostSearchEvaluations) {
     if (std::isfinite(below)) {
       const double clear = stays_above(curve, below, s, evaluations);
-      if (!(clear <= curve.window())) return lowest;
+      if (!(clear <= curve.window())) return {};
       if (clear > s) rising = rises(curve, clear);
       s = clear;
     }
@@ -101,29 +112,52 @@ std::optional<GapMinimum> lowest_minimum(const ArcCurve<double>& curve, int mult
     if (place.kind == ZeroKind::kCrossing) {
       if (!rising && extremum.exact) {
         const double gap = curve.at(place.s, 0).value;
-        if (gap < below) {
-          lowest = GapMinimum{place.s, gap};
-          below = gap;
-        }
+        if (gap < below) below = visit(GapMinimum{place.s, gap});
       }
       s = extremum.beyond;
       rising = !rising;
     } else if (place.kind == ZeroKind::kTouch) {
       // An inflection within rounding: pass the width over which the rate stays in its rounding.
       const CurvePoint<double> point = curve.at(place.s, 1);
-      if (point.bound == 0.0) return lowest;  // the gap does not change
+      if (point.bound == 0.0) return {};  // the gap does not change
       const double width = std::sqrt(2.0 * point.noise / point.bound);
       if (!(place.s + width > s)) break;
       s = place.s + width;
       rising = rises(curve, s);
     } else if (place.kind == ZeroKind::kNone) {
-      return lowest;
+      return {};
     } else {
       break;
     }
   }
+  return s;
+}
+
+}  // namespace
+
+std::optional<GapMinimum> lowest_minimum(const ArcCurve<double>& curve, int multiplicity,
+                                         double below) {
+  std::optional<GapMinimum> lowest;
+  const std::optional<double> reached =
+      visit_minima(curve, multiplicity, below, [&](const GapMinimum& minimum) {
+        lowest = minimum;
+        return minimum.gap;
+      });
   // Nothing is known of the rest of the window, so nothing is promised of it.
-  return GapMinimum{s, -std::numeric_limits<double>::infinity()};
+  if (reached) return GapMinimum{*reached, -std::numeric_limits<double>::infinity()};
+  return lowest;
+}
+
+std::vector<GapMinimum> minima_below(const ArcCurve<double>& curve, int multiplicity,
+                                     double level) {
+  std::vector<GapMinimum> minima;
+  const std::optional<double> reached =
+      visit_minima(curve, multiplicity, level, [&](const GapMinimum& found) {
+        minima.push_back(found);
+        return level;
+      });
+  if (reached) minima.push_back({*reached, -std::numeric_limits<double>::infinity()});
+  return minima;
 }
 
 std::optional<double> smallest_minimum(const ArcCurve<double>& curve, int multiplicity) {

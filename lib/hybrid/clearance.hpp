@@ -3,6 +3,7 @@
 
 #include <limits>
 #include <optional>
+#include <vector>
 
 #include "graze/flow/arc_curve.hpp"
 #include "graze/flow/exact_flow.hpp"
@@ -27,7 +28,10 @@ struct GapMinimum {
 std::optional<GapMinimum> lowest_minimum(const ArcCurve<double>& curve, int multiplicity = 0,
                                          double below = std::numeric_limits<double>::infinity());
 
-// Its gap alone, m.
+// All of them, in order; an unfinished search adds one of minus infinity.
+std::vector<GapMinimum> minima_below(const ArcCurve<double>& curve, int multiplicity, double level);
+
+// The gap of the lowest alone, m.
 std::optional<double> smallest_minimum(const ArcCurve<double>& curve, int multiplicity = 0);
 
 // The steady response at the start of a forcing period, where the motion that starts there in

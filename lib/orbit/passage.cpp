@@ -5,6 +5,7 @@
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "graze/flow/contact_share.hpp"
 #include "graze/hybrid/clearance.hpp"
@@ -94,6 +95,7 @@ class Follower {
     const std::vector<int>& closed = motion_.flown().closed();
     if (options_.flight) options_.flight(motion_.flown(), start, arrival.flight);
     if (options_.minima && arrival.flight > 0.0) note_minima(arrival.flight);
+    if (options_.along && arrival.flight > 0.0) note_approaches(arrival.flight);
     if (deviations_) carry(arrival, closed);
     if (parameter_) carry_parameter(arrival, closed);
     return receive(arrival);
@@ -153,6 +155,51 @@ class Follower {
     }
   }
 
+  // The approaches of a flight to the open stops. The time of a minimum does not matter to its gap
+  // to first order, so neither do the delays of the deviations there.
+  void note_approaches(double flight) {
+    const ContactPhase<double>& phase = motion_.flown();
+    for (std::size_t k = 0; k < system_.stops.size(); ++k) {
+      const int i = static_cast<int>(k);
+      const std::vector<int>& closed = phase.closed();
+      if (motion_.departure().contacts[k] == Contact::kLocked ||
+          std::find(closed.begin(), closed.end(), i) != closed.end())
+        continue;
+      for (const GapMinimum& minimum : minima_below(phase.gap(i, flight, departed_from(i)),
+                                                    motion_.departure().multiplicities[k],
+                                                    std::numeric_limits<double>::infinity()))
+        passage_.approaches.push_back(
+            {i, passage_.impacts.size(), minimum.s, minimum.gap, gap_rate(i, minimum.s)});
+    }
+  }
+
+  // How the gap at a stop, s after the departure, moves along the direction.
+  double gap_rate(int i, double s) const {
+    const PassageDirection& along = *options_.along;
+    const MotionState<double>& departure = motion_.departure();
+    Deviations one{deviations_->q * along.deviations, deviations_->qdot * along.deviations,
+                   deviations_->delay * along.deviations};
+    hold(system_, motion_.flown().closed(), one);
+    ParameterDeviation by_parameter = *parameter_;
+    by_parameter.carry(motion_.flown(), {departure.q, departure.qdot},
+                       motion_.flow().phase(departure.instant), s);
+    const Vector q =
+        one.q + growth(motion_.flown(), s, one).q + along.parameter * by_parameter.value().q;
+    State there{Vector(system_.modes()), Vector(system_.modes())};
+    motion_.flown().state(s, there.q, there.qdot);
+    const RigidStop& rate = along.tangent->stops[static_cast<std::size_t>(i)];
+    return along.parameter * (rate.gap - rate.row.dot(there.q)) - stop(i).row.dot(q);
+  }
+
+  // How the speed of an impact moves, the deviations being those at the contact.
+  double speed_rate(int i, const State& before) const {
+    const PassageDirection& along = *options_.along;
+    const RigidStop& rate = along.tangent->stops[static_cast<std::size_t>(i)];
+    return stop(i).row.dot(deviations_->qdot * along.deviations) +
+           along.parameter *
+               (stop(i).row.dot(parameter_->value().qdot) + rate.row.dot(before.qdot));
+  }
+
   bool receive(const Arrival<double>& arrival) {
     switch (arrival.kind) {
       case ArrivalKind::kTime:
@@ -185,7 +232,8 @@ class Follower {
       if (!share.hit) continue;
       ++hits;
       ++impacts_;
-      passage_.impacts.push_back({share.stop, motion_.instant(), share.speed, before});
+      passage_.impacts.push_back({share.stop, motion_.instant(), share.speed, before,
+                                  options_.along ? speed_rate(share.stop, before) : 0.0});
     }
     if (impacts_ > options_.max_impacts)
       return fail(fmt::format("the budget of {} impacts was spent", options_.max_impacts));

@@ -20,10 +20,21 @@
 
 namespace graze {
 
+// A direction in which the start and the parameter move: weights of the deviations, one for each,
+// and of the parameter's own.
+struct PassageDirection {
+  Vector deviations;
+  double parameter = 0.0;
+  const System* tangent = nullptr;  // derivative of the system by the parameter
+};
+
 struct PassageOptions {
   double closure_speed = 0.0;  // m/s: below it the tail of a chatter is summed
   long long max_impacts = 10'000'000;
   bool minima = false;  // look for the minima of gaps and contact forces
+  // Of speeds and approaches, along it, the rates: with deviations and a parameter's deviation
+  // only.
+  std::optional<PassageDirection> along;
   StopSignal stop;
   // Called for every flight: the phase as it was flown, when it began, how long it was, s.
   std::function<void(const ContactPhase<double>&, const Instant<double>&, double)> flight;
@@ -34,6 +45,15 @@ struct PassedImpact {
   Instant<double> at;
   double speed = 0.0;  // m/s, before
   State before;
+  double rate = 0.0;  // of the speed, with `along`
+};
+
+// An interior local minimum of a gap.
+struct PassedApproach {
+  int stop = 0;
+  std::size_t impacts = 0;       // passed before it
+  double after = 0.0;            // s since the event before it
+  double gap = 0.0, rate = 0.0;  // m, and along the direction
 };
 
 // A stop that is closed: from the end of its chatter, or from the start of the passage.
@@ -51,6 +71,7 @@ struct Passage {
   std::vector<PassedImpact> impacts;
   std::vector<PassedHold> holds;    // by the instant at which they end
   std::optional<double> clearance;  // smallest interior local minimum of a gap, m; with `minima`
+  std::vector<PassedApproach> approaches;  // with `along`
 };
 
 // Follows the motion from `start` to `end`. With `deviations`, those of the start become those of

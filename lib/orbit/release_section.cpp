@@ -32,41 +32,6 @@ double push_scale(const System& system, const RigidStop& stop) {
   return scale > 0.0 ? scale : 1.0;
 }
 
-bool before(const Instant<double>& a, const Instant<double>& b) { return !not_before(a, b); }
-
-// Which impacts belong to the chatters that lead to the stuck phases.
-std::vector<bool> in_chatter(const std::vector<PassedImpact>& impacts,
-                             const std::vector<const PassedHold*>& holds) {
-  std::vector<bool> chatters(impacts.size(), false);
-  for (const PassedHold* hold : holds) {
-    double faster = 0.0;
-    for (std::size_t i = impacts.size(); i-- > 0;) {
-      const PassedImpact& impact = impacts[i];
-      if (impact.stop != hold->stop || before(hold->from, impact.at)) continue;
-      if (!(impact.speed > faster)) break;
-      faster = impact.speed;
-      chatters[i] = true;
-    }
-  }
-  return chatters;
-}
-
-// The impacts outside the chatters and the stuck phases, which are in time order.
-void add_itinerary(const std::vector<PassedImpact>& impacts,
-                   const std::vector<const PassedHold*>& holds, ReleaseReturn& result) {
-  const std::vector<bool> chatters = in_chatter(impacts, holds);
-  result.slowest = std::numeric_limits<double>::infinity();
-  auto hold = holds.begin();
-  for (std::size_t i = 0; i < impacts.size(); ++i) {
-    if (chatters[i]) continue;
-    for (; hold != holds.end() && before((*hold)->from, impacts[i].at); ++hold)
-      result.itinerary.push_back(-1 - (*hold)->stop);
-    result.itinerary.push_back(impacts[i].stop);
-    result.slowest = std::min(result.slowest, impacts[i].speed);
-  }
-  for (; hold != holds.end(); ++hold) result.itinerary.push_back(-1 - (*hold)->stop);
-}
-
 }  // namespace
 
 // The state at the unknowns, and how it moves with y and y': q_y = V, q'_{y'} = V.
@@ -197,18 +162,24 @@ std::optional<ReleaseSection::Equations> ReleaseSection::evaluate(const System& 
   return equations;
 }
 
-// The map and its derivatives; false where the motion cannot be followed.
-bool ReleaseSection::add_return(const System& system, const Vector& u, const Chart& chart,
-                                const System* tangent, const State& chart_rate,
-                                Equations& equations) const {
+// By theta, y and y'. A later theta is a later start of the same state, and a later end.
+Deviations ReleaseSection::start_deviations(const System& system, const Chart& chart) const {
   const Eigen::Index n = system.modes(), m = freedoms();
-  const MotionState<double> start = *state_of(system, u);
-  // A later theta is a later start of the same state, and a later end.
   Deviations deviations{Matrix::Zero(n, 2 * m + 1), Matrix::Zero(n, 2 * m + 1),
                         Eigen::RowVectorXd::Zero(2 * m + 1)};
   deviations.delay[0] = 1.0 / system.forcing->frequency;
   deviations.q.middleCols(1, m) = chart.slope;
   deviations.qdot.rightCols(m) = chart.slope;
+  return deviations;
+}
+
+// The map and its derivatives; false where the motion cannot be followed.
+bool ReleaseSection::add_return(const System& system, const Vector& u, const Chart& chart,
+                                const System* tangent, const State& chart_rate,
+                                Equations& equations) const {
+  const Eigen::Index m = freedoms();
+  const MotionState<double> start = *state_of(system, u);
+  Deviations deviations = start_deviations(system, chart);
   std::optional<ParameterDeviation> parameter;
   if (tangent) parameter.emplace(system, *tangent, chart_rate);
   const Passage passage = pass(system, start, end_of(start), passage_options(options_), &deviations,
@@ -262,12 +233,10 @@ std::optional<ReleaseReturn> ReleaseSection::follow(const System& system, const 
   result.passage = pass(system, *start, end_of(*start), options);
   if (!result.passage.failure.empty()) return {};
   const Instant<double>& end = result.passage.end.instant;
-  std::vector<const PassedHold*> begun;
-  for (const PassedHold& hold : result.passage.holds)
-    if (!hold.from_start) begun.push_back(&hold);
-  std::sort(begun.begin(), begun.end(),
-            [](const PassedHold* a, const PassedHold* b) { return before(a->from, b->from); });
-  add_itinerary(result.passage.impacts, begun, result);
+  const std::vector<const PassedHold*> begun = holds_begun(result.passage);
+  const Itinerary itinerary = itinerary_of(result.passage);
+  result.itinerary = itinerary.events;
+  result.slowest = itinerary.slowest;
   result.shortest_hold = std::numeric_limits<double>::infinity();
   // The release is where the force equation has it, to the accuracy of a solution.
   const double together = kShootingAccuracy * system.period();
@@ -287,6 +256,25 @@ std::optional<ReleaseReturn> ReleaseSection::follow(const System& system, const 
         result.passage.end.contacts[static_cast<std::size_t>(i)] != Contact::kClosed)
       result.returns = false;
   return result;
+}
+
+std::optional<std::vector<PassageMargin>> ReleaseSection::margins(const System& system,
+                                                                  const Vector& u,
+                                                                  const System& tangent,
+                                                                  const Vector& direction,
+                                                                  double parameter_rate) const {
+  const std::optional<Chart> chart = chart_at(system, u);
+  if (!chart) return {};
+  const MotionState<double> start = *state_of(system, u);
+  Deviations deviations = start_deviations(system, *chart);
+  ParameterDeviation parameter(system, tangent, chart_rate(tangent, *chart));
+  PassageOptions options = passage_options(options_);
+  PassageDirection along{direction, parameter_rate, &tangent};
+  along.deviations.tail(2 * freedoms()).array() *= unit_.array();
+  options.along = along;
+  const Passage passage = pass(system, start, end_of(start), options, &deviations, &parameter);
+  if (!passage.failure.empty()) return {};
+  return margins_of(passage);
 }
 
 std::optional<Orbit> ReleaseSection::orbit(const System& system, const Vector& u) const {

@@ -17,8 +17,9 @@
 #pragma once
 
 #include <optional>
+#include <vector>
 
-#include "graze/orbit/passage.hpp"
+#include "graze/orbit/itinerary.hpp"
 #include "graze/orbit/sticking_orbit.hpp"
 
 namespace graze {
@@ -77,6 +78,11 @@ class ReleaseSection {
   // `minima`: as in PassageOptions.
   std::optional<ReleaseReturn> follow(const System& system, const Vector& u,
                                       bool minima = false) const;
+  // In time order; `direction`: rates of the unknowns and of the parameter that moves the system
+  // along `tangent`.
+  std::optional<std::vector<PassageMargin>> margins(const System& system, const Vector& u,
+                                                    const System& tangent, const Vector& direction,
+                                                    double parameter_rate) const;
   // The orbit of a solution that returns.
   std::optional<Orbit> orbit(const System& system, const Vector& u) const;
 
@@ -88,6 +94,7 @@ class ReleaseSection {
   void add_force(const System& system, const Vector& u, const Chart& chart, const System* tangent,
                  const State& chart_rate, Equations& equations) const;
   State chart_rate(const System& tangent, const Chart& chart) const;
+  Deviations start_deviations(const System& system, const Chart& chart) const;
   bool add_return(const System& system, const Vector& u, const Chart& chart, const System* tangent,
                   const State& chart_rate, Equations& equations) const;
   Instant<double> end_of(const MotionState<double>& start) const;

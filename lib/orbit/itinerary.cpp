@@ -1,0 +1,77 @@
+#include "graze/orbit/itinerary.hpp"
+
+#include <algorithm>
+#include <limits>
+
+namespace graze {
+namespace {
+
+bool before(const Instant<double>& a, const Instant<double>& b) { return !not_before(a, b); }
+
+// Which impacts belong to the chatters that lead to the stuck phases.
+std::vector<bool> in_chatter(const std::vector<PassedImpact>& impacts,
+                             const std::vector<const PassedHold*>& holds) {
+  std::vector<bool> chatters(impacts.size(), false);
+  for (const PassedHold* hold : holds) {
+    double faster = 0.0;
+    for (std::size_t i = impacts.size(); i-- > 0;) {
+      const PassedImpact& impact = impacts[i];
+      if (impact.stop != hold->stop || before(hold->from, impact.at)) continue;
+      if (!(impact.speed > faster)) break;
+      faster = impact.speed;
+      chatters[i] = true;
+    }
+  }
+  return chatters;
+}
+
+}  // namespace
+
+std::vector<const PassedHold*> holds_begun(const Passage& passage) {
+  std::vector<const PassedHold*> begun;
+  for (const PassedHold& hold : passage.holds)
+    if (!hold.from_start) begun.push_back(&hold);
+  std::sort(begun.begin(), begun.end(),
+            [](const PassedHold* a, const PassedHold* b) { return before(a->from, b->from); });
+  return begun;
+}
+
+Itinerary itinerary_of(const Passage& passage) {
+  const std::vector<PassedImpact>& impacts = passage.impacts;
+  const std::vector<const PassedHold*> holds = holds_begun(passage);
+  const std::vector<bool> chatters = in_chatter(impacts, holds);
+  Itinerary result;
+  result.slowest = std::numeric_limits<double>::infinity();
+  auto hold = holds.begin();
+  for (std::size_t i = 0; i < impacts.size(); ++i) {
+    if (chatters[i]) continue;
+    for (; hold != holds.end() && before((*hold)->from, impacts[i].at); ++hold)
+      result.events.push_back(-1 - (*hold)->stop);
+    result.events.push_back(impacts[i].stop);
+    result.slowest = std::min(result.slowest, impacts[i].speed);
+  }
+  for (; hold != holds.end(); ++hold) result.events.push_back(-1 - (*hold)->stop);
+  return result;
+}
+
+std::vector<PassageMargin> margins_of(const Passage& passage) {
+  const std::vector<PassedImpact>& impacts = passage.impacts;
+  const std::vector<bool> chatters = in_chatter(impacts, holds_begun(passage));
+  const auto chatters_on = [&](std::size_t i, int stop) {
+    return i < impacts.size() && chatters[i] && impacts[i].stop == stop;
+  };
+  std::vector<PassageMargin> margins;
+  std::size_t place = 0;
+  auto approach = passage.approaches.begin();
+  for (std::size_t i = 0; i <= impacts.size(); ++i) {
+    for (; approach != passage.approaches.end() && approach->impacts == i; ++approach)
+      if (i == 0 || !chatters_on(i - 1, approach->stop) || !chatters_on(i, approach->stop))
+        margins.push_back(
+            {false, place, approach->stop, approach->after, approach->gap, approach->rate});
+    if (i == impacts.size() || chatters[i]) continue;
+    margins.push_back({true, place++, impacts[i].stop, 0.0, impacts[i].speed, impacts[i].rate});
+  }
+  return margins;
+}
+
+}  // namespace graze
