@@ -4,6 +4,7 @@
 #include <limits>
 #include <utility>
 
+#include "graze/bifurcation/sticking_grazing.hpp"
 #include "graze/continuation/locate.hpp"
 
 namespace graze {
@@ -26,13 +27,6 @@ constexpr int kMostSteps = 400;  // of a bisection that may need two for each of
 // chatter that does not complete any more vanish one after the other, some twenty in double
 // precision.
 constexpr int kMostChanges = 64;
-
-// An approach nearer than this part of a length touches: a trace that comes to its end there is
-// within its shortest step, some 1e-12, of the grazing. From the side on which it impacts the map's
-// derivative grows like 1/v, and solutions are found down to speeds of about the square root of
-// that.
-constexpr double kTouches = 1e-9;
-constexpr double kStill = 1e-5;
 
 // No gap is known better, of the length scale.
 constexpr double kGapRounding = 1e-12;
@@ -102,37 +96,13 @@ bool StickingBorders::is_at_rest(const ReleaseReturn& back, const BranchPoint& a
   return back.holds.size() == 1 && back.shortest_hold >= (periods - kInterrupted) * period;
 }
 
-// Whether an impact or an approach touches at the last of these points.
-StickingTip StickingBorders::grazing(const std::vector<BranchPoint>& reached) const {
-  const BranchPoint& at = reached.back();
-  const std::optional<ReleaseReturn> here = equations_.follow(at, true);
-  if (!here) return {};
-  const System& system = *equations_.system_at(at.parameter);
-  const double length = shooting_scale(system).length;
-  const double frequency = system.forcing->frequency;
-  const std::optional<double>& clearance = here->passage.clearance;
-  if (clearance && *clearance <= kTouches * length)
-    return {OrbitBranchEnd::kGrazing, at, false, false, at.parameter, {}};
-  if (!(here->slowest <= kStill * length * frequency)) return {};
-  // The speed goes linearly with the parameter. Neighbours of the last point may be as near as
-  // its rounding; one at twice its speed tells where it vanishes.
-  for (auto point = reached.rbegin(); point != reached.rend(); ++point) {
-    const std::optional<ReleaseReturn> back = equations_.follow(*point);
-    if (!back) return {};
-    if (!(back->slowest > 2.0 * here->slowest)) continue;
-    const double rate = (point->parameter - at.parameter) / (back->slowest - here->slowest);
-    return {OrbitBranchEnd::kGrazing, at, true, false, at.parameter - here->slowest * rate, {}};
-  }
-  return {};
-}
-
-StickingTip StickingBorders::at_last(const std::vector<BranchPoint>& reached) const {
+StickingTip StickingBorders::at_last(const std::vector<BranchPoint>& reached) {
   const BranchPoint& at = reached.back();
   const std::optional<ReleaseReturn> here = equations_.follow(at);
   // Where the equations are solved no further the trace has come as near as it gets.
   if (here && has_shrunk(*here, at))
     return {OrbitBranchEnd::kChatterCompletes, at, false, false, at.parameter, {}};
-  return grazing(reached);
+  return grazing_at(equations_, corrector_, reached, false);
 }
 
 // From `a` towards `b` as far as the events stay what they are at `a`.
@@ -228,7 +198,10 @@ void StickingBorders::walk(const BranchPoint& a, const BranchPoint& b, bool see_
     }
     // A prediction is no solution.
     const bool solved = there.at_beyond.tangent.size() > 0;
-    StickingTip touch = grazing(there.reached);
+    // The impact of a grazing is felt down to some speed; what it was before it impacted touches.
+    const bool is_lost = solved && here->itinerary.size() > there.beyond->itinerary.size() &&
+                         touches(equations_, there.at_beyond);
+    StickingTip touch = grazing_at(equations_, corrector_, there.reached, is_lost);
     if (touch.border && solved) touch.beyond = there.at_beyond;
     if (touch.border && is_enough(touch)) return;
     if (!solved) return;
@@ -239,7 +212,8 @@ void StickingBorders::walk(const BranchPoint& a, const BranchPoint& b, bool see_
 }
 
 StickingTip StickingBorders::between(const BranchPoint& a, const BranchPoint& b) {
-  StickingTip first;
+  StickingTip first = grazing_ahead(equations_, corrector_, options_, a, b);
+  if (first.border) return first;
   walk(a, b, equations_.see_impacts(), [&](const StickingTip& tip) {
     first = tip;
     return true;
@@ -330,6 +304,7 @@ std::optional<BranchPoint> StickingBorders::unlike_between(const BranchPoint& a,
 bool StickingBorders::passes(const BranchPoint& a, const BranchPoint& b) {
   const std::optional<ReleaseReturn> before = equations_.follow(a), now = equations_.follow(b);
   if (!before || !now || !now->returns || now->holds != before->holds) return true;
+  // Where the impacts are felt, between() knows.
   return equations_.see_impacts() && between(a, b).border;
 }
 

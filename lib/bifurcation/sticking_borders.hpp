@@ -43,7 +43,7 @@ class StickingBorders {
   // cannot be told.
   StickingTip between(const BranchPoint& a, const BranchPoint& b);
   // What ends it at the last of these points, where it was followed no further.
-  StickingTip at_last(const std::vector<BranchPoint>& reached) const;
+  StickingTip at_last(const std::vector<BranchPoint>& reached);
   // Whether the branch ends between neighbours a and b.
   bool passes(const BranchPoint& a, const BranchPoint& b);
   // The grazings between orbits a and b that equations which do not see impacts (N = m) pass.
@@ -55,7 +55,6 @@ class StickingBorders {
   struct Approach;
   bool is_interrupted(const ReleaseReturn& back, const BranchPoint& at) const;
   bool is_at_rest(const ReleaseReturn& back, const BranchPoint& at) const;
-  StickingTip grazing(const std::vector<BranchPoint>& reached) const;
   Approach approach(const BranchPoint& a, const BranchPoint& b, const ReleaseReturn& at_a,
                     bool see_impacts);
   void walk(const BranchPoint& a, const BranchPoint& b, bool see_impacts,

@@ -1,0 +1,29 @@
+// Grazings (GR) that end a branch of orbits that stick.
+//
+// Seen from the side on which it impacts, the map's derivative grows like 1/v, and an impact of
+// speed v reaches behind the stop by some v^2: below the root of what residuals are solved to, an
+// orbit with the impact and one without cannot be told apart. A trace that comes near is not
+// followed so far; where the speed vanishes is told by solutions before that.
+#pragma once
+
+#include <vector>
+
+#include "graze/bifurcation/sticking_borders.hpp"
+
+namespace graze {
+
+// Whether an approach touches there.
+bool touches(const StickingEquations& equations, const BranchPoint& at);
+
+// Whether an impact or an approach touches at the last of these points. `is_lost`: an impact is, by
+// what is known of the other side.
+StickingTip grazing_at(const StickingEquations& equations, Corrector& corrector,
+                       const std::vector<BranchPoint>& reached, bool is_lost);
+
+// The grazing that lies ahead of b as seen from a, where an impact has become slow on the way to b;
+// and an orbit without that impact, if there is one near.
+StickingTip grazing_ahead(const StickingEquations& equations, Corrector& corrector,
+                          const ContinuationOptions& options, const BranchPoint& a,
+                          const BranchPoint& b);
+
+}  // namespace graze
