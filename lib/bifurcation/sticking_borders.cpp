@@ -24,7 +24,7 @@ constexpr int kMostBack = 8;
 constexpr int kMostSteps = 400;  // of a bisection that may need two for each of some 100 halvings
 
 // Changes of the itinerary within one step that are looked through. Beside CH the impacts of the
-// chatter that does not complete any more vanish one after the other, some twenty in double
+// chatter that does not complete any more vanish one after the other, some thirty in double
 // precision.
 constexpr int kMostChanges = 64;
 
@@ -190,14 +190,14 @@ void StickingBorders::walk(const BranchPoint& a, const BranchPoint& b, bool see_
       target = *other;
     }
     Approach there = approach(from, target, *here, see_impacts);
+    // A prediction is no solution, and does not return.
+    const bool solved = there.at_beyond.tangent.size() > 0;
     const bool same_holds =
-        there.beyond && there.beyond->returns && there.beyond->holds == here->holds;
+        there.beyond && (there.beyond->returns || !solved) && there.beyond->holds == here->holds;
     if (!same_holds) {
       is_enough(completion(there, *here));
       return;
     }
-    // A prediction is no solution.
-    const bool solved = there.at_beyond.tangent.size() > 0;
     // The impact of a grazing is felt down to some speed; what it was before it impacted touches.
     const bool is_lost = solved && here->itinerary.size() > there.beyond->itinerary.size() &&
                          touches(equations_, there.at_beyond);

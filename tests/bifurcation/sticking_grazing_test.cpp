@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "branch_checks.hpp"
+#include "graze/bifurcation/sticking_borders.hpp"
 #include "graze/flow/exact_flow.hpp"
 #include "graze/hybrid/simulation.hpp"
 #include "graze/scene/parameter.hpp"
@@ -119,6 +120,119 @@ TEST(StickingGrazing, PairsWithinAStepArePassedOneByOne) {
                  behind = impacts_a_period(family, found[0][i] * (1.0 + 1e-8));
     EXPECT_NE(before, behind) << found[0][i];
   }
+}
+
+// Beyond CH the impacts of the chatter that does not complete any more vanish one after the other.
+TEST(StickingGrazing, RowsBesideAChatterPointDoNotDependOnTheSteps) {
+  std::vector<std::vector<double>> found;
+  for (const double step : {0.0, 0.001}) {
+    const OrbitBranches result = traced(two_sided(0.9), "forcing.frequency", 0.1, 0.4, step, 4);
+    found.emplace_back();
+    for (const SpecialPoint* special : special_points(result, SpecialKind::kGrazing))
+      found.back().push_back(special->at.value);
+  }
+  EXPECT_GE(found[0].size(), 20u);
+  ASSERT_EQ(found[0].size(), found[1].size());
+  for (std::size_t i = 0; i < found[0].size(); ++i)
+    EXPECT_NEAR(found[0][i] / found[1][i], 1.0, 1e-10);
+}
+
+// ---------------------------------------------------------------- several modes
+
+// Two modes that stick on one stop and swing past a second one, which a gap of 3 m keeps clear.
+Scene two_modes(double gap) {
+  Scene scene = parse_scene(
+      "[modal]\nfrequencies = [1.0, 3.3]\ndamping_ratios = [0.02, 0.02]\n"
+      "participation = [1.0, 0.4]\n"
+      "[forcing]\nkind = \"modal\"\namplitude = 1.0\nfrequency = 0.4795\n"
+      "[[stop]]\nshape = [1.0, 0.8]\ngap = 0.1\nrestitution = 0.4\n"
+      "[[stop]]\nshape = [1.0, -1.5]\ngap = 3.0\nside = \"below\"\nrestitution = 0.4\n",
+      "two_modes.toml");
+  return with_parameter(scene, "stop.2.gap", gap);
+}
+
+// How near the motion of a solution comes to the second stop, sampled and refined, less `gap`.
+double excess(const StickingEquations& equations, const BranchPoint& at, double gap) {
+  const System& system = *equations.system_at(at.parameter);
+  const MotionState<double> start = *equations.section().state_of(system, at.u);
+  PassageOptions options;
+  options.closure_speed = 1e-8;
+  double farthest = -1.0;
+  options.flight = [&](const ContactPhase<double>& phase, const Instant<double>&, double length) {
+    Vector q(2), qdot(2);
+    const auto reach = [&](double s) {
+      phase.state(s, q, qdot);
+      return system.stops[1].row.dot(q);
+    };
+    const int samples = std::max(4, static_cast<int>(length / 0.02));
+    for (int i = 1; i < samples; ++i) {
+      double low = length * (i - 1) / samples, high = length * (i + 1) / samples;
+      const double here = reach(length * i / samples);
+      if (!(here >= reach(low) && here >= reach(high))) continue;
+      for (int k = 0; k < 80; ++k) {
+        const double a = low + (high - low) / 3.0, b = high - (high - low) / 3.0;
+        (reach(a) < reach(b) ? low : high) = reach(a) < reach(b) ? a : b;
+      }
+      farthest = std::max(farthest, reach(low));
+    }
+  };
+  pass(system, start, {1, start.instant.local}, options);
+  return farthest - gap;
+}
+
+// The approach to the second stop touches at two places of a branch; between them there is no such
+// orbit, on either side of both there is. A step may lead across both.
+TEST(StickingGrazing, PairsBetweenOrbitsWithTheSameEventsAreSeen) {
+  const double gap = 1.5185, low = 0.4792, middle = 0.4805, high = 0.4825;
+  const SystemFamily clear(two_modes(3.0), "forcing.frequency"),
+      near(two_modes(gap), "forcing.frequency");
+  const OrbitBranches result = traced(clear.scene(), "forcing.frequency", 0.4785, 0.4835, 0.0, 1);
+  ASSERT_FALSE(result.branches.empty());
+  const OrbitBranchPoint& point = result.branches[0].points.front();
+  const StickingOptions options{point.orbit.sticking->closure_speed};
+  const System system = *clear.at(point.value);
+  const OrbitRelease start = releases_of(system, point.orbit, options).front();
+  const StickingEquations without(clear, system, start.release, options),
+      equations(near, system, start.release, options);
+  ContinuationOptions range;
+  range.from = 0.4785;
+  range.to = 0.4835;
+  // Orbits that the second stop does not touch, at fixed values.
+  Vector u = without.section().pack(start.theta, start.state);
+  double value = point.value;
+  const auto at = [&](double next) {
+    std::optional<BranchPoint> solution;
+    const int steps = 1 + static_cast<int>(std::abs(next - value) / 1e-4);
+    for (int i = 1; i <= steps; ++i) {
+      solution = solve_at(without.problem(), range, u, value + (next - value) * i / steps);
+      u = solution.value().u;
+    }
+    value = next;
+    return *solution;
+  };
+  const BranchPoint a = at(low), b = at(high);
+  ASSERT_LT(excess(without, a, gap), 0.0);
+  ASSERT_LT(excess(without, b, gap), 0.0);
+  ASSERT_GT(excess(without, at(middle), gap), 0.0);
+  StickingBorders borders(equations, range);
+  EXPECT_TRUE(borders.passes(a, b));
+  for (const bool from_left : {true, false}) {
+    double outside = from_left ? low : high, inside = middle;
+    for (int i = 0; i < 45; ++i) {
+      const double half = 0.5 * (outside + inside);
+      (excess(without, at(half), gap) > 0.0 ? inside : outside) = half;
+    }
+    const StickingTip tip = from_left ? borders.between(a, b) : borders.between(b, a);
+    ASSERT_TRUE(tip.border);
+    EXPECT_EQ(tip.end, OrbitBranchEnd::kGrazing);
+    EXPECT_FALSE(tip.by_speed);
+    EXPECT_NEAR(tip.value / outside, 1.0, 1e-9);
+  }
+  // Where the stop is a little farther away there is nothing between.
+  const SystemFamily beyond(two_modes(1.5188), "forcing.frequency");
+  const StickingEquations untouched(beyond, system, start.release, options);
+  StickingBorders none(untouched, range);
+  EXPECT_FALSE(none.passes(a, b));
 }
 
 }  // namespace
