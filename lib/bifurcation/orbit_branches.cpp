@@ -140,7 +140,11 @@ class OrbitTracer {
     ++result_.starts;
     PatternBranches& branches = pattern_branches(canonical(pattern));
     const auto start = branches.solve(in_canonical_order(pattern, impacts), value);
-    if (start && !branches.knows(*start)) add_trace(branches, *start, Directions::kBoth, -1, 0);
+    if (!start) return;
+    if (!branches.lists(*start))
+      ++result_.virtual_starts;
+    else if (!branches.knows(*start))
+      add_trace(branches, *start, Directions::kBoth, -1, 0);
   }
 
   // Traces the branch of the orbit that sticks, where the motion from the scene's initial state
