@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "graze/bifurcation/closed_form_survey.hpp"
+#include "graze/bifurcation/components.hpp"
 #include "graze/bifurcation/pattern_branches.hpp"
 #include "graze/bifurcation/pattern_switching.hpp"
 #include "graze/bifurcation/special_names.hpp"
@@ -290,7 +291,7 @@ class OrbitTracer {
       if (pa.stops != pb.stops) return pa.stops < pb.stops;
       return lowest(found_[a]) < lowest(found_[b]);
     });
-    name_components(order);
+    number_components(order);
     SpecialNames names;
     int id = 0;
     for (const std::size_t i : order) {
@@ -305,12 +306,12 @@ class OrbitTracer {
     for (const std::size_t i : order) result_.branches.push_back(std::move(found_[i].branch));
   }
 
-  // Numbers follow the order of appearance.
-  void name_components(const std::vector<std::size_t>& order) {
-    std::map<std::pair<int, int>, int> numbers;
-    for (const std::size_t i : order)
-      found_[i].branch.component =
-          numbers.try_emplace(component_of(i), static_cast<int>(numbers.size()) + 1).first->second;
+  void number_components(const std::vector<std::size_t>& order) {
+    const double speed_scale = scale_.length * family_.at(family_.value())->forcing->frequency;
+    Components components(highest_ - lowest_, speed_scale);
+    for (const std::size_t i : order) components.add(found_[i].branch, component_of(i));
+    const std::vector<int> numbers = components.numbers();
+    for (std::size_t i = 0; i < order.size(); ++i) found_[order[i]].branch.component = numbers[i];
   }
 
   // What is switched onto is connected to where it was switched from. Branches that were traced
