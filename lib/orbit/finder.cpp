@@ -309,7 +309,14 @@ class Finder {
     const std::optional<std::vector<int>> opposite = opposite_stops(system_);
     if (!opposite) return;
     for (const Orbit& orbit : std::vector<Orbit>(found_.orbits)) {
-      if (orbit.sticking || !(orbit.admissible || options_.keep_virtual)) continue;
+      if (!(orbit.admissible || options_.keep_virtual)) continue;
+      if (orbit.sticking) {
+        const auto image =
+            mirrored_sticking(system_, orbit, *opposite,
+                              {orbit.sticking->closure_speed, options_.max_impacts, options_.stop});
+        if (image) keep(*image);
+        continue;
+      }
       ImpactPattern pattern = orbit.pattern();
       for (int& stop : pattern.stops) stop = (*opposite)[static_cast<std::size_t>(stop)];
       const ShootingProblem problem(pattern, scale_);
