@@ -226,21 +226,22 @@ class CriticalSearch {
     }
   }
 
-  // Whether the j-th modulus is known to differ from 1 at either end of a piece of step `after`, as
-  // far as it is known at the ends of that. Where all multipliers sit on the circle, crossings are
-  // rounding.
-  bool is_significant(const BranchPoint& a, const BranchPoint& b, std::size_t after,
-                      std::size_t j) const {
-    const double error = std::max(branch_.points[after].multipliers[j].error,
-                                  branch_.points[after + 1].multipliers[j].error);
-    return std::abs(excess(a.multipliers, j)) > error || std::abs(excess(b.multipliers, j)) > error;
+  // How far the j-th modulus is from 1 beyond its error: not above 0 where it may well be 1.
+  double distance_from_circle(const BranchPoint& point, std::size_t j) const {
+    const std::vector<Eigenvalue> multipliers = multipliers_of(point);
+    return j < multipliers.size() ? std::abs(excess(multipliers, j)) - multipliers[j].error
+                                  : std::nan("");
   }
 
-  // Where the j-th modulus passes 1 between a and b; nothing where it cannot be located.
+  // Where the j-th modulus passes 1 between a and b, or where a multiplier that sits on the circle
+  // leaves it (of maps that keep areas, where it meets another one); nothing where it cannot be
+  // located. Where it sits on the circle at both ends, crossings are rounding.
   std::optional<BranchPoint> add_crossing(const BranchPoint& a, const BranchPoint& b,
                                           std::size_t after, std::size_t j) {
-    if (!is_significant(a, b, after, j)) return {};
+    const bool off_a = distance_from_circle(a, j) > 0.0, off_b = distance_from_circle(b, j) > 0.0;
+    if (!off_a && !off_b) return {};
     std::optional<BranchPoint> point = locate(corrector_, a, b, [&](const BranchPoint& p) {
+      if (off_a != off_b) return distance_from_circle(p, j);
       const std::vector<Eigenvalue> multipliers = multipliers_of(p, ErrorBounds::kLeftOut);
       return j < multipliers.size() ? excess(multipliers, j) : std::nan("");
     });

@@ -9,6 +9,9 @@
 // are met at stations within it (stations.hpp). What crossed is read off the multiplier itself:
 // real and negative a period doubling, complex a torus, real and positive a fold or branch point
 // (found otherwise).
+//
+// Of maps that keep areas multipliers sit on the circle until two of them meet. There rho_j - 1 is
+// rounding on one side, and what is located is where rho_j leaves 1 by more than its error.
 #pragma once
 
 #include "graze/continuation/corrector.hpp"

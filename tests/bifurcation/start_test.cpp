@@ -95,5 +95,22 @@ TEST(Starts, AreFoundWithoutDampingAndLossAtImpacts) {
   EXPECT_NEAR(highest, gap, 1e-9);
 }
 
+// On such a branch both multipliers sit on the circle or are reciprocal; with the acceleration a at
+// the impact their sum is -2 cos P + 2 a/v sin P. It passes -2 once over the first branch above,
+// and that is all that happens there.
+TEST(Starts, OfConservativeOrbitsLeadToNoTorus) {
+  Scene scene = support::shipped_scene(
+      "04_impact_oscillator",
+      {"stop.gap=0.2", "stop.restitution=1", "modal.damping_ratios=[0.0]", "initial.q=[0.0]"});
+  const OrbitBranches result = support::trace(scene, "forcing.frequency", 2.1, 3.9, false, 2);
+  EXPECT_TRUE(support::special_points(result, SpecialKind::kTorus).empty());
+  const auto doublings = support::special_points(result, SpecialKind::kPeriodDoubling);
+  ASSERT_EQ(doublings.size(), 1u);
+  const double w = doublings[0]->at.value, duration = 4.0 * std::numbers::pi / w;
+  const double speed = -(0.2 - 1.0 / (1.0 - w * w)) * std::tan(0.5 * duration);
+  EXPECT_NEAR(-2.0 * std::cos(duration) + 2.0 * (1.0 - 0.2) / speed * std::sin(duration), -2.0,
+              1e-8);
+}
+
 }  // namespace
 }  // namespace graze

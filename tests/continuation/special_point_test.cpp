@@ -142,6 +142,26 @@ TEST(SpecialPoints, HenonMapFoldsAndDoubles) {
   }
 }
 
+// With b = -1 the map keeps areas: both multipliers sit on the circle between fold and doubling,
+// and beyond the doubling both are real. Nothing else happens.
+TEST(SpecialPoints, AreaKeepingHenonMapHasOneDoublingAndNoTorus) {
+  for (const double max_step : {0.0, 0.3, 0.0173}) {
+    SCOPED_TRACE(max_step);
+    ContinuationOptions options = range(-2.0, 5.0);
+    options.max_step = max_step;
+    Vector x(2);
+    x[0] = (-2.0 + std::sqrt(4.0 + 0.4)) / 0.2;  // at p = 0.1
+    x[1] = -x[0];
+    const Branch branch = traced(periodic_points(henon(-1.0)), options, x, 0.1);
+    const auto doublings = branch.critical_of(CriticalKind::kPeriodDoubling);
+    ASSERT_EQ(doublings.size(), 1u);
+    EXPECT_NEAR(doublings[0].point.parameter, 3.0, 1e-12);
+    EXPECT_NEAR(doublings[0].multiplier->value.real(), -1.0, 1e-6);
+    EXPECT_TRUE(branch.critical_of(CriticalKind::kTorus).empty());
+    EXPECT_EQ(branch.critical_of(CriticalKind::kFold).size(), 1u);
+  }
+}
+
 TEST(SpecialPoints, DelayedLogisticMapHasItsTorus) {
   const ContinuationOptions options = range(1.2, 2.4);
   const Branch branch =
