@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "graze/bifurcation/closed_form_survey.hpp"
+#include "graze/bifurcation/components.hpp"
 #include "graze/bifurcation/pattern_branches.hpp"
 #include "graze/bifurcation/pattern_switching.hpp"
 #include "graze/bifurcation/special_names.hpp"
@@ -140,7 +141,11 @@ class OrbitTracer {
     ++result_.starts;
     PatternBranches& branches = pattern_branches(canonical(pattern));
     const auto start = branches.solve(in_canonical_order(pattern, impacts), value);
-    if (start && !branches.knows(*start)) add_trace(branches, *start, Directions::kBoth, -1, 0);
+    if (!start) return;
+    if (!branches.lists(*start))
+      ++result_.virtual_starts;
+    else if (!branches.knows(*start))
+      add_trace(branches, *start, Directions::kBoth, -1, 0);
   }
 
   // Traces the branch of the orbit that sticks, where the motion from the scene's initial state
@@ -287,7 +292,7 @@ class OrbitTracer {
       if (pa.stops != pb.stops) return pa.stops < pb.stops;
       return lowest(found_[a]) < lowest(found_[b]);
     });
-    name_components(order);
+    number_components(order);
     SpecialNames names;
     int id = 0;
     for (const std::size_t i : order) {
@@ -302,12 +307,12 @@ class OrbitTracer {
     for (const std::size_t i : order) result_.branches.push_back(std::move(found_[i].branch));
   }
 
-  // Numbers follow the order of appearance.
-  void name_components(const std::vector<std::size_t>& order) {
-    std::map<std::pair<int, int>, int> numbers;
-    for (const std::size_t i : order)
-      found_[i].branch.component =
-          numbers.try_emplace(component_of(i), static_cast<int>(numbers.size()) + 1).first->second;
+  void number_components(const std::vector<std::size_t>& order) {
+    const double speed_scale = scale_.length * family_.at(family_.value())->forcing->frequency;
+    Components components(highest_ - lowest_, speed_scale);
+    for (const std::size_t i : order) components.add(found_[i].branch, component_of(i));
+    const std::vector<int> numbers = components.numbers();
+    for (std::size_t i = 0; i < order.size(); ++i) found_[order[i]].branch.component = numbers[i];
   }
 
   // What is switched onto is connected to where it was switched from. Branches that were traced

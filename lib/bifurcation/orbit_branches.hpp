@@ -40,6 +40,7 @@ struct OrbitBranches {
   long long shooting_evaluations = 0;  // of the shooting equations, all points together
   long long rejected_steps = 0;
   int starts = 0;           // solutions offered as starts
+  int virtual_starts = 0;   // those that solve the equations and are no orbits, so are not traced
   int surveyed_values = 0;  // at which the closed form was sampled for further starts
   int traced = 0;           // traces begun, one for each start that no earlier one had passed
   int cut_short = 0;        // traces that could not be followed to an end

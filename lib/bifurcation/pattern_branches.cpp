@@ -52,17 +52,18 @@ PatternBranches::PatternBranches(const SystemFamily& family, ImpactPattern patte
       keep_virtual_(keep_virtual) {
   options_.proceed = [this](const BranchPoint& previous, const BranchPoint& here) {
     if (equations_.passes_half(previous, here)) return false;
-    return keep_virtual_ || equations_.admissibility_of(here).admissible;
+    return lists(here);
   };
 }
 
 std::optional<BranchPoint> PatternBranches::solve(const std::vector<ImpactPoint>& impacts,
                                                   double value) const {
   if (!equations_.system_at(value)) return {};
-  std::optional<BranchPoint> start =
-      solve_at(equations_.problem(), options_, equations_.shooting().pack(impacts), value);
-  if (start && !keep_virtual_ && !equations_.admissibility_of(*start).admissible) return {};
-  return start;
+  return solve_at(equations_.problem(), options_, equations_.shooting().pack(impacts), value);
+}
+
+bool PatternBranches::lists(const BranchPoint& solution) const {
+  return keep_virtual_ || equations_.admissibility_of(solution).admissible;
 }
 
 std::vector<BranchPoint> PatternBranches::rewritten(const BranchPoint& solution) const {

@@ -29,9 +29,10 @@ class PatternBranches {
   const ContinuationOptions& options() const { return options_; }
   int traces() const { return static_cast<int>(traced_.size()); }
 
-  // The solution near these impacts at a value; nothing where there is none, or none that is
-  // listed.
+  // The solution near these impacts at a value; nothing where there is none.
   std::optional<BranchPoint> solve(const std::vector<ImpactPoint>& impacts, double value) const;
+  // Whether a solution is listed: an orbit of the system, or virtual ones are asked for.
+  bool lists(const BranchPoint& solution) const;
   // Whether the solution lies on a branch that has been traced, wherever its period begins.
   bool knows(const BranchPoint& solution) const;
   // Whether both branches that cross at a branch point have been traced.

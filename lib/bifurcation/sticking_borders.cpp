@@ -212,7 +212,8 @@ void StickingBorders::walk(const BranchPoint& a, const BranchPoint& b, bool see_
 }
 
 StickingTip StickingBorders::between(const BranchPoint& a, const BranchPoint& b) {
-  StickingTip first = grazing_ahead(equations_, corrector_, options_, a, b);
+  StickingTip first;
+  if (equations_.see_impacts()) first = grazing_ahead(equations_, corrector_, options_, a, b);
   if (first.border) return first;
   walk(a, b, equations_.see_impacts(), [&](const StickingTip& tip) {
     first = tip;

@@ -6,11 +6,9 @@
 #include <cmath>
 #include <iterator>
 #include <limits>
-#include <random>
 
 #include "graze/base/angle.hpp"
 #include "graze/base/parallel.hpp"
-#include "graze/flow/exact_flow.hpp"
 #include "graze/hybrid/simulation.hpp"
 #include "graze/orbit/closed_form.hpp"
 #include "graze/orbit/impact_sequences.hpp"
@@ -18,6 +16,7 @@
 #include "graze/orbit/orbit_identity.hpp"
 #include "graze/orbit/periodic_response.hpp"
 #include "graze/orbit/phase_search.hpp"
+#include "graze/orbit/rough_guess.hpp"
 #include "graze/orbit/settled.hpp"
 #include "graze/orbit/solve.hpp"
 #include "graze/orbit/sticking_orbit.hpp"
@@ -257,20 +256,11 @@ class Finder {
     // A least-squares solve grows as the cube of its unknowns: many modes get fewer guesses.
     const int guesses =
         std::min(options_.random_guesses, std::max(4, 128 / (system_.modes() * pattern.impacts())));
-    PhaseStarts starts(pattern.period, pattern.impacts(), options_.random_seed);
-    std::mt19937_64 engine(options_.random_seed);
-    // Bits to [0, 1) by hand: the standard leaves the distributions' algorithms open.
-    const auto uniform = [&engine] { return static_cast<double>(engine() >> 11) * 0x1p-53; };
     const ShootingProblem problem(pattern, scale_);
     std::vector<Vector> from;
-    for (int guess = 0; guess < guesses; ++guess) {
-      const Vector phases = starts.next();
-      std::vector<ImpactPoint> points;
-      for (Eigen::Index i = 0; i < phases.size(); ++i)
-        points.push_back(rough_guess(system_, pattern.stops[static_cast<std::size_t>(i)], phases[i],
-                                     2.0 * uniform() * speed_scale()));
+    for (const std::vector<ImpactPoint>& points :
+         rough_guesses(system_, pattern, guesses, speed_scale(), options_.random_seed))
       from.push_back(problem.pack(points));
-    }
     std::vector<std::optional<ShootingSolution>> solutions(from.size());
     for_each_index(from.size(), options_.threads, [&](std::size_t i) {
       if (!options_.stop.requested()) solutions[i] = seek(problem, system_, from[i]);
@@ -319,7 +309,14 @@ class Finder {
     const std::optional<std::vector<int>> opposite = opposite_stops(system_);
     if (!opposite) return;
     for (const Orbit& orbit : std::vector<Orbit>(found_.orbits)) {
-      if (orbit.sticking || !(orbit.admissible || options_.keep_virtual)) continue;
+      if (!(orbit.admissible || options_.keep_virtual)) continue;
+      if (orbit.sticking) {
+        const auto image =
+            mirrored_sticking(system_, orbit, *opposite,
+                              {orbit.sticking->closure_speed, options_.max_impacts, options_.stop});
+        if (image) keep(*image);
+        continue;
+      }
       ImpactPattern pattern = orbit.pattern();
       for (int& stop : pattern.stops) stop = (*opposite)[static_cast<std::size_t>(stop)];
       const ShootingProblem problem(pattern, scale_);
@@ -365,25 +362,6 @@ class Finder {
 };
 
 }  // namespace
-
-ImpactPoint rough_guess(const System& system, int stop_index, double theta, double speed) {
-  const RigidStop& stop = system.stops[static_cast<std::size_t>(stop_index)];
-  const ExactFlow<double> flow(system);
-  const Eigen::Index n = system.modes();
-  const double frequency = flow.frequency();
-  Vector q(n), qdot(n), push(n);
-  for (Eigen::Index j = 0; j < n; ++j) {
-    const ModeFlow<double>& mode = flow.mode(static_cast<int>(j));
-    q[j] = mode.forced.re * std::cos(theta) - mode.forced.im * std::sin(theta);
-    qdot[j] = -frequency * (mode.forced.re * std::sin(theta) + mode.forced.im * std::cos(theta));
-    // A free mass has no static compliance; the forcing's time scale stands in for it.
-    push[j] = stop.row[j] / std::max(mode.omega * mode.omega, 1e-2 * frequency * frequency);
-  }
-  push /= stop.row.dot(push);
-  q += (stop.gap - stop.row.dot(q)) * push;
-  qdot += (speed - stop.row.dot(qdot)) * push;
-  return {theta, {q, qdot}};
-}
 
 FoundOrbits find_orbits(const System& system, const std::optional<State>& start,
                         const FinderOptions& options) {

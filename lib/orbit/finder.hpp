@@ -64,8 +64,4 @@ struct FoundOrbits {
 FoundOrbits find_orbits(const System& system, const std::optional<State>& start,
                         const FinderOptions& options);
 
-// A guess at a (p, 1) orbit: at forcing phase theta the motion meets the stop at speed v, otherwise
-// as near to the forced response as a static push and a matching velocity allow.
-ImpactPoint rough_guess(const System& system, int stop, double theta, double speed);
-
 }  // namespace graze

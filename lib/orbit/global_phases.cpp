@@ -23,7 +23,7 @@ struct Height {
 
   double at(const Vector& phases) {
     Vector speeds;
-    const Vector r = problem.contact(phases, nullptr, &speeds) / options.length;
+    const Vector r = problem.defect(phases, nullptr, &speeds) / options.length;
     const double factor = deflation.factor(phases);
     const double height =
         factor * factor * r.squaredNorm() + (speeds / options.speed).cwiseMin(0.0).squaredNorm();

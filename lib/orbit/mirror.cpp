@@ -34,4 +34,20 @@ std::vector<ImpactPoint> mirrored(std::vector<ImpactPoint> impacts) {
   return impacts;
 }
 
+std::optional<Orbit> mirrored_sticking(const System& system, const Orbit& orbit,
+                                       const std::vector<int>& opposite,
+                                       const StickingOptions& options) {
+  const MotionState<double>& at = orbit.sticking->at_section;
+  MotionState<double> image = at;
+  image.instant = later(at.instant, 0.5 * system.period(), system.period());
+  image.q *= -1.0;
+  image.qdot *= -1.0;
+  for (std::size_t i = 0; i < opposite.size(); ++i) {
+    const auto other = static_cast<std::size_t>(opposite[i]);
+    image.contacts[other] = at.contacts[i];
+    image.multiplicities[other] = at.multiplicities[i];
+  }
+  return sticking_orbit_through(system, image, orbit.period, options).orbit;
+}
+
 }  // namespace graze

@@ -6,7 +6,7 @@
 #include <optional>
 #include <vector>
 
-#include "graze/orbit/shooting.hpp"
+#include "graze/orbit/sticking_orbit.hpp"
 
 namespace graze {
 
@@ -15,5 +15,11 @@ std::optional<std::vector<int>> opposite_stops(const System& system);
 
 // The impacts of the mirrored orbit, in the same order; their stops are the opposite ones.
 std::vector<ImpactPoint> mirrored(std::vector<ImpactPoint> impacts);
+
+// The mirror image of an orbit that sticks, as the motion that repeats from its mirrored section;
+// nothing where that does not come back to it. `opposite` as above.
+std::optional<Orbit> mirrored_sticking(const System& system, const Orbit& orbit,
+                                       const std::vector<int>& opposite,
+                                       const StickingOptions& options);
 
 }  // namespace graze

@@ -8,12 +8,50 @@
 
 namespace graze {
 
+struct PhaseProblem::Rows {
+  Matrix g, h, h_rate;  // impulses: m, m/s, m/s^2 per m/s
+  Vector forced, forced_rate, forced_acceleration, gap;
+  // By the phases, at fixed impulses: of forced - g u and of forced_rate - h u.
+  Matrix contact_by_phases(const Vector& u, double frequency) const {
+    return by_phases(u, h, forced_rate, frequency);
+  }
+  Matrix rate_by_phases(const Vector& u, double frequency) const {
+    return by_phases(u, h_rate, forced_acceleration, frequency);
+  }
+
+ private:
+  // d/d theta_m of s_ij is (delta_im - delta_jm)/W; an impact's own impulse stays a lap behind.
+  static Matrix by_phases(const Vector& u, const Matrix& rate, const Vector& forced,
+                          double frequency) {
+    Matrix derivative = Matrix((forced / frequency).asDiagonal());
+    for (Eigen::Index i = 0; i < u.size(); ++i)
+      for (Eigen::Index j = 0; j < u.size(); ++j) {
+        if (i == j) continue;
+        const double by_rate = u[j] * rate(i, j) / frequency;
+        derivative(i, i) -= by_rate;
+        derivative(i, j) += by_rate;
+      }
+    return derivative;
+  }
+};
+
+struct PhaseProblem::Impacts {
+  Vector u, v;                      // m/s
+  Matrix u_by_phases, v_by_phases;  // m/s per rad
+};
+
 PhaseProblem::PhaseProblem(const PeriodicResponse& response, std::vector<int> stops, double speed)
     : response_(&response), stops_(std::move(stops)), speed_(speed) {
+  // Where of the 1 of v_i less than half of its digits is left after its own impulse, the speeds
+  // are not to be had from their rates.
+  const double cancelled = std::sqrt(std::numeric_limits<double>::epsilon());
+  from_contact_ = true;
   for (const int stop : stops_) {
     own_.push_back(response.impulse(stop, stop, response.duration()));
     const RigidStop& met = response.system().stops[static_cast<std::size_t>(stop)];
     constant_ = constant_ && met.restitution.is_constant();
+    const double own_part = 1.0 + (1.0 + met.restitution.at(speed)) * own_.back().rate;
+    from_contact_ = from_contact_ && std::abs(own_part) <= cancelled;
   }
 }
 
@@ -68,57 +106,75 @@ double PhaseProblem::since(const Vector& phases, Eigen::Index i, Eigen::Index j)
   return turn / response_->frequency();
 }
 
-Vector PhaseProblem::contact(const Vector& phases, Matrix* jacobian, Vector* speeds) const {
+PhaseProblem::Rows PhaseProblem::rows(const Vector& phases) const {
   const Eigen::Index k = impacts();
-  const double frequency = response_->frequency();
-  Matrix g(k, k), h(k, k), h_rate(k, k);  // along row i of the impulse j, and its derivatives
-  Vector forced(k), forced_rate(k), forced_acceleration(k), gap(k);
+  Rows rows{Matrix(k, k), Matrix(k, k), Matrix(k, k), Vector(k), Vector(k), Vector(k), Vector(k)};
   for (Eigen::Index i = 0; i < k; ++i) {
     const int at = stops_[static_cast<std::size_t>(i)];
     const RowMotion y = response_->forced(at, phases[i]);
-    forced[i] = y.value;
-    forced_rate[i] = y.rate;
-    forced_acceleration[i] = y.acceleration;
-    gap[i] = stop(i).gap;
+    rows.forced[i] = y.value;
+    rows.forced_rate[i] = y.rate;
+    rows.forced_acceleration[i] = y.acceleration;
+    rows.gap[i] = stop(i).gap;
     for (Eigen::Index j = 0; j < k; ++j) {
       const RowMotion motion =
           i == j ? own_[static_cast<std::size_t>(i)]
                  : response_->impulse(at, stops_[static_cast<std::size_t>(j)], since(phases, i, j));
-      g(i, j) = motion.value;
-      h(i, j) = motion.rate;
-      h_rate(i, j) = motion.acceleration;
+      rows.g(i, j) = motion.value;
+      rows.h(i, j) = motion.rate;
+      rows.h_rate(i, j) = motion.acceleration;
     }
   }
-  Eigen::PartialPivLU<Matrix> lu(k);
-  const Vector v = approach_speeds(h, forced_rate, lu);
-  const Vector u = impulses(v);
-  if (speeds) *speeds = v;
-  if (jacobian) {
-    // d/d theta_m of s_ij is (delta_im - delta_jm)/W; an impact's own impulse stays a lap behind.
-    Matrix speed_rate = Matrix::Zero(k, k);  // of b_i.Y' - (H u)_i, at fixed u
-    jacobian->setZero(k, k);
-    for (Eigen::Index i = 0; i < k; ++i) {
-      speed_rate(i, i) += forced_acceleration[i] / frequency;
-      (*jacobian)(i, i) += forced_rate[i] / frequency;
-      for (Eigen::Index j = 0; j < k; ++j) {
-        if (i == j) continue;
-        const double by_rate = u[j] * h(i, j) / frequency;
-        const double by_acceleration = u[j] * h_rate(i, j) / frequency;
-        (*jacobian)(i, i) -= by_rate;
-        (*jacobian)(i, j) += by_rate;
-        speed_rate(i, i) -= by_acceleration;
-        speed_rate(i, j) += by_acceleration;
-      }
-    }
-    *jacobian -= g * impulse_slopes(v).asDiagonal() * lu.solve(speed_rate);
+  return rows;
+}
+
+PhaseProblem::Impacts PhaseProblem::impacts_from_rates(const Rows& rows, bool derivatives) const {
+  Eigen::PartialPivLU<Matrix> lu(impacts());
+  Impacts result;
+  result.v = approach_speeds(rows.h, rows.forced_rate, lu);
+  result.u = impulses(result.v);
+  if (derivatives) {
+    result.v_by_phases = lu.solve(rows.rate_by_phases(result.u, response_->frequency()));
+    result.u_by_phases = impulse_slopes(result.v).asDiagonal() * result.v_by_phases;
   }
-  return forced - g * u - gap;
+  return result;
+}
+
+PhaseProblem::Impacts PhaseProblem::impacts_from_contact(const Rows& rows, bool derivatives) const {
+  const Eigen::PartialPivLU<Matrix> lu(rows.g);
+  Impacts result;
+  result.u = lu.solve(rows.forced - rows.gap);
+  result.v = rows.forced_rate - rows.h * result.u;
+  if (derivatives) {
+    const double frequency = response_->frequency();
+    result.u_by_phases = lu.solve(rows.contact_by_phases(result.u, frequency));
+    result.v_by_phases = rows.rate_by_phases(result.u, frequency) - rows.h * result.u_by_phases;
+  }
+  return result;
+}
+
+Vector PhaseProblem::defect(const Vector& phases, Matrix* jacobian, Vector* speeds) const {
+  const double frequency = response_->frequency();
+  const Rows along = rows(phases);
+  const bool derivatives = jacobian != nullptr;
+  const Impacts found = from_contact_ ? impacts_from_contact(along, derivatives)
+                                      : impacts_from_rates(along, derivatives);
+  if (speeds) *speeds = found.v;
+  if (from_contact_) {
+    if (jacobian)
+      *jacobian = (found.u_by_phases - impulse_slopes(found.v).asDiagonal() * found.v_by_phases) /
+                  frequency;
+    return (found.u - impulses(found.v)) / frequency;
+  }
+  if (jacobian)
+    *jacobian = along.contact_by_phases(found.u, frequency) - along.g * found.u_by_phases;
+  return along.forced - along.g * found.u - along.gap;
 }
 
 std::vector<ImpactPoint> PhaseProblem::points(const Vector& phases) const {
-  Vector speeds;
-  contact(phases, nullptr, &speeds);
-  const Vector u = impulses(speeds);
+  const Rows along = rows(phases);
+  const Vector u =
+      (from_contact_ ? impacts_from_contact(along, false) : impacts_from_rates(along, false)).u;
   std::vector<ImpactPoint> result;
   for (Eigen::Index i = 0; i < impacts(); ++i) {
     State state = response_->forced_state(phases[i]);

@@ -16,6 +16,16 @@
 //
 //   c_i(theta) = b_i.Y(theta_i) - sum_j u_j b_i.G_j(s_ij) - a_i = 0.
 //
+// An impact's own speed may cancel from its own equation: of an undamped structure H_ii = -1/2, so
+// that 1 + (1 + r) H_ii = (1 - r)/2. Where r = 1 as well, H leaves an antisymmetric matrix,
+// singular for every odd k whatever the phases: speeds are free, and phases compatible with them
+// few. The equations are then taken in the other order. Contact gives the impulses,
+//
+//   sum_j b_i.G_j(s_ij) u_j = b_i.Y(theta_i) - a_i,     v_i = b_i.Y'(theta_i) - sum_j H_ij u_j,
+//
+// and what remains are the laws of impact, in units of a length W^-1 (u_i - (1 + r_i(v_i)) v_i) =
+// 0.
+//
 // The phases live on a torus, each modulo 2 pi p; their order says which impact comes first. Two
 // impacts of one stop at one instant solve the equations where a single one of restitution -r^2
 // does: such points are no orbits.
@@ -39,16 +49,27 @@ class PhaseProblem {
   const std::vector<int>& stops() const { return stops_; }
   const PeriodicResponse& response() const { return *response_; }
 
-  // c at the phases (rad, k), m; where asked for its Jacobian by them, m/rad, and the approach
-  // speeds, m/s. Not finite where the approach speeds have no or many solutions, or are not
-  // found.
-  Vector contact(const Vector& phases, Matrix* jacobian = nullptr, Vector* speeds = nullptr) const;
+  // What remains: contact, or the laws of impact.
+  bool remains_contact() const { return !from_contact_; }
+
+  // What remains at the phases (rad, k), m; where asked for its Jacobian by them, m/rad, and the
+  // approach speeds, m/s. Not finite where the linear equations have no or many solutions, or the
+  // approach speeds are not found.
+  Vector defect(const Vector& phases, Matrix* jacobian = nullptr, Vector* speeds = nullptr) const;
 
   // The impacts as points of the shooting equations, in the order of the phases given.
   std::vector<ImpactPoint> points(const Vector& phases) const;
 
  private:
+  // Forcing and impulses along the rows, and their derivatives by time: row i, impulse j.
+  struct Rows;
+  // Impulses and speeds, with their derivatives by the phases where these are asked for.
+  struct Impacts;
+
   const RigidStop& stop(Eigen::Index impact) const;
+  Rows rows(const Vector& phases) const;
+  Impacts impacts_from_rates(const Rows& rows, bool derivatives) const;
+  Impacts impacts_from_contact(const Rows& rows, bool derivatives) const;
   // Approach speeds v for H and the forced rates, with the factorised derivative of their
   // equations; not finite where Newton's method does not settle.
   Vector approach_speeds(const Matrix& h, const Vector& forced_rate,
@@ -62,7 +83,8 @@ class PhaseProblem {
   const PeriodicResponse* response_;
   std::vector<int> stops_;
   double speed_;
-  bool constant_ = true;  // whether all restitutions are
+  bool constant_ = true;       // whether all restitutions are
+  bool from_contact_ = false;  // whether contact gives the impulses
   // An impact's own impulse, one orbit later.
   std::vector<RowMotion> own_;
 };

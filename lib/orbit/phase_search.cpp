@@ -21,13 +21,13 @@ namespace {
 // still a number.
 constexpr double kNowhere = 1e100;
 
-// The deflated contact equations, in units of a length.
-class DeflatedContact {
+// The deflated phase problem, in units of a length.
+class DeflatedDefect {
  public:
   using Scalar = double;
   enum { NUM_RESIDUALS = Eigen::Dynamic, NUM_PARAMETERS = Eigen::Dynamic };
 
-  DeflatedContact(const PhaseProblem& problem, const PhaseDeflation& deflation, double length)
+  DeflatedDefect(const PhaseProblem& problem, const PhaseDeflation& deflation, double length)
       : problem_(problem), deflation_(deflation), length_(length) {}
 
   int NumResiduals() const { return problem_.impacts(); }
@@ -38,7 +38,7 @@ class DeflatedContact {
     const Vector phases = Eigen::Map<const Vector>(parameters, k);
     Matrix by_phases;
     Vector gradient;
-    Vector r = problem_.contact(phases, jacobian ? &by_phases : nullptr) / length_;
+    Vector r = problem_.defect(phases, jacobian ? &by_phases : nullptr) / length_;
     const double factor = deflation_.factor(phases, jacobian ? &gradient : nullptr);
     Eigen::Map<Vector> out(residuals, k);
     out = factor * r;
@@ -64,8 +64,8 @@ Vector levenberg_marquardt(const PhaseProblem& problem, const PhaseDeflation& de
                            double length, const Vector& start) {
   // A solve that takes longer is wandering; another start costs less.
   constexpr int kMostIterations = 25;
-  const DeflatedContact equations(problem, deflation, length);
-  ceres::TinySolver<DeflatedContact> solver;
+  const DeflatedDefect equations(problem, deflation, length);
+  ceres::TinySolver<DeflatedDefect> solver;
   // Newton's method has the last word: near enough for it is enough here.
   solver.options.max_num_iterations = kMostIterations;
   solver.options.gradient_tolerance = 1e-10;
@@ -84,7 +84,7 @@ std::optional<Vector> newton_phases(const PhaseProblem& problem, double length, 
   double last = std::numeric_limits<double>::infinity();
   for (int step = 0; step < kMostSteps; ++step) {
     Matrix jacobian;
-    const Vector r = problem.contact(phases, &jacobian);
+    const Vector r = problem.defect(phases, &jacobian);
     if (!r.allFinite() || !jacobian.allFinite()) return {};
     const Vector update = jacobian.partialPivLu().solve(r);
     const double size = update.cwiseAbs().maxCoeff();
@@ -103,7 +103,7 @@ PhaseSolution in_order(const PhaseProblem& problem, const Vector& phases) {
   const int period = problem.response().period();
   const Eigen::Index k = phases.size();
   Vector speeds;
-  problem.contact(phases, nullptr, &speeds);
+  problem.defect(phases, nullptr, &speeds);
   Eigen::Index first = 0;
   for (Eigen::Index i = 1; i < k; ++i)
     if (wrapped(phases[i]) < wrapped(phases[first])) first = i;
@@ -199,7 +199,7 @@ std::vector<Vector> PhaseSearch::starts_of_a_round() {
     if (static_cast<int>(starts.size()) == options_.starts) break;
     const Vector phases = starts_.next();
     Vector speeds;
-    if (options_.approaching) problem.contact(phases, nullptr, &speeds);
+    if (options_.approaching) problem.defect(phases, nullptr, &speeds);
     if (!options_.approaching || speeds.minCoeff() > 0.0) starts.push_back(phases);
   }
   return starts;

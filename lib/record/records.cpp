@@ -176,6 +176,16 @@ std::pair<long long, long long> orbits_of_open_stability(const OrbitBranches& tr
   return {open, orbits};
 }
 
+// The rest of a sentence, for starts that led to no branch.
+std::string why_nothing_was_traced(const OrbitBranches& traced) {
+  if (traced.virtual_starts > 0)
+    return "; every solution of the equations that was met penetrates a stop or impacts at "
+           "negative speed (--virtual traces such)";
+  if (traced.starts == 1) return "; the one start led to no branch";
+  if (traced.starts > 1) return fmt::format("; none of {} starts led to a branch", traced.starts);
+  return "";
+}
+
 }  // namespace
 
 Outcome branch_outcome(const OrbitBranches& traced, const BranchOptions& options) {
@@ -185,13 +195,9 @@ Outcome branch_outcome(const OrbitBranches& traced, const BranchOptions& options
     return {"budget",
             "the budget of computing time was spent; the branches traced so far are kept"};
   if (traced.branches.empty() && traced.cut_short == 0)
-    return {
-        "no_orbit",
-        fmt::format("no ({}, {}) orbit was found for {} between {:g} and {:g}{}", options.period,
-                    options.impacts, traced.parameter, options.from, options.to,
-                    traced.starts > 0 ? "; every solution of the equations penetrates a stop or "
-                                        "impacts at negative speed (--virtual traces such)"
-                                      : "")};
+    return {"no_orbit", fmt::format("no ({}, {}) orbit was found for {} between {:g} and {:g}{}",
+                                    options.period, options.impacts, traced.parameter, options.from,
+                                    options.to, why_nothing_was_traced(traced))};
   if (traced.cut_short > 0)
     return {"budget",
             fmt::format("{} of {} traces could not be followed to an end, so branches may be "

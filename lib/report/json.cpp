@@ -341,6 +341,7 @@ std::string to_json(const BranchRecord& record) {
   document["branches"] = branches;
   document["loci"] = Json::array();
   document["counters"] = {{"starts", record.traced.starts},
+                          {"virtual_starts", record.traced.virtual_starts},
                           {"surveyed_values", record.traced.surveyed_values},
                           {"traces", record.traced.traced},
                           {"traces_cut_short", record.traced.cut_short},

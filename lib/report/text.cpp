@@ -281,9 +281,10 @@ std::string to_text(const BranchRecord& record) {
   std::string text;
   if (!branches.empty()) text += branches.text() + "\n";
   if (!special.empty()) text += special.text() + "\n";
-  text +=
-      fmt::format("{} start{}, {} evaluations of the shooting equations\n", record.traced.starts,
-                  record.traced.starts == 1 ? "" : "s", record.traced.shooting_evaluations);
+  text += fmt::format("{} start{}, ", record.traced.starts, record.traced.starts == 1 ? "" : "s");
+  text += record.traced.traced == 0 ? "none traced\n"
+                                    : fmt::format("{} evaluations of the shooting equations\n",
+                                                  record.traced.shooting_evaluations);
   if (record.traced.switched > 0 || record.traced.left_open > 0)
     text += fmt::format("{} special point{} switched at; {} beyond the depth left open\n",
                         record.traced.switched, record.traced.switched == 1 ? "" : "s",

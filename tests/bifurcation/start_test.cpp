@@ -59,5 +59,58 @@ TEST(Starts, OfAStopWithoutClosedFormAreSoughtBesideOneThatHasIt) {
   }
 }
 
+// x'' + x = cos(W t), gap .2, nothing damped and r = 1: one impact in two periods at a crest of the
+// forcing, phase 0 or pi, at speed -(gap - X) tan(2 pi/W), X = +-1/(1 - W^2)
+// (tests/orbit/closed_form_test.cpp). At pi it vanishes where gap = X, W^2 = 6.
+TEST(Starts, AreFoundWithoutDampingAndLossAtImpacts) {
+  Scene scene = support::shipped_scene(
+      "04_impact_oscillator",
+      {"stop.gap=0.2", "stop.restitution=1", "modal.damping_ratios=[0.0]", "initial.q=[0.0]"});
+  const OrbitBranches result = support::trace(scene, "forcing.frequency", 2.1, 3.9, false, 2);
+  ASSERT_EQ(result.branches.size(), 2u);
+  const double gap = 0.2;
+  for (const OrbitBranch& branch : result.branches) {
+    EXPECT_NEAR(std::max(branch.points.front().value, branch.points.back().value), 3.9, 1e-12);
+    for (const OrbitBranchPoint& point : branch.points) {
+      const OrbitImpact& impact = point.orbit.impacts.front();
+      EXPECT_NEAR(std::sin(impact.phase), 0.0, 1e-10);
+      const double crest = std::cos(impact.phase) / (1.0 - point.value * point.value);
+      EXPECT_NEAR(impact.speed, -(gap - crest) * std::tan(2.0 * std::numbers::pi / point.value),
+                  1e-10 * (1.0 + impact.speed));
+    }
+  }
+  const auto grazings = support::special_points(result, SpecialKind::kGrazing);
+  ASSERT_EQ(grazings.size(), 2u);
+  EXPECT_NEAR(grazings[1]->at.value, std::sqrt(6.0), 1e-9);
+  // The other touches in between: x = X cos(W t) + A cos(t - P/2) reaches the gap and not more.
+  const double w = grazings[0]->at.value, duration = 4.0 * std::numbers::pi / w;
+  const double size = 1.0 / (1.0 - w * w), free = (gap - size) / std::cos(0.5 * duration);
+  double highest = -1.0;
+  // Away from the impacts; the highest of the samples misses by half the square of their distance.
+  constexpr int kSamples = 1000000;
+  for (int i = kSamples / 10; i < kSamples - kSamples / 10; ++i) {
+    const double t = duration * i / kSamples;
+    highest = std::max(highest, size * std::cos(w * t) + free * std::cos(t - 0.5 * duration));
+  }
+  EXPECT_NEAR(highest, gap, 1e-9);
+}
+
+// On such a branch both multipliers sit on the circle or are reciprocal; with the acceleration a at
+// the impact their sum is -2 cos P + 2 a/v sin P. It passes -2 once over the first branch above,
+// and that is all that happens there.
+TEST(Starts, OfConservativeOrbitsLeadToNoTorus) {
+  Scene scene = support::shipped_scene(
+      "04_impact_oscillator",
+      {"stop.gap=0.2", "stop.restitution=1", "modal.damping_ratios=[0.0]", "initial.q=[0.0]"});
+  const OrbitBranches result = support::trace(scene, "forcing.frequency", 2.1, 3.9, false, 2);
+  EXPECT_TRUE(support::special_points(result, SpecialKind::kTorus).empty());
+  const auto doublings = support::special_points(result, SpecialKind::kPeriodDoubling);
+  ASSERT_EQ(doublings.size(), 1u);
+  const double w = doublings[0]->at.value, duration = 4.0 * std::numbers::pi / w;
+  const double speed = -(0.2 - 1.0 / (1.0 - w * w)) * std::tan(0.5 * duration);
+  EXPECT_NEAR(-2.0 * std::cos(duration) + 2.0 * (1.0 - 0.2) / speed * std::sin(duration), -2.0,
+              1e-8);
+}
+
 }  // namespace
 }  // namespace graze

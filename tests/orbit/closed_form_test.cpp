@@ -224,6 +224,61 @@ TEST(ClosedForm, HoldsThroughResonance) {
   }
 }
 
+// Undamped and with r = 1 the free motion fits whatever the speed: I - E J is singular. What
+// repeats is even about the impact and the middle of the flight,
+//
+//   x = X cos(W t) + A cos(w (t - P/2)),     X = F/(w^2 - W^2),
+//
+// with the impact at a crest of the forcing, phase 0 or pi, where X cos + A cos(w P/2) = gap.
+TEST(ClosedForm, HoldsWithoutDampingAndLossAtImpacts) {
+  for (const double frequency : {0.7, 1.8, 2.6, 3.2, 5.0})
+    for (const int period : {1, 2, 3})
+      for (const double gap : {-0.3, 0.0, 0.2}) {
+        SCOPED_TRACE(testing::Message()
+                     << "W " << frequency << ", p " << period << ", gap " << gap);
+        const System system = support::forced_oscillator(1.0, 0.0, gap, 1.0, frequency, 1.0);
+        const ClosedFormAnswer answer = closed_form(system, 0, period);
+        ASSERT_TRUE(answer.form) << answer.why_not;
+        std::vector<ImpactPoint> points = answer.form->solutions(gap);
+        ASSERT_EQ(points.size(), 2u);
+        if (std::cos(points[0].theta) < 0.0) std::swap(points[0], points[1]);
+        const double size = 1.0 / (1.0 - frequency * frequency);
+        const double tangent = std::tan(0.5 * kTurn * period / frequency);
+        for (std::size_t i = 0; i < 2; ++i) {
+          const double crest = i == 0 ? size : -size;
+          EXPECT_NEAR(std::remainder(points[i].theta - (i == 0 ? 0.0 : 0.5 * kTurn), kTurn), 0.0,
+                      1e-13);
+          EXPECT_NEAR(points[i].before.q[0], gap, 1e-13);
+          const double speed = -(gap - crest) * tangent;
+          EXPECT_NEAR(points[i].before.qdot[0], speed, 1e-12 * (1.0 + std::abs(speed)));
+        }
+      }
+}
+
+// Several modes and a load: the shooting equations agree. Nearly no damping and loss as well, where
+// the way by the motion keeps few digits.
+TEST(ClosedForm, HoldsAtAndBesideConservativeMotion) {
+  for (const double lost : {0.0, 1e-15, 1e-12, 1e-9, 1e-7, 1e-5}) {
+    SCOPED_TRACE(lost);
+    System system;
+    system.omega = (Vector(3) << 1.0, 6.3, 17.5).finished();
+    system.delta = Vector::Constant(3, lost);
+    system.forcing = HarmonicForcing{1.8, 0.4, (Vector(3) << 1.0, 0.4, -0.2).finished()};
+    system.load = (Vector(3) << 0.03, -0.02, 0.01).finished();
+    const Vector row = (Vector(3) << 1.0, -0.8, 0.6).finished();
+    system.stops.push_back({row, 0.2, row / row.squaredNorm(), 1.0 - lost});
+    const ClosedFormAnswer answer = closed_form(system, 0, 1);
+    ASSERT_TRUE(answer.form) << answer.why_not;
+    const std::vector<ImpactPoint> points = answer.form->solutions(0.2);
+    ASSERT_EQ(points.size(), 2u);
+    const ShootingProblem problem({1, {0}}, shooting_scale(system));
+    // I - E J is about `lost`: far enough from zero it is solved with, and eps is divided by it.
+    const double tolerance = lost > 1e-6 ? 1e-15 / lost : 1e-12;
+    for (const ImpactPoint& point : points)
+      EXPECT_LE(problem.residual(system, problem.pack({point})).cwiseAbs().maxCoeff(), tolerance);
+  }
+}
+
 TEST(ClosedForm, SaysWhereTheMotionRepeatsByItself) {
   // Undamped and forced at its own frequency, any displacement comes back after a period.
   const ClosedFormAnswer answer =

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -158,6 +159,60 @@ TEST(Finder, ListsTwoSolutionsBesideAFold) {
           found.orbits[0].impacts[0].phase - found.orbits[1].impacts[0].phase, kTurn));
       EXPECT_NEAR(apart, 2.0 * std::sqrt(2.0 * distance), 2e-8 + 1e-4 * std::sqrt(distance));
     }
+  }
+}
+
+// x'' + x = cos(W t), r = 1: impacts at a crest of the forcing, phase 0 or pi, at speed
+// -(gap -+ X) tan(p pi/W), X = 1/(1 - W^2) (closed_form_test.cpp).
+System conservative(double frequency) {
+  return support::forced_oscillator(1.0, 0.0, 0.2, 1.0, frequency, 1.0);
+}
+
+TEST(Finder, ListsOrbitsOfConservativeMotion) {
+  FinderOptions options;
+  options.impacts = 1;
+  options.from_simulation = false;
+  for (const bool closed_form_too : {true, false}) {
+    options.from_closed_form = closed_form_too;
+    options.period = 1;
+    const FoundOrbits one = find_orbits(conservative(1.8), {}, options);
+    ASSERT_EQ(one.orbits.size(), 1u) << one.tried;
+    EXPECT_NEAR(std::sin(one.orbits[0].impacts[0].phase), 0.0, 1e-12);
+    EXPECT_NEAR(one.orbits[0].impacts[0].speed,
+                -(0.2 - 1.0 / (1.0 - 1.8 * 1.8)) * std::tan(0.5 * kTurn / 1.8), 1e-11);
+    options.period = 2;
+    const FoundOrbits two = find_orbits(conservative(3.2), {}, options);
+    ASSERT_EQ(two.orbits.size(), 2u) << two.tried;
+    for (const Orbit& orbit : two.orbits) {
+      const double crest = std::cos(orbit.impacts[0].phase) / (1.0 - 3.2 * 3.2);
+      EXPECT_NEAR(std::sin(orbit.impacts[0].phase), 0.0, 1e-12);
+      EXPECT_NEAR(orbit.impacts[0].speed, -(0.2 - crest) * std::tan(kTurn / 3.2), 1e-11);
+    }
+  }
+}
+
+// Backwards in time the motion is one of the same oscillator, phases mirrored and impacts at the
+// same speeds, so the list is its own mirror image. With three impacts, as with one, speeds do not
+// follow from the phases.
+TEST(Finder, ListsConservativeOrbitsOfThreeImpactsWithTheirReversals) {
+  FinderOptions options;
+  options.period = 5;
+  options.impacts = 3;
+  options.from_simulation = false;
+  const FoundOrbits found = find_orbits(conservative(3.2), {}, options);
+  EXPECT_GE(found.orbits.size(), 3u);
+  for (const Orbit& orbit : found.orbits) {
+    EXPECT_LE(orbit.residual, kShootingTolerance);
+    Orbit reversed = orbit;
+    std::reverse(reversed.impacts.begin(), reversed.impacts.end());
+    for (OrbitImpact& impact : reversed.impacts) {
+      const double turned = -(impact.phase + kTurn * impact.period_index);
+      impact.period_index = static_cast<int>(std::floor(turned / kTurn));
+      impact.phase = turned - kTurn * impact.period_index;
+    }
+    EXPECT_TRUE(std::any_of(found.orbits.begin(), found.orbits.end(), [&](const Orbit& other) {
+      return same_orbit(reversed, other, 1.0);
+    })) << orbit.impacts[0].phase;
   }
 }
 

@@ -10,6 +10,7 @@
 
 #include "graze/orbit/finder.hpp"
 #include "support/reference.hpp"
+#include "support/systems.hpp"
 
 namespace graze {
 namespace {
@@ -42,6 +43,51 @@ TEST(Mirror, ImagesAreListedWhateverTheSearchMet) {
     orbits += found.orbits.size();
   }
   EXPECT_GE(orbits, 10u);
+}
+
+// Two modes between mirrored stops that come to rest on one of them only (found by experiment). The
+// image of that motion is one that a run from the mirrored state settles on, half a period later.
+TEST(Mirror, OrbitsThatStickHaveTheirImagesToo) {
+  System system;
+  system.omega = (Vector(2) << 1.0, 5.2).finished();
+  system.delta = (Vector(2) << 0.05, 0.03).finished().cwiseProduct(system.omega);
+  system.forcing = HarmonicForcing{1.07, 0.0, (Vector(2) << 1.0, 0.3).finished()};
+  const Vector row = (Vector(2) << 1.0, -0.9).finished();
+  system.stops.push_back({row, 0.85, row / row.squaredNorm(), 0.3});
+  system.stops.push_back({-row, 0.85, -row / row.squaredNorm(), 0.3});
+  FinderOptions options;
+  options.from_closed_form = options.from_random = false;
+  std::vector<std::vector<Orbit>> lists;
+  for (const double phase : {0.0, std::numbers::pi}) {
+    // The same forcing half a period later, from rest as well: the mirrored motion.
+    system.forcing->phase = phase;
+    const FoundOrbits found = find_orbits(system, support::rest(system), options);
+    ASSERT_EQ(found.orbits.size(), 2u) << found.tried;
+    const Orbit &a = found.orbits[0], &b = found.orbits[1];
+    ASSERT_TRUE(a.sticking && b.sticking);
+    ASSERT_EQ(a.sticking->holds.size(), 1u);
+    ASSERT_EQ(b.sticking->holds.size(), 1u);
+    EXPECT_EQ(a.sticking->holds[0].stop, 1 - b.sticking->holds[0].stop);
+    EXPECT_NEAR(a.sticking->holds[0].duration, b.sticking->holds[0].duration, 1e-9);
+    EXPECT_TRUE(is_image(a, b));
+    EXPECT_LE(std::max(a.residual, b.residual), 1e-11);
+    lists.push_back(found.orbits);
+  }
+  for (std::size_t i = 0; i < 2; ++i) EXPECT_TRUE(same_orbit(lists[0][i], lists[1][i], 1.0)) << i;
+}
+
+// One that is its own image is listed once.
+TEST(Mirror, OrbitsThatStickOnBothStopsAlikeAreListedOnce) {
+  System system = support::forced_oscillator(1.0, 0.05, 0.3, 0.2, 0.5, 1.0);
+  RigidStop below = system.stops[0];
+  below.row *= -1.0;
+  below.direction *= -1.0;
+  system.stops.push_back(below);
+  FinderOptions options;
+  options.from_closed_form = options.from_random = false;
+  const FoundOrbits found = find_orbits(system, support::rest(system), options);
+  ASSERT_EQ(found.orbits.size(), 1u) << found.tried;
+  EXPECT_EQ(found.orbits[0].sticking->holds.size(), 2u);
 }
 
 TEST(Mirror, NeedsStopsThatAreOpposite) {

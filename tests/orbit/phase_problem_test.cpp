@@ -9,6 +9,7 @@
 
 #include "graze/contact/impulse.hpp"
 #include "graze/flow/exact_flow.hpp"
+#include "graze/flow/transition.hpp"
 #include "graze/orbit/closed_form.hpp"
 #include "graze/orbit/solve.hpp"
 #include "support/reference.hpp"
@@ -35,7 +36,7 @@ System many_kinds() {
 }
 
 // Whatever the phases, the motion repeats: all matching equations hold, and the contact equations
-// leave what `contact` says. Both are computed in other ways by ShootingProblem.
+// leave what `defect` says. Both are computed in other ways by ShootingProblem.
 void expect_repetition(const System& system) {
   const ShootingScale scale = shooting_scale(system);
   for (const int period : {1, 2, 3}) {
@@ -49,7 +50,7 @@ void expect_repetition(const System& system) {
         theta[i] = 0.7 + 1.3 * static_cast<double>(i) + 0.1 * static_cast<double>(i * i);
       const ShootingProblem shooting({period, stops}, scale);
       const Vector r = shooting.residual(system, shooting.pack(phases.points(theta)));
-      const Vector contact = phases.contact(theta);
+      const Vector contact = phases.defect(theta);
       const Eigen::Index block = 2 * system.modes() + 1;
       // Tens of roundings, enlarged by the inverse of I - E: its smallest singular value is that of
       // the nearly resonant and of the soft mode, about delta P and omega P, some 3e-3.
@@ -74,6 +75,49 @@ TEST(PhaseProblem, TheMotionRepeatsWithRestitutionBySpeed) {
   expect_repetition(with_restitution_by_speed());
 }
 
+// Without damping and with r = 1 on two stops.
+System conservative() {
+  System system = many_kinds();
+  system.delta.setZero();
+  system.omega[3] = 2.1;
+  for (RigidStop& stop : system.stops) stop.restitution = Restitution(1.0);
+  return system;
+}
+
+// Speeds cancel from their own equations there: contact holds whatever the phases, and the shooting
+// equations, given the free impulses, miss by what remains of the laws of impact.
+TEST(PhaseProblem, ConservativeMotionKeepsContactWhateverThePhases) {
+  const System system = conservative();
+  const PeriodicResponseAnswer answer = periodic_response(system, 2);
+  ASSERT_TRUE(answer.response) << answer.why_not;
+  for (const std::vector<int>& stops :
+       {std::vector<int>{0}, {1}, {0, 0}, {0, 1}, {0, 1, 1}, {1, 0, 0, 1}}) {
+    const PhaseProblem phases(*answer.response, stops, 1.0);
+    EXPECT_FALSE(phases.remains_contact());
+    Vector theta(static_cast<Eigen::Index>(stops.size()));
+    for (Eigen::Index i = 0; i < theta.size(); ++i)
+      theta[i] = 0.7 + 1.3 * static_cast<double>(i) + 0.1 * static_cast<double>(i * i);
+    const std::vector<ImpactPoint> points = phases.points(theta);
+    const Vector defect = phases.defect(theta);
+    const std::size_t k = points.size();
+    for (std::size_t i = 0; i < k; ++i) {
+      const std::size_t next = (i + 1) % k;
+      const RigidStop& stop = system.stops[static_cast<std::size_t>(stops[i])];
+      EXPECT_NEAR(stop.row.dot(points[i].before.q), stop.gap, 1e-12);
+      State after = after_impact(stop, points[i].before);
+      after.qdot -= defect[static_cast<Eigen::Index>(i)] * 2.3 * stop.direction;
+      const double turn = points[next].theta - theta[static_cast<Eigen::Index>(i)] +
+                          (next == 0 ? 2.0 * kTurn : 0.0);
+      const State end =
+          transition(system, ExactFlow<double>(system), after, points[i].theta, turn / 2.3).end;
+      EXPECT_LE((end.q - points[next].before.q).norm(), 1e-11);
+      EXPECT_LE((end.qdot - points[next].before.qdot).norm(), 1e-11);
+    }
+  }
+  EXPECT_TRUE(
+      PhaseProblem(*periodic_response(many_kinds(), 2).response, {0}, 1.0).remains_contact());
+}
+
 void expect_derivatives(const System& system) {
   const PeriodicResponseAnswer answer = periodic_response(system, 2);
   ASSERT_TRUE(answer.response);
@@ -84,14 +128,14 @@ void expect_derivatives(const System& system) {
        {(Vector(3) << 0.4, 2.0, 7.0).finished(), (Vector(3) << 3.0, 2.0, 1.0).finished(),
         (Vector(3) << -5.0, 20.0, 0.3).finished()}) {
     Matrix jacobian;
-    problem.contact(theta, &jacobian);
+    problem.defect(theta, &jacobian);
     for (Eigen::Index m = 0; m < 3; ++m) {
       // Central differences err by h^2 and eps/h: 1e-10 of the size at h = 1e-5.
       const double h = 1e-5;
       Vector up = theta, down = theta;
       up[m] += h;
       down[m] -= h;
-      const Vector difference = (problem.contact(up) - problem.contact(down)) / (2.0 * h);
+      const Vector difference = (problem.defect(up) - problem.defect(down)) / (2.0 * h);
       EXPECT_LE((difference - jacobian.col(m)).norm(), 1e-7 * jacobian.norm());
     }
   }
@@ -100,6 +144,7 @@ void expect_derivatives(const System& system) {
 TEST(PhaseProblem, DerivativesAgreeWithDifferences) {
   expect_derivatives(many_kinds());
   expect_derivatives(with_restitution_by_speed());
+  expect_derivatives(conservative());
 }
 
 TEST(PhaseProblem, ForOneImpactItIsTheClosedForm) {
@@ -114,7 +159,7 @@ TEST(PhaseProblem, ForOneImpactItIsTheClosedForm) {
          closed_form(system, 0, 1).form->solutions(system.stops[0].gap)) {
       const Vector theta = Vector::Constant(1, exact.theta);
       Vector speeds;
-      EXPECT_NEAR(problem.contact(theta, nullptr, &speeds)[0] / scale.length, 0.0, 1e-12);
+      EXPECT_NEAR(problem.defect(theta, nullptr, &speeds)[0] / scale.length, 0.0, 1e-12);
       EXPECT_NEAR(speeds[0], system.stops[0].row.dot(exact.before.qdot),
                   1e-11 * scale.length * system.forcing->frequency);
     }
@@ -134,7 +179,7 @@ TEST(PhaseProblem, ContactOfOneImpactIsACosine) {
     const double expected =
         std::abs(exact.form->kappa) * std::cos(theta + std::arg(exact.form->kappa)) +
         exact.form->moved - system.stops[0].gap;
-    EXPECT_NEAR(problem.contact(Vector::Constant(1, theta))[0], expected, 1e-12);
+    EXPECT_NEAR(problem.defect(Vector::Constant(1, theta))[0], expected, 1e-12);
   }
 }
 
@@ -145,12 +190,12 @@ TEST(PhaseProblem, IsPeriodicOnTheTorus) {
   const std::vector<int> stops{0, 1};
   const PhaseProblem problem(*answer.response, stops, 1.0);
   const Vector theta = (Vector(2) << 1.0, 4.0).finished();
-  const Vector contact = problem.contact(theta);
+  const Vector contact = problem.defect(theta);
   const double lap = 3.0 * kTurn;
-  EXPECT_LE((problem.contact(theta + Vector::Unit(2, 0) * lap) - contact).norm(), 1e-12);
-  EXPECT_LE((problem.contact(theta - Vector::Unit(2, 1) * lap) - contact).norm(), 1e-12);
+  EXPECT_LE((problem.defect(theta + Vector::Unit(2, 0) * lap) - contact).norm(), 1e-12);
+  EXPECT_LE((problem.defect(theta - Vector::Unit(2, 1) * lap) - contact).norm(), 1e-12);
   // A whole forcing period later everything is the same too.
-  EXPECT_LE((problem.contact(theta.array() + kTurn) - contact).norm(), 1e-12);
+  EXPECT_LE((problem.defect(theta.array() + kTurn) - contact).norm(), 1e-12);
 }
 
 // An undamped mode whose period divides p forcing periods, a free mass: E has the eigenvalue one.

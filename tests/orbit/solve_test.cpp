@@ -7,7 +7,7 @@
 #include <numbers>
 
 #include "graze/orbit/closed_form.hpp"
-#include "graze/orbit/finder.hpp"
+#include "graze/orbit/rough_guess.hpp"
 #include "support/reference.hpp"
 #include "support/systems.hpp"
 
