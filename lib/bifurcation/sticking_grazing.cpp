@@ -1,5 +1,6 @@
 #include "graze/bifurcation/sticking_grazing.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -11,13 +12,15 @@ namespace {
 // An approach nearer than this part of a length touches: a trace that comes to its end there is
 // within its shortest step, some 1e-12, of the grazing.
 constexpr double kTouches = 1e-9;
+// An impact this slow, of a speed, at a point that was bisected to is one that vanishes there.
+constexpr double kStill = 1e-5;
 // Where an impact is this slow, of a speed, the trace ends: its square is a thousand times what
 // residuals are solved to.
 constexpr double kSlow = 1e-4;
 // Newton's method still finds solutions with an impact at this speed, a speed known to some 1e-12
 // of its own. The five of `grazing_value` with up to twenty times that, at some 1e-1 of where
 // speeds begin to bend, miss their zero by some 1e-5 of the nearest one's distance from it.
-constexpr double kReliable = 5e-5;
+constexpr double kReliable = 7e-5;
 // Speeds of the solutions asked for, of kReliable: each doubles where speeds go with the distance
 // from the grazing; where they go with its root more of them are needed.
 constexpr std::array<double, 9> kAsked = {1.05, 2.2, 4.7, 10.0, 21.0, 47.0, 100.0, 210.0, 470.0};
@@ -116,24 +119,31 @@ StickingTip grazing_at(const StickingEquations& equations, Corrector& corrector,
   const std::optional<ReleaseReturn> here = equations.follow(at);
   if (!here) return {};
   const double unit = speed_unit(equations, at);
-  const bool by_speed = is_lost || here->slowest <= kSlow * unit;
+  const bool by_speed = is_lost || here->slowest <= kStill * unit;
   if (!by_speed && !touches(equations, at)) return {};
-  std::vector<NearGrazing> near;
+  StickingTip tip{OrbitBranchEnd::kGrazing, at, by_speed, false, at.parameter, {}};
+  // Where the motion does not feel the impact its speed goes as the root of the distance: what is
+  // left of that is nothing.
+  if (by_speed && !equations.see_impacts()) return tip;
+  std::vector<NearGrazing> near, solved;
   for (auto point = reached.rbegin(); point != reached.rend(); ++point) {
     const std::optional<ReleaseReturn> back = equations.follow(*point, !by_speed);
     if (!back) return {};
-    if (!by_speed && back->passage.clearance)
-      near.insert(near.begin(), {point->parameter, *back->passage.clearance});
-    if (by_speed && back->slowest > kReliable * unit && back->slowest > 2.0 * here->slowest) {
-      near = impacts_near(
-          equations, corrector, {*point, back->slowest}, {at, here->slowest},
-          corrector.difference(corrector.pack(*point), corrector.pack(at)).normalized());
-      break;
-    }
+    if (by_speed || back->passage.clearance)
+      near.insert(near.begin(),
+                  {point->parameter, by_speed ? back->slowest : *back->passage.clearance});
+    if (!by_speed || !(back->slowest > std::max(kReliable * unit, 2.0 * here->slowest))) continue;
+    solved =
+        impacts_near(equations, corrector, {*point, back->slowest}, {at, here->slowest},
+                     corrector.difference(corrector.pack(*point), corrector.pack(at)).normalized());
+    break;
   }
-  const double reliable = by_speed ? kReliable * unit : kTouches * length_unit(equations, at);
-  const std::optional<double> value = grazing_value(near, reliable);
-  return {OrbitBranchEnd::kGrazing, at, by_speed, false, value.value_or(at.parameter), {}};
+  std::optional<double> value;
+  if (by_speed) value = grazing_value(solved, kReliable * unit);
+  // As near as solutions were met, if others are not to be had.
+  if (!value) value = grazing_value(near, by_speed ? 0.0 : kTouches * length_unit(equations, at));
+  tip.value = value.value_or(at.parameter);
+  return tip;
 }
 
 StickingTip grazing_ahead(const StickingEquations& equations, Corrector& corrector,

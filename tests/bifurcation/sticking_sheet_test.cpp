@@ -41,7 +41,8 @@ TEST(StickingSheet, ABranchThatGrazesKeepsItsImpact) {
       (special->by_speed ? by_speed : by_approach).push_back(special->at.value);
     ASSERT_EQ(by_speed.size(), 1u);
     ASSERT_EQ(by_approach.size(), 1u);
-    EXPECT_NEAR(by_speed[0] / by_approach[0], 1.0, 1e-10);
+    // Five solutions from 1e-5 away on miss it by 1e-5 of that (sticking_grazing.cpp).
+    EXPECT_NEAR(by_speed[0] / by_approach[0], 1.0, 3e-10);
     for (const OrbitBranch& branch : result.branches) {
       const bool impacts_twice =
           std::any_of(branch.special.begin(), branch.special.end(),
