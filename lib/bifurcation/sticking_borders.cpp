@@ -1,9 +1,11 @@
 #include "graze/bifurcation/sticking_borders.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <utility>
 
+#include "graze/bifurcation/grazing_value.hpp"
 #include "graze/bifurcation/sticking_grazing.hpp"
 #include "graze/continuation/locate.hpp"
 
@@ -17,6 +19,8 @@ constexpr double kGone = 1e-6;
 // Where the contact force touches zero the stop is open for a time that goes as the square root of
 // the distance: what 1e-10 of the parameter leaves of it, of a forcing period.
 constexpr double kInterrupted = 1e-5;
+// An opening as long as this is known to some 1e-6 of its own, of a forcing period.
+constexpr double kOpened = 1e-4;
 
 // Points before a border that may be flown once more instead of it, each at least half as far from
 // it as the one before.
@@ -76,17 +80,34 @@ bool StickingBorders::has_shrunk(const ReleaseReturn& back, const BranchPoint& a
   return back.shortest_hold <= kGone * equations_.system_at(at.parameter)->period();
 }
 
-// Whether a stop is let go and closed again at once.
-bool StickingBorders::is_interrupted(const ReleaseReturn& back, const BranchPoint& at) const {
+// The shortest time for which a stop is let go, s; infinite where none is closed again.
+double StickingBorders::shortest_opening(const ReleaseReturn& back, const BranchPoint& at) const {
   const double period = equations_.system_at(at.parameter)->period();
+  double shortest = std::numeric_limits<double>::infinity();
   for (const PassedHold& first : back.passage.holds)
     for (const PassedHold& next : back.passage.holds) {
       if (next.from_start || next.stop != first.stop) continue;
       const double open = static_cast<double>(next.from.period - first.to.period) * period +
                           next.from.local - first.to.local;
-      if (open >= 0.0 && open <= kInterrupted * period) return true;
+      if (open >= 0.0) shortest = std::min(shortest, open);
     }
-  return false;
+  return shortest;
+}
+
+// Whether a stop is let go and closed again at once.
+bool StickingBorders::is_interrupted(const ReleaseReturn& back, const BranchPoint& at) const {
+  return shortest_opening(back, at) <= kInterrupted * equations_.system_at(at.parameter)->period();
+}
+
+// Where the stop is not let go any more, by orbits before that: bisection comes as near as an
+// opening that can be told from none.
+double StickingBorders::last_opening(const std::vector<BranchPoint>& reached) const {
+  std::vector<NearGrazing> near;
+  for (const BranchPoint& point : reached)
+    if (const auto back = equations_.follow(point))
+      near.push_back({point.parameter, shortest_opening(*back, point)});
+  const double period = equations_.system_at(reached.back().parameter)->period();
+  return grazing_value(near, kOpened * period).value_or(reached.back().parameter);
 }
 
 // Whether the structure is let go once a round and held again at once.
@@ -154,6 +175,8 @@ StickingTip StickingBorders::completion(Approach& approach, const ReleaseReturn&
   const bool interrupted = is_interrupted(approach.last, inside) ||
                            (beyond && is_interrupted(*beyond, approach.at_beyond));
   if ((!one_less && !one_more && !interrupted) || !approach.settled) return {};
+  const bool closes = !one_less && !one_more && is_interrupted(approach.last, inside);
+  const double value = closes ? last_opening(approach.reached) : inside.parameter;
   std::optional<BranchPoint> other;
   const auto& others = approach.others;
   for (auto known = others.rbegin(); known != others.rend(); ++known) {
@@ -169,7 +192,7 @@ StickingTip StickingBorders::completion(Approach& approach, const ReleaseReturn&
               reached.back(),
               false,
               !one_less && !one_more,
-              inside.parameter,
+              value,
               other};
   return {};
 }

@@ -53,7 +53,9 @@ class StickingBorders {
 
  private:
   struct Approach;
+  double shortest_opening(const ReleaseReturn& back, const BranchPoint& at) const;
   bool is_interrupted(const ReleaseReturn& back, const BranchPoint& at) const;
+  double last_opening(const std::vector<BranchPoint>& reached) const;
   bool is_at_rest(const ReleaseReturn& back, const BranchPoint& at) const;
   Approach approach(const BranchPoint& a, const BranchPoint& b, const ReleaseReturn& at_a,
                     bool see_impacts);

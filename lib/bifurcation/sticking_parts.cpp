@@ -35,7 +35,8 @@ class StickingParts {
     result.pattern.period = equations_.section().release().period;
     result.ends = {tips[0].end, tips[1].end};
     add_border(tips[0], result, neighbours);
-    if (cut_front && tips[0].border) add_last_step(*tips[0].border, branch_.points[first], result);
+    if (cut_front && tips[0].border)
+      add_last_step(*tips[0].border, branch_.points[first], branch_.points[first], result);
     auto critical = branch_.critical.begin();
     while (critical != branch_.critical.end() && critical->after < first) ++critical;
     for (std::size_t i = first; i <= end; ++i) {
@@ -48,7 +49,8 @@ class StickingParts {
         within.push_back(*critical);
       add_step(branch_.points[i], branch_.points[i + 1], within, result);
     }
-    if (cut_back && tips[1].border) add_last_step(branch_.points[end], *tips[1].border, result);
+    if (cut_back && tips[1].border)
+      add_last_step(branch_.points[end], *tips[1].border, branch_.points[end], result);
     add_border(tips[1], result, neighbours);
     const std::optional<ReleaseReturn> back = equations_.follow(branch_.points[first]);
     if (!back) return {};
@@ -126,7 +128,7 @@ class StickingParts {
 
   // The special points between the last orbit of the trace and the border, whichever comes first.
   // The trace's own last step leads beyond it.
-  void add_last_step(BranchPoint a, BranchPoint b, OrbitBranch& result) {
+  void add_last_step(BranchPoint a, BranchPoint b, const BranchPoint& orbit, OrbitBranch& result) {
     const ZeroProblem& problem = equations_.problem();
     Corrector corrector(problem, options_);
     const Vector chord = corrector.difference(corrector.pack(b), corrector.pack(a));
@@ -144,6 +146,13 @@ class StickingParts {
       if (const auto fold = locate(problem, options_, a, b, rate))
         step.critical.push_back({CriticalKind::kFold, *fold, 0, {}});
     add_critical_points(step, problem, corrector, options_.stop);
+    // Where the border is a fold of the equations (a flight that goes as the root of the distance)
+    // solutions beside it may lie beyond.
+    const std::optional<ReleaseReturn> here = equations_.follow(orbit);
+    std::erase_if(step.critical, [&](const CriticalPoint& critical) {
+      const std::optional<ReleaseReturn> there = equations_.follow(critical.point);
+      return !here || !there || there->holds != here->holds;
+    });
     add_step(a, b, step.critical, result);
   }
 
