@@ -46,7 +46,7 @@ class OrbitTracer {
     continuation_.to = options.to;
     continuation_.max_step = options.max_step;
     continuation_.stop = options.stop;
-    sticking_ = std::make_unique<StickingBranches>(family, continuation_);
+    sticking_ = std::make_unique<StickingBranches>(family, continuation_, options.follow_depth > 0);
   }
 
   OrbitBranches trace() {

@@ -33,9 +33,10 @@ void cut_beyond(Branch& trace, const OrbitBranch& judged) {
 
 }  // namespace
 
-StickingEquations::StickingEquations(const SystemFamily& family, const System& reference,
-                                     const Release& release, const StickingOptions& options)
-    : family_(family), section_(reference, release, options) {
+StickingEquations::StickingEquations(const SystemFamily& family, ReleaseSection section)
+    : family_(family), section_(std::move(section)) {
+  const int period = section_.release().period;
+  if (period % 2 == 0) half_ = section_.over(period / 2);
   problem_.evaluate = [this](const Vector& u, double value) -> std::optional<ZeroEvaluation> {
     const System* system = system_at(value);
     if (!system) return {};
@@ -61,6 +62,18 @@ const System* StickingEquations::system_at(double value) const {
     cached_value_ = value;
   }
   return cached_ ? &*cached_ : nullptr;
+}
+
+Vector StickingEquations::halves_differ(const BranchPoint& solution) const {
+  const System* system = half_ ? system_at(solution.parameter) : nullptr;
+  if (!system) return {};
+  const auto at = half_->evaluate(*system, solution.u);
+  return at ? at->residual : Vector();
+}
+
+bool StickingEquations::passes_half(const BranchPoint& a, const BranchPoint& b) const {
+  const Vector before = halves_differ(a), now = halves_differ(b);
+  return before.size() > 0 && before.size() == now.size() && before.dot(now) < 0.0;
 }
 
 std::optional<ReleaseReturn> StickingEquations::follow(const BranchPoint& solution,
@@ -128,8 +141,8 @@ StickingTrace StickingBranches::trace(const Orbit& orbit, double value) {
   const StickingEquations& equations = *traced.equations;
   ContinuationOptions range = range_;
   StickingBorders borders(equations, range_);
-  range.proceed = [&borders](const BranchPoint& previous, const BranchPoint& here) {
-    return !borders.passes(previous, here);
+  range.proceed = [&](const BranchPoint& previous, const BranchPoint& here) {
+    return !equations.passes_half(previous, here) && !borders.passes(previous, here);
   };
   const auto start =
       solve_at(equations.problem(), range,
@@ -147,7 +160,7 @@ StickingTrace StickingBranches::trace(const Orbit& orbit, double value) {
     return result;
   }
   traced.branch = trace_branch(equations.problem(), range, *start);
-  result.branch = judge_sticking(equations, range, traced.branch, result.neighbours);
+  result.branch = judge_sticking(equations, range, traced.branch, switches_, result.neighbours);
   result.evaluations = traced.branch.evaluations;
   result.rejected = traced.branch.rejected;
   if (!result.branch)

@@ -39,12 +39,23 @@ class StickingEquations {
  public:
   // Refers to the family, which must outlive it. `reference`: see ReleaseSection.
   StickingEquations(const SystemFamily& family, const System& reference, const Release& release,
-                    const StickingOptions& options);
+                    const StickingOptions& options)
+      : StickingEquations(family, ReleaseSection(reference, release, options)) {}
+  StickingEquations(const SystemFamily& family, ReleaseSection section);
   StickingEquations(const StickingEquations&) = delete;
   StickingEquations& operator=(const StickingEquations&) = delete;
 
   const ZeroProblem& problem() const { return problem_; }
   const ReleaseSection& section() const { return section_; }
+  // The equations of the orbits of twice the period; they have the same unknowns.
+  std::unique_ptr<StickingEquations> doubled() const {
+    return std::make_unique<StickingEquations>(family_,
+                                               section_.over(2 * section_.release().period));
+  }
+  // How far the motion is from coming back after half the period; empty where that is not whole.
+  Vector halves_differ(const BranchPoint& solution) const;
+  // Whether the branch passes an orbit of half the period between two neighbours.
+  bool passes_half(const BranchPoint& a, const BranchPoint& b) const;
   // Null where the scene does not allow the value.
   const System* system_at(double value) const;
   // What becomes of the motion of a solution; nothing where it cannot be followed.
@@ -61,12 +72,13 @@ class StickingEquations {
  private:
   const SystemFamily& family_;
   ReleaseSection section_;
+  std::optional<ReleaseSection> half_;  // of half the period
   ZeroProblem problem_;
   mutable double cached_value_ = 0.0;
   mutable std::optional<System> cached_;
 };
 
-// An orbit beyond the CH or GR that ends a branch.
+// An orbit beyond the CH or GR that ends a branch, or on the one that leaves it at a PD or BP.
 struct StickingNeighbour {
   std::size_t special = 0;  // index of that among the branch's special points
   Orbit orbit;
@@ -86,9 +98,9 @@ struct StickingTrace {
 class StickingBranches {
  public:
   // Refers to the family, which must outlive it. `range` says from where to where, how fast, and
-  // when to stop.
-  StickingBranches(const SystemFamily& family, ContinuationOptions range)
-      : family_(family), range_(std::move(range)) {}
+  // when to stop; `switches`: whether neighbours at PD and BP are asked for.
+  StickingBranches(const SystemFamily& family, ContinuationOptions range, bool switches)
+      : family_(family), range_(std::move(range)), switches_(switches) {}
 
   // The branch through an orbit that sticks.
   StickingTrace trace(const Orbit& orbit, double value);
@@ -102,6 +114,7 @@ class StickingBranches {
 
   const SystemFamily& family_;
   ContinuationOptions range_;
+  bool switches_;
   std::deque<Traced> traced_;
 };
 

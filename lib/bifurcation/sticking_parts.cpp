@@ -2,12 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <utility>
 
 #include "graze/base/angle.hpp"
 #include "graze/bifurcation/orbit_parts.hpp"
 #include "graze/bifurcation/sticking_borders.hpp"
 #include "graze/continuation/critical.hpp"
+#include "graze/continuation/switching.hpp"
 #include "graze/orbit/held_force.hpp"
 
 namespace graze {
@@ -16,16 +18,23 @@ namespace {
 // A flight whose excursion, as its duration to the power 4, is within rounding is none: what that
 // leaves of the parameter, as its duration to the power 2, is some 1e-8 of the range.
 constexpr double kTold = 1e-6;
+// Steps along a branch that leaves another, so that its orbits can be told from those of that one.
+constexpr int kStepsAway = 3;
 constexpr int kMostSecants = 16;  // each doubles the digits, nearly
 
 class StickingParts {
  public:
   StickingParts(const StickingEquations& equations, const ContinuationOptions& options,
-                const Branch& branch)
-      : equations_(equations), options_(options), branch_(branch), borders_(equations, options) {}
+                const Branch& branch, bool switches, std::vector<StickingNeighbour>& neighbours)
+      : equations_(equations),
+        options_(options),
+        branch_(branch),
+        switches_(switches),
+        neighbours_(neighbours),
+        borders_(equations, options) {}
 
-  // Nothing where a point of it cannot be judged. Adds what lies beyond its ends.
-  std::optional<OrbitBranch> judge(std::vector<StickingNeighbour>& neighbours) {
+  // Nothing where a point of it cannot be judged.
+  std::optional<OrbitBranch> judge() {
     const std::size_t last = branch_.points.size() - 1;
     const bool cut_front = branch_.ends[0] == BranchEnd::kHalted,
                cut_back = branch_.ends[1] == BranchEnd::kHalted;
@@ -34,8 +43,8 @@ class StickingParts {
     OrbitBranch result;
     result.pattern.period = equations_.section().release().period;
     result.ends = {tips[0].end, tips[1].end};
-    add_border(tips[0], result, neighbours);
-    if (cut_front && tips[0].border)
+    add_border(tips[0], result);
+    if (cut_front && leads_on(tips[0]))
       add_last_step(*tips[0].border, branch_.points[first], branch_.points[first], result);
     auto critical = branch_.critical.begin();
     while (critical != branch_.critical.end() && critical->after < first) ++critical;
@@ -49,9 +58,9 @@ class StickingParts {
         within.push_back(*critical);
       add_step(branch_.points[i], branch_.points[i + 1], within, result);
     }
-    if (cut_back && tips[1].border)
+    if (cut_back && leads_on(tips[1]))
       add_last_step(branch_.points[end], *tips[1].border, branch_.points[end], result);
-    add_border(tips[1], result, neighbours);
+    add_border(tips[1], result);
     const std::optional<ReleaseReturn> back = equations_.follow(branch_.points[first]);
     if (!back) return {};
     result.holds = back->holds;
@@ -90,6 +99,9 @@ class StickingParts {
   // halted.
   StickingTip tip(std::size_t side, std::size_t inner, std::size_t outer) {
     const BranchEnd end = branch_.ends[side];
+    if (end == BranchEnd::kHalted &&
+        equations_.passes_half(branch_.points[inner], branch_.points[outer]))
+      return joins_half(branch_.points[inner], branch_.points[outer]);
     if (end == BranchEnd::kHalted)
       return borders_.between(branch_.points[inner], branch_.points[outer]);
     if (end == BranchEnd::kNotConverged) {
@@ -102,12 +114,26 @@ class StickingParts {
     return tip;
   }
 
-  void add_border(const StickingTip& tip, OrbitBranch& result,
-                  std::vector<StickingNeighbour>& neighbours) const {
+  // Where the orbits have half the period, between neighbours on either side of it. The equations
+  // are singular there and passed in a step so short that the branch is straight over it.
+  StickingTip joins_half(const BranchPoint& inner, const BranchPoint& outer) const {
+    const double before = equations_.halves_differ(inner).norm();
+    const double part = before / (before + equations_.halves_differ(outer).norm());
+    BranchPoint at = inner;
+    at.u += part * (outer.u - inner.u);
+    at.parameter += part * (outer.parameter - inner.parameter);
+    return {OrbitBranchEnd::kPeriodDoubling, at, false, false, at.parameter, {}};
+  }
+
+  void add_border(const StickingTip& tip, OrbitBranch& result) const {
     if (!tip.border) return;
     std::optional<OrbitBranchPoint> at = equations_.judge(*tip.border);
     if (!at) return;
     at->value = tip.value;
+    if (tip.end == OrbitBranchEnd::kPeriodDoubling) {
+      result.points.push_back(*at);
+      return;
+    }
     BranchPoint solution = *tip.border;
     if (tip.end == OrbitBranchEnd::kAtRest)
       if (const auto there = lift_off(tip.value)) {
@@ -123,7 +149,13 @@ class StickingParts {
     result.special.push_back({kind, "", *at, {}, tip.by_speed, solution, tip.interrupted});
     if (!tip.beyond) return;
     if (std::optional<OrbitBranchPoint> other = equations_.judge(*tip.beyond))
-      neighbours.push_back({result.special.size() - 1, std::move(other->orbit), other->value});
+      neighbours_.push_back({result.special.size() - 1, std::move(other->orbit), other->value});
+  }
+
+  // Whether special points may lie before it: at an orbit of half the period the equations have one
+  // of their own.
+  static bool leads_on(const StickingTip& tip) {
+    return tip.border && tip.end != OrbitBranchEnd::kPeriodDoubling;
   }
 
   // The special points between the last orbit of the trace and the border, whichever comes first.
@@ -189,11 +221,36 @@ class StickingParts {
     if (critical.multiplier) special.multiplier = critical.multiplier->value;
     result.points.push_back(*at);
     result.special.push_back(special);
+    if (switches_) add_neighbour(critical, result.special.size() - 1);
+  }
+
+  // An orbit a step along the branch that leaves this one there.
+  void add_neighbour(const CriticalPoint& critical, std::size_t special) const {
+    const bool doubles = critical.kind == CriticalKind::kPeriodDoubling;
+    if (!doubles && critical.kind != CriticalKind::kBranchPoint) return;
+    const std::unique_ptr<StickingEquations> twice =
+        doubles ? equations_.doubled() : std::unique_ptr<StickingEquations>();
+    const StickingEquations& next = doubles ? *twice : equations_;
+    BranchPoint at = critical.point;
+    at.multipliers.clear();
+    const std::optional<BranchPoint> start = other_branch(next.problem(), options_, at);
+    if (!start) return;
+    ContinuationOptions some = options_;
+    some.max_points = kStepsAway;
+    some.proceed = {};
+    ZeroProblem problem = next.problem();
+    problem.multipliers = nullptr;
+    const BranchPoint away =
+        trace_branch(problem, some, *start, Directions::kForward).points.back();
+    if (std::optional<OrbitBranchPoint> other = next.judge(away))
+      neighbours_.push_back({special, std::move(other->orbit), other->value});
   }
 
   const StickingEquations& equations_;
   const ContinuationOptions& options_;
   const Branch& branch_;
+  bool switches_;
+  std::vector<StickingNeighbour>& neighbours_;
   StickingBorders borders_;
 };
 
@@ -201,8 +258,9 @@ class StickingParts {
 
 std::optional<OrbitBranch> judge_sticking(const StickingEquations& equations,
                                           const ContinuationOptions& options, const Branch& branch,
+                                          bool switches,
                                           std::vector<StickingNeighbour>& neighbours) {
-  return StickingParts(equations, options, branch).judge(neighbours);
+  return StickingParts(equations, options, branch, switches, neighbours).judge();
 }
 
 }  // namespace graze

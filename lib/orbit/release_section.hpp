@@ -61,6 +61,12 @@ class ReleaseSection {
   ReleaseSection(const System& reference, Release release, const StickingOptions& options);
 
   const Release& release() const { return release_; }
+  // The same section, in the same coordinates, of orbits of another period.
+  ReleaseSection over(int period) const {
+    ReleaseSection other = *this;
+    other.release_.period = period;
+    return other;
+  }
   Eigen::Index size() const { return 1 + 2 * freedoms(); }
 
   // Unknowns of a state at forcing phase theta, rad.
