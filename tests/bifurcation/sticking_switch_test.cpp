@@ -1,0 +1,102 @@
+// From branches of orbits that stick onto those that leave them: doubled orbits at PD, and at BP
+// the branch that crosses.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "branch_checks.hpp"
+#include "graze/hybrid/simulation.hpp"
+#include "graze/scene/parameter.hpp"
+#include "graze/scene/reader.hpp"
+#include "support/systems.hpp"
+
+namespace graze {
+namespace {
+
+OrbitBranches followed(const Scene& scene, double from, double to, double max_step) {
+  const SystemFamily family(scene, "forcing.frequency");
+  BranchOptions options;
+  options.max_step = max_step;
+  options.from = from;
+  options.to = to;
+  options.start_values = 8;
+  options.follow_depth = 1;
+  options.finder.from_closed_form = options.finder.from_random = false;
+  return trace_orbits(family, options);
+}
+
+double fastest(const Orbit& orbit, int stop) {
+  double speed = 0.0;
+  for (const OrbitImpact& impact : orbit.impacts)
+    if (impact.stop == stop) speed = std::max(speed, impact.speed);
+  return speed;
+}
+
+// Between its two doublings the orbit of scene 09 is unstable, and the doubled one is what the
+// motion settles on.
+TEST(StickingSwitch, DoubledOrbitsLeadFromDoublingToDoubling) {
+  const Scene scene = support::shipped_scene("09_soft_stop_two_modes");
+  const OrbitBranches result = followed(scene, 40.0, 40.6, 0.05);
+  ASSERT_EQ(result.branches.size(), 2u);
+  const OrbitBranch& doubled = result.branches[1];
+  EXPECT_EQ(doubled.pattern.period, 2);
+  EXPECT_EQ(doubled.origin, "PD1");
+  const auto doublings = support::special_points(result, SpecialKind::kPeriodDoubling);
+  ASSERT_EQ(doublings.size(), 2u);
+  for (const OrbitBranchEnd end : doubled.ends) EXPECT_EQ(end, OrbitBranchEnd::kPeriodDoubling);
+  std::vector<double> ends = {doubled.points.front().value, doubled.points.back().value};
+  std::sort(ends.begin(), ends.end());
+  for (std::size_t i = 0; i < 2; ++i) EXPECT_NEAR(ends[i] / doublings[i]->at.value, 1.0, 1e-9);
+  int compared = 0;
+  for (std::size_t i = 0; i < doubled.points.size(); i += 2) {
+    const OrbitBranchPoint& point = doubled.points[i];
+    if (point.value < 40.2 || point.value > 40.4) continue;
+    EXPECT_EQ(point.orbit.stable, true) << point.value;
+    const Scene there = with_parameter(scene, "forcing.frequency", point.value);
+    const System system = assemble(there);
+    SimulationOptions options;
+    options.periods = 600;
+    double speed = 0.0;
+    RunListeners listeners;
+    listeners.event = [&](const Event& event) {
+      if (event.kind == EventKind::kImpact && event.period_index >= 596)
+        speed = std::max(speed, event.speed);
+    };
+    simulate(system, initial_state(there, system), options, listeners);
+    EXPECT_NEAR(speed / fastest(point.orbit, 0), 1.0, 1e-8) << point.value;
+    ++compared;
+  }
+  EXPECT_GE(compared, 2);
+}
+
+// Between two equal stops an orbit that is its own mirror image loses that at a branch point: the
+// two that leave it meet one stop faster than the other.
+TEST(StickingSwitch, BranchesThatCrossAreFoundFromEachOther) {
+  const Scene scene = parse_scene(
+      "[modal]\nfrequencies = [1.0, 5.18]\ndamping_ratios = [0.05, 0.05]\n"
+      "participation = [1.0, 0.4]\n"
+      "[forcing]\nkind = \"modal\"\namplitude = 1.0\nfrequency = 0.65\n"
+      "[[stop]]\nshape = [1.0, 1.33]\ngap = 0.05\nrestitution = 0.2\n"
+      "[[stop]]\nshape = [1.0, 1.33]\ngap = 0.05\nside = \"below\"\nrestitution = 0.2\n",
+      "between_stops.toml");
+  const OrbitBranches result = followed(scene, 0.64, 0.75, 0.01);
+  ASSERT_EQ(result.branches.size(), 2u);
+  const auto points = support::special_points(result, SpecialKind::kBranchPoint);
+  ASSERT_EQ(points.size(), 2u);
+  EXPECT_NEAR(points[0]->at.value / points[1]->at.value, 1.0, 1e-10);
+  EXPECT_EQ(result.branches[0].origin.empty(), !result.branches[1].origin.empty());
+  EXPECT_EQ(result.branches[0].component, result.branches[1].component);
+  int symmetric = 0;
+  for (const OrbitBranch& branch : result.branches) {
+    double most = 0.0;
+    for (const OrbitBranchPoint& point : branch.points)
+      most = std::max(most, std::abs(fastest(point.orbit, 0) / fastest(point.orbit, 1) - 1.0));
+    symmetric += most < 1e-7;
+    EXPECT_TRUE(most < 1e-7 || most > 1e-2) << most;
+  }
+  EXPECT_EQ(symmetric, 1);
+}
+
+}  // namespace
+}  // namespace graze
