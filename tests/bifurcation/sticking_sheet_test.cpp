@@ -51,8 +51,9 @@ TEST(StickingSheet, ABranchThatGrazesKeepsItsImpact) {
         // On the grazing itself an approach may touch or not.
         if (std::abs(point.value / by_approach[0] - 1.0) < 1e-10) continue;
         EXPECT_EQ(point.orbit.impacts.size(), impacts_twice ? 2u : 1u) << point.value;
-        if (impacts_twice && point.smallest_speed < 1e-2)
+        if (impacts_twice && point.smallest_speed < 1e-2) {
           EXPECT_NE(point.orbit.stable, true) << "its map stretches like 1/v: " << point.value;
+        }
       }
     }
   }
@@ -85,8 +86,9 @@ TEST(StickingSheet, AStepDoesNotLeadToAnotherBranchWithTheSameEvents) {
     for (const OrbitBranch& branch : result.branches)
       for (std::size_t i = 0; i + 1 < branch.points.size(); ++i) {
         const OrbitBranchPoint &a = branch.points[i], &b = branch.points[i + 1];
-        if ((a.value - 0.2334) * (b.value - 0.2334) < 0.0)
+        if ((a.value - 0.2334) * (b.value - 0.2334) < 0.0) {
           EXPECT_FALSE(a.orbit.stable == true && b.orbit.stable == true) << a.value;
+        }
       }
   }
 }
