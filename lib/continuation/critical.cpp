@@ -148,7 +148,9 @@ class CriticalSearch {
   // over it; between stations it is halved until it is as short. That is where to look for the
   // branch point itself: the ends of the step are badly determined along the branch that crosses.
   void add_branch_point(BranchPoint a, BranchPoint b, std::size_t i) {
-    while (distance(a, b) > kShortest * (1.0 + corrector_.pack(a).norm())) {
+    for (int halving = 0; halving < kMostHalvings && !stop_.requested() &&
+                          distance(a, b) > kShortest * (1.0 + corrector_.pack(a).norm());
+         ++halving) {
       const Vector chord = corrector_.difference(corrector_.pack(b), corrector_.pack(a));
       std::optional<BranchPoint> middle =
           point_between(corrector_, a, 0.5 * chord.dot(a.tangent), a, b);

@@ -8,10 +8,12 @@ namespace {
 
 bool before(const Instant<double>& a, const Instant<double>& b) { return !not_before(a, b); }
 
-// Which impacts belong to the chatters that lead to the stuck phases.
+// Which impacts are no events: those of the chatters that lead to the stuck phases, and those that
+// are rounding.
 std::vector<bool> in_chatter(const std::vector<PassedImpact>& impacts,
-                             const std::vector<const PassedHold*>& holds) {
-  std::vector<bool> chatters(impacts.size(), false);
+                             const std::vector<const PassedHold*>& holds, double still) {
+  std::vector<bool> chatters;
+  for (const PassedImpact& impact : impacts) chatters.push_back(impact.speed <= still);
   for (const PassedHold* hold : holds) {
     double faster = 0.0;
     for (std::size_t i = impacts.size(); i-- > 0;) {
@@ -36,10 +38,10 @@ std::vector<const PassedHold*> holds_begun(const Passage& passage) {
   return begun;
 }
 
-Itinerary itinerary_of(const Passage& passage) {
+Itinerary itinerary_of(const Passage& passage, double still) {
   const std::vector<PassedImpact>& impacts = passage.impacts;
   const std::vector<const PassedHold*> holds = holds_begun(passage);
-  const std::vector<bool> chatters = in_chatter(impacts, holds);
+  const std::vector<bool> chatters = in_chatter(impacts, holds, still);
   Itinerary result;
   result.slowest = std::numeric_limits<double>::infinity();
   auto hold = holds.begin();
@@ -54,9 +56,9 @@ Itinerary itinerary_of(const Passage& passage) {
   return result;
 }
 
-std::vector<PassageMargin> margins_of(const Passage& passage) {
+std::vector<PassageMargin> margins_of(const Passage& passage, double still) {
   const std::vector<PassedImpact>& impacts = passage.impacts;
-  const std::vector<bool> chatters = in_chatter(impacts, holds_begun(passage));
+  const std::vector<bool> chatters = in_chatter(impacts, holds_begun(passage), still);
   const auto chatters_on = [&](std::size_t i, int stop) {
     return i < impacts.size() && chatters[i] && impacts[i].stop == stop;
   };

@@ -19,7 +19,8 @@ struct Itinerary {
 // The stuck phases that begin within the passage, in time order.
 std::vector<const PassedHold*> holds_begun(const Passage& passage);
 
-Itinerary itinerary_of(const Passage& passage);
+// `still`, m/s: impacts no faster are rounding; see still_speed().
+Itinerary itinerary_of(const Passage& passage, double still);
 
 // What must stay positive for the itinerary to stay what it is, and its rate along a direction: the
 // speed of an impact, or the gap at an interior approach that is not between two impacts of one
@@ -33,6 +34,6 @@ struct PassageMargin {
 };
 
 // In time order, of a passage that was followed along a direction.
-std::vector<PassageMargin> margins_of(const Passage& passage);
+std::vector<PassageMargin> margins_of(const Passage& passage, double still);
 
 }  // namespace graze

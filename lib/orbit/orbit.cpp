@@ -10,6 +10,7 @@
 #include "graze/flow/arc_curve.hpp"
 #include "graze/flow/transition.hpp"
 #include "graze/hybrid/clearance.hpp"
+#include "graze/system/gap_value.hpp"
 
 namespace graze {
 namespace {
@@ -74,6 +75,28 @@ Vector velocity_units(const System& system) {
   return system.omega.unaryExpr([&](double omega) {
     return std::ldexp(1.0, std::ilogb(std::max(omega, system.forcing->frequency)));
   });
+}
+
+// The lowest gap of another stop at the instant of an impact that turns the motion back from it
+// too, if below `lowest`: a corner of that gap, and no minimum of any flight. Stops that are
+// touched together are hit together.
+std::optional<NearestApproach> lowest_corner(const System& system, const ImpactPattern& pattern,
+                                             const ImpactPoint& point, const State& after,
+                                             std::size_t flight, double lowest) {
+  std::optional<NearestApproach> nearest;
+  const RigidStop& stop = stop_of(system, pattern, flight);
+  for (std::size_t k = 0; k < system.stops.size(); ++k) {
+    if (static_cast<int>(k) == pattern.stops[flight]) continue;
+    const RigidStop& other = system.stops[k];
+    if (other.row.dot(point.before.qdot) < 0.0 || other.row.dot(after.qdot) > 0.0) continue;
+    if (other.gap == stop.gap && other.row == stop.row) continue;  // hit together
+    const GapValue<double> gap = gap_value<double>(other.row, point.before.q, other.gap);
+    const double value = std::abs(gap.value) <= gap.rounding ? 0.0 : gap.value;
+    if (!(value < lowest)) continue;
+    lowest = value;
+    nearest = NearestApproach{flight, static_cast<int>(k), 0.0, value};
+  }
+  return nearest;
 }
 
 }  // namespace
@@ -205,6 +228,10 @@ Admissibility admissibility(const System& system, const ImpactPattern& pattern,
     if (stop.restitution.at(speed) == 0.0)
       result.push = std::max(result.push.value_or(-std::numeric_limits<double>::infinity()),
                              stop.row.dot(vector_field(system, after, points[i].theta).qdot));
+    if (const auto corner = lowest_corner(system, pattern, points[i], after, i, lowest)) {
+      lowest = corner->gap;
+      result.nearest = corner;
+    }
     if (!(flight > 0.0)) continue;
     arc.start(points[i].theta, after.q, after.qdot);
     for (std::size_t k = 0; k < system.stops.size(); ++k) {

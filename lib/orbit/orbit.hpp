@@ -108,7 +108,8 @@ Orbit make_orbit(const System& system, const ShootingProblem& problem, const Vec
 Orbit make_orbit(const System& system, const ShootingProblem& problem, const Vector& solution,
                  std::vector<Eigenvalue> multipliers);
 
-// Where the motion comes nearest to a stop between impacts.
+// Where the motion comes nearest to a stop that it does not hit there: between impacts, or at an
+// impact on another stop that turns it back from this one as well.
 struct NearestApproach {
   std::size_t flight = 0;  // after this impact of the pattern
   int stop = 0;            // index from 0

@@ -234,7 +234,7 @@ std::optional<ReleaseReturn> ReleaseSection::follow(const System& system, const 
   if (!result.passage.failure.empty()) return {};
   const Instant<double>& end = result.passage.end.instant;
   const std::vector<const PassedHold*> begun = holds_begun(result.passage);
-  const Itinerary itinerary = itinerary_of(result.passage);
+  const Itinerary itinerary = itinerary_of(result.passage, still_speed(system));
   result.itinerary = itinerary.events;
   result.slowest = itinerary.slowest;
   result.shortest_hold = std::numeric_limits<double>::infinity();
@@ -274,7 +274,7 @@ std::optional<std::vector<PassageMargin>> ReleaseSection::margins(const System& 
   options.along = along;
   const Passage passage = pass(system, start, end_of(start), options, &deviations, &parameter);
   if (!passage.failure.empty()) return {};
-  return margins_of(passage);
+  return margins_of(passage, still_speed(system));
 }
 
 std::optional<Orbit> ReleaseSection::orbit(const System& system, const Vector& u) const {

@@ -138,5 +138,32 @@ TEST(AdmissibleBranches, LowSpeedBranchEndsAtItsGrazing) {
   EXPECT_LE(std::abs(grazings[0]->at.smallest_speed), 1e-8);
 }
 
+// Two stops side by side: the structure cannot hit the one that lies behind the other. At equal
+// gaps it is turned back from both, in a corner of either gap that is no minimum of a flight.
+TEST(AdmissibleBranch, EndsWhereItsStopFallsBehindAnother) {
+  const Scene scene = parse_scene(
+      "[modal]\nfrequencies = [1.0]\ndamping_ratios = [0.05]\nparticipation = [1.0]\n"
+      "[forcing]\nkind = \"modal\"\namplitude = 1.0\nfrequency = 1.6\n"
+      "[[stop]]\nshape = [1.0]\ngap = 0.5\nrestitution = 0.7\n"
+      "[[stop]]\nshape = [1.0]\ngap = 0.3\nrestitution = 0.7\n",
+      "side_by_side.toml");
+  const SystemFamily family(scene, "stop.1.gap");
+  BranchOptions options;
+  options.from = 0.2;
+  options.to = 0.6;
+  const OrbitBranches result = trace_orbits(family, options);
+  ASSERT_EQ(result.branches.size(), 2u);
+  for (const OrbitBranch& branch : result.branches) {
+    const int stop = branch.pattern.stops.at(0);
+    for (const OrbitBranchPoint& point : branch.points)
+      EXPECT_TRUE(stop == 0 ? point.value <= 0.3 * (1.0 + 1e-12)
+                            : point.value >= 0.3 * (1.0 - 1e-12))
+          << point.value;
+    ASSERT_EQ(branch.special.size(), 1u);
+    EXPECT_EQ(branch.special[0].kind, SpecialKind::kGrazing);
+    EXPECT_NEAR(branch.special[0].at.value, 0.3, 1e-12);
+  }
+}
+
 }  // namespace
 }  // namespace graze
