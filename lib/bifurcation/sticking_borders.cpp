@@ -142,8 +142,8 @@ StickingBorders::Approach StickingBorders::approach(const BranchPoint& a, const 
       4.0 * std::numeric_limits<double>::epsilon() * (1.0 + corrector_.pack(a).norm());
   if (result.beyond && result.beyond->returns) result.others.emplace_back(b, result.beyond->holds);
   // Some two steps to a bit; more of them would lead past `b`.
-  int steps = 0;
-  for (double h = 0.5 * chord.norm(); h > least && steps < kMostSteps; ++steps) {
+  double h = 0.5 * chord.norm();
+  for (int step = 0; h > least && step < kMostSteps && !options_.stop.requested(); ++step) {
     std::optional<BranchPoint> next =
         corrector_.on_hyperplane(corrector_.pack(inside) + h * inside.tangent, inside.tangent);
     const std::optional<ReleaseReturn> back =
@@ -161,7 +161,7 @@ StickingBorders::Approach StickingBorders::approach(const BranchPoint& a, const 
     }
     h *= 0.5;
   }
-  result.settled = steps < kMostSteps;
+  result.settled = h <= least;
   return result;
 }
 
@@ -204,7 +204,7 @@ void StickingBorders::walk(const BranchPoint& a, const BranchPoint& b, bool see_
   std::optional<ReleaseReturn> here = equations_.follow(a);
   const std::optional<ReleaseReturn> at_b = equations_.follow(b);
   int looks = kMostLooks;
-  for (int change = 0; here && change < kMostChanges; ++change) {
+  for (int change = 0; here && change < kMostChanges && !options_.stop.requested(); ++change) {
     BranchPoint target = b;
     // Changes that end nothing may be all there is up to `b`.
     if (at_b && is_like(*at_b, *here, see_impacts)) {
