@@ -20,9 +20,6 @@ constexpr std::size_t kMostStations = 40;
 // needed for the latter.
 constexpr double kReach = 2.0;
 
-// No gap is known better, of the length scale.
-constexpr double kGapRounding = 1e-12;
-
 // The approach nearest to where another one is after (or, backwards, was before) half the piece.
 const OrbitMargin* partner(const OrbitMargin& margin, const std::vector<OrbitMargin>& others,
                            double half) {
@@ -75,17 +72,10 @@ std::vector<OrbitMargin> GrazingStations::approaches(const SeenSolution& solutio
                           direction(*solution.point), level);
 }
 
-// Arclength to fourth order.
-double GrazingStations::length(const SeenSolution& a, const SeenSolution& b) const {
-  const double chord =
-      corrector_.difference(corrector_.pack(*b.point), corrector_.pack(*a.point)).norm();
-  return chord * (1.0 + (b.point->tangent - a.point->tangent).squaredNorm() / 24.0);
-}
-
 // Of all that may come to zero between a and b; none where the verdict cannot change.
 std::vector<MarginCourse> GrazingStations::courses(const SeenSolution& a,
                                                    const SeenSolution& b) const {
-  const double step = length(a, b);
+  const double step = arclength(corrector_, *a.point, *b.point);
   const double still = still_speed(*equations_.system_at(a.point->parameter));
   std::vector<MarginCourse> list;
   for (std::size_t i = 0; i < a.speeds.size(); ++i) {
@@ -105,8 +95,7 @@ std::vector<MarginCourse> GrazingStations::courses(const SeenSolution& a,
 
 void GrazingStations::add_approaches(const SeenSolution& a, const SeenSolution& b, double step,
                                      double level, std::vector<MarginCourse>& courses) const {
-  const double rounding =
-      kGapRounding * shooting_scale(*equations_.system_at(a.point->parameter)).length;
+  const double rounding = still_gap(*equations_.system_at(a.point->parameter));
   const std::vector<OrbitMargin> at_a = approaches(a, level), at_b = approaches(b, level);
   const auto add = [&](MarginCourse course) {
     course.rounding = rounding;

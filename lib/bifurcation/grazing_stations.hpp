@@ -53,7 +53,6 @@ class GrazingStations {
  private:
   OrbitDirection direction(const BranchPoint& point) const;
   std::vector<OrbitMargin> approaches(const SeenSolution& solution, double level) const;
-  double length(const SeenSolution& a, const SeenSolution& b) const;
   std::vector<MarginCourse> courses(const SeenSolution& a, const SeenSolution& b) const;
   void add_approaches(const SeenSolution& a, const SeenSolution& b, double step, double level,
                       std::vector<MarginCourse>& courses) const;

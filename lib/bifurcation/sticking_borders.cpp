@@ -32,9 +32,6 @@ constexpr int kMostSteps = 400;  // of a bisection that may need two for each of
 // precision.
 constexpr int kMostChanges = 64;
 
-// No gap is known better, of the length scale.
-constexpr double kGapRounding = 1e-12;
-
 // Solutions looked at between two with the same events.
 constexpr int kMostLooks = 40;
 
@@ -274,7 +271,7 @@ std::vector<MarginCourse> StickingBorders::courses(const BranchPoint& a, const B
   const double length = chord.norm();
   const double step_a = std::copysign(length, chord.dot(a.tangent)),
                step_b = std::copysign(length, chord.dot(b.tangent));
-  const ShootingScale scale = shooting_scale(*equations_.system_at(a.parameter));
+  const double narrow = still_gap(*equations_.system_at(a.parameter));
   const double still = still_speed(*equations_.system_at(a.parameter));
   std::vector<MarginCourse> list;
   for (const PassageMargin& start : *at_a) {
@@ -290,9 +287,7 @@ std::vector<MarginCourse> StickingBorders::courses(const BranchPoint& a, const B
       to *= to;
     }
     list.push_back(MarginCourse::between(from, step_a * from_rate, to, step_b * to_rate));
-    list.back().rounding = squared          ? still * still
-                           : start.is_speed ? still
-                                            : kGapRounding * scale.length;
+    list.back().rounding = squared ? still * still : start.is_speed ? still : narrow;
   }
   return list;
 }

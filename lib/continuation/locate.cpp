@@ -19,6 +19,11 @@ bool meets(Corrector& corrector, const BranchPoint& near, const Vector& offset) 
 
 }  // namespace
 
+double arclength(const Corrector& corrector, const BranchPoint& a, const BranchPoint& b) {
+  const double chord = corrector.difference(corrector.pack(b), corrector.pack(a)).norm();
+  return chord * (1.0 + (b.tangent - a.tangent).squaredNorm() / 24.0);
+}
+
 Vector cubic_between(const Corrector& corrector, const BranchPoint& from, double s,
                      const BranchPoint& a, const BranchPoint& b) {
   const Vector x = corrector.pack(from), x_a = corrector.pack(a);

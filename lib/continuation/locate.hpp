@@ -18,6 +18,9 @@ inline constexpr double kShortest = 1e-6;
 // that length.
 inline constexpr double kOneCrossing = 10.0 * kShortest;
 
+// From a to its neighbour b, to fourth order of their distance.
+double arclength(const Corrector& corrector, const BranchPoint& a, const BranchPoint& b);
+
 // Where the cubic through neighbours a and b and their tangents meets the hyperplane normal to that
 // of `from`, s ahead of it. Misses the branch by the fourth power of their distance.
 Vector cubic_between(const Corrector& corrector, const BranchPoint& from, double s,

@@ -202,10 +202,8 @@ class StationSearch {
   }
 
  private:
-  // Arclength to fourth order.
   double length(const BranchPoint& a, const BranchPoint& b) const {
-    const double chord = corrector_.difference(corrector_.pack(b), corrector_.pack(a)).norm();
-    return chord * (1.0 + (b.tangent - a.tangent).squaredNorm() / 24.0);
+    return arclength(corrector_, a, b);
   }
 
   void advance() {

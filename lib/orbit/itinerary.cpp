@@ -10,10 +10,10 @@ bool before(const Instant<double>& a, const Instant<double>& b) { return !not_be
 
 // Which impacts are no events: those of the chatters that lead to the stuck phases, and those that
 // are rounding.
-std::vector<bool> in_chatter(const std::vector<PassedImpact>& impacts,
-                             const std::vector<const PassedHold*>& holds, double still) {
-  std::vector<bool> chatters;
-  for (const PassedImpact& impact : impacts) chatters.push_back(impact.speed <= still);
+std::vector<bool> no_events(const std::vector<PassedImpact>& impacts,
+                            const std::vector<const PassedHold*>& holds, double still) {
+  std::vector<bool> none;
+  for (const PassedImpact& impact : impacts) none.push_back(impact.speed <= still);
   for (const PassedHold* hold : holds) {
     double faster = 0.0;
     for (std::size_t i = impacts.size(); i-- > 0;) {
@@ -21,10 +21,10 @@ std::vector<bool> in_chatter(const std::vector<PassedImpact>& impacts,
       if (impact.stop != hold->stop || before(hold->from, impact.at)) continue;
       if (!(impact.speed > faster)) break;
       faster = impact.speed;
-      chatters[i] = true;
+      none[i] = true;
     }
   }
-  return chatters;
+  return none;
 }
 
 }  // namespace
@@ -41,12 +41,12 @@ std::vector<const PassedHold*> holds_begun(const Passage& passage) {
 Itinerary itinerary_of(const Passage& passage, double still) {
   const std::vector<PassedImpact>& impacts = passage.impacts;
   const std::vector<const PassedHold*> holds = holds_begun(passage);
-  const std::vector<bool> chatters = in_chatter(impacts, holds, still);
+  const std::vector<bool> none = no_events(impacts, holds, still);
   Itinerary result;
   result.slowest = std::numeric_limits<double>::infinity();
   auto hold = holds.begin();
   for (std::size_t i = 0; i < impacts.size(); ++i) {
-    if (chatters[i]) continue;
+    if (none[i]) continue;
     for (; hold != holds.end() && before((*hold)->from, impacts[i].at); ++hold)
       result.events.push_back(-1 - (*hold)->stop);
     result.events.push_back(impacts[i].stop);
@@ -58,19 +58,19 @@ Itinerary itinerary_of(const Passage& passage, double still) {
 
 std::vector<PassageMargin> margins_of(const Passage& passage, double still) {
   const std::vector<PassedImpact>& impacts = passage.impacts;
-  const std::vector<bool> chatters = in_chatter(impacts, holds_begun(passage), still);
-  const auto chatters_on = [&](std::size_t i, int stop) {
-    return i < impacts.size() && chatters[i] && impacts[i].stop == stop;
+  const std::vector<bool> none = no_events(impacts, holds_begun(passage), still);
+  const auto is_none_on = [&](std::size_t i, int stop) {
+    return i < impacts.size() && none[i] && impacts[i].stop == stop;
   };
   std::vector<PassageMargin> margins;
   std::size_t place = 0;
   auto approach = passage.approaches.begin();
   for (std::size_t i = 0; i <= impacts.size(); ++i) {
     for (; approach != passage.approaches.end() && approach->impacts == i; ++approach)
-      if (i == 0 || !chatters_on(i - 1, approach->stop) || !chatters_on(i, approach->stop))
+      if (i == 0 || !is_none_on(i - 1, approach->stop) || !is_none_on(i, approach->stop))
         margins.push_back(
             {false, place, approach->stop, approach->after, approach->gap, approach->rate});
-    if (i == impacts.size() || chatters[i]) continue;
+    if (i == impacts.size() || none[i]) continue;
     margins.push_back({true, place++, impacts[i].stop, 0.0, impacts[i].speed, impacts[i].rate});
   }
   return margins;

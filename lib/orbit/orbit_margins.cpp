@@ -3,16 +3,11 @@
 #include <algorithm>
 #include <cmath>
 
-#include "graze/base/angle.hpp"
 #include "graze/flow/arc_curve.hpp"
 #include "graze/hybrid/clearance.hpp"
 
 namespace graze {
 namespace {
-
-const RigidStop& stop_of(const System& system, const ImpactPattern& pattern, std::size_t i) {
-  return system.stops[static_cast<std::size_t>(pattern.stops[i])];
-}
 
 double speed_rate(const RigidStop& stop, const RigidStop& stop_rate, const State& before,
                   const State& rate, double parameter) {
@@ -46,11 +41,8 @@ class Flight {
         i_(i),
         next_((i + 1) % points.size()),
         after_(after_impact(stop_of(system, pattern, i), points[i].before)),
-        rate_(rate_after(system, pattern, points, direction, i)) {
-    const double turn = next_ == 0 ? kTurn * pattern.period : 0.0;
-    // In this order, as everywhere: for k = 1 the turn comes out unrounded.
-    duration_ = (points[next_].theta - points[i].theta + turn) / system.forcing->frequency;
-  }
+        rate_(rate_after(system, pattern, points, direction, i)),
+        duration_(flight_time(system, pattern, points, i)) {}
 
   void add_approaches(double level, std::vector<OrbitMargin>& margins) const {
     if (!(duration_ > 0.0)) return;
@@ -113,7 +105,7 @@ class Flight {
   ExactFlow<double> flow_;
   std::size_t i_, next_;
   State after_, rate_;  // just after the impact
-  double duration_ = 0.0;
+  double duration_;
 };
 
 }  // namespace

@@ -62,6 +62,20 @@ double still_speed(const System& system) {
          system.forcing->frequency;
 }
 
+double still_gap(const System& system) { return 1e-12 * shooting_scale(system).length; }
+
+const RigidStop& stop_of(const System& system, const ImpactPattern& pattern, std::size_t i) {
+  return system.stops[static_cast<std::size_t>(pattern.stops[i])];
+}
+
+double flight_time(const System& system, const ImpactPattern& pattern,
+                   const std::vector<ImpactPoint>& points, std::size_t i) {
+  const bool last = i + 1 == points.size();
+  const double turn = last ? kTurn * pattern.period : 0.0;
+  // In this order: for k = 1 the turn comes out unrounded.
+  return (points[last ? 0 : i + 1].theta - points[i].theta + turn) / system.forcing->frequency;
+}
+
 double jump_slope(const RigidStop& stop, double v) {
   return 1.0 + stop.restitution.at(v) + v * stop.restitution.slope_at(v);
 }

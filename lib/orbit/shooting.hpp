@@ -47,6 +47,16 @@ ShootingScale shooting_scale(const System& system);
 // over from; it is not known to differ from zero.
 double still_speed(const System& system);
 
+// A gap nearer to zero than this, m, is not known to differ from it.
+double still_gap(const System& system);
+
+// The stop that impact i of a pattern is on.
+const RigidStop& stop_of(const System& system, const ImpactPattern& pattern, std::size_t i);
+
+// Seconds from impact i to the next one.
+double flight_time(const System& system, const ImpactPattern& pattern,
+                   const std::vector<ImpactPoint>& points, std::size_t i);
+
 class ShootingProblem {
  public:
   // Requires forcing and at least one impact in the pattern.

@@ -31,8 +31,8 @@ double speed_scale(const System& system, const State& start) {
     if (forced > 0.0) {
       const Vector& force = system.forcing->amplitude;
       const double fall = std::sqrt(2.0 * stop.row.cwiseProduct(force).cwiseAbs().sum() * distance);
-      const double swing = forced * system.forcing->frequency;
-      scale = std::max(scale, distance > 0.0 ? std::min(swing, fall) : swing);
+      const double whole = forced * system.forcing->frequency;
+      scale = std::max(scale, distance > 0.0 ? std::min(whole, fall) : whole);
     }
     if (system.load) {
       const double height = distance > 0.0 ? distance : forced;
