@@ -70,10 +70,17 @@ void add_later_options(CLI::App* app, const std::vector<const char*>& options) {
         ->expected(0, 1);
 }
 
+// What stands below the options.
+std::string footer(const std::string& example) {
+  return "Example: graze " + example +
+         "\nExit codes: 0 done; 2 usage or scene error; 3 numerics could not do it, what was\n"
+         "reached is printed; 4 file or system error; 130 interrupted.";
+}
+
 void add_shared(CLI::App* app, Command& command) {
   app->add_option("SCENE", command.scene, "Scene file (TOML)")->required();
   app->add_option("--set", command.settings,
-                  "NAME=VALUE: replace or add one key of the scene, e.g. stop.gap=2e-3")
+                  "Replace or add one key of the scene, e.g. stop.gap=2e-3; as often as wanted")
       ->type_name("NAME=VALUE")
       ->allow_extra_args(false)
       ->take_all();
@@ -86,18 +93,19 @@ void add_shared(CLI::App* app, Command& command) {
           fmt::format("a whole number from 1 to {:.0f}, or 0 for all cores", kMostThreads), 0.0,
           kMostThreads))
       ->type_name("N");
-  app->add_flag("--quiet", command.quiet, "No progress, no messages");
+  app->add_flag("--quiet", command.quiet, "No progress, no warnings");
 }
 
 void add_plot(CLI::App* app, Command& command) {
-  app->add_option("--plot", command.plot,
-                  "Draw a picture; the gnuplot script is kept beside it (.svg, .png or .pdf)")
+  app->add_option(
+         "--plot", command.plot,
+         "Draw a picture into this .svg, .png or .pdf; the gnuplot script is kept beside it")
       ->type_name("FILE");
 }
 
 constexpr const char* kClosureSpeed =
     "Speed below which the rest of a chatter is summed, m/s (default: sqrt(solver.tolerance/100) "
-    "of the motion's speed)";
+    "of the motion's speed; graze check prints it)";
 
 void add_closure_speed(CLI::App* app, Command& command) {
   app->add_option("--closure-speed", command.closure_speed, kClosureSpeed)
@@ -106,11 +114,13 @@ void add_closure_speed(CLI::App* app, Command& command) {
 }
 
 void add_limits(CLI::App* app, Command& command) {
-  app->add_option("--max-impacts", command.max_impacts, "Stop after this many impacts")
+  app->add_option("--max-impacts", command.max_impacts,
+                  "Most impacts of one simulated motion; it then ends and says so")
       ->transform(whole_number("a whole number from 1", 1.0, kMostCounted))
       ->capture_default_str()
       ->type_name("N");
-  app->add_option("--max-seconds", command.max_seconds, "Stop after this much computing")
+  app->add_option("--max-seconds", command.max_seconds,
+                  "Most computing time, s; what was reached by then is printed")
       ->check(above_zero())
       ->capture_default_str()
       ->type_name("S");
@@ -123,15 +133,16 @@ void add_orbit_search(CLI::App* app, Command& command) {
       ->capture_default_str()
       ->type_name("P");
   app->add_flag("--virtual", command.keep_virtual,
-                "Keep solutions that are no orbits: penetrating, or impact speed < 0");
+                "Keep solutions that are no orbits too: penetrating a stop, or impact speed < 0");
   app->add_option(
          "--start", command.starts,
-         "Where the search starts: closed-form (k = 1), simulation, or random (quasi-random "
-         "phases, deflation, then global minimisation) (default: all)")
+         "Where the search starts, several with commas: closed-form (k = 1), simulation, random "
+         "(quasi-random phases, deflation, then global minimisation) (default: all)")
       ->check(CLI::IsMember({"closed-form", "simulation", "random"}))
       ->delimiter(',')
       ->type_name("NAME");
-  app->add_option("--random-seed", command.random_seed, "Moves the quasi-random starts")
+  app->add_option("--random-seed", command.random_seed,
+                  "Seed: another one moves the quasi-random starts")
       ->check(at_least("a whole number, 0 or more", 0.0))
       ->capture_default_str()
       ->type_name("N");
@@ -154,12 +165,13 @@ void add_range(CLI::App* app, Command& command) {
 // Which orbits' branches are traced, and how far from the first.
 void add_branch_kind(CLI::App* app, Command& command) {
   app->add_option("--impacts", command.impacts,
-                  "Impacts per orbit, on all stops together (default: 1)")
+                  "Impacts per orbit, on all stops together (default: 1, and orbits that stick)")
       ->check(CLI::Range(1, 64))
       ->type_name("K");
   app->add_option("--follow", command.follow,
                   "Switch branches at special points: none, or all: doubled orbits at PD, crossing "
-                  "branches at BP, rewritten impact sequences at GR (default: none)")
+                  "branches at BP, one impact more or less at GR, one stuck phase more or less at "
+                  "CH (default: none)")
       ->check(CLI::IsMember({"none", "all"}))
       ->type_name("WHAT");
   app->add_option("--depth", command.depth,
@@ -171,17 +183,21 @@ void add_branch_kind(CLI::App* app, Command& command) {
 void add_check(CLI::App& graze, Command& command) {
   CLI::App* app = graze.add_subcommand(
       "check", "Read a scene and say what is simulated: modes, frequencies, conditioning, flow");
+  app->footer(footer("check data/scenes/02_wagg_momentum.toml --set beam.modes=8"));
   add_shared(app, command);
 }
 
 void add_simulate(CLI::App& graze, Command& command) {
   CLI::App* app = graze.add_subcommand("simulate", "Follow the motion, every impact certified");
+  app->footer(footer("simulate data/scenes/02_wagg_momentum.toml --duration 1 --energy"));
   add_shared(app, command);
   add_plot(app, command);
-  auto* duration = app->add_option("--duration", command.duration, "Simulated time, s")
-                       ->check(at_least("a number of seconds, 0 or more", 0.0))
-                       ->type_name("S");
-  app->add_option("--periods", command.periods, "Simulated forcing periods (default 100)")
+  auto* duration =
+      app->add_option("--duration", command.duration, "Simulated time, s; needed without forcing")
+          ->check(at_least("a number of seconds, 0 or more", 0.0))
+          ->type_name("S");
+  app->add_option("--periods", command.periods,
+                  "Simulated forcing periods, instead of --duration (default 100)")
       ->transform(whole_number("a whole number, 0 or more", 0.0, kMostCounted))
       ->type_name("K")
       ->excludes(duration);
@@ -189,12 +205,15 @@ void add_simulate(CLI::App& graze, Command& command) {
       ->check(CLI::IsMember({"none", "events", "samples"}))
       ->capture_default_str()
       ->type_name("WHAT");
-  app->add_option("--sample-rate", command.sample_rate,
-                  "Samples per second with --record samples (default: 100 a forcing period)")
+  app->add_option(
+         "--sample-rate", command.sample_rate,
+         "Samples per second with --record samples (default: 100 a forcing period; without "
+         "forcing, of the slowest mode)")
       ->check(above_zero())
       ->type_name("RATE");
   app->add_flag("--energy", command.energy,
-                "Keep the energy book: work of every effect, and whether it closes (--plot does)");
+                "Keep the energy book: the work of every effect, and what is missing in their sum "
+                "(--plot keeps it too)");
   add_closure_speed(app, command);
   app->add_option("--resume", command.resume,
                   "Go on from the state.toml that --out left, given as file or folder; the end "
@@ -205,6 +224,7 @@ void add_simulate(CLI::App& graze, Command& command) {
 
 void add_orbit(CLI::App& graze, Command& command) {
   CLI::App* app = graze.add_subcommand("orbit", "Find periodic orbits, stable or not");
+  app->footer(footer("orbit data/scenes/05_wagg_one_mode.toml --set forcing.frequency=40"));
   add_shared(app, command);
   add_plot(app, command);
   add_orbit_search(app, command);
@@ -228,6 +248,9 @@ void add_orbit(CLI::App& graze, Command& command) {
 void add_continue(CLI::App& graze, Command& command) {
   CLI::App* app =
       graze.add_subcommand("continue", "Trace branches of orbits over a parameter of the scene");
+  app->footer(
+      footer("continue data/scenes/05_wagg_one_mode.toml --parameter forcing.frequency --from 15 "
+             "--to 120"));
   add_shared(app, command);
   add_plot(app, command);
   add_orbit_search(app, command);
@@ -240,6 +263,9 @@ void add_continue(CLI::App& graze, Command& command) {
 void add_diagram(CLI::App& graze, Command& command) {
   CLI::App* app = graze.add_subcommand(
       "diagram", "Bifurcation diagram: sweep a parameter, with the branches of orbits over it");
+  app->footer(
+      footer("diagram data/scenes/05_wagg_one_mode.toml --parameter forcing.frequency --from 15 "
+             "--to 120"));
   add_shared(app, command);
   add_plot(app, command);
   add_range(app, command);
@@ -328,9 +354,8 @@ ParsedCommand parse_command_line(int argc, char** argv) {
   app.set_help_flag("-h,--help", "Print this help");
   app.require_subcommand(1);
   app.footer(
-      "Example: graze orbit data/scenes/05_wagg_one_mode.toml --set forcing.frequency=40\n"
-      "Exit codes: 0 done; 2 usage or scene error; 3 numerics could not do it, what was\n"
-      "reached is printed; 4 file or system error; 130 interrupted.");
+      footer("orbit data/scenes/05_wagg_one_mode.toml --set forcing.frequency=40\n"
+             "graze COMMAND --help lists the options of a command."));
   add_check(app, command);
   add_simulate(app, command);
   add_orbit(app, command);
