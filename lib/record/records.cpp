@@ -81,8 +81,8 @@ std::vector<std::string> simulation_warnings(const System& system, const Simulat
                           static_cast<double>(totals.impacts) * energy;
   if (totals.energy_added > rounding)
     warnings.push_back(
-        fmt::format("impacts added {:.3g} J of kinetic energy, as an oblique impulse law can, and "
-                    "unequal restitutions of stops that are hit at once",
+        fmt::format("impacts added {:.3g} J of kinetic energy; an oblique impulse law can do that, "
+                    "and so can unequal restitutions of stops that are hit at once",
                     totals.energy_added));
   if (totals.clamped_restitutions > 0)
     warnings.push_back(

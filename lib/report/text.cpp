@@ -24,6 +24,18 @@ std::string restitution_text(const std::vector<double>& coefficients) {
 
 std::string title(const Scene& scene) { return scene.title.empty() ? "" : scene.title + "\n"; }
 
+std::string damping_text(const Scene& scene) {
+  if (!scene.damping)
+    return scene.modal() && !scene.modal()->damping_ratios.empty() ? "a ratio for each mode"
+                                                                   : "none";
+  if (const auto* viscous = std::get_if<ViscousDamping>(&*scene.damping))
+    return fmt::format("viscous, {:g} N s/m^2", viscous->coefficient);
+  if (const auto* rayleigh = std::get_if<RayleighDamping>(&*scene.damping))
+    return fmt::format("Rayleigh, mass {:g} 1/s, stiffness {:g} s", rayleigh->mass,
+                       rayleigh->stiffness);
+  return "a ratio for each mode";
+}
+
 std::string simulated_effects(const Scene& scene) {
   std::string text;
   const auto line = [&](const char* what, const std::string& how) {
@@ -37,29 +49,33 @@ std::string simulated_effects(const Scene& scene) {
   else
     line("structure",
          fmt::format("given by {} mode{}", scene.modes(), scene.modes() == 1 ? "" : "s"));
-  const bool own = scene.modal() && !scene.modal()->damping_ratios.empty();
-  if (!scene.damping)
-    line("damping", own ? "ratios" : "none");
-  else
-    line("damping", std::holds_alternative<ViscousDamping>(*scene.damping)  ? "viscous"
-                    : std::holds_alternative<DampingRatios>(*scene.damping) ? "ratios"
-                                                                            : "Rayleigh");
+  line("damping", damping_text(scene));
   if (scene.forcing)
     line("forcing",
-         fmt::format("{}, {:g} rad/s = {:.6g} Hz, period {:.6g} s",
+         fmt::format("{}, amplitude {:g}{}, {:g} rad/s = {:.6g} Hz, period {:.6g} s",
                      scene.forcing->kind == ForcingKind::kBase          ? "moving clamp"
                      : scene.forcing->kind == ForcingKind::kDistributed ? "distributed load"
                                                                         : "modal",
+                     scene.forcing->amplitude,
+                     scene.forcing->kind == ForcingKind::kBase          ? " m"
+                     : scene.forcing->kind == ForcingKind::kDistributed ? " N/m"
+                                                                        : "",
                      scene.forcing->frequency, scene.forcing->frequency / kTurn,
                      kTurn / scene.forcing->frequency));
   else
     line("forcing", "none");
-  if (scene.gravity) line("gravity", fmt::format("{:g} m/s^2", scene.gravity->acceleration));
-  for (const Stop& stop : scene.stops)
-    line("stop", fmt::format("{}, gap {:g} m, restitution {}, {} impulse",
-                             stop.side == Side::kAbove ? "above" : "below", stop.gap,
-                             restitution_text(stop.restitution),
-                             stop.impulse == Impulse::kMomentum ? "momentum" : "collocation"));
+  line("gravity",
+       scene.gravity ? fmt::format("{:g} m/s^2 along +u", scene.gravity->acceleration) : "none");
+  for (std::size_t i = 0; i < scene.stops.size(); ++i) {
+    const Stop& stop = scene.stops[i];
+    const std::string name = fmt::format("stop {}", i + 1);
+    const std::string place = scene.beam() ? fmt::format("at x = {:g} m, ", stop.position) : "";
+    line(name.c_str(),
+         fmt::format("{}{}, gap {:g} m, restitution {}, {} impulse", place,
+                     stop.side == Side::kAbove ? "above" : "below", stop.gap,
+                     restitution_text(stop.restitution),
+                     stop.impulse == Impulse::kMomentum ? "momentum" : "collocation"));
+  }
   if (scene.stops.empty()) line("stop", "none: no contact is looked for");
   line("flow",
        "exact: every effect in this scene is linear between impacts, so motion and first "
@@ -151,7 +167,7 @@ std::string holds_text(const std::vector<Orbit>& orbits) {
 std::string to_text(const CheckRecord& record) {
   std::string text = title(record.scene) + "Simulated:\n" + simulated_effects(record.scene) + "\n";
   const System& system = record.system;
-  Table modes({"mode", "frequency (rad/s)", "(Hz)", "decay rate (1/s)", "damping ratio",
+  Table modes({"mode", "frequency (rad/s)", "frequency (Hz)", "decay rate (1/s)", "damping ratio",
                "modal force (kg^1/2 m/s^2)"});
   for (Eigen::Index j = 0; j < system.omega.size(); ++j)
     modes.add(
@@ -165,7 +181,7 @@ std::string to_text(const CheckRecord& record) {
     text += fmt::format("stop {}: effective mass at the contact {:.6g} kg\n", i + 1,
                         1.0 / system.stops[i].row.squaredNorm());
   if (record.closure_speed)
-    text += fmt::format("chatter that completes is summed below {:.4g} m/s (--closure-speed)\n",
+    text += fmt::format("a chatter is summed once it is slower than {:.4g} m/s (--closure-speed)\n",
                         *record.closure_speed);
   if (record.collocation_condition > 0.0)
     text +=
