@@ -115,9 +115,10 @@ void check_damping(const Scene& scene) {
   const ModalStructure* modal = scene.modal();
   if (const auto* viscous = std::get_if<ViscousDamping>(&*scene.damping)) {
     if (modal != nullptr) {
-      checker.fail("viscous",
-                   "viscous damping needs the sections of a [beam], a [modal] structure must have "
-                   "ratios or rayleigh");
+      checker.fail(
+          "viscous",
+          "viscous damping is per length of a [beam], a [modal] structure must have ratios "
+          "or rayleigh");
     }
     checker.not_negative("viscous", viscous->coefficient);
   } else if (const auto* ratios = std::get_if<DampingRatios>(&*scene.damping)) {
@@ -185,7 +186,8 @@ void check_collocation_impulse(const Checker& checker, const Scene& scene, const
   const Beam* beam = scene.beam();
   if (beam == nullptr) {
     checker.fail("impulse",
-                 "the collocation impulse needs the points of a [beam], it must be \"momentum\"");
+                 "the collocation impulse needs the collocation points of a [beam], it must be "
+                 "\"momentum\"");
   }
   if (collocation_index(*beam, stop.position) >= 0) {
     return;
@@ -262,7 +264,7 @@ void check_stops(const Scene& scene) {
     if (here != first) {
       throw scene_error(scene, fmt::format("stop.{}.impulse", k + 1),
                         fmt::format("the law \"{}\" is not allowed beside \"{}\" of the first "
-                                    "stop, all stops must have one impulse law",
+                                    "stop, all stops must have the same impulse law",
                                     impulse_name(here), impulse_name(first)));
     }
   }

@@ -98,12 +98,17 @@ std::string syntax_sentence(std::string_view description) {
   if (reason == "could not determine value type") {
     return "this is not a TOML value, strings need quotes";
   }
+  if (reason == "expected a comment or whitespace, saw ','") {
+    return "a comma follows the value, decimals need a point and lists need brackets";
+  }
   constexpr std::string_view kTwice = "cannot redefine existing ";
   if (reason.substr(0, kTwice.size()) == kTwice) {
     return fmt::format("the {} is there already, each key and table may be written once",
                        reason.substr(kTwice.size()));
   }
-  return fmt::format("this {} is not valid TOML, {}", what, reason);
+  std::string sentence = fmt::format("this {} is not valid TOML, {}", what, reason);
+  sentence = replaced(std::move(sentence), "expected value", "expected a value");
+  return replaced(std::move(sentence), "'\\n'", "the end of the line");
 }
 
 std::string on_one_line(std::string text) {

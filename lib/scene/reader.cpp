@@ -94,7 +94,8 @@ Forcing read_forcing(const Node& node, bool modal, Origins& origins) {
                   "kind", {{"modal", ForcingKind::kModal}, {"base", ForcingKind::kBase}})
             : table.choice<ForcingKind>("kind", {{"base", ForcingKind::kBase},
                                                  {"distributed", ForcingKind::kDistributed}});
-  forcing.amplitude = table.number("amplitude", "a number");
+  forcing.amplitude =
+      table.number("amplitude", modal ? "a number" : "a number, in m (base) or N/m (distributed)");
   forcing.frequency = table.number("frequency", kPositive + ", in rad/s");
   forcing.phase = table.number_or("phase", "a number in rad", 0.0);
   return forcing;

@@ -73,8 +73,7 @@ void TableReader::check_keys() const {
       continue;
     }
     if (contains(keys.later, member.key)) {
-      fail(member.key, fmt::format("{} is not available in this version, it must be left out",
-                                   path(member.key)));
+      fail(member.key, "this key is not available in this version, it must be left out");
     }
     // The right key in the wrong table, as when a header is missing, or else a slip.
     std::vector<std::string> meant = keys_named(member.key);
