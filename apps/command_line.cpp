@@ -369,7 +369,9 @@ ParsedCommand parse_command_line(int argc, char** argv) {
   } catch (const CLI::ParseError& error) {
     std::string unknown = unknown_command(argc, argv, app);
     if (unknown.empty()) unknown = unknown_option(app);
-    std::cerr << "graze: " << (unknown.empty() ? error.what() : unknown) << " (see graze --help)\n";
+    const auto& commands = app.get_subcommands();
+    std::cerr << "graze: " << (unknown.empty() ? error.what() : unknown) << " (see graze "
+              << (commands.empty() ? "" : commands.front()->get_name() + " ") << "--help)\n";
     return {std::nullopt, 2};
   } catch (const InputError& error) {
     std::cerr << "graze: " << error.what() << "\n";
