@@ -77,6 +77,15 @@ void TableReader::check_keys() const {
     }
     // The right key in the wrong table, as when a header is missing, or else a slip.
     std::vector<std::string> meant = keys_named(member.key);
+    // Not one of a table within another table: the mass of a stop is no damping.
+    meant.erase(std::remove_if(meant.begin(), meant.end(),
+                               [&](const std::string& name) {
+                                 const std::size_t dot = name.rfind('.');
+                                 return !path_.empty() && dot != std::string::npos &&
+                                        name.find('.') != dot &&
+                                        name.compare(0, path_.size() + 1, path_ + ".") != 0;
+                               }),
+                meant.end());
     if (const std::string close = closest_name(member.key, keys.allowed);
         meant.empty() && !close.empty()) {
       meant.push_back(path(close));
