@@ -158,7 +158,6 @@ class OrbitTracer {
     SettleOptions settling;
     settling.periods = kPeriodsToStick;
     settling.max_impacts = options_.finder.max_impacts;
-    settling.through_sticking = true;
     settling.closure_speed = options_.finder.closure_speed.value_or(
         default_closure_speed(*system, *start, family_.scene().solver.tolerance));
     settling.stop = options_.stop;

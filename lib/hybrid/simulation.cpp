@@ -65,7 +65,7 @@ class Run {
   int stops() const { return static_cast<int>(system_.stops.size()); }
   const RigidStop& stop(int i) const { return system_.stops[static_cast<std::size_t>(i)]; }
   bool is_stuck(int i) const {
-    return motion_.is_closed(i) && !(state_.due && state_.due->holds(i));
+    return motion_.is_closed(i) && !(state_.tail && state_.tail->holds(i));
   }
   double energy() const { return mechanical_energy(system_, motion_.q(), motion_.qdot()); }
 
@@ -87,24 +87,16 @@ class Run {
     // What a cut arc's end would decide is decided when it is flown again, whole.
     if (cut_arc_ && not_before(start, end_)) return false;
     if (motion_.has_news()) return receive(motion_.fly(start.local));
-    if (state_.due && not_before(start, state_.due->at)) announce_due();
+    if (state_.tail && not_before(start, state_.tail->over)) announce_tail();
     if (not_before(start, end_) || !within_budget()) return false;
-    // The end of the run cuts an arc; it is searched as if it went on, so that a run that goes on
-    // from here finds the same to the last bit.
-    double horizon = motion_.flow().period();
-    if (state_.due && state_.due->at.period == start.period)
-      horizon = std::min(horizon, state_.due->at.local);
-    if (horizon - start.local > longest_flight_) horizon = start.local + longest_flight_;
-    const bool cut = start.period == end_.period && end_.local <= horizon;
-    const double until = cut ? end_.local : horizon;
-    if (!std::isfinite(horizon)) horizon = until;
+    const NextFlight flight = next_flight(motion_, end_, state_.tail, longest_flight_);
     cut_arc_.reset();
-    if (cut || listeners_.sample) cut_arc_ = state_;
+    if (flight.cut || listeners_.sample) cut_arc_ = state_;
     const double start_time = time();
     // Until the first contact the smallest gap is not known to be zero and has to be looked for.
     if (state_.totals.impacts == 0 && !motion_.is_closed_anywhere())
-      note_minima(until - start.local);
-    const Arrival<double> arrival = motion_.fly(until, horizon);
+      note_minima(flight.until - start.local);
+    const Arrival<double> arrival = motion_.fly(flight.until, flight.horizon);
     // A motion that cannot be followed has no samples, be it found out now or by an earlier run.
     if (arrival.kind == ArrivalKind::kRefused && arrival.flight == 0.0) return receive(arrival);
     if (!follow(start_time, arrival.flight)) {
@@ -112,7 +104,7 @@ class Run {
       result_.message = fmt::format("stopped at t = {:.9g} s", start_time);
       return false;
     }
-    if (!cut || arrival.kind != ArrivalKind::kTime) cut_arc_.reset();
+    if (!flight.cut || arrival.kind != ArrivalKind::kTime) cut_arc_.reset();
     return receive(arrival);
   }
 
@@ -124,7 +116,7 @@ class Run {
       state_.book.work = state_.book.work + work_along(system_, motion_.flown(), flight);
     const std::vector<int>& closed = motion_.flown().closed();
     const bool stuck = std::any_of(closed.begin(), closed.end(),
-                                   [&](int i) { return !(state_.due && state_.due->holds(i)); });
+                                   [&](int i) { return !(state_.tail && state_.tail->holds(i)); });
     if (stuck) state_.totals.stuck_time += flight;
     return true;
   }
@@ -148,20 +140,12 @@ class Run {
         emit(event_at(EventKind::kRelease, arrival.stop));
         return true;
       case ArrivalKind::kUndecided:
-        return stop_run(RunOutcome::kEventBudget,
-                        fmt::format("the search for the next event at stop {} used up its "
-                                    "evaluations at t = {:.9g} s",
-                                    arrival.stop + 1, time()));
+        return fail(RunOutcome::kEventBudget, arrival);
       case ArrivalKind::kNotFinite:
-        return stop_run(
-            RunOutcome::kNotFinite,
-            fmt::format("the motion left the range of double precision at t = {:.9g} s", time()));
+        return fail(RunOutcome::kNotFinite, arrival);
       case ArrivalKind::kRefused:
         note_gaps();
-        return stop_run(
-            RunOutcome::kRefused,
-            fmt::format("the motion cannot be followed beyond t = {:.9g} s, on stop {}: {}", time(),
-                        arrival.stop + 1, motion_.refusal()));
+        return fail(RunOutcome::kRefused, arrival);
     }
     return false;
   }
@@ -180,6 +164,11 @@ class Run {
           RunOutcome::kTimeBudget,
           fmt::format("the budget of computing time was spent at t = {:.9g} s", time()));
     return true;
+  }
+
+  bool fail(RunOutcome outcome, const Arrival<double>& arrival) {
+    return stop_run(outcome,
+                    fmt::format("at t = {:.9g} s {}", time(), failure_of(motion_, arrival)));
   }
 
   bool stop_run(RunOutcome outcome, std::string message) {
@@ -254,8 +243,7 @@ class Run {
       ++state_.totals.chatters;
       emit(event);
     }
-    state_.due = RunState::Due{closed->stops,
-                               later(motion_.instant(), closed->duration, motion_.flow().period())};
+    state_.tail = tail_of(motion_, *closed);
   }
 
   Event chatter_event(int i) {
@@ -267,8 +255,8 @@ class Run {
   }
 
   void book_stick(int i) {
-    if (state_.due && state_.due->holds(i)) return;  // announced when its tail is over
-    if (!state_.started) return;                     // it starts there
+    if (state_.tail && state_.tail->holds(i)) return;  // announced when its tail is over
+    if (!state_.started) return;                       // it starts there
     // A chatter that could not be summed and was followed down to the rounding of its speeds.
     const RunState::Streak& streak = state_.streaks[static_cast<std::size_t>(i)];
     if (streak.impacts > 1 && streak.speed <= state_.closure_speed &&
@@ -286,9 +274,9 @@ class Run {
     emit(event);
   }
 
-  void announce_due() {
-    const std::vector<int> stops = state_.due->stops;
-    state_.due.reset();
+  void announce_tail() {
+    const std::vector<int> stops = state_.tail->stops;
+    state_.tail.reset();
     for (const int i : stops)
       if (motion_.is_closed(i)) announce_stick(i);
   }
@@ -375,8 +363,7 @@ Simulation simulate(const System& system, const State& start, const SimulationOp
   RunState state;
   state.motion = Motion<double>(system, {}, start.q, start.qdot).state();
   state.streaks.resize(system.stops.size());
-  state.closure_speed = options.closure_speed.value_or(
-      default_closure_speed(system, start, kDefaultClosureTolerance));
+  state.closure_speed = options.closure_speed.value_or(default_closure_speed(system, start));
   return Run(system, state, options, listeners).finish();
 }
 

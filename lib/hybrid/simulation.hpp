@@ -1,7 +1,6 @@
 // A run: the motion from its initial state until its end or its budget, event by event.
 #pragma once
 
-#include <algorithm>
 #include <functional>
 #include <optional>
 #include <string>
@@ -9,7 +8,8 @@
 
 #include "graze/base/stop_signal.hpp"
 #include "graze/hybrid/energy_book.hpp"
-#include "graze/hybrid/motion.hpp"
+#include "graze/hybrid/next_flight.hpp"
+#include "graze/scene/scene.hpp"
 
 namespace graze {
 
@@ -60,12 +60,11 @@ struct SimulationOptions {
   StopSignal stop;
 };
 
-// The tolerance of a scene that names none: part of a forcing period.
-inline constexpr double kDefaultClosureTolerance = 1e-10;
-
 // Summing the tail of a chatter from speed v on errs by about 100 (v/V)^2 of a forcing period at
-// r = 0.8, V the speed of the motion: v = V sqrt(tolerance/100).
-double default_closure_speed(const System& system, const State& start, double tolerance);
+// r = 0.8, V the speed of the motion: v = V sqrt(tolerance/100). `tolerance`: that of the scene, a
+// part of a forcing period; else that of a scene which names none.
+double default_closure_speed(const System& system, const State& start,
+                             double tolerance = Solver{}.tolerance);
 
 enum class RunOutcome {
   kReachedEnd,
@@ -95,13 +94,8 @@ struct RunState {
     long long impacts = 0;
     double speed = 0.0;
   };
-  std::vector<Streak> streaks;  // per stop
-  struct Due {                  // a chatter was summed: it sticks then
-    std::vector<int> stops;     // ascending
-    Instant<double> at;
-    bool holds(int stop) const { return std::binary_search(stops.begin(), stops.end(), stop); }
-  };
-  std::optional<Due> due;
+  std::vector<Streak> streaks;      // per stop
+  std::optional<ChatterTail> tail;  // of a chatter that was summed, until it is over
   RunTotals totals;
   bool keeps_book = false;
   EnergyBook book;

@@ -101,7 +101,6 @@ class Finder {
     SettleOptions settle_options;
     settle_options.max_impacts = options_.max_impacts;
     settle_options.stop = options_.stop;
-    settle_options.through_sticking = true;
     settle_options.closure_speed = options_.closure_speed;
     const SettledMotion settled = settle(system_, *start_, settle_options);
     if (!settled.pattern) {
@@ -125,8 +124,8 @@ class Finder {
 
   // What comes of a motion that repeats and sticks: the rest of a sentence.
   std::string from_sticking(const SettledMotion& settled) {
-    const double closure_speed = options_.closure_speed.value_or(
-        default_closure_speed(system_, *start_, kDefaultClosureTolerance));
+    const double closure_speed =
+        options_.closure_speed.value_or(default_closure_speed(system_, *start_));
     ++found_.simulation.tried;
     const StickingOrbitAnswer answer =
         sticking_orbit(system_, settled.at_start, settled.period,

@@ -9,8 +9,9 @@
 
 #include "graze/flow/contact_share.hpp"
 #include "graze/hybrid/clearance.hpp"
-#include "graze/hybrid/simulation.hpp"
+#include "graze/hybrid/next_flight.hpp"
 #include "graze/orbit/shooting.hpp"
+#include "graze/system/scale.hpp"
 
 namespace graze {
 namespace {
@@ -28,7 +29,8 @@ class Follower {
         options_(options),
         deviations_(deviations),
         parameter_(parameter),
-        motion_(system, start) {
+        motion_(system, start),
+        longest_flight_(longest_flight(system)) {
     for (std::size_t i = 0; i < start.contacts.size(); ++i)
       if (start.contacts[i] == Contact::kClosed)
         open_hold(static_cast<int>(i), start.instant, true);
@@ -82,14 +84,12 @@ class Follower {
         parameter_->meet_at_once(news.stop, state_now(), rate_now(closed_now()), news.speed);
       return receive(news);
     }
-    if (due_ && not_before(start, due_->at)) announce_due();
+    if (tail_ && not_before(start, tail_->over)) announce_tail();
     if (not_before(start, end_)) return false;
     if ((++polls_ & 255) == 0 && options_.stop.requested())
       return fail("stopped before the orbit was found");
-    double horizon = motion_.flow().period();
-    if (due_ && due_->at.period == start.period) horizon = std::min(horizon, due_->at.local);
-    const bool cut = start.period == end_.period && end_.local <= horizon;
-    const Arrival<double> arrival = motion_.fly(cut ? end_.local : horizon, horizon);
+    const NextFlight flight = next_flight(motion_, end_, tail_, longest_flight_);
+    const Arrival<double> arrival = motion_.fly(flight.until, flight.horizon);
     if (arrival.kind == ArrivalKind::kNotFinite || arrival.kind == ArrivalKind::kRefused)
       return receive(arrival);
     const std::vector<int>& closed = motion_.flown().closed();
@@ -208,18 +208,16 @@ class Follower {
       case ArrivalKind::kContact:
         return impact();
       case ArrivalKind::kStick:
-        if (!(due_ && due_->holds(arrival.stop))) open_hold(arrival.stop, motion_.instant(), false);
+        if (!(tail_ && tail_->holds(arrival.stop)))
+          open_hold(arrival.stop, motion_.instant(), false);
         return true;
       case ArrivalKind::kRelease:
         close_hold(arrival.stop);
         return true;
       case ArrivalKind::kUndecided:
-        return fail(fmt::format("the search for the next event at stop {} used up its evaluations",
-                                arrival.stop + 1));
       case ArrivalKind::kNotFinite:
-        return fail("the motion left the range of double precision");
       case ArrivalKind::kRefused:
-        return fail("the motion on the stop cannot be followed: " + motion_.refusal());
+        return fail(failure_of(motion_, arrival));
     }
     return false;
   }
@@ -267,7 +265,6 @@ class Follower {
     columns -= directions * (rows.transpose() * directions).partialPivLu().solve(undone);
   }
 
-  // As a run does (lib/hybrid/simulation.cpp).
   void close_chatter(const std::vector<ImpactShare<double>>& shares) {
     const State before = state_now();
     const auto closed = motion_.close_chatter(shares, options_.closure_speed);
@@ -278,13 +275,12 @@ class Follower {
       undo(closed->closed, all, deviations_->qdot);
     }
     if (parameter_) parameter_->close(closed->closed, before);
-    due_ = RunState::Due{closed->stops,
-                         later(motion_.instant(), closed->duration, motion_.flow().period())};
+    tail_ = tail_of(motion_, *closed);
   }
 
-  void announce_due() {
-    const std::vector<int> stops = due_->stops;
-    due_.reset();
+  void announce_tail() {
+    const std::vector<int> stops = tail_->stops;
+    tail_.reset();
     for (const int i : stops)
       if (motion_.is_closed(i)) open_hold(i, motion_.instant(), false);
   }
@@ -294,7 +290,7 @@ class Follower {
   }
 
   void close_hold(int i) {
-    if (due_ && due_->holds(i)) due_.reset();
+    if (tail_ && tail_->holds(i)) tail_.reset();
     const auto held = std::find_if(holding_.begin(), holding_.end(),
                                    [i](const PassedHold& hold) { return hold.stop == i; });
     if (held == holding_.end()) return;
@@ -310,7 +306,8 @@ class Follower {
   ParameterDeviation* parameter_;
   Motion<double> motion_;
   std::vector<PassedHold> holding_;
-  std::optional<RunState::Due> due_;
+  double longest_flight_;  // s
+  std::optional<ChatterTail> tail_;
   long long polls_ = 0, impacts_ = 0;
   Passage passage_;
 };

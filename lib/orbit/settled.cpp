@@ -9,9 +9,11 @@
 
 #include "graze/base/angle.hpp"
 #include "graze/hybrid/clearance.hpp"
+#include "graze/hybrid/next_flight.hpp"
 #include "graze/hybrid/simulation.hpp"
 #include "graze/orbit/nearby_orbit.hpp"
 #include "graze/orbit/solve.hpp"
+#include "graze/system/scale.hpp"
 
 namespace graze {
 namespace {
@@ -20,9 +22,8 @@ constexpr double kRepeats = 1e-6;
 constexpr int kRepetitions = 3;
 // An impact this much more frequent than the forcing is no pattern to look for.
 constexpr long long kMostImpactsPerPeriod = 4096;
-constexpr double kLost = 1e-3;        // so far from an orbit a motion is on its way elsewhere
-constexpr int kPatience = 32;         // repetitions until an orbit is asked for its stability again
-constexpr double kTolerance = 1e-10;  // as of a scene that names none
+constexpr double kLost = 1e-3;  // so far from an orbit a motion is on its way elsewhere
+constexpr int kPatience = 32;   // repetitions until an orbit is asked for its stability again
 
 long long remembered(const SettleOptions& options) {
   const long long repetitions = options.nearness ? 2 * PeriodHistory::kWindow + 1 : kRepetitions;
@@ -40,9 +41,8 @@ class Settling {
         options_(options),
         motion_(system, {}, start.q, start.qdot),
         history_(system, start, remembered(options)),
-        closure_speed_(
-            options.closure_speed.value_or(default_closure_speed(system, start, kTolerance))),
-        still_(still_speed(system)),
+        closure_speed_(options.closure_speed.value_or(default_closure_speed(system, start))),
+        longest_flight_(longest_flight(system)),
         scale_(shooting_scale(system)) {}
 
   SettledMotion finish() {
@@ -66,12 +66,10 @@ class Settling {
     if (stop_requested((history_.periods() & 31) == 0)) return false;
     const long long period = history_.periods();
     for (;;) {
-      const Arrival<double> arrival =
-          pending_ ? *std::exchange(pending_, std::nullopt) : motion_.fly(motion_.flow().period());
-      if (arrival.kind == ArrivalKind::kTime) break;
+      const Arrival<double> arrival = pending_ ? *std::exchange(pending_, std::nullopt) : fly();
       // What happens at the very end of a period belongs to the next one.
       if (motion_.instant().period > period) {
-        pending_ = arrival;
+        if (arrival.kind != ArrivalKind::kTime) pending_ = arrival;
         break;
       }
       if (!receive(arrival)) return false;
@@ -80,13 +78,18 @@ class Settling {
     return true;
   }
 
+  Arrival<double> fly() {
+    const NextFlight flight = next_flight(motion_, {now(), 0.0}, {}, longest_flight_);
+    return motion_.fly(flight.until, flight.horizon);
+  }
+
   bool receive(const Arrival<double>& arrival) {
     switch (arrival.kind) {
       case ArrivalKind::kContact:
         return take_impact(arrival);
       case ArrivalKind::kStick:
         contacts_.any = true;
-        return options_.through_sticking || come_to_rest(arrival.stop);
+        return true;
       case ArrivalKind::kRelease:
         contacts_.held = false;
         return true;
@@ -94,28 +97,16 @@ class Settling {
       case ArrivalKind::kTime:
         return true;
       case ArrivalKind::kRefused:
-        if (!options_.through_sticking) return come_to_rest(arrival.stop);
-        return end(SettledKind::kRefused,
-                   fmt::format("comes to rest on stop {} in forcing period {} and cannot be "
-                               "followed there: {}",
-                               arrival.stop + 1, now(), motion_.refusal()));
       case ArrivalKind::kUndecided:
-        return end(SettledKind::kRefused,
-                   fmt::format("could not be followed in forcing period {}: the search for the "
-                               "next event at stop {} used up its evaluations",
-                               now(), arrival.stop + 1));
       case ArrivalKind::kNotFinite:
         break;
     }
     return end(SettledKind::kRefused,
-               fmt::format("left the range of double precision in forcing period {}", now()));
+               fmt::format("could not be followed beyond forcing period {}: {}", now(),
+                           failure_of(motion_, arrival)));
   }
 
   bool take_impact(const Arrival<double>& arrival) {
-    if (!options_.through_sticking && arrival.speed <= still_)
-      return end(SettledKind::kStuck, fmt::format("meets stop {} ever more slowly: the impacts "
-                                                  "die out in forcing period {}",
-                                                  arrival.stop + 1, now()));
     if (result_.impacts_met >= options_.max_impacts)
       return end(SettledKind::kImpactBudget, fmt::format("spent the budget of {} before it settled",
                                                          count(options_.max_impacts, "impact")));
@@ -128,8 +119,7 @@ class Settling {
     history_.add_impact({motion_.instant().period, arrival.stop,
                          motion_.flow().phase(motion_.instant()), arrival.speed},
                         motion_.q(), motion_.qdot());
-    const std::vector<ImpactShare<double>> shares = motion_.impact();
-    if (options_.through_sticking) motion_.close_chatter(shares, closure_speed_);
+    motion_.close_chatter(motion_.impact(), closure_speed_);
     return true;
   }
 
@@ -297,13 +287,6 @@ class Settling {
       result_.strobes.push_back(history_.state_at_start(n));
   }
 
-  bool come_to_rest(int stop) {
-    return end(SettledKind::kStuck,
-               fmt::format("comes to rest on stop {} in forcing period {}; orbits that stick "
-                           "are not available in this version",
-                           stop + 1, now()));
-  }
-
   bool end(SettledKind kind, const std::string& what) {
     over_ = true;
     result_.kind = kind;
@@ -324,7 +307,8 @@ class Settling {
   const SettleOptions& options_;
   Motion<double> motion_;
   PeriodHistory history_;
-  double closure_speed_, still_;  // m/s
+  double closure_speed_;   // m/s
+  double longest_flight_;  // s
   ShootingScale scale_;
   std::optional<NearbyOrbit> approached_;  // stable; solved for when the motion began to repeat
   double left_ = 0.0;                      // distance from it, one repetition ago at most

@@ -18,7 +18,6 @@ enum class SettledKind {
   kClear,        // repeats without meeting a stop
   kAtRest,       // stays on a stop for ever
   kNotPeriodic,  // none of these within the periods given
-  kStuck,        // came to rest on a stop, and sticking was not to be followed
   kImpactBudget,
   kInterrupted,
   kTimeBudget,
@@ -53,8 +52,6 @@ struct SettleOptions {
   long long periods = 3000;  // simulated at most
   int longest_period = 32;   // longest orbit looked for, in forcing periods
   long long max_impacts = 10'000'000;
-  // Follow a motion that comes to rest on a stop; else it ends there.
-  bool through_sticking = false;
   // Speed below which a chatter is summed, m/s; nothing: the default of a simulation.
   std::optional<double> closure_speed;
   // Go on until what is left to the orbit (phases in rad, relative speeds, states in units of the

@@ -134,7 +134,7 @@ std::vector<RunState::Streak> read_streaks(const Node& node, const System& syste
   return streaks;
 }
 
-RunState::Due read_due(const Node& node, const System& system) {
+ChatterTail read_tail(const Node& node, const System& system) {
   const StateTable table(node, "chatter", {"stops", "period", "local"});
   std::vector<int> stops;
   for (const long long stop : table.counts("stops")) {
@@ -231,12 +231,12 @@ std::string write_run_state(const CutRun& cut) {
   lines.text("speeds", listed(state.streaks, [](const RunState::Streak& streak) {
                return real_text(streak.speed);
              }));
-  if (state.due) {
+  if (state.tail) {
     lines.table("chatter");
     lines.text("stops",
-               listed(state.due->stops, [](int stop) { return std::to_string(stop + 1); }));
-    lines.count("period", state.due->at.period);
-    lines.number("local", state.due->at.local);
+               listed(state.tail->stops, [](int stop) { return std::to_string(stop + 1); }));
+    lines.count("period", state.tail->over.period);
+    lines.number("local", state.tail->over.local);
   }
   write_totals(lines, state.totals);
   if (state.keeps_book) write_book(lines, state.book);
@@ -266,7 +266,7 @@ CutRun parse_run_state(const std::string& text, const std::string& name, const S
   state.started = table.flag("started");
   state.motion = read_motion(table.at("motion"), system);
   state.streaks = read_streaks(table.at("streaks"), system);
-  if (const Node* due = table.find("chatter")) state.due = read_due(*due, system);
+  if (const Node* tail = table.find("chatter")) state.tail = read_tail(*tail, system);
   state.totals = read_totals(table.at("totals"));
   if (const Node* book = table.find("energy")) {
     state.keeps_book = true;

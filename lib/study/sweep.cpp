@@ -93,7 +93,6 @@ class Sweeper {
       SettleOptions settle_options;
       settle_options.periods = options_.periods;
       settle_options.max_impacts = options_.max_impacts;
-      settle_options.through_sticking = true;
       // By the scene alone, so that it does not depend on what was handed on.
       settle_options.closure_speed = options_.closure_speed.value_or(default_closure_speed(
           system, clear_start(scene, system).value_or(rest), scene.solver.tolerance));

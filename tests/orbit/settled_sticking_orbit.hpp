@@ -24,10 +24,8 @@ struct Found {
 inline Found settled_orbit(const Scene& scene, std::optional<double> closure_speed = {}) {
   Found found{assemble(scene), {}};
   const State start = initial_state(scene, found.system);
-  const double speed =
-      closure_speed.value_or(default_closure_speed(found.system, start, kDefaultClosureTolerance));
+  const double speed = closure_speed.value_or(default_closure_speed(found.system, start));
   SettleOptions options;
-  options.through_sticking = true;
   options.closure_speed = speed;
   const SettledMotion settled = settle(found.system, start, options);
   EXPECT_EQ(settled.kind, SettledKind::kSticks) << settled.verdict;

@@ -18,7 +18,6 @@ namespace {
 SettleOptions as_near_as(double nearness, long long periods = 20000) {
   SettleOptions options;
   options.periods = periods;
-  options.through_sticking = true;
   options.nearness = nearness;
   return options;
 }
@@ -264,11 +263,19 @@ TEST(Settled, FollowsTheMotionOfASimulation) {
   EXPECT_LE((settled.at_end.q - run.result.final.q).norm(), 1e-8);
 }
 
-TEST(Settled, WithoutSayingSoStopsWhereItSticks) {
-  const System system = support::forced_oscillator(1.0, 0.0, 0.1, 0.8, 0.3, 1.0);
-  const SettledMotion settled = settle(system, support::state_of({0.1}, {0.0}));
-  EXPECT_EQ(settled.kind, SettledKind::kStuck);
-  EXPECT_EQ(settled.period, 0);
+// A forcing period holds 250 oscillations: a flight is cut within it.
+TEST(Settled, FollowsTheMotionOfASimulationThroughLongPeriods) {
+  const System system = support::forced_oscillator(1.0, 0.01, 0.3, 0.8, 0.004, 0.5);
+  const State start = support::state_of({0.2}, {0.0});
+  SettleOptions options;
+  options.periods = 3;
+  options.nearness = 0.0;
+  const SettledMotion settled = settle(system, start, options);
+  SimulationOptions simulated;
+  simulated.periods = 3;
+  const Simulation run = simulate(system, start, simulated);
+  EXPECT_EQ(settled.impacts_met, run.totals.impacts);
+  EXPECT_LE((settled.at_end.q - run.final.q).norm(), 1e-12);
 }
 
 }  // namespace

@@ -37,7 +37,7 @@ CutRun cut_run() {
   state.motion.unsummed = 1.0 / 9.0;
   state.started = true;
   state.streaks = {{12, 2.2250738585072011e-308}, {0, -0.0}};
-  state.due = RunState::Due{{0, 1}, {3, 0.7}};
+  state.tail = ChatterTail{{0, 1}, {3, 0.7}};
   state.totals = {9'000'000'000LL, 2, 3, 4, 1e22, 1e-7, 123456789.123456789, -4.3368e-19};
   state.keeps_book = true;
   state.book.start = 5e-324;
@@ -88,10 +88,10 @@ TEST(RunStateFile, BringsBackEveryDigit) {
     EXPECT_EQ(b.streaks[i].speed, a.streaks[i].speed);
   }
   EXPECT_TRUE(std::signbit(b.streaks[1].speed));
-  ASSERT_TRUE(b.due);
-  EXPECT_EQ(b.due->stops, (std::vector<int>{0, 1}));
-  EXPECT_EQ(b.due->at.period, 3);
-  EXPECT_EQ(b.due->at.local, 0.7);
+  ASSERT_TRUE(b.tail);
+  EXPECT_EQ(b.tail->stops, (std::vector<int>{0, 1}));
+  EXPECT_EQ(b.tail->over.period, 3);
+  EXPECT_EQ(b.tail->over.local, 0.7);
   EXPECT_EQ(b.samples, 77);
   EXPECT_EQ(b.closure_speed, a.closure_speed);
 }
@@ -118,7 +118,7 @@ TEST(RunStateFile, BringsBackTotalsAndTheEnergyBook) {
 TEST(RunStateFile, LeavesOutWhatIsNotThere) {
   CutRun cut = cut_run();
   cut.sample_rate.reset();
-  cut.state.due.reset();
+  cut.state.tail.reset();
   cut.state.keeps_book = false;
   cut.state.totals.smallest_gap.reset();
   const std::string text = write_run_state(cut);
@@ -126,7 +126,7 @@ TEST(RunStateFile, LeavesOutWhatIsNotThere) {
     EXPECT_EQ(text.find(word), std::string::npos) << word;
   const CutRun read = parsed(text);
   EXPECT_FALSE(read.sample_rate);
-  EXPECT_FALSE(read.state.due);
+  EXPECT_FALSE(read.state.tail);
   EXPECT_FALSE(read.state.keeps_book);
   EXPECT_FALSE(read.state.totals.smallest_gap);
 }
