@@ -1,13 +1,14 @@
 #include "graze/base/decompositions.hpp"
 
 #include <Eigen/Eigenvalues>
-#include <Eigen/LU>
 #include <Eigen/QR>
 #include <Eigen/SVD>
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <unsupported/Eigen/MatrixFunctions>
+
+#include "graze/base/linear_equations.hpp"
 
 namespace graze {
 namespace {
@@ -170,7 +171,7 @@ ComplexModes complex_modes(const Matrix& matrix) {
   if (solver.info() != Eigen::Success) return modes;
   modes.values = solver.eigenvalues();
   modes.vectors = solver.eigenvectors();
-  modes.inverse = modes.vectors.partialPivLu().inverse();
+  modes.inverse = inverse(modes.vectors);
   const double condition = modes.vectors.norm() * modes.inverse.norm();
   // Of a pair that coincides to the last bit the solver returns vectors that are none.
   const double residual =

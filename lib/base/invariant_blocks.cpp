@@ -1,10 +1,11 @@
 #include "graze/base/invariant_blocks.hpp"
 
 #include <Eigen/Eigenvalues>
-#include <Eigen/LU>
 #include <algorithm>
 #include <optional>
 #include <utility>
+
+#include "graze/base/linear_equations.hpp"
 
 namespace graze {
 namespace {
@@ -35,7 +36,7 @@ Matrix sylvester(const Matrix& a, const Matrix& b, const Matrix& c) {
       whole.block(j * rows, k * rows, rows, rows).diagonal().array() -= b(k, j);
   }
   const Vector right = Eigen::Map<const Vector>(c.data(), c.size());
-  const Vector y = whole.partialPivLu().solve(right);
+  const Vector y = LuFactors(whole).solve(right);
   return Eigen::Map<const Matrix>(y.data(), rows, columns);
 }
 

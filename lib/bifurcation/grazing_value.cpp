@@ -1,9 +1,9 @@
 #include "graze/bifurcation/grazing_value.hpp"
 
-#include <Eigen/LU>
 #include <cmath>
 #include <limits>
 
+#include "graze/base/linear_equations.hpp"
 #include "graze/base/vector.hpp"
 
 namespace graze {
@@ -34,7 +34,7 @@ double by_polynomial(const std::vector<NearGrazing>& used, Eigen::Index count, i
     powers(i, 0) = 1.0;
     for (int k = 1; k < count; ++k) powers(i, k) = std::pow(at.margin / unit, lowest + k - 1);
   }
-  return nearest.parameter + powers.fullPivLu().solve(ahead)[0];
+  return nearest.parameter + solve_with_full_pivoting(powers, ahead)[0];
 }
 
 }  // namespace

@@ -1,7 +1,8 @@
 #include "graze/contact/impulse.hpp"
 
-#include <Eigen/LU>
 #include <cmath>
+
+#include "graze/base/linear_equations.hpp"
 
 namespace graze {
 
@@ -13,12 +14,12 @@ Vector momentum_direction_rate(const Vector& row, const Vector& row_rate) {
 }
 
 Vector collocation_direction(const Matrix& phi, int point, double sign) {
-  return sign * phi.partialPivLu().solve(Vector::Unit(phi.rows(), point));
+  return sign * LuFactors(phi).solve(Vector::Unit(phi.rows(), point));
 }
 
 Vector collocation_direction_rate(const Matrix& phi, const Matrix& phi_rate,
                                   const Vector& direction) {
-  return -phi.partialPivLu().solve(phi_rate * direction);
+  return -LuFactors(phi).solve(phi_rate * direction);
 }
 
 double impact_energy_change(const Vector& row, const Vector& direction, const Vector& before,

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <type_traits>
 
+#include "graze/base/linear_equations.hpp"
 #include "graze/flow/arc_curve_impl.hpp"
 #include "graze/flow/contact_phase.hpp"
 #include "graze/flow/contact_share.hpp"
@@ -165,7 +166,7 @@ void ContactPhase<Real>::couple(const LinearSystem<Real>& full, const RealMatrix
     // Left inverse of the basis that knows nothing of the directions: Z^T U = I, Z^T D = 0.
     Matrix whole(n, n);
     whole << basis_, directions_;
-    const Matrix left = whole.partialPivLu().inverse().topRows(m);
+    const Matrix left = LuFactors(whole).inverse().topRows(m);
     CoupledSystem reduced;
     // From w U, that soft and free directions see nothing of the rounding of stiff ones.
     reduced.stiffness = normal ? Matrix(reduced_.omega.cwiseAbs2().asDiagonal())

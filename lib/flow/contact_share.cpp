@@ -1,6 +1,6 @@
 #include "graze/flow/contact_share.hpp"
 
-#include <Eigen/LU>
+#include "graze/base/linear_equations.hpp"
 
 namespace graze {
 
@@ -21,7 +21,8 @@ Matrix directions_of(const System& system, const std::vector<int>& stops) {
 
 Matrix contact_share(const System& system, const std::vector<int>& closed) {
   const Matrix rows = rows_of(system, closed);
-  return (rows.transpose() * directions_of(system, closed)).partialPivLu().solve(rows.transpose());
+  return LuFactors(rows.transpose() * directions_of(system, closed))
+      .solve_columns(rows.transpose());
 }
 
 Matrix contact_share_rate(const System& system, const System& tangent,
@@ -30,9 +31,8 @@ Matrix contact_share_rate(const System& system, const System& tangent,
   const Matrix directions = directions_of(system, closed);
   const Matrix acting_rate =
       rows_rate.transpose() * directions + rows.transpose() * directions_of(tangent, closed);
-  return (rows.transpose() * directions)
-      .partialPivLu()
-      .solve(rows_rate.transpose() - acting_rate * contact_share(system, closed));
+  return LuFactors(rows.transpose() * directions)
+      .solve_columns(rows_rate.transpose() - acting_rate * contact_share(system, closed));
 }
 
 }  // namespace graze

@@ -2,12 +2,12 @@
 
 #include <fmt/format.h>
 
-#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
 #include "graze/base/invariant_blocks.hpp"
+#include "graze/base/linear_equations.hpp"
 
 namespace graze {
 namespace {
@@ -39,7 +39,7 @@ FirstOrderSystem first_order(const CoupledSystem& system) {
 Eigen::MatrixXcd with_rates(const Vector& scale, Eigen::MatrixXcd basis,
                             const Eigen::MatrixXcd& rates) {
   const Eigen::Index m = scale.size();
-  const Eigen::MatrixXcd inverse = rates.partialPivLu().inverse();
+  const Eigen::MatrixXcd inverse = graze::inverse(rates);
   for (Eigen::Index i = 0; i < m; ++i) {
     if (scale[i] * inverse.norm() < rates.norm() / scale[i])
       basis.row(i) = scale[i] * basis.row(m + i) * inverse;
@@ -82,7 +82,7 @@ void CoupledFlow::split(double quickest) {
         with_rates(scale_, block.basis.cast<Complex>(), block.matrix.cast<Complex>());
     without_modes.push_back(std::move(system));
   }
-  const Eigen::MatrixXcd inverse = basis.partialPivLu().inverse();
+  const Eigen::MatrixXcd inverse = graze::inverse(basis);
   if (modes > 0)
     modes_.emplace_back(whole_, values.head(modes), basis.leftCols(modes), inverse.topRows(modes));
   others = n;

@@ -1,9 +1,9 @@
 #include "graze/flow/deviation.hpp"
 
-#include <Eigen/LU>
 #include <cmath>
 #include <numbers>
 
+#include "graze/base/linear_equations.hpp"
 #include "graze/flow/contact_share.hpp"
 #include "graze/flow/free_basis.hpp"
 #include "graze/flow/transition.hpp"
@@ -116,10 +116,10 @@ void hold(const System& system, const std::vector<int>& closed, Deviations& devi
   if (closed.empty() || deviations.count() == 0) return;
   const Matrix rows = rows_of(system, closed), directions = directions_of(system, closed);
   deviations.q -=
-      rows * (rows.transpose() * rows).partialPivLu().solve(rows.transpose() * deviations.q);
+      rows * LuFactors(rows.transpose() * rows).solve_columns(rows.transpose() * deviations.q);
   deviations.qdot -=
       directions *
-      (rows.transpose() * directions).partialPivLu().solve(rows.transpose() * deviations.qdot);
+      LuFactors(rows.transpose() * directions).solve_columns(rows.transpose() * deviations.qdot);
 }
 
 }  // namespace graze

@@ -1,10 +1,10 @@
 #include "graze/flow/parameter_growth.hpp"
 
-#include <Eigen/LU>
 #include <cmath>
 #include <limits>
 #include <optional>
 
+#include "graze/base/linear_equations.hpp"
 #include "graze/flow/contact_share.hpp"
 #include "graze/flow/transition.hpp"
 
@@ -196,8 +196,8 @@ void hold(const System& system, const System& tangent, const std::vector<int>& c
     gaps[static_cast<Eigen::Index>(a)] = tangent.stops[static_cast<std::size_t>(closed[a])].gap;
   const Vector beyond = rows.transpose() * column.q.col(0) + rows_rate.transpose() * state.q - gaps;
   const Vector speed = rows.transpose() * column.qdot.col(0) + rows_rate.transpose() * state.qdot;
-  column.q.col(0) -= rows * (rows.transpose() * rows).partialPivLu().solve(beyond);
-  column.qdot.col(0) -= directions * (rows.transpose() * directions).partialPivLu().solve(speed);
+  column.q.col(0) -= rows * LuFactors(rows.transpose() * rows).solve(beyond);
+  column.qdot.col(0) -= directions * LuFactors(rows.transpose() * directions).solve(speed);
 }
 
 }  // namespace graze

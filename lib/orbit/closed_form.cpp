@@ -1,10 +1,10 @@
 #include "graze/orbit/closed_form.hpp"
 
-#include <Eigen/LU>
 #include <cmath>
 #include <limits>
 
 #include "graze/base/angle.hpp"
+#include "graze/base/linear_equations.hpp"
 #include "graze/flow/transition.hpp"
 
 namespace graze {
@@ -30,8 +30,7 @@ State state_of(const Vector& y) {
 }
 
 // Speeds from the equations of motion; contact remains.
-ClosedForm from_motion(const RepeatedArc& arc, const Eigen::PartialPivLU<Matrix>& lu,
-                       const FromRest& by) {
+ClosedForm from_motion(const RepeatedArc& arc, const LuFactors& lu, const FromRest& by) {
   const auto response = [&](const Vector& forced) {
     return Vector(lu.solve(forced.cwiseQuotient(arc.unit)).cwiseProduct(arc.unit));
   };
@@ -55,8 +54,8 @@ std::optional<ClosedForm> from_contact(const RepeatedArc& arc, const FromRest& b
   const double size = arc.row.norm();
   bordered.col(2 * n).head(2 * n) = arc.kick * size;
   bordered.row(2 * n).head(n) = arc.row.transpose() / size;
-  const Eigen::PartialPivLU<Matrix> lu(bordered);
-  if (!(lu.rcond() > least)) return {};
+  const LuFactors lu(bordered);
+  if (!(lu.reciprocal_condition() > least)) return {};
   const auto response = [&](const Vector& forced, double gap) {
     Vector right(2 * n + 1);
     right << forced.cwiseQuotient(arc.unit), gap / size;
@@ -131,8 +130,8 @@ ClosedFormAnswer closed_form(const System& system, int stop_index, int period) {
   // of its digits, and the other way may be better; below eps it keeps none.
   constexpr double kNone = std::numeric_limits<double>::epsilon();
   const double half = std::sqrt(kNone);
-  const Eigen::PartialPivLU<Matrix> lu(arc.matrix);
-  const double regular = lu.rcond();
+  const LuFactors lu(arc.matrix);
+  const double regular = lu.reciprocal_condition();
   if (!(regular > half))
     if (const auto form = from_contact(arc, by, half)) return {*form, ""};
   if (!(regular > kNone))

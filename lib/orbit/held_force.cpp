@@ -1,9 +1,9 @@
 #include "graze/orbit/held_force.hpp"
 
-#include <Eigen/LU>
 #include <algorithm>
 
 #include "graze/base/angle.hpp"
+#include "graze/base/linear_equations.hpp"
 
 namespace graze {
 
@@ -30,8 +30,7 @@ std::optional<HeldForce> held_force(const System& system, const std::vector<int>
   ComplexVector driven = ComplexVector::Zero(n + m);
   driven.head(n) = system.forcing->amplitude.cast<Complex>();
   const Eigen::Index place = n + (std::find(closed.begin(), closed.end(), stop) - closed.begin());
-  HeldForce force{at_rest.partialPivLu().solve(held)[place],
-                  swinging.partialPivLu().solve(driven)[place]};
+  HeldForce force{LuFactors(at_rest).solve(held)[place], solve(swinging, driven)[place]};
   if (!std::isfinite(force.least())) return {};
   return force;
 }

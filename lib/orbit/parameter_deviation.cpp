@@ -1,7 +1,6 @@
 #include "graze/orbit/parameter_deviation.hpp"
 
-#include <Eigen/LU>
-
+#include "graze/base/linear_equations.hpp"
 #include "graze/flow/contact_share.hpp"
 #include "graze/orbit/shooting.hpp"
 
@@ -53,8 +52,7 @@ ParameterDeviation::Acting ParameterDeviation::acting(const std::vector<int>& st
 
 // Of D p with (B^T D) p = amount, when that moves at `rate`.
 Vector ParameterDeviation::Acting::change(const Vector& p, const Vector& rate) const {
-  const Vector p_rate =
-      (rows.transpose() * directions).partialPivLu().solve(rate - coupling_rate * p);
+  const Vector p_rate = LuFactors(rows.transpose() * directions).solve(rate - coupling_rate * p);
   return directions_rate * p + directions * p_rate;
 }
 
@@ -95,7 +93,7 @@ void ParameterDeviation::close(const std::vector<int>& stops, const State& befor
     const Vector amount = at.rows.transpose() * value - offset;
     const Vector rate =
         at.rows.transpose() * column + at.rows_rate.transpose() * value - offset_rate;
-    column -= at.change((at.rows.transpose() * at.directions).partialPivLu().solve(amount), rate);
+    column -= at.change(LuFactors(at.rows.transpose() * at.directions).solve(amount), rate);
   };
   undo(column_.q.col(0), before.q, gaps, gaps_rate);
   const Vector none = Vector::Zero(gaps.size());

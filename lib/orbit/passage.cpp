@@ -2,11 +2,11 @@
 
 #include <fmt/format.h>
 
-#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
+#include "graze/base/linear_equations.hpp"
 #include "graze/flow/contact_share.hpp"
 #include "graze/hybrid/clearance.hpp"
 #include "graze/hybrid/next_flight.hpp"
@@ -262,7 +262,7 @@ class Follower {
     if (columns.cols() == 0) return;
     const Matrix rows = rows_of(system_, stops), directions = directions_of(system_, stops);
     const Matrix undone = parts.asDiagonal() * (rows.transpose() * columns);
-    columns -= directions * (rows.transpose() * directions).partialPivLu().solve(undone);
+    columns -= directions * LuFactors(rows.transpose() * directions).solve_columns(undone);
   }
 
   void close_chatter(const std::vector<ImpactShare<double>>& shares) {

@@ -1,6 +1,5 @@
 #include "graze/orbit/phase_problem.hpp"
 
-#include <Eigen/LU>
 #include <cmath>
 #include <limits>
 
@@ -73,22 +72,22 @@ Vector PhaseProblem::impulse_slopes(const Vector& speeds) const {
 }
 
 Vector PhaseProblem::approach_speeds(const Matrix& h, const Vector& forced_rate,
-                                     Eigen::PartialPivLU<Matrix>& derivative) const {
+                                     std::optional<LuFactors>& derivative) const {
   const Eigen::Index k = impacts();
   const auto factorise = [&](const Vector& slopes) {
-    derivative.compute(Matrix::Identity(k, k) + h * slopes.asDiagonal());
+    derivative.emplace(Matrix::Identity(k, k) + h * slopes.asDiagonal());
   };
   Vector slopes(k);
   for (Eigen::Index i = 0; i < k; ++i) slopes[i] = 1.0 + stop(i).restitution.at(speed_);
   factorise(slopes);
-  Vector v = derivative.solve(forced_rate);
+  Vector v = derivative->solve(forced_rate);
   if (constant_) return v;
   constexpr int kMostSteps = 20;
   const double near = std::sqrt(std::numeric_limits<double>::epsilon()) * speed_;
   double last = std::numeric_limits<double>::infinity();
   for (int step = 0; step < kMostSteps; ++step) {
     factorise(impulse_slopes(v));
-    const Vector update = derivative.solve(v + h * impulses(v) - forced_rate);
+    const Vector update = derivative->solve(v + h * impulses(v) - forced_rate);
     const double size = update.norm();
     v -= update;
     // Near the solution every step squares the error; where it no longer does, rounding is reached.
@@ -129,25 +128,25 @@ PhaseProblem::Rows PhaseProblem::rows(const Vector& phases) const {
 }
 
 PhaseProblem::Impacts PhaseProblem::impacts_from_rates(const Rows& rows, bool derivatives) const {
-  Eigen::PartialPivLU<Matrix> lu(impacts());
+  std::optional<LuFactors> lu;
   Impacts result;
   result.v = approach_speeds(rows.h, rows.forced_rate, lu);
   result.u = impulses(result.v);
   if (derivatives) {
-    result.v_by_phases = lu.solve(rows.rate_by_phases(result.u, response_->frequency()));
+    result.v_by_phases = lu->solve_columns(rows.rate_by_phases(result.u, response_->frequency()));
     result.u_by_phases = impulse_slopes(result.v).asDiagonal() * result.v_by_phases;
   }
   return result;
 }
 
 PhaseProblem::Impacts PhaseProblem::impacts_from_contact(const Rows& rows, bool derivatives) const {
-  const Eigen::PartialPivLU<Matrix> lu(rows.g);
+  const LuFactors lu(rows.g);
   Impacts result;
   result.u = lu.solve(rows.forced - rows.gap);
   result.v = rows.forced_rate - rows.h * result.u;
   if (derivatives) {
     const double frequency = response_->frequency();
-    result.u_by_phases = lu.solve(rows.contact_by_phases(result.u, frequency));
+    result.u_by_phases = lu.solve_columns(rows.contact_by_phases(result.u, frequency));
     result.v_by_phases = rows.rate_by_phases(result.u, frequency) - rows.h * result.u_by_phases;
   }
   return result;

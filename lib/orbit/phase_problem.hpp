@@ -31,9 +31,9 @@
 // does: such points are no orbits.
 #pragma once
 
-#include <Eigen/LU>
 #include <vector>
 
+#include "graze/base/linear_equations.hpp"
 #include "graze/orbit/periodic_response.hpp"
 #include "graze/orbit/shooting.hpp"
 
@@ -73,7 +73,7 @@ class PhaseProblem {
   // Approach speeds v for H and the forced rates, with the factorised derivative of their
   // equations; not finite where Newton's method does not settle.
   Vector approach_speeds(const Matrix& h, const Vector& forced_rate,
-                         Eigen::PartialPivLU<Matrix>& derivative) const;
+                         std::optional<LuFactors>& derivative) const;
   // (1 + r(v)) v of each impact, and its derivative by v.
   Vector impulses(const Vector& speeds) const;
   Vector impulse_slopes(const Vector& speeds) const;

@@ -2,7 +2,6 @@
 
 #include <ceres/tiny_solver.h>
 
-#include <Eigen/LU>
 #include <algorithm>
 #include <boost/random/sobol.hpp>
 #include <cmath>
@@ -10,6 +9,7 @@
 #include <random>
 
 #include "graze/base/angle.hpp"
+#include "graze/base/linear_equations.hpp"
 #include "graze/base/parallel.hpp"
 #include "graze/orbit/global_phases.hpp"
 #include "graze/orbit/orbit_identity.hpp"
@@ -86,7 +86,7 @@ std::optional<Vector> newton_phases(const PhaseProblem& problem, double length, 
     Matrix jacobian;
     const Vector r = problem.defect(phases, &jacobian);
     if (!r.allFinite() || !jacobian.allFinite()) return {};
-    const Vector update = jacobian.partialPivLu().solve(r);
+    const Vector update = LuFactors(jacobian).solve(r);
     const double size = update.cwiseAbs().maxCoeff();
     if (!std::isfinite(size)) return {};
     if (size <= kSameOrbit && !(size < 0.5 * last) &&

@@ -1,11 +1,11 @@
 #include "graze/orbit/release_section.hpp"
 
-#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
 #include "graze/base/angle.hpp"
+#include "graze/base/linear_equations.hpp"
 #include "graze/flow/contact_share.hpp"
 #include "graze/orbit/solve.hpp"
 
@@ -37,8 +37,8 @@ double push_scale(const System& system, const RigidStop& stop) {
 // The state at the unknowns, and how it moves with y and y': q_y = V, q'_{y'} = V.
 struct ReleaseSection::Chart {
   State state;
-  Matrix slope;                      // V with B^T V = 0, U^T V = 1
-  Eigen::PartialPivLU<Matrix> left;  // of [B, U]^T
+  Matrix slope;    // V with B^T V = 0, U^T V = 1
+  LuFactors left;  // of [B, U]^T
 };
 
 ReleaseSection::ReleaseSection(const System& reference, Release release,
@@ -75,8 +75,8 @@ std::optional<ReleaseSection::Chart> ReleaseSection::chart_at(const System& syst
   right.col(0).tail(m) = coordinates.head(m);
   right.col(1).tail(m) = coordinates.tail(m);
   right.bottomRightCorner(m, m).setIdentity();
-  const Eigen::PartialPivLU<Matrix> left(whole.transpose());
-  const Matrix solution = left.solve(right);
+  const LuFactors left(whole.transpose());
+  const Matrix solution = left.solve_columns(right);
   if (!solution.allFinite()) return {};
   return Chart{{solution.col(0), solution.col(1)}, solution.rightCols(m), left};
 }
@@ -143,7 +143,7 @@ State ReleaseSection::chart_rate(const System& tangent, const Chart& chart) cons
   for (Eigen::Index a = 0; a < k; ++a)
     right(a, 0) +=
         tangent.stops[static_cast<std::size_t>(release_.closed[static_cast<std::size_t>(a)])].gap;
-  const Matrix moved = chart.left.solve(right);
+  const Matrix moved = chart.left.solve_columns(right);
   return {moved.col(0), moved.col(1)};
 }
 

@@ -5,8 +5,9 @@
 #include <ceres/solver.h>
 #include <glog/logging.h>
 
-#include <Eigen/LU>
 #include <mutex>
+
+#include "graze/base/linear_equations.hpp"
 
 namespace graze {
 namespace {
@@ -72,7 +73,7 @@ std::optional<ShootingSolution> newton(const ShootingProblem& problem, const Sys
       best->evaluations = solution.evaluations;
       return best;
     }
-    const Vector update = jacobian.partialPivLu().solve(r);
+    const Vector update = LuFactors(jacobian).solve(r);
     if (!update.allFinite()) break;
     // Between two solutions that nearly meet the residual is small too, but not Newton's step.
     if (solution.residual <= kShootingTolerance && update.norm() <= kShootingAccuracy)

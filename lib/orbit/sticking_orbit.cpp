@@ -2,11 +2,11 @@
 
 #include <fmt/format.h>
 
-#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 
 #include "graze/base/angle.hpp"
+#include "graze/base/linear_equations.hpp"
 #include "graze/orbit/passage.hpp"
 #include "graze/orbit/solve.hpp"
 
@@ -105,8 +105,7 @@ std::string solve(HeldSection& section, int period) {
     if (best && !(back.residual < 0.5 * smallest)) break;
     const Eigen::Index n = back.defect.size();
     const Vector update =
-        n == 0 ? Vector(0)
-               : Vector((Matrix::Identity(n, n) - back.map).partialPivLu().solve(back.defect));
+        n == 0 ? Vector(0) : LuFactors(Matrix::Identity(n, n) - back.map).solve(back.defect);
     if (!update.allFinite()) break;
     if (back.residual <= kShootingTolerance && update.norm() <= kShootingAccuracy) {
       best.emplace(section);

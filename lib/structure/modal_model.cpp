@@ -1,9 +1,9 @@
 #include "graze/structure/modal_model.hpp"
 
-#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 
+#include "graze/base/linear_equations.hpp"
 #include "graze/scene/check.hpp"
 #include "graze/structure/cantilever.hpp"
 
@@ -128,7 +128,7 @@ Vector decay_tangent(const Scene& scene, const ModalModel& model, const Vector& 
 // Phi^-1 1.
 Vector beam_inertia(const Beam& beam, const Matrix& phi) {
   if (beam.discretisation == Projection::kCollocation)
-    return phi.partialPivLu().solve(Vector::Ones(beam.modes));
+    return LuFactors(phi).solve(Vector::Ones(beam.modes));
   Vector g(beam.modes);
   for (int j = 0; j < beam.modes; ++j) g[j] = cantilever_mean(j + 1) / mass_scale(beam);
   return g;
@@ -138,7 +138,7 @@ Vector beam_inertia(const Beam& beam, const Matrix& phi) {
 Vector beam_inertia_rate(const Beam& beam, const Beam& rate, const Vector& g, const Matrix& phi,
                          const Matrix& phi_rate) {
   return beam.discretisation == Projection::kCollocation
-             ? Vector(-phi.partialPivLu().solve(phi_rate * g))
+             ? Vector(-LuFactors(phi).solve(phi_rate * g))
              : Vector(-mass_scale_rate(beam, rate) * g);
 }
 

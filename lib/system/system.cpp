@@ -8,6 +8,7 @@
 
 #include "graze/base/angle.hpp"
 #include "graze/base/decompositions.hpp"
+#include "graze/base/linear_equations.hpp"
 #include "graze/contact/complementarity.hpp"
 #include "graze/contact/impulse.hpp"
 #include "graze/scene/check.hpp"
@@ -97,14 +98,15 @@ std::optional<Vector> static_equilibrium(const System& system) {
   for (Eigen::Index i = 0; i < k; ++i)
     if ((*force)[i] > 0.0) pressed.push_back(i);
   if (pressed.empty()) return q;
-  const Eigen::FullPivLU<Matrix> lu(delassus(pressed, pressed));
+  const Matrix acting = delassus(pressed, pressed);
   for (int pass = 0; pass < 2; ++pass) {
     Vector left(static_cast<Eigen::Index>(pressed.size()));
     for (std::size_t a = 0; a < pressed.size(); ++a) {
       const RigidStop& stop = system.stops[static_cast<std::size_t>(pressed[a])];
       left[static_cast<Eigen::Index>(a)] = -gap_value<double>(stop.row, q, stop.gap).value;
     }
-    q -= compliance.cwiseProduct(directions(Eigen::all, pressed) * lu.solve(left));
+    q -= compliance.cwiseProduct(directions(Eigen::all, pressed) *
+                                 solve_with_full_pivoting(acting, left));
   }
   return q;
 }

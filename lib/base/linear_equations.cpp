@@ -1,0 +1,27 @@
+#include "graze/base/linear_equations.hpp"
+
+template class Eigen::PartialPivLU<Eigen::MatrixXd>;
+
+namespace graze {
+
+LuFactors::LuFactors(const Matrix& matrix) : factors_(matrix) {}
+
+Vector LuFactors::solve(const Vector& right) const { return factors_.solve(right); }
+
+Matrix LuFactors::solve_columns(const Matrix& right) const { return factors_.solve(right); }
+
+Matrix LuFactors::inverse() const { return factors_.inverse(); }
+
+double LuFactors::reciprocal_condition() const { return factors_.rcond(); }
+
+Vector solve_with_full_pivoting(const Matrix& matrix, const Vector& right) {
+  return matrix.fullPivLu().solve(right);
+}
+
+ComplexVector solve(const Eigen::MatrixXcd& matrix, const ComplexVector& right) {
+  return matrix.partialPivLu().solve(right);
+}
+
+Eigen::MatrixXcd inverse(const Eigen::MatrixXcd& matrix) { return matrix.partialPivLu().inverse(); }
+
+}  // namespace graze

@@ -1,0 +1,35 @@
+// Square linear equations. Compiled once: what Eigen makes of them takes seconds of compile time in
+// every file that solves one.
+#pragma once
+
+#include <Eigen/LU>
+
+#include "graze/base/vector.hpp"
+
+namespace graze {
+
+// The factors of a real square matrix A, rows exchanged. What comes of a singular one is not
+// finite, or meaningless; see reciprocal_condition.
+class LuFactors {
+ public:
+  explicit LuFactors(const Matrix& matrix);
+
+  Vector solve(const Vector& right) const;          // x of A x = right
+  Matrix solve_columns(const Matrix& right) const;  // X of A X = right
+  Matrix inverse() const;
+  // Estimate of 1/(|A| |A^-1|) in the 1-norm.
+  double reciprocal_condition() const;
+
+ private:
+  Eigen::PartialPivLU<Matrix> factors_;
+};
+
+// Once, with rows and columns exchanged.
+Vector solve_with_full_pivoting(const Matrix& matrix, const Vector& right);
+
+ComplexVector solve(const Eigen::MatrixXcd& matrix, const ComplexVector& right);
+Eigen::MatrixXcd inverse(const Eigen::MatrixXcd& matrix);
+
+}  // namespace graze
+
+extern template class Eigen::PartialPivLU<Eigen::MatrixXd>;
