@@ -78,9 +78,16 @@ bool StickingEquations::passes_half(const BranchPoint& a, const BranchPoint& b) 
 
 std::optional<ReleaseReturn> StickingEquations::follow(const BranchPoint& solution,
                                                        bool minima) const {
+  for (const Followed& known : followed_)
+    if (known.parameter == solution.parameter && known.minima == minima && known.u == solution.u)
+      return known.back;
   const System* system = system_at(solution.parameter);
   if (!system) return {};
-  return section_.follow(*system, solution.u, minima);
+  // Both ends of a step, and a solution between.
+  if (followed_.size() == 3) followed_.pop_front();
+  followed_.push_back(
+      {solution.u, solution.parameter, minima, section_.follow(*system, solution.u, minima)});
+  return followed_.back().back;
 }
 
 std::optional<OrbitBranchPoint> StickingEquations::judge(const BranchPoint& solution) const {

@@ -34,7 +34,7 @@
 namespace graze {
 
 // The equations of one release over the parameter. Remembers the system of the value asked for
-// last: one thread at a time.
+// last, and what was followed last: one thread at a time.
 class StickingEquations {
  public:
   // Refers to the family, which must outlive it. `reference`: see ReleaseSection.
@@ -76,6 +76,14 @@ class StickingEquations {
   ZeroProblem problem_;
   mutable double cached_value_ = 0.0;
   mutable std::optional<System> cached_;
+  // What was followed last.
+  struct Followed {
+    Vector u;
+    double parameter = 0.0;
+    bool minima = false;
+    std::optional<ReleaseReturn> back;
+  };
+  mutable std::deque<Followed> followed_;
 };
 
 // An orbit beyond the CH or GR that ends a branch, or on the one that leaves it at a PD or BP.
