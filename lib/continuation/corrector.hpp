@@ -1,14 +1,17 @@
-// The bordered Newton corrector behind branch.hpp; points are x = (u, parameter/range).
+// Newton's method on F bordered by a hyperplane, and the geometry of points x = (u,
+// parameter/range) that it needs: what all of this room stands on.
 #pragma once
 
 #include <optional>
 
-#include "graze/continuation/branch.hpp"
+#include "graze/continuation/branch_values.hpp"
+#include "graze/continuation/zero_problem.hpp"
 
 namespace graze {
 
 class Corrector {
  public:
+  // Refers to both, which must outlive it.
   Corrector(const ZeroProblem& problem, const ContinuationOptions& options);
 
   Vector pack(const BranchPoint& point) const;
@@ -41,6 +44,14 @@ class Corrector {
 
   // x - y with angles taken the short way round.
   Vector difference(const Vector& x, const Vector& y) const;
+  // From a to b.
+  Vector chord(const BranchPoint& a, const BranchPoint& b) const {
+    return difference(pack(b), pack(a));
+  }
+  // How far b lies ahead of a, along the tangent there.
+  double ahead(const BranchPoint& a, const BranchPoint& b) const {
+    return chord(a, b).dot(a.tangent);
+  }
 
  private:
   // Newton's method from here still converges; more is not asked where there is nothing to mistake.

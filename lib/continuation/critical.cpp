@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "graze/continuation/crossing.hpp"
+#include "graze/continuation/branch_crossing.hpp"
+#include "graze/continuation/crossing_stations.hpp"
 #include "graze/continuation/crossing_tests.hpp"
 #include "graze/continuation/locate.hpp"
-#include "graze/continuation/stations.hpp"
 
 namespace graze {
 namespace {
@@ -112,9 +112,7 @@ class CriticalSearch {
   }
 
   double along(const CriticalPoint& critical) const {
-    const BranchPoint& from = branch_.points[critical.after];
-    return corrector_.difference(corrector_.pack(critical.point), corrector_.pack(from))
-        .dot(from.tangent);
+    return corrector_.ahead(branch_.points[critical.after], critical.point);
   }
 
   // Where all points have the same multipliers, the points between them that show how these move.
@@ -140,28 +138,23 @@ class CriticalSearch {
     visit(*last, branch_.points[i + 1]);
   }
 
-  double distance(const BranchPoint& a, const BranchPoint& b) const {
-    return corrector_.difference(corrector_.pack(b), corrector_.pack(a)).norm();
-  }
-
   // The tracer passes a branch point with a step so short (1e-6) that the determinant is linear
   // over it; between stations it is halved until it is as short. That is where to look for the
   // branch point itself: the ends of the step are badly determined along the branch that crosses.
   void add_branch_point(BranchPoint a, BranchPoint b, std::size_t i) {
-    for (int halving = 0; halving < kMostHalvings && !stop_.requested() &&
-                          distance(a, b) > kShortest * (1.0 + corrector_.pack(a).norm());
+    for (int halving = 0;
+         halving < kMostHalvings && !stop_.requested() &&
+         corrector_.chord(a, b).norm() > kShortest * (1.0 + corrector_.pack(a).norm());
          ++halving) {
-      const Vector chord = corrector_.difference(corrector_.pack(b), corrector_.pack(a));
       std::optional<BranchPoint> middle =
-          point_between(corrector_, a, 0.5 * chord.dot(a.tangent), a, b);
+          point_between(corrector_, a, 0.5 * corrector_.ahead(a, b), a, b);
       if (!middle) break;
       (middle->orientation * a.orientation < 0 ? b : a) = std::move(*middle);
     }
     const double ratio = corrector_.determinant_ratio(a, b);
     if (!std::isfinite(ratio)) return;
     const double part = 1.0 / (1.0 + ratio), rest = 1.0 - part;
-    const Vector chord = corrector_.difference(corrector_.pack(b), corrector_.pack(a));
-    Vector at = cubic_between(corrector_, a, part * chord.dot(a.tangent), a, b);
+    Vector at = cubic_between(corrector_, a, part * corrector_.ahead(a, b), a, b);
     const std::optional<Vector> crossing = crossing_near(corrector_, at);
     if (crossing && (*crossing - at).norm() <= kOneCrossing * (1.0 + at.norm())) at = *crossing;
     const Eigen::Index n = a.u.size();
@@ -208,8 +201,7 @@ class CriticalSearch {
     const double from = trace_scale(a.multipliers), to = trace_scale(b.multipliers);
     const bool runs = std::abs(to - from) > kLargestChange && halvings > 0;
     if (at_a == at_b && !runs) return;
-    const Vector chord = corrector_.difference(corrector_.pack(b), corrector_.pack(a));
-    const double length = chord.dot(a.tangent);
+    const double length = corrector_.ahead(a, b);
     const bool single =
         is_single(at_b.flipped - at_a.flipped, at_b.grown - at_a.grown, at_b.pairs - at_a.pairs);
     if (runs || (!single && halvings > 0)) {
@@ -224,8 +216,7 @@ class CriticalSearch {
       if (excess(a.multipliers, j) * excess(b.multipliers, j) > 0.0) continue;
       const std::optional<BranchPoint> found = add_crossing(a, b, after, j);
       if (!found || halvings == 0) continue;
-      const double at =
-          corrector_.difference(corrector_.pack(*found), corrector_.pack(a)).dot(a.tangent);
+      const double at = corrector_.ahead(a, *found);
       const double aside = std::ldexp(length, -kMostHalvings / 2);
       const auto before = at > aside ? known_between(a, at - aside, a, *found) : std::nullopt;
       const auto behind =

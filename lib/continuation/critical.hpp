@@ -6,9 +6,10 @@
 // is a root of one function; no product of all multipliers is ever formed. Multipliers outside the
 // circle are counted by kind (real below -1, real above 1, complex), and a step whose counts change
 // by more than one crossing is halved. Crossings that a step's ends do not show, there and back,
-// are met at stations within it (stations.hpp). What crossed is read off the multiplier itself:
-// real and negative a period doubling, complex a torus, real and positive a fold or branch point
-// (found otherwise). Two that meet at -1 and go on along the circle are a period doubling too.
+// are met at stations within it (crossing_stations.hpp). What crossed is read off the multiplier
+// itself: real and negative a period doubling, complex a torus, real and positive a fold or branch
+// point (found otherwise). Two that meet at -1 and go on along the circle are a period doubling
+// too.
 #pragma once
 
 #include "graze/continuation/corrector.hpp"

@@ -20,14 +20,13 @@ bool meets(Corrector& corrector, const BranchPoint& near, const Vector& offset) 
 }  // namespace
 
 double arclength(const Corrector& corrector, const BranchPoint& a, const BranchPoint& b) {
-  const double chord = corrector.difference(corrector.pack(b), corrector.pack(a)).norm();
-  return chord * (1.0 + (b.tangent - a.tangent).squaredNorm() / 24.0);
+  return corrector.chord(a, b).norm() * (1.0 + (b.tangent - a.tangent).squaredNorm() / 24.0);
 }
 
 Vector cubic_between(const Corrector& corrector, const BranchPoint& from, double s,
                      const BranchPoint& a, const BranchPoint& b) {
   const Vector x = corrector.pack(from), x_a = corrector.pack(a);
-  const Vector chord = corrector.difference(corrector.pack(b), x_a);
+  const Vector chord = corrector.chord(a, b);
   // Along the normal: from a to b, and from a to the hyperplane.
   const double length = chord.dot(from.tangent);
   const double ahead = s - corrector.difference(x_a, x).dot(from.tangent);
@@ -47,7 +46,7 @@ std::optional<BranchPoint> point_between(Corrector& corrector, const BranchPoint
 std::optional<BranchPoint> locate(Corrector& corrector, const BranchPoint& a, const BranchPoint& b,
                                   const std::function<double(const BranchPoint&)>& test) {
   const Vector x = corrector.pack(a);
-  const Vector chord = corrector.difference(corrector.pack(b), x);
+  const Vector chord = corrector.chord(a, b);
   const double length = chord.dot(a.tangent);
   const double at_a = test(a), at_b = test(b);
   if (at_a == 0.0) return a;
@@ -83,11 +82,18 @@ std::optional<BranchPoint> locate(Corrector& corrector, const BranchPoint& a, co
   return failed ? std::nullopt : best;
 }
 
+std::optional<BranchPoint> fold_between(Corrector& corrector, const BranchPoint& a,
+                                        const BranchPoint& b) {
+  // Where a branch leaves another one its parameter may stand still, but it does not turn back.
+  if (a.orientation == 0 || a.rate() * b.rate() >= 0.0) return {};
+  return locate(corrector, a, b, [](const BranchPoint& p) { return p.rate(); });
+}
+
 bool lies_between(Corrector& corrector, const BranchPoint& a, const BranchPoint& b,
                   const BranchPoint& point, double max_turn) {
   const Vector chord = corrector.pack(b) - corrector.pack(a);
   const double length = chord.norm();
-  const Vector offset = corrector.difference(corrector.pack(point), corrector.pack(a));
+  const Vector offset = corrector.chord(a, point);
   // At the very ends there is nothing to correct, and at a limit perhaps nothing to evaluate.
   if (offset.norm() < kOnePoint || (offset - chord).norm() < kOnePoint) return true;
   const double along = offset.dot(chord) / length;

@@ -1,4 +1,5 @@
-// Finding points on a branch that is known at two neighbours, with a corrector at hand.
+// Points of a branch between two neighbours on it, with a corrector at hand: at a place, at the
+// zero of a function, at a fold; and whether a solution lies between them.
 #pragma once
 
 #include <functional>
@@ -30,9 +31,13 @@ Vector cubic_between(const Corrector& corrector, const BranchPoint& from, double
 std::optional<BranchPoint> point_between(Corrector& corrector, const BranchPoint& from, double s,
                                          const BranchPoint& a, const BranchPoint& b);
 
-// As `locate` of branch.hpp.
+// As `locate` of branch.hpp: where `test` changes sign between neighbours a and b.
 std::optional<BranchPoint> locate(Corrector& corrector, const BranchPoint& a, const BranchPoint& b,
                                   const std::function<double(const BranchPoint&)>& test);
+
+// The fold between neighbours a and b. Nothing where the branch does not turn back between them.
+std::optional<BranchPoint> fold_between(Corrector& corrector, const BranchPoint& a,
+                                        const BranchPoint& b);
 
 // Whether `point` lies on the branch between neighbours a and b. `max_turn`: that of the branch.
 bool lies_between(Corrector& corrector, const BranchPoint& a, const BranchPoint& b,

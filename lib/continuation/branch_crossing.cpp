@@ -1,4 +1,4 @@
-#include "graze/continuation/crossing.hpp"
+#include "graze/continuation/branch_crossing.hpp"
 
 #include <Eigen/LU>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "graze/continuation/stations.hpp"
+#include "graze/continuation/crossing_stations.hpp"
 
 #include <algorithm>
 #include <array>
@@ -232,10 +232,8 @@ class StationSearch {
     const BranchPoint &from = branch_.points[step], &to = branch_.points[step + 1];
     if (!worst || b.at - a.at <= kShortestPiece * length(from, to)) return false;
     const double part = worst->ahead / (b.at - a.at);
-    const Vector chord =
-        corrector_.difference(corrector_.pack(*b.point), corrector_.pack(*a.point));
-    std::optional<BranchPoint> point =
-        point_between(corrector_, *a.point, part * chord.dot(a.point->tangent), *a.point, *b.point);
+    std::optional<BranchPoint> point = point_between(
+        corrector_, *a.point, part * corrector_.ahead(*a.point, *b.point), *a.point, *b.point);
     if (!point) return false;
     point->multipliers = problem_.multipliers(point->u, point->parameter, ErrorBounds::kLeftOut);
     if (point->multipliers.size() != from.multipliers.size()) return false;

@@ -1,0 +1,26 @@
+#include "graze/continuation/branch_values.hpp"
+
+namespace graze {
+
+const char* label_of(CriticalKind kind) {
+  switch (kind) {
+    case CriticalKind::kFold:
+      return "LP";
+    case CriticalKind::kPeriodDoubling:
+      return "PD";
+    case CriticalKind::kTorus:
+      return "NS";
+    case CriticalKind::kBranchPoint:
+      break;
+  }
+  return "BP";
+}
+
+std::vector<CriticalPoint> Branch::critical_of(CriticalKind kind) const {
+  std::vector<CriticalPoint> list;
+  for (const CriticalPoint& point : critical)
+    if (point.kind == kind) list.push_back(point);
+  return list;
+}
+
+}  // namespace graze
