@@ -124,8 +124,7 @@ std::optional<BranchPoint> GrazingStations::doubtful(const SeenSolution& a, cons
     return {};
   const std::optional<double> part = doubt_within(all);
   if (!part) return {};
-  const Vector chord = corrector_.difference(corrector_.pack(*b.point), corrector_.pack(*a.point));
-  return point_between(corrector_, *a.point, *part * chord.dot(a.point->tangent), *a.point,
+  return point_between(corrector_, *a.point, *part * corrector_.ahead(*a.point, *b.point), *a.point,
                        *b.point);
 }
 

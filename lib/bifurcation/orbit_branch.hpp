@@ -1,4 +1,5 @@
-// A branch of periodic orbits as a value: its points, its special points, how it ends.
+// A branch of periodic orbits as a value: its points, its special points, how it ends; and how
+// solutions of a zero problem (branch_values.hpp) become part of one.
 #pragma once
 
 #include <array>
@@ -49,11 +50,7 @@ struct SpecialPoint {
   struct Impact {
     double phase = 0.0, speed = 0.0;
   };
-  std::optional<Impact> impact() const {
-    if (kind == SpecialKind::kLiftOff) return Impact{wrapped(solution.u[0]), 0.0};
-    if (at.orbit.impacts.empty()) return {};
-    return Impact{at.orbit.impacts.front().phase, at.orbit.impacts.front().speed};
-  }
+  std::optional<Impact> impact() const;
 };
 
 enum class OrbitBranchEnd {
@@ -83,5 +80,19 @@ struct OrbitBranch {
 
   bool sticks() const { return !holds.empty(); }
 };
+
+// An orbit as a point of a branch.
+OrbitBranchPoint point_of_branch(double value, Orbit orbit);
+
+// Whether a special point of the equations is one of orbits too: where branches of orbits cross, a
+// multiplier is 1. Beside a grazing of orbits that stick the map's derivative jumps, and the
+// orientation with it; and where an amplitude passes zero, orbits shrink to a point of rest that is
+// a solution at every phase.
+bool is_of_orbits(const CriticalPoint& critical);
+// That special point, unnamed; `at`: the orbit there.
+SpecialPoint as_special(const CriticalPoint& critical, OrbitBranchPoint at);
+
+// What an end of a traced branch is called where it is one of orbits.
+OrbitBranchEnd as_orbit_end(BranchEnd end);
 
 }  // namespace graze

@@ -1,9 +1,10 @@
 #include "graze/bifurcation/orbit_equations.hpp"
 
 #include <algorithm>
-#include <limits>
+#include <utility>
 
 #include "graze/base/angle.hpp"
+#include "graze/bifurcation/half_period.hpp"
 #include "graze/orbit/solve.hpp"
 
 namespace graze {
@@ -46,16 +47,10 @@ Admissibility OrbitEquations::admissibility_of(const BranchPoint& solution) cons
 
 OrbitBranchPoint OrbitEquations::judge(const BranchPoint& solution) const {
   const System& system = *system_at(solution.parameter);
-  OrbitBranchPoint result;
-  result.value = solution.parameter;
-  result.orbit = solution.multipliers.empty()
-                     ? make_orbit(system, shooting_, solution.u)
-                     : make_orbit(system, shooting_, solution.u, solution.multipliers);
-  result.unstable_multipliers = count_multipliers(result.orbit.multipliers).outside;
-  result.smallest_speed = std::numeric_limits<double>::infinity();
-  for (const OrbitImpact& impact : result.orbit.impacts)
-    result.smallest_speed = std::min(result.smallest_speed, impact.speed);
-  return result;
+  return point_of_branch(solution.parameter,
+                         solution.multipliers.empty()
+                             ? make_orbit(system, shooting_, solution.u)
+                             : make_orbit(system, shooting_, solution.u, solution.multipliers));
 }
 
 Vector OrbitEquations::halves_differ(const BranchPoint& solution) const {
@@ -71,13 +66,8 @@ Vector OrbitEquations::halves_differ(const BranchPoint& solution) const {
 }
 
 bool OrbitEquations::passes_half(const BranchPoint& a, const BranchPoint& b) const {
-  const Vector at_a = halves_differ(a);
-  if (at_a.size() == 0) return false;
-  const Vector at_b = halves_differ(b);
-  // Where a branch was switched onto, its first point has half the period to rounding: the sign of
-  // what is left says nothing.
-  if (std::min(at_a.norm(), at_b.norm()) <= kShootingTolerance) return false;
-  return at_a.dot(at_b) < 0.0;
+  // Where a branch was switched onto, its first point has half the period to rounding.
+  return turns_round(halves_differ(a), halves_differ(b), kShootingTolerance);
 }
 
 }  // namespace graze

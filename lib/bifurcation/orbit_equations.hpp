@@ -37,8 +37,7 @@ class OrbitEquations {
   // What the second half of the impacts differs from the first by, in the units of the unknowns:
   // zero where the orbit has half the period. Empty for patterns that are not twice one.
   Vector halves_differ(const BranchPoint& solution) const;
-  // Whether the solutions at two neighbours lie on either side of one that has half the period:
-  // beyond it come the same orbits again, half a period later.
+  // Whether the branch passes an orbit of half the period between two neighbours.
   bool passes_half(const BranchPoint& a, const BranchPoint& b) const;
 
  private:

@@ -110,7 +110,7 @@ class Parts {
             (is_of_orbits(*critical) ||
              equations_.passes_half(branch_.points[i - 1], branch_.points[i])))
           special_points.push_back(
-              {along(branch_.points[i - 1], critical->point), special(*critical)});
+              {corrector_.ahead(branch_.points[i - 1], critical->point), special(*critical)});
       OrbitBranchPoint at = equations_.judge(branch_.points[i]);
       SeenSolution here = grazings_.seen(branch_.points[i], at);
       visit_step(before, here, std::move(at), special_points);
@@ -124,10 +124,6 @@ class Parts {
     Station station;
   };
 
-  double along(const BranchPoint& from, const BranchPoint& point) const {
-    return corrector_.difference(corrector_.pack(point), corrector_.pack(from)).dot(from.tangent);
-  }
-
   // A step, piece by piece: its special points, the grazings where its verdict changes, and the
   // solutions between those.
   void visit_step(const SeenSolution& from, const SeenSolution& to, OrbitBranchPoint at_end,
@@ -140,7 +136,7 @@ class Parts {
       const SeenSolution& here = last ? to : piece->seen;
       const std::size_t first = stations_.size() - 1;
       for (; special != special_points.end() &&
-             (last || special->at <= along(*from.point, *here.point));
+             (last || special->at <= corrector_.ahead(*from.point, *here.point));
            ++special)
         stations_.push_back(special->station);
       const bool changes = before->admissible != here.admissible;
@@ -166,9 +162,7 @@ class Parts {
       station.joins_half = true;
       return station;
     }
-    SpecialPoint special{as_special(critical.kind), "", station.at, {}, false, critical.point};
-    if (critical.multiplier) special.multiplier = critical.multiplier->value;
-    station.special = special;
+    station.special = as_special(critical, station.at);
     return station;
   }
 
@@ -261,47 +255,6 @@ class Parts {
 };
 
 }  // namespace
-
-bool is_of_orbits(const CriticalPoint& critical) {
-  // A branch point is interpolated over a step of 1e-6; its multiplier is 1 within the square root
-  // of that.
-  constexpr double kAtOne = 1e-3;
-  return critical.kind != CriticalKind::kBranchPoint ||
-         (critical.multiplier && std::abs(critical.multiplier->value - 1.0) <= kAtOne);
-}
-
-OrbitBranchEnd as_orbit_end(BranchEnd end) {
-  switch (end) {
-    case BranchEnd::kParameterLimit:
-      return OrbitBranchEnd::kParameterLimit;
-    case BranchEnd::kClosed:
-      return OrbitBranchEnd::kClosed;
-    case BranchEnd::kStepLimit:
-      return OrbitBranchEnd::kStepLimit;
-    case BranchEnd::kOutOfTime:
-      return OrbitBranchEnd::kOutOfTime;
-    case BranchEnd::kStopped:
-      return OrbitBranchEnd::kStopped;
-    case BranchEnd::kHalted:
-    case BranchEnd::kNotConverged:
-      break;
-  }
-  return OrbitBranchEnd::kNotConverged;
-}
-
-SpecialKind as_special(CriticalKind kind) {
-  switch (kind) {
-    case CriticalKind::kFold:
-      return SpecialKind::kFold;
-    case CriticalKind::kPeriodDoubling:
-      return SpecialKind::kPeriodDoubling;
-    case CriticalKind::kTorus:
-      return SpecialKind::kTorus;
-    case CriticalKind::kBranchPoint:
-      break;
-  }
-  return SpecialKind::kBranchPoint;
-}
 
 std::vector<OrbitBranch> orbit_parts(const OrbitEquations& equations,
                                      const ContinuationOptions& options, const Branch& branch,

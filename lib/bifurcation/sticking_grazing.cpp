@@ -83,8 +83,7 @@ std::vector<NearGrazing> impacts_near(const StickingEquations& equations, Correc
   const std::optional<ReleaseReturn> now = equations.follow(near.solution);
   if (!now) return {};
   const double unit = kReliable * speed_unit(equations, near.solution);
-  const Vector x = corrector.pack(near.solution);
-  const double length = corrector.difference(corrector.pack(far.solution), x).dot(direction);
+  const double length = corrector.chord(near.solution, far.solution).dot(direction);
   const double rate = length / (far.speed - near.speed);
   std::vector<NearGrazing> list;
   BranchPoint last = near.solution;
@@ -133,9 +132,8 @@ StickingTip grazing_at(const StickingEquations& equations, Corrector& corrector,
       near.insert(near.begin(),
                   {point->parameter, by_speed ? back->slowest : *back->passage.clearance});
     if (!by_speed || !(back->slowest > std::max(kReliable * unit, 2.0 * here->slowest))) continue;
-    solved =
-        impacts_near(equations, corrector, {*point, back->slowest}, {at, here->slowest},
-                     corrector.difference(corrector.pack(*point), corrector.pack(at)).normalized());
+    solved = impacts_near(equations, corrector, {*point, back->slowest}, {at, here->slowest},
+                          corrector.chord(at, *point).normalized());
     break;
   }
   std::optional<double> value;

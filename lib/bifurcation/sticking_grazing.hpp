@@ -8,7 +8,9 @@
 
 #include <vector>
 
-#include "graze/bifurcation/sticking_borders.hpp"
+#include "graze/bifurcation/sticking_equations.hpp"
+#include "graze/bifurcation/sticking_tip.hpp"
+#include "graze/continuation/corrector.hpp"
 
 namespace graze {
 

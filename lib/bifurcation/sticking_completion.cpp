@@ -1,0 +1,142 @@
+#include "graze/bifurcation/sticking_completion.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+#include "graze/bifurcation/grazing_value.hpp"
+#include "graze/orbit/held_force.hpp"
+
+namespace graze {
+namespace {
+
+// A stuck phase that lasts less than this part of a forcing period has shrunk to nothing: what
+// 1e-10 of the parameter leaves of it beside CH, (1e-10)^(3/5).
+constexpr double kGone = 1e-6;
+// Where the contact force touches zero the stop is open for a time that goes as the square root of
+// the distance: what 1e-10 of the parameter leaves of it, of a forcing period.
+constexpr double kInterrupted = 1e-5;
+// An opening as long as this is known to some 1e-6 of its own, of a forcing period.
+constexpr double kOpened = 1e-4;
+// Points before a border that may be flown once more instead of it, each at least half as far from
+// it as the one before.
+constexpr int kMostBack = 8;
+// A flight whose excursion, as its duration to the power 4, is within rounding is none: what that
+// leaves of the parameter, as its duration to the power 2, is some 1e-8 of the range.
+constexpr double kTold = 1e-6;
+constexpr int kMostSecants = 16;  // each doubles the digits, nearly
+
+// The shortest time for which a stop is let go, s; infinite where none is closed again.
+double shortest_opening(const ReleaseReturn& back, double period) {
+  double shortest = std::numeric_limits<double>::infinity();
+  for (const PassedHold& first : back.passage.holds)
+    for (const PassedHold& next : back.passage.holds) {
+      if (next.from_start || next.stop != first.stop) continue;
+      const double open = static_cast<double>(next.from.period - first.to.period) * period +
+                          next.from.local - first.to.local;
+      if (open >= 0.0) shortest = std::min(shortest, open);
+    }
+  return shortest;
+}
+
+// Whether a stop is let go and closed again at once.
+bool is_interrupted(const ReleaseReturn& back, double period) {
+  return shortest_opening(back, period) <= kInterrupted * period;
+}
+
+// Whether the structure is let go once in all periods and held again at once.
+bool is_at_rest(const ReleaseReturn& back, int periods, double period) {
+  return back.holds.size() == 1 && back.shortest_hold >= (periods - kInterrupted) * period;
+}
+
+// Where the stop is not let go any more, by orbits before that: bisection comes as near as an
+// opening that can be told from none.
+double last_opening(const StickingEquations& equations, const std::vector<BranchPoint>& reached) {
+  std::vector<NearGrazing> near;
+  for (const BranchPoint& point : reached)
+    if (const auto back = equations.follow(point))
+      near.push_back({point.parameter, shortest_opening(*back, equations.period_at(point))});
+  return grazing_value(near, kOpened * equations.period_at(reached.back()))
+      .value_or(reached.back().parameter);
+}
+
+// The orbit met beyond, where its stuck phases are others: of those next to the border that have
+// the same ones the farthest.
+std::optional<BranchPoint> orbit_beyond(const StickingApproach& approach) {
+  std::optional<BranchPoint> other;
+  const auto& others = approach.others;
+  for (auto known = others.rbegin(); known != others.rend(); ++known) {
+    if (known->second.size() == approach.last.holds.size() || known->second != others.back().second)
+      break;
+    other = known->first;
+  }
+  return other;
+}
+
+// The last of the points reached whose orbit is found once more: on the border itself rounding may
+// decide otherwise when it is flown again.
+std::optional<BranchPoint> last_orbit(const StickingEquations& equations,
+                                      const std::vector<BranchPoint>& reached) {
+  int back = 0;
+  for (auto point = reached.rbegin(); point != reached.rend() && back < kMostBack; ++point, ++back)
+    if (equations.judge(*point)) return *point;
+  return {};
+}
+
+}  // namespace
+
+bool has_shrunk(const ReleaseReturn& back, double period) {
+  return back.shortest_hold <= kGone * period;
+}
+
+StickingTip completion(const StickingEquations& equations, const StickingApproach& approach) {
+  const BranchPoint& inside = approach.reached.back();
+  const ReleaseReturn& here = approach.last;
+  const std::optional<ReleaseReturn>& beyond = approach.beyond;
+  const double period = equations.period_at(inside);
+  const bool one_less = has_shrunk(here, period);
+  bool one_more = false, cut_here = is_interrupted(here, period), cut = cut_here;
+  if (beyond) {
+    const double period_beyond = equations.period_at(approach.at_beyond);
+    one_more = beyond->returns && beyond->holds.size() > here.holds.size() &&
+               has_shrunk(*beyond, period_beyond);
+    cut = cut || is_interrupted(*beyond, period_beyond);
+  }
+  const bool changes = one_less || one_more;
+  if ((!changes && !cut) || !approach.settled) return {};
+  const double value =
+      !changes && cut_here ? last_opening(equations, approach.reached) : inside.parameter;
+  const std::optional<BranchPoint> border = last_orbit(equations, approach.reached);
+  if (!border) return {};
+  const int periods = equations.section().release().period;
+  const OrbitBranchEnd end = is_at_rest(here, periods, period) ? OrbitBranchEnd::kAtRest
+                                                               : OrbitBranchEnd::kChatterCompletes;
+  return {end, border, false, !changes, value, orbit_beyond(approach)};
+}
+
+std::optional<std::pair<double, double>> lift_off(const StickingEquations& equations, double range,
+                                                  double near) {
+  const Release& release = equations.section().release();
+  const auto held_at = [&](double value) {
+    const System* system = equations.system_at(value);
+    return system ? held_force(*system, release.closed, release.released)
+                  : std::optional<HeldForce>();
+  };
+  double before = near - kTold * range, value = near;
+  for (int step = 0; step < kMostSecants; ++step) {
+    const std::optional<HeldForce> a = held_at(before), b = held_at(value);
+    if (!a || !b) return {};
+    if (a->least() == b->least()) break;
+    const double next = value - b->least() * (value - before) / (b->least() - a->least());
+    if (!(std::abs(next - near) <= kTold * range)) return {};
+    before = value;
+    value = next;
+    if (value == before) break;
+  }
+  const std::optional<HeldForce> there = held_at(value);
+  if (!there) return {};
+  return std::pair(value, there->phase_of_least());
+}
+
+}  // namespace graze
