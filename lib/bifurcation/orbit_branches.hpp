@@ -28,9 +28,9 @@ struct BranchOptions {
   // (BP), rewritten impact sequences (GR), and orbits with a stuck phase (CH) or an impact
   // (GR, where they stick) more or less; 0: none.
   int follow_depth = 0;
-  FinderOptions finder;  // starts, at the scene's own value
-  StopSignal stop;
-  std::function<void(double fraction)> progress;
+  FinderOptions finder{};  // starts, at the scene's own value
+  StopSignal stop{};
+  std::function<void(double fraction)> progress{};
 };
 
 struct OrbitBranches {

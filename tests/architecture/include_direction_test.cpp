@@ -1,10 +1,11 @@
-// The house rules that a compiler does not see: which room may know which, which library stands
-// where, and how long a file may be.
+// The house rules that a compiler does not see: which room may know which, that no files know each
+// other in a circle, which library stands where, and how long a file may be.
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
+#include <iterator>
 #include <map>
 #include <set>
 #include <string>
@@ -78,6 +79,17 @@ std::string room_of(const fs::path& file) {
   return (++fs::relative(file, kRoot).begin())->string();
 }
 
+// A header and what it is written in: of hybrid/impact.hpp, impact.cpp, impact_impl.hpp and
+// impact_extended.cpp the name is hybrid/impact.
+std::string module_of(const fs::path& file) {
+  std::string name = file.stem().string();
+  for (const std::string ending : {"_impl", "_extended"})
+    if (name.size() > ending.size() &&
+        name.compare(name.size() - ending.size(), ending.size(), ending) == 0)
+      name.resize(name.size() - ending.size());
+  return (file.parent_path().filename() / name).generic_string();
+}
+
 bool starts_with(const std::string& text, const std::string& start) {
   return text.compare(0, start.size(), start) == 0;
 }
@@ -107,6 +119,46 @@ TEST(Architecture, HeadersOfTheProjectAreIncludedByTheirFullName) {
                        fs::exists(file.parent_path() / header);
       EXPECT_FALSE(own) << name_of(file) << " includes " << header;
     }
+}
+
+// Rooms whose modules still include each other in circles.
+const std::set<std::string> kWithCircles = {"system", "flow", "hybrid", "orbit"};
+
+// What each module of lib includes of the others.
+std::map<std::string, std::set<std::string>> module_includes() {
+  std::map<std::string, std::set<std::string>> graph;
+  for (const fs::path& file : sources("lib")) {
+    const std::string module = module_of(file);
+    std::set<std::string>& known = graph[module];
+    for (const std::string& header : includes(file))
+      if (starts_with(header, "graze/") && module_of(header) != module)
+        known.insert(module_of(header));
+  }
+  return graph;
+}
+
+// One can be read from the bottom up. What is left when modules that include none of the rest are
+// taken away one by one stands in circles, or on one.
+TEST(Architecture, ModulesDoNotIncludeEachOtherInCircles) {
+  std::map<std::string, std::set<std::string>> left = module_includes();
+  EXPECT_TRUE(left.count("continuation/branch"));
+  for (bool taken = true; taken;) {
+    taken = false;
+    for (auto module = left.begin(); module != left.end();) {
+      const auto is_left = [&](const std::string& name) { return left.count(name) > 0; };
+      const bool stands =
+          kWithCircles.count(module->first.substr(0, module->first.find('/'))) == 0 &&
+          std::any_of(module->second.begin(), module->second.end(), is_left);
+      taken = taken || !stands;
+      module = stands ? std::next(module) : left.erase(module);
+    }
+  }
+  for (const auto& [module, known] : left) {
+    std::string circle;
+    for (const std::string& name : known)
+      if (left.count(name)) circle += " " + name;
+    ADD_FAILURE() << module << " includes" << circle;
+  }
 }
 
 // A third party and the only places that may include it: a folder, and there .cpp files alone

@@ -1,8 +1,10 @@
-// Branches of (1, 1) orbits against the closed form, value by value.
+// Branches of orbits as the tests trace them, and what they are held against: the closed form,
+// value by value, and what happens in runs.
 #pragma once
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <optional>
@@ -10,7 +12,9 @@
 #include <vector>
 
 #include "graze/bifurcation/orbit_branches.hpp"
+#include "graze/hybrid/simulation.hpp"
 #include "graze/orbit/closed_form.hpp"
+#include "graze/scene/parameter.hpp"
 #include "support/reference.hpp"
 
 namespace graze::support {
@@ -25,6 +29,38 @@ inline OrbitBranches trace(const Scene& scene, const std::string& parameter, dou
   options.keep_virtual = keep_virtual;
   options.sticking = false;
   return trace_orbits(family, options);
+}
+
+// The branches that starts from simulations lead to.
+inline OrbitBranches trace_from_runs(const Scene& scene, const std::string& parameter,
+                                     BranchOptions options) {
+  options.finder.from_closed_form = options.finder.from_random = false;
+  return trace_orbits(SystemFamily(scene, parameter), options);
+}
+
+// Of these the ones whose orbits stick.
+inline OrbitBranches sticking_branches(const Scene& scene, const std::string& parameter,
+                                       const BranchOptions& options) {
+  OrbitBranches result = trace_from_runs(scene, parameter, options);
+  std::erase_if(result.branches, [](const OrbitBranch& branch) { return !branch.sticks(); });
+  return result;
+}
+
+// Events of a kind in a period of a run from the scene's initial state, on average over so many
+// periods after as many.
+inline double events_a_period(const SystemFamily& family, double value, EventKind kind,
+                              int periods) {
+  const System system = *family.at(value);
+  const Scene scene = with_parameter(family.scene(), family.parameter(), value);
+  SimulationOptions options;
+  options.periods = 2 * periods;
+  int count = 0;
+  RunListeners listeners;
+  listeners.event = [&](const Event& event) {
+    count += event.kind == kind && event.period_index >= periods;
+  };
+  simulate(system, initial_state(scene, system), options, listeners);
+  return static_cast<double>(count) / periods;
 }
 
 // |kappa| and the gap of the closed form at one value; a fold is where they meet.

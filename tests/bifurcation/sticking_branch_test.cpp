@@ -19,26 +19,8 @@ namespace {
 
 using support::number;
 using support::special_points;
+using support::sticking_branches;
 using support::TableRow;
-
-// Orbits that stick only.
-OrbitBranches sticking_branches(const Scene& scene, const std::string& parameter, double from,
-                                double to, int start_values = 32, int depth = 0,
-                                double max_step = 0.0) {
-  const SystemFamily family(scene, parameter);
-  BranchOptions options;
-  options.max_step = max_step;
-  options.from = from;
-  options.to = to;
-  options.start_values = start_values;
-  options.follow_depth = depth;
-  options.finder.from_closed_form = options.finder.from_random = false;
-  OrbitBranches result = trace_orbits(family, options);
-  const auto bounces = [](const OrbitBranch& branch) { return !branch.sticks(); };
-  result.branches.erase(std::remove_if(result.branches.begin(), result.branches.end(), bounces),
-                        result.branches.end());
-  return result;
-}
 
 Scene oscillator(const TableRow& row) {
   return support::reference_scene(
@@ -56,7 +38,8 @@ TEST(StickingBranch, EndsWhereTheChatterCompletesAtItsRelease) {
     const double critical = number(row, "critical");
     const double own = *find_parameter(oscillator(row), row.at("parameter"));
     const OrbitBranches result =
-        sticking_branches(oscillator(row), row.at("parameter"), 0.8 * own, 1.02 * critical, 0);
+        sticking_branches(oscillator(row), row.at("parameter"),
+                          {.from = 0.8 * own, .to = 1.02 * critical, .start_values = 0});
     ASSERT_EQ(result.branches.size(), 1u);
     const OrbitBranch& branch = result.branches[0];
     EXPECT_EQ(branch.holds, std::vector<int>{0});
@@ -92,15 +75,11 @@ TEST(StickingBranch, EndsWhereTheChatterCompletesAtItsRelease) {
 // However its tail is summed.
 TEST(StickingBranch, ChatterPointDoesNotDependOnTheClosureSpeed) {
   const TableRow row = support::read_table("chatter_points.csv")[1];
-  const SystemFamily family(oscillator(row), row.at("parameter"));
   for (const double speed : {1e-3, 1e-5, 1e-9}) {
-    BranchOptions options;
-    options.from = 0.1;
-    options.to = 0.9;
-    options.start_values = 0;
-    options.finder.from_closed_form = options.finder.from_random = false;
+    BranchOptions options{.from = 0.1, .to = 0.9, .start_values = 0};
     options.finder.closure_speed = speed;
-    const OrbitBranches result = trace_orbits(family, options);
+    const OrbitBranches result =
+        support::trace_from_runs(oscillator(row), row.at("parameter"), options);
     const auto found = special_points(result, SpecialKind::kChatterCompletes);
     ASSERT_EQ(found.size(), 1u) << speed;
     EXPECT_LE(std::abs(found[0]->at.value / number(row, "critical") - 1.0), 1e-10) << speed;
@@ -136,9 +115,9 @@ TEST(StickingBranch, ChatterPointPartsRunsThatStickFromRunsThatDoNot) {
   for (const TableRow& row : support::read_table("chatter_points.csv")) {
     SCOPED_TRACE(row.at("case"));
     const SystemFamily family(oscillator(row), row.at("parameter"));
-    const OrbitBranches result =
-        sticking_branches(oscillator(row), row.at("parameter"), 0.8 * family.value(),
-                          1.02 * number(row, "critical"), 0);
+    const OrbitBranches result = sticking_branches(
+        oscillator(row), row.at("parameter"),
+        {.from = 0.8 * family.value(), .to = 1.02 * number(row, "critical"), .start_values = 0});
     const auto found = special_points(result, SpecialKind::kChatterCompletes);
     ASSERT_EQ(found.size(), 1u);
     for (const double aside : {1e-9, 1e-6, 1e-3}) {
@@ -195,33 +174,26 @@ int expect_stability_of_runs(const Scene& scene, const std::string& parameter,
 
 TEST(StickingBranch, OfSeveralModesAreReturnedToByRunsOrLeft) {
   const Scene scene = support::reference_scene("sticking/rayl3");
-  EXPECT_GE(expect_stability_of_runs(scene, "forcing.frequency",
-                                     sticking_branches(scene, "forcing.frequency", 0.15, 0.35, 9)),
-            20);
-  EXPECT_GE(expect_stability_of_runs(scene, "stop.gap",
-                                     sticking_branches(scene, "stop.gap", 0.05, 0.4, 9)),
+  EXPECT_GE(
+      expect_stability_of_runs(scene, "forcing.frequency",
+                               sticking_branches(scene, "forcing.frequency",
+                                                 {.from = 0.15, .to = 0.35, .start_values = 9})),
+      20);
+  EXPECT_GE(expect_stability_of_runs(
+                scene, "stop.gap",
+                sticking_branches(scene, "stop.gap", {.from = 0.05, .to = 0.4, .start_values = 9})),
             10);
 }
 
-// Sticks in one period, counted over some of them after the motion has settled.
 double sticks_a_period(const SystemFamily& family, double value) {
-  const System system = *family.at(value);
-  const Scene scene = with_parameter(family.scene(), family.parameter(), value);
-  SimulationOptions options;
-  options.periods = 400;
-  int sticks = 0;
-  RunListeners listeners;
-  listeners.event = [&](const Event& event) {
-    sticks += event.kind == EventKind::kStick && event.period_index >= 200;
-  };
-  simulate(system, initial_state(scene, system), options, listeners);
-  return sticks / 200.0;
+  return support::events_a_period(family, value, EventKind::kStick, 200);
 }
 
 TEST(StickingBranch, RunsStickAsOftenAsTheirBranchSays) {
   const Scene scene = support::reference_scene("sticking/rayl3");
   const SystemFamily family(scene, "forcing.frequency");
-  const OrbitBranches result = sticking_branches(scene, "forcing.frequency", 0.12, 0.3, 9);
+  const OrbitBranches result =
+      sticking_branches(scene, "forcing.frequency", {.from = 0.12, .to = 0.3, .start_values = 9});
   int parted = 0, interrupted = 0;
   for (const OrbitBranch& branch : result.branches)
     for (const SpecialPoint& special : branch.special) {
@@ -246,7 +218,8 @@ TEST(StickingBranch, RunsStickAsOftenAsTheirBranchSays) {
 TEST(StickingBranch, OfTheShippedBeamRunsBetweenItsChatterPoints) {
   const Scene scene = support::shipped_scene("09_soft_stop_two_modes");
   const SystemFamily family(scene, "forcing.frequency");
-  const OrbitBranches result = sticking_branches(scene, "forcing.frequency", 36.0, 43.0, 8);
+  const OrbitBranches result =
+      sticking_branches(scene, "forcing.frequency", {.from = 36.0, .to = 43.0, .start_values = 8});
   ASSERT_EQ(result.branches.size(), 1u);
   const OrbitBranch& branch = result.branches[0];
   EXPECT_EQ(branch.holds, std::vector<int>{0});
@@ -277,7 +250,8 @@ TEST(StickingBranch, EndsAtRestWhereTheForceOfTheHeldMotionTouchesZero) {
   const double norm = 1.0 + 0.36;  // d = b/(b.b)
   const Complex swing = (first + 0.6 * 0.4 * second) / ((first + 0.36 * second) / norm);
   const double compliance = (1.0 + 0.36 / (3.6 * 3.6)) / norm;
-  const OrbitBranches result = sticking_branches(scene, "stop.gap", -1.4, -0.7, 8);
+  const OrbitBranches result =
+      sticking_branches(scene, "stop.gap", {.from = -1.4, .to = -0.7, .start_values = 8});
   ASSERT_EQ(result.branches.size(), 1u);
   const OrbitBranch& branch = result.branches[0];
   EXPECT_EQ(branch.ends[0], OrbitBranchEnd::kAtRest);
@@ -294,8 +268,9 @@ TEST(StickingBranch, EndsAtRestWhereTheForceOfTheHeldMotionTouchesZero) {
 
 // Beyond CH the orbits have a stuck phase more or less; seen from there it is the same point.
 TEST(StickingBranch, IsFollowedAcrossItsChatterPoints) {
-  const OrbitBranches result = sticking_branches(support::reference_scene("sticking/rayl3"),
-                                                 "forcing.frequency", 0.13, 0.17, 1, 2);
+  const OrbitBranches result =
+      sticking_branches(support::reference_scene("sticking/rayl3"), "forcing.frequency",
+                        {.from = 0.13, .to = 0.17, .start_values = 1, .follow_depth = 2});
   int followed = 0;
   for (const OrbitBranch& branch : result.branches)
     for (const OrbitBranch& from : result.branches)
@@ -323,7 +298,7 @@ TEST(StickingBranch, IsFollowedAcrossItsChatterPoints) {
 TEST(StickingBranch, IsNotTracedWhereStuckPhasesHaveNoEnd) {
   const OrbitBranches result =
       sticking_branches(support::reference_scene("sticking/thrown_off", {"forcing.frequency=0.9"}),
-                        "forcing.frequency", 0.88, 0.92, 2);
+                        "forcing.frequency", {.from = 0.88, .to = 0.92, .start_values = 2});
   EXPECT_TRUE(result.branches.empty());
   EXPECT_TRUE(std::any_of(result.notes.begin(), result.notes.end(), [](const std::string& note) {
     return note.find("stuck phases without end") != std::string::npos;
@@ -333,8 +308,8 @@ TEST(StickingBranch, IsNotTracedWhereStuckPhasesHaveNoEnd) {
 // A grazing is the same one from the side on which the approach touches and from the side on which
 // the impact loses its speed.
 TEST(StickingBranch, GrazingIsFoundFromEitherSide) {
-  const OrbitBranches result =
-      sticking_branches(support::reference_scene("sticking/rayl3"), "forcing.frequency", 0.15, 0.3);
+  const OrbitBranches result = sticking_branches(support::reference_scene("sticking/rayl3"),
+                                                 "forcing.frequency", {.from = 0.15, .to = 0.3});
   int pairs = 0;
   const auto grazings = special_points(result, SpecialKind::kGrazing);
   for (const SpecialPoint* a : grazings)
@@ -361,7 +336,8 @@ TEST(StickingBranch, EndsAtTheSameCornersHoweverLongItsSteps) {
   const auto ends = [&](double max_step) {
     std::vector<std::pair<double, SpecialKind>> list;
     const OrbitBranches result =
-        sticking_branches(scene, "forcing.frequency", 0.43, 0.49, 9, 0, max_step);
+        sticking_branches(scene, "forcing.frequency",
+                          {.from = 0.43, .to = 0.49, .max_step = max_step, .start_values = 9});
     for (const OrbitBranch& branch : result.branches)
       for (const SpecialPoint& special : branch.special)
         list.emplace_back(special.at.value, special.kind);

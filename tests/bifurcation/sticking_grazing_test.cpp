@@ -8,29 +8,13 @@
 #include "branch_checks.hpp"
 #include "graze/bifurcation/sticking_borders.hpp"
 #include "graze/flow/exact_flow.hpp"
-#include "graze/hybrid/simulation.hpp"
 #include "graze/scene/parameter.hpp"
 
 namespace graze {
 namespace {
 
 using support::special_points;
-
-OrbitBranches traced(const Scene& scene, const std::string& parameter, double from, double to,
-                     double max_step = 0.0, int start_values = 8) {
-  const SystemFamily family(scene, parameter);
-  BranchOptions options;
-  options.max_step = max_step;
-  options.from = from;
-  options.to = to;
-  options.start_values = start_values;
-  options.finder.from_closed_form = options.finder.from_random = false;
-  OrbitBranches result = trace_orbits(family, options);
-  const auto bounces = [](const OrbitBranch& branch) { return !branch.sticks(); };
-  result.branches.erase(std::remove_if(result.branches.begin(), result.branches.end(), bounces),
-                        result.branches.end());
-  return result;
-}
+using support::sticking_branches;
 
 // An oscillator that sticks at a gap of 0.2, where the push F cos(theta) - q sets it free, and
 // swings over to a second stop.
@@ -75,7 +59,8 @@ TEST(StickingGrazing, IsASpecialPointWhereAllDirectionsAreHeld) {
       const double middle = 0.5 * (touching + clear);
       (reach(*family.at(middle)) > gap ? clear : touching) = middle;
     }
-    const OrbitBranches result = traced(scene, "forcing.frequency", 0.3, 0.58);
+    const OrbitBranches result =
+        sticking_branches(scene, "forcing.frequency", {.from = 0.3, .to = 0.58, .start_values = 8});
     ASSERT_EQ(result.branches.size(), 1u);
     EXPECT_EQ(result.branches[0].ends[0], OrbitBranchEnd::kParameterLimit);
     EXPECT_EQ(result.branches[0].ends[1], OrbitBranchEnd::kParameterLimit);
@@ -86,28 +71,14 @@ TEST(StickingGrazing, IsASpecialPointWhereAllDirectionsAreHeld) {
   }
 }
 
-// Impacts in each of the last periods of a run.
-double impacts_a_period(const SystemFamily& family, double value) {
-  const System system = *family.at(value);
-  const Scene scene = with_parameter(family.scene(), family.parameter(), value);
-  SimulationOptions options;
-  options.periods = 40;
-  int impacts = 0;
-  RunListeners listeners;
-  listeners.event = [&](const Event& event) {
-    impacts += event.kind == EventKind::kImpact && event.period_index >= 20;
-  };
-  simulate(system, initial_state(scene, system), options, listeners);
-  return impacts / 20.0;
-}
-
 // Between 0.1245285 and 0.1246259 rad/s an approach touches twice: the step is 0.012.
 TEST(StickingGrazing, PairsWithinAStepArePassedOneByOne) {
   const Scene scene = two_sided(1.02);
   const SystemFamily family(scene, "forcing.frequency");
   std::vector<std::vector<double>> found;
   for (const double step : {0.0, 0.0005}) {
-    const OrbitBranches result = traced(scene, "forcing.frequency", 0.1, 0.7, step);
+    const OrbitBranches result = sticking_branches(
+        scene, "forcing.frequency", {.from = 0.1, .to = 0.7, .max_step = step, .start_values = 8});
     found.emplace_back();
     for (const SpecialPoint* special : special_points(result, SpecialKind::kGrazing))
       found.back().push_back(special->at.value);
@@ -116,9 +87,11 @@ TEST(StickingGrazing, PairsWithinAStepArePassedOneByOne) {
   ASSERT_EQ(found[0].size(), found[1].size());
   for (std::size_t i = 0; i < found[0].size(); ++i) {
     EXPECT_NEAR(found[0][i] / found[1][i], 1.0, 1e-9);
-    const double before = impacts_a_period(family, found[0][i] * (1.0 - 1e-8)),
-                 behind = impacts_a_period(family, found[0][i] * (1.0 + 1e-8));
-    EXPECT_NE(before, behind) << found[0][i];
+    const auto impacts = [&](double side) {
+      return support::events_a_period(family, found[0][i] * (1.0 + side * 1e-8), EventKind::kImpact,
+                                      20);
+    };
+    EXPECT_NE(impacts(-1.0), impacts(1.0)) << found[0][i];
   }
 }
 
@@ -131,7 +104,8 @@ TEST(StickingGrazing, IsNothingThatRoundingMakes) {
       "[[stop]]\nshape = [0.616]\ngap = 0.0\nrestitution = 0.0\n",
       "no_gap.toml");
   for (const double step : {0.0, 0.004}) {
-    const OrbitBranches result = traced(scene, "forcing.amplitude", 0.6, 1.6, step, 4);
+    const OrbitBranches result = sticking_branches(
+        scene, "forcing.amplitude", {.from = 0.6, .to = 1.6, .max_step = step, .start_values = 4});
     ASSERT_EQ(result.branches.size(), 1u);
     EXPECT_TRUE(result.branches[0].special.empty()) << result.branches[0].special.size();
   }
@@ -141,7 +115,9 @@ TEST(StickingGrazing, IsNothingThatRoundingMakes) {
 TEST(StickingGrazing, RowsBesideAChatterPointDoNotDependOnTheSteps) {
   std::vector<std::vector<double>> found;
   for (const double step : {0.0, 0.001}) {
-    const OrbitBranches result = traced(two_sided(0.9), "forcing.frequency", 0.1, 0.4, step, 4);
+    const OrbitBranches result =
+        sticking_branches(two_sided(0.9), "forcing.frequency",
+                          {.from = 0.1, .to = 0.4, .max_step = step, .start_values = 4});
     found.emplace_back();
     for (const SpecialPoint* special : special_points(result, SpecialKind::kGrazing))
       found.back().push_back(special->at.value);
@@ -201,7 +177,8 @@ TEST(StickingGrazing, PairsBetweenOrbitsWithTheSameEventsAreSeen) {
   const double gap = 1.5185, low = 0.4792, middle = 0.4805, high = 0.4825;
   const SystemFamily clear(two_modes(3.0), "forcing.frequency"),
       near(two_modes(gap), "forcing.frequency");
-  const OrbitBranches result = traced(clear.scene(), "forcing.frequency", 0.4785, 0.4835, 0.0, 1);
+  const OrbitBranches result = sticking_branches(clear.scene(), "forcing.frequency",
+                                                 {.from = 0.4785, .to = 0.4835, .start_values = 1});
   ASSERT_FALSE(result.branches.empty());
   const OrbitBranchPoint& point = result.branches[0].points.front();
   const StickingOptions options{point.orbit.sticking->closure_speed, 10'000'000, {}};

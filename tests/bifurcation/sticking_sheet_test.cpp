@@ -7,22 +7,10 @@
 #include <cmath>
 
 #include "branch_checks.hpp"
-#include "graze/scene/parameter.hpp"
 #include "graze/scene/reader.hpp"
 
 namespace graze {
 namespace {
-
-OrbitBranches traced(const Scene& scene, const std::string& parameter, double from, double to,
-                     double max_step) {
-  const SystemFamily family(scene, parameter);
-  BranchOptions options;
-  options.max_step = max_step;
-  options.from = from;
-  options.to = to;
-  options.finder.from_closed_form = options.finder.from_random = false;
-  return trace_orbits(family, options);
-}
 
 // Of the branches on either side of the grazing one loses its second impact there and the other an
 // approach: each is located from its own side. On the former every orbit has two impacts.
@@ -35,7 +23,8 @@ TEST(StickingSheet, ABranchThatGrazesKeepsItsImpact) {
       "two_modes.toml");
   for (const double step : {0.03, 0.01, 0.003}) {
     SCOPED_TRACE(step);
-    const OrbitBranches result = traced(scene, "stop.gap", 0.2, 0.26, step);
+    const OrbitBranches result =
+        support::trace_from_runs(scene, "stop.gap", {.from = 0.2, .to = 0.26, .max_step = step});
     std::vector<double> by_speed, by_approach;
     for (const SpecialPoint* special : support::special_points(result, SpecialKind::kGrazing))
       (special->by_speed ? by_speed : by_approach).push_back(special->at.value);
@@ -72,7 +61,8 @@ TEST(StickingSheet, AStepDoesNotLeadToAnotherBranchWithTheSameEvents) {
       "three_modes.toml");
   for (const double step : {0.0078, 0.001}) {
     SCOPED_TRACE(step);
-    const OrbitBranches result = traced(scene, "modal.damping_ratios.1", 0.215, 0.24, step);
+    const OrbitBranches result = support::trace_from_runs(
+        scene, "modal.damping_ratios.1", {.from = 0.215, .to = 0.24, .max_step = step});
     for (const double value : {0.2313801370107, 0.2336519527113})
       EXPECT_TRUE(std::any_of(result.branches.begin(), result.branches.end(),
                               [&](const OrbitBranch& branch) {

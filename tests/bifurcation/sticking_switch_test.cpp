@@ -15,15 +15,9 @@ namespace graze {
 namespace {
 
 OrbitBranches followed(const Scene& scene, double from, double to, double max_step) {
-  const SystemFamily family(scene, "forcing.frequency");
-  BranchOptions options;
-  options.max_step = max_step;
-  options.from = from;
-  options.to = to;
-  options.start_values = 8;
-  options.follow_depth = 1;
-  options.finder.from_closed_form = options.finder.from_random = false;
-  return trace_orbits(family, options);
+  return support::trace_from_runs(
+      scene, "forcing.frequency",
+      {.from = from, .to = to, .max_step = max_step, .start_values = 8, .follow_depth = 1});
 }
 
 double fastest(const Orbit& orbit, int stop) {

@@ -6,24 +6,15 @@
 #include <cmath>
 #include <numbers>
 
+#include "known_problems.hpp"
+
 namespace graze {
 namespace {
 
-struct Scalar {
-  double value, by_u, by_parameter;
-};
-
-// One equation in one unknown.
-template <class F>
-ZeroProblem scalar_problem(F f) {
-  ZeroProblem problem;
-  problem.evaluate = [f](const Vector& u, double p) -> std::optional<ZeroEvaluation> {
-    const Scalar at = f(u[0], p);
-    return ZeroEvaluation{Vector::Constant(1, at.value), Matrix::Constant(1, 1, at.by_u),
-                          Vector::Constant(1, at.by_parameter)};
-  };
-  return problem;
-}
+using support::range;
+using support::Scalar;
+using support::scalar_problem;
+using support::traced;
 
 ZeroProblem circle() {
   return scalar_problem([](double u, double p) {
@@ -36,19 +27,6 @@ ZeroProblem cubic(double s) {
   return scalar_problem([s](double u, double p) {
     return Scalar{u * u * u - 3.0 * s * u - p, 3.0 * (u * u - s), -1.0};
   });
-}
-
-ContinuationOptions range(double from, double to) {
-  ContinuationOptions options;
-  options.from = from;
-  options.to = to;
-  return options;
-}
-
-Branch traced(const ZeroProblem& problem, const ContinuationOptions& options, double u, double p) {
-  const auto start = solve_at(problem, options, Vector::Constant(1, u), p);
-  EXPECT_TRUE(start);
-  return trace_branch(problem, options, *start);
 }
 
 TEST(Continuation, CircleClosesOnceWithTwoFolds) {

@@ -10,7 +10,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "graze/continuation/branch.hpp"
+#include "known_problems.hpp"
 
 namespace graze {
 namespace {
@@ -44,16 +44,11 @@ struct Collision {
 
 // u = p, with these multipliers.
 Branch traced(const Collision& collision) {
-  ZeroProblem problem;
-  problem.evaluate = [](const Vector& u, double p) -> std::optional<ZeroEvaluation> {
-    return ZeroEvaluation{Vector::Constant(1, u[0] - p), Matrix::Identity(1, 1),
-                          Vector::Constant(1, -1.0)};
-  };
+  ZeroProblem problem = support::straight_line();
   problem.multipliers = [&](const Vector&, double p, ErrorBounds) {
     return collision.multipliers(p);
   };
-  const auto start = solve_at(problem, {}, Vector::Zero(1), 0.0);
-  return trace_branch(problem, {}, *start);
+  return support::traced(problem, {}, 0.0, 0.0);
 }
 
 void expect_both_crossings(const Collision& collision, CriticalKind kind) {
@@ -103,7 +98,7 @@ TEST(Collision, BranchPointsThereAndBackWithinAStepAreFound) {
     problem.multipliers = [&](const Vector&, double p, ErrorBounds) {
       return std::vector<Eigenvalue>{{1.0 + distance(p)}};
     };
-    const Branch branch = trace_branch(problem, {}, *solve_at(problem, {}, Vector::Zero(1), 0.0));
+    const Branch branch = support::traced(problem, {}, 0.0, 0.0);
     const auto found = branch.critical_of(CriticalKind::kBranchPoint);
     ASSERT_EQ(found.size(), 2u) << centre;
     EXPECT_NEAR(found[0].point.parameter, centre - kHalf, 1e-9);

@@ -8,16 +8,13 @@
 
 #include "graze/continuation/map.hpp"
 #include "graze/continuation/switching.hpp"
+#include "known_problems.hpp"
 
 namespace graze {
 namespace {
 
-ContinuationOptions range(double from, double to) {
-  ContinuationOptions options;
-  options.from = from;
-  options.to = to;
-  return options;
-}
+using support::range;
+using support::traced;
 
 // x -> p x (1 - x): fixed points 0 and 1 - 1/p cross at p = 1; the latter doubles at p = 3, the
 // doubled orbit at 1 + sqrt(6), and that at 3.5440903595519 (May 1976; to 14 digits from the
@@ -52,13 +49,6 @@ Map delayed_logistic() {
     at.parameter_derivative << x[0] * (1.0 - x[1]), 0.0;
     return at;
   };
-}
-
-Branch traced(const ZeroProblem& problem, const ContinuationOptions& options, const Vector& u,
-              double p) {
-  const auto start = solve_at(problem, options, u, p);
-  EXPECT_TRUE(start);
-  return trace_branch(problem, options, *start);
 }
 
 // The doubled orbits that leave the (only) period doubling of a branch.
@@ -167,11 +157,7 @@ TEST(SpecialPoints, AreaPreservingHenonMapFoldsAndDoublesAndHasNoTorus) {
 TEST(SpecialPoints, SearchThroughNoiseIsBounded) {
   long long asked = 0, allowed = std::numeric_limits<long long>::max();
   std::atomic<bool> interrupted = false;
-  ZeroProblem problem;
-  problem.evaluate = [](const Vector& u, double p) -> std::optional<ZeroEvaluation> {
-    return ZeroEvaluation{Vector::Constant(1, u[0] - p), Matrix::Identity(1, 1),
-                          Vector::Constant(1, -1.0)};
-  };
+  ZeroProblem problem = support::straight_line();
   problem.multipliers = [&](const Vector&, double p, ErrorBounds) {
     interrupted = ++asked >= allowed;
     const double noise = std::sin(1e15 * p) * 4.0;
