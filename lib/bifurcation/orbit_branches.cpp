@@ -7,10 +7,8 @@
 #include <utility>
 
 #include "graze/bifurcation/closed_form_survey.hpp"
-#include "graze/bifurcation/components.hpp"
-#include "graze/bifurcation/pattern_branches.hpp"
+#include "graze/bifurcation/found_branches.hpp"
 #include "graze/bifurcation/pattern_switching.hpp"
-#include "graze/bifurcation/special_names.hpp"
 #include "graze/bifurcation/sticking_branches.hpp"
 #include "graze/continuation/switching.hpp"
 #include "graze/hybrid/simulation.hpp"
@@ -23,15 +21,6 @@ namespace {
 // Forcing periods within which a motion has to repeat to count as one that sticks: each time it
 // comes to rest it forgets what came before.
 constexpr long long kPeriodsToStick = 300;
-
-// A branch as it was traced, before all are put in order and named.
-struct Found {
-  OrbitBranch branch;
-  PatternBranches* pattern = nullptr;  // null where the orbits stick
-  int trace = 0;                       // its number
-  int origin_branch = -1;              // index of the found branch it was switched onto from
-  std::size_t origin_special = 0;
-};
 
 class OrbitTracer {
  public:
@@ -54,7 +43,10 @@ class OrbitTracer {
     if (options_.start_values > 0 && options_.finder.from_closed_form && options_.impacts == 1)
       trace_from_surveys();
     follow();
-    put_in_order();
+    const double speed_scale = scale_.length * family_.at(family_.value())->forcing->frequency;
+    result_.branches =
+        put_in_order(std::move(found_), Components(highest_ - lowest_, speed_scale),
+                     [this](const OrbitBranch& branch) { return connected_set(branch); });
     // What the simulation does is worth a line only where it explains that there is nothing else.
     if (!result_.branches.empty()) result_.notes.clear();
     for (const std::string& note : sticking_notes_) result_.notes.push_back(note);
@@ -271,66 +263,17 @@ class OrbitTracer {
               static_cast<int>(index), which);
   }
 
-  // By period, impacts and lowest parameter value, whatever start found them; then all are named.
-  void put_in_order() {
-    const auto lowest = [](const Found& found) {
-      const auto less = [](const OrbitBranchPoint& a, const OrbitBranchPoint& b) {
-        return a.value < b.value;
-      };
-      const auto& points = found.branch.points;
-      return std::min_element(points.begin(), points.end(), less)->value;
-    };
-    std::vector<std::size_t> order(found_.size());
-    for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
-    std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
-      const ImpactPattern &pa = found_[a].branch.pattern, &pb = found_[b].branch.pattern;
-      if (pa.period != pb.period) return pa.period < pb.period;
-      // Those that stick last.
-      if (pa.stops.empty() != pb.stops.empty()) return pb.stops.empty();
-      if (pa.stops.size() != pb.stops.size()) return pa.stops.size() < pb.stops.size();
-      if (pa.stops != pb.stops) return pa.stops < pb.stops;
-      return lowest(found_[a]) < lowest(found_[b]);
-    });
-    number_components(order);
-    SpecialNames names;
-    int id = 0;
-    for (const std::size_t i : order) {
-      found_[i].branch.id = ++id;
-      for (SpecialPoint& special : found_[i].branch.special) special.id = names.next(special.kind);
-    }
-    for (Found& found : found_)
-      if (found.origin_branch >= 0)
-        found.branch.origin = found_[static_cast<std::size_t>(found.origin_branch)]
-                                  .branch.special[found.origin_special]
-                                  .id;
-    for (const std::size_t i : order) result_.branches.push_back(std::move(found_[i].branch));
-  }
-
-  void number_components(const std::vector<std::size_t>& order) {
-    const double speed_scale = scale_.length * family_.at(family_.value())->forcing->frequency;
-    Components components(highest_ - lowest_, speed_scale);
-    for (const std::size_t i : order) components.add(found_[i].branch, component_of(i));
-    const std::vector<int> numbers = components.numbers();
-    for (std::size_t i = 0; i < order.size(); ++i) found_[order[i]].branch.component = numbers[i];
-  }
-
-  // What is switched onto is connected to where it was switched from. Branches that were traced
-  // apart may be parts of one component, connected where the solutions are no orbits; the closed
+  // Branches that were traced apart may be connected where the solutions are no orbits; the closed
   // form knows.
-  std::pair<int, int> component_of(std::size_t index) const {
-    const Found& found = found_[index];
-    if (found.origin_branch >= 0)
-      return component_of(static_cast<std::size_t>(found.origin_branch));
-    if (!found.pattern) return {-2, found.trace};
-    const OrbitBranch& branch = found.branch;
+  std::optional<std::pair<int, int>> connected_set(const OrbitBranch& branch) const {
     const int stop = branch.pattern.stops.front();
     const OrbitBranchPoint& middle = branch.points[branch.points.size() / 2];
     const auto survey = surveys_.find(stop);
-    if (survey != surveys_.end() && !options_.keep_virtual)
-      if (const std::optional<int> name =
-              survey->second.component(middle.value, middle.orbit.impacts.front().phase))
-        return {stop, *name};
-    return {-1, found.trace};
+    if (survey == surveys_.end() || options_.keep_virtual) return {};
+    const std::optional<int> name =
+        survey->second.component(middle.value, middle.orbit.impacts.front().phase);
+    if (!name) return {};
+    return std::pair(stop, *name);
   }
 
   const SystemFamily& family_;
@@ -342,7 +285,7 @@ class OrbitTracer {
   std::unique_ptr<StickingBranches> sticking_;
   std::set<std::string> sticking_notes_;     // why one was not continued
   std::map<int, ClosedFormSurvey> surveys_;  // by stop
-  std::vector<Found> found_;
+  std::vector<FoundBranch> found_;
   OrbitBranches result_;
 };
 

@@ -19,7 +19,7 @@ constexpr double kOneOrbit = 1e-7;
 constexpr double kPenetration = 1e-12;
 
 // A point or special point met along a component.
-struct Station {
+struct Place {
   OrbitBranchPoint at;
   std::optional<SpecialPoint> special;
   bool joins_half = false;  // has half the period: orbits of that period end the branch here
@@ -35,24 +35,24 @@ struct Station {
   }
 };
 
-// Puts the border between the stations from `first` on where their verdict changes.
-void insert_border(std::vector<Station>& stations, std::size_t first, const Station& border) {
-  const bool verdict = stations[first].at.orbit.admissible;
+// Puts the border between the places from `first` on where their verdict changes.
+void insert_border(std::vector<Place>& places, std::size_t first, const Place& border) {
+  const bool verdict = places[first].at.orbit.admissible;
   const auto changed =
-      std::find_if(stations.begin() + static_cast<std::ptrdiff_t>(first), stations.end(),
-                   [&](const Station& s) { return s.at.orbit.admissible != verdict; });
-  stations.insert(changed, border);
+      std::find_if(places.begin() + static_cast<std::ptrdiff_t>(first), places.end(),
+                   [&](const Place& s) { return s.at.orbit.admissible != verdict; });
+  places.insert(changed, border);
 }
 
 // Starts a closed sequence where it is no orbit, so that no part is cut in two by the start.
-void open_outside(std::vector<Station>& stations) {
-  const auto outside = std::find_if(stations.begin(), stations.end(),
-                                    [](const Station& s) { return !s.is_orbit(); });
-  if (outside == stations.begin() || outside == stations.end()) return;
-  const auto offset = outside - stations.begin();
-  stations.pop_back();  // repeats the first
-  std::rotate(stations.begin(), stations.begin() + offset, stations.end());
-  stations.push_back(stations.front());
+void open_outside(std::vector<Place>& places) {
+  const auto outside =
+      std::find_if(places.begin(), places.end(), [](const Place& s) { return !s.is_orbit(); });
+  if (outside == places.begin() || outside == places.end()) return;
+  const auto offset = outside - places.begin();
+  places.pop_back();  // repeats the first
+  std::rotate(places.begin(), places.begin() + offset, places.end());
+  places.push_back(places.front());
 }
 
 class Parts {
@@ -69,11 +69,11 @@ class Parts {
   std::vector<OrbitBranch> divide() {
     visit();
     drop_beyond_halves();
-    if (branch_.closed() && !keep_virtual_) open_outside(stations_);
+    if (branch_.closed() && !keep_virtual_) open_outside(places_);
     std::vector<OrbitBranch> parts;
     bool inside = false;
-    for (std::size_t i = 0; i < stations_.size(); ++i) {
-      const Station& here = stations_[i];
+    for (std::size_t i = 0; i < places_.size(); ++i) {
+      const Place& here = places_[i];
       const bool kept = keep_virtual_ || here.is_orbit();
       if (kept && !inside) {
         parts.emplace_back();
@@ -84,7 +84,7 @@ class Parts {
       if (kept) {
         parts.back().points.push_back(here.at);
         if (here.special) parts.back().special.push_back(*here.special);
-        parts.back().ends[1] = i + 1 == stations_.size() && !here.joins_half
+        parts.back().ends[1] = i + 1 == places_.size() && !here.joins_half
                                    ? as_orbit_end(branch_.ends[1])
                                    : here.end();
       }
@@ -96,12 +96,12 @@ class Parts {
  private:
   void visit() {
     auto critical = branch_.critical.begin();
-    Station first{equations_.judge(branch_.points[0]), {}};
+    Place first{equations_.judge(branch_.points[0]), {}};
     // A branch that was switched onto starts at the orbit of half the period.
     const Vector halves = equations_.halves_differ(branch_.points[0]);
     first.joins_half = halves.size() > 0 && halves.norm() < kOneOrbit;
     SeenSolution before = grazings_.seen(branch_.points[0], first.at);
-    stations_.push_back(std::move(first));
+    places_.push_back(std::move(first));
     for (std::size_t i = 1; i < branch_.points.size(); ++i) {
       std::vector<Along> special_points;
       for (; critical != branch_.critical.end() && critical->after == i - 1; ++critical)
@@ -121,7 +121,7 @@ class Parts {
   // A special point within a step, by its distance from the start of that.
   struct Along {
     double at = 0.0;
-    Station station;
+    Place place;
   };
 
   // A step, piece by piece: its special points, the grazings where its verdict changes, and the
@@ -134,58 +134,58 @@ class Parts {
     for (auto piece = looked_at.begin();; ++piece) {
       const bool last = piece == looked_at.end();
       const SeenSolution& here = last ? to : piece->seen;
-      const std::size_t first = stations_.size() - 1;
+      const std::size_t first = places_.size() - 1;
       for (; special != special_points.end() &&
              (last || special->at <= corrector_.ahead(*from.point, *here.point));
            ++special)
-        stations_.push_back(special->station);
+        places_.push_back(special->place);
       const bool changes = before->admissible != here.admissible;
       const auto next = last ? piece : std::next(piece);
       const bool changes_next =
           !last && (next == looked_at.end() ? to : next->seen).admissible != here.admissible;
       // Of the solutions that were only looked at those are listed that tell two grazings apart.
       if (last || changes || changes_next)
-        stations_.push_back({std::move(last ? at_end : piece->at), {}});
+        places_.push_back({std::move(last ? at_end : piece->at), {}});
       if (changes)
-        if (const auto edge = border(*before, here)) insert_border(stations_, first, *edge);
+        if (const auto edge = border(*before, here)) insert_border(places_, first, *edge);
       if (last) return;
       before = &here;
     }
   }
 
-  Station special(const CriticalPoint& critical) const {
-    Station station{equations_.judge(critical.point), {}};
+  Place special(const CriticalPoint& critical) const {
+    Place place{equations_.judge(critical.point), {}};
     if (critical.kind == CriticalKind::kBranchPoint &&
         equations_.passes_half(branch_.points[critical.after],
                                branch_.points[critical.after + 1])) {
       // The doubling is a special point of the orbits of half the period; here it is an end.
-      station.joins_half = true;
-      return station;
+      place.joins_half = true;
+      return place;
     }
-    station.special = as_special(critical, station.at);
-    return station;
+    place.special = as_special(critical, place.at);
+    return place;
   }
 
   // Beyond a joint the trace went on by one point, at either end.
   void drop_beyond_halves() {
-    if (stations_.size() > 2 && stations_[1].joins_half) stations_.erase(stations_.begin());
-    if (stations_.size() > 2 && stations_[stations_.size() - 2].joins_half) stations_.pop_back();
+    if (places_.size() > 2 && places_[1].joins_half) places_.erase(places_.begin());
+    if (places_.size() > 2 && places_[places_.size() - 2].joins_half) places_.pop_back();
   }
 
   // Where between a and b the solutions stop being orbits.
-  std::optional<Station> border(const SeenSolution& a, const SeenSolution& b) const {
+  std::optional<Place> border(const SeenSolution& a, const SeenSolution& b) const {
     const auto flight = [&](const BranchPoint& p) {
       return equations_.admissibility_of(p).shortest_flight;
     };
     if ((flight(*a.point) > 0.0) != (flight(*b.point) > 0.0))
       if (const auto point = locate(equations_.problem(), options_, *a.point, *b.point, flight)) {
-        Station station{equations_.judge(*point), {}};
-        station.meets = true;
-        return station;
+        Place place{equations_.judge(*point), {}};
+        place.meets = true;
+        return place;
       }
     const std::optional<SpecialPoint> touch = grazing(a, b);
     if (!touch) return {};
-    return Station{touch->at, touch};
+    return Place{touch->at, touch};
   }
 
   bool penetrates(const BranchPoint& at) const {
@@ -251,7 +251,7 @@ class Parts {
   bool keep_virtual_;
   Corrector corrector_;
   GrazingStations grazings_;
-  std::vector<Station> stations_;
+  std::vector<Place> places_;
 };
 
 }  // namespace
