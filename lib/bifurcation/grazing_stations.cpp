@@ -115,7 +115,6 @@ void GrazingStations::add_approaches(const SeenSolution& a, const SeenSolution& 
   }
 }
 
-// The solution between a and b at which the verdict is in doubt most.
 std::optional<BranchPoint> GrazingStations::doubtful(const SeenSolution& a, const SeenSolution& b) {
   const std::vector<MarginCourse> all = courses(a, b);
   // Where the verdict at an end depends on something else these say nothing.

@@ -51,11 +51,13 @@ class GrazingStations {
   std::list<GrazingStation> between(const SeenSolution& a, const SeenSolution& b);
 
  private:
+  // In which the branch runs there.
   OrbitDirection direction(const BranchPoint& point) const;
   std::vector<OrbitMargin> approaches(const SeenSolution& solution, double level) const;
   std::vector<MarginCourse> courses(const SeenSolution& a, const SeenSolution& b) const;
   void add_approaches(const SeenSolution& a, const SeenSolution& b, double step, double level,
                       std::vector<MarginCourse>& courses) const;
+  // The solution between a and b to be looked at next; nothing where none is in doubt.
   std::optional<BranchPoint> doubtful(const SeenSolution& a, const SeenSolution& b);
 
   const OrbitEquations& equations_;

@@ -1,5 +1,7 @@
-// Branches of periodic orbits over a parameter of the scene: the shooting equations as a zero
-// problem, stability and admissibility of every point, and the grazings that end a branch.
+// All branches of periodic orbits over a parameter of the scene: starts are sought, each is traced
+// to its ends, with the stability and admissibility of every point, and special points are switched
+// at. Orbits with a fixed sequence of impacts solve the shooting equations (orbit_equations.hpp),
+// those that stick the equations of a release (sticking_equations.hpp).
 #pragma once
 
 #include <functional>

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "graze/bifurcation/grazing_stations.hpp"
+#include "graze/bifurcation/orbit_borders.hpp"
 
 namespace graze {
 namespace {
@@ -14,9 +15,6 @@ namespace {
 // Halves nearer than this, in the units of the unknowns, are one: solutions are known to about the
 // square root of eps where they are least well determined.
 constexpr double kOneOrbit = 1e-7;
-
-// No stop is penetrated by more, of the length scale.
-constexpr double kPenetration = 1e-12;
 
 // A point or special point met along a component.
 struct Place {
@@ -147,7 +145,8 @@ class Parts {
       if (last || changes || changes_next)
         places_.push_back({std::move(last ? at_end : piece->at), {}});
       if (changes)
-        if (const auto edge = border(*before, here)) insert_border(places_, first, *edge);
+        if (const auto border = border_between(equations_, options_, *before, here))
+          insert_border(places_, first, {border->at, border->grazing, false, !border->grazing});
       if (last) return;
       before = &here;
     }
@@ -170,79 +169,6 @@ class Parts {
   void drop_beyond_halves() {
     if (places_.size() > 2 && places_[1].joins_half) places_.erase(places_.begin());
     if (places_.size() > 2 && places_[places_.size() - 2].joins_half) places_.pop_back();
-  }
-
-  // Where between a and b the solutions stop being orbits.
-  std::optional<Place> border(const SeenSolution& a, const SeenSolution& b) const {
-    const auto flight = [&](const BranchPoint& p) {
-      return equations_.admissibility_of(p).shortest_flight;
-    };
-    if ((flight(*a.point) > 0.0) != (flight(*b.point) > 0.0))
-      if (const auto point = locate(equations_.problem(), options_, *a.point, *b.point, flight)) {
-        Place place{equations_.judge(*point), {}};
-        place.meets = true;
-        return place;
-      }
-    const std::optional<SpecialPoint> touch = grazing(a, b);
-    if (!touch) return {};
-    return Place{touch->at, touch};
-  }
-
-  bool penetrates(const BranchPoint& at) const {
-    const double length = shooting_scale(*equations_.system_at(at.parameter)).length;
-    return equations_.admissibility_of(at).clearance().value_or(0.0) < -kPenetration * length;
-  }
-
-  // Where an interior approach touches.
-  std::optional<BranchPoint> touch(const BranchPoint& a, const BranchPoint& b) const {
-    // Without an interior minimum the motion is as clear as its gap is wide.
-    const auto clearance = [&](const BranchPoint& p) {
-      return equations_.admissibility_of(p).clearance();
-    };
-    const double clear = std::max(clearance(a).value_or(0.0), clearance(b).value_or(0.0)) + 1.0;
-    return locate(equations_.problem(), options_, a, b,
-                  [&](const BranchPoint& p) { return clearance(p).value_or(clear); });
-  }
-
-  // Where an impact speed vanishes.
-  std::optional<BranchPoint> standstill(const SeenSolution& a, const SeenSolution& b) const {
-    // One of them is on the grazing within rounding.
-    const double at_a = a.smallest_speed(), at_b = b.smallest_speed();
-    if (at_a > 0.0 && at_b > 0.0) return at_a < at_b ? *a.point : *b.point;
-    return locate(equations_.problem(), options_, *a.point, *b.point, [&](const BranchPoint& p) {
-      return equations_.admissibility_of(p).smallest_speed;
-    });
-  }
-
-  // Where an impact that leaves its stop at rest is pushed back.
-  std::optional<BranchPoint> pushed_back(const BranchPoint& a, const BranchPoint& b) const {
-    const auto pull = [&](const BranchPoint& p) {
-      return -equations_.admissibility_of(p).push.value_or(-1.0);
-    };
-    if ((pull(a) < 0.0) == (pull(b) < 0.0)) return {};
-    return locate(equations_.problem(), options_, a, b, pull);
-  }
-
-  std::optional<SpecialPoint> grazing(const SeenSolution& a, const SeenSolution& b) const {
-    const double still = still_speed(*equations_.system_at(a.point->parameter));
-    bool by_speed = (a.smallest_speed() > still) != (b.smallest_speed() > still);
-    std::optional<BranchPoint> point =
-        by_speed ? standstill(a, b) : pushed_back(*a.point, *b.point);
-    bool by_push = point && !by_speed;
-    if (by_speed && !point) return {};
-    // An approach may have touched before.
-    const bool at_end = by_speed && a.smallest_speed() > 0.0 && b.smallest_speed() > 0.0;
-    if (!point || (!at_end && penetrates(*point))) {
-      const bool before = point && a.admissible, behind = point && !before;
-      by_speed = by_push = false;
-      point = touch(behind ? *point : *a.point, before ? *point : *b.point);
-    }
-    if (!point) return {};
-    SpecialPoint special{SpecialKind::kGrazing, "", equations_.judge(*point), {}, by_speed, *point};
-    special.by_push = by_push;
-    // It touches and does not cross; which side of that the last bit falls on says nothing.
-    special.at.orbit.admissible = true;
-    return special;
   }
 
   const OrbitEquations& equations_;

@@ -1,4 +1,5 @@
-// All branches of one impact pattern that have been traced so far.
+// All branches of one impact pattern that have been traced so far: what lies on them need not be
+// traced again.
 #pragma once
 
 #include <deque>
@@ -19,7 +20,8 @@ std::vector<ImpactPoint> in_canonical_order(const ImpactPattern& pattern,
 
 class PatternBranches {
  public:
-  // `range` says from where to where, how fast, and when to stop.
+  // `range` says from where to where, how fast, and when to stop; `keep_virtual`: whether solutions
+  // that are no orbits are listed too.
   PatternBranches(const SystemFamily& family, ImpactPattern pattern, const ShootingScale& scale,
                   ContinuationOptions range, bool keep_virtual);
   PatternBranches(const PatternBranches&) = delete;

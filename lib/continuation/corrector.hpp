@@ -14,8 +14,11 @@ class Corrector {
   // Refers to both, which must outlive it.
   Corrector(const ZeroProblem& problem, const ContinuationOptions& options);
 
+  // x of a point.
   Vector pack(const BranchPoint& point) const;
+  // Length of the parameter's range; 1 where that is none.
   double range() const { return range_; }
+  // Of F, so far.
   long long evaluations() const { return evaluations_; }
 
   // The solution on the hyperplane through `guess` normal to `normal`, its tangent turned along
@@ -25,8 +28,10 @@ class Corrector {
   std::optional<BranchPoint> on_hyperplane(const Vector& guess, const Vector& normal,
                                            double contraction = kConvergent);
   // Where one step of Newton's method leads from `guess` on the hyperplane normal to `normal`.
+  // Nothing where the equations cannot be evaluated or the step is not finite.
   std::optional<Vector> newton_step(const Vector& guess, const Vector& normal);
-  // The solution at the parameter of `guess`, with its tangent towards growing parameter.
+  // The solution at the parameter of `guess`, with its tangent towards growing parameter. Nothing
+  // as on a hyperplane.
   std::optional<BranchPoint> at_parameter(const Vector& guess);
 
   struct Linearised {
@@ -35,11 +40,11 @@ class Corrector {
   };
   // The equations at x; nothing where they cannot be evaluated.
   std::optional<Linearised> linearise(const Vector& x, const Vector& normal);
-  // [dF/du, dF/dparameter * range] at x, n x (n + 1).
+  // [dF/du, dF/dparameter * range] at x, n x (n + 1); nothing likewise.
   std::optional<Matrix> slope_at(const Vector& x);
-  // Largest entry of F at x.
+  // Largest entry of F at x; nothing likewise.
   std::optional<double> residual_at(const Vector& x);
-  // |det [slope; tangent]| at b over that at a.
+  // |det [slope; tangent]| at b over that at a; not a number where either cannot be evaluated.
   double determinant_ratio(const BranchPoint& a, const BranchPoint& b);
 
   // x - y with angles taken the short way round.

@@ -27,11 +27,12 @@ double arclength(const Corrector& corrector, const BranchPoint& a, const BranchP
 Vector cubic_between(const Corrector& corrector, const BranchPoint& from, double s,
                      const BranchPoint& a, const BranchPoint& b);
 
-// The point of the branch there.
+// The point of the branch there; nothing where the corrector does not reach it.
 std::optional<BranchPoint> point_between(Corrector& corrector, const BranchPoint& from, double s,
                                          const BranchPoint& a, const BranchPoint& b);
 
-// As `locate` of branch.hpp: where `test` changes sign between neighbours a and b.
+// As `locate` of branch.hpp: where `test` changes sign between neighbours a and b. Nothing where it
+// does not, or the corrector fails on the way.
 std::optional<BranchPoint> locate(Corrector& corrector, const BranchPoint& a, const BranchPoint& b,
                                   const std::function<double(const BranchPoint&)>& test);
 
