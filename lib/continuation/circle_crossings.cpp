@@ -78,8 +78,8 @@ std::vector<Eigenvalue> CircleCrossings::multipliers_of(const BranchPoint& point
 }
 
 // Divides the piece from a to b until each part holds one crossing at most, and locates that.
-// Crossings may add up to the changes of a single one: the pieces on either side of what was located
-// are looked at again.
+// Crossings may add up to the changes of a single one: the pieces on either side of what was
+// located are looked at again.
 void CircleCrossings::divide(const BranchPoint& a, const BranchPoint& b, int halvings) {
   if (stop_.requested() || ++divisions_ > kMostDivisions) return;
   const OutsideCount at_a = count_outside(a.multipliers), at_b = count_outside(b.multipliers);

@@ -1,5 +1,5 @@
-// Newton's method on F bordered by a hyperplane, and the geometry of points x = (u,
-// parameter/range) that it needs: what all of this room stands on.
+// Newton's method on F bordered by a hyperplane, and the geometry of the points it works on,
+// x = (u, parameter/range): what all of this room stands on.
 #pragma once
 
 #include <optional>
