@@ -10,6 +10,10 @@ Vector LuFactors::solve(const Vector& right) const { return factors_.solve(right
 
 Matrix LuFactors::solve_columns(const Matrix& right) const { return factors_.solve(right); }
 
+Vector LuFactors::solve_transposed(const Vector& right) const {
+  return factors_.transpose().solve(right);
+}
+
 Matrix LuFactors::inverse() const { return factors_.inverse(); }
 
 double LuFactors::reciprocal_condition() const { return factors_.rcond(); }

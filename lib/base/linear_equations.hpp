@@ -14,8 +14,9 @@ class LuFactors {
  public:
   explicit LuFactors(const Matrix& matrix);
 
-  Vector solve(const Vector& right) const;          // x of A x = right
-  Matrix solve_columns(const Matrix& right) const;  // X of A X = right
+  Vector solve(const Vector& right) const;             // x of A x = right
+  Matrix solve_columns(const Matrix& right) const;     // X of A X = right
+  Vector solve_transposed(const Vector& right) const;  // x of A^T x = right
   Matrix inverse() const;
   // Estimate of 1/(|A| |A^-1|) in the 1-norm.
   double reciprocal_condition() const;

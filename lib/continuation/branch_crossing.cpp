@@ -1,10 +1,10 @@
 #include "graze/continuation/branch_crossing.hpp"
 
-#include <Eigen/LU>
 #include <cmath>
 #include <limits>
 
 #include "graze/base/decompositions.hpp"
+#include "graze/base/linear_equations.hpp"
 
 namespace graze {
 namespace {
@@ -30,11 +30,11 @@ std::optional<Singularity> singularity(Corrector& corrector, const Vector& x, co
   bordered.topLeftCorner(n, n + 1) = slope;
   bordered.col(n + 1).head(n) = borders.left.col(0);
   bordered.bottomLeftCorner(2, n + 1) = borders.right.transpose();
-  const Eigen::PartialPivLU<Matrix> lu(bordered);
+  const LuFactors lu(bordered);
   Matrix identity = Matrix::Zero(n + 2, 2);
   identity.bottomRows(2).setIdentity();
-  const Matrix solution = lu.solve(identity);
-  Vector left = lu.transpose().solve(Vector::Unit(n + 2, n + 1));
+  const Matrix solution = lu.solve_columns(identity);
+  Vector left = lu.solve_transposed(Vector::Unit(n + 2, n + 1));
   left.conservativeResize(n);
   const double step = std::cbrt(std::numeric_limits<double>::epsilon()) * (1.0 + x.norm());
   Singularity result{solution.row(n + 1).transpose(), Matrix(2, n + 1)};
@@ -68,7 +68,7 @@ std::optional<Vector> crossing_near(Corrector& corrector, const Vector& guess) {
     jacobian.bottomLeftCorner(2, n + 1) = singular->slope;
     Vector target(n + 2);
     target << -at->residual - unfolding * borders->left.col(0), -singular->value;
-    const Vector step = jacobian.partialPivLu().solve(target);
+    const Vector step = LuFactors(jacobian).solve(target);
     const double size = step.norm();
     if (!std::isfinite(size) || (size > 0.5 * last && size > kSettled)) return {};
     x += step.head(n + 1);
