@@ -1,6 +1,9 @@
 // graze check: what a scene means.
 #include <fmt/format.h>
 
+#include "graze/assembly/assembly.hpp"
+#include "graze/assembly/initial_state.hpp"
+#include "graze/assembly/system_warnings.hpp"
 #include "graze/flow/contact_phase.hpp"
 #include "graze/report/json.hpp"
 #include "graze/report/text.hpp"

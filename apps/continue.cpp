@@ -6,6 +6,8 @@
 #include <limits>
 
 #include "branch_options.hpp"
+#include "graze/assembly/assembly.hpp"
+#include "graze/assembly/system_warnings.hpp"
 #include "graze/report/csv.hpp"
 #include "graze/report/json.hpp"
 #include "graze/report/pictures.hpp"

@@ -1,5 +1,7 @@
 // graze diagram: a brute-force sweep over a parameter, and the branches of orbits over it.
 #include "branch_options.hpp"
+#include "graze/assembly/assembly.hpp"
+#include "graze/assembly/system_warnings.hpp"
 #include "graze/report/csv.hpp"
 #include "graze/report/json.hpp"
 #include "graze/report/pictures.hpp"

@@ -1,4 +1,7 @@
 // graze orbit: periodic orbits at the scene's own parameters.
+#include "graze/assembly/assembly.hpp"
+#include "graze/assembly/initial_state.hpp"
+#include "graze/assembly/system_warnings.hpp"
 #include "graze/report/csv.hpp"
 #include "graze/report/json.hpp"
 #include "graze/report/pictures.hpp"

@@ -3,6 +3,9 @@
 
 #include <cmath>
 
+#include "graze/assembly/assembly.hpp"
+#include "graze/assembly/initial_state.hpp"
+#include "graze/assembly/system_warnings.hpp"
 #include "graze/base/angle.hpp"
 #include "graze/base/errors.hpp"
 #include "graze/report/json.hpp"

@@ -7,8 +7,8 @@
 #include <optional>
 #include <vector>
 
+#include "graze/assembly/system_family.hpp"
 #include "graze/orbit/shooting.hpp"
-#include "graze/system/system_family.hpp"
 
 namespace graze {
 

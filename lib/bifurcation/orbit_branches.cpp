@@ -6,6 +6,7 @@
 #include <set>
 #include <utility>
 
+#include "graze/assembly/initial_state.hpp"
 #include "graze/bifurcation/closed_form_survey.hpp"
 #include "graze/bifurcation/found_branches.hpp"
 #include "graze/bifurcation/pattern_switching.hpp"

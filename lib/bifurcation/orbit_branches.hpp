@@ -9,9 +9,9 @@
 #include <string>
 #include <vector>
 
+#include "graze/assembly/system_family.hpp"
 #include "graze/bifurcation/orbit_branch.hpp"
 #include "graze/orbit/finder.hpp"
-#include "graze/system/system_family.hpp"
 
 namespace graze {
 

@@ -5,9 +5,9 @@
 #include <optional>
 #include <vector>
 
+#include "graze/assembly/system_family.hpp"
 #include "graze/bifurcation/orbit_branch.hpp"
 #include "graze/orbit/shooting.hpp"
-#include "graze/system/system_family.hpp"
 
 namespace graze {
 

@@ -7,10 +7,10 @@
 #include <tuple>
 #include <vector>
 
+#include "graze/assembly/system_family.hpp"
 #include "graze/bifurcation/orbit_branch.hpp"
 #include "graze/bifurcation/remembered.hpp"
 #include "graze/orbit/release_section.hpp"
-#include "graze/system/system_family.hpp"
 
 namespace graze {
 

@@ -60,7 +60,6 @@ SignalTerm harmonic_velocity(const ModeFlow<double>& mode, double frequency, dou
 // the force over the damping; below, the response must not be large against that from rest, which
 // is about the force over w^2 + 2 delta/s + 2/s^2.
 bool is_exponential(const ModeFlow<double>& mode, double frequency, bool forced, double s) {
-  constexpr double kLargestAmplification = 256.0;  // 8 of 53 bits
   const double apart = 2.0 * std::sqrt(std::abs(mode.discriminant));
   if (!(apart * s >= 1.0 && apart >= mode.omega)) return false;
   if (!forced || mode.discriminant < 0.0) return true;

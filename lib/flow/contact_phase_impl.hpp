@@ -180,7 +180,7 @@ void ContactPhase<Real>::couple(const LinearSystem<Real>& full, const RealMatrix
       const auto stiffness = reduced.stiffness.fullPivLu();
       if (reduced_.omega.minCoeff() > 0.0 && stiffness.isInvertible()) {
         const Vector rest = stiffness.solve(reduced.load);
-        if (rest.norm() <= exact_flow_detail::kLargestAmplification * full.reach) {
+        if (rest.norm() <= kLargestAmplification * full.reach) {
           held_ += basis_ * rest;
           reduced.load.setZero();
         }

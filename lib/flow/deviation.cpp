@@ -5,6 +5,7 @@
 
 #include "graze/base/linear_equations.hpp"
 #include "graze/flow/contact_share.hpp"
+#include "graze/flow/forced_response.hpp"
 #include "graze/flow/free_basis.hpp"
 #include "graze/flow/transition.hpp"
 

@@ -21,18 +21,10 @@
 #include <vector>
 
 #include "graze/flow/instant.hpp"
+#include "graze/flow/mode_flow.hpp"
 #include "graze/system/system.hpp"
 
 namespace graze {
-
-template <class Real>
-using RealVector = Eigen::Matrix<Real, Eigen::Dynamic, 1>;
-
-template <class Real>
-struct PlanarNumber {  // a complex number; std::complex promises nothing for extended scalars
-  Real re = 0;
-  Real im = 0;
-};
 
 // The smooth part of a system in the scalar of the flow.
 template <class Real>
@@ -69,20 +61,6 @@ LinearSystem<Real> linear_system(const System& system) {
   }
   return linear;
 }
-
-enum class ModeKind { kOscillatory, kOverdamped, kNearCritical, kFromRest };
-
-template <class Real>
-struct ModeFlow {
-  ModeKind kind = ModeKind::kOscillatory;
-  Real omega = 0, delta = 0;
-  Real discriminant = 0;       // w^2 - delta^2
-  Real first = 0, second = 0;  // oscillatory: delta, wd; overdamped: slow, fast rate; 1/s
-  Real force = 0;              // f_j
-  PlanarNumber<Real> forced;   // P_j; zero for a mode that answers from rest
-  Real offset = 0;             // c_j/w_j^2; zero where the response to c_j is taken from rest
-  Real load = 0;               // c_j of such a mode, else zero
-};
 
 template <class Real>
 class ExactFlow {
@@ -150,12 +128,5 @@ class Arc {
   RealVector<Real> start_, start_rate_;
   std::vector<PlanarNumber<Real>> amplitudes_;
 };
-
-// Response from rest to the harmonic force and its rate, divided by the modal force: the solution
-// of x'' + 2 delta x' + w^2 x = cos(theta + W s) that starts at rest. Relative to the bound of its
-// size, s^2 over (1 + delta s + w^2 s^2), it is accurate to rounding for every mode and frequency.
-template <class Real>
-PlanarNumber<Real> forced_response(const ModeFlow<Real>& mode, const Real& frequency,
-                                   const Real& theta, const Real& s);
 
 }  // namespace graze

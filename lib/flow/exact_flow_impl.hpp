@@ -10,11 +10,6 @@
 namespace graze {
 namespace exact_flow_detail {
 
-// Writing motion as free part plus P_j multiplies rounding by |P_j| w^2/f_j, and by the rest
-// position under a load over the reach of the stops. Up to this factor (8 of 53 bits) that is
-// accepted; beyond, the response is taken from rest.
-inline constexpr double kLargestAmplification = 256.0;
-
 // A response P_j beyond this many times the reach of the stops is taken from rest as well: its
 // rounding would be 1e-12 of the reach. (Below, P_j is a usual thing, the motion away from a stop.)
 // Where every gap is 0 the stops say nothing of the size of the motion, and the state does.

@@ -1,4 +1,4 @@
-// Definition of forced_response of exact_flow.hpp; included by one translation unit per scalar.
+// Definitions of forced_response.hpp; included by one translation unit per scalar.
 //
 // With the roots l, l* of the mode (or its two rates) and E(l) = (e^{iWs} - e^{ls})/(iW - l) it is
 // the divided difference (E(l) - E(l*))/(l - l*) times e^{i theta}. Which form does not cancel
@@ -12,7 +12,7 @@
 
 #include <limits>
 
-#include "graze/flow/exact_flow.hpp"
+#include "graze/flow/forced_response.hpp"
 #include "graze/flow/free_basis.hpp"
 
 namespace graze {

@@ -4,6 +4,7 @@
 #include <numbers>
 
 #include "graze/base/decompositions.hpp"
+#include "graze/flow/forced_response.hpp"
 #include "graze/flow/free_basis.hpp"
 
 namespace graze {

@@ -6,10 +6,10 @@
 #include <string>
 #include <vector>
 
+#include "graze/base/default_tolerance.hpp"
 #include "graze/base/stop_signal.hpp"
 #include "graze/hybrid/energy_book.hpp"
 #include "graze/hybrid/next_flight.hpp"
-#include "graze/scene/scene.hpp"
 
 namespace graze {
 
@@ -64,7 +64,7 @@ struct SimulationOptions {
 // r = 0.8, V the speed of the motion: v = V sqrt(tolerance/100). `tolerance`: that of the scene, a
 // part of a forcing period; else that of a scene which names none.
 double default_closure_speed(const System& system, const State& start,
-                             double tolerance = Solver{}.tolerance);
+                             double tolerance = kDefaultTolerance);
 
 enum class RunOutcome {
   kReachedEnd,

@@ -137,7 +137,7 @@ class Finder {
     if (!options_.impacts || (k == *options_.impacts && orbit.period == options_.period))
       keep(orbit);
     return fmt::format(
-        "; that is a ({}, {}) orbit that sticks, its chatters summed below {:.4g} m/s",
+        "; solved for, it is a ({}, {}) orbit that sticks, its chatters summed below {:.4g} m/s",
         orbit.period, k, closure_speed);
   }
 

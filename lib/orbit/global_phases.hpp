@@ -11,7 +11,7 @@
 
 #include "graze/orbit/phase_deflation.hpp"
 #include "graze/orbit/phase_problem.hpp"
-#include "graze/orbit/phase_search.hpp"
+#include "graze/orbit/phase_search_options.hpp"
 
 namespace graze {
 

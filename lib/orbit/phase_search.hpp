@@ -15,9 +15,9 @@
 #include <optional>
 #include <vector>
 
-#include "graze/base/stop_signal.hpp"
 #include "graze/orbit/phase_deflation.hpp"
 #include "graze/orbit/phase_problem.hpp"
+#include "graze/orbit/phase_search_options.hpp"
 
 namespace graze {
 
@@ -27,20 +27,6 @@ struct PhaseSolution {
   ImpactPattern pattern;
   Vector phases;  // rad
   Vector speeds;  // m/s
-};
-
-struct PhaseSearchOptions {
-  int starts = 64;  // of a round
-  int rounds = 8;   // at most
-  // Start only where every stop is approached. No solution is barred, but a start is likelier to
-  // lead to an orbit: one is surrounded by such points.
-  bool approaching = true;
-  int global_evaluations = 2048;
-  std::uint64_t seed = 1;  // moves the Sobol sequence
-  double length = 1.0;     // m, unit of the residual
-  double speed = 1.0;      // m/s, of the forced motion; r(v) is taken there at first
-  int threads = 0;         // 0: as many as there are cores
-  StopSignal stop;
 };
 
 // Start phases: points of the Sobol sequence, each coordinate moved by exclusive or with a number

@@ -191,6 +191,13 @@ Scene parameter_direction(const Scene& scene, const std::string& path) {
   return direction;
 }
 
+bool leaves_structure(const std::string& path) {
+  const auto begins = [&](const char* with) { return path.rfind(with, 0) == 0; };
+  const auto contains = [&](const char* part) { return path.find(part) != std::string::npos; };
+  return begins("forcing.") || begins("gravity.") ||
+         (begins("stop.") && (contains(".gap") || contains(".restitution")));
+}
+
 std::string parameter_unit(const Scene& scene, const std::string& path) {
   std::string name = canonical(path);
   // Entries of a list, and stops after the first, have the unit of the first.

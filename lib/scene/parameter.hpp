@@ -27,6 +27,10 @@ Scene with_parameter(const Scene& scene, const std::string& path, double value);
 // direction in which structure and system differentiate. Throws InputError for an unknown name.
 Scene parameter_direction(const Scene& scene, const std::string& path);
 
+// Whether the structure between the stops, its modes and their shapes at the stops, is the same at
+// all values: forcing, gravity, gaps and restitutions come on top of it.
+bool leaves_structure(const std::string& path);
+
 // "rad/s", "m", .. of a parameter, for tables and axes; "" for a pure number.
 std::string parameter_unit(const Scene& scene, const std::string& path);
 

@@ -9,6 +9,7 @@
 #include <variant>
 #include <vector>
 
+#include "graze/base/default_tolerance.hpp"
 #include "graze/base/errors.hpp"
 
 namespace graze {
@@ -82,7 +83,8 @@ struct Initial {
 
 struct Solver {
   FlowChoice flow = FlowChoice::kAuto;
-  double tolerance = 1e-10;  // of the stop's displacement over one forcing period, relative
+  double tolerance =
+      kDefaultTolerance;  // of the stop's displacement over one forcing period, relative
 };
 
 // Where each key of the scene was written: "forcing.frequency" -> file:line:column.

@@ -5,6 +5,8 @@
 #include <memory>
 #include <mutex>
 
+#include "graze/assembly/assembly.hpp"
+#include "graze/assembly/initial_state.hpp"
 #include "graze/base/errors.hpp"
 #include "graze/base/parallel.hpp"
 #include "graze/hybrid/simulation.hpp"

@@ -14,8 +14,8 @@
 #include <string>
 #include <vector>
 
+#include "graze/assembly/system_family.hpp"
 #include "graze/orbit/settled.hpp"
-#include "graze/system/system_family.hpp"
 
 namespace graze {
 

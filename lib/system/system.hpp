@@ -3,17 +3,17 @@
 //   q'' + 2 delta q' + omega^2 q = amplitude cos(frequency t + phase) + load    in free flight
 //   gap_i - row_i.q >= 0,   q'+ = q'- - (1 + r_i) direction_i (row_i.q'-)       at stop i
 //
-// Every harmonic effect of the scene is folded into these numbers; what a scene does not name is
-// absent. The row points into the stop, so that row.q' > 0 approaches it on either side.
+// Every harmonic effect is folded into these numbers; what is not there is absent. Where they come
+// from, a scene (assembly.hpp) or a program's own, the motion does not know. The row points into
+// the stop, so that row.q' > 0 approaches it on either side.
 #pragma once
 
 #include <optional>
-#include <string>
 #include <vector>
 
+#include "graze/base/angle.hpp"
 #include "graze/base/vector.hpp"
 #include "graze/contact/restitution.hpp"
-#include "graze/scene/scene.hpp"
 
 namespace graze {
 
@@ -44,28 +44,7 @@ struct System {
 
   int modes() const { return static_cast<int>(omega.size()); }
   // T = 2 pi/frequency, s; requires forcing.
-  double period() const;
+  double period() const { return kTurn / forcing->frequency; }
 };
-
-// Assembles a checked scene.
-System assemble(const Scene& scene);
-
-// Derivative of every number of the assembled system by a parameter of the scene.
-System system_tangent(const Scene& scene, const std::string& parameter);
-
-// The state at t = 0: as the scene says, else at rest; undeformed, but pressed against its stops in
-// static equilibrium where one of them is preloaded (negative gap). Throws InputError, with the
-// penetration, when it lies beyond a stop by more than the rounding of row.q.
-State initial_state(const Scene& scene, const System& system);
-
-// The same, or nothing where the motion cannot start there.
-std::optional<State> clear_start(const Scene& scene, const System& system);
-
-// Sentences about what in the scene deserves care: ill-conditioned collocation points, an impulse
-// law that can add energy. Empty where all is well.
-std::vector<std::string> system_warnings(const Scene& scene, const System& system);
-
-// Condition number of the collocation matrix in force, or 0 where nothing collocates.
-double collocation_condition(const Scene& scene);
 
 }  // namespace graze

@@ -1,6 +1,8 @@
 // Speed of the main jobs, one core: build/tests/bench/graze_bench
 #include <benchmark/benchmark.h>
 
+#include "graze/assembly/assembly.hpp"
+#include "graze/assembly/initial_state.hpp"
 #include "graze/bifurcation/orbit_branches.hpp"
 #include "graze/hybrid/simulation.hpp"
 #include "graze/scene/reader.hpp"

@@ -11,6 +11,7 @@
 #include <string>
 #include <vector>
 
+#include "graze/assembly/initial_state.hpp"
 #include "graze/bifurcation/orbit_branches.hpp"
 #include "graze/hybrid/simulation.hpp"
 #include "graze/orbit/closed_form.hpp"

@@ -6,6 +6,8 @@
 #include <cmath>
 
 #include "branch_checks.hpp"
+#include "graze/assembly/assembly.hpp"
+#include "graze/assembly/initial_state.hpp"
 #include "graze/hybrid/simulation.hpp"
 #include "graze/scene/parameter.hpp"
 #include "graze/scene/reader.hpp"

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "branch_checks.hpp"
+#include "graze/assembly/assembly.hpp"
 #include "graze/base/angle.hpp"
 #include "graze/hybrid/motion.hpp"
 #include "graze/orbit/settled.hpp"

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "graze/assembly/assembly.hpp"
+#include "graze/assembly/initial_state.hpp"
 #include "support/reached.hpp"
 #include "support/reference.hpp"
 #include "support/systems.hpp"

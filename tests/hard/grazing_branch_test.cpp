@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "graze/assembly/assembly.hpp"
 #include "graze/bifurcation/orbit_branches.hpp"
 #include "graze/orbit/closed_form.hpp"
 #include "graze/scene/reader.hpp"

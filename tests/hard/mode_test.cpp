@@ -4,6 +4,8 @@
 #include <boost/multiprecision/cpp_bin_float.hpp>
 #include <cmath>
 
+#include "graze/assembly/assembly.hpp"
+#include "graze/assembly/system_warnings.hpp"
 #include "graze/base/decompositions.hpp"
 #include "graze/flow/exact_flow.hpp"
 #include "graze/structure/cantilever.hpp"

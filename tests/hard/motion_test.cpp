@@ -4,6 +4,8 @@
 #include <cmath>
 #include <sstream>
 
+#include "graze/assembly/assembly.hpp"
+#include "graze/assembly/initial_state.hpp"
 #include "graze/hybrid/motion.hpp"
 #include "support/reached.hpp"
 #include "support/reference.hpp"

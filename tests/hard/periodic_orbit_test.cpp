@@ -6,6 +6,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "graze/assembly/assembly.hpp"
+#include "graze/assembly/initial_state.hpp"
 #include "graze/bifurcation/orbit_branches.hpp"
 #include "graze/orbit/closed_form.hpp"
 #include "graze/orbit/finder.hpp"

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "graze/assembly/assembly.hpp"
+#include "graze/assembly/initial_state.hpp"
 #include "graze/base/angle.hpp"
 #include "graze/flow/contact_phase.hpp"
 #include "graze/orbit/finder.hpp"

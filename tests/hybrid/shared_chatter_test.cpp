@@ -5,6 +5,8 @@
 #include <cmath>
 #include <string>
 
+#include "graze/assembly/assembly.hpp"
+#include "graze/assembly/initial_state.hpp"
 #include "graze/hybrid/shared_chatter.hpp"
 #include "graze/scene/reader.hpp"
 #include "support/systems.hpp"

@@ -1,5 +1,7 @@
 // Runs: where they end, what they count, what they hand out. Expected values: closed forms.
 #include "graze/hybrid/simulation.hpp"
+#include "graze/assembly/assembly.hpp"
+#include "graze/assembly/initial_state.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,6 @@
 // The closed form of (p, 1) orbits and what is made of it, against tests/reference (50 digits).
 #include "graze/orbit/closed_form.hpp"
+#include "graze/assembly/assembly.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,7 @@
 // What a simulation settles on, and the list of orbits of a scene.
 #include "graze/orbit/finder.hpp"
+#include "graze/assembly/assembly.hpp"
+#include "graze/assembly/initial_state.hpp"
 
 #include <gtest/gtest.h>
 

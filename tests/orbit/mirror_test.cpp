@@ -1,6 +1,7 @@
 // Between mirrored stops every orbit has its image, u(t) -> -u(t + T/2), among those that are
 // found.
 #include "graze/orbit/mirror.hpp"
+#include "graze/assembly/assembly.hpp"
 
 #include <gtest/gtest.h>
 

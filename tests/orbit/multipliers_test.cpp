@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "graze/assembly/assembly.hpp"
 #include "graze/base/angle.hpp"
 #include "graze/base/product_eigenvalues.hpp"
 #include "graze/orbit/closed_form.hpp"

@@ -6,9 +6,9 @@
 #include <cmath>
 #include <optional>
 
+#include "graze/assembly/system_family.hpp"
 #include "graze/orbit/closed_form.hpp"
 #include "graze/orbit/orbit.hpp"
-#include "graze/system/system_family.hpp"
 #include "support/reference.hpp"
 
 namespace graze {

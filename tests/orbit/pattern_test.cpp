@@ -7,6 +7,7 @@
 #include <complex>
 #include <numbers>
 
+#include "graze/assembly/assembly.hpp"
 #include "graze/orbit/finder.hpp"
 #include "support/reference.hpp"
 #include "support/systems.hpp"

@@ -1,6 +1,7 @@
 // The phase problem: its solutions solve the shooting equations, its derivatives are right, for one
 // impact it is the closed form, and it says where it does not hold.
 #include "graze/orbit/phase_problem.hpp"
+#include "graze/assembly/assembly.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,6 @@
 // Searching the torus of impact phases: starts, deflation, rounds, the global stage.
 #include "graze/orbit/phase_search.hpp"
+#include "graze/assembly/assembly.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,10 +1,11 @@
 // The equations of an orbit that sticks at its release: derivatives against central differences,
 // multipliers against those of a section elsewhere in the stuck phase.
 #include "graze/orbit/release_section.hpp"
+#include "graze/assembly/assembly.hpp"
 
 #include <gtest/gtest.h>
 
-#include "graze/system/system_family.hpp"
+#include "graze/assembly/system_family.hpp"
 #include "orbit/settled_sticking_orbit.hpp"
 
 namespace graze {

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "graze/assembly/assembly.hpp"
 #include "graze/flow/transition.hpp"
 #include "graze/hybrid/motion.hpp"
 #include "graze/orbit/closed_form.hpp"

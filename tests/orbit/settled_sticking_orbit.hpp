@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "graze/assembly/assembly.hpp"
+#include "graze/assembly/initial_state.hpp"
 #include "graze/base/angle.hpp"
 #include "graze/orbit/settled.hpp"
 #include "graze/orbit/sticking_orbit.hpp"

@@ -1,5 +1,7 @@
 // When a motion counts as settled: near its orbit by the closed form, not only slow.
 #include "graze/orbit/settled.hpp"
+#include "graze/assembly/assembly.hpp"
+#include "graze/assembly/initial_state.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,14 +1,15 @@
 // The shooting equations: analytic derivatives against central differences.
 #include "graze/orbit/shooting.hpp"
+#include "graze/assembly/assembly.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <numbers>
 
+#include "graze/assembly/system_family.hpp"
 #include "graze/orbit/closed_form.hpp"
 #include "graze/scene/parameter.hpp"
-#include "graze/system/system_family.hpp"
 #include "support/differences.hpp"
 #include "support/reference.hpp"
 #include "support/systems.hpp"

@@ -1,5 +1,6 @@
 // Newton for good guesses, Levenberg-Marquardt (Ceres) for poor ones; the closed form is the judge.
 #include "graze/orbit/solve.hpp"
+#include "graze/assembly/assembly.hpp"
 
 #include <gtest/gtest.h>
 

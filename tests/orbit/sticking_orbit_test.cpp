@@ -5,6 +5,7 @@
 #include <array>
 #include <map>
 
+#include "graze/assembly/assembly.hpp"
 #include "graze/flow/extended.hpp"
 #include "orbit/settled_sticking_orbit.hpp"
 

@@ -2,6 +2,7 @@
 // it says where there is none.
 #include <gtest/gtest.h>
 
+#include "graze/assembly/assembly.hpp"
 #include "graze/orbit/orbit_curve.hpp"
 #include "orbit/settled_sticking_orbit.hpp"
 

@@ -4,6 +4,7 @@
 // orbit.
 #include <gtest/gtest.h>
 
+#include "graze/assembly/assembly.hpp"
 #include "graze/orbit/closed_form.hpp"
 #include "graze/orbit/orbit.hpp"
 #include "graze/scene/parameter.hpp"

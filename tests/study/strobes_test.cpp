@@ -1,5 +1,7 @@
 // An orbit once a forcing period: what a simulation of it shows there.
 #include "graze/study/strobes.hpp"
+#include "graze/assembly/assembly.hpp"
+#include "graze/assembly/initial_state.hpp"
 
 #include <gtest/gtest.h>
 

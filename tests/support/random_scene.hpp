@@ -13,6 +13,8 @@
 #include <string>
 #include <vector>
 
+#include "graze/assembly/assembly.hpp"
+#include "graze/assembly/initial_state.hpp"
 #include "graze/base/errors.hpp"
 #include "graze/scene/reader.hpp"
 #include "graze/system/system.hpp"

@@ -2,6 +2,8 @@
 #include <cmath>
 #include <iostream>
 
+#include "graze/assembly/assembly.hpp"
+#include "graze/assembly/initial_state.hpp"
 #include "graze/orbit/finder.hpp"
 #include "graze/scene/reader.hpp"
 

@@ -1,5 +1,5 @@
 // Systems over a parameter: tangents against differences, nothing outside the parameter's range.
-#include "graze/system/system_family.hpp"
+#include "graze/assembly/system_family.hpp"
 
 #include <gtest/gtest.h>
 

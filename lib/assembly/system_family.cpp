@@ -1,21 +1,9 @@
-#include "graze/system/system_family.hpp"
+#include "graze/assembly/system_family.hpp"
 
 #include "graze/scene/check.hpp"
 #include "graze/scene/parameter.hpp"
 
 namespace graze {
-namespace {
-
-// Whether the modal model is the same at all values of the parameter: forcing, gravity, gaps and
-// restitutions come on top of it.
-bool leaves_model(const std::string& parameter) {
-  const auto begins = [&](const char* with) { return parameter.rfind(with, 0) == 0; };
-  const auto contains = [&](const char* part) { return parameter.find(part) != std::string::npos; };
-  return begins("forcing.") || begins("gravity.") ||
-         (begins("stop.") && (contains(".gap") || contains(".restitution")));
-}
-
-}  // namespace
 
 SystemFamily::SystemFamily(Scene scene, std::string parameter)
     : scene_(std::move(scene)), parameter_(std::move(parameter)) {
@@ -48,7 +36,7 @@ SystemCursor::SystemCursor(const SystemFamily& family)
     : scene_(family.scene()),
       direction_(parameter_direction(scene_, family.parameter())),
       number_(find_parameter(scene_, family.parameter())),
-      fixed_model_(leaves_model(family.parameter())) {
+      fixed_model_(leaves_structure(family.parameter())) {
   scene_.origins = nullptr;  // the values are not those in the file
 }
 

@@ -1,4 +1,4 @@
-#include "graze/flow/exact_flow.hpp"
+#include "graze/flow/arc_curve.hpp"
 
 #include "graze/flow/arc_curve_impl.hpp"
 

@@ -4,7 +4,7 @@
 #include <optional>
 #include <string>
 
-#include "graze/system/assembly.hpp"
+#include "graze/assembly/assembly.hpp"
 
 namespace graze {
 

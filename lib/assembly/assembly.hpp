@@ -1,0 +1,26 @@
+// From a scene to the system of its numbers, and the derivative of these by a parameter.
+#pragma once
+
+#include <string>
+
+#include "graze/scene/scene.hpp"
+#include "graze/structure/modal_model.hpp"
+#include "graze/system/system.hpp"
+
+namespace graze {
+
+// Assembles a checked scene.
+System assemble(const Scene& scene);
+
+// Derivative of every number of the assembled system by a parameter of the scene, per unit of it.
+// Throws InputError when the scene has no such parameter.
+System system_tangent(const Scene& scene, const std::string& parameter);
+
+// The same from a modal model that is at hand, for many systems of one structure. `model` is that
+// of the scene, `direction` the rate of change of its numbers (parameter_direction), `rate` the
+// model's along it, `system` what is assembled of them.
+System assemble(const Scene& scene, const ModalModel& model);
+System system_tangent(const Scene& scene, const Scene& direction, const ModalModel& model,
+                      const ModalModel& rate, const System& system);
+
+}  // namespace graze

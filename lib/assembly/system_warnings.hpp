@@ -1,0 +1,19 @@
+// What in a scene deserves care although it can be simulated.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "graze/scene/scene.hpp"
+#include "graze/system/system.hpp"
+
+namespace graze {
+
+// Sentences: ill-conditioned collocation points, an impulse law that can add energy. Empty where
+// all is well.
+std::vector<std::string> system_warnings(const Scene& scene, const System& system);
+
+// Condition number of the collocation matrix in force, or 0 where nothing collocates.
+double collocation_condition(const Scene& scene);
+
+}  // namespace graze
