@@ -9,6 +9,7 @@
 #include "graze/base/errors.hpp"
 #include "graze/record/run_info.hpp"
 #include "graze/scene/suggestion.hpp"
+#include "option_values.hpp"
 
 namespace graze {
 namespace {
@@ -18,47 +19,6 @@ const char* const kLaterCommands[] = {"cost", "compare", "fit"};
 
 InputError not_available(const std::string& what) {
   return InputError(what + ": not available in this version");
-}
-
-CLI::Validator at_least(const std::string& what, double least) {
-  return CLI::Validator(
-      [what, least](std::string& text) {
-        double value = 0.0;
-        const bool good =
-            CLI::detail::lexical_cast(text, value) && value >= least && std::isfinite(value);
-        return good ? std::string() : fmt::format("'{}' is not {}", text, what);
-      },
-      "");
-}
-
-// A whole number; 1e3 for 1000 is one too, and then written out.
-CLI::Validator whole_number(const std::string& what, double least, double most) {
-  return CLI::Validator(
-      [what, least, most](std::string& text) {
-        double value = 0.0;
-        if (!CLI::detail::lexical_cast(text, value) || !(value >= least && value <= most) ||
-            value != std::floor(value))
-          return fmt::format("'{}' is not {}", text, what);
-        if (text.find_first_of(".eE") != std::string::npos) text = fmt::format("{:.0f}", value);
-        return std::string();
-      },
-      "");
-}
-
-// Beyond the cores of any machine, and short of what a process may start.
-constexpr double kMostThreads = 1024.0;
-// What the counts can hold.
-constexpr double kMostCounted = 0x1p62;
-
-CLI::Validator above_zero() {
-  return CLI::Validator(
-      [](std::string& text) {
-        double value = 0.0;
-        const bool good =
-            CLI::detail::lexical_cast(text, value) && value > 0.0 && std::isfinite(value);
-        return good ? std::string() : fmt::format("'{}' is not a number above 0", text);
-      },
-      "");
 }
 
 void add_later_options(CLI::App* app, const std::vector<const char*>& options) {
@@ -154,8 +114,12 @@ void add_range(CLI::App* app, Command& command) {
       ->type_name("NAME");
   app->add_option("--from", command.from, "Start of the parameter's range")
       ->required()
+      ->check(finite_number())
       ->type_name("A");
-  app->add_option("--to", command.to, "End of the parameter's range")->required()->type_name("B");
+  app->add_option("--to", command.to, "End of the parameter's range")
+      ->required()
+      ->check(finite_number())
+      ->type_name("B");
   app->add_option("--max-step", command.max_step,
                   "Largest change of the parameter in one step of a branch (default: range/50)")
       ->check(above_zero())
@@ -166,7 +130,7 @@ void add_range(CLI::App* app, Command& command) {
 void add_branch_kind(CLI::App* app, Command& command) {
   app->add_option("--impacts", command.impacts,
                   "Impacts per orbit, on all stops together (default: 1, and orbits that stick)")
-      ->check(CLI::Range(1, 64))
+      ->transform(whole_number_within(1, 64))
       ->type_name("K");
   app->add_option("--follow", command.follow,
                   "Switch branches at special points: none, or all: doubled orbits at PD, crossing "
@@ -176,7 +140,7 @@ void add_branch_kind(CLI::App* app, Command& command) {
       ->type_name("WHAT");
   app->add_option("--depth", command.depth,
                   "With --follow all: special points switched at one after the other (default: 2)")
-      ->check(CLI::Range(1, 16))
+      ->transform(whole_number_within(1, 16))
       ->type_name("D");
 }
 
@@ -270,7 +234,7 @@ void add_diagram(CLI::App& graze, Command& command) {
   add_plot(app, command);
   add_range(app, command);
   app->add_option("--points", command.points, "Values from A to B, both among them")
-      ->check(CLI::Range(2, 1'000'000))
+      ->transform(whole_number_within(2, 1'000'000))
       ->capture_default_str()
       ->type_name("N");
   app->add_option("--direction", command.direction,
@@ -290,7 +254,7 @@ void add_diagram(CLI::App& graze, Command& command) {
       ->transform(whole_number("a whole number from 1", 1.0, kMostCounted))
       ->type_name("K");
   app->add_option("--samples", command.samples, "Forcing periods shown where nothing repeats")
-      ->check(CLI::Range(1LL, 1'000'000LL))
+      ->transform(whole_number_within(1, 1'000'000))
       ->capture_default_str()
       ->type_name("M");
   app->add_option("--closure-speed", command.closure_speed, kClosureSpeed)

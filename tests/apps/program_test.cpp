@@ -42,6 +42,21 @@ TEST(Program, UsageErrorsExitWith2AndPrintNothingOnStdout) {
   }
 }
 
+TEST(Program, ValuesOfOptionsAreRefusedInWords) {
+  const std::string trace = "continue " + kOneMode + " --parameter stop.gap ";
+  for (const auto& [arguments, sentence] : std::vector<std::pair<std::string, std::string>>{
+           {trace + "--from a --to 2", "--from: 'a' is not a finite number"},
+           {trace + "--from 1 --to inf", "--to: 'inf' is not a finite number"},
+           {trace + "--from 1 --to 2 --impacts 65",
+            "--impacts: '65' is not a whole number from 1 to 64"},
+           {trace + "--from 1 --to 2 --depth x", "--depth: 'x' is not a whole number from 1 to 16"},
+           {trace + "--from 1 --to 2 --max-step 0", "--max-step: '0' is not a number above 0"}}) {
+    const Finished run = run_graze(arguments);
+    EXPECT_EQ(run.code, 2) << arguments;
+    EXPECT_EQ(run.err, "graze: " + sentence + " (see graze continue --help)\n");
+  }
+}
+
 TEST(Program, WholeNumbersMayBeWrittenWithAnExponent) {
   const Finished written = run_graze("simulate --periods 2e1 --json " + kOneMode);
   EXPECT_EQ(written.code, 0) << written.err;

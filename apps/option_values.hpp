@@ -1,0 +1,67 @@
+// What the value of an option may be, each with the sentence that refuses any other.
+#pragma once
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <cmath>
+#include <string>
+
+namespace graze {
+
+inline CLI::Validator at_least(const std::string& what, double least) {
+  return CLI::Validator(
+      [what, least](std::string& text) {
+        double value = 0.0;
+        const bool good =
+            CLI::detail::lexical_cast(text, value) && value >= least && std::isfinite(value);
+        return good ? std::string() : fmt::format("'{}' is not {}", text, what);
+      },
+      "");
+}
+
+// A whole number; 1e3 for 1000 is one too, and then written out.
+inline CLI::Validator whole_number(const std::string& what, double least, double most) {
+  return CLI::Validator(
+      [what, least, most](std::string& text) {
+        double value = 0.0;
+        if (!CLI::detail::lexical_cast(text, value) || !(value >= least && value <= most) ||
+            value != std::floor(value))
+          return fmt::format("'{}' is not {}", text, what);
+        if (text.find_first_of(".eE") != std::string::npos) text = fmt::format("{:.0f}", value);
+        return std::string();
+      },
+      "");
+}
+
+inline CLI::Validator whole_number_within(int least, int most) {
+  return whole_number(fmt::format("a whole number from {} to {}", least, most), least, most);
+}
+
+inline CLI::Validator finite_number() {
+  return CLI::Validator(
+      [](std::string& text) {
+        double value = 0.0;
+        const bool good = CLI::detail::lexical_cast(text, value) && std::isfinite(value);
+        return good ? std::string() : fmt::format("'{}' is not a finite number", text);
+      },
+      "");
+}
+
+// Beyond the cores of any machine, and short of what a process may start.
+inline constexpr double kMostThreads = 1024.0;
+// What the counts can hold.
+inline constexpr double kMostCounted = 0x1p62;
+
+inline CLI::Validator above_zero() {
+  return CLI::Validator(
+      [](std::string& text) {
+        double value = 0.0;
+        const bool good =
+            CLI::detail::lexical_cast(text, value) && value > 0.0 && std::isfinite(value);
+        return good ? std::string() : fmt::format("'{}' is not a number above 0", text);
+      },
+      "");
+}
+
+}  // namespace graze
