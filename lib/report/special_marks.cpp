@@ -16,7 +16,7 @@ SpecialMark special_mark(const std::string& label) {
       {"PD", {"period doubling (PD)", 5, 0.75, kPurple}},
       {"NS", {"torus (NS)", 13, 1.0, kSky}},
       {"GR", {"grazing (GR)", 8, 1.0, kGreen, 9}},
-      {"CH", {"chatter completes (CH)", 10, 1.0, kOrange, 11}},
+      {"CH", {"chatter ends (CH)", 10, 1.0, kOrange, 11}},
       {"LO", {"lift-off (LO)", 14, 1.0, kOrange, 15}},
   };
   const auto known = kMarks.find(label);

@@ -82,14 +82,14 @@ TEST(StickingBranchCommand, IsDrawnInBothPictures) {
   const ScratchFolder scratch;
   const std::string branches = (scratch / "branches.svg").string();
   ASSERT_EQ(run_graze("continue --plot " + branches + kRange + kForcedChatter).code, 0);
-  EXPECT_NE(read_text(branches).find("chatter completes (CH)"), std::string::npos);
+  EXPECT_NE(read_text(branches).find("chatter ends (CH)"), std::string::npos);
   for (const char* section : {"impact", "strobe"}) {
     const std::string diagram = (scratch / (std::string(section) + ".svg")).string();
     const Finished run =
         run_graze("diagram --points 21 --periods 50 --section " + std::string(section) +
                   " --plot " + diagram + kRange + kForcedChatter);
     ASSERT_EQ(run.code, 0) << run.err;
-    EXPECT_NE(read_text(diagram).find("chatter completes (CH)"), std::string::npos);
+    EXPECT_NE(read_text(diagram).find("chatter ends (CH)"), std::string::npos);
   }
 }
 
