@@ -1,3 +1,5 @@
+#include "graze/flow/contact_phase.hpp"
+
 #include "graze/flow/contact_phase_impl.hpp"
 
 namespace graze {

@@ -1,3 +1,5 @@
+#include "graze/hybrid/motion.hpp"
+
 #include "graze/hybrid/motion_impl.hpp"
 
 namespace graze {

@@ -130,6 +130,21 @@ TEST(Architecture, HeadersOfTheProjectAreIncludedByTheirFullName) {
     }
 }
 
+// So that a header that needs another before it does not compile. Those without a .cpp are compiled
+// alone (tests/CMakeLists.txt).
+TEST(Architecture, EverySourceIncludesItsOwnHeaderFirst) {
+  for (const fs::path folder : {"lib", "apps"}) {
+    for (const fs::path& file : sources(folder)) {
+      const fs::path own = fs::path(file).replace_extension(".hpp");
+      if (file.extension() != ".cpp" || !fs::exists(own)) continue;
+      const fs::path name =
+          folder == "lib" ? "graze" / fs::relative(own, kRoot / folder) : own.filename();
+      ASSERT_FALSE(includes(file).empty()) << name_of(file);
+      EXPECT_EQ(includes(file).front(), name.generic_string()) << name_of(file);
+    }
+  }
+}
+
 // The tail of a chatter that stops share is a motion itself: the one thing that needs what it is
 // part of.
 const std::set<std::string> kPartOfAMotion = {"hybrid/shared_chatter"};
