@@ -1,5 +1,7 @@
-# Installs the build into a scratch folder, then configures, builds and runs a project that finds it.
-set(prefix ${SCRATCH}/prefix)
+# Installs the build into a scratch folder and moves it, then configures, builds and runs a project
+# that finds it there. Nothing installed may know of the build or of where it was installed first.
+set(installed ${SCRATCH}/installed)
+set(prefix ${SCRATCH}/moved)
 file(REMOVE_RECURSE ${SCRATCH})
 function(run)
   execute_process(COMMAND ${ARGN} RESULT_VARIABLE result OUTPUT_VARIABLE output
@@ -8,7 +10,19 @@ function(run)
     message(FATAL_ERROR "${ARGN}\n${output}")
   endif()
 endfunction()
-run(${CMAKE_COMMAND} --install ${BUILD} --prefix ${prefix})
+run(${CMAKE_COMMAND} --install ${BUILD} --prefix ${installed})
+file(RENAME ${installed} ${prefix})
+file(GLOB_RECURSE texts ${prefix}/*.cmake ${prefix}/*.hpp)
+if(NOT texts)
+  message(FATAL_ERROR "nothing was installed")
+endif()
+foreach(text IN LISTS texts)
+  file(READ ${text} content)
+  string(FIND "${content}" "${BUILD}" found)  # SCRATCH is within it
+  if(NOT found EQUAL -1)
+    message(FATAL_ERROR "${text} names ${BUILD}")
+  endif()
+endforeach()
 run(${CMAKE_COMMAND} -S ${SOURCE}/consumer -B ${SCRATCH}/build -G Ninja
     -DCMAKE_PREFIX_PATH=${prefix} -DCMAKE_BUILD_TYPE=Release "-DCMAKE_CXX_FLAGS=${FLAGS}")
 run(${CMAKE_COMMAND} --build ${SCRATCH}/build)
