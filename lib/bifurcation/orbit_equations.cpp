@@ -55,13 +55,13 @@ OrbitBranchPoint OrbitEquations::judge(const BranchPoint& solution) const {
 
 Vector OrbitEquations::halves_differ(const BranchPoint& solution) const {
   const ImpactPattern& whole = pattern();
-  const int half = whole.impacts() / 2;
+  const int half = whole.impacts() / 2, half_period = whole.period / 2;
   if (whole.period % 2 != 0 || whole.impacts() % 2 != 0 ||
       !std::equal(whole.stops.begin(), whole.stops.begin() + half, whole.stops.begin() + half))
     return {};
   const Eigen::Index size = solution.u.size() / 2, block = size / half;
   Vector difference = solution.u.tail(size) - solution.u.head(size);
-  for (Eigen::Index at = 0; at < size; at += block) difference[at] -= kTurn * (whole.period / 2);
+  for (Eigen::Index at = 0; at < size; at += block) difference[at] -= kTurn * half_period;
   return difference;
 }
 

@@ -45,7 +45,7 @@ std::optional<BranchPoint> without_impact(const StickingEquations& equations,
   if (!here) return {};
   const double beside = kBeside * std::abs(options.to - options.from);
   for (const double side : {1.0, -1.0}) {
-    const std::optional<BranchPoint> other =
+    std::optional<BranchPoint> other =
         solve_at(equations.problem(), options, at.u, grazing + side * beside);
     if (!other) continue;
     const std::optional<ReleaseReturn> there = equations.follow(*other);

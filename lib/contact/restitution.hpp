@@ -14,7 +14,7 @@ namespace graze {
 class Restitution {
  public:
   // Constant r. Not explicit: a number is a restitution.
-  Restitution(double constant) : coefficients_{constant} {}
+  Restitution(double constant) : coefficients_{constant} {}  // NOLINT(google-explicit-constructor)
   // a0, a1, ..; at least one, a_i in (s/m)^i.
   explicit Restitution(std::vector<double> coefficients) : coefficients_(std::move(coefficients)) {}
 

@@ -35,7 +35,7 @@ std::vector<Eigenvalue> multipliers(const Map& map, int period, const Vector& u,
 
 }  // namespace
 
-ZeroProblem periodic_points(Map map, int period) {
+ZeroProblem periodic_points(const Map& map, int period) {
   ZeroProblem problem;
   problem.evaluate = [map, period](const Vector& u, double parameter) {
     return evaluate(map, period, u, parameter);

@@ -24,7 +24,7 @@ struct MapEvaluation {
 using Map = std::function<std::optional<MapEvaluation>(const Vector& x, double parameter)>;
 
 // Orbits of period `period`; the unknown is (x_1, .., x_period), one after the other.
-ZeroProblem periodic_points(Map map, int period = 1);
+ZeroProblem periodic_points(const Map& map, int period = 1);
 
 // The solution of period n seen as one of period 2n, where it is a branch point if it doubles
 // there: what other_branch() switches from onto the doubled orbits.

@@ -128,8 +128,7 @@ template <class Real, class Sample>
 FirstZero<Real> finish_descent(const Sample& sample, const Descent<Real>& descent,
                                const Real& window) {
   if (descent.zero.kind != ZeroKind::kCrossing) return descent.zero;
-  const FirstZero<Real> zero =
-      finish(sample, descent.zero.s, descent.point, descent.zero.evaluations);
+  FirstZero<Real> zero = finish(sample, descent.zero.s, descent.point, descent.zero.evaluations);
   if (!(zero.s <= window)) return {ZeroKind::kNone, window, Real(0), zero.evaluations};
   return zero;
 }

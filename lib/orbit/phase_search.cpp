@@ -234,8 +234,7 @@ std::optional<PhaseSolution> PhaseSearch::global() {
   const PhaseProblem problem(*response_, stops, options_.speed);
   const std::optional<Vector> lowest = lowest_phases(problem, deflation_, options_);
   if (!lowest) return {};
-  const std::optional<PhaseSolution> solution =
-      solve_phases(*response_, deflation_, *lowest, options_);
+  std::optional<PhaseSolution> solution = solve_phases(*response_, deflation_, *lowest, options_);
   if (solution && learn(*solution)) return solution;
   // A valley without a bottom: the next minimisation shall look elsewhere.
   deflation_.add(stops, *lowest);

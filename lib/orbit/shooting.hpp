@@ -10,6 +10,7 @@
 // (that penetrate, or impact at negative speed) can be traced too. Derivatives are analytic.
 #pragma once
 
+#include <utility>
 #include <vector>
 
 #include "graze/flow/transition.hpp"
@@ -61,7 +62,7 @@ class ShootingProblem {
  public:
   // Requires forcing and at least one impact in the pattern.
   ShootingProblem(ImpactPattern pattern, ShootingScale scale)
-      : pattern_(std::move(pattern)), scale_(scale) {}
+      : pattern_(std::move(pattern)), scale_(std::move(scale)) {}
 
   const ImpactPattern& pattern() const { return pattern_; }
   // k (2N + 1)

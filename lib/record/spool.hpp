@@ -36,7 +36,9 @@ class Spool {
 // A text with a long middle.
 struct Document {
   Document() = default;
-  Document(std::string whole) : head(std::move(whole)) {}
+  // Not explicit: a text is a document.
+  Document(std::string whole)  // NOLINT(google-explicit-constructor)
+      : head(std::move(whole)) {}
   Document(std::string before, Spool& between, std::string after)
       : head(std::move(before)), middle(&between), tail(std::move(after)) {}
 

@@ -17,7 +17,8 @@
 #include "graze/base/errors.hpp"
 #include "graze/record/files.hpp"
 
-extern char** environ;
+// POSIX leaves this to the program, g++ has it declared already.
+extern char** environ;  // NOLINT(readability-redundant-declaration)
 
 namespace graze {
 namespace {

@@ -123,7 +123,8 @@ void name_vertical_axis(GnuplotScript& script, const std::string& name, const st
 }
 
 double legend_height(std::size_t entries, std::size_t columns) {
-  return 0.012 + 0.036 * static_cast<double>((entries + columns - 1) / columns);
+  const std::size_t lines = (entries + columns - 1) / columns;
+  return 0.012 + 0.036 * static_cast<double>(lines);
 }
 
 void set_legend(GnuplotScript& script, const Margins& margins, std::size_t columns) {
