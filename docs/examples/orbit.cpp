@@ -5,6 +5,8 @@
 #include <cstdio>
 #include <exception>
 
+#include "graze/assembly/assembly.hpp"
+#include "graze/assembly/initial_state.hpp"
 #include "graze/orbit/finder.hpp"
 #include "graze/scene/reader.hpp"
 

@@ -4,6 +4,8 @@
 #include <cstdio>
 #include <exception>
 
+#include "graze/assembly/assembly.hpp"
+#include "graze/assembly/initial_state.hpp"
 #include "graze/hybrid/simulation.hpp"
 #include "graze/scene/reader.hpp"
 
