@@ -2,7 +2,6 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <cmath>
 #include <iostream>
 
 #include "command.hpp"
@@ -89,7 +88,7 @@ void add_limits(CLI::App* app, Command& command) {
 void add_orbit_search(CLI::App* app, Command& command) {
   add_limits(app, command);
   app->add_option("--period", command.period, "Forcing periods p after which the orbit repeats")
-      ->check(at_least("a whole number from 1", 1.0))
+      ->transform(whole_number("a whole number from 1", 1.0, kMostPeriods))
       ->capture_default_str()
       ->type_name("P");
   app->add_flag("--virtual", command.keep_virtual,
@@ -103,7 +102,7 @@ void add_orbit_search(CLI::App* app, Command& command) {
       ->type_name("NAME");
   app->add_option("--random-seed", command.random_seed,
                   "Seed: another one moves the quasi-random starts")
-      ->check(at_least("a whole number, 0 or more", 0.0))
+      ->transform(whole_number("a whole number, 0 or more", 0.0, kMostCounted))
       ->capture_default_str()
       ->type_name("N");
 }
@@ -204,8 +203,7 @@ void add_orbit(CLI::App& graze, Command& command) {
            command.impacts = value;
          },
          "Impacts k per orbit, on every sequence of stops; 'any' (default): 1, then 2 and 3 while "
-         "the "
-         "structure is small, and what the simulation settles on")
+         "the structure is small, and what the simulation settles on")
       ->type_name("K|any");
 }
 
@@ -257,15 +255,13 @@ void add_diagram(CLI::App& graze, Command& command) {
       ->transform(whole_number_within(1, 1'000'000))
       ->capture_default_str()
       ->type_name("M");
-  app->add_option("--closure-speed", command.closure_speed, kClosureSpeed)
-      ->check(at_least("a speed in m/s, 0 or more", 0.0))
-      ->type_name("V");
+  add_closure_speed(app, command);
   app->add_option("--branches", command.branches, "Branches over the sweep: all, or none")
       ->check(CLI::IsMember({"none", "all"}))
       ->capture_default_str()
       ->type_name("WHICH");
   app->add_option("--period", command.period, "Forcing periods p of the branches' orbits")
-      ->check(at_least("a whole number from 1", 1.0))
+      ->transform(whole_number("a whole number from 1", 1.0, kMostPeriods))
       ->capture_default_str()
       ->type_name("P");
   add_branch_kind(app, command);

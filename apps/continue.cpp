@@ -20,8 +20,7 @@
 namespace graze {
 
 BranchOptions branch_options(const Command& command) {
-  if (!std::isfinite(command.from) || !std::isfinite(command.to) || command.from == command.to)
-    throw InputError("--from, --to: the range must be finite and not empty");
+  if (command.from == command.to) throw InputError("--from, --to: the range must not be empty");
   // A step has to be told apart from none in the parameter's last digits.
   const double coarsest = 1e3 * std::numeric_limits<double>::epsilon() * 50.0 *
                           std::max(std::abs(command.from), std::abs(command.to));

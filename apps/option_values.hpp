@@ -51,6 +51,7 @@ inline CLI::Validator finite_number() {
 // Beyond the cores of any machine, and short of what a process may start.
 inline constexpr double kMostThreads = 1024.0;
 // What the counts can hold.
+inline constexpr double kMostPeriods = 0x1p30;
 inline constexpr double kMostCounted = 0x1p62;
 
 inline CLI::Validator above_zero() {

@@ -102,8 +102,7 @@ class Settling {
         break;
     }
     return end(SettledKind::kRefused,
-               fmt::format("could not be followed beyond forcing period {}: {}", now(),
-                           failure_of(motion_, arrival)));
+               fmt::format("ends in forcing period {}: {}", now(), failure_of(motion_, arrival)));
   }
 
   bool take_impact(const Arrival<double>& arrival) {
