@@ -36,7 +36,8 @@ class OrbitTracer {
     continuation_.to = options.to;
     continuation_.max_step = options.max_step;
     continuation_.stop = options.stop;
-    sticking_ = std::make_unique<StickingBranches>(family, continuation_, options.follow_depth > 0);
+    sticking_ = std::make_unique<StickingBranches>(family, continuation_, options.follow_depth > 0,
+                                                   options.finder.max_impacts);
   }
 
   OrbitBranches trace() {
@@ -103,6 +104,7 @@ class OrbitTracer {
     }
     std::optional<State> start;
     if (first || options_.impacts > 1) start = clear_start(family_.scene(), *system);
+    if (start) finder.closure_speed = closure_speed(*system, *start);
     FoundOrbits found = find_orbits(*system, start, finder);
     // Those have branches of their own.
     const auto sticks = [](const Orbit& orbit) { return orbit.sticking.has_value(); };
@@ -141,6 +143,12 @@ class OrbitTracer {
       add_trace(branches, *start, Directions::kBoth, -1, 0);
   }
 
+  // As asked for, or by the scene's tolerance.
+  double closure_speed(const System& system, const State& start) const {
+    return options_.finder.closure_speed.value_or(
+        default_closure_speed(system, start, family_.scene().solver.tolerance));
+  }
+
   // Traces the branch of the orbit that sticks, where the motion from the scene's initial state
   // settles on one.
   void trace_sticking(double value) {
@@ -151,8 +159,7 @@ class OrbitTracer {
     SettleOptions settling;
     settling.periods = kPeriodsToStick;
     settling.max_impacts = options_.finder.max_impacts;
-    settling.closure_speed = options_.finder.closure_speed.value_or(
-        default_closure_speed(*system, *start, family_.scene().solver.tolerance));
+    settling.closure_speed = closure_speed(*system, *start);
     settling.stop = options_.stop;
     const SettledMotion settled = settle(*system, *start, settling);
     if (settled.kind != SettledKind::kSticks) return;

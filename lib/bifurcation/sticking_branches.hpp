@@ -46,9 +46,11 @@ struct StickingTrace {
 class StickingBranches {
  public:
   // Refers to the family, which must outlive it. `range` says from where to where, how fast, and
-  // when to stop; `switches`: whether neighbours at PD and BP are asked for.
-  StickingBranches(const SystemFamily& family, ContinuationOptions range, bool switches)
-      : family_(family), range_(std::move(range)), switches_(switches) {}
+  // when to stop; `switches`: whether neighbours at PD and BP are asked for;
+  // `max_impacts`: of one motion.
+  StickingBranches(const SystemFamily& family, ContinuationOptions range, bool switches,
+                   long long max_impacts)
+      : family_(family), range_(std::move(range)), switches_(switches), max_impacts_(max_impacts) {}
 
   // The branch through an orbit that sticks.
   StickingTrace trace(const Orbit& orbit, double value);
@@ -64,6 +66,7 @@ class StickingBranches {
   const SystemFamily& family_;
   ContinuationOptions range_;
   bool switches_;
+  long long max_impacts_;
   std::deque<Traced> traced_;
 };
 

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 
 #include "branch_checks.hpp"
 #include "graze/assembly/assembly.hpp"
@@ -92,6 +93,31 @@ TEST(StickingSwitch, BranchesThatCrossAreFoundFromEachOther) {
     EXPECT_TRUE(most < 1e-7 || most > 1e-2) << most;
   }
   EXPECT_EQ(symmetric, 1);
+}
+
+// The scene asks for less than the default: so does what a search along the way says of itself.
+TEST(StickingBranch, ChattersAreClosedByTheScenesTolerance) {
+  const Scene scene =
+      read_scene(std::string(GRAZE_SOURCE_DIR) + "/data/scenes/09_soft_stop_two_modes.toml",
+                 {"solver.tolerance=1e-6", "forcing.frequency=41.5"});
+  const System system = assemble(scene);
+  BranchOptions options;
+  options.from = 41.4;
+  options.to = 41.6;
+  options.impacts = 64;  // none has so many: what is found is told in a note
+  options.sticking = false;
+  options.start_values = 0;
+  options.finder.from_random = false;
+  const OrbitBranches traced = trace_orbits(SystemFamily(scene, "forcing.frequency"), options);
+  ASSERT_TRUE(traced.branches.empty());
+  const double speed =
+      default_closure_speed(system, initial_state(scene, system), scene.solver.tolerance);
+  char words[64];
+  std::snprintf(words, sizeof words, "summed below %.4g m/s", speed);
+  EXPECT_TRUE(
+      std::any_of(traced.notes.begin(), traced.notes.end(),
+                  [&](const std::string& note) { return note.find(words) != std::string::npos; }))
+      << words << " in: " << (traced.notes.empty() ? "" : traced.notes.front());
 }
 
 }  // namespace
