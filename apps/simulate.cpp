@@ -1,8 +1,6 @@
 // graze simulate: the motion from the scene's initial state, or on from where an earlier run ended.
 #include <fmt/format.h>
 
-#include <cmath>
-
 #include "graze/assembly/assembly.hpp"
 #include "graze/assembly/initial_state.hpp"
 #include "graze/assembly/system_warnings.hpp"

@@ -1,7 +1,6 @@
 #include "graze/bifurcation/orbit_parts.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <iterator>
 #include <list>
 #include <utility>

@@ -1,6 +1,5 @@
 #include "graze/continuation/growing_branch.hpp"
 
-#include <algorithm>
 #include <utility>
 
 #include "graze/continuation/locate.hpp"

@@ -12,6 +12,8 @@
 // 2000). A period doubling is a branch point of the equations of twice the period.
 #pragma once
 
+#include <optional>
+
 #include "graze/continuation/branch.hpp"
 
 namespace graze {

@@ -6,6 +6,8 @@
 // moves the frequency moves the lengths of the arcs and nothing else.
 #pragma once
 
+#include <vector>
+
 #include "graze/flow/deviation.hpp"
 
 namespace graze {

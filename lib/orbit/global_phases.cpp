@@ -2,7 +2,6 @@
 
 #include <nlopt.h>
 
-#include <cmath>
 #include <memory>
 
 #include "graze/base/angle.hpp"

@@ -1,7 +1,5 @@
 #include "graze/orbit/impact_sequences.hpp"
 
-#include <algorithm>
-
 namespace graze {
 
 ImpactSequences impact_sequences(int stops, int k, std::size_t most) {

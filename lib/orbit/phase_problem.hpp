@@ -31,6 +31,7 @@
 // does: such points are no orbits.
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "graze/base/linear_equations.hpp"

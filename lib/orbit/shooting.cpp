@@ -1,6 +1,5 @@
 #include "graze/orbit/shooting.hpp"
 
-#include <cmath>
 #include <limits>
 
 #include "graze/base/angle.hpp"

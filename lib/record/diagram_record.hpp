@@ -1,6 +1,7 @@
 // The result of a bifurcation diagram: a sweep, and the branches over it.
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "graze/record/records.hpp"

@@ -1,6 +1,7 @@
 // The words in which results name kinds and ends.
 #pragma once
 
+#include <optional>
 #include <string>
 
 #include "graze/bifurcation/orbit_branches.hpp"

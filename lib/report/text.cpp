@@ -195,7 +195,7 @@ std::string to_text(const SimulationRecord& record) {
   text += fmt::format("{:<24} {:.9g} s\n", "simulated until", run.end_time);
   if (!record.system.stops.empty()) {
     text += fmt::format("{:<24} {}\n", "impacts", run.totals.impacts);
-    text += fmt::format("{:<24} {}\n", "chatters closed", run.totals.chatters);
+    text += fmt::format("{:<24} {}\n", "chatters summed", run.totals.chatters);
     text += fmt::format("{:<24} {:.6g} s\n", "stuck time", run.totals.stuck_time);
     text += fmt::format("{:<24} {:.6g} J\n", "energy lost at impacts", run.totals.energy_lost);
     text += fmt::format("{:<24} {:.6g} J\n", "energy added at impacts", run.totals.energy_added);

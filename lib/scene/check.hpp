@@ -1,6 +1,8 @@
 // The rules that a scene's values must keep, whichever way the scene came about.
 #pragma once
 
+#include <vector>
+
 #include "graze/scene/scene.hpp"
 
 namespace graze {

@@ -1,7 +1,6 @@
 #include "graze/study/sweep.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <memory>
 #include <mutex>
 
