@@ -9,15 +9,29 @@
 
 namespace graze {
 
-inline CLI::Validator at_least(const std::string& what, double least) {
+// A finite number that fits; `what` names those that do.
+template <class Fits>
+CLI::Validator number(const std::string& what, const Fits& fits) {
   return CLI::Validator(
-      [what, least](std::string& text) {
+      [what, fits](std::string& text) {
         double value = 0.0;
         const bool good =
-            CLI::detail::lexical_cast(text, value) && value >= least && std::isfinite(value);
+            CLI::detail::lexical_cast(text, value) && std::isfinite(value) && fits(value);
         return good ? std::string() : fmt::format("'{}' is not {}", text, what);
       },
       "");
+}
+
+inline CLI::Validator finite_number() {
+  return number("a finite number", [](double) { return true; });
+}
+
+inline CLI::Validator above_zero() {
+  return number("a number above 0", [](double value) { return value > 0.0; });
+}
+
+inline CLI::Validator at_least(const std::string& what, double least) {
+  return number(what, [least](double value) { return value >= least; });
 }
 
 // A whole number; 1e3 for 1000 is one too, and then written out.
@@ -38,31 +52,10 @@ inline CLI::Validator whole_number_within(int least, int most) {
   return whole_number(fmt::format("a whole number from {} to {}", least, most), least, most);
 }
 
-inline CLI::Validator finite_number() {
-  return CLI::Validator(
-      [](std::string& text) {
-        double value = 0.0;
-        const bool good = CLI::detail::lexical_cast(text, value) && std::isfinite(value);
-        return good ? std::string() : fmt::format("'{}' is not a finite number", text);
-      },
-      "");
-}
-
 // Beyond the cores of any machine, and short of what a process may start.
 inline constexpr double kMostThreads = 1024.0;
 // What the counts can hold.
 inline constexpr double kMostPeriods = 0x1p30;
 inline constexpr double kMostCounted = 0x1p62;
-
-inline CLI::Validator above_zero() {
-  return CLI::Validator(
-      [](std::string& text) {
-        double value = 0.0;
-        const bool good =
-            CLI::detail::lexical_cast(text, value) && value > 0.0 && std::isfinite(value);
-        return good ? std::string() : fmt::format("'{}' is not a number above 0", text);
-      },
-      "");
-}
 
 }  // namespace graze

@@ -62,7 +62,7 @@ class Tracer {
       const std::optional<BranchPoint> next = next_point(branch, h, turn);
       if (!next) return ended(branch, BranchEnd::kNotConverged);
       const BranchPoint from = branch.last();
-      if (branch.advance(*next)) return branch.branch();
+      if (branch.advance(*next)) return branch.take();
       if (options_.proceed && !options_.proceed(from, branch.last()))
         return ended(branch, BranchEnd::kHalted);
       h *= std::clamp(kAimedTurn * options_.max_turn / std::max(turn, 1e-12), 0.5, kGrowth);
@@ -71,7 +71,7 @@ class Tracer {
 
   static Branch ended(GrowingBranch& branch, BranchEnd end) {
     branch.end(end);
-    return branch.branch();
+    return branch.take();
   }
 
   // Where a step leads that is halved until it is accepted, h in the end.

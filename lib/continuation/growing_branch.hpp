@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <optional>
+#include <utility>
 
 #include "graze/continuation/corrector.hpp"
 #include "graze/continuation/parameter_limits.hpp"
@@ -33,8 +34,8 @@ class GrowingBranch {
   void keep(std::size_t count);
   void count_rejected() { ++branch_.rejected; }
 
-  // Where it went, once it has ended.
-  const Branch& branch() const { return branch_; }
+  // Where it went, once it has ended; given away.
+  Branch take() { return std::move(branch_); }
   void end(BranchEnd end) { branch_.ends[1] = end; }
 
  private:
