@@ -5,6 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "graze/base/default_budget.hpp"
+
 namespace graze {
 
 struct Command {
@@ -50,7 +52,7 @@ struct Command {
   std::string branches = "all";    // none | all
   long long samples = 100;
 
-  long long max_impacts = 10'000'000;
+  long long max_impacts = kDefaultImpactBudget;
   double max_seconds = 3600.0;
 };
 

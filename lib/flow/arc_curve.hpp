@@ -70,7 +70,7 @@ class ArcCurve {
   // difference k is.
   void add_exponential(const PlanarNumber<Real>& k, const Real& decay, const Real& frequency,
                        const Real& formed_from);
-  void add_part(Part part) { part_ = std::move(part); }
+  void set_part(Part part) { part_ = std::move(part); }
 
   // Derivative m = 0..3 of the curve with its slope and bound.
   CurvePoint<Real> at(const Real& s, int m, Reach reach = Reach::kWindow) const;

@@ -166,7 +166,7 @@ ArcCurve<double> CoupledArc::curve(const Observable<double>& observable, double 
   if (exponentials_.empty()) return curve;
   ExponentialSum sum(window);
   for (const ExponentialArc& arc : exponentials_) sum.add(arc, weight);
-  curve.add_part(std::move(sum));
+  curve.set_part(std::move(sum));
   return curve;
 }
 

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "graze/base/default_budget.hpp"
 #include "graze/base/default_tolerance.hpp"
 #include "graze/base/stop_signal.hpp"
 #include "graze/hybrid/energy_book.hpp"
@@ -53,7 +54,7 @@ struct SimulationOptions {
   // The end: `duration` seconds after t = 0 when given, else `periods` forcing periods.
   std::optional<double> duration;
   long long periods = 100;
-  long long max_impacts = 10'000'000;
+  long long max_impacts = kDefaultImpactBudget;
   // Speed below which a chatter is summed, m/s; see default_closure_speed.
   std::optional<double> closure_speed;
   bool energy = false;  // keep the energy book

@@ -17,6 +17,7 @@
 #include <string>
 #include <vector>
 
+#include "graze/base/default_budget.hpp"
 #include "graze/base/stop_signal.hpp"
 #include "graze/orbit/orbit.hpp"
 #include "graze/orbit/orbit_identity.hpp"
@@ -37,7 +38,7 @@ struct FinderOptions {
   // at least 4.
   int random_guesses = 32;
   std::uint64_t random_seed = 1;
-  long long max_impacts = 10'000'000;  // of the simulation
+  long long max_impacts = kDefaultImpactBudget;  // of the simulation
   int threads = 0;                     // 0: as many as there are cores; changes no result
   // Below it the tail of a chatter is summed, m/s; default_closure_speed where absent.
   std::optional<double> closure_speed;

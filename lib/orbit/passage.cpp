@@ -100,9 +100,11 @@ class Follower {
     return receive(arrival);
   }
 
-  bool departed_from(int i) const {
-    return motion_.departure().contacts[static_cast<std::size_t>(i)] != Contact::kClear;
+  Contact contact_at_departure(int i) const {
+    return motion_.departure().contacts[static_cast<std::size_t>(i)];
   }
+
+  bool departed_from(int i) const { return contact_at_departure(i) != Contact::kClear; }
 
   // Deviations along the flight; at a contact, to the deviated motion's own contact.
   void carry(const Arrival<double>& arrival, const std::vector<int>& closed) {
@@ -137,39 +139,40 @@ class Follower {
     deviations_->q -= s.row * (s.row.transpose() * deviations_->q) / s.row.squaredNorm();
   }
 
+  // The stops that the flight flown last moved clear of.
+  std::vector<int> open_stops() const {
+    std::vector<int> open;
+    for (int i = 0; i < static_cast<int>(system_.stops.size()); ++i)
+      if (contact_at_departure(i) != Contact::kClosed &&
+          contact_at_departure(i) != Contact::kLocked)
+        open.push_back(i);
+    return open;
+  }
+
+  int multiplicity(int i) const {
+    return motion_.departure().multiplicities[static_cast<std::size_t>(i)];
+  }
+
   void note_minima(double flight) {
     const ContactPhase<double>& phase = motion_.flown();
-    for (std::size_t k = 0; k < system_.stops.size(); ++k) {
-      const int i = static_cast<int>(k);
-      if (motion_.departure().contacts[k] == Contact::kLocked) continue;
-      const auto& closed = phase.closed();
-      if (std::find(closed.begin(), closed.end(), i) == closed.end()) {
-        note_smallest(passage_.clearance, smallest_minimum(phase.gap(i, flight, departed_from(i)),
-                                                           motion_.departure().multiplicities[k]));
-        continue;
-      }
-      for (PassedHold& hold : holding_)
-        if (hold.stop == i)
-          note_smallest(hold.smallest_force, smallest_minimum(phase.force(i, flight)));
-    }
+    for (const int i : open_stops())
+      note_smallest(passage_.clearance,
+                    smallest_minimum(phase.gap(i, flight, departed_from(i)), multiplicity(i)));
+    for (PassedHold& hold : holding_)
+      if (contact_at_departure(hold.stop) == Contact::kClosed)
+        note_smallest(hold.smallest_force, smallest_minimum(phase.force(hold.stop, flight)));
   }
 
   // The approaches of a flight to the open stops. The time of a minimum does not matter to its gap
   // to first order, so neither do the delays of the deviations there.
   void note_approaches(double flight) {
     const ContactPhase<double>& phase = motion_.flown();
-    for (std::size_t k = 0; k < system_.stops.size(); ++k) {
-      const int i = static_cast<int>(k);
-      const std::vector<int>& closed = phase.closed();
-      if (motion_.departure().contacts[k] == Contact::kLocked ||
-          std::find(closed.begin(), closed.end(), i) != closed.end())
-        continue;
-      for (const GapMinimum& minimum : minima_below(phase.gap(i, flight, departed_from(i)),
-                                                    motion_.departure().multiplicities[k],
-                                                    std::numeric_limits<double>::infinity()))
+    for (const int i : open_stops())
+      for (const GapMinimum& minimum :
+           minima_below(phase.gap(i, flight, departed_from(i)), multiplicity(i),
+                        std::numeric_limits<double>::infinity()))
         passage_.approaches.push_back(
             {i, passage_.impacts.size(), minimum.s, minimum.gap, gap_rate(i, minimum.s)});
-    }
   }
 
   // How the gap at a stop, s after the departure, moves along the direction.

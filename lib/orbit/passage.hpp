@@ -13,6 +13,7 @@
 #include <string>
 #include <vector>
 
+#include "graze/base/default_budget.hpp"
 #include "graze/base/stop_signal.hpp"
 #include "graze/flow/deviation.hpp"
 #include "graze/hybrid/motion.hpp"
@@ -30,7 +31,7 @@ struct PassageDirection {
 
 struct PassageOptions {
   double closure_speed = 0.0;  // m/s: below it the tail of a chatter is summed
-  long long max_impacts = 10'000'000;
+  long long max_impacts = kDefaultImpactBudget;
   bool minima = false;  // look for the minima of gaps and contact forces
   // Of speeds and approaches, along it, the rates: with deviations and a parameter's deviation
   // only.

@@ -23,7 +23,8 @@ constexpr int kRepetitions = 3;
 // An impact this much more frequent than the forcing is no pattern to look for.
 constexpr long long kMostImpactsPerPeriod = 4096;
 constexpr double kLost = 1e-3;  // so far from an orbit a motion is on its way elsewhere
-constexpr int kPatience = 32;   // repetitions until an orbit is asked for its stability again
+constexpr const char* kSettlesClear = "settles clear of every stop";
+constexpr int kPatience = 32;  // repetitions until an orbit is asked for its stability again
 
 long long remembered(const SettleOptions& options) {
   const long long repetitions = options.nearness ? 2 * PeriodHistory::kWindow + 1 : kRepetitions;
@@ -138,12 +139,11 @@ class Settling {
     const int p = repetition();
     if (p == 0) return;
     const Pattern motion = pattern_of_last(p);
-    const bool impacts_alone =
-        motion.pattern.impacts() > 0 && !history_.contacts_since(history_.periods() - p).any;
+    const bool touches = history_.contacts_since(history_.periods() - p).any;
+    const bool impacts_alone = motion.pattern.impacts() > 0 && !touches;
     if (!options_.nearness) {
       // A drift too slow to see may still lead to the stop: being clear of it takes certainty.
-      if (impacts_alone || history_.contacts_since(history_.periods() - p).any)
-        conclude_periodic(p);
+      if (impacts_alone || touches) conclude_periodic(p);
       return;
     }
     if (impacts_alone && history_.periods() >= next_solve_) {
@@ -214,9 +214,12 @@ class Settling {
     result_.remaining = 0.0;
     result_.at_start = result_.at_end = *steady;
     result_.strobes = {*steady};
-    end(SettledKind::kClear,
-        result_.impacts_met == 0 ? "meets no stop" : "settles clear of every stop");
+    end_clear();
     return true;
+  }
+
+  void end_clear() {
+    end(SettledKind::kClear, result_.impacts_met == 0 ? "meets no stop" : kSettlesClear);
   }
 
   void conclude_periodic(int p) {
@@ -231,8 +234,7 @@ class Settling {
     } else if (contacts.any) {
       end(SettledKind::kSticks, "comes to rest on a stop and is released, the same " + every);
     } else if (result_.impacts.empty()) {
-      end(SettledKind::kClear,
-          result_.impacts_met == 0 ? "meets no stop" : "settles clear of every stop");
+      end_clear();
     } else {
       end(SettledKind::kImpacts,
           fmt::format("settles on {} that {} {}",
@@ -273,7 +275,7 @@ class Settling {
         result_.impacts_met == 0
             ? fmt::format("meets no stop within {}", count(options_.periods, "forcing period"))
         : result_.impacts.empty() && history_.contacts_since(history_.oldest()).any == false
-            ? "settles clear of every stop"
+            ? kSettlesClear
             : fmt::format("repeats no pattern of up to {} forcing periods within {}",
                           options_.longest_period, count(options_.periods, "period")));
   }

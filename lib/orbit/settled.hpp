@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "graze/base/default_budget.hpp"
 #include "graze/base/stop_signal.hpp"
 #include "graze/orbit/repetition.hpp"
 
@@ -51,7 +52,7 @@ struct SettledMotion {
 struct SettleOptions {
   long long periods = 3000;  // simulated at most
   int longest_period = 32;   // longest orbit looked for, in forcing periods
-  long long max_impacts = 10'000'000;
+  long long max_impacts = kDefaultImpactBudget;
   // Speed below which a chatter is summed, m/s; nothing: the default of a simulation.
   std::optional<double> closure_speed;
   // Go on until what is left to the orbit (phases in rad, relative speeds, states in units of the

@@ -18,6 +18,7 @@
 #include <optional>
 #include <string>
 
+#include "graze/base/default_budget.hpp"
 #include "graze/base/stop_signal.hpp"
 #include "graze/orbit/orbit.hpp"
 
@@ -25,7 +26,7 @@ namespace graze {
 
 struct StickingOptions {
   double closure_speed = 0.0;          // m/s
-  long long max_impacts = 10'000'000;  // of one passage
+  long long max_impacts = kDefaultImpactBudget;  // of one passage
   StopSignal stop;
 };
 

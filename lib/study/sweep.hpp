@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "graze/assembly/system_family.hpp"
+#include "graze/base/default_budget.hpp"
 #include "graze/orbit/settled.hpp"
 
 namespace graze {
@@ -63,9 +64,9 @@ struct SweepOptions {
   long long samples = 100;   // periods shown where nothing repeats
   // How near a motion has to come to its orbit; see SettleOptions. 0: run all the periods.
   double nearness = 1e-8;
-  long long max_impacts = 10'000'000;   // at a value
-  std::optional<double> closure_speed;  // m/s
-  int threads = 0;                      // 0: all cores
+  long long max_impacts = kDefaultImpactBudget;  // at a value
+  std::optional<double> closure_speed;           // m/s
+  int threads = 0;                               // 0: all cores
   StopSignal stop;
   std::function<void(double fraction)> progress;  // called by one thread at a time
 };
