@@ -57,7 +57,8 @@ TEST(StickingBranchCommand, ReportsTheBranchAndItsChatterPoint) {
 
 TEST(StickingBranchCommand, IsNotTracedWhereANumberOfImpactsIsAsked) {
   const Finished run = run_graze("continue --json --impacts 1" + kRange + kForcedChatter);
-  for (const json& branch : json::parse(run.out)["branches"]) EXPECT_EQ(branch["stuck"], false);
+  const json result = json::parse(run.out);
+  for (const json& branch : result["branches"]) EXPECT_EQ(branch["stuck"], false);
 }
 
 TEST(StickingBranchCommand, SumsChattersBelowTheClosureSpeed) {

@@ -74,7 +74,8 @@ TEST(StickingOrbitCommand, PrintsATableOfStuckPhases) {
 
 TEST(StickingOrbitCommand, IsNotListedWhereAnotherNumberOfImpactsIsAsked) {
   const Finished run = run_graze("orbit --json --impacts 1 " + kForcedChatter);
-  for (const json& orbit : json::parse(run.out)["orbits"]) EXPECT_EQ(orbit["stuck"], false);
+  const json result = json::parse(run.out);
+  for (const json& orbit : result["orbits"]) EXPECT_EQ(orbit["stuck"], false);
 }
 
 }  // namespace
