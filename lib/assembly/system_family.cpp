@@ -32,20 +32,27 @@ std::optional<System> SystemFamily::tangent_at(double value) const {
   return system_tangent(*scene, parameter_);
 }
 
-SystemCursor::SystemCursor(const SystemFamily& family)
-    : scene_(family.scene()),
-      direction_(parameter_direction(scene_, family.parameter())),
-      number_(find_parameter(scene_, family.parameter())),
-      fixed_model_(leaves_structure(family.parameter())) {
+SystemCursor::SystemCursor(const Scene& scene, const std::vector<std::string>& parameters)
+    : scene_(scene) {
   scene_.origins = nullptr;  // the values are not those in the file
+  for (const std::string& name : parameters) {
+    parameters_.push_back({nullptr, parameter_direction(scene_, name), {}, {}});
+    parameters_.back().value = find_parameter(scene_, name);
+    fixed_model_ = fixed_model_ && leaves_structure(name);
+  }
 }
 
-const System* SystemCursor::at(double value) {
-  if (moved_ && *number_ == value) return system_ ? &*system_ : nullptr;
+const System* SystemCursor::at(std::span<const double> values) {
+  bool same = moved_;
+  for (std::size_t i = 0; i < parameters_.size(); ++i)
+    same = same && *parameters_[i].value == values[i];
+  if (same) return system_ ? &*system_ : nullptr;
   moved_ = true;
-  *number_ = value;
   system_.reset();
-  tangent_.reset();
+  for (std::size_t i = 0; i < parameters_.size(); ++i) {
+    *parameters_[i].value = values[i];
+    parameters_[i].tangent.reset();
+  }
   try {
     check_scene(scene_);
   } catch (const InputError&) {
@@ -53,20 +60,21 @@ const System* SystemCursor::at(double value) {
   }
   if (!model_ || !fixed_model_) {
     model_ = modal_model(scene_);
-    model_rate_.reset();
+    for (Parameter& parameter : parameters_) parameter.model.reset();
   }
   system_ = assemble(scene_, *model_);
   return &*system_;
 }
 
-const System* SystemCursor::tangent_at(double value) {
-  const System* system = at(value);
+const System* SystemCursor::tangent_at(std::span<const double> values, std::size_t parameter) {
+  const System* system = at(values);
   if (system == nullptr) return nullptr;
-  if (!tangent_) {
-    if (!model_rate_) model_rate_ = modal_tangent(scene_, *model_, direction_);
-    tangent_ = system_tangent(scene_, direction_, *model_, *model_rate_, *system);
+  Parameter& by = parameters_[parameter];
+  if (!by.tangent) {
+    if (!by.model) by.model = modal_tangent(scene_, *model_, by.direction);
+    by.tangent = system_tangent(scene_, by.direction, *model_, *by.model, *system);
   }
-  return &*tangent_;
+  return &*by.tangent;
 }
 
 }  // namespace graze

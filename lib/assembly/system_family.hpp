@@ -2,7 +2,9 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <string>
+#include <vector>
 
 #include "graze/assembly/assembly.hpp"
 
@@ -30,28 +32,41 @@ class SystemFamily {
   std::string parameter_;
 };
 
-// The systems of a family one after the other, as a continuation asks for them: what does not
-// change with the parameter is assembled once. One thread at a time.
+// The systems of a scene one after the other, as a continuation asks for them over one parameter or
+// several: what does not change with them is assembled once. One thread at a time.
 class SystemCursor {
  public:
-  explicit SystemCursor(const SystemFamily& family);
+  // Values are in the order of the parameters. Throws InputError when the scene has no such
+  // parameter.
+  SystemCursor(const Scene& scene, const std::vector<std::string>& parameters);
+  explicit SystemCursor(const SystemFamily& family)
+      : SystemCursor(family.scene(), {family.parameter()}) {}
   SystemCursor(const SystemCursor&) = delete;
   SystemCursor& operator=(const SystemCursor&) = delete;
 
-  // As those of the family; they hold until the next value is asked for. Null where the scene does
-  // not allow the value.
-  const System* at(double value);
-  const System* tangent_at(double value);
+  // System, and its derivative by one of the parameters; they hold until other values are asked
+  // for. Null where the scene does not allow the values.
+  const System* at(std::span<const double> values);
+  const System* tangent_at(std::span<const double> values, std::size_t parameter);
+
+  // Of a family.
+  const System* at(double value) { return at(std::span(&value, 1)); }
+  const System* tangent_at(double value) { return tangent_at(std::span(&value, 1), 0); }
 
  private:
-  Scene scene_, direction_;
-  double* number_;  // the parameter in scene_
-  bool fixed_model_;
-  bool moved_ = false;               // to any value yet
-  std::optional<System> system_;     // at the present value; nothing where it is not allowed
-  std::optional<System> tangent_;    // once asked for
-  std::optional<ModalModel> model_;  // of the present value, or of all
-  std::optional<ModalModel> model_rate_;
+  struct Parameter {
+    double* value;                    // in scene_
+    Scene direction;                  // that it moves the scene along
+    std::optional<ModalModel> model;  // the structure's derivative, of the present values or of all
+    std::optional<System> tangent;    // at the present values, once asked for
+  };
+
+  Scene scene_;
+  std::vector<Parameter> parameters_;
+  bool fixed_model_ = true;          // whatever the values
+  bool moved_ = false;               // to any values yet
+  std::optional<System> system_;     // at the present values; nothing where they are not allowed
+  std::optional<ModalModel> model_;  // of the present values, or of all
 };
 
 }  // namespace graze

@@ -40,20 +40,32 @@ class Restitution {
     const double r = unclamped(v);
     return r < 0.0 || r > 1.0;
   }
-  // dr/dv; zero where r is clamped.
-  double slope_at(double v) const {
+  // dr/dv and d^2 r/dv^2; zero where r is clamped.
+  double slope_at(double v) const { return clamps_at(v) ? 0.0 : unclamped_slope(v); }
+  double curvature_at(double v) const {
     if (clamps_at(v)) return 0.0;
+    double sum = 0.0;
+    for (std::size_t i = coefficients_.size(); i-- > 2;)
+      sum = sum * v + static_cast<double>(i * (i - 1)) * coefficients_[i];
+    return -sum;
+  }
+  // Derivatives of r(v) and dr/dv, at fixed v, when the coefficients move along `rates`; zero where
+  // clamped.
+  double rate_at(double v, const Restitution& rates) const {
+    return clamps_at(v) ? 0.0 : rates.unclamped(v);
+  }
+  double slope_rate_at(double v, const Restitution& rates) const {
+    return clamps_at(v) ? 0.0 : rates.unclamped_slope(v);
+  }
+
+ private:
+  double unclamped_slope(double v) const {
     double sum = 0.0;
     for (std::size_t i = coefficients_.size(); i-- > 1;)
       sum = sum * v + static_cast<double>(i) * coefficients_[i];
     return -sum;
   }
-  // Derivative of r(v), at fixed v, when the coefficients move along `rates`; zero where clamped.
-  double rate_at(double v, const Restitution& rates) const {
-    return clamps_at(v) ? 0.0 : rates.unclamped(v);
-  }
 
- private:
   std::vector<double> coefficients_;
 };
 

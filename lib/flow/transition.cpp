@@ -58,10 +58,33 @@ struct ModeRates {   // of one mode's coefficients
   double delta, force, frequency, load;
 };
 
+ModeRates rates_of(const System& system, const System& tangent, Eigen::Index j) {
+  return {2.0 * system.omega[j] * tangent.omega[j], tangent.delta[j], tangent.forcing->amplitude[j],
+          tangent.forcing->frequency, tangent.load ? (*tangent.load)[j] : 0.0};
+}
+
 // The forcing phase at both ends of an arc.
 struct EndPhases {
   double start_cosine, start_sine, end_cosine, end_sine;
 };
+
+// Derivative of one mode's flow matrix through delta, D = w^2 - delta^2 and, at fixed phases of
+// both ends, the duration.
+Eigen::Matrix2d mode_flow_tangent(const ModeFlow<double>& mode, const ModeRates& rate,
+                                  double frequency, double s, const FreeBasis<double>& basis) {
+  const double discriminant_rate = rate.stiffness - 2.0 * mode.delta * rate.delta;
+  const double s_rate = -s * rate.frequency / frequency;
+  const double c_rate = -s * basis.cosine * rate.delta - 0.5 * s * basis.sine * discriminant_rate -
+                        s_rate * (mode.delta * basis.cosine + mode.discriminant * basis.sine);
+  const double sine_rate = -s * basis.sine * rate.delta +
+                           sine_by_discriminant(mode, basis, s) * discriminant_rate +
+                           s_rate * (basis.cosine - mode.delta * basis.sine);
+  const double mixed_rate = rate.delta * basis.sine + mode.delta * sine_rate;
+  Eigen::Matrix2d rates;
+  rates << c_rate + mixed_rate, sine_rate,
+      -rate.stiffness * basis.sine - mode.omega * mode.omega * sine_rate, c_rate - mixed_rate;
+  return rates;
+}
 
 // One mode's end, seen as free part about the harmonic response: y1 = E (y0 - p0) + p1.
 Eigen::Vector2d harmonic_mode_tangent(const ModeFlow<double>& mode, const ModeRates& rate,
@@ -87,20 +110,10 @@ Eigen::Vector2d harmonic_mode_tangent(const ModeFlow<double>& mode, const ModeRa
       start - rest - harmonic(forced, i_frequency * forced, at.start_cosine, at.start_sine);
 
   const double w2 = mode.omega * mode.omega;
-  // d c and d S through delta, D = w^2 - delta^2 and, at fixed end phase, the duration.
-  const double discriminant_rate = rate.stiffness - 2.0 * mode.delta * rate.delta;
-  const double s_rate = -s * rate.frequency / frequency;
-  const double c_rate = -s * basis.cosine * rate.delta - 0.5 * s * basis.sine * discriminant_rate -
-                        s_rate * (mode.delta * basis.cosine + mode.discriminant * basis.sine);
-  const double sine_rate = -s * basis.sine * rate.delta +
-                           sine_by_discriminant(mode, basis, s) * discriminant_rate +
-                           s_rate * (basis.cosine - mode.delta * basis.sine);
-  const double mixed_rate = rate.delta * basis.sine + mode.delta * sine_rate;
-  Eigen::Matrix2d e, e_rate;
+  Eigen::Matrix2d e;
   e << basis.cosine + mode.delta * basis.sine, basis.sine, -w2 * basis.sine,
       basis.cosine - mode.delta * basis.sine;
-  e_rate << c_rate + mixed_rate, sine_rate, -rate.stiffness * basis.sine - w2 * sine_rate,
-      c_rate - mixed_rate;
+  const Eigen::Matrix2d e_rate = mode_flow_tangent(mode, rate, frequency, s, basis);
   const Eigen::Vector2d rest_rate(w2 > 0.0 ? (rate.load - mode.offset * rate.stiffness) / w2 : 0.0,
                                   0.0);
   return e_rate * free -
@@ -212,9 +225,7 @@ Eigen::Vector2d ModalTransitions::tangent(Eigen::Index j, double q, double qdot,
                                           const ModeTransition& of, const System& tangent) const {
   const ModeFlow<double>& mode = flow_.mode(static_cast<int>(j));
   const double load = system_.load ? (*system_.load)[j] : 0.0;
-  const ModeRates rates{2.0 * system_.omega[j] * tangent.omega[j], tangent.delta[j],
-                        tangent.forcing->amplitude[j], tangent.forcing->frequency,
-                        tangent.load ? (*tangent.load)[j] : 0.0};
+  const ModeRates rates = rates_of(system_, tangent, j);
   const Eigen::Vector2d start(q, qdot);
   // With no load there is nothing for a soft mode to rest against.
   const bool soft = mode.omega == 0.0 ? load != 0.0 || rates.load != 0.0 : mode.load != 0.0;
@@ -223,6 +234,12 @@ Eigen::Vector2d ModalTransitions::tangent(Eigen::Index j, double q, double qdot,
     return direct_mode_tangent(mode, load, rates, frequency, start, theta_, s_);
   return harmonic_mode_tangent(mode, rates, frequency, start,
                                {start_cosine_, start_sine_, end_cosine_, end_sine_}, s_, of.basis);
+}
+
+Eigen::Matrix2d ModalTransitions::flow_tangent(Eigen::Index j, const ModeTransition& of,
+                                               const System& tangent) const {
+  return mode_flow_tangent(flow_.mode(static_cast<int>(j)), rates_of(system_, tangent, j),
+                           flow_.frequency(), s_, of.basis);
 }
 
 FlowMatrix flow_matrix(const System& system, const ExactFlow<double>& flow, double s) {

@@ -43,6 +43,10 @@ class ModalTransitions {
   // Derivative (of q, of qdot) of its end, see end_tangent(); `of` is that transition.
   Eigen::Vector2d tangent(Eigen::Index j, double q, double qdot, const ModeTransition& of,
                           const System& tangent) const;
+  // Of its flow matrix [qq qv; vq vv], likewise with both phases kept: how the free motion from any
+  // start moves.
+  Eigen::Matrix2d flow_tangent(Eigen::Index j, const ModeTransition& of,
+                               const System& tangent) const;
 
  private:
   const System& system_;

@@ -10,32 +10,40 @@ namespace {
 
 // What a stop sees of the state before an impact.
 struct Impact {
-  double reach = 0.0;       // row.q, m
-  double jump = 0.0;        // (1 + r) v, m/s
-  double slope = 0.0;       // its derivative by v
-  double reach_rate = 0.0;  // along the system's tangent, at a fixed state
-  double jump_rate = 0.0;
+  double reach = 0.0;  // row.q, m
+  double speed = 0.0;  // row.q', m/s
+  double jump = 0.0;   // (1 + r) v, m/s
+  double slope = 0.0;  // its derivative by v
+};
+// Its derivative along a tangent of the system, at a fixed state.
+struct ImpactRate {
+  double reach = 0.0, jump = 0.0;
 };
 
-// `rate`: the stop's derivative along the system's tangent, or null.
-Impact impact_of(const RigidStop& stop, const RigidStop* rate, const ShootingScale& scale,
-                 const double* state) {
+Impact impact_of(const RigidStop& stop, const ShootingScale& scale, const double* state) {
   const Eigen::Index n = stop.row.size();
   Impact impact;
-  double v = 0.0, v_rate = 0.0;
   for (Eigen::Index j = 0; j < n; ++j) {
-    const double q = state[j] * scale.displacement, qdot = state[n + j] * scale.velocity[j];
-    impact.reach += stop.row[j] * q;
-    v += stop.row[j] * qdot;
-    if (rate == nullptr) continue;
-    impact.reach_rate += rate->row[j] * q;
-    v_rate += rate->row[j] * qdot;
+    impact.reach += stop.row[j] * (state[j] * scale.displacement);
+    impact.speed += stop.row[j] * (state[n + j] * scale.velocity[j]);
   }
-  impact.jump = (1.0 + stop.restitution.at(v)) * v;
-  impact.slope = jump_slope(stop, v);
-  if (rate != nullptr)
-    impact.jump_rate = stop.restitution.rate_at(v, rate->restitution) * v + impact.slope * v_rate;
+  impact.jump = (1.0 + stop.restitution.at(impact.speed)) * impact.speed;
+  impact.slope = jump_slope(stop, impact.speed);
   return impact;
+}
+
+ImpactRate rate_of(const Impact& impact, const RigidStop& stop, const RigidStop& tangent,
+                   const ShootingScale& scale, const double* state) {
+  const Eigen::Index n = stop.row.size();
+  ImpactRate rate;
+  double v_rate = 0.0;
+  for (Eigen::Index j = 0; j < n; ++j) {
+    rate.reach += tangent.row[j] * (state[j] * scale.displacement);
+    v_rate += tangent.row[j] * (state[n + j] * scale.velocity[j]);
+  }
+  rate.jump = stop.restitution.rate_at(impact.speed, tangent.restitution) * impact.speed +
+              impact.slope * v_rate;
+  return rate;
 }
 
 }  // namespace
@@ -79,6 +87,10 @@ double jump_slope(const RigidStop& stop, double v) {
   return 1.0 + stop.restitution.at(v) + v * stop.restitution.slope_at(v);
 }
 
+double jump_bend(const RigidStop& stop, double v) {
+  return 2.0 * stop.restitution.slope_at(v) + v * stop.restitution.curvature_at(v);
+}
+
 State after_impact(const RigidStop& stop, const State& before) {
   const double v = stop.row.dot(before.qdot);
   const double jump = (1.0 + stop.restitution.at(v)) * v;
@@ -114,16 +126,12 @@ std::vector<ImpactPoint> ShootingProblem::unpack(const System& system, const Vec
 
 void ShootingProblem::add_mode(const System& system, const RigidStop& stop, double jump_slope,
                                const ModeTransition& arc, Eigen::Index j, Eigen::Index at,
-                               Eigen::Index to, Matrix& jacobian) const {
+                               Matrix& jacobian) const {
   const Eigen::Index n = system.modes(), row = at + 1 + j, row_v = row + n;
   const double unit = scale_.displacement, unit_v = scale_.velocity[j];
   const double frequency = system.forcing->frequency;
-  const double end_rate = arc.qdot / unit / frequency;
-  const double end_rate_v = arc.acceleration / unit_v / frequency;
-  jacobian(row, at) += arc.phase_rate_q / unit - end_rate;
-  jacobian(row_v, at) += arc.phase_rate_qdot / unit_v - end_rate_v;
-  jacobian(row, to) += end_rate;
-  jacobian(row_v, to) += end_rate_v;
+  jacobian(row, at) += arc.phase_rate_q / unit - arc.qdot / unit / frequency;
+  jacobian(row_v, at) += arc.phase_rate_qdot / unit_v - arc.acceleration / unit_v / frequency;
   jacobian(row, at + 1 + j) += arc.qq;
   jacobian(row, at + 1 + n + j) += arc.qv * unit_v / unit;
   jacobian(row_v, at + 1 + j) += arc.vq * unit / unit_v;
@@ -135,46 +143,83 @@ void ShootingProblem::add_mode(const System& system, const RigidStop& stop, doub
     jacobian(row, at + 1 + n + m) -= arc.qv / unit * by;
     jacobian(row_v, at + 1 + n + m) -= arc.vv / unit_v * by;
   }
+}
+
+void ShootingProblem::add_end(const System& system, const ModeTransition& arc, Eigen::Index j,
+                              Eigen::Index at, Eigen::Index to, Matrix& jacobian) const {
+  const Eigen::Index n = system.modes(), row = at + 1 + j, row_v = row + n;
+  const double frequency = system.forcing->frequency;
+  jacobian(row, to) += arc.qdot / scale_.displacement / frequency;
+  jacobian(row_v, to) += arc.acceleration / scale_.velocity[j] / frequency;
   jacobian(row, to + 1 + j) -= 1.0;
   jacobian(row_v, to + 1 + n + j) -= 1.0;
 }
 
 Vector ShootingProblem::residual(const System& system, const Vector& x, Matrix* jacobian,
                                  const System* tangent, Vector* parameter_derivative) const {
+  Wanted wanted{jacobian, jacobian};
+  if (parameter_derivative) {
+    wanted.tangents = std::span(&tangent, 1);
+    wanted.by_parameters = parameter_derivative;
+  }
+  return evaluate(system, x, wanted);
+}
+
+ShootingLinearisation ShootingProblem::linearise(const System& system, const Vector& x,
+                                                 std::span<const System* const> tangents) const {
+  ShootingLinearisation at;
+  at.by_parameters.resize(tangents.size());
+  at.residual = evaluate(system, x, {&at.jacobian, &at.closing, tangents, at.by_parameters.data()});
+  return at;
+}
+
+Vector ShootingProblem::evaluate(const System& system, const Vector& x,
+                                 const Wanted& wanted) const {
   const Eigen::Index n = system.modes(), block = 2 * n + 1;
   const int k = pattern_.impacts();
   const ExactFlow<double> flow(system);
   Vector r(x.size());
-  if (jacobian) jacobian->setZero(x.size(), x.size());
-  if (parameter_derivative) parameter_derivative->resize(x.size());
+  if (wanted.jacobian) wanted.jacobian->setZero(x.size(), x.size());
+  if (wanted.closing != wanted.jacobian) wanted.closing->setZero(x.size(), x.size());
+  for (std::size_t p = 0; p < wanted.tangents.size(); ++p) wanted.by_parameters[p].resize(x.size());
+  std::vector<ImpactRate> rates(wanted.tangents.size());
   for (int i = 0; i < k; ++i) {
-    const Eigen::Index at = i * block, to = i + 1 == k ? 0 : at + block;
+    const bool last = i + 1 == k;
+    const Eigen::Index at = i * block, to = last ? 0 : at + block;
     const auto which = static_cast<std::size_t>(pattern_.stops[static_cast<std::size_t>(i)]);
     const RigidStop& stop = system.stops[which];
-    const RigidStop* rate = parameter_derivative ? &tangent->stops[which] : nullptr;
-    const Impact impact = impact_of(stop, rate, scale_, x.data() + at + 1);
-    const double turn = i + 1 == k ? kTurn * pattern_.period : 0.0;
+    const double* state = x.data() + at + 1;
+    const Impact impact = impact_of(stop, scale_, state);
+    const double turn = last ? kTurn * pattern_.period : 0.0;
     const double theta = x[at], s = (x[to] - theta + turn) / system.forcing->frequency;
     const ModalTransitions arcs(system, flow, theta, s);
     r[at] = (impact.reach - stop.gap) / scale_.length;
-    if (jacobian)
-      jacobian->row(at).segment(at + 1, n) +=
+    if (wanted.jacobian)
+      wanted.jacobian->row(at).segment(at + 1, n) +=
           stop.row.transpose() * (scale_.displacement / scale_.length);
-    if (rate) (*parameter_derivative)[at] = (impact.reach_rate - rate->gap) / scale_.length;
+    for (std::size_t p = 0; p < rates.size(); ++p) {
+      const RigidStop& tangent = wanted.tangents[p]->stops[which];
+      rates[p] = rate_of(impact, stop, tangent, scale_, state);
+      wanted.by_parameters[p][at] = (rates[p].reach - tangent.gap) / scale_.length;
+    }
     for (Eigen::Index j = 0; j < n; ++j) {
       const double unit = scale_.displacement, unit_v = scale_.velocity[j];
-      const double q = x[at + 1 + j] * unit;
-      const double qdot = x[at + 1 + n + j] * unit_v - impact.jump * stop.direction[j];
+      const double q = state[j] * unit;
+      const double qdot = state[n + j] * unit_v - impact.jump * stop.direction[j];
       const ModeTransition arc = arcs.from(j, q, qdot);
       r[at + 1 + j] = arc.q / unit - x[to + 1 + j];
       r[at + 1 + n + j] = arc.qdot / unit_v - x[to + 1 + n + j];
-      if (jacobian) add_mode(system, stop, impact.slope, arc, j, at, to, *jacobian);
-      if (rate) {
-        const Eigen::Vector2d end = arcs.tangent(j, q, qdot, arc, *tangent);
+      if (wanted.jacobian) {
+        add_mode(system, stop, impact.slope, arc, j, at, *wanted.jacobian);
+        add_end(system, arc, j, at, to, last ? *wanted.closing : *wanted.jacobian);
+      }
+      for (std::size_t p = 0; p < rates.size(); ++p) {
+        const System& tangent = *wanted.tangents[p];
+        const Eigen::Vector2d end = arcs.tangent(j, q, qdot, arc, tangent);
         const double qdot_rate =
-            -impact.jump_rate * stop.direction[j] - impact.jump * rate->direction[j];
-        (*parameter_derivative)[at + 1 + j] = (arc.qv * qdot_rate + end[0]) / unit;
-        (*parameter_derivative)[at + 1 + n + j] = (arc.vv * qdot_rate + end[1]) / unit_v;
+            -rates[p].jump * stop.direction[j] - impact.jump * tangent.stops[which].direction[j];
+        wanted.by_parameters[p][at + 1 + j] = (arc.qv * qdot_rate + end[0]) / unit;
+        wanted.by_parameters[p][at + 1 + n + j] = (arc.vv * qdot_rate + end[1]) / unit_v;
       }
     }
   }

@@ -10,6 +10,7 @@
 // (that penetrate, or impact at negative speed) can be traced too. Derivatives are analytic.
 #pragma once
 
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -58,6 +59,16 @@ const RigidStop& stop_of(const System& system, const ImpactPattern& pattern, std
 double flight_time(const System& system, const ImpactPattern& pattern,
                    const std::vector<ImpactPoint>& points, std::size_t i);
 
+// The residual and its derivatives. At mu = 1, jacobian + mu closing is its Jacobian by x; it is
+// singular exactly where mu is a multiplier of the orbit: a deviation that comes back mu times as
+// large closes the equations.
+struct ShootingLinearisation {
+  Vector residual;
+  Matrix jacobian;  // but for what the last flight's end depends on by closing on the first impact
+  Matrix closing;   // that
+  std::vector<Vector> by_parameters;  // one for each tangent of the system
+};
+
 class ShootingProblem {
  public:
   // Requires forcing and at least one impact in the pattern.
@@ -65,6 +76,7 @@ class ShootingProblem {
       : pattern_(std::move(pattern)), scale_(std::move(scale)) {}
 
   const ImpactPattern& pattern() const { return pattern_; }
+  const ShootingScale& scale() const { return scale_; }
   // k (2N + 1)
   Eigen::Index size(const System& system) const;
 
@@ -76,12 +88,25 @@ class ShootingProblem {
   Vector residual(const System& system, const Vector& x, Matrix* jacobian = nullptr,
                   const System* tangent = nullptr, Vector* parameter_derivative = nullptr) const;
 
+  // The same at once, for the parameters that move the system along these tangents.
+  ShootingLinearisation linearise(const System& system, const Vector& x,
+                                  std::span<const System* const> tangents) const;
+
  private:
-  // The derivatives of the two matching equations of mode j, from the impact whose unknowns begin
-  // at `at` to that whose unknowns begin at `to`.
+  // What residual() and linearise() are asked for; null and empty where it is not.
+  struct Wanted {
+    Matrix* jacobian = nullptr;
+    Matrix* closing = nullptr;  // may be the Jacobian itself
+    std::span<const System* const> tangents{};
+    Vector* by_parameters = nullptr;  // the first of as many
+  };
+  Vector evaluate(const System& system, const Vector& x, const Wanted& wanted) const;
+  // The derivatives of the two matching equations of mode j from the impact whose unknowns begin at
+  // `at`, by these, and by those of the impact it leads to, which begin at `to`.
   void add_mode(const System& system, const RigidStop& stop, double jump_slope,
-                const ModeTransition& arc, Eigen::Index j, Eigen::Index at, Eigen::Index to,
-                Matrix& jacobian) const;
+                const ModeTransition& arc, Eigen::Index j, Eigen::Index at, Matrix& jacobian) const;
+  void add_end(const System& system, const ModeTransition& arc, Eigen::Index j, Eigen::Index at,
+               Eigen::Index to, Matrix& jacobian) const;
 
   ImpactPattern pattern_;
   ShootingScale scale_;
@@ -92,5 +117,7 @@ State after_impact(const RigidStop& stop, const State& before);
 
 // Derivative of the velocity jump (1 + r(v)) v by the approach speed: 1 + r + v r'(v).
 double jump_slope(const RigidStop& stop, double v);
+// And the second one: 2 r'(v) + v r''(v).
+double jump_bend(const RigidStop& stop, double v);
 
 }  // namespace graze
