@@ -68,6 +68,7 @@ OrbitBranchEnd as_orbit_end(BranchEnd end) {
       return OrbitBranchEnd::kOutOfTime;
     case BranchEnd::kStopped:
       return OrbitBranchEnd::kStopped;
+    case BranchEnd::kUnknownLimit:
     case BranchEnd::kHalted:
     case BranchEnd::kNotConverged:
       break;

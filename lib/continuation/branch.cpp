@@ -9,6 +9,7 @@
 #include "graze/continuation/growing_branch.hpp"
 #include "graze/continuation/locate.hpp"
 #include "graze/continuation/stepper.hpp"
+#include "graze/continuation/unknown_limits.hpp"
 
 namespace graze {
 namespace {
@@ -49,6 +50,7 @@ class Tracer {
   Branch follow(const BranchPoint& start) {
     GrowingBranch branch(problem_, options_, corrector_, start);
     const ParameterLimits limits(options_);
+    const UnknownLimits unknowns(options_);
     double h = kFirstStep * stepper_.longest(start);
     while (true) {
       const StopReason stop = options_.stop.reason();
@@ -58,6 +60,7 @@ class Tracer {
       if (static_cast<int>(branch.size()) > options_.max_points)
         return ended(branch, BranchEnd::kStepLimit);
       if (limits.leaves_at(branch.last())) return ended(branch, BranchEnd::kParameterLimit);
+      if (unknowns.leaves_at(branch.last())) return ended(branch, BranchEnd::kUnknownLimit);
       double turn = 0.0;
       const std::optional<BranchPoint> next = next_point(branch, h, turn);
       if (!next) return ended(branch, BranchEnd::kNotConverged);

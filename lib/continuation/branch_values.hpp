@@ -35,12 +35,20 @@ struct BranchPoint {
   }
 };
 
+// Where an unknown is wanted. A branch ends on either side of it as at a limit of the parameter.
+struct UnknownRange {
+  Eigen::Index unknown = 0;     // its place in u
+  double from = 0.0, to = 1.0;  // either order
+  double max_step = 0.0;        // largest change of it along the tangent of one step; 0: any
+};
+
 // A branch is given up after this many points in one direction.
 inline constexpr int kMostBranchPoints = 20000;
 
 struct ContinuationOptions {
-  double from = 0.0, to = 1.0;  // range of the parameter, either order
-  double max_step = 0.0;        // largest change of the parameter in one step; 0: range/50
+  double from = 0.0, to = 1.0;         // range of the parameter, either order
+  double max_step = 0.0;               // largest change of the parameter in one step; 0: range/50
+  std::vector<UnknownRange> ranges{};  // of unknowns that have one
   // Largest move of the unknowns in one step, relative to 1 + their norm.
   double max_distance = 0.05;
   // Largest turn of the tangent in one step, rad. Sharper turns mean that the step is too long for
@@ -55,6 +63,7 @@ struct ContinuationOptions {
 
 enum class BranchEnd {
   kParameterLimit,
+  kUnknownLimit,  // of the range of an unknown
   kClosed,        // came back to where it started
   kStepLimit,     // max_points reached
   kNotConverged,  // no step, however small, converges

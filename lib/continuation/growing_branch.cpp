@@ -14,7 +14,11 @@ constexpr double kAway = 1e-5;
 
 GrowingBranch::GrowingBranch(const ZeroProblem& problem, const ContinuationOptions& options,
                              Corrector& corrector, BranchPoint start)
-    : problem_(problem), options_(options), limits_(options), corrector_(corrector) {
+    : problem_(problem),
+      options_(options),
+      limits_(options),
+      unknowns_(options),
+      corrector_(corrector) {
   branch_.points.push_back(std::move(start));
 }
 
@@ -27,17 +31,28 @@ bool GrowingBranch::advance(const BranchPoint& next) {
   // A fold beyond the limit means that the branch left the range before it.
   const std::optional<BranchPoint> fold = fold_between(corrector_, last(), next);
   const bool fold_outside = fold && limits_.outside(fold->parameter);
-  if (!limits_.outside(next.parameter) && !fold_outside) {
-    add(next);
-    return false;
+  const bool leaves = limits_.outside(next.parameter) || fold_outside;
+  BranchPoint reached = next;
+  if (leaves) {
+    const BranchPoint& beyond = fold_outside ? *fold : next;
+    const double limit = limits_.towards(beyond.parameter - last().parameter);
+    const auto crossing = locate(corrector_, last(), beyond,
+                                 [&](const BranchPoint& p) { return p.parameter - limit; });
+    if (!crossing) {
+      end(BranchEnd::kNotConverged);
+      return true;
+    }
+    reached = point_on_limit(corrector_, *crossing, limit).value_or(*crossing);
   }
-  const BranchPoint& beyond = fold_outside ? *fold : next;
-  const double limit = limits_.towards(beyond.parameter - last().parameter);
-  const auto crossing =
-      locate(corrector_, last(), beyond, [&](const BranchPoint& p) { return p.parameter - limit; });
-  end(crossing ? BranchEnd::kParameterLimit : BranchEnd::kNotConverged);
-  if (crossing) add(point_on_limit(corrector_, *crossing, limit).value_or(*crossing));
-  return true;
+  // Within that, an unknown may have left its range before.
+  if (const auto exit = unknowns_.exit_between(corrector_, last(), reached)) {
+    end(exit->reached ? BranchEnd::kUnknownLimit : BranchEnd::kNotConverged);
+    if (exit->reached) add(exit->point);
+    return true;
+  }
+  add(reached);
+  if (leaves) end(BranchEnd::kParameterLimit);
+  return leaves;
 }
 
 void GrowingBranch::add(const BranchPoint& next) {

@@ -1,5 +1,5 @@
 // A branch as it is traced, in one direction from its start: points are added with the folds before
-// them, until it meets a limit of the parameter or its own start.
+// them, until it meets a limit, of the parameter or of an unknown, or its own start.
 #pragma once
 
 #include <cstddef>
@@ -8,6 +8,7 @@
 
 #include "graze/continuation/corrector.hpp"
 #include "graze/continuation/parameter_limits.hpp"
+#include "graze/continuation/unknown_limits.hpp"
 
 namespace graze {
 
@@ -45,6 +46,7 @@ class GrowingBranch {
   const ZeroProblem& problem_;
   const ContinuationOptions& options_;
   ParameterLimits limits_;
+  UnknownLimits unknowns_;
   Corrector& corrector_;
   Branch branch_;
   bool left_start_ = false;  // has been so far from it that it may come back

@@ -9,6 +9,10 @@
 namespace graze {
 namespace {
 
+// Rates this small at both ends of a step are rounding: the branch stands upright, and does not
+// turn back whatever their signs.
+constexpr double kUprightRate = 1e-12;
+
 // Whether the branch through `near` leads to near + offset.
 bool meets(Corrector& corrector, const BranchPoint& near, const Vector& offset) {
   const Vector x = corrector.pack(near);
@@ -86,6 +90,7 @@ std::optional<BranchPoint> fold_between(Corrector& corrector, const BranchPoint&
                                         const BranchPoint& b) {
   // Where a branch leaves another one its parameter may stand still, but it does not turn back.
   if (a.orientation == 0 || a.rate() * b.rate() >= 0.0) return {};
+  if (std::max(std::abs(a.rate()), std::abs(b.rate())) <= kUprightRate) return {};
   return locate(corrector, a, b, [](const BranchPoint& p) { return p.rate(); });
 }
 

@@ -15,6 +15,10 @@ constexpr double kFarthest = 2.0;
 // beyond the branch it is on, and Newton's step leads to that one.
 constexpr double kContraction = 0.25;
 
+// A pair of folds that moves the parameter by less than this part of its range is rounding, as
+// where a branch stands upright, or nobody misses it.
+constexpr double kSmallestReturn = 1e-12;
+
 double angle(const Vector& a, const Vector& b) {
   return std::acos(std::clamp(a.dot(b) / (a.norm() * b.norm()), -1.0, 1.0));
 }
@@ -25,6 +29,7 @@ bool hides_folds(double rate_a, double rate_b, double rise, double length) {
   if (rate_a * rate_b <= 0.0) return false;
   // Derivative of the Hermite cubic on [0, 1]: p0 + 2 p1 t + 3 p2 t^2.
   const double m0 = rate_a * length, m1 = rate_b * length;
+  if (std::abs(rise) + std::abs(m0) + std::abs(m1) <= kSmallestReturn) return false;
   const double p1 = 3.0 * rise - 2.0 * m0 - m1, p2 = m0 + m1 - 2.0 * rise;
   if (p2 == 0.0) return false;
   const double lowest = -p1 / (3.0 * p2);
@@ -41,8 +46,8 @@ double Stepper::longest(const BranchPoint& here) const {
   const double along = std::abs(here.tangent[n]) * corrector_.range();
   const double moved = here.tangent.head(n).norm();
   const double max_distance = options_.max_distance * (1.0 + here.u.norm());
-  return std::min(max_step / std::max(along, 1e-3 * max_step),
-                  max_distance / std::max(moved, 1e-3 * max_distance));
+  return std::min({max_step / std::max(along, 1e-3 * max_step),
+                   max_distance / std::max(moved, 1e-3 * max_distance), unknowns_.longest(here)});
 }
 
 // What the branch is expected to bend by over a step of length h, at right angles to the tangent.
@@ -63,15 +68,24 @@ Vector Stepper::prediction(const BranchPoint* before, const BranchPoint& here, d
   return corrector_.pack(here) + h * here.tangent + bend(before, here, h);
 }
 
+// Beyond a limit the equations may not exist: a step that would pass one ends on the first.
+std::optional<BranchPoint> Stepper::point_ahead(const BranchPoint* before, const BranchPoint& here,
+                                                double h) {
+  const double predicted =
+      (here.parameter / corrector_.range() + h * here.rate()) * corrector_.range();
+  const bool outside = limits_.outside(predicted);
+  const double limit = limits_.towards(predicted - here.parameter);
+  const double within = outside ? (limit - here.parameter) / (here.rate() * corrector_.range()) : h;
+  if (const auto unknown = unknowns_.ahead(here, within))
+    return point_on_limit(corrector_, here, *unknown);
+  if (outside) return point_on_limit(corrector_, here, limit);
+  return corrector_.on_hyperplane(prediction(before, here, h), here.tangent, kContraction);
+}
+
 std::optional<BranchPoint> Stepper::step(const BranchPoint* before, const BranchPoint& here,
                                          double h, double& turn, double passing) {
   const Vector x = corrector_.pack(here);
-  const double predicted = (x[x.size() - 1] + h * here.rate()) * corrector_.range();
-  // Beyond the limit the equations may not exist: a step that would pass it ends there.
-  std::optional<BranchPoint> next =
-      limits_.outside(predicted)
-          ? point_on_limit(corrector_, here, limits_.towards(predicted - here.parameter))
-          : corrector_.on_hyperplane(prediction(before, here, h), here.tangent, kContraction);
+  std::optional<BranchPoint> next = point_ahead(before, here, h);
   if (!next) return {};
   const Vector chord = corrector_.pack(*next) - x;
   turn = angle(next->tangent, here.tangent);

@@ -10,6 +10,7 @@
 
 #include "graze/continuation/corrector.hpp"
 #include "graze/continuation/parameter_limits.hpp"
+#include "graze/continuation/unknown_limits.hpp"
 
 namespace graze {
 
@@ -17,7 +18,7 @@ class Stepper {
  public:
   // Refers to both, which must outlive it.
   Stepper(const ContinuationOptions& options, Corrector& corrector)
-      : options_(options), limits_(options), corrector_(corrector) {}
+      : options_(options), limits_(options), unknowns_(options), corrector_(corrector) {}
 
   // The longest step that the options allow from here.
   double longest(const BranchPoint& here) const;
@@ -34,11 +35,14 @@ class Stepper {
                                   double& turn, double passing = 0.0);
 
  private:
+  std::optional<BranchPoint> point_ahead(const BranchPoint* before, const BranchPoint& here,
+                                         double h);
   Vector bend(const BranchPoint* before, const BranchPoint& here, double h) const;
   bool leads_back(const Vector& x, const BranchPoint& next, const Vector& chord);
 
   const ContinuationOptions& options_;
   ParameterLimits limits_;
+  UnknownLimits unknowns_;
   Corrector& corrector_;
 };
 
