@@ -1,6 +1,7 @@
 #include "graze/base/linear_equations.hpp"
 
 template class Eigen::PartialPivLU<Eigen::MatrixXd>;
+template class Eigen::PartialPivLU<Eigen::MatrixXcd>;
 
 namespace graze {
 
@@ -17,6 +18,16 @@ Vector LuFactors::solve_transposed(const Vector& right) const {
 Matrix LuFactors::inverse() const { return factors_.inverse(); }
 
 double LuFactors::reciprocal_condition() const { return factors_.rcond(); }
+
+ComplexLuFactors::ComplexLuFactors(const Eigen::MatrixXcd& matrix) : factors_(matrix) {}
+
+ComplexVector ComplexLuFactors::solve(const ComplexVector& right) const {
+  return factors_.solve(right);
+}
+
+ComplexVector ComplexLuFactors::solve_transposed(const ComplexVector& right) const {
+  return factors_.transpose().solve(right);
+}
 
 Vector solve_with_full_pivoting(const Matrix& matrix, const Vector& right) {
   return matrix.fullPivLu().solve(right);

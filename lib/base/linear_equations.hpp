@@ -25,6 +25,18 @@ class LuFactors {
   Eigen::PartialPivLU<Matrix> factors_;
 };
 
+// The same of a complex one.
+class ComplexLuFactors {
+ public:
+  explicit ComplexLuFactors(const Eigen::MatrixXcd& matrix);
+
+  ComplexVector solve(const ComplexVector& right) const;             // x of A x = right
+  ComplexVector solve_transposed(const ComplexVector& right) const;  // x of A^T x = right
+
+ private:
+  Eigen::PartialPivLU<Eigen::MatrixXcd> factors_;
+};
+
 // Once, with rows and columns exchanged.
 Vector solve_with_full_pivoting(const Matrix& matrix, const Vector& right);
 
@@ -34,3 +46,4 @@ Eigen::MatrixXcd inverse(const Eigen::MatrixXcd& matrix);
 }  // namespace graze
 
 extern template class Eigen::PartialPivLU<Eigen::MatrixXd>;
+extern template class Eigen::PartialPivLU<Eigen::MatrixXcd>;

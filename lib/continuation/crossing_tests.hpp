@@ -25,7 +25,7 @@ struct CrossingTest {
 
 // Flip, fold, torus.
 inline constexpr std::size_t kCrossingTests = 3;
-inline constexpr std::size_t kFlip = 0;
+inline constexpr std::size_t kFlip = 0, kFoldTest = 1;
 using CrossingTests = std::array<CrossingTest, kCrossingTests>;
 
 CrossingTests crossing_tests(const std::vector<Eigenvalue>& multipliers);

@@ -31,13 +31,15 @@ TEST(Examples, PrintTheKnownSpecialPoints) {
   // Third value: see special_point_test.cpp.
   expect_values("logistic_map", {3.0, 1.0 + std::sqrt(6.0), 3.5440903595519}, 1e-11);
   expect_values("henon_map", {-0.1225, 0.3675}, 1e-12);
+  expect_values("henon_loci", {-1.0, 3.0}, 1e-10);
 }
 
 TEST(Examples, AreShortAndShownAsTheyAre) {
   const std::string page = graze::support::docs_page("continuation.md");
-  for (const std::string name : {"circle", "cusp", "bratu", "logistic_map", "henon_map"})
+  for (const std::string name :
+       {"circle", "cusp", "bratu", "logistic_map", "henon_map", "henon_loci"})
     EXPECT_LT(graze::support::lines_of_code(example_text(name)), 30) << name;
-  for (const std::string name : {"circle", "logistic_map"}) {
+  for (const std::string name : {"circle", "logistic_map", "henon_loci"}) {
     EXPECT_NE(page.find(example_text(name)), std::string::npos) << name;
     EXPECT_NE(page.find(example_output(name)), std::string::npos) << name;
   }
