@@ -42,6 +42,10 @@ struct Command {
   std::string parameter;
   double from = 0.0, to = 0.0;
   std::optional<double> max_step;
+  std::vector<std::string> locus;  // LP, PD, NS, GR, all; empty: branches
+  std::string second;
+  std::optional<double> second_from, second_to;
+  int slices = 8;
   std::string follow = "none";  // none | all
   int depth = 2;
 

@@ -207,6 +207,36 @@ void add_orbit(CLI::App& graze, Command& command) {
       ->type_name("K|any");
 }
 
+// Loci instead of branches.
+void add_locus(CLI::App* app, Command& command) {
+  CLI::Option* locus =
+      app->add_option("--locus", command.locus,
+                      "Trace loci of special points over two parameters instead of branches: LP, "
+                      "PD, NS, GR, several with commas, or all")
+          ->check(CLI::IsMember({"LP", "PD", "NS", "GR", "all"}))
+          ->delimiter(',')
+          ->type_name("KIND");
+  CLI::Option* second = app->add_option("--second", command.second,
+                                        "With --locus: path of the second parameter, e.g. stop.gap")
+                            ->type_name("NAME")
+                            ->needs(locus);
+  app->add_option("--second-from", command.second_from, "Start of the second parameter's range")
+      ->check(finite_number())
+      ->type_name("C")
+      ->needs(second);
+  app->add_option("--second-to", command.second_to, "End of the second parameter's range")
+      ->check(finite_number())
+      ->type_name("D")
+      ->needs(second);
+  app->add_option("--slices", command.slices,
+                  "With --locus: values of either parameter, besides the scene's own, at which "
+                  "special points are sought to start from; a locus between two of them is missed")
+      ->transform(whole_number_within(0, 10'000))
+      ->capture_default_str()
+      ->type_name("N")
+      ->needs(locus);
+}
+
 void add_continue(CLI::App& graze, Command& command) {
   CLI::App* app =
       graze.add_subcommand("continue", "Trace branches of orbits over a parameter of the scene");
@@ -219,7 +249,7 @@ void add_continue(CLI::App& graze, Command& command) {
   add_range(app, command);
   add_branch_kind(app, command);
   add_closure_speed(app, command);
-  add_later_options(app, {"--locus", "--second", "--second-from", "--second-to"});
+  add_locus(app, command);
 }
 
 void add_diagram(CLI::App& graze, Command& command) {

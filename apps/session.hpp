@@ -46,6 +46,7 @@ int run_check(const Command& command);
 int run_simulate(const Command& command);
 int run_orbit(const Command& command);
 int run_continue(const Command& command);
+int run_loci(const Command& command);  // continue --locus
 int run_diagram(const Command& command);
 
 }  // namespace graze

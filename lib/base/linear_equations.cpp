@@ -17,6 +17,13 @@ Vector LuFactors::solve_transposed(const Vector& right) const {
 
 Matrix LuFactors::inverse() const { return factors_.inverse(); }
 
+int LuFactors::determinant_sign() const {
+  int sign = static_cast<int>(factors_.permutationP().determinant());
+  for (const double pivot : factors_.matrixLU().diagonal())
+    if (pivot < 0.0) sign = -sign;
+  return sign;
+}
+
 double LuFactors::reciprocal_condition() const { return factors_.rcond(); }
 
 ComplexLuFactors::ComplexLuFactors(const Eigen::MatrixXcd& matrix) : factors_(matrix) {}

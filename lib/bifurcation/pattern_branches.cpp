@@ -3,47 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "graze/base/angle.hpp"
-
 namespace graze {
-namespace {
-
-// How many impacts the canonical order begins later.
-std::size_t canonical_start(const std::vector<int>& stops) {
-  std::size_t best = 0;
-  for (std::size_t turn = 1; turn < stops.size(); ++turn)
-    for (std::size_t i = 0; i < stops.size(); ++i) {
-      const int here = stops[(turn + i) % stops.size()], there = stops[(best + i) % stops.size()];
-      if (here == there) continue;
-      if (here < there) best = turn;
-      break;
-    }
-  return best;
-}
-
-// The impacts from another one on, the passed ones a period later.
-std::vector<ImpactPoint> turned(std::vector<ImpactPoint> impacts, std::size_t turn, int period) {
-  for (std::size_t i = 0; i < turn; ++i) impacts[i].theta += kTurn * period;
-  std::rotate(impacts.begin(), impacts.begin() + static_cast<std::ptrdiff_t>(turn), impacts.end());
-  const double back = impacts.front().theta - wrapped(impacts.front().theta);
-  for (ImpactPoint& impact : impacts) impact.theta -= back;
-  return impacts;
-}
-
-}  // namespace
-
-ImpactPattern canonical(ImpactPattern pattern) {
-  std::rotate(pattern.stops.begin(),
-              pattern.stops.begin() + static_cast<std::ptrdiff_t>(canonical_start(pattern.stops)),
-              pattern.stops.end());
-  return pattern;
-}
-
-std::vector<ImpactPoint> in_canonical_order(const ImpactPattern& pattern,
-                                            std::vector<ImpactPoint> impacts) {
-  return turned(std::move(impacts), canonical_start(pattern.stops), pattern.period);
-}
-
 PatternBranches::PatternBranches(const SystemFamily& family, ImpactPattern pattern,
                                  const ShootingScale& scale, ContinuationOptions range,
                                  bool keep_virtual)
@@ -67,15 +27,11 @@ bool PatternBranches::lists(const BranchPoint& solution) const {
 }
 
 std::vector<BranchPoint> PatternBranches::rewritten(const BranchPoint& solution) const {
-  const ImpactPattern& pattern = equations_.pattern();
-  const std::vector<ImpactPoint> impacts = equations_.points(solution);
   std::vector<BranchPoint> list;
-  for (std::size_t turn = 0; turn < impacts.size(); ++turn) {
-    std::vector<int> stops = pattern.stops;
-    std::rotate(stops.begin(), stops.begin() + static_cast<std::ptrdiff_t>(turn), stops.end());
-    if (stops != pattern.stops) continue;
+  for (const std::vector<ImpactPoint>& impacts :
+       rewritings(equations_.pattern(), equations_.points(solution))) {
     list.push_back(solution);
-    list.back().u = equations_.shooting().pack(turned(impacts, turn, pattern.period));
+    list.back().u = equations_.shooting().pack(impacts);
   }
   return list;
 }

@@ -6,17 +6,10 @@
 #include <optional>
 #include <vector>
 
+#include "graze/bifurcation/canonical_pattern.hpp"
 #include "graze/bifurcation/orbit_parts.hpp"
 
 namespace graze {
-
-// The same pattern, written from the impact that puts its stops first in lexicographic order: the
-// name of a pattern, which does not depend on where its period is said to begin.
-ImpactPattern canonical(ImpactPattern pattern);
-
-// The impacts of an orbit in the order of its canonical pattern.
-std::vector<ImpactPoint> in_canonical_order(const ImpactPattern& pattern,
-                                            std::vector<ImpactPoint> impacts);
 
 class PatternBranches {
  public:

@@ -3,7 +3,7 @@
 #include <utility>
 
 #include "graze/base/angle.hpp"
-#include "graze/flow/transition.hpp"
+#include "graze/bifurcation/touching_orbit.hpp"
 
 namespace graze {
 namespace {
@@ -25,24 +25,13 @@ PatternSwitch doubled(const OrbitEquations& equations, const SpecialPoint& speci
   return next;
 }
 
-// The impact that a touching approach becomes.
-std::optional<PatternSwitch> with_touch(const OrbitEquations& equations,
-                                        const SpecialPoint& special) {
-  PatternSwitch next{equations.pattern(), equations.points(special.solution), {}};
-  const System& system = *equations.system_at(special.solution.parameter);
-  const Admissibility verdict = admissibility(system, next.pattern, next.impacts);
-  if (!verdict.nearest) return {};
-  const NearestApproach& touch = *verdict.nearest;
-  const ImpactPoint& from = next.impacts[touch.flight];
-  const auto stop = static_cast<std::size_t>(next.pattern.stops[touch.flight]);
-  const ExactFlow<double> flow(system);
-  const Transition arc = transition(system, flow, after_impact(system.stops[stop], from.before),
-                                    from.theta, touch.after);
-  const ImpactPoint impact{from.theta + touch.after * system.forcing->frequency, arc.end};
-  const auto at = static_cast<std::ptrdiff_t>(touch.flight) + 1;
-  next.impacts.insert(next.impacts.begin() + at, impact);
-  next.pattern.stops.insert(next.pattern.stops.begin() + at, touch.stop);
-  return next;
+std::optional<PatternSwitch> with_touching_impact(const OrbitEquations& equations,
+                                                  const SpecialPoint& special) {
+  std::optional<TouchingOrbit> orbit =
+      with_touch(*equations.system_at(special.solution.parameter), equations.pattern(),
+                 equations.points(special.solution));
+  if (!orbit) return {};
+  return PatternSwitch{std::move(orbit->pattern), std::move(orbit->impacts), {}};
 }
 
 std::optional<PatternSwitch> without_slowest(const OrbitEquations& equations,
@@ -69,7 +58,7 @@ std::optional<PatternSwitch> pattern_switch(const OrbitEquations& equations,
       // Beyond a push the orbits stick.
       if (special.by_push) break;
       return special.by_speed ? without_slowest(equations, special)
-                              : with_touch(equations, special);
+                              : with_touching_impact(equations, special);
     case SpecialKind::kFold:
     case SpecialKind::kTorus:
     case SpecialKind::kChatterCompletes:

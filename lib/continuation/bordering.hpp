@@ -37,7 +37,10 @@ class BorderedMatrix {
 
   BorderedMatrix(const Square& matrix, const Borders& borders);
 
-  Scalar test() const { return test_; }         // g
+  Scalar test() const { return test_; }  // g
+  // Of a real one: the sign of its determinant, with which g has that of det A, whatever the
+  // borders.
+  int side() const requires std::is_same_v<Scalar, double> { return factors_.determinant_sign(); }
   const Column& left() const { return left_; }  // w, n
   const Column& right() const { return right_; }
   double scale() const { return scale_; }

@@ -57,6 +57,9 @@ struct ContinuationOptions {
   double residual_tolerance = 1e-11;   // largest entry of F at an accepted point
   int max_points = kMostBranchPoints;  // in each direction
   StopSignal stop{};
+  // Asked of the ends of every step; false: it is too long to show what happens within, and taken
+  // shorter. Empty: none is.
+  std::function<bool(const BranchPoint& from, const BranchPoint& to)> resolves{};
   // Asked of every new point and the one before it; false ends the branch there. Empty: go on.
   std::function<bool(const BranchPoint& previous, const BranchPoint& here)> proceed{};
 };

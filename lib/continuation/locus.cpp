@@ -17,6 +17,9 @@ namespace graze {
 namespace {
 
 constexpr double kPi = std::numbers::pi;
+// Most turn of the critical vectors in a step, rad. As they turn by a right angle borders fail, and
+// what the parameters do meanwhile may be too small beside the unknowns to bend the locus.
+constexpr double kMostBorderTurn = 0.5;
 
 class LocusTracer {
  public:
@@ -48,7 +51,8 @@ class LocusTracer {
     locus.kind = kind_;
     for (const BranchPoint& point : traced.branch.points) locus.points.push_back(unpack(point));
     for (const std::size_t side : {0u, 1u})
-      locus.ends[side] = end_of(traced.branch.ends[side], traced.left_range[side]);
+      locus.ends[side] =
+          as_locus_end(traced.branch.ends[side], traced.left_range[side] == curve_.first);
     if (locus.ends[0] == LocusEnd::kFirstLimit) put_on_limit(locus.points.front());
     if (locus.ends[1] == LocusEnd::kFirstLimit) put_on_limit(locus.points.back());
     add_special_points(locus, traced);
@@ -104,6 +108,10 @@ class LocusTracer {
     curve_.tests = [this](const BranchPoint& from, const BranchPoint& at) {
       return tests(from, at);
     };
+    curve_.resolves = [this](const BranchPoint& from, const BranchPoint& to) {
+      return equations_.turn(from, to) <= kMostBorderTurn &&
+             (!options_.resolves || options_.resolves(unpack(from), unpack(to)));
+    };
     curve_.proceed = [this](const BranchPoint& previous, const BranchPoint& here) {
       equations_.add(here);
       return !options_.proceed || options_.proceed(unpack(previous), unpack(here));
@@ -149,28 +157,6 @@ class LocusTracer {
     return fold.sign * std::exp(fold.log_size);
   }
 
-  LocusEnd end_of(BranchEnd end, const std::optional<Eigen::Index>& left) const {
-    switch (end) {
-      case BranchEnd::kParameterLimit:
-        return LocusEnd::kSecondLimit;
-      case BranchEnd::kUnknownLimit:
-        return left == curve_.first ? LocusEnd::kFirstLimit : LocusEnd::kResonance;
-      case BranchEnd::kClosed:
-        return LocusEnd::kClosed;
-      case BranchEnd::kStepLimit:
-        return LocusEnd::kStepLimit;
-      case BranchEnd::kOutOfTime:
-        return LocusEnd::kOutOfTime;
-      case BranchEnd::kStopped:
-        return LocusEnd::kStopped;
-      case BranchEnd::kHalted:
-        return LocusEnd::kHalted;
-      case BranchEnd::kNotConverged:
-        break;
-    }
-    return LocusEnd::kNotConverged;
-  }
-
   // The unknown is on its limit to the last bit; so shall be the parameter that it stands for.
   void put_on_limit(LocusPoint& end) const {
     const bool nearer_to =
@@ -178,7 +164,7 @@ class LocusTracer {
     end.first = nearer_to ? options_.first_to : options_.first_from;
   }
 
-  void add_special_points(Locus& locus, const PlaneCurve& traced) const {
+  void add_special_points(Locus& locus, const PlaneCurve& traced) {
     const std::vector<LocusPointKind> kinds = test_kinds();
     for (const TestZero& zero : traced.zeros) {
       if (zero.test < kinds.size())
@@ -190,9 +176,16 @@ class LocusTracer {
     for (const CriticalPoint& critical : traced.branch.critical)
       if (const auto kind = kind_of(critical.kind)) {
         LocusPoint point = unpack(critical.point);
+        // Borders that fail within a step turn the orientation round there and back.
+        if (*kind == LocusPointKind::kCrossing && !equations_.is_on_locus(critical.point)) continue;
         if (*kind != LocusPointKind::kTwoDoublings || !is_at_one(point, resonances))
           locus.special.push_back({*kind, std::move(point), critical.after});
       }
+    // Where both doublings have vectors of their own their loci cross: said already.
+    const std::vector<LocusSpecialPoint> both = locus.special_of(LocusPointKind::kTwoDoublings);
+    std::erase_if(locus.special, [&](const LocusSpecialPoint& special) {
+      return special.kind == LocusPointKind::kCrossing && is_at_one(special.point, both);
+    });
     for (const bool at_end : {false, true}) {
       if (locus.ends[at_end ? 1 : 0] != LocusEnd::kResonance) continue;
       const LocusPoint& end = at_end ? locus.points.back() : locus.points.front();

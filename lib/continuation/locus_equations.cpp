@@ -13,6 +13,9 @@ namespace {
 // iterations of a corrector and the way back.
 constexpr std::size_t kRecent = 16;
 
+// A branch point is interpolated over a step of kShortest (1e-6), and misses the branch by less.
+constexpr double kOnLocus = 1e-7;
+
 std::vector<Eigenvalue>::iterator nearest_to(std::vector<Eigenvalue>& list, const Complex& value) {
   return std::min_element(list.begin(), list.end(), [&](const Eigenvalue& a, const Eigenvalue& b) {
     return std::abs(a.value - value) < std::abs(b.value - value);
@@ -123,6 +126,32 @@ void LocusEquations::add(const BranchPoint& point) {
   anchors_.push_back(*found);
 }
 
+double LocusEquations::turn(const BranchPoint& from, const BranchPoint& to) const {
+  if (is_torus()) return 0.0;
+  const auto found = std::find_if(recent_.begin(), recent_.end(), [&](const Anchor& anchor) {
+    return anchor.second == to.parameter && anchor.y == to.u;
+  });
+  if (found == recent_.end()) return 0.0;
+  const Borders& before = borders_near(from.u, from.parameter);
+  const double least = std::min(std::abs(before.left.dot(found->borders.left)),
+                                std::abs(before.right.dot(found->borders.right)));
+  return std::acos(std::min(least, 1.0));
+}
+
+bool LocusEquations::is_on_locus(const BranchPoint& point) {
+  const std::optional<PlaneEvaluation> at = evaluate_plane(point.u, point.parameter);
+  if (!at) return false;
+  const Complex mu = multiplier_of(point.u);
+  const double size = size_of_entries(*at);
+  const auto test = [&](const auto& matrix) {
+    using Scalar = typename std::decay_t<decltype(matrix)>::Scalar;
+    return std::abs(BorderedMatrix<Scalar>(matrix, first_borders<Scalar>(matrix, size)).test());
+  };
+  const double g = is_torus() ? test(Eigen::MatrixXcd(critical_matrix(*at, mu)))
+                              : test(Matrix(critical_matrix(*at, mu.real())));
+  return g <= kOnLocus;
+}
+
 std::optional<LocusEquations::TestRows> LocusEquations::real_rows(const PlaneEvaluation& at,
                                                                   const Vector& y, double second) {
   const double mu = multiplier_of(y).real();
@@ -133,8 +162,9 @@ std::optional<LocusEquations::TestRows> LocusEquations::real_rows(const PlaneEva
                                         {{bordered.left(), bordered.right(), mu}});
   if (!slope) return {};
   remember(y, second, bordered.renewed(size_of_entries(at)));
-  return TestRows{Vector::Constant(1, bordered.test()), -slope->real() / bordered.scale(),
-                  Vector::Zero(1)};
+  const double side = bordered.side();
+  return TestRows{Vector::Constant(1, side * bordered.test()),
+                  -side * slope->real() / bordered.scale(), Vector::Zero(1)};
 }
 
 // With s of M(mu) [s; .] = [closing v(conj mu); 0] and r of M(conj mu)^T [r; .] = [closing^T w; 0],

@@ -10,9 +10,11 @@
 // there the derivative of g by mu. So the equations are regular at resonances 1:1 and 1:2 too,
 // where the pair becomes real; all they depend on is even in the angle there.
 //
-// Borders are those of the nearest point of the locus known so far, and the signs of all of them
-// agree along it: a change of borders multiplies g by a number that is positive on the locus of LP
-// and PD, and complex on that of NS, which leaves the orientation of the locus alone.
+// Borders are those of the nearest point of the locus known so far. On LP and PD g is taken with
+// the sign that det A has: it passes zero between two loci that nearly cross, where borders that
+// follow one of them fail, and would turn the orientation round once more. So a step from one to
+// the other shows. On NS a change of borders multiplies g by a complex number, which leaves the
+// orientation alone.
 #pragma once
 
 #include <array>
@@ -49,6 +51,11 @@ class LocusEquations {
   void start_at(const BranchPoint& point);
   // A point of the locus: its borders are those of what lies around it.
   void add(const BranchPoint& point);
+  // How far the critical vectors of LP and PD turn from one point to a neighbour just solved for,
+  // rad, the larger of both; 0 on NS, where they span planes.
+  double turn(const BranchPoint& from, const BranchPoint& to) const;
+  // Whether A(mu) is singular there, judged by borders of its own.
+  bool is_on_locus(const BranchPoint& point);
   // Nothing where F cannot be evaluated.
   std::optional<ZeroEvaluation> evaluate(const Vector& y, double second);
   // The multipliers of the orbit but for the critical ones.

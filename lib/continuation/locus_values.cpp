@@ -52,4 +52,26 @@ std::vector<LocusSpecialPoint> Locus::special_of(LocusPointKind which) const {
   return list;
 }
 
+LocusEnd as_locus_end(BranchEnd end, bool first) {
+  switch (end) {
+    case BranchEnd::kParameterLimit:
+      return LocusEnd::kSecondLimit;
+    case BranchEnd::kUnknownLimit:
+      return first ? LocusEnd::kFirstLimit : LocusEnd::kResonance;
+    case BranchEnd::kClosed:
+      return LocusEnd::kClosed;
+    case BranchEnd::kStepLimit:
+      return LocusEnd::kStepLimit;
+    case BranchEnd::kOutOfTime:
+      return LocusEnd::kOutOfTime;
+    case BranchEnd::kStopped:
+      return LocusEnd::kStopped;
+    case BranchEnd::kHalted:
+      return LocusEnd::kHalted;
+    case BranchEnd::kNotConverged:
+      break;
+  }
+  return LocusEnd::kNotConverged;
+}
+
 }  // namespace graze

@@ -79,6 +79,10 @@ enum class LocusEnd {
   kStopped        // from outside
 };
 
+// What an end of a branch is called where it is one of a locus. `first`: whether the range that a
+// branch left (kUnknownLimit) is that of the first parameter; else it is the angle's.
+LocusEnd as_locus_end(BranchEnd end, bool first);
+
 struct Locus {
   LocusKind kind = LocusKind::kFold;
   std::vector<LocusPoint> points;  // in order along the locus; a closed one repeats its first
@@ -102,6 +106,9 @@ struct LocusOptions {
   double residual_tolerance = 1e-11;   // likewise; of F, and of the test, which is of order 1
   int max_points = kMostBranchPoints;  // in each direction
   StopSignal stop{};
+  // Asked of the ends of every step; false: it is too long to show what happens within. Empty: none
+  // is.
+  std::function<bool(const LocusPoint& from, const LocusPoint& to)> resolves{};
   // Asked of every new point and the one before it; false ends the locus there. Empty: go on.
   std::function<bool(const LocusPoint& previous, const LocusPoint& here)> proceed{};
   // Functions that are smooth along the locus, as many at every point, which has its critical

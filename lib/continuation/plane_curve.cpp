@@ -164,6 +164,7 @@ ContinuationOptions branch_options(const PlaneCurveProblem& problem, const Locus
   result.residual_tolerance = options.residual_tolerance;
   result.max_points = options.max_points;
   result.stop = options.stop;
+  result.resolves = problem.resolves;
   result.proceed = problem.proceed;
   return result;
 }

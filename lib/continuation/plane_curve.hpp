@@ -23,6 +23,8 @@ struct PlaneCurveProblem {
   // is the same, and of a sign that does not depend on it. Nothing where there are none. Empty
   // function: nothing is looked for.
   std::function<std::optional<Vector>(const BranchPoint& from, const BranchPoint& at)> tests{};
+  // As in ContinuationOptions.
+  std::function<bool(const BranchPoint& from, const BranchPoint& to)> resolves{};
   // Told every new point of the curve and the one before it; false ends the curve there. Empty: go
   // on.
   std::function<bool(const BranchPoint& previous, const BranchPoint& here)> proceed{};

@@ -97,6 +97,7 @@ std::optional<BranchPoint> Stepper::step(const BranchPoint* before, const Branch
       chord.norm() > std::max(passing, kShortest * (1.0 + x.norm())))
     return {};
   if (hides_folds(here.rate(), next->rate(), chord[chord.size() - 1], chord.norm())) return {};
+  if (options_.resolves && !options_.resolves(here, *next)) return {};
   return next;
 }
 

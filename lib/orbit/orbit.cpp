@@ -15,26 +15,6 @@
 namespace graze {
 namespace {
 
-// Impacts in time order, the one with the smallest phase first and in period 0.
-std::vector<OrbitImpact> ordered_impacts(const System& system, const ImpactPattern& pattern,
-                                         const std::vector<ImpactPoint>& points) {
-  std::size_t first = 0;
-  for (std::size_t i = 1; i < points.size(); ++i)
-    if (wrapped(points[i].theta) < wrapped(points[first].theta)) first = i;
-  const double origin = points[first].theta - wrapped(points[first].theta);
-  std::vector<OrbitImpact> impacts;
-  for (std::size_t m = 0; m < points.size(); ++m) {
-    const std::size_t i = (first + m) % points.size();
-    const double lap = i < first ? kTurn * pattern.period : 0.0;
-    const double theta = points[i].theta + lap - origin;
-    const double phase = wrapped(theta);
-    impacts.push_back({pattern.stops[i], static_cast<int>(std::lround((theta - phase) / kTurn)),
-                       phase, stop_of(system, pattern, i).row.dot(points[i].before.qdot),
-                       points[i].before});
-  }
-  return impacts;
-}
-
 // What an impact and the flight after it do to a deviation.
 struct ImpactPassage {
   Matrix saltation;
@@ -87,6 +67,25 @@ std::optional<NearestApproach> lowest_corner(const System& system, const ImpactP
 }
 
 }  // namespace
+
+std::vector<OrbitImpact> ordered_impacts(const System& system, const ImpactPattern& pattern,
+                                         const std::vector<ImpactPoint>& points) {
+  std::size_t first = 0;
+  for (std::size_t i = 1; i < points.size(); ++i)
+    if (wrapped(points[i].theta) < wrapped(points[first].theta)) first = i;
+  const double origin = points[first].theta - wrapped(points[first].theta);
+  std::vector<OrbitImpact> impacts;
+  for (std::size_t m = 0; m < points.size(); ++m) {
+    const std::size_t i = (first + m) % points.size();
+    const double lap = i < first ? kTurn * pattern.period : 0.0;
+    const double theta = points[i].theta + lap - origin;
+    const double phase = wrapped(theta);
+    impacts.push_back({pattern.stops[i], static_cast<int>(std::lround((theta - phase) / kTurn)),
+                       phase, stop_of(system, pattern, i).row.dot(points[i].before.qdot),
+                       points[i].before});
+  }
+  return impacts;
+}
 
 ImpactPattern Orbit::pattern() const {
   ImpactPattern result{period, {}};

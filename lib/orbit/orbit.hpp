@@ -69,6 +69,11 @@ struct Orbit {
 // stuck phases and tiny impacts come and go along its branch, the fastest. Requires an impact.
 const OrbitImpact& leading_impact(const Orbit& orbit);
 
+// The impacts of a solution of the shooting equations in time order, the one with the smallest phase
+// first and in period 0.
+std::vector<OrbitImpact> ordered_impacts(const System& system, const ImpactPattern& pattern,
+                                         const std::vector<ImpactPoint>& points);
+
 // How many multipliers lie outside the unit circle, and how many sit on it within their error.
 struct MultiplierCount {
   int outside = 0;

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "graze/record/diagram_record.hpp"
+#include "graze/record/loci_record.hpp"
 
 namespace graze {
 
@@ -20,6 +21,8 @@ std::string orbits_csv(const OrbitRecord& record);
 std::string stuck_csv(const OrbitRecord& record);
 std::string branches_csv(const BranchRecord& record);
 std::string special_csv(const BranchRecord& record);
+std::string loci_csv(const LociRecord& record);
+std::string special_csv(const LociRecord& record);
 
 // One line a sample, one for a value that has none.
 std::string sweep_csv(const DiagramRecord& record);

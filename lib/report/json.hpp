@@ -5,6 +5,7 @@
 #include <string>
 
 #include "graze/record/diagram_record.hpp"
+#include "graze/record/loci_record.hpp"
 #include "graze/record/spool.hpp"
 
 namespace graze {
@@ -15,6 +16,7 @@ Document to_json(const SimulationRecord& record, Spool& events);
 void add_event_json(const Event& event, Spool& events);
 std::string to_json(const OrbitRecord& record);
 std::string to_json(const BranchRecord& record);
+std::string to_json(const LociRecord& record);
 // The document of the branches, with the sweep added.
 std::string to_json(const DiagramRecord& record);
 

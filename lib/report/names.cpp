@@ -44,6 +44,32 @@ std::string name_of(OrbitBranchEnd end) {
   return "not converged";
 }
 
+std::string name_of(OrbitLocusEnd end) {
+  switch (end) {
+    case OrbitLocusEnd::kFirstLimit:
+      return "parameter limit";
+    case OrbitLocusEnd::kSecondLimit:
+      return "second limit";
+    case OrbitLocusEnd::kClosed:
+      return "closed";
+    case OrbitLocusEnd::kGrazing:
+      return "GR";
+    case OrbitLocusEnd::kImpactsMeet:
+      return "impacts meet";
+    case OrbitLocusEnd::kResonance:
+      return "resonance";
+    case OrbitLocusEnd::kStepLimit:
+      return "step limit";
+    case OrbitLocusEnd::kOutOfTime:
+      return "time limit";
+    case OrbitLocusEnd::kStopped:
+      return "interrupted";
+    case OrbitLocusEnd::kNotConverged:
+      break;
+  }
+  return "not converged";
+}
+
 std::string stability_word(const std::optional<bool>& stable) {
   if (!stable) return "on the circle";
   return *stable ? "yes" : "no";

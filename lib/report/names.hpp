@@ -5,12 +5,14 @@
 #include <string>
 
 #include "graze/bifurcation/orbit_branches.hpp"
+#include "graze/bifurcation/orbit_locus.hpp"
 #include "graze/hybrid/simulation.hpp"
 
 namespace graze {
 
 std::string name_of(EventKind kind);
 std::string name_of(OrbitBranchEnd end);
+std::string name_of(OrbitLocusEnd end);
 
 // "yes", "no", or "on the circle" for a stability that rounding leaves open.
 std::string stability_word(const std::optional<bool>& stable);

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "graze/record/diagram_record.hpp"
+#include "graze/record/loci_record.hpp"
 
 namespace graze {
 
@@ -27,6 +28,11 @@ void draw_orbits(const std::string& file, const OrbitRecord& record);
 
 // The speed of every impact against the parameter, with stability and special points.
 void draw_branches(const std::string& file, const BranchRecord& record);
+
+// Loci in the plane of two parameters, each kind in a colour and a dash of its own; parts whose
+// orbits are none of the system grey. Points of codimension two are marked, and named while they
+// are few.
+void draw_loci(const std::string& file, const LociRecord& record);
 
 // Every sample of the sweep as a dot against the parameter: impact speeds, or displacements towards
 // the stops, a panel each; over them the branches, stable and unstable, with their special points.

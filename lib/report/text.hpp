@@ -4,6 +4,7 @@
 #include <string>
 
 #include "graze/record/diagram_record.hpp"
+#include "graze/record/loci_record.hpp"
 
 namespace graze {
 
@@ -11,6 +12,7 @@ std::string to_text(const CheckRecord& record);
 std::string to_text(const SimulationRecord& record);
 std::string to_text(const OrbitRecord& record);
 std::string to_text(const BranchRecord& record);
+std::string to_text(const LociRecord& record);
 std::string to_text(const DiagramRecord& record);
 
 }  // namespace graze

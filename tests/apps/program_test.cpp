@@ -82,7 +82,6 @@ TEST(Program, RefusesWhatALaterVersionBrings) {
   for (const std::string& line : std::vector<std::string>{
            "cost " + kOneMode, "compare " + kOneMode, "fit a b",
            "orbit --plot picture.html " + kOneMode,
-           "continue --parameter stop.gap --from 0 --to 1 --locus LP " + kOneMode,
            "diagram --parameter stop.gap --from 0 --to 1 --shard 1/2 " + kOneMode,
            "diagram --parameter stop.gap --from 0 --to 1 --resume out " + kOneMode,
            "diagram " + kOneMode + " --parameter stop.gap --from 0 --to 1 --resume"}) {

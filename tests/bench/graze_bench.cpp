@@ -4,7 +4,9 @@
 #include "graze/assembly/assembly.hpp"
 #include "graze/assembly/initial_state.hpp"
 #include "graze/bifurcation/orbit_branches.hpp"
+#include "graze/bifurcation/pattern_loci.hpp"
 #include "graze/hybrid/simulation.hpp"
+#include "graze/orbit/closed_form.hpp"
 #include "graze/scene/reader.hpp"
 #include "graze/study/sweep.hpp"
 
@@ -39,6 +41,37 @@ void TraceBranch(benchmark::State& state) {
                          benchmark::Counter::kIsRate | benchmark::Counter::kInvert);
 }
 BENCHMARK(TraceBranch)->Arg(1)->Arg(2)->Arg(4)->Arg(8)->Unit(benchmark::kMillisecond);
+
+// The fold locus of the beam over frequency and gap, from one fold: its points, special ones and
+// what makes them orbits of the system.
+void TraceLocus(benchmark::State& state) {
+  const Scene scene =
+      one_mode_scene({"beam.modes=" + std::to_string(state.range(0)), "forcing.frequency=47"});
+  LocusPlane plane;
+  plane.scene = &scene;
+  plane.first = "forcing.frequency";
+  plane.second = "stop.gap";
+  plane.scale = shooting_scale(assemble(scene));
+  plane.options.first_from = 46.0;
+  plane.options.first_to = 52.0;
+  plane.options.second_from = 1e-3;
+  plane.options.second_to = 0.01;
+  plane.options.max_step = 0.01;
+  const ClosedForm form = *closed_form(assemble(scene), 0, 1).form;
+  const double gap = std::abs(form.kappa) * (1.0 - 1e-9);
+  const OrbitLocusStart start{
+      OrbitLocusKind::kFold, {{1, {0}}, {form.solutions(gap).front()}, 0}, 47.0, gap, 1.0};
+  std::size_t points = 0;
+  for (auto _ : state) {
+    CriticalLoci loci(plane, OrbitLocusKind::kFold, {1, {0}});
+    points += loci.trace(start).trace->places.size();
+  }
+  state.counters["points"] = static_cast<double>(points) / static_cast<double>(state.iterations());
+  state.counters["s_per_200_points"] =
+      benchmark::Counter(static_cast<double>(points) / 200.0,
+                         benchmark::Counter::kIsRate | benchmark::Counter::kInvert);
+}
+BENCHMARK(TraceLocus)->Arg(1)->Arg(2)->Arg(4)->Unit(benchmark::kMillisecond);
 
 // 3000 forcing periods of scene 05: 2999 impacts, no chatter.
 void SimulateOneMode(benchmark::State& state) {

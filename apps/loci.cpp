@@ -1,0 +1,103 @@
+// graze continue --locus: loci of special points in two parameters.
+#include <fmt/format.h>
+
+#include <array>
+
+#include "branch_options.hpp"
+#include "graze/assembly/assembly.hpp"
+#include "graze/assembly/system_warnings.hpp"
+#include "graze/record/loci_record.hpp"
+#include "graze/report/csv.hpp"
+#include "graze/report/json.hpp"
+#include "graze/report/pictures.hpp"
+#include "graze/report/text.hpp"
+#include "graze/scene/parameter.hpp"
+#include "graze/scene/reader.hpp"
+#include "search_options.hpp"
+#include "session.hpp"
+
+namespace graze {
+namespace {
+
+std::vector<OrbitLocusKind> kinds_of(const std::vector<std::string>& labels) {
+  std::vector<OrbitLocusKind> kinds;
+  for (const OrbitLocusKind kind : {OrbitLocusKind::kFold, OrbitLocusKind::kPeriodDoubling,
+                                    OrbitLocusKind::kTorus, OrbitLocusKind::kGrazing})
+    for (const std::string& label : labels)
+      if (label == label_of(kind) || label == "all") {
+        kinds.push_back(kind);
+        break;
+      }
+  return kinds;
+}
+
+LociOptions loci_options(const Command& command) {
+  if (command.second.empty() || !command.second_from || !command.second_to)
+    throw InputError(
+        "--locus: give the second parameter, --second NAME --second-from C "
+        "--second-to D");
+  if (*command.second_from == *command.second_to)
+    throw InputError("--second-from, --second-to: the range must not be empty");
+  LociOptions options;
+  options.branches = branch_options(command);
+  options.branches.start_values = 8;
+  options.second_from = *command.second_from;
+  options.second_to = *command.second_to;
+  options.kinds = kinds_of(command.locus);
+  options.slices = command.slices;
+  return options;
+}
+
+void record_options(const Command& command, RunInfo& info) {
+  std::string kinds;
+  for (const std::string& label : command.locus) kinds += (kinds.empty() ? "" : ",") + label;
+  info.options.emplace_back("locus", kinds);
+  info.options.emplace_back("parameter", command.parameter);
+  info.options.emplace_back("from", command.from);
+  info.options.emplace_back("to", command.to);
+  info.options.emplace_back("second", command.second);
+  info.options.emplace_back("second_from", *command.second_from);
+  info.options.emplace_back("second_to", *command.second_to);
+  info.options.emplace_back("slices", static_cast<long long>(command.slices));
+  if (command.max_step) info.options.emplace_back("max_step", *command.max_step);
+  info.options.emplace_back("follow", command.follow);
+  if (command.follow == "all")
+    info.options.emplace_back("depth", static_cast<long long>(command.depth));
+  record_search(command, info);
+}
+
+}  // namespace
+
+int run_loci(const Command& command) {
+  if (!command.plot.empty()) check_picture_name(command.plot);
+  const Scene scene = read_scene(command.scene, command.settings);
+  require_forcing_and_stop(scene);
+  LociOptions options = loci_options(command);
+  // A range that reaches beyond what the scene allows is the user's error.
+  for (const double value : {command.from, command.to})
+    for (const double second : {options.second_from, options.second_to})
+      with_parameter(with_parameter(scene, command.parameter, value), command.second, second);
+  LociRecord record;
+  record.info = run_info(command.name, command.scene, scene);
+  record.from = command.from;
+  record.to = command.to;
+  record.second_from = options.second_from;
+  record.second_to = options.second_to;
+  record.unit = parameter_unit(scene, command.parameter);
+  record.second_unit = parameter_unit(scene, command.second);
+  record_options(command, record.info);
+  record.warnings = system_warnings(scene, assemble(scene));
+  warn(command, record.warnings);
+  prepare_output(command);
+  record.traced = trace_loci(scene, command.parameter, command.second, options);
+  options.branches.progress = nullptr;
+  record.outcome = loci_outcome(record.traced, options);
+  return conclude(command, record.info, record.outcome,
+                  {to_json(record),
+                   to_text(record),
+                   {{"loci.csv", loci_csv(record)}, {"special.csv", special_csv(record)}},
+                   [&] { draw_loci(command.plot, record); },
+                   {}});
+}
+
+}  // namespace graze

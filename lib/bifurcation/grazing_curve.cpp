@@ -1,0 +1,85 @@
+#include "graze/bifurcation/grazing_curve.hpp"
+
+#include <utility>
+
+#include "graze/base/angle.hpp"
+
+namespace graze {
+
+GrazingCurve::GrazingCurve(const Scene& scene, const std::string& first, const std::string& second,
+                           ImpactPattern pattern, std::size_t touch, const ShootingScale& scale,
+                           double range)
+    : systems_(scene, {first, second}),
+      shooting_(std::move(pattern), scale),
+      touch_(touch),
+      range_(range),
+      speed_unit_(scale.length * scene.forcing->frequency) {
+  ZeroProblem& zero = problem_.problem;
+  zero.evaluate = [this](const Vector& y, double q) { return evaluate(y, q); };
+  if (shooting_.pattern().impacts() > 1)
+    zero.multipliers = [this](const Vector& y, double q, ErrorBounds errors) {
+      return multipliers(y, q, errors);
+    };
+  const Eigen::Index block = 2 * scene.modes() + 1;
+  problem_.first = block * shooting_.pattern().impacts();
+  zero.wrap = Vector::Zero(problem_.first + 1);
+  for (Eigen::Index at = 0; at < problem_.first; at += block) zero.wrap[at] = kTurn;
+}
+
+Vector GrazingCurve::pack(const std::vector<ImpactPoint>& impacts, double first) const {
+  Vector y(problem_.first + 1);
+  y << shooting_.pack(impacts), first / range_;
+  return y;
+}
+
+double GrazingCurve::first_of(const BranchPoint& point) const {
+  return point.u[problem_.first] * range_;
+}
+
+std::vector<ImpactPoint> GrazingCurve::impacts_of(const BranchPoint& point) const {
+  return shooting_.unpack(*system_at(first_of(point), point.parameter),
+                          point.u.head(problem_.first));
+}
+
+const System* GrazingCurve::system_at(double first, double second) const {
+  return systems_.at(std::array{first, second});
+}
+
+std::optional<ZeroEvaluation> GrazingCurve::evaluate(const Vector& y, double second) const {
+  const Eigen::Index n = problem_.first;
+  const std::array values{y[n] * range_, second};
+  const System* system = systems_.at(values);
+  if (!system) return {};
+  const std::array<const System*, 2> tangents{systems_.tangent_at(values, 0),
+                                              systems_.tangent_at(values, 1)};
+  const ShootingLinearisation of = shooting_.linearise(*system, y.head(n), tangents);
+  ZeroEvaluation at{Vector(n + 1), Matrix::Zero(n + 1, n + 1), Vector(n + 1)};
+  at.residual.head(n) = of.residual;
+  at.jacobian.topLeftCorner(n, n) = of.jacobian + of.closing;
+  at.jacobian.col(n).head(n) = of.by_parameters[0] * range_;
+  at.parameter_derivative.head(n) = of.by_parameters[1];
+  // The speed of the impact that touches.
+  const Eigen::Index modes = system->modes();
+  const Eigen::Index first = static_cast<Eigen::Index>(touch_) * (2 * modes + 1) + 1 + modes;
+  const auto stop = static_cast<std::size_t>(shooting_.pattern().stops[touch_]);
+  const Vector units = shooting_.scale().velocity / speed_unit_;
+  const Vector qdot = y.segment(first, modes).cwiseProduct(units);
+  const Vector& row = system->stops[stop].row;
+  at.residual[n] = row.dot(qdot);
+  at.jacobian.row(n).segment(first, modes) = row.cwiseProduct(units).transpose();
+  at.jacobian(n, n) = tangents[0]->stops[stop].row.dot(qdot) * range_;
+  at.parameter_derivative[n] = tangents[1]->stops[stop].row.dot(qdot);
+  return at;
+}
+
+std::vector<Eigenvalue> GrazingCurve::multipliers(const Vector& y, double second,
+                                                  ErrorBounds errors) const {
+  const Eigen::Index n = problem_.first;
+  const System* system = system_at(y[n] * range_, second);
+  if (!system) return {};
+  const TouchingOrbit orbit =
+      without_touch({shooting_.pattern(), shooting_.unpack(*system, y.head(n)), touch_});
+  return orbit_multipliers(*system, orbit.pattern, orbit.impacts, errors);
+}
+
+}  // namespace graze

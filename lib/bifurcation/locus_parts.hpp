@@ -1,0 +1,34 @@
+// A traced locus, divided where its orbits stop being orbits of the system.
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "graze/bifurcation/locus_margins.hpp"
+#include "graze/bifurcation/orbit_locus.hpp"
+
+namespace graze {
+
+// A point met along a locus, with what has to stay positive there.
+struct LocusPlace {
+  OrbitLocusPoint at;
+  Vector margins;
+  std::string label;                  // of a point of codimension two, or ""
+  std::optional<LocusMargin> border;  // what vanishes here and forbids the orbit beyond
+};
+
+// A locus of one kind as it was traced, virtual parts and all.
+struct LocusTrace {
+  OrbitLocus frame;                // its kind, pattern, touch and ends
+  std::vector<LocusPlace> places;  // in order along the locus
+};
+
+// Whether it could not be followed to an end.
+bool is_cut_short(const LocusTrace& trace);
+
+// The parts whose orbits are orbits of the system, each ended by the grazing beyond which they are
+// not; with `keep_virtual` the whole in one piece, those grazings among its special points.
+std::vector<OrbitLocus> locus_parts(const LocusTrace& trace, bool keep_virtual);
+
+}  // namespace graze

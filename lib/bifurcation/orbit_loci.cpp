@@ -1,0 +1,216 @@
+#include "graze/bifurcation/orbit_loci.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <memory>
+#include <utility>
+
+#include "graze/bifurcation/pattern_loci.hpp"
+#include "graze/scene/parameter.hpp"
+
+namespace graze {
+namespace {
+
+std::optional<OrbitLocusKind> locus_kind(SpecialKind kind) {
+  switch (kind) {
+    case SpecialKind::kFold:
+      return OrbitLocusKind::kFold;
+    case SpecialKind::kPeriodDoubling:
+      return OrbitLocusKind::kPeriodDoubling;
+    case SpecialKind::kTorus:
+      return OrbitLocusKind::kTorus;
+    case SpecialKind::kGrazing:
+      return OrbitLocusKind::kGrazing;
+    case SpecialKind::kBranchPoint:
+    case SpecialKind::kChatterCompletes:
+    case SpecialKind::kLiftOff:
+      break;
+  }
+  return {};
+}
+
+// The grazing orbit of a special point, from its touch on.
+std::optional<TouchingOrbit> touching(const System& system, const SpecialPoint& special) {
+  const Orbit& orbit = special.at.orbit;
+  std::optional<TouchingOrbit> touching{{orbit.pattern(), orbit.points(), 0}};
+  if (special.by_speed) {
+    const auto slowest = std::min_element(orbit.impacts.begin(), orbit.impacts.end(),
+                                          [](const OrbitImpact& a, const OrbitImpact& b) {
+                                            return std::abs(a.speed) < std::abs(b.speed);
+                                          });
+    touching->touch = static_cast<std::size_t>(slowest - orbit.impacts.begin());
+  } else {
+    touching = with_touch(system, touching->pattern, touching->impacts);
+    if (!touching) return {};
+  }
+  const std::size_t turn = touching->touch;
+  const int period = touching->pattern.period;
+  return TouchingOrbit{turned(std::move(touching->pattern), turn),
+                       turned(std::move(touching->impacts), turn, period), 0};
+}
+
+class LociTracer {
+ public:
+  LociTracer(const Scene& scene, const std::string& first, const std::string& second,
+             const LociOptions& options)
+      : scene_(scene), options_(options), own_(scene, first), other_(scene, second) {
+    if (first == second)
+      throw InputError(first + ": a locus takes two parameters that differ from one another");
+    plane_.scene = &scene_;
+    plane_.first = first;
+    plane_.second = second;
+    plane_.scale = shooting_scale(*own_.at(own_.value()));
+    LocusOptions& range = plane_.options;
+    range.first_from = options.branches.from;
+    range.first_to = options.branches.to;
+    range.second_from = options.second_from;
+    range.second_to = options.second_to;
+    if (options.branches.max_step > 0.0)
+      range.max_step = options.branches.max_step / first_range(range);
+    range.stop = options.branches.stop;
+    result_.first = first;
+    result_.second = second;
+  }
+
+  OrbitLoci trace() {
+    const std::vector<double> seconds =
+        values(other_.value(), options_.second_from, options_.second_to);
+    const std::vector<double> firsts =
+        values(own_.value(), options_.branches.from, options_.branches.to);
+    const double all = static_cast<double>(seconds.size() + firsts.size());
+    for (const double second : seconds) {
+      tell(all);
+      slice(plane_.second, second, plane_.first, options_.branches.from, options_.branches.to);
+    }
+    for (const double first : firsts) {
+      tell(all);
+      slice(plane_.first, first, plane_.second, options_.second_from, options_.second_to);
+    }
+    number();
+    result_.stopped = options_.branches.stop.reason();
+    return std::move(result_);
+  }
+
+ private:
+  // The scene's own where it is in the range, and values in the middle of equal parts of that.
+  std::vector<double> values(double own, double from, double to) const {
+    std::vector<double> list;
+    if (own >= std::min(from, to) && own <= std::max(from, to)) list.push_back(own);
+    for (int i = 0; i < options_.slices; ++i)
+      list.push_back(from + (to - from) * (i + 0.5) / options_.slices);
+    return list;
+  }
+
+  // Loci, and of each kind their special points, from 1.
+  void number() {
+    std::map<std::string, int> counts;
+    int id = 0;
+    for (OrbitLocus& locus : result_.loci) {
+      locus.id = ++id;
+      for (OrbitLocusSpecial& special : locus.special)
+        special.id = special.label + "-" + std::to_string(++counts[special.label]);
+    }
+  }
+
+  void tell(double all) {
+    if (options_.branches.progress) options_.branches.progress(result_.slices / all);
+  }
+
+  // Loci from the branches over one parameter, where the other one has a value.
+  void slice(const std::string& fixed, double value, const std::string& parameter, double from,
+             double to) {
+    if (options_.branches.stop.requested()) return;
+    std::optional<SystemFamily> family;
+    try {
+      family.emplace(with_parameter(scene_, fixed, value), parameter);
+    } catch (const InputError&) {
+      return;  // the scene does not allow it
+    }
+    BranchOptions branches = options_.branches;
+    branches.from = from;
+    branches.to = to;
+    if (parameter != plane_.first) branches.max_step = 0.0;
+    branches.sticking = false;
+    branches.progress = nullptr;
+    // Random guesses cost more than all else; the scene's own slice has had them.
+    branches.finder.from_random = branches.finder.from_random && result_.slices == 0;
+    ++result_.slices;
+    const OrbitBranches traced = trace_orbits(*family, branches);
+    result_.shooting_evaluations += traced.shooting_evaluations;
+    for (const OrbitBranch& branch : traced.branches)
+      for (const SpecialPoint& special : branch.special)
+        if (const auto start = start_of(*family, special, value)) begin(*start);
+  }
+
+  std::optional<OrbitLocusStart> start_of(const SystemFamily& family, const SpecialPoint& special,
+                                          double fixed) const {
+    const std::optional<OrbitLocusKind> kind = locus_kind(special.kind);
+    if (!kind || special.by_push || special.at.orbit.sticking ||
+        std::find(options_.kinds.begin(), options_.kinds.end(), *kind) == options_.kinds.end())
+      return {};
+    const double moved = special.at.value;
+    const bool over_first = family.parameter() == plane_.first;
+    OrbitLocusStart start{*kind,
+                          {},
+                          over_first ? moved : fixed,
+                          over_first ? fixed : moved,
+                          special.multiplier.value_or(1.0)};
+    if (*kind == OrbitLocusKind::kGrazing) {
+      const std::optional<TouchingOrbit> orbit = touching(*family.at(moved), special);
+      if (!orbit) return {};
+      start.orbit = *orbit;
+      return start;
+    }
+    const ImpactPattern pattern = special.at.orbit.pattern();
+    start.orbit = {canonical(pattern), in_canonical_order(pattern, special.at.orbit.points()), 0};
+    return start;
+  }
+
+  void begin(const OrbitLocusStart& start) {
+    if (options_.branches.stop.requested()) return;
+    ++result_.starts;
+    const LocusAnswer answer = trace_from(start);
+    result_.shooting_evaluations += answer.evaluations;
+    if (answer.known) return;
+    if (!answer.trace) {
+      ++result_.cut_short;
+      return;
+    }
+    if (is_cut_short(*answer.trace)) ++result_.cut_short;
+    for (OrbitLocus& part : locus_parts(*answer.trace, options_.branches.keep_virtual))
+      result_.loci.push_back(std::move(part));
+  }
+
+  LocusAnswer trace_from(const OrbitLocusStart& start) {
+    const ImpactPattern& pattern = start.orbit.pattern;
+    const std::pair name(pattern.period, pattern.stops);
+    if (start.kind == OrbitLocusKind::kGrazing) {
+      auto& loci = grazing_[name];
+      if (!loci) loci = std::make_unique<GrazingLoci>(plane_, pattern);
+      return loci->trace(start);
+    }
+    auto& loci = critical_[{start.kind, name}];
+    if (!loci) loci = std::make_unique<CriticalLoci>(plane_, start.kind, pattern);
+    return loci->trace(start);
+  }
+
+  using Name = std::pair<int, std::vector<int>>;  // period, stops
+
+  const Scene& scene_;
+  const LociOptions& options_;
+  SystemFamily own_, other_;
+  LocusPlane plane_;
+  std::map<std::pair<OrbitLocusKind, Name>, std::unique_ptr<CriticalLoci>> critical_;
+  std::map<Name, std::unique_ptr<GrazingLoci>> grazing_;
+  OrbitLoci result_;
+};
+
+}  // namespace
+
+OrbitLoci trace_loci(const Scene& scene, const std::string& first, const std::string& second,
+                     const LociOptions& options) {
+  return LociTracer(scene, first, second, options).trace();
+}
+
+}  // namespace graze

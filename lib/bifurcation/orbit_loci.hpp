@@ -1,0 +1,45 @@
+// All loci of folds, period doublings, tori and grazings of (p, k) orbits in a rectangle of two
+// parameters of the scene.
+//
+// They are started from the special points of branches over either parameter, at values of the
+// other spread over its range: a locus that crosses none of these slices is not found, so their
+// number is stated. Each locus is traced once, to its ends.
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "graze/bifurcation/orbit_branches.hpp"
+#include "graze/bifurcation/orbit_locus.hpp"
+
+namespace graze {
+
+struct LociOptions {
+  // Of the slices: the range of the first parameter, period and impacts, how far special points are
+  // switched at, where starts come from. With its keep_virtual loci go on through solutions that
+  // are no orbits of the system, and such points are flagged.
+  BranchOptions branches;
+  double second_from = 0.0, second_to = 0.0;
+  std::vector<OrbitLocusKind> kinds;
+  // Values of either parameter at which branches over the other are traced, besides the scene's
+  // own.
+  int slices = 8;
+};
+
+struct OrbitLoci {
+  std::string first, second;  // names of the parameters
+  std::vector<OrbitLocus> loci;
+  int slices = 0;                  // branches were sought on
+  int starts = 0;                  // special points that they offered
+  int cut_short = 0;               // loci that could not be followed to an end
+  std::vector<std::string> notes;  // sentences
+  long long shooting_evaluations = 0;
+  StopReason stopped = StopReason::kNone;
+};
+
+// Throws InputError where the scene has no such parameters or both are one.
+OrbitLoci trace_loci(const Scene& scene, const std::string& first, const std::string& second,
+                     const LociOptions& options);
+
+}  // namespace graze

@@ -1,0 +1,63 @@
+// A locus of special points of orbits in the plane of two parameters of the scene, as a value: its
+// points, the points of codimension two on it, how it ends.
+#pragma once
+
+#include <array>
+#include <string>
+#include <vector>
+
+#include "graze/orbit/orbit.hpp"
+
+namespace graze {
+
+enum class OrbitLocusKind {
+  kFold,            // LP
+  kPeriodDoubling,  // PD
+  kTorus,           // NS
+  kGrazing          // GR: an approach touches a stop, or an impact speed vanishes
+};
+
+// "LP", "PD", "NS", "GR".
+const char* label_of(OrbitLocusKind kind);
+
+struct OrbitLocusPoint {
+  double value = 0.0, second = 0.0;  // of both parameters
+  double angle = 0.0;                // of the critical multiplier, rad; 0 on GR
+  // Of the orbit, in time order as in Orbit; on GR the one that touches among them, at zero speed.
+  std::vector<OrbitImpact> impacts;
+  // Clear of every stop between the impacts, every impact speed positive but for the one that
+  // vanishes on GR, none sticks.
+  bool admissible = false;
+};
+
+// Where loci meet or change their nature, with MatCont's names: CP, R1 to R4, LPPD, LPNS, PDPD,
+// PDNS, NSNS, BP; and where the orbit grazes besides: LPGR, PDGR, NSGR, GRGR.
+struct OrbitLocusSpecial {
+  std::string label;
+  std::string id;  // "CP1"
+  OrbitLocusPoint at;
+};
+
+enum class OrbitLocusEnd {
+  kFirstLimit,   // of the first parameter
+  kSecondLimit,  // of the second
+  kClosed,
+  kGrazing,      // beyond it the orbits are none of the system
+  kImpactsMeet,  // a flight from impact to impact shrinks to nothing
+  kResonance,    // of NS: its pair becomes real
+  kStepLimit,
+  kOutOfTime,
+  kStopped,
+  kNotConverged
+};
+
+struct OrbitLocus {
+  int id = 0;  // from 1
+  OrbitLocusKind kind = OrbitLocusKind::kFold;
+  ImpactPattern pattern;                // of the impacts at its points, on GR with the touch
+  std::vector<OrbitLocusPoint> points;  // in order along the locus, special points among them
+  std::vector<OrbitLocusSpecial> special;
+  std::array<OrbitLocusEnd, 2> ends{OrbitLocusEnd::kNotConverged, OrbitLocusEnd::kNotConverged};
+};
+
+}  // namespace graze

@@ -1,0 +1,270 @@
+#include "graze/bifurcation/pattern_loci.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "graze/continuation/branch.hpp"
+#include "graze/continuation/crossing_tests.hpp"
+
+namespace graze {
+namespace {
+
+LocusKind as_locus_kind(OrbitLocusKind kind) {
+  if (kind == OrbitLocusKind::kPeriodDoubling) return LocusKind::kPeriodDoubling;
+  return kind == OrbitLocusKind::kTorus ? LocusKind::kTorus : LocusKind::kFold;
+}
+
+OrbitLocusEnd as_orbit_end(LocusEnd end) {
+  switch (end) {
+    case LocusEnd::kFirstLimit:
+      return OrbitLocusEnd::kFirstLimit;
+    case LocusEnd::kSecondLimit:
+      return OrbitLocusEnd::kSecondLimit;
+    case LocusEnd::kClosed:
+      return OrbitLocusEnd::kClosed;
+    case LocusEnd::kResonance:
+      return OrbitLocusEnd::kResonance;
+    case LocusEnd::kStepLimit:
+      return OrbitLocusEnd::kStepLimit;
+    case LocusEnd::kOutOfTime:
+      return OrbitLocusEnd::kOutOfTime;
+    case LocusEnd::kStopped:
+      return OrbitLocusEnd::kStopped;
+    case LocusEnd::kHalted:
+    case LocusEnd::kNotConverged:
+      break;
+  }
+  return OrbitLocusEnd::kNotConverged;
+}
+
+// Beside a grazing multipliers go with the impact speed, and turn where it does nothing more than
+// halve or change its sign; from here on, a part of the forced motion's speed, no longer.
+constexpr double kSlowest = 1e-5;
+
+bool resolves_speeds(const Vector& from, const Vector& to, double unit) {
+  if (from.size() != to.size()) return true;
+  for (Eigen::Index i = 0; i < from.size(); ++i) {
+    const double larger = std::max(std::abs(from[i]), std::abs(to[i]));
+    if (std::abs(to[i] - from[i]) > std::max(0.5 * larger, kSlowest * unit)) return false;
+  }
+  return true;
+}
+
+// Where an impact speed vanishes as the flow over a period has a singular block, multipliers of
+// every size meet: LP, PD and NS loci end on the grazing there, their equations singular, and creep
+// up to it. Speeds below this part of the forced motion's are on it; nothing is said there of
+// multipliers.
+constexpr double kOnGrazing = 1e-9;
+
+void end_on_grazing(std::vector<LocusPlace>& places, std::array<OrbitLocusEnd, 2> ends,
+                    double unit) {
+  const auto speed = static_cast<Eigen::Index>(LocusMargin::kSpeed);
+  const auto is_on_it = [&](const LocusPlace& place) {
+    return std::abs(place.margins[speed]) <= kOnGrazing * unit;
+  };
+  std::erase_if(places,
+                [&](const LocusPlace& place) { return !place.label.empty() && is_on_it(place); });
+  for (const std::size_t end : {0u, 1u}) {
+    LocusPlace& last = end == 0 ? places.front() : places.back();
+    if (ends[end] == OrbitLocusEnd::kNotConverged && is_on_it(last))
+      last.border = LocusMargin::kSpeed;
+  }
+}
+
+// A place within the step after a point.
+struct Within {
+  std::size_t after = 0;
+  LocusPlace place;
+};
+
+// The points of a locus, and between them what lies within its steps, in order.
+std::vector<LocusPlace> in_order(std::vector<LocusPlace> points, std::vector<Within> within,
+                                 const LocusOptions& options) {
+  const auto distance = [&](const Within& item) {
+    const OrbitLocusPoint &from = points[item.after].at, &to = item.place.at;
+    return std::hypot((to.value - from.value) / first_range(options),
+                      (to.second - from.second) / second_range(options));
+  };
+  std::stable_sort(within.begin(), within.end(), [&](const Within& a, const Within& b) {
+    return a.after != b.after ? a.after < b.after : distance(a) < distance(b);
+  });
+  std::vector<LocusPlace> all;
+  auto next = within.begin();
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    all.push_back(std::move(points[i]));
+    for (; next != within.end() && next->after == i; ++next) all.push_back(std::move(next->place));
+  }
+  return all;
+}
+
+}  // namespace
+
+CriticalLoci::CriticalLoci(const LocusPlane& plane, OrbitLocusKind kind,
+                           const ImpactPattern& pattern)
+    : kind_(kind),
+      orbits_(*plane.scene, plane.first, plane.second, pattern, plane.scale),
+      options_(plane.options),
+      speed_unit_(plane.scale.length * plane.scene->forcing->frequency) {
+  options_.tests = [this](const LocusPoint& at) { return margins(at); };
+  options_.resolves = [this](const LocusPoint& from, const LocusPoint& to) {
+    return resolves_speeds(speeds(from), speeds(to), speed_unit_);
+  };
+}
+
+Vector CriticalLoci::speeds(const LocusPoint& at) const {
+  const System* system = orbits_.system_at(at.first, at.second);
+  if (!system) return {};
+  return approach_speeds(*system, orbits_.pattern(), orbits_.shooting().unpack(*system, at.u));
+}
+
+std::optional<Vector> CriticalLoci::margins(const LocusPoint& at) const {
+  const System* system = orbits_.system_at(at.first, at.second);
+  if (!system) return {};
+  return locus_margins(*system, orbits_.pattern(), orbits_.shooting().unpack(*system, at.u), {});
+}
+
+LocusPlace CriticalLoci::place(const LocusPoint& at, std::optional<LocusMargin> zero) const {
+  const System& system = *orbits_.system_at(at.first, at.second);
+  const std::vector<ImpactPoint> impacts = orbits_.shooting().unpack(system, at.u);
+  LocusPlace place{
+      {at.first, at.second, at.angle, ordered_impacts(system, orbits_.pattern(), impacts), false},
+      locus_margins(system, orbits_.pattern(), impacts, {}),
+      "",
+      {}};
+  place.at.admissible = is_admissible(system, place.margins);
+  if (zero && are_others_positive(system, place.margins, *zero)) place.border = zero;
+  return place;
+}
+
+bool CriticalLoci::knows(const OrbitLocusStart& start) const {
+  for (const std::vector<ImpactPoint>& same : rewritings(orbits_.pattern(), start.orbit.impacts)) {
+    const LocusStart one{as_locus_kind(kind_), orbits_.shooting().pack(same), start.first,
+                         start.second, start.multiplier};
+    for (const Locus& locus : traced_)
+      if (lies_on_locus(orbits_.problem(), options_, locus, one)) return true;
+  }
+  return false;
+}
+
+LocusAnswer CriticalLoci::trace(const OrbitLocusStart& start) {
+  LocusAnswer answer;
+  answer.known = knows(start);
+  if (answer.known) return answer;
+  std::optional<Locus> locus =
+      trace_locus(orbits_.problem(), options_,
+                  {as_locus_kind(kind_), orbits_.shooting().pack(start.orbit.impacts), start.first,
+                   start.second, start.multiplier});
+  if (!locus) return answer;
+  answer.evaluations = locus->evaluations;
+  std::vector<LocusPlace> points;
+  for (const LocusPoint& point : locus->points) points.push_back(place(point));
+  std::vector<Within> within;
+  for (const LocusSpecialPoint& special : locus->special) {
+    within.push_back({special.after, place(special.point)});
+    within.back().place.label = label_of(special.kind);
+  }
+  for (const LocusZero& zero : locus->zeros)
+    within.push_back({zero.after, place(zero.point, static_cast<LocusMargin>(zero.test))});
+  OrbitLocus frame;
+  frame.kind = kind_;
+  frame.pattern = orbits_.pattern();
+  frame.ends = {as_orbit_end(locus->ends[0]), as_orbit_end(locus->ends[1])};
+  answer.trace =
+      LocusTrace{std::move(frame), in_order(std::move(points), std::move(within), options_)};
+  end_on_grazing(answer.trace->places, answer.trace->frame.ends, speed_unit_);
+  traced_.push_back(std::move(*locus));
+  return answer;
+}
+
+GrazingLoci::GrazingLoci(const LocusPlane& plane, const ImpactPattern& pattern)
+    : options_(plane.options),
+      curve_(*plane.scene, plane.first, plane.second, pattern, 0, plane.scale,
+             first_range(plane.options)),
+      problem_(curve_.problem()) {
+  problem_.tests = [this](const BranchPoint&, const BranchPoint& at) { return tests(at); };
+  const double unit = plane.scale.length * plane.scene->forcing->frequency;
+  problem_.resolves = [this, unit](const BranchPoint& from, const BranchPoint& to) {
+    return resolves_speeds(speeds(from), speeds(to), unit);
+  };
+}
+
+Vector GrazingLoci::speeds(const BranchPoint& at) const {
+  const System* system = curve_.system_at(curve_.first_of(at), at.parameter);
+  if (!system) return {};
+  Vector speeds = approach_speeds(*system, curve_.shooting().pattern(), curve_.impacts_of(at));
+  speeds[static_cast<Eigen::Index>(curve_.touch())] = 0.0;  // but for rounding
+  return speeds;
+}
+
+// Its margins, and after them a function that changes sign where a multiplier passes 1.
+std::optional<Vector> GrazingLoci::tests(const BranchPoint& at) const {
+  const System* system = curve_.system_at(curve_.first_of(at), at.parameter);
+  if (!system) return {};
+  Vector tests = Vector::Ones(kLocusMargins + 1);
+  tests.head(kLocusMargins) =
+      locus_margins(*system, curve_.shooting().pattern(), curve_.impacts_of(at), curve_.touch());
+  if (!problem_.problem.multipliers) return tests;
+  const std::vector<Eigenvalue> list =
+      problem_.problem.multipliers(at.u, at.parameter, ErrorBounds::kLeftOut);
+  if (list.empty()) return {};
+  const CrossingTest fold = crossing_tests(list)[kFoldTest];
+  tests[kLocusMargins] = fold.sign * std::exp(fold.log_size);
+  return tests;
+}
+
+LocusPlace GrazingLoci::place(const BranchPoint& at, std::optional<LocusMargin> zero) const {
+  const double first = curve_.first_of(at);
+  const System& system = *curve_.system_at(first, at.parameter);
+  const ImpactPattern& pattern = curve_.shooting().pattern();
+  const std::vector<ImpactPoint> impacts = curve_.impacts_of(at);
+  LocusPlace place{{first, at.parameter, 0.0, ordered_impacts(system, pattern, impacts), false},
+                   locus_margins(system, pattern, impacts, curve_.touch()),
+                   "",
+                   {}};
+  place.at.admissible = is_admissible(system, place.margins);
+  if (zero && are_others_positive(system, place.margins, *zero)) place.border = zero;
+  return place;
+}
+
+LocusAnswer GrazingLoci::trace(const OrbitLocusStart& start) {
+  LocusAnswer answer;
+  const std::optional<BranchPoint> point = point_on_curve(
+      problem_, options_, curve_.pack(start.orbit.impacts, start.first), start.second);
+  if (!point) return answer;
+  const ContinuationOptions along = branch_options(problem_, options_);
+  answer.known = std::any_of(traced_.begin(), traced_.end(), [&](const Branch& branch) {
+    return lies_on(problem_.problem, along, branch, *point);
+  });
+  if (answer.known) return answer;
+  PlaneCurve traced = trace_curve(problem_, options_, *point);
+  answer.evaluations = traced.branch.evaluations;
+  std::vector<LocusPlace> points;
+  for (const BranchPoint& at : traced.branch.points) points.push_back(place(at));
+  std::vector<Within> within;
+  for (const TestZero& zero : traced.zeros) {
+    if (zero.test < kLocusMargins) {
+      within.push_back({zero.after, place(zero.point, static_cast<LocusMargin>(zero.test))});
+      continue;
+    }
+    within.push_back({zero.after, place(zero.point)});
+    within.back().place.label = "LPGR";
+  }
+  for (const CriticalPoint& critical : traced.branch.critical) {
+    const bool doubling = critical.kind == CriticalKind::kPeriodDoubling;
+    if (!doubling && critical.kind != CriticalKind::kTorus) continue;
+    within.push_back({critical.after, place(critical.point)});
+    within.back().place.label = doubling ? "PDGR" : "NSGR";
+  }
+  OrbitLocus frame;
+  frame.kind = OrbitLocusKind::kGrazing;
+  frame.pattern = curve_.shooting().pattern();
+  for (const std::size_t side : {0u, 1u})
+    frame.ends[side] = as_orbit_end(as_locus_end(traced.branch.ends[side], true));
+  answer.trace =
+      LocusTrace{std::move(frame), in_order(std::move(points), std::move(within), options_)};
+  traced_.push_back(std::move(traced.branch));
+  return answer;
+}
+
+}  // namespace graze

@@ -1,0 +1,39 @@
+#include <fmt/format.h>
+
+#include <cmath>
+#include <iterator>
+
+#include "graze/report/csv.hpp"
+
+namespace graze {
+namespace {
+
+std::string cell(double value) { return std::isfinite(value) ? fmt::format("{}", value) : ""; }
+
+std::string cells(const OrbitLocusPoint& point) {
+  return fmt::format("{},{},{},{},{},{}", cell(point.value), cell(point.second), cell(point.angle),
+                     cell(point.impacts.front().phase), cell(point.impacts.front().speed),
+                     point.admissible ? 1 : 0);
+}
+
+}  // namespace
+
+std::string loci_csv(const LociRecord& record) {
+  std::string text = "locus,label,period,impacts,value,second,angle,phase,speed,admissible\n";
+  for (const OrbitLocus& locus : record.traced.loci)
+    for (const OrbitLocusPoint& point : locus.points)
+      fmt::format_to(std::back_inserter(text), "{},{},{},{},{}\n", locus.id, label_of(locus.kind),
+                     locus.pattern.period, locus.pattern.impacts(), cells(point));
+  return text;
+}
+
+std::string special_csv(const LociRecord& record) {
+  std::string text = "id,label,locus,value,second,angle,phase,speed,admissible\n";
+  for (const OrbitLocus& locus : record.traced.loci)
+    for (const OrbitLocusSpecial& special : locus.special)
+      fmt::format_to(std::back_inserter(text), "{},{},{},{}\n", special.id, special.label, locus.id,
+                     cells(special.at));
+  return text;
+}
+
+}  // namespace graze

@@ -1,0 +1,79 @@
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "graze/report/json.hpp"
+#include "graze/report/names.hpp"
+
+namespace graze {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json number(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
+
+Json place_json(const OrbitLocusPoint& point) {
+  return {{"value", number(point.value)}, {"second", number(point.second)}};
+}
+
+Json point_json(OrbitLocusKind kind, const OrbitLocusPoint& point) {
+  Json json = place_json(point);
+  json["phase"] = number(point.impacts.front().phase);
+  json["speed"] = number(point.impacts.front().speed);
+  if (kind == OrbitLocusKind::kTorus) json["angle"] = number(point.angle);
+  json["admissible"] = point.admissible;
+  if (point.impacts.size() < 2) return json;
+  Json at = Json::array();
+  for (const OrbitImpact& impact : point.impacts)
+    at.push_back({{"stop", impact.stop + 1},
+                  {"period_index", impact.period_index},
+                  {"phase", number(impact.phase)},
+                  {"speed", number(impact.speed)}});
+  json["at"] = at;
+  return json;
+}
+
+Json locus_json(const OrbitLocus& locus) {
+  Json stops = Json::array(), points = Json::array(), special = Json::array();
+  for (const int stop : locus.pattern.stops) stops.push_back(stop + 1);
+  for (const OrbitLocusPoint& point : locus.points) points.push_back(point_json(locus.kind, point));
+  for (const OrbitLocusSpecial& s : locus.special) {
+    Json json = {{"id", s.id}, {"label", s.label}};
+    json.update(point_json(locus.kind, s.at));
+    special.push_back(json);
+  }
+  return {{"id", locus.id},
+          {"label", label_of(locus.kind)},
+          {"period", locus.pattern.period},
+          {"impacts", locus.pattern.impacts()},
+          {"stops", stops},
+          {"ends", {name_of(locus.ends[0]), name_of(locus.ends[1])}},
+          {"points", points},
+          {"special", special}};
+}
+
+}  // namespace
+
+std::string to_json(const LociRecord& record) {
+  // A document of branches that has none.
+  BranchRecord branches;
+  branches.info = record.info;
+  branches.unit = record.unit;
+  branches.traced.parameter = record.traced.first;
+  branches.traced.notes = record.traced.notes;
+  branches.warnings = record.warnings;
+  branches.outcome = record.outcome;
+  Json document = Json::parse(to_json(branches));
+  document["units"]["second"] = record.second_unit;
+  document["units"]["angle"] = "rad";
+  Json loci = Json::array();
+  for (const OrbitLocus& locus : record.traced.loci) loci.push_back(locus_json(locus));
+  document["second"] = record.traced.second;
+  document["loci"] = loci;
+  document["counters"] = {{"slices", record.traced.slices},
+                          {"starts", record.traced.starts},
+                          {"loci_cut_short", record.traced.cut_short},
+                          {"shooting_evaluations", record.traced.shooting_evaluations}};
+  return document.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+}  // namespace graze

@@ -1,0 +1,57 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "graze/report/names.hpp"
+#include "graze/report/table.hpp"
+#include "graze/report/text.hpp"
+
+namespace graze {
+namespace {
+
+std::string with_unit(const std::string& name, const std::string& unit) {
+  return unit.empty() ? name : name + " (" + unit + ")";
+}
+
+// "20 .. 120"
+std::string span(const OrbitLocus& locus, double OrbitLocusPoint::*of) {
+  const auto [low, high] = std::minmax_element(
+      locus.points.begin(), locus.points.end(),
+      [of](const OrbitLocusPoint& a, const OrbitLocusPoint& b) { return a.*of < b.*of; });
+  return fmt::format("{:.7g} .. {:.7g}", (*low).*of, (*high).*of);
+}
+
+}  // namespace
+
+std::string to_text(const LociRecord& record) {
+  const OrbitLoci& traced = record.traced;
+  const std::string first = with_unit(traced.first, record.unit);
+  const std::string second = with_unit(traced.second, record.second_unit);
+  Table loci({"locus", "kind", "orbit", "points", first, second, "ends"});
+  Table special({"point", "locus", first, second});
+  for (const OrbitLocus& locus : traced.loci) {
+    const bool closed = locus.ends[0] == OrbitLocusEnd::kClosed;
+    loci.add(
+        {fmt::format("{}", locus.id), label_of(locus.kind),
+         fmt::format("({}, {})", locus.pattern.period, locus.pattern.impacts()),
+         fmt::format("{}", locus.points.size()), span(locus, &OrbitLocusPoint::value),
+         span(locus, &OrbitLocusPoint::second),
+         closed ? name_of(locus.ends[0]) : name_of(locus.ends[0]) + ", " + name_of(locus.ends[1])});
+    for (const OrbitLocusSpecial& s : locus.special)
+      special.add({s.id, fmt::format("{}", locus.id), fmt::format("{:.13g}", s.at.value),
+                   fmt::format("{:.13g}", s.at.second)});
+  }
+  std::string text;
+  if (!loci.empty()) text += loci.text() + "\n";
+  if (!special.empty()) text += special.text() + "\n";
+  text += fmt::format(
+      "{} slices of the plane, {} special point{}, {} evaluations of the shooting "
+      "equations\n",
+      traced.slices, traced.starts, traced.starts == 1 ? "" : "s", traced.shooting_evaluations);
+  for (const std::string& note : traced.notes) text += "note: " + note + "\n";
+  const Outcome& outcome = record.outcome;
+  if (!outcome.message.empty()) text += fmt::format("{}: {}\n", outcome.name, outcome.message);
+  return text;
+}
+
+}  // namespace graze

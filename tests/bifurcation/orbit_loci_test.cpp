@@ -1,0 +1,221 @@
+// Loci of (1,1) orbits in two parameters against the closed form.
+#include "graze/bifurcation/orbit_loci.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "branch_checks.hpp"
+#include "graze/orbit/closed_form.hpp"
+#include "graze/scene/parameter.hpp"
+
+namespace graze {
+namespace {
+
+Scene four_modes() {
+  return support::shipped_scene("05_wagg_one_mode", {"beam.modes=4", "stop.gap=5e-3"});
+}
+
+OrbitLoci loci(const Scene& scene, OrbitLocusKind kind, double from, double to, double gap_from,
+               double gap_to, bool keep_virtual) {
+  LociOptions options;
+  options.branches.from = from;
+  options.branches.to = to;
+  options.branches.keep_virtual = keep_virtual;
+  options.branches.finder.from_simulation = options.branches.finder.from_random = false;
+  options.second_from = gap_from;
+  options.second_to = gap_to;
+  options.kinds = {kind};
+  return trace_loci(scene, "forcing.frequency", "stop.gap", options);
+}
+
+System system_at(const Scene& scene, double frequency, double gap) {
+  return assemble(
+      with_parameter(with_parameter(scene, "forcing.frequency", frequency), "stop.gap", gap));
+}
+
+TEST(OrbitLoci, FoldsOfTheFourModeBeamAreWhereKappaIsTheGap) {
+  const Scene scene = four_modes();
+  const OrbitLoci found = loci(scene, OrbitLocusKind::kFold, 20.0, 120.0, 0.0, 0.02, true);
+  ASSERT_FALSE(found.loci.empty());
+  std::vector<double> frequencies;
+  for (const OrbitLocus& locus : found.loci)
+    for (const OrbitLocusPoint& point : locus.points) {
+      const System system = system_at(scene, point.value, point.second);
+      const double kappa = std::abs(closed_form(system, 0, 1).form->kappa);
+      EXPECT_NEAR(point.second / kappa, 1.0, 1e-9) << point.value;
+      frequencies.push_back(point.value);
+    }
+  // Nothing of the range is left out where |kappa| is within that of the gap.
+  std::sort(frequencies.begin(), frequencies.end());
+  for (double frequency = 20.0; frequency <= 120.0; frequency += 0.05) {
+    const double kappa = std::abs(closed_form(system_at(scene, frequency, 5e-3), 0, 1).form->kappa);
+    if (kappa > 0.02) continue;
+    const auto above = std::lower_bound(frequencies.begin(), frequencies.end(), frequency);
+    const double nearest = std::min(above == frequencies.end() ? 1e9 : *above - frequency,
+                                    above == frequencies.begin() ? 1e9 : frequency - *(above - 1));
+    EXPECT_LE(nearest, 2.0) << frequency;
+  }
+}
+
+// The multipliers of the closed form's own orbit nearest to an impact.
+std::vector<Eigenvalue> closed_multipliers(const System& system, const OrbitImpact& near) {
+  const auto solutions = closed_form(system, 0, 1).form->solutions(system.stops[0].gap);
+  const auto distance = [&](const ImpactPoint& p) {
+    return std::abs(std::remainder(p.theta - near.phase, kTurn));
+  };
+  const ImpactPoint& point =
+      *std::min_element(solutions.begin(), solutions.end(),
+                        [&](const auto& a, const auto& b) { return distance(a) < distance(b); });
+  EXPECT_LE(distance(point), 1e-6);
+  return orbit_multipliers(system, {1, {0}}, {point});
+}
+
+// How far a multiplier is from being at mu, beyond its own error; beside a resonance, where two
+// are, the square of that.
+double distance_to(const std::vector<Eigenvalue>& list, Complex mu) {
+  double product = 1.0;
+  for (const Eigenvalue& m : list)
+    product *= std::clamp(std::abs(m.value - mu) - m.error, 0.0, 1.0);
+  return product;
+}
+
+TEST(OrbitLoci, DoublingsAndToriHaveTheClosedFormsMultipliers) {
+  for (const char* modes : {"beam.modes=1", "beam.modes=2", "beam.modes=4"})
+    for (const OrbitLocusKind kind : {OrbitLocusKind::kPeriodDoubling, OrbitLocusKind::kTorus}) {
+      const Scene scene = support::shipped_scene("05_wagg_one_mode", {modes, "stop.gap=2e-3"});
+      const OrbitLoci found = loci(scene, kind, 30.0, 60.0, 5e-4, 0.01, false);
+      int points = 0;
+      for (const OrbitLocus& locus : found.loci)
+        for (const OrbitLocusPoint& point : locus.points) {
+          const System system = system_at(scene, point.value, point.second);
+          // Beside a grazing multipliers grow like 1/v, and their error with them.
+          if (point.impacts[0].speed < 1e-3) continue;
+          const SystemFamily family(with_parameter(scene, "stop.gap", point.second),
+                                    "forcing.frequency");
+          if (support::fold_distance(family, point.value)->relative() < support::kBesideFold)
+            continue;
+          const auto multipliers = closed_multipliers(system, point.impacts[0]);
+          EXPECT_LE(distance_to(multipliers, std::polar(1.0, point.angle)), 1e-9)
+              << modes << label_of(kind) << point.value << " " << point.impacts[0].speed;
+          EXPECT_TRUE(point.admissible);
+          ++points;
+        }
+      const bool single = std::string(modes) == "beam.modes=1" && kind == OrbitLocusKind::kTorus;
+      if (single)
+        EXPECT_EQ(points, 0);  // the product of its two multipliers is below 1
+      else
+        EXPECT_GE(points, 20) << modes << label_of(kind);
+      EXPECT_EQ(found.cut_short, 0);
+    }
+}
+
+double linear_amplitude(const System& system) {
+  Complex amplitude = 0.0;
+  const double w = system.forcing->frequency;
+  for (int j = 0; j < system.modes(); ++j)
+    amplitude += system.stops[0].row[j] * system.forcing->amplitude[j] /
+                 Complex(system.omega[j] * system.omega[j] - w * w, 2.0 * system.delta[j] * w);
+  return std::abs(amplitude);
+}
+
+TEST(OrbitLoci, GrazingOfTheLinearResponseHasItsAmplitude) {
+  for (const char* modes : {"beam.modes=1", "beam.modes=4"}) {
+    const Scene scene = support::shipped_scene("05_wagg_one_mode", {modes, "stop.gap=2e-3"});
+    const OrbitLoci found = loci(scene, OrbitLocusKind::kGrazing, 30.0, 60.0, 2e-4, 0.01, false);
+    int points = 0;
+    for (const OrbitLocus& locus : found.loci) {
+      if (locus.pattern.impacts() != 1) continue;
+      for (const OrbitLocusPoint& point : locus.points) {
+        const System system = system_at(scene, point.value, point.second);
+        EXPECT_NEAR(point.second / linear_amplitude(system), 1.0, 1e-9) << point.value;
+        ++points;
+      }
+    }
+    EXPECT_GE(points, 10) << modes;
+  }
+}
+
+// The fold of the closed form at this frequency, with the gap that makes it one: contact at
+// |kappa| cos(phi + arg kappa) = |kappa|.
+std::vector<Eigenvalue> fold_multipliers(const Scene& scene, double frequency) {
+  const ClosedForm form = *closed_form(system_at(scene, frequency, 1e-3), 0, 1).form;
+  const System system = system_at(scene, frequency, std::abs(form.kappa));
+  ImpactPoint point{-std::arg(form.kappa), form.rest};
+  const ComplexVector before = form.response * std::polar(1.0, point.theta);
+  const Eigen::Index n = system.modes();
+  point.before.q += before.head(n).real();
+  point.before.qdot += before.tail(n).real();
+  return orbit_multipliers(system, {1, {0}}, {point});
+}
+
+// Of the fold's multipliers: prod (mu_i + 1) and prod (mu_i mu_j - 1) over all pairs.
+struct FoldTests {
+  double doubling = 1.0, torus = 1.0;
+};
+FoldTests fold_tests(const Scene& scene, double frequency) {
+  const auto list = fold_multipliers(scene, frequency);
+  Complex doubling = 1.0, torus = 1.0;
+  for (std::size_t i = 0; i < list.size(); ++i) {
+    doubling *= list[i].value + 1.0;
+    for (std::size_t k = 0; k < i; ++k) torus *= list[i].value * list[k].value - 1.0;
+  }
+  return {doubling.real(), torus.real()};
+}
+
+TEST(OrbitLoci, FoldsMeetDoublingsAndToriWhereTheClosedFormSaysSo) {
+  const Scene scene = four_modes();
+  const OrbitLoci found = loci(scene, OrbitLocusKind::kFold, 38.0, 60.0, 1.2e-3, 0.01, false);
+  int doublings = 0, tori = 0;
+  for (const OrbitLocus& locus : found.loci)
+    for (const OrbitLocusSpecial& special : locus.special) {
+      const FoldTests before = fold_tests(scene, special.at.value * (1.0 - 1e-9));
+      const FoldTests behind = fold_tests(scene, special.at.value * (1.0 + 1e-9));
+      if (special.label == "LPPD") {
+        EXPECT_LT(before.doubling * behind.doubling, 0.0) << special.at.value;
+        ++doublings;
+      } else if (special.label == "LPNS") {
+        EXPECT_LT(before.torus * behind.torus, 0.0) << special.at.value;
+        ++tori;
+      }
+    }
+  EXPECT_GE(doublings, 1);
+  EXPECT_GE(tori, 1);
+}
+
+// Doublings and folds come up to a grazing along a parabola: H. Dankowicz and X. Zhao, Physica D
+// 202 (2005) 238; P. Thota, X. Zhao and H. Dankowicz, J. Comput. Nonlinear Dyn. 1 (2006) 328. With
+// one mode the point is where the free mode makes whole half turns in a period, sin(w_d T) = 0.
+TEST(OrbitLoci, DoublingsMeetGrazingAlongAParabola) {
+  const Scene scene =
+      support::shipped_scene("05_wagg_one_mode", {"stop.gap=1.25e-3", "forcing.frequency=54.0"});
+  const OrbitLoci found =
+      loci(scene, OrbitLocusKind::kPeriodDoubling, 53.5, 54.5, 1.2e-3, 1.3e-3, false);
+  ASSERT_EQ(found.loci.size(), 1u);
+  const OrbitLocus& locus = found.loci[0];
+  ASSERT_EQ(locus.special.size(), 1u);
+  EXPECT_EQ(locus.special[0].label, "PDGR");
+  const System at_end = system_at(scene, locus.special[0].at.value, 1e-3);
+  const double free =
+      std::sqrt(at_end.omega[0] * at_end.omega[0] - at_end.delta[0] * at_end.delta[0]);
+  const double end = 2.0 * free;
+  EXPECT_NEAR(locus.special[0].at.value / end, 1.0, 1e-10);
+  EXPECT_NEAR(locus.special[0].at.second / linear_amplitude(at_end), 1.0, 1e-10);
+  int compared = 0;
+  double rest = 0.0;
+  for (const OrbitLocusPoint& point : locus.points) {
+    const double away = point.value - end;
+    if (!(away > 0.005 && away < 0.1)) continue;
+    const System system = system_at(scene, point.value, point.second);
+    const double ratio = (point.second - linear_amplitude(system)) / (away * away);
+    if (compared++ > 0)
+      EXPECT_NEAR(ratio / rest, 1.0, 0.02) << point.value;
+    else
+      rest = ratio;
+  }
+  EXPECT_GE(compared, 5);
+}
+
+}  // namespace
+}  // namespace graze
