@@ -12,31 +12,65 @@ namespace {
 
 Eigen::Index at(LocusMargin margin) { return static_cast<Eigen::Index>(margin); }
 
-// The smallest interior minimum of any stop's gap but for the one that is the touch: at either end
-// of the flights that it parts, where rounding may put it a little within.
+// A flight between impacts that have a speed, or all of a period where there are none.
+struct RealFlight {
+  State start;
+  double theta = 0.0, duration = 0.0;  // rad, s
+  int leaves = -1;                     // the stop, where it leaves one
+  std::optional<double> touch;         // when it touches, s
+};
+
+std::vector<RealFlight> real_flights(const System& system, const ExactFlow<double>& flow,
+                                     const ImpactPattern& pattern,
+                                     const std::vector<ImpactPoint>& impacts, std::size_t touch) {
+  const double frequency = system.forcing->frequency;
+  if (impacts.size() == 1) {
+    // From half a period after the touch on.
+    const double half = 0.5 * pattern.period * system.period();
+    const State start = transition(system, flow, impacts[0].before, impacts[0].theta, half).end;
+    return {{start, impacts[0].theta + frequency * half, 2.0 * half, -1, half}};
+  }
+  std::vector<RealFlight> flights;
+  for (std::size_t i = 0; i < impacts.size(); ++i) {
+    if (i == touch) continue;
+    RealFlight next{after_impact(stop_of(system, pattern, i), impacts[i].before),
+                    impacts[i].theta,
+                    flight_time(system, pattern, impacts, i),
+                    pattern.stops[i],
+                    {}};
+    if ((i + 1) % impacts.size() == touch) {
+      next.touch = next.duration;
+      next.duration += flight_time(system, pattern, impacts, touch);
+    }
+    flights.push_back(std::move(next));
+  }
+  return flights;
+}
+
+// The smallest interior minimum of any stop's gap but for the one that is the touch.
 std::optional<double> clearance_beside(const System& system, const ImpactPattern& pattern,
                                        const std::vector<ImpactPoint>& impacts, std::size_t touch) {
+  constexpr double kFar = std::numeric_limits<double>::infinity();
   const ExactFlow<double> flow(system);
   Arc<double> arc(flow);
-  const double still = still_gap(system);
-  const int touched = pattern.stops[touch];
   std::optional<double> lowest;
-  for (std::size_t i = 0; i < impacts.size(); ++i) {
-    const double flight = flight_time(system, pattern, impacts, i);
-    if (!(flight > 0.0)) continue;
-    const State after = after_impact(stop_of(system, pattern, i), impacts[i].before);
-    arc.start(impacts[i].theta, after.q, after.qdot);
-    const bool leaves = i == touch, reaches = (i + 1) % impacts.size() == touch;
+  for (const RealFlight& flight : real_flights(system, flow, pattern, impacts, touch)) {
+    if (!(flight.duration > 0.0)) continue;
+    arc.start(flight.theta, flight.start.q, flight.start.qdot);
     for (int k = 0; k < static_cast<int>(system.stops.size()); ++k) {
       const RigidStop& stop = system.stops[static_cast<std::size_t>(k)];
-      const ArcCurve<double> curve(arc, gap_observable<double>(stop.row, stop.gap), flight,
-                                   k == pattern.stops[i]);
-      for (const GapMinimum& minimum :
-           minima_below(curve, 0, lowest.value_or(std::numeric_limits<double>::infinity()))) {
-        const bool at_touch = k == touched && std::abs(minimum.gap) <= still &&
-                              (minimum.s < 0.5 * flight ? leaves : reaches);
-        if (!at_touch && (!lowest || minimum.gap < *lowest)) lowest = minimum.gap;
-      }
+      const ArcCurve<double> curve(arc, gap_observable<double>(stop.row, stop.gap), flight.duration,
+                                   k == flight.leaves);
+      const bool touches = flight.touch && k == pattern.stops[touch];
+      std::vector<GapMinimum> minima =
+          minima_below(curve, 0, touches ? kFar : lowest.value_or(kFar));
+      if (touches && !minima.empty())
+        minima.erase(std::min_element(
+            minima.begin(), minima.end(), [&](const GapMinimum& a, const GapMinimum& b) {
+              return std::abs(a.s - *flight.touch) < std::abs(b.s - *flight.touch);
+            }));
+      for (const GapMinimum& minimum : minima)
+        if (!lowest || minimum.gap < *lowest) lowest = minimum.gap;
     }
   }
   return lowest;

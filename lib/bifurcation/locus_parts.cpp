@@ -6,7 +6,9 @@
 namespace graze {
 namespace {
 
+// Without a border none could be located.
 OrbitLocusEnd end_at(const LocusPlace& place) {
+  if (!place.border) return OrbitLocusEnd::kNotConverged;
   return place.border == LocusMargin::kFlight ? OrbitLocusEnd::kImpactsMeet
                                               : OrbitLocusEnd::kGrazing;
 }
@@ -84,12 +86,10 @@ class Parts {
 
 }  // namespace
 
-bool is_cut_short(const LocusTrace& trace) {
-  for (const std::size_t side : {0u, 1u}) {
-    const OrbitLocusEnd end = end_of_trace(trace.frame, trace.places, side);
-    if (end == OrbitLocusEnd::kNotConverged || end == OrbitLocusEnd::kStepLimit) return true;
-  }
-  return false;
+bool is_cut_short(const OrbitLocus& locus) {
+  return std::any_of(locus.ends.begin(), locus.ends.end(), [](OrbitLocusEnd end) {
+    return end == OrbitLocusEnd::kNotConverged || end == OrbitLocusEnd::kStepLimit;
+  });
 }
 
 std::vector<OrbitLocus> locus_parts(const LocusTrace& trace, bool keep_virtual) {

@@ -20,15 +20,15 @@ struct LocusPlace {
 
 // A locus of one kind as it was traced, virtual parts and all.
 struct LocusTrace {
-  OrbitLocus frame;                // its kind, pattern, touch and ends
+  OrbitLocus frame;                // its kind, pattern and ends
   std::vector<LocusPlace> places;  // in order along the locus
 };
-
-// Whether it could not be followed to an end.
-bool is_cut_short(const LocusTrace& trace);
 
 // The parts whose orbits are orbits of the system, each ended by the grazing beyond which they are
 // not; with `keep_virtual` the whole in one piece, those grazings among its special points.
 std::vector<OrbitLocus> locus_parts(const LocusTrace& trace, bool keep_virtual);
+
+// Whether one could not be followed to an end.
+bool is_cut_short(const OrbitLocus& locus);
 
 }  // namespace graze

@@ -44,6 +44,8 @@ std::optional<TouchingOrbit> touching(const System& system, const SpecialPoint& 
     touching = with_touch(system, touching->pattern, touching->impacts);
     if (!touching) return {};
   }
+  // A touch alone is that of the motion without impacts, which repeats every period.
+  if (touching->pattern.impacts() == 1) touching->pattern.period = 1;
   const std::size_t turn = touching->touch;
   const int period = touching->pattern.period;
   return TouchingOrbit{turned(std::move(touching->pattern), turn),
@@ -133,11 +135,13 @@ class LociTracer {
     if (parameter != plane_.first) branches.max_step = 0.0;
     branches.sticking = false;
     branches.progress = nullptr;
-    // Random guesses cost more than all else; the scene's own slice has had them.
+    // Random guesses cost more than all else: on the first slice only, the scene's own where that
+    // is in the ranges.
     branches.finder.from_random = branches.finder.from_random && result_.slices == 0;
     ++result_.slices;
     const OrbitBranches traced = trace_orbits(*family, branches);
     result_.shooting_evaluations += traced.shooting_evaluations;
+    result_.traces_cut_short += traced.cut_short;
     for (const OrbitBranch& branch : traced.branches)
       for (const SpecialPoint& special : branch.special)
         if (const auto start = start_of(*family, special, value)) begin(*start);
@@ -174,12 +178,13 @@ class LociTracer {
     result_.shooting_evaluations += answer.evaluations;
     if (answer.known) return;
     if (!answer.trace) {
-      ++result_.cut_short;
+      ++result_.lost_starts;
       return;
     }
-    if (is_cut_short(*answer.trace)) ++result_.cut_short;
-    for (OrbitLocus& part : locus_parts(*answer.trace, options_.branches.keep_virtual))
+    for (OrbitLocus& part : locus_parts(*answer.trace, options_.branches.keep_virtual)) {
+      if (is_cut_short(part)) ++result_.cut_short;
       result_.loci.push_back(std::move(part));
+    }
   }
 
   LocusAnswer trace_from(const OrbitLocusStart& start) {

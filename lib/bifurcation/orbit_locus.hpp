@@ -34,7 +34,7 @@ struct OrbitLocusPoint {
 // PDNS, NSNS, BP; and where the orbit grazes besides: LPGR, PDGR, NSGR, GRGR.
 struct OrbitLocusSpecial {
   std::string label;
-  std::string id;  // "CP1"
+  std::string id;  // "CP-1"
   OrbitLocusPoint at;
 };
 

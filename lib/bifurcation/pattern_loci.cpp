@@ -59,9 +59,10 @@ constexpr double kOnGrazing = 1e-9;
 
 void end_on_grazing(std::vector<LocusPlace>& places, std::array<OrbitLocusEnd, 2> ends,
                     double unit) {
-  const auto speed = static_cast<Eigen::Index>(LocusMargin::kSpeed);
   const auto is_on_it = [&](const LocusPlace& place) {
-    return std::abs(place.margins[speed]) <= kOnGrazing * unit;
+    return std::any_of(
+        place.at.impacts.begin(), place.at.impacts.end(),
+        [&](const OrbitImpact& impact) { return std::abs(impact.speed) <= kOnGrazing * unit; });
   };
   std::erase_if(places,
                 [&](const LocusPlace& place) { return !place.label.empty() && is_on_it(place); });
@@ -72,22 +73,37 @@ void end_on_grazing(std::vector<LocusPlace>& places, std::array<OrbitLocusEnd, 2
   }
 }
 
+// Grazings nearer than this, in ranges of the parameters, are one.
+constexpr double kOneGrazing = 1e-9;
+
 // A place within the step after a point.
 struct Within {
   std::size_t after = 0;
   LocusPlace place;
 };
 
+// In ranges of the parameters.
+double distance(const OrbitLocusPoint& a, const OrbitLocusPoint& b, const LocusOptions& options) {
+  return std::hypot((a.value - b.value) / first_range(options),
+                    (a.second - b.second) / second_range(options));
+}
+
+// As an impact speed vanishes an approach touches too: one grazing, not two.
+void merge_borders(std::vector<LocusPlace>& places, const LocusOptions& options) {
+  const auto one = [&](const LocusPlace& a, const LocusPlace& b) {
+    return a.border && b.border && distance(a.at, b.at, options) <= kOneGrazing;
+  };
+  places.erase(std::unique(places.begin(), places.end(), one), places.end());
+}
+
 // The points of a locus, and between them what lies within its steps, in order.
 std::vector<LocusPlace> in_order(std::vector<LocusPlace> points, std::vector<Within> within,
                                  const LocusOptions& options) {
-  const auto distance = [&](const Within& item) {
-    const OrbitLocusPoint &from = points[item.after].at, &to = item.place.at;
-    return std::hypot((to.value - from.value) / first_range(options),
-                      (to.second - from.second) / second_range(options));
+  const auto along = [&](const Within& item) {
+    return distance(points[item.after].at, item.place.at, options);
   };
   std::stable_sort(within.begin(), within.end(), [&](const Within& a, const Within& b) {
-    return a.after != b.after ? a.after < b.after : distance(a) < distance(b);
+    return a.after != b.after ? a.after < b.after : along(a) < along(b);
   });
   std::vector<LocusPlace> all;
   auto next = within.begin();
@@ -173,6 +189,7 @@ LocusAnswer CriticalLoci::trace(const OrbitLocusStart& start) {
   answer.trace =
       LocusTrace{std::move(frame), in_order(std::move(points), std::move(within), options_)};
   end_on_grazing(answer.trace->places, answer.trace->frame.ends, speed_unit_);
+  merge_borders(answer.trace->places, options_);
   traced_.push_back(std::move(*locus));
   return answer;
 }
@@ -263,6 +280,7 @@ LocusAnswer GrazingLoci::trace(const OrbitLocusStart& start) {
     frame.ends[side] = as_orbit_end(as_locus_end(traced.branch.ends[side], true));
   answer.trace =
       LocusTrace{std::move(frame), in_order(std::move(points), std::move(within), options_)};
+  merge_borders(answer.trace->places, options_);
   traced_.push_back(std::move(traced.branch));
   return answer;
 }

@@ -22,11 +22,14 @@ Outcome loci_outcome(const OrbitLoci& traced, const LociOptions& options) {
     return {"interrupted", "stopped; the loci traced so far are kept"};
   if (traced.stopped == StopReason::kOutOfTime)
     return {"budget", "the budget of computing time was spent; the loci traced so far are kept"};
-  if (traced.cut_short > 0)
-    return {"budget",
-            fmt::format("{} of {} special points lead to a locus that could not be followed to an "
-                        "end, so loci may be missing or cut short",
-                        traced.cut_short, traced.starts)};
+  std::string missing;
+  const auto add = [&](int count, const std::string& what) {
+    if (count > 0) missing += fmt::format("{}{} {}", missing.empty() ? "" : ", ", count, what);
+  };
+  add(traced.cut_short, "loci could not be followed to an end");
+  add(traced.lost_starts, "special points led to no locus that could be solved for");
+  add(traced.traces_cut_short, "branches on the slices could not be followed to an end");
+  if (!missing.empty()) return {"budget", missing + ": loci may be missing or cut short"};
   if (traced.loci.empty())
     return {"no_orbit", fmt::format("no {} of ({}, {}) orbits was met on {} slices of the plane",
                                     names_of(options.kinds), options.branches.period,

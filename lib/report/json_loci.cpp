@@ -59,7 +59,7 @@ std::string to_json(const LociRecord& record) {
   branches.info = record.info;
   branches.unit = record.unit;
   branches.traced.parameter = record.traced.first;
-  branches.traced.notes = record.traced.notes;
+  branches.traced.notes = {"a locus that crosses none of the slices is not found"};
   branches.warnings = record.warnings;
   branches.outcome = record.outcome;
   Json document = Json::parse(to_json(branches));
@@ -71,7 +71,9 @@ std::string to_json(const LociRecord& record) {
   document["loci"] = loci;
   document["counters"] = {{"slices", record.traced.slices},
                           {"starts", record.traced.starts},
+                          {"starts_lost", record.traced.lost_starts},
                           {"loci_cut_short", record.traced.cut_short},
+                          {"traces_cut_short", record.traced.traces_cut_short},
                           {"shooting_evaluations", record.traced.shooting_evaluations}};
   return document.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
 }

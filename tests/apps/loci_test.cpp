@@ -70,6 +70,7 @@ TEST(LociCommand, WithoutVirtualKeepsToOrbits) {
   for (const json& locus : solutions["loci"])
     for (const json& point : locus["points"]) virtual_points += point["admissible"] ? 0 : 1;
   EXPECT_GT(virtual_points, 0);
+  EXPECT_FALSE(orbits["loci"].empty());
   for (const json& locus : orbits["loci"])
     for (const json& point : locus["points"]) EXPECT_TRUE(point["admissible"].get<bool>());
 }

@@ -18,11 +18,12 @@ Scene four_modes() {
 }
 
 OrbitLoci loci(const Scene& scene, OrbitLocusKind kind, double from, double to, double gap_from,
-               double gap_to, bool keep_virtual) {
+               double gap_to, bool keep_virtual, double max_step = 0.0) {
   LociOptions options;
   options.branches.from = from;
   options.branches.to = to;
   options.branches.keep_virtual = keep_virtual;
+  options.branches.max_step = max_step;
   options.branches.finder.from_simulation = options.branches.finder.from_random = false;
   options.second_from = gap_from;
   options.second_to = gap_to;
@@ -215,6 +216,72 @@ TEST(OrbitLoci, DoublingsMeetGrazingAlongAParabola) {
       rest = ratio;
   }
   EXPECT_GE(compared, 5);
+}
+
+std::vector<double> places(const OrbitLoci& found, const std::string& label) {
+  std::vector<double> values;
+  for (const OrbitLocus& locus : found.loci)
+    for (const OrbitLocusSpecial& special : locus.special)
+      if (special.label == label) values.push_back(special.at.value);
+  std::sort(values.begin(), values.end());
+  return values;
+}
+
+// Where an orbit touches twice two loci of grazing cross. They are of different sequences of
+// impacts, and each finds the other one's touch among the gaps between its own.
+TEST(OrbitLoci, TwoTouchesAreTheSameFromBothLociAndWithEveryStep) {
+  const Scene scene = support::shipped_scene("05_wagg_one_mode", {"beam.modes=2", "stop.gap=2e-3"});
+  const auto double_touches = [&](double max_step) {
+    return places(loci(scene, OrbitLocusKind::kGrazing, 20.0, 60.0, 5e-4, 0.01, false, max_step),
+                  "GRGR");
+  };
+  const std::vector<double> touches = double_touches(0.0);
+  // Met on both loci where both are orbits there.
+  int met_twice = 0;
+  for (std::size_t i = 1; i < touches.size(); ++i) {
+    const double apart = touches[i] - touches[i - 1];
+    EXPECT_TRUE(apart < 1e-9 || apart > 1e-3) << touches[i];
+    met_twice += apart < 1e-9 ? 1 : 0;
+  }
+  EXPECT_GE(met_twice, 4);
+  for (const double max_step : {0.2, 3.0}) {
+    const std::vector<double> others = double_touches(max_step);
+    ASSERT_EQ(others.size(), touches.size()) << max_step;
+    for (std::size_t i = 0; i < touches.size(); ++i)
+      EXPECT_NEAR(others[i] / touches[i], 1.0, 1e-10) << max_step;
+  }
+}
+
+// An end called grazing is among the special points, no special point is named twice on a locus,
+// and no locus is a point.
+TEST(OrbitLoci, EndOnGrazingsOnce) {
+  for (const char* modes : {"beam.modes=1", "beam.modes=2"})
+    for (const OrbitLocusKind kind : {OrbitLocusKind::kFold, OrbitLocusKind::kPeriodDoubling,
+                                      OrbitLocusKind::kTorus, OrbitLocusKind::kGrazing}) {
+      const Scene scene = support::shipped_scene("05_wagg_one_mode", {modes, "stop.gap=2e-3"});
+      for (const OrbitLocus& locus : loci(scene, kind, 42.0, 60.0, 5e-4, 0.01, false).loci) {
+        const auto apart = [](const OrbitLocusPoint& a, const OrbitLocusPoint& b) {
+          return std::hypot((a.value - b.value) / 18.0, (a.second - b.second) / 0.0095);
+        };
+        double length = 0.0;
+        for (const OrbitLocusPoint& point : locus.points)
+          length = std::max(length, apart(point, locus.points.front()));
+        EXPECT_GT(length, 1e-9) << modes << " " << label_of(kind) << locus.id;
+        for (std::size_t i = 0; i < locus.special.size(); ++i)
+          for (std::size_t k = 0; k < i; ++k)
+            EXPECT_FALSE(locus.special[i].label == locus.special[k].label &&
+                         apart(locus.special[i].at, locus.special[k].at) < 1e-9)
+                << modes << " " << locus.special[i].label << " " << locus.special[i].at.value;
+        for (const std::size_t side : {0u, 1u}) {
+          if (locus.ends[side] != OrbitLocusEnd::kGrazing) continue;
+          const OrbitLocusPoint& end = side == 0 ? locus.points.front() : locus.points.back();
+          EXPECT_TRUE(std::any_of(
+              locus.special.begin(), locus.special.end(),
+              [&](const OrbitLocusSpecial& special) { return apart(special.at, end) == 0.0; }))
+              << modes << " " << label_of(kind) << locus.id;
+        }
+      }
+    }
 }
 
 }  // namespace
