@@ -230,7 +230,8 @@ void add_locus(CLI::App* app, Command& command) {
       ->needs(second);
   app->add_option("--slices", command.slices,
                   "With --locus: values of either parameter, besides the scene's own, at which "
-                  "special points are sought to start from; a locus between two of them is missed")
+                  "special points are sought to start from; a locus that crosses none and meets no "
+                  "other is missed")
       ->transform(whole_number_within(0, 10'000))
       ->capture_default_str()
       ->type_name("N")

@@ -74,7 +74,7 @@ class Parts {
     std::string label = place.label;
     if (border && place.border != LocusMargin::kFlight)
       label = std::string(label_of(frame_.kind)) + "GR";
-    if (!label.empty()) parts_.back().special.push_back({label, "", place.at});
+    if (!label.empty()) parts_.back().special.push_back({label, "", place.at, place.other_angle});
   }
 
   const OrbitLocus& frame_;

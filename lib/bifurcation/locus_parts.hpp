@@ -14,8 +14,9 @@ namespace graze {
 struct LocusPlace {
   OrbitLocusPoint at;
   Vector margins;
-  std::string label;                  // of a point of codimension two, or ""
-  std::optional<LocusMargin> border;  // what vanishes here and forbids the orbit beyond
+  std::string label;                    // of a point of codimension two, or ""
+  std::optional<LocusMargin> border;    // what vanishes here and forbids the orbit beyond
+  std::optional<double> other_angle{};  // as of OrbitLocusSpecial
 };
 
 // A locus of one kind as it was traced, virtual parts and all.

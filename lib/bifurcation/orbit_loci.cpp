@@ -1,7 +1,8 @@
 #include "graze/bifurcation/orbit_loci.hpp"
 
 #include <algorithm>
-#include <cmath>
+#include <array>
+#include <deque>
 #include <map>
 #include <memory>
 #include <utility>
@@ -30,33 +31,15 @@ std::optional<OrbitLocusKind> locus_kind(SpecialKind kind) {
   return {};
 }
 
-// The grazing orbit of a special point, from its touch on.
-std::optional<TouchingOrbit> touching(const System& system, const SpecialPoint& special) {
-  const Orbit& orbit = special.at.orbit;
-  std::optional<TouchingOrbit> touching{{orbit.pattern(), orbit.points(), 0}};
-  if (special.by_speed) {
-    const auto slowest = std::min_element(orbit.impacts.begin(), orbit.impacts.end(),
-                                          [](const OrbitImpact& a, const OrbitImpact& b) {
-                                            return std::abs(a.speed) < std::abs(b.speed);
-                                          });
-    touching->touch = static_cast<std::size_t>(slowest - orbit.impacts.begin());
-  } else {
-    touching = with_touch(system, touching->pattern, touching->impacts);
-    if (!touching) return {};
-  }
-  // A touch alone is that of the motion without impacts, which repeats every period.
-  if (touching->pattern.impacts() == 1) touching->pattern.period = 1;
-  const std::size_t turn = touching->touch;
-  const int period = touching->pattern.period;
-  return TouchingOrbit{turned(std::move(touching->pattern), turn),
-                       turned(std::move(touching->impacts), turn, period), 0};
-}
-
 class LociTracer {
  public:
   LociTracer(const Scene& scene, const std::string& first, const std::string& second,
              const LociOptions& options)
-      : scene_(scene), options_(options), own_(scene, first), other_(scene, second) {
+      : scene_(scene),
+        options_(options),
+        own_(scene, first),
+        other_(scene, second),
+        systems_(scene, {first, second}) {
     if (first == second)
       throw InputError(first + ": a locus takes two parameters that differ from one another");
     plane_.scene = &scene_;
@@ -150,9 +133,7 @@ class LociTracer {
   std::optional<OrbitLocusStart> start_of(const SystemFamily& family, const SpecialPoint& special,
                                           double fixed) const {
     const std::optional<OrbitLocusKind> kind = locus_kind(special.kind);
-    if (!kind || special.by_push || special.at.orbit.sticking ||
-        std::find(options_.kinds.begin(), options_.kinds.end(), *kind) == options_.kinds.end())
-      return {};
+    if (!kind || special.by_push || special.at.orbit.sticking || !wants(*kind)) return {};
     const double moved = special.at.value;
     const bool over_first = family.parameter() == plane_.first;
     OrbitLocusStart start{*kind,
@@ -160,19 +141,46 @@ class LociTracer {
                           over_first ? moved : fixed,
                           over_first ? fixed : moved,
                           special.multiplier.value_or(1.0)};
-    if (*kind == OrbitLocusKind::kGrazing) {
-      const std::optional<TouchingOrbit> orbit = touching(*family.at(moved), special);
-      if (!orbit) return {};
-      start.orbit = *orbit;
+    const TouchingOrbit orbit{special.at.orbit.pattern(), special.at.orbit.points(), 0};
+    if (*kind != OrbitLocusKind::kGrazing) {
+      start.orbit = in_canonical_order(orbit);
       return start;
     }
-    const ImpactPattern pattern = special.at.orbit.pattern();
-    start.orbit = {canonical(pattern), in_canonical_order(pattern, special.at.orbit.points()), 0};
+    const std::optional<TouchingOrbit> touching =
+        from_touch(*family.at(moved), orbit, special.by_speed);
+    if (!touching) return {};
+    start.orbit = *touching;
     return start;
   }
 
+  bool wants(OrbitLocusKind kind) const {
+    return std::find(options_.kinds.begin(), options_.kinds.end(), kind) != options_.kinds.end();
+  }
+
+  // Its locus, and those that meet it.
   void begin(const OrbitLocusStart& start) {
-    if (options_.branches.stop.requested()) return;
+    std::deque<OrbitLocusStart> starts{start};
+    while (!starts.empty() && !options_.branches.stop.requested()) {
+      const std::size_t known = result_.loci.size();
+      begin_one(starts.front());
+      starts.pop_front();
+      for (std::size_t i = known; i < result_.loci.size(); ++i)
+        for (const OrbitLocusSpecial& special : result_.loci[i].special)
+          add_leads(result_.loci[i], special, starts);
+    }
+  }
+
+  void add_leads(const OrbitLocus& locus, const OrbitLocusSpecial& special,
+                 std::deque<OrbitLocusStart>& starts) {
+    if (!special.at.admissible && !options_.branches.keep_virtual) return;
+    const System* system = systems_.at(std::array{special.at.value, special.at.second});
+    if (!system) return;
+    const double speed_unit = plane_.scale.length * scene_.forcing->frequency;
+    for (OrbitLocusStart& lead : leads_from(*system, locus, special, speed_unit))
+      if (wants(lead.kind)) starts.push_back(std::move(lead));
+  }
+
+  void begin_one(const OrbitLocusStart& start) {
     ++result_.starts;
     const LocusAnswer answer = trace_from(start);
     result_.shooting_evaluations += answer.evaluations;
@@ -205,6 +213,7 @@ class LociTracer {
   const Scene& scene_;
   const LociOptions& options_;
   SystemFamily own_, other_;
+  SystemCursor systems_;
   LocusPlane plane_;
   std::map<std::pair<OrbitLocusKind, Name>, std::unique_ptr<CriticalLoci>> critical_;
   std::map<Name, std::unique_ptr<GrazingLoci>> grazing_;

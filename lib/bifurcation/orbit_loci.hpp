@@ -2,8 +2,9 @@
 // parameters of the scene.
 //
 // They are started from the special points of branches over either parameter, at values of the
-// other spread over its range: a locus that crosses none of these slices is not found, so their
-// number is stated. Each locus is traced once, to its ends.
+// other spread over its range, and from where the loci found so far meet others of the kinds asked
+// for. A locus that crosses none of these slices and meets no other is not found, so their number
+// is stated. Each locus is traced once, to its ends.
 #pragma once
 
 #include <functional>

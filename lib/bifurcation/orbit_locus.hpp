@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -36,6 +37,7 @@ struct OrbitLocusSpecial {
   std::string label;
   std::string id;  // "CP-1"
   OrbitLocusPoint at;
+  std::optional<double> other_angle{};  // of a further pair on the unit circle, rad
 };
 
 enum class OrbitLocusEnd {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include "graze/continuation/branch.hpp"
@@ -75,6 +76,20 @@ void end_on_grazing(std::vector<LocusPlace>& places, std::array<OrbitLocusEnd, 2
 
 // Grazings nearer than this, in ranges of the parameters, are one.
 constexpr double kOneGrazing = 1e-9;
+
+// Of the pair nearest to the unit circle but for the critical one; nothing where there is no pair.
+std::optional<double> other_angle(const std::vector<Eigenvalue>& multipliers, double critical) {
+  constexpr double kSame = 1e-6;  // rad; the critical multiplier is exact
+  std::optional<double> angle;
+  double least = std::numeric_limits<double>::infinity();
+  for (const Eigenvalue& m : multipliers) {
+    const double at = std::abs(std::arg(m.value)), off = std::abs(std::abs(m.value) - 1.0);
+    if (m.value.imag() == 0.0 || std::abs(at - critical) <= kSame || !(off < least)) continue;
+    least = off;
+    angle = at;
+  }
+  return angle;
+}
 
 // A place within the step after a point.
 struct Within {
@@ -154,12 +169,12 @@ LocusPlace CriticalLoci::place(const LocusPoint& at, std::optional<LocusMargin> 
 }
 
 bool CriticalLoci::knows(const OrbitLocusStart& start) const {
-  for (const std::vector<ImpactPoint>& same : rewritings(orbits_.pattern(), start.orbit.impacts)) {
-    const LocusStart one{as_locus_kind(kind_), orbits_.shooting().pack(same), start.first,
-                         start.second, start.multiplier};
-    for (const Locus& locus : traced_)
-      if (lies_on_locus(orbits_.problem(), options_, locus, one)) return true;
-  }
+  if (traced_.empty()) return false;
+  for (const std::vector<ImpactPoint>& same : rewritings(orbits_.pattern(), start.orbit.impacts))
+    if (find_locus(orbits_.problem(), options_, traced_,
+                   {as_locus_kind(kind_), orbits_.shooting().pack(same), start.first, start.second,
+                    start.multiplier}))
+      return true;
   return false;
 }
 
@@ -179,6 +194,7 @@ LocusAnswer CriticalLoci::trace(const OrbitLocusStart& start) {
   for (const LocusSpecialPoint& special : locus->special) {
     within.push_back({special.after, place(special.point)});
     within.back().place.label = label_of(special.kind);
+    within.back().place.other_angle = other_angle(special.point.multipliers, special.point.angle);
   }
   for (const LocusZero& zero : locus->zeros)
     within.push_back({zero.after, place(zero.point, static_cast<LocusMargin>(zero.test))});
@@ -272,6 +288,8 @@ LocusAnswer GrazingLoci::trace(const OrbitLocusStart& start) {
     if (!doubling && critical.kind != CriticalKind::kTorus) continue;
     within.push_back({critical.after, place(critical.point)});
     within.back().place.label = doubling ? "PDGR" : "NSGR";
+    if (critical.multiplier)
+      within.back().place.other_angle = std::abs(std::arg(critical.multiplier->value));
   }
   OrbitLocus frame;
   frame.kind = OrbitLocusKind::kGrazing;

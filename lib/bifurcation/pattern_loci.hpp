@@ -9,19 +9,12 @@
 
 #include "graze/bifurcation/canonical_pattern.hpp"
 #include "graze/bifurcation/grazing_curve.hpp"
+#include "graze/bifurcation/locus_leads.hpp"
 #include "graze/bifurcation/locus_parts.hpp"
 #include "graze/bifurcation/orbit_plane.hpp"
 #include "graze/continuation/locus.hpp"
 
 namespace graze {
-
-// A special point of orbits, at or near a locus.
-struct OrbitLocusStart {
-  OrbitLocusKind kind = OrbitLocusKind::kFold;
-  TouchingOrbit orbit;  // the touch says something on GR only
-  double first = 0.0, second = 0.0;
-  Complex multiplier = 1.0;  // of NS: one of the pair
-};
 
 // The plane that loci are sought in.
 struct LocusPlane {

@@ -261,12 +261,14 @@ std::optional<Locus> trace_locus(const PlaneProblem& problem, const LocusOptions
   return tracer.trace(*point);
 }
 
-bool lies_on_locus(const PlaneProblem& problem, const LocusOptions& options, const Locus& locus,
-                   const LocusStart& start) {
-  if (start.kind != locus.kind) return false;
+std::optional<std::size_t> find_locus(const PlaneProblem& problem, const LocusOptions& options,
+                                      const std::vector<Locus>& loci, const LocusStart& start) {
   LocusTracer tracer(problem, options, start.kind);
   const std::optional<BranchPoint> point = tracer.solve(start);
-  return point && tracer.lies_on(locus, *point);
+  if (!point) return {};
+  for (std::size_t i = 0; i < loci.size(); ++i)
+    if (loci[i].kind == start.kind && tracer.lies_on(loci[i], *point)) return i;
+  return {};
 }
 
 }  // namespace graze

@@ -17,7 +17,9 @@
 // that need third derivatives (degenerate doublings and tori: GPD, CH) are not looked for.
 #pragma once
 
+#include <cstddef>
 #include <optional>
+#include <vector>
 
 #include "graze/continuation/locus_values.hpp"
 #include "graze/continuation/plane_problem.hpp"
@@ -42,8 +44,8 @@ std::optional<LocusPoint> solve_locus(const PlaneProblem& problem, const LocusOp
 std::optional<Locus> trace_locus(const PlaneProblem& problem, const LocusOptions& options,
                                  const LocusStart& start);
 
-// Whether a start leads to a point of a traced locus.
-bool lies_on_locus(const PlaneProblem& problem, const LocusOptions& options, const Locus& locus,
-                   const LocusStart& start);
+// Which of these traced loci has the point that a start leads to.
+std::optional<std::size_t> find_locus(const PlaneProblem& problem, const LocusOptions& options,
+                                      const std::vector<Locus>& loci, const LocusStart& start);
 
 }  // namespace graze

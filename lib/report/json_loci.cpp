@@ -59,7 +59,8 @@ std::string to_json(const LociRecord& record) {
   branches.info = record.info;
   branches.unit = record.unit;
   branches.traced.parameter = record.traced.first;
-  branches.traced.notes = {"a locus that crosses none of the slices is not found"};
+  branches.traced.notes = {
+      "a locus that crosses none of the slices and meets no other is not found"};
   branches.warnings = record.warnings;
   branches.outcome = record.outcome;
   Json document = Json::parse(to_json(branches));

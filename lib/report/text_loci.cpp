@@ -48,7 +48,9 @@ std::string to_text(const LociRecord& record) {
       "{} slices of the plane, {} special point{}, {} evaluations of the shooting "
       "equations\n",
       traced.slices, traced.starts, traced.starts == 1 ? "" : "s", traced.shooting_evaluations);
-  text += "note: a locus that crosses none of the slices is not found; --slices looks closer\n";
+  text +=
+      "note: a locus that crosses none of the slices and meets no other is not found; --slices "
+      "looks closer\n";
   const Outcome& outcome = record.outcome;
   if (!outcome.message.empty()) text += fmt::format("{}: {}\n", outcome.name, outcome.message);
   return text;

@@ -117,16 +117,16 @@ TEST(LocusEnds, AKnownLocusIsRecognised) {
   const LocusStart other{LocusKind::kFold, Vector{{4.0, 2.0}}, -0.06, 0.5, {}};
   const LocusStart doubling{LocusKind::kPeriodDoubling, Vector{{0.6, 0.1}}, 0.7, 0.0, {}};
   const Locus folds = traced(problem, options, fold);
-  EXPECT_TRUE(lies_on_locus(problem, options, folds, fold));
-  EXPECT_TRUE(lies_on_locus(problem, options, folds, other));
-  EXPECT_FALSE(lies_on_locus(problem, options, folds, doubling));
+  EXPECT_TRUE(find_locus(problem, options, {folds}, fold));
+  EXPECT_TRUE(find_locus(problem, options, {folds}, other));
+  EXPECT_FALSE(find_locus(problem, options, {folds}, doubling));
   const double c = std::cos(1.2), p = c * c - 2.0 * c, d = std::cos(2.0), r = d * d - 2.0 * d;
   const LocusStart torus{LocusKind::kTorus, Vector{{-c / p, c / p}}, p, -1.0, std::polar(1.0, 1.2)};
   const LocusStart further{LocusKind::kTorus, Vector{{-d / r, d / r}}, r, -1.0,
                            std::polar(1.0, 2.02)};
   const Locus tori = traced(problem, options, torus);
-  EXPECT_TRUE(lies_on_locus(problem, options, tori, further));
-  EXPECT_FALSE(lies_on_locus(problem, options, tori, fold));
+  EXPECT_TRUE(find_locus(problem, options, {tori}, further));
+  EXPECT_FALSE(find_locus(problem, options, {tori}, fold));
 }
 
 TEST(LocusEnds, StartsThatLeadNowhereAreRefused) {

@@ -1,0 +1,135 @@
+#include "graze/bifurcation/locus_leads.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <utility>
+
+#include "graze/base/angle.hpp"
+#include "graze/bifurcation/canonical_pattern.hpp"
+
+namespace graze {
+namespace {
+
+// An impact slower than this part of the forced motion's speed is one that vanishes.
+constexpr double kVanishing = 1e-9;
+
+TouchingOrbit orbit_at(const OrbitLocus& locus, const OrbitLocusPoint& at) {
+  TouchingOrbit orbit{{locus.pattern.period, {}}, {}, 0};
+  for (const OrbitImpact& impact : at.impacts) {
+    orbit.pattern.stops.push_back(impact.stop);
+    orbit.impacts.push_back({impact.phase + kTurn * impact.period_index, impact.before});
+  }
+  return orbit;
+}
+
+std::size_t slowest(const System& system, const TouchingOrbit& orbit) {
+  std::size_t least = 0;
+  const auto speed = [&](std::size_t i) {
+    return std::abs(stop_of(system, orbit.pattern, i).row.dot(orbit.impacts[i].before.qdot));
+  };
+  for (std::size_t i = 1; i < orbit.impacts.size(); ++i)
+    if (speed(i) < speed(least)) least = i;
+  return least;
+}
+
+// The kinds that meet on a locus of one kind at a point of this name.
+std::vector<OrbitLocusKind> others_at(OrbitLocusKind kind, const std::string& label) {
+  using Kind = OrbitLocusKind;
+  if (label == "R1") return {kind == Kind::kTorus ? Kind::kFold : Kind::kTorus};
+  if (label == "R2") return {kind == Kind::kTorus ? Kind::kPeriodDoubling : Kind::kTorus};
+  if (label == "NSNS") return {Kind::kTorus};
+  std::vector<Kind> others;
+  for (const Kind other : {Kind::kFold, Kind::kPeriodDoubling, Kind::kTorus, Kind::kGrazing})
+    if (other != kind && label.size() == 4 && label.find(label_of(other)) != std::string::npos)
+      others.push_back(other);
+  return others;
+}
+
+// Where an orbit touches twice, with the touch that the locus is not of.
+std::optional<TouchingOrbit> other_touch(const System& system, TouchingOrbit orbit,
+                                         double speed_unit) {
+  orbit.touch = slowest(system, orbit);
+  TouchingOrbit without = without_touch(orbit);
+  if (!without.impacts.empty()) {
+    const std::size_t next = slowest(system, without);
+    const double speed =
+        stop_of(system, without.pattern, next).row.dot(without.impacts[next].before.qdot);
+    if (std::abs(speed) <= kVanishing * speed_unit) return from_touch(system, without, true);
+  }
+  std::optional<TouchingOrbit> both = with_touch(system, orbit.pattern, orbit.impacts);
+  if (!both) return {};
+  // Leave out the first of them.
+  const std::size_t second = both->touch,
+                    first = orbit.touch < second ? orbit.touch : orbit.touch + 1;
+  both->touch = first;
+  TouchingOrbit other = without_touch(*both);
+  other.touch = first < second ? second - 1 : second;
+  const std::size_t turn = other.touch;
+  const int period = other.pattern.period;
+  return TouchingOrbit{turned(std::move(other.pattern), turn),
+                       turned(std::move(other.impacts), turn, period), 0};
+}
+
+Complex multiplier_at(const OrbitLocusSpecial& special) {
+  if (special.label == "R1") return 1.0;
+  if (special.label == "R2") return -1.0;
+  return std::polar(1.0, special.other_angle.value_or(0.0));
+}
+
+}  // namespace
+
+TouchingOrbit in_canonical_order(const TouchingOrbit& orbit) {
+  return {canonical(orbit.pattern), in_canonical_order(orbit.pattern, orbit.impacts), 0};
+}
+
+std::optional<TouchingOrbit> from_touch(const System& system, const TouchingOrbit& orbit,
+                                        bool by_speed) {
+  std::optional<TouchingOrbit> touching = orbit;
+  if (by_speed)
+    touching->touch = slowest(system, orbit);
+  else
+    touching = with_touch(system, orbit.pattern, orbit.impacts);
+  if (!touching) return {};
+  // A touch alone is that of the motion without impacts, which repeats every period.
+  if (touching->pattern.impacts() == 1) touching->pattern.period = 1;
+  const std::size_t turn = touching->touch;
+  const int period = touching->pattern.period;
+  return TouchingOrbit{turned(std::move(touching->pattern), turn),
+                       turned(std::move(touching->impacts), turn, period), 0};
+}
+
+std::vector<OrbitLocusStart> leads_from(const System& system, const OrbitLocus& locus,
+                                        const OrbitLocusSpecial& special, double speed_unit) {
+  const TouchingOrbit here = orbit_at(locus, special.at);
+  const bool of_grazing = locus.kind == OrbitLocusKind::kGrazing;
+  std::vector<OrbitLocusStart> starts;
+  const auto add = [&](OrbitLocusKind kind, TouchingOrbit orbit) {
+    starts.push_back({kind, std::move(orbit), special.at.value, special.at.second,
+                      kind == OrbitLocusKind::kTorus ? multiplier_at(special) : 1.0});
+  };
+  if (special.label == "GRGR") {
+    if (auto orbit = other_touch(system, here, speed_unit))
+      add(OrbitLocusKind::kGrazing, std::move(*orbit));
+    return starts;
+  }
+  for (const OrbitLocusKind kind : others_at(locus.kind, special.label)) {
+    if (kind == OrbitLocusKind::kGrazing) {
+      const std::size_t i = slowest(system, here);
+      const double speed = stop_of(system, here.pattern, i).row.dot(here.impacts[i].before.qdot);
+      if (auto orbit = from_touch(system, here, std::abs(speed) <= kVanishing * speed_unit))
+        add(kind, std::move(*orbit));
+      continue;
+    }
+    TouchingOrbit orbit = here;
+    if (of_grazing) {
+      orbit.touch = slowest(system, orbit);
+      orbit = without_touch(std::move(orbit));
+      if (orbit.impacts.empty()) continue;
+    }
+    add(kind, in_canonical_order(orbit));
+  }
+  return starts;
+}
+
+}  // namespace graze

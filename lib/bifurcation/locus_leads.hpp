@@ -1,0 +1,31 @@
+// What other loci pass a special point of a locus: from a point of codimension two on one kind they
+// are started on the others, so that a locus which no slice meets is found where it meets another.
+#pragma once
+
+#include <vector>
+
+#include "graze/bifurcation/orbit_locus.hpp"
+#include "graze/bifurcation/touching_orbit.hpp"
+
+namespace graze {
+
+// A special point of orbits, at or near a locus.
+struct OrbitLocusStart {
+  OrbitLocusKind kind = OrbitLocusKind::kFold;
+  TouchingOrbit orbit;  // in its canonical order; on GR from the touch on
+  double first = 0.0, second = 0.0;
+  Complex multiplier = 1.0;  // of NS: one of the pair
+};
+
+// An orbit as one that loci of folds, doublings and tori start from, and where it grazes as one
+// that loci of grazing start from: from its touch on, an impact whose speed vanishes (`by_speed`)
+// or the nearest approach. Nothing where there is no approach.
+TouchingOrbit in_canonical_order(const TouchingOrbit& orbit);
+std::optional<TouchingOrbit> from_touch(const System& system, const TouchingOrbit& orbit,
+                                        bool by_speed);
+
+// `system`: at the special point; `speed_unit`, m/s, of the forced motion.
+std::vector<OrbitLocusStart> leads_from(const System& system, const OrbitLocus& locus,
+                                        const OrbitLocusSpecial& special, double speed_unit);
+
+}  // namespace graze
