@@ -39,7 +39,7 @@ struct FinderOptions {
   int random_guesses = 32;
   std::uint64_t random_seed = 1;
   long long max_impacts = kDefaultImpactBudget;  // of the simulation
-  int threads = 0;                     // 0: as many as there are cores; changes no result
+  int threads = 0;                               // 0: as many as there are cores; changes no result
   // Below it the tail of a chatter is summed, m/s; default_closure_speed where absent.
   std::optional<double> closure_speed;
   StopSignal stop;
