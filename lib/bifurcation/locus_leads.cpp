@@ -11,7 +11,8 @@
 namespace graze {
 namespace {
 
-// An impact slower than this part of the forced motion's speed is one that vanishes.
+// An impact slower than this part of the forced motion's speed is one that vanishes, a gap below
+// this part of the length scale one that is touched. Located points have them to rounding.
 constexpr double kVanishing = 1e-9;
 
 TouchingOrbit orbit_at(const OrbitLocus& locus, const OrbitLocusPoint& at) {
@@ -33,6 +34,18 @@ std::size_t slowest(const System& system, const TouchingOrbit& orbit) {
   return least;
 }
 
+bool vanishes(const System& system, const TouchingOrbit& orbit, double speed_unit) {
+  const std::size_t i = slowest(system, orbit);
+  const double speed = stop_of(system, orbit.pattern, i).row.dot(orbit.impacts[i].before.qdot);
+  return std::abs(speed) <= kVanishing * speed_unit;
+}
+
+bool touches(const System& system, const TouchingOrbit& orbit) {
+  const std::optional<double> clearance =
+      admissibility(system, orbit.pattern, orbit.impacts).clearance();
+  return clearance && std::abs(*clearance) <= kVanishing * shooting_scale(system).length;
+}
+
 // The kinds that meet on a locus of one kind at a point of this name.
 std::vector<OrbitLocusKind> others_at(OrbitLocusKind kind, const std::string& label) {
   using Kind = OrbitLocusKind;
@@ -52,10 +65,7 @@ std::optional<TouchingOrbit> other_touch(const System& system, TouchingOrbit orb
   orbit.touch = slowest(system, orbit);
   TouchingOrbit without = without_touch(orbit);
   if (!without.impacts.empty()) {
-    const std::size_t next = slowest(system, without);
-    const double speed =
-        stop_of(system, without.pattern, next).row.dot(without.impacts[next].before.qdot);
-    if (std::abs(speed) <= kVanishing * speed_unit) return from_touch(system, without, true);
+    if (vanishes(system, without, speed_unit)) return from_touch(system, without, true);
   }
   std::optional<TouchingOrbit> both = with_touch(system, orbit.pattern, orbit.impacts);
   if (!both) return {};
@@ -115,10 +125,10 @@ std::vector<OrbitLocusStart> leads_from(const System& system, const OrbitLocus& 
   }
   for (const OrbitLocusKind kind : others_at(locus.kind, special.label)) {
     if (kind == OrbitLocusKind::kGrazing) {
-      const std::size_t i = slowest(system, here);
-      const double speed = stop_of(system, here.pattern, i).row.dot(here.impacts[i].before.qdot);
-      if (auto orbit = from_touch(system, here, std::abs(speed) <= kVanishing * speed_unit))
-        add(kind, std::move(*orbit));
+      const bool by_speed = vanishes(system, here, speed_unit);
+      // Where an impact begins to stick (r = 0) nothing touches.
+      if (!by_speed && !touches(system, here)) continue;
+      if (auto orbit = from_touch(system, here, by_speed)) add(kind, std::move(*orbit));
       continue;
     }
     TouchingOrbit orbit = here;
