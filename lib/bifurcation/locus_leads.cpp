@@ -7,6 +7,8 @@
 
 #include "graze/base/angle.hpp"
 #include "graze/bifurcation/canonical_pattern.hpp"
+#include "graze/bifurcation/locus_margins.hpp"
+#include "graze/flow/transition.hpp"
 
 namespace graze {
 namespace {
@@ -67,18 +69,21 @@ std::optional<TouchingOrbit> other_touch(const System& system, TouchingOrbit orb
   if (!without.impacts.empty()) {
     if (vanishes(system, without, speed_unit)) return from_touch(system, without, true);
   }
-  std::optional<TouchingOrbit> both = with_touch(system, orbit.pattern, orbit.impacts);
-  if (!both) return {};
-  // Leave out the first of them.
-  const std::size_t second = both->touch,
-                    first = orbit.touch < second ? orbit.touch : orbit.touch + 1;
-  both->touch = first;
-  TouchingOrbit other = without_touch(*both);
-  other.touch = first < second ? second - 1 : second;
-  const std::size_t turn = other.touch;
-  const int period = other.pattern.period;
-  return TouchingOrbit{turned(std::move(other.pattern), turn),
-                       turned(std::move(other.impacts), turn, period), 0};
+  const auto beside = approach_beside(system, orbit.pattern, orbit.impacts, orbit.touch);
+  if (!beside) return {};
+  const ExactFlow<double> flow(system);
+  const ImpactPoint touch{
+      beside->theta + beside->after * system.forcing->frequency,
+      transition(system, flow, beside->start, beside->theta, beside->after).end};
+  if (without.impacts.empty()) return TouchingOrbit{{1, {beside->stop}}, {touch}, 0};
+  // Among the impacts left, after the one that its flight leaves.
+  const std::size_t place = beside->impact - (orbit.touch < beside->impact ? 1 : 0) + 1;
+  const auto at = static_cast<std::ptrdiff_t>(place);
+  without.impacts.insert(without.impacts.begin() + at, touch);
+  without.pattern.stops.insert(without.pattern.stops.begin() + at, beside->stop);
+  const int period = without.pattern.period;
+  return TouchingOrbit{turned(std::move(without.pattern), place),
+                       turned(std::move(without.impacts), place, period), 0};
 }
 
 Complex multiplier_at(const OrbitLocusSpecial& special) {

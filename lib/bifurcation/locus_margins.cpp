@@ -14,6 +14,7 @@ Eigen::Index at(LocusMargin margin) { return static_cast<Eigen::Index>(margin); 
 
 // A flight between impacts that have a speed, or all of a period where there are none.
 struct RealFlight {
+  std::size_t impact = 0;  // it comes after; where there are none the touch
   State start;
   double theta = 0.0, duration = 0.0;  // rad, s
   int leaves = -1;                     // the stop, where it leaves one
@@ -28,12 +29,13 @@ std::vector<RealFlight> real_flights(const System& system, const ExactFlow<doubl
     // From half a period after the touch on.
     const double half = 0.5 * pattern.period * system.period();
     const State start = transition(system, flow, impacts[0].before, impacts[0].theta, half).end;
-    return {{start, impacts[0].theta + frequency * half, 2.0 * half, -1, half}};
+    return {{0, start, impacts[0].theta + frequency * half, 2.0 * half, -1, half}};
   }
   std::vector<RealFlight> flights;
   for (std::size_t i = 0; i < impacts.size(); ++i) {
     if (i == touch) continue;
-    RealFlight next{after_impact(stop_of(system, pattern, i), impacts[i].before),
+    RealFlight next{i,
+                    after_impact(stop_of(system, pattern, i), impacts[i].before),
                     impacts[i].theta,
                     flight_time(system, pattern, impacts, i),
                     pattern.stops[i],
@@ -47,13 +49,15 @@ std::vector<RealFlight> real_flights(const System& system, const ExactFlow<doubl
   return flights;
 }
 
-// The smallest interior minimum of any stop's gap but for the one that is the touch.
-std::optional<double> clearance_beside(const System& system, const ImpactPattern& pattern,
-                                       const std::vector<ImpactPoint>& impacts, std::size_t touch) {
+}  // namespace
+
+std::optional<ApproachBeside> approach_beside(const System& system, const ImpactPattern& pattern,
+                                              const std::vector<ImpactPoint>& impacts,
+                                              std::size_t touch) {
   constexpr double kFar = std::numeric_limits<double>::infinity();
   const ExactFlow<double> flow(system);
   Arc<double> arc(flow);
-  std::optional<double> lowest;
+  std::optional<ApproachBeside> lowest;
   for (const RealFlight& flight : real_flights(system, flow, pattern, impacts, touch)) {
     if (!(flight.duration > 0.0)) continue;
     arc.start(flight.theta, flight.start.q, flight.start.qdot);
@@ -63,20 +67,20 @@ std::optional<double> clearance_beside(const System& system, const ImpactPattern
                                    k == flight.leaves);
       const bool touches = flight.touch && k == pattern.stops[touch];
       std::vector<GapMinimum> minima =
-          minima_below(curve, 0, touches ? kFar : lowest.value_or(kFar));
+          minima_below(curve, 0, touches || !lowest ? kFar : lowest->gap);
       if (touches && !minima.empty())
         minima.erase(std::min_element(
             minima.begin(), minima.end(), [&](const GapMinimum& a, const GapMinimum& b) {
               return std::abs(a.s - *flight.touch) < std::abs(b.s - *flight.touch);
             }));
       for (const GapMinimum& minimum : minima)
-        if (!lowest || minimum.gap < *lowest) lowest = minimum.gap;
+        if (!lowest || minimum.gap < lowest->gap)
+          lowest =
+              ApproachBeside{flight.impact, k, flight.start, flight.theta, minimum.s, minimum.gap};
     }
   }
   return lowest;
 }
-
-}  // namespace
 
 Vector approach_speeds(const System& system, const ImpactPattern& pattern,
                        const std::vector<ImpactPoint>& impacts) {
@@ -91,8 +95,11 @@ Vector locus_margins(const System& system, const ImpactPattern& pattern,
                      const std::vector<ImpactPoint>& impacts, std::optional<std::size_t> touch) {
   const Admissibility verdict = admissibility(system, pattern, impacts);
   Vector margins = Vector::Ones(kLocusMargins);
-  const std::optional<double> clearance =
-      touch ? clearance_beside(system, pattern, impacts, *touch) : verdict.clearance();
+  std::optional<double> clearance = verdict.clearance();
+  if (touch) {
+    const auto beside = approach_beside(system, pattern, impacts, *touch);
+    clearance = beside ? std::optional(beside->gap) : std::nullopt;
+  }
   if (clearance) margins[at(LocusMargin::kClearance)] = *clearance;
   margins[at(LocusMargin::kFlight)] = verdict.shortest_flight;
   if (verdict.push) margins[at(LocusMargin::kPull)] = -*verdict.push;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <deque>
 #include <map>
 #include <memory>
@@ -30,6 +31,10 @@ std::optional<OrbitLocusKind> locus_kind(SpecialKind kind) {
   }
   return {};
 }
+
+// Places in the plane nearer than this, in ranges of the parameters, are one: next to where loci
+// meet their equations are singular, and known to about the square root of rounding.
+constexpr double kOnePlace = 1e-7;
 
 class LociTracer {
  public:
@@ -190,9 +195,19 @@ class LociTracer {
       return;
     }
     for (OrbitLocus& part : locus_parts(*answer.trace, options_.branches.keep_virtual)) {
+      if (is_a_point(part)) continue;
       if (is_cut_short(part)) ++result_.cut_short;
       result_.loci.push_back(std::move(part));
     }
+  }
+
+  // What was started where several loci meet may creep about there.
+  bool is_a_point(const OrbitLocus& locus) const {
+    const OrbitLocusPoint& first = locus.points.front();
+    return std::all_of(locus.points.begin(), locus.points.end(), [&](const OrbitLocusPoint& point) {
+      return std::hypot((point.value - first.value) / first_range(plane_.options),
+                        (point.second - first.second) / second_range(plane_.options)) <= kOnePlace;
+    });
   }
 
   LocusAnswer trace_from(const OrbitLocusStart& start) {

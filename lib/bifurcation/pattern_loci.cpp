@@ -103,12 +103,19 @@ double distance(const OrbitLocusPoint& a, const OrbitLocusPoint& b, const LocusO
                     (a.second - b.second) / second_range(options));
 }
 
-// As an impact speed vanishes an approach touches too: one grazing, not two.
+// As an impact speed vanishes an approach touches too: one grazing, not two. A locus that was
+// started there has it among its points as well, on whatever side the last bit puts it.
 void merge_borders(std::vector<LocusPlace>& places, const LocusOptions& options) {
-  const auto one = [&](const LocusPlace& a, const LocusPlace& b) {
-    return a.border && b.border && distance(a.at, b.at, options) <= kOneGrazing;
-  };
-  places.erase(std::unique(places.begin(), places.end(), one), places.end());
+  std::vector<LocusPlace> merged;
+  for (LocusPlace& place : places) {
+    const bool same = !merged.empty() && (merged.back().border || place.border) &&
+                      distance(merged.back().at, place.at, options) <= kOneGrazing;
+    if (!same)
+      merged.push_back(std::move(place));
+    else if (!merged.back().border)
+      merged.back() = std::move(place);
+  }
+  places = std::move(merged);
 }
 
 // The points of a locus, and between them what lies within its steps, in order.

@@ -8,6 +8,7 @@
 #include "graze/continuation/branch.hpp"
 #include "graze/continuation/corrector.hpp"
 #include "graze/continuation/locate.hpp"
+#include "graze/continuation/margin_course.hpp"
 
 namespace graze {
 namespace {
@@ -92,39 +93,68 @@ void drop_crept_points(const PlaneCurveProblem& problem, const Corrector& correc
 }
 
 // Zeros of the tests, step by step. A value is taken once at each point, as seen from the one
-// before.
+// before. Where both ends of a step have one sign, the cubic through them, with slopes from their
+// neighbours, says whether to look in between for a pair.
 class TestZeroSearch {
  public:
   TestZeroSearch(const PlaneCurveProblem& problem, const ContinuationOptions& options,
                  const Branch& branch)
       : problem_(problem),
         options_(options),
-        branch_(branch),
+        points_(branch.points),
         corrector_(problem.problem, options) {}
 
   std::vector<TestZero> run() {
-    const std::vector<BranchPoint>& points = branch_.points;
-    std::optional<Vector> last = problem_.tests(points.front(), points.front());
-    for (std::size_t i = 0; i + 1 < points.size() && !options_.stop.requested(); ++i) {
-      std::optional<Vector> here = problem_.tests(points[i], points[i + 1]);
-      if (last && here)
-        for (Eigen::Index k = 0; k < std::min(last->size(), here->size()); ++k)
-          if (((*last)[k] < 0.0) != ((*here)[k] < 0.0)) add(i, k);
-      last = std::move(here);
+    for (std::size_t i = 0; i < points_.size() && !options_.stop.requested(); ++i) {
+      values_.push_back(problem_.tests(points_[i > 0 ? i - 1 : 0], points_[i]));
+      if (i > 0) lengths_.push_back(arclength(corrector_, points_[i - 1], points_[i]));
     }
+    for (std::size_t i = 0; i + 1 < values_.size() && !options_.stop.requested(); ++i)
+      for (Eigen::Index k = 0; k < std::min(count_at(i), count_at(i + 1)); ++k) search(i, k);
     std::stable_sort(zeros_.begin(), zeros_.end(),
                      [](const TestZero& a, const TestZero& b) { return a.test < b.test; });
     return std::move(zeros_);
   }
 
  private:
-  void add(std::size_t i, Eigen::Index k) {
-    const BranchPoint& from = branch_.points[i];
-    std::optional<BranchPoint> point =
-        locate(corrector_, from, branch_.points[i + 1], [&](const BranchPoint& at) {
-          const std::optional<Vector> values = problem_.tests(from, at);
-          return values && k < values->size() ? (*values)[k] : std::nan("");
-        });
+  Eigen::Index count_at(std::size_t i) const { return values_[i] ? values_[i]->size() : 0; }
+  double value(std::size_t i, Eigen::Index k) const { return (*values_[i])[k]; }
+
+  std::optional<double> test(std::size_t i, Eigen::Index k, const BranchPoint& at) const {
+    const std::optional<Vector> values = problem_.tests(points_[i], at);
+    return values && k < values->size() ? std::optional((*values)[k]) : std::nullopt;
+  }
+
+  // By arclength at point i: of the parabola through it and its neighbours, at an end of the chord.
+  double slope(std::size_t i, Eigen::Index k) const {
+    const bool before = i > 0 && k < count_at(i - 1);
+    const bool behind = i + 1 < values_.size() && k < count_at(i + 1);
+    const double left = before ? (value(i, k) - value(i - 1, k)) / lengths_[i - 1] : 0.0;
+    const double right = behind ? (value(i + 1, k) - value(i, k)) / lengths_[i] : 0.0;
+    if (!before || !behind) return before ? left : right;
+    return (left * lengths_[i] + right * lengths_[i - 1]) / (lengths_[i - 1] + lengths_[i]);
+  }
+
+  void search(std::size_t i, Eigen::Index k) {
+    const BranchPoint &a = points_[i], &b = points_[i + 1];
+    const bool sign = value(i, k) < 0.0;
+    if (sign != (value(i + 1, k) < 0.0)) return add(i, k, a, b);
+    const double length = lengths_[i];
+    const std::optional<double> part = doubt_within({MarginCourse::between(
+        value(i, k), length * slope(i, k), value(i + 1, k), length * slope(i + 1, k))});
+    if (!part) return;
+    const std::optional<BranchPoint> middle =
+        point_between(corrector_, a, *part * corrector_.ahead(a, b), a, b);
+    const std::optional<double> there = middle ? test(i, k, *middle) : std::nullopt;
+    if (!there || (*there < 0.0) == sign) return;
+    add(i, k, a, *middle);
+    add(i, k, *middle, b);
+  }
+
+  void add(std::size_t i, Eigen::Index k, const BranchPoint& a, const BranchPoint& b) {
+    std::optional<BranchPoint> point = locate(corrector_, a, b, [&](const BranchPoint& at) {
+      return test(i, k, at).value_or(std::nan(""));
+    });
     if (!point) return;
     if (problem_.problem.multipliers)
       point->multipliers =
@@ -134,8 +164,10 @@ class TestZeroSearch {
 
   const PlaneCurveProblem& problem_;
   const ContinuationOptions& options_;
-  const Branch& branch_;
+  const std::vector<BranchPoint>& points_;
   Corrector corrector_;
+  std::vector<std::optional<Vector>> values_;  // at the points
+  std::vector<double> lengths_;                // of the steps
   std::vector<TestZero> zeros_;
 };
 

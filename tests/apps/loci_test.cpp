@@ -38,7 +38,9 @@ TEST(LociCommand, WritesTheDocumentOfTheContract) {
       EXPECT_GE(point["second"].get<double>(), 1.2e-3);
       EXPECT_LE(point["second"].get<double>(), 1.3e-3);
       // On a grazing of the motion that has no impacts the one listed is the touch.
-      if (locus["label"] == "GR") EXPECT_NEAR(point["speed"].get<double>(), 0.0, 1e-12);
+      if (locus["label"] == "GR") {
+        EXPECT_NEAR(point["speed"].get<double>(), 0.0, 1e-12);
+      }
     }
 }
 
