@@ -104,10 +104,11 @@ TEST(OrbitLoci, DoublingsAndToriHaveTheClosedFormsMultipliers) {
           ++points;
         }
       const bool single = std::string(modes) == "beam.modes=1" && kind == OrbitLocusKind::kTorus;
-      if (single)
+      if (single) {
         EXPECT_EQ(points, 0);  // the product of its two multipliers is below 1
-      else
+      } else {
         EXPECT_GE(points, 20) << modes << label_of(kind);
+      }
       EXPECT_EQ(found.cut_short, 0);
     }
 }
@@ -210,10 +211,11 @@ TEST(OrbitLoci, DoublingsMeetGrazingAlongAParabola) {
     if (!(away > 0.005 && away < 0.1)) continue;
     const System system = system_at(scene, point.value, point.second);
     const double ratio = (point.second - linear_amplitude(system)) / (away * away);
-    if (compared++ > 0)
+    if (compared++ > 0) {
       EXPECT_NEAR(ratio / rest, 1.0, 0.02) << point.value;
-    else
+    } else {
       rest = ratio;
+    }
   }
   EXPECT_GE(compared, 5);
 }
