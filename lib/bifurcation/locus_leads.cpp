@@ -1,8 +1,6 @@
 #include "graze/bifurcation/locus_leads.hpp"
 
-#include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <utility>
 
 #include "graze/base/angle.hpp"
@@ -26,20 +24,26 @@ TouchingOrbit orbit_at(const OrbitLocus& locus, const OrbitLocusPoint& at) {
   return orbit;
 }
 
+// Of every impact, m/s, whichever way it goes.
+Vector sizes_of_speeds(const System& system, const TouchingOrbit& orbit) {
+  return approach_speeds(system, orbit.pattern, orbit.impacts).cwiseAbs();
+}
+
 std::size_t slowest(const System& system, const TouchingOrbit& orbit) {
-  std::size_t least = 0;
-  const auto speed = [&](std::size_t i) {
-    return std::abs(stop_of(system, orbit.pattern, i).row.dot(orbit.impacts[i].before.qdot));
-  };
-  for (std::size_t i = 1; i < orbit.impacts.size(); ++i)
-    if (speed(i) < speed(least)) least = i;
-  return least;
+  Eigen::Index least = 0;
+  sizes_of_speeds(system, orbit).minCoeff(&least);
+  return static_cast<std::size_t>(least);
 }
 
 bool vanishes(const System& system, const TouchingOrbit& orbit, double speed_unit) {
-  const std::size_t i = slowest(system, orbit);
-  const double speed = stop_of(system, orbit.pattern, i).row.dot(orbit.impacts[i].before.qdot);
-  return std::abs(speed) <= kVanishing * speed_unit;
+  return sizes_of_speeds(system, orbit).minCoeff() <= kVanishing * speed_unit;
+}
+
+// The same, written from its touch on.
+TouchingOrbit from_its_touch(TouchingOrbit orbit) {
+  const int period = orbit.pattern.period;
+  return {turned(std::move(orbit.pattern), orbit.touch),
+          turned(std::move(orbit.impacts), orbit.touch, period), 0};
 }
 
 bool touches(const System& system, const TouchingOrbit& orbit) {
@@ -66,9 +70,8 @@ std::optional<TouchingOrbit> other_touch(const System& system, TouchingOrbit orb
                                          double speed_unit) {
   orbit.touch = slowest(system, orbit);
   TouchingOrbit without = without_touch(orbit);
-  if (!without.impacts.empty()) {
-    if (vanishes(system, without, speed_unit)) return from_touch(system, without, true);
-  }
+  if (!without.impacts.empty() && vanishes(system, without, speed_unit))
+    return from_touch(system, without, true);
   const auto beside = approach_beside(system, orbit.pattern, orbit.impacts, orbit.touch);
   if (!beside) return {};
   const ExactFlow<double> flow(system);
@@ -81,9 +84,8 @@ std::optional<TouchingOrbit> other_touch(const System& system, TouchingOrbit orb
   const auto at = static_cast<std::ptrdiff_t>(place);
   without.impacts.insert(without.impacts.begin() + at, touch);
   without.pattern.stops.insert(without.pattern.stops.begin() + at, beside->stop);
-  const int period = without.pattern.period;
-  return TouchingOrbit{turned(std::move(without.pattern), place),
-                       turned(std::move(without.impacts), place, period), 0};
+  without.touch = place;
+  return from_its_touch(std::move(without));
 }
 
 Complex multiplier_at(const OrbitLocusSpecial& special) {
@@ -108,10 +110,7 @@ std::optional<TouchingOrbit> from_touch(const System& system, const TouchingOrbi
   if (!touching) return {};
   // A touch alone is that of the motion without impacts, which repeats every period.
   if (touching->pattern.impacts() == 1) touching->pattern.period = 1;
-  const std::size_t turn = touching->touch;
-  const int period = touching->pattern.period;
-  return TouchingOrbit{turned(std::move(touching->pattern), turn),
-                       turned(std::move(touching->impacts), turn, period), 0};
+  return from_its_touch(std::move(*touching));
 }
 
 std::vector<OrbitLocusStart> leads_from(const System& system, const OrbitLocus& locus,

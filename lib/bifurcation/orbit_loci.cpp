@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <deque>
 #include <map>
 #include <memory>
@@ -180,8 +179,7 @@ class LociTracer {
     if (!special.at.admissible && !options_.branches.keep_virtual) return;
     const System* system = systems_.at(std::array{special.at.value, special.at.second});
     if (!system) return;
-    const double speed_unit = plane_.scale.length * scene_.forcing->frequency;
-    for (OrbitLocusStart& lead : leads_from(*system, locus, special, speed_unit))
+    for (OrbitLocusStart& lead : leads_from(*system, locus, special, plane_.speed_unit()))
       if (wants(lead.kind)) starts.push_back(std::move(lead));
   }
 
@@ -205,8 +203,7 @@ class LociTracer {
   bool is_a_point(const OrbitLocus& locus) const {
     const OrbitLocusPoint& first = locus.points.front();
     return std::all_of(locus.points.begin(), locus.points.end(), [&](const OrbitLocusPoint& point) {
-      return std::hypot((point.value - first.value) / first_range(plane_.options),
-                        (point.second - first.second) / second_range(plane_.options)) <= kOnePlace;
+      return distance(point, first, plane_.options) <= kOnePlace;
     });
   }
 

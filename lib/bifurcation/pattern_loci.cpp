@@ -97,10 +97,15 @@ struct Within {
   LocusPlace place;
 };
 
-// In ranges of the parameters.
-double distance(const OrbitLocusPoint& a, const OrbitLocusPoint& b, const LocusOptions& options) {
-  return std::hypot((a.value - b.value) / first_range(options),
-                    (a.second - b.second) / second_range(options));
+// `zero`: the margin that vanishes there, where one does.
+LocusPlace place_of(const System& system, const ImpactPattern& pattern,
+                    const std::vector<ImpactPoint>& impacts, std::optional<std::size_t> touch,
+                    OrbitLocusPoint at, std::optional<LocusMargin> zero) {
+  at.impacts = ordered_impacts(system, pattern, impacts);
+  LocusPlace place{std::move(at), locus_margins(system, pattern, impacts, touch), "", {}};
+  place.at.admissible = is_admissible(system, place.margins);
+  if (zero && are_others_positive(system, place.margins, *zero)) place.border = zero;
+  return place;
 }
 
 // As an impact speed vanishes an approach touches too: one grazing, not two. A locus that was
@@ -138,12 +143,17 @@ std::vector<LocusPlace> in_order(std::vector<LocusPlace> points, std::vector<Wit
 
 }  // namespace
 
+double distance(const OrbitLocusPoint& a, const OrbitLocusPoint& b, const LocusOptions& options) {
+  return std::hypot((a.value - b.value) / first_range(options),
+                    (a.second - b.second) / second_range(options));
+}
+
 CriticalLoci::CriticalLoci(const LocusPlane& plane, OrbitLocusKind kind,
                            const ImpactPattern& pattern)
     : kind_(kind),
       orbits_(*plane.scene, plane.first, plane.second, pattern, plane.scale),
       options_(plane.options),
-      speed_unit_(plane.scale.length * plane.scene->forcing->frequency) {
+      speed_unit_(plane.speed_unit()) {
   options_.tests = [this](const LocusPoint& at) { return margins(at); };
   options_.resolves = [this](const LocusPoint& from, const LocusPoint& to) {
     return resolves_speeds(speeds(from), speeds(to), speed_unit_);
@@ -164,15 +174,8 @@ std::optional<Vector> CriticalLoci::margins(const LocusPoint& at) const {
 
 LocusPlace CriticalLoci::place(const LocusPoint& at, std::optional<LocusMargin> zero) const {
   const System& system = *orbits_.system_at(at.first, at.second);
-  const std::vector<ImpactPoint> impacts = orbits_.shooting().unpack(system, at.u);
-  LocusPlace place{
-      {at.first, at.second, at.angle, ordered_impacts(system, orbits_.pattern(), impacts), false},
-      locus_margins(system, orbits_.pattern(), impacts, {}),
-      "",
-      {}};
-  place.at.admissible = is_admissible(system, place.margins);
-  if (zero && are_others_positive(system, place.margins, *zero)) place.border = zero;
-  return place;
+  return place_of(system, orbits_.pattern(), orbits_.shooting().unpack(system, at.u), {},
+                  {at.first, at.second, at.angle, {}, false}, zero);
 }
 
 bool CriticalLoci::knows(const OrbitLocusStart& start) const {
@@ -223,7 +226,7 @@ GrazingLoci::GrazingLoci(const LocusPlane& plane, const ImpactPattern& pattern)
              first_range(plane.options)),
       problem_(curve_.problem()) {
   problem_.tests = [this](const BranchPoint&, const BranchPoint& at) { return tests(at); };
-  const double unit = plane.scale.length * plane.scene->forcing->frequency;
+  const double unit = plane.speed_unit();
   problem_.resolves = [this, unit](const BranchPoint& from, const BranchPoint& to) {
     return resolves_speeds(speeds(from), speeds(to), unit);
   };
@@ -255,16 +258,9 @@ std::optional<Vector> GrazingLoci::tests(const BranchPoint& at) const {
 
 LocusPlace GrazingLoci::place(const BranchPoint& at, std::optional<LocusMargin> zero) const {
   const double first = curve_.first_of(at);
-  const System& system = *curve_.system_at(first, at.parameter);
-  const ImpactPattern& pattern = curve_.shooting().pattern();
-  const std::vector<ImpactPoint> impacts = curve_.impacts_of(at);
-  LocusPlace place{{first, at.parameter, 0.0, ordered_impacts(system, pattern, impacts), false},
-                   locus_margins(system, pattern, impacts, curve_.touch()),
-                   "",
-                   {}};
-  place.at.admissible = is_admissible(system, place.margins);
-  if (zero && are_others_positive(system, place.margins, *zero)) place.border = zero;
-  return place;
+  return place_of(*curve_.system_at(first, at.parameter), curve_.shooting().pattern(),
+                  curve_.impacts_of(at), curve_.touch(), {first, at.parameter, 0.0, {}, false},
+                  zero);
 }
 
 LocusAnswer GrazingLoci::trace(const OrbitLocusStart& start) {

@@ -22,7 +22,12 @@ struct LocusPlane {
   std::string first, second;
   ShootingScale scale;
   LocusOptions options;
+
+  double speed_unit() const { return scale.length * scene->forcing->frequency; }  // m/s
 };
+
+// In ranges of the parameters.
+double distance(const OrbitLocusPoint& a, const OrbitLocusPoint& b, const LocusOptions& options);
 
 // What came of a start.
 struct LocusAnswer {
