@@ -46,6 +46,8 @@ struct Command {
   std::string second;
   std::optional<double> second_from, second_to;
   int slices = 8;
+  std::string restart, label;   // folder of a run and a special point of it; empty: none
+  bool switched = false;        // onto the other branch there
   std::string follow = "none";  // none | all
   int depth = 2;
 

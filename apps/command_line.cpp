@@ -238,6 +238,25 @@ void add_locus(CLI::App* app, Command& command) {
       ->needs(locus);
 }
 
+// A special point of an earlier run instead of any search.
+void add_restart(CLI::App* app, Command& command) {
+  CLI::Option* restart =
+      app->add_option("--restart", command.restart,
+                      "Start from a special point of the run that --out left in this folder, in "
+                      "the same parameter, another one, or as a locus")
+          ->type_name("DIR");
+  for (const char* of_search : {"--period", "--impacts", "--start", "--random-seed", "--slices"})
+    restart->excludes(app->get_option(of_search));
+  app->add_option("--label", command.label, "With --restart: the special point's id, e.g. PD1")
+      ->type_name("ID")
+      ->needs(restart);
+  app->add_flag("--switch", command.switched,
+                "With --restart: onto the branch that begins or crosses there: doubled orbits at "
+                "PD, the crossing branch at BP, one impact more or less at GR")
+      ->needs(restart)
+      ->excludes(app->get_option("--locus"));
+}
+
 void add_continue(CLI::App& graze, Command& command) {
   CLI::App* app =
       graze.add_subcommand("continue", "Trace branches of orbits over a parameter of the scene");
@@ -251,6 +270,7 @@ void add_continue(CLI::App& graze, Command& command) {
   add_branch_kind(app, command);
   add_closure_speed(app, command);
   add_locus(app, command);
+  add_restart(app, command);
 }
 
 void add_diagram(CLI::App& graze, Command& command) {

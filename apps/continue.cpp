@@ -8,12 +8,14 @@
 #include "branch_options.hpp"
 #include "graze/assembly/assembly.hpp"
 #include "graze/assembly/system_warnings.hpp"
+#include "graze/bifurcation/restart.hpp"
 #include "graze/report/csv.hpp"
 #include "graze/report/json.hpp"
 #include "graze/report/pictures.hpp"
 #include "graze/report/text.hpp"
 #include "graze/scene/parameter.hpp"
 #include "graze/scene/reader.hpp"
+#include "restart.hpp"
 #include "search_options.hpp"
 #include "session.hpp"
 
@@ -52,11 +54,44 @@ BranchOptions branch_options(const Command& command) {
   return options;
 }
 
+namespace {
+
+// Whether a point of that kind has another branch to go onto.
+bool has_other_branch(const SpecialOrbit& at) {
+  const bool found = at.kind == SpecialKind::kPeriodDoubling ||
+                     at.kind == SpecialKind::kBranchPoint || at.kind == SpecialKind::kGrazing;
+  return found && !at.sticking && !at.by_push;
+}
+
+// From a special point of an earlier run alone.
+void start_from(const Restart& restart, const Command& command, BranchOptions& options) {
+  value_in_range(restart, command.parameter, command.from, command.to);
+  const bool same = restart.parameters == std::vector<std::string>{command.parameter};
+  if (command.switched && !has_other_branch(restart.at))
+    throw InputError(fmt::format(
+        "--switch: no other branch begins or crosses at {}; one does at PD, BP and GR of orbits "
+        "that do not stick",
+        restart.at.id));
+  if (command.switched && restart.at.by_speed && restart.at.impacts.size() == 1)
+    throw InputError(fmt::format("--switch: beyond {} the motion meets no stop", restart.at.id));
+  if (command.switched && restart.at.kind == SpecialKind::kBranchPoint && !same)
+    throw InputError(fmt::format("--switch: branches cross at {} over {} only", restart.at.id,
+                                 restart.parameters.front()));
+  options.start = BranchStart{restart.at, same, command.switched};
+  options.period = restart.at.sticking ? restart.at.sticking->period : restart.at.pattern.period;
+  options.impacts = restart.at.pattern.impacts();
+}
+
+}  // namespace
+
 int run_continue(const Command& command) {
   if (!command.plot.empty()) check_picture_name(command.plot);
-  const Scene scene = read_scene(command.scene, command.settings);
+  const Scene given = read_scene(command.scene, command.settings);
+  const std::optional<Restart> restart = read_restart(command, given);
+  const Scene& scene = restart ? restart->scene : given;
   require_forcing_and_stop(scene);
   BranchOptions options = branch_options(command);
+  if (restart) start_from(*restart, command, options);
   const SystemFamily family(scene, command.parameter);
   BranchRecord record{run_info(command.name, command.scene, scene),
                       assemble(scene),
@@ -78,7 +113,10 @@ int run_continue(const Command& command) {
   record.info.options.emplace_back("follow", command.follow);
   if (command.follow == "all")
     record.info.options.emplace_back("depth", static_cast<long long>(command.depth));
-  record_search(command, record.info);
+  if (restart)
+    record_restart(command, record.info);
+  else
+    record_search(command, record.info);
   record.warnings = system_warnings(scene, record.system);
   warn(command, record.warnings);
   prepare_output(command);
@@ -88,7 +126,10 @@ int run_continue(const Command& command) {
   return conclude(command, record.info, record.outcome,
                   {to_json(record),
                    to_text(record),
-                   {{"branches.csv", branches_csv(record)}, {"special.csv", special_csv(record)}},
+                   {{"branches.csv", branches_csv(record)},
+                    {"special.csv", special_csv(record)},
+                    special_file(record.info, {command.parameter},
+                                 special_orbits(record.traced, record.system))},
                    [&] { draw_branches(command.plot, record); },
                    {}});
 }

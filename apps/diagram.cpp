@@ -2,12 +2,14 @@
 #include "branch_options.hpp"
 #include "graze/assembly/assembly.hpp"
 #include "graze/assembly/system_warnings.hpp"
+#include "graze/bifurcation/restart.hpp"
 #include "graze/report/csv.hpp"
 #include "graze/report/json.hpp"
 #include "graze/report/pictures.hpp"
 #include "graze/report/text.hpp"
 #include "graze/scene/parameter.hpp"
 #include "graze/scene/reader.hpp"
+#include "restart.hpp"
 #include "search_options.hpp"
 #include "session.hpp"
 
@@ -106,7 +108,9 @@ int run_diagram(const Command& command) {
                    to_text(record),
                    {{"sweep.csv", sweep_csv(record)},
                     {"branches.csv", branches_csv(record.branches)},
-                    {"special.csv", special_csv(record.branches)}},
+                    {"special.csv", special_csv(record.branches)},
+                    special_file(record.branches.info, {command.parameter},
+                                 special_orbits(record.branches.traced, record.branches.system))},
                    [&] { draw_diagram(command.plot, record); },
                    {}});
 }

@@ -1,11 +1,13 @@
 // graze continue --locus: loci of special points in two parameters.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 
 #include "branch_options.hpp"
 #include "graze/assembly/assembly.hpp"
 #include "graze/assembly/system_warnings.hpp"
+#include "graze/bifurcation/restart.hpp"
 #include "graze/record/loci_record.hpp"
 #include "graze/report/csv.hpp"
 #include "graze/report/json.hpp"
@@ -13,6 +15,7 @@
 #include "graze/report/text.hpp"
 #include "graze/scene/parameter.hpp"
 #include "graze/scene/reader.hpp"
+#include "restart.hpp"
 #include "search_options.hpp"
 #include "session.hpp"
 
@@ -48,6 +51,22 @@ LociOptions loci_options(const Command& command) {
   return options;
 }
 
+// From a special point of an earlier run alone.
+void start_from(const Restart& restart, const Command& command, LociOptions& options) {
+  const double first = value_in_range(restart, command.parameter, command.from, command.to);
+  const double second =
+      value_in_range(restart, command.second, options.second_from, options.second_to);
+  options.start = locus_start(assemble(restart.scene), restart.at, first, second);
+  if (!options.start)
+    throw InputError(
+        fmt::format("--label: {} has no locus; LP, PD, NS and GR of orbits that do not stick have",
+                    restart.at.id));
+  const OrbitLocusKind kind = options.start->kind;
+  if (std::find(options.kinds.begin(), options.kinds.end(), kind) == options.kinds.end())
+    throw InputError(fmt::format("--locus: {} lies on a locus of {}; give --locus {} or all",
+                                 restart.at.id, label_of(kind), label_of(kind)));
+}
+
 void record_options(const Command& command, RunInfo& info) {
   std::string kinds;
   for (const std::string& label : command.locus) kinds += (kinds.empty() ? "" : ",") + label;
@@ -58,25 +77,32 @@ void record_options(const Command& command, RunInfo& info) {
   info.options.emplace_back("second", command.second);
   info.options.emplace_back("second_from", *command.second_from);
   info.options.emplace_back("second_to", *command.second_to);
-  info.options.emplace_back("slices", static_cast<long long>(command.slices));
+  if (command.restart.empty())
+    info.options.emplace_back("slices", static_cast<long long>(command.slices));
   if (command.max_step) info.options.emplace_back("max_step", *command.max_step);
   info.options.emplace_back("follow", command.follow);
   if (command.follow == "all")
     info.options.emplace_back("depth", static_cast<long long>(command.depth));
-  record_search(command, info);
+  if (command.restart.empty())
+    record_search(command, info);
+  else
+    record_restart(command, info);
 }
 
 }  // namespace
 
 int run_loci(const Command& command) {
   if (!command.plot.empty()) check_picture_name(command.plot);
-  const Scene scene = read_scene(command.scene, command.settings);
+  const Scene given = read_scene(command.scene, command.settings);
+  const std::optional<Restart> restart = read_restart(command, given);
+  const Scene& scene = restart ? restart->scene : given;
   require_forcing_and_stop(scene);
   LociOptions options = loci_options(command);
   // A range that reaches beyond what the scene allows is the user's error.
   for (const double value : {command.from, command.to})
     for (const double second : {options.second_from, options.second_to})
       with_parameter(with_parameter(scene, command.parameter, value), command.second, second);
+  if (restart) start_from(*restart, command, options);
   LociRecord record;
   record.info = run_info(command.name, command.scene, scene);
   record.from = command.from;
@@ -95,7 +121,10 @@ int run_loci(const Command& command) {
   return conclude(command, record.info, record.outcome,
                   {to_json(record),
                    to_text(record),
-                   {{"loci.csv", loci_csv(record)}, {"special.csv", special_csv(record)}},
+                   {{"loci.csv", loci_csv(record)},
+                    {"special.csv", special_csv(record)},
+                    special_file(record.info, {command.parameter, command.second},
+                                 special_orbits(record.traced))},
                    [&] { draw_loci(command.plot, record); },
                    {}});
 }

@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "graze/base/errors.hpp"
+#include "run_folder.hpp"
 
 namespace graze {
 
@@ -15,11 +16,7 @@ CutRun read_cut_run(const Command& command, const System& system, const RunInfo&
   std::error_code no_matter;  // what cannot be looked at cannot be read either
   if (std::filesystem::is_directory(file, no_matter)) file /= kStateFile;
   const std::filesystem::path folder = file.has_parent_path() ? file.parent_path() : ".";
-  if (!command.out.empty() && std::filesystem::equivalent(folder, command.out, no_matter))
-    throw InputError(
-        fmt::format("--out: {} holds the run that --resume goes on from, whose tables "
-                    "it would replace; give another folder",
-                    command.out));
+  refuse_own_folder(command, folder, "--resume");
   return read_run_state(file, system, info.scene_sha256);
 }
 

@@ -65,6 +65,26 @@ std::vector<OrbitLocusKind> others_at(OrbitLocusKind kind, const std::string& la
   return others;
 }
 
+// The orbit from its touch on: an impact whose speed vanishes (`by_speed`) or the nearest approach.
+// Nothing where there is no approach.
+std::optional<TouchingOrbit> from_touch(const System& system, const TouchingOrbit& orbit,
+                                        bool by_speed) {
+  std::optional<TouchingOrbit> touching = orbit;
+  if (by_speed)
+    touching->touch = slowest(system, orbit);
+  else
+    touching = with_touch(system, orbit.pattern, orbit.impacts);
+  if (!touching) return {};
+  // A touch alone is that of the motion without impacts, which repeats every period.
+  if (touching->pattern.impacts() == 1) touching->pattern.period = 1;
+  return from_its_touch(std::move(*touching));
+}
+
+// As loci of folds, doublings and tori start from it.
+TouchingOrbit in_canonical_order(const TouchingOrbit& orbit) {
+  return {canonical(orbit.pattern), in_canonical_order(orbit.pattern, orbit.impacts), 0};
+}
+
 // Where an orbit touches twice, with the touch that the locus is not of.
 std::optional<TouchingOrbit> other_touch(const System& system, TouchingOrbit orbit,
                                          double speed_unit) {
@@ -96,21 +116,18 @@ Complex multiplier_at(const OrbitLocusSpecial& special) {
 
 }  // namespace
 
-TouchingOrbit in_canonical_order(const TouchingOrbit& orbit) {
-  return {canonical(orbit.pattern), in_canonical_order(orbit.pattern, orbit.impacts), 0};
-}
-
-std::optional<TouchingOrbit> from_touch(const System& system, const TouchingOrbit& orbit,
-                                        bool by_speed) {
-  std::optional<TouchingOrbit> touching = orbit;
-  if (by_speed)
-    touching->touch = slowest(system, orbit);
-  else
-    touching = with_touch(system, orbit.pattern, orbit.impacts);
+std::optional<OrbitLocusStart> locus_start(const System& system, OrbitLocusKind kind,
+                                           const TouchingOrbit& orbit, bool by_speed,
+                                           const LocusStartPlace& place) {
+  OrbitLocusStart start{kind, {}, place.first, place.second, place.multiplier};
+  if (kind != OrbitLocusKind::kGrazing) {
+    start.orbit = in_canonical_order(orbit);
+    return start;
+  }
+  std::optional<TouchingOrbit> touching = from_touch(system, orbit, by_speed);
   if (!touching) return {};
-  // A touch alone is that of the motion without impacts, which repeats every period.
-  if (touching->pattern.impacts() == 1) touching->pattern.period = 1;
-  return from_its_touch(std::move(*touching));
+  start.orbit = std::move(*touching);
+  return start;
 }
 
 std::vector<OrbitLocusStart> leads_from(const System& system, const OrbitLocus& locus,

@@ -17,12 +17,16 @@ struct OrbitLocusStart {
   Complex multiplier = 1.0;  // of NS: one of the pair
 };
 
-// An orbit as one that loci of folds, doublings and tori start from, and where it grazes as one
-// that loci of grazing start from: from its touch on, an impact whose speed vanishes (`by_speed`)
-// or the nearest approach. Nothing where there is no approach.
-TouchingOrbit in_canonical_order(const TouchingOrbit& orbit);
-std::optional<TouchingOrbit> from_touch(const System& system, const TouchingOrbit& orbit,
-                                        bool by_speed);
+// An orbit at a special point as a start of its locus. For one of grazing it is written from its
+// touch on, an impact whose speed vanishes (`by_speed`) or the nearest approach; nothing where
+// there is no approach. `system`: at these values.
+struct LocusStartPlace {
+  double first = 0.0, second = 0.0;
+  Complex multiplier = 1.0;  // the critical one
+};
+std::optional<OrbitLocusStart> locus_start(const System& system, OrbitLocusKind kind,
+                                           const TouchingOrbit& orbit, bool by_speed,
+                                           const LocusStartPlace& place);
 
 // `system`: at the special point; `speed_unit`, m/s, of the forced motion.
 std::vector<OrbitLocusStart> leads_from(const System& system, const OrbitLocus& locus,

@@ -11,6 +11,7 @@
 #include "graze/bifurcation/found_branches.hpp"
 #include "graze/bifurcation/pattern_switching.hpp"
 #include "graze/bifurcation/sticking_branches.hpp"
+#include "graze/bifurcation/touching_orbit.hpp"
 #include "graze/continuation/switching.hpp"
 #include "graze/hybrid/simulation.hpp"
 #include "graze/orbit/closed_form.hpp"
@@ -18,6 +19,15 @@
 
 namespace graze {
 namespace {
+
+// The orbit of a special point; without its touch where that was found on a locus of grazing,
+// unless the motion meets no stop but there.
+TouchingOrbit orbit_at(const System& system, const SpecialOrbit& special) {
+  TouchingOrbit orbit{special.pattern, special.impacts, 0};
+  if (special.locus != OrbitLocusKind::kGrazing || orbit.impacts.size() == 1) return orbit;
+  orbit.touch = admissibility(system, orbit.pattern, orbit.impacts).slowest;
+  return without_touch(std::move(orbit));
+}
 
 // Forcing periods within which a motion has to repeat to count as one that sticks: each time it
 // comes to rest it forgets what came before.
@@ -32,6 +42,8 @@ class OrbitTracer {
         highest_(std::max(options.from, options.to)),
         scale_(shooting_scale(*family.at(family.value()))) {
     result_.parameter = family.parameter();
+    result_.scale = scale_;
+    result_.range = highest_ - lowest_;
     continuation_.from = options.from;
     continuation_.to = options.to;
     continuation_.max_step = options.max_step;
@@ -41,9 +53,10 @@ class OrbitTracer {
   }
 
   OrbitBranches trace() {
-    trace_from_values();
-    if (options_.start_values > 0 && options_.finder.from_closed_form && options_.impacts == 1)
-      trace_from_surveys();
+    if (options_.start)
+      trace_from_special(*options_.start);
+    else
+      trace_from_search();
     follow();
     const double speed_scale = scale_.length * family_.at(family_.value())->forcing->frequency;
     result_.branches =
@@ -57,6 +70,60 @@ class OrbitTracer {
   }
 
  private:
+  void trace_from_search() {
+    trace_from_values();
+    if (options_.start_values > 0 && options_.finder.from_closed_form && options_.impacts == 1)
+      trace_from_surveys();
+  }
+
+  // At the family's own value.
+  void trace_from_special(const BranchStart& start) {
+    if (start.at.sticking)
+      trace_from_section(*start.at.sticking);
+    else
+      trace_from_impacts(start);
+    if (found_.empty() && result_.notes.empty() && !options_.stop.requested())
+      result_.notes.push_back(start.switched ? "no other branch was found there"
+                                             : "the orbit there was not found again");
+  }
+
+  void trace_from_section(const SpecialOrbit::Sticking& section) {
+    const double value = family_.value();
+    const StickingOrbitAnswer answer =
+        sticking_orbit_through(*family_.at(value), section.at_section, section.period,
+                               {section.closure_speed, options_.finder.max_impacts, options_.stop});
+    ++result_.starts;
+    if (answer.orbit)
+      add_sticking(*answer.orbit, value, 0, -1, 0);
+    else
+      sticking_notes_.insert(answer.why_not);
+  }
+
+  void trace_from_impacts(const BranchStart& start) {
+    ++result_.starts;
+    const double value = family_.value();
+    const TouchingOrbit orbit = orbit_at(*family_.at(value), start.at);
+    PatternBranches& branches = pattern_branches(canonical(orbit.pattern));
+    const std::vector<ImpactPoint> impacts = in_canonical_order(orbit.pattern, orbit.impacts);
+    const bool crosses = start.same_parameter && start.at.kind == SpecialKind::kBranchPoint;
+    const std::optional<BranchPoint> point =
+        crosses && start.at.along
+            ? branches.crossing(impacts, value, *start.at.along)
+            : branches.solve_near(impacts, value,
+                                  start.same_parameter ? start.at.along : std::nullopt);
+    if (!point) return;
+    if (!start.switched) {
+      add_trace(branches, *point, Directions::kBoth, -1, 0);
+      return;
+    }
+    SpecialPoint special;
+    special.kind = start.at.kind.value_or(SpecialKind::kFold);
+    special.by_speed = start.at.by_speed;
+    special.by_push = start.at.by_push;
+    special.solution = *point;
+    switch_from(branches.equations(), special, -1, 0);
+  }
+
   // The scene's own value, and values spread over the range.
   void trace_from_values() {
     std::vector<double> values;
@@ -240,8 +307,13 @@ class OrbitTracer {
 
   void switch_at(std::size_t index, std::size_t which) {
     const SpecialPoint special = found_[index].branch.special[which];
-    const std::optional<PatternSwitch> next =
-        pattern_switch(found_[index].pattern->equations(), special);
+    switch_from(found_[index].pattern->equations(), special, static_cast<int>(index), which);
+  }
+
+  // The origin as of add_trace.
+  void switch_from(const OrbitEquations& known, const SpecialPoint& special, int origin_branch,
+                   std::size_t origin_special) {
+    const std::optional<PatternSwitch> next = pattern_switch(known, special);
     if (!next) return;
     PatternBranches& branches = pattern_branches(canonical(next->pattern));
     const OrbitEquations& equations = branches.equations();
@@ -265,10 +337,10 @@ class OrbitTracer {
         : doubling ? branches.knows_doubling(*start)
                    : branches.knows(*start))
       return;
-    ++result_.switched;
+    result_.switched += origin_branch >= 0 ? 1 : 0;
     // Either way from a doubling lead the same orbits, half a period apart.
-    add_trace(branches, *start, doubling ? Directions::kForward : Directions::kBoth,
-              static_cast<int>(index), which);
+    add_trace(branches, *start, doubling ? Directions::kForward : Directions::kBoth, origin_branch,
+              origin_special);
   }
 
   // Branches that were traced apart may be connected where the solutions are no orbits; the closed

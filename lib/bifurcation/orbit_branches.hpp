@@ -11,6 +11,7 @@
 
 #include "graze/assembly/system_family.hpp"
 #include "graze/bifurcation/orbit_branch.hpp"
+#include "graze/bifurcation/special_orbit.hpp"
 #include "graze/orbit/finder.hpp"
 
 namespace graze {
@@ -30,6 +31,8 @@ struct BranchOptions {
   // (BP), rewritten impact sequences (GR), and orbits with a stuck phase (CH) or an impact
   // (GR, where they stick) more or less; 0: none.
   int follow_depth = 0;
+  // In place of all starts: only the branch through it, and those that `follow_depth` leads to.
+  std::optional<BranchStart> start{};
   FinderOptions finder{};  // starts, at the scene's own value
   StopSignal stop{};
   std::function<void(double fraction)> progress{};
@@ -38,6 +41,10 @@ struct BranchOptions {
 struct OrbitBranches {
   std::string parameter;
   std::vector<OrbitBranch> branches;
+  // Units of the unknowns in the solutions at special points, and the range of the parameter that
+  // their tangents are given in.
+  ShootingScale scale;
+  double range = 1.0;
   std::vector<std::string> notes;      // sentences
   long long shooting_evaluations = 0;  // of the shooting equations, all points together
   long long rejected_steps = 0;

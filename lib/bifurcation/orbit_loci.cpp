@@ -63,6 +63,17 @@ class LociTracer {
   }
 
   OrbitLoci trace() {
+    if (options_.start)
+      begin(*options_.start);
+    else
+      trace_slices();
+    number();
+    result_.stopped = options_.branches.stop.reason();
+    return std::move(result_);
+  }
+
+ private:
+  void trace_slices() {
     const std::vector<double> seconds =
         values(other_.value(), options_.second_from, options_.second_to);
     const std::vector<double> firsts =
@@ -76,12 +87,8 @@ class LociTracer {
       tell(all);
       slice(plane_.first, first, plane_.second, options_.second_from, options_.second_to);
     }
-    number();
-    result_.stopped = options_.branches.stop.reason();
-    return std::move(result_);
   }
 
- private:
   // The scene's own where it is in the range, and values in the middle of equal parts of that.
   std::vector<double> values(double own, double from, double to) const {
     std::vector<double> list;
@@ -140,21 +147,10 @@ class LociTracer {
     if (!kind || special.by_push || special.at.orbit.sticking || !wants(*kind)) return {};
     const double moved = special.at.value;
     const bool over_first = family.parameter() == plane_.first;
-    OrbitLocusStart start{*kind,
-                          {},
-                          over_first ? moved : fixed,
-                          over_first ? fixed : moved,
-                          special.multiplier.value_or(1.0)};
-    const TouchingOrbit orbit{special.at.orbit.pattern(), special.at.orbit.points(), 0};
-    if (*kind != OrbitLocusKind::kGrazing) {
-      start.orbit = in_canonical_order(orbit);
-      return start;
-    }
-    const std::optional<TouchingOrbit> touching =
-        from_touch(*family.at(moved), orbit, special.by_speed);
-    if (!touching) return {};
-    start.orbit = *touching;
-    return start;
+    return locus_start(
+        *family.at(moved), *kind, {special.at.orbit.pattern(), special.at.orbit.points(), 0},
+        special.by_speed,
+        {over_first ? moved : fixed, over_first ? fixed : moved, special.multiplier.value_or(1.0)});
   }
 
   bool wants(OrbitLocusKind kind) const {

@@ -7,10 +7,11 @@
 // is stated. Each locus is traced once, to its ends.
 #pragma once
 
-#include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "graze/bifurcation/locus_leads.hpp"
 #include "graze/bifurcation/orbit_branches.hpp"
 #include "graze/bifurcation/orbit_locus.hpp"
 
@@ -26,6 +27,8 @@ struct LociOptions {
   // Values of either parameter at which branches over the other are traced, besides the scene's
   // own.
   int slices = 8;
+  // In place of slices: only its locus, and those that meet it.
+  std::optional<OrbitLocusStart> start{};
 };
 
 struct OrbitLoci {

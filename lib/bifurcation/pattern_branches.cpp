@@ -1,6 +1,7 @@
 #include "graze/bifurcation/pattern_branches.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace graze {
@@ -20,6 +21,30 @@ std::optional<BranchPoint> PatternBranches::solve(const std::vector<ImpactPoint>
                                                   double value) const {
   if (!equations_.system_at(value)) return {};
   return solve_at(equations_.problem(), options_, equations_.shooting().pack(impacts), value);
+}
+
+Vector PatternBranches::direction(const SpecialOrbit::Direction& along) const {
+  const Vector u = equations_.shooting().pack(along.impacts);
+  Vector x(u.size() + 1);
+  x << u, along.value / std::abs(options_.to - options_.from);
+  return x.normalized();
+}
+
+std::optional<BranchPoint> PatternBranches::solve_near(
+    const std::vector<ImpactPoint>& impacts, double value,
+    const std::optional<SpecialOrbit::Direction>& along) const {
+  if (!equations_.system_at(value)) return {};
+  return graze::solve_near(equations_.problem(), options_, equations_.shooting().pack(impacts),
+                           value, along ? direction(*along) : Vector());
+}
+
+BranchPoint PatternBranches::crossing(const std::vector<ImpactPoint>& impacts, double value,
+                                      const SpecialOrbit::Direction& along) const {
+  BranchPoint point;
+  point.u = equations_.shooting().pack(impacts);
+  point.parameter = value;
+  point.tangent = direction(along);
+  return point;
 }
 
 bool PatternBranches::lists(const BranchPoint& solution) const {

@@ -8,6 +8,7 @@
 
 #include "graze/bifurcation/canonical_pattern.hpp"
 #include "graze/bifurcation/orbit_parts.hpp"
+#include "graze/bifurcation/special_orbit.hpp"
 
 namespace graze {
 
@@ -26,6 +27,13 @@ class PatternBranches {
 
   // The solution near these impacts at a value; nothing where there is none.
   std::optional<BranchPoint> solve(const std::vector<ImpactPoint>& impacts, double value) const;
+  // The same where the branch may turn back, as at a special point. `along`: its direction, where
+  // that is known.
+  std::optional<BranchPoint> solve_near(const std::vector<ImpactPoint>& impacts, double value,
+                                        const std::optional<SpecialOrbit::Direction>& along) const;
+  // These impacts as they stand, at a branch point, where no equations are regular.
+  BranchPoint crossing(const std::vector<ImpactPoint>& impacts, double value,
+                       const SpecialOrbit::Direction& along) const;
   // Whether a solution is listed: an orbit of the system, or virtual ones are asked for.
   bool lists(const BranchPoint& solution) const;
   // Whether the solution lies on a branch that has been traced, wherever its period begins.
@@ -41,6 +49,8 @@ class PatternBranches {
   std::vector<OrbitBranch> parts(const Branch& branch) const;
 
  private:
+  // Unit, in (u, parameter/range).
+  Vector direction(const SpecialOrbit::Direction& along) const;
   // The solution, written from each impact that its pattern may begin with.
   std::vector<BranchPoint> rewritten(const BranchPoint& solution) const;
 

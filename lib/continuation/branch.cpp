@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "graze/base/decompositions.hpp"
 #include "graze/continuation/critical.hpp"
 #include "graze/continuation/crossing_passage.hpp"
 #include "graze/continuation/growing_branch.hpp"
@@ -107,6 +108,20 @@ std::optional<BranchPoint> solve_at(const ZeroProblem& problem, const Continuati
   std::optional<BranchPoint> point = corrector.at_parameter(x);
   if (point) point->parameter = parameter;
   return point;
+}
+
+std::optional<BranchPoint> solve_near(const ZeroProblem& problem,
+                                      const ContinuationOptions& options, const Vector& u,
+                                      double parameter, const Vector& along) {
+  Corrector corrector(problem, options);
+  Vector x(u.size() + 1);
+  x << u, parameter / corrector.range();
+  if (along.size() > 0) return corrector.on_hyperplane(x, along.normalized());
+  const std::optional<Matrix> slope = corrector.slope_at(x);
+  if (!slope) return {};
+  Vector kernel = null_vector(*slope);
+  if (kernel[kernel.size() - 1] < 0.0) kernel *= -1.0;
+  return corrector.on_hyperplane(x, kernel);
 }
 
 Branch trace_branch(const ZeroProblem& problem, const ContinuationOptions& options,

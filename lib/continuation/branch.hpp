@@ -29,6 +29,13 @@ namespace graze {
 std::optional<BranchPoint> solve_at(const ZeroProblem& problem, const ContinuationOptions& options,
                                     const Vector& u, double parameter);
 
+// The same near (u, parameter) where the branch may turn back there: on the hyperplane normal to
+// the branch, whose direction in (u, parameter/range) is `along` or, where that is empty, the
+// kernel of dF/dx. Nothing likewise, or at a branch point.
+std::optional<BranchPoint> solve_near(const ZeroProblem& problem,
+                                      const ContinuationOptions& options, const Vector& u,
+                                      double parameter, const Vector& along = {});
+
 enum class Directions { kBoth, kForward };  // forward: along the tangent of the start
 
 // The branch through a solution, to its ends, its special points located.

@@ -194,6 +194,8 @@ Outcome branch_outcome(const OrbitBranches& traced, const BranchOptions& options
   if (traced.stopped == StopReason::kOutOfTime)
     return {"budget",
             "the budget of computing time was spent; the branches traced so far are kept"};
+  if (traced.branches.empty() && options.start)
+    return {"no_orbit", fmt::format("no branch goes on from {}", options.start->at.id)};
   if (traced.branches.empty() && traced.cut_short == 0)
     return {"no_orbit", fmt::format("no ({}, {}) orbit was found for {} between {:g} and {:g}{}",
                                     options.period, options.impacts, traced.parameter, options.from,

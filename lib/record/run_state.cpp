@@ -2,10 +2,11 @@
 
 #include <fmt/format.h>
 
-#include <iterator>
 #include <utility>
 
 #include "graze/record/files.hpp"
+#include "graze/record/motion_table.hpp"
+#include "graze/record/state_lines.hpp"
 #include "graze/record/state_table.hpp"
 #include "graze/scene/document.hpp"
 #include "graze/scene/text_check.hpp"
@@ -15,61 +16,9 @@ namespace {
 
 // What the numbers of the file mean; another meaning is another format.
 constexpr long long kFormat = 1;
-// Beyond, a double cannot tell the periods apart.
-constexpr long long kMostPeriods = 1LL << 53;
 
-const std::vector<std::pair<Contact, std::string>>& contact_names() {
-  static const std::vector<std::pair<Contact, std::string>> names = {
-      {Contact::kClear, "clear"},
-      {Contact::kTouching, "touching"},
-      {Contact::kDeparting, "departing"},
-      {Contact::kClosed, "closed"},
-      {Contact::kLocked, "locked"}};
-  return names;
-}
-
-template <class Range, class Text>
-std::string listed(const Range& range, Text text) {
-  std::string entries;
-  for (const auto& entry : range) entries += (entries.empty() ? "" : ", ") + text(entry);
-  return "[" + entries + "]";
-}
-
-std::string contact_name(Contact contact) {
-  for (const auto& [value, name] : contact_names())
-    if (value == contact) return quoted(name);
-  return {};
-}
-
-class Lines {
- public:
-  void table(const char* name) { fmt::format_to(end(), "\n[{}]\n", name); }
-  void text(const char* key, const std::string& value) {
-    fmt::format_to(end(), "{} = {}\n", key, value);
-  }
-  void number(const char* key, double value) { text(key, real_text(value)); }
-  void count(const char* key, long long value) { text(key, std::to_string(value)); }
-  std::string take() { return std::move(text_); }
-
- private:
-  std::back_insert_iterator<std::string> end() { return std::back_inserter(text_); }
-  std::string text_ = "# The state of a run: graze simulate SCENE --resume FILE goes on from it.\n";
-};
-
-void write_motion(Lines& lines, const MotionState<double>& motion) {
-  lines.table("motion");
-  lines.count("period", motion.instant.period);
-  lines.number("local", motion.instant.local);
-  lines.text("q", listed(motion.q, real_text));
-  lines.text("qdot", listed(motion.qdot, real_text));
-  lines.text("contacts", listed(motion.contacts, contact_name));
-  lines.text("multiplicities",
-             listed(motion.multiplicities, [](int count) { return std::to_string(count); }));
-  lines.number("unsummed", motion.unsummed);
-}
-
-void write_totals(Lines& lines, const RunTotals& totals) {
-  lines.table("totals");
+void write_totals(StateLines& lines, const RunTotals& totals) {
+  lines.table("[totals]");
   lines.count("impacts", totals.impacts);
   lines.count("chatters", totals.chatters);
   lines.count("clamped_restitutions", totals.clamped_restitutions);
@@ -80,48 +29,14 @@ void write_totals(Lines& lines, const RunTotals& totals) {
   if (totals.smallest_gap) lines.number("smallest_gap", *totals.smallest_gap);
 }
 
-void write_book(Lines& lines, const EnergyBook& book) {
-  lines.table("energy");
+void write_book(StateLines& lines, const EnergyBook& book) {
+  lines.table("[energy]");
   lines.number("start", book.start);
   lines.number("forcing", book.work.forcing);
   lines.number("load", book.work.load);
   lines.number("constraint", book.work.constraint);
   lines.number("impacts", book.impacts);
   lines.number("dissipation", book.work.dissipation);
-}
-
-Instant<double> read_instant(const StateTable& table, const System& system) {
-  const Instant<double> instant{table.count("period"), table.size("local")};
-  if (instant.period > kMostPeriods || (!system.forcing && instant.period != 0))
-    table.fail("period", "the scene has no such forcing period");
-  if (system.forcing && instant.local > system.period())
-    table.fail("local", "it must not exceed the scene's forcing period");
-  return instant;
-}
-
-Contact contact_of(const StateTable& table, const std::string& word) {
-  for (const auto& [value, name] : contact_names())
-    if (name == word) return value;
-  table.fail("contacts", fmt::format("there is no contact called {}", quoted(word)));
-}
-
-MotionState<double> read_motion(const Node& node, const System& system) {
-  const StateTable table(
-      node, "motion", {"period", "local", "q", "qdot", "contacts", "multiplicities", "unsummed"});
-  const auto modes = static_cast<std::size_t>(system.modes());
-  MotionState<double> motion;
-  motion.instant = read_instant(table, system);
-  const std::vector<double> q = table.numbers("q", modes), qdot = table.numbers("qdot", modes);
-  motion.q = Eigen::Map<const Vector>(q.data(), system.modes());
-  motion.qdot = Eigen::Map<const Vector>(qdot.data(), system.modes());
-  for (const std::string& word : table.words("contacts", system.stops.size()))
-    motion.contacts.push_back(contact_of(table, word));
-  for (const long long count : table.counts("multiplicities", system.stops.size())) {
-    if (count > 3) table.fail("multiplicities", "they are 0 to 3");
-    motion.multiplicities.push_back(static_cast<int>(count));
-  }
-  motion.unsummed = table.number("unsummed");
-  return motion;
 }
 
 std::vector<RunState::Streak> read_streaks(const Node& node, const System& system) {
@@ -210,7 +125,7 @@ void check_origin(const Node& root, const std::string& name, const std::string& 
 
 std::string write_run_state(const CutRun& cut) {
   const RunState& state = cut.state;
-  Lines lines;
+  StateLines lines("The state of a run: graze simulate SCENE --resume FILE goes on from it.");
   lines.count("graze_state", kFormat);
   lines.text("version", quoted(cut.version));
   lines.text("scene_sha256", quoted(cut.scene_sha256));
@@ -222,8 +137,8 @@ std::string write_run_state(const CutRun& cut) {
   }
   lines.number("closure_speed", state.closure_speed);
   lines.text("started", state.started ? "true" : "false");
-  write_motion(lines, state.motion);
-  lines.table("streaks");
+  write_motion(lines, "[motion]", state.motion);
+  lines.table("[streaks]");
   lines.text("impacts", listed(state.streaks, [](const RunState::Streak& streak) {
                return std::to_string(streak.impacts);
              }));
@@ -231,7 +146,7 @@ std::string write_run_state(const CutRun& cut) {
                return real_text(streak.speed);
              }));
   if (state.tail) {
-    lines.table("chatter");
+    lines.table("[chatter]");
     lines.text("stops",
                listed(state.tail->stops, [](int stop) { return std::to_string(stop + 1); }));
     lines.count("period", state.tail->over.period);
@@ -263,7 +178,7 @@ CutRun parse_run_state(const std::string& text, const std::string& name, const S
   }
   state.closure_speed = table.size("closure_speed");
   state.started = table.flag("started");
-  state.motion = read_motion(table.at("motion"), system);
+  state.motion = read_motion(table.at("motion"), "motion", system);
   state.streaks = read_streaks(table.at("streaks"), system);
   if (const Node* tail = table.find("chatter")) state.tail = read_tail(*tail, system);
   state.totals = read_totals(table.at("totals"));

@@ -15,7 +15,7 @@ StateTable::StateTable(const Node& node, std::string path, const std::vector<std
                      fmt::format("{} is not allowed, it must be a table", node_description(node)));
   for (const Member& member : *table_)
     if (std::find(keys.begin(), keys.end(), member.key) == keys.end())
-      fail(member.key, "there is no such key in the state of a run");
+      fail(member.key, "there is no such key in this file");
 }
 
 void StateTable::fail(const std::string& key, const std::string& sentence) const {
@@ -30,7 +30,7 @@ void StateTable::refuse(const std::string& key, const Node& node, const std::str
 
 const Node& StateTable::at(const std::string& key) const {
   const Node* node = find(key);
-  if (!node) fail(key, "the key is missing, this is not the whole state of a run");
+  if (!node) fail(key, "the key is missing, the file is not whole");
   return *node;
 }
 
@@ -90,7 +90,8 @@ std::vector<long long> StateTable::counts(const std::string& key,
   return values;
 }
 
-std::vector<std::string> StateTable::words(const std::string& key, std::size_t length) const {
+std::vector<std::string> StateTable::words(const std::string& key,
+                                           std::optional<std::size_t> length) const {
   std::vector<std::string> values;
   for (const Node& entry : list(key, length)) {
     const auto* word = entry.as<std::string>();

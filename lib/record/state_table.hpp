@@ -1,5 +1,5 @@
-// One table of a run's state file: typed access to its keys, every one of which must be there, with
-// errors that say where and what.
+// One table of a file that a run leaves to be gone on from: typed access to its keys, every one of
+// which must be there, with errors that say where and what.
 #pragma once
 
 #include <optional>
@@ -26,7 +26,9 @@ class StateTable {
   // >= 0; however many where no length is given.
   std::vector<long long> counts(const std::string& key,
                                 std::optional<std::size_t> length = {}) const;
-  std::vector<std::string> words(const std::string& key, std::size_t length) const;
+  std::vector<std::string> words(const std::string& key,
+                                 std::optional<std::size_t> length = {}) const;
+  const NodeList& list(const std::string& key, std::optional<std::size_t> length = {}) const;
 
   // The key's value, or null.
   const Node* find(const std::string& key) const { return find_member(*table_, key); }
@@ -34,7 +36,6 @@ class StateTable {
 
  private:
   [[noreturn]] void refuse(const std::string& key, const Node& node, const std::string& what) const;
-  const NodeList& list(const std::string& key, std::optional<std::size_t> length) const;
   double number_at(const std::string& key, const Node& node) const;
   long long count_at(const std::string& key, const Node& node) const;
 

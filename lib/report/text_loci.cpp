@@ -44,13 +44,16 @@ std::string to_text(const LociRecord& record) {
   std::string text;
   if (!loci.empty()) text += loci.text() + "\n";
   if (!special.empty()) text += special.text() + "\n";
-  text += fmt::format(
-      "{} slices of the plane, {} special point{}, {} evaluations of the shooting "
-      "equations\n",
-      traced.slices, traced.starts, traced.starts == 1 ? "" : "s", traced.shooting_evaluations);
-  text +=
-      "note: a locus that crosses none of the slices and meets no other is not found; --slices "
-      "looks closer\n";
+  const std::string counted =
+      fmt::format("{} special point{}, {} evaluations of the shooting equations\n", traced.starts,
+                  traced.starts == 1 ? "" : "s", traced.shooting_evaluations);
+  // Without slices there is one start, given.
+  text += traced.slices == 0
+              ? counted
+              : fmt::format(
+                    "{} slices of the plane, {}note: a locus that crosses none of the "
+                    "slices and meets no other is not found; --slices looks closer\n",
+                    traced.slices, counted);
   const Outcome& outcome = record.outcome;
   if (!outcome.message.empty()) text += fmt::format("{}: {}\n", outcome.name, outcome.message);
   return text;

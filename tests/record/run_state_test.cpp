@@ -161,10 +161,10 @@ TEST(RunStateFile, SaysWhatIsWrongAndWhere) {
   EXPECT_EQ(complaint("\"departing\"", "\"gone\""),
             at("contacts") + "motion.contacts: there is no contact called \"gone\"");
   EXPECT_EQ(complaint("started = true", "began = true"),
-            at("started") + "began: there is no such key in the state of a run");
+            at("started") + "began: there is no such key in this file");
   EXPECT_EQ(
       complaint("started = true\n", ""),
-      "run/state.toml:1:1: started: the key is missing, this is not the whole state of a run");
+      "run/state.toml:1:1: started: the key is missing, the file is not whole");
   EXPECT_EQ(complaint("stops = [1, 2]", "stops = [1, 3]"),
             at("stops = ") + "chatter.stops: the scene has no such stop");
 }

@@ -1,0 +1,94 @@
+#include "restart.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+
+#include "graze/base/errors.hpp"
+#include "graze/record/special_file.hpp"
+#include "graze/scene/difference.hpp"
+#include "graze/scene/parameter.hpp"
+#include "graze/scene/reader.hpp"
+#include "run_folder.hpp"
+
+namespace graze {
+namespace {
+
+// A message names no more.
+constexpr std::size_t kMostNames = 24;
+
+std::string names_of(const std::vector<SpecialOrbit>& points) {
+  if (points.empty()) return "there is none in it";
+  std::vector<std::string> names;
+  for (const SpecialOrbit& point : points) {
+    if (names.size() == kMostNames) break;
+    names.push_back(point.id);
+  }
+  const std::size_t left = points.size() - names.size();
+  return fmt::format("there are {}{}", fmt::join(names, ", "),
+                     left > 0 ? fmt::format(" and {} more", left) : "");
+}
+
+const SpecialOrbit& special_called(const std::string& label, const std::string& folder,
+                                   const std::vector<SpecialOrbit>& points) {
+  const auto found = std::find_if(points.begin(), points.end(),
+                                  [&](const SpecialOrbit& point) { return point.id == label; });
+  if (found != points.end()) return *found;
+  if (label.empty())
+    throw InputError(fmt::format("--restart: give --label ID, a special point of {}; {}", folder,
+                                 names_of(points)));
+  throw InputError(
+      fmt::format("--label: {} has no special point {}; {}", folder, label, names_of(points)));
+}
+
+}  // namespace
+
+std::optional<Restart> read_restart(const Command& command, const Scene& scene) {
+  if (command.restart.empty()) return {};
+  const std::filesystem::path folder = command.restart;
+  refuse_own_folder(command, folder, "--restart");
+  const Scene run = read_scene(folder / "scene.toml");
+  const SpecialPoints special = read_special_points(folder / kSpecialFile, run);
+  const std::string difference = scene_difference(run, scene, special.parameters);
+  if (!difference.empty())
+    throw InputError(
+        fmt::format("--restart: the run in {} is of another scene: {}; give {} as the scene",
+                    command.restart, difference, (folder / "scene.toml").string()));
+  Restart restart{special_called(command.label, command.restart, special.points),
+                  special.parameters, scene};
+  for (std::size_t i = 0; i < restart.parameters.size(); ++i)
+    restart.scene =
+        with_parameter(restart.scene, restart.parameters[i],
+                       restart.at.sticking ? restart.at.sticking->value : restart.at.values[i]);
+  return restart;
+}
+
+double value_in_range(const Restart& restart, const std::string& parameter, double from,
+                      double to) {
+  with_parameter(restart.scene, parameter, from);  // throws where there is none
+  const double value = *find_parameter(restart.scene, parameter);
+  if (value < std::min(from, to) || value > std::max(from, to))
+    throw InputError(
+        fmt::format("--label: {} has {} = {:.9g}, which the range from {:g} to {:g} does not hold",
+                    restart.at.id, parameter, value, from, to));
+  return value;
+}
+
+void record_restart(const Command& command, RunInfo& info) {
+  info.options.emplace_back("restart", command.restart);
+  info.options.emplace_back("label", command.label);
+  if (command.switched) info.options.emplace_back("switch", true);
+  info.options.emplace_back("virtual", command.keep_virtual);
+  info.options.emplace_back("max_impacts", command.max_impacts);
+  info.options.emplace_back("max_seconds", command.max_seconds);
+}
+
+std::pair<std::string, std::string> special_file(const RunInfo& info,
+                                                 std::vector<std::string> parameters,
+                                                 std::vector<SpecialOrbit> points) {
+  return {kSpecialFile, write_special_points({info.version, info.scene_sha256,
+                                              std::move(parameters), std::move(points)})};
+}
+
+}  // namespace graze

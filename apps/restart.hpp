@@ -1,0 +1,39 @@
+// How continue --restart finds the special point to go on from.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "command.hpp"
+#include "graze/bifurcation/special_orbit.hpp"
+#include "graze/record/run_info.hpp"
+#include "graze/scene/scene.hpp"
+
+namespace graze {
+
+struct Restart {
+  SpecialOrbit at;
+  std::vector<std::string> parameters;  // that the run was over
+  Scene scene;                          // the one given, with the values of the special point
+};
+
+// What --restart and --label name; nothing where they are not given. Throws InputError where there
+// is no such point, where `scene` differs from that of the run in what its orbits depend on, and
+// where --out is the run's own folder.
+std::optional<Restart> read_restart(const Command& command, const Scene& scene);
+
+// The point's own value of a parameter. Throws InputError where the scene has no such parameter, or
+// the value lies outside the range asked for.
+double value_in_range(const Restart& restart, const std::string& parameter, double from, double to);
+
+// --restart, --label and --switch among the options of a run, in place of those of a search.
+void record_restart(const Command& command, RunInfo& info);
+
+// The special points of a run over these parameters, as a file of its folder: name and content.
+std::pair<std::string, std::string> special_file(const RunInfo& info,
+                                                 std::vector<std::string> parameters,
+                                                 std::vector<SpecialOrbit> points);
+
+}  // namespace graze

@@ -1,0 +1,111 @@
+#include "graze/bifurcation/restart.hpp"
+
+#include <algorithm>
+#include <iterator>
+#include <utility>
+
+#include "graze/base/angle.hpp"
+#include "graze/bifurcation/special_names.hpp"
+
+namespace graze {
+namespace {
+
+// Whether the orbits of a branch that sticks are none on one side of such a point, so that the
+// motion from there need not repeat it.
+bool is_border(SpecialKind kind) {
+  return kind == SpecialKind::kChatterCompletes || kind == SpecialKind::kLiftOff ||
+         kind == SpecialKind::kGrazing;
+}
+
+// The point of a branch next to one that is a special point of it.
+const OrbitBranchPoint& beside(const OrbitBranch& branch, const SpecialPoint& special) {
+  const auto here =
+      std::find_if(branch.points.begin(), branch.points.end(),
+                   [&](const OrbitBranchPoint& point) { return point.value == special.at.value; });
+  if (here == branch.points.end() || branch.points.size() == 1) return special.at;
+  return here == branch.points.begin() ? *std::next(here) : *std::prev(here);
+}
+
+std::optional<SpecialOrbit::Sticking> sticking_part(const OrbitBranch& branch,
+                                                    const SpecialPoint& special) {
+  const OrbitBranchPoint& at = is_border(special.kind) ? beside(branch, special) : special.at;
+  const Orbit& orbit = at.orbit;
+  if (!orbit.sticking) return {};
+  return SpecialOrbit::Sticking{orbit.period, at.value, orbit.sticking->at_section,
+                                orbit.sticking->closure_speed};
+}
+
+// Time order, as of the impacts of an orbit.
+std::vector<ImpactPoint> points_of(const std::vector<OrbitImpact>& impacts) {
+  std::vector<ImpactPoint> points;
+  for (const OrbitImpact& impact : impacts)
+    points.push_back({impact.phase + kTurn * impact.period_index, impact.before});
+  return points;
+}
+
+std::optional<OrbitLocusKind> locus_of(const SpecialOrbit& special) {
+  if (special.locus) return special.locus;
+  if (special.sticking || special.by_push) return {};
+  for (const OrbitLocusKind kind : {OrbitLocusKind::kFold, OrbitLocusKind::kPeriodDoubling,
+                                    OrbitLocusKind::kTorus, OrbitLocusKind::kGrazing})
+    if (special.label == label_of(kind)) return kind;
+  return {};
+}
+
+}  // namespace
+
+std::vector<SpecialOrbit> special_orbits(const OrbitBranches& traced, const System& system) {
+  std::vector<SpecialOrbit> list;
+  for (const OrbitBranch& branch : traced.branches)
+    for (const SpecialPoint& special : branch.special) {
+      SpecialOrbit one;
+      one.id = special.id;
+      one.label = label_of(special.kind);
+      one.kind = special.kind;
+      one.values = {special.at.value};
+      one.multiplier = special.multiplier;
+      one.by_speed = special.by_speed;
+      one.by_push = special.by_push;
+      if (branch.sticks()) {
+        one.sticking = sticking_part(branch, special);
+      } else {
+        one.pattern = branch.pattern;
+        const ShootingProblem problem(branch.pattern, traced.scale);
+        const Eigen::Index n = special.solution.u.size();
+        one.impacts = problem.unpack(system, special.solution.u);
+        one.along = {problem.unpack(system, special.solution.tangent.head(n)),
+                     special.solution.rate() * traced.range};
+      }
+      list.push_back(std::move(one));
+    }
+  return list;
+}
+
+std::vector<SpecialOrbit> special_orbits(const OrbitLoci& traced) {
+  std::vector<SpecialOrbit> list;
+  for (const OrbitLocus& locus : traced.loci)
+    for (const OrbitLocusSpecial& special : locus.special) {
+      SpecialOrbit one;
+      one.id = special.id;
+      one.label = special.label;
+      one.values = {special.at.value, special.at.second};
+      one.pattern.period = locus.pattern.period;
+      for (const OrbitImpact& impact : special.at.impacts) one.pattern.stops.push_back(impact.stop);
+      one.impacts = points_of(special.at.impacts);
+      one.multiplier = std::polar(1.0, special.at.angle);
+      one.locus = locus.kind;
+      one.by_speed = locus.kind == OrbitLocusKind::kGrazing;
+      list.push_back(std::move(one));
+    }
+  return list;
+}
+
+std::optional<OrbitLocusStart> locus_start(const System& system, const SpecialOrbit& special,
+                                           double first, double second) {
+  const std::optional<OrbitLocusKind> kind = locus_of(special);
+  if (!kind) return {};
+  return locus_start(system, *kind, {special.pattern, special.impacts, 0}, special.by_speed,
+                     {first, second, special.multiplier.value_or(1.0)});
+}
+
+}  // namespace graze

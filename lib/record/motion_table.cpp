@@ -1,0 +1,78 @@
+#include "graze/record/motion_table.hpp"
+
+#include <fmt/format.h>
+
+#include <utility>
+#include <vector>
+
+namespace graze {
+namespace {
+
+// Beyond, a double cannot tell the periods apart.
+constexpr long long kMostPeriods = 1LL << 53;
+
+const std::vector<std::pair<Contact, std::string>>& contact_names() {
+  static const std::vector<std::pair<Contact, std::string>> names = {
+      {Contact::kClear, "clear"},
+      {Contact::kTouching, "touching"},
+      {Contact::kDeparting, "departing"},
+      {Contact::kClosed, "closed"},
+      {Contact::kLocked, "locked"}};
+  return names;
+}
+
+std::string contact_name(Contact contact) {
+  for (const auto& [value, name] : contact_names())
+    if (value == contact) return quoted(name);
+  return {};
+}
+
+Contact contact_of(const StateTable& table, const std::string& word) {
+  for (const auto& [value, name] : contact_names())
+    if (name == word) return value;
+  table.fail("contacts", fmt::format("there is no contact called {}", quoted(word)));
+}
+
+}  // namespace
+
+void write_motion(StateLines& lines, const std::string& header, const MotionState<double>& motion) {
+  lines.table(header);
+  lines.count("period", motion.instant.period);
+  lines.number("local", motion.instant.local);
+  lines.numbers("q", motion.q);
+  lines.numbers("qdot", motion.qdot);
+  lines.text("contacts", listed(motion.contacts, contact_name));
+  lines.text("multiplicities",
+             listed(motion.multiplicities, [](int count) { return std::to_string(count); }));
+  lines.number("unsummed", motion.unsummed);
+}
+
+Instant<double> read_instant(const StateTable& table, const System& system) {
+  const Instant<double> instant{table.count("period"), table.size("local")};
+  if (instant.period > kMostPeriods || (!system.forcing && instant.period != 0))
+    table.fail("period", "the scene has no such forcing period");
+  if (system.forcing && instant.local > system.period())
+    table.fail("local", "it must not exceed the scene's forcing period");
+  return instant;
+}
+
+MotionState<double> read_motion(const Node& node, const std::string& path, const System& system) {
+  const StateTable table(
+      node, path, {"period", "local", "q", "qdot", "contacts", "multiplicities", "unsummed"});
+  const auto modes = static_cast<std::size_t>(system.modes());
+  MotionState<double> motion;
+  motion.instant = read_instant(table, system);
+  const std::vector<double> q = table.numbers("q", modes), qdot = table.numbers("qdot", modes);
+  motion.q = Eigen::Map<const Vector>(q.data(), system.modes());
+  motion.qdot = Eigen::Map<const Vector>(qdot.data(), system.modes());
+  for (const std::string& word : table.words("contacts", system.stops.size()))
+    motion.contacts.push_back(contact_of(table, word));
+  for (const long long count : table.counts("multiplicities", system.stops.size())) {
+    if (count > 3) table.fail("multiplicities", "they are 0 to 3");
+    motion.multiplicities.push_back(static_cast<int>(count));
+  }
+  motion.unsummed = table.number("unsummed");
+  return motion;
+}
+
+}  // namespace graze

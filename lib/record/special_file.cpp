@@ -1,0 +1,220 @@
+#include "graze/record/special_file.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <utility>
+
+#include "graze/assembly/assembly.hpp"
+#include "graze/bifurcation/special_names.hpp"
+#include "graze/record/files.hpp"
+#include "graze/record/motion_table.hpp"
+#include "graze/record/run_info.hpp"
+#include "graze/record/state_lines.hpp"
+#include "graze/record/state_table.hpp"
+#include "graze/scene/document.hpp"
+#include "graze/scene/parameter.hpp"
+#include "graze/scene/reader.hpp"
+#include "graze/scene/text_check.hpp"
+
+namespace graze {
+namespace {
+
+// What the numbers of the file mean; another meaning is another format.
+constexpr long long kFormat = 1;
+// As many as a scene or a search is allowed.
+constexpr long long kMostPeriods = 1'000'000;
+
+constexpr std::array<SpecialKind, 7> kKinds = {
+    SpecialKind::kFold,        SpecialKind::kPeriodDoubling, SpecialKind::kTorus,
+    SpecialKind::kBranchPoint, SpecialKind::kGrazing,        SpecialKind::kChatterCompletes,
+    SpecialKind::kLiftOff};
+constexpr std::array<OrbitLocusKind, 4> kLoci = {OrbitLocusKind::kFold,
+                                                 OrbitLocusKind::kPeriodDoubling,
+                                                 OrbitLocusKind::kTorus, OrbitLocusKind::kGrazing};
+
+// The impacts, one list of each quantity: phases, and the states one after the other.
+void write_impacts(StateLines& lines, const std::string& prefix,
+                   const std::vector<ImpactPoint>& impacts) {
+  std::vector<double> theta, q, qdot;
+  for (const ImpactPoint& impact : impacts) {
+    theta.push_back(impact.theta);
+    q.insert(q.end(), impact.before.q.begin(), impact.before.q.end());
+    qdot.insert(qdot.end(), impact.before.qdot.begin(), impact.before.qdot.end());
+  }
+  lines.numbers(prefix + "theta", theta);
+  lines.numbers(prefix + "q", q);
+  lines.numbers(prefix + "qdot", qdot);
+}
+
+std::vector<ImpactPoint> read_impacts(const StateTable& table, const std::string& prefix,
+                                      std::size_t count, const System& system) {
+  const auto modes = static_cast<std::size_t>(system.modes());
+  const std::vector<double> theta = table.numbers(prefix + "theta", count),
+                            q = table.numbers(prefix + "q", count * modes),
+                            qdot = table.numbers(prefix + "qdot", count * modes);
+  std::vector<ImpactPoint> impacts;
+  for (std::size_t i = 0; i < count; ++i)
+    impacts.push_back({theta[i],
+                       {Eigen::Map<const Vector>(q.data() + i * modes, system.modes()),
+                        Eigen::Map<const Vector>(qdot.data() + i * modes, system.modes())}});
+  return impacts;
+}
+
+void write_point(StateLines& lines, const SpecialOrbit& point) {
+  lines.table("[[special]]");
+  lines.word("id", point.id);
+  lines.word("label", point.label);
+  if (point.locus) lines.word("locus", label_of(*point.locus));
+  lines.numbers("values", point.values);
+  if (point.multiplier)
+    lines.numbers("multiplier", std::vector{point.multiplier->real(), point.multiplier->imag()});
+  lines.flag("by_speed", point.by_speed);
+  lines.flag("by_push", point.by_push);
+  if (!point.impacts.empty()) {
+    lines.count("period", point.pattern.period);
+    lines.text("stops",
+               listed(point.pattern.stops, [](int stop) { return std::to_string(stop + 1); }));
+    write_impacts(lines, "", point.impacts);
+  }
+  if (point.along) {
+    lines.number("along_value", point.along->value);
+    write_impacts(lines, "along_", point.along->impacts);
+  }
+  if (!point.sticking) return;
+  lines.table("[special.sticking]");
+  lines.count("period", point.sticking->period);
+  lines.number("value", point.sticking->value);
+  lines.number("closure_speed", point.sticking->closure_speed);
+  write_motion(lines, "[special.sticking.motion]", point.sticking->at_section);
+}
+
+int read_period(const StateTable& table) {
+  const long long period = table.count("period");
+  if (period < 1 || period > kMostPeriods) table.fail("period", "an orbit has no such period");
+  return static_cast<int>(period);
+}
+
+SpecialOrbit::Sticking read_sticking(const Node& node, const std::string& path, const Scene& scene,
+                                     const std::vector<std::string>& parameters) {
+  const StateTable table(node, path, {"period", "value", "closure_speed", "motion"});
+  const double value = table.number("value");
+  if (parameters.size() != 1) table.fail("value", "orbits that stick have no loci");
+  // Its clock is that of the value, whose forcing period may be another one.
+  const System there = assemble(with_parameter(scene, parameters.front(), value));
+  return {read_period(table), value, read_motion(table.at("motion"), path + ".motion", there),
+          table.size("closure_speed")};
+}
+
+void read_names(const StateTable& table, SpecialOrbit& point) {
+  point.id = table.word("id");
+  point.label = table.word("label");
+  if (table.find("locus")) {
+    const std::string name = table.word("locus");
+    for (const OrbitLocusKind kind : kLoci)
+      if (name == label_of(kind)) point.locus = kind;
+    if (!point.locus) table.fail("locus", fmt::format("there is no locus called {}", quoted(name)));
+    return;
+  }
+  for (const SpecialKind kind : kKinds)
+    if (point.label == label_of(kind)) point.kind = kind;
+  if (!point.kind)
+    table.fail("label",
+               fmt::format("there is no special point called {}", graze::quoted(point.label)));
+}
+
+void read_pattern(const StateTable& table, const System& system, SpecialOrbit& point) {
+  point.pattern.period = read_period(table);
+  for (const long long stop : table.counts("stops")) {
+    if (stop < 1 || stop > static_cast<long long>(system.stops.size()))
+      table.fail("stops", "the scene has no such stop");
+    point.pattern.stops.push_back(static_cast<int>(stop) - 1);
+  }
+  if (point.pattern.stops.empty()) table.fail("stops", "an orbit has at least one impact");
+  const std::size_t count = point.pattern.stops.size();
+  point.impacts = read_impacts(table, "", count, system);
+  if (!table.find("along_value")) return;
+  point.along = {read_impacts(table, "along_", count, system), table.number("along_value")};
+}
+
+SpecialOrbit read_point(const Node& node, const Scene& scene, const System& system,
+                        const std::vector<std::string>& parameters) {
+  const StateTable table(
+      node, "special",
+      {"id", "label", "locus", "values", "multiplier", "by_speed", "by_push", "period", "stops",
+       "theta", "q", "qdot", "along_value", "along_theta", "along_q", "along_qdot", "sticking"});
+  SpecialOrbit point;
+  read_names(table, point);
+  point.values = table.numbers("values", parameters.size());
+  if (table.find("multiplier")) {
+    const std::vector<double> parts = table.numbers("multiplier", 2);
+    point.multiplier = {parts[0], parts[1]};
+  }
+  point.by_speed = table.flag("by_speed");
+  point.by_push = table.flag("by_push");
+  if (const Node* sticking = table.find("sticking"))
+    point.sticking = read_sticking(*sticking, "special.sticking", scene, parameters);
+  else
+    read_pattern(table, system, point);
+  return point;
+}
+
+// Before any other key is looked at: is this such a file, and does it belong to the scene?
+void check_origin(const Node& root, const Scene& scene) {
+  const auto* members = root.as<NodeTable>();
+  const Node* format = members ? find_member(*members, "graze_special") : nullptr;
+  if (!format)
+    throw InputError(root.place.location(), "graze_special",
+                     "the key is missing, these are not the special points of a run");
+  const auto* number = format->as<std::int64_t>();
+  if (!number || *number != kFormat)
+    throw InputError(format->place.location(), "graze_special",
+                     fmt::format("{} is the format of another version, this one reads {}",
+                                 node_description(*format), kFormat));
+  const Node* sha = find_member(*members, "scene_sha256");
+  const auto* word = sha ? sha->as<std::string>() : nullptr;
+  if (!word || *word != sha256(write_scene(scene)))
+    throw InputError((sha ? *sha : root).place.location(), "scene_sha256",
+                     "the scene.toml beside it is not the one of this run any more");
+}
+
+}  // namespace
+
+std::string write_special_points(const SpecialPoints& special) {
+  StateLines lines(
+      "Special points with their orbits: graze continue SCENE --restart DIR --label ID goes on "
+      "from one.");
+  lines.count("graze_special", kFormat);
+  lines.word("version", special.version);
+  lines.word("scene_sha256", special.scene_sha256);
+  lines.text("parameters", listed(special.parameters,
+                                  [](const std::string& name) { return graze::quoted(name); }));
+  for (const SpecialOrbit& point : special.points) write_point(lines, point);
+  return lines.take();
+}
+
+SpecialPoints parse_special_points(const std::string& text, const std::string& name,
+                                   const Scene& scene) {
+  const Node root = read_document(text, name);
+  check_origin(root, scene);
+  const StateTable table(root, "",
+                         {"graze_special", "version", "scene_sha256", "parameters", "special"});
+  SpecialPoints special{table.word("version"), table.word("scene_sha256"), {}, {}};
+  special.parameters = table.words("parameters");
+  for (const std::string& parameter : special.parameters)
+    if (!find_parameter(scene, parameter))
+      table.fail("parameters", fmt::format("the scene has no parameter {}", quoted(parameter)));
+  if (special.parameters.empty() || special.parameters.size() > 2)
+    table.fail("parameters", "there are one or two");
+  const System system = assemble(scene);
+  if (table.find("special"))
+    for (const Node& node : table.list("special"))
+      special.points.push_back(read_point(node, scene, system, special.parameters));
+  return special;
+}
+
+SpecialPoints read_special_points(const std::filesystem::path& file, const Scene& scene) {
+  return parse_special_points(read_file(file, kLargestText), file.string(), scene);
+}
+
+}  // namespace graze

@@ -1,0 +1,156 @@
+// Special points with their orbits as a file: every digit comes back, and nothing is taken for a
+// special point that is none.
+#include "graze/record/special_file.hpp"
+
+#include <gtest/gtest.h>
+
+#include "graze/base/errors.hpp"
+#include "graze/record/run_info.hpp"
+#include "graze/scene/reader.hpp"
+
+namespace graze {
+namespace {
+
+constexpr const char* kScene = R"([modal]
+frequencies = [1.0, 2.5]
+participation = [1.0, 0.3]
+
+[forcing]
+kind = "modal"
+amplitude = 1.0
+frequency = 0.7
+
+[[stop]]
+shape = [1.0, 0.2]
+gap = 0.1
+restitution = 0.8
+
+[[stop]]
+shape = [1.0, -0.2]
+gap = 0.2
+restitution = 0.0
+side = "below"
+)";
+
+Scene two_modes() { return parse_scene(kScene, "two_modes.toml"); }
+
+State state(double a) { return {Vector{{a, 1.0 / 3.0}}, Vector{{-a / 7.0, 5e-324}}}; }
+
+SpecialPoints points() {
+  SpecialPoints special{"0.1.0", sha256(write_scene(two_modes())), {"forcing.frequency"}, {}};
+  SpecialOrbit doubling;
+  doubling.id = "PD1";
+  doubling.label = "PD";
+  doubling.kind = SpecialKind::kPeriodDoubling;
+  doubling.values = {0.1 + 0.2};
+  doubling.pattern = {2, {0, 1}};
+  doubling.impacts = {{0.1, state(1e-300)}, {6.4, state(0.7)}};
+  doubling.along = {{{0.2, state(0.3)}, {0.4, state(-1.0)}}, -1.0 / 9.0};
+  doubling.multiplier = Complex(-1.0, 1e-17);
+  special.points.push_back(doubling);
+  SpecialOrbit completes;
+  completes.id = "CH1";
+  completes.label = "CH";
+  completes.kind = SpecialKind::kChatterCompletes;
+  completes.values = {0.7};
+  completes.sticking = SpecialOrbit::Sticking{3,
+                                              0.71,
+                                              {{1, 0.2},
+                                               Vector{{0.1, 0.3}},
+                                               Vector::Zero(2),
+                                               {Contact::kClosed, Contact::kClear},
+                                               {0, 0},
+                                               0.0},
+                                              1e-7};
+  special.points.push_back(completes);
+  return special;
+}
+
+void expect_same(const std::vector<ImpactPoint>& a, const std::vector<ImpactPoint>& b) {
+  ASSERT_EQ(a.size(), b.size());
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    EXPECT_EQ(a[i].theta, b[i].theta);
+    EXPECT_EQ(a[i].before.q, b[i].before.q);
+    EXPECT_EQ(a[i].before.qdot, b[i].before.qdot);
+  }
+}
+
+TEST(SpecialFile, EveryDigitComesBack) {
+  const SpecialPoints written = points();
+  const SpecialPoints read =
+      parse_special_points(write_special_points(written), "special.toml", two_modes());
+  EXPECT_EQ(read.version, written.version);
+  EXPECT_EQ(read.parameters, written.parameters);
+  ASSERT_EQ(read.points.size(), 2u);
+  const SpecialOrbit &a = written.points[0], &b = read.points[0];
+  EXPECT_EQ(b.id, "PD1");
+  EXPECT_EQ(b.kind, SpecialKind::kPeriodDoubling);
+  EXPECT_EQ(b.values, a.values);
+  EXPECT_EQ(b.multiplier, a.multiplier);
+  EXPECT_EQ(b.pattern.period, 2);
+  EXPECT_EQ(b.pattern.stops, a.pattern.stops);
+  expect_same(a.impacts, b.impacts);
+  expect_same(a.along->impacts, b.along->impacts);
+  EXPECT_EQ(b.along->value, a.along->value);
+  EXPECT_FALSE(b.sticking);
+  const SpecialOrbit::Sticking &c = *written.points[1].sticking, &d = *read.points[1].sticking;
+  EXPECT_EQ(d.period, 3);
+  EXPECT_EQ(d.value, c.value);
+  EXPECT_EQ(d.closure_speed, c.closure_speed);
+  EXPECT_EQ(d.at_section.instant.period, 1);
+  EXPECT_EQ(d.at_section.instant.local, 0.2);
+  EXPECT_EQ(d.at_section.q, c.at_section.q);
+  EXPECT_EQ(d.at_section.contacts, c.at_section.contacts);
+}
+
+TEST(SpecialFile, WritesALocusWithItsKindAndBothValues) {
+  SpecialPoints special = points();
+  special.parameters = {"forcing.frequency", "stop.gap"};
+  special.points.pop_back();
+  SpecialOrbit& meeting = special.points.front();
+  meeting.id = "PDGR-1";
+  meeting.label = "PDGR";
+  meeting.kind.reset();
+  meeting.locus = OrbitLocusKind::kGrazing;
+  meeting.values = {0.7, 0.1};
+  meeting.along.reset();
+  const SpecialPoints read =
+      parse_special_points(write_special_points(special), "special.toml", two_modes());
+  EXPECT_EQ(read.points.front().locus, OrbitLocusKind::kGrazing);
+  EXPECT_EQ(read.points.front().values, meeting.values);
+  EXPECT_FALSE(read.points.front().along);
+}
+
+// What the reader says about a file in which `what` stands in place of the first `from`.
+std::string complaint(const std::string& from, const std::string& what) {
+  std::string text = write_special_points(points());
+  const std::size_t at = text.find(from);
+  EXPECT_NE(at, std::string::npos) << from;
+  text.replace(at, from.size(), what);
+  try {
+    parse_special_points(text, "run/special.toml", two_modes());
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+TEST(SpecialFile, RefusesWhatIsNone) {
+  EXPECT_NE(complaint("graze_special = 1", "graze_special = 2").find("format of another version"),
+            std::string::npos);
+  EXPECT_NE(complaint("graze_special = 1", "").find("these are not the special points of a run"),
+            std::string::npos);
+  EXPECT_NE(complaint("stops = [1, 2]", "stops = [1, 3]").find("the scene has no such stop"),
+            std::string::npos);
+  EXPECT_NE(complaint("theta = [0.1, 6.4]", "theta = [0.1]").find("the list has 1 entries"),
+            std::string::npos);
+  EXPECT_NE(complaint("label = \"PD\"", "label = \"XX\"").find("no special point called \"XX\""),
+            std::string::npos);
+  EXPECT_NE(complaint("scene_sha256 = \"", "scene_sha256 = \"0").find("not the one of this run"),
+            std::string::npos);
+  EXPECT_NE(complaint("values = [", "values = [1.0, ").find("the list has 2 entries"),
+            std::string::npos);
+}
+
+}  // namespace
+}  // namespace graze
