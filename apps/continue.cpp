@@ -74,9 +74,11 @@ void start_from(const Restart& restart, const Command& command, BranchOptions& o
         restart.at.id));
   if (command.switched && restart.at.by_speed && restart.at.impacts.size() == 1)
     throw InputError(fmt::format("--switch: beyond {} the motion meets no stop", restart.at.id));
-  if (command.switched && restart.at.kind == SpecialKind::kBranchPoint && !same)
-    throw InputError(fmt::format("--switch: branches cross at {} over {} only", restart.at.id,
-                                 restart.parameters.front()));
+  if (restart.at.kind == SpecialKind::kBranchPoint && !restart.at.sticking && !same)
+    throw InputError(
+        fmt::format("--label: two branches cross at {}, which over another parameter than {} are "
+                    "not told apart; restart from a point beside it",
+                    restart.at.id, restart.parameters.front()));
   options.start = BranchStart{restart.at, same, command.switched};
   options.period = restart.at.sticking ? restart.at.sticking->period : restart.at.pattern.period;
   options.impacts = restart.at.pattern.impacts();

@@ -105,15 +105,14 @@ class OrbitTracer {
     const TouchingOrbit orbit = orbit_at(*family_.at(value), start.at);
     PatternBranches& branches = pattern_branches(canonical(orbit.pattern));
     const std::vector<ImpactPoint> impacts = in_canonical_order(orbit.pattern, orbit.impacts);
-    const bool crosses = start.same_parameter && start.at.kind == SpecialKind::kBranchPoint;
-    const std::optional<BranchPoint> point =
-        crosses && start.at.along
-            ? branches.crossing(impacts, value, *start.at.along)
-            : branches.solve_near(impacts, value,
-                                  start.same_parameter ? start.at.along : std::nullopt);
+    const std::optional<BranchPoint> point = solution_at(branches, impacts, start);
     if (!point) return;
     if (!start.switched) {
-      add_trace(branches, *point, Directions::kBoth, -1, 0);
+      add_parts(branches,
+                start.at.kind == SpecialKind::kBranchPoint
+                    ? branches.trace_across(*point)
+                    : branches.trace(*point, Directions::kBoth),
+                Directions::kBoth, -1, 0);
       return;
     }
     SpecialPoint special;
@@ -122,6 +121,18 @@ class OrbitTracer {
     special.by_push = start.at.by_push;
     special.solution = *point;
     switch_from(branches.equations(), special, -1, 0);
+  }
+
+  // What is traced or switched from at a special point.
+  std::optional<BranchPoint> solution_at(const PatternBranches& branches,
+                                         const std::vector<ImpactPoint>& impacts,
+                                         const BranchStart& start) const {
+    const double value = family_.value();
+    const auto along = start.same_parameter ? start.at.along : std::nullopt;
+    if (start.at.kind != SpecialKind::kBranchPoint)
+      return branches.solve_near(impacts, value, along);
+    if (!along) return {};
+    return branches.crossing(impacts, value, *along);
   }
 
   // The scene's own value, and values spread over the range.
@@ -267,7 +278,12 @@ class OrbitTracer {
   // Traces from a start and keeps the parts. The origin: a special point, where there is one.
   void add_trace(PatternBranches& branches, const BranchPoint& start, Directions directions,
                  int origin_branch, std::size_t origin_special) {
-    const Branch& branch = branches.trace(start, directions);
+    add_parts(branches, branches.trace(start, directions), directions, origin_branch,
+              origin_special);
+  }
+
+  void add_parts(PatternBranches& branches, const Branch& branch, Directions directions,
+                 int origin_branch, std::size_t origin_special) {
     const auto is_cut = [](BranchEnd end) {
       return end == BranchEnd::kStepLimit || end == BranchEnd::kNotConverged;
     };

@@ -90,6 +90,32 @@ const Branch& PatternBranches::trace(const BranchPoint& start, Directions direct
   return traced_.back();
 }
 
+const Branch& PatternBranches::trace_across(const BranchPoint& crossing) {
+  Branch branch = trace_branch(equations_.problem(), options_, crossing, Directions::kBoth);
+  // It is among the points, and no sign changes from it to the next.
+  const auto here = std::find_if(branch.points.begin(), branch.points.end(),
+                                 [&](const BranchPoint& point) { return point.orientation == 0; });
+  if (here != branch.points.begin() && here < branch.points.end() - 1) {
+    const auto index = static_cast<std::size_t>(here - branch.points.begin());
+    CriticalPoint critical{CriticalKind::kBranchPoint, *here, index - 1, {}};
+    if (!here->multipliers.empty())
+      critical.multiplier =
+          *std::min_element(here->multipliers.begin(), here->multipliers.end(),
+                            [](const Eigenvalue& a, const Eigenvalue& b) {
+                              return std::abs(a.value - 1.0) < std::abs(b.value - 1.0);
+                            });
+    branch.points.erase(here);
+    for (CriticalPoint& other : branch.critical)
+      if (other.after >= index) --other.after;
+    const auto after =
+        std::find_if(branch.critical.begin(), branch.critical.end(),
+                     [&](const CriticalPoint& other) { return other.after >= index; });
+    branch.critical.insert(after, std::move(critical));
+  }
+  traced_.push_back(std::move(branch));
+  return traced_.back();
+}
+
 std::vector<OrbitBranch> PatternBranches::parts(const Branch& branch) const {
   return orbit_parts(equations_, options_, branch, keep_virtual_);
 }

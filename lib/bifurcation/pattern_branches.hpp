@@ -31,7 +31,7 @@ class PatternBranches {
   // that is known.
   std::optional<BranchPoint> solve_near(const std::vector<ImpactPoint>& impacts, double value,
                                         const std::optional<SpecialOrbit::Direction>& along) const;
-  // These impacts as they stand, at a branch point, where no equations are regular.
+  // A branch point as it stands, where no equations are regular, with the direction of one branch.
   BranchPoint crossing(const std::vector<ImpactPoint>& impacts, double value,
                        const SpecialOrbit::Direction& along) const;
   // Whether a solution is listed: an orbit of the system, or virtual ones are asked for.
@@ -45,6 +45,8 @@ class PatternBranches {
   bool knows_doubling(const BranchPoint& at) const;
   // Traces the branch through a solution.
   const Branch& trace(const BranchPoint& start, Directions directions);
+  // The same both ways from a branch point, which is one of its special points.
+  const Branch& trace_across(const BranchPoint& crossing);
   // Its parts that are listed.
   std::vector<OrbitBranch> parts(const Branch& branch) const;
 

@@ -223,6 +223,18 @@ TEST(Continuation, SolvesAtAParameterToTheLastBit) {
   EXPECT_FALSE(solve_at(circle(), range(-2.0, 2.0), Vector::Constant(1, 0.9), 1.3));
 }
 
+// At (0, 1) the circle turns back: no solution at a fixed parameter, but one across the branch.
+TEST(Continuation, SolvesAtAFold) {
+  const ContinuationOptions options = range(-2.0, 2.0);
+  for (const Vector& along : {Vector(), Vector{{1.0, 0.0}}}) {
+    const auto point = solve_near(circle(), options, Vector::Constant(1, 1e-3), 1.0, along);
+    ASSERT_TRUE(point);
+    EXPECT_NEAR(point->u.squaredNorm() + point->parameter * point->parameter, 1.0, 1e-13);
+    EXPECT_NEAR(point->parameter, 1.0, 1e-5);
+    EXPECT_NEAR(std::abs(point->tangent[0]), 1.0, 1e-2);
+  }
+}
+
 TEST(Continuation, LocatesATestFunction) {
   const ZeroProblem problem = circle();
   const ContinuationOptions options = range(-2.0, 2.0);
