@@ -1,9 +1,6 @@
 // Writes a file that is read back to all its digits (state_table.hpp): lines of TOML.
 #pragma once
 
-#include <fmt/format.h>
-
-#include <iterator>
 #include <string>
 #include <utility>
 
@@ -21,12 +18,12 @@ std::string listed(const Range& range, Text text) {
 
 class StateLines {
  public:
-  explicit StateLines(const std::string& comment) { fmt::format_to(end(), "# {}\n", comment); }
+  explicit StateLines(const std::string& comment) : text_("# " + comment + "\n") {}
 
   // "[motion]"
-  void table(const std::string& header) { fmt::format_to(end(), "\n{}\n", header); }
+  void table(const std::string& header) { text_ += "\n" + header + "\n"; }
   void text(const std::string& key, const std::string& value) {
-    fmt::format_to(end(), "{} = {}\n", key, value);
+    text_ += key + " = " + value + "\n";
   }
   void word(const std::string& key, const std::string& value) { text(key, quoted(value)); }
   void number(const std::string& key, double value) { text(key, real_text(value)); }
@@ -39,7 +36,6 @@ class StateLines {
   std::string take() { return std::move(text_); }
 
  private:
-  std::back_insert_iterator<std::string> end() { return std::back_inserter(text_); }
   std::string text_;
 };
 
