@@ -46,6 +46,7 @@ struct Command {
   std::string second;
   std::optional<double> second_from, second_to;
   int slices = 8;
+  int regions = 0;  // places each way; 0: none
   std::string follow = "none";  // none | all
   int depth = 2;
 

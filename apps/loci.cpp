@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <array>
+#include <utility>
 
 #include "branch_options.hpp"
 #include "graze/assembly/assembly.hpp"
@@ -59,11 +60,34 @@ void record_options(const Command& command, RunInfo& info) {
   info.options.emplace_back("second_from", *command.second_from);
   info.options.emplace_back("second_to", *command.second_to);
   info.options.emplace_back("slices", static_cast<long long>(command.slices));
+  if (command.regions > 0)
+    info.options.emplace_back("regions", static_cast<long long>(command.regions));
+  if (command.closure_speed) info.options.emplace_back("closure_speed", *command.closure_speed);
   if (command.max_step) info.options.emplace_back("max_step", *command.max_step);
   info.options.emplace_back("follow", command.follow);
   if (command.follow == "all")
     info.options.emplace_back("depth", static_cast<long long>(command.depth));
   record_search(command, info);
+}
+
+// What is stable between the loci, as far as the time goes that tracing them has left.
+StableRegions regions_of(const Command& command, const Scene& scene, const LociOptions& loci) {
+  StableRegionsOptions options;
+  options.from = command.from;
+  options.to = command.to;
+  options.second_from = loci.second_from;
+  options.second_to = loci.second_to;
+  options.columns = options.rows = command.regions;
+  options.search.period = loci.branches.period;
+  options.search.impacts = loci.branches.impacts;
+  options.search.from_closed_form = loci.branches.finder.from_closed_form;
+  options.search.from_simulation = loci.branches.finder.from_simulation;
+  options.search.max_impacts = command.max_impacts;
+  options.search.stop = loci.branches.stop;
+  options.closure_speed = command.closure_speed;
+  options.threads = command.threads;
+  options.progress = progress_line(command);
+  return find_stable_regions(scene, command.parameter, command.second, options);
 }
 
 }  // namespace
@@ -92,10 +116,17 @@ int run_loci(const Command& command) {
   record.traced = trace_loci(scene, command.parameter, command.second, options);
   options.branches.progress = nullptr;
   record.outcome = loci_outcome(record.traced, options);
+  std::vector<std::pair<std::string, std::string>> tables = {{"loci.csv", loci_csv(record)},
+                                                             {"special.csv", special_csv(record)}};
+  if (command.regions > 0) {
+    record.regions = regions_of(command, scene, options);
+    record.outcome = regions_outcome(*record.regions, record.outcome);
+    tables.emplace_back("regions.csv", regions_csv(*record.regions));
+  }
   return conclude(command, record.info, record.outcome,
                   {to_json(record),
                    to_text(record),
-                   {{"loci.csv", loci_csv(record)}, {"special.csv", special_csv(record)}},
+                   std::move(tables),
                    [&] { draw_loci(command.plot, record); },
                    {}});
 }
