@@ -82,6 +82,8 @@ StableRegions regions_of(const Command& command, const Scene& scene, const LociO
   options.search.impacts = loci.branches.impacts;
   options.search.from_closed_form = loci.branches.finder.from_closed_form;
   options.search.from_simulation = loci.branches.finder.from_simulation;
+  options.search.random_starts = loci.branches.finder.from_random ? 1 : 0;
+  options.search.random_seed = command.random_seed;
   options.search.max_impacts = command.max_impacts;
   options.search.stop = loci.branches.stop;
   options.closure_speed = command.closure_speed;

@@ -16,6 +16,7 @@
 namespace graze {
 namespace {
 
+constexpr double kProportion = 0.75;  // height by width, without the tints' legend
 constexpr std::size_t kColumns = 2;
 // More labels than this cover one another, and the curves.
 constexpr std::size_t kMostLabels = 24;
@@ -120,7 +121,12 @@ void draw_curves(const OrbitLoci& traced, LocusLayers& layers, GnuplotScript& sc
                    0.6 * crowded_mark_size(special_count(traced) / 4), kBlack));
 }
 
-GnuplotScript loci_script(const LociRecord& record) {
+struct LociPicture {
+  GnuplotScript script;
+  double proportion = kProportion;
+};
+
+LociPicture loci_picture(const LociRecord& record) {
   const OrbitLoci& traced = record.traced;
   const AxisUnit first =
       axis_unit(record.unit, std::max(std::abs(record.from), std::abs(record.to)));
@@ -136,15 +142,23 @@ GnuplotScript loci_script(const LociRecord& record) {
   LocusLayers layers;
   for (const OrbitLocus& locus : traced.loci) add(locus, first.factor, second.factor, layers);
   const PicturePlane plane{first.factor, second.factor, x, y};
-  GnuplotScript script;
+  LociPicture picture;
+  GnuplotScript& script = picture.script;
   set_style(script);
   Drawn drawn;
   if (record.regions) draw_regions(*record.regions, plane, script, drawn);
+  const std::size_t tints = drawn.legend.size();
   draw_curves(traced, layers, script, drawn);
   label_special_points(script, traced, plane);
   Margins margins;
   margins.bottom += legend_height(drawn.legend.size(), kColumns);
   if (has_hertz_axis(traced.first)) margins.top = kHertzMargin;
+  // The legend of the tints takes its room below, not from the axes.
+  const double more = legend_height(drawn.legend.size(), kColumns) -
+                      legend_height(drawn.legend.size() - tints, kColumns);
+  picture.proportion *= 1.0 + more;
+  margins.bottom /= 1.0 + more;
+  margins.top /= 1.0 + more;
   set_margins(script, margins);
   set_legend(script, margins, kColumns);
   set_parameter_axis(script, traced.first, x, first.unit);
@@ -155,13 +169,14 @@ GnuplotScript loci_script(const LociRecord& record) {
     script.command("set label 'no locus was found' at graph 0.5, graph 0.5 center");
   drawn.curves.insert(drawn.curves.end(), drawn.legend.begin(), drawn.legend.end());
   script.plot(drawn.curves);
-  return script;
+  return picture;
 }
 
 }  // namespace
 
 void draw_loci(const std::string& file, const LociRecord& record) {
-  draw_picture(file, loci_script(record));
+  const LociPicture picture = loci_picture(record);
+  draw_picture(file, picture.script, picture.proportion);
 }
 
 }  // namespace graze

@@ -22,6 +22,12 @@ constexpr std::array<const char*, kTints> kColours = {"#BBCCEE", "#FFCCCC",   "#
 constexpr double kCharacter = 0.014, kLine = 0.055;
 constexpr std::size_t kMostLabels = 24;
 
+// The outline, of the same colour, covers the hair of white that smoothed edges leave between two.
+std::string fill_of(int tint) {
+  const char* colour = kColours[static_cast<std::size_t>(tint)];
+  return fmt::format("lc rgb '{}' lw 0.3 fs solid border lc rgb '{}'", colour, colour);
+}
+
 int tint_of(const StableNames& stable, int period, int impacts) {
   const MotionName asked{AttractorKind::kOrbit, period, impacts};
   const MotionName doubled{AttractorKind::kOrbit, 2 * period, 2 * impacts};
@@ -164,8 +170,6 @@ std::vector<RegionTints::Box> RegionTints::boxes() const {
 }
 
 void RegionTints::write(GnuplotScript& script) const {
-  // Boxes that only touch leave a hair of white between them where edges are smoothed: each one
-  // reaches a little under its neighbours of another tint, and is covered by those drawn later.
   std::array<PlotTable, kTints> tables;
   for (const Box& box : boxes()) {
     const double left = x(box.first), right = x(box.last + 1), low = y(box.row), high = y(box.end);
@@ -181,10 +185,7 @@ std::vector<std::string> RegionTints::layers() const {
   std::vector<std::string> layers;
   for (int tint = 0; tint < kTints; ++tint)
     if (std::find(tints_.begin(), tints_.end(), tint) != tints_.end())
-      // The outline, of the same colour, covers the hair of white that smoothed edges leave.
-      layers.push_back(
-          fmt::format("$stable{} with boxxyerror fs solid border lc rgb '{}' lw 0.3 notitle", tint,
-                      kColours[static_cast<std::size_t>(tint)]));
+      layers.push_back(fmt::format("$stable{} with boxxyerror {} notitle", tint, fill_of(tint)));
   return layers;
 }
 
@@ -212,9 +213,8 @@ std::vector<std::string> RegionTints::legend() const {
   std::vector<std::string> entries;
   for (int tint = 0; tint < kTints; ++tint)
     if (std::find(tints_.begin(), tints_.end(), tint) != tints_.end())
-      entries.push_back(fmt::format("NaN with boxes fs solid border lc rgb '{}' title {}",
-                                    kColours[static_cast<std::size_t>(tint)],
-                                    gnuplot_string("stable: " + tint_title(tint))));
+      entries.push_back(fmt::format("NaN with boxes {} title {}", fill_of(tint),
+                                    gnuplot_string(tint_title(tint))));
   return entries;
 }
 

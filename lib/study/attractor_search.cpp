@@ -13,6 +13,7 @@
 #include "graze/orbit/periodic_response.hpp"
 #include "graze/study/clear_state.hpp"
 #include "graze/study/followed_motion.hpp"
+#include "graze/study/random_start.hpp"
 #include "graze/study/strobes.hpp"
 
 namespace graze {
@@ -49,6 +50,10 @@ class AttractorSearch {
     if (options_.from_closed_form && options_.impacts == 1) from_closed_form();
     from_steady_response();
     if (options_.from_simulation && initial) settle_from(*initial, "the scene's initial state");
+    for (int i = 0; i < options_.random_starts && found_.finished; ++i)
+      settle_from(random_start(system_, options_.random_seed,
+                               options_.first_draw + static_cast<std::uint64_t>(i)),
+                  "a random start");
     return std::move(found_);
   }
 
@@ -82,7 +87,8 @@ class AttractorSearch {
            orbit.impacts.size() == 1 && holds_closed_form(orbit.impacts.front().stop);
   }
 
-  // Where it meets no stop it is stable: the motion beside it is linear, and damped or not settled.
+  // Where it meets no stop it is stable: motions near it are linear. Without damping they stay
+  // near.
   void from_steady_response() {
     const PeriodicResponseAnswer answer = periodic_response(system_, 1);
     if (!answer.response) return;
@@ -133,7 +139,7 @@ class AttractorSearch {
     beside.q.array() += part * scale_.displacement;
     beside.qdot += part * scale_.velocity;
     // An orbit that passes this near a stop at the start of its period is met from the free side.
-    bring_clear(system_, beside);
+    if (!bring_clear(system_, beside)) beside = start;
     const SettledMotion motion = follow(beside, "beside an orbit", periods_to_shrink(orbit));
     if (!found_.finished) return;
     if (!is_on(motion, orbit)) {

@@ -7,6 +7,7 @@
 #pragma once
 
 #include <compare>
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
@@ -45,6 +46,9 @@ struct AttractorSearchOptions {
   int period = 1, impacts = 1;   // p, k asked for
   bool from_closed_form = true;  // with k = 1
   bool from_simulation = true;   // of the scene's initial state
+  int random_starts = 1;         // motions besides
+  std::uint64_t random_seed = 1;
+  std::uint64_t first_draw = 0;  // of the random starts
   // Forcing periods that a motion is followed at first; more, up to four times as many, where the
   // structure forgets slowly.
   long long periods = 1000;
@@ -71,8 +75,8 @@ struct PlaceAttractors {
   bool finished = true;     // false: stopped before
 };
 
-// From the closed form, the steady response and the motion from `initial`, where there is one.
-// Requires forcing and a stop.
+// From the closed form, the steady response, the motion from `initial`, where there is one, and
+// random starts. Requires forcing and a stop.
 PlaceAttractors find_attractors(const System& system, const std::optional<State>& initial,
                                 const AttractorSearchOptions& options);
 

@@ -99,7 +99,9 @@ class RegionFinder {
       const Scene scene = scene_at(place);
       const System system = assemble(scene);
       const std::optional<State> start = clear_start(scene, system);
-      PlaceAttractors found = find_attractors(system, start, options_at(scene, system, start));
+      AttractorSearchOptions search = options_at(scene, system, start);
+      search.first_draw = i * static_cast<std::uint64_t>(search.random_starts);
+      PlaceAttractors found = find_attractors(system, start, search);
       if (!found.finished) return;
       found_[i] = std::move(found);
     } catch (const InputError& error) {
