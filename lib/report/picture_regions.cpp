@@ -193,19 +193,19 @@ std::string RegionTints::tint_title(int tint) const {
   const std::string asked = name_of({AttractorKind::kOrbit, regions_.period, regions_.impacts});
   switch (tint) {
     case kAsked:
-      return asked;
+      return asked + " alone";
     case kDoubled:
-      return name_of({AttractorKind::kOrbit, 2 * regions_.period, 2 * regions_.impacts});
+      return name_of({AttractorKind::kOrbit, 2 * regions_.period, 2 * regions_.impacts}) + " alone";
     case kClear:
-      return "no impact";
+      return "no impact alone";
     case kAskedAndMore:
       return asked + " and others";
     case kSeveral:
       return "several, no " + asked;
     case kSticking:
-      return "sticks";
+      return "sticks alone";
     default:
-      return "another alone";
+      return "other motion alone";
   }
 }
 

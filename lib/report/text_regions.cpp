@@ -68,17 +68,19 @@ std::string regions_text(const LociRecord& record) {
       "form nor a simulation leads to\n",
       regions.columns, regions.rows, quantity(regions.cell, record.unit),
       quantity(regions.second_cell, record.second_unit));
+  text += fmt::format("{} motions were followed, and handed on from place to place in {} rounds\n",
+                      regions.simulated, regions.rounds);
   text += fmt::format(
-      "{} stable orbits were solved for: motions that started beside them settled on {}, came back "
-      "to {} too slowly to be sure, and left {}\n",
+      "{} of these motions started beside a stable orbit: {} settled on it, {} came back too "
+      "slowly "
+      "to be sure, {} left it\n",
       regions.confirmed + regions.undecided + static_cast<long long>(regions.refuted.size()),
       regions.confirmed, regions.undecided, regions.refuted.size());
   if (regions.searched > 0)
     text += fmt::format(
-        "{} motions in all, and {} settled on a ({},{}) orbit that the closed form had not given\n",
-        regions.simulated, regions.missed.size(), regions.period, regions.impacts);
-  else
-    text += fmt::format("{} motions in all\n", regions.simulated);
+        "{} of those that settled on a ({},{}) orbit are on one that the closed form had not "
+        "given\n",
+        regions.missed.size(), regions.period, regions.impacts);
   text += list_of(record, regions.refuted,
                   "is stable by its multipliers, but a motion beside it left it");
   text += list_of(record, regions.missed, "was found by simulation, not by the closed form");

@@ -21,7 +21,7 @@ TEST(RegionsCommand, WritesTheDocument) {
   ASSERT_EQ(run.code, 0) << run.err;
   const json document = json::parse(run.out);
   EXPECT_EQ(document["outcome"], "complete");
-  EXPECT_EQ(document["options"]["regions"], 5);
+  EXPECT_EQ(document["graze"]["options"]["regions"], 5);
   const json& regions = document["regions"];
   EXPECT_EQ(regions["columns"], 5);
   EXPECT_EQ(regions["rows"], 5);
