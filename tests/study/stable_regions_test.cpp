@@ -214,6 +214,21 @@ TEST(StableRegions, OfAnUndampedBeamAreFound) {
   EXPECT_TRUE(found.refuted.empty());
 }
 
+// With r = 1 the map over a period shrinks areas by e^(-2 d T) alone, so no pair of multipliers is
+// less than e^(-d T): with hardly any damping an orbit is stable, and nothing comes near it within
+// the periods given. It is listed, and not counted as confirmed.
+TEST(StableRegions, SayWhichOrbitsForgetTooSlowlyToBeConfirmed) {
+  const Scene scene = one_mode({"stop.restitution=1", "damping.viscous=1e-5"});
+  StableRegionsOptions options = plane(49.0, 51.0, 1.49e-3, 1.51e-3, 1);
+  const double shrinks = oscillator_at(scene, 50.0).d * 2.0 * M_PI / 50.0;
+  ASSERT_LT(static_cast<double>(options.search.most_periods) * shrinks, 0.5);
+  const StableRegions found = regions(scene, options);
+  EXPECT_TRUE(has(found.places[0], kOneOne));
+  EXPECT_EQ(found.undecided, 1);
+  EXPECT_EQ(found.confirmed, 0);
+  EXPECT_TRUE(found.refuted.empty());
+}
+
 TEST(StableRegions, OfMirroredStopsAreClearBelowTheLinearAmplitude) {
   const Scene scene = scene_of("07_two_stops", {"beam.modes=1"});
   StableRegionsOptions options = plane(40.0, 70.0, 1e-4, 6e-4, 6);
