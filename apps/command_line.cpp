@@ -239,7 +239,7 @@ void add_locus(CLI::App* app, Command& command) {
   app->add_option("--regions", command.regions,
                   "With --locus: say what is stable at N by N places of the plane, checked by "
                   "simulation, and draw it behind the loci")
-      ->transform(whole_number_within(1, 1000))
+      ->transform(whole_number_within(1, 400))
       ->type_name("N")
       ->needs(locus);
 }

@@ -51,6 +51,7 @@ std::string to_text(const LociRecord& record) {
   text +=
       "note: a locus that crosses none of the slices and meets no other is not found; --slices "
       "looks closer\n";
+  if (record.regions && traced.loci.empty()) text += "note: no locus was met\n";
   if (record.regions) text += "\n" + regions_text(record);
   const Outcome& outcome = record.outcome;
   if (!outcome.message.empty()) text += fmt::format("{}: {}\n", outcome.name, outcome.message);

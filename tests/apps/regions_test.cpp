@@ -113,7 +113,7 @@ TEST(RegionsCommand, RefusesInWords) {
     EXPECT_EQ(run.out, "");
   };
   expect_refused("--regions 4 --parameter forcing.frequency --from 45 --to 55 ", "--locus");
-  expect_refused("--locus GR --regions 0" + kPlane, "1 to 1000");
+  expect_refused("--locus GR --regions 0" + kPlane, "1 to 400");
   expect_refused("--locus GR --regions 2.5" + kPlane, "2.5");
 }
 
