@@ -48,6 +48,7 @@ struct Command {
   int slices = 8;
   std::string restart, label;   // folder of a run and a special point of it; empty: none
   bool switched = false;        // onto the other branch there
+  int regions = 0;              // places each way; 0: none
   std::string follow = "none";  // none | all
   int depth = 2;
 

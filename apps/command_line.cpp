@@ -236,6 +236,12 @@ void add_locus(CLI::App* app, Command& command) {
       ->capture_default_str()
       ->type_name("N")
       ->needs(locus);
+  app->add_option("--regions", command.regions,
+                  "With --locus: say what is stable at N by N places of the plane, checked by "
+                  "simulation, and draw it behind the loci")
+      ->transform(whole_number_within(1, 400))
+      ->type_name("N")
+      ->needs(locus);
 }
 
 // A special point of an earlier run instead of any search.

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <utility>
 
 #include "branch_options.hpp"
 #include "graze/assembly/assembly.hpp"
@@ -61,6 +62,12 @@ void start_from(const Restart& restart, const Command& command, LociOptions& opt
     throw InputError(
         fmt::format("--label: {} has no locus; LP, PD, NS and GR of orbits that do not stick have",
                     restart.at.id));
+  // Which orbits these are, for what else is asked of the plane; a locus of grazing counts its
+  // touch.
+  const ImpactPattern& pattern = restart.at.pattern;
+  options.branches.period = pattern.period;
+  options.branches.impacts =
+      std::max(1, pattern.impacts() - (restart.at.locus == OrbitLocusKind::kGrazing ? 1 : 0));
   const OrbitLocusKind kind = options.start->kind;
   if (std::find(options.kinds.begin(), options.kinds.end(), kind) == options.kinds.end())
     throw InputError(fmt::format("--locus: {} lies on a locus of {}; give --locus {} or all",
@@ -79,6 +86,9 @@ void record_options(const Command& command, RunInfo& info) {
   info.options.emplace_back("second_to", *command.second_to);
   if (command.restart.empty())
     info.options.emplace_back("slices", static_cast<long long>(command.slices));
+  if (command.regions > 0)
+    info.options.emplace_back("regions", static_cast<long long>(command.regions));
+  if (command.closure_speed) info.options.emplace_back("closure_speed", *command.closure_speed);
   if (command.max_step) info.options.emplace_back("max_step", *command.max_step);
   info.options.emplace_back("follow", command.follow);
   if (command.follow == "all")
@@ -87,6 +97,28 @@ void record_options(const Command& command, RunInfo& info) {
     record_search(command, info);
   else
     record_restart(command, info);
+}
+
+// What is stable between the loci, as far as the time goes that tracing them has left.
+StableRegions regions_of(const Command& command, const Scene& scene, const LociOptions& loci) {
+  StableRegionsOptions options;
+  options.from = command.from;
+  options.to = command.to;
+  options.second_from = loci.second_from;
+  options.second_to = loci.second_to;
+  options.columns = options.rows = command.regions;
+  options.search.period = loci.branches.period;
+  options.search.impacts = loci.branches.impacts;
+  options.search.from_closed_form = loci.branches.finder.from_closed_form;
+  options.search.from_simulation = loci.branches.finder.from_simulation;
+  options.search.random_starts = loci.branches.finder.from_random ? 1 : 0;
+  options.search.random_seed = command.random_seed;
+  options.search.max_impacts = command.max_impacts;
+  options.search.stop = loci.branches.stop;
+  options.closure_speed = command.closure_speed;
+  options.threads = command.threads;
+  options.progress = progress_line(command);
+  return find_stable_regions(scene, command.parameter, command.second, options);
 }
 
 }  // namespace
@@ -118,13 +150,20 @@ int run_loci(const Command& command) {
   record.traced = trace_loci(scene, command.parameter, command.second, options);
   options.branches.progress = nullptr;
   record.outcome = loci_outcome(record.traced, options);
+  std::vector<std::pair<std::string, std::string>> tables = {
+      {"loci.csv", loci_csv(record)},
+      {"special.csv", special_csv(record)},
+      special_file(record.info, {command.parameter, command.second},
+                   special_orbits(record.traced))};
+  if (command.regions > 0) {
+    record.regions = regions_of(command, scene, options);
+    record.outcome = regions_outcome(*record.regions, record.outcome);
+    tables.emplace_back("regions.csv", regions_csv(*record.regions));
+  }
   return conclude(command, record.info, record.outcome,
                   {to_json(record),
                    to_text(record),
-                   {{"loci.csv", loci_csv(record)},
-                    {"special.csv", special_csv(record)},
-                    special_file(record.info, {command.parameter, command.second},
-                                 special_orbits(record.traced))},
+                   std::move(tables),
                    [&] { draw_loci(command.plot, record); },
                    {}});
 }

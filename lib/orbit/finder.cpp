@@ -12,6 +12,7 @@
 #include "graze/hybrid/simulation.hpp"
 #include "graze/orbit/closed_form.hpp"
 #include "graze/orbit/impact_sequences.hpp"
+#include "graze/orbit/minimal_orbit.hpp"
 #include "graze/orbit/mirror.hpp"
 #include "graze/orbit/orbit_identity.hpp"
 #include "graze/orbit/periodic_response.hpp"
@@ -278,15 +279,7 @@ class Finder {
     ++count.tried;
     if (!solution) return {};
     ++count.converged;
-    Orbit orbit = make_orbit(system_, problem, solution->x);
-    const std::optional<ImpactPattern> shorter = repeated_pattern(orbit);
-    if (!shorter) return orbit;
-    const ShootingProblem part(*shorter, scale_);
-    std::vector<ImpactPoint> points = orbit.points();
-    points.resize(shorter->stops.size());
-    const auto minimal = newton(part, system_, part.pack(points));
-    if (!minimal) return {};
-    return make_orbit(system_, part, minimal->x);
+    return minimal_orbit(system_, problem, *solution);
   }
 
   void keep(const ShootingProblem& problem, const std::optional<ShootingSolution>& solution,

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 namespace graze {
 namespace {
 
@@ -38,6 +40,29 @@ Outcome loci_outcome(const OrbitLoci& traced, const LociOptions& options) {
     return {"no_orbit", fmt::format("no {} of ({}, {}) orbits was met on {} slices of the plane",
                                     names_of(options.kinds), options.branches.period,
                                     options.branches.impacts, traced.slices)};
+  return {"complete", ""};
+}
+
+Outcome regions_outcome(const StableRegions& regions, const Outcome& loci) {
+  const std::size_t all = regions.places.size();
+  const std::string kept = fmt::format("{} of {} places are kept", regions.finished, all);
+  if (loci.name == "interrupted" || regions.stopped == StopReason::kInterrupted)
+    return {"interrupted", "stopped; the loci traced so far and " + kept};
+  if (regions.stopped == StopReason::kOutOfTime)
+    return {"budget", "the budget of computing time was spent; the loci traced so far and " + kept};
+  if (loci.name != "complete" && loci.name != "no_orbit") return loci;
+  const auto says = [](const RegionPlace& place) { return !place.message.empty(); };
+  const auto first = std::find_if(regions.places.begin(), regions.places.end(), says);
+  if (first != regions.places.end())
+    return {"budget",
+            fmt::format("at {} of {} places what is stable is not known in full; the first, "
+                        "({:.9g}, {:.9g}): {}",
+                        std::count_if(first, regions.places.end(), says), all, first->value,
+                        first->second, first->message)};
+  if (!regions.settled)
+    return {"budget", fmt::format("what places hand on to one another still led to something new "
+                                  "after {} rounds",
+                                  regions.rounds)};
   return {"complete", ""};
 }
 

@@ -23,6 +23,8 @@ std::string branches_csv(const BranchRecord& record);
 std::string special_csv(const BranchRecord& record);
 std::string loci_csv(const LociRecord& record);
 std::string special_csv(const LociRecord& record);
+// One line a place; labels hold commas and stand in quotes.
+std::string regions_csv(const StableRegions& regions);
 
 // One line a sample, one for a value that has none.
 std::string sweep_csv(const DiagramRecord& record);

@@ -36,4 +36,13 @@ std::string special_csv(const LociRecord& record) {
   return text;
 }
 
+std::string regions_csv(const StableRegions& regions) {
+  std::string text = "value,second,area,label\n";
+  for (const RegionPlace& place : regions.places)
+    if (place.finished)
+      fmt::format_to(std::back_inserter(text), "{},{},{},\"{}\"\n", cell(place.value),
+                     cell(place.second), place.area + 1, label_of(place.stable));
+  return text;
+}
+
 }  // namespace graze

@@ -51,6 +51,60 @@ Json locus_json(const OrbitLocus& locus) {
           {"special", special}};
 }
 
+Json place_json(const RegionPlace& place) {
+  return {{"value", number(place.value)},
+          {"second", number(place.second)},
+          {"label", label_of(place.stable)}};
+}
+
+Json listed_json(const StableRegions& regions, const std::vector<OrbitAtPlace>& orbits) {
+  Json list = Json::array();
+  for (const OrbitAtPlace& orbit : orbits) {
+    const RegionPlace& place = regions.places[orbit.place];
+    list.push_back({{"label", name_of(orbit.name)},
+                    {"value", number(place.value)},
+                    {"second", number(place.second)}});
+  }
+  return list;
+}
+
+Json regions_json(const StableRegions& regions) {
+  Json areas = Json::array(), places = Json::array();
+  for (const RegionArea& area : regions.areas) {
+    Json json = {{"id", areas.size() + 1},
+                 {"label", label_of(area.stable)},
+                 {"places", area.places},
+                 {"share", area.share}};
+    json["value"] = number(regions.places[area.inner].value);
+    json["second"] = number(regions.places[area.inner].second);
+    areas.push_back(json);
+  }
+  for (const RegionPlace& place : regions.places) {
+    if (!place.finished) continue;
+    Json json = place_json(place);
+    json["area"] = place.area + 1;
+    if (!place.message.empty()) json["message"] = place.message;
+    places.push_back(json);
+  }
+  return {{"columns", regions.columns},
+          {"rows", regions.rows},
+          {"period", regions.period},
+          {"impacts", regions.impacts},
+          {"areas", areas},
+          {"places", places},
+          {"refuted", listed_json(regions, regions.refuted)},
+          {"missed", listed_json(regions, regions.missed)},
+          {"counters",
+           {{"places", regions.finished},
+            {"closed_form", regions.searched},
+            {"confirmed", regions.confirmed},
+            {"undecided", regions.undecided},
+            {"refuted", regions.refuted.size()},
+            {"missed", regions.missed.size()},
+            {"simulated", regions.simulated},
+            {"rounds", regions.rounds}}}};
+}
+
 }  // namespace
 
 std::string to_json(const LociRecord& record) {
@@ -76,6 +130,7 @@ std::string to_json(const LociRecord& record) {
                           {"loci_cut_short", record.traced.cut_short},
                           {"traces_cut_short", record.traced.traces_cut_short},
                           {"shooting_evaluations", record.traced.shooting_evaluations}};
+  if (record.regions) document["regions"] = regions_json(*record.regions);
   return document.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 

@@ -8,6 +8,7 @@
 #include <set>
 
 #include "graze/report/picture_branch_curves.hpp"
+#include "graze/report/picture_regions.hpp"
 #include "graze/report/picture_style.hpp"
 #include "graze/report/pictures.hpp"
 #include "graze/report/special_marks.hpp"
@@ -15,6 +16,7 @@
 namespace graze {
 namespace {
 
+constexpr double kProportion = 0.75;  // height by width, without the tints' legend
 constexpr std::size_t kColumns = 2;
 // More labels than this cover one another, and the curves.
 constexpr std::size_t kMostLabels = 24;
@@ -83,7 +85,48 @@ void label_special_points(GnuplotScript& script, const OrbitLoci& traced,
                                label.x, label.y));
 }
 
-GnuplotScript loci_script(const LociRecord& record) {
+// What is drawn, in its order, and what the legend says of it.
+struct Drawn {
+  std::vector<std::string> curves, legend;
+};
+
+void draw_regions(const StableRegions& regions, const PicturePlane& plane, GnuplotScript& script,
+                  Drawn& drawn) {
+  const RegionTints tints(regions, plane);
+  tints.write(script);
+  tints.label(script);
+  drawn.curves = tints.layers();
+  drawn.legend = tints.legend();
+}
+
+void draw_curves(const OrbitLoci& traced, LocusLayers& layers, GnuplotScript& script,
+                 Drawn& drawn) {
+  // Thinner as they crowd.
+  const double weight = crowded_mark_size(traced.loci.size());
+  const auto draw = [&](const std::string& name, const PlotTable& table, const char* title,
+                        const std::string& how) {
+    if (table.empty()) return;
+    script.data(name, table);
+    drawn.curves.push_back(fmt::format("${} using 1:2 with {} notitle", name, how));
+    drawn.legend.push_back(fmt::format("NaN with {} title '{}'", how, title));
+  };
+  draw("virtual", layers.not_real, "virtual",
+       fmt::format("lines lw 1.0 dt solid lc rgb '{}'", kGrey));
+  for (const KindStyle& style : kStyles)
+    draw(
+        label_of(style.kind), layers.real[style.kind], style.title,
+        fmt::format("lines lw {:.3g} dt {} lc rgb '{}'", 2.4 * weight, style.dashes, style.colour));
+  draw("special", layers.special, "codimension two",
+       fmt::format("points pt 7 ps {:.3g}*mark lc rgb '{}'",
+                   0.6 * crowded_mark_size(special_count(traced) / 4), kBlack));
+}
+
+struct LociPicture {
+  GnuplotScript script;
+  double proportion = kProportion;
+};
+
+LociPicture loci_picture(const LociRecord& record) {
   const OrbitLoci& traced = record.traced;
   const AxisUnit first =
       axis_unit(record.unit, std::max(std::abs(record.from), std::abs(record.to)));
@@ -98,48 +141,42 @@ GnuplotScript loci_script(const LociRecord& record) {
   y.settle(0.0);
   LocusLayers layers;
   for (const OrbitLocus& locus : traced.loci) add(locus, first.factor, second.factor, layers);
-  GnuplotScript script;
+  const PicturePlane plane{first.factor, second.factor, x, y};
+  LociPicture picture;
+  GnuplotScript& script = picture.script;
   set_style(script);
-  std::vector<std::string> curves, legend;
-  // Thinner as they crowd.
-  const double weight = crowded_mark_size(traced.loci.size());
-  const auto draw = [&](const std::string& name, const PlotTable& table, const char* title,
-                        const std::string& how) {
-    if (table.empty()) return;
-    script.data(name, table);
-    curves.push_back(fmt::format("${} using 1:2 with {} notitle", name, how));
-    legend.push_back(fmt::format("NaN with {} title '{}'", how, title));
-  };
-  draw("virtual", layers.not_real, "virtual",
-       fmt::format("lines lw 1.0 dt solid lc rgb '{}'", kGrey));
-  for (const KindStyle& style : kStyles)
-    draw(
-        label_of(style.kind), layers.real[style.kind], style.title,
-        fmt::format("lines lw {:.3g} dt {} lc rgb '{}'", 2.4 * weight, style.dashes, style.colour));
-  draw("special", layers.special, "codimension two",
-       fmt::format("points pt 7 ps {:.3g}*mark lc rgb '{}'",
-                   0.6 * crowded_mark_size(special_count(traced) / 4), kBlack));
-  label_special_points(script, traced, {first.factor, second.factor, x, y});
+  Drawn drawn;
+  if (record.regions) draw_regions(*record.regions, plane, script, drawn);
+  const std::size_t tints = drawn.legend.size();
+  draw_curves(traced, layers, script, drawn);
+  label_special_points(script, traced, plane);
   Margins margins;
-  margins.bottom += legend_height(legend.size(), kColumns);
+  margins.bottom += legend_height(drawn.legend.size(), kColumns);
   if (has_hertz_axis(traced.first)) margins.top = kHertzMargin;
+  // The legend of the tints takes its room below, not from the axes.
+  const double more = legend_height(drawn.legend.size(), kColumns) -
+                      legend_height(drawn.legend.size() - tints, kColumns);
+  picture.proportion *= 1.0 + more;
+  margins.bottom /= 1.0 + more;
+  margins.top /= 1.0 + more;
   set_margins(script, margins);
   set_legend(script, margins, kColumns);
   set_parameter_axis(script, traced.first, x, first.unit);
   script.command("set yrange " + y.text());
   script.command(fmt::format("set ytics {:.6g}", y.tic_step(8)));
   name_vertical_axis(script, parameter_title(traced.second), second.unit);
-  if (traced.loci.empty())
+  if (traced.loci.empty() && !record.regions)
     script.command("set label 'no locus was found' at graph 0.5, graph 0.5 center");
-  curves.insert(curves.end(), legend.begin(), legend.end());
-  script.plot(curves);
-  return script;
+  drawn.curves.insert(drawn.curves.end(), drawn.legend.begin(), drawn.legend.end());
+  script.plot(drawn.curves);
+  return picture;
 }
 
 }  // namespace
 
 void draw_loci(const std::string& file, const LociRecord& record) {
-  draw_picture(file, loci_script(record));
+  const LociPicture picture = loci_picture(record);
+  draw_picture(file, picture.script, picture.proportion);
 }
 
 }  // namespace graze

@@ -13,6 +13,7 @@ std::string to_text(const SimulationRecord& record);
 std::string to_text(const OrbitRecord& record);
 std::string to_text(const BranchRecord& record);
 std::string to_text(const LociRecord& record);
+std::string regions_text(const LociRecord& record);  // requires regions
 std::string to_text(const DiagramRecord& record);
 
 }  // namespace graze

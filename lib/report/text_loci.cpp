@@ -54,6 +54,8 @@ std::string to_text(const LociRecord& record) {
                     "{} slices of the plane, {}note: a locus that crosses none of the "
                     "slices and meets no other is not found; --slices looks closer\n",
                     traced.slices, counted);
+  if (record.regions && traced.loci.empty()) text += "note: no locus was met\n";
+  if (record.regions) text += "\n" + regions_text(record);
   const Outcome& outcome = record.outcome;
   if (!outcome.message.empty()) text += fmt::format("{}: {}\n", outcome.name, outcome.message);
   return text;

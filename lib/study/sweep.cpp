@@ -10,7 +10,7 @@
 #include "graze/base/parallel.hpp"
 #include "graze/hybrid/simulation.hpp"
 #include "graze/scene/parameter.hpp"
-#include "graze/system/gap_value.hpp"
+#include "graze/study/clear_state.hpp"
 
 namespace graze {
 namespace {
@@ -39,13 +39,6 @@ bool is_finished(const SettledMotion& motion) {
 bool hands_on(const SweepRow& row) {
   return row.status == SweepStatus::kSettled || row.status == SweepStatus::kApproaching ||
          row.status == SweepStatus::kNotPeriodic;
-}
-
-bool is_clear(const System& system, const State& state) {
-  return std::all_of(system.stops.begin(), system.stops.end(), [&](const RigidStop& stop) {
-    const GapValue<double> gap = gap_value<double>(stop.row, state.q, stop.gap);
-    return gap.value >= -gap.rounding;
-  });
 }
 
 class Sweeper {
