@@ -1,0 +1,191 @@
+#include "option_groups.hpp"
+
+#include <fmt/format.h>
+
+#include "option_values.hpp"
+
+namespace graze {
+namespace {
+
+constexpr const char* kClosureSpeed =
+    "Speed below which the rest of a chatter is summed, m/s (default: sqrt(solver.tolerance/100) "
+    "of the motion's speed; graze check prints it)";
+
+}  // namespace
+
+InputError not_available(const std::string& what) {
+  return InputError(what + ": not available in this version");
+}
+
+void add_later_options(CLI::App* app, const std::vector<const char*>& options) {
+  for (const char* later : options)
+    app->add_option_function<std::vector<std::string>>(
+           later, [later](const std::vector<std::string>&) { throw not_available(later); },
+           "(not available in this version)")
+        ->type_name("X")
+        ->expected(0, 1);
+}
+
+std::string footer(const std::string& example) {
+  return "Example: graze " + example +
+         "\nExit codes: 0 done; 2 usage or scene error; 3 numerics could not do it, what was\n"
+         "reached is printed; 4 file or system error; 130 interrupted.";
+}
+
+void add_shared(CLI::App* app, Command& command) {
+  app->add_option("SCENE", command.scene, "Scene file (TOML)")->required();
+  app->add_option("--set", command.settings,
+                  "Replace or add one key of the scene, e.g. stop.gap=2e-3; as often as wanted")
+      ->type_name("NAME=VALUE")
+      ->allow_extra_args(false)
+      ->take_all();
+  app->add_flag("--json", command.json, "Print one JSON document and nothing else on stdout");
+  app->add_option("--out", command.out, "Write result.json, scene.toml and tables into this folder")
+      ->type_name("DIR");
+  app->add_option("--threads", command.threads,
+                  "Threads to use, 0 (default) for all cores; results do not depend on it")
+      ->transform(whole_number(
+          fmt::format("a whole number from 1 to {:.0f}, or 0 for all cores", kMostThreads), 0.0,
+          kMostThreads))
+      ->type_name("N");
+  app->add_flag("--quiet", command.quiet, "No progress, no warnings");
+}
+
+void add_plot(CLI::App* app, Command& command) {
+  app->add_option(
+         "--plot", command.plot,
+         "Draw a picture into this .svg, .png or .pdf; the gnuplot script is kept beside it")
+      ->type_name("FILE");
+}
+
+void add_closure_speed(CLI::App* app, Command& command) {
+  app->add_option("--closure-speed", command.closure_speed, kClosureSpeed)
+      ->check(at_least("a speed in m/s, 0 or more", 0.0))
+      ->type_name("V");
+}
+
+void add_limits(CLI::App* app, Command& command) {
+  app->add_option("--max-impacts", command.max_impacts,
+                  "Most impacts of one simulated motion; it then ends and says so")
+      ->transform(whole_number("a whole number from 1", 1.0, kMostCounted))
+      ->capture_default_str()
+      ->type_name("N");
+  app->add_option("--max-seconds", command.max_seconds,
+                  "Most computing time, s; what was reached by then is printed")
+      ->check(above_zero())
+      ->capture_default_str()
+      ->type_name("S");
+}
+
+void add_orbit_search(CLI::App* app, Command& command) {
+  add_limits(app, command);
+  app->add_option("--period", command.period, "Forcing periods p after which the orbit repeats")
+      ->transform(whole_number("a whole number from 1", 1.0, kMostPeriods))
+      ->capture_default_str()
+      ->type_name("P");
+  app->add_flag("--virtual", command.keep_virtual,
+                "Keep solutions that are no orbits too: penetrating a stop, or impact speed < 0");
+  app->add_option(
+         "--start", command.starts,
+         "Where the search starts, several with commas: closed-form (k = 1), simulation, random "
+         "(quasi-random phases, deflation, then global minimisation) (default: all)")
+      ->check(CLI::IsMember({"closed-form", "simulation", "random"}))
+      ->delimiter(',')
+      ->type_name("NAME");
+  app->add_option("--random-seed", command.random_seed,
+                  "Seed: another one moves the quasi-random starts")
+      ->transform(whole_number("a whole number, 0 or more", 0.0, kMostCounted))
+      ->capture_default_str()
+      ->type_name("N");
+}
+
+void add_range(CLI::App* app, Command& command) {
+  app->add_option("--parameter", command.parameter, "Path of the parameter, e.g. forcing.frequency")
+      ->required()
+      ->type_name("NAME");
+  app->add_option("--from", command.from, "Start of the parameter's range")
+      ->required()
+      ->check(finite_number())
+      ->type_name("A");
+  app->add_option("--to", command.to, "End of the parameter's range")
+      ->required()
+      ->check(finite_number())
+      ->type_name("B");
+  app->add_option("--max-step", command.max_step,
+                  "Largest change of the parameter in one step of a branch (default: range/50)")
+      ->check(above_zero())
+      ->type_name("D");
+}
+
+void add_branch_kind(CLI::App* app, Command& command) {
+  app->add_option("--impacts", command.impacts,
+                  "Impacts per orbit, on all stops together (default: 1, and orbits that stick)")
+      ->transform(whole_number_within(1, 64))
+      ->type_name("K");
+  app->add_option("--follow", command.follow,
+                  "Switch branches at special points: none, or all: doubled orbits at PD, crossing "
+                  "branches at BP, one impact more or less at GR, one stuck phase more or less at "
+                  "CH (default: none)")
+      ->check(CLI::IsMember({"none", "all"}))
+      ->type_name("WHAT");
+  app->add_option("--depth", command.depth,
+                  "With --follow all: special points switched at one after the other (default: 2)")
+      ->transform(whole_number_within(1, 16))
+      ->type_name("D");
+}
+
+void add_locus(CLI::App* app, Command& command) {
+  CLI::Option* locus =
+      app->add_option("--locus", command.locus,
+                      "Trace loci of special points over two parameters instead of branches: LP, "
+                      "PD, NS, GR, several with commas, or all")
+          ->check(CLI::IsMember({"LP", "PD", "NS", "GR", "all"}))
+          ->delimiter(',')
+          ->type_name("KIND");
+  CLI::Option* second = app->add_option("--second", command.second,
+                                        "With --locus: path of the second parameter, e.g. stop.gap")
+                            ->type_name("NAME")
+                            ->needs(locus);
+  app->add_option("--second-from", command.second_from, "Start of the second parameter's range")
+      ->check(finite_number())
+      ->type_name("C")
+      ->needs(second);
+  app->add_option("--second-to", command.second_to, "End of the second parameter's range")
+      ->check(finite_number())
+      ->type_name("D")
+      ->needs(second);
+  app->add_option("--slices", command.slices,
+                  "With --locus: values of either parameter, besides the scene's own, at which "
+                  "special points are sought to start from; a locus that crosses none and meets no "
+                  "other is missed")
+      ->transform(whole_number_within(0, 10'000))
+      ->capture_default_str()
+      ->type_name("N")
+      ->needs(locus);
+  app->add_option("--regions", command.regions,
+                  "With --locus: say what is stable at N by N places of the plane, checked by "
+                  "simulation, and draw it behind the loci")
+      ->transform(whole_number_within(1, 400))
+      ->type_name("N")
+      ->needs(locus);
+}
+
+void add_restart(CLI::App* app, Command& command) {
+  CLI::Option* restart =
+      app->add_option("--restart", command.restart,
+                      "Start from a special point of the run that --out left in this folder, in "
+                      "the same parameter, another one, or as a locus")
+          ->type_name("DIR");
+  for (const char* of_search : {"--period", "--impacts", "--start", "--random-seed", "--slices"})
+    restart->excludes(app->get_option(of_search));
+  app->add_option("--label", command.label, "With --restart: the special point's id, e.g. PD1")
+      ->type_name("ID")
+      ->needs(restart);
+  app->add_flag("--switch", command.switched,
+                "With --restart: onto the branch that begins or crosses there: doubled orbits at "
+                "PD, the crossing branch at BP, one impact more or less at GR")
+      ->needs(restart)
+      ->excludes(app->get_option("--locus"));
+}
+
+}  // namespace graze

@@ -1,0 +1,34 @@
+// Options that several commands share, in groups.
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <string>
+#include <vector>
+
+#include "command.hpp"
+#include "graze/base/errors.hpp"
+
+namespace graze {
+
+// Of what a later version brings.
+InputError not_available(const std::string& what);
+void add_later_options(CLI::App* app, const std::vector<const char*>& options);
+
+// What stands below the options.
+std::string footer(const std::string& example);
+
+void add_shared(CLI::App* app, Command& command);
+void add_plot(CLI::App* app, Command& command);
+void add_closure_speed(CLI::App* app, Command& command);
+void add_limits(CLI::App* app, Command& command);
+// With those limits.
+void add_orbit_search(CLI::App* app, Command& command);
+void add_range(CLI::App* app, Command& command);
+// Which orbits' branches are traced, and how far from the first.
+void add_branch_kind(CLI::App* app, Command& command);
+// Loci instead of branches.
+void add_locus(CLI::App* app, Command& command);
+// A special point of an earlier run instead of any search; needs those of search and loci.
+void add_restart(CLI::App* app, Command& command);
+
+}  // namespace graze
