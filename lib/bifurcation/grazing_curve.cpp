@@ -2,8 +2,6 @@
 
 #include <utility>
 
-#include "graze/base/angle.hpp"
-
 namespace graze {
 
 GrazingCurve::GrazingCurve(const Scene& scene, const std::string& first, const std::string& second,
@@ -20,10 +18,10 @@ GrazingCurve::GrazingCurve(const Scene& scene, const std::string& first, const s
     zero.multipliers = [this](const Vector& y, double q, ErrorBounds errors) {
       return multipliers(y, q, errors);
     };
-  const Eigen::Index block = 2 * scene.modes() + 1;
-  problem_.first = block * shooting_.pattern().impacts();
-  zero.wrap = Vector::Zero(problem_.first + 1);
-  for (Eigen::Index at = 0; at < problem_.first; at += block) zero.wrap[at] = kTurn;
+  const Vector wrap = shooting_.wrap();
+  problem_.first = wrap.size();
+  zero.wrap.resize(problem_.first + 1);
+  zero.wrap << wrap, 0.0;
 }
 
 Vector GrazingCurve::pack(const std::vector<ImpactPoint>& impacts, double first) const {

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "graze/bifurcation/open_sequence.hpp"
+
 namespace graze {
 namespace {
 
@@ -21,17 +23,7 @@ OrbitLocusEnd end_of_trace(const OrbitLocus& frame, const std::vector<LocusPlace
   return stuck && last.border ? end_at(last) : frame.ends[side];
 }
 
-// A closed sequence starts where it is no orbit, so that no part is cut in two by the start.
-void open_outside(std::vector<LocusPlace>& places) {
-  const auto outside = std::find_if(places.begin(), places.end(), [](const LocusPlace& place) {
-    return !place.at.admissible && !place.border;
-  });
-  if (outside == places.begin() || outside == places.end()) return;
-  const auto offset = outside - places.begin();
-  places.pop_back();  // repeats the first
-  std::rotate(places.begin(), places.begin() + offset, places.end());
-  places.push_back(places.front());
-}
+bool is_outside(const LocusPlace& place) { return !place.at.admissible && !place.border; }
 
 class Parts {
  public:
@@ -39,7 +31,8 @@ class Parts {
       : frame_(trace.frame), places_(trace.places), keep_virtual_(keep_virtual) {}
 
   std::vector<OrbitLocus> divide() {
-    if (frame_.ends[1] == OrbitLocusEnd::kClosed && !keep_virtual_) open_outside(places_);
+    if (frame_.ends[1] == OrbitLocusEnd::kClosed && !keep_virtual_)
+      open_outside(places_, is_outside);
     for (std::size_t i = 0; i < places_.size(); ++i) {
       LocusPlace& place = places_[i];
       const bool border = place.border.has_value(), last = i + 1 == places_.size();

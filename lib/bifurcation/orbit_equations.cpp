@@ -19,9 +19,7 @@ OrbitEquations::OrbitEquations(const SystemFamily& family, ImpactPattern pattern
     if (!system) return {};
     return orbit_multipliers(*system, this->pattern(), shooting_.unpack(*system, u), errors);
   };
-  const Eigen::Index block = 2 * family.scene().modes() + 1;
-  problem_.wrap = Vector::Zero(block * shooting_.pattern().impacts());
-  for (Eigen::Index at = 0; at < problem_.wrap.size(); at += block) problem_.wrap[at] = kTurn;
+  problem_.wrap = shooting_.wrap();
 }
 
 const System* OrbitEquations::system_at(double value) const { return systems_.at(value); }

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "graze/bifurcation/grazing_stations.hpp"
+#include "graze/bifurcation/open_sequence.hpp"
 #include "graze/bifurcation/orbit_borders.hpp"
 
 namespace graze {
@@ -41,17 +42,6 @@ void insert_border(std::vector<Place>& places, std::size_t first, const Place& b
   places.insert(changed, border);
 }
 
-// Starts a closed sequence where it is no orbit, so that no part is cut in two by the start.
-void open_outside(std::vector<Place>& places) {
-  const auto outside =
-      std::find_if(places.begin(), places.end(), [](const Place& s) { return !s.is_orbit(); });
-  if (outside == places.begin() || outside == places.end()) return;
-  const auto offset = outside - places.begin();
-  places.pop_back();  // repeats the first
-  std::rotate(places.begin(), places.begin() + offset, places.end());
-  places.push_back(places.front());
-}
-
 class Parts {
  public:
   Parts(const OrbitEquations& equations, const ContinuationOptions& options, const Branch& branch,
@@ -66,7 +56,8 @@ class Parts {
   std::vector<OrbitBranch> divide() {
     visit();
     drop_beyond_halves();
-    if (branch_.closed() && !keep_virtual_) open_outside(places_);
+    if (branch_.closed() && !keep_virtual_)
+      open_outside(places_, [](const Place& s) { return !s.is_orbit(); });
     std::vector<OrbitBranch> parts;
     bool inside = false;
     for (std::size_t i = 0; i < places_.size(); ++i) {

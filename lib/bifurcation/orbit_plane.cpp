@@ -2,7 +2,6 @@
 
 #include <utility>
 
-#include "graze/base/angle.hpp"
 #include "graze/orbit/orbit.hpp"
 #include "graze/orbit/shooting_curvature.hpp"
 
@@ -30,9 +29,7 @@ OrbitPlane::OrbitPlane(const Scene& scene, const std::string& first, const std::
     if (!system) return {};
     return orbit_multipliers(*system, this->pattern(), shooting_.unpack(*system, u), errors);
   };
-  const Eigen::Index block = 2 * scene.modes() + 1;
-  problem_.wrap = Vector::Zero(block * shooting_.pattern().impacts());
-  for (Eigen::Index at = 0; at < problem_.wrap.size(); at += block) problem_.wrap[at] = kTurn;
+  problem_.wrap = shooting_.wrap();
 }
 
 const System* OrbitPlane::system_at(double first, double second) const {

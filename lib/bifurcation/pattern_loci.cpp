@@ -251,8 +251,7 @@ std::optional<Vector> GrazingLoci::tests(const BranchPoint& at) const {
   const std::vector<Eigenvalue> list =
       problem_.problem.multipliers(at.u, at.parameter, ErrorBounds::kLeftOut);
   if (list.empty()) return {};
-  const CrossingTest fold = crossing_tests(list)[kFoldTest];
-  tests[kLocusMargins] = fold.sign * std::exp(fold.log_size);
+  tests[kLocusMargins] = crossing_tests(list)[kFoldTest].value();
   return tests;
 }
 

@@ -11,6 +11,7 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <vector>
 
 #include "graze/base/decompositions.hpp"
@@ -21,6 +22,8 @@ struct CrossingTest {
   int sign = 1;
   double log_size = 0.0;  // of its modulus; -infinity where it vanishes
   bool known = true;      // no factor is within its rounding error of zero
+
+  double value() const { return sign * std::exp(log_size); }
 };
 
 // Flip, fold, torus.

@@ -153,8 +153,7 @@ class LocusTracer {
             ? equations_.other_multipliers(at.u, at.parameter, ErrorBounds::kLeftOut)
             : at.multipliers;
     if (list.empty()) return std::nan("");
-    const CrossingTest fold = crossing_tests(list)[kFoldTest];
-    return fold.sign * std::exp(fold.log_size);
+    return crossing_tests(list)[kFoldTest].value();
   }
 
   // The unknown is on its limit to the last bit; so shall be the parameter that it stands for.

@@ -101,6 +101,13 @@ Eigen::Index ShootingProblem::size(const System& system) const {
   return pattern_.impacts() * (2 * system.modes() + 1);
 }
 
+Vector ShootingProblem::wrap() const {
+  const Eigen::Index block = 2 * scale_.velocity.size() + 1;
+  Vector turns = Vector::Zero(block * pattern_.impacts());
+  for (Eigen::Index at = 0; at < turns.size(); at += block) turns[at] = kTurn;
+  return turns;
+}
+
 Vector ShootingProblem::pack(const std::vector<ImpactPoint>& impacts) const {
   const Eigen::Index n = impacts.front().before.q.size();
   Vector x(static_cast<Eigen::Index>(impacts.size()) * (2 * n + 1));

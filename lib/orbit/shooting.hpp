@@ -79,6 +79,8 @@ class ShootingProblem {
   const ShootingScale& scale() const { return scale_; }
   // k (2N + 1)
   Eigen::Index size(const System& system) const;
+  // What the unknowns may come round by: a turn at each phase, else zero.
+  Vector wrap() const;
 
   Vector pack(const std::vector<ImpactPoint>& impacts) const;
   std::vector<ImpactPoint> unpack(const System& system, const Vector& x) const;

@@ -6,12 +6,16 @@
 #include <iterator>
 
 #include "graze/bifurcation/special_names.hpp"
+#include "graze/report/csv_cell.hpp"
 #include "graze/report/names.hpp"
 
 namespace graze {
+
+std::string csv_cell(double value) { return std::isfinite(value) ? fmt::format("{}", value) : ""; }
+
 namespace {
 
-std::string cell(double value) { return std::isfinite(value) ? fmt::format("{}", value) : ""; }
+std::string cell(double value) { return csv_cell(value); }
 std::string cell(const std::optional<double>& value) { return value ? cell(*value) : ""; }
 std::string cell(const std::optional<bool>& value) { return value ? (*value ? "1" : "0") : ""; }
 

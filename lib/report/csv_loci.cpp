@@ -1,19 +1,17 @@
 #include <fmt/format.h>
 
-#include <cmath>
 #include <iterator>
 
 #include "graze/report/csv.hpp"
+#include "graze/report/csv_cell.hpp"
 
 namespace graze {
 namespace {
 
-std::string cell(double value) { return std::isfinite(value) ? fmt::format("{}", value) : ""; }
-
 std::string cells(const OrbitLocusPoint& point) {
-  return fmt::format("{},{},{},{},{},{}", cell(point.value), cell(point.second), cell(point.angle),
-                     cell(point.impacts.front().phase), cell(point.impacts.front().speed),
-                     point.admissible ? 1 : 0);
+  return fmt::format("{},{},{},{},{},{}", csv_cell(point.value), csv_cell(point.second),
+                     csv_cell(point.angle), csv_cell(point.impacts.front().phase),
+                     csv_cell(point.impacts.front().speed), point.admissible ? 1 : 0);
 }
 
 }  // namespace
@@ -40,8 +38,8 @@ std::string regions_csv(const StableRegions& regions) {
   std::string text = "value,second,area,label\n";
   for (const RegionPlace& place : regions.places)
     if (place.finished)
-      fmt::format_to(std::back_inserter(text), "{},{},{},\"{}\"\n", cell(place.value),
-                     cell(place.second), place.area + 1, label_of(place.stable));
+      fmt::format_to(std::back_inserter(text), "{},{},{},\"{}\"\n", csv_cell(place.value),
+                     csv_cell(place.second), place.area + 1, label_of(place.stable));
   return text;
 }
 
