@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "graze/assembly/assembly.hpp"
+#include "graze/bifurcation/orbit_loci.hpp"
 #include "graze/scene/parameter.hpp"
 #include "graze/scene/reader.hpp"
 
@@ -242,15 +243,64 @@ TEST(StableRegions, OfMirroredStopsAreClearBelowTheLinearAmplitude) {
   EXPECT_TRUE(found.missed.empty());
 }
 
+OrbitLoci loci(const Scene& scene, const StableRegionsOptions& plane) {
+  LociOptions options;
+  options.branches.from = plane.from;
+  options.branches.to = plane.to;
+  options.branches.finder.from_simulation = options.branches.finder.from_random = false;
+  options.second_from = plane.second_from;
+  options.second_to = plane.second_to;
+  options.kinds = {OrbitLocusKind::kFold, OrbitLocusKind::kPeriodDoubling, OrbitLocusKind::kTorus,
+                   OrbitLocusKind::kGrazing};
+  return trace_loci(scene, "forcing.frequency", "stop.gap", options);
+}
+
+// On which side of the line from a to b a point of the plane lies.
+template <class A, class B, class Point>
+bool is_left(const A& a, const B& b, const Point& point) {
+  return (b.value - a.value) * (point.second - a.second) >
+         (b.second - a.second) * (point.value - a.value);
+}
+
+bool is_crossed(const OrbitLoci& traced, const RegionPlace& a, const RegionPlace& b) {
+  for (const OrbitLocus& locus : traced.loci)
+    for (std::size_t i = 1; i < locus.points.size(); ++i) {
+      const OrbitLocusPoint &from = locus.points[i - 1], &to = locus.points[i];
+      if (is_left(a, b, from) != is_left(a, b, to) && is_left(from, to, a) != is_left(from, to, b))
+        return true;
+    }
+  return false;
+}
+
+// The loci know nothing of the places, nor these of them: where the (1, 1) orbit is stable at one
+// place and not at the one beside it, a locus passes between.
+TEST(StableRegions, OfTheSimpleOrbitEndAtItsLoci) {
+  const Scene scene = one_mode({"stop.gap=2e-3", "forcing.frequency=40"});
+  const StableRegionsOptions options = plane(21.0, 70.0, 6e-4, 6e-3, 16);
+  const StableRegions found = regions(scene, options);
+  const OrbitLoci traced = loci(scene, options);
+  int borders = 0;
+  for (std::size_t i = 0; i < found.places.size(); ++i)
+    for (const std::size_t step : {std::size_t{1}, std::size_t{16}}) {
+      if (i + step >= found.places.size() || (step == 1 && i % 16 == 15)) continue;
+      const RegionPlace &a = found.places[i], &b = found.places[i + step];
+      if (has(a, kOneOne) == has(b, kOneOne)) continue;
+      ++borders;
+      EXPECT_TRUE(is_crossed(traced, a, b))
+          << a.value << " " << a.second << " to " << b.value << " " << b.second;
+    }
+  EXPECT_GE(borders, 20);
+}
+
 // Labels list each motion once, in the order of their names.
 TEST(StableRegions, LabelsAreWords) {
-  EXPECT_EQ(label_of({}), "");
-  EXPECT_EQ(label_of({{AttractorKind::kOrbit, 1, 1},
-                      {AttractorKind::kOrbit, 2, 2},
-                      kNoImpact,
-                      {AttractorKind::kSticks, 0, 0},
-                      kResting,
-                      {AttractorKind::kOther, 0, 0}}),
+  EXPECT_EQ(label_of(StableNames{}), "");
+  EXPECT_EQ(label_of(StableNames{{AttractorKind::kOrbit, 1, 1},
+                                 {AttractorKind::kOrbit, 2, 2},
+                                 kNoImpact,
+                                 {AttractorKind::kSticks, 0, 0},
+                                 kResting,
+                                 {AttractorKind::kOther, 0, 0}}),
             "(1,1) + (2,2) + no impact + sticks + at rest + other");
 }
 
