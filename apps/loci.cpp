@@ -157,6 +157,7 @@ int run_loci(const Command& command) {
                    special_orbits(record.traced))};
   if (command.regions > 0) {
     record.regions = regions_of(command, scene, options);
+    if (options.kinds.size() == 4) record.borders = region_borders(*record.regions, record.traced);
     record.outcome = regions_outcome(*record.regions, record.outcome);
     tables.emplace_back("regions.csv", regions_csv(*record.regions));
   }

@@ -7,6 +7,7 @@
 
 #include "graze/bifurcation/orbit_loci.hpp"
 #include "graze/record/records.hpp"
+#include "graze/study/region_borders.hpp"
 #include "graze/study/stable_regions.hpp"
 
 namespace graze {
@@ -15,6 +16,7 @@ struct LociRecord {
   RunInfo info;
   OrbitLoci traced;
   std::optional<StableRegions> regions;  // where they were asked for
+  std::optional<RegionBorders> borders;  // of these, where loci of all kinds were traced
   double from = 0.0, to = 0.0, second_from = 0.0, second_to = 0.0;
   std::string unit, second_unit;  // of the parameters
   std::vector<std::string> warnings;

@@ -68,6 +68,18 @@ Json listed_json(const StableRegions& regions, const std::vector<OrbitAtPlace>& 
   return list;
 }
 
+Json borders_json(const StableRegions& regions, const RegionBorders& borders) {
+  Json open = Json::array();
+  for (const auto& [i, other] : borders.open) {
+    const RegionPlace &a = regions.places[i], &b = regions.places[other];
+    open.push_back({{"value", number(a.value)},
+                    {"second", number(a.second)},
+                    {"to_value", number(b.value)},
+                    {"to_second", number(b.second)}});
+  }
+  return {{"count", borders.count}, {"without_locus", open}};
+}
+
 Json regions_json(const StableRegions& regions) {
   Json areas = Json::array(), places = Json::array();
   for (const RegionArea& area : regions.areas) {
@@ -130,7 +142,11 @@ std::string to_json(const LociRecord& record) {
                           {"loci_cut_short", record.traced.cut_short},
                           {"traces_cut_short", record.traced.traces_cut_short},
                           {"shooting_evaluations", record.traced.shooting_evaluations}};
-  if (record.regions) document["regions"] = regions_json(*record.regions);
+  if (record.regions) {
+    document["regions"] = regions_json(*record.regions);
+    document["regions"]["borders"] =
+        record.borders ? borders_json(*record.regions, *record.borders) : Json(nullptr);
+  }
   return document.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 

@@ -98,9 +98,10 @@ std::optional<Room> room_for(const StableRegions& regions, int area,
   const double high = kLine * static_cast<double>(lines.size()) * regions.rows;
   CellSums sums(regions, area);
   const std::size_t inner = regions.areas[static_cast<std::size_t>(area)].inner;
-  const double inner_column =
-      static_cast<double>(inner % static_cast<std::size_t>(regions.columns));
-  const double inner_row = static_cast<double>(inner / static_cast<std::size_t>(regions.columns));
+  const auto columns = static_cast<std::size_t>(regions.columns);
+  const std::size_t column_of_inner = inner % columns, row_of_inner = inner / columns;
+  const auto inner_column = static_cast<double>(column_of_inner);
+  const auto inner_row = static_cast<double>(row_of_inner);
   std::optional<Room> best;
   // Ever more room around it; of several places that have it the one nearest to the innermost.
   for (double part = 1.0; part < 16.0; part *= 1.2) {

@@ -30,8 +30,8 @@ enum class AttractorKind {
 // What counts as one in a label.
 struct MotionName {
   AttractorKind kind = AttractorKind::kOther;
-  int period = 0, impacts = 0;  // p and k of an orbit
-  auto operator<=>(const MotionName&) const = default;
+  int period = 0, impacts = 0;                          // p and k of an orbit
+  auto operator<=>(const MotionName&) const = default;  // NOLINT(modernize-use-nullptr)
 };
 // "(1,1)", "no impact", "sticks", "at rest", "other".
 std::string name_of(const MotionName& name);

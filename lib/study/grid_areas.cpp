@@ -63,7 +63,10 @@ class Grid {
 
  private:
   double column(std::size_t cell) const { return static_cast<double>(cell % columns_); }
-  double row(std::size_t cell) const { return static_cast<double>(cell / columns_); }
+  double row(std::size_t cell) const {
+    const std::size_t whole = cell / columns_;
+    return static_cast<double>(whole);
+  }
 
   // Edges from each cell to the nearest one at the area's border.
   std::vector<int> depths_of(const std::vector<std::size_t>& cells) const {

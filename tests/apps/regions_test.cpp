@@ -44,6 +44,7 @@ TEST(RegionsCommand, WritesTheDocument) {
   }
   EXPECT_EQ(places, 25);
   EXPECT_NEAR(share, 1.0, 1e-12);
+  EXPECT_TRUE(regions["borders"].is_null());  // the loci are not all there
   const json& counters = regions["counters"];
   EXPECT_EQ(counters["places"], 25);
   EXPECT_EQ(counters["refuted"], 0);
@@ -54,7 +55,7 @@ TEST(RegionsCommand, WritesTheDocument) {
 
 TEST(RegionsCommand, WritesATableAndAPicture) {
   const ScratchFolder folder;
-  const Finished run = run_graze("continue --locus GR --regions 4 --out " + folder.string() +
+  const Finished run = run_graze("continue --locus all --regions 4 --out " + folder.string() +
                                  " --plot " + (folder / "plane.svg").string() + kPlane + kOneMode);
   ASSERT_EQ(run.code, 0) << run.err;
   const std::vector<std::string> lines = lines_of(folder / "regions.csv");
@@ -66,6 +67,8 @@ TEST(RegionsCommand, WritesATableAndAPicture) {
       std::string::npos)
       << run.out;
   EXPECT_NE(run.out.find("(1,1) + no impact"), std::string::npos);
+  EXPECT_NE(run.out.find("a locus passes between"), std::string::npos);
+  EXPECT_EQ(run.out.find("no locus passes between"), std::string::npos) << run.out;
   const std::string script = read_text(folder / "plane.gp");
   EXPECT_NE(script.find("boxxyerror"), std::string::npos);
   EXPECT_LT(script.size(), 200'000u);

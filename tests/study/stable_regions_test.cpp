@@ -9,11 +9,15 @@
 #include <cmath>
 #include <complex>
 #include <string>
+#include <tuple>
+#include <utility>
 #include <vector>
 
 #include "graze/assembly/assembly.hpp"
+#include "graze/bifurcation/orbit_loci.hpp"
 #include "graze/scene/parameter.hpp"
 #include "graze/scene/reader.hpp"
+#include "graze/study/region_borders.hpp"
 
 namespace graze {
 namespace {
@@ -242,15 +246,86 @@ TEST(StableRegions, OfMirroredStopsAreClearBelowTheLinearAmplitude) {
   EXPECT_TRUE(found.missed.empty());
 }
 
+OrbitLoci loci(const Scene& scene, const StableRegionsOptions& plane) {
+  LociOptions options;
+  options.branches.from = plane.from;
+  options.branches.to = plane.to;
+  options.branches.finder.from_simulation = options.branches.finder.from_random = false;
+  options.second_from = plane.second_from;
+  options.second_to = plane.second_to;
+  options.kinds = {OrbitLocusKind::kFold, OrbitLocusKind::kPeriodDoubling, OrbitLocusKind::kTorus,
+                   OrbitLocusKind::kGrazing};
+  return trace_loci(scene, "forcing.frequency", "stop.gap", options);
+}
+
+// The loci know nothing of the places, nor these of them: where the (1, 1) orbit is stable at one
+// place and not at the one beside it, a locus passes between.
+TEST(StableRegions, OfTheSimpleOrbitEndAtItsLoci) {
+  const Scene scene = one_mode({"stop.gap=2e-3", "forcing.frequency=40"});
+  const StableRegionsOptions options = plane(21.0, 70.0, 6e-4, 6e-3, 16);
+  const StableRegions found = regions(scene, options);
+  OrbitLoci traced = loci(scene, options);
+  const RegionBorders borders = region_borders(found, traced);
+  EXPECT_GE(borders.count, 20);
+  EXPECT_TRUE(borders.open.empty());
+  // Without the folds the border between 42 and 54 rad/s is open, and nothing else.
+  const auto is_fold = [](const OrbitLocus& locus) { return locus.kind == OrbitLocusKind::kFold; };
+  traced.loci.erase(std::remove_if(traced.loci.begin(), traced.loci.end(), is_fold),
+                    traced.loci.end());
+  const RegionBorders without = region_borders(found, traced);
+  EXPECT_EQ(without.count, borders.count);
+  EXPECT_GE(without.open.size(), 5u);
+  for (const auto& [i, other] : without.open) {
+    const RegionPlace& place = found.places[i];
+    const double a = place.second - oscillator_at(scene, place.value).fold(place.value);
+    const RegionPlace& beside = found.places[other];
+    const double b = beside.second - oscillator_at(scene, beside.value).fold(beside.value);
+    EXPECT_LT(a * b, 0.0) << place.value << " " << place.second;
+  }
+}
+
+// On a plane with one locus, straight across, and places that were set by hand.
+TEST(RegionBorders, AreOpenWhereNoLocusPasses) {
+  StableRegions found;
+  found.columns = found.rows = 2;
+  for (const auto& [value, second, stable] :
+       {std::tuple(0.25, 0.25, true), std::tuple(0.75, 0.25, false), std::tuple(0.25, 0.75, true),
+        std::tuple(0.75, 0.75, true)}) {
+    RegionPlace place;
+    place.value = value;
+    place.second = second;
+    place.finished = true;
+    if (stable) place.stable = {kOneOne};
+    found.places.push_back(place);
+  }
+  OrbitLoci traced;
+  EXPECT_EQ(region_borders(found, traced).count, 2);
+  EXPECT_EQ(region_borders(found, traced).open.size(), 2u);
+  OrbitLocus locus;
+  for (const double second : {0.0, 0.4, 1.0}) {
+    OrbitLocusPoint point;
+    point.value = 0.5;
+    point.second = second;
+    point.admissible = true;
+    locus.points.push_back(point);
+  }
+  traced.loci = {locus};
+  const RegionBorders borders = region_borders(found, traced);
+  ASSERT_EQ(borders.open.size(), 1u);
+  EXPECT_EQ(borders.open[0], (std::pair<std::size_t, std::size_t>(1, 3)));
+  for (OrbitLocusPoint& point : traced.loci[0].points) point.admissible = false;
+  EXPECT_EQ(region_borders(found, traced).open.size(), 2u);
+}
+
 // Labels list each motion once, in the order of their names.
 TEST(StableRegions, LabelsAreWords) {
-  EXPECT_EQ(label_of({}), "");
-  EXPECT_EQ(label_of({{AttractorKind::kOrbit, 1, 1},
-                      {AttractorKind::kOrbit, 2, 2},
-                      kNoImpact,
-                      {AttractorKind::kSticks, 0, 0},
-                      kResting,
-                      {AttractorKind::kOther, 0, 0}}),
+  EXPECT_EQ(label_of(StableNames{}), "");
+  EXPECT_EQ(label_of(StableNames{{AttractorKind::kOrbit, 1, 1},
+                                 {AttractorKind::kOrbit, 2, 2},
+                                 kNoImpact,
+                                 {AttractorKind::kSticks, 0, 0},
+                                 kResting,
+                                 {AttractorKind::kOther, 0, 0}}),
             "(1,1) + (2,2) + no impact + sticks + at rest + other");
 }
 
