@@ -74,36 +74,48 @@ inline Interval exponential_less_one(const Interval& a) {
   return outward(std::expm1(a.low), std::expm1(a.high));
 }
 
-inline Interval cosine(const Interval& a) {
-  const double middle = a.middle(), reach = 0.5 * a.width();
-  Interval result;
-  // Over a short way the cosine moves by no more than its angle does.
-  constexpr double kShort = 1e-3;
-  if (reach < kShort) {
-    const double at = std::cos(middle), slope = std::abs(std::sin(middle)) + 0.5 * reach;
-    const double moves = slope * reach + std::numeric_limits<double>::epsilon() * (2.0 + a.size());
-    result = outward(at - moves, at + moves);
-  } else {
-    const double from = std::cos(a.low), to = std::cos(a.high);
-    result = outward(std::min(from, to), std::max(from, to));
-    // The angle counted in half turns, and their rounding on the safe side.
-    const double rounding = 4.0 * std::numeric_limits<double>::epsilon() * (1.0 + a.size());
-    const double first = std::ceil((a.low - rounding) / std::numbers::pi);
-    const double last = std::floor((a.high + rounding) / std::numbers::pi);
-    if (last - first >= 1.0) return {-1.0, 1.0};
-    result = {result.low - rounding, result.high + rounding};
-    if (last == first) {
-      if (std::fmod(first, 2.0) == 0.0)
-        result.high = 1.0;
-      else
-        result.low = -1.0;
-    }
+namespace interval_detail {
+
+// The cosine over an interval by its values at the ends and the half turns between them.
+inline Interval wide_cosine(const Interval& a) {
+  const double from = std::cos(a.low), to = std::cos(a.high);
+  // The angle counted in half turns, and their rounding on the safe side.
+  const double rounding = 4.0 * std::numeric_limits<double>::epsilon() * (1.0 + a.size());
+  const double first = std::ceil((a.low - rounding) / std::numbers::pi);
+  const double last = std::floor((a.high + rounding) / std::numbers::pi);
+  if (last - first >= 1.0) return {-1.0, 1.0};
+  Interval result(std::min(from, to) - rounding, std::max(from, to) + rounding);
+  if (last == first) {
+    if (std::fmod(first, 2.0) == 0.0)
+      result.high = 1.0;
+    else
+      result.low = -1.0;
   }
   return {std::max(result.low, -1.0), std::min(result.high, 1.0)};
 }
 
-inline Interval sine(const Interval& a) {
-  return cosine(a - outward(0.5 * std::numbers::pi, 0.5 * std::numbers::pi));
+}  // namespace interval_detail
+
+struct SineAndCosine {
+  Interval sine, cosine;
+};
+
+inline SineAndCosine sine_and_cosine(const Interval& a) {
+  const double middle = a.middle(), reach = 0.5 * a.width();
+  // Over a short way either moves by no more than its slope there and half the square of the way.
+  constexpr double kShort = 1e-3;
+  if (!(reach < kShort)) {
+    const Interval turned = a - outward(0.5 * std::numbers::pi, 0.5 * std::numbers::pi);
+    return {interval_detail::wide_cosine(turned), interval_detail::wide_cosine(a)};
+  }
+  const double s = std::sin(middle), c = std::cos(middle);
+  const double rounding = std::numeric_limits<double>::epsilon() * (2.0 + a.size());
+  const auto around = [&](double at, double slope) {
+    const double moves = (std::abs(slope) + 0.5 * reach) * reach + rounding;
+    const Interval result = outward(at - moves, at + moves);
+    return Interval(std::max(result.low, -1.0), std::min(result.high, 1.0));
+  };
+  return {around(s, c), around(c, s)};
 }
 
 // What both hold; `a` where roundings have left nothing of it.

@@ -78,11 +78,19 @@ inline MeanValueForm exponential_less_one(const MeanValueForm& a) {
   return {exponential_less_one(a.middle), exponential_less_one(a.value),
           a.slope * exponential(a.value), a.reach};
 }
-inline MeanValueForm sine(const MeanValueForm& a) {
-  return {sine(a.middle), sine(a.value), a.slope * cosine(a.value), a.reach};
+struct SineAndCosineForms {
+  MeanValueForm sine, cosine;
+};
+
+inline SineAndCosineForms sine_and_cosine(const MeanValueForm& a) {
+  const SineAndCosine middle = sine_and_cosine(a.middle);
+  if (a.is_constant())
+    return {{middle.sine, middle.sine, {}, 0.0}, {middle.cosine, middle.cosine, {}, 0.0}};
+  const SineAndCosine over = sine_and_cosine(a.value);
+  return {{middle.sine, over.sine, a.slope * over.cosine, a.reach},
+          {middle.cosine, over.cosine, -(a.slope * over.sine), a.reach}};
 }
-inline MeanValueForm cosine(const MeanValueForm& a) {
-  return {cosine(a.middle), cosine(a.value), -(a.slope * sine(a.value)), a.reach};
-}
+inline MeanValueForm sine(const MeanValueForm& a) { return sine_and_cosine(a).sine; }
+inline MeanValueForm cosine(const MeanValueForm& a) { return sine_and_cosine(a).cosine; }
 
 }  // namespace graze

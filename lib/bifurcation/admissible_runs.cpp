@@ -105,42 +105,57 @@ class Search {
       return;
     }
     ++result_.cells;
-    if (is_no_orbit(cell)) return;
+    const std::optional<SystemForms> forms = ranges_.system_over(cell.low, cell.high);
+    const auto sheet = forms ? SheetForm::over(*forms, ranges_.stop(), ranges_.period(), cell.sheet)
+                             : std::nullopt;
+    Extent no_orbit = sheet ? no_orbit_over(*forms, *sheet, cell.witness) : Extent::kNowhere;
+    if (no_orbit == Extent::kEverywhere) return;
     const double middle = cell.low + 0.5 * (cell.high - cell.low);
-    const std::optional<ImpactPoint> solution = solution_at(middle, cell.sheet);
-    if (solution) {
-      const System& system = *cursor_.at(middle);
-      const ImpactPattern pattern{ranges_.period(), {ranges_.stop()}};
-      const Admissibility verdict = admissibility(system, pattern, {*solution});
-      if (verdict.admissible) {
-        tracer_.trace(*solution, middle);
-        take_news();
-        if (!coverage(cell).rest(middle, std::nextafter(middle, cell.high)).empty())
-          ++result_.lost;
-        else
-          open.push_back(cell);
-        return;
-      }
-      const double flight = ranges_.period() * system.period();
-      if (verdict.nearest && verdict.nearest->gap < 0.0 && verdict.nearest->after > 0.0) {
-        cell.witness = Witness{verdict.nearest->stop, verdict.nearest->after / flight};
-        if (is_no_orbit(cell)) return;
-      }
+    if (no_orbit == Extent::kNowhere) {
+      const std::optional<ImpactPoint> solution = solution_at(middle, cell.sheet);
+      if (solution && judge(*solution, middle, cell, open)) return;
+      if (sheet) no_orbit = no_orbit_over(*forms, *sheet, cell.witness);
+      if (no_orbit == Extent::kEverywhere) return;
     }
     open.push_back({cell.range, cell.sheet, cell.low, middle, cell.witness});
     open.push_back({cell.range, cell.sheet, middle, cell.high, cell.witness});
   }
 
-  // Whether it is certain that the sheet has no orbit over the cell.
-  bool is_no_orbit(const Cell& cell) const {
-    const std::optional<SystemForms> system = ranges_.system_over(cell.low, cell.high);
-    if (!system) return false;
-    const auto form = SheetForm::over(*system, ranges_.stop(), ranges_.period(), cell.sheet);
-    if (!form) return false;
-    if (form->speed().value.high < 0.0) return true;
-    if (!cell.witness) return false;
-    const auto gap = form->gap(*system, cell.witness->stop, cell.witness->part);
-    return gap && gap->value.high < 0.0;
+  // Traces the solution in the middle of a cell where it is an orbit, and looks at what is left of
+  // the cell; where it is none, the cell gets the witness of that.
+  bool judge(const ImpactPoint& solution, double middle, Cell& cell, std::deque<Cell>& open) {
+    const System& system = *cursor_.at(middle);
+    const ImpactPattern pattern{ranges_.period(), {ranges_.stop()}};
+    const Admissibility verdict = admissibility(system, pattern, {solution});
+    if (verdict.admissible) {
+      tracer_.trace(solution, middle);
+      take_news();
+      if (coverage(cell).rest(middle, std::nextafter(middle, cell.high)).empty())
+        open.push_back(cell);
+      else
+        ++result_.lost;
+      return true;
+    }
+    const double flight = ranges_.period() * system.period();
+    if (verdict.nearest && verdict.nearest->gap < 0.0 && verdict.nearest->after > 0.0)
+      cell.witness = Witness{verdict.nearest->stop, verdict.nearest->after / flight};
+    return false;
+  }
+
+  // Where it is certain that the sheet has no orbit: nowhere, in the middle of the cell, or all
+  // over it. A middle without an orbit need not be solved for, the bounds are too wide rather than
+  // the witness a poor one.
+  enum class Extent { kNowhere, kMiddle, kEverywhere };
+  static Extent extent_of_negative(const MeanValueForm& form) {
+    if (form.value.high < 0.0) return Extent::kEverywhere;
+    return form.middle.high < 0.0 ? Extent::kMiddle : Extent::kNowhere;
+  }
+  static Extent no_orbit_over(const SystemForms& system, const SheetForm& sheet,
+                              const std::optional<Witness>& witness) {
+    const Extent by_speed = extent_of_negative(sheet.speed());
+    if (by_speed == Extent::kEverywhere || !witness) return by_speed;
+    const auto gap = sheet.gap(system, witness->stop, witness->part);
+    return gap ? std::max(by_speed, extent_of_negative(*gap)) : by_speed;
   }
 
   std::optional<ImpactPoint> solution_at(double value, int sheet) {

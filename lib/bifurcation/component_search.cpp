@@ -6,6 +6,7 @@
 
 #include "graze/bifurcation/admissible_runs.hpp"
 #include "graze/bifurcation/closed_form_survey.hpp"
+#include "graze/bifurcation/speed_survey.hpp"
 
 namespace graze {
 
@@ -25,6 +26,13 @@ void ComponentSearch::add(const RunSearch& search) {
   widest_cell = std::max(widest_cell, search.widest);
   resolution = std::max(resolution, search.resolution);
   runs_lost += search.lost;
+}
+
+void ComponentSearch::add(const SpeedSurvey& survey) {
+  ++left_out;
+  solved_values += survey.values - survey.unsolved;
+  solved_spacing = std::max(solved_spacing, survey.spacing);
+  unsolved += survey.unsolved;
 }
 
 std::string in_words(const ComponentSearch& search, const std::string& parameter, int period) {
@@ -56,7 +64,15 @@ std::string in_words(const ComponentSearch& search, const std::string& parameter
           search.sample_spacing);
   }
   if (search.surveys > 0 && search.left_out == 0) return text;
-  if (!text.empty()) text += "; elsewhere ";
+  if (!text.empty()) text += "; ";
+  if (search.solved_values > 0) {
+    text += fmt::format(
+        "where the restitution depends on the speed, ({}, 1) solutions were sought at values of {} "
+        "{:.3g} apart, by the equation of their speed, all there are at {} of these values",
+        period, parameter, search.solved_spacing, search.solved_values);
+    if (search.unsolved > 0) text += fmt::format(" and perhaps not all at {}", search.unsolved);
+    return text + ": a component that lies between two of them is missed";
+  }
   text += fmt::format("({}, 1) orbits were sought at {} value{} of {}", period, search.start_values,
                       search.start_values == 1 ? "" : "s", parameter);
   if (search.start_values > 1) text += fmt::format(", {:.3g} apart", search.start_spacing);

@@ -8,6 +8,7 @@ namespace graze {
 
 class ClosedFormSurvey;
 struct RunSearch;
+struct SpeedSurvey;
 
 struct ComponentSearch {
   // The intervals with solutions, of all stops whose restitution is constant.
@@ -27,6 +28,10 @@ struct ComponentSearch {
   // or by samples.
   int samples = 0;              // values at which solutions were judged
   double sample_spacing = 0.0;  // at most, in units of the parameter
+  // Of stops whose restitution depends on the speed: values at which every solution is known,
+  int solved_values = 0;
+  double solved_spacing = 0.0;  // in units of the parameter
+  int unsolved = 0;             // and at which some may not be
   // Values at which the finder looked for whatever there is.
   int start_values = 0;
   double start_spacing = 0.0;  // in units of the parameter
@@ -34,6 +39,7 @@ struct ComponentSearch {
 
   void add(const ClosedFormSurvey& survey);
   void add(const RunSearch& search);
+  void add(const SpeedSurvey& survey);
 
   // Whether no interval with solutions can have been passed over,
   bool all_solutions() const { return surveys > 0 && left_out == 0 && undecided == 0 && lost == 0; }

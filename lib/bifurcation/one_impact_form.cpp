@@ -35,8 +35,8 @@ RepeatedMode undamped_mode(const Form& omega, const Form& duration) {
   const Form half = omega * duration * 0.5;
   RepeatedMode mode;
   mode.approached = -0.5;
-  mode.displaced = cosine(half) / (omega * 2.0);
-  const Form s = sine(half);
+  const auto [s, c] = sine_and_cosine(half);
+  mode.displaced = c / (omega * 2.0);
   if (s.value.contains(0.0))
     mode.over = s;
   else
@@ -48,12 +48,12 @@ std::optional<RepeatedMode> underdamped_mode(const Form& delta, const Form& damp
                                              const Form& duration) {
   const Form x = damped * duration, shrinking = -(delta * duration);
   const Form rho = exponential(shrinking), less = -exponential_less_one(shrinking);
-  const Form s = sine(x * 0.5);
+  const auto [s, c] = sine_and_cosine(x * 0.5);
   const Form apart = square(less) + rho * square(s) * 4.0;  // |1 - z|^2
   if (!(apart.value.low > 0.0) || !(apart.middle.low > 0.0)) return {};
   const Form inverted = inverse(apart);
   RepeatedMode mode;
-  mode.displaced = rho * s * cosine(x * 0.5) * 2.0 * inverted / damped;
+  mode.displaced = rho * s * c * 2.0 * inverted / damped;
   mode.approached = less * (1.0 + rho) * inverted * 0.5 - 0.5 - delta * mode.displaced;
   return mode;
 }
@@ -130,8 +130,12 @@ class Summation {
     form.forced_imaginary = imaginary_ * forced_over_;
     form.level = has_free_ ? -free_level_ * forced_over_ : (stop_.gap - level_) * forced_over_;
     form.displaced = has_free_ ? free_displaced_ : displaced_ * over_ + displaced_apart_;
+    form.returned = approached_;
     form.approached = 1.0 + jump * approached_;
-    if (!has_free_) form.approached = form.approached * over_;
+    if (!has_free_) {
+      form.returned = form.returned * over_;
+      form.approached = form.approached * over_;
+    }
     return form;
   }
 

@@ -34,8 +34,8 @@
 namespace graze {
 
 struct OneImpactForm {
-  // A, and g, D as above; times the factors for undamped modes.
-  MeanValueForm forced_real, forced_imaginary, displaced, approached;
+  // A, and g, H, D as above; times the factors for undamped modes.
+  MeanValueForm forced_real, forced_imaginary, displaced, returned, approached;
   MeanValueForm level;  // a, times the factor of A (or what of it grows as w_j^-2)
   MeanValueForm kick;   // (1 + r) Omega, rad/s
   bool free_mass =

@@ -11,6 +11,7 @@
 #include "graze/bifurcation/closed_form_survey.hpp"
 #include "graze/bifurcation/found_branches.hpp"
 #include "graze/bifurcation/pattern_switching.hpp"
+#include "graze/bifurcation/speed_survey.hpp"
 #include "graze/bifurcation/sticking_branches.hpp"
 #include "graze/continuation/switching.hpp"
 #include "graze/hybrid/simulation.hpp"
@@ -84,7 +85,7 @@ class OrbitTracer {
     for (std::size_t stop = 0; stop < family_.scene().stops.size(); ++stop) {
       const int index = static_cast<int>(stop);
       if (!family_.at(family_.value())->stops[stop].restitution.is_constant()) {
-        ++result_.sought.left_out;
+        trace_from_speeds(index);
         continue;
       }
       ClosedFormSurvey& survey =
@@ -104,6 +105,16 @@ class OrbitTracer {
         if (!trace_from({options_.period, {index}}, {start.point}, start.value))
           ++result_.sought.lost;
       }
+    }
+  }
+
+  void trace_from_speeds(int stop) {
+    const SpeedSurvey survey =
+        survey_speeds(family_, stop, options_.period, lowest_, highest_, options_.keep_virtual);
+    result_.sought.add(survey);
+    for (const SpeedSurvey::Start& start : survey.starts) {
+      if (options_.stop.requested()) return;
+      if (!trace_from({options_.period, {stop}}, {start.point}, start.value)) ++result_.sought.lost;
     }
   }
 

@@ -246,6 +246,9 @@ Json search_json(const ComponentSearch& search) {
           {"runs_lost", search.runs_lost},
           {"judged_values", search.samples},
           {"judged_spacing", spacing(search.sample_spacing)},
+          {"solved_values", search.solved_values},
+          {"solved_spacing", spacing(search.solved_spacing)},
+          {"unsolved_values", search.unsolved},
           {"start_values", search.start_values},
           {"start_spacing", spacing(search.start_spacing)},
           {"random_starts", search.random_starts}};
