@@ -39,12 +39,13 @@ std::string in_words(const ComponentSearch& search, const std::string& parameter
   std::string text;
   if (search.surveys > 0) {
     text = fmt::format("the closed form of ({}, 1) solutions has {} interval{} of {}", period,
-                       search.ranges, search.ranges == 1 ? "" : "s", parameter);
+                       search.ranges == 0 ? "no" : std::to_string(search.ranges),
+                       search.ranges == 1 ? "" : "s", parameter);
     if (search.undecided > 0)
       text += fmt::format(
           ", and {} place{} up to {:.3g} wide where it could not be decided whether there are more",
           search.undecided, search.undecided == 1 ? "" : "s", search.widest);
-    else
+    else if (search.ranges > 0)
       text += " and no others";
     if (search.lost > 0)
       text += fmt::format("; {} of their starts could not be confirmed", search.lost);

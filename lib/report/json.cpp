@@ -231,9 +231,10 @@ Json energy_json(const System& system, const EnergyBook& book) {
 }
 
 // How the components of (p, 1) solutions were sought.
-Json search_json(const ComponentSearch& search) {
+Json search_json(const OrbitBranches& traced) {
+  const ComponentSearch& search = traced.sought;
   const auto spacing = [](double width) { return width > 0.0 ? Json(width) : Json(nullptr); };
-  return {{"complete", search.complete()},
+  return {{"complete", search.complete() && traced.stopped == StopReason::kNone},
           {"intervals", search.surveys > 0 ? Json(search.ranges) : Json(nullptr)},
           {"evaluations", search.evaluations},
           {"undecided", search.undecided},
@@ -374,7 +375,7 @@ std::string to_json(const BranchRecord& record) {
       {"rejected_steps", record.traced.rejected_steps},
       {"switched", record.traced.switched},
       {"left_open", record.traced.left_open}};
-  document["search"] = search_json(record.traced.sought);
+  document["search"] = search_json(record.traced);
   document["notes"] = record.traced.notes;
   return text(document);
 }
