@@ -2,79 +2,71 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 
-#include "graze/base/angle.hpp"
 #include "graze/orbit/closed_form.hpp"
 #include "graze/orbit/orbit.hpp"
 
 namespace graze {
 namespace {
 
-// Samples fall with the number of modes so that a survey takes about a second at most.
+// Samples over the range fall with the number of modes so that they take about a second at most.
 int samples_for(int modes) { return std::clamp(16384 / modes, 512, 4096); }
+
+// Samples of an interval that has fewer of those.
+constexpr int kLeastOfRange = 16;
 
 }  // namespace
 
 ClosedFormSurvey::ClosedFormSurvey(const SystemFamily& family, int stop, int period, double lowest,
-                                   double highest, bool admissible_only)
+                                   double highest)
     : family_(family),
       stop_(stop),
       period_(period),
-      samples_(samples_for(family.scene().modes())),
-      lowest_(lowest),
-      spacing_((highest - lowest) / samples_) {
-  std::array<std::vector<Start>, 2> runs;  // of the two solutions
-  const auto finish = [&](std::vector<Start>& run) {
-    if (!run.empty()) starts_.push_back(run[run.size() / 2]);
-    run.clear();
-  };
-  bool inside = false;
-  for (int i = 0; i <= samples_; ++i) {
-    const double value = i == samples_ ? highest : lowest + i * spacing_;
-    const std::optional<System> system = family.at(value);
-    const ClosedFormAnswer answer =
-        system ? closed_form(*system, stop, period) : ClosedFormAnswer{};
-    std::vector<ImpactPoint> solutions;
-    if (answer.form)
-      solutions = answer.form->solutions(system->stops[static_cast<std::size_t>(stop_)].gap);
-    if (!solutions.empty() && !inside) intervals_.push_back({i, i});
-    inside = !solutions.empty();
-    if (inside) intervals_.back().last = i;
-    for (std::size_t k = 0; k < 2; ++k) {
-      const bool wanted =
-          inside &&
-          (!admissible_only || admissibility(*system, {period, {stop}}, {solutions[k]}).admissible);
-      if (wanted)
-        runs[k].push_back({value, solutions[k]});
-      else
-        finish(runs[k]);
-    }
-  }
-  for (std::vector<Start>& run : runs) finish(run);
+      ranges_(family, stop, period, lowest, highest) {}
+
+std::vector<ImpactPoint> ClosedFormSurvey::solutions_at(double value,
+                                                        std::optional<System>& system) const {
+  system = family_.at(value);
+  if (!system) return {};
+  const ClosedFormAnswer answer = closed_form(*system, stop_, period_);
+  if (!answer.form) return {};
+  return answer.form->solutions(system->stops[static_cast<std::size_t>(stop_)].gap);
 }
 
-std::optional<int> ClosedFormSurvey::component(double value, double phase) const {
-  const double at = (value - lowest_) / spacing_;
-  for (std::size_t k = 0; k < intervals_.size(); ++k) {
-    const Interval& interval = intervals_[k];
-    // A branch reaches beyond the outermost samples of its interval, but not to the next ones.
-    if (at <= interval.first - 1 || at >= interval.last + 1) continue;
-    const int name = 2 * static_cast<int>(k);
-    const bool folds = interval.first > 0 || interval.last < samples_;
-    const std::optional<System> system = family_.at(value);
-    if (folds || !system) return name;
-    const ClosedFormAnswer answer = closed_form(*system, stop_, period_);
-    if (!answer.form) return name;
-    const std::vector<ImpactPoint> solutions =
-        answer.form->solutions(system->stops[static_cast<std::size_t>(stop_)].gap);
-    if (solutions.empty()) return name;
-    const auto distance = [&](const ImpactPoint& point) {
-      return std::abs(std::remainder(point.theta - phase, kTurn));
-    };
-    return distance(solutions[0]) <= distance(solutions[1]) ? name : name + 1;
+void ClosedFormSurvey::start_in_every_range() {
+  for (const SolutionRanges::Range& range : ranges_.ranges()) {
+    const double value = range.from + 0.5 * (range.to - range.from);
+    std::optional<System> system;
+    for (const ImpactPoint& point : solutions_at(value, system)) starts_.push_back({value, point});
   }
-  return {};
+}
+
+void ClosedFormSurvey::start_in_every_run() {
+  const int over_all = samples_for(family_.scene().modes());
+  spacing_ = ranges_.length() / over_all;
+  for (const SolutionRanges::Range& range : ranges_.ranges()) {
+    const double width = range.to - range.from;
+    const int count = std::max(kLeastOfRange, static_cast<int>(width / spacing_) + 1);
+    std::array<std::vector<Start>, 2> runs;  // of the two solutions
+    const auto finish = [&](std::vector<Start>& run) {
+      if (!run.empty()) starts_.push_back(run[run.size() / 2]);
+      run.clear();
+    };
+    for (int i = 0; i <= count; ++i) {
+      const double value = i == count ? range.to : range.from + width * i / count;
+      std::optional<System> system;
+      const std::vector<ImpactPoint> solutions = solutions_at(value, system);
+      ++samples_;
+      for (std::size_t k = 0; k < 2; ++k) {
+        if (k < solutions.size() &&
+            admissibility(*system, {period_, {stop_}}, {solutions[k]}).admissible)
+          runs[k].push_back({value, solutions[k]});
+        else
+          finish(runs[k]);
+      }
+    }
+    for (std::vector<Start>& run : runs) finish(run);
+  }
 }
 
 }  // namespace graze

@@ -1,13 +1,18 @@
-// Where along a parameter's range the closed form has (p, 1) solutions: starts for branches that
-// are narrower than the distance of other start values, and a name for the connected set each
-// solution belongs to. Sampling the closed form is cheap beside tracing, so it can be fine; what is
-// narrower than its spacing may still be passed over.
+// Starts for the branches of (p, 1) solutions over a parameter's range, one for each part that they
+// may have, and a name for the connected set each solution belongs to.
+//
+// Where the restitution is constant the intervals with solutions are known (solution_ranges.hpp):
+// none is too narrow to be given its starts. Where along them the solutions are orbits of the
+// system is sought by bounds (admissible_runs.hpp) or, where these do not hold, sampled evenly over
+// the range and over every interval: a run of orbits narrower than the distance of the samples may
+// then be passed over.
 #pragma once
 
 #include <optional>
 #include <vector>
 
 #include "graze/assembly/system_family.hpp"
+#include "graze/bifurcation/solution_ranges.hpp"
 #include "graze/orbit/shooting.hpp"
 
 namespace graze {
@@ -19,30 +24,31 @@ class ClosedFormSurvey {
     ImpactPoint point;
   };
 
-  // Samples [lowest, highest] for impacts on a stop (index from 0) every `period` forcing periods.
-  // With `admissible_only` starts are offered where the solution is an orbit of the system.
-  ClosedFormSurvey(const SystemFamily& family, int stop, int period, double lowest, double highest,
-                   bool admissible_only);
+  // Surveys [lowest, highest] for impacts on a stop (index from 0) every `period` forcing periods,
+  // whose restitution is constant.
+  ClosedFormSurvey(const SystemFamily& family, int stop, int period, double lowest, double highest);
 
-  // One in the middle of every run of samples that have the solution in question.
+  // A solution of each sheet in every interval.
+  void start_in_every_range();
+  // One in every run of samples at which the solution is an orbit of the system.
+  void start_in_every_run();
+
   const std::vector<Start>& starts() const { return starts_; }
+  const SolutionRanges& ranges() const { return ranges_; }
+  // Values at which solutions were judged, and the distance of those that are spread over the
+  // range; none and 0 where nothing was sampled.
   int samples() const { return samples_; }
-
-  // Names the connected set of the solution with this impact phase (rad): equal numbers for
-  // solutions that are connected within the range. Both solutions over an interval belong together
-  // where a fold joins them at either end. Nothing where no sample saw the solution.
-  std::optional<int> component(double value, double phase) const;
+  double spacing() const { return spacing_; }
 
  private:
-  struct Interval {  // of samples on which both solutions exist
-    int first = 0, last = 0;
-  };
+  std::vector<ImpactPoint> solutions_at(double value, std::optional<System>& system) const;
 
   const SystemFamily& family_;
-  int stop_, period_, samples_;
-  double lowest_, spacing_;
+  int stop_, period_;
+  SolutionRanges ranges_;
   std::vector<Start> starts_;
-  std::vector<Interval> intervals_;
+  int samples_ = 0;
+  double spacing_ = 0.0;
 };
 
 }  // namespace graze

@@ -7,9 +7,11 @@
 #include <utility>
 
 #include "graze/assembly/initial_state.hpp"
+#include "graze/bifurcation/admissible_runs.hpp"
 #include "graze/bifurcation/closed_form_survey.hpp"
 #include "graze/bifurcation/found_branches.hpp"
 #include "graze/bifurcation/pattern_switching.hpp"
+#include "graze/bifurcation/speed_survey.hpp"
 #include "graze/bifurcation/sticking_branches.hpp"
 #include "graze/bifurcation/touching_orbit.hpp"
 #include "graze/continuation/switching.hpp"
@@ -64,6 +66,8 @@ class OrbitTracer {
                      [this](const OrbitBranch& branch) { return connected_set(branch); });
     // What the simulation does is worth a line only where it explains that there is nothing else.
     if (!result_.branches.empty()) result_.notes.clear();
+    if (options_.impacts == 1)
+      result_.notes.push_back(in_words(result_.sought, family_.parameter(), options_.period));
     for (const std::string& note : sticking_notes_) result_.notes.push_back(note);
     result_.stopped = options_.stop.reason();
     return std::move(result_);
@@ -142,6 +146,10 @@ class OrbitTracer {
       values.push_back(family_.value());
     for (int i = 0; i < options_.start_values; ++i)
       values.push_back(lowest_ + (highest_ - lowest_) * i / std::max(options_.start_values - 1, 1));
+    result_.sought.start_values = static_cast<int>(values.size());
+    if (options_.start_values > 1)
+      result_.sought.start_spacing = (highest_ - lowest_) / (options_.start_values - 1);
+    if (options_.finder.from_random) result_.sought.random_starts = kStartsOfOneImpact;
     for (std::size_t i = 0; i < values.size() && !options_.stop.requested(); ++i) {
       if (options_.progress)
         options_.progress(static_cast<double>(i) / static_cast<double>(values.size() + 1));
@@ -154,15 +162,56 @@ class OrbitTracer {
   void trace_from_surveys() {
     for (std::size_t stop = 0; stop < family_.scene().stops.size(); ++stop) {
       const int index = static_cast<int>(stop);
-      surveys_.emplace(index, ClosedFormSurvey(family_, index, options_.period, lowest_, highest_,
-                                               !options_.keep_virtual));
-      const ClosedFormSurvey& survey = surveys_.at(index);
-      result_.surveyed_values = survey.samples();
+      if (!family_.at(family_.value())->stops[stop].restitution.is_constant()) {
+        trace_from_speeds(index);
+        continue;
+      }
+      ClosedFormSurvey& survey =
+          surveys_
+              .emplace(std::piecewise_construct, std::forward_as_tuple(index),
+                       std::forward_as_tuple(family_, index, options_.period, lowest_, highest_))
+              .first->second;
+      if (options_.keep_virtual)
+        survey.start_in_every_range();
+      else if (bounded_runs(*family_.at(family_.value()), index))
+        result_.sought.add(search_runs(family_, survey.ranges(), run_tracer(index)));
+      else
+        survey.start_in_every_run();
+      result_.sought.add(survey);
       for (const ClosedFormSurvey::Start& start : survey.starts()) {
         if (options_.stop.requested()) return;
-        trace_from({options_.period, {index}}, {start.point}, start.value);
+        if (!trace_from({options_.period, {index}}, {start.point}, start.value))
+          ++result_.sought.lost;
       }
     }
+  }
+
+  void trace_from_speeds(int stop) {
+    const SpeedSurvey survey =
+        survey_speeds(family_, stop, options_.period, lowest_, highest_, options_.keep_virtual);
+    result_.sought.add(survey);
+    for (const SpeedSurvey::Start& start : survey.starts) {
+      if (options_.stop.requested()) return;
+      if (!trace_from({options_.period, {stop}}, {start.point}, start.value)) ++result_.sought.lost;
+    }
+  }
+
+  // Traces orbits on one stop and says what branches of them there are.
+  RunTracer run_tracer(int stop) {
+    const ImpactPattern pattern{options_.period, {stop}};
+    RunTracer tracer;
+    tracer.trace = [this, pattern](const ImpactPoint& point, double value) {
+      trace_from(pattern, {point}, value);
+    };
+    tracer.news = [this, pattern, next = std::size_t{0}](const auto& hand_over) mutable {
+      for (; next < found_.size(); ++next) {
+        const ImpactPattern& other = found_[next].branch.pattern;
+        if (found_[next].pattern && other.period == pattern.period && other.stops == pattern.stops)
+          hand_over(found_[next].branch);
+      }
+    };
+    tracer.stopped = [this] { return options_.stop.requested(); };
+    return tracer;
   }
 
   // Orbits at one value; the simulation and the random guesses join in at the first one only.
@@ -208,17 +257,18 @@ class OrbitTracer {
   }
 
   // Traces the branch through the solution near these impacts, unless it is known already or is
-  // none.
-  void trace_from(const ImpactPattern& pattern, const std::vector<ImpactPoint>& impacts,
+  // none. Whether there is a solution.
+  bool trace_from(const ImpactPattern& pattern, const std::vector<ImpactPoint>& impacts,
                   double value) {
     ++result_.starts;
     PatternBranches& branches = pattern_branches(canonical(pattern));
     const auto start = branches.solve(in_canonical_order(pattern, impacts), value);
-    if (!start) return;
+    if (!start) return false;
     if (!branches.lists(*start))
       ++result_.virtual_starts;
     else if (!branches.knows(*start))
       add_trace(branches, *start, Directions::kBoth, -1, 0);
+    return true;
   }
 
   // As asked for, or by the scene's tolerance.
@@ -367,7 +417,7 @@ class OrbitTracer {
     const auto survey = surveys_.find(stop);
     if (survey == surveys_.end() || options_.keep_virtual) return {};
     const std::optional<int> name =
-        survey->second.component(middle.value, middle.orbit.impacts.front().phase);
+        survey->second.ranges().component(middle.value, middle.orbit.impacts.front().phase);
     if (!name) return {};
     return std::pair(stop, *name);
   }

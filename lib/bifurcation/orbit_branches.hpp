@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "graze/assembly/system_family.hpp"
+#include "graze/bifurcation/component_search.hpp"
 #include "graze/bifurcation/orbit_branch.hpp"
 #include "graze/bifurcation/special_orbit.hpp"
 #include "graze/orbit/finder.hpp"
@@ -48,14 +49,14 @@ struct OrbitBranches {
   std::vector<std::string> notes;      // sentences
   long long shooting_evaluations = 0;  // of the shooting equations, all points together
   long long rejected_steps = 0;
-  int starts = 0;           // solutions offered as starts
-  int virtual_starts = 0;   // those that solve the equations and are no orbits, so are not traced
-  int surveyed_values = 0;  // at which the closed form was sampled for further starts
-  int traced = 0;           // traces begun, one for each start that no earlier one had passed
-  int cut_short = 0;        // traces that could not be followed to an end
-  int meetings = 0;         // branches ended by impacts that meet
-  int switched = 0;         // special points switched at
-  int left_open = 0;        // special points at the stated depth that were not switched at
+  int starts = 0;          // solutions offered as starts
+  int virtual_starts = 0;  // those that solve the equations and are no orbits, so are not traced
+  ComponentSearch sought;  // how the components of (p, 1) solutions were
+  int traced = 0;          // traces begun, one for each start that no earlier one had passed
+  int cut_short = 0;       // traces that could not be followed to an end
+  int meetings = 0;        // branches ended by impacts that meet
+  int switched = 0;        // special points switched at
+  int left_open = 0;       // special points at the stated depth that were not switched at
   StopReason stopped = StopReason::kNone;
 };
 

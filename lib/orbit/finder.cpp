@@ -47,7 +47,7 @@ constexpr double kSurely = 1e3 * kSameOrbit;
 // docs/decisions/0009.
 PhaseSearchOptions search_budget(int impacts, bool explicitly) {
   PhaseSearchOptions budget;
-  budget.starts = impacts == 1 ? 16 : impacts == 2 ? 64 : 128;
+  budget.starts = impacts == 1 ? kStartsOfOneImpact : impacts == 2 ? 64 : 128;
   budget.rounds = impacts == 1 ? 2 : explicitly ? 16 : 4;
   budget.global_evaluations = 1024 * impacts;
   return budget;

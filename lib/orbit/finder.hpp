@@ -24,6 +24,9 @@
 
 namespace graze {
 
+// Quasi-random phases that each round of a search for orbits of one impact begins with.
+inline constexpr int kStartsOfOneImpact = 16;
+
 struct FinderOptions {
   int period = 1;  // p
   // k, on every sequence of stops of that length (those that are rotations of each other once).

@@ -230,6 +230,31 @@ Json energy_json(const System& system, const EnergyBook& book) {
           {"relative_defect", number(relative_defect(book))}};
 }
 
+// How the components of (p, 1) solutions were sought.
+Json search_json(const OrbitBranches& traced) {
+  const ComponentSearch& search = traced.sought;
+  const auto spacing = [](double width) { return width > 0.0 ? Json(width) : Json(nullptr); };
+  return {{"complete", search.complete() && traced.stopped == StopReason::kNone},
+          {"intervals", search.surveys > 0 ? Json(search.ranges) : Json(nullptr)},
+          {"evaluations", search.evaluations},
+          {"undecided", search.undecided},
+          {"widest_undecided", spacing(search.widest)},
+          {"starts_lost", search.lost},
+          {"cells", search.cells},
+          {"undecided_cells", search.undecided_cells},
+          {"widest_undecided_cell", spacing(search.widest_cell)},
+          {"resolution", spacing(search.resolution)},
+          {"runs_lost", search.runs_lost},
+          {"judged_values", search.samples},
+          {"judged_spacing", spacing(search.sample_spacing)},
+          {"solved_values", search.solved_values},
+          {"solved_spacing", spacing(search.solved_spacing)},
+          {"unsolved_values", search.unsolved},
+          {"start_values", search.start_values},
+          {"start_spacing", spacing(search.start_spacing)},
+          {"random_starts", search.random_starts}};
+}
+
 }  // namespace
 
 std::string to_json(const CheckRecord& record) {
@@ -340,15 +365,17 @@ std::string to_json(const BranchRecord& record) {
   }
   document["branches"] = branches;
   document["loci"] = Json::array();
-  document["counters"] = {{"starts", record.traced.starts},
-                          {"virtual_starts", record.traced.virtual_starts},
-                          {"surveyed_values", record.traced.surveyed_values},
-                          {"traces", record.traced.traced},
-                          {"traces_cut_short", record.traced.cut_short},
-                          {"shooting_evaluations", record.traced.shooting_evaluations},
-                          {"rejected_steps", record.traced.rejected_steps},
-                          {"switched", record.traced.switched},
-                          {"left_open", record.traced.left_open}};
+  document["counters"] = {
+      {"starts", record.traced.starts},
+      {"virtual_starts", record.traced.virtual_starts},
+      {"surveyed_values", record.traced.sought.evaluations + record.traced.sought.samples},
+      {"traces", record.traced.traced},
+      {"traces_cut_short", record.traced.cut_short},
+      {"shooting_evaluations", record.traced.shooting_evaluations},
+      {"rejected_steps", record.traced.rejected_steps},
+      {"switched", record.traced.switched},
+      {"left_open", record.traced.left_open}};
+  document["search"] = search_json(record.traced);
   document["notes"] = record.traced.notes;
   return text(document);
 }
