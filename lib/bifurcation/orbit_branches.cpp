@@ -2,34 +2,20 @@
 
 #include <algorithm>
 #include <map>
-#include <memory>
-#include <set>
 #include <utility>
 
 #include "graze/assembly/initial_state.hpp"
 #include "graze/bifurcation/admissible_runs.hpp"
+#include "graze/bifurcation/branch_collector.hpp"
 #include "graze/bifurcation/closed_form_survey.hpp"
-#include "graze/bifurcation/found_branches.hpp"
-#include "graze/bifurcation/pattern_switching.hpp"
 #include "graze/bifurcation/speed_survey.hpp"
-#include "graze/bifurcation/sticking_branches.hpp"
-#include "graze/bifurcation/touching_orbit.hpp"
-#include "graze/continuation/switching.hpp"
 #include "graze/hybrid/simulation.hpp"
 #include "graze/orbit/closed_form.hpp"
 #include "graze/orbit/settled.hpp"
+#include "graze/orbit/sticking_orbit.hpp"
 
 namespace graze {
 namespace {
-
-// The orbit of a special point; without its touch where that was found on a locus of grazing,
-// unless the motion meets no stop but there.
-TouchingOrbit orbit_at(const System& system, const SpecialOrbit& special) {
-  TouchingOrbit orbit{special.pattern, special.impacts, 0};
-  if (special.locus != OrbitLocusKind::kGrazing || orbit.impacts.size() == 1) return orbit;
-  orbit.touch = admissibility(system, orbit.pattern, orbit.impacts).slowest;
-  return without_touch(std::move(orbit));
-}
 
 // Forcing periods within which a motion has to repeat to count as one that sticks: each time it
 // comes to rest it forgets what came before.
@@ -42,33 +28,26 @@ class OrbitTracer {
         options_(options),
         lowest_(std::min(options.from, options.to)),
         highest_(std::max(options.from, options.to)),
-        scale_(shooting_scale(*family.at(family.value()))) {
+        branches_(family, options, result_) {
     result_.parameter = family.parameter();
-    result_.scale = scale_;
-    result_.range = highest_ - lowest_;
-    continuation_.from = options.from;
-    continuation_.to = options.to;
-    continuation_.max_step = options.max_step;
-    continuation_.stop = options.stop;
-    sticking_ = std::make_unique<StickingBranches>(family, continuation_, options.follow_depth > 0,
-                                                   options.finder.max_impacts);
   }
 
   OrbitBranches trace() {
     if (options_.start)
-      trace_from_special(*options_.start);
+      branches_.trace_from_special(*options_.start);
     else
       trace_from_search();
-    follow();
-    const double speed_scale = scale_.length * family_.at(family_.value())->forcing->frequency;
+    branches_.follow();
+    const double speed_scale =
+        result_.scale.length * family_.at(family_.value())->forcing->frequency;
     result_.branches =
-        put_in_order(std::move(found_), Components(highest_ - lowest_, speed_scale),
+        put_in_order(branches_.take(), Components(highest_ - lowest_, speed_scale),
                      [this](const OrbitBranch& branch) { return connected_set(branch); });
     // What the simulation does is worth a line only where it explains that there is nothing else.
     if (!result_.branches.empty()) result_.notes.clear();
-    if (options_.impacts == 1)
+    if (options_.impacts == 1 && !options_.start)
       result_.notes.push_back(in_words(result_.sought, family_.parameter(), options_.period));
-    for (const std::string& note : sticking_notes_) result_.notes.push_back(note);
+    for (const std::string& note : branches_.sticking_notes()) result_.notes.push_back(note);
     result_.stopped = options_.stop.reason();
     return std::move(result_);
   }
@@ -78,65 +57,6 @@ class OrbitTracer {
     trace_from_values();
     if (options_.start_values > 0 && options_.finder.from_closed_form && options_.impacts == 1)
       trace_from_surveys();
-  }
-
-  // At the family's own value.
-  void trace_from_special(const BranchStart& start) {
-    if (start.at.sticking)
-      trace_from_section(*start.at.sticking);
-    else
-      trace_from_impacts(start);
-    if (found_.empty() && result_.notes.empty() && !options_.stop.requested())
-      result_.notes.push_back(start.switched ? "no other branch was found there"
-                                             : "the orbit there was not found again");
-  }
-
-  void trace_from_section(const SpecialOrbit::Sticking& section) {
-    const double value = family_.value();
-    const StickingOrbitAnswer answer =
-        sticking_orbit_through(*family_.at(value), section.at_section, section.period,
-                               {section.closure_speed, options_.finder.max_impacts, options_.stop});
-    ++result_.starts;
-    if (answer.orbit)
-      add_sticking(*answer.orbit, value, 0, -1, 0);
-    else
-      sticking_notes_.insert(answer.why_not);
-  }
-
-  void trace_from_impacts(const BranchStart& start) {
-    ++result_.starts;
-    const double value = family_.value();
-    const TouchingOrbit orbit = orbit_at(*family_.at(value), start.at);
-    PatternBranches& branches = pattern_branches(canonical(orbit.pattern));
-    const std::vector<ImpactPoint> impacts = in_canonical_order(orbit.pattern, orbit.impacts);
-    const std::optional<BranchPoint> point = solution_at(branches, impacts, start);
-    if (!point) return;
-    if (!start.switched) {
-      add_parts(branches,
-                start.at.kind == SpecialKind::kBranchPoint
-                    ? branches.trace_across(*point)
-                    : branches.trace(*point, Directions::kBoth),
-                Directions::kBoth, -1, 0);
-      return;
-    }
-    SpecialPoint special;
-    special.kind = start.at.kind.value_or(SpecialKind::kFold);
-    special.by_speed = start.at.by_speed;
-    special.by_push = start.at.by_push;
-    special.solution = *point;
-    switch_from(branches.equations(), special, -1, 0);
-  }
-
-  // What is traced or switched from at a special point.
-  std::optional<BranchPoint> solution_at(const PatternBranches& branches,
-                                         const std::vector<ImpactPoint>& impacts,
-                                         const BranchStart& start) const {
-    const double value = family_.value();
-    const auto along = start.same_parameter ? start.at.along : std::nullopt;
-    if (start.at.kind != SpecialKind::kBranchPoint)
-      return branches.solve_near(impacts, value, along);
-    if (!along) return {};
-    return branches.crossing(impacts, value, *along);
   }
 
   // The scene's own value, and values spread over the range.
@@ -154,7 +74,7 @@ class OrbitTracer {
       if (options_.progress)
         options_.progress(static_cast<double>(i) / static_cast<double>(values.size() + 1));
       for (const Orbit& orbit : orbits_at(values[i], i == 0))
-        trace_from(orbit.pattern(), orbit.points(), values[i]);
+        branches_.trace_from(orbit.pattern(), orbit.points(), values[i]);
       if (options_.sticking && options_.finder.from_simulation) trace_sticking(values[i]);
     }
   }
@@ -180,7 +100,7 @@ class OrbitTracer {
       result_.sought.add(survey);
       for (const ClosedFormSurvey::Start& start : survey.starts()) {
         if (options_.stop.requested()) return;
-        if (!trace_from({options_.period, {index}}, {start.point}, start.value))
+        if (!branches_.trace_from({options_.period, {index}}, {start.point}, start.value))
           ++result_.sought.lost;
       }
     }
@@ -192,7 +112,8 @@ class OrbitTracer {
     result_.sought.add(survey);
     for (const SpeedSurvey::Start& start : survey.starts) {
       if (options_.stop.requested()) return;
-      if (!trace_from({options_.period, {stop}}, {start.point}, start.value)) ++result_.sought.lost;
+      if (!branches_.trace_from({options_.period, {stop}}, {start.point}, start.value))
+        ++result_.sought.lost;
     }
   }
 
@@ -201,13 +122,14 @@ class OrbitTracer {
     const ImpactPattern pattern{options_.period, {stop}};
     RunTracer tracer;
     tracer.trace = [this, pattern](const ImpactPoint& point, double value) {
-      trace_from(pattern, {point}, value);
+      branches_.trace_from(pattern, {point}, value);
     };
     tracer.news = [this, pattern, next = std::size_t{0}](const auto& hand_over) mutable {
-      for (; next < found_.size(); ++next) {
-        const ImpactPattern& other = found_[next].branch.pattern;
-        if (found_[next].pattern && other.period == pattern.period && other.stops == pattern.stops)
-          hand_over(found_[next].branch);
+      for (; next < branches_.found().size(); ++next) {
+        const ImpactPattern& other = branches_.found()[next].branch.pattern;
+        if (branches_.found()[next].pattern && other.period == pattern.period &&
+            other.stops == pattern.stops)
+          hand_over(branches_.found()[next].branch);
       }
     };
     tracer.stopped = [this] { return options_.stop.requested(); };
@@ -248,29 +170,6 @@ class OrbitTracer {
     return true;
   }
 
-  PatternBranches& pattern_branches(const ImpactPattern& pattern) {
-    auto& place = patterns_[{pattern.period, pattern.stops}];
-    if (!place)
-      place = std::make_unique<PatternBranches>(family_, pattern, scale_, continuation_,
-                                                options_.keep_virtual);
-    return *place;
-  }
-
-  // Traces the branch through the solution near these impacts, unless it is known already or is
-  // none. Whether there is a solution.
-  bool trace_from(const ImpactPattern& pattern, const std::vector<ImpactPoint>& impacts,
-                  double value) {
-    ++result_.starts;
-    PatternBranches& branches = pattern_branches(canonical(pattern));
-    const auto start = branches.solve(in_canonical_order(pattern, impacts), value);
-    if (!start) return false;
-    if (!branches.lists(*start))
-      ++result_.virtual_starts;
-    else if (!branches.knows(*start))
-      add_trace(branches, *start, Directions::kBoth, -1, 0);
-    return true;
-  }
-
   // As asked for, or by the scene's tolerance.
   double closure_speed(const System& system, const State& start) const {
     return options_.finder.closure_speed.value_or(
@@ -295,118 +194,7 @@ class OrbitTracer {
         sticking_orbit(*system, settled.at_start, settled.period,
                        {*settling.closure_speed, settling.max_impacts, options_.stop});
     if (!answer.orbit || answer.orbit->period != options_.period) return;
-    ++result_.starts;
-    add_sticking(*answer.orbit, value, 0, -1, 0);
-  }
-
-  // Traces the branch of an orbit that sticks unless it is known, and with `follow_depth` those
-  // beyond its ends.
-  void add_sticking(const Orbit& orbit, double value, int depth, int origin_branch,
-                    std::size_t origin_special) {
-    StickingTrace trace = sticking_->trace(orbit, value);
-    if (trace.known) return;
-    result_.shooting_evaluations += trace.evaluations;
-    result_.rejected_steps += trace.rejected;
-    if (!trace.branch) {
-      if (options_.stop.requested()) return;
-      sticking_notes_.insert(trace.why_not);
-      return;
-    }
-    const int index = static_cast<int>(found_.size());
-    found_.push_back(
-        {std::move(*trace.branch), nullptr, result_.traced++, origin_branch, origin_special});
-    if (trace.cut_short) ++result_.cut_short;
-    if (origin_branch >= 0) ++result_.switched;
-    for (const StickingNeighbour& other : trace.neighbours) {
-      if (depth < options_.follow_depth)
-        add_sticking(other.orbit, other.value, depth + 1, index, other.special);
-      else
-        result_.left_open += options_.follow_depth > 0 ? 1 : 0;
-    }
-  }
-
-  // Traces from a start and keeps the parts. The origin: a special point, where there is one.
-  void add_trace(PatternBranches& branches, const BranchPoint& start, Directions directions,
-                 int origin_branch, std::size_t origin_special) {
-    add_parts(branches, branches.trace(start, directions), directions, origin_branch,
-              origin_special);
-  }
-
-  void add_parts(PatternBranches& branches, const Branch& branch, Directions directions,
-                 int origin_branch, std::size_t origin_special) {
-    const auto is_cut = [](BranchEnd end) {
-      return end == BranchEnd::kStepLimit || end == BranchEnd::kNotConverged;
-    };
-    // Where a trace goes one way only, it has no other end.
-    bool cut =
-        is_cut(branch.ends[1]) || (directions == Directions::kBoth && is_cut(branch.ends[0]));
-    result_.shooting_evaluations += branch.evaluations;
-    result_.rejected_steps += branch.rejected;
-    for (OrbitBranch& part : branches.parts(branch)) {
-      cut = cut || part.ends[0] == OrbitBranchEnd::kNotConverged ||
-            part.ends[1] == OrbitBranchEnd::kNotConverged;
-      result_.meetings += static_cast<int>(
-          std::count(part.ends.begin(), part.ends.end(), OrbitBranchEnd::kImpactsMeet));
-      found_.push_back({std::move(part), &branches, result_.traced, origin_branch, origin_special});
-    }
-    ++result_.traced;
-    if (cut) ++result_.cut_short;
-  }
-
-  // Switches at the special points, those of one depth after the other.
-  void follow() {
-    std::size_t first = 0;
-    for (int depth = 0; depth < options_.follow_depth; ++depth) {
-      const std::size_t last = found_.size();
-      for (std::size_t i = first; i < last; ++i)
-        for (std::size_t k = 0; k < found_[i].branch.special.size() && found_[i].pattern; ++k) {
-          if (options_.stop.requested()) return;
-          switch_at(i, k);
-        }
-      first = last;
-    }
-    for (std::size_t i = first; i < found_.size() && options_.follow_depth > 0; ++i)
-      for (const SpecialPoint& special : found_[i].branch.special)
-        result_.left_open +=
-            found_[i].pattern && pattern_switch(found_[i].pattern->equations(), special) ? 1 : 0;
-  }
-
-  void switch_at(std::size_t index, std::size_t which) {
-    const SpecialPoint special = found_[index].branch.special[which];
-    switch_from(found_[index].pattern->equations(), special, static_cast<int>(index), which);
-  }
-
-  // The origin as of add_trace.
-  void switch_from(const OrbitEquations& known, const SpecialPoint& special, int origin_branch,
-                   std::size_t origin_special) {
-    const std::optional<PatternSwitch> next = pattern_switch(known, special);
-    if (!next) return;
-    PatternBranches& branches = pattern_branches(canonical(next->pattern));
-    const OrbitEquations& equations = branches.equations();
-    const std::vector<ImpactPoint> impacts = in_canonical_order(next->pattern, next->impacts);
-    std::optional<BranchPoint> start;
-    if (next->known_tangent.size() == 0) {
-      start = solve_at(equations.problem(), branches.options(), equations.shooting().pack(impacts),
-                       special.solution.parameter);
-    } else {
-      BranchPoint at = special.solution;
-      at.u = equations.shooting().pack(impacts);
-      at.tangent = next->known_tangent;
-      at.multipliers.clear();
-      start = other_branch(equations.problem(), branches.options(), at);
-    }
-    if (!start) return;
-    // At a branch point the known branch passes too.
-    const bool crossing = special.kind == SpecialKind::kBranchPoint;
-    const bool doubling = special.kind == SpecialKind::kPeriodDoubling;
-    if (crossing   ? branches.knows_crossing(*start)
-        : doubling ? branches.knows_doubling(*start)
-                   : branches.knows(*start))
-      return;
-    result_.switched += origin_branch >= 0 ? 1 : 0;
-    // Either way from a doubling lead the same orbits, half a period apart.
-    add_trace(branches, *start, doubling ? Directions::kForward : Directions::kBoth, origin_branch,
-              origin_special);
+    branches_.trace_from_sticking(*answer.orbit, value);
   }
 
   // Branches that were traced apart may be connected where the solutions are no orbits; the closed
@@ -425,14 +213,9 @@ class OrbitTracer {
   const SystemFamily& family_;
   const BranchOptions& options_;
   double lowest_, highest_;
-  ShootingScale scale_;
-  ContinuationOptions continuation_;
-  std::map<std::pair<int, std::vector<int>>, std::unique_ptr<PatternBranches>> patterns_;
-  std::unique_ptr<StickingBranches> sticking_;
-  std::set<std::string> sticking_notes_;     // why one was not continued
-  std::map<int, ClosedFormSurvey> surveys_;  // by stop
-  std::vector<FoundBranch> found_;
   OrbitBranches result_;
+  BranchCollector branches_;
+  std::map<int, ClosedFormSurvey> surveys_;  // by stop
 };
 
 }  // namespace
