@@ -9,8 +9,9 @@
 #include <utility>
 #include <vector>
 
+#include "graze/assembly/system_family.hpp"
 #include "graze/bifurcation/found_branches.hpp"
-#include "graze/bifurcation/orbit_branches.hpp"
+#include "graze/bifurcation/orbit_branches_values.hpp"
 #include "graze/bifurcation/sticking_branches.hpp"
 
 namespace graze {
