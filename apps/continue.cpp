@@ -77,7 +77,7 @@ void start_from(const Restart& restart, const Command& command, BranchOptions& o
   if (restart.at.kind == SpecialKind::kBranchPoint && !restart.at.sticking && !same)
     throw InputError(
         fmt::format("--label: two branches cross at {}, which over another parameter than {} are "
-                    "not told apart; restart from a point beside it",
+                    "not told apart; restart over that one, or from another special point",
                     restart.at.id, restart.parameters.front()));
   options.start = BranchStart{restart.at, same, command.switched};
   options.period = restart.at.sticking ? restart.at.sticking->period : restart.at.pattern.period;

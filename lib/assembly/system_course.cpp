@@ -113,9 +113,10 @@ class Pieces {
     const bool last = halvings == kMostHalvings;
     if (from && between && to) {
       std::vector<Vector> powers = cubic(*from, *to, half);
-      if (last || agrees(powers, *between, kinds_, half)) {
+      const bool good = agrees(powers, *between, kinds_, half);
+      if (last || good) {
         drop_roundings(powers);
-        pieces.push_back({low, high, std::move(powers)});
+        pieces.push_back({low, high, std::move(powers), good});
         return;
       }
     } else if (last) {

@@ -21,6 +21,8 @@ class Isolation {
   IsolatedZeros over(double low, double high, long long most_cells) {
     std::vector<Cell> open{{low, high, 0}};
     long long looked_at = 0;
+    // Narrower cells are one point within the rounding of the range: next to 0 there are many.
+    const double finest = std::numeric_limits<double>::epsilon() * (high - low);
     while (!open.empty()) {
       std::vector<Cell> halves;
       const bool affordable =
@@ -28,7 +30,8 @@ class Isolation {
       for (const Cell& cell : open) {
         const double middle = cell.low + 0.5 * (cell.high - cell.low);
         if (affordable && settles(cell)) continue;
-        if (affordable && middle > cell.low && middle < cell.high) {
+        if (affordable && middle > cell.low && middle < cell.high &&
+            cell.high - cell.low > finest) {
           halves.push_back({cell.low, middle, 0});
           halves.push_back({middle, cell.high, 0});
         } else {
@@ -84,7 +87,8 @@ class Isolation {
         after = sign_of(to);
         if (after == 0 && i + 1 < cells_.size()) after = cells_[i + 1].sign;
       }
-      if (sign == 0 && found_.zeros.empty()) found_.first_sign = before;
+      if (found_.first_sign == 0 && found_.zeros.empty())
+        found_.first_sign = before != 0 ? before : after;
       if (sign != 0 && before != 0 && sign != before) found_.zeros.push_back(cell.low);
       if (before != 0 && after != 0 && before != after)
         found_.zeros.push_back(zero_within(cell, from, to));

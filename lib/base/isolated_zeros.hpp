@@ -19,7 +19,7 @@ using BoundedFunction = std::function<std::optional<MeanValueForm>(double low, d
 
 struct IsolatedZeros {
   std::vector<double> zeros;  // ascending, where the function changes its sign
-  int first_sign = 0;   // before the first of them: 1 or -1; 0 where it could not be evaluated
+  int first_sign = 0;   // before the first of them: 1 or -1; 0 where it could nowhere be evaluated
   int undecided = 0;    // cells that may hold zeros beyond those
   double widest = 0.0;  // of them
   long long evaluations = 0;  // over cells and at points

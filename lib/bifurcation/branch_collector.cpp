@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "graze/bifurcation/pattern_switching.hpp"
+#include "graze/bifurcation/special_names.hpp"
 #include "graze/bifurcation/touching_orbit.hpp"
 #include "graze/continuation/switching.hpp"
 #include "graze/orbit/sticking_orbit.hpp"
@@ -74,9 +75,11 @@ void BranchCollector::trace_from_special(const BranchStart& start) {
     trace_from_section(*start.at.sticking);
   else
     trace_from_impacts(start);
-  if (found_.empty() && sticking_notes_.empty() && !options_.stop.requested())
+  if (found_.empty() && result_.notes.empty() && sticking_notes_.empty() &&
+      !options_.stop.requested())
     result_.notes.push_back(start.switched ? "no other branch was found there"
-                                           : "the orbit there was not found again");
+                                           : "the orbit there was not found again, or is none of "
+                                             "the system beyond that point on either side");
 }
 
 void BranchCollector::trace_from_section(const SpecialOrbit::Sticking& section) {
@@ -98,6 +101,14 @@ void BranchCollector::trace_from_impacts(const BranchStart& start) {
   const std::vector<ImpactPoint> impacts = in_canonical_order(orbit.pattern, orbit.impacts);
   const std::optional<BranchPoint> point = solution_at(branches, impacts, start);
   if (!point) return;
+  // At a grazing rounding decides.
+  if (start.at.label != label_of(SpecialKind::kGrazing) && !branches.lists(*point)) {
+    ++result_.virtual_starts;
+    result_.notes.push_back(
+        "the solution there is no orbit of the system (penetrating or impacting at negative "
+        "speed); --virtual goes on from it");
+    return;
+  }
   if (!start.switched) {
     add_parts(branches,
               start.at.kind == SpecialKind::kBranchPoint
@@ -224,6 +235,11 @@ void BranchCollector::switch_from(const OrbitEquations& known, const SpecialPoin
                  : branches.knows(*start))
     return;
   result_.switched += origin_branch >= 0 ? 1 : 0;
+  // Of a start that is given nothing else is known; its own branch has it among its points.
+  if (crossing && origin_branch < 0) {
+    add_parts(branches, branches.trace_across(*start), Directions::kBoth, -1, 0);
+    return;
+  }
   // Either way from a doubling lead the same orbits, half a period apart.
   add_trace(branches, *start, doubling ? Directions::kForward : Directions::kBoth, origin_branch,
             origin_special);

@@ -36,6 +36,10 @@ void ComponentSearch::add(const SpeedSurvey& survey) {
 }
 
 std::string in_words(const ComponentSearch& search, const std::string& parameter, int period) {
+  if (search.stopped)
+    return fmt::format(
+        "the search for ({}, 1) solutions was stopped before its end: components may be missing",
+        period);
   std::string text;
   if (search.surveys > 0) {
     text = fmt::format("the closed form of ({}, 1) solutions has {} interval{} of {}", period,

@@ -35,6 +35,7 @@ struct ComponentSearch {
   // Values at which the finder looked for whatever there is.
   int start_values = 0;
   double start_spacing = 0.0;  // in units of the parameter
+  bool stopped = false;        // before its end
   int random_starts = 0;       // quasi-random phases that each of its rounds began with; 0: none
 
   void add(const ClosedFormSurvey& survey);
@@ -42,7 +43,9 @@ struct ComponentSearch {
   void add(const SpeedSurvey& survey);
 
   // Whether no interval with solutions can have been passed over,
-  bool all_solutions() const { return surveys > 0 && left_out == 0 && undecided == 0 && lost == 0; }
+  bool all_solutions() const {
+    return surveys > 0 && left_out == 0 && undecided == 0 && lost == 0 && !stopped;
+  }
   // and, where only orbits are wanted, no run of them wider than `resolution`.
   bool complete() const {
     return all_solutions() && undecided_cells == 0 && runs_lost == 0 && samples == 0;

@@ -57,6 +57,7 @@ class OrbitTracer {
     trace_from_values();
     if (options_.start_values > 0 && options_.finder.from_closed_form && options_.impacts == 1)
       trace_from_surveys();
+    result_.sought.stopped = options_.stop.requested();
   }
 
   // The scene's own value, and values spread over the range.

@@ -47,8 +47,8 @@ SolutionRanges::SolutionRanges(const SystemFamily& family, int stop, int period,
     const IsolatedZeros found = isolated_zeros(f, piece.low, piece.high, allowed);
     evaluations_ += found.evaluations;
     left = std::max(left - found.evaluations, 0LL);
-    undecided_ += found.undecided;
-    widest_ = std::max(widest_, found.widest);
+    undecided_ += found.undecided + (piece.agrees ? 0 : 1);
+    widest_ = std::max({widest_, found.widest, piece.agrees ? 0.0 : piece.high - piece.low});
     // A fold may lie on the very border of two pieces.
     const int before = std::exchange(sign, found.first_sign);
     if (open && sign < 0 && !ends_everywhere) close(piece.low, true);

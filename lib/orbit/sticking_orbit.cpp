@@ -298,6 +298,9 @@ StickingOrbitAnswer sticking_orbit(const System& system, const State& at_period_
 StickingOrbitAnswer sticking_orbit_through(const System& system,
                                            const MotionState<double>& at_section, int period,
                                            const StickingOptions& options) {
+  if (std::find(at_section.contacts.begin(), at_section.contacts.end(), Contact::kClosed) ==
+      at_section.contacts.end())
+    return {{}, "no stop is closed where the orbit is said to stick"};
   const HeldSection section(system, at_section, options);
   const HeldSection::Return back = section.after(period, true);
   if (!back.passage.failure.empty()) return {{}, back.passage.failure};

@@ -36,6 +36,8 @@ Outcome loci_outcome(const OrbitLoci& traced, const LociOptions& options) {
   add(traced.traces_cut_short, "branch", "branches",
       "on the slices could not be followed to an end");
   if (!missing.empty()) return {"budget", missing + ": loci may be missing or cut short"};
+  if (traced.loci.empty() && options.start)
+    return {"no_orbit", "no locus goes on from the special point"};
   if (traced.loci.empty())
     return {"no_orbit", fmt::format("no {} of ({}, {}) orbits was met on {} slices of the plane",
                                     names_of(options.kinds), options.branches.period,

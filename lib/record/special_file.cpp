@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <utility>
 
@@ -102,8 +103,13 @@ SpecialOrbit::Sticking read_sticking(const Node& node, const std::string& path, 
   if (parameters.size() != 1) table.fail("value", "orbits that stick have no loci");
   // Its clock is that of the value, whose forcing period may be another one.
   const System there = assemble(with_parameter(scene, parameters.front(), value));
-  return {read_period(table), value, read_motion(table.at("motion"), path + ".motion", there),
-          table.size("closure_speed")};
+  SpecialOrbit::Sticking sticking{read_period(table), value,
+                                  read_motion(table.at("motion"), path + ".motion", there),
+                                  table.size("closure_speed")};
+  const std::vector<Contact>& contacts = sticking.at_section.contacts;
+  if (std::find(contacts.begin(), contacts.end(), Contact::kClosed) == contacts.end())
+    table.fail("motion", "no stop is closed in it");
+  return sticking;
 }
 
 void read_names(const StateTable& table, SpecialOrbit& point) {
@@ -187,18 +193,25 @@ std::string write_special_points(const SpecialPoints& special) {
   lines.count("graze_special", kFormat);
   lines.word("version", special.version);
   lines.word("scene_sha256", special.scene_sha256);
+  std::string points;
+  {
+    StateLines body;
+    for (const SpecialOrbit& point : special.points) write_point(body, point);
+    points = body.take();
+  }
+  lines.word("points_sha256", sha256(points));
   lines.text("parameters", listed(special.parameters,
                                   [](const std::string& name) { return graze::quoted(name); }));
-  for (const SpecialOrbit& point : special.points) write_point(lines, point);
-  return lines.take();
+  return lines.take() + points;
 }
 
 SpecialPoints parse_special_points(const std::string& text, const std::string& name,
                                    const Scene& scene) {
   const Node root = read_document(text, name);
   check_origin(root, scene);
-  const StateTable table(root, "",
-                         {"graze_special", "version", "scene_sha256", "parameters", "special"});
+  const StateTable table(
+      root, "",
+      {"graze_special", "version", "scene_sha256", "points_sha256", "parameters", "special"});
   SpecialPoints special{table.word("version"), table.word("scene_sha256"), {}, {}};
   special.parameters = table.words("parameters");
   for (const std::string& parameter : special.parameters)
@@ -210,6 +223,10 @@ SpecialPoints parse_special_points(const std::string& text, const std::string& n
   if (table.find("special"))
     for (const Node& node : table.list("special"))
       special.points.push_back(read_point(node, scene, system, special.parameters));
+  // What is read well may still have been cut off at the end of a point, or changed.
+  const std::size_t points = std::min(text.find("\n[[special]]"), text.size());
+  if (table.word("points_sha256") != sha256(text.substr(points)))
+    table.fail("points_sha256", "the special points below have been changed since the run");
   return special;
 }
 

@@ -18,6 +18,7 @@ std::string listed(const Range& range, Text text) {
 
 class StateLines {
  public:
+  StateLines() = default;
   explicit StateLines(const std::string& comment) : text_("# " + comment + "\n") {}
 
   // "[motion]"

@@ -234,7 +234,7 @@ Json energy_json(const System& system, const EnergyBook& book) {
 Json search_json(const OrbitBranches& traced) {
   const ComponentSearch& search = traced.sought;
   const auto spacing = [](double width) { return width > 0.0 ? Json(width) : Json(nullptr); };
-  return {{"complete", search.complete() && traced.stopped == StopReason::kNone},
+  return {{"complete", search.complete()},
           {"intervals", search.surveys > 0 ? Json(search.ranges) : Json(nullptr)},
           {"evaluations", search.evaluations},
           {"undecided", search.undecided},

@@ -156,7 +156,8 @@ class AttractorSearch {
     const double largest = orbit.multipliers.empty() ? 0.0 : std::abs(orbit.multipliers[0].value);
     const double turns = largest > 0.0 ? 2.0 * std::log(kHasToShrink) / -std::log(largest) : 0.0;
     const double periods = static_cast<double>(periods_) + orbit.period * turns;
-    return std::min(static_cast<long long>(periods), options_.most_periods);
+    const auto most = static_cast<double>(options_.most_periods);
+    return periods < most ? static_cast<long long>(periods) : options_.most_periods;
   }
 
   bool is_on(const SettledMotion& motion, const Orbit& orbit) const {

@@ -22,6 +22,9 @@ bool passes(const OrbitLocus& locus, const RegionPlace& a, const RegionPlace& b)
   return false;
 }
 
+// Whether the search there came to its end.
+bool is_known(const RegionPlace& place) { return place.finished && place.message.empty(); }
+
 }  // namespace
 
 RegionBorders region_borders(const StableRegions& regions, const OrbitLoci& traced) {
@@ -32,7 +35,7 @@ RegionBorders region_borders(const StableRegions& regions, const OrbitLoci& trac
   RegionBorders borders;
   const auto look = [&](std::size_t i, std::size_t other) {
     const RegionPlace &a = regions.places[i], &b = regions.places[other];
-    if (!a.finished || !b.finished || holds(a) == holds(b)) return;
+    if (!is_known(a) || !is_known(b) || holds(a) == holds(b)) return;
     ++borders.count;
     if (std::none_of(traced.loci.begin(), traced.loci.end(),
                      [&](const OrbitLocus& locus) { return passes(locus, a, b); }))

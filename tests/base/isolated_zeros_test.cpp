@@ -98,5 +98,20 @@ TEST(IsolatedZeros, ABudgetLeavesTheWidestCellsUndecided) {
   EXPECT_LT(found.evaluations, 5000);  // those at points included
 }
 
+// A function that cannot be evaluated at the start of its range: x - 1/3 beyond 0.
+TEST(IsolatedZeros, ABadPointAtTheStartHidesNothing) {
+  const auto f = [](double low, double high) -> std::optional<Form> {
+    if (low <= 0.0) return {};
+    return (low < high ? Form::variable(low, high) : Form(low)) - 1.0 / 3.0;
+  };
+  const IsolatedZeros found = isolated_zeros(f, 0.0, 1.0, 100'000);
+  EXPECT_EQ(found.first_sign, -1);
+  ASSERT_EQ(found.zeros.size(), 1u);
+  EXPECT_NEAR(found.zeros[0], 1.0 / 3.0, 1e-15);
+  EXPECT_EQ(found.undecided, 1);
+  EXPECT_LT(found.widest, 1e-15);
+  EXPECT_LT(found.evaluations, 500);
+}
+
 }  // namespace
 }  // namespace graze

@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <chrono>
+
 #include "branch_checks.hpp"
 
 namespace graze {
@@ -70,6 +72,36 @@ TEST(ComponentSearches, WithoutTheClosedFormStateTheirStarts) {
   EXPECT_TRUE(says(result,
                    "(1, 1) orbits were sought at 7 values of forcing.frequency, 0.5 apart, "
                    "from rounds of 16 quasi-random phases with deflation"));
+}
+
+// Modal frequency 0, a free mass, begins the range; its poles lie beyond.
+TEST(ComponentSearches, ABadValueAtTheStartHidesNoComponent) {
+  const Scene scene =
+      support::shipped_scene("04_impact_oscillator",
+                             {"modal.damping_ratios=[1e-7]", "forcing.frequency=1", "stop.gap=50"});
+  std::vector<std::size_t> branches;
+  for (const double from : {0.0, 1e-3}) {
+    const SystemFamily family(scene, "modal.frequencies.1");
+    BranchOptions options;
+    options.from = from;
+    options.to = 4.0;
+    options.keep_virtual = true;
+    options.sticking = options.finder.from_simulation = options.finder.from_random = false;
+    branches.push_back(trace_orbits(family, options).branches.size());
+  }
+  EXPECT_EQ(branches[0], branches[1]);
+  EXPECT_GE(branches[1], 6u);
+}
+
+TEST(ComponentSearches, OneThatWasStoppedSaysSo) {
+  const SystemFamily family(support::shipped_scene("04_impact_oscillator"), "forcing.frequency");
+  BranchOptions options;
+  options.from = 1.5;
+  options.to = 4.0;
+  options.stop.deadline = std::chrono::steady_clock::now();
+  const OrbitBranches result = trace_orbits(family, options);
+  EXPECT_FALSE(result.sought.complete());
+  EXPECT_TRUE(says(result, "was stopped before its end: components may be missing"));
 }
 
 }  // namespace

@@ -75,6 +75,9 @@ TEST(Restart, ABranchPointLeadsBothWays) {
       EXPECT_LE(asymmetry(orbit), 1e-6) << orbit.value;
     const OrbitBranches other = again(scene, options, point, true);
     ASSERT_EQ(other.branches.size(), 1u);
+    ASSERT_EQ(support::special_points(other, SpecialKind::kBranchPoint).size(), 1u);
+    EXPECT_NEAR(support::special_points(other, SpecialKind::kBranchPoint)[0]->at.value,
+                point.values[0], 1e-9);
     EXPECT_GE(asymmetry(other.branches[0].points.front()), 1e-3);
     EXPECT_GE(asymmetry(other.branches[0].points.back()), 1e-3);
   }
@@ -104,6 +107,27 @@ TEST(Restart, ALocusIsTracedAgainFromItsSpecialPoint) {
   ASSERT_EQ(found.loci[0].special.size(), 1u);
   EXPECT_EQ(found.loci[0].special[0].label, "PDGR");
   EXPECT_NEAR(found.loci[0].special[0].at.value, frequency, 1e-9);
+}
+
+// Left of 20 rad/s the (1, 1) solutions of the one-mode beam impact at negative speed.
+TEST(Restart, AVirtualPointIsRefusedInWords) {
+  const Scene scene = support::shipped_scene("05_wagg_one_mode", {});
+  BranchOptions options = between(15.0, 25.0);
+  options.keep_virtual = true;
+  const OrbitBranches first = trace_orbits(SystemFamily(scene, kFrequency), options);
+  int virtual_points = 0;
+  for (const SpecialOrbit& point : special_orbits(first, assemble(scene))) {
+    if (point.kind != SpecialKind::kFold) continue;
+    ++virtual_points;
+    EXPECT_EQ(again(scene, options, point).branches.size(), 1u);
+    BranchOptions orbits = options;
+    orbits.keep_virtual = false;
+    const OrbitBranches none = again(scene, orbits, point);
+    EXPECT_TRUE(none.branches.empty());
+    ASSERT_EQ(none.notes.size(), 1u);
+    EXPECT_NE(none.notes[0].find("--virtual"), std::string::npos);
+  }
+  EXPECT_GE(virtual_points, 1);
 }
 
 TEST(Restart, WhatHasNoLocusStartsNone) {

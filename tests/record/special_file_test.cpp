@@ -152,5 +152,21 @@ TEST(SpecialFile, RefusesWhatIsNone) {
             std::string::npos);
 }
 
+TEST(SpecialFile, NoticesAChange) {
+  EXPECT_NE(complaint("theta = [0.1, 6.4]", "theta = [0.2, 6.4]").find("have been changed"),
+            std::string::npos);
+  // Cut off where a point ends, the rest reads well.
+  std::string text = write_special_points(points());
+  text.resize(text.rfind("\n[[special]]"));
+  try {
+    parse_special_points(text, "run/special.toml", two_modes());
+    ADD_FAILURE() << "the second point is missing";
+  } catch (const InputError& error) {
+    EXPECT_NE(std::string(error.what()).find("have been changed"), std::string::npos);
+  }
+  EXPECT_NE(complaint("\"closed\"", "\"touching\"").find("no stop is closed in it"),
+            std::string::npos);
+}
+
 }  // namespace
 }  // namespace graze
