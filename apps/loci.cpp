@@ -25,8 +25,7 @@ namespace {
 
 std::vector<OrbitLocusKind> kinds_of(const std::vector<std::string>& labels) {
   std::vector<OrbitLocusKind> kinds;
-  for (const OrbitLocusKind kind : {OrbitLocusKind::kFold, OrbitLocusKind::kPeriodDoubling,
-                                    OrbitLocusKind::kTorus, OrbitLocusKind::kGrazing})
+  for (const OrbitLocusKind kind : kOrbitLocusKinds)
     for (const std::string& label : labels)
       if (label == label_of(kind) || label == "all") {
         kinds.push_back(kind);
@@ -157,7 +156,8 @@ int run_loci(const Command& command) {
                    special_orbits(record.traced))};
   if (command.regions > 0) {
     record.regions = regions_of(command, scene, options);
-    if (options.kinds.size() == 4) record.borders = region_borders(*record.regions, record.traced);
+    if (options.kinds.size() == kOrbitLocusKinds.size())
+      record.borders = region_borders(*record.regions, record.traced);
     record.outcome = regions_outcome(*record.regions, record.outcome);
     tables.emplace_back("regions.csv", regions_csv(*record.regions));
   }

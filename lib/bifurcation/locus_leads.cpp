@@ -3,7 +3,6 @@
 #include <cmath>
 #include <utility>
 
-#include "graze/base/angle.hpp"
 #include "graze/bifurcation/canonical_pattern.hpp"
 #include "graze/bifurcation/locus_margins.hpp"
 #include "graze/flow/transition.hpp"
@@ -16,12 +15,10 @@ namespace {
 constexpr double kVanishing = 1e-9;
 
 TouchingOrbit orbit_at(const OrbitLocus& locus, const OrbitLocusPoint& at) {
-  TouchingOrbit orbit{{locus.pattern.period, {}}, {}, 0};
-  for (const OrbitImpact& impact : at.impacts) {
-    orbit.pattern.stops.push_back(impact.stop);
-    orbit.impacts.push_back({impact.phase + kTurn * impact.period_index, impact.before});
-  }
-  return orbit;
+  Orbit orbit;
+  orbit.period = locus.pattern.period;
+  orbit.impacts = at.impacts;
+  return {orbit.pattern(), orbit.points(), 0};
 }
 
 // Of every impact, m/s, whichever way it goes.
@@ -59,7 +56,7 @@ std::vector<OrbitLocusKind> others_at(OrbitLocusKind kind, const std::string& la
   if (label == "R2") return {kind == Kind::kTorus ? Kind::kPeriodDoubling : Kind::kTorus};
   if (label == "NSNS") return {Kind::kTorus};
   std::vector<Kind> others;
-  for (const Kind other : {Kind::kFold, Kind::kPeriodDoubling, Kind::kTorus, Kind::kGrazing})
+  for (const Kind other : kOrbitLocusKinds)
     if (other != kind && label.size() == 4 && label.find(label_of(other)) != std::string::npos)
       others.push_back(other);
   return others;

@@ -18,6 +18,10 @@ enum class OrbitLocusKind {
   kGrazing          // GR: an approach touches a stop, or an impact speed vanishes
 };
 
+inline constexpr std::array<OrbitLocusKind, 4> kOrbitLocusKinds = {
+    OrbitLocusKind::kFold, OrbitLocusKind::kPeriodDoubling, OrbitLocusKind::kTorus,
+    OrbitLocusKind::kGrazing};
+
 // "LP", "PD", "NS", "GR".
 const char* label_of(OrbitLocusKind kind);
 

@@ -4,7 +4,6 @@
 #include <iterator>
 #include <utility>
 
-#include "graze/base/angle.hpp"
 #include "graze/bifurcation/special_names.hpp"
 
 namespace graze {
@@ -35,19 +34,10 @@ std::optional<SpecialOrbit::Sticking> sticking_part(const OrbitBranch& branch,
                                 orbit.sticking->closure_speed};
 }
 
-// Time order, as of the impacts of an orbit.
-std::vector<ImpactPoint> points_of(const std::vector<OrbitImpact>& impacts) {
-  std::vector<ImpactPoint> points;
-  for (const OrbitImpact& impact : impacts)
-    points.push_back({impact.phase + kTurn * impact.period_index, impact.before});
-  return points;
-}
-
 std::optional<OrbitLocusKind> locus_of(const SpecialOrbit& special) {
   if (special.locus) return special.locus;
   if (special.sticking || special.by_push) return {};
-  for (const OrbitLocusKind kind : {OrbitLocusKind::kFold, OrbitLocusKind::kPeriodDoubling,
-                                    OrbitLocusKind::kTorus, OrbitLocusKind::kGrazing})
+  for (const OrbitLocusKind kind : kOrbitLocusKinds)
     if (special.label == label_of(kind)) return kind;
   return {};
 }
@@ -89,9 +79,11 @@ std::vector<SpecialOrbit> special_orbits(const OrbitLoci& traced) {
       one.id = special.id;
       one.label = special.label;
       one.values = {special.at.value, special.at.second};
-      one.pattern.period = locus.pattern.period;
-      for (const OrbitImpact& impact : special.at.impacts) one.pattern.stops.push_back(impact.stop);
-      one.impacts = points_of(special.at.impacts);
+      Orbit orbit;
+      orbit.period = locus.pattern.period;
+      orbit.impacts = special.at.impacts;
+      one.pattern = orbit.pattern();
+      one.impacts = orbit.points();
       one.multiplier = std::polar(1.0, special.at.angle);
       one.locus = locus.kind;
       one.by_speed = locus.kind == OrbitLocusKind::kGrazing;

@@ -30,10 +30,6 @@ constexpr std::array<SpecialKind, 7> kKinds = {
     SpecialKind::kFold,        SpecialKind::kPeriodDoubling, SpecialKind::kTorus,
     SpecialKind::kBranchPoint, SpecialKind::kGrazing,        SpecialKind::kChatterCompletes,
     SpecialKind::kLiftOff};
-constexpr std::array<OrbitLocusKind, 4> kLoci = {OrbitLocusKind::kFold,
-                                                 OrbitLocusKind::kPeriodDoubling,
-                                                 OrbitLocusKind::kTorus, OrbitLocusKind::kGrazing};
-
 // The impacts, one list of each quantity: phases, and the states one after the other.
 void write_impacts(StateLines& lines, const std::string& prefix,
                    const std::vector<ImpactPoint>& impacts) {
@@ -117,7 +113,7 @@ void read_names(const StateTable& table, SpecialOrbit& point) {
   point.label = table.word("label");
   if (table.find("locus")) {
     const std::string name = table.word("locus");
-    for (const OrbitLocusKind kind : kLoci)
+    for (const OrbitLocusKind kind : kOrbitLocusKinds)
       if (name == label_of(kind)) point.locus = kind;
     if (!point.locus) table.fail("locus", fmt::format("there is no locus called {}", quoted(name)));
     return;
@@ -193,12 +189,9 @@ std::string write_special_points(const SpecialPoints& special) {
   lines.count("graze_special", kFormat);
   lines.word("version", special.version);
   lines.word("scene_sha256", special.scene_sha256);
-  std::string points;
-  {
-    StateLines body;
-    for (const SpecialOrbit& point : special.points) write_point(body, point);
-    points = body.take();
-  }
+  StateLines body;
+  for (const SpecialOrbit& point : special.points) write_point(body, point);
+  const std::string points = body.take();
   lines.word("points_sha256", sha256(points));
   lines.text("parameters", listed(special.parameters,
                                   [](const std::string& name) { return graze::quoted(name); }));

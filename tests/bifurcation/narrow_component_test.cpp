@@ -11,11 +11,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <complex>
-#include <numbers>
 
 #include "graze/bifurcation/orbit_branches.hpp"
 #include "graze/scene/reader.hpp"
+#include "impacting_oscillator.hpp"
 
 namespace graze {
 namespace {
@@ -63,7 +62,7 @@ TEST(NarrowComponents, NothingIsTracedAcrossTheGapWithoutSolutions) {
       EXPECT_FALSE(point.value > 30.835599 + 1e-6 && point.value < 30.854859 - 1e-6);
 }
 
-using Real = long double;
+using support::Real;
 
 // An oscillator of unit mass and frequency under a unit force.
 struct Oscillator {
@@ -71,17 +70,7 @@ struct Oscillator {
 
   // |kappa| - gap
   Real excess(Real frequency) const {
-    using Complex = std::complex<Real>;
-    const Real period = 2 * std::numbers::pi_v<Real> / frequency;
-    const Real root = std::sqrt(1 - ratio * ratio), decay = std::exp(-ratio * period);
-    const Real c = decay * std::cos(root * period), s = decay * std::sin(root * period) / root;
-    // E = [c + ratio s, s; -s, c - ratio s]; E J has its second column times -r.
-    const Real e11 = c + ratio * s, e12 = s, e21 = -s, e22 = c - ratio * s;
-    const Complex q = Real(1) / Complex(1 - frequency * frequency, 2 * ratio * frequency);
-    const Complex v = Complex(0, frequency) * q;
-    const Complex right1 = (1 - e11) * q - e12 * v, right2 = -e21 * q + (1 - e22) * v;
-    const Real m11 = 1 - e11, m12 = restitution * e12, m21 = -e21, m22 = 1 + restitution * e22;
-    return std::abs((m22 * right1 - m12 * right2) / (m11 * m22 - m12 * m21)) - gap;
+    return std::abs(support::impact_response(ratio, restitution, frequency).kappa) - gap;
   }
 
   std::vector<double> folds(Real from, Real to, int samples) const {

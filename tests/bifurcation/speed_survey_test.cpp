@@ -8,14 +8,14 @@
 
 #include <cmath>
 #include <complex>
-#include <numbers>
 
 #include "branch_checks.hpp"
+#include "impacting_oscillator.hpp"
 
 namespace graze {
 namespace {
 
-using Real = long double;
+using support::Real;
 
 // Unit mass, frequency and force; its stop at `gap`.
 struct Oscillator {
@@ -23,20 +23,9 @@ struct Oscillator {
 
   // Impact speeds at a constant r, or nothing: NaN.
   std::array<Real, 2> speeds(Real frequency, Real r) const {
-    using Complex = std::complex<Real>;
-    const Real period = 2 * std::numbers::pi_v<Real> / frequency;
-    const Real root = std::sqrt(1 - ratio * ratio), decay = std::exp(-ratio * period);
-    const Real c = decay * std::cos(root * period), s = decay * std::sin(root * period) / root;
-    const Real e11 = c + ratio * s, e12 = s, e21 = -s, e22 = c - ratio * s;
-    const Complex q = Real(1) / Complex(1 - frequency * frequency, 2 * ratio * frequency);
-    const Complex v = Complex(0, frequency) * q;
-    const Complex right1 = (1 - e11) * q - e12 * v, right2 = -e21 * q + (1 - e22) * v;
-    const Real m11 = 1 - e11, m12 = r * e12, m21 = -e21, m22 = 1 + r * e22;
-    const Real determinant = m11 * m22 - m12 * m21;
-    const Complex kappa = (m22 * right1 - m12 * right2) / determinant;
-    const Complex speed = (m11 * right2 - m21 * right1) / determinant;
+    const auto [kappa, speed] = support::impact_response(ratio, r, frequency);
     const Real half = std::acos(gap / std::abs(kappa));
-    const auto at = [&](Real side) {
+    const auto at = [&, kappa = kappa, speed = speed](Real side) {
       return (speed * std::polar(Real(1), side - std::arg(kappa))).real();
     };
     return {at(half), at(-half)};
