@@ -52,11 +52,15 @@ constexpr int kMostDivisions = 1000;
 // counts factors of e far out and units near zero, a piece that holds no unseen crossing changes by
 // less than this.
 constexpr double kLargestChange = 0.5;
+// The others stay where they are, to a part of this inverse, while the large one is this many times
+// as far out as all of them on the circle would add up to: what it does there hides no crossing.
+constexpr double kFarOut = 16.0;
 
 double trace_scale(const std::vector<Eigenvalue>& multipliers) {
   double trace = 0.0;
   for (const Eigenvalue& m : multipliers) trace += m.value.real();
-  return std::asinh(trace);
+  const double most = kFarOut * static_cast<double>(multipliers.size());
+  return std::asinh(std::clamp(trace, -most, most));
 }
 
 // The part of a piece, whose ends lie at these values of the scale, after which half of the change

@@ -108,6 +108,9 @@ class LocusTracer {
     curve_.tests = [this](const BranchPoint& from, const BranchPoint& at) {
       return tests(from, at);
     };
+    curve_.test = [this](const BranchPoint& from, const BranchPoint& at, Eigen::Index k) {
+      return test(from, at, k);
+    };
     curve_.resolves = [this](const BranchPoint& from, const BranchPoint& to) {
       return equations_.turn(from, to) <= kMostBorderTurn &&
              (!options_.resolves || options_.resolves(unpack(from), unpack(to)));
@@ -127,6 +130,13 @@ class LocusTracer {
     Vector all(own->size() + further->size());
     all << *own, *further;
     return all;
+  }
+
+  std::optional<double> test(const BranchPoint& from, const BranchPoint& at, Eigen::Index k) {
+    const auto own = static_cast<Eigen::Index>(test_kinds().size());
+    const std::optional<Vector> values = k < own ? own_tests(from, at) : options_.tests(unpack(at));
+    if (!values) return {};
+    return (*values)[k < own ? k : k - own];
   }
 
   std::optional<Vector> own_tests(const BranchPoint& from, const BranchPoint& at) {

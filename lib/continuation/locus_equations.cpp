@@ -16,6 +16,9 @@ constexpr std::size_t kRecent = 16;
 // A branch point is interpolated over a step of kShortest (1e-6), and misses the branch by less.
 constexpr double kOnLocus = 1e-7;
 
+// Points that are asked for their distance as one, by the box around them.
+constexpr std::size_t kBlock = 32;
+
 std::vector<Eigenvalue>::iterator nearest_to(std::vector<Eigenvalue>& list, const Complex& value) {
   return std::min_element(list.begin(), list.end(), [&](const Eigenvalue& a, const Eigenvalue& b) {
     return std::abs(a.value - value) < std::abs(b.value - value);
@@ -69,20 +72,60 @@ std::optional<PlaneEvaluation> LocusEquations::evaluate_plane(const Vector& y, d
 }
 
 const Borders& LocusEquations::borders_near(const Vector& y, double second) const {
-  const Eigen::Index n = size_of(y);
-  const Anchor* nearest = &anchors_.front();
-  double least = std::numeric_limits<double>::infinity();
-  // From the last one: where a locus comes by again the points traced last are meant.
-  for (auto anchor = anchors_.rbegin(); anchor != anchors_.rend(); ++anchor) {
-    const double across = (anchor->second - second) / second_range_, along = anchor->y[n] - y[n];
-    // Most are far away in the plane already.
-    if (!(across * across + along * along < least)) continue;
-    const double distance = across * across + (anchor->y - y).squaredNorm();
-    if (!(distance < least)) continue;
-    least = distance;
-    nearest = &*anchor;
+  const double across = second / second_range_;
+  const auto distance = [&](const Anchor& anchor) {
+    return std::pow(anchor.second / second_range_ - across, 2) + (anchor.y - y).squaredNorm();
+  };
+  // The nearest box says how near the others have to be.
+  std::vector<double> to_box(blocks_.size());
+  std::size_t start = 0;
+  for (std::size_t block = 0; block < blocks_.size(); ++block) {
+    to_box[block] = blocks_[block].squared_distance(y, across);
+    if (to_box[block] <= to_box[start]) start = block;
   }
+  const Anchor* nearest = nullptr;
+  double least = std::numeric_limits<double>::infinity();
+  const auto search = [&](std::size_t block) {
+    const std::size_t first = block * kBlock;
+    // From the last one: where a locus comes by again the points traced last are meant.
+    for (std::size_t i = std::min(anchors_.size(), first + kBlock); i-- > first;) {
+      const double here = distance(anchors_[i]);
+      if (nearest && !(here < least)) continue;
+      least = here;
+      nearest = &anchors_[i];
+    }
+  };
+  search(start);
+  for (std::size_t block = blocks_.size(); block-- > 0;)
+    if (block != start && to_box[block] < least) search(block);
   return nearest->borders;
+}
+
+void LocusEquations::Block::add(const Vector& y, double across) {
+  if (low.size() == 0) {
+    low = high = y;
+    low_across = high_across = across;
+  }
+  low = low.cwiseMin(y);
+  high = high.cwiseMax(y);
+  low_across = std::min(low_across, across);
+  high_across = std::max(high_across, across);
+}
+
+double LocusEquations::Block::squared_distance(const Vector& y, double across) const {
+  const double beside = std::max({low_across - across, across - high_across, 0.0});
+  return beside * beside + (low - y).cwiseMax(y - high).cwiseMax(0.0).squaredNorm();
+}
+
+void LocusEquations::add_anchor(Anchor anchor) {
+  if (anchors_.size() % kBlock == 0) blocks_.emplace_back();
+  blocks_.back().add(anchor.y, anchor.second / second_range_);
+  anchors_.push_back(std::move(anchor));
+}
+
+void LocusEquations::forget_anchors() {
+  anchors_.clear();
+  blocks_.clear();
 }
 
 void LocusEquations::remember(const Vector& y, double second, Borders borders) {
@@ -100,18 +143,20 @@ bool LocusEquations::start_at(const Vector& y, double second) {
   const Complex mu = multiplier_of(y);
   const double size = size_of_entries(*at);
   if (!(size > 0.0)) return false;
-  anchors_.clear();
+  forget_anchors();
   recent_.clear();
   oldest_ = 0;
-  anchors_.push_back({y, second,
-                      is_torus() ? first_borders<Complex>(critical_matrix(*at, mu), size)
-                                 : first_borders<double>(critical_matrix(*at, mu.real()), size)});
+  add_anchor({y, second,
+              is_torus() ? first_borders<Complex>(critical_matrix(*at, mu), size)
+                         : first_borders<double>(critical_matrix(*at, mu.real()), size)});
   return anchors_.front().borders.left.allFinite() && anchors_.front().borders.right.allFinite();
 }
 
 void LocusEquations::start_at(const BranchPoint& point) {
   add(point);
-  anchors_.erase(anchors_.begin(), anchors_.end() - 1);
+  Anchor here = std::move(anchors_.back());
+  forget_anchors();
+  add_anchor(std::move(here));
 }
 
 void LocusEquations::add(const BranchPoint& point) {
@@ -123,7 +168,7 @@ void LocusEquations::add(const BranchPoint& point) {
     if (!evaluate(point.u, point.parameter)) return;
     found = std::find_if(recent_.begin(), recent_.end(), is_here);
   }
-  anchors_.push_back(*found);
+  add_anchor(*found);
 }
 
 double LocusEquations::turn(const BranchPoint& from, const BranchPoint& to) const {

@@ -73,6 +73,13 @@ class LocusEquations {
     double second = 0.0;
     Borders borders;
   };
+  // The box around neighbouring anchors, in the metric of the locus.
+  struct Block {
+    Vector low, high;
+    double low_across = 0.0, high_across = 0.0;
+    void add(const Vector& y, double across);
+    double squared_distance(const Vector& y, double across) const;
+  };
   struct TestRows {
     Vector value;     // 1 or 2
     Matrix slope;     // by (u, p, q), 1 or 2 x (n + 2)
@@ -82,6 +89,8 @@ class LocusEquations {
   bool is_torus() const { return kind_ == LocusKind::kTorus; }
   std::optional<PlaneEvaluation> evaluate_plane(const Vector& y, double second);
   const Borders& borders_near(const Vector& y, double second) const;
+  void add_anchor(Anchor anchor);
+  void forget_anchors();
   void remember(const Vector& y, double second, Borders borders);
   std::optional<TestRows> real_rows(const PlaneEvaluation& at, const Vector& y, double second);
   std::optional<TestRows> torus_rows(const PlaneEvaluation& at, const Vector& y, double second);
@@ -90,6 +99,7 @@ class LocusEquations {
   LocusKind kind_;
   double range_, second_range_;
   std::vector<Anchor> anchors_;
+  std::vector<Block> blocks_;  // of the anchors, in their order
   // Borders that suit where F was evaluated last: one of these becomes a point.
   std::vector<Anchor> recent_;
   std::size_t oldest_ = 0;

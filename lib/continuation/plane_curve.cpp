@@ -121,6 +121,7 @@ class TestZeroSearch {
   double value(std::size_t i, Eigen::Index k) const { return (*values_[i])[k]; }
 
   std::optional<double> test(std::size_t i, Eigen::Index k, const BranchPoint& at) const {
+    if (problem_.test) return problem_.test(points_[i], at, k);
     const std::optional<Vector> values = problem_.tests(points_[i], at);
     return values && k < values->size() ? std::optional((*values)[k]) : std::nullopt;
   }

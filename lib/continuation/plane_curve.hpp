@@ -23,6 +23,10 @@ struct PlaneCurveProblem {
   // is the same, and of a sign that does not depend on it. Nothing where there are none. Empty
   // function: nothing is looked for.
   std::function<std::optional<Vector>(const BranchPoint& from, const BranchPoint& at)> tests{};
+  // The k-th of them alone. Empty: all are taken.
+  std::function<std::optional<double>(const BranchPoint& from, const BranchPoint& at,
+                                      Eigen::Index k)>
+      test{};
   // As in ContinuationOptions.
   std::function<bool(const BranchPoint& from, const BranchPoint& to)> resolves{};
   // Told every new point of the curve and the one before it; false ends the curve there. Empty: go
