@@ -157,6 +157,7 @@ std::optional<BranchPoint> CircleCrossings::add_meeting(const BranchPoint& a,
   });
   if (!point) return {};
   point->multipliers = multipliers_of(*point);
+  if (point->multipliers.empty()) return {};
   const auto nearest = std::min_element(point->multipliers.begin(), point->multipliers.end(),
                                         [](const auto& m, const auto& n) {
                                           return std::abs(m.value + 1.0) < std::abs(n.value + 1.0);
@@ -166,12 +167,15 @@ std::optional<BranchPoint> CircleCrossings::add_meeting(const BranchPoint& a,
   return point;
 }
 
-// The point of the branch s ahead of another one, between a and b, its multipliers with it.
+// The point of the branch s ahead of another one, between a and b, its multipliers with it; nothing
+// where these cannot be computed.
 std::optional<BranchPoint> CircleCrossings::known_between(const BranchPoint& from, double s,
                                                           const BranchPoint& a,
                                                           const BranchPoint& b) {
   std::optional<BranchPoint> point = point_between(corrector_, from, s, a, b);
-  if (point) point->multipliers = multipliers_of(*point, ErrorBounds::kLeftOut);
+  if (!point) return {};
+  point->multipliers = multipliers_of(*point, ErrorBounds::kLeftOut);
+  if (point->multipliers.size() != a.multipliers.size()) return {};
   return point;
 }
 

@@ -179,6 +179,21 @@ TEST(SpecialPoints, SearchThroughNoiseIsBounded) {
   EXPECT_LT(asked, allowed + 200) << "the location at hand, and no more";
 }
 
+// Two multipliers enter the circle within one step, between whose ends none can be computed.
+TEST(SpecialPoints, WhatCannotBeComputedIsNotLookedInto) {
+  ZeroProblem problem = support::straight_line();
+  problem.multipliers = [&](const Vector&, double p, ErrorBounds errors) {
+    if (errors == ErrorBounds::kLeftOut) return std::vector<Eigenvalue>();
+    return std::vector<Eigenvalue>{{Complex(-1.5 + p, 0.0), 1e-15},
+                                   {Complex(1.5001 - p, 0.0), 1e-15}};
+  };
+  ContinuationOptions options = range(0.0, 1.0);
+  options.max_step = 0.25;
+  const Branch branch = traced(problem, options, 0.0, 0.0);
+  EXPECT_EQ(branch.ends[1], BranchEnd::kParameterLimit);
+  EXPECT_TRUE(branch.critical.empty());
+}
+
 TEST(SpecialPoints, DelayedLogisticMapHasItsTorus) {
   const ContinuationOptions options = range(1.2, 2.4);
   const Branch branch =
