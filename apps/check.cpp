@@ -8,6 +8,7 @@
 #include "graze/report/json.hpp"
 #include "graze/report/text.hpp"
 #include "graze/scene/reader.hpp"
+#include "graze/study/step_choice.hpp"
 #include "session.hpp"
 
 namespace graze {
@@ -36,11 +37,13 @@ int run_check(const Command& command) {
                      collocation_condition(scene),
                      {},
                      {},
+                     {},
                      {"checked", ""}};
   // Throws where the motion would start beyond a stop.
   const State start = initial_state(scene, record.system);
   if (!scene.stops.empty())
     record.closure_speed = default_closure_speed(record.system, start, scene.solver.tolerance);
+  record.steps = step_choice(scene, record.system, start);
   record.warnings = system_warnings(scene, record.system);
   for (const std::string& warning : unstable_stops(record.system))
     record.warnings.push_back(warning);

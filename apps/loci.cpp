@@ -16,6 +16,7 @@
 #include "graze/report/text.hpp"
 #include "graze/scene/parameter.hpp"
 #include "graze/scene/reader.hpp"
+#include "graze/study/step_choice.hpp"
 #include "restart.hpp"
 #include "search_options.hpp"
 #include "session.hpp"
@@ -125,6 +126,7 @@ StableRegions regions_of(const Command& command, const Scene& scene, const LociO
 int run_loci(const Command& command) {
   if (!command.plot.empty()) check_picture_name(command.plot);
   const Scene given = read_scene(command.scene, command.settings);
+  require_exact_flow(given, "loci are traced");
   const std::optional<Restart> restart = read_restart(command, given);
   const Scene& scene = restart ? restart->scene : given;
   require_forcing_and_stop(scene);

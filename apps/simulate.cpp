@@ -10,6 +10,7 @@
 #include "graze/report/pictures.hpp"
 #include "graze/report/text.hpp"
 #include "graze/scene/reader.hpp"
+#include "graze/study/step_choice.hpp"
 #include "resumption.hpp"
 #include "run_output.hpp"
 #include "session.hpp"
@@ -97,6 +98,7 @@ int run_simulate(const Command& command) {
   record.system = assemble(scene);
   const State start = initial_state(scene, record.system);
   SimulationOptions options = simulation_options(command, scene);
+  options.steps = step_choice(scene, record.system, start);
   std::optional<CutRun> cut;
   if (!command.resume.empty()) {
     cut = read_cut_run(command, record.system, record.info);

@@ -19,6 +19,8 @@
 
 #include "graze/flow/arc_curve.hpp"
 #include "graze/flow/coupled_flow.hpp"
+#include "graze/flow/step_flow.hpp"
+#include "graze/flow/step_setting.hpp"
 
 namespace graze {
 
@@ -28,8 +30,10 @@ using RealMatrix = Eigen::Matrix<Real, Eigen::Dynamic, Eigen::Dynamic>;
 template <class Real>
 class ContactPhase {
  public:
-  // `closed`: indices of stops with linearly independent rows.
-  ContactPhase(const System& system, const std::vector<int>& closed);
+  // `closed`: indices of stops with linearly independent rows. `steps`: the motion is integrated
+  // step by step (double only); absent: it is exact.
+  ContactPhase(const System& system, const std::vector<int>& closed,
+               const std::optional<StepSetting>& steps = {});
   ContactPhase(const ContactPhase&) = delete;  // the arc refers to the flow beside it
   ContactPhase& operator=(const ContactPhase&) = delete;
 
@@ -48,10 +52,16 @@ class ContactPhase {
   ArcCurve<Real> gap(int stop, const Real& window, bool from_zero) const;
   // The contact force of a closed stop, N (in units of the modal mass).
   ArcCurve<Real> force(int stop, const Real& window) const;
+  // The flow that steps along, if one does, and what it watches for at a stop that is open or
+  // closed: the curve is the exact one at the start of the arc.
+  StepFlow* step_flow() const { return step_flow_.get(); }
+  const Watch& watch(int stop, int multiplicity);
   // The force now, at forcing phase theta.
   Real force_at(int stop, const Real& theta, const RealVector<Real>& q,
                 const RealVector<Real>& qdot) const;
 
+  // Forcing phase at the start of the arc, rad.
+  Real start_phase() const;
   // The reduced motion, for what integrates over it.
   bool has_real_modes() const { return !coupled_flow_; }
   const Arc<Real>& arc() const { return *arc_; }
@@ -75,6 +85,9 @@ class ContactPhase {
   ArcCurve<Real> curve(const Observable<Real>& observable, const Real& window,
                        bool from_zero) const;
   RealVector<Real> reduced_coordinates(const RealVector<Real>& q) const;
+  void step_by(const StepSetting& setting);
+  void start_steps(double theta, const Vector& q, const Vector& qdot);
+  void step_state(double s, Vector& q, Vector& qdot) const;
 
   std::vector<int> closed_;
   std::string refusal_;
@@ -87,6 +100,9 @@ class ContactPhase {
   std::optional<Arc<Real>> arc_;
   std::unique_ptr<CoupledFlow> coupled_flow_;
   std::optional<CoupledArc> coupled_arc_;
+  std::unique_ptr<StepFlow> step_flow_;
+  Vector step_scale_;           // of the displacements, beside it
+  std::vector<Watch> watches_;  // of every stop, beside it
 };
 
 }  // namespace graze

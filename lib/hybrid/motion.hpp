@@ -41,9 +41,11 @@ template <class Real>
 struct Arrival {
   ArrivalKind kind = ArrivalKind::kTime;
   int stop = -1;
-  Real flight = 0;      // s, length of the arc
-  Real speed = 0;       // m/s, approach speed at a contact
-  int evaluations = 0;  // of gaps and contact forces, in search of the event
+  Real flight = 0;            // s, length of the arc
+  Real speed = 0;             // m/s, approach speed at a contact
+  long long evaluations = 0;  // of gaps and contact forces, in search of the event
+  // Least of these at the ends of the steps of a motion that is integrated step by step.
+  std::optional<Real> lowest{};
 };
 
 // How a stop stands to the structure at one instant.
@@ -89,10 +91,12 @@ template <class Real>
 class Motion {
  public:
   // Keeps a copy of `system`. Starts at `instant` with the given state; a stop whose gap is
-  // zero within rounding counts as touched.
+  // zero within rounding counts as touched. `steps`: the motion between events is integrated step
+  // by step, and events are looked for at the ends of the steps.
   Motion(const System& system, const Instant<Real>& instant, const RealVector<Real>& q,
-         const RealVector<Real>& qdot);
-  Motion(const System& system, const MotionState<Real>& state);
+         const RealVector<Real>& qdot, const std::optional<StepSetting>& steps = {});
+  Motion(const System& system, const MotionState<Real>& state,
+         const std::optional<StepSetting>& steps = {});
   Motion(const Motion&) = delete;
   Motion& operator=(const Motion&) = delete;
 
@@ -128,6 +132,8 @@ class Motion {
   bool is_closed(int stop) const { return contact(stop) == Contact::kClosed; }
   bool is_closed_anywhere() const;
   const std::string& refusal() const { return refusal_; }
+  // Of the right-hand side of the equations of motion, by a motion integrated step by step.
+  long long step_evaluations() const;
   // The clock: forcing period and phase.
   const ExactFlow<Real>& flow() const { return clock_; }
   // The phase and arc flown last, from its own start.
@@ -216,11 +222,13 @@ class Motion {
   std::pair<RealVector<Real>, RealVector<Real>> at_rest_on(const std::vector<int>& stops) const;
   ClosedChatter<Real> settled(const std::vector<int>& stops, const Real& duration);
   Arrival<Real> search(const Real& until, const Real& horizon);
+  void search_by_steps(ContactPhase<Real>& phase, Arrival<Real>& arrival);
   Arrival<Real> arrive(Arrival<Real> arrival, const Real& until);
   void settle_on(int stop);
   void touch_simultaneous(const Real& flight);
 
   const System system_;
+  const std::optional<StepSetting> steps_;
   ExactFlow<Real> clock_;
   LinearSystem<Real> linear_;
   std::vector<Stop> stops_;

@@ -32,8 +32,8 @@ inline bool precedes(const RigidStop& a, const RigidStop& b) {
 
 template <class Real>
 Motion<Real>::Motion(const System& system, const Instant<Real>& instant, const RealVector<Real>& q,
-                     const RealVector<Real>& qdot)
-    : system_(system), clock_(system), linear_(linear_system<Real>(system)) {
+                     const RealVector<Real>& qdot, const std::optional<StepSetting>& steps)
+    : system_(system), steps_(steps), clock_(system), linear_(linear_system<Real>(system)) {
   adopt(system);
   now_ = {instant, q, qdot, std::vector<Contact>(stops_.size(), Contact::kClear),
           std::vector<int>(stops_.size(), 0)};
@@ -42,8 +42,13 @@ Motion<Real>::Motion(const System& system, const Instant<Real>& instant, const R
 }
 
 template <class Real>
-Motion<Real>::Motion(const System& system, const MotionState<Real>& state)
-    : system_(system), clock_(system), linear_(linear_system<Real>(system)), now_(state) {
+Motion<Real>::Motion(const System& system, const MotionState<Real>& state,
+                     const std::optional<StepSetting>& steps)
+    : system_(system),
+      steps_(steps),
+      clock_(system),
+      linear_(linear_system<Real>(system)),
+      now_(state) {
   adopt(system);
   undecided_ = std::any_of(now_.contacts.begin(), now_.contacts.end(),
                            [](Contact c) { return c == Contact::kTouching; });
@@ -93,7 +98,7 @@ bool Motion<Real>::is_closed_anywhere() const {
 template <class Real>
 ContactPhase<Real>& Motion<Real>::phase_of(const std::vector<int>& closed) {
   std::unique_ptr<ContactPhase<Real>>& phase = phases_[closed];
-  if (!phase) phase = std::make_unique<ContactPhase<Real>>(system_, closed);
+  if (!phase) phase = std::make_unique<ContactPhase<Real>>(system_, closed, steps_);
   return *phase;
 }
 
@@ -158,8 +163,12 @@ Arrival<Real> Motion<Real>::search(const Real& until, const Real& horizon) {
   }
   Arrival<Real> arrival;
   arrival.flight = std::min<Real>(horizon - now_.instant.local, phase.longest_flight());
+  if (steps_) {
+    search_by_steps(phase, arrival);
+    if (arrival.kind == ArrivalKind::kNotFinite) return arrival;
+  }
   for (const int i : order_) {
-    if (contact(i) == Contact::kLocked) continue;
+    if (steps_ || contact(i) == Contact::kLocked) continue;
     const bool is_closed = contact(i) == Contact::kClosed;
     const int multiplicity = now_.multiplicities[static_cast<std::size_t>(i)];
     const FirstZero<Real> zero =
@@ -177,8 +186,46 @@ Arrival<Real> Motion<Real>::search(const Real& until, const Real& horizon) {
     if (arrival.kind == ArrivalKind::kNotFinite) return arrival;
   }
   if (arrival.flight > until - now_.instant.local)
-    return {ArrivalKind::kTime, -1, until - now_.instant.local, Real(0), arrival.evaluations};
+    return {ArrivalKind::kTime, -1, until - now_.instant.local, Real(0), arrival.evaluations,
+            arrival.lowest};
   return arrival;
+}
+
+// The same by the signs at the ends of steps. A stop that the structure cannot leave is touched at
+// once.
+template <class Real>
+void Motion<Real>::search_by_steps(ContactPhase<Real>& phase, Arrival<Real>& arrival) {
+  if constexpr (std::is_same_v<Real, double>) {
+    std::vector<const Watch*> watches;
+    std::vector<int> stops;
+    for (const int i : order_) {
+      if (contact(i) == Contact::kLocked) continue;
+      const Watch& watch = phase.watch(i, now_.multiplicities[static_cast<std::size_t>(i)]);
+      if (watch.multiplicity > 0 && !(watch.departure > 0.0)) {
+        arrival = {ArrivalKind::kTouch, i, 0.0, 0.0, 0, {}};
+        return;
+      }
+      watches.push_back(&watch);
+      stops.push_back(i);
+    }
+    const StepDescent found = phase.step_flow()->first_descent(watches, arrival.flight);
+    arrival.evaluations = found.values;
+    arrival.lowest = found.lowest;
+    arrival.flight = found.s;
+    if (!found.finite) arrival.kind = ArrivalKind::kNotFinite;
+    if (found.watch < 0 || !found.finite) return;
+    arrival.stop = stops[static_cast<std::size_t>(found.watch)];
+    const bool is_closed = contact(arrival.stop) == Contact::kClosed;
+    arrival.kind = is_closed ? ArrivalKind::kRelease : ArrivalKind::kContact;
+  }
+}
+
+template <class Real>
+long long Motion<Real>::step_evaluations() const {
+  long long sum = 0;
+  for (const auto& [closed, phase] : phases_)
+    if (phase->step_flow() != nullptr) sum += phase->step_flow()->evaluations();
+  return sum;
 }
 
 template <class Real>

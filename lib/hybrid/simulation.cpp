@@ -23,7 +23,7 @@ class Run {
       : system_(system),
         options_(options),
         listeners_(listeners),
-        motion_(system, state.motion),
+        motion_(system, state.motion, options.steps),
         longest_flight_(longest_flight(system)),
         state_(state) {
     set_end();
@@ -50,6 +50,7 @@ class Run {
       result_.forces.push_back(motion_.is_closed(i) && is_known ? motion_.force(i) : 0.0);
     }
     result_.totals = state_.totals;
+    if (options_.steps) result_.evaluations = motion_.step_evaluations();
     if (options_.energy) {
       state_.book.now = mechanical_energy(system_, last.q, last.qdot);
       result_.energy = state_.book;
@@ -94,9 +95,11 @@ class Run {
     if (flight.cut || listeners_.sample) cut_arc_ = state_;
     const double start_time = time();
     // Until the first contact the smallest gap is not known to be zero and has to be looked for.
-    if (state_.totals.impacts == 0 && !motion_.is_closed_anywhere())
-      note_minima(flight.until - start.local);
+    const bool untouched = state_.totals.impacts == 0 && !motion_.is_closed_anywhere();
+    if (untouched && !options_.steps) note_minima(flight.until - start.local);
     const Arrival<double> arrival = motion_.fly(flight.until, flight.horizon);
+    if (untouched && arrival.lowest) note_gap(std::max(*arrival.lowest, 0.0));
+    if (!options_.steps) result_.evaluations += arrival.evaluations;
     // A motion that cannot be followed has no samples, be it found out now or by an earlier run.
     if (arrival.kind == ArrivalKind::kRefused && arrival.flight == 0.0) return receive(arrival);
     if (!follow(start_time, arrival.flight)) {
@@ -317,7 +320,10 @@ class Run {
       phase.state(s, sample.state.q, sample.state.qdot);
       sample.forces.assign(system_.stops.size(), 0.0);
       for (const int i : phase.closed())
-        sample.forces[static_cast<std::size_t>(i)] = phase.force(i, flight).at(s, 0).value;
+        sample.forces[static_cast<std::size_t>(i)] =
+            options_.steps ? phase.force_at(i, phase.start_phase() + motion_.flow().frequency() * s,
+                                            sample.state.q, sample.state.qdot)
+                           : phase.force(i, flight).at(s, 0).value;
       if (options_.energy) {
         sample.energy = state_.book;
         sample.energy->work = state_.book.work + work_along(system_, phase, s);

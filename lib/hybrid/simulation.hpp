@@ -57,7 +57,8 @@ struct SimulationOptions {
   long long max_impacts = kDefaultImpactBudget;
   // Speed below which a chatter is summed, m/s; see default_closure_speed.
   std::optional<double> closure_speed;
-  bool energy = false;  // keep the energy book
+  bool energy = false;                 // keep the energy book
+  std::optional<StepSetting> steps{};  // integrate step by step; absent: the exact flow
   StopSignal stop;
 };
 
@@ -113,6 +114,8 @@ struct Simulation {
   std::vector<double> forces;  // contact forces at the end, N, one per stop
   RunTotals totals;
   std::optional<EnergyBook> energy;
+  // Of gaps and contact forces in search of events; with `steps` of the equations of motion.
+  long long evaluations = 0;
   RunState state;  // to go on from
 };
 

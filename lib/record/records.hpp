@@ -25,6 +25,7 @@ struct CheckRecord {
   System system;
   double collocation_condition = 0.0;   // 0: nothing collocates
   std::optional<double> closure_speed;  // the default of a simulation, m/s; absent without stops
+  std::optional<StepSetting> steps;     // of the flow that the scene asks for; absent: exact
   std::vector<std::string> warnings;
   Outcome outcome;
 };

@@ -36,7 +36,20 @@ std::string damping_text(const Scene& scene) {
   return "a ratio for each mode";
 }
 
-std::string simulated_effects(const Scene& scene) {
+std::string flow_text(const CheckRecord& record) {
+  if (!record.steps)
+    return "exact: every effect in this scene is linear between impacts, so motion and first "
+           "contact have closed forms";
+  const Solver& solver = record.scene.solver;
+  const std::string steps = solver.step
+                                ? fmt::format("steps of {:g} s", *solver.step)
+                                : fmt::format("steps by their error, {:g}", solver.tolerance);
+  return fmt::format("{}: {}; stable up to {:.6g} s; a contact shows at the ends of steps only",
+                     flow_name(solver.flow), steps, record.steps->longest);
+}
+
+std::string simulated_effects(const CheckRecord& record) {
+  const Scene& scene = record.scene;
   std::string text;
   const auto line = [&](const char* what, const std::string& how) {
     text += fmt::format("  {:<12} {}\n", what, how);
@@ -77,9 +90,7 @@ std::string simulated_effects(const Scene& scene) {
                      stop.impulse == Impulse::kMomentum ? "momentum" : "collocation"));
   }
   if (scene.stops.empty()) line("stop", "none: no contact is looked for");
-  line("flow",
-       "exact: every effect in this scene is linear between impacts, so motion and first "
-       "contact have closed forms");
+  line("flow", flow_text(record));
   return text;
 }
 
@@ -165,7 +176,7 @@ std::string holds_text(const std::vector<Orbit>& orbits) {
 }  // namespace
 
 std::string to_text(const CheckRecord& record) {
-  std::string text = title(record.scene) + "Simulated:\n" + simulated_effects(record.scene) + "\n";
+  std::string text = title(record.scene) + "Simulated:\n" + simulated_effects(record) + "\n";
   const System& system = record.system;
   Table modes({"mode", "frequency (rad/s)", "frequency (Hz)", "decay rate (1/s)", "damping ratio",
                "modal force (kg^1/2 m/s^2)"});

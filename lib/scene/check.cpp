@@ -279,6 +279,23 @@ void check_initial(const Scene& scene) {
   checker.entries("qdot", scene.initial->qdot, scene.modes(), true);
 }
 
+void check_solver(const Scene& scene) {
+  const Solver& solver = scene.solver;
+  const Checker checker(scene, "solver");
+  checker.require(solver.tolerance > 0.0 && solver.tolerance < 1.0, "tolerance", solver.tolerance,
+                  "a number between 0 and 1, both excluded");
+  const bool steps = solver.flow != FlowChoice::kAuto && solver.flow != FlowChoice::kExact;
+  if (!solver.step) {
+    if (solver.flow == FlowChoice::kRk4)
+      checker.fail("flow", "the flow \"rk4\" needs solver.step, the length of its steps in s");
+    return;
+  }
+  if (!steps)
+    checker.fail("step", fmt::format("the flow \"{}\" takes no steps, it must be left out",
+                                     flow_name(solver.flow)));
+  checker.positive("step", *solver.step);
+}
+
 }  // namespace
 
 void check_scene(const Scene& scene) {
@@ -288,10 +305,7 @@ void check_scene(const Scene& scene) {
   check_gravity(scene);
   check_stops(scene);
   check_initial(scene);
-  const double tolerance = scene.solver.tolerance;
-  Checker(scene, "solver")
-      .require(tolerance > 0.0 && tolerance < 1.0, "tolerance", tolerance,
-               "a number between 0 and 1, both excluded");
+  check_solver(scene);
 }
 
 std::vector<double> collocation_points(const Beam& beam) {

@@ -22,7 +22,7 @@ const std::vector<TableKeys>& all_keys() {
       {"gravity", {"acceleration"}, {}},
       {"stop", {"position", "shape", "gap", "side", "restitution", "impulse"}, {"spring"}},
       {"initial", {"q", "qdot"}, {"angle", "rate"}},
-      {"solver", {"flow", "tolerance"}, {"step"}},
+      {"solver", {"flow", "tolerance", "step"}, {}},
   };
   return keys;
 }

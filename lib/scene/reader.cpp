@@ -169,16 +169,13 @@ Initial read_initial(const Node& node, int modes, Origins& origins) {
 Solver read_solver(const Node& node, Origins& origins) {
   const TableReader table(node, "solver", origins);
   Solver solver;
-  const std::string flow = table.text_or("flow", "auto");
-  const std::vector<std::string> later = {"rk4", "dopri5"};
-  if (std::find(later.begin(), later.end(), flow) != later.end()) {
-    table.fail("flow", fmt::format("the flow {} is not available in this version, it must be "
-                                   "\"auto\" or \"exact\"",
-                                   quoted(flow)));
-  }
-  solver.flow = table.choice<FlowChoice>(
-      "flow", {{"auto", FlowChoice::kAuto}, {"exact", FlowChoice::kExact}});
+  std::vector<std::pair<std::string, FlowChoice>> flows;
+  for (const FlowChoice flow : {FlowChoice::kAuto, FlowChoice::kExact, FlowChoice::kRk4,
+                                FlowChoice::kDopri5, FlowChoice::kFehlberg78})
+    flows.emplace_back(flow_name(flow), flow);
+  solver.flow = table.choice<FlowChoice>("flow", flows);
   solver.tolerance = table.number_or("tolerance", "a number between 0 and 1", Solver().tolerance);
+  if (table.has("step")) solver.step = table.number("step", "a number in s");
   return solver;
 }
 

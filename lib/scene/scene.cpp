@@ -16,6 +16,22 @@ std::string canonical(const std::string& key) {
 
 }  // namespace
 
+std::string flow_name(FlowChoice flow) {
+  switch (flow) {
+    case FlowChoice::kAuto:
+      return "auto";
+    case FlowChoice::kExact:
+      return "exact";
+    case FlowChoice::kRk4:
+      return "rk4";
+    case FlowChoice::kDopri5:
+      return "dopri5";
+    case FlowChoice::kFehlberg78:
+      return "fehlberg78";
+  }
+  return "";
+}
+
 int Scene::modes() const {
   if (const Beam* has_beam = beam()) {
     return has_beam->modes;

@@ -18,7 +18,11 @@ enum class Projection { kGalerkin, kCollocation };
 enum class Side { kAbove, kBelow };
 enum class Impulse { kMomentum, kCollocation };
 enum class ForcingKind { kBase, kDistributed, kModal };
-enum class FlowChoice { kAuto, kExact };
+// How the motion between impacts is found: exactly, or integrated step by step by rk4, dopri5 or
+// fehlberg78.
+enum class FlowChoice { kAuto, kExact, kRk4, kDopri5, kFehlberg78 };
+// As the scene writes it.
+std::string flow_name(FlowChoice flow);
 
 // Euler-Bernoulli beam, clamped at x = 0, free at x = length.
 struct Beam {
@@ -84,7 +88,8 @@ struct Initial {
 struct Solver {
   FlowChoice flow = FlowChoice::kAuto;
   double tolerance =
-      kDefaultTolerance;  // of the stop's displacement over one forcing period, relative
+      kDefaultTolerance;       // of the stop's displacement over one forcing period, relative
+  std::optional<double> step;  // s, of a flow with steps of one length
 };
 
 // Where each key of the scene was written: "forcing.frequency" -> file:line:column.

@@ -140,8 +140,9 @@ std::string write_scene(const Scene& scene) {
   }
   // The numerics that apply are no part of the structure, but another default would change results.
   out.table("[solver]");
-  out.word("flow", scene.solver.flow == FlowChoice::kAuto ? "auto" : "exact");
+  out.word("flow", flow_name(scene.solver.flow));
   out.number("tolerance", scene.solver.tolerance);
+  if (scene.solver.step) out.number("step", *scene.solver.step);
   return std::move(out).text();
 }
 

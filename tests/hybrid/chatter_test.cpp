@@ -31,8 +31,8 @@ TEST(Chatter, CostPerImpactDoesNotGrow) {
       Motion<double> motion(system, {}, start.q, start.qdot);
       // Speeds of a chatter fall over ten decades; its flights in each decade, by their start,
       // which come back slower. One that comes back faster has left the chatter.
-      std::map<int, int> most;
-      int ordinary = 0;
+      std::map<int, long long> most;
+      long long ordinary = 0;
       double fastest = 0.0, before = 0.0;
       while (motion.instant().period < 40) {
         const Arrival<double> arrival = motion.fly(motion.flow().period());
@@ -40,7 +40,7 @@ TEST(Chatter, CostPerImpactDoesNotGrow) {
         if (before > 0.0 && arrival.flight > 0.0 && faster)
           ordinary = std::max(ordinary, arrival.evaluations);
         if (before > 0.0 && arrival.flight > 0.0 && !faster) {
-          int& decade = most[static_cast<int>(std::floor(std::log10(before / fastest)))];
+          long long& decade = most[static_cast<int>(std::floor(std::log10(before / fastest)))];
           decade = std::max(decade, arrival.evaluations);
         }
         before = 0.0;

@@ -1,0 +1,81 @@
+#include <boost/numeric/odeint/stepper/controlled_runge_kutta.hpp>
+#include <boost/numeric/odeint/stepper/generation/generation_controlled_runge_kutta.hpp>
+#include <boost/numeric/odeint/stepper/generation/generation_runge_kutta_fehlberg78.hpp>
+#include <boost/numeric/odeint/stepper/generation/make_controlled.hpp>
+#include <boost/numeric/odeint/stepper/runge_kutta_fehlberg78.hpp>
+
+#include "graze/flow/step_walk.hpp"
+
+namespace graze {
+namespace {
+
+namespace odeint = boost::numeric::odeint;
+
+// A step that fails its error more often than this in a row will not succeed.
+constexpr int kMostFailures = 500;
+
+// Steps that their error decides; a shorter one from the same start leads to what lies within.
+template <class Rates>
+class ControlledWalk {
+ public:
+  using State = typename Rates::State;
+
+  ControlledWalk(Rates rates_of, const StepSetting& setting)
+      : rates(std::move(rates_of)),
+        longest_(setting.longest),
+        controlled_(odeint::make_controlled(setting.tolerance * setting.speed, setting.tolerance,
+                                            longest_, Method())) {}
+
+  void begin(const State& x) {
+    from_ = to_ = 0.0;
+    next_ = longest_;
+    at_start_ = at_end_ = x;
+  }
+  void step() {
+    at_start_ = at_end_;
+    from_ = to_;
+    for (int i = 0; i < kMostFailures; ++i)
+      if (controlled_.try_step(std::ref(rates), at_start_, to_, at_end_, next_) == odeint::success)
+        return;
+  }
+  double from() const { return from_; }
+  double to() const { return to_; }
+  const State& state_at_end() const { return at_end_; }
+  void between(double s, State& x) {
+    x = at_start_;
+    if (s > from_) method_.do_step(std::ref(rates), at_start_, from_, x, s - from_);
+  }
+
+  Rates rates;
+
+ private:
+  using Method = odeint::runge_kutta_fehlberg78<State>;
+  double longest_;
+  double from_ = 0.0, to_ = 0.0, next_ = 0.0;
+  State at_start_{}, at_end_{};
+  typename odeint::result_of::make_controlled<Method>::type controlled_;
+  Method method_;
+};
+
+template <class Rates>
+std::unique_ptr<StepFlow> flow(const Rates& rates, const StepSetting& setting) {
+  using Stepper = odeint::runge_kutta_fehlberg78<typename Rates::State>;
+  using Fixed = step_walk::FixedWalk<Rates, Stepper>;
+  if (setting.step > 0.0)
+    return std::make_unique<step_walk::WalkingFlow<Fixed>>(Fixed(rates, setting.step));
+  using Adaptive = ControlledWalk<Rates>;
+  return std::make_unique<step_walk::WalkingFlow<Adaptive>>(Adaptive(rates, setting));
+}
+
+}  // namespace
+
+std::unique_ptr<StepFlow> fehlberg78_flow(const ModalRates& rates, const StepSetting& setting) {
+  return step_walk::with_rates(rates, [&](const auto& side) { return flow(side, setting); });
+}
+
+std::unique_ptr<StepFlow> fehlberg78_flow(const FirstOrderSystem& system,
+                                          const StepSetting& setting) {
+  return flow(step_walk::Dense(system), setting);
+}
+
+}  // namespace graze

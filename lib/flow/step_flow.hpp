@@ -1,0 +1,58 @@
+// The motion of a linear system of first order between events, integrated step by step by a method
+// of Boost.Odeint, and the first fall of an observable through zero by what such integrators can
+// see: its sign at the ends of the steps. Where it changes, the zero is refined within the step; a
+// fall and a rise within one step are missed. That is what the exact flow is compared with.
+//
+//   x_j' = w_j x_{n+j},   x_{n+j}' = load_j + force_j cos(theta) - 2 delta_j x_{n+j} - k_j x_j
+//
+// with x = (w q, q'), k_j = omega_j^2/w_j: all entries are velocities, so that one tolerance suits
+// them. Modes that do not decouple come as a dense system (first_order.hpp).
+#pragma once
+
+#include <span>
+
+#include "graze/flow/first_order.hpp"
+
+namespace graze {
+
+// Modes side by side, n of each.
+struct ModalRates {
+  Vector scale;      // w, rad/s
+  Vector stiffness;  // k, rad/s
+  Vector damping;    // 2 delta, 1/s
+  Vector load, force;
+  double frequency = 0.0;  // of the force, rad/s
+};
+
+// An observable to be watched: constant + weights.x + harmonic cos(theta + its phase).
+struct Watch {
+  Vector weights;  // 2n
+  double constant = 0.0;
+  double harmonic_re = 0.0, harmonic_im = 0.0;  // Re(h e^{i theta})
+  // It starts at a known zero of this multiplicity, which it leaves as `departure` s^multiplicity.
+  int multiplicity = 0;
+  double departure = 0.0;
+};
+
+struct StepDescent {
+  int watch = -1;        // which fell through zero first; -1: none did
+  double s = 0.0;        // where; else the end of the window
+  bool finite = true;    // the state stayed in range
+  double lowest = 0.0;   // least value of any watch at the ends of the steps
+  long long values = 0;  // of observables, taken in search of the zero
+};
+
+class StepFlow {
+ public:
+  virtual ~StepFlow() = default;
+  // A smooth piece begins: the state at forcing phase theta; s counts from here.
+  virtual void start(double theta, const Vector& x) = 0;
+  // The first watch to fall through zero within the window, s.
+  virtual StepDescent first_descent(std::span<const Watch* const> watches, double window) = 0;
+  // The state s seconds after the start. Dear where s lies before the step taken last.
+  virtual void state(double s, Vector& x) = 0;
+  // Of the right-hand side, so far.
+  virtual long long evaluations() const = 0;
+};
+
+}  // namespace graze

@@ -1,0 +1,71 @@
+#include "graze/study/step_choice.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "graze/system/scale.hpp"
+
+namespace graze {
+namespace {
+
+std::optional<StepMethod> step_method(FlowChoice flow) {
+  switch (flow) {
+    case FlowChoice::kAuto:
+    case FlowChoice::kExact:
+      return {};
+    case FlowChoice::kRk4:
+      return StepMethod::kRk4;
+    case FlowChoice::kDopri5:
+      return StepMethod::kDopri5;
+    case FlowChoice::kFehlberg78:
+      return StepMethod::kFehlberg78;
+  }
+  return {};
+}
+
+}  // namespace
+
+double modal_speed(const System& system, const State& start) {
+  double speed = std::hypot(start.qdot.norm(), system.omega.cwiseProduct(start.q).norm());
+  if (system.forcing)
+    speed = std::max(speed, system.forcing->amplitude.norm() / system.forcing->frequency);
+  const double at_stops = speed_scale(system, start);
+  for (const RigidStop& stop : system.stops)
+    if (stop.row.norm() > 0.0) speed = std::max(speed, at_stops / stop.row.norm());
+  return speed > 0.0 ? speed : 1.0;
+}
+
+std::optional<StepSetting> step_choice(const Scene& scene, const System& system,
+                                       const State& start) {
+  const std::optional<StepMethod> method = step_method(scene.solver.flow);
+  if (!method) return {};
+  StepSetting setting;
+  setting.method = *method;
+  setting.step = scene.solver.step.value_or(0.0);
+  setting.tolerance = scene.solver.tolerance;
+  setting.speed = modal_speed(system, start);
+  setting.longest = longest_stable_step(system, *method);
+  // A free mass knows no time of its own; the way to its stops takes it some.
+  for (const RigidStop& stop : system.stops)
+    if (std::isinf(setting.longest) && speed_scale(system, start) > 0.0)
+      setting.longest = reach_at(system, stop) / speed_scale(system, start);
+  if (std::isinf(setting.longest)) setting.longest = system.forcing ? system.period() : 1.0;
+  if (setting.step > setting.longest)
+    throw scene_error(scene, "solver.step",
+                      fmt::format("{:g} s is not allowed, with {} it must be at most {:.6g} s: "
+                                  "beyond that the quickest mode grows without bound",
+                                  setting.step, flow_name(scene.solver.flow), setting.longest));
+  return setting;
+}
+
+void require_exact_flow(const Scene& scene, const char* what) {
+  if (!step_method(scene.solver.flow)) return;
+  throw scene_error(scene, "solver.flow",
+                    fmt::format("the flow \"{}\" is not allowed where {}, it must be \"auto\" or "
+                                "\"exact\"",
+                                flow_name(scene.solver.flow), what));
+}
+
+}  // namespace graze
