@@ -15,7 +15,7 @@ namespace graze {
 namespace {
 
 // Options that a later version brings: known by name, refused in words.
-const char* const kLaterCommands[] = {"cost", "compare", "fit"};
+const char* const kLaterCommands[] = {"compare", "fit"};
 
 void add_check(CLI::App& graze, Command& command) {
   CLI::App* app = graze.add_subcommand(
@@ -144,6 +144,24 @@ void add_diagram(CLI::App& graze, Command& command) {
   add_later_options(app, {"--resume", "--shard"});
 }
 
+void add_cost(CLI::App& graze, Command& command) {
+  CLI::App* app = graze.add_subcommand("cost", "What accuracy costs in time, flow by flow");
+  app->footer(footer("cost data/scenes/02_wagg_momentum.toml --set stop.gap=5e-3 --plot cost.png"));
+  add_shared(app, command);
+  add_plot(app, command);
+  app->add_option("--impacts", command.impacts,
+                  "Impacts over which flows are compared (default 20)")
+      ->transform(whole_number("a whole number, 0 or more", 0.0, kMostCounted))
+      ->type_name("K");
+  app->add_option("--duration", command.duration,
+                  "Most simulated time, s (default: 100 forcing periods; without forcing, of the "
+                  "slowest oscillation)")
+      ->check(above_zero())
+      ->type_name("S");
+  add_closure_speed(app, command);
+  add_limits(app, command);
+}
+
 void add_later(CLI::App& graze) {
   for (const char* name : kLaterCommands) {
     CLI::App* app = graze.add_subcommand(name, "(not available in this version)");
@@ -169,7 +187,7 @@ std::string unknown_option(const CLI::App& app) {
 
 // A sentence about a first word that is no command, or "".
 std::string unknown_command(int argc, char** argv, const CLI::App& app) {
-  if (argc < 2) return "give a command: check, simulate, orbit, continue or diagram";
+  if (argc < 2) return "give a command: check, simulate, orbit, continue, diagram or cost";
   const std::string word = argv[1];
   std::vector<std::string> names;
   for (const CLI::App* command : app.get_subcommands({})) names.push_back(command->get_name());
@@ -196,6 +214,7 @@ ParsedCommand parse_command_line(int argc, char** argv) {
   add_orbit(app, command);
   add_continue(app, command);
   add_diagram(app, command);
+  add_cost(app, command);
   add_later(app);
   try {
     app.parse(argc, argv);

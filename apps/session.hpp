@@ -48,5 +48,6 @@ int run_orbit(const Command& command);
 int run_continue(const Command& command);
 int run_loci(const Command& command);  // continue --locus
 int run_diagram(const Command& command);
+int run_cost(const Command& command);
 
 }  // namespace graze

@@ -4,6 +4,7 @@
 
 #include <string>
 
+#include "graze/record/cost_record.hpp"
 #include "graze/record/diagram_record.hpp"
 #include "graze/record/loci_record.hpp"
 
@@ -25,6 +26,9 @@ std::string loci_csv(const LociRecord& record);
 std::string special_csv(const LociRecord& record);
 // One line a place; labels hold commas and stand in quotes.
 std::string regions_csv(const StableRegions& regions);
+
+// One line a flow and setting.
+std::string costs_csv(const CostRecord& record);
 
 // One line a sample, one for a value that has none.
 std::string sweep_csv(const DiagramRecord& record);

@@ -257,6 +257,11 @@ Json search_json(const OrbitBranches& traced) {
 
 }  // namespace
 
+std::string json_head(const RunInfo& info, const Outcome& outcome,
+                      const std::vector<std::string>& warnings) {
+  return text(header(info, outcome, warnings));
+}
+
 std::string to_json(const CheckRecord& record) {
   Json document = header(record.info, record.outcome, record.warnings);
   const System& system = record.system;
@@ -284,7 +289,9 @@ std::string to_json(const CheckRecord& record) {
   document["collocation_condition"] =
       record.collocation_condition > 0.0 ? number(record.collocation_condition) : Json(nullptr);
   document["closure_speed"] = maybe(record.closure_speed);
-  document["flow"] = "exact";
+  document["flow"] = record.steps ? flow_name(record.scene.solver.flow) : "exact";
+  document["step"] = maybe(record.scene.solver.step);
+  document["longest_stable_step"] = record.steps ? number(record.steps->longest) : Json(nullptr);
   return text(document);
 }
 

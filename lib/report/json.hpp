@@ -4,11 +4,16 @@
 
 #include <string>
 
+#include "graze/record/cost_record.hpp"
 #include "graze/record/diagram_record.hpp"
 #include "graze/record/loci_record.hpp"
 #include "graze/record/spool.hpp"
 
 namespace graze {
+
+// What every document begins with, an object of its own.
+std::string json_head(const RunInfo& info, const Outcome& outcome,
+                      const std::vector<std::string>& warnings);
 
 std::string to_json(const CheckRecord& record);
 // The events of a run, each as `add_event_json` wrote it, stand in the middle of its document.
@@ -17,6 +22,7 @@ void add_event_json(const Event& event, Spool& events);
 std::string to_json(const OrbitRecord& record);
 std::string to_json(const BranchRecord& record);
 std::string to_json(const LociRecord& record);
+std::string to_json(const CostRecord& record);
 // The document of the branches, with the sweep added.
 std::string to_json(const DiagramRecord& record);
 

@@ -4,6 +4,7 @@
 
 #include <string>
 
+#include "graze/record/cost_record.hpp"
 #include "graze/record/diagram_record.hpp"
 #include "graze/record/loci_record.hpp"
 
@@ -21,6 +22,11 @@ void check_picture_name(const std::string& file);
 // the first sample. Below, the phase portraits of the first two places. Without stops all of it for
 // the first modal coordinate.
 void draw_simulation(const std::string& file, const SimulationRecord& record);
+
+// Error over computing time per forcing period, both logarithmic: a line for each flow with a mark
+// for each of its settings, open marks where the sequence of impacts was lost, and the settings
+// that no other beats in both.
+void draw_costs(const std::string& file, const CostRecord& record);
 
 // Phase portrait of the orbits found, at most eight of them, seen at the stop of the first one's
 // first impact.

@@ -3,6 +3,7 @@
 
 #include <string>
 
+#include "graze/record/cost_record.hpp"
 #include "graze/record/diagram_record.hpp"
 #include "graze/record/loci_record.hpp"
 
@@ -15,5 +16,6 @@ std::string to_text(const BranchRecord& record);
 std::string to_text(const LociRecord& record);
 std::string regions_text(const LociRecord& record);  // requires regions
 std::string to_text(const DiagramRecord& record);
+std::string to_text(const CostRecord& record);
 
 }  // namespace graze

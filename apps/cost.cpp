@@ -1,0 +1,62 @@
+// graze cost: what accuracy costs in time, flow by flow.
+#include <cmath>
+
+#include "graze/assembly/assembly.hpp"
+#include "graze/assembly/initial_state.hpp"
+#include "graze/assembly/system_warnings.hpp"
+#include "graze/report/csv.hpp"
+#include "graze/report/json.hpp"
+#include "graze/report/pictures.hpp"
+#include "graze/report/text.hpp"
+#include "graze/scene/reader.hpp"
+#include "graze/study/step_choice.hpp"
+#include "graze/system/scale.hpp"
+#include "session.hpp"
+
+namespace graze {
+namespace {
+
+// Of a motion without forcing, in oscillations of its slowest mode; else in forcing periods.
+constexpr double kLongest = 100.0;
+
+double longest_span(const System& system) {
+  const double seconds = system.forcing ? system.period() : longest_flight(system);
+  return kLongest * (std::isfinite(seconds) ? seconds : 1.0);
+}
+
+}  // namespace
+
+int run_cost(const Command& command) {
+  if (!command.plot.empty()) check_picture_name(command.plot);
+  const Scene scene = read_scene(command.scene, command.settings);
+  CostRecord record;
+  record.info = run_info(command.name, command.scene, scene);
+  const System system = assemble(scene);
+  const State start = initial_state(scene, system);
+  record.warnings = system_warnings(scene, system);
+  warn(command, record.warnings);
+  FlowCostOptions options;
+  options.longest = command.duration.value_or(longest_span(system));
+  options.impacts = static_cast<std::size_t>(command.impacts.value_or(20));
+  options.tolerance = scene.solver.tolerance;
+  options.speed = modal_speed(system, start);
+  options.closure_speed =
+      command.closure_speed.value_or(default_closure_speed(system, start, scene.solver.tolerance));
+  options.stop = stop_signal(command);
+  options.progress = progress_line(command);
+  record.info.options.emplace_back("impacts", static_cast<long long>(options.impacts));
+  record.info.options.emplace_back("longest", options.longest);
+  record.info.options.emplace_back("closure_speed", options.closure_speed);
+  record.info.options.emplace_back("max_seconds", command.max_seconds);
+  prepare_output(command);
+  record.costs = flow_costs(system, start, options);
+  record.outcome = cost_outcome(record.costs, options.stop.reason());
+  return conclude(command, record.info, record.outcome,
+                  {to_json(record),
+                   to_text(record),
+                   {{"costs.csv", costs_csv(record)}},
+                   [&] { draw_costs(command.plot, record); },
+                   {}});
+}
+
+}  // namespace graze

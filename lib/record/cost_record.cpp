@@ -1,0 +1,24 @@
+#include "graze/record/cost_record.hpp"
+
+#include <fmt/format.h>
+
+namespace graze {
+
+Outcome cost_outcome(const FlowCosts& costs, StopReason stopped) {
+  if (stopped == StopReason::kInterrupted)
+    return {"interrupted", fmt::format("stopped after {} settings", costs.rows.size())};
+  if (stopped == StopReason::kOutOfTime)
+    return {"budget", fmt::format("the budget of computing time was spent after {} settings",
+                                  costs.rows.size())};
+  if (costs.rows.empty())
+    return {"none", "there is no motion to compare: " + costs.reference_message};
+  return {"measured", ""};
+}
+
+std::string compared_span(const FlowCosts& costs) {
+  if (costs.impacts == 0) return fmt::format("no impacts, {:.6g} s", costs.end_time);
+  return fmt::format("first {} impact{}, {:.6g} s", costs.impacts, costs.impacts == 1 ? "" : "s",
+                     costs.end_time);
+}
+
+}  // namespace graze

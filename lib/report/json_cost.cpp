@@ -1,0 +1,51 @@
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "graze/report/json.hpp"
+
+namespace graze {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json maybe(const std::optional<double>& value) {
+  return value && std::isfinite(*value) ? Json(*value) : Json(nullptr);
+}
+
+Json row_json(const FlowCost& row) {
+  Json json = {{"flow", row.flow},
+               {"setting", row.setting},
+               {"error", maybe(row.error)},
+               {"state_error", maybe(row.state_error)},
+               {"seconds_per_period", row.seconds_per_period},
+               {"evaluations_per_period", row.evaluations_per_period},
+               {"impacts_agree", row.impacts_agree}};
+  if (!row.message.empty()) json["message"] = row.message;
+  return json;
+}
+
+}  // namespace
+
+std::string to_json(const CostRecord& record) {
+  const FlowCosts& costs = record.costs;
+  Json document = Json::parse(json_head(record.info, record.outcome, record.warnings));
+  document["reference"] = "exact, 50 digits";
+  document["span"] = compared_span(costs);
+  document["impacts"] = costs.impacts;
+  document["end_time"] = costs.end_time;
+  document["units"] = {{"error", costs.impacts > 0 ? "s" : "1"},
+                       {"state_error", "1"},
+                       {"seconds_per_period", "s"},
+                       {"end_time", "s"}};
+  Json rows = Json::array();
+  for (const FlowCost& row : costs.rows) rows.push_back(row_json(row));
+  document["rows"] = rows;
+  const FlowCost* best = cheapest(costs, costs.allowed);
+  document["recommended"] = {{"tolerance", costs.tolerance},
+                             {"allowed_error", costs.allowed},
+                             {"flow", best ? Json(best->flow) : Json(nullptr)},
+                             {"setting", best ? Json(best->setting) : Json(nullptr)}};
+  return document.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+}  // namespace graze

@@ -1,0 +1,60 @@
+// What accuracy costs in time: every flow over its ladder of settings, against a reference in 50
+// digits.
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "graze/base/stop_signal.hpp"
+#include "graze/flow/step_setting.hpp"
+#include "graze/study/reference_run.hpp"
+
+namespace graze {
+
+struct FlowCost {
+  std::string flow, setting;         // "rk4", "step=1e-05"; the exact flow has no setting
+  std::optional<StepSetting> steps;  // absent: the exact flow
+  // Largest error of an impact time, s; of a motion without impacts largest error of the
+  // displacements relative to their largest size. Absent where the run failed or lost the sequence.
+  std::optional<double> error;
+  // Of the state at the end, displacements times frequencies and velocities, relative to the size
+  // of the motion (FlowCostOptions::speed); absent likewise.
+  std::optional<double> state_error;
+  bool impacts_agree = false;
+  double seconds_per_period = 0.0;  // of computing time, per forcing period (per second without)
+  double evaluations_per_period = 0.0;
+  std::string message;  // why the run failed
+};
+
+struct FlowCosts {
+  std::size_t impacts = 0;  // compared
+  double end_time = 0.0;    // s, of the compared motion
+  double period = 0.0;      // s, what costs are given per
+  double tolerance = 0.0;   // of the scene
+  double allowed = 0.0;     // the error that this tolerance allows, in the unit of the errors
+  std::vector<FlowCost> rows;
+  std::string reference_message;  // why the reference ended early
+  bool interrupted = false;
+};
+
+struct FlowCostOptions {
+  std::size_t impacts = 20;
+  double longest = 0.0;      // s of motion, at most
+  double tolerance = 0.0;    // of the scene
+  double row_seconds = 0.5;  // a ladder goes on while a run takes no longer than this
+  double speed = 1.0;        // of the modal motion, kg^1/2 m/s (StepSetting)
+  // m/s. The tail of a chatter from here on is summed; of slower impacts only the reference knows.
+  double closure_speed = 0.0;
+  StopSignal stop;
+  std::function<void(double)> progress;  // part of the ladder
+};
+
+// Runs one after the other, on this thread alone.
+FlowCosts flow_costs(const System& system, const State& start, const FlowCostOptions& options);
+
+// The row that costs least among those with no more than the allowed error; null where none is.
+const FlowCost* cheapest(const FlowCosts& costs, double allowed);
+
+}  // namespace graze

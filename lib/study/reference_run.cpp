@@ -1,0 +1,115 @@
+#include "graze/study/reference_run.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "graze/flow/extended.hpp"
+#include "graze/hybrid/motion.hpp"
+#include "graze/system/scale.hpp"
+
+namespace graze {
+namespace {
+
+constexpr double kSamplesPerPeriod = 16.0;
+// A part of the speed of the motion that summing a chatter's tail from errs by its square: beyond
+// double precision, and far from the last digit of the reference.
+constexpr double kClosure = 1e-16;
+
+class Reference {
+ public:
+  Reference(const System& system, const State& start, const ReferenceOptions& options)
+      : options_(options),
+        motion_(system, {}, start.q.cast<Extended>(), start.qdot.cast<Extended>()),
+        closure_(kClosure * speed_scale(system, start)),
+        piece_((system.forcing ? system.period() : options.longest) / kSamplesPerPeriod) {}
+
+  ReferenceRun finish() {
+    run_.sample_interval = piece_;
+    double next_sample = piece_;
+    while (time() < options_.longest && !options_.stop.requested()) {
+      const bool enough = run_.impacts.size() >= options_.impacts;
+      const double before = time();
+      const Extended until =
+          std::min<Extended>(motion_.instant().local +
+                                 (Extended(std::min(next_sample, options_.longest)) - exact_time()),
+                             motion_.flow().period());
+      const Arrival<Extended> arrival = motion_.fly(until);
+      if (!go_on(arrival)) break;
+      if (enough && time() > before) {
+        fly_back(before);
+        return run_;
+      }
+      if (arrival.kind == ArrivalKind::kContact) take_impact();
+      if (arrival.kind == ArrivalKind::kTime && time() >= next_sample * (1.0 - 1e-12)) {
+        run_.samples.push_back(state());
+        next_sample = piece_ * static_cast<double>(run_.samples.size() + 1);
+      }
+    }
+    run_.end_time = time();
+    run_.end = state();
+    return run_;
+  }
+
+ private:
+  Extended exact_time() const {
+    const Instant<Extended>& now = motion_.instant();
+    if (now.period == 0) return now.local;
+    return Extended(now.period) * motion_.flow().period() + now.local;
+  }
+  double time() const { return static_cast<double>(exact_time()); }
+  State state() const {
+    return {motion_.q().template cast<double>(), motion_.qdot().template cast<double>()};
+  }
+
+  bool go_on(const Arrival<Extended>& arrival) {
+    switch (arrival.kind) {
+      case ArrivalKind::kUndecided:
+        run_.message = "the search for the next event used up its evaluations";
+        return false;
+      case ArrivalKind::kNotFinite:
+        run_.message = "the motion left the range of the numbers";
+        return false;
+      case ArrivalKind::kRefused:
+        run_.message = motion_.refusal();
+        return false;
+      default:
+        return true;
+    }
+  }
+
+  void take_impact() {
+    const std::vector<ImpactShare<Extended>> shares = motion_.impact();
+    const std::size_t before = run_.impacts.size();
+    for (const ImpactShare<Extended>& share : shares)
+      if (share.hit && static_cast<double>(share.speed) > options_.slowest)
+        run_.impacts.push_back({time(), share.stop, static_cast<double>(share.speed)});
+    std::sort(run_.impacts.begin() + static_cast<std::ptrdiff_t>(before), run_.impacts.end(),
+              [](const auto& a, const auto& b) { return a.stop < b.stop; });
+    motion_.close_chatter(shares, closure_);
+  }
+
+  // Half the way along the arc that was flown last.
+  void fly_back(double from) {
+    RealVector<Extended> q = motion_.q(), qdot = motion_.qdot();
+    const double half = 0.5 * (time() - from);
+    motion_.flown().state(Extended(half), q, qdot);
+    run_.end_time = from + half;
+    run_.end = {q.cast<double>(), qdot.cast<double>()};
+  }
+
+  const ReferenceOptions& options_;
+  Motion<Extended> motion_;
+  Extended closure_;
+  double piece_;
+  ReferenceRun run_;
+};
+
+}  // namespace
+
+ReferenceRun reference_run(const System& system, const State& start,
+                           const ReferenceOptions& options) {
+  return Reference(system, start, options).finish();
+}
+
+}  // namespace graze

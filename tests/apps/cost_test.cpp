@@ -1,0 +1,89 @@
+// graze cost and the flows that take steps, as a user meets them.
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "program.hpp"
+
+namespace graze {
+namespace {
+
+using nlohmann::json;
+
+const std::string kOneMode = scene("05_wagg_one_mode.toml");
+
+TEST(CostCommand, WritesTheDocument) {
+  const ScratchFolder scratch;
+  const Finished run = run_graze("cost --json --impacts 5 --out " + (scratch / "run").string() +
+                                 " --plot " + (scratch / "cost.svg").string() + " " + kOneMode);
+  ASSERT_EQ(run.code, 0) << run.err;
+  const json document = json::parse(run.out);
+  EXPECT_EQ(document["outcome"], "measured");
+  EXPECT_EQ(document["reference"], "exact, 50 digits");
+  EXPECT_EQ(document["span"].get<std::string>().substr(0, 15), "first 5 impacts");
+  EXPECT_EQ(document["units"]["error"], "s");
+  const json& rows = document["rows"];
+  ASSERT_GE(rows.size(), 10u);
+  EXPECT_EQ(rows[0]["flow"], "exact");
+  EXPECT_EQ(rows[0]["setting"], "");
+  EXPECT_LE(rows[0]["error"].get<double>(), 1e-12);
+  for (const json& row : rows) {
+    EXPECT_GT(row["seconds_per_period"].get<double>(), 0.0);
+    EXPECT_GT(row["evaluations_per_period"].get<double>(), 0.0);
+    EXPECT_EQ(row["impacts_agree"].get<bool>(), !row["error"].is_null());
+  }
+  EXPECT_EQ(document["recommended"]["tolerance"], 1e-10);
+  EXPECT_TRUE(document["recommended"]["flow"].is_string());
+  EXPECT_TRUE(std::filesystem::exists(scratch / "run" / "costs.csv"));
+  EXPECT_TRUE(std::filesystem::exists(scratch / "cost.svg"));
+}
+
+TEST(CostCommand, NamesTheSpanWithoutImpacts) {
+  const Finished run = run_graze("cost --duration 1 --set stop.gap=1 " + kOneMode);
+  EXPECT_EQ(run.code, 0) << run.err;
+  EXPECT_NE(run.out.find("error / amplitude"), std::string::npos);
+  EXPECT_NE(run.out.find("no impacts, 1 s"), std::string::npos) << run.out;
+}
+
+TEST(CostCommand, SaysWhenTheTimeIsSpent) {
+  const Finished run = run_graze("cost --json --max-seconds 0.05 " + kOneMode);
+  EXPECT_EQ(run.code, 3);
+  const json document = json::parse(run.out);
+  EXPECT_EQ(document["outcome"], "budget");
+  EXPECT_FALSE(document["message"].get<std::string>().empty());
+}
+
+TEST(StepFlows, AreSaidByCheckAndUsedBySimulate) {
+  const std::string stepping = " --set solver.flow=\\\"rk4\\\" --set solver.step=1e-4 ";
+  const Finished check = run_graze("check --json" + stepping + kOneMode);
+  ASSERT_EQ(check.code, 0) << check.err;
+  const json checked = json::parse(check.out);
+  EXPECT_EQ(checked["flow"], "rk4");
+  EXPECT_EQ(checked["step"], 1e-4);
+  const double omega = checked["modes"][0]["frequency"].get<double>();
+  EXPECT_NEAR(checked["longest_stable_step"].get<double>(), 2.8284271247461903 / omega, 1e-12);
+  const Finished stepped = run_graze("simulate --json --periods 3" + stepping + kOneMode);
+  const Finished exact = run_graze("simulate --json --periods 3 " + kOneMode);
+  ASSERT_EQ(stepped.code, 0) << stepped.err;
+  const json a = json::parse(stepped.out), b = json::parse(exact.out);
+  ASSERT_EQ(a["events"].size(), b["events"].size());
+  ASSERT_FALSE(b["events"].empty());
+  for (std::size_t i = 0; i < b["events"].size(); ++i) {
+    const double off = a["events"][i]["time"].get<double>() - b["events"][i]["time"].get<double>();
+    EXPECT_NE(off, 0.0);
+    EXPECT_NEAR(off, 0.0, 1e-7);
+  }
+}
+
+TEST(StepFlows, AreRefusedWhereTheyCannotServe) {
+  const Finished orbit = run_graze("orbit --set solver.flow=\\\"dopri5\\\" " + kOneMode);
+  EXPECT_EQ(orbit.code, 2);
+  EXPECT_NE(orbit.err.find("solver.flow"), std::string::npos) << orbit.err;
+  const Finished unstable = run_graze(
+      "simulate --set solver.flow=\\\"rk4\\\" --set solver.step=1 " + kOneMode);
+  EXPECT_EQ(unstable.code, 2);
+  EXPECT_NE(unstable.err.find("it must be at most"), std::string::npos) << unstable.err;
+}
+
+}  // namespace
+}  // namespace graze
