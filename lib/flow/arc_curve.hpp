@@ -41,6 +41,23 @@ struct CurvePoint {
   Real bound = 0;                                      // |derivative m + 2| from s over `reach`
   Real noise = 0;                                      // rounding error of value
   Real reach = std::numeric_limits<Real>::infinity();  // s; infinite: to the end of the window
+  Real curvature = 0;                                  // derivative m + 2
+  Real third = std::numeric_limits<Real>::infinity();  // |derivative m + 3|, bounded like `bound`
+  // The same of the slow terms alone. The quick ones together fall by at most `fall` from here on;
+  // infinite where they are not told apart.
+  struct Slow {
+    Real slope = 0, curvature = 0, third = 0;
+    Real fall = std::numeric_limits<Real>::infinity();
+  };
+  Slow slow;
+
+  // Of the curve's negative.
+  void turn_round() {
+    value = -value;
+    slope = -slope;
+    curvature = -curvature;
+    slow = {};
+  }
 };
 
 // How far a bound has to hold: to the end of the window, or only as far as the next step of a
@@ -82,6 +99,7 @@ class ArcCurve {
   struct Exponential {
     Real decay = 0, frequency = 0;
     PlanarNumber<Real> coefficient, rate;  // k, l
+    PlanarNumber<Real> first, second;      // k l, k l^2
     Real size = 0, rate_size = 0;          // |k|, |l|
     Real rounded = 0;                      // what k was rounded at: its size and its origin
   };
@@ -99,11 +117,16 @@ class ArcCurve {
                         const Real& ahead) const;
   void add_special(const Special& special, const Real& s, int m, Reach reach,
                    CurvePoint<Real>& point) const;
+  struct Share;
+  void leave_out_quick(const Share* shares, CurvePoint<Real>& point) const;
 
   Real frequency_ = 0, theta_ = 0, window_ = 0;
   Real start_value_ = 0;  // c(0)
   Real start_noise_ = 0;
+  // Up to so many are told apart into slow and quick ones.
+  static constexpr std::size_t kMostShares = 64;
   std::vector<Exponential> exponentials_;
+  std::size_t modes_end_ = 0;  // those of the modes come first, from slow to quick as a rule
   std::vector<Special> specials_;
   Part part_;
 };

@@ -73,6 +73,7 @@ ArcCurve<Real>::ArcCurve(const Arc<Real>& arc, const Observable<Real>& observabl
       specials_.push_back({&mode, x, v, a.re, a.im, apart});
     }
   }
+  modes_end_ = exponentials_.size();
   if (flow.forced())
     add_exponential(times(harmonic, PlanarNumber<Real>{cos(theta_), sin(theta_)}), 0, frequency_,
                     0);
@@ -98,6 +99,8 @@ void ArcCurve<Real>::add_exponential(const PlanarNumber<Real>& k, const Real& de
   term.rate = {-decay, frequency};
   term.rate_size = decay == 0 ? frequency : Real(sqrt(decay * decay + frequency * frequency));
   term.coefficient = k;
+  term.first = exact_flow_detail::times(k, term.rate);
+  term.second = exact_flow_detail::times(term.first, term.rate);
   // Where the square of |k| leaves the range of the scalar, the sum of its parts bounds it.
   const Real square = k.re * k.re + k.im * k.im;
   const bool in_range =
@@ -106,10 +109,21 @@ void ArcCurve<Real>::add_exponential(const PlanarNumber<Real>& k, const Real& de
   term.rounded = term.size + formed_from;
 }
 
+// What one exponential adds to a point.
+template <class Real>
+struct ArcCurve<Real>::Share {
+  Real slope, curvature, third;
+  Real fall;  // from here to the lowest that it can get
+};
+
 template <class Real>
 CurvePoint<Real> ArcCurve<Real>::at(const Real& s, int m, Reach reach) const {
+  using exact_flow_detail::times;
   using std::cos, std::expm1, std::sin;
   CurvePoint<Real> point;
+  point.third = 0;
+  std::array<Share, kMostShares> shares;
+  std::size_t count = 0;
   Real rounding = 0;
   Real decay_rate = 0, decay_minus_one = 0;  // modes often share their decay
   for (const Exponential& term : exponentials_) {
@@ -122,17 +136,27 @@ CurvePoint<Real> ArcCurve<Real>::at(const Real& s, int m, Reach reach) const {
     const Real sine = sin(half), cosine = cos(half);
     const Real re_minus_one = decay_minus_one - decay * 2 * sine * sine;
     const Real re = 1 + re_minus_one, im = decay * 2 * sine * cosine;
-    PlanarNumber<Real> k = term.coefficient;  // k l^m
-    Real power = 1;                           // |l|^m
+    PlanarNumber<Real> k = term.coefficient, next = term.first, after = term.second;
+    Real size = decay * term.size, largest = term.rounded;  // |k l^m e^{l s}|
     for (int i = 0; i < m; ++i) {
-      k = exact_flow_detail::times(k, term.rate);
-      power *= term.rate_size;
+      k = next;
+      next = after;
+      after = times(after, term.rate);
+      size *= term.rate_size;
+      largest *= term.rate_size;
     }
-    const PlanarNumber<Real> next = exact_flow_detail::times(k, term.rate);
-    point.value += k.re * (m == 0 ? re_minus_one : re) - k.im * im;
-    point.slope += next.re * re - next.im * im;
-    point.bound += decay * term.size * power * term.rate_size * term.rate_size;
-    rounding += term.rounded * power * ((m == 0 ? Real(0) : decay) + s * term.rate_size);
+    const Real own = k.re * re - k.im * im;
+    const Real slope = next.re * re - next.im * im;
+    const Real curvature = after.re * re - after.im * im;
+    const Real square = term.rate_size * term.rate_size, third = size * square * term.rate_size;
+    point.value += m == 0 ? Real(k.re * re_minus_one - k.im * im) : own;
+    point.slope += slope;
+    point.curvature += curvature;
+    point.bound += size * square;
+    point.third += third;
+    rounding += largest * ((m == 0 ? Real(0) : decay) + s * term.rate_size);
+    if (count < kMostShares) shares[count] = {slope, curvature, third, own + size};
+    ++count;
   }
   point.noise = arc_curve_detail::kRoundings * std::numeric_limits<Real>::epsilon() * rounding;
   for (const Special& special : specials_) add_special(special, s, m, reach, point);
@@ -140,8 +164,33 @@ CurvePoint<Real> ArcCurve<Real>::at(const Real& s, int m, Reach reach) const {
     point.value += start_value_;
     point.noise += start_noise_;
   }
-  if (part_) part_(s, m, reach, point);
+  if (part_) {
+    point.third = std::numeric_limits<Real>::infinity();
+    part_(s, m, reach, point);
+  } else if (reach == Reach::kStep && specials_.empty() && count <= kMostShares) {
+    leave_out_quick(shares.data(), point);
+  }
   return point;
+}
+
+// Quick terms of small size bend the curve most and move it least: those from the quickest on that
+// together cannot take away more than half of what is left.
+template <class Real>
+void ArcCurve<Real>::leave_out_quick(const Share* shares, CurvePoint<Real>& point) const {
+  const Real most = point.value / 2;
+  typename CurvePoint<Real>::Slow slow;
+  slow.fall = 0;
+  std::size_t kept = modes_end_;
+  for (; kept > 0 && slow.fall + shares[kept - 1].fall <= most; --kept)
+    slow.fall += shares[kept - 1].fall;
+  if (kept == modes_end_) return;
+  for (std::size_t j = 0; j < exponentials_.size(); ++j) {
+    if (j >= kept && j < modes_end_) continue;
+    slow.slope += shares[j].slope;
+    slow.curvature += shares[j].curvature;
+    slow.third += shares[j].third;
+  }
+  point.slow = slow;
 }
 
 // A derivative y of the displacement solves y'' + 2 delta y' + w^2 y = F, the force or a derivative
@@ -218,6 +267,10 @@ void ArcCurve<Real>::add_special(const Special& special, const Real& s, int m, R
       m == 0 ? Real(x * change + v * rate_change) : Real(x * d[order] + v * d[order + 1]);
   point.slope += x * d[order + 1] + v * d[order + 2];
   point.bound += abs(x) * bound[order + 2] + abs(v) * bound[order + 3];
+  point.curvature += order + 3 <= kOrders ? Real(x * d[order + 2] + v * d[order + 3]) : Real(0);
+  point.third = order + 4 < bound.size()
+                    ? Real(point.third + abs(x) * bound[order + 3] + abs(v) * bound[order + 4])
+                    : std::numeric_limits<Real>::infinity();
   // The start's energy, not the present one, has gone through the roundings.
   const Real force_size = abs(mode.load) + (driven ? Real(abs(mode.force)) : Real(0));
   Real rounding = sqrt(special.qdot * special.qdot + w2 * special.q * special.q) + force_size * s +

@@ -24,8 +24,7 @@ double stays_above(const ArcCurve<double>& curve, double level, double s, int& e
     ++evaluations;
     const double clear = point.value - point.noise - level;
     if (!(clear > 0.0)) break;
-    const double step =
-        std::min(first_zero_detail::safe_step(clear, point.slope, point.bound), point.reach);
+    const double step = first_zero_detail::clear_step(point, clear);
     // They shrink where the gap comes down to the level.
     if (!(s + step > s) || 4.0 * step < longest) break;
     s += step;
@@ -46,10 +45,7 @@ Extremum next_extremum(const ArcCurve<double>& curve, double s, bool rising, dou
   using namespace first_zero_detail;
   const auto sample = [&](double at) {
     CurvePoint<double> point = curve.at(at, 1, Reach::kStep);
-    if (!rising) {
-      point.value = -point.value;
-      point.slope = -point.slope;
-    }
+    if (!rising) point.turn_round();
     return point;
   };
   const Descent<double> near = approach_descent(sample, s, curve.window());

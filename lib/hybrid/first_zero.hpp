@@ -53,6 +53,54 @@ Real safe_step(const Real& value, const Real& slope, const Real& bound) {
   return slope > 0 ? Real((slope / bound) * (1 + root)) : Real((value / -slope) * (2 / (1 + root)));
 }
 
+// Until when value + slope s - bound s^2/2 stays positive; a bound may be negative.
+template <class Real>
+Real parabola_step(const Real& value, const Real& slope, const Real& bound) {
+  if (!(bound < 0)) return safe_step(value, slope, bound);
+  if (!(slope < 0)) return std::numeric_limits<Real>::infinity();
+  using std::sqrt;
+  const Real inside = 1 + 2 * (value / slope) * (bound / slope);
+  if (!(inside >= 0)) return std::numeric_limits<Real>::infinity();
+  return (value / -slope) * (2 / (1 + sqrt(inside)));
+}
+
+// The same with a bound on the third derivative, g >= g0 + g0' s + g0'' s^2/2 - third s^3/6: up to
+// any h that is above a parabola with the bound third h/3 - g0''. Of a few h the best.
+template <class Real>
+Real cubic_step(const Real& value, const Real& slope, const Real& curvature, const Real& third) {
+  using std::cbrt, std::sqrt;
+  if (!(value > 0)) return 0;
+  if (third == 0) return parabola_step(value, slope, Real(-curvature));
+  Real h = cbrt(6 * (value / third)), best = 0;
+  // Each is certain; around the longest one the two run towards each other.
+  for (int i = 0; i < 4; ++i) {
+    const Real step = parabola_step(value, slope, Real(third * h / 3 - curvature));
+    best = std::max(best, std::min(h, step));
+    h = step < 16 * h ? Real(sqrt(h * step)) : Real(4 * h);
+  }
+  return best;
+}
+
+// How far the curve is sure to stay positive that has `clear` > 0 left at this point.
+template <class Real>
+Real clear_step(const CurvePoint<Real>& point, const Real& clear) {
+  using std::isfinite;
+  Real step = safe_step(clear, point.slope, point.bound);
+  if (isfinite(point.third))
+    step = std::max(step, cubic_step(clear, point.slope, point.curvature, point.third));
+  if (isfinite(point.slow.fall))
+    step = std::max(step, cubic_step(Real(clear - point.slow.fall), point.slow.slope,
+                                     point.slow.curvature, point.slow.third));
+  return std::min<Real>(step, point.reach);
+}
+
+// Bound on the second derivative within so much of the point.
+template <class Real>
+Real bound_within(const CurvePoint<Real>& point, const Real& distance) {
+  using std::abs;
+  return std::min<Real>(point.bound, abs(point.curvature) + point.third * distance);
+}
+
 // Where the search for a descent through zero ends. For a crossing: the point from which Newton's
 // method is certain to converge to it. Within twice its first step the curve then falls all the way
 // and gets below minus half of where it started.
@@ -62,21 +110,36 @@ struct Descent {
   CurvePoint<Real> point;  // at zero.s
 };
 
-// Newton's method inside its ball of certain convergence; stops when the step no longer shrinks.
+// Halley's method inside the ball in which Newton's converges for certain: the step to the zero of
+// the hyperbola that follows the curve to second order. It leaves an error of third order, known by
+// the third derivative; when that is below the last bit of s nothing is left to evaluate. Ends too
+// when steps no longer shrink.
 template <class Real, class Sample>
 FirstZero<Real> finish(const Sample& sample, Real s, CurvePoint<Real> point, int evaluations) {
   using std::abs;
-  Real step = -point.value / point.slope;
-  // 60 halvings exhaust any scalar in use; quadratic convergence takes about five.
+  const Real last_bit = std::numeric_limits<Real>::epsilon() / 2;
+  const auto correction = [&] {
+    const Real newton = -point.value / point.slope;
+    return Real(newton / (1 + newton * point.curvature / (2 * point.slope)));
+  };
+  Real step = correction();
+  // 60 halvings exhaust any scalar in use; cubic convergence takes about three.
   for (int i = 0; i < 60; ++i) {
     const Real next = s + step > 0 ? Real(s + step) : Real(0);
     if (next == s) break;
     s = next;
+    const Real bend = point.curvature / (2 * point.slope);
+    const Real left =
+        (abs(point.third / (6 * point.slope)) + bend * bend) * abs(step * step * step);
+    if (2 * left < last_bit * s) {
+      point.slope += point.curvature * step;
+      break;
+    }
     point = sample(s);
     ++evaluations;
-    const Real correction = -point.value / point.slope;
-    if (!(2 * abs(correction) < abs(step))) break;
-    step = correction;
+    const Real shorter = correction();
+    if (!(2 * abs(shorter) < abs(step))) break;
+    step = shorter;
   }
   return {ZeroKind::kCrossing, s, point.slope, evaluations};
 }
@@ -107,8 +170,9 @@ Descent<Real> approach_descent(const Sample& sample, const Real& from, const Rea
     point = sample(s);
     if (!isfinite(point.value) || !isfinite(point.slope) || !isfinite(point.bound))
       return ended(ZeroKind::kNotFinite, Real(0), i);
-    if (point.slope < 0 && 2 * (abs(point.value) / -point.slope) <= point.reach &&
-        4 * (point.bound / -point.slope) * (abs(point.value) / -point.slope) <= 1)
+    const Real ball = 2 * (abs(point.value) / -point.slope);
+    if (point.slope < 0 && ball <= point.reach &&
+        2 * (bound_within(point, ball) / -point.slope) * ball <= 1)
       return ended(ZeroKind::kCrossing, point.slope, i);
     const Real certain = std::max<Real>(point.value - point.noise, 0);
     if (certain == 0 && point.slope <= 0) return ended(ZeroKind::kTouch, point.slope, i);
@@ -116,7 +180,7 @@ Descent<Real> approach_descent(const Sample& sample, const Real& from, const Rea
     // to the far side of it.
     const bool lingers = certain == 0 && point.slope * point.slope < point.bound * point.noise;
     const Real clear = lingers ? std::max<Real>(point.value + point.noise, 0) : certain;
-    const Real step = std::min<Real>(safe_step(clear, point.slope, point.bound), point.reach);
+    const Real step = clear_step(point, clear);
     if (s + step == s) return ended(ZeroKind::kTouch, point.slope, i);
     s += step;
   }
