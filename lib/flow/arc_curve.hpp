@@ -79,7 +79,14 @@ class ArcCurve {
 
   // `window`: the arc is used for 0 <= s <= window. `from_zero`: c(0) = 0 as an identity.
   ArcCurve(const Arc<Real>& arc, const Observable<Real>& observable, const Real& window,
-           bool from_zero);
+           bool from_zero) {
+    restart(arc, observable, window, from_zero);
+  }
+  ArcCurve() = default;
+  // Another one in the place of this one.
+  void restart(const Arc<Real>& arc, const Observable<Real>& observable, const Real& window,
+               bool from_zero);
+  void set_window(const Real& window) { window_ = window; }
   // A curve of exponentials that are added one by one, starting at `start` known to `noise`.
   ArcCurve(const Real& start, const Real& noise, const Real& window);
 

@@ -40,12 +40,18 @@ CurvePoint<Real> observed(const Observable<Real>& observable, const Real& theta,
 }
 
 template <class Real>
-ArcCurve<Real>::ArcCurve(const Arc<Real>& arc, const Observable<Real>& observable,
-                         const Real& window, bool from_zero)
-    : frequency_(arc.flow().frequency()), theta_(arc.start_phase()), window_(window) {
+void ArcCurve<Real>::restart(const Arc<Real>& arc, const Observable<Real>& observable,
+                             const Real& window, bool from_zero) {
   using exact_flow_detail::times;
   using std::abs, std::cos, std::sin;
   const ExactFlow<Real>& flow = arc.flow();
+  frequency_ = flow.frequency();
+  theta_ = arc.start_phase();
+  window_ = window;
+  start_value_ = start_noise_ = 0;
+  exponentials_.clear();
+  specials_.clear();
+  part_ = {};
   const bool moves = observable.velocity.size() > 0;
   PlanarNumber<Real> harmonic = observable.harmonic;
   exponentials_.reserve(static_cast<std::size_t>(2 * flow.modes() + 1));

@@ -50,6 +50,8 @@ class ContactPhase {
   // The gap of an open stop along the arc, for `window` seconds; `from_zero`: it starts on the
   // stop.
   ArcCurve<Real> gap(int stop, const Real& window, bool from_zero) const;
+  // The same, kept until the arc ends; its window is set anew.
+  const ArcCurve<Real>& gap_along(int stop, const Real& window, bool from_zero);
   // The contact force of a closed stop, N (in units of the modal mass).
   ArcCurve<Real> force(int stop, const Real& window) const;
   // The flow that steps along, if one does, and what it watches for at a stop that is open or
@@ -98,6 +100,11 @@ class ContactPhase {
   std::vector<Observable<Real>> observables_;  // of every stop: gap, or contact force where closed
   std::optional<ExactFlow<Real>> flow_;
   std::optional<Arc<Real>> arc_;
+  struct KeptCurve {
+    bool known = false, from_zero = false;
+    ArcCurve<Real> curve;
+  };
+  std::vector<KeptCurve> kept_;  // of every stop, on this arc
   std::unique_ptr<CoupledFlow> coupled_flow_;
   std::optional<CoupledArc> coupled_arc_;
   std::unique_ptr<StepFlow> step_flow_;

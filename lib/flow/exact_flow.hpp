@@ -102,6 +102,10 @@ class Arc {
   explicit Arc(const ExactFlow<Real>& flow);
 
   void start(const Real& theta, const RealVector<Real>& q, const RealVector<Real>& qdot);
+  // Whether it was started there, to the last bit.
+  bool starts_at(const Real& theta, const RealVector<Real>& q, const RealVector<Real>& qdot) const {
+    return theta_ == theta && start_.size() == q.size() && start_ == q && start_rate_ == qdot;
+  }
   // Displacements and velocities at s >= 0.
   void state(const Real& s, RealVector<Real>& q, RealVector<Real>& qdot) const;
 

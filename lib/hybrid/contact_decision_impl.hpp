@@ -25,7 +25,7 @@ inline constexpr int kRoundings = 16;
 template <class Real>
 std::optional<Arrival<Real>> Motion<Real>::decide() {
   using std::abs;
-  const ContactPhase<Real>& phase = start_phase();
+  ContactPhase<Real>& phase = start_phase();
   std::vector<int> resting, lingering;
   for (const int i : order_) {
     // Left at this instant without speed: what the others do now may hold it back.
@@ -33,11 +33,12 @@ std::optional<Arrival<Real>> Motion<Real>::decide() {
       lingering.push_back(i);
     if (contact(i) != Contact::kTouching) continue;
     // Known to be at rest, or kept at rest by closed stops: then its rate is mere rounding.
-    if (now_.multiplicities[static_cast<std::size_t>(i)] > 1 || !is_independent(i, closed())) {
+    if (now_.multiplicities[static_cast<std::size_t>(i)] > 1 ||
+        !is_independent(i, phase.closed())) {
       resting.push_back(i);
       continue;
     }
-    const CurvePoint<Real> rate = phase.gap(i, Real(0), true).at(Real(0), 1);
+    const CurvePoint<Real> rate = phase.gap_along(i, Real(0), true).at(Real(0), 1);
     // The phase forgets what closed stops leave of the velocities: rounding of b.q'.
     // And the instant is known to its rounding, in which a push changes the speed: at the end of a
     // chatter, where nothing else moves, this is what is left of it.

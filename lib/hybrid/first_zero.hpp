@@ -73,7 +73,7 @@ Real cubic_step(const Real& value, const Real& slope, const Real& curvature, con
   if (third == 0) return parabola_step(value, slope, Real(-curvature));
   Real h = cbrt(6 * (value / third)), best = 0;
   // Each is certain; around the longest one the two run towards each other.
-  for (int i = 0; i < 4; ++i) {
+  for (int i = 0; i < 3; ++i) {
     const Real step = parabola_step(value, slope, Real(third * h / 3 - curvature));
     best = std::max(best, std::min(h, step));
     h = step < 16 * h ? Real(sqrt(h * step)) : Real(4 * h);
@@ -111,13 +111,10 @@ struct Descent {
 };
 
 // Halley's method inside the ball in which Newton's converges for certain: the step to the zero of
-// the hyperbola that follows the curve to second order. It leaves an error of third order, known by
-// the third derivative; when that is below the last bit of s nothing is left to evaluate. Ends too
-// when steps no longer shrink.
+// the hyperbola that follows the curve to second order; stops when steps no longer shrink.
 template <class Real, class Sample>
 FirstZero<Real> finish(const Sample& sample, Real s, CurvePoint<Real> point, int evaluations) {
   using std::abs;
-  const Real last_bit = std::numeric_limits<Real>::epsilon() / 2;
   const auto correction = [&] {
     const Real newton = -point.value / point.slope;
     return Real(newton / (1 + newton * point.curvature / (2 * point.slope)));
@@ -128,13 +125,6 @@ FirstZero<Real> finish(const Sample& sample, Real s, CurvePoint<Real> point, int
     const Real next = s + step > 0 ? Real(s + step) : Real(0);
     if (next == s) break;
     s = next;
-    const Real bend = point.curvature / (2 * point.slope);
-    const Real left =
-        (abs(point.third / (6 * point.slope)) + bend * bend) * abs(step * step * step);
-    if (2 * left < last_bit * s) {
-      point.slope += point.curvature * step;
-      break;
-    }
     point = sample(s);
     ++evaluations;
     const Real shorter = correction();

@@ -25,7 +25,33 @@ inline constexpr int kAtRest = 64;
 }  // namespace impact_detail
 
 template <class Real>
+int Motion<Real>::lone_stop() const {
+  int found = -1;
+  for (const int i : order_) {
+    if (contact(i) == Contact::kClear) continue;
+    if (found >= 0 || is_held(i)) return -1;
+    found = i;
+  }
+  return found >= 0 && approach_speed(found) > speed_rounding(found) ? found : -1;
+}
+
+// What impact() comes to on one stop that is approached: p = v- - v+.
+template <class Real>
+std::vector<ImpactShare<Real>> Motion<Real>::impact_alone(int i) {
+  const Stop& s = stop(i);
+  const Real speed = approach_speed(i), target = -s.restitution.at(speed) * speed;
+  Real impulse = speed - target;
+  now_.qdot -= impulse * s.direction;
+  // Twice, as in apply().
+  const Real left = approach_speed(i) - target;
+  now_.qdot -= left * s.direction;
+  set(i, Contact::kTouching);
+  return {{i, speed, target, impulse + left, true}};
+}
+
+template <class Real>
 std::vector<ImpactShare<Real>> Motion<Real>::impact() {
+  if (const int alone = lone_stop(); alone >= 0) return impact_alone(alone);
   Touched touched = touched_stops();
   Jump jump = jump_of(touched);
   if (drives_back(touched, jump) && comes_to_rest(touched)) {

@@ -212,6 +212,9 @@ class Motion {
   bool drives_back(const Touched& touched, const Jump& jump) const;
   // Whether impacts at this instant then follow each other without end, down to rest.
   bool comes_to_rest(Touched touched) const;
+  // The stop of an impact that concerns it alone; -1: others are touched or held too.
+  int lone_stop() const;
+  std::vector<ImpactShare<Real>> impact_alone(int stop);
   void apply(const std::vector<int>& touched, const RealVector<Real>& target,
              RealVector<Real>& impulse);
   bool is_quiet(const ContactPhase<Real>& phase, const std::vector<int>& chattering,
@@ -221,6 +224,7 @@ class Motion {
   std::optional<ClosedChatter<Real>> close_shared(const Real& closure_speed);
   std::pair<RealVector<Real>, RealVector<Real>> at_rest_on(const std::vector<int>& stops) const;
   ClosedChatter<Real> settled(const std::vector<int>& stops, const Real& duration);
+  Arrival<Real> stay();
   Arrival<Real> search(const Real& until, const Real& horizon);
   void search_by_steps(ContactPhase<Real>& phase, Arrival<Real>& arrival);
   Arrival<Real> arrive(Arrival<Real> arrival, const Real& until);

@@ -144,12 +144,22 @@ Arrival<Real> Motion<Real>::fly(const Real& until, const Real& horizon) {
     arrival = Arrival<Real>{changes_.front().kind, changes_.front().stop};
     changes_.erase(changes_.begin());
   }
+  if (!arrival && !(until > now_.instant.local)) arrival = stay();
   if (!arrival) arrival = arrive(search(until, horizon), until);
   if (arrival->kind == ArrivalKind::kContact && crowded()) arrival->kind = ArrivalKind::kRefused;
   const bool stands = arrival->flight == 0 && arrival->kind != ArrivalKind::kTime;
   standstill_ = stands ? standstill_ + 1 : 0;
   if (standstill_ > motion_detail::kMostStandstills) arrival->kind = ArrivalKind::kUndecided;
   return *arrival;
+}
+
+// A flight of no length, for the news alone.
+template <class Real>
+Arrival<Real> Motion<Real>::stay() {
+  departure_ = now_;
+  start_phase();
+  flown_ = phase_;
+  return {};
 }
 
 // The first event along the arc that starts now.
@@ -172,8 +182,9 @@ Arrival<Real> Motion<Real>::search(const Real& until, const Real& horizon) {
     const bool is_closed = contact(i) == Contact::kClosed;
     const int multiplicity = now_.multiplicities[static_cast<std::size_t>(i)];
     const FirstZero<Real> zero =
-        is_closed ? first_release(phase.force(i, arrival.flight))
-                  : first_contact(phase.gap(i, arrival.flight, multiplicity > 0), multiplicity);
+        is_closed
+            ? first_release(phase.force(i, arrival.flight))
+            : first_contact(phase.gap_along(i, arrival.flight, multiplicity > 0), multiplicity);
     arrival.evaluations += zero.evaluations;
     if (zero.kind == ZeroKind::kNone) continue;
     arrival.stop = i;

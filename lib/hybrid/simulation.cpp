@@ -224,6 +224,8 @@ class Run {
 
   // Sums the tail of a chatter where it will complete.
   void close_chatter(const std::vector<ImpactShare<double>>& shares) {
+    // Against a single stop only impacts as slow as that are summed.
+    if (stops() == 1 && shares.size() == 1 && shares.front().speed > state_.closure_speed) return;
     const State before{motion_.q(), motion_.qdot()};
     const auto closed = motion_.close_chatter(shares, state_.closure_speed);
     if (!closed) return;
