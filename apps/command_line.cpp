@@ -151,7 +151,7 @@ void add_cost(CLI::App& graze, Command& command) {
   add_plot(app, command);
   app->add_option("--impacts", command.impacts,
                   "Impacts over which flows are compared (default 20)")
-      ->transform(whole_number("a whole number, 0 or more", 0.0, kMostCounted))
+      ->transform(whole_number_within(1, 1'000'000))
       ->type_name("K");
   app->add_option("--duration", command.duration,
                   "Most simulated time, s (default: 100 forcing periods; without forcing, of the "

@@ -49,7 +49,7 @@ struct CurvePoint {
     Real slope = 0, curvature = 0, third = 0;
     Real fall = std::numeric_limits<Real>::infinity();
   };
-  Slow slow;
+  Slow slow{};
 
   // Of the curve's negative.
   void turn_round() {

@@ -38,6 +38,7 @@ struct StepDescent {
   int watch = -1;        // which fell through zero first; -1: none did
   double s = 0.0;        // where; else the end of the window
   bool finite = true;    // the state stayed in range
+  bool stopped = false;  // the setting's stop signal ended it
   double lowest = 0.0;   // least value of any watch at the ends of the steps
   long long values = 0;  // of observables, taken in search of the zero
 };
@@ -47,8 +48,10 @@ class StepFlow {
   virtual ~StepFlow() = default;
   // A smooth piece begins: the state at forcing phase theta; s counts from here.
   virtual void start(double theta, const Vector& x) = 0;
-  // The first watch to fall through zero within the window, s.
-  virtual StepDescent first_descent(std::span<const Watch* const> watches, double window) = 0;
+  // The first watch to fall through zero within the window, s. `told`: up to where the least value
+  // is told, s.
+  virtual StepDescent first_descent(std::span<const Watch* const> watches, double window,
+                                    double told) = 0;
   // The state s seconds after the start. Dear where s lies before the step taken last.
   virtual void state(double s, Vector& x) = 0;
   // Of the right-hand side, so far.

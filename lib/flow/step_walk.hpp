@@ -99,7 +99,7 @@ class WalkingFlow final : public StepFlow {
  public:
   using State = typename Walk::State;
 
-  explicit WalkingFlow(Walk walk) : walk_(std::move(walk)) {}
+  WalkingFlow(Walk walk, const StopSignal& stop) : walk_(std::move(walk)), stop_(stop) {}
 
   void start(double theta, const Vector& x) override {
     walk_.rates.set_phase(theta);
@@ -108,12 +108,17 @@ class WalkingFlow final : public StepFlow {
     walk_.begin(start_);
   }
 
-  StepDescent first_descent(std::span<const Watch* const> watches, double window) override {
+  StepDescent first_descent(std::span<const Watch* const> watches, double window,
+                            double told) override {
     StepDescent found;
     found.s = window;
     found.lowest = std::numeric_limits<double>::infinity();
     for (double from = 0.0; from < window && found.watch < 0;) {
       walk_.step();
+      if (++polls_ % kStepsPerPoll == 0 && stop_.requested()) {
+        found.stopped = true;
+        return found;
+      }
       const double end = std::min(walk_.to(), window);
       if (!(end > from)) return not_finite(found);
       if (end < walk_.to()) walk_.between(end, within_);
@@ -122,7 +127,7 @@ class WalkingFlow final : public StepFlow {
       for (std::size_t i = 0; i < watches.size(); ++i) {
         const double there = value(*watches[i], end, x);
         if (!std::isfinite(there)) return not_finite(found);
-        found.lowest = std::min(found.lowest, there);
+        if (end <= told) found.lowest = std::min(found.lowest, there);
         if (there > 0.0) continue;
         const double zero = locate(*watches[i], from, end, there, found.values);
         if (found.watch >= 0 && !(zero < found.s)) continue;
@@ -184,7 +189,10 @@ class WalkingFlow final : public StepFlow {
     return bracketed_zero(at, {from, first}, {end, last}).second;
   }
 
+  static constexpr long long kStepsPerPoll = 4096;
   Walk walk_;
+  StopSignal stop_;
+  long long polls_ = 0;
   State start_, within_;
 };
 

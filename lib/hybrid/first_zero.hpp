@@ -75,6 +75,7 @@ Real cubic_step(const Real& value, const Real& slope, const Real& curvature, con
   // Each is certain; around the longest one the two run towards each other.
   for (int i = 0; i < 3; ++i) {
     const Real step = parabola_step(value, slope, Real(third * h / 3 - curvature));
+    if (!(step >= 0)) return best;
     best = std::max(best, std::min(h, step));
     h = step < 16 * h ? Real(sqrt(h * step)) : Real(4 * h);
   }

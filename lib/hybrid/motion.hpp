@@ -226,7 +226,7 @@ class Motion {
   ClosedChatter<Real> settled(const std::vector<int>& stops, const Real& duration);
   Arrival<Real> stay();
   Arrival<Real> search(const Real& until, const Real& horizon);
-  void search_by_steps(ContactPhase<Real>& phase, Arrival<Real>& arrival);
+  void search_by_steps(ContactPhase<Real>& phase, const Real& until, Arrival<Real>& arrival);
   Arrival<Real> arrive(Arrival<Real> arrival, const Real& until);
   void settle_on(int stop);
   void touch_simultaneous(const Real& flight);

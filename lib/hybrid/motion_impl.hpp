@@ -157,9 +157,11 @@ Arrival<Real> Motion<Real>::fly(const Real& until, const Real& horizon) {
 template <class Real>
 Arrival<Real> Motion<Real>::stay() {
   departure_ = now_;
-  start_phase();
+  const ContactPhase<Real>& phase = start_phase();
   flown_ = phase_;
-  return {};
+  if (phase.refusal().empty()) return {};
+  refusal_ = phase.refusal();
+  return {ArrivalKind::kRefused, phase.closed().front()};
 }
 
 // The first event along the arc that starts now.
@@ -174,8 +176,9 @@ Arrival<Real> Motion<Real>::search(const Real& until, const Real& horizon) {
   Arrival<Real> arrival;
   arrival.flight = std::min<Real>(horizon - now_.instant.local, phase.longest_flight());
   if (steps_) {
-    search_by_steps(phase, arrival);
-    if (arrival.kind == ArrivalKind::kNotFinite) return arrival;
+    search_by_steps(phase, until, arrival);
+    if (arrival.kind == ArrivalKind::kNotFinite || arrival.kind == ArrivalKind::kUndecided)
+      return arrival;
   }
   for (const int i : order_) {
     if (steps_ || contact(i) == Contact::kLocked) continue;
@@ -205,7 +208,8 @@ Arrival<Real> Motion<Real>::search(const Real& until, const Real& horizon) {
 // The same by the signs at the ends of steps. A stop that the structure cannot leave is touched at
 // once.
 template <class Real>
-void Motion<Real>::search_by_steps(ContactPhase<Real>& phase, Arrival<Real>& arrival) {
+void Motion<Real>::search_by_steps(ContactPhase<Real>& phase, const Real& until,
+                                   Arrival<Real>& arrival) {
   if constexpr (std::is_same_v<Real, double>) {
     std::vector<const Watch*> watches;
     std::vector<int> stops;
@@ -219,11 +223,18 @@ void Motion<Real>::search_by_steps(ContactPhase<Real>& phase, Arrival<Real>& arr
       watches.push_back(&watch);
       stops.push_back(i);
     }
-    const StepDescent found = phase.step_flow()->first_descent(watches, arrival.flight);
+    const StepDescent found =
+        phase.step_flow()->first_descent(watches, arrival.flight, until - now_.instant.local);
     arrival.evaluations = found.values;
     arrival.lowest = found.lowest;
     arrival.flight = found.s;
     if (!found.finite) arrival.kind = ArrivalKind::kNotFinite;
+    if (found.stopped) {
+      arrival.kind = ArrivalKind::kUndecided;
+      arrival.flight = 0.0;
+      arrival.stop = stops.empty() ? 0 : stops.front();
+      return;
+    }
     if (found.watch < 0 || !found.finite) return;
     arrival.stop = stops[static_cast<std::size_t>(found.watch)];
     const bool is_closed = contact(arrival.stop) == Contact::kClosed;

@@ -23,7 +23,7 @@ class Run {
       : system_(system),
         options_(options),
         listeners_(listeners),
-        motion_(system, state.motion, options.steps),
+        motion_(system, state.motion, stoppable(options)),
         longest_flight_(longest_flight(system)),
         state_(state) {
     set_end();
@@ -63,6 +63,11 @@ class Run {
   }
 
  private:
+  static std::optional<StepSetting> stoppable(const SimulationOptions& options) {
+    std::optional<StepSetting> steps = options.steps;
+    if (steps) steps->stop = options.stop;
+    return steps;
+  }
   int stops() const { return static_cast<int>(system_.stops.size()); }
   const RigidStop& stop(int i) const { return system_.stops[static_cast<std::size_t>(i)]; }
   bool is_stuck(int i) const {
@@ -98,7 +103,10 @@ class Run {
     const bool untouched = state_.totals.impacts == 0 && !motion_.is_closed_anywhere();
     if (untouched && !options_.steps) note_minima(flight.until - start.local);
     const Arrival<double> arrival = motion_.fly(flight.until, flight.horizon);
-    if (untouched && arrival.lowest) note_gap(std::max(*arrival.lowest, 0.0));
+    if (options_.steps && arrival.kind == ArrivalKind::kUndecided && !within_budget(true))
+      return false;
+    if (untouched && arrival.lowest && std::isfinite(*arrival.lowest))
+      note_gap(std::max(*arrival.lowest, 0.0));
     if (!options_.steps) result_.evaluations += arrival.evaluations;
     // A motion that cannot be followed has no samples, be it found out now or by an earlier run.
     if (arrival.kind == ArrivalKind::kRefused && arrival.flight == 0.0) return receive(arrival);
@@ -153,7 +161,8 @@ class Run {
     return false;
   }
 
-  bool within_budget() {
+  // `asked`: whether the clock has been read already.
+  bool within_budget(bool asked = false) {
     if (state_.totals.impacts >= options_.max_impacts)
       return stop_run(RunOutcome::kEventBudget,
                       fmt::format("the budget of {} impacts was spent at t = {:.9g} s",
@@ -162,7 +171,7 @@ class Run {
       return stop_run(RunOutcome::kInterrupted, fmt::format("stopped at t = {:.9g} s", time()));
     // The clock costs as much as an arc of a small system: it is read once in 256 times, but an arc
     // whose work is integrated may be long.
-    if (((++polls_ & 255) == 0 || options_.energy) && options_.stop.is_late())
+    if (((++polls_ & 255) == 0 || options_.energy || asked) && options_.stop.is_late())
       return stop_run(
           RunOutcome::kTimeBudget,
           fmt::format("the budget of computing time was spent at t = {:.9g} s", time()));

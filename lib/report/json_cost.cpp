@@ -31,6 +31,7 @@ std::string to_json(const CostRecord& record) {
   Json document = Json::parse(json_head(record.info, record.outcome, record.warnings));
   document["reference"] = "exact, 50 digits";
   document["span"] = compared_span(costs);
+  if (!costs.reference_message.empty()) document["reference_message"] = costs.reference_message;
   document["impacts"] = costs.impacts;
   document["end_time"] = costs.end_time;
   document["units"] = {{"error", costs.impacts > 0 ? "s" : "1"},

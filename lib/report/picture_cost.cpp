@@ -52,6 +52,8 @@ class CostPicture {
       include(error_, drawn_error(row));
     }
     include(error_, costs.allowed);
+    // Where nothing could be compared the axes are bare.
+    if (time_.empty()) include(time_, 1e-6);
   }
 
   GnuplotScript script() {
@@ -80,6 +82,7 @@ class CostPicture {
  private:
   // To whole decades.
   static void include(AxisRange& range, double value) {
+    if (!(value > 0.0) || !std::isfinite(value)) return;
     const double decade = std::floor(std::log10(value));
     range.low = std::min(range.low, std::pow(10.0, decade));
     range.high = std::max(range.high, std::pow(10.0, decade + 1.0));

@@ -48,6 +48,11 @@ class Reference {
     }
     run_.end_time = time();
     run_.end = state();
+    // A run that ends at an impact may count it or not.
+    if (!run_.message.empty())
+      std::erase_if(run_.impacts, [this](const ReferenceImpact& impact) {
+        return !(impact.time < run_.end_time);
+      });
     return run_;
   }
 

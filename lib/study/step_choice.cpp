@@ -46,17 +46,18 @@ std::optional<StepSetting> step_choice(const Scene& scene, const System& system,
   setting.step = scene.solver.step.value_or(0.0);
   setting.tolerance = scene.solver.tolerance;
   setting.speed = modal_speed(system, start);
-  setting.longest = longest_stable_step(system, *method);
+  const double stable = setting.longest = longest_stable_step(system, *method);
   // A free mass knows no time of its own; the way to its stops takes it some.
   for (const RigidStop& stop : system.stops)
-    if (std::isinf(setting.longest) && speed_scale(system, start) > 0.0)
+    if (std::isinf(setting.longest) && speed_scale(system, start) > 0.0 &&
+        reach_at(system, stop) > 0.0)
       setting.longest = reach_at(system, stop) / speed_scale(system, start);
   if (std::isinf(setting.longest)) setting.longest = system.forcing ? system.period() : 1.0;
-  if (setting.step > setting.longest)
+  if (setting.step > stable)
     throw scene_error(scene, "solver.step",
                       fmt::format("{:g} s is not allowed, with {} it must be at most {:.6g} s: "
                                   "beyond that the quickest mode grows without bound",
-                                  setting.step, flow_name(scene.solver.flow), setting.longest));
+                                  setting.step, flow_name(scene.solver.flow), stable));
   return setting;
 }
 
