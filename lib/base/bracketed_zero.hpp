@@ -11,7 +11,7 @@ struct BracketEnd {
   double at = 0.0, value = 0.0;
 };
 
-// Two neighbours that enclose the zero, ascending; equal where it was hit. Requires a.at < b.at and
+// Two numbers within four roundings that enclose the zero, ascending; equal where it was hit. Requires a.at < b.at and
 // values of opposite signs, neither of them zero.
 std::pair<double, double> bracketed_zero(const std::function<double(double)>& f,
                                          const BracketEnd& a, const BracketEnd& b);

@@ -1,10 +1,10 @@
 #include "graze/base/isolated_zeros.hpp"
 
 #include <algorithm>
-#include <boost/math/tools/toms748_solve.hpp>
 #include <cmath>
-#include <cstdint>
 #include <limits>
+
+#include "graze/base/bracketed_zero.hpp"
 
 namespace graze {
 namespace {
@@ -98,10 +98,8 @@ class Isolation {
 
   double zero_within(const Cell& cell, double from, double to) {
     if (!(sign_of(from) * sign_of(to) < 0)) return sign_of(to) == 0 ? cell.high : cell.low;
-    std::uintmax_t steps = 100;
-    const auto [low, high] = boost::math::tools::toms748_solve(
-        [this](double value) { return at(value); }, cell.low, cell.high, from, to,
-        boost::math::tools::eps_tolerance<double>(52), steps);
+    const auto [low, high] = bracketed_zero([this](double value) { return at(value); },
+                                            {cell.low, from}, {cell.high, to});
     return low + 0.5 * (high - low);
   }
 

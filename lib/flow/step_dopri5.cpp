@@ -53,12 +53,8 @@ class DenseWalk {
 template <class Rates>
 std::unique_ptr<StepFlow> flow(const Rates& rates, const StepSetting& setting) {
   using Stepper = odeint::runge_kutta_dopri5<typename Rates::State>;
-  using Fixed = step_walk::FixedWalk<Rates, step_walk::Unprepared<Stepper>>;
-  if (setting.step > 0.0)
-    return std::make_unique<step_walk::WalkingFlow<Fixed>>(Fixed(rates, setting.step),
-                                                           setting.stop);
-  using Adaptive = DenseWalk<Rates>;
-  return std::make_unique<step_walk::WalkingFlow<Adaptive>>(Adaptive(rates, setting), setting.stop);
+  return step_walk::fixed_or_adaptive<step_walk::Unprepared<Stepper>, DenseWalk<Rates>>(rates,
+                                                                                        setting);
 }
 
 }  // namespace

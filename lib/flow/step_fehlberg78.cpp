@@ -60,12 +60,7 @@ class ControlledWalk {
 template <class Rates>
 std::unique_ptr<StepFlow> flow(const Rates& rates, const StepSetting& setting) {
   using Stepper = odeint::runge_kutta_fehlberg78<typename Rates::State>;
-  using Fixed = step_walk::FixedWalk<Rates, Stepper>;
-  if (setting.step > 0.0)
-    return std::make_unique<step_walk::WalkingFlow<Fixed>>(Fixed(rates, setting.step),
-                                                           setting.stop);
-  using Adaptive = ControlledWalk<Rates>;
-  return std::make_unique<step_walk::WalkingFlow<Adaptive>>(Adaptive(rates, setting), setting.stop);
+  return step_walk::fixed_or_adaptive<Stepper, ControlledWalk<Rates>>(rates, setting);
 }
 
 }  // namespace

@@ -246,6 +246,15 @@ class FixedWalk {
   Stepper stepper_;
 };
 
+// Steps of one length by Stepper where the setting has one; else those that Adaptive decides.
+template <class Stepper, class Adaptive, class Rates>
+std::unique_ptr<StepFlow> fixed_or_adaptive(const Rates& rates, const StepSetting& setting) {
+  using Fixed = FixedWalk<Rates, Stepper>;
+  if (setting.step > 0.0)
+    return std::make_unique<WalkingFlow<Fixed>>(Fixed(rates, setting.step), setting.stop);
+  return std::make_unique<WalkingFlow<Adaptive>>(Adaptive(rates, setting), setting.stop);
+}
+
 // Calls make(rates) with the right-hand side of the modes there are; a few numbers of modes have
 // states of fixed size.
 template <class Make>

@@ -7,6 +7,7 @@
 #include <ctime>
 
 #include "graze/hybrid/simulation.hpp"
+#include "graze/study/step_choice.hpp"
 
 namespace graze {
 namespace {
@@ -50,31 +51,24 @@ class CostTable {
   FlowCosts finish() {
     if (!(costs_.end_time > 0.0)) return std::move(costs_);
     measure("exact", "", {});
-    for (const StepMethod method : {StepMethod::kRk4, StepMethod::kDopri5, StepMethod::kFehlberg78})
-      climb(method);
-    costs_.interrupted = options_.stop.requested();
+    for (const FlowChoice flow : {FlowChoice::kRk4, FlowChoice::kDopri5, FlowChoice::kFehlberg78})
+      climb(flow);
     return std::move(costs_);
   }
 
  private:
-  static const char* name_of(StepMethod method) {
-    return method == StepMethod::kRk4      ? "rk4"
-           : method == StepMethod::kDopri5 ? "dopri5"
-                                           : "fehlberg78";
-  }
-
-  void climb(StepMethod method) {
+  void climb(FlowChoice flow) {
     StepSetting setting;
-    setting.method = method;
+    setting.method = *step_method(flow);
     setting.speed = options_.speed;
-    setting.longest = longest_stable_step(system_, method);
+    setting.longest = longest_stable_step(system_, setting.method);
     if (std::isinf(setting.longest)) setting.longest = costs_.end_time;
-    const bool fixed = method == StepMethod::kRk4;
+    const bool fixed = setting.method == StepMethod::kRk4;
     double rung = fixed ? 0.5 * setting.longest : kFirstTolerance;
     for (int i = 0; i < kMostRungs && !options_.stop.requested(); ++i) {
       (fixed ? setting.step : setting.tolerance) = rung;
       const double seconds = measure(
-          name_of(method), fmt::format("{}={:.3g}", fixed ? "step" : "tolerance", rung), setting);
+          flow_name(flow), fmt::format("{}={:.3g}", fixed ? "step" : "tolerance", rung), setting);
       if (seconds > options_.row_seconds) break;
       rung /= fixed ? kStepRatio : kToleranceRatio;
       if (!fixed && rung < 0.99 * kLastTolerance) break;
@@ -91,11 +85,11 @@ class CostTable {
   }
 
   // Returns the time that one run takes, s.
-  double measure(const char* flow, std::string setting, const std::optional<StepSetting>& steps) {
+  double measure(const std::string& flow, std::string setting,
+                 const std::optional<StepSetting>& steps) {
     FlowCost row;
     row.flow = flow;
     row.setting = std::move(setting);
-    row.steps = steps;
     const SimulationOptions options = simulation_options(steps);
     double least = 0.0, total = 0.0;
     for (int i = 0; i < kFewestRuns || total < kMeasured; ++i) {

@@ -8,14 +8,12 @@
 #include <vector>
 
 #include "graze/base/stop_signal.hpp"
-#include "graze/flow/step_setting.hpp"
 #include "graze/study/reference_run.hpp"
 
 namespace graze {
 
 struct FlowCost {
-  std::string flow, setting;         // "rk4", "step=1e-05"; the exact flow has no setting
-  std::optional<StepSetting> steps;  // absent: the exact flow
+  std::string flow, setting;  // "rk4", "step=1e-05"; the exact flow has no setting
   // Largest error of an impact time, s; of a motion without impacts largest error of the
   // displacements relative to their largest size. Absent where the run failed or lost the sequence.
   std::optional<double> error;
@@ -36,7 +34,6 @@ struct FlowCosts {
   double allowed = 0.0;     // the error that this tolerance allows, in the unit of the errors
   std::vector<FlowCost> rows;
   std::string reference_message;  // why the reference ended early
-  bool interrupted = false;
 };
 
 struct FlowCostOptions {

@@ -8,8 +8,6 @@
 #include "graze/system/scale.hpp"
 
 namespace graze {
-namespace {
-
 std::optional<StepMethod> step_method(FlowChoice flow) {
   switch (flow) {
     case FlowChoice::kAuto:
@@ -24,8 +22,6 @@ std::optional<StepMethod> step_method(FlowChoice flow) {
   }
   return {};
 }
-
-}  // namespace
 
 double modal_speed(const System& system, const State& start) {
   double speed = std::hypot(start.qdot.norm(), system.omega.cwiseProduct(start.q).norm());

@@ -12,6 +12,9 @@ namespace graze {
 // forcing gives within a radian, what the motion has at its stops.
 double modal_speed(const System& system, const State& start);
 
+// The method of a flow that takes steps; absent: it is exact.
+std::optional<StepMethod> step_method(FlowChoice flow);
+
 // How the motion is integrated step by step; absent where it is exact. Its tolerance is that of the
 // scene. Throws InputError for a step at which the method is not stable.
 std::optional<StepSetting> step_choice(const Scene& scene, const System& system,
