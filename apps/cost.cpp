@@ -42,6 +42,7 @@ int run_cost(const Command& command) {
   options.speed = modal_speed(system, start);
   options.closure_speed =
       command.closure_speed.value_or(default_closure_speed(system, start, scene.solver.tolerance));
+  options.max_impacts = command.max_impacts;
   options.stop = stop_signal(command);
   options.progress = progress_line(command);
   record.info.options.emplace_back("impacts", static_cast<long long>(options.impacts));
@@ -50,11 +51,20 @@ int run_cost(const Command& command) {
   record.info.options.emplace_back("max_seconds", command.max_seconds);
   prepare_output(command);
   record.costs = flow_costs(system, start, options);
+  if (!options.stop.requested()) {
+    const AccuracyCostOptions others{options.longest, options.impacts, options.stop};
+    record.modes = mode_costs(scene, others);
+    record.closure = closure_costs(system, start, others);
+    record.corrector = corrector_costs(scene, others);
+  }
   record.outcome = cost_outcome(record.costs, options.stop.reason());
   return conclude(command, record.info, record.outcome,
                   {to_json(record),
                    to_text(record),
-                   {{"costs.csv", costs_csv(record)}},
+                   {{"costs.csv", costs_csv(record)},
+                    {"costs_of_modes.csv", mode_costs_csv(record)},
+                    {"costs_of_closure.csv", closure_costs_csv(record)},
+                    {"costs_of_corrector.csv", corrector_costs_csv(record)}},
                    [&] { draw_costs(command.plot, record); },
                    {}});
 }

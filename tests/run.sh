@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Installs what is missing, builds Graze, runs all tests. From the project's root or anywhere else:
-#   bash tests/run.sh            optimised build, all tests; writes docs/hard_cases.md anew
+#   bash tests/run.sh            optimised build, all tests; writes docs/hard_cases.md and docs/cost.md anew
 #   bash tests/run.sh --dev      the same with address and undefined-behaviour sanitizers
 set -euo pipefail
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
@@ -15,9 +15,11 @@ bash apps/install_packages.sh
 cmake --preset "$preset" -DGRAZE_TESTS=ON > /dev/null
 cmake --build --preset "$preset"
 GRAZE_HARD_CASES=$(mktemp)
-export GRAZE_HARD_CASES
-trap 'rm -f "$GRAZE_HARD_CASES"' EXIT
+GRAZE_COSTS=$(mktemp)
+export GRAZE_HARD_CASES GRAZE_COSTS
+trap 'rm -f "$GRAZE_HARD_CASES" "$GRAZE_COSTS"' EXIT
 ctest --preset "$preset" --parallel "$(nproc)"
 if [ "$preset" = release ]; then
   bash tests/hard/table.sh "$GRAZE_HARD_CASES" docs/hard_cases.md
+  bash tests/cost/table.sh "$GRAZE_COSTS" docs/cost.md
 fi

@@ -26,8 +26,8 @@ double impact_energy_change(const Vector& row, const Vector& direction, const Ve
                             double restitution) {
   const double v = row.dot(before);
   const double loss = 0.5 * (1.0 - restitution) * (1.0 + restitution) * v * v / row.squaredNorm();
-  // Exactly zero for the momentum law.
-  const Vector oblique = direction - momentum_direction(row);
+  // Exactly zero for the momentum law: formed as momentum_direction() does, but not kept.
+  const auto oblique = direction - row / row.squaredNorm();
   const double jump = (1.0 + restitution) * v;
   return jump * (0.5 * jump * oblique.squaredNorm() - oblique.dot(before)) - loss;
 }

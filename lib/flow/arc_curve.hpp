@@ -12,9 +12,9 @@
 
 #include <array>
 #include <functional>
-#include <limits>
 #include <vector>
 
+#include "graze/flow/curve_terms.hpp"
 #include "graze/flow/exact_flow.hpp"
 
 namespace graze {
@@ -32,37 +32,6 @@ template <class Real>
 Observable<Real> gap_observable(const RealVector<Real>& row, const Real& gap) {
   return {gap, -row, {}, {}};
 }
-
-// A derivative of the curve at one s: what a certified search needs.
-template <class Real>
-struct CurvePoint {
-  Real value = 0;                                      // derivative m of the curve
-  Real slope = 0;                                      // derivative m + 1
-  Real bound = 0;                                      // |derivative m + 2| from s over `reach`
-  Real noise = 0;                                      // rounding error of value
-  Real reach = std::numeric_limits<Real>::infinity();  // s; infinite: to the end of the window
-  Real curvature = 0;                                  // derivative m + 2
-  Real third = std::numeric_limits<Real>::infinity();  // |derivative m + 3|, bounded like `bound`
-  // The same of the slow terms alone. The quick ones together fall by at most `fall` from here on;
-  // infinite where they are not told apart.
-  struct Slow {
-    Real slope = 0, curvature = 0, third = 0;
-    Real fall = std::numeric_limits<Real>::infinity();
-  };
-  Slow slow{};
-
-  // Of the curve's negative.
-  void turn_round() {
-    value = -value;
-    slope = -slope;
-    curvature = -curvature;
-    slow = {};
-  }
-};
-
-// How far a bound has to hold: to the end of the window, or only as far as the next step of a
-// search needs it, where that makes the step longer.
-enum class Reach { kWindow, kStep };
 
 // The observable at forcing phase theta: value, and its rounding as noise (one eps for every
 // product and every sum, of its size).
@@ -83,7 +52,7 @@ class ArcCurve {
     restart(arc, observable, window, from_zero);
   }
   ArcCurve() = default;
-  // Another one in the place of this one.
+  // The same along another arc; `observable` is the one that it was made of.
   void restart(const Arc<Real>& arc, const Observable<Real>& observable, const Real& window,
                bool from_zero);
   void set_window(const Real& window) { window_ = window; }
@@ -103,19 +72,21 @@ class ArcCurve {
  private:
   static constexpr std::size_t kOrders = 5;  // derivatives 0..4 are evaluated, 5 is bounded
 
-  struct Exponential {
-    Real decay = 0, frequency = 0;
-    PlanarNumber<Real> coefficient, rate;  // k, l
-    PlanarNumber<Real> first, second;      // k l, k l^2
-    Real size = 0, rate_size = 0;          // |k|, |l|
-    Real rounded = 0;                      // what k was rounded at: its size and its origin
+  // How the coefficient of a term follows from the two numbers of its mode's motion.
+  enum class Takes { kBoth, kFirst, kSecond };
+  struct Source {
+    int mode;
+    Takes takes;
+    PlanarNumber<Real> weight;
+    Real formed_from;
   };
   // A mode that has no exponential form: near critical, or answering from rest.
   struct Special {
     const ModeFlow<Real>* mode;
+    int index;                    // of the mode
     Real displacement, velocity;  // weights
-    Real q, qdot;                 // free part at the start
     Real apart;                   // |P_j| + |offset|, from which the free part was told apart
+    Real q = 0, qdot = 0;         // free part at the start
   };
 
   using Bounds = std::array<Real, kOrders + 2>;  // of the derivatives from the second on
@@ -124,16 +95,18 @@ class ArcCurve {
                         const Real& ahead) const;
   void add_special(const Special& special, const Real& s, int m, Reach reach,
                    CurvePoint<Real>& point) const;
-  struct Share;
-  void leave_out_quick(const Share* shares, CurvePoint<Real>& point) const;
+  void leave_out_quick(const TermShares<Real>& shares, CurvePoint<Real>& point) const;
+  // What all arcs of a flow share.
+  void adopt(const ExactFlow<Real>& flow, const Observable<Real>& observable);
 
   Real frequency_ = 0, theta_ = 0, window_ = 0;
   Real start_value_ = 0;  // c(0)
   Real start_noise_ = 0;
-  // Up to so many are told apart into slow and quick ones.
-  static constexpr std::size_t kMostShares = 64;
-  std::vector<Exponential> exponentials_;
-  std::size_t modes_end_ = 0;  // those of the modes come first, from slow to quick as a rule
+  const ExactFlow<Real>* flow_ = nullptr;  // whose arcs it follows
+  CurveTerms<Real> terms_;       // the modes' first, from slow to quick as a rule, then the forcing
+  std::vector<Source> sources_;  // of the modes' terms
+  PlanarNumber<Real> harmonic_{};  // weight of e^{i theta}, the forced response with it
+  std::size_t modes_end_ = 0;
   std::vector<Special> specials_;
   Part part_;
 };

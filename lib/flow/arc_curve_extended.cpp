@@ -3,6 +3,7 @@
 
 namespace graze {
 
+template class CurveTerms<Extended>;
 template class ExactFlow<Extended>;
 template class Arc<Extended>;
 template class ArcCurve<Extended>;

@@ -4,17 +4,10 @@
 #include <limits>
 
 #include "graze/flow/arc_curve.hpp"
+#include "graze/flow/curve_terms_impl.hpp"
 #include "graze/flow/exact_flow_impl.hpp"
 
 namespace graze {
-namespace arc_curve_detail {
-
-// Rounding of one term k (e^{l s} - 1): the argument, sine, exponential, two products and the sum
-// add at most about one eps each of |k| |l| s.
-inline constexpr int kRoundings = 8;
-
-}  // namespace arc_curve_detail
-
 template <class Real>
 CurvePoint<Real> observed(const Observable<Real>& observable, const Real& theta,
                           const RealVector<Real>& q, const RealVector<Real>& qdot) {
@@ -40,55 +33,75 @@ CurvePoint<Real> observed(const Observable<Real>& observable, const Real& theta,
 }
 
 template <class Real>
-void ArcCurve<Real>::restart(const Arc<Real>& arc, const Observable<Real>& observable,
-                             const Real& window, bool from_zero) {
-  using exact_flow_detail::times;
-  using std::abs, std::cos, std::sin;
-  const ExactFlow<Real>& flow = arc.flow();
+void ArcCurve<Real>::adopt(const ExactFlow<Real>& flow, const Observable<Real>& observable) {
+  using std::abs;
+  flow_ = &flow;
   frequency_ = flow.frequency();
-  theta_ = arc.start_phase();
-  window_ = window;
-  start_value_ = start_noise_ = 0;
-  exponentials_.clear();
+  terms_.clear();
+  sources_.clear();
   specials_.clear();
-  part_ = {};
   const bool moves = observable.velocity.size() > 0;
-  PlanarNumber<Real> harmonic = observable.harmonic;
-  exponentials_.reserve(static_cast<std::size_t>(2 * flow.modes() + 1));
+  harmonic_ = observable.harmonic;
+  terms_.reserve(static_cast<std::size_t>(2 * flow.modes() + 1));
+  sources_.reserve(static_cast<std::size_t>(2 * flow.modes()));
+  const auto add = [&](const Source& source, const Real& decay, const Real& frequency) {
+    terms_.add(decay, frequency);
+    sources_.push_back(source);
+  };
   for (int j = 0; j < flow.modes(); ++j) {
     const ModeFlow<Real>& mode = flow.mode(j);
-    const PlanarNumber<Real>& a = arc.amplitude(j);
     const Real x = observable.displacement[j], v = moves ? observable.velocity[j] : Real(0);
-    const PlanarNumber<Real> forced = times(PlanarNumber<Real>{x, v * frequency_}, mode.forced);
-    harmonic.re += forced.re;
-    harmonic.im += forced.im;
+    const PlanarNumber<Real> forced = PlanarNumber<Real>{x, v * frequency_} * mode.forced;
+    harmonic_.re += forced.re;
+    harmonic_.im += forced.im;
     // The free part is the state less the forced response and the offset: it carries their
     // rounding.
     const Real apart = abs(mode.forced.re) + abs(mode.forced.im) + abs(mode.offset);
     if (mode.kind == ModeKind::kOscillatory) {
-      const PlanarNumber<Real> weight{x - v * mode.first, v * mode.second};
-      add_exponential(
-          times(weight, a), mode.first, mode.second,
-          (abs(x) + abs(v) * mode.omega) * apart * (1 + (frequency_ + mode.first) / mode.second));
+      add({j,
+           Takes::kBoth,
+           {x - v * mode.first, v * mode.second},
+           (abs(x) + abs(v) * mode.omega) * apart * (1 + (frequency_ + mode.first) / mode.second)},
+          mode.first, mode.second);
     } else if (mode.kind == ModeKind::kOverdamped) {
       const Real formed_from = apart * (1 + frequency_ / mode.second);
       const Real slow = x - v * mode.first, fast = x - v * mode.second;
-      add_exponential({slow * a.re, 0}, mode.first, 0, abs(slow) * formed_from);
-      add_exponential({fast * a.im, 0}, mode.second, 0, abs(fast) * formed_from);
+      add({j, Takes::kFirst, {slow, 0}, abs(slow) * formed_from}, mode.first, 0);
+      add({j, Takes::kSecond, {fast, 0}, abs(fast) * formed_from}, mode.second, 0);
     } else {
-      specials_.push_back({&mode, x, v, a.re, a.im, apart});
+      specials_.push_back({&mode, j, x, v, apart});
     }
   }
-  modes_end_ = exponentials_.size();
-  if (flow.forced())
-    add_exponential(times(harmonic, PlanarNumber<Real>{cos(theta_), sin(theta_)}), 0, frequency_,
-                    0);
-  if (!from_zero) {
-    const CurvePoint<Real> start =
-        observed(observable, theta_, arc.start_displacements(), arc.start_velocities());
-    start_value_ = start.value;
-    start_noise_ = start.noise;
+  modes_end_ = terms_.size();
+  if (flow.forced()) terms_.add(0, frequency_);
+}
+
+template <class Real>
+void ArcCurve<Real>::restart(const Arc<Real>& arc, const Observable<Real>& observable,
+                             const Real& window, bool from_zero) {
+  if (flow_ != &arc.flow()) adopt(arc.flow(), observable);
+  theta_ = arc.start_phase();
+  window_ = window;
+  start_value_ = start_noise_ = 0;
+  for (std::size_t i = 0; i < sources_.size(); ++i) {
+    const Source& source = sources_[i];
+    const PlanarNumber<Real>& a = arc.amplitude(source.mode);
+    const Real& w = source.weight.re;
+    const PlanarNumber<Real> k = source.takes == Takes::kBoth    ? source.weight * a
+                                 : source.takes == Takes::kFirst ? PlanarNumber<Real>{w * a.re, 0}
+                                                                 : PlanarNumber<Real>{w * a.im, 0};
+    terms_.set(i, k, source.formed_from);
   }
+  for (Special& special : specials_) {
+    special.q = arc.amplitude(special.index).re;
+    special.qdot = arc.amplitude(special.index).im;
+  }
+  if (flow_->forced()) terms_.set(modes_end_, harmonic_ * arc.start_turn(), 0);
+  if (from_zero) return;
+  const CurvePoint<Real> start =
+      observed(observable, theta_, arc.start_displacements(), arc.start_velocities());
+  start_value_ = start.value;
+  start_noise_ = start.noise;
 }
 
 template <class Real>
@@ -98,73 +111,16 @@ ArcCurve<Real>::ArcCurve(const Real& start, const Real& noise, const Real& windo
 template <class Real>
 void ArcCurve<Real>::add_exponential(const PlanarNumber<Real>& k, const Real& decay,
                                      const Real& frequency, const Real& formed_from) {
-  using std::abs, std::sqrt;
-  Exponential& term = exponentials_.emplace_back();
-  term.decay = decay;
-  term.frequency = frequency;
-  term.rate = {-decay, frequency};
-  term.rate_size = decay == 0 ? frequency : Real(sqrt(decay * decay + frequency * frequency));
-  term.coefficient = k;
-  term.first = exact_flow_detail::times(k, term.rate);
-  term.second = exact_flow_detail::times(term.first, term.rate);
-  // Where the square of |k| leaves the range of the scalar, the sum of its parts bounds it.
-  const Real square = k.re * k.re + k.im * k.im;
-  const bool in_range =
-      square > std::numeric_limits<Real>::min() && square < std::numeric_limits<Real>::max();
-  term.size = in_range ? Real(sqrt(square)) : Real(abs(k.re) + abs(k.im));
-  term.rounded = term.size + formed_from;
+  terms_.add(decay, frequency);
+  terms_.set(terms_.size() - 1, k, formed_from);
 }
-
-// What one exponential adds to a point.
-template <class Real>
-struct ArcCurve<Real>::Share {
-  Real slope, curvature, third;
-  Real fall;  // from here to the lowest that it can get
-};
 
 template <class Real>
 CurvePoint<Real> ArcCurve<Real>::at(const Real& s, int m, Reach reach) const {
-  using exact_flow_detail::times;
-  using std::cos, std::expm1, std::sin;
   CurvePoint<Real> point;
   point.third = 0;
-  std::array<Share, kMostShares> shares;
-  std::size_t count = 0;
-  Real rounding = 0;
-  Real decay_rate = 0, decay_minus_one = 0;  // modes often share their decay
-  for (const Exponential& term : exponentials_) {
-    if (term.decay != decay_rate) {
-      decay_rate = term.decay;
-      decay_minus_one = expm1(-decay_rate * s);
-    }
-    const Real decay = 1 + decay_minus_one;
-    const Real half = term.frequency * s / 2;
-    const Real sine = sin(half), cosine = cos(half);
-    const Real re_minus_one = decay_minus_one - decay * 2 * sine * sine;
-    const Real re = 1 + re_minus_one, im = decay * 2 * sine * cosine;
-    PlanarNumber<Real> k = term.coefficient, next = term.first, after = term.second;
-    Real size = decay * term.size, largest = term.rounded;  // |k l^m e^{l s}|
-    for (int i = 0; i < m; ++i) {
-      k = next;
-      next = after;
-      after = times(after, term.rate);
-      size *= term.rate_size;
-      largest *= term.rate_size;
-    }
-    const Real own = k.re * re - k.im * im;
-    const Real slope = next.re * re - next.im * im;
-    const Real curvature = after.re * re - after.im * im;
-    const Real square = term.rate_size * term.rate_size, third = size * square * term.rate_size;
-    point.value += m == 0 ? Real(k.re * re_minus_one - k.im * im) : own;
-    point.slope += slope;
-    point.curvature += curvature;
-    point.bound += size * square;
-    point.third += third;
-    rounding += largest * ((m == 0 ? Real(0) : decay) + s * term.rate_size);
-    if (count < kMostShares) shares[count] = {slope, curvature, third, own + size};
-    ++count;
-  }
-  point.noise = arc_curve_detail::kRoundings * std::numeric_limits<Real>::epsilon() * rounding;
+  TermShares<Real> shares;
+  terms_.add_to(s, m, point, shares);
   for (const Special& special : specials_) add_special(special, s, m, reach, point);
   if (m == 0) {
     point.value += start_value_;
@@ -173,8 +129,8 @@ CurvePoint<Real> ArcCurve<Real>::at(const Real& s, int m, Reach reach) const {
   if (part_) {
     point.third = std::numeric_limits<Real>::infinity();
     part_(s, m, reach, point);
-  } else if (reach == Reach::kStep && specials_.empty() && count <= kMostShares) {
-    leave_out_quick(shares.data(), point);
+  } else if (reach == Reach::kStep && specials_.empty() && terms_.size() <= kMostShares) {
+    leave_out_quick(shares, point);
   }
   return point;
 }
@@ -182,19 +138,20 @@ CurvePoint<Real> ArcCurve<Real>::at(const Real& s, int m, Reach reach) const {
 // Quick terms of small size bend the curve most and move it least: those from the quickest on that
 // together cannot take away more than half of what is left.
 template <class Real>
-void ArcCurve<Real>::leave_out_quick(const Share* shares, CurvePoint<Real>& point) const {
+void ArcCurve<Real>::leave_out_quick(const TermShares<Real>& shares,
+                                     CurvePoint<Real>& point) const {
   const Real most = point.value / 2;
   typename CurvePoint<Real>::Slow slow;
   slow.fall = 0;
   std::size_t kept = modes_end_;
-  for (; kept > 0 && slow.fall + shares[kept - 1].fall <= most; --kept)
-    slow.fall += shares[kept - 1].fall;
+  for (; kept > 0 && slow.fall + shares.fall[kept - 1] <= most; --kept)
+    slow.fall += shares.fall[kept - 1];
   if (kept == modes_end_) return;
-  for (std::size_t j = 0; j < exponentials_.size(); ++j) {
+  for (std::size_t j = 0; j < terms_.size(); ++j) {
     if (j >= kept && j < modes_end_) continue;
-    slow.slope += shares[j].slope;
-    slow.curvature += shares[j].curvature;
-    slow.third += shares[j].third;
+    slow.slope += shares.slope[j];
+    slow.curvature += shares.curvature[j];
+    slow.third += shares.third[j];
   }
   point.slow = slow;
 }
@@ -283,7 +240,7 @@ void ArcCurve<Real>::add_special(const Special& special, const Real& s, int m, R
                   (quick + frequency_) * special.apart;
   for (std::size_t k = 1; k < order; ++k) rounding *= quick;
   if (order >= 2) rounding += force_size;
-  point.noise += arc_curve_detail::kRoundings * std::numeric_limits<Real>::epsilon() * rounding *
+  point.noise += kTermRoundings * std::numeric_limits<Real>::epsilon() * rounding *
                  (m == 0 ? Real(abs(x) * s + abs(v) * (quick * s))
                          : Real((abs(x) + abs(v) * quick) * (1 + s * quick)));
 }

@@ -35,7 +35,7 @@ struct LinearSystem {
   RealVector<Real> amplitude;     // f_j, with forcing
   RealVector<Real> load;          // c_j; empty: none
   // How far the modes move between stops, in their own coordinates: the largest |gap|/|row|, m
-  // sqrt(kg); 0 where no stop tells.
+  // sqrt(kg); 0 where no gap tells, infinite without stops, where nothing is told from a gap.
   Real reach = 0;
 };
 
@@ -55,6 +55,7 @@ LinearSystem<Real> linear_system(const System& system) {
     linear.amplitude = system.forcing->amplitude.template cast<Real>();
   }
   if (system.load) linear.load = system.load->template cast<Real>();
+  if (system.stops.empty()) linear.reach = std::numeric_limits<Real>::infinity();
   for (const RigidStop& stop : system.stops) {
     const double row = stop.row.norm();
     if (row > 0.0) linear.reach = std::max<Real>(linear.reach, std::abs(stop.gap) / row);
@@ -78,6 +79,13 @@ class ExactFlow {
   // the motion goes and the state is small against the harmonic responses, one whose modes all
   // answer from rest.
   const ExactFlow& for_start(const RealVector<Real>& q, const RealVector<Real>& qdot) const;
+  // How the exponentials of forcing (first) and modes turn and decay; zero for a mode in another
+  // form. In columns for turn_terms.
+  struct Turns {
+    std::vector<Real> decay, half_frequency;  // 1/s, rad/s
+    Real quickest = 0;                        // largest half frequency
+  };
+  const Turns& turns() const { return turns_; }
   // Forcing phase at an instant, rad: frequency * local + phase.
   Real phase(const Instant<Real>& instant) const {
     return forced_ ? Real(frequency_ * instant.local + phase_) : Real(0);
@@ -85,8 +93,10 @@ class ExactFlow {
 
  private:
   void add_from_rest(const LinearSystem<Real>& system);
+  void note_turns();
 
   std::vector<ModeFlow<Real>> modes_;
+  Turns turns_;
   bool forced_ = false;
   Real frequency_ = 0, phase_ = 0, period_ = 0;
   std::shared_ptr<const ExactFlow> from_rest_;  // null where the reach of the stops decides
@@ -114,6 +124,8 @@ class Arc {
 
   const ExactFlow<Real>& flow() const { return *flow_; }
   const Real& start_phase() const { return theta_; }
+  // e^{i theta} there; 1 without forcing.
+  const PlanarNumber<Real>& start_turn() const { return turn_; }
   // Displacements and velocities at the start, as they were given.
   const RealVector<Real>& start_displacements() const { return start_; }
   const RealVector<Real>& start_velocities() const { return start_rate_; }
@@ -129,6 +141,7 @@ class Arc {
 
   const ExactFlow<Real>*whole_flow_, *flow_;  // as it was given; in which the arc is written
   Real theta_ = 0;
+  PlanarNumber<Real> turn_{1, 0};
   RealVector<Real> start_, start_rate_;
   std::vector<PlanarNumber<Real>> amplitudes_;
 };

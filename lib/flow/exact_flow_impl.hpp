@@ -1,14 +1,31 @@
 // Definitions of exact_flow.hpp; included by one translation unit per scalar.
 #pragma once
 
+#include <array>
 #include <limits>
+#include <type_traits>
 
 #include "graze/flow/exact_flow.hpp"
 #include "graze/flow/forced_response_impl.hpp"
 #include "graze/flow/free_basis.hpp"
+#include "graze/flow/term_kernels.hpp"
 
 namespace graze {
 namespace exact_flow_detail {
+
+// turn_terms() for a scalar that no vector unit knows.
+template <class Real>
+void turn_terms(const Real* decay, const Real* half_frequency, std::size_t count, const Real&,
+                const Real& s, Real* re_minus_one, Real* im) {
+  using std::cos, std::expm1, std::sin;
+  for (std::size_t i = 0; i < count; ++i) {
+    const Real half = half_frequency[i] * s, sine = sin(half), cosine = cos(half);
+    const Real lost = expm1(-decay[i] * s);
+    const Real twice = 2 * (1 + lost) * sine;
+    re_minus_one[i] = lost - twice * sine;
+    im[i] = twice * cosine;
+  }
+}
 
 // A response P_j beyond this many times the reach of the stops is taken from rest as well: its
 // rounding would be 1e-12 of the reach. (Below, P_j is a usual thing, the motion away from a stop.)
@@ -19,6 +36,10 @@ inline constexpr double kFarthestResponse = 4096.0;
 // omega (one bit lost) and of the forcing frequency (six bits lost over a period).
 inline constexpr double kSeparationByOmega = 0.5;
 inline constexpr double kSeparationByForcing = 1.0 / 64.0;
+
+// A mode up to this many times slower than the forcing moves at least 2 pi^2/256 of the way to its
+// rest position in a forcing period.
+inline constexpr double kSlowestToRefer = 16.0;
 
 // Whether the rest position under a load is near enough to refer to.
 template <class Real>
@@ -60,13 +81,18 @@ void classify_forced(ModeFlow<Real>& mode, const Real& frequency, const Real& re
   if (norm < limit * limit || is_far)
     mode.kind = ModeKind::kFromRest;
   else
-    mode.forced = over(PlanarNumber<Real>{mode.force, 0}, impedance);
+    mode.forced = PlanarNumber<Real>{mode.force, 0} / impedance;
 }
 
 template <class Real>
-void classify_load(ModeFlow<Real>& mode, const Real& load, const Real& reach) {
+void classify_load(ModeFlow<Real>& mode, const Real& load, const Real& frequency,
+                   const Real& reach) {
+  using std::isfinite;
   if (load == 0) return;
-  const bool has_rest = mode.omega > 0 && rests_within_reach(load, mode.omega, reach);
+  // Without stops the motion is as large as what the load moves it by in a forcing period.
+  const bool is_near = isfinite(reach) ? rests_within_reach(load, mode.omega, reach)
+                                       : frequency > 0 && kSlowestToRefer * mode.omega >= frequency;
+  const bool has_rest = mode.omega > 0 && is_near;
   if (has_rest) {
     mode.offset = load / (mode.omega * mode.omega);
   } else {
@@ -97,10 +123,25 @@ ExactFlow<Real>::ExactFlow(const LinearSystem<Real>& system) : forced_(system.fo
       exact_flow_detail::classify_forced(mode, frequency_, system.reach);
     }
     if (system.load.size() > 0)
-      exact_flow_detail::classify_load(mode, system.load[j], system.reach);
+      exact_flow_detail::classify_load(mode, system.load[j], frequency_, system.reach);
     modes_.push_back(mode);
   }
+  note_turns();
   if (forced_ && !(system.reach > 0)) add_from_rest(system);
+}
+
+template <class Real>
+void ExactFlow<Real>::note_turns() {
+  const std::size_t length = column_length(modes_.size() + 1);
+  turns_.decay.assign(length, 0);
+  turns_.half_frequency.assign(length, 0);
+  turns_.half_frequency[0] = frequency_ / 2;
+  for (std::size_t j = 0; j < modes_.size(); ++j) {
+    if (modes_[j].kind != ModeKind::kOscillatory) continue;
+    turns_.decay[j + 1] = modes_[j].first;
+    turns_.half_frequency[j + 1] = modes_[j].second / 2;
+  }
+  turns_.quickest = *std::max_element(turns_.half_frequency.begin(), turns_.half_frequency.end());
 }
 
 template <class Real>
@@ -116,6 +157,7 @@ void ExactFlow<Real>::add_from_rest(const LinearSystem<Real>& system) {
     mode.forced = {};
     mode.kind = ModeKind::kFromRest;
   }
+  from_rest.note_turns();
   from_rest_ = std::make_shared<const ExactFlow<Real>>(std::move(from_rest));
 }
 
@@ -140,8 +182,8 @@ void Arc<Real>::start(const Real& theta, const RealVector<Real>& q, const RealVe
   theta_ = theta;
   start_ = q;
   start_rate_ = qdot;
-  const Real c = flow_->forced() ? Real(cos(theta)) : Real(0);
-  const Real n = flow_->forced() ? Real(sin(theta)) : Real(0);
+  if (flow_->forced()) turn_ = {cos(theta), sin(theta)};
+  const Real &c = turn_.re, &n = turn_.im;
   for (int j = 0; j < flow_->modes(); ++j) {
     const ModeFlow<Real>& mode = flow_->mode(j);
     const Real y = q[j] - mode.offset - (mode.forced.re * c - mode.forced.im * n);
@@ -193,6 +235,41 @@ void Arc<Real>::mode_state(int j, const Real& s, const Real& c, const Real& n, R
 }
 
 template <class Real>
+void Arc<Real>::state(const Real& s, RealVector<Real>& q, RealVector<Real>& qdot) const {
+  using exact_flow_detail::turn_terms, graze::turn_terms;
+  constexpr int kBlock = 64;        // columns
+  std::array<Real, kBlock> re, im;  // e^{l s} - 1
+  const typename ExactFlow<Real>::Turns& turns = flow_->turns();
+  const Real frequency = flow_->frequency();
+  Real c = 0, n = 0;
+  const int columns = flow_->modes() + 1;
+  for (int first = 0; first < columns; first += kBlock) {
+    const int count = std::min(kBlock, columns - first);
+    turn_terms(turns.decay.data() + first, turns.half_frequency.data() + first,
+               static_cast<std::size_t>(count), turns.quickest, s, re.data(), im.data());
+    if (first == 0 && flow_->forced()) {
+      c = turn_.re + (turn_.re * re[0] - turn_.im * im[0]);
+      n = turn_.im + (turn_.im * re[0] + turn_.re * im[0]);
+    }
+    for (int i = first == 0 ? 1 : 0; i < count; ++i) {
+      const int j = first + i - 1;
+      const ModeFlow<Real>& mode = flow_->mode(j);
+      if (mode.kind != ModeKind::kOscillatory) {
+        mode_state(j, s, c, n, q[j], qdot[j]);
+        continue;
+      }
+      const auto place = static_cast<std::size_t>(i);
+      const PlanarNumber<Real>& a = amplitudes_[static_cast<std::size_t>(j)];
+      const Real y = a.re + (a.re * re[place] - a.im * im[place]);
+      const Real across = a.im + (a.re * im[place] + a.im * re[place]);
+      q[j] = y + mode.offset + mode.forced.re * c - mode.forced.im * n;
+      qdot[j] = -mode.delta * y - mode.second * across -
+                frequency * (mode.forced.re * n + mode.forced.im * c);
+    }
+  }
+}
+
+template <class Real>
 Real Arc<Real>::mode_velocity(int j, const Real& s) const {
   using std::cos, std::sin;
   const Real theta = theta_ + flow_->frequency() * s;
@@ -200,15 +277,6 @@ Real Arc<Real>::mode_velocity(int j, const Real& s) const {
   mode_state(j, s, flow_->forced() ? Real(cos(theta)) : Real(0),
              flow_->forced() ? Real(sin(theta)) : Real(0), q, qdot);
   return qdot;
-}
-
-template <class Real>
-void Arc<Real>::state(const Real& s, RealVector<Real>& q, RealVector<Real>& qdot) const {
-  using std::cos, std::sin;
-  const Real theta = theta_ + flow_->frequency() * s;
-  const Real c = flow_->forced() ? Real(cos(theta)) : Real(0);
-  const Real n = flow_->forced() ? Real(sin(theta)) : Real(0);
-  for (int j = 0; j < flow_->modes(); ++j) mode_state(j, s, c, n, q[j], qdot[j]);
 }
 
 }  // namespace graze

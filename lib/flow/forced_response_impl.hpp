@@ -18,17 +18,6 @@
 namespace graze {
 namespace exact_flow_detail {
 
-template <class Real>
-PlanarNumber<Real> times(const PlanarNumber<Real>& a, const PlanarNumber<Real>& b) {
-  return {a.re * b.re - a.im * b.im, a.re * b.im + a.im * b.re};
-}
-
-template <class Real>
-PlanarNumber<Real> over(const PlanarNumber<Real>& a, const PlanarNumber<Real>& b) {
-  const Real norm = b.re * b.re + b.im * b.im;
-  return {(a.re * b.re + a.im * b.im) / norm, (a.im * b.re - a.re * b.im) / norm};
-}
-
 // e^{(re + i im) s}
 template <class Real>
 PlanarNumber<Real> exponential(const Real& re, const Real& im, const Real& s) {
@@ -50,10 +39,10 @@ PlanarNumber<Real> divided_exponential(const Real& decay, const Real& v, const R
     difference = {cos(frequency * s) - root.re, sin(frequency * s) - root.im};
   } else {
     const Real growth = expm1(decay * s), half = sin(detuning * s / 2);
-    difference = times(root, PlanarNumber<Real>{growth * cos(detuning * s) - 2 * half * half,
-                                                (1 + growth) * sin(detuning * s)});
+    difference = root * PlanarNumber<Real>{growth * cos(detuning * s) - 2 * half * half,
+                                           (1 + growth) * sin(detuning * s)};
   }
-  return over(difference, PlanarNumber<Real>{decay, detuning});
+  return difference / PlanarNumber<Real>{decay, detuning};
 }
 
 // The terms are at most s^2/2 (2 delta + w + W)^n s^n/n!.
@@ -114,9 +103,9 @@ PlanarNumber<Real> forced_by_difference(const ModeFlow<Real>& mode, const Real& 
   using std::cos, std::sin;
   const Real w2 = mode.omega * mode.omega;
   const PlanarNumber<Real> response =
-      over(PlanarNumber<Real>{1, 0},
-           PlanarNumber<Real>{(mode.omega - frequency) * (mode.omega + frequency),
-                              2 * mode.delta * frequency});
+      PlanarNumber<Real>{1, 0} /
+      PlanarNumber<Real>{(mode.omega - frequency) * (mode.omega + frequency),
+                         2 * mode.delta * frequency};
   const auto at = [&](const Real& phase) {
     const Real c = cos(phase), n = sin(phase);
     return PlanarNumber<Real>{response.re * c - response.im * n,

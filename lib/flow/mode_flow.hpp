@@ -4,16 +4,12 @@
 
 #include <Eigen/Core>
 
+#include "graze/flow/planar_number.hpp"
+
 namespace graze {
 
 template <class Real>
 using RealVector = Eigen::Matrix<Real, Eigen::Dynamic, 1>;
-
-template <class Real>
-struct PlanarNumber {  // a complex number; std::complex promises nothing for extended scalars
-  Real re = 0;
-  Real im = 0;
-};
 
 // Writing motion as free part plus P_j multiplies rounding by |P_j| w^2/f_j, and by the rest
 // position under a load over the reach of the stops. Up to this factor (8 of 53 bits) that is

@@ -18,6 +18,12 @@ namespace graze {
 
 namespace step_walk {
 
+template <class State>
+void assign(State& to, const Vector& from) {
+  if constexpr (requires { to.resize(0); }) to.resize(static_cast<std::size_t>(from.size()));
+  std::copy(from.begin(), from.end(), to.begin());
+}
+
 // The right-hand side for N modes; N = 0: as many as there are.
 template <std::size_t N>
 class SideBySide {
@@ -25,23 +31,23 @@ class SideBySide {
   using State = std::conditional_t<N == 0, std::vector<double>, std::array<double, 2 * N>>;
 
   explicit SideBySide(const ModalRates& rates) : frequency_(rates.frequency) {
-    for (Eigen::Index j = 0; j < rates.scale.size(); ++j)
-      modes_.push_back(
-          {rates.scale[j], rates.stiffness[j], rates.damping[j], rates.load[j], rates.force[j]});
+    assign(scale_, rates.scale);
+    assign(stiffness_, rates.stiffness);
+    assign(damping_, rates.damping);
+    assign(load_, rates.load);
+    assign(force_, rates.force);
   }
   void operator()(const State& x, State& slope, double s) {
     ++evaluations;
-    const std::size_t n = N == 0 ? modes_.size() : N;
+    const std::size_t n = N == 0 ? scale_.size() : N;
     // Stages come in pairs at one instant.
     if (frequency_ > 0.0 && s != known_at_) {
       known_at_ = s;
       cosine_ = std::cos(theta_ + frequency_ * s);
     }
     for (std::size_t j = 0; j < n; ++j) {
-      const Mode& mode = modes_[j];
-      slope[j] = mode.scale * x[n + j];
-      slope[n + j] =
-          mode.load + mode.force * cosine_ - mode.damping * x[n + j] - mode.stiffness * x[j];
+      slope[j] = scale_[j] * x[n + j];
+      slope[n + j] = load_[j] + force_[j] * cosine_ - damping_[j] * x[n + j] - stiffness_[j] * x[j];
     }
   }
   double frequency() const { return frequency_; }
@@ -55,10 +61,8 @@ class SideBySide {
   long long evaluations = 0;
 
  private:
-  struct Mode {
-    double scale, stiffness, damping, load, force;
-  };
-  std::vector<Mode> modes_;
+  using PerMode = std::conditional_t<N == 0, std::vector<double>, std::array<double, N>>;
+  PerMode scale_{}, stiffness_{}, damping_{}, load_{}, force_{};
   double frequency_, theta_ = 0.0;
   double known_at_ = -1.0, cosine_ = 1.0;  // of the force, and where
 };
@@ -85,12 +89,6 @@ class Dense {
   FirstOrderSystem system_;
   double theta_ = 0.0;
 };
-
-template <class State>
-void assign(State& to, const Vector& from) {
-  if constexpr (requires { to.resize(0); }) to.resize(static_cast<std::size_t>(from.size()));
-  std::copy(from.begin(), from.end(), to.begin());
-}
 
 // A Walk takes steps from a start: begin(x), step(), from(), to(), state_at_end(), between(s, out)
 // within the step taken last; it holds its right-hand side as `rates`.

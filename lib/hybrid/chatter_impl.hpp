@@ -75,10 +75,9 @@ template <class Real>
 Real Motion<Real>::resolved_speed() const {
   using std::sqrt;
   if (order_.size() < 2) return 0;
-  const RealVector<Real> acceleration = free_acceleration();
   Real square = 0;
   for (const int i : order_) {
-    const Real push = stop(i).row.dot(acceleration);
+    const Real push = free_push(i);
     const Real rounding = gap_value(stop(i).row, now_.q, stop(i).gap).rounding;
     square = std::max<Real>(square, 2 * push * rounding);
   }

@@ -42,8 +42,8 @@ std::optional<Arrival<Real>> Motion<Real>::decide() {
     // The phase forgets what closed stops leave of the velocities: rounding of b.q'.
     // And the instant is known to its rounding, in which a push changes the speed: at the end of a
     // chatter, where nothing else moves, this is what is left of it.
-    const Real located = std::numeric_limits<Real>::epsilon() * now_.instant.local *
-                         abs(stop(i).row.dot(free_acceleration()));
+    const Real located =
+        std::numeric_limits<Real>::epsilon() * now_.instant.local * abs(free_push(i));
     const Real rounding = std::max<Real>(rate.noise, speed_rounding(i) + located);
     if (rate.value < -rounding)
       return Arrival<Real>{ArrivalKind::kContact, i, Real(0), approach_speed(i)};
@@ -71,22 +71,41 @@ std::optional<Arrival<Real>> Motion<Real>::decide() {
 // Without any stop. `size`: of the terms that are summed.
 template <class Real>
 RealVector<Real> Motion<Real>::free_acceleration(RealVector<Real>* size) const {
-  using std::abs, std::cos;
   const Eigen::Index n = now_.q.size();
   RealVector<Real> acceleration(n);
   if (size) size->resize(n);
-  const Real c = linear_.forced ? Real(cos(clock_.phase(now_.instant))) : Real(0);
-  for (Eigen::Index j = 0; j < n; ++j) {
-    const Real load = linear_.load.size() > 0 ? linear_.load[j] : Real(0);
-    const Real force = linear_.forced ? Real(linear_.amplitude[j] * c) : Real(0);
-    const Real damping = 2 * linear_.delta[j] * now_.qdot[j];
-    const Real stiffness = linear_.omega[j] * linear_.omega[j] * now_.q[j];
-    acceleration[j] = load + force - damping - stiffness;
-    if (!size) continue;
-    (*size)[j] = abs(load) + (linear_.forced ? Real(abs(linear_.amplitude[j])) : Real(0)) +
-                 abs(damping) + abs(stiffness);
-  }
+  const Real cosine = forcing_cosine();
+  for (Eigen::Index j = 0; j < n; ++j)
+    acceleration[j] = free_acceleration(j, cosine, size ? &(*size)[j] : nullptr);
   return acceleration;
+}
+
+template <class Real>
+Real Motion<Real>::free_acceleration(Eigen::Index j, const Real& cosine, Real* size) const {
+  using std::abs;
+  const Real load = linear_.load.size() > 0 ? linear_.load[j] : Real(0);
+  const Real force = linear_.forced ? Real(linear_.amplitude[j] * cosine) : Real(0);
+  const Real damping = 2 * linear_.delta[j] * now_.qdot[j];
+  const Real stiffness = linear_.omega[j] * linear_.omega[j] * now_.q[j];
+  if (size)
+    *size = abs(load) + (linear_.forced ? Real(abs(linear_.amplitude[j])) : Real(0)) +
+            abs(damping) + abs(stiffness);
+  return load + force - damping - stiffness;
+}
+
+template <class Real>
+Real Motion<Real>::forcing_cosine() const {
+  using std::cos;
+  return linear_.forced ? Real(cos(clock_.phase(now_.instant))) : Real(0);
+}
+
+template <class Real>
+Real Motion<Real>::free_push(int i) const {
+  const Real cosine = forcing_cosine();
+  Real push = 0;
+  for (Eigen::Index j = 0; j < now_.q.size(); ++j)
+    push += stop(i).row[j] * free_acceleration(j, cosine, nullptr);
+  return push;
 }
 
 template <class Real>

@@ -10,12 +10,12 @@ double mechanical_energy(const System& system, const Vector& q, const Vector& qd
   return 0.5 * (qdot.squaredNorm() + system.omega.cwiseProduct(q).squaredNorm());
 }
 
-ImpactEnergy impact_energy(const System& system, const std::vector<ImpactShare<double>>& shares,
-                           const Vector& before, const Vector& after) {
+void impact_energy(const System& system, const std::vector<ImpactShare<double>>& shares,
+                   const Vector& before, const Vector& after, ImpactEnergy& energy) {
   const auto acts = [](const ImpactShare<double>& share) { return share.impulse > 0.0; };
   const bool alone = std::count_if(shares.begin(), shares.end(), acts) == 1;
-  const Vector mean = 0.5 * (before + after);
-  ImpactEnergy energy;
+  energy.total = 0.0;
+  energy.hits.clear();
   double elsewhere = 0.0;
   // Sums are formed in the order of the shares, which knows nothing of how stops are listed.
   for (const ImpactShare<double>& share : shares) {
@@ -25,7 +25,7 @@ ImpactEnergy impact_energy(const System& system, const std::vector<ImpactShare<d
                           : alone && share.speed_after == -r * share.speed
                               ? impact_energy_change(s.row, s.direction, before, r)
                               : shared_energy_change(s.row, s.direction, share.impulse, share.speed,
-                                                     share.speed_after, mean);
+                                                     share.speed_after, 0.5 * (before + after));
     energy.total += change;
     if (share.hit)
       energy.hits.push_back({share, change});
@@ -35,7 +35,6 @@ ImpactEnergy impact_energy(const System& system, const std::vector<ImpactShare<d
   if (!energy.hits.empty()) energy.hits.front().change += elsewhere;
   std::sort(energy.hits.begin(), energy.hits.end(),
             [](const auto& a, const auto& b) { return a.share.stop < b.share.stop; });
-  return energy;
 }
 
 double energy_change(const System& system, const State& before, const State& after) {

@@ -33,7 +33,8 @@ struct EnergyBook {
 };
 
 // Change of the kinetic energy by an impact, whole and by the stops that were hit (ascending), J.
-// What goes through stops that are not hit themselves counts to the first one that is.
+// What goes through stops that are not hit themselves counts to the first one that is. Written to
+// where the last one was: a run asks at every impact.
 struct ImpactEnergy {
   struct Hit {
     ImpactShare<double> share;
@@ -42,8 +43,8 @@ struct ImpactEnergy {
   double total = 0.0;
   std::vector<Hit> hits;
 };
-ImpactEnergy impact_energy(const System& system, const std::vector<ImpactShare<double>>& shares,
-                           const Vector& before, const Vector& after);
+void impact_energy(const System& system, const std::vector<ImpactShare<double>>& shares,
+                   const Vector& before, const Vector& after, ImpactEnergy& energy);
 
 // Change of the mechanical energy by a sudden one of the state, and what the forces at forcing
 // phase theta (rad) do along its displacement; J.

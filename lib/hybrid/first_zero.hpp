@@ -56,28 +56,39 @@ Real safe_step(const Real& value, const Real& slope, const Real& bound) {
 // Until when value + slope s - bound s^2/2 stays positive; a bound may be negative.
 template <class Real>
 Real parabola_step(const Real& value, const Real& slope, const Real& bound) {
+  using std::sqrt;
+  // Quickly, where squares are far from the ends of the scalar's range.
+  const Real square = slope * slope, whole = square + 2 * value * bound;
+  if (square > std::numeric_limits<Real>::min() && whole < std::numeric_limits<Real>::max()) {
+    if (!(whole >= 0)) return std::numeric_limits<Real>::infinity();
+    const Real root = sqrt(whole);
+    if (slope < 0) return 2 * value / (root - slope);
+    return bound > 0 ? Real((slope + root) / bound) : std::numeric_limits<Real>::infinity();
+  }
   if (!(bound < 0)) return safe_step(value, slope, bound);
   if (!(slope < 0)) return std::numeric_limits<Real>::infinity();
-  using std::sqrt;
   const Real inside = 1 + 2 * (value / slope) * (bound / slope);
   if (!(inside >= 0)) return std::numeric_limits<Real>::infinity();
   return (value / -slope) * (2 / (1 + sqrt(inside)));
 }
 
 // The same with a bound on the third derivative, g >= g0 + g0' s + g0'' s^2/2 - third s^3/6: up to
-// any h that is above a parabola with the bound third h/3 - g0''. Of a few h the best.
+// any h that is above a parabola with the bound third h/3 - g0''. Of a few h, from `first` on, the
+// best.
 template <class Real>
-Real cubic_step(const Real& value, const Real& slope, const Real& curvature, const Real& third) {
-  using std::cbrt, std::sqrt;
+Real cubic_step(const Real& value, const Real& slope, const Real& curvature, const Real& third,
+                const Real& first) {
+  using std::sqrt;
   if (!(value > 0)) return 0;
   if (third == 0) return parabola_step(value, slope, Real(-curvature));
-  Real h = cbrt(6 * (value / third)), best = 0;
+  const Real rise = third / 3;
+  Real h = first, best = 0;
   // Each is certain; around the longest one the two run towards each other.
   for (int i = 0; i < 3; ++i) {
-    const Real step = parabola_step(value, slope, Real(third * h / 3 - curvature));
+    const Real step = parabola_step(value, slope, Real(rise * h - curvature));
     if (!(step >= 0)) return best;
     best = std::max(best, std::min(h, step));
-    h = step < 16 * h ? Real(sqrt(h * step)) : Real(4 * h);
+    h = step < 7 * h ? Real((h + step) / 2) : Real(4 * h);
   }
   return best;
 }
@@ -86,12 +97,14 @@ Real cubic_step(const Real& value, const Real& slope, const Real& curvature, con
 template <class Real>
 Real clear_step(const CurvePoint<Real>& point, const Real& clear) {
   using std::isfinite;
-  Real step = safe_step(clear, point.slope, point.bound);
-  if (isfinite(point.third))
-    step = std::max(step, cubic_step(clear, point.slope, point.curvature, point.third));
+  Real step = parabola_step(clear, point.slope, point.bound);
+  if (!isfinite(step)) return std::min<Real>(step, point.reach);
   if (isfinite(point.slow.fall))
     step = std::max(step, cubic_step(Real(clear - point.slow.fall), point.slow.slope,
-                                     point.slow.curvature, point.slow.third));
+                                     point.slow.curvature, point.slow.third, Real(2 * step)));
+  else if (isfinite(point.third))
+    step = std::max(step,
+                    cubic_step(clear, point.slope, point.curvature, point.third, Real(2 * step)));
   return std::min<Real>(step, point.reach);
 }
 
@@ -120,12 +133,20 @@ FirstZero<Real> finish(const Sample& sample, Real s, CurvePoint<Real> point, int
     const Real newton = -point.value / point.slope;
     return Real(newton / (1 + newton * point.curvature / (2 * point.slope)));
   };
+  // From a distance d the next is C d^3. All points lie behind the first, whose bound holds there.
+  const Real third = point.third;
+  const auto is_exact = [&](const Real& step) {
+    const Real bend = point.curvature / (2 * point.slope);
+    const Real left = 2 * (third / (6 * abs(point.slope)) + bend * bend) * abs(step * step * step);
+    return left <= std::numeric_limits<Real>::epsilon() / 64 * s;
+  };
   Real step = correction();
   // 60 halvings exhaust any scalar in use; cubic convergence takes about three.
   for (int i = 0; i < 60; ++i) {
     const Real next = s + step > 0 ? Real(s + step) : Real(0);
     if (next == s) break;
     s = next;
+    if (is_exact(step)) break;
     point = sample(s);
     ++evaluations;
     const Real shorter = correction();

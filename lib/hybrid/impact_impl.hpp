@@ -37,21 +37,24 @@ int Motion<Real>::lone_stop() const {
 
 // What impact() comes to on one stop that is approached: p = v- - v+.
 template <class Real>
-std::vector<ImpactShare<Real>> Motion<Real>::impact_alone(int i) {
+void Motion<Real>::impact_alone(int i) {
   const Stop& s = stop(i);
   const Real speed = approach_speed(i), target = -s.restitution.at(speed) * speed;
   Real impulse = speed - target;
-  now_.qdot -= impulse * s.direction;
+  push_back(s, impulse);
   // Twice, as in apply().
   const Real left = approach_speed(i) - target;
-  now_.qdot -= left * s.direction;
+  push_back(s, left);
   set(i, Contact::kTouching);
-  return {{i, speed, target, impulse + left, true}};
+  shares_.assign(1, {i, speed, target, impulse + left, true});
 }
 
 template <class Real>
-std::vector<ImpactShare<Real>> Motion<Real>::impact() {
-  if (const int alone = lone_stop(); alone >= 0) return impact_alone(alone);
+const std::vector<ImpactShare<Real>>& Motion<Real>::impact() {
+  if (const int alone = lone_stop(); alone >= 0) {
+    impact_alone(alone);
+    return shares_;
+  }
   Touched touched = touched_stops();
   Jump jump = jump_of(touched);
   if (drives_back(touched, jump) && comes_to_rest(touched)) {
@@ -62,12 +65,12 @@ std::vector<ImpactShare<Real>> Motion<Real>::impact() {
       jump = {RealVector<Real>::Zero(touched.speed.size()), *solved};
   }
   apply(touched.stops, jump.target, jump.impulse);
-  std::vector<ImpactShare<Real>> shares;
+  shares_.clear();
   for (Eigen::Index a = 0; a < touched.speed.size(); ++a) {
     const int i = touched.stops[static_cast<std::size_t>(a)];
     const Real speed = touched.speed[a], impulse = jump.impulse[a];
     if (impulse > 0 || !is_left(touched, a))
-      shares.push_back(
+      shares_.push_back(
           {i, speed, jump.target[a], impulse, impulse > 0 && speed > touched.rounding[a]});
   }
   touched.rounding += rounding_of_action(touched.acting, jump.impulse);
@@ -86,9 +89,9 @@ std::vector<ImpactShare<Real>> Motion<Real>::impact() {
       recheck_ = true;
     }
   }
-  if (shares.size() == 1) shares.front().hit = true;
+  if (shares_.size() == 1) shares_.front().hit = true;
   phase_ = nullptr;
-  return shares;
+  return shares_;
 }
 
 template <class Real>
@@ -192,10 +195,19 @@ RealMatrix<Real> Motion<Real>::delassus(const std::vector<int>& stops) const {
   return matrix;
 }
 
+// Along the row itself where it can be: a rounded direction errs to the same side at every impact.
+template <class Real>
+void Motion<Real>::push_back(const Stop& s, const Real& amount) {
+  if (s.norm2 > 0)
+    now_.qdot -= (amount / s.norm2) * s.row;
+  else
+    now_.qdot -= amount * s.direction;
+}
+
 template <class Real>
 void Motion<Real>::push_back_from(const std::vector<int>& stops, const RealVector<Real>& amounts) {
   for (std::size_t a = 0; a < stops.size(); ++a)
-    now_.qdot -= amounts[static_cast<Eigen::Index>(a)] * stop(stops[a]).direction;
+    push_back(stop(stops[a]), amounts[static_cast<Eigen::Index>(a)]);
 }
 
 // Twice: row.direction = 1 and the solution of several contacts hold to rounding only, and err to

@@ -106,8 +106,9 @@ class Motion {
   Arrival<Real> fly(const Real& until, const Real& horizon);
   Arrival<Real> fly(const Real& until) { return fly(until, until); }
 
-  // Applies the impact that is due after kContact; the shares of all stops touched.
-  std::vector<ImpactShare<Real>> impact();
+  // Applies the impact that is due after kContact; the shares of all stops touched, until the next
+  // one.
+  const std::vector<ImpactShare<Real>>& impact();
 
   // Right after an impact: whether what is left of a chatter can be summed. It can where the last
   // impact was at no more than `closure_speed` (m/s), and the pushes outlive the tail with nothing
@@ -138,8 +139,8 @@ class Motion {
   const ExactFlow<Real>& flow() const { return clock_; }
   // The phase and arc flown last, from its own start.
   const ContactPhase<Real>& flown() const { return *flown_; }
-  // The gap at a stop along the arc that starts now, for `window` seconds.
-  ArcCurve<Real> gap_ahead(int stop, const Real& window);
+  // The gap at a stop along the arc that starts now, for `window` seconds; holds until it is flown.
+  const ArcCurve<Real>& gap_ahead(int stop, const Real& window);
   // Contact force of a closed stop at the present instant, N.
   Real force(int stop) {
     return phase_of(closed()).force_at(stop, clock_.phase(now_.instant), now_.q, now_.qdot);
@@ -155,6 +156,8 @@ class Motion {
     RealVector<Real> row, direction;
     Real gap = 0;
     Restitution restitution{0.0};
+    Real norm2 = 0;  // |row|^2 where the direction is row/|row|^2 to rounding; 0: it is oblique
+    RealVector<Real> give;  // displacements under a force there, row.give = 1
   };
   struct Change {
     ArrivalKind kind;
@@ -171,6 +174,10 @@ class Motion {
   // What of the approach speed may be rounding, m/s.
   Real speed_rounding(int i) const;
   RealVector<Real> free_acceleration(RealVector<Real>* size = nullptr) const;
+  Real free_acceleration(Eigen::Index mode, const Real& cosine, Real* size) const;
+  Real forcing_cosine() const;
+  // row.q'' without any stop, m/s^2.
+  Real free_push(int stop) const;
   // What of a push row.q'' may be rounding, by the size of the terms that are summed, m/s^2.
   Real push_rounding(int i, const RealVector<Real>& size) const;
   bool touches(int i) const;
@@ -180,6 +187,8 @@ class Motion {
 
   // D: how the impulse of each of these stops acts on the approach speed at each.
   Matrix_ delassus(const std::vector<int>& stops) const;
+  // q' -= amount d
+  void push_back(const Stop& stop, const Real& amount);
   // q' -= sum_i amounts_i d_i
   void push_back_from(const std::vector<int>& stops, const RealVector<Real>& amounts);
 
@@ -214,7 +223,7 @@ class Motion {
   bool comes_to_rest(Touched touched) const;
   // The stop of an impact that concerns it alone; -1: others are touched or held too.
   int lone_stop() const;
-  std::vector<ImpactShare<Real>> impact_alone(int stop);
+  void impact_alone(int stop);
   void apply(const std::vector<int>& touched, const RealVector<Real>& target,
              RealVector<Real>& impulse);
   bool is_quiet(const ContactPhase<Real>& phase, const std::vector<int>& chattering,
@@ -244,7 +253,8 @@ class Motion {
   bool undecided_ = false;  // some stop is touching
   bool recheck_ = false;    // closed stops have felt an impulse
   std::vector<Change> changes_;
-  int standstill_ = 0;  // arrivals without flight in a row
+  std::vector<ImpactShare<Real>> shares_;  // of the last impact
+  int standstill_ = 0;                     // arrivals without flight in a row
   std::string refusal_;
 };
 

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <string>
 
+#include "graze/contact/impulse.hpp"
 #include "graze/hybrid/chatter_impl.hpp"
 #include "graze/hybrid/contact_decision_impl.hpp"
 #include "graze/hybrid/first_zero.hpp"
@@ -55,12 +56,30 @@ Motion<Real>::Motion(const System& system, const MotionState<Real>& state,
   recheck_ = undecided_;
 }
 
+namespace motion_detail {
+
+// The displacements under a constant force at the stop, 1 there: row_j/w_j^2, where modes are free
+// theirs alone.
+template <class Real>
+RealVector<Real> giving_way(const RealVector<Real>& row, const RealVector<Real>& omega) {
+  RealVector<Real> give = RealVector<Real>::Zero(row.size());
+  for (Eigen::Index j = 0; j < row.size(); ++j)
+    if (omega[j] == 0) give[j] = row[j];
+  if (give.squaredNorm() == 0) give = row.cwiseQuotient(omega.cwiseAbs2());
+  return give / row.dot(give);
+}
+
+}  // namespace motion_detail
+
 template <class Real>
 void Motion<Real>::adopt(const System& system) {
   for (const RigidStop& stop : system.stops) {
     order_.push_back(static_cast<int>(stops_.size()));
-    stops_.push_back({stop.row.template cast<Real>(), stop.direction.template cast<Real>(),
-                      Real(stop.gap), stop.restitution});
+    const bool is_normal = stop.direction == momentum_direction(stop.row);
+    const RealVector<Real> row = stop.row.template cast<Real>();
+    stops_.push_back({row, stop.direction.template cast<Real>(), Real(stop.gap), stop.restitution,
+                      is_normal ? row.squaredNorm() : Real(0),
+                      motion_detail::giving_way<Real>(row, linear_.omega)});
   }
   std::stable_sort(order_.begin(), order_.end(), [&](int a, int b) {
     return motion_detail::precedes(system.stops[static_cast<std::size_t>(a)],
@@ -120,8 +139,8 @@ Real Motion<Real>::approach_speed(int i) const {
 }
 
 template <class Real>
-ArcCurve<Real> Motion<Real>::gap_ahead(int i, const Real& window) {
-  return start_phase().gap(i, window, contact(i) != Contact::kClear);
+const ArcCurve<Real>& Motion<Real>::gap_ahead(int i, const Real& window) {
+  return start_phase().gap_along(i, window, contact(i) != Contact::kClear);
 }
 
 template <class Real>
@@ -147,8 +166,11 @@ Arrival<Real> Motion<Real>::fly(const Real& until, const Real& horizon) {
   if (!arrival && !(until > now_.instant.local)) arrival = stay();
   if (!arrival) arrival = arrive(search(until, horizon), until);
   if (arrival->kind == ArrivalKind::kContact && crowded()) arrival->kind = ArrivalKind::kRefused;
-  const bool stands = arrival->flight == 0 && arrival->kind != ArrivalKind::kTime;
-  standstill_ = stands ? standstill_ + 1 : 0;
+  // To be asked for the news alone is no progress and no standstill.
+  if (arrival->flight > 0)
+    standstill_ = 0;
+  else if (arrival->kind != ArrivalKind::kTime)
+    ++standstill_;
   if (standstill_ > motion_detail::kMostStandstills) arrival->kind = ArrivalKind::kUndecided;
   return *arrival;
 }
@@ -315,12 +337,12 @@ void Motion<Real>::touch_simultaneous(const Real& flight) {
 
 // The located instant is rounded, the contact is not: row.q = gap holds as an identity, and the
 // next arc starts from it. The offset, small against the present motion, would outlive a decaying
-// one.
+// one. It goes where the structure gives way, and hardly changes the energy.
 template <class Real>
 void Motion<Real>::settle_on(int i) {
   const Stop& s = stop(i);
-  const Real offset = (s.gap - s.row.dot(now_.q)) / s.row.squaredNorm();
-  for (Eigen::Index j = 0; j < now_.q.size(); ++j) now_.q[j] += offset * s.row[j];
+  const Real offset = s.gap - s.row.dot(now_.q);
+  for (Eigen::Index j = 0; j < now_.q.size(); ++j) now_.q[j] += offset * s.give[j];
 }
 
 }  // namespace graze

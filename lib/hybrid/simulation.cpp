@@ -56,8 +56,8 @@ class Run {
       result_.energy = state_.book;
     }
     // An arc that was cut by the end of the run is flown again, whole, by one that goes on from it.
-    result_.state = cut_arc_ ? *cut_arc_ : state_;
-    result_.state.motion = cut_arc_ ? motion_.departure() : motion_.state();
+    result_.state = is_cut_ ? cut_arc_ : state_;
+    result_.state.motion = is_cut_ ? motion_.departure() : motion_.state();
     result_.state.samples = state_.samples;
     return result_;
   }
@@ -91,13 +91,13 @@ class Run {
   bool proceed() {
     const Instant<double> start = motion_.instant();
     // What a cut arc's end would decide is decided when it is flown again, whole.
-    if (cut_arc_ && not_before(start, end_)) return false;
+    if (is_cut_ && not_before(start, end_)) return false;
     if (motion_.has_news()) return receive(motion_.fly(start.local));
     if (state_.tail && not_before(start, state_.tail->over)) announce_tail();
     if (not_before(start, end_) || !within_budget()) return false;
     const NextFlight flight = next_flight(motion_, end_, state_.tail, longest_flight_);
-    cut_arc_.reset();
-    if (flight.cut || listeners_.sample) cut_arc_ = state_;
+    is_cut_ = flight.cut || listeners_.sample;
+    if (is_cut_) cut_arc_ = state_;
     const double start_time = time();
     // Until the first contact the smallest gap is not known to be zero and has to be looked for.
     const bool untouched = state_.totals.impacts == 0 && !motion_.is_closed_anywhere();
@@ -115,7 +115,7 @@ class Run {
       result_.message = fmt::format("stopped at t = {:.9g} s", start_time);
       return false;
     }
-    if (!flight.cut || arrival.kind != ArrivalKind::kTime) cut_arc_.reset();
+    if (!flight.cut || arrival.kind != ArrivalKind::kTime) is_cut_ = false;
     return receive(arrival);
   }
 
@@ -209,11 +209,11 @@ class Run {
   }
 
   void book_impact() {
-    const Vector before = motion_.qdot();
-    const std::vector<ImpactShare<double>> shares = motion_.impact();
-    const ImpactEnergy energy = impact_energy(system_, shares, before, motion_.qdot());
-    book_energy(energy.total);
-    for (const ImpactEnergy::Hit& hit : energy.hits) book_hit(hit.share, hit.change);
+    before_impact_ = motion_.qdot();
+    const std::vector<ImpactShare<double>>& shares = motion_.impact();
+    impact_energy(system_, shares, before_impact_, motion_.qdot(), impact_energy_);
+    book_energy(impact_energy_.total);
+    for (const ImpactEnergy::Hit& hit : impact_energy_.hits) book_hit(hit.share, hit.change);
     close_chatter(shares);
   }
 
@@ -235,7 +235,9 @@ class Run {
   void close_chatter(const std::vector<ImpactShare<double>>& shares) {
     // Against a single stop only impacts as slow as that are summed.
     if (stops() == 1 && shares.size() == 1 && shares.front().speed > state_.closure_speed) return;
-    const State before{motion_.q(), motion_.qdot()};
+    State& before = before_closure_;
+    before.q = motion_.q();
+    before.qdot = motion_.qdot();
     const auto closed = motion_.close_chatter(shares, state_.closure_speed);
     if (!closed) return;
     const RigidStop& only = stop(closed->closed.front());
@@ -312,7 +314,7 @@ class Run {
 
   void note_minima(double window) {
     for (int i = 0; i < stops(); ++i) {
-      const ArcCurve<double> curve = motion_.gap_ahead(i, window);
+      const ArcCurve<double>& curve = motion_.gap_ahead(i, window);
       // A minimum beyond the first contact is not part of the motion; the contact itself is zero.
       const std::optional<double> gap = smallest_minimum(curve);
       if (gap && std::isfinite(*gap)) note_gap(std::max(*gap, 0.0));
@@ -321,7 +323,9 @@ class Run {
 
   // False when the run has to stop: an arc can hold any number of samples.
   bool hand_out_samples(double start_time, double flight) {
-    Sample sample{0.0, {Vector(system_.modes()), Vector(system_.modes())}, {}, {}};
+    Sample& sample = sample_;
+    sample.state.q.resize(system_.modes());
+    sample.state.qdot.resize(system_.modes());
     const ContactPhase<double>& phase = motion_.flown();
     for (;;) {
       sample.time = static_cast<double>(state_.samples) / listeners_.sample_rate;
@@ -363,8 +367,13 @@ class Run {
   double longest_flight_;  // s
   RunState state_;
   std::optional<double> stopped_in_arc_;  // s, where that arc began
-  std::optional<RunState> cut_arc_;       // before the arc that the end of the run cuts
+  RunState cut_arc_;                      // before the arc that the end of the run cuts
+  bool is_cut_ = false;                   // whether there is one
   Instant<double> end_;
+  Vector before_impact_;  // velocities; beside what came of it, kept from impact to impact
+  ImpactEnergy impact_energy_;
+  State before_closure_;  // likewise
+  Sample sample_;         // the last one handed out
   long long polls_ = 0;
   Simulation result_;
 };

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "graze/record/records.hpp"
+#include "graze/study/accuracy_costs.hpp"
 #include "graze/study/flow_cost.hpp"
 
 namespace graze {
@@ -12,6 +13,9 @@ namespace graze {
 struct CostRecord {
   RunInfo info;
   FlowCosts costs;
+  std::vector<ModeCost> modes;       // empty where their number is not free
+  std::vector<ClosureCost> closure;  // empty where no chatter is summed
+  CorrectorCosts corrector;
   std::vector<std::string> warnings;
   Outcome outcome;
 };

@@ -29,6 +29,9 @@ std::string regions_csv(const StableRegions& regions);
 
 // One line a flow and setting.
 std::string costs_csv(const CostRecord& record);
+std::string mode_costs_csv(const CostRecord& record);
+std::string closure_costs_csv(const CostRecord& record);
+std::string corrector_costs_csv(const CostRecord& record);
 
 // One line a sample, one for a value that has none.
 std::string sweep_csv(const DiagramRecord& record);

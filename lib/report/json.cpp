@@ -6,6 +6,7 @@
 
 #include "graze/bifurcation/special_names.hpp"
 #include "graze/report/names.hpp"
+#include "graze/study/step_choice.hpp"
 
 namespace graze {
 namespace {
@@ -289,7 +290,9 @@ std::string to_json(const CheckRecord& record) {
   document["collocation_condition"] =
       record.collocation_condition > 0.0 ? number(record.collocation_condition) : Json(nullptr);
   document["closure_speed"] = maybe(record.closure_speed);
-  document["flow"] = record.steps ? flow_name(record.scene.solver.flow) : "exact";
+  const FlowDecision decision = flow_decision(record.scene);
+  document["flow"] = flow_name(decision.flow);
+  document["flow_reason"] = decision.reason;
   document["step"] = maybe(record.scene.solver.step);
   document["longest_stable_step"] = record.steps ? number(record.steps->longest) : Json(nullptr);
   return text(document);

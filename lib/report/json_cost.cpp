@@ -15,12 +15,36 @@ Json maybe(const std::optional<double>& value) {
 Json row_json(const FlowCost& row) {
   Json json = {{"flow", row.flow},
                {"setting", row.setting},
-               {"error", maybe(row.error)},
-               {"state_error", maybe(row.state_error)},
+               {"error", maybe(row.compared.error)},
+               {"state_error", maybe(row.compared.state_error)},
                {"seconds_per_period", row.seconds_per_period},
                {"evaluations_per_period", row.evaluations_per_period},
-               {"impacts_agree", row.impacts_agree}};
-  if (!row.message.empty()) json["message"] = row.message;
+               {"impacts_agree", row.compared.impacts_agree}};
+  if (!row.compared.message.empty()) json["message"] = row.compared.message;
+  return json;
+}
+
+Json closure_json(const ClosureCost& row) {
+  Json json = {{"closure_speed", row.speed},
+               {"error", maybe(row.compared.error)},
+               {"state_error", maybe(row.compared.state_error)},
+               {"seconds_per_period", row.seconds_per_period},
+               {"impacts_per_period", row.impacts_per_period},
+               {"impacts_agree", row.compared.impacts_agree}};
+  if (!row.compared.message.empty()) json["message"] = row.compared.message;
+  return json;
+}
+
+Json corrector_json(const CorrectorCosts& costs) {
+  Json rows = Json::array();
+  for (const CorrectorCost& row : costs.rows)
+    rows.push_back({{"predicted", row.predicted},
+                    {"steps", row.steps},
+                    {"residual", row.residual},
+                    {"error", row.error},
+                    {"seconds", row.seconds}});
+  Json json = {{"orbit", costs.orbit.empty() ? Json(nullptr) : Json(costs.orbit)}, {"rows", rows}};
+  if (!costs.message.empty()) json["message"] = costs.message;
   return json;
 }
 
@@ -37,10 +61,21 @@ std::string to_json(const CostRecord& record) {
   document["units"] = {{"error", costs.impacts > 0 ? "s" : "1"},
                        {"state_error", "1"},
                        {"seconds_per_period", "s"},
+                       {"closure_speed", "m/s"},
+                       {"seconds", "s"},
                        {"end_time", "s"}};
   Json rows = Json::array();
   for (const FlowCost& row : costs.rows) rows.push_back(row_json(row));
   document["rows"] = rows;
+  document["modes"] = Json::array();
+  for (const ModeCost& row : record.modes)
+    document["modes"].push_back({{"modes", row.modes},
+                                 {"error", maybe(row.error)},
+                                 {"seconds_per_period", row.seconds_per_period},
+                                 {"evaluations_per_period", row.evaluations_per_period}});
+  document["closure"] = Json::array();
+  for (const ClosureCost& row : record.closure) document["closure"].push_back(closure_json(row));
+  document["corrector"] = corrector_json(record.corrector);
   const FlowCost* best = cheapest(costs, costs.allowed);
   document["recommended"] = {{"tolerance", costs.tolerance},
                              {"allowed_error", costs.allowed},

@@ -27,13 +27,13 @@ const std::map<std::string, FlowStyle>& flow_styles() {
 // An error that is nothing at all has no place on a logarithmic axis: it is drawn at the last bit.
 constexpr double kLeastError = 1e-17;
 
-double drawn_error(const FlowCost& row) { return std::max(*row.error, kLeastError); }
+double drawn_error(const FlowCost& row) { return std::max(*row.compared.error, kLeastError); }
 
 // Rows that no other one beats in error and in time, by time.
 std::vector<const FlowCost*> front_of(const FlowCosts& costs) {
   std::vector<const FlowCost*> rows;
   for (const FlowCost& row : costs.rows)
-    if (row.error) rows.push_back(&row);
+    if (row.compared.error) rows.push_back(&row);
   std::sort(rows.begin(), rows.end(), [](const FlowCost* a, const FlowCost* b) {
     return a->seconds_per_period < b->seconds_per_period;
   });
@@ -47,7 +47,7 @@ class CostPicture {
  public:
   explicit CostPicture(const FlowCosts& costs) : costs_(costs) {
     for (const FlowCost& row : costs.rows) {
-      if (!row.error) continue;
+      if (!row.compared.error) continue;
       include(time_, row.seconds_per_period);
       include(error_, drawn_error(row));
     }
@@ -91,7 +91,8 @@ class CostPicture {
   bool add_flow(const std::string& flow, const FlowStyle& style) {
     PlotTable table;
     for (const FlowCost& row : costs_.rows)
-      if (row.flow == flow && row.error) table.row({row.seconds_per_period, drawn_error(row)});
+      if (row.flow == flow && row.compared.error)
+        table.row({row.seconds_per_period, drawn_error(row)});
     if (table.empty()) return false;
     script_.data(flow, table);
     layers_.push_back(fmt::format(

@@ -8,6 +8,7 @@
 #include "graze/base/angle.hpp"
 #include "graze/report/names.hpp"
 #include "graze/report/table.hpp"
+#include "graze/study/step_choice.hpp"
 
 namespace graze {
 namespace {
@@ -37,9 +38,8 @@ std::string damping_text(const Scene& scene) {
 }
 
 std::string flow_text(const CheckRecord& record) {
-  if (!record.steps)
-    return "exact: every effect in this scene is linear between impacts, so motion and first "
-           "contact have closed forms";
+  const FlowDecision decision = flow_decision(record.scene);
+  if (!record.steps) return fmt::format("{}: {}", flow_name(decision.flow), decision.reason);
   const Solver& solver = record.scene.solver;
   const std::string steps = solver.step
                                 ? fmt::format("steps of {:g} s", *solver.step)

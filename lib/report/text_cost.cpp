@@ -17,6 +17,41 @@ std::string time_text(double seconds) {
   return fmt::format("{:.3g} us", 1e6 * seconds);
 }
 
+std::string modes_text(const CostRecord& record) {
+  if (record.modes.empty()) return "";
+  Table table({"modes", "error of first impact (s)", "time / period", "evaluations / period"});
+  for (const ModeCost& row : record.modes)
+    table.add({std::to_string(row.modes), error_text(row.error), time_text(row.seconds_per_period),
+               fmt::format("{:.4g}", row.evaluations_per_period)});
+  return fmt::format("\nModes, against {} of them\n{}", kMostModesCompared, table.text());
+}
+
+std::string closure_text(const CostRecord& record) {
+  if (record.closure.empty()) return "";
+  Table table({"closure speed (m/s)", "error of impacts (s)", "time / period", "impacts / period",
+               "same impacts"});
+  for (const ClosureCost& row : record.closure)
+    table.add({fmt::format("{:.3g}", row.speed), error_text(row.compared.error),
+               time_text(row.seconds_per_period), fmt::format("{:.4g}", row.impacts_per_period),
+               !row.compared.message.empty() ? "failed"
+               : row.compared.impacts_agree  ? "yes"
+                                             : "no"});
+  return "\nSumming chatters, against impacts followed to the end\n" + table.text();
+}
+
+std::string corrector_text(const CostRecord& record) {
+  const CorrectorCosts& costs = record.corrector;
+  if (costs.rows.empty())
+    return costs.message.empty() ? "" : fmt::format("\nNewton's steps: {}\n", costs.message);
+  Table table({"start", "steps", "residual", "error of impacts (s)", "time"});
+  for (const CorrectorCost& row : costs.rows)
+    table.add({row.predicted ? "tangent" : "neighbour", std::to_string(row.steps),
+               fmt::format("{:.2g}", row.residual), fmt::format("{:.2g}", row.error),
+               time_text(row.seconds)});
+  return fmt::format("\nNewton's steps to {} from a forcing frequency lower by {:g} %\n{}",
+                     costs.orbit, 100.0 * kNeighbour, table.text());
+}
+
 }  // namespace
 
 std::string to_text(const CostRecord& record) {
@@ -25,11 +60,12 @@ std::string to_text(const CostRecord& record) {
   Table table({"flow", "setting", timed ? "error of impacts (s)" : "error / amplitude",
                "error of state", "time / period", "evaluations / period", "same impacts"});
   for (const FlowCost& row : costs.rows)
-    table.add({row.flow, row.setting, error_text(row.error), error_text(row.state_error),
-               time_text(row.seconds_per_period), fmt::format("{:.4g}", row.evaluations_per_period),
-               !row.message.empty() ? "failed"
-               : row.impacts_agree  ? "yes"
-                                    : "no"});
+    table.add({row.flow, row.setting, error_text(row.compared.error),
+               error_text(row.compared.state_error), time_text(row.seconds_per_period),
+               fmt::format("{:.4g}", row.evaluations_per_period),
+               !row.compared.message.empty() ? "failed"
+               : row.compared.impacts_agree  ? "yes"
+                                             : "no"});
   std::string text = table.empty() ? "" : table.text() + "\n";
   text +=
       fmt::format("compared over: {}; reference: exact flow, 50 digits\n", compared_span(costs));
@@ -43,6 +79,7 @@ std::string to_text(const CostRecord& record) {
   else if (!costs.rows.empty())
     text += fmt::format("no setting meets tolerance {:g} (an error of {:.2g}{})\n", costs.tolerance,
                         costs.allowed, timed ? " s" : "");
+  text += modes_text(record) + closure_text(record) + corrector_text(record);
   if (!record.outcome.message.empty())
     text += fmt::format("{}: {}\n", record.outcome.name, record.outcome.message);
   return text;

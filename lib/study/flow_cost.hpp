@@ -8,22 +8,15 @@
 #include <vector>
 
 #include "graze/base/stop_signal.hpp"
-#include "graze/study/reference_run.hpp"
+#include "graze/study/run_comparison.hpp"
 
 namespace graze {
 
 struct FlowCost {
   std::string flow, setting;  // "rk4", "step=1e-05"; the exact flow has no setting
-  // Largest error of an impact time, s; of a motion without impacts largest error of the
-  // displacements relative to their largest size. Absent where the run failed or lost the sequence.
-  std::optional<double> error;
-  // Of the state at the end, displacements times frequencies and velocities, relative to the size
-  // of the motion (FlowCostOptions::speed); absent likewise.
-  std::optional<double> state_error;
-  bool impacts_agree = false;
+  RunError compared;
   double seconds_per_period = 0.0;  // of computing time, per forcing period (per second without)
   double evaluations_per_period = 0.0;
-  std::string message;  // why the run failed
 };
 
 struct FlowCosts {
@@ -44,6 +37,7 @@ struct FlowCostOptions {
   double speed = 1.0;        // of the modal motion, kg^1/2 m/s (StepSetting)
   // m/s. The tail of a chatter from here on is summed; of slower impacts only the reference knows.
   double closure_speed = 0.0;
+  long long max_impacts = kDefaultImpactBudget;  // of every run
   StopSignal stop;
   std::function<void(double)> progress;  // part of the ladder
 };

@@ -33,22 +33,37 @@ double modal_speed(const System& system, const State& start) {
   return speed > 0.0 ? speed : 1.0;
 }
 
-std::optional<StepSetting> step_choice(const Scene& scene, const System& system,
-                                       const State& start) {
-  const std::optional<StepMethod> method = step_method(scene.solver.flow);
-  if (!method) return {};
+FlowDecision flow_decision(const Scene& scene) {
+  const Solver& solver = scene.solver;
+  if (solver.flow != FlowChoice::kAuto) return {solver.flow, "the scene asks for it"};
+  return {FlowChoice::kExact,
+          fmt::format("every effect in this scene is linear between impacts, so motion and first "
+                      "contact have closed forms: they meet the tolerance {:g}, and cost less than "
+                      "steps that would",
+                      solver.tolerance)};
+}
+
+StepSetting stable_steps(const System& system, const State& start, StepMethod method) {
   StepSetting setting;
-  setting.method = *method;
-  setting.step = scene.solver.step.value_or(0.0);
-  setting.tolerance = scene.solver.tolerance;
+  setting.method = method;
   setting.speed = modal_speed(system, start);
-  const double stable = setting.longest = longest_stable_step(system, *method);
-  // A free mass knows no time of its own; the way to its stops takes it some.
+  setting.longest = longest_stable_step(system, method);
   for (const RigidStop& stop : system.stops)
     if (std::isinf(setting.longest) && speed_scale(system, start) > 0.0 &&
         reach_at(system, stop) > 0.0)
       setting.longest = reach_at(system, stop) / speed_scale(system, start);
   if (std::isinf(setting.longest)) setting.longest = system.forcing ? system.period() : 1.0;
+  return setting;
+}
+
+std::optional<StepSetting> step_choice(const Scene& scene, const System& system,
+                                       const State& start) {
+  const std::optional<StepMethod> method = step_method(flow_decision(scene).flow);
+  if (!method) return {};
+  StepSetting setting = stable_steps(system, start, *method);
+  setting.step = scene.solver.step.value_or(0.0);
+  setting.tolerance = scene.solver.tolerance;
+  const double stable = longest_stable_step(system, *method);
   if (setting.step > stable)
     throw scene_error(scene, "solver.step",
                       fmt::format("{:g} s is not allowed, with {} it must be at most {:.6g} s: "
@@ -58,7 +73,7 @@ std::optional<StepSetting> step_choice(const Scene& scene, const System& system,
 }
 
 void require_exact_flow(const Scene& scene, const char* what) {
-  if (!step_method(scene.solver.flow)) return;
+  if (!step_method(flow_decision(scene).flow)) return;
   throw scene_error(scene, "solver.flow",
                     fmt::format("the flow \"{}\" is not allowed where {}, it must be \"auto\" or "
                                 "\"exact\"",

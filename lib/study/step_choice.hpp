@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <string>
 
 #include "graze/flow/step_setting.hpp"
 #include "graze/scene/scene.hpp"
@@ -14,6 +15,23 @@ double modal_speed(const System& system, const State& start);
 
 // The method of a flow that takes steps; absent: it is exact.
 std::optional<StepMethod> step_method(FlowChoice flow);
+
+// The flow that a scene runs on, and why: a sentence without its end.
+//
+// "auto" is decided by two rules, from what `graze cost` measures on the shipped scenes
+// (docs/accuracy.md; tests/study/flow_decision_test.cpp holds them to it):
+//   - where every effect is linear between impacts the exact flow meets any tolerance down to the
+//     rounding of the impacts, and costs less than any setting of the others that does;
+//   - where one is not, none of closed form remains. This version has no such effect.
+struct FlowDecision {
+  FlowChoice flow = FlowChoice::kExact;  // never kAuto
+  std::string reason;
+};
+FlowDecision flow_decision(const Scene& scene);
+
+// A method's steps where nothing else is asked: as long as is stable, and where the motion has no
+// rate of its own (free masses), as the way to its stops takes it.
+StepSetting stable_steps(const System& system, const State& start, StepMethod method);
 
 // How the motion is integrated step by step; absent where it is exact. Its tolerance is that of the
 // scene. Throws InputError for a step at which the method is not stable.

@@ -34,7 +34,7 @@ TEST(FlowCost, EveryFlowGetsBetterDownItsLadder) {
       costs_of(support::shipped_scene("02_wagg_momentum", {"stop.gap=5e-3"}), 10);
   EXPECT_EQ(costs.impacts, 10u);
   ASSERT_EQ(costs.rows.front().flow, "exact");
-  EXPECT_LE(costs.rows.front().error.value_or(1.0), 1e-10);
+  EXPECT_LE(costs.rows.front().compared.error.value_or(1.0), 1e-10);
   for (const char* flow : {"rk4", "dopri5", "fehlberg78"}) {
     SCOPED_TRACE(flow);
     std::vector<const FlowCost*> rows;
@@ -43,14 +43,14 @@ TEST(FlowCost, EveryFlowGetsBetterDownItsLadder) {
     ASSERT_GE(rows.size(), 2u);
     // The longest step there is loses the sequence of the fourth mode's impacts.
     EXPECT_GT(rows.back()->evaluations_per_period, rows.front()->evaluations_per_period);
-    EXPECT_TRUE(rows.back()->impacts_agree);
-    EXPECT_LE(rows.back()->error.value_or(1.0), 1e-5);
+    EXPECT_TRUE(rows.back()->compared.impacts_agree);
+    EXPECT_LE(rows.back()->compared.error.value_or(1.0), 1e-5);
   }
   const FlowCost* best = cheapest(costs, 1e-8);
   ASSERT_TRUE(best);
-  EXPECT_LE(*best->error, 1e-8);
+  EXPECT_LE(*best->compared.error, 1e-8);
   for (const FlowCost& row : costs.rows) {
-    if (!row.error || *row.error > 1e-8) continue;
+    if (!row.compared.error || *row.compared.error > 1e-8) continue;
     EXPECT_LE(best->seconds_per_period, row.seconds_per_period);
   }
   EXPECT_EQ(cheapest(costs, 0.0), nullptr);
@@ -62,7 +62,7 @@ TEST(FlowCost, WithoutImpactsDisplacementsAreCompared) {
       costs_of(support::shipped_scene("04_impact_oscillator", {"stop.gap=50.0"}), 20);
   EXPECT_EQ(costs.impacts, 0u);
   ASSERT_FALSE(costs.rows.empty());
-  EXPECT_LE(costs.rows.front().error.value_or(1.0), 1e-13);
+  EXPECT_LE(costs.rows.front().compared.error.value_or(1.0), 1e-13);
   EXPECT_NEAR(costs.allowed, 1e-8, 1e-20);
 }
 
@@ -70,8 +70,8 @@ TEST(FlowCost, WithoutImpactsDisplacementsAreCompared) {
 TEST(FlowCost, ChattersAreComparedUpToTheirTails) {
   const FlowCosts costs = costs_of(support::shipped_scene("09_soft_stop_two_modes"), 20);
   EXPECT_EQ(costs.impacts, 20u);
-  EXPECT_TRUE(costs.rows.front().impacts_agree);
-  EXPECT_LE(costs.rows.front().error.value_or(1.0), 1e-12);
+  EXPECT_TRUE(costs.rows.front().compared.impacts_agree);
+  EXPECT_LE(costs.rows.front().compared.error.value_or(1.0), 1e-12);
 }
 
 // The reference against closed forms: a ball dropped from h meets the floor at sqrt(2 h/g) and then
