@@ -134,6 +134,8 @@ FirstZero<Real> finish(const Sample& sample, Real s, CurvePoint<Real> point, int
     return Real(newton / (1 + newton * point.curvature / (2 * point.slope)));
   };
   // From a distance d the next is C d^3. All points lie behind the first, whose bound holds there.
+  // What is left always has the same sign, and the energy would feel a bias of half an ulp (hard
+  // case E2): a 32nd of that is asked for.
   const Real third = point.third;
   const auto is_exact = [&](const Real& step) {
     const Real bend = point.curvature / (2 * point.slope);

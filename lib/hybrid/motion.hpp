@@ -157,7 +157,6 @@ class Motion {
     Real gap = 0;
     Restitution restitution{0.0};
     Real norm2 = 0;  // |row|^2 where the direction is row/|row|^2 to rounding; 0: it is oblique
-    RealVector<Real> give;  // displacements under a force there, row.give = 1
   };
   struct Change {
     ArrivalKind kind;
@@ -237,7 +236,7 @@ class Motion {
   Arrival<Real> search(const Real& until, const Real& horizon);
   void search_by_steps(ContactPhase<Real>& phase, const Real& until, Arrival<Real>& arrival);
   Arrival<Real> arrive(Arrival<Real> arrival, const Real& until);
-  void settle_on(int stop);
+  void settle_on(int stop, const Real& flight);
   void touch_simultaneous(const Real& flight);
 
   const System system_;

@@ -28,6 +28,7 @@ class Run {
         state_(state) {
     set_end();
     note_gaps();
+    sample_.state = {motion_.q(), motion_.qdot()};
     if (options.energy && !state_.keeps_book) {
       state_.keeps_book = true;
       state_.book.start = energy();
@@ -209,9 +210,9 @@ class Run {
   }
 
   void book_impact() {
-    before_impact_ = motion_.qdot();
+    before_.qdot = motion_.qdot();
     const std::vector<ImpactShare<double>>& shares = motion_.impact();
-    impact_energy(system_, shares, before_impact_, motion_.qdot(), impact_energy_);
+    impact_energy(system_, shares, before_.qdot, motion_.qdot(), impact_energy_);
     book_energy(impact_energy_.total);
     for (const ImpactEnergy::Hit& hit : impact_energy_.hits) book_hit(hit.share, hit.change);
     close_chatter(shares);
@@ -235,19 +236,18 @@ class Run {
   void close_chatter(const std::vector<ImpactShare<double>>& shares) {
     // Against a single stop only impacts as slow as that are summed.
     if (stops() == 1 && shares.size() == 1 && shares.front().speed > state_.closure_speed) return;
-    State& before = before_closure_;
-    before.q = motion_.q();
-    before.qdot = motion_.qdot();
+    before_.q = motion_.q();
+    before_.qdot = motion_.qdot();
     const auto closed = motion_.close_chatter(shares, state_.closure_speed);
     if (!closed) return;
     const RigidStop& only = stop(closed->closed.front());
-    double change = impact_energy_change(only.row, only.direction, before.qdot, 0.0);
+    double change = impact_energy_change(only.row, only.direction, before_.qdot, 0.0);
     if (closed->closed.size() > 1) {
       const Work work =
-          work_at_once(system_, motion_.flow().phase(motion_.instant()), motion_.q() - before.q);
+          work_at_once(system_, motion_.flow().phase(motion_.instant()), motion_.q() - before_.q);
       state_.book.work = state_.book.work + work;
       change =
-          energy_change(system_, before, {motion_.q(), motion_.qdot()}) - work.forcing - work.load;
+          energy_change(system_, before_, {motion_.q(), motion_.qdot()}) - work.forcing - work.load;
     }
     book_energy(change);
     const auto last =
@@ -324,8 +324,6 @@ class Run {
   // False when the run has to stop: an arc can hold any number of samples.
   bool hand_out_samples(double start_time, double flight) {
     Sample& sample = sample_;
-    sample.state.q.resize(system_.modes());
-    sample.state.qdot.resize(system_.modes());
     const ContactPhase<double>& phase = motion_.flown();
     for (;;) {
       sample.time = static_cast<double>(state_.samples) / listeners_.sample_rate;
@@ -370,10 +368,9 @@ class Run {
   RunState cut_arc_;                      // before the arc that the end of the run cuts
   bool is_cut_ = false;                   // whether there is one
   Instant<double> end_;
-  Vector before_impact_;  // velocities; beside what came of it, kept from impact to impact
+  State before_;  // an impact or a closure; kept, with what came of it, for the memory
   ImpactEnergy impact_energy_;
-  State before_closure_;  // likewise
-  Sample sample_;         // the last one handed out
+  Sample sample_;  // the last one handed out
   long long polls_ = 0;
   Simulation result_;
 };

@@ -86,7 +86,7 @@ PeriodHistory::Contacts PeriodHistory::contacts_since(long long from) const {
 
 // Of the impacts of a period from those p periods before. A speed that is left over from the forced
 // velocities has their rounding, and the smaller it is, the less its instant is known.
-double PeriodHistory::impact_difference(long long period, int p, bool rounds) const {
+double PeriodHistory::impact_difference(long long period, int p) const {
   const Period &now = periods_[period], &then = periods_[period - p];
   if (now.impacts != then.impacts || now.contacts.any != then.contacts.any ||
       now.contacts.held != then.contacts.held)
@@ -98,7 +98,7 @@ double PeriodHistory::impact_difference(long long period, int p, bool rounds) co
     const double speeds = std::abs(a.speed) + std::abs(b.speed);
     const double difference =
         std::max(std::abs(b.phase - a.phase), std::abs(b.speed - a.speed) / speeds);
-    const double rounding = rounds ? kRounding * (1.0 + speed_ / speeds) : 0.0;
+    const double rounding = kRounding * (1.0 + speed_ / speeds);
     largest = std::max(largest, beyond_rounding(difference, rounding));
   }
   return largest;
@@ -123,7 +123,7 @@ bool PeriodHistory::repeats(int p, int repetitions, double tolerance) const {
   long long impacts = 0;
   // From the newest back: a motion that does not repeat is told by its last period.
   for (long long n = now - 1; n >= now - static_cast<long long>(repetitions - 1) * p; --n) {
-    if (!(impact_difference(n, p, false) <= tolerance)) return false;
+    if (!(impact_difference(n, p) <= tolerance)) return false;
     impacts += periods_[n].impacts;
   }
   if (impacts > 0) return true;
@@ -136,7 +136,7 @@ double PeriodHistory::largest(long long from, long long until, int p) const {
   if (from - p < oldest()) return kInfinity;
   double largest = 0.0;
   for (long long n = from; n < until; ++n)
-    largest = std::max({largest, impact_difference(n, p, true), state_difference(n, p)});
+    largest = std::max({largest, impact_difference(n, p), state_difference(n, p)});
   return largest;
 }
 

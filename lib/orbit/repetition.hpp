@@ -95,7 +95,7 @@ class PeriodHistory {
 
   void push_state(Tail<double>& list, const Vector& q, const Vector& qdot) const;
   State state(const Tail<double>& list, long long index) const;
-  double impact_difference(long long period, int p, bool rounds) const;
+  double impact_difference(long long period, int p) const;
   double state_difference(long long period, int p) const;
   double largest(long long from, long long until, int p) const;
 

@@ -54,7 +54,7 @@ struct CorrectorCost {
   double error = 0.0;     // largest of an impact time, s, against Newton's method to its end
   double seconds = 0.0;   // of computing time, all steps together
 };
-inline constexpr double kNeighbour = 0.01;
+inline constexpr double kNeighbour = 0.001;
 
 struct CorrectorCosts {
   std::string orbit;    // "orbit (1, 1)"

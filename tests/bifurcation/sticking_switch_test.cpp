@@ -89,8 +89,10 @@ TEST(StickingSwitch, BranchesThatCrossAreFoundFromEachOther) {
     double most = 0.0;
     for (const OrbitBranchPoint& point : branch.points)
       most = std::max(most, std::abs(fastest(point.orbit, 0) / fastest(point.orbit, 1) - 1.0));
-    symmetric += most < 1e-7;
-    EXPECT_TRUE(most < 1e-7 || most > 1e-2) << most;
+    // Beside the branch point unknowns are determined to kShootingAccuracy, 1e-7 of the motion, and
+    // speeds are some part of it.
+    symmetric += most < 1e-6;
+    EXPECT_TRUE(most < 1e-6 || most > 1e-2) << most;
   }
   EXPECT_EQ(symmetric, 1);
 }

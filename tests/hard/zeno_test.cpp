@@ -345,11 +345,12 @@ TEST(HardCases, Z6PreloadLiftsOffAtItsForce) {
       // In long double: near F = |s| the arccosine multiplies the rounding of its argument.
       const double expected = static_cast<double>(
           std::acos(-static_cast<long double>(0.2) / static_cast<long double>(force)) / frequency);
-      // The force touches zero there: its instant is known to the rounding of a force of size F,
-      // 1e-16 F, over its slope in time, W sqrt(F^2 - s^2).
+      // The force touches zero there: its instant is known to three roundings of numbers of size 2F
+      // (the force at the start, the change since, their sum), 3 eps F = 6.7e-16 F, over its slope
+      // in time, W sqrt(F^2 - s^2).
       const double slope = frequency * std::sqrt((force - 0.2) * (force + 0.2));
-      expect_reached("Z6", "lift-off where cos(W t) = s/F, s, over 1 + 1e-3 F/slope",
-                     off(run.events[0].time, expected) / (1.0 + 1e-3 * force / slope), 1e-13);
+      expect_reached("Z6", "lift-off where cos(W t) = s/F, s, over 1 + 6.7e-3 F/slope",
+                     off(run.events[0].time, expected) / (1.0 + 6.7e-3 * force / slope), 1e-13);
     }
   }
 }

@@ -46,9 +46,10 @@ TEST(FlowDecision, MeetsTheToleranceOfEveryShippedSceneForTheLeast) {
     ASSERT_NE(own, nullptr);
     EXPECT_LE(own->compared.error.value_or(1.0), costs.allowed);
     for (const FlowCost& row : costs.rows)
-      if (row.compared.error && *row.compared.error <= costs.allowed)
+      if (row.compared.error && *row.compared.error <= costs.allowed) {
         EXPECT_LE(own->evaluations_per_period, row.evaluations_per_period)
             << row.flow << " " << row.setting;
+      }
     ++scenes;
   }
   EXPECT_EQ(scenes, 10);
