@@ -52,7 +52,7 @@ int run_cost(const Command& command) {
   prepare_output(command);
   record.costs = flow_costs(system, start, options);
   if (!options.stop.requested()) {
-    const AccuracyCostOptions others{options.longest, options.impacts, options.stop};
+    const AccuracyCostOptions others{options.longest, options.stop};
     record.modes = mode_costs(scene, others);
     record.closure = closure_costs(system, start, others);
     record.corrector = corrector_costs(scene, others);

@@ -13,8 +13,7 @@
 namespace graze {
 
 struct AccuracyCostOptions {
-  double longest = 0.0;      // s of motion, at most
-  std::size_t impacts = 20;  // compared, as far as they come
+  double longest = 0.0;  // s of motion, at most
   StopSignal stop;
 };
 
@@ -35,7 +34,8 @@ std::vector<ModeCost> mode_costs(const Scene& scene, const AccuracyCostOptions& 
 // them down to 1e-16 of the speed of the motion.
 struct ClosureCost {
   double speed = 0.0;  // v_c, m/s
-  RunError compared;   // of impacts faster than the largest v_c of the list
+  // Of impacts faster than the largest v_c of the list, up to the fourth beyond the first chatter.
+  RunError compared;
   double seconds_per_period = 0.0;
   double impacts_per_period = 0.0;  // followed one by one
 };

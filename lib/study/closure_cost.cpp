@@ -11,6 +11,23 @@ namespace {
 // v_c in parts of the speed at the stops.
 constexpr std::array<double, 8> kClosures = {3e-2, 1e-2, 1e-3, 1e-4, 1e-5, 1e-6, 1e-7, 1e-8};
 constexpr double kRowSeconds = 0.5;
+// Impacts beyond the chatter that are compared: few, for each magnifies every error alike.
+constexpr std::size_t kImpactsAfter = 4;
+
+// How many impacts faster than the closure speed come before the first chatter is summed; nothing
+// where none is.
+std::optional<std::size_t> impacts_before_chatter(const System& system, const State& start,
+                                                  const SimulationOptions& options) {
+  std::size_t impacts = 0;
+  std::optional<std::size_t> found;
+  RunListeners listeners;
+  listeners.event = [&](const Event& event) {
+    if (event.kind == EventKind::kImpact && event.speed > *options.closure_speed) ++impacts;
+    if (event.kind == EventKind::kChatter && !found) found = impacts;
+  };
+  simulate(system, start, options, listeners);
+  return found;
+}
 
 }  // namespace
 
@@ -22,11 +39,13 @@ std::vector<ClosureCost> closure_costs(const System& system, const State& start,
   run_options.duration = options.longest;
   run_options.stop = options.stop;
   run_options.closure_speed = fastest;
-  if (system.stops.empty() || simulate(system, start, run_options).totals.chatters == 0)
-    return rows;
+  const std::optional<std::size_t> before = impacts_before_chatter(system, start, run_options);
+  if (!before) return rows;
+  // What the tail leaves shows in the impacts after it.
+  const std::size_t impacts = *before + kImpactsAfter;
   const RunComparison comparison(
-      reference_run(system, start, {options.impacts, fastest, options.longest, options.stop}),
-      options.impacts, fastest, modal_speed(system, start));
+      reference_run(system, start, {impacts, fastest, options.longest, options.stop}), impacts,
+      fastest, modal_speed(system, start));
   const double end = comparison.reference().end_time;
   if (comparison.impacts() == 0 || !(end > 0.0)) return rows;
   run_options.duration = end;

@@ -114,6 +114,41 @@ void SimulateWideGap(benchmark::State& state) {
 }
 BENCHMARK(SimulateWideGap)->ArgName("modes")->Arg(1)->Arg(4)->Arg(8)->Unit(benchmark::kMillisecond);
 
+// The same for 1000 forcing periods without (0) and with (1) one effect; instructions of such pairs
+// are counted in docs/cost.md.
+void SimulateEffect(benchmark::State& state, const std::vector<std::string>& settings,
+                    double samples, bool energy) {
+  std::vector<std::string> all = {"stop.gap=5e-3"};
+  if (state.range(0) != 0) all.insert(all.end(), settings.begin(), settings.end());
+  const Scene scene = read_scene(GRAZE_SOURCE_DIR "/data/scenes/02_wagg_momentum.toml", all);
+  const System system = assemble(scene);
+  const State start = initial_state(scene, system);
+  SimulationOptions options;
+  options.periods = 1000;
+  options.energy = energy && state.range(0) != 0;
+  RunListeners listeners;
+  if (samples > 0.0 && state.range(0) != 0) {
+    listeners.sample = [](const Sample& sample) { benchmark::DoNotOptimize(sample.state.q[0]); };
+    listeners.sample_rate = samples / system.period();
+  }
+  long long impacts = 0;
+  for (auto _ : state) impacts = simulate(system, start, options, listeners).totals.impacts;
+  state.counters["impacts"] = static_cast<double>(impacts);
+}
+#define GRAZE_EFFECT(name, settings, samples, energy)                \
+  BENCHMARK_CAPTURE(SimulateEffect, name, settings, samples, energy) \
+      ->ArgName("with")                                              \
+      ->Arg(0)                                                       \
+      ->Arg(1)                                                       \
+      ->Unit(benchmark::kMillisecond)
+using Settings = std::vector<std::string>;
+GRAZE_EFFECT(samples, Settings{}, 20.0, false);
+GRAZE_EFFECT(energy_book, Settings{}, 0.0, true);
+GRAZE_EFFECT(gravity, Settings{"gravity.acceleration=9.81"}, 0.0, false);
+GRAZE_EFFECT(restitution_of_speed, Settings{"stop.restitution=[0.8, 0.01]"}, 0.0, false);
+GRAZE_EFFECT(collocation_impulse, Settings{"stop.impulse=\"collocation\""}, 0.0, false);
+#undef GRAZE_EFFECT
+
 // 1000 values of the forcing frequency of scene 05, up to 1000 forcing periods at each: fewer where
 // the motion settles, or all of them (nearness 0); on one or two threads, for which real time
 // counts.
