@@ -17,6 +17,11 @@ std::string time_text(double seconds) {
   return fmt::format("{:.3g} us", 1e6 * seconds);
 }
 
+const char* agreement_text(const RunError& compared) {
+  if (!compared.message.empty()) return "failed";
+  return compared.impacts_agree ? "yes" : "no";
+}
+
 std::string modes_text(const CostRecord& record) {
   if (record.modes.empty()) return "";
   Table table({"modes", "error of first impact (s)", "time / period", "evaluations / period"});
@@ -33,9 +38,7 @@ std::string closure_text(const CostRecord& record) {
   for (const ClosureCost& row : record.closure)
     table.add({fmt::format("{:.3g}", row.speed), error_text(row.compared.error),
                time_text(row.seconds_per_period), fmt::format("{:.4g}", row.impacts_per_period),
-               !row.compared.message.empty() ? "failed"
-               : row.compared.impacts_agree  ? "yes"
-                                             : "no"});
+               agreement_text(row.compared)});
   return "\nSumming chatters, against impacts followed to the end\n" + table.text();
 }
 
@@ -62,10 +65,7 @@ std::string to_text(const CostRecord& record) {
   for (const FlowCost& row : costs.rows)
     table.add({row.flow, row.setting, error_text(row.compared.error),
                error_text(row.compared.state_error), time_text(row.seconds_per_period),
-               fmt::format("{:.4g}", row.evaluations_per_period),
-               !row.compared.message.empty() ? "failed"
-               : row.compared.impacts_agree  ? "yes"
-                                             : "no"});
+               fmt::format("{:.4g}", row.evaluations_per_period), agreement_text(row.compared)});
   std::string text = table.empty() ? "" : table.text() + "\n";
   text +=
       fmt::format("compared over: {}; reference: exact flow, 50 digits\n", compared_span(costs));

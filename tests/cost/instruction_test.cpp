@@ -25,6 +25,13 @@ amplitude = 1.0
 frequency = 17.0
 )";
 
+class Instructions : public testing::Test {
+ protected:
+  void SetUp() override {
+    if (support::kSlowBuild) GTEST_SKIP() << "sanitizers do not run under valgrind";
+  }
+};
+
 class SceneFile {
  public:
   explicit SceneFile(const std::string& text)
@@ -45,8 +52,7 @@ double of_free_motion(const std::string& more) {
 }
 
 // They are part of the modes: an assembled system has them in its numbers, not in more work.
-TEST(Instructions, LinearEffectsCostNothing) {
-  if (support::kSlowBuild) GTEST_SKIP() << "sanitizers do not run under valgrind";
+TEST_F(Instructions, LinearEffectsCostNothing) {
   const double bare = of_free_motion("");
   struct Effect {
     const char *name, *text;
@@ -64,8 +70,7 @@ TEST(Instructions, LinearEffectsCostNothing) {
   }
 }
 
-TEST(Instructions, NothingIsLookedForWithoutAStop) {
-  if (support::kSlowBuild) GTEST_SKIP() << "sanitizers do not run under valgrind";
+TEST_F(Instructions, NothingIsLookedForWithoutAStop) {
   const SceneFile file(kFree);
   const Counted free = cost::count({file.path(), 50, 20});
   for (const char* name : {"first_descent", "first_zero_detail", "ArcCurve", "sum_terms"})
@@ -73,8 +78,7 @@ TEST(Instructions, NothingIsLookedForWithoutAStop) {
   EXPECT_TRUE(free.calls("Arc<double>::state"));
 }
 
-TEST(Instructions, WhatIsNotAskedForIsNotCalled) {
-  if (support::kSlowBuild) GTEST_SKIP() << "sanitizers do not run under valgrind";
+TEST_F(Instructions, WhatIsNotAskedForIsNotCalled) {
   const std::vector<std::string> wide = {"stop.gap=5e-3"};
   const Counted plain = cost::count({"02_wagg_momentum", 20, 0, false, wide});
   const Counted book = cost::count({"02_wagg_momentum", 20, 0, true, wide});
@@ -91,8 +95,7 @@ TEST(Instructions, WhatIsNotAskedForIsNotCalled) {
 }
 
 // Not asserted: what effects that are there cost, for the table.
-TEST(Instructions, OfEffectsThatAreThere) {
-  if (support::kSlowBuild) GTEST_SKIP() << "sanitizers do not run under valgrind";
+TEST_F(Instructions, OfEffectsThatAreThere) {
   const CountedRun beam{"02_wagg_momentum", 100, 0, false, {"stop.gap=5e-3"}};
   const double plain = cost::per_period(beam);
   const auto note = [&](const std::string& effect, const CountedRun& run) {
