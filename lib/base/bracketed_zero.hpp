@@ -11,8 +11,8 @@ struct BracketEnd {
   double at = 0.0, value = 0.0;
 };
 
-// Two numbers within four roundings that enclose the zero, ascending; equal where it was hit. Requires a.at < b.at and
-// values of opposite signs, neither of them zero.
+// Two numbers within four roundings that enclose the zero, ascending; equal where it was hit.
+// Requires a.at < b.at and values of opposite signs, neither of them zero.
 std::pair<double, double> bracketed_zero(const std::function<double(double)>& f,
                                          const BracketEnd& a, const BracketEnd& b);
 

@@ -1,7 +1,6 @@
 #include "graze/flow/curve_terms.hpp"
 
 #include <algorithm>
-#include <cstdint>
 
 #include "graze/flow/curve_terms_impl.hpp"
 

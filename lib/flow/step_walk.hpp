@@ -37,7 +37,8 @@ class SideBySide {
     assign(load_, rates.load);
     assign(force_, rates.force);
   }
-  void operator()(const State& x, State& slope, double s) {
+  // The two never overlap; a compiler that is told takes several modes at once.
+  void operator()(const State& __restrict x, State& __restrict slope, double s) {
     ++evaluations;
     const std::size_t n = N == 0 ? scale_.size() : N;
     // Stages come in pairs at one instant.
@@ -169,8 +170,9 @@ class WalkingFlow final : public StepFlow {
   }
 
   // The zero of a watch that is not positive at the end of (from, end]. One that starts at a zero
-  // is divided by that: what is left starts at its departure.
-  double locate(const Watch& watch, double from, double end, double at_end, long long& values) {
+  // is divided by that: what is left starts at its departure. Kept out of the loop over the steps.
+  [[gnu::noinline]] double locate(const Watch& watch, double from, double end, double at_end,
+                                  long long& values) {
     const bool departs = from == 0.0 && watch.multiplicity > 0;
     const auto quotient = [&](double s, double v) {
       return departs ? v / std::pow(s, watch.multiplicity) : v;
@@ -230,7 +232,8 @@ class FixedWalk {
   double from() const { return taken_ > 0 ? static_cast<double>(taken_ - 1) * step_ : 0.0; }
   double to() const { return static_cast<double>(taken_) * step_; }
   const State& state_at_end() const { return at_end_; }
-  void between(double s, State& x) {
+  // Seldom called, and kept out of the loop over the steps, which is the quicker for it.
+  [[gnu::noinline]] void between(double s, State& x) {
     x = at_start_;
     if (s > from()) stepper_.do_step(std::ref(rates), at_start_, from(), x, s - from());
   }
@@ -262,8 +265,12 @@ std::unique_ptr<StepFlow> with_rates(const ModalRates& rates, const Make& make) 
       return make(SideBySide<1>(rates));
     case 2:
       return make(SideBySide<2>(rates));
+    case 3:
+      return make(SideBySide<3>(rates));
     case 4:
       return make(SideBySide<4>(rates));
+    case 8:
+      return make(SideBySide<8>(rates));
     default:
       return make(SideBySide<0>(rates));
   }

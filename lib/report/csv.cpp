@@ -12,20 +12,18 @@
 namespace graze {
 
 std::string csv_cell(double value) { return std::isfinite(value) ? fmt::format("{}", value) : ""; }
+std::string csv_cell(const std::optional<double>& value) { return value ? csv_cell(*value) : ""; }
+std::string csv_cell(const std::optional<bool>& value) { return value ? (*value ? "1" : "0") : ""; }
 
 namespace {
 
-std::string cell(double value) { return csv_cell(value); }
-std::string cell(const std::optional<double>& value) { return value ? cell(*value) : ""; }
-std::string cell(const std::optional<bool>& value) { return value ? (*value ? "1" : "0") : ""; }
-
 // Of the first impact; empty where the orbit has none, at rest on its stop.
 std::string first_phase(const Orbit& orbit) {
-  return orbit.impacts.empty() ? "" : cell(orbit.impacts.front().phase);
+  return orbit.impacts.empty() ? "" : csv_cell(orbit.impacts.front().phase);
 }
 
 std::string first_speed(const Orbit& orbit) {
-  return orbit.impacts.empty() ? "" : cell(orbit.impacts.front().speed);
+  return orbit.impacts.empty() ? "" : csv_cell(orbit.impacts.front().speed);
 }
 
 }  // namespace
@@ -35,16 +33,16 @@ std::string events_csv_header() {
 }
 
 std::string events_csv_row(const Event& e) {
-  const std::string start = fmt::format("{},{},{}", name_of(e.kind), cell(e.time), e.stop + 1);
+  const std::string start = fmt::format("{},{},{}", name_of(e.kind), csv_cell(e.time), e.stop + 1);
   switch (e.kind) {
     case EventKind::kImpact:
-      return fmt::format("{},{},{},{},,,\n", start, cell(e.speed), cell(e.phase),
-                         cell(e.energy_change));
+      return fmt::format("{},{},{},{},,,\n", start, csv_cell(e.speed), csv_cell(e.phase),
+                         csv_cell(e.energy_change));
     case EventKind::kChatter:
-      return fmt::format("{},,,{},{},{},\n", start, cell(e.energy_change), e.impacts,
-                         cell(e.closure_speed));
+      return fmt::format("{},,,{},{},{},\n", start, csv_cell(e.energy_change), e.impacts,
+                         csv_cell(e.closure_speed));
     case EventKind::kStick:
-      return fmt::format("{},,,,,,{}\n", start, cell(e.force));
+      return fmt::format("{},,,,,,{}\n", start, csv_cell(e.force));
     case EventKind::kRelease:
       break;
   }
@@ -67,9 +65,9 @@ std::string samples_csv_header(const System& system, bool energy) {
 }
 
 std::string samples_csv_row(const System& system, const Sample& sample) {
-  std::string text = cell(sample.time);
+  std::string text = csv_cell(sample.time);
   const auto add = [&](const auto& value) {
-    fmt::format_to(std::back_inserter(text), ",{}", cell(value));
+    fmt::format_to(std::back_inserter(text), ",{}", csv_cell(value));
   };
   for (const double value : sample.state.q) add(value);
   for (const double value : sample.state.qdot) add(value);
@@ -100,9 +98,9 @@ std::string orbits_csv(const OrbitRecord& record) {
     for (const OrbitImpact& impact : orbit.impacts)
       fmt::format_to(std::back_inserter(text), "{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n",
                      number, orbit.period, orbit.impacts.size(), ++index, impact.stop + 1,
-                     impact.period_index, cell(impact.phase), cell(impact.speed),
-                     cell(orbit.stable), orbit.admissible ? 1 : 0, cell(orbit.clearance),
-                     cell(largest), cell(orbit.residual), orbit.sticking ? 1 : 0);
+                     impact.period_index, csv_cell(impact.phase), csv_cell(impact.speed),
+                     csv_cell(orbit.stable), orbit.admissible ? 1 : 0, csv_cell(orbit.clearance),
+                     csv_cell(largest), csv_cell(orbit.residual), orbit.sticking ? 1 : 0);
   }
   return text;
 }
@@ -116,9 +114,9 @@ std::string stuck_csv(const OrbitRecord& record) {
     if (!sticking) continue;
     for (const OrbitHold& hold : sticking->holds)
       fmt::format_to(std::back_inserter(text), "{},{},{},{},{},{},{},{},{}\n", i + 1, hold.stop + 1,
-                     hold.from.period_index, cell(hold.from.phase), hold.to.period_index,
-                     cell(hold.to.phase), cell(hold.duration), cell(hold.force),
-                     cell(hold.smallest_force));
+                     hold.from.period_index, csv_cell(hold.from.phase), hold.to.period_index,
+                     csv_cell(hold.to.phase), csv_cell(hold.duration), csv_cell(hold.force),
+                     csv_cell(hold.smallest_force));
   }
   return text;
 }
@@ -131,9 +129,9 @@ std::string branches_csv(const BranchRecord& record) {
     for (const OrbitBranchPoint& point : branch.points) {
       fmt::format_to(std::back_inserter(text), "{},{},{},{},{},{},{},{},{},{},{},{}\n", branch.id,
                      branch.component, branch.pattern.period, point.orbit.impacts.size(),
-                     cell(point.value), first_phase(point.orbit), first_speed(point.orbit),
-                     cell(point.orbit.stable), point.orbit.admissible ? 1 : 0,
-                     point.unstable_multipliers, cell(point.orbit.clearance),
+                     csv_cell(point.value), first_phase(point.orbit), first_speed(point.orbit),
+                     csv_cell(point.orbit.stable), point.orbit.admissible ? 1 : 0,
+                     point.unstable_multipliers, csv_cell(point.orbit.clearance),
                      branch.sticks() ? 1 : 0);
     }
   return text;
@@ -145,10 +143,10 @@ std::string special_csv(const BranchRecord& record) {
     for (const SpecialPoint& s : branch.special) {
       const std::optional<SpecialPoint::Impact> impact = s.impact();
       fmt::format_to(std::back_inserter(text), "{},{},{},{},{},{},{},{}\n", s.id, label_of(s.kind),
-                     branch.id, cell(s.at.value), impact ? cell(impact->phase) : "",
-                     impact ? cell(impact->speed) : "",
-                     s.multiplier ? cell(s.multiplier->real()) : "",
-                     s.multiplier ? cell(s.multiplier->imag()) : "");
+                     branch.id, csv_cell(s.at.value), impact ? csv_cell(impact->phase) : "",
+                     impact ? csv_cell(impact->speed) : "",
+                     s.multiplier ? csv_cell(s.multiplier->real()) : "",
+                     s.multiplier ? csv_cell(s.multiplier->imag()) : "");
     }
   return text;
 }

@@ -1,6 +1,5 @@
 #include <fmt/format.h>
 
-#include <cmath>
 #include <iterator>
 
 #include "graze/report/csv.hpp"
@@ -13,8 +12,7 @@ std::string costs_csv(const CostRecord& record) {
       "flow,setting,error,state_error,seconds_per_period,evaluations_per_period,impacts_agree\n";
   for (const FlowCost& row : record.costs.rows)
     fmt::format_to(std::back_inserter(text), "{},{},{},{},{},{},{}\n", row.flow, row.setting,
-                   csv_cell(row.compared.error.value_or(std::nan(""))),
-                   csv_cell(row.compared.state_error.value_or(std::nan(""))),
+                   csv_cell(row.compared.error), csv_cell(row.compared.state_error),
                    csv_cell(row.seconds_per_period), csv_cell(row.evaluations_per_period),
                    row.compared.impacts_agree ? 1 : 0);
   return text;
@@ -23,9 +21,8 @@ std::string costs_csv(const CostRecord& record) {
 std::string mode_costs_csv(const CostRecord& record) {
   std::string text = "modes,error,seconds_per_period,evaluations_per_period\n";
   for (const ModeCost& row : record.modes)
-    fmt::format_to(std::back_inserter(text), "{},{},{},{}\n", row.modes,
-                   csv_cell(row.error.value_or(std::nan(""))), csv_cell(row.seconds_per_period),
-                   csv_cell(row.evaluations_per_period));
+    fmt::format_to(std::back_inserter(text), "{},{},{},{}\n", row.modes, csv_cell(row.error),
+                   csv_cell(row.seconds_per_period), csv_cell(row.evaluations_per_period));
   return text;
 }
 
@@ -34,8 +31,7 @@ std::string closure_costs_csv(const CostRecord& record) {
       "closure_speed,error,state_error,seconds_per_period,impacts_per_period,impacts_agree\n";
   for (const ClosureCost& row : record.closure)
     fmt::format_to(std::back_inserter(text), "{},{},{},{},{},{}\n", csv_cell(row.speed),
-                   csv_cell(row.compared.error.value_or(std::nan(""))),
-                   csv_cell(row.compared.state_error.value_or(std::nan(""))),
+                   csv_cell(row.compared.error), csv_cell(row.compared.state_error),
                    csv_cell(row.seconds_per_period), csv_cell(row.impacts_per_period),
                    row.compared.impacts_agree ? 1 : 0);
   return text;

@@ -12,27 +12,27 @@ Json maybe(const std::optional<double>& value) {
   return value && std::isfinite(*value) ? Json(*value) : Json(nullptr);
 }
 
+Json with_error(Json row, const RunError& compared) {
+  row["error"] = maybe(compared.error);
+  row["state_error"] = maybe(compared.state_error);
+  row["impacts_agree"] = compared.impacts_agree;
+  if (!compared.message.empty()) row["message"] = compared.message;
+  return row;
+}
+
 Json row_json(const FlowCost& row) {
-  Json json = {{"flow", row.flow},
-               {"setting", row.setting},
-               {"error", maybe(row.compared.error)},
-               {"state_error", maybe(row.compared.state_error)},
-               {"seconds_per_period", row.seconds_per_period},
-               {"evaluations_per_period", row.evaluations_per_period},
-               {"impacts_agree", row.compared.impacts_agree}};
-  if (!row.compared.message.empty()) json["message"] = row.compared.message;
-  return json;
+  return with_error({{"flow", row.flow},
+                     {"setting", row.setting},
+                     {"seconds_per_period", row.seconds_per_period},
+                     {"evaluations_per_period", row.evaluations_per_period}},
+                    row.compared);
 }
 
 Json closure_json(const ClosureCost& row) {
-  Json json = {{"closure_speed", row.speed},
-               {"error", maybe(row.compared.error)},
-               {"state_error", maybe(row.compared.state_error)},
-               {"seconds_per_period", row.seconds_per_period},
-               {"impacts_per_period", row.impacts_per_period},
-               {"impacts_agree", row.compared.impacts_agree}};
-  if (!row.compared.message.empty()) json["message"] = row.compared.message;
-  return json;
+  return with_error({{"closure_speed", row.speed},
+                     {"seconds_per_period", row.seconds_per_period},
+                     {"impacts_per_period", row.impacts_per_period}},
+                    row.compared);
 }
 
 Json corrector_json(const CorrectorCosts& costs) {

@@ -2,7 +2,6 @@
 // chatter is summed, Newton's steps towards an orbit.
 #pragma once
 
-#include <functional>
 #include <optional>
 #include <string>
 #include <vector>

@@ -6,7 +6,6 @@
 #include <utility>
 
 #include "graze/hybrid/simulation.hpp"
-#include "graze/study/processor_time.hpp"
 #include "graze/study/step_choice.hpp"
 
 namespace graze {
@@ -73,17 +72,14 @@ class CostTable {
     FlowCost row;
     row.flow = flow_name(flow);
     row.setting = std::move(setting);
-    long long evaluations = 0;
-    const double seconds =
-        least_time([&] { evaluations = simulate(system_, start_, options).evaluations; },
-                   options_.row_seconds, options_.stop);
-    row.seconds_per_period = seconds * costs_.period / costs_.end_time;
-    row.evaluations_per_period = static_cast<double>(evaluations) * costs_.period / costs_.end_time;
+    const TimedRun run = timed_run(system_, start_, options, options_.row_seconds);
+    row.seconds_per_period = run.seconds_per_period;
+    row.evaluations_per_period = run.evaluations_per_period;
     row.compared = comparison_.of(system_, start_, options);
     costs_.rows.push_back(std::move(row));
     if (options_.progress)
       options_.progress(std::min(1.0, static_cast<double>(costs_.rows.size()) / 24.0));
-    return seconds;
+    return run.seconds;
   }
 
   const System& system_;

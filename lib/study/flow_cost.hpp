@@ -9,6 +9,7 @@
 
 #include "graze/base/stop_signal.hpp"
 #include "graze/study/run_comparison.hpp"
+#include "graze/study/timed_run.hpp"
 
 namespace graze {
 
@@ -31,10 +32,11 @@ struct FlowCosts {
 
 struct FlowCostOptions {
   std::size_t impacts = 20;
-  double longest = 0.0;      // s of motion, at most
-  double tolerance = 0.0;    // of the scene
-  double row_seconds = 0.5;  // a ladder goes on while a run takes no longer than this
-  double speed = 1.0;        // of the modal motion, kg^1/2 m/s (StepSetting)
+  double longest = 0.0;    // s of motion, at most
+  double tolerance = 0.0;  // of the scene
+  // s; a ladder goes on while a run takes no longer than this
+  double row_seconds = kRowSeconds;
+  double speed = 1.0;  // of the modal motion, kg^1/2 m/s (StepSetting)
   // m/s. The tail of a chatter from here on is summed; of slower impacts only the reference knows.
   double closure_speed = 0.0;
   long long max_impacts = kDefaultImpactBudget;  // of every run

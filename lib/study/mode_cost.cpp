@@ -6,7 +6,7 @@
 #include "graze/assembly/initial_state.hpp"
 #include "graze/hybrid/simulation.hpp"
 #include "graze/study/accuracy_costs.hpp"
-#include "graze/study/processor_time.hpp"
+#include "graze/study/timed_run.hpp"
 
 namespace graze {
 namespace {
@@ -14,7 +14,6 @@ namespace {
 constexpr std::array<int, 12> kNumbers = {1, 2, 3, 4, 5, 6, 8, 12, 16, 24, 32, 48};
 // Computing time is taken over so many forcing periods at most.
 constexpr double kTimedPeriods = 20.0;
-constexpr double kRowSeconds = 0.5;
 
 bool is_free(const Scene& scene) {
   if (!scene.beam() || !scene.beam()->points.empty() || scene.initial) return false;
@@ -64,12 +63,10 @@ std::vector<ModeCost> mode_costs(const Scene& scene, const AccuracyCostOptions& 
     SimulationOptions timed;
     timed.duration = std::min(options.longest, kTimedPeriods * period);
     timed.stop = options.stop;
-    Simulation run;
-    const double seconds = least_time([&] { run = simulate(beam.system, beam.start, timed); },
-                                      kRowSeconds, options.stop);
-    if (!(run.end_time > 0.0)) continue;
-    row.seconds_per_period = seconds * period / run.end_time;
-    row.evaluations_per_period = static_cast<double>(run.evaluations) * period / run.end_time;
+    const TimedRun run = timed_run(beam.system, beam.start, timed);
+    if (!(run.run.end_time > 0.0)) continue;
+    row.seconds_per_period = run.seconds_per_period;
+    row.evaluations_per_period = run.evaluations_per_period;
     rows.push_back(row);
   }
   return rows;

@@ -1,6 +1,9 @@
 // graze cost and the flows that take steps, as a user meets them.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <fstream>
+#include <iterator>
 #include <nlohmann/json.hpp>
 
 #include "program.hpp"
@@ -36,6 +39,70 @@ TEST(CostCommand, WritesTheDocument) {
   EXPECT_TRUE(document["recommended"]["flow"].is_string());
   EXPECT_TRUE(std::filesystem::exists(scratch / "run" / "costs.csv"));
   EXPECT_TRUE(std::filesystem::exists(scratch / "cost.svg"));
+}
+
+// A chattering beam whose number of modes is free.
+TEST(CostCommand, TellsTheCostsOfModesOfClosureAndOfNewtonsSteps) {
+  const ScratchFolder scratch;
+  const std::string beam = scene("02_wagg_momentum.toml");
+  const Finished run =
+      run_graze("cost --json --impacts 3 --out " + (scratch / "run").string() + " " + beam);
+  ASSERT_EQ(run.code, 0) << run.err;
+  const json document = json::parse(run.out);
+  const auto lines = [&](const char* file) {
+    std::ifstream table(scratch / "run" / file);
+    return std::count(std::istreambuf_iterator<char>(table), {}, '\n');
+  };
+
+  const json& modes = document["modes"];
+  ASSERT_GE(modes.size(), 8u);
+  EXPECT_EQ(lines("costs_of_modes.csv"), static_cast<long>(modes.size()) + 1);
+  EXPECT_EQ(modes.front()["modes"], 1);
+  EXPECT_GT(modes.front()["error"].get<double>(), 10.0 * modes.back()["error"].get<double>());
+  for (const json& row : modes) EXPECT_GT(row["seconds_per_period"].get<double>(), 0.0);
+
+  const json& closure = document["closure"];
+  ASSERT_GE(closure.size(), 4u);
+  EXPECT_EQ(lines("costs_of_closure.csv"), static_cast<long>(closure.size()) + 1);
+  for (std::size_t i = 1; i < closure.size(); ++i) {
+    EXPECT_LT(closure[i]["closure_speed"], closure[i - 1]["closure_speed"]);
+    EXPECT_GE(closure[i]["impacts_per_period"], closure[i - 1]["impacts_per_period"]);
+  }
+
+  const json& corrector = document["corrector"];
+  EXPECT_EQ(corrector["orbit"].is_null(), corrector["rows"].empty());
+  EXPECT_EQ(corrector["orbit"].is_null(), corrector.contains("message"));
+  EXPECT_EQ(lines("costs_of_corrector.csv"), static_cast<long>(corrector["rows"].size()) + 1);
+}
+
+TEST(CostCommand, PutsEachOfItsTablesUnderAHeading) {
+  const Finished run = run_graze("cost --impacts 3 " + scene("02_wagg_momentum.toml"));
+  ASSERT_EQ(run.code, 0) << run.err;
+  std::size_t place = 0;
+  for (const char* heading :
+       {"flow ", "\nModes, against 64 of them\n", "\nSumming chatters, ", "\nNewton's steps"}) {
+    place = run.out.find(heading, place);
+    ASSERT_NE(place, std::string::npos) << heading << " in\n" << run.out;
+  }
+}
+
+// The tangent of a branch predicts its orbit to the second order of the distance.
+TEST(CostCommand, ShowsNewtonsStepsConverging) {
+  const Finished run = run_graze("cost --json --impacts 5 " + kOneMode);
+  ASSERT_EQ(run.code, 0) << run.err;
+  const json corrector = json::parse(run.out)["corrector"];
+  ASSERT_EQ(corrector["orbit"], "orbit (1, 1)") << corrector.dump();
+  int predicted = 0;
+  double first = 0.0, first_predicted = 0.0;
+  for (const json& row : corrector["rows"]) {
+    if (row["steps"] != 0) continue;
+    (row["predicted"] ? first_predicted : first) = row["error"];
+    ++predicted;
+  }
+  EXPECT_EQ(predicted, 2);
+  // The distance is 1e-3.
+  EXPECT_LT(first_predicted, 0.1 * first);
+  EXPECT_GT(first_predicted, 0.0);
 }
 
 TEST(CostCommand, NamesTheSpanWithoutImpacts) {
@@ -79,8 +146,8 @@ TEST(StepFlows, AreRefusedWhereTheyCannotServe) {
   const Finished orbit = run_graze("orbit --set solver.flow=\\\"dopri5\\\" " + kOneMode);
   EXPECT_EQ(orbit.code, 2);
   EXPECT_NE(orbit.err.find("solver.flow"), std::string::npos) << orbit.err;
-  const Finished unstable = run_graze(
-      "simulate --set solver.flow=\\\"rk4\\\" --set solver.step=1 " + kOneMode);
+  const Finished unstable =
+      run_graze("simulate --set solver.flow=\\\"rk4\\\" --set solver.step=1 " + kOneMode);
   EXPECT_EQ(unstable.code, 2);
   EXPECT_NE(unstable.err.find("it must be at most"), std::string::npos) << unstable.err;
 }

@@ -1,7 +1,7 @@
 // What Graze's flows that take steps cost beside a bare loop around the same Boost.Odeint calls:
 // pairs StepsOfGraze/<flow>, BareLoop/<flow> on one scene. `graze cost` compares the exact flow
 // with the former; that is fair as long as little is lost between the two. The loop knows this
-// scene alone: four modes, one stop, constant restitution, no load, no chatter, no sticking.
+// scene alone: so many modes, one stop, constant restitution, no load, no chatter, no sticking.
 #include <benchmark/benchmark.h>
 
 #include <algorithm>
@@ -27,16 +27,16 @@ namespace {
 namespace odeint = boost::numeric::odeint;
 
 constexpr long long kPeriods = 10;
-constexpr std::size_t kModes = 4;
 
 struct SteppedBeam {
   System system;
   State start;
   StepSetting setting;
 
-  explicit SteppedBeam(const std::vector<std::string>& flow) {
+  SteppedBeam(std::size_t modes, const std::vector<std::string>& flow) {
     std::vector<std::string> settings = flow;
-    settings.emplace_back("stop.gap=5e-3");
+    settings.push_back("stop.gap=5e-3");
+    settings.push_back("beam.modes=" + std::to_string(modes));
     const Scene scene = read_scene(GRAZE_SOURCE_DIR "/data/scenes/02_wagg_momentum.toml", settings);
     system = assemble(scene);
     start = initial_state(scene, system);
@@ -46,10 +46,15 @@ struct SteppedBeam {
 
 // The displacements times a frequency, then the velocities: Graze's scaling (step_flow.hpp), with
 // which one tolerance means the same here and there.
-using Course = std::array<double, 2 * kModes>;
+template <std::size_t Modes>
+using Course = std::array<double, 2 * Modes>;
 
+template <std::size_t Modes>
 class BareBeam {
  public:
+  using State = Course<Modes>;
+  static constexpr std::size_t kModes = Modes;
+
   explicit BareBeam(const SteppedBeam& beam)
       : frequency_(beam.system.forcing->frequency), phase_(beam.system.forcing->phase) {
     const System& system = beam.system;
@@ -72,7 +77,7 @@ class BareBeam {
   }
 
   // The two never overlap; a compiler that is told takes two modes at once.
-  void operator()(const Course& __restrict x, Course& __restrict slope, double t) {
+  void operator()(const State& __restrict x, State& __restrict slope, double t) {
     ++evaluations;
     // Stages come in pairs at one instant.
     if (t != known_at_) {
@@ -84,19 +89,19 @@ class BareBeam {
       slope[kModes + j] = force_[j] * cosine_ - damping_[j] * x[kModes + j] - stiffness_[j] * x[j];
     }
   }
-  double gap(const Course& x) const {
+  double gap(const State& x) const {
     double gap = clearance_;
     for (std::size_t j = 0; j < kModes; ++j) gap -= reach_[j] * x[j];
     return gap;
   }
-  void impact(Course& x) {
+  void impact(State& x) {
     double speed = 0.0;
     for (std::size_t j = 0; j < kModes; ++j) speed += row_[j] * x[kModes + j];
     for (std::size_t j = 0; j < kModes; ++j) x[kModes + j] -= rebound_ * speed * direction_[j];
     ++impacts;
   }
 
-  Course start{};
+  State start{};
   long long impacts = 0, evaluations = 0;
 
  private:
@@ -114,9 +119,10 @@ double zero_within(const Gap& gap, double from, double to) {
       .second;
 }
 
-void step_with_rk4(BareBeam& beam, const StepSetting& setting, double end) {
-  odeint::runge_kutta4<Course> stepper;
-  Course x = beam.start, before = x, within = x;
+template <std::size_t Modes>
+void step_with_rk4(BareBeam<Modes>& beam, const StepSetting& setting, double end) {
+  odeint::runge_kutta4<Course<Modes>> stepper;
+  Course<Modes> x = beam.start, before = x, within = x;
   for (double t = 0.0; t < end;) {
     before = x;
     stepper.do_step(std::ref(beam), before, t, x, setting.step);
@@ -136,12 +142,13 @@ void step_with_rk4(BareBeam& beam, const StepSetting& setting, double end) {
   }
 }
 
-void step_with_dopri5(BareBeam& beam, const StepSetting& setting, double end) {
-  using Method = odeint::runge_kutta_dopri5<Course>;
+template <std::size_t Modes>
+void step_with_dopri5(BareBeam<Modes>& beam, const StepSetting& setting, double end) {
+  using Method = odeint::runge_kutta_dopri5<Course<Modes>>;
   auto stepper = odeint::make_dense_output(setting.tolerance * setting.speed, setting.tolerance,
                                            setting.longest, Method());
   stepper.initialize(beam.start, 0.0, setting.longest);
-  Course x{};
+  Course<Modes> x{};
   while (stepper.current_time() < end) {
     stepper.do_step(std::ref(beam));
     if (beam.gap(stepper.current_state()) > 0.0) continue;
@@ -164,19 +171,20 @@ Simulation simulated(const SteppedBeam& beam) {
   return simulate(beam.system, beam.start, options);
 }
 
-void StepsOfGraze(benchmark::State& state, const std::vector<std::string>& flow) {
-  const SteppedBeam beam(flow);
+void StepsOfGraze(benchmark::State& state, std::size_t modes,
+                  const std::vector<std::string>& flow) {
+  const SteppedBeam beam(modes, flow);
   Simulation run;
   for (auto _ : state) run = simulated(beam);
   state.counters["impacts"] = static_cast<double>(run.totals.impacts);
   state.counters["evaluations"] = static_cast<double>(run.evaluations);
 }
 
-template <class Stepping>
+template <std::size_t Modes>
 void BareLoop(benchmark::State& state, const std::vector<std::string>& flow,
-              const Stepping& stepping) {
-  const SteppedBeam beam(flow);
-  BareBeam bare(beam);
+              void (*stepping)(BareBeam<Modes>&, const StepSetting&, double)) {
+  const SteppedBeam beam(Modes, flow);
+  BareBeam<Modes> bare(beam);
   for (auto _ : state) {
     bare.impacts = bare.evaluations = 0;
     stepping(bare, beam.setting, kPeriods * beam.system.period());
@@ -187,12 +195,29 @@ void BareLoop(benchmark::State& state, const std::vector<std::string>& flow,
     state.SkipWithError("the bare loop and Graze differ in their impacts");
 }
 
-const std::vector<std::string> kRk4 = {"solver.flow=\"rk4\"", "solver.step=1e-5"};
-const std::vector<std::string> kDopri5 = {"solver.flow=\"dopri5\"", "solver.tolerance=1e-9"};
-BENCHMARK_CAPTURE(StepsOfGraze, rk4, kRk4)->Unit(benchmark::kMillisecond);
-BENCHMARK_CAPTURE(BareLoop, rk4, kRk4, step_with_rk4)->Unit(benchmark::kMillisecond);
-BENCHMARK_CAPTURE(StepsOfGraze, dopri5, kDopri5)->Unit(benchmark::kMillisecond);
-BENCHMARK_CAPTURE(BareLoop, dopri5, kDopri5, step_with_dopri5)->Unit(benchmark::kMillisecond);
+template <std::size_t Modes>
+void add_pairs() {
+  const std::vector<std::string> rk4 = {"solver.flow=\"rk4\"", "solver.step=1e-5"};
+  const std::vector<std::string> dopri5 = {"solver.flow=\"dopri5\"", "solver.tolerance=1e-9"};
+  const auto add = [](const std::string& flow, const std::vector<std::string>& settings,
+                      void (*stepping)(BareBeam<Modes>&, const StepSetting&, double)) {
+    const std::string name = "/" + flow + "/" + std::to_string(Modes);
+    benchmark::RegisterBenchmark(("StepsOfGraze" + name).c_str(), StepsOfGraze, Modes, settings)
+        ->Unit(benchmark::kMillisecond);
+    benchmark::RegisterBenchmark(("BareLoop" + name).c_str(), BareLoop<Modes>, settings, stepping)
+        ->Unit(benchmark::kMillisecond);
+  };
+  add("rk4", rk4, step_with_rk4<Modes>);
+  add("dopri5", dopri5, step_with_dopri5<Modes>);
+}
+
+const bool kAdded = [] {
+  add_pairs<1>();
+  add_pairs<3>();
+  add_pairs<4>();
+  add_pairs<8>();
+  return true;
+}();
 
 }  // namespace
 }  // namespace graze
