@@ -1,0 +1,102 @@
+// The force of a compliant stop,
+//
+//   F(x, v) = k x^n + C T(x) v,   x the depth (> 0) by which the gap is overrun, v = x',
+//
+// with n = 1 (linear), 3/2 (Hertz) or any other, and a damping that is
+//
+//   constant     T = 1                                    Kelvin-Voigt
+//   depth        T = x                                    Lee & Wang's first
+//   onset        T = e^{2 Q (x - h)/h} up to x = h, then 1   Lee & Wang's second: it sets in over
+//                                                         the depth h, from e^{-2Q} on
+//   power        T = x^n                                  Hunt & Crossley, Lankarani & Nikravesh,
+//                                                         Flores et al.
+//
+// A contact ends where F falls through zero, or where x does (then F pulls at last).
+//   A. S. Yigit, A. G. Ulsoy, R. A. Scott, J. Sound Vib. 137 (1990) 183-203, eqs. 26 to 33.
+//   K. H. Hunt, F. R. E. Crossley, J. Appl. Mech. 42 (1975) 440-445.
+#pragma once
+
+#include <cmath>
+
+namespace graze {
+
+enum class ContactDamping { kNone, kConstant, kDepth, kOnset, kPower };
+enum class Separation { kAtZeroForce, kAtZeroDepth };
+
+struct ContactForce {
+  double stiffness = 0.0;  // k, N/m^n
+  double exponent = 1.0;   // n, >= 1
+  ContactDamping damping = ContactDamping::kNone;
+  double coefficient = 0.0;      // C: N s/m (constant, onset), N s/m^2 (depth), N s/m^(n+1) (power)
+  double onset_depth = 0.0;      // h, m
+  double onset_sharpness = 0.0;  // Q
+  Separation separation = Separation::kAtZeroForce;
+
+  // x^n; below the surface of the stop its odd continuation, which a step that ends there sees.
+  double power(double x) const {
+    if (exponent == 1.0) return x;
+    if (exponent == 1.5) return x * std::sqrt(std::abs(x));
+    return std::copysign(std::pow(std::abs(x), exponent), x);
+  }
+  // dx^n/dx
+  double power_slope(double x) const {
+    if (exponent == 1.0) return 1.0;
+    if (exponent == 1.5) return 1.5 * std::sqrt(std::abs(x));
+    return exponent * std::pow(std::abs(x), exponent - 1.0);
+  }
+  // C T(x)
+  double resistance(double x) const {
+    switch (damping) {
+      case ContactDamping::kNone:
+        return 0.0;
+      case ContactDamping::kConstant:
+        return coefficient;
+      case ContactDamping::kDepth:
+        return coefficient * x;
+      case ContactDamping::kOnset:
+        return coefficient * onset(x);
+      case ContactDamping::kPower:
+        return coefficient * power(x);
+    }
+    return 0.0;
+  }
+  // C dT/dx
+  double resistance_slope(double x) const {
+    switch (damping) {
+      case ContactDamping::kNone:
+      case ContactDamping::kConstant:
+        return 0.0;
+      case ContactDamping::kDepth:
+        return coefficient;
+      case ContactDamping::kOnset:
+        return x < onset_depth ? 2.0 * onset_sharpness / onset_depth * resistance(x) : 0.0;
+      case ContactDamping::kPower:
+        return coefficient * power_slope(x);
+    }
+    return 0.0;
+  }
+
+  // F, N.
+  double at(double x, double v) const { return stiffness * power(x) + resistance(x) * v; }
+  // dF/dx, N/m; dF/dv is resistance(x), N s/m.
+  double by_depth(double x, double v) const {
+    return stiffness * power_slope(x) + resistance_slope(x) * v;
+  }
+  // Derivative of F at fixed x and v when stiffness, exponent and coefficient (the onset as it is)
+  // move along `rates`.
+  double rate_at(double x, double v, const ContactForce& rates) const;
+  // Energy stored in the spring, J.
+  double stored(double x) const { return stiffness * power(x) * x / (exponent + 1.0); }
+  // Whether F is zero at the onset of a contact at speed v > 0: else the force jumps there.
+  bool sets_in_smoothly() const {
+    return damping != ContactDamping::kConstant && damping != ContactDamping::kOnset;
+  }
+
+ private:
+  double onset(double x) const {
+    return x < onset_depth ? std::exp(2.0 * onset_sharpness * (x - onset_depth) / onset_depth)
+                           : 1.0;
+  }
+};
+
+}  // namespace graze
