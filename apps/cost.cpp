@@ -1,5 +1,6 @@
 // graze cost: what accuracy costs in time, flow by flow.
 #include <cmath>
+#include <functional>
 
 #include "graze/assembly/assembly.hpp"
 #include "graze/assembly/initial_state.hpp"
@@ -44,7 +45,12 @@ int run_cost(const Command& command) {
       command.closure_speed.value_or(default_closure_speed(system, start, scene.solver.tolerance));
   options.max_impacts = command.max_impacts;
   options.stop = stop_signal(command);
-  options.progress = progress_line(command);
+  const std::function<void(double)> progress = progress_line(command);
+  const auto tell = [&](double part) {
+    if (progress) progress(part);
+  };
+  // The flows take about half of the time.
+  options.progress = [&](double part) { tell(0.5 * part); };
   record.info.options.emplace_back("impacts", static_cast<long long>(options.impacts));
   record.info.options.emplace_back("longest", options.longest);
   record.info.options.emplace_back("closure_speed", options.closure_speed);
@@ -52,10 +58,14 @@ int run_cost(const Command& command) {
   prepare_output(command);
   record.costs = flow_costs(system, start, options);
   if (!options.stop.requested()) {
-    const AccuracyCostOptions others{options.longest, options.stop};
+    const AccuracyCostOptions others{options.longest, command.closure_speed, command.max_impacts,
+                                     options.stop};
     record.modes = mode_costs(scene, others);
+    tell(0.8);
     record.closure = closure_costs(system, start, others);
+    tell(0.9);
     record.corrector = corrector_costs(scene, others);
+    tell(1.0);
   }
   record.outcome = cost_outcome(record.costs, options.stop.reason());
   return conclude(command, record.info, record.outcome,

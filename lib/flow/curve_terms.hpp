@@ -40,7 +40,7 @@ class CurveTerms {
   // The coefficient of a term. `formed_from`: size of the numbers whose difference k is.
   void set(std::size_t term, const PlanarNumber<Real>& k, const Real& formed_from);
   // Derivative m of the sum from its start on: adds value, slope, curvature, bounds and noise to
-  // the point; fills the shares of the first kMostShares terms.
+  // the point; fills the shares where there are no more than kMostShares terms.
   void add_to(const Real& s, int m, CurvePoint<Real>& point, TermShares<Real>& shares) const;
 
  private:

@@ -51,7 +51,7 @@ LinearSystem<Real> linear_system(const System& system) {
                             0};
   if (system.forcing) {
     linear.frequency = system.forcing->frequency;
-    linear.phase = system.forcing->phase;
+    linear.phase = near_zero(Real(system.forcing->phase));
     linear.amplitude = system.forcing->amplitude.template cast<Real>();
   }
   if (system.load) linear.load = system.load->template cast<Real>();

@@ -48,10 +48,10 @@ class StepFlow {
   virtual ~StepFlow() = default;
   // A smooth piece begins: the state at forcing phase theta; s counts from here.
   virtual void start(double theta, const Vector& x) = 0;
-  // The first watch to fall through zero within the window, s. `told`: up to where the least value
-  // is told, s.
+  // The first watch to fall through zero within the window, s. Nobody asks beyond `until`, s: up to
+  // there the least value is told, and a step that gets beyond it is the last.
   virtual StepDescent first_descent(std::span<const Watch* const> watches, double window,
-                                    double told) = 0;
+                                    double until) = 0;
   // The state s seconds after the start. Dear where s lies before the step taken last.
   virtual void state(double s, Vector& x) = 0;
   // Of the right-hand side, so far.

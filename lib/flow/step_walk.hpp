@@ -108,11 +108,11 @@ class WalkingFlow final : public StepFlow {
   }
 
   StepDescent first_descent(std::span<const Watch* const> watches, double window,
-                            double told) override {
+                            double until) override {
     StepDescent found;
     found.s = window;
     found.lowest = std::numeric_limits<double>::infinity();
-    for (double from = 0.0; from < window && found.watch < 0;) {
+    for (double from = 0.0; from < std::min(window, until) && found.watch < 0;) {
       walk_.step();
       if (++polls_ % kStepsPerPoll == 0 && stop_.requested()) {
         found.stopped = true;
@@ -126,7 +126,7 @@ class WalkingFlow final : public StepFlow {
       for (std::size_t i = 0; i < watches.size(); ++i) {
         const double there = value(*watches[i], end, x);
         if (!std::isfinite(there)) return not_finite(found);
-        if (end <= told) found.lowest = std::min(found.lowest, there);
+        if (end <= until) found.lowest = std::min(found.lowest, there);
         if (there > 0.0) continue;
         const double zero = locate(*watches[i], from, end, there, found.values);
         if (found.watch >= 0 && !(zero < found.s)) continue;

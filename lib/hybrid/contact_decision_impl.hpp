@@ -12,6 +12,7 @@
 
 #include "graze/contact/complementarity.hpp"
 #include "graze/hybrid/motion.hpp"
+#include "graze/system/gap_value.hpp"
 
 namespace graze {
 namespace contact_decision_detail {
@@ -44,7 +45,7 @@ std::optional<Arrival<Real>> Motion<Real>::decide() {
     // chatter, where nothing else moves, this is what is left of it.
     const Real located =
         std::numeric_limits<Real>::epsilon() * now_.instant.local * abs(free_push(i));
-    const Real rounding = std::max<Real>(rate.noise, speed_rounding(i) + located);
+    const Real rounding = std::max<Real>(rate.noise, speed_rounding(i) + located + unseen_speed(i));
     if (rate.value < -rounding)
       return Arrival<Real>{ArrivalKind::kContact, i, Real(0), approach_speed(i)};
     if (rate.value > rounding)
@@ -66,6 +67,18 @@ std::optional<Arrival<Real>> Motion<Real>::decide() {
     return Arrival<Real>{ArrivalKind::kRefused, closed().front()};
   }
   return {};
+}
+
+// What takes the structure off a stop and back by less than the rounding of the gap is not seen by
+// a flow that adds the gap up from its state: v^2 = 2 push rounding. The exact flow knows the gap
+// from its zero on.
+template <class Real>
+Real Motion<Real>::unseen_speed(int i) const {
+  using std::sqrt;
+  if (!steps_) return 0;
+  const Real push = free_push(i);
+  if (!(push > 0)) return 0;
+  return sqrt(2 * push * gap_value(stop(i).row, now_.q, stop(i).gap).rounding);
 }
 
 // Without any stop. `size`: of the terms that are summed.

@@ -175,6 +175,8 @@ class Motion {
   RealVector<Real> free_acceleration(RealVector<Real>* size = nullptr) const;
   Real free_acceleration(Eigen::Index mode, const Real& cosine, Real* size) const;
   Real forcing_cosine() const;
+  // Speed, m/s, at which a motion integrated step by step cannot leave a stop that it is pushed on.
+  Real unseen_speed(int stop) const;
   // row.q'' without any stop, m/s^2.
   Real free_push(int stop) const;
   // What of a push row.q'' may be rounding, by the size of the terms that are summed, m/s^2.

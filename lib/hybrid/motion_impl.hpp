@@ -141,6 +141,7 @@ Arrival<Real> Motion<Real>::fly(const Real& until, const Real& horizon) {
     return true;
   };
   if (undecided_ && crowded()) return {ArrivalKind::kRefused, order_.front()};
+  const Instant<Real> start = now_.instant;
   std::optional<Arrival<Real>> arrival;
   if (changes_.empty() && undecided_) arrival = decide();
   if (!arrival && !changes_.empty()) {
@@ -151,7 +152,8 @@ Arrival<Real> Motion<Real>::fly(const Real& until, const Real& horizon) {
   if (!arrival) arrival = arrive(search(until, horizon), until);
   if (arrival->kind == ArrivalKind::kContact && crowded()) arrival->kind = ArrivalKind::kRefused;
   // To be asked for the news alone is no progress and no standstill.
-  if (arrival->flight > 0)
+  // Nor is a flight that the clock does not feel.
+  if (now_.instant.period != start.period || now_.instant.local != start.local)
     standstill_ = 0;
   else if (arrival->kind != ArrivalKind::kTime)
     ++standstill_;
@@ -327,10 +329,16 @@ template <class Real>
 void Motion<Real>::settle_on(int i, const Real& flight) {
   using std::abs;
   const Stop& s = stop(i);
-  const auto share = [&](Eigen::Index j) {
+  const auto moves = [&](Eigen::Index j) {
     const Real w = linear_.omega[j];
-    const Real moves = abs(now_.q[j]) + abs(now_.qdot[j]) * (w * flight > 1 ? Real(1 / w) : flight);
-    return Real(s.row[j] * moves * moves);
+    return Real(abs(now_.q[j]) + abs(now_.qdot[j]) * (w * flight > 1 ? Real(1 / w) : flight));
+  };
+  // In parts of the largest, whose square might be out of range.
+  Real largest = 0;
+  for (Eigen::Index j = 0; j < now_.q.size(); ++j) largest = std::max(largest, moves(j));
+  const auto share = [&](Eigen::Index j) {
+    const Real part = largest > 0 ? Real(moves(j) / largest) : Real(0);
+    return Real(s.row[j] * part * part);
   };
   Real whole = 0;
   for (Eigen::Index j = 0; j < now_.q.size(); ++j) whole += s.row[j] * share(j);

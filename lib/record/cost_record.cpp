@@ -12,6 +12,9 @@ Outcome cost_outcome(const FlowCosts& costs, StopReason stopped) {
                                   costs.rows.size())};
   if (costs.rows.empty())
     return {"none", "there is no motion to compare: " + costs.reference_message};
+  // The exact flow stands first; without its motion there is nothing to choose.
+  const std::string& failure = costs.rows.front().compared.message;
+  if (!failure.empty()) return {"budget", "the exact flow did not get to the end: " + failure};
   return {"measured", ""};
 }
 

@@ -13,14 +13,15 @@ namespace graze {
 struct CostRecord {
   RunInfo info;
   FlowCosts costs;
-  std::vector<ModeCost> modes;       // empty where their number is not free
-  std::vector<ClosureCost> closure;  // empty where no chatter is summed
+  std::vector<ModeCost> modes;  // empty where their number is not free
+  ClosureCosts closure;
   CorrectorCosts corrector;
   std::vector<std::string> warnings;
   Outcome outcome;
 };
 
-// "measured"; "budget" where the time was spent before, "none" where there is nothing to compare.
+// "measured"; "budget" where the time or the impacts were spent before, "none" where there is
+// nothing to compare.
 Outcome cost_outcome(const FlowCosts& costs, StopReason stopped);
 
 // "first 20 impacts, 2.5 s" or "no impacts, 2.5 s"

@@ -29,7 +29,7 @@ std::string mode_costs_csv(const CostRecord& record) {
 std::string closure_costs_csv(const CostRecord& record) {
   std::string text =
       "closure_speed,error,state_error,seconds_per_period,impacts_per_period,impacts_agree\n";
-  for (const ClosureCost& row : record.closure)
+  for (const ClosureCost& row : record.closure.rows)
     fmt::format_to(std::back_inserter(text), "{},{},{},{},{},{}\n", csv_cell(row.speed),
                    csv_cell(row.compared.error), csv_cell(row.compared.state_error),
                    csv_cell(row.seconds_per_period), csv_cell(row.impacts_per_period),

@@ -74,7 +74,9 @@ std::string to_json(const CostRecord& record) {
                                  {"seconds_per_period", row.seconds_per_period},
                                  {"evaluations_per_period", row.evaluations_per_period}});
   document["closure"] = Json::array();
-  for (const ClosureCost& row : record.closure) document["closure"].push_back(closure_json(row));
+  for (const ClosureCost& row : record.closure.rows)
+    document["closure"].push_back(closure_json(row));
+  if (!record.closure.message.empty()) document["closure_message"] = record.closure.message;
   document["corrector"] = corrector_json(record.corrector);
   const FlowCost* best = cheapest(costs, costs.allowed);
   document["recommended"] = {{"tolerance", costs.tolerance},

@@ -70,7 +70,10 @@ class CostPicture {
     script_.command("set format xy '10^{%L}'");
     script_.command(fmt::format("set xrange [{:g}:{:g}]", time_.low, time_.high));
     script_.command(fmt::format("set yrange [{:g}:{:g}]", error_.low, error_.high));
-    script_.command("set xlabel " + axis_label("computing time per forcing period", "s"));
+    script_.command("set xlabel " + axis_label(costs_.forced
+                                                   ? "computing time per forcing period"
+                                                   : "computing time per second of motion",
+                                               "s"));
     name_vertical_axis(script_,
                        costs_.impacts > 0 ? "largest error of an impact time"
                                           : "largest error of displacement / amplitude",

@@ -17,6 +17,9 @@ std::string time_text(double seconds) {
   return fmt::format("{:.3g} us", 1e6 * seconds);
 }
 
+// What costs are given per.
+std::string unit_of_motion(const FlowCosts& costs) { return costs.forced ? " / period" : " / s"; }
+
 const char* agreement_text(const RunError& compared) {
   if (!compared.message.empty()) return "failed";
   return compared.impacts_agree ? "yes" : "no";
@@ -24,7 +27,8 @@ const char* agreement_text(const RunError& compared) {
 
 std::string modes_text(const CostRecord& record) {
   if (record.modes.empty()) return "";
-  Table table({"modes", "error of first impact (s)", "time / period", "evaluations / period"});
+  const std::string per = unit_of_motion(record.costs);
+  Table table({"modes", "error of first impact (s)", "time" + per, "evaluations" + per});
   for (const ModeCost& row : record.modes)
     table.add({std::to_string(row.modes), error_text(row.error), time_text(row.seconds_per_period),
                fmt::format("{:.4g}", row.evaluations_per_period)});
@@ -32,14 +36,17 @@ std::string modes_text(const CostRecord& record) {
 }
 
 std::string closure_text(const CostRecord& record) {
-  if (record.closure.empty()) return "";
-  Table table({"closure speed (m/s)", "error of impacts (s)", "time / period", "impacts / period",
+  if (record.closure.rows.empty()) return "";
+  const std::string per = unit_of_motion(record.costs);
+  Table table({"closure speed (m/s)", "error of impacts (s)", "time" + per, "impacts" + per,
                "same impacts"});
-  for (const ClosureCost& row : record.closure)
+  for (const ClosureCost& row : record.closure.rows)
     table.add({fmt::format("{:.3g}", row.speed), error_text(row.compared.error),
                time_text(row.seconds_per_period), fmt::format("{:.4g}", row.impacts_per_period),
                agreement_text(row.compared)});
-  return "\nSumming chatters, against impacts followed to the end\n" + table.text();
+  std::string text = "\nSumming chatters, against impacts followed to the end\n" + table.text();
+  if (!record.closure.message.empty()) text += record.closure.message + "\n";
+  return text;
 }
 
 std::string corrector_text(const CostRecord& record) {
@@ -60,8 +67,9 @@ std::string corrector_text(const CostRecord& record) {
 std::string to_text(const CostRecord& record) {
   const FlowCosts& costs = record.costs;
   const bool timed = costs.impacts > 0;
+  const std::string per = unit_of_motion(costs);
   Table table({"flow", "setting", timed ? "error of impacts (s)" : "error / amplitude",
-               "error of state", "time / period", "evaluations / period", "same impacts"});
+               "error of state", "time" + per, "evaluations" + per, "same impacts"});
   for (const FlowCost& row : costs.rows)
     table.add({row.flow, row.setting, error_text(row.compared.error),
                error_text(row.compared.state_error), time_text(row.seconds_per_period),
@@ -72,10 +80,10 @@ std::string to_text(const CostRecord& record) {
   if (!costs.reference_message.empty())
     text += fmt::format("the reference ended there: {}\n", costs.reference_message);
   if (const FlowCost* best = cheapest(costs, costs.allowed))
-    text += fmt::format("for tolerance {:g} (an error of {:.2g}{}): {}{}, {} a period\n",
-                        costs.tolerance, costs.allowed, timed ? " s" : "", best->flow,
+    text += fmt::format("for tolerance {:g} (an error of {:.2g}{}): {}{}, {}{}\n", costs.tolerance,
+                        costs.allowed, timed ? " s" : "", best->flow,
                         best->setting.empty() ? "" : " with " + best->setting,
-                        time_text(best->seconds_per_period));
+                        time_text(best->seconds_per_period), per);
   else if (!costs.rows.empty())
     text += fmt::format("no setting meets tolerance {:g} (an error of {:.2g}{})\n", costs.tolerance,
                         costs.allowed, timed ? " s" : "");

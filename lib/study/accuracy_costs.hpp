@@ -13,6 +13,9 @@ namespace graze {
 
 struct AccuracyCostOptions {
   double longest = 0.0;  // s of motion, at most
+  // Of the runs with so many modes, m/s; each has its own default.
+  std::optional<double> closure_speed{};
+  long long max_impacts = kDefaultImpactBudget;  // of every run
   StopSignal stop;
 };
 
@@ -26,7 +29,7 @@ struct ModeCost {
 inline constexpr int kMostModesCompared = 64;
 
 // Empty where the number of modes is not free: a structure given by its modes, lists of as many
-// entries.
+// entries. Without the numbers that the scene does not allow or that could not be followed.
 std::vector<ModeCost> mode_costs(const Scene& scene, const AccuracyCostOptions& options);
 
 // The exact flow, with chatters summed from v_c on, against the motion in 50 digits that follows
@@ -39,9 +42,12 @@ struct ClosureCost {
   double impacts_per_period = 0.0;  // followed one by one
 };
 
-// Empty where no chatter is summed.
-std::vector<ClosureCost> closure_costs(const System& system, const State& start,
-                                       const AccuracyCostOptions& options);
+struct ClosureCosts {
+  std::vector<ClosureCost> rows;  // none where no chatter is summed
+  std::string message;            // why they tell nothing of errors
+};
+ClosureCosts closure_costs(const System& system, const State& start,
+                           const AccuracyCostOptions& options);
 
 // Newton's method on the shooting equations of an orbit of the scene, step by step.
 struct CorrectorCost {

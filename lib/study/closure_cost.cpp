@@ -1,3 +1,5 @@
+#include <fmt/format.h>
+
 #include <array>
 
 #include "graze/study/accuracy_costs.hpp"
@@ -30,23 +32,24 @@ std::optional<std::size_t> impacts_before_chatter(const System& system, const St
 
 }  // namespace
 
-std::vector<ClosureCost> closure_costs(const System& system, const State& start,
-                                       const AccuracyCostOptions& options) {
-  std::vector<ClosureCost> rows;
+ClosureCosts closure_costs(const System& system, const State& start,
+                           const AccuracyCostOptions& options) {
+  ClosureCosts costs;
   const double unit = speed_scale(system, start), fastest = kClosures.front() * unit;
   SimulationOptions run_options;
   run_options.duration = options.longest;
+  run_options.max_impacts = options.max_impacts;
   run_options.stop = options.stop;
   run_options.closure_speed = fastest;
   const std::optional<std::size_t> before = impacts_before_chatter(system, start, run_options);
-  if (!before) return rows;
+  if (!before) return costs;
   // What the tail leaves shows in the impacts after it.
   const std::size_t impacts = *before + kImpactsAfter;
   const RunComparison comparison(
       reference_run(system, start, {impacts, fastest, options.longest, options.stop}), impacts,
       fastest, modal_speed(system, start));
   const double end = comparison.reference().end_time;
-  if (comparison.impacts() == 0 || !(end > 0.0)) return rows;
+  if (comparison.impacts() == 0 || !(end > 0.0)) return costs;
   run_options.duration = end;
   for (const double part : kClosures) {
     if (options.stop.requested()) break;
@@ -57,9 +60,14 @@ std::vector<ClosureCost> closure_costs(const System& system, const State& start,
     row.compared = comparison.of(system, start, run_options);
     row.seconds_per_period = run.seconds_per_period;
     row.impacts_per_period = run.impacts_per_period;
-    rows.push_back(row);
+    costs.rows.push_back(row);
   }
-  return rows;
+  if (!costs.rows.empty() && !costs.rows.back().compared.impacts_agree)
+    costs.message = fmt::format(
+        "rounding alone changes some of the {} impacts before the first chatter and after it, so "
+        "what summing adds cannot be told",
+        comparison.impacts());
+  return costs;
 }
 
 }  // namespace graze

@@ -30,6 +30,7 @@ class CostTable {
     const ReferenceRun& reference = comparison_.reference();
     costs_.impacts = comparison_.impacts();
     costs_.end_time = reference.end_time;
+    costs_.forced = system.forcing.has_value();
     costs_.period = system.forcing ? system.period() : 1.0;
     costs_.tolerance = options.tolerance;
     // A part of a period for impact times; of the amplitude where there are none.

@@ -23,9 +23,10 @@ struct FlowCost {
 struct FlowCosts {
   std::size_t impacts = 0;  // compared
   double end_time = 0.0;    // s, of the compared motion
-  double period = 0.0;      // s, what costs are given per
-  double tolerance = 0.0;   // of the scene
-  double allowed = 0.0;     // the error that this tolerance allows, in the unit of the errors
+  double period = 0.0;      // s, what costs are given per: a forcing period, or one second
+  bool forced = false;
+  double tolerance = 0.0;  // of the scene
+  double allowed = 0.0;    // the error that this tolerance allows, in the unit of the errors
   std::vector<FlowCost> rows;
   std::string reference_message;  // why the reference ended early
 };

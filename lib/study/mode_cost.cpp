@@ -1,19 +1,26 @@
 #include <algorithm>
-#include <array>
 #include <cmath>
+#include <set>
 
 #include "graze/assembly/assembly.hpp"
 #include "graze/assembly/initial_state.hpp"
 #include "graze/hybrid/simulation.hpp"
+#include "graze/scene/check.hpp"
 #include "graze/study/accuracy_costs.hpp"
 #include "graze/study/timed_run.hpp"
 
 namespace graze {
 namespace {
 
-constexpr std::array<int, 12> kNumbers = {1, 2, 3, 4, 5, 6, 8, 12, 16, 24, 32, 48};
 // Computing time is taken over so many forcing periods at most.
 constexpr double kTimedPeriods = 20.0;
+
+// And the scene's own.
+std::set<int> numbers(const Scene& scene) {
+  std::set<int> list = {1, 2, 3, 4, 5, 6, 8, 12, 16, 24, 32, 48};
+  if (scene.modes() < kMostModesCompared) list.insert(scene.modes());
+  return list;
+}
 
 bool is_free(const Scene& scene) {
   if (!scene.beam() || !scene.beam()->points.empty() || scene.initial) return false;
@@ -25,8 +32,14 @@ struct Prepared {
   State start;
 };
 
-Prepared with_modes(Scene scene, int modes) {
+// Nothing where the scene does not allow so many: its stop may be no collocation point then.
+std::optional<Prepared> with_modes(Scene scene, int modes) {
   std::get<Beam>(scene.structure).modes = modes;
+  try {
+    check_scene(scene);
+  } catch (const InputError&) {
+    return {};
+  }
   Prepared prepared{assemble(scene), {}};
   prepared.start = initial_state(scene, prepared.system);
   return prepared;
@@ -40,6 +53,7 @@ std::optional<double> first_impact(const Prepared& beam, const AccuracyCostOptio
   };
   SimulationOptions one;
   one.duration = options.longest;
+  one.closure_speed = options.closure_speed;
   one.max_impacts = 1;
   one.stop = options.stop;
   simulate(beam.system, beam.start, one, listeners);
@@ -51,20 +65,24 @@ std::optional<double> first_impact(const Prepared& beam, const AccuracyCostOptio
 std::vector<ModeCost> mode_costs(const Scene& scene, const AccuracyCostOptions& options) {
   std::vector<ModeCost> rows;
   if (!is_free(scene)) return rows;
-  const std::optional<double> meant = first_impact(with_modes(scene, kMostModesCompared), options);
-  for (const int modes : kNumbers) {
+  const std::optional<Prepared> many = with_modes(scene, kMostModesCompared);
+  const std::optional<double> meant = many ? first_impact(*many, options) : std::nullopt;
+  for (const int modes : numbers(scene)) {
     if (options.stop.requested()) break;
-    const Prepared beam = with_modes(scene, modes);
-    const double period = beam.system.forcing ? beam.system.period() : 1.0;
+    const std::optional<Prepared> beam = with_modes(scene, modes);
+    if (!beam) continue;
+    const double period = beam->system.forcing ? beam->system.period() : 1.0;
     ModeCost row;
     row.modes = modes;
-    const std::optional<double> time = first_impact(beam, options);
+    const std::optional<double> time = first_impact(*beam, options);
     if (time && meant) row.error = std::abs(*time - *meant);
     SimulationOptions timed;
     timed.duration = std::min(options.longest, kTimedPeriods * period);
+    timed.closure_speed = options.closure_speed;
+    timed.max_impacts = options.max_impacts;
     timed.stop = options.stop;
-    const TimedRun run = timed_run(beam.system, beam.start, timed);
-    if (!(run.run.end_time > 0.0)) continue;
+    const TimedRun run = timed_run(beam->system, beam->start, timed);
+    if (run.run.outcome != RunOutcome::kReachedEnd) continue;
     row.seconds_per_period = run.seconds_per_period;
     row.evaluations_per_period = run.evaluations_per_period;
     rows.push_back(row);

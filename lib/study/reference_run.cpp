@@ -22,7 +22,9 @@ class Reference {
       : options_(options),
         motion_(system, {}, start.q.cast<Extended>(), start.qdot.cast<Extended>()),
         closure_(kClosure * speed_scale(system, start)),
-        piece_((system.forcing ? system.period() : options.longest) / kSamplesPerPeriod) {}
+        piece_((system.forcing ? std::min(system.period(), options.longest) : options.longest) /
+               kSamplesPerPeriod),
+        longest_flight_(longest_flight(system)) {}
 
   ReferenceRun finish() {
     run_.sample_interval = piece_;
@@ -30,10 +32,10 @@ class Reference {
     while (time() < options_.longest && !options_.stop.requested()) {
       const bool enough = run_.impacts.size() >= options_.impacts;
       const double before = time();
-      const Extended until =
-          std::min<Extended>(motion_.instant().local +
-                                 (Extended(std::min(next_sample, options_.longest)) - exact_time()),
-                             motion_.flow().period());
+      // Never so far that the run could not be stopped meanwhile.
+      const double next = std::min({next_sample, options_.longest, before + longest_flight_});
+      const Extended until = std::min<Extended>(
+          motion_.instant().local + (Extended(next) - exact_time()), motion_.flow().period());
       const Arrival<Extended> arrival = motion_.fly(until);
       if (!go_on(arrival)) break;
       if (enough && time() > before) {
@@ -106,7 +108,7 @@ class Reference {
   const ReferenceOptions& options_;
   Motion<Extended> motion_;
   Extended closure_;
-  double piece_;
+  double piece_, longest_flight_;  // s
   ReferenceRun run_;
 };
 

@@ -42,7 +42,7 @@ RunError RunComparison::of(const System& system, const State& start,
 }
 
 // One too many is as wrong as one too few; and each has to be nearer to the impact that it stands
-// for than to any other on that stop.
+// for than to any other on that stop, and to the start.
 bool RunComparison::agrees(const std::vector<ReferenceImpact>& impacts) const {
   const std::vector<ReferenceImpact>& meant = reference_.impacts;
   // Where the reference had to end early another may come there or not.
@@ -51,6 +51,7 @@ bool RunComparison::agrees(const std::vector<ReferenceImpact>& impacts) const {
   for (std::size_t i = 0; i < meant.size(); ++i) {
     if (impacts[i].stop != meant[i].stop) return false;
     const double off = std::abs(impacts[i].time - meant[i].time);
+    if (impacts[i].time < off) return false;
     for (std::size_t k = 0; k < meant.size(); ++k)
       if (k != i && meant[k].stop == meant[i].stop &&
           std::abs(impacts[i].time - meant[k].time) < off)

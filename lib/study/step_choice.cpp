@@ -36,11 +36,20 @@ double modal_speed(const System& system, const State& start) {
 FlowDecision flow_decision(const Scene& scene) {
   const Solver& solver = scene.solver;
   if (solver.flow != FlowChoice::kAuto) return {solver.flow, "the scene asks for it"};
+  const std::string why =
+      "every effect in this scene is linear between impacts, so motion and first contact have "
+      "closed forms: they ";
+  // Rounding enters at every impact and grows from one to the next: of twenty on the shipped scenes
+  // it leaves up to 1e-13 of a forcing period.
+  constexpr double kRoundingOfImpacts = 1e-12;
+  if (solver.tolerance < kRoundingOfImpacts)
+    return {FlowChoice::kExact,
+            why + fmt::format("err by rounding alone, which may exceed the tolerance {:g}, and "
+                              "nothing in double precision errs less",
+                              solver.tolerance)};
   return {FlowChoice::kExact,
-          fmt::format("every effect in this scene is linear between impacts, so motion and first "
-                      "contact have closed forms: they meet the tolerance {:g}, and cost less than "
-                      "steps that would",
-                      solver.tolerance)};
+          why + fmt::format("meet the tolerance {:g}, and cost less than steps that would",
+                            solver.tolerance)};
 }
 
 StepSetting stable_steps(const System& system, const State& start, StepMethod method) {

@@ -112,6 +112,31 @@ TEST(CostCommand, NamesTheSpanWithoutImpacts) {
   EXPECT_NE(run.out.find("no impacts, 1 s"), std::string::npos) << run.out;
 }
 
+TEST(CostCommand, SaysWhenTheImpactsAreSpent) {
+  const Finished run = run_graze("cost --json --max-impacts 3 " + kOneMode);
+  EXPECT_EQ(run.code, 3);
+  const json document = json::parse(run.out);
+  EXPECT_EQ(document["outcome"], "budget");
+  EXPECT_FALSE(document["message"].get<std::string>().empty());
+  EXPECT_TRUE(document["recommended"]["flow"].is_null());
+}
+
+// Without forcing costs are per second of motion.
+TEST(CostCommand, NamesWhatItsTimesArePer) {
+  const Finished ball = run_graze("cost " + scene("06_bouncing_ball.toml"));
+  ASSERT_EQ(ball.code, 0) << ball.err;
+  EXPECT_NE(ball.out.find("time / s "), std::string::npos) << ball.out;
+  EXPECT_EQ(ball.out.find("period"), std::string::npos) << ball.out;
+}
+
+// A span shorter than the samples' usual distance still compares.
+TEST(CostCommand, ComparesAShortSpan) {
+  const Finished run = run_graze("cost --json --duration 1e-3 " + kOneMode);
+  ASSERT_EQ(run.code, 0) << run.err;
+  const json document = json::parse(run.out);
+  for (const json& row : document["rows"]) EXPECT_FALSE(row["error"].is_null());
+}
+
 TEST(CostCommand, SaysWhenTheTimeIsSpent) {
   const Finished run = run_graze("cost --json --max-seconds 0.05 " + kOneMode);
   EXPECT_EQ(run.code, 3);

@@ -8,6 +8,7 @@
 #include "graze/assembly/initial_state.hpp"
 #include "graze/hybrid/simulation.hpp"
 #include "graze/study/reference_run.hpp"
+#include "graze/study/step_choice.hpp"
 #include "support/reference.hpp"
 #include "support/systems.hpp"
 
@@ -93,7 +94,7 @@ TEST(Order, ErrorsFollowTheTolerance) {
   const System system = assemble(scene);
   const State start = initial_state(scene, system);
   ReferenceOptions options;
-  options.impacts = 10;
+  options.impacts = 6;  // the next is over in 0.03 s, which a step may miss
   options.longest = 100.0 * system.period();
   const ReferenceRun reference = reference_run(system, start, options);
   for (const StepMethod method : {StepMethod::kDopri5, StepMethod::kFehlberg78}) {
@@ -106,12 +107,49 @@ TEST(Order, ErrorsFollowTheTolerance) {
       setting.tolerance = tolerance;
       errors.push_back(
           error_of(impact_times(system, start, setting, reference.end_time), reference));
-      // A few steps' errors add up over ten impacts.
+      // A few steps' errors add up over six impacts.
       EXPECT_LE(errors.back(), 1e3 * tolerance);
     }
     EXPECT_LE(errors[1], 1e-2 * errors[0]);
     EXPECT_LE(errors[2], 1e-2 * errors[1]);
   }
+}
+
+// The displacement at the end of a run without stops, and what the closed form says.
+void expect_end(const System& system, const State& start, double seconds, double meant,
+                double size) {
+  for (const StepMethod method : {StepMethod::kDopri5, StepMethod::kFehlberg78})
+    for (const double tolerance : {1e-6, 1e-9, 1e-12}) {
+      SimulationOptions options;
+      options.duration = seconds;
+      options.steps = stable_steps(system, start, method);
+      options.steps->tolerance = tolerance;
+      const Simulation run = simulate(system, start, options);
+      EXPECT_EQ(run.outcome, RunOutcome::kReachedEnd);
+      // The errors of some hundred steps add up.
+      EXPECT_NEAR(run.final.q[0], meant, 1e3 * tolerance * size)
+          << static_cast<int>(method) << " " << tolerance;
+    }
+}
+
+// x'' = f cos(W t): x = v t + f (1 - cos W t)/W^2. Nothing in the structure answers, so a method
+// that looks only at the ends of its steps sees no force at all.
+TEST(Order, StepsSeeAForceOnAFreeMass) {
+  System system = support::forced_oscillator(0.0, 0.0, 1.0, 0.8, 0.9, 0.5);
+  system.stops.clear();
+  const double v = 1e-3, seconds = 100.0;
+  const double x = v * seconds + 0.5 * (1.0 - std::cos(0.9 * seconds)) / 0.81;
+  // An error of the velocity goes on for the rest of the time.
+  expect_end(system, support::state_of({0.0}, {v}), seconds, x, seconds);
+}
+
+// Much quicker than the structure: x = f (cos W t - cos w t)/(w^2 - W^2).
+TEST(Order, StepsSeeAQuickForce) {
+  System system = support::forced_oscillator(1.0, 0.0, 1.0, 0.8, 1000.0, 1000.0);
+  system.stops.clear();
+  const double seconds = 10.0;
+  const double x = 1000.0 * (std::cos(1000.0 * seconds) - std::cos(seconds)) / (1.0 - 1e6);
+  expect_end(system, support::rest(system), seconds, x, 1.0);
 }
 
 }  // namespace

@@ -10,9 +10,11 @@
 #include <limits>
 #include <memory>
 #include <random>
+#include <string>
 #include <vector>
 
-#include "graze/flow/curve_terms.hpp"
+#include "graze/flow/curve_terms_impl.hpp"
+#include "graze/flow/extended.hpp"
 
 namespace graze {
 namespace {
@@ -89,37 +91,69 @@ TEST(TermKernels, KeepTheEnergyOnTheAverage) {
   });
 }
 
-// Sums do not depend on where the vectors end, nor on the unit beyond rounding.
-TEST(TermKernels, SumsAreThoseOfTheTermsOneByOne) {
+// Some terms, their sums at s and what each adds, in the scalar's own code.
+template <class Real>
+struct Summed {
+  CurvePoint<Real> point;
+  TermShares<Real> shares;
+};
+
+template <class Real>
+std::unique_ptr<Summed<Real>> summed(std::size_t count, double s, int m) {
+  std::mt19937_64 random(3);
+  std::uniform_real_distribution<double> unit(-1.0, 1.0);
+  CurveTerms<Real> terms;
+  for (std::size_t j = 0; j < count; ++j) {
+    terms.add(0.1 * static_cast<double>(j % 3), 1.0 + 2.0 * static_cast<double>(j));
+    const double re = unit(random), im = unit(random);
+    terms.set(j, PlanarNumber<Real>{Real(re), Real(im)}, Real(0));
+  }
+  auto sums = std::make_unique<Summed<Real>>();
+  sums->point.third = 0;
+  terms.add_to(Real(s), m, sums->point, sums->shares);
+  return sums;
+}
+
+// Against the same terms in 50 digits, one after the other: the sums, and the shares on which
+// certified steps stand. A term turns by up to 170 rad here: its angle is rounded at eps of that.
+TEST(TermKernels, SumsAndSharesAreThoseOfFiftyDigits) {
   on_every_unit([] {
-    std::mt19937_64 random(3);
-    std::uniform_real_distribution<double> unit(-1.0, 1.0);
-    for (std::size_t count = 1; count <= 19; ++count)
-      for (const int m : {0, 1, 3}) {
-        CurveTerms<double> all;
-        CurvePoint<double> sum, each;
-        sum.third = each.third = 0.0;
-        const auto shares = std::make_unique<TermShares<double>>();
-        for (std::size_t j = 0; j < count; ++j) {
-          const double decay = 0.1 * static_cast<double>(j % 3),
-                       frequency = 1.0 + 2.0 * static_cast<double>(j);
-          const PlanarNumber<double> k{unit(random), unit(random)};
-          all.add(decay, frequency);
-          all.set(j, k, 0.0);
-          CurveTerms<double> one;
-          one.add(decay, frequency);
-          one.set(0, k, 0.0);
-          one.add_to(0.37, m, each, *shares);
+    for (const std::size_t count : {1u, 2u, 3u, 4u, 5u, 7u, 8u, 9u, 15u, 16u, 17u, 64u, 85u})
+      for (const double s : {0.0, 1e-9, 0.37, 1.0})
+        for (const int m : {0, 1, 3}) {
+          SCOPED_TRACE(std::to_string(count) + " terms, s " + std::to_string(s) + ", m " +
+                       std::to_string(m));
+          const auto got = summed<double>(count, s, m);
+          const auto meant = summed<Extended>(count, s, m);
+          const double top = 2.0 * static_cast<double>(count);
+          const auto near = [&](double value, const Extended& expected, int order, double terms) {
+            const double size = std::pow(top, order) * terms;
+            EXPECT_NEAR(value, static_cast<double>(expected), 4.0 * kEps * size * (1.0 + top * s));
+          };
+          const auto all = static_cast<double>(count);
+          near(got->point.value, meant->point.value, m, all);
+          near(got->point.slope, meant->point.slope, m + 1, all);
+          near(got->point.curvature, meant->point.curvature, m + 2, all);
+          near(got->point.bound, meant->point.bound, m + 2, all);
+          near(got->point.third, meant->point.third, m + 3, all);
+          EXPECT_EQ(got->point.noise > 0.0, meant->point.noise > 0);
+          if (count > kMostShares) continue;
+          for (std::size_t j = 0; j < count; ++j) {
+            near(got->shares.slope[j], meant->shares.slope[j], m + 1, 2.0);
+            near(got->shares.curvature[j], meant->shares.curvature[j], m + 2, 2.0);
+            near(got->shares.third[j], meant->shares.third[j], m + 3, 2.0);
+            near(got->shares.fall[j], meant->shares.fall[j], m, 4.0);
+          }
         }
-        all.add_to(0.37, m, sum, *shares);
-        const double size = std::pow(40.0, m + 3) * static_cast<double>(count);
-        EXPECT_NEAR(sum.value, each.value, kEps * size) << count << " " << m;
-        EXPECT_NEAR(sum.slope, each.slope, kEps * size) << count << " " << m;
-        EXPECT_NEAR(sum.curvature, each.curvature, kEps * size) << count << " " << m;
-        EXPECT_NEAR(sum.bound, each.bound, 10.0 * kEps * each.bound) << count << " " << m;
-        EXPECT_NEAR(sum.third, each.third, 10.0 * kEps * each.third) << count << " " << m;
-        EXPECT_NEAR(sum.noise, each.noise, 1e-10 * each.noise) << count << " " << m;
-      }
+  });
+}
+
+// What is not a number must not come out as one.
+TEST(TermKernels, KeepWhatIsNotFinite) {
+  on_every_unit([] {
+    for (const double s :
+         {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()})
+      EXPECT_FALSE(std::isfinite(turned(0.1, 2.0, s).im)) << s;
   });
 }
 
