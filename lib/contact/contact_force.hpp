@@ -85,6 +85,26 @@ struct ContactForce {
   // Derivative of F at fixed x and v when stiffness, exponent and coefficient (the onset as it is)
   // move along `rates`.
   double rate_at(double x, double v, const ContactForce& rates) const;
+  // F over the power of x that all its terms hold: positive where F is, for x > 0, but without the
+  // zero that F has at x = 0. N, or N/m^n (power), N/m (depth).
+  double grip(double x, double v) const {
+    switch (damping) {
+      case ContactDamping::kNone:
+        return stiffness;
+      case ContactDamping::kConstant:
+      case ContactDamping::kOnset:
+        return at(x, v);
+      case ContactDamping::kDepth:
+        return stiffness * std::pow(std::abs(x), exponent - 1.0) + coefficient * v;
+      case ContactDamping::kPower:
+        return stiffness + coefficient * v;
+    }
+    return 0.0;
+  }
+  // Whether F can fall to zero before x does.
+  bool parts_early() const {
+    return separation == Separation::kAtZeroForce && damping != ContactDamping::kNone;
+  }
   // Energy stored in the spring, J.
   double stored(double x) const { return stiffness * power(x) * x / (exponent + 1.0); }
   // Whether F is zero at the onset of a contact at speed v > 0: else the force jumps there.

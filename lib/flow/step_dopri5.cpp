@@ -21,10 +21,11 @@ class DenseWalk {
   DenseWalk(Rates rates_of, const StepSetting& setting)
       : rates(std::move(rates_of)),
         longest_(setting.longest),
-        stepper_(odeint::make_controlled(setting.tolerance * setting.speed, setting.tolerance,
-                                         longest_, Method())) {}
+        stepper_(odeint::make_controlled(setting.tolerance * setting.speed,
+                                         Rates::kRelative * setting.tolerance, longest_,
+                                         Method())) {}
 
-  void begin(const State& x) { stepper_.initialize(x, 0.0, longest_); }
+  void begin(const State& x) { stepper_.initialize(x, 0.0, rates.first_step(longest_)); }
   void step() {
     try {
       stepper_.do_step(std::ref(rates));
@@ -65,6 +66,10 @@ std::unique_ptr<StepFlow> dopri5_flow(const ModalRates& rates, const StepSetting
 
 std::unique_ptr<StepFlow> dopri5_flow(const FirstOrderSystem& system, const StepSetting& setting) {
   return flow(step_walk::Dense(system), setting);
+}
+
+std::unique_ptr<StepFlow> dopri5_flow(const SprungSystem& system, const StepSetting& setting) {
+  return flow(step_walk::Sprung(system, setting.tolerance), setting);
 }
 
 }  // namespace graze

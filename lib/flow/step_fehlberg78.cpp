@@ -36,12 +36,13 @@ class ControlledWalk {
       : rates(std::move(rates_of)),
         longest_(
             std::min(setting.longest, longest_step_of_force(rates.frequency(), setting.tolerance))),
-        controlled_(odeint::make_controlled(setting.tolerance * setting.speed, setting.tolerance,
-                                            longest_, Method())) {}
+        controlled_(odeint::make_controlled(setting.tolerance * setting.speed,
+                                            Rates::kRelative * setting.tolerance, longest_,
+                                            Method())) {}
 
   void begin(const State& x) {
     from_ = to_ = 0.0;
-    next_ = longest_;
+    next_ = rates.first_step(longest_);
     at_start_ = at_end_ = x;
   }
   void step() {
@@ -85,6 +86,10 @@ std::unique_ptr<StepFlow> fehlberg78_flow(const ModalRates& rates, const StepSet
 std::unique_ptr<StepFlow> fehlberg78_flow(const FirstOrderSystem& system,
                                           const StepSetting& setting) {
   return flow(step_walk::Dense(system), setting);
+}
+
+std::unique_ptr<StepFlow> fehlberg78_flow(const SprungSystem& system, const StepSetting& setting) {
+  return flow(step_walk::Sprung(system, setting.tolerance), setting);
 }
 
 }  // namespace graze

@@ -6,11 +6,14 @@
 //   x_j' = w_j x_{n+j},   x_{n+j}' = load_j + force_j cos(theta) - 2 delta_j x_{n+j} - k_j x_j
 //
 // with x = (w q, q'), k_j = omega_j^2/w_j: all entries are velocities, so that one tolerance suits
-// them. Modes that do not decouple come as a dense system (first_order.hpp).
+// them. Modes that do not decouple come as a dense system (first_order.hpp), structures on
+// compressed springs as a SprungSystem, whose x = (y, y').
 #pragma once
 
 #include <span>
+#include <vector>
 
+#include "graze/contact/contact_force.hpp"
 #include "graze/flow/first_order.hpp"
 
 namespace graze {
@@ -24,7 +27,34 @@ struct ModalRates {
   double frequency = 0.0;  // of the force, rad/s
 };
 
-// An observable to be watched: constant + weights.x + harmonic cos(theta + its phase).
+// A structure on compressed springs, on its displacements y and velocities y':
+//
+//   y'' = load + force cos(theta) - D y' - K y - sum_i acting_i F_i(x_i, x_i'),   x_i' = row_i.y'
+//
+// with x_i the depth of the contact at spring i. Those that are not loaded do not act, but their
+// depth is known.
+struct SprungSystem {
+  struct Spring {
+    ContactForce law;
+    Vector row, acting;  // n
+    bool loaded = true;
+  };
+  Matrix stiffness, damping;  // K, D: n x n, or a column of the diagonal
+  Vector load, force;         // n
+  double frequency = 0.0;     // of the force, rad/s
+  std::vector<Spring> springs;
+};
+
+// What is watched beside sums of the state.
+enum class SpringWatch {
+  kNone,
+  kDepth,  // of a spring
+  kGrip,   // of a spring (ContactForce::grip)
+  kSlack   // minus that
+};
+
+// An observable to be watched: constant + weights.x + harmonic cos(theta + its phase), and of
+// compressed springs force_weights.F; or a spring's own.
 struct Watch {
   Vector weights;  // 2n
   double constant = 0.0;
@@ -32,6 +62,9 @@ struct Watch {
   // It starts at a known zero of this multiplicity, which it leaves as `departure` s^multiplicity.
   int multiplicity = 0;
   double departure = 0.0;
+  Vector force_weights{};  // per spring; empty: none
+  SpringWatch of_spring = SpringWatch::kNone;
+  int spring = -1;  // index into SprungSystem::springs
 };
 
 struct StepDescent {
@@ -47,7 +80,8 @@ class StepFlow {
  public:
   virtual ~StepFlow() = default;
   // A smooth piece begins: the state at forcing phase theta; s counts from here.
-  virtual void start(double theta, const Vector& x) = 0;
+  // `depths`: of the springs, m.
+  virtual void start(double theta, const Vector& x, std::span<const double> depths = {}) = 0;
   // The first watch to fall through zero within the window, s. Nobody asks beyond `until`, s: up to
   // there the least value is told, and a step that gets beyond it is the last.
   virtual StepDescent first_descent(std::span<const Watch* const> watches, double window,

@@ -26,4 +26,8 @@ std::unique_ptr<StepFlow> step_flow(const FirstOrderSystem& system, const StepSe
   return by_method(system, setting);
 }
 
+std::unique_ptr<StepFlow> step_flow(const SprungSystem& system, const StepSetting& setting) {
+  return by_method(system, setting);
+}
+
 }  // namespace graze

@@ -22,4 +22,8 @@ std::unique_ptr<StepFlow> rk4_flow(const FirstOrderSystem& system, const StepSet
   return flow(step_walk::Dense(system), setting);
 }
 
+std::unique_ptr<StepFlow> rk4_flow(const SprungSystem& system, const StepSetting& setting) {
+  return flow(step_walk::Sprung(system, setting.tolerance), setting);
+}
+
 }  // namespace graze

@@ -12,84 +12,13 @@
 #include <vector>
 
 #include "graze/base/bracketed_zero.hpp"
+#include "graze/flow/sprung_rates.hpp"
 #include "graze/flow/step_methods.hpp"
+#include "graze/flow/step_rates.hpp"
 
 namespace graze {
 
 namespace step_walk {
-
-template <class State>
-void assign(State& to, const Vector& from) {
-  if constexpr (requires { to.resize(0); }) to.resize(static_cast<std::size_t>(from.size()));
-  std::copy(from.begin(), from.end(), to.begin());
-}
-
-// The right-hand side for N modes; N = 0: as many as there are.
-template <std::size_t N>
-class SideBySide {
- public:
-  using State = std::conditional_t<N == 0, std::vector<double>, std::array<double, 2 * N>>;
-
-  explicit SideBySide(const ModalRates& rates) : frequency_(rates.frequency) {
-    assign(scale_, rates.scale);
-    assign(stiffness_, rates.stiffness);
-    assign(damping_, rates.damping);
-    assign(load_, rates.load);
-    assign(force_, rates.force);
-  }
-  // The two never overlap; a compiler that is told takes several modes at once.
-  void operator()(const State& __restrict x, State& __restrict slope, double s) {
-    ++evaluations;
-    const std::size_t n = N == 0 ? scale_.size() : N;
-    // Stages come in pairs at one instant.
-    if (frequency_ > 0.0 && s != known_at_) {
-      known_at_ = s;
-      cosine_ = std::cos(theta_ + frequency_ * s);
-    }
-    for (std::size_t j = 0; j < n; ++j) {
-      slope[j] = scale_[j] * x[n + j];
-      slope[n + j] = load_[j] + force_[j] * cosine_ - damping_[j] * x[n + j] - stiffness_[j] * x[j];
-    }
-  }
-  double frequency() const { return frequency_; }
-  // At the start of the piece.
-  double phase() const { return theta_; }
-  void set_phase(double theta) {
-    theta_ = theta;
-    known_at_ = -1.0;
-  }
-
-  long long evaluations = 0;
-
- private:
-  using PerMode = std::conditional_t<N == 0, std::vector<double>, std::array<double, N>>;
-  PerMode scale_{}, stiffness_{}, damping_{}, load_{}, force_{};
-  double frequency_, theta_ = 0.0;
-  double known_at_ = -1.0, cosine_ = 1.0;  // of the force, and where
-};
-
-class Dense {
- public:
-  using State = std::vector<double>;
-
-  explicit Dense(const FirstOrderSystem& system) : system_(system) {}
-  void operator()(const State& x, State& slope, double s) {
-    ++evaluations;
-    const auto n = static_cast<Eigen::Index>(x.size());
-    Eigen::Map<Vector>(slope.data(), n).noalias() =
-        system_.generator * Eigen::Map<const Vector>(x.data(), n) + system_.load +
-        system_.force * std::cos(theta_ + system_.frequency * s);
-  }
-  double frequency() const { return system_.frequency; }
-  double phase() const { return theta_; }
-  void set_phase(double theta) { theta_ = theta; }
-
-  long long evaluations = 0;
-
- private:
-  FirstOrderSystem system_;
-  double theta_ = 0.0;
-};
 
 // A Walk takes steps from a start: begin(x), step(), from(), to(), state_at_end(), between(s, out)
 // within the step taken last; it holds its right-hand side as `rates`.
@@ -100,9 +29,8 @@ class WalkingFlow final : public StepFlow {
 
   WalkingFlow(Walk walk, const StopSignal& stop) : walk_(std::move(walk)), stop_(stop) {}
 
-  void start(double theta, const Vector& x) override {
-    walk_.rates.set_phase(theta);
-    assign(start_, x);
+  void start(double theta, const Vector& x, std::span<const double> depths) override {
+    walk_.rates.begin(theta, x, depths, start_);
     within_ = start_;
     walk_.begin(start_);
   }
@@ -124,7 +52,7 @@ class WalkingFlow final : public StepFlow {
       const State& x = end < walk_.to() ? within_ : walk_.state_at_end();
       found.values += static_cast<long long>(watches.size());
       for (std::size_t i = 0; i < watches.size(); ++i) {
-        const double there = value(*watches[i], end, x);
+        const double there = walk_.rates.observed(*watches[i], end, x);
         if (!std::isfinite(there)) return not_finite(found);
         if (end <= until) found.lowest = std::min(found.lowest, there);
         if (there > 0.0) continue;
@@ -149,7 +77,7 @@ class WalkingFlow final : public StepFlow {
       within_ = walk_.state_at_end();
     else
       walk_.between(s, within_);
-    x = Eigen::Map<const Vector>(within_.data(), static_cast<Eigen::Index>(within_.size()));
+    walk_.rates.whole(within_, x);
   }
 
   long long evaluations() const override { return walk_.rates.evaluations; }
@@ -158,15 +86,6 @@ class WalkingFlow final : public StepFlow {
   static StepDescent not_finite(StepDescent found) {
     found.finite = false;
     return found;
-  }
-
-  double value(const Watch& watch, double s, const State& x) const {
-    double sum = watch.constant;
-    for (std::size_t j = 0; j < x.size(); ++j)
-      sum += watch.weights[static_cast<Eigen::Index>(j)] * x[j];
-    if (watch.harmonic_re == 0.0 && watch.harmonic_im == 0.0) return sum;
-    const double theta = walk_.rates.phase() + walk_.rates.frequency() * s;
-    return sum + watch.harmonic_re * std::cos(theta) - watch.harmonic_im * std::sin(theta);
   }
 
   // The zero of a watch that is not positive at the end of (from, end]. One that starts at a zero
@@ -181,7 +100,7 @@ class WalkingFlow final : public StepFlow {
       if (s == from && departs) return watch.departure;
       walk_.between(s, within_);
       ++values;
-      return quotient(s, value(watch, s, within_));
+      return quotient(s, walk_.rates.observed(watch, s, within_));
     };
     const double first = at(from), last = quotient(end, at_end);
     if (!(first > 0.0)) return from;

@@ -1,0 +1,178 @@
+// The right-hand side of a structure on compressed springs (SprungSystem), in units of the contact:
+//
+//   z = (w (y - y_0)/u, y'/u),   w_j = max(omega_j, w_c),
+//
+// with w_c the frequency and u the speed of the contact that begins: its depths are small against
+// the displacements, and errors are told against them. Displacements are counted from the start of
+// the piece, so that a depth does not lose what the displacement has before it.
+#pragma once
+
+#include <limits>
+
+#include "graze/flow/step_rates.hpp"
+
+namespace graze::step_walk {
+
+class Sprung {
+ public:
+  using State = std::vector<double>;
+  static constexpr double kRelative = 0.0;
+
+  // `tolerance`: of a step, against u; 0: its length is fixed.
+  Sprung(const SprungSystem& system, double tolerance)
+      : system_(system), tolerance_(tolerance), contacts_(system.springs.size()) {}
+
+  void begin(double theta, const Vector& x, std::span<const double> depths, State& start);
+  void operator()(const State& z, State& slope, double s);
+  double observed(const Watch& watch, double s, const State& z) const;
+  void whole(const State& z, Vector& x) const;
+  double frequency() const { return system_.frequency; }
+  // A step to begin with, s: a part of the contact that its error can be told on.
+  double first_step(double longest) const {
+    return contact_frequency_ > 0.0 ? std::fmin(longest, 0.1 / contact_frequency_) : longest;
+  }
+
+  long long evaluations = 0;
+
+ private:
+  struct Contact {
+    double start = 0.0;  // depth, m
+    Vector depth, rate;  // per entry of z
+  };
+  struct Compression {
+    double depth = 0.0, rate = 0.0;
+  };
+
+  Eigen::Index modes() const { return system_.load.size(); }
+  Vector times(const Matrix& matrix, const Vector& y) const {
+    return matrix.cols() == 1 ? Vector(matrix.col(0).cwiseProduct(y)) : Vector(matrix * y);
+  }
+  Compression compression(std::size_t spring, const State& z) const;
+  void set_units(double theta, const Vector& velocity, std::span<const double> depths);
+
+  SprungSystem system_;
+  double tolerance_;
+  double theta_ = 0.0;
+  Vector from_;        // y_0
+  Vector scale_;       // w
+  double unit_ = 1.0;  // u
+  double contact_frequency_ = 0.0;
+  Vector push_, force_;  // per u: what of the forces does not move with z, and the harmonic part
+  Matrix stiffness_;     // K/w
+  std::vector<Contact> contacts_;
+};
+
+inline Sprung::Compression Sprung::compression(std::size_t spring, const State& z) const {
+  const Contact& contact = contacts_[spring];
+  const Eigen::Index n = modes();
+  const Eigen::Map<const Vector> moved(z.data(), n), velocity(z.data() + n, n);
+  return {contact.start + contact.depth.dot(moved), contact.rate.dot(velocity)};
+}
+
+// A body of inverse mass 1/m = row.acting that meets the spring at speed v, or rests on it under a
+// push a, or is at a depth: the largest of these depths and the stiffness there tell the contact.
+inline void Sprung::set_units(double theta, const Vector& velocity,
+                              std::span<const double> depths) {
+  const Vector acceleration = system_.load + system_.force * std::cos(theta) -
+                              times(system_.damping, velocity) - times(system_.stiffness, from_);
+  contact_frequency_ = unit_ = 0.0;
+  for (std::size_t i = 0; i < contacts_.size(); ++i) {
+    const SprungSystem::Spring& spring = system_.springs[i];
+    const double mobility = spring.row.dot(spring.acting), n = spring.law.exponent;
+    const double stiffness = spring.law.stiffness * mobility;
+    const double v = std::abs(spring.row.dot(velocity)), a = spring.row.dot(acceleration);
+    double depth = std::abs(depths[i]);
+    depth = std::fmax(depth, std::pow(0.5 * (n + 1.0) * v * v / stiffness, 1.0 / (n + 1.0)));
+    depth = std::fmax(depth, std::pow(2.0 * std::fmax(a, 0.0) / stiffness, 1.0 / n));
+    const double frequency = std::sqrt(stiffness * std::pow(depth, n - 1.0));
+    contact_frequency_ =
+        std::fmax(contact_frequency_, frequency + spring.law.resistance(depth) * mobility);
+    unit_ = std::fmax(unit_, frequency * depth / std::sqrt(mobility));
+  }
+  // No error is smaller than the rounding of the velocities.
+  const double rounding = std::numeric_limits<double>::epsilon() * velocity.cwiseAbs().maxCoeff();
+  if (tolerance_ > 0.0) unit_ = std::fmax(unit_, 16.0 * rounding / tolerance_);
+  if (!(unit_ > 0.0)) unit_ = 1.0;
+}
+
+inline void Sprung::begin(double theta, const Vector& x, std::span<const double> depths,
+                          State& start) {
+  const Eigen::Index n = modes();
+  theta_ = theta;
+  from_ = x.head(n);
+  const Vector velocity = x.tail(n);
+  set_units(theta, velocity, depths);
+  const Vector own = system_.stiffness.cols() == 1 ? Vector(system_.stiffness.col(0))
+                                                   : Vector(system_.stiffness.diagonal());
+  scale_ = own.cwiseMax(0.0).cwiseSqrt().cwiseMax(contact_frequency_);
+  for (double& w : scale_)
+    if (!(w > 0.0)) w = 1.0;
+  push_ = (system_.load - times(system_.stiffness, from_)) / unit_;
+  force_ = system_.force / unit_;
+  stiffness_ = system_.stiffness.cols() == 1
+                   ? Matrix(system_.stiffness.col(0).cwiseQuotient(scale_))
+                   : Matrix(system_.stiffness * scale_.cwiseInverse().asDiagonal());
+  for (std::size_t i = 0; i < contacts_.size(); ++i) {
+    const Vector& row = system_.springs[i].row;
+    contacts_[i] = {depths[i], unit_ * row.cwiseQuotient(scale_), unit_ * row};
+  }
+  start.assign(static_cast<std::size_t>(2 * n), 0.0);
+  Eigen::Map<Vector>(start.data() + n, n) = velocity / unit_;
+}
+
+inline void Sprung::operator()(const State& z, State& slope, double s) {
+  ++evaluations;
+  const Eigen::Index n = modes();
+  const Eigen::Map<const Vector> moved(z.data(), n), velocity(z.data() + n, n);
+  Eigen::Map<Vector> rate(slope.data(), n), acceleration(slope.data() + n, n);
+  rate = scale_.cwiseProduct(velocity);
+  acceleration = push_;
+  if (system_.frequency > 0.0) acceleration += force_ * std::cos(theta_ + system_.frequency * s);
+  if (stiffness_.cols() == 1)
+    acceleration -= stiffness_.col(0).cwiseProduct(moved);
+  else
+    acceleration.noalias() -= stiffness_ * moved;
+  if (system_.damping.cols() == 1)
+    acceleration -= system_.damping.col(0).cwiseProduct(velocity);
+  else
+    acceleration.noalias() -= system_.damping * velocity;
+  for (std::size_t i = 0; i < contacts_.size(); ++i) {
+    const SprungSystem::Spring& spring = system_.springs[i];
+    if (!spring.loaded) continue;
+    const Compression at = compression(i, z);
+    acceleration -= spring.acting * (spring.law.at(at.depth, at.rate) / unit_);
+  }
+}
+
+inline double Sprung::observed(const Watch& watch, double s, const State& z) const {
+  if (watch.of_spring != SpringWatch::kNone) {
+    const auto i = static_cast<std::size_t>(watch.spring);
+    const Compression at = compression(i, z);
+    if (watch.of_spring == SpringWatch::kDepth) return at.depth;
+    const double grip = system_.springs[i].law.grip(at.depth, at.rate);
+    return watch.of_spring == SpringWatch::kGrip ? grip : -grip;
+  }
+  Vector x;
+  whole(z, x);
+  double sum = watch.constant + watch.weights.dot(x);
+  if (watch.harmonic_re != 0.0 || watch.harmonic_im != 0.0) {
+    const double theta = theta_ + system_.frequency * s;
+    sum += watch.harmonic_re * std::cos(theta) - watch.harmonic_im * std::sin(theta);
+  }
+  for (Eigen::Index i = 0; i < watch.force_weights.size(); ++i) {
+    const auto spring = static_cast<std::size_t>(i);
+    if (!system_.springs[spring].loaded) continue;
+    const Compression at = compression(spring, z);
+    sum += watch.force_weights[i] * system_.springs[spring].law.at(at.depth, at.rate);
+  }
+  return sum;
+}
+
+inline void Sprung::whole(const State& z, Vector& x) const {
+  const Eigen::Index n = modes();
+  x.resize(2 * n);
+  x.head(n) = from_ + unit_ * Eigen::Map<const Vector>(z.data(), n).cwiseQuotient(scale_);
+  x.tail(n) = unit_ * Eigen::Map<const Vector>(z.data() + n, n);
+}
+
+}  // namespace graze::step_walk

@@ -1,0 +1,69 @@
+#include <boost/numeric/odeint/stepper/bulirsch_stoer.hpp>
+
+#include "graze/flow/step_walk.hpp"
+
+namespace graze {
+namespace {
+
+namespace odeint = boost::numeric::odeint;
+
+// A step that fails its error more often than this in a row will not succeed.
+constexpr int kMostFailures = 500;
+
+// Steps and orders that their error decides; what lies within a step is reached from its start.
+template <class Rates>
+class ExtrapolatedWalk {
+ public:
+  using State = typename Rates::State;
+
+  ExtrapolatedWalk(Rates rates_of, const StepSetting& setting)
+      : rates(std::move(rates_of)),
+        longest_(setting.longest),
+        method_(setting.tolerance * setting.speed, Rates::kRelative * setting.tolerance, 1.0, 0.0,
+                setting.longest) {}
+
+  void begin(const State& x) {
+    from_ = to_ = 0.0;
+    next_ = rates.first_step(longest_);
+    at_start_ = at_end_ = x;
+    method_.reset();
+  }
+  void step() {
+    at_start_ = at_end_;
+    from_ = to_;
+    for (int i = 0; i < kMostFailures; ++i)
+      if (method_.try_step(std::ref(rates), at_start_, to_, at_end_, next_) == odeint::success)
+        return;
+  }
+  double from() const { return from_; }
+  double to() const { return to_; }
+  const State& state_at_end() const { return at_end_; }
+  void between(double s, State& x) {
+    x = at_start_;
+    double at = from_, next = s - from_;
+    for (int i = 0; i < kMostFailures && at < s; ++i) {
+      next = std::min(next, s - at);
+      within_ = x;
+      if (method_.try_step(std::ref(rates), within_, at, x, next) != odeint::success) x = within_;
+    }
+  }
+
+  Rates rates;
+
+ private:
+  double longest_;
+  double from_ = 0.0, to_ = 0.0, next_ = 0.0;
+  State at_start_{}, at_end_{}, within_{};
+  odeint::bulirsch_stoer<State> method_;
+};
+
+}  // namespace
+
+std::unique_ptr<StepFlow> bulirsch_stoer_flow(const SprungSystem& system,
+                                              const StepSetting& setting) {
+  using Walk = ExtrapolatedWalk<step_walk::Sprung>;
+  return std::make_unique<step_walk::WalkingFlow<Walk>>(
+      Walk(step_walk::Sprung(system, setting.tolerance), setting), setting.stop);
+}
+
+}  // namespace graze
