@@ -27,13 +27,26 @@ namespace graze {
 template <class Real>
 using RealMatrix = Eigen::Matrix<Real, Eigen::Dynamic, Eigen::Dynamic>;
 
+// The springs that the structure compresses: those whose force acts, and those whose force is gone
+// before the structure has left them. Indices of stops, ascending.
+struct PhaseSprings {
+  std::vector<int> loaded, parted;
+  bool empty() const { return loaded.empty() && parted.empty(); }
+  auto operator<=>(const PhaseSprings&) const = default;
+};
+
+// Of a step, against the speed of the contact (sprung_rates.hpp): a contact costs some thousand
+// evaluations, and its error is that of a rounded impact.
+inline constexpr double kContactTolerance = 1e-13;
+
 template <class Real>
 class ContactPhase {
  public:
   // `closed`: indices of stops with linearly independent rows. `steps`: the motion is integrated
   // step by step (double only); absent: it is exact.
+  // `springs`: they are integrated step by step in any case (double only).
   ContactPhase(const System& system, const std::vector<int>& closed,
-               const std::optional<StepSetting>& steps = {});
+               const std::optional<StepSetting>& steps = {}, const PhaseSprings& springs = {});
   ContactPhase(const ContactPhase&) = delete;  // the arc refers to the flow beside it
   ContactPhase& operator=(const ContactPhase&) = delete;
 
@@ -41,6 +54,9 @@ class ContactPhase {
   // oblique law can do that), or has no real modes and the scalar is not double.
   const std::string& refusal() const { return refusal_; }
   const std::vector<int>& closed() const { return closed_; }
+  const PhaseSprings& springs() const { return springs_; }
+  // At the next start, m: of the loaded springs, then of the parted ones.
+  void set_depths(const std::vector<double>& depths) { depths_ = depths; }
   // Flights are to be cut to this, s; infinite but for matrix exponentials.
   Real longest_flight() const;
 
@@ -58,6 +74,10 @@ class ContactPhase {
   // closed: the curve is the exact one at the start of the arc.
   StepFlow* step_flow() const { return step_flow_.get(); }
   const Watch& watch(int stop, int multiplicity);
+  // What it watches for at its springs, counted as set_depths() does: the depth, which starts from
+  // this departure where that is a zero (watch()); the grip, or the lack of it.
+  const Watch& depth_watch(std::size_t spring, int multiplicity, double departure);
+  const Watch& grip_watch(std::size_t spring) const { return grip_watches_[spring]; }
   // The force now, at forcing phase theta.
   Real force_at(int stop, const Real& theta, const RealVector<Real>& q,
                 const RealVector<Real>& qdot) const;
@@ -88,10 +108,15 @@ class ContactPhase {
                        bool from_zero) const;
   RealVector<Real> reduced_coordinates(const RealVector<Real>& q) const;
   void step_by(const StepSetting& setting);
+  void spring_by(const System& system, const std::optional<StepSetting>& steps);
+  SprungSystem sprung_system(const System& system) const;
+  void add_watches(const Vector& scale);
   void start_steps(double theta, const Vector& q, const Vector& qdot);
   void step_state(double s, Vector& q, Vector& qdot) const;
 
   std::vector<int> closed_;
+  PhaseSprings springs_;
+  std::vector<double> depths_;
   std::string refusal_;
   RealMatrix<Real> rows_, directions_;  // B, D: N x closed
   RealVector<Real> held_;               // q_c; empty in free flight
@@ -108,8 +133,11 @@ class ContactPhase {
   std::unique_ptr<CoupledFlow> coupled_flow_;
   std::optional<CoupledArc> coupled_arc_;
   std::unique_ptr<StepFlow> step_flow_;
-  Vector step_scale_;           // of the displacements, beside it
-  std::vector<Watch> watches_;  // of every stop, beside it
+  Vector step_scale_;                                // of the displacements, beside it
+  std::vector<Watch> watches_;                       // of every stop, beside it
+  std::vector<Watch> depth_watches_, grip_watches_;  // of every spring
+  RealMatrix<Real> shares_;  // of the closed stops in a free acceleration, N x closed
+  RealMatrix<Real> left_;    // left inverse of U that knows nothing of oblique directions; or empty
 };
 
 }  // namespace graze

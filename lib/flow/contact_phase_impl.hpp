@@ -59,8 +59,9 @@ bool is_normal(const RealVector<Real>& row, const RealVector<Real>& direction) {
 
 template <class Real>
 ContactPhase<Real>::ContactPhase(const System& system, const std::vector<int>& closed,
-                                 const std::optional<StepSetting>& steps)
-    : closed_(closed) {
+                                 const std::optional<StepSetting>& steps,
+                                 const PhaseSprings& springs)
+    : closed_(closed), springs_(springs) {
   const LinearSystem<Real> full = linear_system<Real>(system);
   if (closed_.empty()) {
     reduced_ = full;
@@ -86,8 +87,14 @@ ContactPhase<Real>::ContactPhase(const System& system, const std::vector<int>& c
                                                   Real(1) / row.squaredNorm());
     observables_.push_back(closed_.empty() ? observable : reduced_observable(observable));
   }
+  shares_ = shares;
   if constexpr (std::is_same_v<Real, double>) {
-    if (steps) step_by(*steps);
+    if (!springs_.empty())
+      spring_by(system, steps);
+    else if (steps)
+      step_by(*steps);
+  } else if (!springs_.empty()) {
+    refusal_ = "a compressed spring is followed in double precision only";
   }
 }
 
@@ -172,6 +179,7 @@ void ContactPhase<Real>::couple(const LinearSystem<Real>& full, const RealMatrix
     Matrix whole(n, n);
     whole << basis_, directions_;
     const Matrix left = LuFactors(whole).inverse().topRows(m);
+    if (!normal) left_ = left;
     CoupledSystem reduced;
     // From w U, that soft and free directions see nothing of the rounding of stiff ones.
     reduced.stiffness = normal ? Matrix(reduced_.omega.cwiseAbs2().asDiagonal())

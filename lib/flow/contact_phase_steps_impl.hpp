@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <type_traits>
 
 #include "graze/flow/contact_phase.hpp"
@@ -30,18 +31,112 @@ void ContactPhase<Real>::step_by(const StepSetting& setting) {
                      reduced_.frequency},
           setting);
     }
+    add_watches(step_scale_);
+  }
+}
+
+template <class Real>
+void ContactPhase<Real>::add_watches(const Vector& scale) {
+  if constexpr (std::is_same_v<Real, double>) {
     for (const Observable<double>& observable : observables_) {
       Watch watch;
       watch.constant = observable.constant;
-      watch.weights.resize(2 * step_scale_.size());
-      watch.weights << observable.displacement.cwiseQuotient(step_scale_),
-          observable.velocity.size() > 0 ? observable.velocity
-                                         : Vector(Vector::Zero(step_scale_.size()));
+      watch.weights.resize(2 * scale.size());
+      watch.weights << observable.displacement.cwiseQuotient(scale),
+          observable.velocity.size() > 0 ? observable.velocity : Vector(Vector::Zero(scale.size()));
       watch.harmonic_re = observable.harmonic.re;
       watch.harmonic_im = observable.harmonic.im;
       watches_.push_back(std::move(watch));
     }
   }
+}
+
+// The reduced motion with its springs, on the displacements themselves.
+template <class Real>
+SprungSystem ContactPhase<Real>::sprung_system(const System& system) const {
+  SprungSystem sprung;
+  if constexpr (std::is_same_v<Real, double>) {
+    const Eigen::Index m = reduced_.omega.size();
+    const auto or_zero = [m](const Vector& list) {
+      return list.size() > 0 ? list : Vector(Vector::Zero(m));
+    };
+    if (coupled_flow_) {
+      const FirstOrderSystem& whole = coupled_flow_->first_order();
+      sprung.stiffness =
+          -whole.generator.bottomLeftCorner(m, m) * coupled_flow_->scale().asDiagonal();
+      sprung.damping = -whole.generator.bottomRightCorner(m, m);
+      sprung.load = whole.load.tail(m);
+      sprung.force = whole.force.tail(m);
+      sprung.frequency = whole.frequency;
+    } else {
+      sprung.stiffness = reduced_.omega.cwiseAbs2();
+      sprung.damping = 2.0 * reduced_.delta;
+      sprung.load = or_zero(reduced_.load);
+      sprung.force = or_zero(reduced_.amplitude);
+      sprung.frequency = reduced_.forced ? reduced_.frequency : 0.0;
+    }
+    const auto add = [&](const std::vector<int>& stops, bool loaded) {
+      for (const int i : stops) {
+        const RigidStop& stop = system.stops[static_cast<std::size_t>(i)];
+        const Vector row = closed_.empty() ? stop.row : Vector(basis_.transpose() * stop.row);
+        const Vector acting = left_.size() > 0 ? Vector(left_ * stop.row) : row;
+        sprung.springs.push_back({*stop.spring, row, acting, loaded});
+      }
+    };
+    add(springs_.loaded, true);
+    add(springs_.parted, false);
+  }
+  return sprung;
+}
+
+template <class Real>
+void ContactPhase<Real>::spring_by(const System& system, const std::optional<StepSetting>& steps) {
+  if constexpr (std::is_same_v<Real, double>) {
+    const SprungSystem sprung = sprung_system(system);
+    StepSetting setting = steps.value_or(StepSetting{});
+    setting.speed = 1.0;  // the state counts in speeds of the contact
+    if (!steps) {
+      setting.tolerance = kContactTolerance;
+      setting.longest = std::numeric_limits<double>::infinity();
+    }
+    step_flow_ = steps ? graze::step_flow(sprung, setting) : bulirsch_stoer_flow(sprung, setting);
+    step_scale_ = Vector::Ones(reduced_.omega.size());
+    add_watches(step_scale_);
+    const auto count = static_cast<Eigen::Index>(sprung.springs.size());
+    for (std::size_t c = 0; c < closed_.size(); ++c) {
+      // A spring pushes the structure off what holds it.
+      Watch& force = watches_[static_cast<std::size_t>(closed_[c])];
+      const auto column = static_cast<Eigen::Index>(c);
+      force.force_weights.resize(count);
+      for (Eigen::Index k = 0; k < count; ++k) {
+        const auto place = static_cast<std::size_t>(k);
+        const int i = place < springs_.loaded.size()
+                          ? springs_.loaded[place]
+                          : springs_.parted[place - springs_.loaded.size()];
+        force.force_weights[k] =
+            -shares_.col(column).dot(system.stops[static_cast<std::size_t>(i)].row) /
+            rows_.col(column).squaredNorm();
+      }
+    }
+    for (Eigen::Index k = 0; k < count; ++k) {
+      Watch watch;
+      watch.spring = static_cast<int>(k);
+      watch.of_spring = SpringWatch::kDepth;
+      depth_watches_.push_back(watch);
+      watch.of_spring = sprung.springs[static_cast<std::size_t>(k)].loaded ? SpringWatch::kGrip
+                                                                           : SpringWatch::kSlack;
+      grip_watches_.push_back(watch);
+    }
+  }
+}
+
+template <class Real>
+const Watch& ContactPhase<Real>::depth_watch(std::size_t spring, int multiplicity,
+                                             double departure) {
+  Watch& watch = depth_watches_[spring];
+  watch.multiplicity = multiplicity;
+  watch.departure = departure;
+  return watch;
 }
 
 template <class Real>
@@ -64,7 +159,7 @@ void ContactPhase<Real>::start_steps(double theta, const Vector& q, const Vector
     x << step_scale_.cwiseProduct(q), qdot;
   else if constexpr (std::is_same_v<Real, double>)
     x << step_scale_.cwiseProduct(reduced_coordinates(q)), basis_.transpose() * qdot;
-  step_flow_->start(theta, x);
+  step_flow_->start(theta, x, depths_);
 }
 
 template <class Real>

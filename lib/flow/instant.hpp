@@ -18,6 +18,13 @@ bool not_before(const Instant<Real>& a, const Instant<Real>& b) {
   return a.period > b.period || (a.period == b.period && a.local >= b.local);
 }
 
+// s since t = 0.
+template <class Real>
+Real seconds_at(const Instant<Real>& instant, const Real& period) {
+  return instant.period == 0 ? instant.local
+                             : Real(static_cast<Real>(instant.period) * period + instant.local);
+}
+
 // `seconds` >= 0 later, where forcing periods last `period` seconds.
 template <class Real>
 Instant<Real> later(const Instant<Real>& from, const Real& seconds, const Real& period) {

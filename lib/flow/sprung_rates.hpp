@@ -27,6 +27,10 @@ class Sprung {
   double observed(const Watch& watch, double s, const State& z) const;
   void whole(const State& z, Vector& x) const;
   double frequency() const { return system_.frequency; }
+  // Force of a spring, N, and its rate, N/s; 0 where it is not loaded.
+  std::size_t springs() const { return contacts_.size(); }
+  double force(std::size_t spring, const State& z) const;
+  double force_rate(std::size_t spring, double s, const State& z);
   // A step to begin with, s: a part of the contact that its error can be told on.
   double first_step(double longest) const {
     return contact_frequency_ > 0.0 ? std::fmin(longest, 0.1 / contact_frequency_) : longest;
@@ -60,6 +64,7 @@ class Sprung {
   Vector push_, force_;  // per u: what of the forces does not move with z, and the harmonic part
   Matrix stiffness_;     // K/w
   std::vector<Contact> contacts_;
+  State slope_;
 };
 
 inline Sprung::Compression Sprung::compression(std::size_t spring, const State& z) const {
@@ -142,6 +147,21 @@ inline void Sprung::operator()(const State& z, State& slope, double s) {
     const Compression at = compression(i, z);
     acceleration -= spring.acting * (spring.law.at(at.depth, at.rate) / unit_);
   }
+}
+
+inline double Sprung::force(std::size_t spring, const State& z) const {
+  if (!system_.springs[spring].loaded) return 0.0;
+  const Compression at = compression(spring, z);
+  return system_.springs[spring].law.at(at.depth, at.rate);
+}
+
+inline double Sprung::force_rate(std::size_t spring, double s, const State& z) {
+  const SprungSystem::Spring& own = system_.springs[spring];
+  if (!own.loaded) return 0.0;
+  slope_.resize(z.size());
+  (*this)(z, slope_, s);
+  const Compression at = compression(spring, z), rate = compression(spring, slope_);
+  return own.law.by_depth(at.depth, at.rate) * at.rate + own.law.resistance(at.depth) * rate.rate;
 }
 
 inline double Sprung::observed(const Watch& watch, double s, const State& z) const {

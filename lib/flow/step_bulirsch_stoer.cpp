@@ -14,13 +14,14 @@ constexpr int kMostFailures = 500;
 template <class Rates>
 class ExtrapolatedWalk {
  public:
+  using RatesOf = Rates;
   using State = typename Rates::State;
 
   ExtrapolatedWalk(Rates rates_of, const StepSetting& setting)
       : rates(std::move(rates_of)),
         longest_(setting.longest),
         method_(setting.tolerance * setting.speed, Rates::kRelative * setting.tolerance, 1.0, 0.0,
-                setting.longest) {}
+                std::isfinite(setting.longest) ? setting.longest : 0.0) {}
 
   void begin(const State& x) {
     from_ = to_ = 0.0;

@@ -16,6 +16,7 @@ namespace odeint = boost::numeric::odeint;
 template <class Rates>
 class DenseWalk {
  public:
+  using RatesOf = Rates;
   using State = typename Rates::State;
 
   DenseWalk(Rates rates_of, const StepSetting& setting)

@@ -30,6 +30,7 @@ double longest_step_of_force(double frequency, double tolerance) {
 template <class Rates>
 class ControlledWalk {
  public:
+  using RatesOf = Rates;
   using State = typename Rates::State;
 
   ControlledWalk(Rates rates_of, const StepSetting& setting)

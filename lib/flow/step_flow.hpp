@@ -88,6 +88,8 @@ class StepFlow {
                                     double until) = 0;
   // The state s seconds after the start. Dear where s lies before the step taken last.
   virtual void state(double s, Vector& x) = 0;
+  // Largest force of a spring since the start, N; 0 where there is none.
+  virtual double peak_force(std::size_t /*spring*/) const { return 0.0; }
   // Of the right-hand side, so far.
   virtual long long evaluations() const = 0;
 };

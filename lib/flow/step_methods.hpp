@@ -22,7 +22,8 @@ std::unique_ptr<StepFlow> dopri5_flow(const SprungSystem& system, const StepSett
 std::unique_ptr<StepFlow> fehlberg78_flow(const ModalRates& rates, const StepSetting& setting);
 std::unique_ptr<StepFlow> fehlberg78_flow(const FirstOrderSystem& system,
                                           const StepSetting& setting);
-std::unique_ptr<StepFlow> bulirsch_stoer_flow(const SprungSystem& system, const StepSetting& setting);
+std::unique_ptr<StepFlow> bulirsch_stoer_flow(const SprungSystem& system,
+                                              const StepSetting& setting);
 std::unique_ptr<StepFlow> fehlberg78_flow(const SprungSystem& system, const StepSetting& setting);
 
 }  // namespace graze

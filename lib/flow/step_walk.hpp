@@ -33,6 +33,11 @@ class WalkingFlow final : public StepFlow {
     walk_.rates.begin(theta, x, depths, start_);
     within_ = start_;
     walk_.begin(start_);
+    if constexpr (kSprung) {
+      peaks_.assign(walk_.rates.springs(), {});
+      for (std::size_t i = 0; i < peaks_.size(); ++i)
+        peaks_[i] = {walk_.rates.force(i, start_), walk_.rates.force_rate(i, 0.0, start_)};
+    }
   }
 
   StepDescent first_descent(std::span<const Watch* const> watches, double window,
@@ -61,6 +66,7 @@ class WalkingFlow final : public StepFlow {
         found.watch = static_cast<int>(i);
         found.s = zero;
       }
+      if constexpr (kSprung) pass_peaks(from, std::min(end, found.s));
       from = end;
     }
     return found;
@@ -82,7 +88,39 @@ class WalkingFlow final : public StepFlow {
 
   long long evaluations() const override { return walk_.rates.evaluations; }
 
+  double peak_force(std::size_t spring) const override {
+    if constexpr (kSprung) return peaks_[spring].force;
+    return 0.0;
+  }
+
  private:
+  static constexpr bool kSprung = requires(const typename Walk::RatesOf& rates) {
+    rates.springs();
+  };
+  struct Peak {
+    double force = 0.0, rate = 0.0;  // N; N/s, at the end of the last step
+  };
+
+  // The largest forces of springs within (from, end].
+  void pass_peaks(double from, double end) {
+    for (std::size_t i = 0; i < peaks_.size(); ++i) {
+      const auto rate_at = [&](double s) {
+        if (s == walk_.to())
+          within_ = walk_.state_at_end();
+        else
+          walk_.between(s, within_);
+        return walk_.rates.force_rate(i, s, within_);
+      };
+      const double before = peaks_[i].rate, after = rate_at(end);
+      peaks_[i].force = std::max(peaks_[i].force, walk_.rates.force(i, within_));
+      if (before > 0.0 && after < 0.0) {
+        walk_.between(bracketed_zero(rate_at, {from, before}, {end, after}).first, within_);
+        peaks_[i].force = std::max(peaks_[i].force, walk_.rates.force(i, within_));
+      }
+      peaks_[i].rate = after;
+    }
+  }
+
   static StepDescent not_finite(StepDescent found) {
     found.finite = false;
     return found;
@@ -113,6 +151,7 @@ class WalkingFlow final : public StepFlow {
   StopSignal stop_;
   long long polls_ = 0;
   State start_, within_;
+  std::vector<Peak> peaks_;
 };
 
 // A method that keeps the slope at the end of a step for the next one, with the slope told to it:
@@ -135,6 +174,7 @@ class Unprepared {
 template <class Rates, class Stepper>
 class FixedWalk {
  public:
+  using RatesOf = Rates;
   using State = typename Rates::State;
 
   FixedWalk(Rates rates_of, double step) : rates(std::move(rates_of)), step_(step) {}

@@ -22,7 +22,7 @@ std::optional<ClosedChatter<Real>> Motion<Real>::close_chatter(
     ++hits;
     if (!fastest || share.speed > fastest->speed) fastest = &share;
   }
-  if (!fastest || !changes_.empty()) return {};
+  if (!fastest || !changes_.empty() || is_sprung()) return {};
   const Real speed = std::max<Real>(closure_speed, resolved_speed());
   if (!(fastest->speed <= speed)) {
     now_.unsummed = 0;

@@ -26,6 +26,7 @@ inline constexpr int kRoundings = 16;
 template <class Real>
 std::optional<Arrival<Real>> Motion<Real>::decide() {
   using std::abs;
+  decide_springs();
   ContactPhase<Real>& phase = start_phase();
   std::vector<int> resting, lingering;
   for (const int i : order_) {
@@ -61,10 +62,10 @@ std::optional<Arrival<Real>> Motion<Real>::decide() {
   phase_ = nullptr;
   undecided_ = false;
   if (!decided) return Arrival<Real>{ArrivalKind::kUndecided, order_.front()};
-  refusal_ = phase_of(closed()).refusal();
+  refusal_ = phase_of(closed(), springs()).refusal();
   if (!refusal_.empty()) {
     changes_.clear();
-    return Arrival<Real>{ArrivalKind::kRefused, closed().front()};
+    return Arrival<Real>{ArrivalKind::kRefused, first_of(phase_of(closed(), springs()))};
   }
   return {};
 }
@@ -75,13 +76,13 @@ std::optional<Arrival<Real>> Motion<Real>::decide() {
 template <class Real>
 Real Motion<Real>::unseen_speed(int i) const {
   using std::sqrt;
-  if (!steps_) return 0;
+  if (!steps_ && !is_sprung()) return 0;
   const Real push = free_push(i);
   if (!(push > 0)) return 0;
   return sqrt(2 * push * gap_value(stop(i).row, now_.q, stop(i).gap).rounding);
 }
 
-// Without any stop. `size`: of the terms that are summed.
+// Without any rigid stop. `size`: of the terms that are summed.
 template <class Real>
 RealVector<Real> Motion<Real>::free_acceleration(RealVector<Real>* size) const {
   const Eigen::Index n = now_.q.size();
@@ -90,6 +91,7 @@ RealVector<Real> Motion<Real>::free_acceleration(RealVector<Real>* size) const {
   const Real cosine = forcing_cosine();
   for (Eigen::Index j = 0; j < n; ++j)
     acceleration[j] = free_acceleration(j, cosine, size ? &(*size)[j] : nullptr);
+  if (!compliant_.empty()) add_spring_forces(acceleration, size);
   return acceleration;
 }
 
@@ -118,6 +120,8 @@ Real Motion<Real>::free_push(int i) const {
   Real push = 0;
   for (Eigen::Index j = 0; j < now_.q.size(); ++j)
     push += stop(i).row[j] * free_acceleration(j, cosine, nullptr);
+  for (const int k : compliant_)
+    if (contact(k) == Contact::kCompressed) push -= spring_force(k) * stop(i).row.dot(stop(k).row);
   return push;
 }
 

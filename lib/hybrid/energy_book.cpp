@@ -57,4 +57,13 @@ Work operator+(const Work& a, const Work& b) {
           a.dissipation + b.dissipation};
 }
 
+double closure_energy_change(const System& system, const std::vector<int>& closed, double theta,
+                             const State& before, const State& after, Work& work) {
+  const RigidStop& only = system.stops[static_cast<std::size_t>(closed.front())];
+  if (closed.size() == 1) return impact_energy_change(only.row, only.direction, before.qdot, 0.0);
+  const Work shift = work_at_once(system, theta, after.q - before.q);
+  work = work + shift;
+  return energy_change(system, before, after) - shift.forcing - shift.load;
+}
+
 }  // namespace graze

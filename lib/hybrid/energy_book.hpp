@@ -51,6 +51,11 @@ void impact_energy(const System& system, const std::vector<ImpactShare<double>>&
 double energy_change(const System& system, const State& before, const State& after);
 Work work_at_once(const System& system, double theta, const Vector& shift);
 
+// Change of the kinetic energy by closing a chatter on these stops at forcing phase theta, J. Of
+// several the closure shifts the structure: what the forces do meanwhile joins `work`.
+double closure_energy_change(const System& system, const std::vector<int>& closed, double theta,
+                             const State& before, const State& after, Work& work);
+
 Work operator+(const Work& a, const Work& b);
 
 }  // namespace graze

@@ -7,7 +7,9 @@
 //            instant. Where such impacts would never end (the corner between two stops, reached by
 //            ever quicker impacts on both) they are summed: v+ = 0;
 //   stick:   on a stop at zero speed and pushed; its contact force holds it from then on;
-//   release: the first instant at which the contact force of a closed stop falls through zero.
+//   release: the first instant at which the contact force of a closed stop falls through zero;
+//   entry:   a compliant stop is reached and its spring compressed from then on; nothing jumps;
+//   separation: its force is gone, at the surface of the stop or below it.
 //
 // Events lie at the end of the arc that leads to them; the next arc departs from its known zero of
 // the gap: simple after an impact, double when pulled away from rest, triple after a release.
@@ -27,14 +29,17 @@
 namespace graze {
 
 enum class ArrivalKind {
-  kTime,       // the end of the flight was reached
-  kContact,    // at a stop, approaching: `impact` is due
-  kTouch,      // at a stop within rounding, not approaching: no impact; fly on
-  kStick,      // at rest on a stop and pushed: it is closed from now on
-  kRelease,    // the contact force of a closed stop is gone: it is open from now on
-  kUndecided,  // the search for an event used up its evaluations
-  kNotFinite,  // the state left the range of the scalar
-  kRefused     // the motion on the stop cannot be followed; see refusal()
+  kTime,        // the end of the flight was reached
+  kContact,     // at a stop, approaching: `impact` is due
+  kTouch,       // at a stop within rounding, not approaching: no impact; fly on
+  kStick,       // at rest on a stop and pushed: it is closed from now on
+  kRelease,     // the contact force of a closed stop is gone: it is open from now on
+  kEntry,       // a spring is compressed from now on
+  kSeparation,  // the force of a compressed spring is gone
+  kLeft,        // the surface of a stop whose force was gone before
+  kUndecided,   // the search for an event used up its evaluations
+  kNotFinite,   // the state left the range of the scalar
+  kRefused      // the motion on the stop cannot be followed; see refusal()
 };
 
 template <class Real>
@@ -50,11 +55,13 @@ struct Arrival {
 
 // How a stop stands to the structure at one instant.
 enum class Contact {
-  kClear,      // gap > 0
-  kTouching,   // on the stop, and what follows is still to be decided
-  kDeparting,  // on the stop, leaving
-  kClosed,     // held on the stop by its contact force
-  kLocked      // on the stop because other, closed stops keep it there
+  kClear,       // gap > 0
+  kTouching,    // on the stop, and what follows is still to be decided
+  kDeparting,   // on the stop, leaving
+  kClosed,      // held on the stop by its contact force
+  kLocked,      // on the stop because other, closed stops keep it there
+  kCompressed,  // beyond the surface of a compliant stop, against its force
+  kParted       // beyond it, but its force is gone
 };
 
 // One stop's share in an impact.
@@ -132,6 +139,10 @@ class Motion {
   bool has_news() const { return undecided_ || !changes_.empty(); }
   bool is_closed(int stop) const { return contact(stop) == Contact::kClosed; }
   bool is_closed_anywhere() const;
+  // Whether a spring is compressed.
+  bool is_sprung() const { return !springs().empty(); }
+  // The force of a compressed spring at the present instant, N; 0 where it is not.
+  Real spring_force(int stop) const;
   const std::string& refusal() const { return refusal_; }
   // Of the right-hand side of the equations of motion, by a motion integrated step by step.
   long long step_evaluations() const;
@@ -143,7 +154,8 @@ class Motion {
   const ArcCurve<Real>& gap_ahead(int stop, const Real& window);
   // Contact force of a closed stop at the present instant, N.
   Real force(int stop) {
-    return phase_of(closed()).force_at(stop, clock_.phase(now_.instant), now_.q, now_.qdot);
+    return phase_of(closed(), springs())
+        .force_at(stop, clock_.phase(now_.instant), now_.q, now_.qdot);
   }
   // gap - row.q at the present instant.
   Real gap(int stop) const;
@@ -156,6 +168,7 @@ class Motion {
     RealVector<Real> row, direction;
     Real gap = 0;
     Restitution restitution{0.0};
+    std::optional<ContactForce> spring{};
     Real norm2 = 0;  // |row|^2 where the direction is row/|row|^2 to rounding; 0: it is oblique
   };
   struct Change {
@@ -183,7 +196,15 @@ class Motion {
   Real push_rounding(int i, const RealVector<Real>& size) const;
   bool touches(int i) const;
   std::vector<int> closed() const;
-  ContactPhase<Real>& phase_of(const std::vector<int>& closed);
+  ContactPhase<Real>& phase_of(const std::vector<int>& closed, const PhaseSprings& springs = {});
+  PhaseSprings springs() const;
+  Real depth(int stop) const;
+  void begin_springs();
+  void decide_springs();
+  void compress(int stop);
+  void arrive_at_spring(Arrival<Real>& arrival);
+  // Of the acceleration, by the springs that are compressed.
+  void add_spring_forces(RealVector<Real>& acceleration, RealVector<Real>* size) const;
   ContactPhase<Real>& start_phase();
 
   // D: how the impulse of each of these stops acts on the approach speed at each.
@@ -234,9 +255,16 @@ class Motion {
   std::optional<ClosedChatter<Real>> close_shared(const Real& closure_speed);
   std::pair<RealVector<Real>, RealVector<Real>> at_rest_on(const std::vector<int>& stops) const;
   ClosedChatter<Real> settled(const std::vector<int>& stops, const Real& duration);
+  static int first_of(const ContactPhase<Real>& phase);
   Arrival<Real> stay();
   Arrival<Real> search(const Real& until, const Real& horizon);
   void search_by_steps(ContactPhase<Real>& phase, const Real& until, Arrival<Real>& arrival);
+  struct Watched {
+    int stop = -1;
+    const Watch* watch = nullptr;
+    ArrivalKind kind = ArrivalKind::kContact;
+  };
+  void watch_springs(ContactPhase<Real>& phase, std::vector<Watched>& list) const;
   Arrival<Real> arrive(Arrival<Real> arrival, const Real& until);
   void settle_on(int stop, const Real& flight);
   void touch_simultaneous(const Real& flight);
@@ -246,9 +274,10 @@ class Motion {
   ExactFlow<Real> clock_;
   LinearSystem<Real> linear_;
   std::vector<Stop> stops_;
-  std::vector<int> order_;  // in which stops are looked at: the same however they are listed
+  // In which rigid stops are looked at: the same however they are listed; then the compliant ones.
+  std::vector<int> order_, compliant_, all_;
   MotionState<Real> now_, departure_;
-  std::map<std::vector<int>, std::unique_ptr<ContactPhase<Real>>> phases_;
+  std::map<std::pair<std::vector<int>, PhaseSprings>, std::unique_ptr<ContactPhase<Real>>> phases_;
   ContactPhase<Real>* phase_ = nullptr;  // of the closed stops; null until it is looked up
   ContactPhase<Real>* flown_ = nullptr;
   bool undecided_ = false;  // some stop is touching

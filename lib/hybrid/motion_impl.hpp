@@ -12,6 +12,8 @@
 #include "graze/hybrid/first_zero.hpp"
 #include "graze/hybrid/impact_impl.hpp"
 #include "graze/hybrid/motion.hpp"
+#include "graze/hybrid/spring_contact_impl.hpp"
+#include "graze/hybrid/step_search_impl.hpp"
 #include "graze/system/gap_value.hpp"
 
 namespace graze {
@@ -40,6 +42,7 @@ Motion<Real>::Motion(const System& system, const Instant<Real>& instant, const R
           std::vector<int>(stops_.size(), 0)};
   for (const int i : order_)
     if (touches(i)) set(i, Contact::kTouching);
+  begin_springs();
 }
 
 template <class Real>
@@ -59,16 +62,18 @@ Motion<Real>::Motion(const System& system, const MotionState<Real>& state,
 template <class Real>
 void Motion<Real>::adopt(const System& system) {
   for (const RigidStop& stop : system.stops) {
-    order_.push_back(static_cast<int>(stops_.size()));
+    (stop.spring ? compliant_ : order_).push_back(static_cast<int>(stops_.size()));
     const bool is_normal = stop.direction == momentum_direction(stop.row);
     const RealVector<Real> row = stop.row.template cast<Real>();
     stops_.push_back({row, stop.direction.template cast<Real>(), Real(stop.gap), stop.restitution,
-                      is_normal ? row.squaredNorm() : Real(0)});
+                      stop.spring, is_normal ? row.squaredNorm() : Real(0)});
   }
   std::stable_sort(order_.begin(), order_.end(), [&](int a, int b) {
     return motion_detail::precedes(system.stops[static_cast<std::size_t>(a)],
                                    system.stops[static_cast<std::size_t>(b)]);
   });
+  all_ = order_;
+  all_.insert(all_.end(), compliant_.begin(), compliant_.end());
 }
 
 template <class Real>
@@ -99,15 +104,22 @@ bool Motion<Real>::is_closed_anywhere() const {
 }
 
 template <class Real>
-ContactPhase<Real>& Motion<Real>::phase_of(const std::vector<int>& closed) {
-  std::unique_ptr<ContactPhase<Real>>& phase = phases_[closed];
-  if (!phase) phase = std::make_unique<ContactPhase<Real>>(system_, closed, steps_);
+ContactPhase<Real>& Motion<Real>::phase_of(const std::vector<int>& closed,
+                                           const PhaseSprings& springs) {
+  std::unique_ptr<ContactPhase<Real>>& phase = phases_[{closed, springs}];
+  if (!phase) phase = std::make_unique<ContactPhase<Real>>(system_, closed, steps_, springs);
   return *phase;
 }
 
 template <class Real>
 ContactPhase<Real>& Motion<Real>::start_phase() {
-  if (!phase_) phase_ = &phase_of(closed());
+  if (!phase_) phase_ = &phase_of(closed(), springs());
+  if (!phase_->springs().empty()) {
+    std::vector<double> depths;
+    for (const int i : phase_->springs().loaded) depths.push_back(static_cast<double>(depth(i)));
+    for (const int i : phase_->springs().parted) depths.push_back(static_cast<double>(depth(i)));
+    phase_->set_depths(depths);
+  }
   phase_->start(clock_.phase(now_.instant), now_.q, now_.qdot);
   return *phase_;
 }
@@ -161,6 +173,14 @@ Arrival<Real> Motion<Real>::fly(const Real& until, const Real& horizon) {
   return *arrival;
 }
 
+// A stop that makes the phase what it is.
+template <class Real>
+int Motion<Real>::first_of(const ContactPhase<Real>& phase) {
+  if (!phase.closed().empty()) return phase.closed().front();
+  return phase.springs().loaded.empty() ? phase.springs().parted.front()
+                                        : phase.springs().loaded.front();
+}
+
 // A flight of no length, for the news alone.
 template <class Real>
 Arrival<Real> Motion<Real>::stay() {
@@ -169,7 +189,7 @@ Arrival<Real> Motion<Real>::stay() {
   flown_ = phase_;
   if (phase.refusal().empty()) return {};
   refusal_ = phase.refusal();
-  return {ArrivalKind::kRefused, phase.closed().front()};
+  return {ArrivalKind::kRefused, first_of(phase)};
 }
 
 // The first event along the arc that starts now.
@@ -179,17 +199,18 @@ Arrival<Real> Motion<Real>::search(const Real& until, const Real& horizon) {
   ContactPhase<Real>& phase = start_phase();
   if (!phase.refusal().empty()) {
     refusal_ = phase.refusal();
-    return {ArrivalKind::kRefused, phase.closed().front()};
+    return {ArrivalKind::kRefused, first_of(phase)};
   }
   Arrival<Real> arrival;
   arrival.flight = std::min<Real>(horizon - now_.instant.local, phase.longest_flight());
-  if (steps_) {
+  const bool steps = phase.step_flow() != nullptr;
+  if (steps) {
     search_by_steps(phase, until, arrival);
     if (arrival.kind == ArrivalKind::kNotFinite || arrival.kind == ArrivalKind::kUndecided)
       return arrival;
   }
-  for (const int i : order_) {
-    if (steps_ || contact(i) == Contact::kLocked) continue;
+  for (const int i : all_) {
+    if (steps || contact(i) == Contact::kLocked) continue;
     const bool is_closed = contact(i) == Contact::kClosed;
     const int multiplicity = now_.multiplicities[static_cast<std::size_t>(i)];
     const FirstZero<Real> zero =
@@ -213,43 +234,6 @@ Arrival<Real> Motion<Real>::search(const Real& until, const Real& horizon) {
   return arrival;
 }
 
-// The same by the signs at the ends of steps. A stop that the structure cannot leave is touched at
-// once.
-template <class Real>
-void Motion<Real>::search_by_steps(ContactPhase<Real>& phase, const Real& until,
-                                   Arrival<Real>& arrival) {
-  if constexpr (std::is_same_v<Real, double>) {
-    std::vector<const Watch*> watches;
-    std::vector<int> stops;
-    for (const int i : order_) {
-      if (contact(i) == Contact::kLocked) continue;
-      const Watch& watch = phase.watch(i, now_.multiplicities[static_cast<std::size_t>(i)]);
-      if (watch.multiplicity > 0 && !(watch.departure > 0.0)) {
-        arrival = {ArrivalKind::kTouch, i, 0.0, 0.0, 0, {}};
-        return;
-      }
-      watches.push_back(&watch);
-      stops.push_back(i);
-    }
-    const StepDescent found =
-        phase.step_flow()->first_descent(watches, arrival.flight, until - now_.instant.local);
-    arrival.evaluations = found.values;
-    arrival.lowest = found.lowest;
-    arrival.flight = found.s;
-    if (!found.finite) arrival.kind = ArrivalKind::kNotFinite;
-    if (found.stopped) {
-      arrival.kind = ArrivalKind::kUndecided;
-      arrival.flight = 0.0;
-      arrival.stop = stops.empty() ? 0 : stops.front();
-      return;
-    }
-    if (found.watch < 0 || !found.finite) return;
-    arrival.stop = stops[static_cast<std::size_t>(found.watch)];
-    const bool is_closed = contact(arrival.stop) == Contact::kClosed;
-    arrival.kind = is_closed ? ArrivalKind::kRelease : ArrivalKind::kContact;
-  }
-}
-
 template <class Real>
 long long Motion<Real>::step_evaluations() const {
   long long sum = 0;
@@ -266,7 +250,7 @@ Arrival<Real> Motion<Real>::arrive(Arrival<Real> arrival, const Real& until) {
   if (arrival.flight > 0) {
     phase_->state(arrival.flight, now_.q, now_.qdot);
     // A stop that has hardly been left still counts as touched: the sign of its gap is rounding.
-    for (const int i : order_)
+    for (const int i : all_)
       if (contact(i) == Contact::kDeparting)
         set(i, touches(i) ? Contact::kTouching : Contact::kClear);
   }
@@ -280,6 +264,11 @@ Arrival<Real> Motion<Real>::arrive(Arrival<Real> arrival, const Real& until) {
       arrival.kind = ArrivalKind::kNotFinite;
       return arrival;
     }
+  if (arrival.stop >= 0 && stop(arrival.stop).spring && arrival.kind != ArrivalKind::kTime &&
+      arrival.kind != ArrivalKind::kUndecided) {
+    arrive_at_spring(arrival);
+    return arrival;
+  }
   switch (arrival.kind) {
     case ArrivalKind::kContact:
       // A gap that touches zero without approaching has nothing to undo: a grazing from outside, or

@@ -39,6 +39,9 @@ std::string failure_of(const Motion<double>& motion, const Arrival<double>& arri
     case ArrivalKind::kTouch:
     case ArrivalKind::kStick:
     case ArrivalKind::kRelease:
+    case ArrivalKind::kEntry:
+    case ArrivalKind::kSeparation:
+    case ArrivalKind::kLeft:
       break;
   }
   return "";

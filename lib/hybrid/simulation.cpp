@@ -9,11 +9,20 @@
 #include "graze/base/angle.hpp"
 #include "graze/contact/impulse.hpp"
 #include "graze/hybrid/clearance.hpp"
+#include "graze/hybrid/sampler.hpp"
 #include "graze/system/gap_value.hpp"
 #include "graze/system/scale.hpp"
 
 namespace graze {
 namespace {
+
+Instant<double> end_of(const System& system, const SimulationOptions& options) {
+  if (!options.duration) return {options.periods, 0.0};
+  if (!system.forcing) return {0, *options.duration};
+  const double period = system.period(), periods = std::floor(*options.duration / period);
+  return {static_cast<long long>(periods),
+          std::clamp(*options.duration - periods * period, 0.0, period)};
+}
 
 class Run {
  public:
@@ -25,13 +34,13 @@ class Run {
         listeners_(listeners),
         motion_(system, state.motion, stoppable(options)),
         longest_flight_(longest_flight(system)),
-        state_(state) {
-    set_end();
+        state_(state),
+        end_(end_of(system, options)),
+        sampler_(system, listeners, options.energy) {
     note_gaps();
-    sample_.state = {motion_.q(), motion_.qdot()};
     if (options.energy && !state_.keeps_book) {
       state_.keeps_book = true;
-      state_.book.start = energy();
+      state_.book.start = mechanical_energy(system_, motion_.q(), motion_.qdot());
     }
     state_.keeps_book = options.energy;
   }
@@ -74,19 +83,6 @@ class Run {
   bool is_stuck(int i) const {
     return motion_.is_closed(i) && !(state_.tail && state_.tail->holds(i));
   }
-  double energy() const { return mechanical_energy(system_, motion_.q(), motion_.qdot()); }
-
-  void set_end() {
-    if (!options_.duration) {
-      end_.period = options_.periods;
-      return;
-    }
-    end_.local = *options_.duration;
-    if (!system_.forcing) return;
-    const double periods = std::floor(*options_.duration / system_.period());
-    end_.period = static_cast<long long>(periods);
-    end_.local = std::clamp(*options_.duration - periods * system_.period(), 0.0, system_.period());
-  }
 
   // One arc or one change; false when the run is over.
   bool proceed() {
@@ -123,9 +119,16 @@ class Run {
   // Along the arc just flown.
   bool follow(double start_time, double flight) {
     if (flight > 0.0) state_.started = true;
-    if (listeners_.sample && !hand_out_samples(start_time, flight)) return false;
+    const auto goes_on = [this] { return within_budget(); };
+    if (listeners_.sample && !sampler_.hand_out(motion_, start_time, flight, state_, goes_on))
+      return false;
     if (options_.energy && flight > 0.0)
       state_.book.work = state_.book.work + work_along(system_, motion_.flown(), flight);
+    const PhaseSprings& springs = motion_.flown().springs();
+    for (std::size_t k = 0; k < springs.loaded.size(); ++k) {
+      double& peak = contact_at(springs.loaded[k]).peak_force;
+      peak = std::max(peak, motion_.flown().step_flow()->peak_force(k));
+    }
     const std::vector<int>& closed = motion_.flown().closed();
     const bool stuck = std::any_of(closed.begin(), closed.end(),
                                    [&](int i) { return !(state_.tail && state_.tail->holds(i)); });
@@ -136,6 +139,7 @@ class Run {
   bool receive(const Arrival<double>& arrival) {
     switch (arrival.kind) {
       case ArrivalKind::kTime:
+      case ArrivalKind::kLeft:
         if (listeners_.progress) listeners_.progress(fraction());
         note_gaps();
         return true;
@@ -150,6 +154,12 @@ class Run {
         return true;
       case ArrivalKind::kRelease:
         emit(event_at(EventKind::kRelease, arrival.stop));
+        return true;
+      case ArrivalKind::kEntry:
+        book_entry(arrival.stop);
+        return true;
+      case ArrivalKind::kSeparation:
+        book_separation(arrival.stop);
         return true;
       case ArrivalKind::kUndecided:
         return fail(RunOutcome::kEventBudget, arrival);
@@ -232,6 +242,31 @@ class Run {
     emit(event);
   }
 
+  RunState::SpringContact& contact_at(int i) {
+    state_.contacts.resize(system_.stops.size());
+    return state_.contacts[static_cast<std::size_t>(i)];
+  }
+
+  void book_entry(int i) {
+    Event event = event_at(EventKind::kContact, i);
+    event.speed = motion_.approach_speed(i);
+    if (system_.forcing) event.phase = wrapped(motion_.flow().phase(motion_.instant()));
+    note_gap_at(i);
+    ++state_.totals.impacts;
+    contact_at(i) = {time(), event.speed, 0.0};
+    emit(event);
+  }
+
+  void book_separation(int i) {
+    const RunState::SpringContact& contact = contact_at(i);
+    Event event = event_at(EventKind::kSeparation, i);
+    event.speed = -motion_.approach_speed(i);
+    event.duration = event.time - contact.since;
+    event.peak_force = contact.peak_force;
+    if (contact.speed > 0.0) event.effective_restitution = event.speed / contact.speed;
+    emit(event);
+  }
+
   // Sums the tail of a chatter where it will complete.
   void close_chatter(const std::vector<ImpactShare<double>>& shares) {
     // Against a single stop only impacts as slow as that are summed.
@@ -240,15 +275,9 @@ class Run {
     before_.qdot = motion_.qdot();
     const auto closed = motion_.close_chatter(shares, state_.closure_speed);
     if (!closed) return;
-    const RigidStop& only = stop(closed->closed.front());
-    double change = impact_energy_change(only.row, only.direction, before_.qdot, 0.0);
-    if (closed->closed.size() > 1) {
-      const Work work =
-          work_at_once(system_, motion_.flow().phase(motion_.instant()), motion_.q() - before_.q);
-      state_.book.work = state_.book.work + work;
-      change =
-          energy_change(system_, before_, {motion_.q(), motion_.qdot()}) - work.forcing - work.load;
-    }
+    const double change =
+        closure_energy_change(system_, closed->closed, motion_.flow().phase(motion_.instant()),
+                              before_, {motion_.q(), motion_.qdot()}, state_.book.work);
     book_energy(change);
     const auto last =
         std::max_element(shares.begin(), shares.end(),
@@ -321,40 +350,9 @@ class Run {
     }
   }
 
-  // False when the run has to stop: an arc can hold any number of samples.
-  bool hand_out_samples(double start_time, double flight) {
-    Sample& sample = sample_;
-    const ContactPhase<double>& phase = motion_.flown();
-    for (;;) {
-      sample.time = static_cast<double>(state_.samples) / listeners_.sample_rate;
-      const double s = std::max(sample.time - start_time, 0.0);
-      if (s > flight) return true;
-      if (!within_budget()) return false;
-      phase.state(s, sample.state.q, sample.state.qdot);
-      sample.forces.assign(system_.stops.size(), 0.0);
-      for (const int i : phase.closed())
-        sample.forces[static_cast<std::size_t>(i)] =
-            options_.steps ? phase.force_at(i, phase.start_phase() + motion_.flow().frequency() * s,
-                                            sample.state.q, sample.state.qdot)
-                           : phase.force(i, flight).at(s, 0).value;
-      if (options_.energy) {
-        sample.energy = state_.book;
-        sample.energy->work = state_.book.work + work_along(system_, phase, s);
-        sample.energy->now = mechanical_energy(system_, sample.state.q, sample.state.qdot);
-      }
-      listeners_.sample(sample);
-      ++state_.samples;
-    }
-  }
-
-  double time_of(const Instant<double>& instant) const {
-    return instant.period == 0
-               ? instant.local
-               : static_cast<double>(instant.period) * motion_.flow().period() + instant.local;
-  }
-  double time() const { return time_of(motion_.instant()); }
+  double time() const { return seconds_at(motion_.instant(), motion_.flow().period()); }
   double fraction() const {
-    const double end = time_of(end_);
+    const double end = seconds_at(end_, motion_.flow().period());
     return end > 0.0 ? std::min(time() / end, 1.0) : 1.0;
   }
 
@@ -367,10 +365,10 @@ class Run {
   std::optional<double> stopped_in_arc_;  // s, where that arc began
   RunState cut_arc_;                      // before the arc that the end of the run cuts
   bool is_cut_ = false;                   // whether there is one
-  Instant<double> end_;
+  const Instant<double> end_;
   State before_;  // an impact or a closure; kept, with what came of it, for the memory
   ImpactEnergy impact_energy_;
-  Sample sample_;  // the last one handed out
+  Sampler sampler_;
   long long polls_ = 0;
   Simulation result_;
 };

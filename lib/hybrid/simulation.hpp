@@ -14,7 +14,8 @@
 
 namespace graze {
 
-enum class EventKind { kImpact, kChatter, kStick, kRelease };
+// kContact and kSeparation: at a compliant stop.
+enum class EventKind { kImpact, kChatter, kStick, kRelease, kContact, kSeparation };
 
 struct Event {
   EventKind kind = EventKind::kImpact;
@@ -33,6 +34,12 @@ struct Event {
   double closure_speed = 0.0;
   // Stick: the contact force that sets in, N.
   double force = 0.0;
+  // Contact: speed and phase as of an impact. Separation: the speed away from the stop, how long
+  // the contact took, s, its largest force, N, and the part of its speed that it gave back; absent
+  // where it began at rest.
+  double duration = 0.0;
+  double peak_force = 0.0;
+  std::optional<double> effective_restitution{};
 };
 
 struct Sample {
@@ -96,8 +103,13 @@ struct RunState {
     long long impacts = 0;
     double speed = 0.0;
   };
-  std::vector<Streak> streaks;      // per stop
-  std::optional<ChatterTail> tail;  // of a chatter that was summed, until it is over
+  std::vector<Streak> streaks;  // per stop
+  struct SpringContact {
+    double since = 0.0, speed = 0.0;  // s, m/s
+    double peak_force = 0.0;          // N, so far
+  };
+  std::vector<SpringContact> contacts;  // per stop; empty without compliant ones
+  std::optional<ChatterTail> tail;      // of a chatter that was summed, until it is over
   RunTotals totals;
   bool keeps_book = false;
   EnergyBook book;

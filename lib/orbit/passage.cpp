@@ -213,6 +213,10 @@ class Follower {
         if (!(tail_ && tail_->holds(arrival.stop)))
           open_hold(arrival.stop, motion_.instant(), false);
         return true;
+      case ArrivalKind::kEntry:
+      case ArrivalKind::kSeparation:
+      case ArrivalKind::kLeft:
+        return fail("what a compliant stop does to small deviations is not followed");
       case ArrivalKind::kRelease:
         close_hold(arrival.stop);
         return true;

@@ -91,6 +91,11 @@ class Settling {
       case ArrivalKind::kStick:
         contacts_.any = true;
         return true;
+      case ArrivalKind::kEntry:
+      case ArrivalKind::kSeparation:
+      case ArrivalKind::kLeft:
+        contacts_.any = true;
+        return true;
       case ArrivalKind::kRelease:
         contacts_.held = false;
         return true;

@@ -17,7 +17,9 @@ const std::vector<std::pair<Contact, std::string>>& contact_names() {
       {Contact::kTouching, "touching"},
       {Contact::kDeparting, "departing"},
       {Contact::kClosed, "closed"},
-      {Contact::kLocked, "locked"}};
+      {Contact::kLocked, "locked"},
+      {Contact::kCompressed, "compressed"},
+      {Contact::kParted, "parted"}};
   return names;
 }
 

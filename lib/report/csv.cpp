@@ -43,6 +43,8 @@ std::string events_csv_row(const Event& e) {
                          csv_cell(e.closure_speed));
     case EventKind::kStick:
       return fmt::format("{},,,,,,{}\n", start, csv_cell(e.force));
+    case EventKind::kContact:
+    case EventKind::kSeparation:
     case EventKind::kRelease:
       break;
   }

@@ -183,12 +183,19 @@ Json event_json(const Event& event) {
       json["energy_change"] = number(event.energy_change);
       break;
     case EventKind::kChatter:
-      json["impacts"] = event.impacts;
-      json["closure_speed"] = number(event.closure_speed);
+      json.update({{"impacts", event.impacts}, {"closure_speed", number(event.closure_speed)}});
       json["energy_change"] = number(event.energy_change);
       break;
     case EventKind::kStick:
       json["force"] = number(event.force);
+      break;
+    case EventKind::kContact:
+      json.update({{"speed", number(event.speed)}, {"phase", maybe(event.phase)}});
+      break;
+    case EventKind::kSeparation:
+      json.update({{"speed", number(event.speed)}, {"duration", number(event.duration)}});
+      json.update({{"peak_force", number(event.peak_force)},
+                   {"effective_restitution", maybe(event.effective_restitution)}});
       break;
     case EventKind::kRelease:
       break;

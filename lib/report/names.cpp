@@ -10,6 +10,10 @@ std::string name_of(EventKind kind) {
       return "chatter";
     case EventKind::kStick:
       return "stick";
+    case EventKind::kContact:
+      return "contact";
+    case EventKind::kSeparation:
+      return "separation";
     case EventKind::kRelease:
       break;
   }

@@ -16,7 +16,7 @@ struct AccuracyCostOptions {
   // Of the runs with so many modes, m/s; each has its own default.
   std::optional<double> closure_speed{};
   long long max_impacts = kDefaultImpactBudget;  // of every run
-  StopSignal stop;
+  StopSignal stop{};
 };
 
 // A beam with N modes against one with kMostModesCompared.

@@ -1,7 +1,8 @@
 // The assembled hybrid system, immutable once made:
 //
 //   q'' + 2 delta q' + omega^2 q = amplitude cos(frequency t + phase) + load    in free flight
-//   gap_i - row_i.q >= 0,   q'+ = q'- - (1 + r_i) direction_i (row_i.q'-)       at stop i
+//   gap_i - row_i.q >= 0,   q'+ = q'- - (1 + r_i) direction_i (row_i.q'-)       at stop i,
+//   or, at a compliant one,  q'' = .. - row_i F_i(x_i, x_i'),  x_i = row_i.q - gap_i > 0
 //
 // Every harmonic effect is folded into these numbers; what is not there is absent. Where they come
 // from, a scene (assembly.hpp) or a program's own, the motion does not know. The row points into
@@ -13,6 +14,7 @@
 
 #include "graze/base/angle.hpp"
 #include "graze/base/vector.hpp"
+#include "graze/contact/contact_force.hpp"
 #include "graze/contact/restitution.hpp"
 
 namespace graze {
@@ -28,6 +30,8 @@ struct RigidStop {
   double gap = 0.0;              // a, m
   Vector direction;              // d, kg^1/2, N; row.direction = 1
   Restitution restitution{0.0};  // r(v)
+  // Of a compliant stop, in place of direction and restitution; its direction is the row.
+  std::optional<ContactForce> spring{};
 };
 
 struct State {

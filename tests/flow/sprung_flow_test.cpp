@@ -21,6 +21,7 @@ struct Body {
 struct Parted {
   double duration = 0.0;  // s
   double depth = 0.0, speed = 0.0;
+  double peak = 0.0;  // N
   long long evaluations = 0;
 };
 
@@ -32,13 +33,12 @@ SprungSystem system_of(const Body& body) {
   return system;
 }
 
-Parted parted(const Body& body, double v, double tolerance = 1e-13) {
+Parted parted(const Body& body, double v, double tolerance = 1e-14) {
   StepSetting setting;
-  setting.method = StepMethod::kFehlberg78;
   setting.tolerance = tolerance;
   setting.speed = 1.0;
   setting.longest = 1.0;
-  const auto flow = step_flow(system_of(body), setting);
+  const auto flow = bulirsch_stoer_flow(system_of(body), setting);
   const double root = std::sqrt(body.mass);
   Vector x(2);
   x << root * body.from, root * v;
@@ -57,7 +57,7 @@ Parted parted(const Body& body, double v, double tolerance = 1e-13) {
   const StepDescent found = flow->first_descent(watches, 1e3, 1e3);
   EXPECT_GE(found.watch, 0);
   flow->state(found.s, x);
-  return {found.s, x[0] / root - body.from, -x[1] / root, flow->evaluations()};
+  return {found.s, x[0] / root - body.from, -x[1] / root, flow->peak_force(0), flow->evaluations()};
 }
 
 ContactForce hertz(double k) { return {k, 1.5, ContactDamping::kNone, 0.0, 0.0, 0.0, {}}; }
@@ -71,12 +71,14 @@ TEST(SprungFlow, S1HertzElastic) {
     const Parted body = parted({m, hertz(k), from}, v);
     EXPECT_NEAR(body.duration / duration, 1.0, 1e-10);
     EXPECT_NEAR(body.speed / v, 1.0, 1e-12);
+    EXPECT_NEAR(body.peak / (k * std::pow(deepest, 1.5)), 1.0, 1e-12);
     EXPECT_LE(std::abs(body.depth), 1e-10 * deepest + 1e-15 * std::abs(from));
     EXPECT_LT(body.evaluations, 4000);
   };
   expect(3e9, 0.1, 0.1, 1.11664597110381e-5, 3.286596376426e-4, 0.0);
   expect(3e9, 1.0, 1e-6, 2.8048878636155e-9, 8.25555684379303e-3, 0.0);
-  // As far from the place of rest as the depth is small.
+  EXPECT_NEAR(parted({0.1, hertz(3e9), 0.0}, 0.1).peak, 111.942373173511, 1e-10);
+  // Far from the place of rest: the depth keeps its digits.
   expect(3e9, 1.0, 1e-6, 2.8048878636155e-9, 8.25555684379303e-3, 0.01);
 }
 

@@ -1,0 +1,41 @@
+#include "graze/hybrid/sampler.hpp"
+
+#include <algorithm>
+
+namespace graze {
+
+bool Sampler::hand_out(Motion<double>& motion, double start_time, double flight, RunState& state,
+                       const std::function<bool()>& goes_on) {
+  Sample& sample = sample_;
+  const ContactPhase<double>& phase = motion.flown();
+  const bool steps = phase.step_flow() != nullptr;
+  sample.state.q.resize(system_.modes());
+  sample.state.qdot.resize(system_.modes());
+  for (;;) {
+    sample.time = static_cast<double>(state.samples) / listeners_.sample_rate;
+    const double s = std::max(sample.time - start_time, 0.0);
+    if (s > flight) return true;
+    if (!goes_on()) return false;
+    phase.state(s, sample.state.q, sample.state.qdot);
+    sample.forces.assign(system_.stops.size(), 0.0);
+    for (const int i : phase.closed())
+      sample.forces[static_cast<std::size_t>(i)] =
+          steps ? phase.force_at(i, phase.start_phase() + motion.flow().frequency() * s,
+                                 sample.state.q, sample.state.qdot)
+                : phase.force(i, flight).at(s, 0).value;
+    for (const int i : phase.springs().loaded) {
+      const RigidStop& stop = system_.stops[static_cast<std::size_t>(i)];
+      sample.forces[static_cast<std::size_t>(i)] =
+          stop.spring->at(stop.row.dot(sample.state.q) - stop.gap, stop.row.dot(sample.state.qdot));
+    }
+    if (energy_) {
+      sample.energy = state.book;
+      sample.energy->work = state.book.work + work_along(system_, phase, s);
+      sample.energy->now = mechanical_energy(system_, sample.state.q, sample.state.qdot);
+    }
+    listeners_.sample(sample);
+    ++state.samples;
+  }
+}
+
+}  // namespace graze

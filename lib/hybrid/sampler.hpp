@@ -1,0 +1,29 @@
+// Hands out the samples of a run, arc by arc.
+#pragma once
+
+#include <functional>
+
+#include "graze/hybrid/simulation.hpp"
+
+namespace graze {
+
+class Sampler {
+ public:
+  // Refers to the system and the listeners. `energy`: samples come with the book.
+  Sampler(const System& system, const RunListeners& listeners, bool energy)
+      : system_(system), listeners_(listeners), energy_(energy) {}
+
+  // Those of the arc that the motion has flown last, which began at `start_time` and took `flight`,
+  // s; counted in `state`, whose book stands at the start of the arc. False as soon as `goes_on`
+  // says so: an arc can hold any number of samples.
+  bool hand_out(Motion<double>& motion, double start_time, double flight, RunState& state,
+                const std::function<bool()>& goes_on);
+
+ private:
+  const System& system_;
+  const RunListeners& listeners_;
+  bool energy_;
+  Sample sample_;  // the last one handed out; kept for the memory
+};
+
+}  // namespace graze

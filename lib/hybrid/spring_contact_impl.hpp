@@ -1,0 +1,146 @@
+// Definitions of motion.hpp: compliant stops.
+//
+//   clear -> touching -> compressed -> departing -> clear
+//                            | ^
+//                            v |   force gone beyond the surface, and back
+//                           parted -> departing
+//
+// Nothing jumps: an entry or a separation changes which forces act, and begins a new phase.
+#pragma once
+
+#include <cmath>
+#include <type_traits>
+
+#include "graze/hybrid/motion.hpp"
+#include "graze/system/gap_value.hpp"
+
+namespace graze {
+
+template <class Real>
+PhaseSprings Motion<Real>::springs() const {
+  PhaseSprings springs;
+  for (const int i : compliant_) {
+    if (contact(i) == Contact::kCompressed) springs.loaded.push_back(i);
+    if (contact(i) == Contact::kParted) springs.parted.push_back(i);
+  }
+  return springs;
+}
+
+// Beyond the surface, m; zero within the rounding of the gap.
+template <class Real>
+Real Motion<Real>::depth(int i) const {
+  using std::abs;
+  const GapValue<Real> gap = gap_value(stop(i).row, now_.q, stop(i).gap);
+  return abs(gap.value) <= gap.rounding ? Real(0) : Real(-gap.value);
+}
+
+template <class Real>
+Real Motion<Real>::spring_force(int i) const {
+  if (contact(i) != Contact::kCompressed) return 0;
+  return Real(
+      stop(i).spring->at(static_cast<double>(depth(i)), static_cast<double>(approach_speed(i))));
+}
+
+template <class Real>
+void Motion<Real>::add_spring_forces(RealVector<Real>& acceleration, RealVector<Real>* size) const {
+  using std::abs;
+  for (const int i : compliant_) {
+    const Real force = spring_force(i);
+    if (force == 0) continue;
+    acceleration -= force * stop(i).row;
+    if (size) *size += abs(force) * stop(i).row.cwiseAbs();
+  }
+}
+
+// Where the motion starts beyond a surface the spring acts from there.
+template <class Real>
+void Motion<Real>::begin_springs() {
+  for (const int i : compliant_) {
+    if (!touches(i)) continue;
+    if (depth(i) > 0)
+      compress(i);
+    else
+      set(i, Contact::kTouching);
+  }
+}
+
+template <class Real>
+void Motion<Real>::compress(int i) {
+  const ContactForce& law = *stop(i).spring;
+  const bool holds = !law.parts_early() || law.grip(static_cast<double>(depth(i)),
+                                                    static_cast<double>(approach_speed(i))) >= 0.0;
+  set(i, holds ? Contact::kCompressed : Contact::kParted);
+  phase_ = nullptr;
+}
+
+// Of those touched: approached or pushed they are entered, else they are left.
+template <class Real>
+void Motion<Real>::decide_springs() {
+  for (const int i : compliant_) {
+    if (contact(i) != Contact::kTouching) continue;
+    const Real speed = approach_speed(i), rounding = speed_rounding(i);
+    if (speed < -rounding) {
+      set(i, Contact::kDeparting, 1);
+      continue;
+    }
+    if (!(speed > rounding) && free_push(i) < 0) {
+      set(i, Contact::kDeparting, 2);
+      continue;
+    }
+    compress(i);
+    changes_.push_back({ArrivalKind::kEntry, i});
+  }
+}
+
+// The depth begins at zero where the spring has just been entered: at a speed, or pushed.
+template <class Real>
+void Motion<Real>::watch_springs(ContactPhase<Real>& phase, std::vector<Watched>& list) const {
+  if constexpr (std::is_same_v<Real, double>) {
+    std::size_t k = 0;
+    const auto add = [&](int i, bool loaded) {
+      const double speed = approach_speed(i);
+      int multiplicity = 0;
+      double departure = 0.0;
+      if (depth(i) == 0.0) {
+        multiplicity = speed > speed_rounding(i) ? 1 : 2;
+        departure = multiplicity == 1 ? speed : 0.5 * free_push(i);
+      }
+      list.push_back({i, &phase.depth_watch(k, multiplicity, departure),
+                      loaded ? ArrivalKind::kSeparation : ArrivalKind::kLeft});
+      if (stop(i).spring->parts_early())
+        list.push_back(
+            {i, &phase.grip_watch(k), loaded ? ArrivalKind::kSeparation : ArrivalKind::kEntry});
+      ++k;
+    };
+    for (const int i : phase.springs().loaded) add(i, true);
+    for (const int i : phase.springs().parted) add(i, false);
+  }
+}
+
+// The located instant is rounded; what was reached there is not.
+template <class Real>
+void Motion<Real>::arrive_at_spring(Arrival<Real>& arrival) {
+  const int i = arrival.stop;
+  arrival.speed = approach_speed(i);
+  if (contact(i) == Contact::kParted && arrival.kind == ArrivalKind::kEntry) {
+    set(i, Contact::kCompressed);
+  } else if (contact(i) == Contact::kCompressed && depth(i) > 0 && flown_->step_flow() != nullptr &&
+             arrival.kind == ArrivalKind::kSeparation && stop(i).spring->parts_early() &&
+             !(stop(i).spring->grip(static_cast<double>(depth(i)),
+                                    static_cast<double>(arrival.speed)) > 0.0)) {
+    set(i, Contact::kParted);
+  } else {
+    // The surface, from either side.
+    settle_on(i, arrival.flight);
+    if (arrival.kind == ArrivalKind::kContact) {
+      arrival.kind = ArrivalKind::kTouch;
+      set(i, Contact::kTouching);
+    } else {
+      set(i, arrival.speed < 0 ? Contact::kDeparting : Contact::kTouching,
+          arrival.speed < 0 ? 1 : 0);
+    }
+  }
+  phase_ = nullptr;
+}
+
+}  // namespace graze

@@ -1,0 +1,126 @@
+// Compliant stops: contacts entered and left, against closed forms and published numbers.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "graze/contact/restitution_damping.hpp"
+#include "graze/hybrid/simulation.hpp"
+#include "support/systems.hpp"
+
+namespace graze {
+namespace {
+
+ContactForce linear(double k, double c = 0.0, Separation separation = Separation::kAtZeroForce) {
+  return {k,   1.0,       c > 0.0 ? ContactDamping::kConstant : ContactDamping::kNone, c, 0.0,
+          0.0, separation};
+}
+
+System sprung(double omega, double gap, const ContactForce& law) {
+  System system = support::oscillator(omega, 0.0, gap, 0.0);
+  system.stops.front().spring = law;
+  return system;
+}
+
+std::vector<Event> of_kind(const std::vector<Event>& events, EventKind kind) {
+  std::vector<Event> found;
+  for (const Event& event : events)
+    if (event.kind == kind) found.push_back(event);
+  return found;
+}
+
+// Half periods of two frequencies take turns: pi/w out, pi/sqrt(w^2 + k) in.
+TEST(CompliantStop, PiecewiseLinearOscillator) {
+  const double w = 2.0, k = 5000.0, stiff = std::sqrt(w * w + k);
+  const System system = sprung(w, 0.0, linear(k));
+  const double cycle = std::numbers::pi / w + std::numbers::pi / stiff;
+  const auto run = support::record_run(system, support::state_of({-1.0}, {0.0}),
+                                       support::for_seconds(10.2 * cycle));
+  EXPECT_EQ(run.result.outcome, RunOutcome::kReachedEnd) << run.result.message;
+  const auto contacts = of_kind(run.events, EventKind::kContact);
+  const auto separations = of_kind(run.events, EventKind::kSeparation);
+  ASSERT_EQ(contacts.size(), 10u);
+  ASSERT_EQ(separations.size(), 10u);
+  for (std::size_t i = 0; i < 10; ++i) {
+    const double entry = 0.5 * std::numbers::pi / w + static_cast<double>(i) * cycle;
+    EXPECT_NEAR(contacts[i].time, entry, 1e-12);
+    EXPECT_NEAR(contacts[i].speed, w, 1e-11);
+    EXPECT_NEAR(separations[i].time, entry + std::numbers::pi / stiff, 1e-12);
+    EXPECT_NEAR(separations[i].duration, std::numbers::pi / stiff, 1e-12);
+    EXPECT_NEAR(separations[i].peak_force, k * w / stiff, 1e-9);
+    ASSERT_TRUE(separations[i].effective_restitution);
+    EXPECT_NEAR(*separations[i].effective_restitution, 1.0, 1e-11);
+  }
+}
+
+// Hard case S2, at the stop of a free mass.
+TEST(CompliantStop, SpringDashpotByBothRules) {
+  for (const double zeta : {0.05, 0.3, 0.8})
+    for (const Separation rule : {Separation::kAtZeroForce, Separation::kAtZeroDepth}) {
+      const double k = 1e5;
+      const System system = sprung(0.0, 0.25, linear(k, 2.0 * zeta * std::sqrt(k), rule));
+      const auto run =
+          support::record_run(system, support::state_of({0.0}, {0.5}), support::for_seconds(1.0));
+      EXPECT_EQ(run.result.outcome, RunOutcome::kReachedEnd) << run.result.message;
+      const auto contacts = of_kind(run.events, EventKind::kContact);
+      const auto separations = of_kind(run.events, EventKind::kSeparation);
+      ASSERT_EQ(contacts.size(), 1u);
+      ASSERT_EQ(separations.size(), 1u);
+      EXPECT_NEAR(contacts[0].time, 0.5, 1e-13);
+      const double e = rule == Separation::kAtZeroForce ? restitution_at_zero_force(zeta)
+                                                        : restitution_at_zero_depth(zeta);
+      EXPECT_NEAR(*separations[0].effective_restitution, e, 1e-10) << zeta;
+      // Nothing acts after the separation, whatever the depth.
+      EXPECT_NEAR(run.result.final.qdot[0], -0.5 * e, 1e-10);
+    }
+}
+
+// Hard case S5, Timoshenko's sphere of 10 mm that meets the middle of a steel beam at 10 mm/s: a
+// free mode and the 25 first symmetric ones.
+TEST(CompliantStop, S5SphereOnABeam) {
+  const double length = 0.1535, side = 0.01, rho = 7850.0, modulus = 206e9;
+  const double line = rho * side * side, stiffness = modulus * std::pow(side, 4) / 12.0;
+  const double mass = 4.0 / 3.0 * std::numbers::pi * 1e-6 * rho, v = 0.01;
+  const int modes = 25;
+  System system{Vector::Zero(modes + 1), Vector::Zero(modes + 1), {}, {}, {}};
+  Vector row(modes + 1);
+  row[0] = 1.0 / std::sqrt(mass);
+  for (int j = 1; j <= modes; ++j) {
+    const double n = 2.0 * j - 1.0, wave = n * std::numbers::pi / length;
+    system.omega[j] = wave * wave * std::sqrt(stiffness / line);
+    row[j] = -std::sqrt(2.0 / (line * length)) * std::sin(0.5 * n * std::numbers::pi);
+  }
+  system.stops.push_back({row, 0.0, row, 0.0, ContactForce{1.5091575091575e10, 1.5}});
+  State start{Vector::Zero(modes + 1), Vector::Zero(modes + 1)};
+  start.qdot[0] = std::sqrt(mass) * v;
+  const auto run = support::record_run(system, start, support::for_seconds(3e-4));
+  EXPECT_EQ(run.result.outcome, RunOutcome::kReachedEnd) << run.result.message;
+  const auto separations = of_kind(run.events, EventKind::kSeparation);
+  ASSERT_GE(separations.size(), 1u);
+  EXPECT_NEAR(separations[0].time, 158.519e-6, 5e-10);
+  EXPECT_NEAR(separations[0].peak_force, 4.842663, 5e-7);
+  const double energy = 0.5 * mass * v * v;
+  EXPECT_NEAR(0.5 *
+                  (run.result.final.qdot.squaredNorm() +
+                   system.omega.cwiseProduct(run.result.final.q).squaredNorm()) /
+                  energy,
+              1.0, 1e-10);
+}
+
+// A ball that comes to rest on a damped floor presses it in by m g/k.
+TEST(CompliantStop, ComesToRestCompressed) {
+  const double k = 2000.0, g = 9.81;
+  System system = sprung(0.0, 0.1, linear(k, 40.0));
+  system.load = Vector::Constant(1, g);
+  const auto run =
+      support::record_run(system, support::state_of({0.0}, {0.0}), support::for_seconds(10.0));
+  EXPECT_EQ(run.result.outcome, RunOutcome::kReachedEnd) << run.result.message;
+  EXPECT_NEAR(run.result.final.q[0], 0.1 + g / k, 1e-10);
+  EXPECT_NEAR(run.result.final.qdot[0], 0.0, 1e-10);
+  const auto contacts = of_kind(run.events, EventKind::kContact);
+  ASSERT_GE(contacts.size(), 2u);
+  EXPECT_NEAR(contacts[0].time, std::sqrt(0.2 / g), 1e-12);
+}
+
+}  // namespace
+}  // namespace graze
