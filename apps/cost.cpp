@@ -30,6 +30,7 @@ double longest_span(const System& system) {
 int run_cost(const Command& command) {
   if (!command.plot.empty()) check_picture_name(command.plot);
   const Scene scene = read_scene(command.scene, command.settings);
+  require_rigid_stops(scene, "costs are compared");
   CostRecord record;
   record.info = run_info(command.name, command.scene, scene);
   const System system = assemble(scene);

@@ -1,5 +1,6 @@
 #include "graze/assembly/assembly.hpp"
 
+#include "graze/assembly/spring_law.hpp"
 #include "graze/contact/impulse.hpp"
 #include "graze/scene/check.hpp"
 #include "graze/scene/parameter.hpp"
@@ -33,6 +34,7 @@ RigidStop assemble_stop(const Scene& scene, const Stop& stop, const Vector& shap
                         const Matrix& phi) {
   const double sign = sign_of(stop.side);
   const Vector row = sign * shape;
+  if (stop.spring) return {row, stop.gap, row, 0.0, spring_law(*stop.spring)};
   const Vector direction =
       stop.impulse == Impulse::kMomentum
           ? momentum_direction(row)
@@ -43,6 +45,8 @@ RigidStop assemble_stop(const Scene& scene, const Stop& stop, const Vector& shap
 RigidStop stop_tangent(const Stop& stop, const Stop& rate, const RigidStop& assembled,
                        const Vector& shape_rate, const Matrix& phi, const Matrix& phi_rate) {
   const Vector row_rate = sign_of(stop.side) * shape_rate;
+  if (stop.spring)
+    return {row_rate, rate.gap, row_rate, 0.0, spring_law_rate(*stop.spring, *rate.spring)};
   const Vector direction_rate =
       stop.impulse == Impulse::kMomentum
           ? momentum_direction_rate(assembled.row, row_rate)

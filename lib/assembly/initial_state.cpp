@@ -13,7 +13,7 @@ namespace {
 
 bool is_preloaded(const System& system) {
   return std::any_of(system.stops.begin(), system.stops.end(),
-                     [](const RigidStop& stop) { return stop.gap < 0.0; });
+                     [](const RigidStop& stop) { return stop.gap < 0.0 && !stop.spring; });
 }
 
 // Rest under the constant load with every stop's force >= 0 and gap >= 0:
@@ -66,7 +66,9 @@ State initial_state(const Scene& scene, const System& system) {
     state.q = Eigen::Map<const Vector>(scene.initial->q.data(), n);
     state.qdot = Eigen::Map<const Vector>(scene.initial->qdot.data(), n);
   } else if (is_preloaded(system)) {
-    const std::optional<Vector> q = static_equilibrium(system);
+    System rigid = system;
+    std::erase_if(rigid.stops, [](const RigidStop& stop) { return stop.spring.has_value(); });
+    const std::optional<Vector> q = static_equilibrium(rigid);
     if (!q)
       throw scene_error(scene, "stop.gap",
                         "a preloaded stop (negative gap) without [initial] starts in static "
@@ -78,7 +80,7 @@ State initial_state(const Scene& scene, const System& system) {
   for (std::size_t i = 0; i < system.stops.size(); ++i) {
     const RigidStop& stop = system.stops[i];
     const GapValue<double> gap = gap_value<double>(stop.row, state.q, stop.gap);
-    if (gap.value < -gap.rounding) {
+    if (!stop.spring && gap.value < -gap.rounding) {
       const std::string key =
           system.stops.size() == 1 ? "stop.gap" : fmt::format("stop.{}.gap", i + 1);
       throw scene_error(scene, scene.initial ? "initial.q" : key,

@@ -15,6 +15,13 @@ double ContactForce::rate_at(double x, double v, const ContactForce& rates) cons
     rate += rates.exponent * stiffness * by_exponent;
     if (damping == ContactDamping::kPower) rate += rates.exponent * coefficient * by_exponent * v;
   }
+  if (damping == ContactDamping::kOnset && x < onset_depth) {
+    const double stretch =
+        2.0 / onset_depth *
+        ((x - onset_depth) * rates.onset_sharpness -
+         onset_sharpness * x / onset_depth * rates.onset_depth);
+    rate += stretch * resistance(x) * v;
+  }
   return rate;
 }
 

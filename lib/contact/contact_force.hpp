@@ -82,8 +82,7 @@ struct ContactForce {
   double by_depth(double x, double v) const {
     return stiffness * power_slope(x) + resistance_slope(x) * v;
   }
-  // Derivative of F at fixed x and v when stiffness, exponent and coefficient (the onset as it is)
-  // move along `rates`.
+  // Derivative of F at fixed x and v when the numbers of the law move along `rates`.
   double rate_at(double x, double v, const ContactForce& rates) const;
   // F over the power of x that all its terms hold: positive where F is, for x > 0, but without the
   // zero that F has at x = 0. N, or N/m^n (power), N/m (depth).

@@ -4,7 +4,8 @@
 
 namespace graze {
 
-bool Sampler::hand_out(Motion<double>& motion, double start_time, double flight, RunState& state,
+bool Sampler::hand_out(Motion<double>& motion, double start_time, double flight,
+                       const EnergyBook& book, long long& samples,
                        const std::function<bool()>& goes_on) {
   Sample& sample = sample_;
   const ContactPhase<double>& phase = motion.flown();
@@ -12,7 +13,7 @@ bool Sampler::hand_out(Motion<double>& motion, double start_time, double flight,
   sample.state.q.resize(system_.modes());
   sample.state.qdot.resize(system_.modes());
   for (;;) {
-    sample.time = static_cast<double>(state.samples) / listeners_.sample_rate;
+    sample.time = static_cast<double>(samples) / rate_;
     const double s = std::max(sample.time - start_time, 0.0);
     if (s > flight) return true;
     if (!goes_on()) return false;
@@ -29,12 +30,12 @@ bool Sampler::hand_out(Motion<double>& motion, double start_time, double flight,
           stop.spring->at(stop.row.dot(sample.state.q) - stop.gap, stop.row.dot(sample.state.qdot));
     }
     if (energy_) {
-      sample.energy = state.book;
-      sample.energy->work = state.book.work + work_along(system_, phase, s);
+      sample.energy = book;
+      sample.energy->work = book.work + work_along(system_, phase, s);
       sample.energy->now = mechanical_energy(system_, sample.state.q, sample.state.qdot);
     }
-    listeners_.sample(sample);
-    ++state.samples;
+    listener_(sample);
+    ++samples;
   }
 }
 

@@ -2,26 +2,38 @@
 #pragma once
 
 #include <functional>
+#include <optional>
+#include <vector>
 
-#include "graze/hybrid/simulation.hpp"
+#include "graze/hybrid/energy_book.hpp"
+#include "graze/hybrid/motion.hpp"
 
 namespace graze {
 
+struct Sample {
+  double time = 0.0;  // s
+  State state;
+  std::vector<double> forces;        // contact force at every stop, N; 0 where it is open
+  std::optional<EnergyBook> energy;  // up to this instant, when the run keeps the book
+};
+
 class Sampler {
  public:
-  // Refers to the system and the listeners. `energy`: samples come with the book.
-  Sampler(const System& system, const RunListeners& listeners, bool energy)
-      : system_(system), listeners_(listeners), energy_(energy) {}
+  // Refers to the system and the listener. `rate`: 1/s. `energy`: samples come with the book.
+  Sampler(const System& system, const std::function<void(const Sample&)>& listener, double rate,
+          bool energy)
+      : system_(system), listener_(listener), rate_(rate), energy_(energy) {}
 
   // Those of the arc that the motion has flown last, which began at `start_time` and took `flight`,
-  // s; counted in `state`, whose book stands at the start of the arc. False as soon as `goes_on`
-  // says so: an arc can hold any number of samples.
-  bool hand_out(Motion<double>& motion, double start_time, double flight, RunState& state,
-                const std::function<bool()>& goes_on);
+  // s; `samples` counts them from t = 0 on. `book`: as it stands at the start of the arc. False as
+  // soon as `goes_on` says so: an arc can hold any number of samples.
+  bool hand_out(Motion<double>& motion, double start_time, double flight, const EnergyBook& book,
+                long long& samples, const std::function<bool()>& goes_on);
 
  private:
   const System& system_;
-  const RunListeners& listeners_;
+  const std::function<void(const Sample&)>& listener_;
+  double rate_;
   bool energy_;
   Sample sample_;  // the last one handed out; kept for the memory
 };

@@ -36,7 +36,7 @@ class Run {
         longest_flight_(longest_flight(system)),
         state_(state),
         end_(end_of(system, options)),
-        sampler_(system, listeners, options.energy) {
+        sampler_(system, listeners.sample, listeners.sample_rate, options.energy) {
     note_gaps();
     if (options.energy && !state_.keeps_book) {
       state_.keeps_book = true;
@@ -97,7 +97,8 @@ class Run {
     if (is_cut_) cut_arc_ = state_;
     const double start_time = time();
     // Until the first contact the smallest gap is not known to be zero and has to be looked for.
-    const bool untouched = state_.totals.impacts == 0 && !motion_.is_closed_anywhere();
+    const bool untouched =
+        state_.totals.impacts == 0 && !motion_.is_closed_anywhere() && !motion_.is_sprung();
     if (untouched && !options_.steps) note_minima(flight.until - start.local);
     const Arrival<double> arrival = motion_.fly(flight.until, flight.horizon);
     if (options_.steps && arrival.kind == ArrivalKind::kUndecided && !within_budget(true))
@@ -120,7 +121,8 @@ class Run {
   bool follow(double start_time, double flight) {
     if (flight > 0.0) state_.started = true;
     const auto goes_on = [this] { return within_budget(); };
-    if (listeners_.sample && !sampler_.hand_out(motion_, start_time, flight, state_, goes_on))
+    if (listeners_.sample &&
+        !sampler_.hand_out(motion_, start_time, flight, state_.book, state_.samples, goes_on))
       return false;
     if (options_.energy && flight > 0.0)
       state_.book.work = state_.book.work + work_along(system_, motion_.flown(), flight);

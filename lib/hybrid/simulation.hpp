@@ -11,6 +11,7 @@
 #include "graze/base/stop_signal.hpp"
 #include "graze/hybrid/energy_book.hpp"
 #include "graze/hybrid/next_flight.hpp"
+#include "graze/hybrid/sampler.hpp"
 
 namespace graze {
 
@@ -40,13 +41,6 @@ struct Event {
   double duration = 0.0;
   double peak_force = 0.0;
   std::optional<double> effective_restitution{};
-};
-
-struct Sample {
-  double time = 0.0;  // s
-  State state;
-  std::vector<double> forces;        // contact force at every stop, N; 0 where it is open
-  std::optional<EnergyBook> energy;  // up to this instant, when the run keeps the book
 };
 
 // Who wants to hear of the run as it goes; an empty function is never called and costs nothing.

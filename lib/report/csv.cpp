@@ -29,26 +29,30 @@ std::string first_speed(const Orbit& orbit) {
 }  // namespace
 
 std::string events_csv_header() {
-  return "kind,time,stop,speed,phase,energy_change,impacts,closure_speed,force\n";
+  return "kind,time,stop,speed,phase,energy_change,impacts,closure_speed,force,duration,"
+         "peak_force,effective_restitution\n";
 }
 
 std::string events_csv_row(const Event& e) {
   const std::string start = fmt::format("{},{},{}", name_of(e.kind), csv_cell(e.time), e.stop + 1);
   switch (e.kind) {
     case EventKind::kImpact:
-      return fmt::format("{},{},{},{},,,\n", start, csv_cell(e.speed), csv_cell(e.phase),
+      return fmt::format("{},{},{},{},,,,,,\n", start, csv_cell(e.speed), csv_cell(e.phase),
                          csv_cell(e.energy_change));
     case EventKind::kChatter:
-      return fmt::format("{},,,{},{},{},\n", start, csv_cell(e.energy_change), e.impacts,
+      return fmt::format("{},,,{},{},{},,,,\n", start, csv_cell(e.energy_change), e.impacts,
                          csv_cell(e.closure_speed));
     case EventKind::kStick:
-      return fmt::format("{},,,,,,{}\n", start, csv_cell(e.force));
+      return fmt::format("{},,,,,,{},,,\n", start, csv_cell(e.force));
     case EventKind::kContact:
+      return fmt::format("{},{},{},,,,,,,\n", start, csv_cell(e.speed), csv_cell(e.phase));
     case EventKind::kSeparation:
+      return fmt::format("{},{},,,,,,{},{},{}\n", start, csv_cell(e.speed), csv_cell(e.duration),
+                         csv_cell(e.peak_force), csv_cell(e.effective_restitution));
     case EventKind::kRelease:
       break;
   }
-  return start + ",,,,,,\n";
+  return start + ",,,,,,,,,\n";
 }
 
 std::string samples_csv_header(const System& system, bool energy) {

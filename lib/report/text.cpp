@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "graze/assembly/spring_law.hpp"
 #include "graze/base/angle.hpp"
 #include "graze/report/names.hpp"
 #include "graze/report/table.hpp"
@@ -12,6 +13,12 @@
 
 namespace graze {
 namespace {
+
+std::string damping_text(const Stop& stop, const ContactForce& law) {
+  if (!stop.spring->damping) return "without damping";
+  return fmt::format("with {} damping {:g}", contact_model_name(stop.spring->damping->model),
+                     law.coefficient);
+}
 
 // 0.8, or 0.8 - 0.1 v - ..
 std::string restitution_text(const std::vector<double>& coefficients) {
@@ -83,6 +90,15 @@ std::string simulated_effects(const CheckRecord& record) {
     const Stop& stop = scene.stops[i];
     const std::string name = fmt::format("stop {}", i + 1);
     const std::string place = scene.beam() ? fmt::format("at x = {:g} m, ", stop.position) : "";
+    if (stop.spring) {
+      const ContactForce law = spring_law(*stop.spring);
+      line(name.c_str(),
+           fmt::format("{}{}, gap {:g} m, compliant: {:g} N/m^{:g} {}, parts where its {} is gone",
+                       place, stop.side == Side::kAbove ? "above" : "below", stop.gap,
+                       law.stiffness, law.exponent, damping_text(stop, law),
+                       law.separation == Separation::kAtZeroForce ? "force" : "depth"));
+      continue;
+    }
     line(name.c_str(),
          fmt::format("{}{}, gap {:g} m, restitution {}, {} impulse", place,
                      stop.side == Side::kAbove ? "above" : "below", stop.gap,
@@ -111,15 +127,19 @@ std::string notes_text(const std::vector<std::string>& notes) {
 
 std::vector<std::string> event_row(long long number, const Event& e) {
   const bool impact = e.kind == EventKind::kImpact, chatter = e.kind == EventKind::kChatter;
+  const bool contact = e.kind == EventKind::kContact, parting = e.kind == EventKind::kSeparation;
+  std::string force = "-";
+  if (e.kind == EventKind::kStick) force = fmt::format("{:.6g}", e.force);
+  if (parting) force = fmt::format("{:.6g}", e.peak_force);
   return {fmt::format("{}", number),
           name_of(e.kind),
           fmt::format("{:.12g}", e.time),
           fmt::format("{}", e.stop + 1),
-          impact ? fmt::format("{:.9g}", e.speed) : "-",
-          impact && e.phase ? fmt::format("{:.9f}", *e.phase) : "-",
+          impact || contact || parting ? fmt::format("{:.9g}", e.speed) : "-",
+          (impact || contact) && e.phase ? fmt::format("{:.9f}", *e.phase) : "-",
           impact || chatter ? fmt::format("{:.4e}", e.energy_change) : "-",
           chatter ? fmt::format("{}", e.impacts) : "-",
-          e.kind == EventKind::kStick ? fmt::format("{:.6g}", e.force) : "-"};
+          force};
 }
 
 std::string events_text(const EventExcerpt& events) {

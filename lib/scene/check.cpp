@@ -7,6 +7,7 @@
 #include <cstdlib>
 #include <limits>
 
+#include "graze/scene/spring_check.hpp"
 #include "graze/scene/suggestion.hpp"
 
 namespace graze {
@@ -243,6 +244,16 @@ void check_stop(const Scene& scene, const Stop& stop, std::size_t number) {
     }
   }
   checker.finite("gap", stop.gap);
+  if (stop.spring) {
+    if (stop.gap < 0.0 && !scene.initial) {
+      checker.fail("gap", fmt::format("{} is not allowed, a compliant stop that is compressed from "
+                                      "the start needs [initial]",
+                                      stop.gap));
+    }
+    check_spring(scene, *stop.spring,
+                 number == 1 ? "stop.spring" : fmt::format("stop.{}.spring", number));
+    return;
+  }
   check_restitution(checker, stop.restitution);
   if (stop.impulse == Impulse::kCollocation) {
     check_collocation_impulse(checker, scene, stop);
@@ -258,8 +269,15 @@ void check_stops(const Scene& scene) {
     check_stop(scene, scene.stops[k], k + 1);
   }
   // An impact at several stops at once is solved by one law for all of them.
-  for (std::size_t k = 1; k < scene.stops.size(); ++k) {
-    const Impulse first = scene.stops.front().impulse;
+  const Stop* rigid = nullptr;
+  for (std::size_t k = 0; k < scene.stops.size(); ++k) {
+    if (scene.stops[k].spring) {
+      continue;
+    }
+    if (rigid == nullptr) {
+      rigid = &scene.stops[k];
+    }
+    const Impulse first = rigid->impulse;
     const Impulse here = scene.stops[k].impulse;
     if (here != first) {
       throw scene_error(scene, fmt::format("stop.{}.impulse", k + 1),

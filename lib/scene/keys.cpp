@@ -20,17 +20,32 @@ const std::vector<TableKeys>& all_keys() {
       {"damping.rayleigh", {"mass", "stiffness"}, {}},
       {"forcing", {"kind", "amplitude", "frequency", "phase"}, {}},
       {"gravity", {"acceleration"}, {}},
-      {"stop", {"position", "shape", "gap", "side", "restitution", "impulse"}, {"spring"}},
+      {"stop", {"position", "shape", "gap", "side", "restitution", "impulse", "spring"}, {}},
+      {"stop.spring",
+       {"stiffness", "exponent", "radii", "moduli", "poisson", "angle", "damping", "release"},
+       {}},
+      {"stop.spring.damping",
+       {"model", "coefficient", "ratio", "alpha", "restitution", "speed", "mass", "onset",
+        "sharpness", "inversion"},
+       {}},
       {"initial", {"q", "qdot"}, {"angle", "rate"}},
       {"solver", {"flow", "tolerance", "step"}, {}},
   };
   return keys;
 }
 
+// "stop.2.spring" is a "stop.spring".
+std::string without_number(const std::string& path) {
+  if (path.compare(0, 5, "stop.") != 0) return path;
+  const std::size_t end = path.find_first_not_of("0123456789", 5);
+  if (end == 5) return path;
+  return end == std::string::npos ? "stop" : "stop" + path.substr(end);
+}
+
 }  // namespace
 
 const TableKeys& keys_of(const std::string& path) {
-  const std::string table = path.compare(0, 5, "stop.") == 0 ? "stop" : path;
+  const std::string table = without_number(path);
   const auto found = std::find_if(all_keys().begin(), all_keys().end(),
                                   [&](const TableKeys& keys) { return keys.table == table; });
   assert(found != all_keys().end());

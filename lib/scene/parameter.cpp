@@ -57,6 +57,31 @@ void visit_damping(D& damping, F&& f) {
   }
 }
 
+template <typename Sp, typename F>
+void visit_spring(Sp& spring, const std::string& name, F&& f) {
+  if (!spring.geometry) {
+    f(name + ".stiffness", spring.stiffness);
+    f(name + ".exponent", spring.exponent);
+  }
+  if (!spring.damping) {
+    return;
+  }
+  const auto visit = [&](const char* key, auto& value) {
+    if (value) {
+      f(name + ".damping." + key, *value);
+    }
+  };
+  auto& damping = *spring.damping;
+  visit("coefficient", damping.coefficient);
+  visit("ratio", damping.ratio);
+  visit("alpha", damping.alpha);
+  visit("restitution", damping.restitution);
+  visit("speed", damping.speed);
+  visit("mass", damping.mass);
+  visit("onset", damping.onset);
+  visit("sharpness", damping.sharpness);
+}
+
 // Calls f(name, number) for every continuous parameter of the scene: the one list of names.
 template <typename S, typename F>
 void visit_parameters(S& scene, F&& f) {
@@ -80,7 +105,9 @@ void visit_parameters(S& scene, F&& f) {
       f(stop + ".position", values.position);
     }
     f(stop + ".gap", values.gap);
-    if (values.restitution.size() == 1) {
+    if (values.spring) {
+      visit_spring(*values.spring, stop + ".spring", f);
+    } else if (values.restitution.size() == 1) {
       f(stop + ".restitution", values.restitution.front());
     } else {
       visit_list(values.restitution, stop + ".restitution", f);
@@ -134,6 +161,39 @@ std::string restitution_unit(const std::string& entry) {
   }
   const long power = std::strtol(entry.c_str(), nullptr, 10) - 1;
   return power == 1 ? "s/m" : fmt::format("s^{0}/m^{0}", power);
+}
+
+// Of stop.spring.* and stop.N.spring.*
+std::string spring_unit(const Scene& scene, const std::string& path) {
+  const std::string key = path.substr(path.rfind('.') + 1);
+  const long number = std::strtol(path.c_str() + 5, nullptr, 10);
+  const auto stop = static_cast<std::size_t>(number > 0 ? number - 1 : 0);
+  if (stop >= scene.stops.size() || !scene.stops[stop].spring) {
+    return "";
+  }
+  const Spring& spring = *scene.stops[stop].spring;
+  const double exponent = spring.geometry ? 1.5 : spring.exponent;
+  const auto per_length = [](double power) {
+    return power == 1.0 ? std::string("N s/m") : fmt::format("N s/m^{:g}", power);
+  };
+  if (key == "stiffness") {
+    return exponent == 1.0 ? "N/m" : fmt::format("N/m^{:g}", exponent);
+  }
+  if (key == "coefficient") {
+    switch (spring.damping->model) {
+      case ContactModel::kKelvinVoigt:
+      case ContactModel::kLeeWang2:
+        return per_length(1.0);
+      case ContactModel::kLeeWang1:
+        return per_length(2.0);
+      default:
+        return per_length(exponent + 1.0);
+    }
+  }
+  if (key == "alpha") return "s/m";
+  if (key == "speed") return "m/s";
+  if (key == "mass") return "kg";
+  return key == "onset" ? "m" : "";
 }
 
 InputError unknown_parameter(const Scene& scene, const std::string& path) {
@@ -195,7 +255,7 @@ bool leaves_structure(const std::string& path) {
   const auto begins = [&](const char* with) { return path.rfind(with, 0) == 0; };
   const auto contains = [&](const char* part) { return path.find(part) != std::string::npos; };
   return begins("forcing.") || begins("gravity.") ||
-         (begins("stop.") && (contains(".gap") || contains(".restitution")));
+         (begins("stop.") && (contains(".gap") || contains(".restitution") || contains(".spring")));
 }
 
 std::string parameter_unit(const Scene& scene, const std::string& path) {
@@ -210,6 +270,9 @@ std::string parameter_unit(const Scene& scene, const std::string& path) {
   }
   if (name.compare(0, 5, "stop.") == 0) {
     name = "stop" + name.substr(name.rfind('.'));
+  }
+  if (path.find(".spring.") != std::string::npos) {
+    return spring_unit(scene, path);
   }
   if (name == "stop.restitution") {
     return restitution_unit(entry);

@@ -11,6 +11,7 @@
 #include "graze/scene/check.hpp"
 #include "graze/scene/document.hpp"
 #include "graze/scene/settings.hpp"
+#include "graze/scene/spring_reader.hpp"
 #include "graze/scene/suggestion.hpp"
 #include "graze/scene/table_reader.hpp"
 #include "graze/scene/text_check.hpp"
@@ -134,6 +135,15 @@ Stop read_stop(const Node& node, const std::string& path, bool modal, Origins& o
   }
   stop.gap = table.number("gap", "a number in m");
   stop.side = table.choice<Side>("side", {{"above", Side::kAbove}, {"below", Side::kBelow}});
+  if (const Node* spring = table.find("spring")) {
+    for (const char* key : {"restitution", "impulse"}) {
+      if (table.has(key)) {
+        table.fail(key, "a stop with a spring has none, it must be left out");
+      }
+    }
+    stop.spring = read_spring(*spring, path + ".spring", origins);
+    return stop;
+  }
   stop.restitution = read_restitution(table);
   stop.impulse = table.choice<Impulse>(
       "impulse", {{"momentum", Impulse::kMomentum}, {"collocation", Impulse::kCollocation}});

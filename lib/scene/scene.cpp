@@ -32,6 +32,24 @@ std::string flow_name(FlowChoice flow) {
   return "";
 }
 
+std::string contact_model_name(ContactModel model) {
+  switch (model) {
+    case ContactModel::kKelvinVoigt:
+      return "kelvin-voigt";
+    case ContactModel::kLeeWang1:
+      return "lee-wang-1";
+    case ContactModel::kLeeWang2:
+      return "lee-wang-2";
+    case ContactModel::kHuntCrossley:
+      return "hunt-crossley";
+    case ContactModel::kLankaraniNikravesh:
+      return "lankarani-nikravesh";
+    case ContactModel::kFlores:
+      return "flores";
+  }
+  return "";
+}
+
 int Scene::modes() const {
   if (const Beam* has_beam = beam()) {
     return has_beam->modes;

@@ -2,6 +2,7 @@
 // (empty optional, empty list) and is never simulated. SI units, angles in radians.
 #pragma once
 
+#include <array>
 #include <map>
 #include <memory>
 #include <optional>
@@ -11,6 +12,8 @@
 
 #include "graze/base/default_tolerance.hpp"
 #include "graze/base/errors.hpp"
+#include "graze/contact/contact_force.hpp"
+#include "graze/contact/hertz_stiffness.hpp"
 
 namespace graze {
 
@@ -69,6 +72,47 @@ struct Gravity {
   double acceleration = 0.0;  // m/s^2
 };
 
+enum class ContactModel {
+  kKelvinVoigt,
+  kLeeWang1,
+  kLeeWang2,
+  kHuntCrossley,
+  kLankaraniNikravesh,
+  kFlores
+};
+// As the scene writes it.
+std::string contact_model_name(ContactModel model);
+
+// The damping of a compliant stop (contact/restitution_damping.hpp): its coefficient, or what the
+// model builds it from.
+struct SpringDamping {
+  ContactModel model = ContactModel::kKelvinVoigt;
+  std::optional<double> coefficient;  // C, see contact_force.hpp
+  std::optional<double> ratio;        // zeta, of a linear spring
+  std::optional<double> alpha;        // e = 1 - alpha v, s/m
+  std::optional<double> restitution;  // e, at `speed` where it depends on it
+  std::optional<double> speed;        // m/s
+  std::optional<double> mass;         // kg
+  std::optional<double> onset;        // m, and
+  std::optional<double> sharpness;    // Q, of the second model of Lee & Wang
+  bool exact = false;  // C gives the restitution itself, not what the model's formula makes of it
+};
+
+// Of two bodies of which one is the stop, in place of a stiffness (contact/hertz_stiffness.hpp).
+struct SpringGeometry {
+  std::array<ElasticBody, 2> bodies{};
+  double angle = 0.0;  // rad
+};
+
+// A compliant stop: F = k x^n + C T(x) x'.
+struct Spring {
+  double stiffness = 0.0;  // k, N/m^n
+  double exponent = 1.5;   // n
+  std::optional<SpringGeometry> geometry;
+  std::optional<SpringDamping> damping;
+  Separation release = Separation::kAtZeroForce;
+};
+
 struct Stop {
   double position = 0.0;      // m from the clamp (beam)
   std::vector<double> shape;  // phi_j at the stop (modal structure), kg^-1/2
@@ -78,6 +122,7 @@ struct Stop {
   // a_i in (s/m)^i.
   std::vector<double> restitution = {0.0};
   Impulse impulse = Impulse::kMomentum;
+  std::optional<Spring> spring{};  // in place of restitution and impulse
 };
 
 struct Initial {

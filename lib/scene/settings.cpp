@@ -14,8 +14,8 @@
 namespace graze {
 namespace {
 
-// damping.rayleigh.stiffness and stop.2.shape.3 are the deepest names.
-constexpr std::size_t kMostParts = 4;
+// stop.2.spring.damping.coefficient is the deepest name.
+constexpr std::size_t kMostParts = 5;
 
 // A number or a sign begins no word: such a value is a slip.
 bool is_word(std::string_view text) {
@@ -77,7 +77,7 @@ Setting taken_apart(const std::string& text) {
   }
   setting.name = name;
   if (setting.parts.size() > kMostParts) {
-    setting.fail(0, "there is no such key, at most four names can be joined by dots");
+    setting.fail(0, "there is no such key, at most five names can be joined by dots");
   }
   const std::string_view value = trimmed(std::string_view(text).substr(equals + 1));
   if (value.empty()) {

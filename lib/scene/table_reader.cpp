@@ -63,6 +63,10 @@ std::string TableReader::title() const {
   if (path_.empty()) {
     return "a scene";
   }
+  const std::size_t spring = path_.find(".spring");
+  if (spring != std::string::npos) {
+    return fmt::format("[stop{}]", path_.substr(spring));
+  }
   return path_.compare(0, 4, "stop") == 0 ? "[[stop]]" : fmt::format("[{}]", path_);
 }
 
@@ -81,6 +85,9 @@ void TableReader::check_keys() const {
     meant.erase(std::remove_if(meant.begin(), meant.end(),
                                [&](const std::string& name) {
                                  const std::size_t dot = name.rfind('.');
+                                 if (path_.empty() && name.rfind("stop.spring.", 0) == 0) {
+                                   return true;
+                                 }
                                  return !path_.empty() && dot != std::string::npos &&
                                         name.find('.') != dot &&
                                         name.compare(0, path_.size() + 1, path_ + ".") != 0;

@@ -96,6 +96,54 @@ void write(Writer& out, const Gravity& gravity) {
   out.number("acceleration", gravity.acceleration);
 }
 
+void write(Writer& out, const SpringGeometry& geometry) {
+  std::vector<double> radii, moduli, poisson;
+  for (const ElasticBody& body : geometry.bodies) {
+    radii.insert(radii.end(), body.radii.begin(), body.radii.end());
+    moduli.push_back(body.modulus);
+    poisson.push_back(body.poisson_ratio);
+  }
+  out.list("radii", radii);
+  out.list("moduli", moduli);
+  out.list("poisson", poisson);
+  out.number("angle", geometry.angle);
+}
+
+std::string damping_text(const SpringDamping& damping) {
+  std::string text = "model = " + quoted(contact_model_name(damping.model));
+  const auto add = [&](const char* key, const std::optional<double>& value) {
+    if (value) {
+      text += fmt::format(", {} = {}", key, real_text(*value));
+    }
+  };
+  add("coefficient", damping.coefficient);
+  add("ratio", damping.ratio);
+  add("alpha", damping.alpha);
+  add("restitution", damping.restitution);
+  add("speed", damping.speed);
+  add("mass", damping.mass);
+  add("onset", damping.onset);
+  add("sharpness", damping.sharpness);
+  if (damping.exact) {
+    text += ", inversion = \"exact\"";
+  }
+  return "{ " + text + " }";
+}
+
+void write(Writer& out, const Spring& spring) {
+  out.table("[stop.spring]");
+  if (spring.geometry) {
+    write(out, *spring.geometry);
+  } else {
+    out.number("stiffness", spring.stiffness);
+    out.number("exponent", spring.exponent);
+  }
+  if (spring.damping) {
+    out.verbatim("damping", damping_text(*spring.damping));
+  }
+  out.word("release", spring.release == Separation::kAtZeroForce ? "force" : "position");
+}
+
 void write(Writer& out, const Stop& stop, bool modal) {
   out.table("[[stop]]");
   if (modal) {
@@ -105,6 +153,10 @@ void write(Writer& out, const Stop& stop, bool modal) {
   }
   out.number("gap", stop.gap);
   out.word("side", stop.side == Side::kAbove ? "above" : "below");
+  if (stop.spring) {
+    write(out, *stop.spring);
+    return;
+  }
   if (stop.restitution.size() == 1) {
     out.number("restitution", stop.restitution.front());
   } else {

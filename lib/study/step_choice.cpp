@@ -40,7 +40,7 @@ FlowDecision flow_decision(const Scene& scene) {
       "every effect in this scene is linear between impacts, so motion and first contact have "
       "closed forms: they ";
   // Rounding enters at every impact and grows from one to the next: of twenty on the shipped scenes
-  // it leaves up to 1e-13 of a forcing period.
+  // it leaves some 1e-13 of a forcing period.
   constexpr double kRoundingOfImpacts = 1e-12;
   if (solver.tolerance < kRoundingOfImpacts)
     return {FlowChoice::kExact,
@@ -69,6 +69,7 @@ std::optional<StepSetting> step_choice(const Scene& scene, const System& system,
                                        const State& start) {
   const std::optional<StepMethod> method = step_method(flow_decision(scene).flow);
   if (!method) return {};
+  require_rigid_stops(scene, "the flow takes steps");
   StepSetting setting = stable_steps(system, start, *method);
   setting.step = scene.solver.step.value_or(0.0);
   setting.tolerance = scene.solver.tolerance;
@@ -81,7 +82,16 @@ std::optional<StepSetting> step_choice(const Scene& scene, const System& system,
   return setting;
 }
 
+void require_rigid_stops(const Scene& scene, const char* what) {
+  for (std::size_t i = 0; i < scene.stops.size(); ++i)
+    if (scene.stops[i].spring)
+      throw scene_error(
+          scene, i == 0 ? "stop.spring" : fmt::format("stop.{}.spring", i + 1),
+          fmt::format("a compliant stop is not available in this version where {}", what));
+}
+
 void require_exact_flow(const Scene& scene, const char* what) {
+  require_rigid_stops(scene, what);
   if (!step_method(flow_decision(scene).flow)) return;
   throw scene_error(scene, "solver.flow",
                     fmt::format("the flow \"{}\" is not allowed where {}, it must be \"auto\" or "

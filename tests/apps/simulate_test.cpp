@@ -223,7 +223,9 @@ TEST(Simulate, TablesHoldWhatTheDocumentHolds) {
   const json document = json::parse(run.out);
   const std::vector<std::string> events = lines_of(folder + "/events.csv");
   ASSERT_EQ(events.size(), document["events"].size() + 1);
-  EXPECT_EQ(events[0], "kind,time,stop,speed,phase,energy_change,impacts,closure_speed,force");
+  EXPECT_EQ(events[0],
+            "kind,time,stop,speed,phase,energy_change,impacts,closure_speed,force,duration,"
+            "peak_force,effective_restitution");
   for (std::size_t i = 1; i < events.size(); ++i) {
     std::istringstream row(events[i]);
     for (const char* key : {"kind", "time", "stop", "speed", "phase", "energy_change", "impacts",

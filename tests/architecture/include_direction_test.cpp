@@ -19,7 +19,7 @@ const fs::path kRoot = GRAZE_SOURCE_DIR;
 // Each room and the rooms directly above it; what those may use, it may use too.
 const std::map<std::string, std::set<std::string>> kAbove = {
     {"base", {}},
-    {"scene", {"base"}},
+    {"scene", {"contact"}},
     {"structure", {"scene"}},
     {"contact", {"base"}},
     {"system", {"contact"}},

@@ -91,6 +91,8 @@ TEST(ContactForce, DerivativesByItsNumbers) {
     check(&ContactForce::stiffness);
     check(&ContactForce::exponent);
     check(&ContactForce::coefficient);
+    check(&ContactForce::onset_depth);
+    check(&ContactForce::onset_sharpness);
   }
 }
 

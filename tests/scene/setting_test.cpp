@@ -158,8 +158,8 @@ TEST(Setting, MalformedOnesSayWhatIsAllowed) {
   EXPECT_EQ(message_of("stop.gap="),
             "--set stop.gap=:1:10: stop.gap: the value is missing, the setting must read "
             "NAME=VALUE");
-  EXPECT_EQ(message_of("a.b.c.d.e=1"),
-            "--set a.b.c.d.e=1:1:1: a.b.c.d.e: there is no such key, at most four names can be "
+  EXPECT_EQ(message_of("a.b.c.d.e.f=1"),
+            "--set a.b.c.d.e.f=1:1:1: a.b.c.d.e.f: there is no such key, at most five names can be "
             "joined by dots");
   EXPECT_EQ(message_of("title.x=1"),
             "--set title.x=1:1:1: title.x: title is the string \"t\", it must be a table or a list "

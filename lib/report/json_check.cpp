@@ -1,0 +1,72 @@
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "graze/report/json.hpp"
+#include "graze/study/step_choice.hpp"
+
+namespace graze {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json number(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
+
+Json maybe(const std::optional<double>& value) { return value ? number(*value) : Json(nullptr); }
+
+Json list(const Vector& v) {
+  Json array = Json::array();
+  for (const double value : v) array.push_back(number(value));
+  return array;
+}
+
+// A number, or the list a0, a1, .. of one that depends on the speed.
+Json restitution(const Restitution& r) {
+  if (r.is_constant()) return r.at_rest();
+  return r.coefficients();
+}
+
+Json spring(const ContactForce& law) {
+  return {{"stiffness", number(law.stiffness)},
+          {"exponent", number(law.exponent)},
+          {"coefficient", number(law.coefficient)}};
+}
+
+}  // namespace
+
+std::string to_json(const CheckRecord& record) {
+  Json document = Json::parse(json_head(record.info, record.outcome, record.warnings));
+  const System& system = record.system;
+  Json modes = Json::array();
+  for (Eigen::Index j = 0; j < system.omega.size(); ++j)
+    modes.push_back(
+        {{"mode", j + 1},
+         {"frequency", number(system.omega[j])},
+         {"decay_rate", number(system.delta[j])},
+         {"force", system.forcing ? number(system.forcing->amplitude[j]) : Json(nullptr)},
+         {"load", system.load ? number((*system.load)[j]) : Json(nullptr)}});
+  document["title"] = record.scene.title;
+  document["modes"] = modes;
+  document["forcing_period"] = system.forcing ? number(system.period()) : Json(nullptr);
+  document["gravity"] =
+      record.scene.gravity ? number(record.scene.gravity->acceleration) : Json(nullptr);
+  Json stops = Json::array();
+  for (const RigidStop& stop : system.stops)
+    stops.push_back({{"gap", number(stop.gap)},
+                     {"restitution", stop.spring ? Json(nullptr) : restitution(stop.restitution)},
+                     {"spring", stop.spring ? spring(*stop.spring) : Json(nullptr)},
+                     {"row", list(stop.row)},
+                     {"direction", list(stop.direction)},
+                     {"effective_mass", number(1.0 / stop.row.squaredNorm())}});
+  document["stops"] = stops;
+  document["collocation_condition"] =
+      record.collocation_condition > 0.0 ? number(record.collocation_condition) : Json(nullptr);
+  document["closure_speed"] = maybe(record.closure_speed);
+  const FlowDecision decision = flow_decision(record.scene);
+  document["flow"] = flow_name(decision.flow);
+  document["flow_reason"] = decision.reason;
+  document["step"] = maybe(record.scene.solver.step);
+  document["longest_stable_step"] = record.steps ? number(record.steps->longest) : Json(nullptr);
+  return document.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+}  // namespace graze

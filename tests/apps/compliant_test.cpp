@@ -1,0 +1,101 @@
+// Compliant stops as a user meets them.
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "graze/contact/restitution_damping.hpp"
+#include "program.hpp"
+
+namespace graze {
+namespace {
+
+using nlohmann::json;
+
+// A mass of 1 kg that flies at 0.5 m/s against a damped Hertz contact 0.1 m away.
+constexpr const char* kScene = R"(
+[modal]
+frequencies = [0.0]
+
+[[stop]]
+shape = [1.0]
+gap = 0.1
+
+[stop.spring]
+stiffness = 1e8
+exponent = 1.5
+damping = { model = "hunt-crossley", restitution = 0.5, speed = 0.5 }
+
+[initial]
+qdot = [0.5]
+)";
+
+class Compliant : public ::testing::Test {
+ protected:
+  std::string file() {
+    const std::filesystem::path path = scratch_ / "scene.toml";
+    std::ofstream(path) << kScene;
+    return path.string();
+  }
+  ScratchFolder scratch_;
+};
+
+TEST_F(Compliant, ContactsComeWithTheirForceAndRestitution) {
+  const Finished run = run_graze("simulate --json --duration 0.5 --out " +
+                                 (scratch_ / "run").string() + " " + file());
+  ASSERT_EQ(run.code, 0) << run.err;
+  const json document = json::parse(run.out);
+  const json& events = document["events"];
+  ASSERT_EQ(events.size(), 2u);
+  EXPECT_EQ(events[0]["kind"], "contact");
+  EXPECT_NEAR(events[0]["time"].get<double>(), 0.2, 1e-13);
+  EXPECT_NEAR(events[0]["speed"].get<double>(), 0.5, 1e-13);
+  EXPECT_EQ(events[1]["kind"], "separation");
+  EXPECT_NEAR(events[1]["effective_restitution"].get<double>(), 0.6629622, 5e-8);
+  EXPECT_NEAR(events[1]["speed"].get<double>(), 0.5 * 0.6629622, 5e-8);
+  EXPECT_GT(events[1]["peak_force"].get<double>(), 0.0);
+  EXPECT_NEAR(events[1]["time"].get<double>() - events[0]["time"].get<double>(),
+              events[1]["duration"].get<double>(), 1e-15);
+  EXPECT_NEAR(document["final"]["qdot"][0].get<double>(), -0.5 * 0.6629622, 5e-8);
+  // What was written is read again.
+  const Finished again =
+      run_graze("simulate --json --duration 0.5 " + (scratch_ / "run" / "scene.toml").string());
+  ASSERT_EQ(again.code, 0) << again.err;
+  EXPECT_EQ(json::parse(again.out)["events"], events);
+}
+
+TEST_F(Compliant, InversionIsExact) {
+  const Finished run = run_graze(
+      "simulate --json --duration 0.5 --set 'stop.spring.damping.inversion=\"exact\"' " + file());
+  ASSERT_EQ(run.code, 0) << run.err;
+  EXPECT_NEAR(json::parse(run.out)["events"][1]["effective_restitution"].get<double>(), 0.5, 1e-11);
+}
+
+TEST_F(Compliant, CheckSaysWhatTheStopIs) {
+  const Finished run = run_graze("check " + file());
+  ASSERT_EQ(run.code, 0) << run.err;
+  EXPECT_NE(run.out.find("compliant: 1e+08 N/m^1.5 with hunt-crossley damping 1.5e+08"),
+            std::string::npos)
+      << run.out;
+}
+
+TEST_F(Compliant, OtherCommandsRefuseIt) {
+  const std::string scene = file();
+  const std::string forced =
+      " --set 'modal.participation=[1.0]' --set "
+      "'forcing={kind=\"modal\",amplitude=1.0,frequency=2.0}' " +
+      scene;
+  for (const std::string& command :
+       {std::string("orbit"), std::string("continue --parameter stop.gap --from 0.1 --to 0.2"),
+        std::string("diagram --parameter stop.gap --from 0.1 --to 0.2"), std::string("cost"),
+        std::string("simulate --energy")}) {
+    const Finished run = run_graze(command + forced);
+    EXPECT_EQ(run.code, 2) << command;
+    EXPECT_NE(run.err.find("not available in this version"), std::string::npos) << run.err;
+    EXPECT_TRUE(run.out.empty()) << command;
+  }
+}
+
+}  // namespace
+}  // namespace graze
