@@ -16,7 +16,10 @@ namespace graze::step_walk {
 class Sprung {
  public:
   using State = std::vector<double>;
-  static constexpr double kRelative = 0.0;
+  // What moves along beside the contact is known to some roundings of its own size, no better.
+  static double relative(double /*tolerance*/) {
+    return 4.0 * std::numeric_limits<double>::epsilon();
+  }
 
   // `tolerance`: of a step, against u; 0: its length is fixed.
   Sprung(const SprungSystem& system, double tolerance)

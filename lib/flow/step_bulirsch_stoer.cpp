@@ -20,7 +20,7 @@ class ExtrapolatedWalk {
   ExtrapolatedWalk(Rates rates_of, const StepSetting& setting)
       : rates(std::move(rates_of)),
         longest_(setting.longest),
-        method_(setting.tolerance * setting.speed, Rates::kRelative * setting.tolerance, 1.0, 0.0,
+        method_(setting.tolerance * setting.speed, Rates::relative(setting.tolerance), 1.0, 0.0,
                 std::isfinite(setting.longest) ? setting.longest : 0.0) {}
 
   void begin(const State& x) {

@@ -23,8 +23,7 @@ class DenseWalk {
       : rates(std::move(rates_of)),
         longest_(setting.longest),
         stepper_(odeint::make_controlled(setting.tolerance * setting.speed,
-                                         Rates::kRelative * setting.tolerance, longest_,
-                                         Method())) {}
+                                         Rates::relative(setting.tolerance), longest_, Method())) {}
 
   void begin(const State& x) { stepper_.initialize(x, 0.0, rates.first_step(longest_)); }
   void step() {

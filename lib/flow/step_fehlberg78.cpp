@@ -38,7 +38,7 @@ class ControlledWalk {
         longest_(
             std::min(setting.longest, longest_step_of_force(rates.frequency(), setting.tolerance))),
         controlled_(odeint::make_controlled(setting.tolerance * setting.speed,
-                                            Rates::kRelative * setting.tolerance, longest_,
+                                            Rates::relative(setting.tolerance), longest_,
                                             Method())) {}
 
   void begin(const State& x) {

@@ -6,7 +6,7 @@
 //   observed(watch, s, z)       the value of a watch
 //   whole(z, x)                 x at the method's state
 //   first_step(longest)         to begin a piece with, s
-//   kRelative                   by how much of a state's size an error of it may grow
+//   relative(tolerance)         the part of a state's size that an error of it may have
 // Included by step_walk.hpp.
 #pragma once
 
@@ -29,7 +29,7 @@ void assign(State& to, const Vector& from) {
 // Where the method's state is x itself.
 class OfTheState {
  public:
-  static constexpr double kRelative = 1.0;
+  static double relative(double tolerance) { return tolerance; }
 
   explicit OfTheState(double frequency) : frequency_(frequency) {}
 

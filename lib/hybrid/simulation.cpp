@@ -329,14 +329,14 @@ class Run {
   }
 
   void note_gap(double gap) {
-    std::optional<double>& smallest = state_.totals.smallest_gap;
-    if (!smallest || gap < *smallest) smallest = gap;
+    state_.totals.smallest_gap = std::min(gap, state_.totals.smallest_gap.value_or(gap));
   }
 
   // A gap within its rounding of zero is zero.
   void note_gap_at(int i) {
     const GapValue<double> gap = gap_value<double>(stop(i).row, motion_.q(), stop(i).gap);
-    note_gap(std::abs(gap.value) <= gap.rounding ? 0.0 : gap.value);
+    const bool gives_way = stop(i).spring && gap.value < 0.0;
+    note_gap(gives_way || std::abs(gap.value) <= gap.rounding ? 0.0 : gap.value);
   }
 
   void note_gaps() {
