@@ -29,10 +29,6 @@ SimulationOptions simulation_options(const Command& command, const Scene& scene)
   options.energy = command.keeps_book();
   options.closure_speed = command.closure_speed;
   options.stop = stop_signal(command);
-  if (options.energy)
-    require_rigid_stops(scene, command.energy ? "the energy book is kept"
-                                              : "a picture shows the energy of the motion");
-  if (!command.resume.empty()) require_rigid_stops(scene, "a run is resumed");
   if (!scene.forcing && !options.duration)
     throw InputError(
         fmt::format("{}the scene has no forcing, so it has no forcing periods; give "

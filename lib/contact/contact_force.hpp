@@ -100,6 +100,26 @@ struct ContactForce {
     }
     return 0.0;
   }
+  // Its rate of change at acceleration a of the depth.
+  double grip_rate(double x, double v, double a) const {
+    switch (damping) {
+      case ContactDamping::kNone:
+        return 0.0;
+      case ContactDamping::kConstant:
+      case ContactDamping::kOnset:
+        return by_depth(x, v) * v + resistance(x) * a;
+      case ContactDamping::kDepth: {
+        const double slope =
+            exponent == 1.0 || x == 0.0
+                ? 0.0
+                : (exponent - 1.0) * std::pow(std::abs(x), exponent - 2.0) * std::copysign(1.0, x);
+        return stiffness * slope * v + coefficient * a;
+      }
+      case ContactDamping::kPower:
+        return coefficient * a;
+    }
+    return 0.0;
+  }
   // Whether F can fall to zero before x does.
   bool parts_early() const {
     return separation == Separation::kAtZeroForce && damping != ContactDamping::kNone;

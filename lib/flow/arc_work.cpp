@@ -223,9 +223,23 @@ void add_coupled(const System& system, const ContactPhase<double>& phase, double
   }
 }
 
+Work work_on_springs(const System& system, const ContactPhase<double>& phase, double s) {
+  const SprungWorks works = phase.step_flow()->works(s);
+  Work work;
+  if (system.load)
+    work.load = system.load->dot(phase.closed().empty() ? works.moved
+                                                        : Vector(phase.basis() * works.moved));
+  work.forcing = works.forcing;
+  work.constraint = works.constraint;
+  work.dissipation = works.dissipation;
+  for (const double taken : works.springs) work.contact -= taken;
+  return work;
+}
+
 }  // namespace
 
 Work work_along(const System& system, const ContactPhase<double>& phase, double s) {
+  if (!phase.springs().empty()) return work_on_springs(system, phase, s);
   Work work;
   if (system.load) {
     const Eigen::Index n = system.modes();

@@ -73,6 +73,9 @@ class ContactPhase {
   // The flow that steps along, if one does, and what it watches for at a stop that is open or
   // closed: the curve is the exact one at the start of the arc.
   StepFlow* step_flow() const { return step_flow_.get(); }
+  // On springs: the equations that it integrates, and the depths at the start of the arc, m.
+  const SprungSystem& sprung() const { return *sprung_; }
+  const std::vector<double>& depths() const { return depths_; }
   const Watch& watch(int stop, int multiplicity);
   // What it watches for at its springs, counted as set_depths() does: the depth, which starts from
   // this departure where that is a zero (watch()); the grip, or the lack of it.
@@ -110,6 +113,7 @@ class ContactPhase {
   void step_by(const StepSetting& setting);
   void spring_by(const System& system, const std::optional<StepSetting>& steps);
   SprungSystem sprung_system(const System& system) const;
+  void add_powers(const System& system, SprungSystem& sprung) const;
   void add_watches(const Vector& scale);
   void start_steps(double theta, const Vector& q, const Vector& qdot);
   void step_state(double s, Vector& q, Vector& qdot) const;
@@ -132,6 +136,7 @@ class ContactPhase {
   std::vector<KeptCurve> kept_;  // of every stop, on this arc
   std::unique_ptr<CoupledFlow> coupled_flow_;
   std::optional<CoupledArc> coupled_arc_;
+  std::optional<SprungSystem> sprung_;
   std::unique_ptr<StepFlow> step_flow_;
   Vector step_scale_;                                // of the displacements, beside it
   std::vector<Watch> watches_;                       // of every stop, beside it

@@ -89,19 +89,30 @@ SprungSystem ContactPhase<Real>::sprung_system(const System& system) const {
   return sprung;
 }
 
+// An oblique law projects along other directions than it holds; what forces do is told before that.
+template <class Real>
+void ContactPhase<Real>::add_powers(const System& system, SprungSystem& sprung) const {
+  if constexpr (std::is_same_v<Real, double>) {
+    if (left_.size() == 0) return;
+    SprungSystem::Powers& powers = sprung.powers.emplace();
+    powers.forcing = Vector::Zero(basis_.cols());
+    if (system.forcing) powers.forcing = basis_.transpose() * system.forcing->amplitude;
+    powers.damping = basis_.transpose() * (2.0 * system.delta).asDiagonal() * basis_;
+    for (const int i : closed_) {
+      const RigidStop& stop = system.stops[static_cast<std::size_t>(i)];
+      // A contact force of 1 N accelerates by -direction |row|^2.
+      powers.held.push_back({watches_[static_cast<std::size_t>(i)],
+                             stop.row.squaredNorm() * basis_.transpose() * stop.direction});
+    }
+  }
+}
+
 template <class Real>
 void ContactPhase<Real>::spring_by(const System& system, const std::optional<StepSetting>& steps) {
   if constexpr (std::is_same_v<Real, double>) {
-    const SprungSystem sprung = sprung_system(system);
-    StepSetting setting = steps.value_or(StepSetting{});
-    setting.speed = 1.0;  // the state counts in speeds of the contact
-    if (!steps) {
-      setting.tolerance = kContactTolerance;
-      setting.longest = std::numeric_limits<double>::infinity();
-    }
-    step_flow_ = steps ? graze::step_flow(sprung, setting) : bulirsch_stoer_flow(sprung, setting);
     step_scale_ = Vector::Ones(reduced_.omega.size());
     add_watches(step_scale_);
+    SprungSystem& sprung = sprung_.emplace(sprung_system(system));
     const auto count = static_cast<Eigen::Index>(sprung.springs.size());
     for (std::size_t c = 0; c < closed_.size(); ++c) {
       // A spring pushes the structure off what holds it.
@@ -118,6 +129,7 @@ void ContactPhase<Real>::spring_by(const System& system, const std::optional<Ste
             rows_.col(column).squaredNorm();
       }
     }
+    add_powers(system, sprung);
     for (Eigen::Index k = 0; k < count; ++k) {
       Watch watch;
       watch.spring = static_cast<int>(k);
@@ -127,6 +139,13 @@ void ContactPhase<Real>::spring_by(const System& system, const std::optional<Ste
                                                                            : SpringWatch::kSlack;
       grip_watches_.push_back(watch);
     }
+    StepSetting setting = steps.value_or(StepSetting{});
+    setting.speed = 1.0;  // the state counts in speeds of the contact
+    if (!steps) {
+      setting.tolerance = kContactTolerance;
+      setting.longest = std::numeric_limits<double>::infinity();
+    }
+    step_flow_ = steps ? graze::step_flow(sprung, setting) : bulirsch_stoer_flow(sprung, setting);
   }
 }
 

@@ -4,7 +4,8 @@
 //
 // with w_c the frequency and u the speed of the contact that begins: its depths are small against
 // the displacements, and errors are told against them. Displacements are counted from the start of
-// the piece, so that a depth does not lose what the displacement has before it.
+// the piece, so that a depth does not lose what the displacement has before it. The works follow z,
+// those of the springs per u^2, the others per the square of the largest velocity.
 #pragma once
 
 #include <limits>
@@ -28,12 +29,25 @@ class Sprung {
   void begin(double theta, const Vector& x, std::span<const double> depths, State& start);
   void operator()(const State& z, State& slope, double s);
   double observed(const Watch& watch, double s, const State& z) const;
+  // Rate of change of a watch, per s.
+  double rate(const Watch& watch, double s, const State& z);
   void whole(const State& z, Vector& x) const;
+  SprungWorks works(const State& z) const;
   double frequency() const { return system_.frequency; }
+  // The units: of the velocities, and w.
+  double unit() const { return unit_; }
+  const Vector& scale() const { return scale_; }
+  struct Compression {
+    double depth = 0.0, rate = 0.0;  // m, m/s
+  };
+  Compression compression(std::size_t spring, const State& z) const;
   // Force of a spring, N, and its rate, N/s; 0 where it is not loaded.
   std::size_t springs() const { return contacts_.size(); }
   double force(std::size_t spring, const State& z) const;
   double force_rate(std::size_t spring, double s, const State& z);
+  // The longest step, s, that shows what the force of a parted spring does: one whose damping sets
+  // in within a depth h takes hold there within h/(2 Q v).
+  double longest_step() const { return longest_step_; }
   // A step to begin with, s: a part of the contact that its error can be told on.
   double first_step(double longest) const {
     return contact_frequency_ > 0.0 ? std::fmin(longest, 0.1 / contact_frequency_) : longest;
@@ -46,16 +60,16 @@ class Sprung {
     double start = 0.0;  // depth, m
     Vector depth, rate;  // per entry of z
   };
-  struct Compression {
-    double depth = 0.0, rate = 0.0;
-  };
-
   Eigen::Index modes() const { return system_.load.size(); }
   Vector times(const Matrix& matrix, const Vector& y) const {
     return matrix.cols() == 1 ? Vector(matrix.col(0).cwiseProduct(y)) : Vector(matrix * y);
   }
-  Compression compression(std::size_t spring, const State& z) const;
+  Compression compression_rate(std::size_t spring, const State& slope) const;
   void set_units(double theta, const Vector& velocity, std::span<const double> depths);
+  // Where the works are in z: of the forcing, by damping, of what holds, and of the springs.
+  enum Place { kForcing, kDissipation, kConstraint, kSprings };
+  std::size_t place(std::size_t work) const { return 2 * static_cast<std::size_t>(modes()) + work; }
+  void add_powers(const State& z, const Vector& resistance, double s, State& slope) const;
 
   SprungSystem system_;
   double tolerance_;
@@ -63,11 +77,14 @@ class Sprung {
   Vector from_;        // y_0
   Vector scale_;       // w
   double unit_ = 1.0;  // u
+  double work_unit_ = 1.0;
+  double longest_step_ = 0.0;
   double contact_frequency_ = 0.0;
   Vector push_, force_;  // per u: what of the forces does not move with z, and the harmonic part
   Matrix stiffness_;     // K/w
   std::vector<Contact> contacts_;
   State slope_;
+  Vector resistance_;
 };
 
 inline Sprung::Compression Sprung::compression(std::size_t spring, const State& z) const {
@@ -75,6 +92,13 @@ inline Sprung::Compression Sprung::compression(std::size_t spring, const State& 
   const Eigen::Index n = modes();
   const Eigen::Map<const Vector> moved(z.data(), n), velocity(z.data() + n, n);
   return {contact.start + contact.depth.dot(moved), contact.rate.dot(velocity)};
+}
+
+inline Sprung::Compression Sprung::compression_rate(std::size_t spring, const State& slope) const {
+  const Contact& contact = contacts_[spring];
+  const Eigen::Index n = modes();
+  const Eigen::Map<const Vector> moved(slope.data(), n), velocity(slope.data() + n, n);
+  return {contact.depth.dot(moved), contact.rate.dot(velocity)};
 }
 
 // A body of inverse mass 1/m = row.acting that meets the spring at speed v, or rests on it under a
@@ -96,6 +120,13 @@ inline void Sprung::set_units(double theta, const Vector& velocity,
     contact_frequency_ =
         std::fmax(contact_frequency_, frequency + spring.law.resistance(depth) * mobility);
     unit_ = std::fmax(unit_, frequency * depth / std::sqrt(mobility));
+  }
+  longest_step_ = std::numeric_limits<double>::infinity();
+  for (const SprungSystem::Spring& spring : system_.springs) {
+    const double v = std::abs(spring.row.dot(velocity));
+    if (!spring.loaded && spring.law.damping == ContactDamping::kOnset && v > 0.0)
+      longest_step_ =
+          std::fmin(longest_step_, spring.law.onset_depth / (2.0 * spring.law.onset_sharpness * v));
   }
   // No error is smaller than the rounding of the velocities.
   const double rounding = std::numeric_limits<double>::epsilon() * velocity.cwiseAbs().maxCoeff();
@@ -124,7 +155,9 @@ inline void Sprung::begin(double theta, const Vector& x, std::span<const double>
     const Vector& row = system_.springs[i].row;
     contacts_[i] = {depths[i], unit_ * row.cwiseQuotient(scale_), unit_ * row};
   }
-  start.assign(static_cast<std::size_t>(2 * n), 0.0);
+  const double largest = std::fmax(unit_, velocity.cwiseAbs().maxCoeff());
+  work_unit_ = largest * largest;
+  start.assign(place(kSprings) + contacts_.size(), 0.0);
   Eigen::Map<Vector>(start.data() + n, n) = velocity / unit_;
 }
 
@@ -141,15 +174,49 @@ inline void Sprung::operator()(const State& z, State& slope, double s) {
   else
     acceleration.noalias() -= stiffness_ * moved;
   if (system_.damping.cols() == 1)
-    acceleration -= system_.damping.col(0).cwiseProduct(velocity);
+    resistance_ = system_.damping.col(0).cwiseProduct(velocity);
   else
-    acceleration.noalias() -= system_.damping * velocity;
+    resistance_.noalias() = system_.damping * velocity;
+  acceleration -= resistance_;
+  add_powers(z, resistance_, s, slope);
   for (std::size_t i = 0; i < contacts_.size(); ++i) {
     const SprungSystem::Spring& spring = system_.springs[i];
+    slope[place(kSprings + i)] = 0.0;
     if (!spring.loaded) continue;
     const Compression at = compression(i, z);
-    acceleration -= spring.acting * (spring.law.at(at.depth, at.rate) / unit_);
+    const double force = spring.law.at(at.depth, at.rate) / unit_;
+    acceleration -= force * spring.acting;
+    slope[place(kSprings + i)] = force * (at.rate / unit_);
   }
+}
+
+inline void Sprung::add_powers(const State& z, const Vector& resistance, double s,
+                               State& slope) const {
+  const Eigen::Index n = modes();
+  const Eigen::Map<const Vector> velocity(z.data() + n, n);
+  const double unit = unit_ * unit_ / work_unit_;
+  const auto& powers = system_.powers;
+  slope[place(kForcing)] = slope[place(kConstraint)] = 0.0;
+  if (system_.frequency > 0.0)
+    slope[place(kForcing)] = unit / unit_ * std::cos(theta_ + system_.frequency * s) *
+                             (powers ? powers->forcing : system_.force).dot(velocity);
+  slope[place(kDissipation)] =
+      unit * (powers ? velocity.dot(powers->damping * velocity) : velocity.dot(resistance));
+  if (!powers) return;
+  for (const SprungSystem::Holding& holding : powers->held)
+    slope[place(kConstraint)] -=
+        unit / unit_ * holding.against.dot(velocity) * observed(holding.force, s, z);
+}
+
+inline SprungWorks Sprung::works(const State& z) const {
+  SprungWorks works;
+  works.moved = unit_ * Eigen::Map<const Vector>(z.data(), modes()).cwiseQuotient(scale_);
+  works.forcing = work_unit_ * z[place(kForcing)];
+  works.dissipation = work_unit_ * z[place(kDissipation)];
+  works.constraint = work_unit_ * z[place(kConstraint)];
+  for (std::size_t i = 0; i < contacts_.size(); ++i)
+    works.springs.push_back(unit_ * unit_ * z[place(kSprings + i)]);
+  return works;
 }
 
 inline double Sprung::force(std::size_t spring, const State& z) const {
@@ -163,7 +230,7 @@ inline double Sprung::force_rate(std::size_t spring, double s, const State& z) {
   if (!own.loaded) return 0.0;
   slope_.resize(z.size());
   (*this)(z, slope_, s);
-  const Compression at = compression(spring, z), rate = compression(spring, slope_);
+  const Compression at = compression(spring, z), rate = compression_rate(spring, slope_);
   return own.law.by_depth(at.depth, at.rate) * at.rate + own.law.resistance(at.depth) * rate.rate;
 }
 
@@ -188,6 +255,30 @@ inline double Sprung::observed(const Watch& watch, double s, const State& z) con
     const Compression at = compression(spring, z);
     sum += watch.force_weights[i] * system_.springs[spring].law.at(at.depth, at.rate);
   }
+  return sum;
+}
+
+inline double Sprung::rate(const Watch& watch, double s, const State& z) {
+  slope_.resize(z.size());
+  (*this)(z, slope_, s);
+  if (watch.of_spring != SpringWatch::kNone) {
+    const auto i = static_cast<std::size_t>(watch.spring);
+    const Compression at = compression(i, z), rate = compression_rate(i, slope_);
+    if (watch.of_spring == SpringWatch::kDepth) return at.rate;
+    const double grip = system_.springs[i].law.grip_rate(at.depth, at.rate, rate.rate);
+    return watch.of_spring == SpringWatch::kGrip ? grip : -grip;
+  }
+  const Eigen::Index n = modes();
+  double sum =
+      unit_ *
+      (watch.weights.head(n).cwiseQuotient(scale_).dot(Eigen::Map<const Vector>(slope_.data(), n)) +
+       watch.weights.tail(n).dot(Eigen::Map<const Vector>(slope_.data() + n, n)));
+  const double theta = theta_ + system_.frequency * s;
+  sum -= system_.frequency *
+         (watch.harmonic_re * std::sin(theta) + watch.harmonic_im * std::cos(theta));
+  for (Eigen::Index i = 0; i < watch.force_weights.size(); ++i)
+    if (watch.force_weights[i] != 0.0)
+      sum += watch.force_weights[i] * force_rate(static_cast<std::size_t>(i), s, z);
   return sum;
 }
 

@@ -21,7 +21,8 @@ class ExtrapolatedWalk {
       : rates(std::move(rates_of)),
         longest_(setting.longest),
         method_(setting.tolerance * setting.speed, Rates::relative(setting.tolerance), 1.0, 0.0,
-                std::isfinite(setting.longest) ? setting.longest : 0.0) {}
+                std::isfinite(setting.longest) ? setting.longest : 0.0),
+        method_within_(method_) {}
 
   void begin(const State& x) {
     from_ = to_ = 0.0;
@@ -32,6 +33,7 @@ class ExtrapolatedWalk {
   void step() {
     at_start_ = at_end_;
     from_ = to_;
+    next_ = std::fmin(next_, rates.longest_step());
     for (int i = 0; i < kMostFailures; ++i)
       if (method_.try_step(std::ref(rates), at_start_, to_, at_end_, next_) == odeint::success)
         return;
@@ -41,11 +43,13 @@ class ExtrapolatedWalk {
   const State& state_at_end() const { return at_end_; }
   void between(double s, State& x) {
     x = at_start_;
+    method_within_.reset();
     double at = from_, next = s - from_;
     for (int i = 0; i < kMostFailures && at < s; ++i) {
       next = std::min(next, s - at);
       within_ = x;
-      if (method_.try_step(std::ref(rates), within_, at, x, next) != odeint::success) x = within_;
+      if (method_within_.try_step(std::ref(rates), within_, at, x, next) != odeint::success)
+        x = within_;
     }
   }
 
@@ -55,7 +59,8 @@ class ExtrapolatedWalk {
   double longest_;
   double from_ = 0.0, to_ = 0.0, next_ = 0.0;
   State at_start_{}, at_end_{}, within_{};
-  odeint::bulirsch_stoer<State> method_;
+  // It learns from its steps; what is asked within them is not to change them.
+  odeint::bulirsch_stoer<State> method_, method_within_;
 };
 
 }  // namespace

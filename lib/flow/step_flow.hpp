@@ -10,6 +10,7 @@
 // compressed springs as a SprungSystem, whose x = (y, y').
 #pragma once
 
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -25,24 +26,6 @@ struct ModalRates {
   Vector damping;    // 2 delta, 1/s
   Vector load, force;
   double frequency = 0.0;  // of the force, rad/s
-};
-
-// A structure on compressed springs, on its displacements y and velocities y':
-//
-//   y'' = load + force cos(theta) - D y' - K y - sum_i acting_i F_i(x_i, x_i'),   x_i' = row_i.y'
-//
-// with x_i the depth of the contact at spring i. Those that are not loaded do not act, but their
-// depth is known.
-struct SprungSystem {
-  struct Spring {
-    ContactForce law;
-    Vector row, acting;  // n
-    bool loaded = true;
-  };
-  Matrix stiffness, damping;  // K, D: n x n, or a column of the diagonal
-  Vector load, force;         // n
-  double frequency = 0.0;     // of the force, rad/s
-  std::vector<Spring> springs;
 };
 
 // What is watched beside sums of the state.
@@ -65,6 +48,47 @@ struct Watch {
   Vector force_weights{};  // per spring; empty: none
   SpringWatch of_spring = SpringWatch::kNone;
   int spring = -1;  // index into SprungSystem::springs
+};
+
+// A structure on compressed springs, on its displacements y and velocities y':
+//
+//   y'' = load + force cos(theta) - D y' - K y - sum_i acting_i F_i(x_i, x_i'),   x_i' = row_i.y'
+//
+// with x_i the depth of the contact at spring i. Those that are not loaded do not act, but their
+// depth is known.
+struct SprungSystem {
+  struct Spring {
+    ContactForce law;
+    Vector row, acting;  // n
+    bool loaded = true;
+  };
+  // What holds the structure by a force that is not along what it forbids: the force, and with
+  // which row it takes power, -against.y' times the force.
+  struct Holding {
+    Watch force;
+    Vector against;
+  };
+  // Powers of the forcing, forcing.y' cos(theta), and of the damping, y'.(damping y'), where they
+  // are not those of `force` and D.
+  struct Powers {
+    Vector forcing;
+    Matrix damping;
+    std::vector<Holding> held;
+  };
+  Matrix stiffness, damping;  // K, D: n x n, or a column of the diagonal
+  Vector load, force;         // n
+  double frequency = 0.0;     // of the force, rad/s
+  std::vector<Spring> springs;
+  std::optional<Powers> powers{};
+};
+
+// Since the start of a piece on springs.
+struct SprungWorks {
+  Vector moved;                 // y - y_0
+  double forcing = 0.0;         // J
+  double dissipation = 0.0;     // by damping, J
+  double constraint = 0.0;      // of what holds the structure, J
+  std::vector<double> springs;  // taken by each, kept or lost there, J
 };
 
 struct StepDescent {
@@ -90,6 +114,8 @@ class StepFlow {
   virtual void state(double s, Vector& x) = 0;
   // Largest force of a spring since the start, N; 0 where there is none.
   virtual double peak_force(std::size_t /*spring*/) const { return 0.0; }
+  // Since the start, s seconds after it; nothing but for a structure on springs.
+  virtual SprungWorks works(double /*s*/) { return {}; }
   // Of the right-hand side, so far.
   virtual long long evaluations() const = 0;
 };

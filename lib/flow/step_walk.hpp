@@ -8,6 +8,7 @@
 #include <functional>
 #include <limits>
 #include <memory>
+#include <optional>
 #include <type_traits>
 #include <vector>
 
@@ -31,7 +32,7 @@ class WalkingFlow final : public StepFlow {
 
   void start(double theta, const Vector& x, std::span<const double> depths) override {
     walk_.rates.begin(theta, x, depths, start_);
-    within_ = start_;
+    within_ = last_ = start_;
     walk_.begin(start_);
     if constexpr (kSprung) {
       peaks_.assign(walk_.rates.springs(), {});
@@ -45,6 +46,10 @@ class WalkingFlow final : public StepFlow {
     StepDescent found;
     found.s = window;
     found.lowest = std::numeric_limits<double>::infinity();
+    if constexpr (kSprung) {
+      slopes_.clear();
+      for (const Watch* watch : watches) slopes_.push_back(walk_.rates.rate(*watch, 0.0, start_));
+    }
     for (double from = 0.0; from < std::min(window, until) && found.watch < 0;) {
       walk_.step();
       if (++polls_ % kStepsPerPoll == 0 && stop_.requested()) {
@@ -53,15 +58,26 @@ class WalkingFlow final : public StepFlow {
       }
       const double end = std::min(walk_.to(), window);
       if (!(end > from)) return not_finite(found);
-      if (end < walk_.to()) walk_.between(end, within_);
-      const State& x = end < walk_.to() ? within_ : walk_.state_at_end();
+      if (end < walk_.to()) walk_.between(end, last_);
+      const State& x = end < walk_.to() ? last_ : walk_.state_at_end();
       found.values += static_cast<long long>(watches.size());
       for (std::size_t i = 0; i < watches.size(); ++i) {
         const double there = walk_.rates.observed(*watches[i], end, x);
         if (!std::isfinite(there)) return not_finite(found);
         if (end <= until) found.lowest = std::min(found.lowest, there);
-        if (there > 0.0) continue;
-        const double zero = locate(*watches[i], from, end, there, found.values);
+        double zero = end;
+        if constexpr (kSprung) {
+          const double slope = walk_.rates.rate(*watches[i], end, x);
+          const std::optional<double> dip = there > 0.0 && slopes_[i] < 0.0 && slope > 0.0
+                                                ? dip_between(*watches[i], from, end, slope, found)
+                                                : std::nullopt;
+          slopes_[i] = slope;
+          if (there > 0.0 && !dip) continue;
+          zero = dip ? *dip : locate(*watches[i], from, end, there, found.values);
+        } else {
+          if (there > 0.0) continue;
+          zero = locate(*watches[i], from, end, there, found.values);
+        }
         if (found.watch >= 0 && !(zero < found.s)) continue;
         found.watch = static_cast<int>(i);
         found.s = zero;
@@ -73,17 +89,16 @@ class WalkingFlow final : public StepFlow {
   }
 
   void state(double s, Vector& x) override {
-    if (s < walk_.from()) walk_.begin(start_);
-    while (walk_.to() < s) {
-      const double before = walk_.to();
-      walk_.step();
-      if (!(walk_.to() > before)) break;
-    }
-    if (s == walk_.to())
-      within_ = walk_.state_at_end();
-    else
-      walk_.between(s, within_);
+    reach(s);
     walk_.rates.whole(within_, x);
+  }
+
+  SprungWorks works(double s) override {
+    if constexpr (kSprung) {
+      reach(s);
+      return walk_.rates.works(within_);
+    }
+    return {};
   }
 
   long long evaluations() const override { return walk_.rates.evaluations; }
@@ -100,6 +115,20 @@ class WalkingFlow final : public StepFlow {
   struct Peak {
     double force = 0.0, rate = 0.0;  // N; N/s, at the end of the last step
   };
+
+  // The state at s, in within_.
+  void reach(double s) {
+    if (s < walk_.from()) walk_.begin(start_);
+    while (walk_.to() < s) {
+      const double before = walk_.to();
+      walk_.step();
+      if (!(walk_.to() > before)) break;
+    }
+    if (s == walk_.to())
+      within_ = walk_.state_at_end();
+    else
+      walk_.between(s, within_);
+  }
 
   // The largest forces of springs within (from, end].
   void pass_peaks(double from, double end) {
@@ -119,6 +148,24 @@ class WalkingFlow final : public StepFlow {
       }
       peaks_[i].rate = after;
     }
+  }
+
+  // The fall through zero of a watch that is positive at both ends of (from, end], but falls at the
+  // first and rises at the second.
+  std::optional<double> dip_between(const Watch& watch, double from, double end, double slope,
+                                    StepDescent& found) {
+    const auto slope_at = [&](double s) {
+      walk_.between(s, within_);
+      return walk_.rates.rate(watch, s, within_);
+    };
+    const double first = slope_at(from);
+    if (!(first < 0.0)) return {};
+    const double least = bracketed_zero(slope_at, {from, first}, {end, slope}).first;
+    walk_.between(least, within_);
+    const double value = walk_.rates.observed(watch, least, within_);
+    found.values += 1;
+    if (value > 0.0) return {};
+    return locate(watch, from, least, value, found.values);
   }
 
   static StepDescent not_finite(StepDescent found) {
@@ -150,8 +197,9 @@ class WalkingFlow final : public StepFlow {
   Walk walk_;
   StopSignal stop_;
   long long polls_ = 0;
-  State start_, within_;
+  State start_, within_, last_;
   std::vector<Peak> peaks_;
+  std::vector<double> slopes_;  // of the watches, at the end of the step before
 };
 
 // A method that keeps the slope at the end of a step for the next one, with the slope told to it:

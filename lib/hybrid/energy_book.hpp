@@ -1,8 +1,8 @@
 // The energy book of a run, J:
 //
-//   start + forcing + load + constraint + impacts - dissipation = now,
+//   start + forcing + load + constraint + impacts + contact - dissipation = now,
 //
-// where energy is (|q'|^2 + |w q|^2)/2, relative to the clamp. Every entry is computed on its own,
+// where energy is (|q'|^2 + |w q|^2)/2, relative to the clamp, without that of compressed stops. Every entry is computed on its own,
 // so the book closes only if all of them are right.
 #pragma once
 
@@ -23,12 +23,14 @@ struct EnergyBook {
 
   // What is missing, and the size of the largest entry to compare it with.
   double defect() const {
-    return start + work.forcing + work.load + work.constraint + impacts - work.dissipation - now;
+    return start + work.forcing + work.load + work.constraint + impacts + work.contact -
+           work.dissipation - now;
   }
   double size() const {
     return std::fmax(
         std::fmax(std::fmax(start, now), std::fmax(std::abs(work.forcing), std::abs(work.load))),
-        std::fmax(std::fmax(std::abs(work.constraint), std::abs(impacts)), work.dissipation));
+        std::fmax(std::fmax(std::abs(work.constraint), std::abs(impacts)),
+                  std::fmax(std::abs(work.contact), work.dissipation)));
   }
 };
 

@@ -51,6 +51,8 @@ struct Arrival {
   long long evaluations = 0;  // of gaps and contact forces, in search of the event
   // Least of these at the ends of the steps of a motion that is integrated step by step.
   std::optional<Real> lowest{};
+  // Separation: the force is gone below the surface of the stop, which is left later.
+  bool below = false;
 };
 
 // How a stop stands to the structure at one instant.
@@ -263,6 +265,7 @@ class Motion {
     int stop = -1;
     const Watch* watch = nullptr;
     ArrivalKind kind = ArrivalKind::kContact;
+    bool below = false;
   };
   void watch_springs(ContactPhase<Real>& phase, std::vector<Watched>& list) const;
   Arrival<Real> arrive(Arrival<Real> arrival, const Real& until);

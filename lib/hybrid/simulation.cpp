@@ -126,11 +126,7 @@ class Run {
       return false;
     if (options_.energy && flight > 0.0)
       state_.book.work = state_.book.work + work_along(system_, motion_.flown(), flight);
-    const PhaseSprings& springs = motion_.flown().springs();
-    for (std::size_t k = 0; k < springs.loaded.size(); ++k) {
-      double& peak = contact_at(springs.loaded[k]).peak_force;
-      peak = std::max(peak, motion_.flown().step_flow()->peak_force(k));
-    }
+    graze::follow(state_.contacts, motion_.flown(), flight);
     const std::vector<int>& closed = motion_.flown().closed();
     const bool stuck = std::any_of(closed.begin(), closed.end(),
                                    [&](int i) { return !(state_.tail && state_.tail->holds(i)); });
@@ -216,8 +212,12 @@ class Run {
     if (listeners_.event) listeners_.event(event);
   }
 
-  void book_energy(double change) {
+  void count_energy(double change) {
     (change > 0.0 ? state_.totals.energy_added : state_.totals.energy_lost) += std::abs(change);
+  }
+
+  void book_energy(double change) {
+    count_energy(change);
     state_.book.impacts += change;
   }
 
@@ -244,10 +244,7 @@ class Run {
     emit(event);
   }
 
-  RunState::SpringContact& contact_at(int i) {
-    state_.contacts.resize(system_.stops.size());
-    return state_.contacts[static_cast<std::size_t>(i)];
-  }
+  SpringContact& contact_at(int i) { return state_.contacts[static_cast<std::size_t>(i)]; }
 
   void book_entry(int i) {
     Event event = event_at(EventKind::kContact, i);
@@ -255,16 +252,18 @@ class Run {
     if (system_.forcing) event.phase = wrapped(motion_.flow().phase(motion_.instant()));
     note_gap_at(i);
     ++state_.totals.impacts;
-    contact_at(i) = {time(), event.speed, 0.0};
+    contact_at(i) = {time(), event.speed, 0.0, 0.0};
     emit(event);
   }
 
   void book_separation(int i) {
-    const RunState::SpringContact& contact = contact_at(i);
+    const SpringContact& contact = contact_at(i);
     Event event = event_at(EventKind::kSeparation, i);
     event.speed = -motion_.approach_speed(i);
     event.duration = event.time - contact.since;
     event.peak_force = contact.peak_force;
+    event.energy_change = -contact.taken;
+    count_energy(event.energy_change);
     if (contact.speed > 0.0) event.effective_restitution = event.speed / contact.speed;
     emit(event);
   }
@@ -386,6 +385,7 @@ Simulation simulate(const System& system, const State& start, const SimulationOp
   RunState state;
   state.motion = Motion<double>(system, {}, start.q, start.qdot).state();
   state.streaks.resize(system.stops.size());
+  state.contacts.resize(system.stops.size());
   state.closure_speed = options.closure_speed.value_or(default_closure_speed(system, start));
   return Run(system, state, options, listeners).finish();
 }

@@ -9,6 +9,7 @@
 #include "graze/base/default_budget.hpp"
 #include "graze/base/default_tolerance.hpp"
 #include "graze/base/stop_signal.hpp"
+#include "graze/hybrid/contact_book.hpp"
 #include "graze/hybrid/energy_book.hpp"
 #include "graze/hybrid/next_flight.hpp"
 #include "graze/hybrid/sampler.hpp"
@@ -36,8 +37,8 @@ struct Event {
   // Stick: the contact force that sets in, N.
   double force = 0.0;
   // Contact: speed and phase as of an impact. Separation: the speed away from the stop, how long
-  // the contact took, s, its largest force, N, and the part of its speed that it gave back; absent
-  // where it began at rest.
+  // the contact took, s, its largest force, N, the part of its speed that it gave back, absent
+  // where it began at rest, and as energy change minus what the stop took meanwhile.
   double duration = 0.0;
   double peak_force = 0.0;
   std::optional<double> effective_restitution{};
@@ -84,8 +85,9 @@ struct RunTotals {
   long long clamped_restitutions = 0;  // impacts at which r(v) left [0, 1] and was clamped
   long long undecided_touches = 0;     // grazings within rounding, passed without impact
   double stuck_time = 0.0;             // with at least one stop closed, s
-  double energy_added = 0.0;           // by impacts that gained kinetic energy, J
-  double energy_lost = 0.0;            // by impacts that lost kinetic energy, J
+  // By impacts that gained and that lost kinetic energy, and contacts that gave and took, J.
+  double energy_added = 0.0;
+  double energy_lost = 0.0;
   std::optional<double> smallest_gap;  // over the whole run and all stops, m; absent without stops
 };
 
@@ -98,12 +100,8 @@ struct RunState {
     double speed = 0.0;
   };
   std::vector<Streak> streaks;  // per stop
-  struct SpringContact {
-    double since = 0.0, speed = 0.0;  // s, m/s
-    double peak_force = 0.0;          // N, so far
-  };
-  std::vector<SpringContact> contacts;  // per stop; empty without compliant ones
-  std::optional<ChatterTail> tail;      // of a chatter that was summed, until it is over
+  ContactBook contacts;             // per stop
+  std::optional<ChatterTail> tail;  // of a chatter that was summed, until it is over
   RunTotals totals;
   bool keeps_book = false;
   EnergyBook book;

@@ -108,8 +108,8 @@ void Motion<Real>::watch_springs(ContactPhase<Real>& phase, std::vector<Watched>
       list.push_back({i, &phase.depth_watch(k, multiplicity, departure),
                       loaded ? ArrivalKind::kSeparation : ArrivalKind::kLeft});
       if (stop(i).spring->parts_early())
-        list.push_back(
-            {i, &phase.grip_watch(k), loaded ? ArrivalKind::kSeparation : ArrivalKind::kEntry});
+        list.push_back({i, &phase.grip_watch(k),
+                        loaded ? ArrivalKind::kSeparation : ArrivalKind::kEntry, true});
       ++k;
     };
     for (const int i : phase.springs().loaded) add(i, true);
@@ -124,10 +124,7 @@ void Motion<Real>::arrive_at_spring(Arrival<Real>& arrival) {
   arrival.speed = approach_speed(i);
   if (contact(i) == Contact::kParted && arrival.kind == ArrivalKind::kEntry) {
     set(i, Contact::kCompressed);
-  } else if (contact(i) == Contact::kCompressed && depth(i) > 0 && flown_->step_flow() != nullptr &&
-             arrival.kind == ArrivalKind::kSeparation && stop(i).spring->parts_early() &&
-             !(stop(i).spring->grip(static_cast<double>(depth(i)),
-                                    static_cast<double>(arrival.speed)) > 0.0)) {
+  } else if (arrival.below && depth(i) > 0) {
     set(i, Contact::kParted);
   } else {
     // The surface, from either side.

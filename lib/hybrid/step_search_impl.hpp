@@ -20,7 +20,7 @@ void Motion<Real>::search_by_steps(ContactPhase<Real>& phase, const Real& until,
       if (at == Contact::kLocked || at == Contact::kCompressed || at == Contact::kParted) continue;
       const Watch& watch = phase.watch(i, now_.multiplicities[static_cast<std::size_t>(i)]);
       if (watch.multiplicity > 0 && !(watch.departure > 0.0)) {
-        arrival = {ArrivalKind::kTouch, i, 0.0, 0.0, 0, {}};
+        arrival = {ArrivalKind::kTouch, i, 0.0, 0.0, 0, {}, false};
         return;
       }
       list.push_back(
@@ -44,6 +44,7 @@ void Motion<Real>::search_by_steps(ContactPhase<Real>& phase, const Real& until,
     const Watched& met = list[static_cast<std::size_t>(found.watch)];
     arrival.stop = met.stop;
     arrival.kind = met.kind;
+    arrival.below = met.below;
   }
 }
 

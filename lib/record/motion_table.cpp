@@ -13,12 +13,9 @@ constexpr long long kMostPeriods = 1LL << 53;
 
 const std::vector<std::pair<Contact, std::string>>& contact_names() {
   static const std::vector<std::pair<Contact, std::string>> names = {
-      {Contact::kClear, "clear"},
-      {Contact::kTouching, "touching"},
-      {Contact::kDeparting, "departing"},
-      {Contact::kClosed, "closed"},
-      {Contact::kLocked, "locked"},
-      {Contact::kCompressed, "compressed"},
+      {Contact::kClear, "clear"},         {Contact::kTouching, "touching"},
+      {Contact::kDeparting, "departing"}, {Contact::kClosed, "closed"},
+      {Contact::kLocked, "locked"},       {Contact::kCompressed, "compressed"},
       {Contact::kParted, "parted"}};
   return names;
 }

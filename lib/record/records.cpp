@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -57,10 +58,13 @@ EnergyEntries energy_entries(const System& system, const EnergyBook& book) {
   EnergyEntries entries;
   if (system.forcing) entries.forcing = book.work.forcing;
   if (system.load) entries.load = book.work.load;
-  if (!system.stops.empty()) {
+  const auto compliant = [](const RigidStop& stop) { return stop.spring.has_value(); };
+  if (!std::all_of(system.stops.begin(), system.stops.end(), compliant)) {
     entries.constraint = book.work.constraint;
     entries.impacts = book.impacts;
   }
+  if (std::any_of(system.stops.begin(), system.stops.end(), compliant))
+    entries.contact = book.work.contact;
   if ((system.delta.array() != 0.0).any()) entries.dissipation = book.work.dissipation;
   return entries;
 }

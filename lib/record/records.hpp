@@ -78,9 +78,9 @@ struct BranchRecord {
 };
 
 // What a book holds of the effects that the system has, J: no load without gravity, no impacts
-// without stops, no dissipation without damping.
+// without rigid stops, no dissipation without damping.
 struct EnergyEntries {
-  std::optional<double> forcing, load, constraint, impacts, dissipation;
+  std::optional<double> forcing, load, constraint, impacts, dissipation, contact;
 };
 EnergyEntries energy_entries(const System& system, const EnergyBook& book);
 // The book's defect as a part of its largest entry.

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <utility>
 
 #include "graze/record/files.hpp"
@@ -37,6 +38,7 @@ void write_book(StateLines& lines, const EnergyBook& book) {
   lines.number("constraint", book.work.constraint);
   lines.number("impacts", book.impacts);
   lines.number("dissipation", book.work.dissipation);
+  lines.number("contact", book.work.contact);
 }
 
 std::vector<RunState::Streak> read_streaks(const Node& node, const System& system) {
@@ -46,6 +48,38 @@ std::vector<RunState::Streak> read_streaks(const Node& node, const System& syste
   std::vector<RunState::Streak> streaks;
   for (std::size_t i = 0; i < system.stops.size(); ++i) streaks.push_back({impacts[i], speeds[i]});
   return streaks;
+}
+
+// Where there was none there is nothing to remember.
+void write_contacts(StateLines& lines, const ContactBook& book) {
+  if (std::all_of(book.begin(), book.end(), [](const SpringContact& contact) {
+        return contact.since == 0.0 && contact.peak_force == 0.0;
+      }))
+    return;
+  lines.table("[contacts]");
+  const auto write = [&](const char* key, double SpringContact::*value) {
+    lines.text(key, listed(book, [value](const SpringContact& contact) {
+                 return real_text(contact.*value);
+               }));
+  };
+  write("since", &SpringContact::since);
+  write("speeds", &SpringContact::speed);
+  write("peak_forces", &SpringContact::peak_force);
+  write("taken", &SpringContact::taken);
+}
+
+ContactBook read_contacts(const Node& node, const System& system) {
+  const StateTable table(node, "contacts", {"since", "speeds", "peak_forces", "taken"});
+  ContactBook book(system.stops.size());
+  const auto read = [&](const char* key, double SpringContact::*value) {
+    const std::vector<double> numbers = table.numbers(key, book.size());
+    for (std::size_t i = 0; i < book.size(); ++i) book[i].*value = numbers[i];
+  };
+  read("since", &SpringContact::since);
+  read("speeds", &SpringContact::speed);
+  read("peak_forces", &SpringContact::peak_force);
+  read("taken", &SpringContact::taken);
+  return book;
 }
 
 ChatterTail read_tail(const Node& node, const System& system) {
@@ -76,12 +110,14 @@ RunTotals read_totals(const Node& node) {
 }
 
 EnergyBook read_book(const Node& node) {
-  const StateTable table(node, "energy",
-                         {"start", "forcing", "load", "constraint", "impacts", "dissipation"});
+  const StateTable table(
+      node, "energy",
+      {"start", "forcing", "load", "constraint", "impacts", "dissipation", "contact"});
   EnergyBook book;
   book.start = table.size("start");
   book.work = {table.number("forcing"), table.number("load"), table.number("constraint"),
-               table.number("dissipation")};
+               table.number("dissipation"), 0.0};
+  if (table.find("contact")) book.work.contact = table.number("contact");
   book.impacts = table.number("impacts");
   return book;
 }
@@ -145,6 +181,7 @@ std::string write_run_state(const CutRun& cut) {
   lines.text("speeds", listed(state.streaks, [](const RunState::Streak& streak) {
                return real_text(streak.speed);
              }));
+  write_contacts(lines, state.contacts);
   if (state.tail) {
     lines.table("[chatter]");
     lines.text("stops",
@@ -164,7 +201,7 @@ CutRun parse_run_state(const std::string& text, const std::string& name, const S
   const StateTable table(
       root, "",
       {"graze_state", "version", "scene_sha256", "outcome", "time", "sample_rate", "samples",
-       "closure_speed", "started", "motion", "streaks", "chatter", "totals", "energy"});
+       "closure_speed", "started", "motion", "streaks", "contacts", "chatter", "totals", "energy"});
   CutRun cut;
   cut.version = table.word("version");
   cut.scene_sha256 = scene_sha256;
@@ -180,6 +217,9 @@ CutRun parse_run_state(const std::string& text, const std::string& name, const S
   state.started = table.flag("started");
   state.motion = read_motion(table.at("motion"), "motion", system);
   state.streaks = read_streaks(table.at("streaks"), system);
+  state.contacts.resize(system.stops.size());
+  if (const Node* contacts = table.find("contacts"))
+    state.contacts = read_contacts(*contacts, system);
   if (const Node* tail = table.find("chatter")) state.tail = read_tail(*tail, system);
   state.totals = read_totals(table.at("totals"));
   if (const Node* book = table.find("energy")) {

@@ -47,8 +47,9 @@ std::string events_csv_row(const Event& e) {
     case EventKind::kContact:
       return fmt::format("{},{},{},,,,,,,\n", start, csv_cell(e.speed), csv_cell(e.phase));
     case EventKind::kSeparation:
-      return fmt::format("{},{},,,,,,{},{},{}\n", start, csv_cell(e.speed), csv_cell(e.duration),
-                         csv_cell(e.peak_force), csv_cell(e.effective_restitution));
+      return fmt::format("{},{},,{},,,,{},{},{}\n", start, csv_cell(e.speed),
+                         csv_cell(e.energy_change), csv_cell(e.duration), csv_cell(e.peak_force),
+                         csv_cell(e.effective_restitution));
     case EventKind::kRelease:
       break;
   }
@@ -66,7 +67,8 @@ std::string samples_csv_header(const System& system, bool energy) {
   columns("qdot", modes);
   columns("gap", system.stops.size());
   columns("force", system.stops.size());
-  if (energy) text += ",energy,work_forcing,work_load,work_constraint,work_impacts,dissipation";
+  if (energy)
+    text += ",energy,work_forcing,work_load,work_constraint,work_impacts,dissipation,work_contact";
   return text + "\n";
 }
 
@@ -87,6 +89,7 @@ std::string samples_csv_row(const System& system, const Sample& sample) {
     add(entries.constraint);
     add(entries.impacts);
     add(entries.dissipation);
+    add(entries.contact);
   }
   return text + "\n";
 }

@@ -188,7 +188,8 @@ Json event_json(const Event& event) {
     case EventKind::kSeparation:
       json.update({{"speed", number(event.speed)}, {"duration", number(event.duration)}});
       json.update({{"peak_force", number(event.peak_force)},
-                   {"effective_restitution", maybe(event.effective_restitution)}});
+                   {"effective_restitution", maybe(event.effective_restitution)},
+                   {"energy_change", number(event.energy_change)}});
       break;
     case EventKind::kRelease:
       break;
@@ -226,6 +227,7 @@ Json energy_json(const System& system, const EnergyBook& book) {
           {"constraint", maybe(entries.constraint)},
           {"impacts", maybe(entries.impacts)},
           {"dissipation", maybe(entries.dissipation)},
+          {"contact", maybe(entries.contact)},
           {"end", number(book.now)},
           {"defect", number(book.defect())},
           {"relative_defect", number(relative_defect(book))}};

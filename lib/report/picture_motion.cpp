@@ -120,7 +120,10 @@ std::vector<EnergyTerm> energy_terms(const SamplesSeen& samples, const System& s
     std::function<double(const EnergyBook&)> value;
   };
   const bool damped = (system.delta.array() != 0.0).any();
-  const bool stopped = !system.stops.empty();
+  const bool stopped = std::any_of(system.stops.begin(), system.stops.end(),
+                                   [](const RigidStop& stop) { return !stop.spring; });
+  const bool sprung = std::any_of(system.stops.begin(), system.stops.end(),
+                                  [](const RigidStop& stop) { return stop.spring.has_value(); });
   // Signed, so that the energy rises by their sum.
   const Entry entries[] = {
       {"forcing", kBlue, system.forcing.has_value(),
@@ -129,7 +132,8 @@ std::vector<EnergyTerm> energy_terms(const SamplesSeen& samples, const System& s
        [](const EnergyBook& book) { return book.work.load; }},
       {"constraint", kOrange, stopped, [](const EnergyBook& book) { return book.work.constraint; }},
       {"damping", kGreen, damped, [](const EnergyBook& book) { return -book.work.dissipation; }},
-      {"impacts", kVermillion, stopped, [](const EnergyBook& book) { return book.impacts; }}};
+      {"impacts", kVermillion, stopped, [](const EnergyBook& book) { return book.impacts; }},
+      {"contact", kSky, sprung, [](const EnergyBook& book) { return book.work.contact; }}};
   std::vector<EnergyTerm> terms{{"energy", kBlack, {}}};
   for (const Sample* sample : samples)
     if (sample->energy) terms[0].curve.push_back({sample->time, sample->energy->now});

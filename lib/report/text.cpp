@@ -137,7 +137,7 @@ std::vector<std::string> event_row(long long number, const Event& e) {
           fmt::format("{}", e.stop + 1),
           impact || contact || parting ? fmt::format("{:.9g}", e.speed) : "-",
           (impact || contact) && e.phase ? fmt::format("{:.9f}", *e.phase) : "-",
-          impact || chatter ? fmt::format("{:.4e}", e.energy_change) : "-",
+          impact || chatter || parting ? fmt::format("{:.4e}", e.energy_change) : "-",
           chatter ? fmt::format("{}", e.impacts) : "-",
           force};
 }
@@ -165,6 +165,7 @@ std::string energy_text(const System& system, const EnergyBook& book) {
   add("+ work of the load", entries.load);
   add("+ work of closed stops", entries.constraint);
   add("+ change at impacts", entries.impacts);
+  add("+ work of compliant stops", entries.contact);
   add("- dissipation", entries.dissipation);
   add("= energy at the end", book.now);
   return text + fmt::format("{:<24} {:>15.2e} J, {:.1e} of the largest entry\n", "missing",

@@ -69,7 +69,6 @@ std::optional<StepSetting> step_choice(const Scene& scene, const System& system,
                                        const State& start) {
   const std::optional<StepMethod> method = step_method(flow_decision(scene).flow);
   if (!method) return {};
-  require_rigid_stops(scene, "the flow takes steps");
   StepSetting setting = stable_steps(system, start, *method);
   setting.step = scene.solver.step.value_or(0.0);
   setting.tolerance = scene.solver.tolerance;

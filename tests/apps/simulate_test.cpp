@@ -245,7 +245,7 @@ TEST(Simulate, TablesHoldWhatTheDocumentHolds) {
   EXPECT_EQ(samples.size(), 402U);
   EXPECT_EQ(samples[0],
             "time,q1,q2,q3,q4,qdot1,qdot2,qdot3,qdot4,gap1,force1,energy,work_forcing,work_load,"
-            "work_constraint,work_impacts,dissipation");
+            "work_constraint,work_impacts,dissipation,work_contact");
   EXPECT_EQ(samples.back().substr(0, 2), "2,");
 }
 

@@ -57,7 +57,7 @@ TEST(EventsCsv, EveryKindFillsItsOwnColumns) {
   EXPECT_EQ(row(EventKind::kStick), "stick,1.5,3,,,,,,4.5,,,\n");
   EXPECT_EQ(row(EventKind::kRelease), "release,1.5,3,,,,,,,,,\n");
   EXPECT_EQ(row(EventKind::kContact), "contact,1.5,3,0.25,0.75,,,,,,,\n");
-  EXPECT_EQ(row(EventKind::kSeparation), "separation,1.5,3,0.25,,,,,,0.0625,8.5,0.875\n");
+  EXPECT_EQ(row(EventKind::kSeparation), "separation,1.5,3,0.25,,-0.5,,,,0.0625,8.5,0.875\n");
 }
 
 TEST(SamplesCsv, HoldsStateGapsAndForces) {
@@ -72,17 +72,20 @@ TEST(SamplesCsv, HoldsTheEntriesOfTheEnergyBookThatTheSystemHas) {
   System system = support::oscillator(2.0, 0.0, 0.5, 0.8);
   Sample sample{0.0, support::state_of({0.125}, {-2.0}), {0.0}, EnergyBook{}};
   sample.energy->now = 2.03125;
-  sample.energy->work = {0.5, 0.25, 0.125, 0.75};
+  sample.energy->work = {0.5, 0.25, 0.125, 0.75, -0.375};
   sample.energy->impacts = -1.5;
   EXPECT_EQ(samples_csv_header(system, true),
             "time,q1,qdot1,gap1,force1,energy,work_forcing,work_load,work_constraint,work_impacts,"
-            "dissipation\n");
-  EXPECT_EQ(samples_csv_row(system, sample), "0,0.125,-2,0.375,0,2.03125,,,0.125,-1.5,\n");
+            "dissipation,work_contact\n");
+  EXPECT_EQ(samples_csv_row(system, sample), "0,0.125,-2,0.375,0,2.03125,,,0.125,-1.5,,\n");
   system.delta[0] = 0.1;
   system.load = Vector::Ones(1);
   system = support::forced(system, 1.0, 0.0, Vector::Ones(1));
   EXPECT_EQ(samples_csv_row(system, sample),
-            "0,0.125,-2,0.375,0,2.03125,0.5,0.25,0.125,-1.5,0.75\n");
+            "0,0.125,-2,0.375,0,2.03125,0.5,0.25,0.125,-1.5,0.75,\n");
+  system.stops[0].spring = ContactForce{};
+  EXPECT_EQ(samples_csv_row(system, sample),
+            "0,0.125,-2,0.375,0,2.03125,0.5,0.25,,,0.75,-0.375\n");
 }
 
 TEST(Table, ColumnsLineUpOnTheRight) {

@@ -1,0 +1,198 @@
+#include "graze/flow/sprung_deviation.hpp"
+
+#include <boost/numeric/odeint/stepper/bulirsch_stoer.hpp>
+#include <cmath>
+#include <stdexcept>
+
+#include "graze/flow/sprung_rates.hpp"
+
+namespace graze {
+namespace {
+
+namespace odeint = boost::numeric::odeint;
+using step_walk::Sprung;
+
+// What moves a deviation by a parameter besides itself.
+struct Source {
+  const System& system;
+  const System& tangent;
+  const std::vector<int>& springs;  // the stops that the springs are of
+
+  // At displacements q, velocities v, accelerations a, and cos(theta): of the velocities and of the
+  // accelerations, per unit of the parameter.
+  void at(const Vector& q, const Vector& v, const Vector& a, double cosine, const SprungSystem& own,
+          const std::vector<Sprung::Compression>& contacts, Vector& velocity,
+          Vector& acceleration) const {
+    // Times stretch where the frequency moves: instants are compared at equal phases.
+    const double stretch = -tangent.forcing->frequency / system.forcing->frequency;
+    velocity = stretch * v;
+    acceleration = stretch * a + tangent.forcing->amplitude * cosine -
+                   2.0 * (tangent.delta.cwiseProduct(v) +
+                          system.omega.cwiseProduct(tangent.omega).cwiseProduct(q));
+    if (tangent.load) acceleration += *tangent.load;
+    for (std::size_t i = 0; i < contacts.size(); ++i) {
+      if (!own.springs[i].loaded) continue;
+      const ContactForce& law = own.springs[i].law;
+      const RigidStop& rate = tangent.stops[static_cast<std::size_t>(springs[i])];
+      const double x = contacts[i].depth, u = contacts[i].rate;
+      double force =
+          law.by_depth(x, u) * (rate.row.dot(q) - rate.gap) + law.resistance(x) * rate.row.dot(v);
+      if (rate.spring) force += law.rate_at(x, u, *rate.spring);
+      acceleration -= force * own.springs[i].acting + law.at(x, u) * rate.row;
+    }
+  }
+};
+
+// The motion with its deviations beside it: z, then (w dq, dq') of each, per its own size.
+class Varied {
+ public:
+  using State = std::vector<double>;
+
+  Varied(const SprungSystem& system, const Source* source)
+      : system_(system), source_(source), motion_(system, kContactTolerance) {}
+
+  State begin(const graze::State& start, double theta, const std::vector<double>& depths,
+              const Deviations& deviations, const Vector& sizes) {
+    const Eigen::Index n = start.q.size();
+    start_ = start.q;
+    theta_ = theta;
+    Vector x(2 * n);
+    x << start.q, start.qdot;
+    motion_.begin(theta, x, depths, z_);
+    slope_.resize(z_.size());
+    sizes_ = sizes;
+    State whole = z_;
+    whole.resize(z_.size() + static_cast<std::size_t>(2 * n * deviations.count()));
+    Eigen::Map<Matrix> columns(whole.data() + z_.size(), 2 * n, deviations.count());
+    columns.topRows(n) = motion_.scale().asDiagonal() * deviations.q;
+    columns.bottomRows(n) = deviations.qdot;
+    columns.array().rowwise() /= sizes_.transpose().array();
+    return whole;
+  }
+
+  void operator()(const State& whole, State& slope, double s) {
+    const Eigen::Index n = start_.size(), m = sizes_.size();
+    std::copy_n(whole.begin(), z_.size(), z_.begin());
+    motion_(z_, slope_, s);
+    std::copy(slope_.begin(), slope_.end(), slope.begin());
+    const Eigen::Map<const Matrix> columns(whole.data() + z_.size(), 2 * n, m);
+    Eigen::Map<Matrix> rates(slope.data() + z_.size(), 2 * n, m);
+    const Vector& w = motion_.scale();
+    rates.topRows(n) = w.asDiagonal() * columns.bottomRows(n);
+    moved_ = w.cwiseInverse().asDiagonal() * columns.topRows(n);
+    rates.bottomRows(n) =
+        -times(system_.stiffness, moved_) - times(system_.damping, columns.bottomRows(n));
+    contacts_.clear();
+    for (std::size_t i = 0; i < system_.springs.size(); ++i) {
+      const SprungSystem::Spring& spring = system_.springs[i];
+      contacts_.push_back(motion_.compression(i, z_));
+      if (!spring.loaded) continue;
+      const Sprung::Compression& at = contacts_.back();
+      rates.bottomRows(n) -=
+          spring.acting *
+          (spring.law.by_depth(at.depth, at.rate) * spring.row.transpose() * moved_ +
+           spring.law.resistance(at.depth) * spring.row.transpose() * columns.bottomRows(n));
+    }
+    if (source_) add_source(s, rates);
+  }
+
+  Deviations end(const State& whole) const {
+    const Eigen::Index n = start_.size(), m = sizes_.size();
+    const Eigen::Map<const Matrix> columns(whole.data() + z_.size(), 2 * n, m);
+    return {motion_.scale().cwiseInverse().asDiagonal() * columns.topRows(n) * sizes_.asDiagonal(),
+            columns.bottomRows(n) * sizes_.asDiagonal(), Eigen::RowVectorXd::Zero(m)};
+  }
+
+  double first_step(double longest) const { return motion_.first_step(longest); }
+  const Vector& scale() const { return motion_.scale(); }
+
+ private:
+  static Matrix times(const Matrix& matrix, const Matrix& columns) {
+    return matrix.cols() == 1 ? Matrix(matrix.col(0).asDiagonal() * columns)
+                              : Matrix(matrix * columns);
+  }
+
+  void add_source(double s, Eigen::Map<Matrix>& rates) {
+    const Eigen::Index n = start_.size();
+    const double u = motion_.unit();
+    const Eigen::Map<const Vector> moved(z_.data(), n), velocity(z_.data() + n, n),
+        acceleration(slope_.data() + n, n);
+    source_->at(start_ + u * moved.cwiseQuotient(motion_.scale()), u * velocity, u * acceleration,
+                std::cos(theta_ + system_.frequency * s), system_, contacts_, drift_, push_);
+    rates.col(0).head(n) += motion_.scale().cwiseProduct(drift_) / sizes_[0];
+    rates.col(0).tail(n) += push_ / sizes_[0];
+  }
+
+  const SprungSystem& system_;
+  const Source* source_;
+  Sprung motion_;
+  Vector start_, sizes_;
+  double theta_ = 0.0;
+  State z_, slope_;
+  Matrix moved_;
+  std::vector<Sprung::Compression> contacts_;
+  Vector drift_, push_;
+};
+
+// A step that fails its error more often than this in a row will not succeed.
+constexpr int kMostFailures = 500;
+
+Varied::State integrate(Varied& varied, Varied::State whole, double s) {
+  odeint::bulirsch_stoer<Varied::State> method(kContactTolerance,
+                                               Sprung::relative(kContactTolerance), 1.0, 0.0);
+  double at = 0.0, next = varied.first_step(s);
+  for (int failures = 0; at < s && failures < kMostFailures;) {
+    next = std::min(next, s - at);
+    failures =
+        method.try_step(std::ref(varied), whole, at, next) == odeint::success ? 0 : failures + 1;
+  }
+  return whole;
+}
+
+// Of each column, in the units of z; 1 where it is zero.
+Vector sizes_of(const Deviations& deviations, const Vector& scale) {
+  Vector sizes(deviations.count());
+  for (Eigen::Index k = 0; k < sizes.size(); ++k) {
+    const double size = std::fmax(scale.cwiseProduct(deviations.q.col(k)).cwiseAbs().maxCoeff(),
+                                  deviations.qdot.col(k).cwiseAbs().maxCoeff());
+    sizes[k] = size > 0.0 ? size : 1.0;
+  }
+  return sizes;
+}
+
+}  // namespace
+
+Deviations sprung_deviations(const ContactPhase<double>& phase, const State& start, double theta,
+                             double s, const Deviations& deviations) {
+  Varied varied(phase.sprung(), nullptr);
+  const Deviations none{Matrix(start.q.size(), 0), Matrix(start.q.size(), 0), {}};
+  varied.begin(start, theta, phase.depths(), none, Vector(0));
+  const Vector sizes = sizes_of(deviations, varied.scale());
+  Varied::State whole = varied.begin(start, theta, phase.depths(), deviations, sizes);
+  return varied.end(integrate(varied, std::move(whole), s));
+}
+
+Deviations sprung_parameter_deviation(const System& system, const System& tangent,
+                                      const ContactPhase<double>& phase, const State& start,
+                                      double theta, double s, const Deviations& column) {
+  std::vector<int> springs = phase.springs().loaded;
+  springs.insert(springs.end(), phase.springs().parted.begin(), phase.springs().parted.end());
+  const Source source{system, tangent, springs};
+  Varied varied(phase.sprung(), &source);
+  const auto follow = [&](const Vector& sizes) {
+    return varied.end(
+        integrate(varied, varied.begin(start, theta, phase.depths(), column, sizes), s));
+  };
+  // How large it gets is known only once it has been followed: first by the steps that the motion
+  // alone asks for.
+  const Deviations rough = follow(Vector::Constant(1, std::numeric_limits<double>::max()));
+  const Vector size = sizes_of(rough, varied.scale()).cwiseMax(sizes_of(column, varied.scale()));
+  return follow(size);
+}
+
+double surface_resistance(const ContactForce& law) {
+  // Beyond a contact that ends with its force nothing jumps at the surface but where it begins.
+  return law.damping == ContactDamping::kNone ? 0.0 : law.resistance(0.0);
+}
+
+}  // namespace graze

@@ -1,0 +1,19 @@
+#include "graze/hybrid/contact_book.hpp"
+
+#include <algorithm>
+
+namespace graze {
+
+void follow(ContactBook& book, const ContactPhase<double>& phase, double flight) {
+  const std::vector<int>& loaded = phase.springs().loaded;
+  if (loaded.empty()) return;
+  StepFlow& flow = *phase.step_flow();
+  const SprungWorks works = flow.works(flight);
+  for (std::size_t k = 0; k < loaded.size(); ++k) {
+    SpringContact& contact = book[static_cast<std::size_t>(loaded[k])];
+    contact.peak_force = std::max(contact.peak_force, flow.peak_force(k));
+    contact.taken += works.springs[k];
+  }
+}
+
+}  // namespace graze

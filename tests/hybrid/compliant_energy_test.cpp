@@ -1,0 +1,120 @@
+// The energy book of compliant stops, and runs that are cut within a contact.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "graze/contact/restitution_damping.hpp"
+#include "graze/hybrid/simulation.hpp"
+#include "support/systems.hpp"
+
+namespace graze {
+namespace {
+
+ContactForce law_of(double exponent, ContactDamping damping, double coefficient,
+                    Separation separation = Separation::kAtZeroForce) {
+  const double stiffness = exponent == 1.0 ? 2e5 : 4e7;
+  return {stiffness, exponent, damping, coefficient, 0.0, 0.0, separation};
+}
+
+// Three modes that a force and a load move against a compliant stop.
+System three_modes(const ContactForce& law) {
+  System system;
+  system.omega = Vector{{10.0, 61.0, 173.0}};
+  system.delta = Vector{{0.3, 0.5, 0.9}};
+  system.forcing = HarmonicForcing{8.0, 0.7, Vector{{1.3, 0.7, 0.2}}};
+  system.load = Vector{{0.2, -0.1, 0.05}};
+  const Vector row{{1.0, -0.9, 0.8}};
+  system.stops.push_back({row, 0.003, row / row.squaredNorm(), Restitution{0.0}, law});
+  return system;
+}
+
+SimulationOptions booked(double seconds) {
+  SimulationOptions options = support::for_seconds(seconds);
+  options.energy = true;
+  return options;
+}
+
+class CompliantEnergy : public ::testing::TestWithParam<ContactForce> {};
+
+TEST_P(CompliantEnergy, BookCloses) {
+  const System system = three_modes(GetParam());
+  const auto run = support::record_run(system, support::rest(system), booked(20.0));
+  ASSERT_EQ(run.result.outcome, RunOutcome::kReachedEnd) << run.result.message;
+  EXPECT_GT(run.result.totals.impacts, 20);
+  EXPECT_LT(std::abs(run.result.energy->defect()), 1e-12 * run.result.energy->size());
+  double by_events = 0.0;
+  for (const Event& event : run.events)
+    if (event.kind == EventKind::kSeparation) by_events += event.energy_change;
+  EXPECT_NEAR(by_events, run.result.energy->work.contact, 1e-12 * run.result.energy->size());
+  EXPECT_NEAR(run.result.totals.energy_lost - run.result.totals.energy_added, -by_events,
+              1e-12 * run.result.energy->size());
+}
+
+// Bit for bit, wherever it is cut: between contacts, and within one.
+TEST_P(CompliantEnergy, CutRunGoesOnAsIfItHadNot) {
+  const System system = three_modes(GetParam());
+  const auto whole = support::record_run(system, support::rest(system), booked(4.0));
+  ASSERT_EQ(whole.result.outcome, RunOutcome::kReachedEnd);
+  const Event* separation = nullptr;
+  for (const Event& event : whole.events)
+    if (event.kind == EventKind::kSeparation) separation = &event;
+  ASSERT_NE(separation, nullptr);
+  for (const double cut : {1.0, separation->time - 0.5 * separation->duration}) {
+    std::vector<Event> events;
+    RunListeners listeners;
+    listeners.event = [&](const Event& event) { events.push_back(event); };
+    const Simulation before = simulate(system, support::rest(system), booked(cut), listeners);
+    const Simulation after = resume(system, before.state, booked(4.0), listeners);
+    EXPECT_EQ(after.final.q, whole.result.final.q);
+    EXPECT_EQ(after.final.qdot, whole.result.final.qdot);
+    ASSERT_EQ(events.size(), whole.events.size());
+    for (std::size_t i = 0; i < events.size(); ++i) {
+      EXPECT_EQ(events[i].time, whole.events[i].time);
+      EXPECT_EQ(events[i].peak_force, whole.events[i].peak_force);
+      EXPECT_EQ(events[i].duration, whole.events[i].duration);
+      EXPECT_EQ(events[i].energy_change, whole.events[i].energy_change);
+    }
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Laws, CompliantEnergy,
+                         ::testing::Values(law_of(1.0, ContactDamping::kNone, 0.0),
+                                           law_of(1.0, ContactDamping::kConstant, 60.0),
+                                           law_of(1.0, ContactDamping::kConstant, 60.0,
+                                                  Separation::kAtZeroDepth),
+                                           law_of(1.5, ContactDamping::kNone, 0.0),
+                                           law_of(1.5, ContactDamping::kPower, 8e7)));
+
+// A free mass gives up 1 - e^2 of its energy.
+TEST(CompliantEnergyOfAMass, IsWhatItsRestitutionLeaves) {
+  const double k = 1e5, v = 0.5;
+  for (const double zeta : {0.05, 0.3, 0.8})
+    for (const Separation rule : {Separation::kAtZeroForce, Separation::kAtZeroDepth}) {
+      System system = support::oscillator(0.0, 0.0, 0.25, 0.0);
+      system.stops.front().spring = {
+          k, 1.0, ContactDamping::kConstant, 2.0 * zeta * std::sqrt(k), 0.0, 0.0, rule};
+      const auto run = support::record_run(system, support::state_of({0.0}, {v}), booked(1.0));
+      const double e = rule == Separation::kAtZeroForce ? restitution_at_zero_force(zeta)
+                                                        : restitution_at_zero_depth(zeta);
+      ASSERT_EQ(run.events.size(), 2u);
+      EXPECT_NEAR(run.events[1].energy_change, -0.5 * v * v * (1.0 - e * e), 1e-12 * v * v);
+      EXPECT_NEAR(run.result.totals.energy_lost, 0.5 * v * v * (1.0 - e * e), 1e-12 * v * v);
+    }
+}
+
+// A spring that is compressed while an oblique law holds the structure on another stop.
+TEST(CompliantEnergyBesideAnObliqueStop, BookCloses) {
+  System system = three_modes(law_of(1.0, ContactDamping::kConstant, 20.0));
+  system.load = Vector{{3.0, 1.0, -2.0}};
+  const Vector row{{0.7, 1.0, -0.6}}, along{{0.4, 0.9, 0.3}};
+  system.stops.push_back({row, 0.002, along / row.dot(along), Restitution{0.2}});
+  const auto run = support::record_run(system, support::rest(system), booked(10.0));
+  ASSERT_EQ(run.result.outcome, RunOutcome::kReachedEnd) << run.result.message;
+  EXPECT_GT(run.result.totals.stuck_time, 0.1);
+  EXPECT_NE(run.result.energy->work.constraint, 0.0);
+  EXPECT_NE(run.result.energy->work.contact, 0.0);
+  EXPECT_LT(std::abs(run.result.energy->defect()), 1e-12 * run.result.energy->size());
+}
+
+}  // namespace
+}  // namespace graze
