@@ -33,20 +33,19 @@ constexpr const char* kLinear = "stiffness=1e7,exponent=1";
 constexpr const char* kHertz = "stiffness=3e9,exponent=1.5";
 
 struct Law {
-  const char *name, *spring, *release, *asked;
-  std::string damping;  // TOML; empty: none
+  std::string name, spring, release, asked;
+  std::string damping{};  // TOML; empty: none
 };
 
 // A damping asked for e at kSpeed.
-std::string asking(const char* model, double e) {
+std::string asking(const std::string& model, double e) {
   char text[160];
-  const std::string name = model;
   const char* form = "model=\"%s\",restitution=%.17g,speed=0.1";
-  if (name == "kelvin-voigt") form = "model=\"%s\",restitution=%.17g,mass=0.1";
-  if (name == "lee-wang-2") form = "model=\"%s\",restitution=%.17g,mass=0.1,onset=5e-6";
-  if (name == "lee-wang-1") form = "model=\"%s\",alpha=%.17g";
-  const double number = name == "lee-wang-1" ? (1.0 - e) / kSpeed : e;
-  std::snprintf(text, sizeof text, form, model, number);
+  if (model == "kelvin-voigt") form = "model=\"%s\",restitution=%.17g,mass=0.1";
+  if (model == "lee-wang-2") form = "model=\"%s\",restitution=%.17g,mass=0.1,onset=5e-6";
+  if (model == "lee-wang-1") form = "model=\"%s\",alpha=%.17g";
+  const double number = model == "lee-wang-1" ? (1.0 - e) / kSpeed : e;
+  std::snprintf(text, sizeof text, form, model.c_str(), number);
   return text;
 }
 
@@ -78,9 +77,8 @@ std::vector<Law> laws() {
 }
 
 Scene scene_of(const Law& law, double speed) {
-  std::string spring = std::string("stop.spring={") +
-                       (std::string(law.spring) == "linear" ? kLinear : kHertz) + ",release=\"" +
-                       law.release + "\"";
+  std::string spring = std::string("stop.spring={") + (law.spring == "linear" ? kLinear : kHertz) +
+                       ",release=\"" + law.release + "\"";
   if (!law.damping.empty()) spring += ",damping={" + law.damping + "}";
   char start[80];
   std::snprintf(start, sizeof start, "initial.qdot=[%.17g]", std::sqrt(kMass) * speed);
@@ -150,8 +148,7 @@ struct Row {
 void print_tables() {
   std::string restitutions, forces, costs;
   for (const Law& law : laws()) {
-    const std::string name =
-        std::string("| ") + law.name + " | " + law.spring + " | " + law.release + " |";
+    const std::string name = "| " + law.name + " | " + law.spring + " | " + law.release + " |";
     Row e{name + " " + law.asked + " |"}, force{name}, duration, evaluations{name}, time;
     for (const double speed : kSpeeds) {
       const Scene scene = scene_of(law, speed);
@@ -185,7 +182,7 @@ void print_tables() {
 }
 
 struct Curve {
-  const char *model, *spring, *release, *title, *style;
+  std::string model, spring, release, title, style;
 };
 
 const std::vector<Curve>& curves() {
@@ -214,7 +211,7 @@ std::vector<std::vector<double>> points_of(const Curve& curve) {
 void print_curves() {
   for (const Curve& curve : curves())
     for (const auto& point : points_of(curve))
-      std::printf("%s %.17g %.17g\n", curve.model, point[0], point[1]);
+      std::printf("%s %.17g %.17g\n", curve.model.c_str(), point[0], point[1]);
 }
 
 void draw(const std::string& file) {

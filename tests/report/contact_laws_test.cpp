@@ -147,7 +147,7 @@ TEST(ContactLaws, DampingThatGrowsWithTheForce) {
 enum class Factor { kConstant, kDepth, kOnset, kForce };
 
 struct Law {
-  double stiffness, exponent;
+  double stiffness = 0.0, exponent = 1.0;
   Factor factor = Factor::kConstant;
   double coefficient = 0.0;
   bool to_zero_depth = false;

@@ -18,7 +18,7 @@ namespace {
 std::vector<std::string> shipped_scenes() {
   std::vector<std::string> paths;
   for (const auto& entry :
-       std::filesystem::directory_iterator(std::string(GRAZE_SOURCE_DIR) + "/data/scenes"))
+       std::filesystem::directory_iterator(std::filesystem::path(GRAZE_SOURCE_DIR) / "data/scenes"))
     if (entry.path().extension() == ".toml") paths.push_back(entry.path().string());
   return paths;
 }
