@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cmath>
+#include <functional>
 #include <map>
 #include <numbers>
 #include <sstream>
@@ -202,10 +203,28 @@ Encounter encounter(const Law& law, double speed) {
   return found;
 }
 
+// By halving; of a function that changes sign between the two.
+double zero_of(const std::function<double(double)>& f, double low = 0.01, double high = 0.9) {
+  const bool rises = f(high) > f(low);
+  for (int pass = 0; pass < 100; ++pass) {
+    const double middle = 0.5 * (low + high);
+    ((f(middle) > 0.0) == rises ? high : low) = middle;
+  }
+  return low;
+}
+
 const std::map<std::string, Law>& written_out() {
   const double root = std::sqrt(kLinear * kMass);
   const double zeta = std::log(2.0) / std::hypot(std::numbers::pi, std::log(2.0));
+  // For e = 0.5 at 0.1 m/s, at zero force: -ln e = 2 zeta arccos(zeta)/sqrt(1 - zeta^2).
+  const double ratio = zero_of(
+      [](double z) { return 2.0 * z * std::acos(z) / std::sqrt(1.0 - z * z) - std::log(2.0); });
+  const double power =
+      zero_of([](double a) { return 1.5 * a - std::log((1.0 + a) / (1.0 - 0.5 * a)); }, 0.5, 1.9);
   static const std::map<std::string, Law> laws = {
+      {"kelvin-voigt, exact | linear | force",
+       {kLinear, 1.0, Factor::kConstant, 2.0 * ratio * root}},
+      {"hunt-crossley, exact | Hertz | force", {kHertz, 1.5, Factor::kForce, power / 0.1 * kHertz}},
       {"kelvin-voigt | linear | force", {kLinear, 1.0, Factor::kConstant, 2.0 * zeta * root}},
       {"kelvin-voigt | linear | position",
        {kLinear, 1.0, Factor::kConstant, 2.0 * zeta * root, true}},
