@@ -2,6 +2,7 @@
 // forms, and against a fixed-step integration of each law written out here. The page shows them.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <functional>
