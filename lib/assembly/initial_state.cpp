@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <limits>
+#include <vector>
 
 #include "graze/base/linear_equations.hpp"
 #include "graze/contact/complementarity.hpp"
@@ -13,46 +15,100 @@ namespace {
 
 bool is_preloaded(const System& system) {
   return std::any_of(system.stops.begin(), system.stops.end(),
-                     [](const RigidStop& stop) { return stop.gap < 0.0 && !stop.spring; });
+                     [](const RigidStop& stop) { return stop.gap < 0.0; });
 }
 
-// Rest under the constant load with every stop's force >= 0 and gap >= 0:
-//   q = W^-1 (load - D lambda),   lambda >= 0,   b.q <= a,   lambda (a - b.q) = 0.
-std::optional<Vector> static_equilibrium(const System& system) {
+// The structure pressed by forces at its stops, as far as they are concerned: a unit force at one
+// moves it off the others by `delassus`; without any it lies `beyond` them.
+struct Pressed {
+  Vector compliance, free;  // of the modes; rest without stops
+  Matrix rows, directions;
+  Matrix delassus;
+  Vector beyond, rounding;
+};
+
+Pressed pressed_against(const System& system) {
   const Eigen::Index n = system.modes(), k = static_cast<Eigen::Index>(system.stops.size());
-  if (system.omega.minCoeff() <= 0.0) return {};
-  const Vector compliance = system.omega.cwiseAbs2().cwiseInverse();
-  const Vector free =
-      system.load ? Vector(compliance.cwiseProduct(*system.load)) : Vector(Vector::Zero(n));
-  Matrix rows(n, k), directions(n, k);
-  Vector beyond(k), rounding(k);
+  Pressed at{system.omega.cwiseAbs2().cwiseInverse(),
+             Vector::Zero(n),
+             Matrix(n, k),
+             Matrix(n, k),
+             {},
+             Vector(k),
+             Vector(k)};
+  if (system.load) at.free = at.compliance.cwiseProduct(*system.load);
   for (Eigen::Index i = 0; i < k; ++i) {
     const RigidStop& stop = system.stops[static_cast<std::size_t>(i)];
-    rows.col(i) = stop.row;
-    directions.col(i) = stop.direction;
-    const GapValue<double> gap = gap_value<double>(stop.row, free, stop.gap);
-    beyond[i] = -gap.value;
-    rounding[i] = gap.rounding;
+    at.rows.col(i) = stop.row;
+    at.directions.col(i) = stop.direction;
+    const GapValue<double> gap = gap_value<double>(stop.row, at.free, stop.gap);
+    at.beyond[i] = -gap.value;
+    at.rounding[i] = gap.rounding;
   }
-  const Matrix delassus = rows.transpose() * compliance.asDiagonal() * directions;
-  const std::optional<Vector> force = solve_contacts<double>(delassus, beyond, rounding);
-  if (!force || !force->allFinite()) return {};
-  Vector q = free - compliance.cwiseProduct(directions * *force);
-  // What is pressed is on its stop to the rounding of the gap itself, not only to that of the
+  at.delassus = at.rows.transpose() * at.compliance.asDiagonal() * at.directions;
+  return at;
+}
+
+// The forces of springs F(x) and rigid stops (x <= 0) together, x = beyond - D F, by Newton's
+// method: each spring is replaced by its tangent at the depth reached so far, which is a contact
+// with the compliance 1/F'(x). One that is clear of its spring has no tangent and takes no part
+// until it is reached. Nothing where that does not settle.
+std::optional<Vector> static_forces(const System& system, const Pressed& at) {
+  constexpr int kMostSteps = 200;
+  const Eigen::Index k = at.beyond.size();
+  Vector depth = at.beyond, force = Vector::Zero(k);
+  for (int step = 0; step < kMostSteps; ++step) {
+    std::vector<Eigen::Index> near;
+    Matrix acting = at.delassus;
+    Vector beyond = at.beyond;
+    for (Eigen::Index i = 0; i < k; ++i) {
+      const std::optional<ContactForce>& law = system.stops[static_cast<std::size_t>(i)].spring;
+      if (law && !(depth[i] > 0.0)) continue;
+      near.push_back(i);
+      if (!law) continue;
+      const double slope = law->by_depth(depth[i], 0.0);
+      acting(i, i) += 1.0 / slope;
+      beyond[i] += law->at(depth[i], 0.0) / slope - depth[i];
+    }
+    const std::optional<Vector> found =
+        solve_contacts<double>(acting(near, near), beyond(near).eval(), at.rounding(near).eval());
+    if (!found || !found->allFinite()) return {};
+    Vector next = Vector::Zero(k);
+    next(near) = *found;
+    const double change = (next - force).cwiseAbs().maxCoeff();
+    force = next;
+    depth = at.beyond - at.delassus * force;
+    if (change <= 16.0 * std::numeric_limits<double>::epsilon() * force.cwiseAbs().maxCoeff())
+      return force;
+  }
+  return {};
+}
+
+// Rest under the constant load with every stop's force >= 0 and gap >= 0, or its spring's force:
+//   q = W^-1 (load - D lambda),   lambda >= 0,   b.q <= a,   lambda (a - b.q) = 0,
+//   at a spring lambda = F(b.q - a).
+std::optional<Vector> static_equilibrium(const System& system) {
+  if (system.omega.minCoeff() <= 0.0) return {};
+  const Pressed at = pressed_against(system);
+  const std::optional<Vector> force = static_forces(system, at);
+  if (!force) return {};
+  Vector q = at.free - at.compliance.cwiseProduct(at.directions * *force);
+  // What is pressed is on its rigid stop to the rounding of the gap itself, not only to that of the
   // solution.
   std::vector<Eigen::Index> pressed;
-  for (Eigen::Index i = 0; i < k; ++i)
-    if ((*force)[i] > 0.0) pressed.push_back(i);
+  for (Eigen::Index i = 0; i < force->size(); ++i)
+    if ((*force)[i] > 0.0 && !system.stops[static_cast<std::size_t>(i)].spring)
+      pressed.push_back(i);
   if (pressed.empty()) return q;
-  const Matrix acting = delassus(pressed, pressed);
+  const Matrix acting = at.delassus(pressed, pressed);
   for (int pass = 0; pass < 2; ++pass) {
     Vector left(static_cast<Eigen::Index>(pressed.size()));
     for (std::size_t a = 0; a < pressed.size(); ++a) {
       const RigidStop& stop = system.stops[static_cast<std::size_t>(pressed[a])];
       left[static_cast<Eigen::Index>(a)] = -gap_value<double>(stop.row, q, stop.gap).value;
     }
-    q -= compliance.cwiseProduct(directions(Eigen::all, pressed) *
-                                 solve_with_full_pivoting(acting, left));
+    q -= at.compliance.cwiseProduct(at.directions(Eigen::all, pressed) *
+                                    solve_with_full_pivoting(acting, left));
   }
   return q;
 }
@@ -66,9 +122,7 @@ State initial_state(const Scene& scene, const System& system) {
     state.q = Eigen::Map<const Vector>(scene.initial->q.data(), n);
     state.qdot = Eigen::Map<const Vector>(scene.initial->qdot.data(), n);
   } else if (is_preloaded(system)) {
-    System rigid = system;
-    std::erase_if(rigid.stops, [](const RigidStop& stop) { return stop.spring.has_value(); });
-    const std::optional<Vector> q = static_equilibrium(rigid);
+    const std::optional<Vector> q = static_equilibrium(system);
     if (!q)
       throw scene_error(scene, "stop.gap",
                         "a preloaded stop (negative gap) without [initial] starts in static "

@@ -1,6 +1,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "graze/assembly/requested_restitution.hpp"
 #include "graze/report/json.hpp"
 #include "graze/study/step_choice.hpp"
 
@@ -25,10 +26,21 @@ Json restitution(const Restitution& r) {
   return r.coefficients();
 }
 
-Json spring(const ContactForce& law) {
+Json maybe_restitution(const Spring& spring) {
+  const std::optional<RequestedRestitution> asked = requested_restitution(spring);
+  if (!asked) return nullptr;
+  return {{"requested", number(asked->requested)},
+          {"speed", maybe(asked->speed)},
+          {"mass", maybe(asked->mass)},
+          {"effective", number(asked->effective)},
+          {"exact_coefficient", maybe(asked->exact_coefficient)}};
+}
+
+Json spring(const ContactForce& law, const Spring& from) {
   return {{"stiffness", number(law.stiffness)},
           {"exponent", number(law.exponent)},
-          {"coefficient", number(law.coefficient)}};
+          {"coefficient", number(law.coefficient)},
+          {"restitution", maybe_restitution(from)}};
 }
 
 }  // namespace
@@ -50,13 +62,16 @@ std::string to_json(const CheckRecord& record) {
   document["gravity"] =
       record.scene.gravity ? number(record.scene.gravity->acceleration) : Json(nullptr);
   Json stops = Json::array();
-  for (const RigidStop& stop : system.stops)
+  for (std::size_t i = 0; i < system.stops.size(); ++i) {
+    const RigidStop& stop = system.stops[i];
+    const std::optional<Spring>& from = record.scene.stops[i].spring;
     stops.push_back({{"gap", number(stop.gap)},
                      {"restitution", stop.spring ? Json(nullptr) : restitution(stop.restitution)},
-                     {"spring", stop.spring ? spring(*stop.spring) : Json(nullptr)},
+                     {"spring", stop.spring ? spring(*stop.spring, *from) : Json(nullptr)},
                      {"row", list(stop.row)},
                      {"direction", list(stop.direction)},
                      {"effective_mass", number(1.0 / stop.row.squaredNorm())}});
+  }
   document["stops"] = stops;
   document["collocation_condition"] =
       record.collocation_condition > 0.0 ? number(record.collocation_condition) : Json(nullptr);

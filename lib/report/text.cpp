@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "graze/assembly/requested_restitution.hpp"
 #include "graze/assembly/spring_law.hpp"
 #include "graze/base/angle.hpp"
 #include "graze/report/names.hpp"
@@ -18,6 +19,24 @@ std::string damping_text(const Stop& stop, const ContactForce& law) {
   if (!stop.spring->damping) return "without damping";
   return fmt::format("with {} damping {:g}", contact_model_name(stop.spring->damping->model),
                      law.coefficient);
+}
+
+// Asked and given, a line of each.
+std::string requests_text(const Scene& scene) {
+  std::string text;
+  for (std::size_t i = 0; i < scene.stops.size(); ++i) {
+    if (!scene.stops[i].spring) continue;
+    const std::optional<RequestedRestitution> asked = requested_restitution(*scene.stops[i].spring);
+    if (!asked) continue;
+    text += fmt::format("stop {}: asked for restitution {:g}", i + 1, asked->requested);
+    if (asked->speed) text += fmt::format(" at {:g} m/s", *asked->speed);
+    if (asked->mass) text += fmt::format(" of {:g} kg", *asked->mass);
+    text += fmt::format(", one such contact gives {:.6g}", asked->effective);
+    text += asked->exact_coefficient
+                ? fmt::format("; exact with the coefficient {:.6g}\n", *asked->exact_coefficient)
+                : ", and more where it is not much deeper than the onset\n";
+  }
+  return text;
 }
 
 // 0.8, or 0.8 - 0.1 v - ..
@@ -212,6 +231,7 @@ std::string to_text(const CheckRecord& record) {
   for (std::size_t i = 0; i < system.stops.size(); ++i)
     text += fmt::format("stop {}: effective mass at the contact {:.6g} kg\n", i + 1,
                         1.0 / system.stops[i].row.squaredNorm());
+  text += requests_text(record.scene);
   if (record.closure_speed)
     text += fmt::format("a chatter is summed once it is slower than {:.4g} m/s (--closure-speed)\n",
                         *record.closure_speed);

@@ -245,11 +245,6 @@ void check_stop(const Scene& scene, const Stop& stop, std::size_t number) {
   }
   checker.finite("gap", stop.gap);
   if (stop.spring) {
-    if (stop.gap < 0.0 && !scene.initial) {
-      checker.fail("gap", fmt::format("{} is not allowed, a compliant stop that is compressed from "
-                                      "the start needs [initial]",
-                                      stop.gap));
-    }
     check_spring(scene, *stop.spring,
                  number == 1 ? "stop.spring" : fmt::format("stop.{}.spring", number));
     return;

@@ -80,6 +80,40 @@ TEST_F(Compliant, CheckSaysWhatTheStopIs) {
       << run.out;
 }
 
+TEST_F(Compliant, CheckSaysWhatWasAskedForAndWhatItGives) {
+  const Finished run = run_graze("check " + file());
+  ASSERT_EQ(run.code, 0) << run.err;
+  EXPECT_NE(run.out.find("stop 1: asked for restitution 0.5 at 0.5 m/s, one such contact gives "
+                         "0.662962; exact with the coefficient "),
+            std::string::npos)
+      << run.out;
+  const json stop = json::parse(run_graze("check --json " + file()).out)["stops"][0];
+  const json& asked = stop["spring"]["restitution"];
+  EXPECT_EQ(asked["requested"], 0.5);
+  EXPECT_EQ(asked["speed"], 0.5);
+  EXPECT_TRUE(asked["mass"].is_null());
+  EXPECT_NEAR(asked["effective"].get<double>(), 0.6629622, 5e-8);
+  // Given that coefficient, the contact meets what was asked for.
+  const std::string exact = asked["exact_coefficient"].dump();
+  const std::string set =
+      " --set 'stop.spring.damping={model=\"hunt-crossley\",coefficient=" + exact + "}' " + file();
+  const json events = json::parse(run_graze("simulate --json --duration 0.5" + set).out)["events"];
+  EXPECT_NEAR(events[1]["effective_restitution"].get<double>(), 0.5, 1e-11);
+  EXPECT_TRUE(json::parse(run_graze("check --json" + set).out)["stops"][0]["spring"]["restitution"]
+                  .is_null());
+}
+
+TEST_F(Compliant, CheckNamesTheMassAndTheOnset) {
+  const Finished run = run_graze(
+      "check --set 'stop.spring={stiffness=1e6,exponent=1,damping={model=\"lee-wang-2\","
+      "restitution=0.5,mass=2.0,onset=1e-6},release=\"position\"}' " +
+      file());
+  ASSERT_EQ(run.code, 0) << run.err;
+  EXPECT_NE(run.out.find("asked for restitution 0.5 of 2 kg, one such contact gives 0.5, and more"),
+            std::string::npos)
+      << run.out;
+}
+
 TEST_F(Compliant, OtherCommandsRefuseIt) {
   const std::string scene = file();
   const std::string forced =

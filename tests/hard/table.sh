@@ -16,7 +16,8 @@ its tag; the expected values are closed forms or computed apart in extended prec
 `bash tests/run.sh` writes this table anew from the tests of the optimised build. "reached" is the worst over all parameter
 values of the row.
 
-Z: chatter, sticking, release. G: grazing. P: periodic orbits. E: energy, several stops, contact at the start. M: modes and long times. Beam: the
+Z: chatter, sticking, release. G: grazing. P: periodic orbits. E: energy, several stops, contact at the start. M: modes and long times.
+S: stops that give way. Beam: the
 cantilever of D. J. Wagg, J. Sound Vib. 276 (2004), through thousands of chatters, under both impulse laws.
 
 | tag | case | demanded | reached |
@@ -32,7 +33,7 @@ HEAD
         split(key, part, "\t")
         gsub(/\|/, "\\|", part[2])
         worst = reached[key] == 0 ? "0" : sprintf("%.0e", reached[key])
-        printf "%d%s\t| %s | %s | %.2g | %s |\n", index("ZGPEMB", substr(key, 1, 1)), part[1] part[2], part[1], part[2], allowed[key], worst
+        printf "%d%s\t| %s | %s | %.2g | %s |\n", index("ZGPEMSB", substr(key, 1, 1)), part[1] part[2], part[1], part[2], allowed[key], worst
       }
     }' "$notes" | LC_ALL=C sort | cut -f 2-
 } > "$temporary"

@@ -43,6 +43,7 @@ void expect_equal(const Scene& a, const Scene& b) {
   for (std::size_t k = 0; k < a.stops.size(); ++k) {
     EXPECT_EQ(a.stops[k].side, b.stops[k].side);
     EXPECT_EQ(a.stops[k].impulse, b.stops[k].impulse);
+    EXPECT_EQ(a.stops[k].spring.has_value(), b.stops[k].spring.has_value());
   }
   ASSERT_EQ(a.initial.has_value(), b.initial.has_value());
   if (a.initial) {
@@ -53,7 +54,7 @@ void expect_equal(const Scene& a, const Scene& b) {
   EXPECT_EQ(a.solver.tolerance, b.solver.tolerance);
 }
 
-TEST(ShippedScene, ThereAreSome) { EXPECT_GE(shipped_scenes().size(), 9u); }
+TEST(ShippedScene, ThereAreSome) { EXPECT_GE(shipped_scenes().size(), 15u); }
 
 TEST(ShippedScene, IsReadAndHasATitle) {
   for (const auto& file : shipped_scenes()) {
@@ -159,6 +160,61 @@ TEST(ShippedScene, SupportsCarryTheSameBeam) {
     scene->gravity.reset();
   }
   expect_equal(beam, supported);
+}
+
+// 12 is 04, and 13 and 14 are 02, at a stop that gives way.
+TEST(ShippedScene, CompliantStopsHoldTheSameStructures) {
+  const auto expect = [](const char* rigid_name, const char* compliant_name, double exponent) {
+    Scene rigid = read_scene(kFolder / rigid_name),
+          compliant = read_scene(kFolder / compliant_name);
+    ASSERT_EQ(compliant.stops.size(), 1u);
+    ASSERT_TRUE(compliant.stops[0].spring);
+    EXPECT_TRUE(compliant.stops[0].spring->damping);
+    EXPECT_EQ(compliant.stops[0].spring->exponent, exponent);
+    EXPECT_EQ(compliant.stops[0].gap, rigid.stops[0].gap);
+    EXPECT_EQ(compliant.stops[0].side, rigid.stops[0].side);
+    EXPECT_EQ(compliant.stops[0].position, rigid.stops[0].position);
+    EXPECT_EQ(compliant.stops[0].spring->damping->restitution, rigid.stops[0].restitution[0]);
+    for (Scene* scene : {&rigid, &compliant}) {
+      scene->title.clear();
+      scene->stops.clear();
+    }
+    expect_equal(rigid, compliant);
+  };
+  expect("04_impact_oscillator.toml", "12_spring_dashpot_oscillator.toml", 1.0);
+  expect("02_wagg_momentum.toml", "13_beam_on_a_spring.toml", 1.0);
+  expect("02_wagg_momentum.toml", "14_beam_against_a_ball.toml", 1.5);
+}
+
+// A body of 0.1 kg at 0.1 m/s.
+TEST(ShippedScene, BodyMeetsAHertzContact) {
+  const Scene scene = read_scene(kFolder / "11_body_meets_stop.toml");
+  const double shape = scene.stops.at(0).shape.at(0);
+  EXPECT_NEAR(1.0 / (shape * shape), 0.1, 1e-16);
+  EXPECT_NEAR(shape * scene.initial->qdot.at(0), 0.1, 1e-16);
+  EXPECT_EQ(scene.stops[0].spring->exponent, 1.5);
+}
+
+// The formulas that the scene's words name.
+TEST(ShippedScene, SphereOnABeamHasItsModes) {
+  const Scene scene = read_scene(kFolder / "15_sphere_on_a_beam.toml");
+  const double length = 0.1535, line = 7850.0 * 1e-4, pi = std::acos(-1.0);
+  const double rigidity = 206e9 * 1e-8 / 12.0, mass = 4.0 / 3.0 * pi * 1e-6 * 7850.0;
+  ASSERT_EQ(scene.modes(), 26);
+  const std::vector<double>& shape = scene.stops.at(0).shape;
+  EXPECT_EQ(scene.modal()->frequencies[0], 0.0);
+  EXPECT_NEAR(shape[0] * shape[0] * mass, 1.0, 1e-14);
+  EXPECT_NEAR(shape[0] * scene.initial->qdot[0], 0.01, 1e-16);
+  for (std::size_t j = 1; j < 26; ++j) {
+    const double n = 2.0 * static_cast<double>(j) - 1.0, wave = n * pi / length;
+    EXPECT_NEAR(scene.modal()->frequencies[j] / (wave * wave * std::sqrt(rigidity / line)), 1.0,
+                1e-14);
+    EXPECT_NEAR(shape[j] / (-std::sqrt(2.0 / (line * length)) * std::sin(0.5 * n * pi)), 1.0,
+                1e-14);
+    EXPECT_EQ(scene.initial->qdot[j], 0.0);
+  }
+  // Two thirds of the modulus in plane strain, times the root of the radius.
+  EXPECT_NEAR(scene.stops[0].spring->stiffness / (2.0 / 3.0 * 206e9 / 0.91 * 0.1), 1.0, 1e-13);
 }
 
 // Every table and choice, with numbers that need all 17 digits.

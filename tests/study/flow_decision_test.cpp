@@ -1,6 +1,7 @@
 // The flow that "auto" takes, held to the reference on every shipped scene.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <filesystem>
 
 #include "graze/assembly/assembly.hpp"
@@ -17,7 +18,7 @@ namespace {
 std::vector<std::string> shipped_scenes() {
   std::vector<std::string> paths;
   for (const auto& entry :
-       std::filesystem::directory_iterator(std::string(GRAZE_SOURCE_DIR) + "/data/scenes"))
+       std::filesystem::directory_iterator(std::filesystem::path(GRAZE_SOURCE_DIR) / "data/scenes"))
     if (entry.path().extension() == ".toml") paths.push_back(entry.path().string());
   return paths;
 }
@@ -30,6 +31,10 @@ TEST(FlowDecision, MeetsTheToleranceOfEveryShippedSceneForTheLeast) {
     SCOPED_TRACE(path);
     const Scene scene = read_scene(path);
     const System system = assemble(scene);
+    // Costs are compared at rigid stops.
+    if (std::any_of(system.stops.begin(), system.stops.end(),
+                    [](const RigidStop& stop) { return stop.spring.has_value(); }))
+      continue;
     const State start = initial_state(scene, system);
     FlowCostOptions options;
     options.impacts = 20;
