@@ -9,10 +9,12 @@
 #include "graze/bifurcation/branch_collector.hpp"
 #include "graze/bifurcation/closed_form_survey.hpp"
 #include "graze/bifurcation/speed_survey.hpp"
+#include "graze/bifurcation/strobe_branches.hpp"
 #include "graze/hybrid/simulation.hpp"
 #include "graze/orbit/closed_form.hpp"
 #include "graze/orbit/settled.hpp"
 #include "graze/orbit/sticking_orbit.hpp"
+#include "graze/orbit/strobe_finder.hpp"
 
 namespace graze {
 namespace {
@@ -222,6 +224,8 @@ class OrbitTracer {
 }  // namespace
 
 OrbitBranches trace_orbits(const SystemFamily& family, const BranchOptions& options) {
+  const std::optional<System> own = family.at(family.value());
+  if (own && has_compliant_stop(*own)) return trace_strobe_orbits(family, options);
   return OrbitTracer(family, options).trace();
 }
 

@@ -21,6 +21,7 @@
 #include "graze/orbit/settled.hpp"
 #include "graze/orbit/solve.hpp"
 #include "graze/orbit/sticking_orbit.hpp"
+#include "graze/orbit/strobe_finder.hpp"
 
 namespace graze {
 namespace {
@@ -357,6 +358,7 @@ class Finder {
 
 FoundOrbits find_orbits(const System& system, const std::optional<State>& start,
                         const FinderOptions& options) {
+  if (has_compliant_stop(system)) return find_strobe_orbits(system, start, options);
   return Finder(system, start, options).find();
 }
 

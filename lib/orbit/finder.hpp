@@ -8,6 +8,8 @@
 //                 free motion repeats by itself), Levenberg-Marquardt on the shooting equations
 //                 from rough guesses.
 //
+// With compliant stops: strobe_finder.hpp.
+//
 // Newton's method on the shooting equations polishes each solution, and the recomputed residual is
 // the judge. A list is what the budgets have found, never proved to be all there is.
 #pragma once

@@ -44,6 +44,22 @@ struct OrbitSticking {
   double closure_speed = 0.0;  // m/s: the tails of its chatters below it are summed
 };
 
+// What became of an impact at a compliant stop.
+struct OrbitContact {
+  double duration = 0.0;     // s
+  double speed_after = 0.0;  // away from the stop, m/s
+  double peak_force = 0.0;   // N
+  double taken = 0.0;        // of the structure's energy, J
+};
+
+// What an orbit of a structure on compliant stops has beyond its impacts; see strobe_orbit.hpp.
+struct OrbitStrobe {
+  std::vector<OrbitContact> contacts;     // of each impact; at a rigid stop with nothing in it
+  OrbitInstant start;                     // of the first of these
+  std::vector<MotionState<double>> turns;  // at the start of each of its forcing periods
+  double closure_speed = 0.0;             // m/s, as of OrbitSticking
+};
+
 struct Orbit {
   int period = 1;  // p
   // In time order from the smallest (period_index, phase). Where a chatter completes, the impacts
@@ -59,8 +75,9 @@ struct Orbit {
   std::optional<double> clearance;
   double residual = 0.0;                  // of the shooting equations, scaled, largest entry
   std::optional<OrbitSticking> sticking;  // of an orbit that sticks
+  std::optional<OrbitStrobe> strobe{};    // of an orbit on compliant stops
 
-  // For the shooting equations, which know no sticking.
+  // For the shooting equations, which know of no sticking and no compliant stops.
   ImpactPattern pattern() const;
   std::vector<ImpactPoint> points() const;
 };

@@ -38,39 +38,82 @@ std::vector<std::vector<CurveSample>> from_impact_to_impact(
   return flights;
 }
 
+// A motion as it was flown.
+class FlownCurve {
+ public:
+  FlownCurve(const System& system, const Vector& row, int per_period, const OrbitInstant& from)
+      : system_(system),
+        row_(row),
+        per_period_(per_period),
+        theta_(from.phase + kTurn * from.period_index) {}
+
+  void fly(const MotionState<double>& start, const Instant<double>& end, double closure_speed) {
+    PassageOptions options;
+    options.closure_speed = closure_speed;
+    std::vector<Instant<double>> starts;
+    options.flight = [&](const ContactPhase<double>& phase, const Instant<double>& at, double s) {
+      starts.push_back(at);
+      add(phase, s);
+    };
+    const Passage passage = pass(system_, start, end, options);
+    for (const Instant<double>& at : starts) {
+      const auto there = [&at](const Instant<double>& impact) {
+        return impact.period == at.period && impact.local == at.local;
+      };
+      begins_at_impact_.push_back(
+          std::any_of(passage.impacts.begin(), passage.impacts.end(),
+                      [&](const PassedImpact& impact) { return there(impact.at); }) ||
+          std::any_of(passage.contacts.begin(), passage.contacts.end(),
+                      [&](const PassedContact& c) { return !c.from_start && there(c.from); }));
+    }
+  }
+
+  std::vector<std::vector<CurveSample>> from_impact_to_impact(double round) {
+    return graze::from_impact_to_impact(flights_, begins_at_impact_, round);
+  }
+
+ private:
+  void add(const ContactPhase<double>& phase, double s) {
+    const double frequency = system_.forcing->frequency;
+    // The hops of a chatter are short and still curves, and so are contacts.
+    const int count =
+        std::max(12, static_cast<int>(std::ceil(frequency * s / kTurn * per_period_)));
+    State state{Vector(system_.modes()), Vector(system_.modes())};
+    flights_.emplace_back();
+    for (int k = 0; k <= count; ++k) {
+      phase.state(s * k / count, state.q, state.qdot);
+      flights_.back().push_back(
+          {theta_ + frequency * s * k / count, row_.dot(state.q), row_.dot(state.qdot)});
+    }
+    theta_ += frequency * s;
+  }
+
+  const System& system_;
+  const Vector& row_;
+  int per_period_;
+  double theta_;  // rad
+  std::vector<std::vector<CurveSample>> flights_;
+  std::vector<bool> begins_at_impact_;
+};
+
 // An orbit that sticks, flown from its section.
 std::vector<std::vector<CurveSample>> sticking_curve(const System& system, const Orbit& orbit,
                                                      const Vector& row, int per_period) {
   const OrbitSticking& sticking = *orbit.sticking;
-  const double frequency = system.forcing->frequency;
-  std::vector<std::vector<CurveSample>> flights;
-  std::vector<Instant<double>> starts;
-  double theta = sticking.section.phase + kTurn * sticking.section.period_index;
-  State state{Vector(system.modes()), Vector(system.modes())};
-  PassageOptions options;
-  options.closure_speed = sticking.closure_speed;
-  options.flight = [&](const ContactPhase<double>& phase, const Instant<double>& start, double s) {
-    // The hops of a chatter are short and still curves.
-    const int count = std::max(12, static_cast<int>(std::ceil(frequency * s / kTurn * per_period)));
-    starts.push_back(start);
-    flights.emplace_back();
-    for (int k = 0; k <= count; ++k) {
-      phase.state(s * k / count, state.q, state.qdot);
-      flights.back().push_back(
-          {theta + frequency * s * k / count, row.dot(state.q), row.dot(state.qdot)});
-    }
-    theta += frequency * s;
-  };
+  FlownCurve curve(system, row, per_period, sticking.section);
   const Instant<double>& from = sticking.at_section.instant;
-  const Passage passage =
-      pass(system, sticking.at_section, {from.period + orbit.period, from.local}, options);
-  std::vector<bool> begins_at_impact;
-  for (const Instant<double>& start : starts)
-    begins_at_impact.push_back(std::any_of(
-        passage.impacts.begin(), passage.impacts.end(), [&start](const PassedImpact& impact) {
-          return impact.at.period == start.period && impact.at.local == start.local;
-        }));
-  return from_impact_to_impact(flights, begins_at_impact, kTurn * orbit.period);
+  curve.fly(sticking.at_section, {from.period + orbit.period, from.local}, sticking.closure_speed);
+  return curve.from_impact_to_impact(kTurn * orbit.period);
+}
+
+// One on compliant stops, turn by turn.
+std::vector<std::vector<CurveSample>> strobe_curve(const System& system, const Orbit& orbit,
+                                                   const Vector& row, int per_period) {
+  const OrbitStrobe& strobe = *orbit.strobe;
+  FlownCurve curve(system, row, per_period, strobe.start);
+  for (const MotionState<double>& turn : strobe.turns)
+    curve.fly(turn, {turn.instant.period + 1, turn.instant.local}, strobe.closure_speed);
+  return curve.from_impact_to_impact(kTurn * orbit.period);
 }
 
 }  // namespace
@@ -79,6 +122,7 @@ std::vector<std::vector<CurveSample>> orbit_curve(const System& system, const Or
                                                   int stop, int per_period) {
   const Vector& row = system.stops[static_cast<std::size_t>(stop)].row;
   if (orbit.sticking) return sticking_curve(system, orbit, row, per_period);
+  if (orbit.strobe) return strobe_curve(system, orbit, row, per_period);
   const ExactFlow<double> flow(system);
   Arc<double> arc(flow);
   const std::vector<ImpactPoint> points = orbit.points();

@@ -2,6 +2,7 @@
 
 #include "graze/base/linear_equations.hpp"
 #include "graze/flow/contact_share.hpp"
+#include "graze/flow/sprung_deviation.hpp"
 #include "graze/orbit/shooting.hpp"
 
 namespace graze {
@@ -20,6 +21,22 @@ void ParameterDeviation::carry(const ContactPhase<double>& phase, const State& s
   column_.qdot += growth.change.qdot;
   last_ = std::move(growth.change);
   moved_ = std::move(growth.moved);
+}
+
+void ParameterDeviation::carry_on_springs(const ContactPhase<double>& phase, const State& start,
+                                          double theta, double s) {
+  Deviations end = sprung_parameter_deviation(*system_, *tangent_, phase, start, theta, s, column_);
+  last_ = {end.q - column_.q, end.qdot - column_.qdot, column_.delay};
+  State there{Vector(start.q.size()), Vector(start.q.size())};
+  phase.state(s, there.q, there.qdot);
+  moved_ = there.q - start.q;
+  column_ = std::move(end);
+}
+
+void ParameterDeviation::cross(int i, const State& at, double resistance) {
+  const double reach =
+      stop(i).row.dot(column_.q.col(0)) + stop_rate(i).row.dot(at.q) - stop_rate(i).gap;
+  column_.qdot.col(0) -= resistance * reach * stop(i).row;
 }
 
 void ParameterDeviation::meet(int i, const State& at, const State& rate, double v, bool departed) {

@@ -30,6 +30,12 @@ class ParameterDeviation {
   // Along a flight of s seconds from `start` at phase theta. What it adds to b.dq + db.q - da at a
   // stop is remembered for a contact at its end.
   void carry(const ContactPhase<double>& phase, const State& start, double theta, double s);
+  // The same on compressed springs, at no delay.
+  void carry_on_springs(const ContactPhase<double>& phase, const State& start, double theta,
+                        double s);
+  // A contact with a compliant stop begins at its surface, or with a negative resistance ends there
+  // (sprung_deviation.hpp); at no delay.
+  void cross(int stop, const State& at, double resistance);
   // On from a contact of the undisturbed motion to its own: `at` is the state before the impact,
   // `rate` how it moves with time, v the approach speed, `departed`: the flight left this stop.
   void meet(int stop, const State& at, const State& rate, double v, bool departed);

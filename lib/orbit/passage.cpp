@@ -3,13 +3,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
-#include "graze/base/linear_equations.hpp"
-#include "graze/flow/contact_share.hpp"
 #include "graze/hybrid/clearance.hpp"
+#include "graze/hybrid/contact_book.hpp"
 #include "graze/hybrid/next_flight.hpp"
-#include "graze/orbit/shooting.hpp"
+#include "graze/system/gap_value.hpp"
 #include "graze/system/scale.hpp"
 
 namespace graze {
@@ -26,13 +26,15 @@ class Follower {
       : system_(system),
         end_(end),
         options_(options),
-        deviations_(deviations),
-        parameter_(parameter),
         motion_(system, start),
+        carried_(system, motion_, deviations, parameter),
+        book_(system.stops.size()),
         longest_flight_(longest_flight(system)) {
-    for (std::size_t i = 0; i < start.contacts.size(); ++i)
+    for (std::size_t i = 0; i < start.contacts.size(); ++i) {
       if (start.contacts[i] == Contact::kClosed)
         open_hold(static_cast<int>(i), start.instant, true);
+      if (start.contacts[i] == Contact::kCompressed) open_contact(static_cast<int>(i), 0.0, true);
+    }
   }
 
   Passage follow() {
@@ -43,10 +45,9 @@ class Follower {
       hold.to_end = true;
       passage_.holds.push_back(hold);
     }
+    while (!in_contact_.empty()) close_contact(in_contact_.front().stop, 0.0, true);
     passage_.end = motion_.state();
-    if (deviations_ && passage_.failure.empty())
-      move_instant(*deviations_, rate_now(closed_now()), -deviations_->delay);
-    if (parameter_ && passage_.failure.empty()) parameter_->end(rate_now(closed_now()));
+    if (carried_.any() && passage_.failure.empty()) carried_.undelay();
     return std::move(passage_);
   }
 
@@ -58,45 +59,39 @@ class Follower {
     return false;
   }
 
-  std::vector<int> closed_now() const {
-    std::vector<int> closed;
-    for (std::size_t i = 0; i < system_.stops.size(); ++i)
-      if (motion_.is_closed(static_cast<int>(i))) closed.push_back(static_cast<int>(i));
-    return closed;
-  }
-
   State state_now() const { return {motion_.q(), motion_.qdot()}; }
-
-  State rate_now(const std::vector<int>& closed) const {
-    return held_rate(system_, closed, {motion_.q(), motion_.qdot()},
-                     motion_.flow().phase(motion_.instant()));
-  }
 
   // One flight or one change; false when the passage is over.
   bool proceed() {
     const Instant<double> start = motion_.instant();
     if (motion_.has_news()) {
       const Arrival<double> news = motion_.fly(start.local);
-      if (deviations_ && news.kind == ArrivalKind::kContact)
-        meet(news, stop(news.stop).row.transpose() * deviations_->q, closed_now());
-      if (parameter_ && news.kind == ArrivalKind::kContact)
-        parameter_->meet_at_once(news.stop, state_now(), rate_now(closed_now()), news.speed);
+      if (news.kind == ArrivalKind::kContact) carried_.meet_at_once(news);
       return receive(news);
     }
     if (tail_ && not_before(start, tail_->over)) announce_tail();
     if (not_before(start, end_)) return false;
     if ((++polls_ & 255) == 0 && options_.stop.requested())
       return fail("stopped before the orbit was found");
+    if (motion_.is_sprung() && carried_.any()) {
+      if (motion_.is_closed_anywhere())
+        return fail(
+            "what a compliant stop does to small deviations while another one holds the structure "
+            "is not followed");
+      carried_.undelay();
+    }
     const NextFlight flight = next_flight(motion_, end_, tail_, longest_flight_);
     const Arrival<double> arrival = motion_.fly(flight.until, flight.horizon);
     if (arrival.kind == ArrivalKind::kNotFinite || arrival.kind == ArrivalKind::kRefused)
       return receive(arrival);
-    const std::vector<int>& closed = motion_.flown().closed();
     if (options_.flight) options_.flight(motion_.flown(), start, arrival.flight);
-    if (options_.minima && arrival.flight > 0.0) note_minima(arrival.flight);
-    if (options_.along && arrival.flight > 0.0) note_approaches(arrival.flight);
-    if (deviations_) carry(arrival, closed);
-    if (parameter_) carry_parameter(arrival, closed);
+    if (!motion_.flown().springs().empty()) {
+      graze::follow(book_, motion_.flown(), arrival.flight);
+    } else if (arrival.flight > 0.0) {
+      if (options_.minima) note_minima(arrival.flight);
+      if (options_.along) note_approaches(arrival.flight);
+    }
+    carried_.carry(arrival);
     return receive(arrival);
   }
 
@@ -105,39 +100,6 @@ class Follower {
   }
 
   bool departed_from(int i) const { return contact_at_departure(i) != Contact::kClear; }
-
-  // Deviations along the flight; at a contact, to the deviated motion's own contact.
-  void carry(const Arrival<double>& arrival, const std::vector<int>& closed) {
-    hold(system_, closed, *deviations_);
-    const Deviations change = growth(motion_.flown(), arrival.flight, *deviations_);
-    Eigen::RowVectorXd reach(deviations_->count());
-    if (arrival.kind == ArrivalKind::kContact) {
-      const RigidStop& s = stop(arrival.stop);
-      reach = s.row.transpose() * change.q;
-      // A flight that left this stop left it with b.dq = 0, as an identity.
-      if (!departed_from(arrival.stop)) reach += s.row.transpose() * deviations_->q;
-    }
-    deviations_->q += change.q;
-    deviations_->qdot += change.qdot;
-    if (arrival.kind == ArrivalKind::kContact) meet(arrival, reach, closed);
-  }
-
-  void carry_parameter(const Arrival<double>& arrival, const std::vector<int>& closed) {
-    const MotionState<double>& start = motion_.departure();
-    parameter_->carry(motion_.flown(), {start.q, start.qdot}, motion_.flow().phase(start.instant),
-                      arrival.flight);
-    if (arrival.kind == ArrivalKind::kContact)
-      parameter_->meet(arrival.stop, state_now(), rate_now(closed), arrival.speed,
-                       departed_from(arrival.stop));
-  }
-
-  // `reach`: b.dq at the undeviated contact.
-  void meet(const Arrival<double>& arrival, const Eigen::RowVectorXd& reach,
-            const std::vector<int>& closed) {
-    const RigidStop& s = stop(arrival.stop);
-    move_instant(*deviations_, rate_now(closed), -reach / arrival.speed);
-    deviations_->q -= s.row * (s.row.transpose() * deviations_->q) / s.row.squaredNorm();
-  }
 
   // The stops that the flight flown last moved clear of.
   std::vector<int> open_stops() const {
@@ -171,35 +133,8 @@ class Follower {
       for (const GapMinimum& minimum :
            minima_below(phase.gap(i, flight, departed_from(i)), multiplicity(i),
                         std::numeric_limits<double>::infinity()))
-        passage_.approaches.push_back(
-            {i, passage_.impacts.size(), minimum.s, minimum.gap, gap_rate(i, minimum.s)});
-  }
-
-  // How the gap at a stop, s after the departure, moves along the direction.
-  double gap_rate(int i, double s) const {
-    const PassageDirection& along = *options_.along;
-    const MotionState<double>& departure = motion_.departure();
-    Deviations one{deviations_->q * along.deviations, deviations_->qdot * along.deviations,
-                   deviations_->delay * along.deviations};
-    hold(system_, motion_.flown().closed(), one);
-    ParameterDeviation by_parameter = *parameter_;
-    by_parameter.carry(motion_.flown(), {departure.q, departure.qdot},
-                       motion_.flow().phase(departure.instant), s);
-    const Vector q =
-        one.q + growth(motion_.flown(), s, one).q + along.parameter * by_parameter.value().q;
-    State there{Vector(system_.modes()), Vector(system_.modes())};
-    motion_.flown().state(s, there.q, there.qdot);
-    const RigidStop& rate = along.tangent->stops[static_cast<std::size_t>(i)];
-    return along.parameter * (rate.gap - rate.row.dot(there.q)) - stop(i).row.dot(q);
-  }
-
-  // How the speed of an impact moves, the deviations being those at the contact.
-  double speed_rate(int i, const State& before) const {
-    const PassageDirection& along = *options_.along;
-    const RigidStop& rate = along.tangent->stops[static_cast<std::size_t>(i)];
-    return stop(i).row.dot(deviations_->qdot * along.deviations) +
-           along.parameter *
-               (stop(i).row.dot(parameter_->value().qdot) + rate.row.dot(before.qdot));
+        passage_.approaches.push_back({i, passage_.impacts.size(), minimum.s, minimum.gap,
+                                       carried_.gap_rate(*options_.along, i, minimum.s)});
   }
 
   bool receive(const Arrival<double>& arrival) {
@@ -214,9 +149,14 @@ class Follower {
           open_hold(arrival.stop, motion_.instant(), false);
         return true;
       case ArrivalKind::kEntry:
+        return enter(arrival.stop);
       case ArrivalKind::kSeparation:
+        if (!arrival.below && stop(arrival.stop).spring->separation == Separation::kAtZeroDepth)
+          carried_.cross_surface(arrival.stop, -1.0);
+        close_contact(arrival.stop, -motion_.approach_speed(arrival.stop), false);
+        return true;
       case ArrivalKind::kLeft:
-        return fail("what a compliant stop does to small deviations is not followed");
+        return true;
       case ArrivalKind::kRelease:
         close_hold(arrival.stop);
         return true;
@@ -228,6 +168,18 @@ class Follower {
     return false;
   }
 
+  // A spring that grips again below the surface does so smoothly.
+  bool enter(int i) {
+    const GapValue<double> gap = gap_value<double>(stop(i).row, motion_.q(), stop(i).gap);
+    if (std::abs(gap.value) <= gap.rounding) carried_.cross_surface(i, 1.0);
+    open_contact(i, motion_.approach_speed(i), false);
+    return ++impacts_ <= options_.max_impacts || out_of_impacts();
+  }
+
+  bool out_of_impacts() {
+    return fail(fmt::format("the budget of {} impacts was spent", options_.max_impacts));
+  }
+
   bool impact() {
     const State before = state_now();
     const std::vector<ImpactShare<double>> shares = motion_.impact();
@@ -236,51 +188,23 @@ class Follower {
       if (!share.hit) continue;
       ++hits;
       ++impacts_;
-      passage_.impacts.push_back({share.stop, motion_.instant(), share.speed, before,
-                                  options_.along ? speed_rate(share.stop, before) : 0.0});
+      passage_.impacts.push_back(
+          {share.stop, motion_.instant(), share.speed, before,
+           options_.along ? carried_.speed_rate(*options_.along, share.stop, before) : 0.0});
     }
-    if (impacts_ > options_.max_impacts)
-      return fail(fmt::format("the budget of {} impacts was spent", options_.max_impacts));
-    if ((deviations_ || parameter_) && hits > 1)
+    if (impacts_ > options_.max_impacts) return out_of_impacts();
+    if (carried_.any() && hits > 1)
       return fail("two stops are hit at one instant: the map has no derivative there");
-    if (deviations_) jump(shares);
-    if (parameter_) parameter_->jump(shares, before.qdot);
+    carried_.jump(shares, before.qdot);
     close_chatter(shares);
     return true;
-  }
-
-  // The derivative of q'+ = q'- - D (B^T D)^-1 (v- - target) over the stops that act.
-  void jump(const std::vector<ImpactShare<double>>& shares) {
-    std::vector<int> acting;
-    Vector slopes(static_cast<Eigen::Index>(shares.size()));
-    for (const ImpactShare<double>& share : shares) {
-      if (!(share.impulse > 0.0)) continue;
-      // A closed stop takes up what comes; so does one that leaves no room for a rebound.
-      slopes[static_cast<Eigen::Index>(acting.size())] =
-          share.speed_after < 0.0 ? jump_slope(stop(share.stop), share.speed) : 1.0;
-      acting.push_back(share.stop);
-    }
-    undo(acting, slopes.head(static_cast<Eigen::Index>(acting.size())), deviations_->qdot);
-  }
-
-  // Takes these parts of what the stops see of the columns out of them, along the impulses.
-  void undo(const std::vector<int>& stops, const Vector& parts, Matrix& columns) const {
-    if (columns.cols() == 0) return;
-    const Matrix rows = rows_of(system_, stops), directions = directions_of(system_, stops);
-    const Matrix undone = parts.asDiagonal() * (rows.transpose() * columns);
-    columns -= directions * LuFactors(rows.transpose() * directions).solve_columns(undone);
   }
 
   void close_chatter(const std::vector<ImpactShare<double>>& shares) {
     const State before = state_now();
     const auto closed = motion_.close_chatter(shares, options_.closure_speed);
     if (!closed) return;
-    if (deviations_) {
-      const Vector all = Vector::Ones(static_cast<Eigen::Index>(closed->closed.size()));
-      undo(closed->closed, all, deviations_->q);
-      undo(closed->closed, all, deviations_->qdot);
-    }
-    if (parameter_) parameter_->close(closed->closed, before);
+    carried_.close(closed->closed, before);
     tail_ = tail_of(motion_, *closed);
   }
 
@@ -305,13 +229,39 @@ class Follower {
     holding_.erase(held);
   }
 
+  void open_contact(int i, double speed, bool from_start) {
+    book_[static_cast<std::size_t>(i)] = {};
+    PassedContact contact;
+    contact.stop = i;
+    contact.from = motion_.instant();
+    contact.from_start = from_start;
+    contact.speed = speed;
+    contact.before = state_now();
+    in_contact_.push_back(std::move(contact));
+  }
+
+  void close_contact(int i, double speed, bool to_end) {
+    const auto open = std::find_if(in_contact_.begin(), in_contact_.end(),
+                                   [i](const PassedContact& contact) { return contact.stop == i; });
+    if (open == in_contact_.end()) return;
+    const SpringContact& book = book_[static_cast<std::size_t>(i)];
+    open->to = motion_.instant();
+    open->to_end = to_end;
+    open->speed_after = speed;
+    open->peak_force = book.peak_force;
+    open->taken = book.taken;
+    passage_.contacts.push_back(*open);
+    in_contact_.erase(open);
+  }
+
   const System& system_;
   const Instant<double> end_;
   const PassageOptions& options_;
-  Deviations* deviations_;
-  ParameterDeviation* parameter_;
   Motion<double> motion_;
+  CarriedDeviations carried_;
   std::vector<PassedHold> holding_;
+  std::vector<PassedContact> in_contact_;
+  ContactBook book_;
   double longest_flight_;  // s
   std::optional<ChatterTail> tail_;
   long long polls_ = 0, impacts_ = 0;

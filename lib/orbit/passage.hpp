@@ -5,7 +5,8 @@
 //   impact   the derivative of the jump at fixed position, shared with the stops that are touched;
 //   closure  as an impact with r = 0 on that stop: what it closes on forgets its deviation along
 //            (b.q, b.q'). State and derivative err by O(v_c^3);
-//   release  the identity: the contact force vanishes there and (q', q'') is continuous.
+//   release  the identity: the contact force vanishes there and (q', q'') is continuous;
+//   contact with a compliant stop: as sprung_deviation.hpp says.
 #pragma once
 
 #include <functional>
@@ -15,19 +16,10 @@
 
 #include "graze/base/default_budget.hpp"
 #include "graze/base/stop_signal.hpp"
-#include "graze/flow/deviation.hpp"
 #include "graze/hybrid/motion.hpp"
-#include "graze/orbit/parameter_deviation.hpp"
+#include "graze/orbit/carried_deviations.hpp"
 
 namespace graze {
-
-// A direction in which the start and the parameter move: weights of the deviations, one for each,
-// and of the parameter's own.
-struct PassageDirection {
-  Vector deviations;
-  double parameter = 0.0;
-  const System* tangent = nullptr;  // derivative of the system by the parameter
-};
 
 struct PassageOptions {
   double closure_speed = 0.0;  // m/s: below it the tail of a chatter is summed
@@ -66,11 +58,23 @@ struct PassedHold {
   std::optional<double> smallest_force;     // interior local minimum, N; with `minima`
 };
 
+// A contact at a compliant stop. One that the start of the passage cuts has no speed.
+struct PassedContact {
+  int stop = 0;
+  Instant<double> from, to;
+  bool from_start = false, to_end = false;  // cut by the ends of the passage
+  double speed = 0.0, speed_after = 0.0;    // towards the stop and away from it, m/s
+  double peak_force = 0.0;                  // N
+  double taken = 0.0;                       // of the structure's energy, J
+  State before;
+};
+
 struct Passage {
   std::string failure;  // a sentence where the end was not reached; empty: it was
   MotionState<double> end;
   std::vector<PassedImpact> impacts;
-  std::vector<PassedHold> holds;    // by the instant at which they end
+  std::vector<PassedHold> holds;        // by the instant at which they end
+  std::vector<PassedContact> contacts;  // likewise
   std::optional<double> clearance;  // smallest interior local minimum of a gap, m; with `minima`
   std::vector<PassedApproach> approaches;  // with `along`
 };

@@ -79,6 +79,8 @@ PeriodHistory::Contacts PeriodHistory::contacts_since(long long from) const {
   Contacts all{false, true};
   for (long long n = from; n < periods(); ++n) {
     all.any = all.any || periods_[n].contacts.any;
+    all.sprung = all.sprung || periods_[n].contacts.sprung;
+    all.closed = all.closed || periods_[n].contacts.closed;
     all.held = all.held && periods_[n].contacts.held;
   }
   return all;

@@ -33,8 +33,10 @@ class PeriodHistory {
 
   // What happened to the stops in a period.
   struct Contacts {
-    bool any = false;   // one was closed at some time
-    bool held = false;  // closed all the time, without an impact or a release
+    bool any = false;     // one was closed or compressed at some time
+    bool held = false;    // closed all the time, without an impact or a release
+    bool sprung = false;  // one was compressed at some time
+    bool closed = false;  // one was closed at some time
   };
 
   // Remembers at least `most` periods. Requires forcing.

@@ -61,7 +61,8 @@ class Settling {
  private:
   // False when the motion could not be followed to the end of the period.
   bool fly_period() {
-    contacts_ = {motion_.is_closed_anywhere(), motion_.is_closed_anywhere()};
+    const bool closed = motion_.is_closed_anywhere(), sprung = motion_.is_sprung();
+    contacts_ = {closed || sprung, closed, sprung, closed};
     in_period_ = 0;
     // The clock costs as much as a few arcs of a small system.
     if (stop_requested((history_.periods() & 31) == 0)) return false;
@@ -89,12 +90,15 @@ class Settling {
       case ArrivalKind::kContact:
         return take_impact(arrival);
       case ArrivalKind::kStick:
-        contacts_.any = true;
+        contacts_.any = contacts_.closed = true;
         return true;
       case ArrivalKind::kEntry:
+        contacts_.any = contacts_.sprung = true;
+        contacts_.held = false;
+        return count_impact() &&
+               remember_impact(arrival.stop, motion_.approach_speed(arrival.stop));
       case ArrivalKind::kSeparation:
       case ArrivalKind::kLeft:
-        contacts_.any = true;
         return true;
       case ArrivalKind::kRelease:
         contacts_.held = false;
@@ -112,6 +116,22 @@ class Settling {
   }
 
   bool take_impact(const Arrival<double>& arrival) {
+    if (!count_impact()) return false;
+    contacts_.held = false;
+    remember_impact(arrival.stop, arrival.speed);
+    motion_.close_chatter(motion_.impact(), closure_speed_);
+    return true;
+  }
+
+  bool remember_impact(int stop, double speed) {
+    history_.add_impact(
+        {motion_.instant().period, stop, motion_.flow().phase(motion_.instant()), speed},
+        motion_.q(), motion_.qdot());
+    return true;
+  }
+
+  // False where that was one too many, or it is time to stop.
+  bool count_impact() {
     if (result_.impacts_met >= options_.max_impacts)
       return end(SettledKind::kImpactBudget, fmt::format("spent the budget of {} before it settled",
                                                          count(options_.max_impacts, "impact")));
@@ -119,13 +139,7 @@ class Settling {
       return end(SettledKind::kImpactBudget,
                  fmt::format("impacts without end in forcing period {}", now()));
     // A period can hold thousands of impacts on a large structure.
-    if ((++result_.impacts_met & 255) == 0 && stop_requested(true)) return false;
-    contacts_.held = false;
-    history_.add_impact({motion_.instant().period, arrival.stop,
-                         motion_.flow().phase(motion_.instant()), arrival.speed},
-                        motion_.q(), motion_.qdot());
-    motion_.close_chatter(motion_.impact(), closure_speed_);
-    return true;
+    return (++result_.impacts_met & 255) != 0 || !stop_requested(true);
   }
 
   bool stop_requested(bool reads_clock) {
@@ -232,19 +246,23 @@ class Settling {
     const auto contacts = history_.contacts_since(from);
     keep_since(from);
     result_.period = p;
-    result_.sticks = contacts.any;
+    result_.sticks = contacts.closed;
     const std::string every = "every " + (p == 1 ? "forcing period" : count(p, "forcing period"));
     if (contacts.held) {
       end(SettledKind::kAtRest, "stays on the stop for ever");
-    } else if (contacts.any) {
+    } else if (contacts.closed) {
       end(SettledKind::kSticks, "comes to rest on a stop and is released, the same " + every);
     } else if (result_.impacts.empty()) {
-      end_clear();
+      if (contacts.sprung)
+        end(SettledKind::kAtRest, "stays on the stop for ever");
+      else
+        end_clear();
     } else {
       end(SettledKind::kImpacts,
           fmt::format("settles on {} that {} {}",
                       count(static_cast<long long>(result_.impacts.size()), "impact"),
                       result_.impacts.size() == 1 ? "repeats" : "repeat", every));
+      if (contacts.sprung) return;
       Pattern last = pattern_of_last(p);
       result_.pattern = std::move(last.pattern);
       result_.points = std::move(last.points);
@@ -287,7 +305,7 @@ class Settling {
 
   void keep_since(long long from) {
     result_.at_start = history_.state_at_start(from);
-    result_.sticks = history_.contacts_since(from).any;
+    result_.sticks = history_.contacts_since(from).closed;
     result_.impacts = history_.impacts_since(from);
     for (long long n = from; n < history_.periods(); ++n)
       result_.strobes.push_back(history_.state_at_start(n));

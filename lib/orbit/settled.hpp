@@ -41,8 +41,8 @@ struct SettledMotion {
   // Of the last repetition, or of the last `tail` periods where it does not repeat.
   std::vector<MetImpact> impacts;
   std::vector<State> strobes;  // the states at the starts of these periods
-  // The repeating pattern, with the points of its last repetition; nothing when none was found or
-  // when it sticks. Where no nearness was asked for it need not be minimal: where deviations
+  // The repeating pattern, with the points of its last repetition; nothing when none was found,
+  // when it sticks, or with contacts at compliant stops. Where no nearness was asked for it need not be minimal: where deviations
   // alternate in sign, two periods agree before one does.
   std::optional<ImpactPattern> pattern;
   std::vector<ImpactPoint> points;

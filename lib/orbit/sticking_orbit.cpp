@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "graze/base/angle.hpp"
 #include "graze/base/linear_equations.hpp"
+#include "graze/orbit/orbit_clock.hpp"
 #include "graze/orbit/passage.hpp"
 #include "graze/orbit/solve.hpp"
 
@@ -148,44 +148,6 @@ std::optional<double> stuck_instant(const Passage& passage, double period) {
   return middle;
 }
 
-// Where instants lie within the orbit: counted from the impact of the smallest phase.
-class OrbitClock {
- public:
-  OrbitClock(const System& system, int period, const std::vector<PassedImpact>& impacts)
-      : forcing_(*system.forcing), period_(period) {
-    const PassedImpact* first = nullptr;
-    double smallest = 0.0;
-    for (const PassedImpact& impact : impacts) {
-      const double phase = wrapped(theta(impact.at));
-      if (first && !(phase < smallest)) continue;
-      first = &impact;
-      smallest = phase;
-    }
-    if (first) origin_ = turns(first->at);
-  }
-
-  OrbitInstant operator()(const Instant<double>& at) const {
-    const long long index = (turns(at) - origin_) % period_;
-    return {static_cast<int>(index < 0 ? index + period_ : index), wrapped(theta(at))};
-  }
-
- private:
-  double theta(const Instant<double>& at) const {
-    return forcing_.frequency * at.local + forcing_.phase;
-  }
-  long long turns(const Instant<double>& at) const {
-    return at.period + std::llround((theta(at) - wrapped(theta(at))) / kTurn);
-  }
-
-  const HarmonicForcing& forcing_;
-  const int period_;
-  long long origin_ = 0;
-};
-
-bool earlier(const OrbitInstant& a, const OrbitInstant& b) {
-  return a.period_index != b.period_index ? a.period_index < b.period_index : a.phase < b.phase;
-}
-
 // Stuck phases of the orbit; one that the section cuts is put together again.
 std::vector<OrbitHold> holds_of(const System& system, int period, const Passage& passage,
                                 const OrbitClock& clock) {
@@ -216,9 +178,15 @@ std::vector<OrbitHold> holds_of(const System& system, int period, const Passage&
   return holds;
 }
 
+std::vector<Instant<double>> instants_of(const std::vector<PassedImpact>& impacts) {
+  std::vector<Instant<double>> instants;
+  for (const PassedImpact& impact : impacts) instants.push_back(impact.at);
+  return instants;
+}
+
 Orbit orbit_of(const System& system, const HeldSection& section, const HeldSection::Return& back,
                int period, double closure_speed) {
-  const OrbitClock clock(system, period, back.passage.impacts);
+  const OrbitClock clock(system, period, instants_of(back.passage.impacts));
   Orbit orbit;
   orbit.period = period;
   for (const PassedImpact& impact : back.passage.impacts) {

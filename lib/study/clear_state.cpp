@@ -9,14 +9,14 @@ namespace graze {
 bool is_clear(const System& system, const State& state) {
   return std::all_of(system.stops.begin(), system.stops.end(), [&](const RigidStop& stop) {
     const GapValue<double> gap = gap_value<double>(stop.row, state.q, stop.gap);
-    return gap.value >= -gap.rounding;
+    return stop.spring || gap.value >= -gap.rounding;
   });
 }
 
 bool bring_clear(const System& system, State& state) {
   for (const RigidStop& stop : system.stops) {
     const GapValue<double> gap = gap_value<double>(stop.row, state.q, stop.gap);
-    if (gap.value < -gap.rounding) state.q += gap.value * stop.direction;
+    if (!stop.spring && gap.value < -gap.rounding) state.q += gap.value * stop.direction;
   }
   return is_clear(system, state);
 }

@@ -1,11 +1,11 @@
-// States from which a motion can start: clear of every stop.
+// States from which a motion can start: clear of every rigid stop.
 #pragma once
 
 #include "graze/system/system.hpp"
 
 namespace graze {
 
-// Whether no stop is penetrated, within the rounding of the gap.
+// Whether no rigid stop is penetrated, within the rounding of the gap.
 bool is_clear(const System& system, const State& state);
 
 // Moves a state that penetrates stops back onto them, each along the direction of its impulse, the

@@ -90,7 +90,6 @@ void require_rigid_stops(const Scene& scene, const char* what) {
 }
 
 void require_exact_flow(const Scene& scene, const char* what) {
-  require_rigid_stops(scene, what);
   if (!step_method(flow_decision(scene).flow)) return;
   throw scene_error(scene, "solver.flow",
                     fmt::format("the flow \"{}\" is not allowed where {}, it must be \"auto\" or "

@@ -1,0 +1,194 @@
+#include "graze/bifurcation/strobe_branches.hpp"
+
+#include <algorithm>
+#include <map>
+#include <memory>
+#include <utility>
+
+#include "graze/assembly/initial_state.hpp"
+#include "graze/bifurcation/found_branches.hpp"
+#include "graze/bifurcation/strobe_parts.hpp"
+#include "graze/continuation/switching.hpp"
+#include "graze/hybrid/simulation.hpp"
+
+namespace graze {
+namespace {
+
+class StrobeTracer {
+ public:
+  StrobeTracer(const SystemFamily& family, const BranchOptions& options)
+      : family_(family), options_(options) {
+    const System own = *family.at(family.value());
+    result_.parameter = family.parameter();
+    result_.scale = shooting_scale(own);
+    result_.range = std::abs(options.to - options.from);
+    range_.from = options.from;
+    range_.to = options.to;
+    range_.max_step = options.max_step;
+    range_.stop = options.stop;
+    strobe_.max_impacts = options.finder.max_impacts;
+    strobe_.stop = options.stop;
+    if (const std::optional<State> start = clear_start(family.scene(), own))
+      strobe_.closure_speed = options.finder.closure_speed.value_or(
+          default_closure_speed(own, *start, family.scene().solver.tolerance));
+  }
+
+  OrbitBranches trace() {
+    for (const double value : start_values()) {
+      if (options_.stop.requested()) break;
+      if (options_.progress) options_.progress(progress_++ / (1.0 + options_.start_values));
+      trace_at(value);
+    }
+    follow();
+    const double speed = result_.scale.length * family_.at(family_.value())->forcing->frequency;
+    result_.branches = put_in_order(std::move(found_), Components(result_.range, speed),
+                                    [](const OrbitBranch&) { return std::nullopt; });
+    result_.stopped = options_.stop.reason();
+    return std::move(result_);
+  }
+
+ private:
+  struct Traced {
+    const StrobeEquations* equations;
+    Branch branch;
+  };
+
+  // The scene's own, and values spread over the range.
+  std::vector<double> start_values() const {
+    const double low = std::min(options_.from, options_.to),
+                 high = std::max(options_.from, options_.to);
+    std::vector<double> values;
+    if (family_.value() >= low && family_.value() <= high) values.push_back(family_.value());
+    for (int i = 0; i < options_.start_values; ++i)
+      values.push_back(low + (high - low) * i / std::max(options_.start_values - 1, 1));
+    return values;
+  }
+
+  StrobeEquations& equations_of(int period) {
+    auto& place = equations_[period];
+    if (!place) place = std::make_unique<StrobeEquations>(family_, strobe_, period);
+    return *place;
+  }
+
+  void trace_at(double value) {
+    const std::optional<System> system = family_.at(value);
+    if (!system) return;
+    FinderOptions finder = options_.finder;
+    finder.period = options_.period;
+    finder.impacts = options_.impacts;
+    finder.stop = options_.stop;
+    // Random starts cost more than all else: at the first value only.
+    finder.from_random = finder.from_random && result_.starts == 0;
+    const FoundOrbits found = find_orbits(*system, clear_start(family_.scene(), *system), finder);
+    if (result_.notes.empty()) result_.notes = found.notes;
+    for (const Orbit& orbit : found.orbits) {
+      ++result_.starts;
+      StrobeEquations& equations = equations_of(orbit.period);
+      const std::optional<BranchPoint> start =
+          solve_at(equations.problem(), range_, equations.pack(orbit), value);
+      if (start && !knows(equations, *start)) add(equations, *start, Directions::kBoth, -1, 0);
+    }
+  }
+
+  // A solution begins with any of its turns.
+  bool knows(const StrobeEquations& equations, const BranchPoint& point) const {
+    const Eigen::Index n = equations.map().size(), size = point.u.size();
+    for (const Traced& traced : traced_) {
+      if (traced.equations != &equations) continue;
+      BranchPoint turned = point;
+      for (Eigen::Index first = 0; first < size; first += n) {
+        turned.u << point.u.tail(size - first), point.u.head(first);
+        if (first > 0) {
+          turned.tangent.head(size) << point.tangent.segment(first, size - first),
+              point.tangent.head(first);
+        }
+        if (lies_on(equations.problem(), range_, traced.branch, turned)) return true;
+      }
+    }
+    return false;
+  }
+
+  void add(StrobeEquations& equations, const BranchPoint& start, Directions directions,
+           int origin_branch, std::size_t origin_special) {
+    ContinuationOptions range = range_;
+    // The response that meets no stop is another matter.
+    range.proceed = [&](const BranchPoint&, const BranchPoint& here) {
+      return equations.judge(here).has_value();
+    };
+    Branch branch = trace_branch(equations.problem(), range, start, directions);
+    result_.shooting_evaluations += branch.evaluations;
+    result_.rejected_steps += branch.rejected;
+    bool cut = false;
+    for (StrobePart& part : parts_of(equations, range_, branch)) {
+      for (const OrbitBranchEnd end : part.branch.ends)
+        cut = cut || end == OrbitBranchEnd::kNotConverged || end == OrbitBranchEnd::kStepLimit;
+      critical_.push_back(std::move(part.critical));
+      on_.push_back(&equations);
+      found_.push_back(
+          {std::move(part.branch), nullptr, result_.traced, origin_branch, origin_special});
+    }
+    ++result_.traced;
+    if (cut) ++result_.cut_short;
+    if (origin_branch >= 0) ++result_.switched;
+    traced_.push_back({&equations, std::move(branch)});
+  }
+
+  // Onto doubled orbits and crossing branches, those of one depth after the other.
+  void follow() {
+    std::size_t first = 0;
+    for (int depth = 0; depth < options_.follow_depth; ++depth) {
+      const std::size_t last = found_.size();
+      for (std::size_t i = first; i < last; ++i)
+        for (std::size_t k = 0; k < critical_[i].size() && !options_.stop.requested(); ++k)
+          if (critical_[i][k]) switch_at(i, k);
+      first = last;
+    }
+    for (std::size_t i = first; i < found_.size() && options_.follow_depth > 0; ++i)
+      for (const auto& critical : critical_[i]) result_.left_open += leads_on(critical) ? 1 : 0;
+  }
+
+  static bool leads_on(const std::optional<CriticalPoint>& critical) {
+    return critical && (critical->kind == CriticalKind::kPeriodDoubling ||
+                        critical->kind == CriticalKind::kBranchPoint);
+  }
+
+  void switch_at(std::size_t index, std::size_t which) {
+    const std::optional<CriticalPoint> critical = critical_[index][which];
+    if (!leads_on(critical)) return;
+    const bool doubles = critical->kind == CriticalKind::kPeriodDoubling;
+    StrobeEquations& equations = doubles ? equations_of(2 * on_[index]->period()) : *on_[index];
+    const BranchPoint at = doubles ? twice_round(critical->point) : critical->point;
+    const std::optional<BranchPoint> start = other_branch(equations.problem(), range_, at);
+    if (!start) return;
+    // The doubling itself lies on every branch through it.
+    ContinuationOptions some = range_;
+    some.max_points = 2;
+    ZeroProblem bare = equations.problem();
+    bare.multipliers = nullptr;
+    const Branch away = trace_branch(bare, some, *start, Directions::kForward);
+    if (away.points.size() > 1 && knows(equations, away.points.back())) return;
+    add(equations, *start, doubles ? Directions::kForward : Directions::kBoth,
+        static_cast<int>(index), which);
+  }
+
+  const SystemFamily& family_;
+  const BranchOptions& options_;
+  OrbitBranches result_;
+  ContinuationOptions range_;
+  StrobeOptions strobe_;
+  double progress_ = 0.0;
+  std::map<int, std::unique_ptr<StrobeEquations>> equations_;  // by period
+  std::vector<Traced> traced_;
+  // Of each found branch: its special points in the trace, and the equations it solves.
+  std::vector<FoundBranch> found_;
+  std::vector<std::vector<std::optional<CriticalPoint>>> critical_;
+  std::vector<StrobeEquations*> on_;
+};
+
+}  // namespace
+
+OrbitBranches trace_strobe_orbits(const SystemFamily& family, const BranchOptions& options) {
+  return StrobeTracer(family, options).trace();
+}
+
+}  // namespace graze

@@ -1,0 +1,47 @@
+#include "graze/bifurcation/strobe_equations.hpp"
+
+#include <utility>
+
+namespace graze {
+
+StrobeEquations::StrobeEquations(const SystemFamily& family, const StrobeOptions& options,
+                                 int period)
+    : systems_(family), map_(*family.at(family.value()), options), period_(period) {
+  problem_ =
+      periodic_points([this](const Vector& x, double value) { return evaluate(x, value); }, period);
+}
+
+std::optional<MapEvaluation> StrobeEquations::evaluate(const Vector& x, double value) const {
+  const System* system = systems_.at(value);
+  const System* tangent = systems_.tangent_at(value);
+  if (!system || !tangent) return {};
+  std::optional<StrobeMap::Image> image = map_.image(*system, x, tangent);
+  if (!image) return {};
+  return MapEvaluation{std::move(image->image), std::move(image->jacobian),
+                       std::move(image->by_parameter)};
+}
+
+Vector StrobeEquations::pack(const Orbit& orbit) const {
+  Vector u(period_ * map_.size());
+  for (int i = 0; i < period_; ++i) {
+    const MotionState<double>& turn = orbit.strobe->turns[static_cast<std::size_t>(i)];
+    u.segment(i * map_.size(), map_.size()) = map_.pack({turn.q, turn.qdot});
+  }
+  return u;
+}
+
+std::optional<OrbitBranchPoint> StrobeEquations::judge(const BranchPoint& solution) const {
+  return judged_.answer({solution.u, solution.parameter}, [&]() -> std::optional<OrbitBranchPoint> {
+    const System* system = systems_.at(solution.parameter);
+    if (!system) return {};
+    std::vector<Eigenvalue> multipliers = solution.multipliers;
+    if (multipliers.empty())
+      multipliers = problem_.multipliers(solution.u, solution.parameter, ErrorBounds::kGiven);
+    std::optional<Orbit> orbit =
+        orbit_of(*system, map_, solution.u, std::move(multipliers), solution.residual);
+    if (!orbit) return {};
+    return point_of_branch(solution.parameter, std::move(*orbit));
+  });
+}
+
+}  // namespace graze

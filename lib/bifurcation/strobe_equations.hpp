@@ -1,0 +1,44 @@
+// The equations of orbits on compliant stops, those of the stroboscopic map (strobe_map.hpp), over
+// a parameter of the scene: as a zero problem, and the orbits of their solutions.
+#pragma once
+
+#include <optional>
+#include <tuple>
+
+#include "graze/assembly/system_family.hpp"
+#include "graze/bifurcation/orbit_branch.hpp"
+#include "graze/bifurcation/remembered.hpp"
+#include "graze/continuation/map.hpp"
+#include "graze/orbit/strobe_orbit.hpp"
+
+namespace graze {
+
+// Remembers the system of the value asked for last, and the orbit judged last: one thread at a
+// time.
+class StrobeEquations {
+ public:
+  // Refers to the family, which must outlive it. `period`: p.
+  StrobeEquations(const SystemFamily& family, const StrobeOptions& options, int period);
+  StrobeEquations(const StrobeEquations&) = delete;
+  StrobeEquations& operator=(const StrobeEquations&) = delete;
+
+  const ZeroProblem& problem() const { return problem_; }
+  const StrobeMap& map() const { return map_; }
+  int period() const { return period_; }
+
+  // Unknowns of an orbit of this period.
+  Vector pack(const Orbit& orbit) const;
+  // The orbit of a solution; nothing where the motion cannot be followed or meets no stop.
+  std::optional<OrbitBranchPoint> judge(const BranchPoint& solution) const;
+
+ private:
+  std::optional<MapEvaluation> evaluate(const Vector& x, double value) const;
+
+  mutable SystemCursor systems_;
+  StrobeMap map_;
+  int period_;
+  ZeroProblem problem_;
+  mutable Remembered<std::tuple<Vector, double>, std::optional<OrbitBranchPoint>> judged_;
+};
+
+}  // namespace graze

@@ -1,0 +1,20 @@
+// A traced branch of orbits on compliant stops, cut into parts of orbits with the same contacts.
+#pragma once
+
+#include <vector>
+
+#include "graze/bifurcation/strobe_equations.hpp"
+
+namespace graze {
+
+struct StrobePart {
+  OrbitBranch branch;
+  // Of each special point, in the trace: what to switch from. Only PD and BP have one.
+  std::vector<std::optional<CriticalPoint>> critical;
+};
+
+// Those with contacts; the response that meets no stop is none.
+std::vector<StrobePart> parts_of(const StrobeEquations& equations,
+                                 const ContinuationOptions& options, const Branch& trace);
+
+}  // namespace graze

@@ -1,0 +1,85 @@
+#include "graze/orbit/strobe_map.hpp"
+
+#include "graze/base/angle.hpp"
+#include "graze/orbit/shooting.hpp"
+#include "graze/system/gap_value.hpp"
+
+namespace graze {
+
+StrobeMap::StrobeMap(const System& reference, const StrobeOptions& options)
+    : options_(options), unit_(2 * reference.modes()), phase_(reference.forcing->phase) {
+  const ShootingScale scale = shooting_scale(reference);
+  unit_ << Vector::Constant(reference.modes(), scale.displacement), scale.velocity;
+}
+
+Vector StrobeMap::pack(const State& state) const {
+  Vector x(size());
+  x << state.q, state.qdot;
+  return x.cwiseQuotient(unit_);
+}
+
+State StrobeMap::unpack(const Vector& x) const {
+  const Vector whole = x.cwiseProduct(unit_);
+  const Eigen::Index n = size() / 2;
+  return {whole.head(n), whole.tail(n)};
+}
+
+std::optional<MotionState<double>> StrobeMap::start_of(const System& system,
+                                                       const Vector& x) const {
+  const State state = unpack(x);
+  if (!x.allFinite()) return {};
+  for (const RigidStop& stop : system.stops) {
+    if (stop.spring) continue;
+    const GapValue<double> gap = gap_value<double>(stop.row, state.q, stop.gap);
+    if (gap.value < -gap.rounding) return {};
+  }
+  Instant<double> instant;
+  instant.local = wrapped(phase_ - system.forcing->phase) / system.forcing->frequency;
+  if (!(instant.local < system.period())) instant.local = 0.0;
+  return Motion<double>(system, instant, state.q, state.qdot).state();
+}
+
+Instant<double> StrobeMap::end_of(const MotionState<double>& start) const {
+  return {1, start.instant.local};
+}
+
+PassageOptions StrobeMap::passage_options() const {
+  PassageOptions passage;
+  passage.closure_speed = options_.closure_speed;
+  passage.max_impacts = options_.max_impacts;
+  passage.stop = options_.stop;
+  return passage;
+}
+
+std::optional<StrobeMap::Image> StrobeMap::image(const System& system, const Vector& x,
+                                                 const System* tangent) const {
+  const std::optional<MotionState<double>> start = start_of(system, x);
+  if (!start) return {};
+  const Eigen::Index n = size() / 2;
+  Deviations deviations{Matrix::Zero(n, 2 * n), Matrix::Zero(n, 2 * n),
+                        Eigen::RowVectorXd::Zero(2 * n)};
+  deviations.q.leftCols(n) = unit_.head(n).asDiagonal();
+  deviations.qdot.rightCols(n) = unit_.tail(n).asDiagonal();
+  std::optional<ParameterDeviation> parameter;
+  if (tangent) parameter.emplace(system, *tangent, State{Vector::Zero(n), Vector::Zero(n)});
+  const Passage passage = pass(system, *start, end_of(*start), passage_options(), &deviations,
+                               parameter ? &*parameter : nullptr);
+  if (!passage.failure.empty()) return {};
+  Image image{pack({passage.end.q, passage.end.qdot}), Matrix(2 * n, 2 * n), {}};
+  image.jacobian << deviations.q, deviations.qdot;
+  image.jacobian = unit_.cwiseInverse().asDiagonal() * image.jacobian;
+  if (parameter) image.by_parameter = pack(parameter->value());
+  return image;
+}
+
+std::optional<Passage> StrobeMap::follow(const System& system, const Vector& x, bool minima) const {
+  const std::optional<MotionState<double>> start = start_of(system, x);
+  if (!start) return {};
+  PassageOptions options = passage_options();
+  options.minima = minima;
+  Passage passage = pass(system, *start, end_of(*start), options);
+  if (!passage.failure.empty()) return {};
+  return passage;
+}
+
+}  // namespace graze

@@ -1,0 +1,55 @@
+// The stroboscopic map: the state after one forcing period, with its derivatives.
+//
+// Compliant stops make the motion between two instants depend smoothly on its start, through every
+// contact and where contacts are born and lost, so that their orbits are fixed points of this map
+// and no impact needs an unknown of its own. It is the simulator's own motion, certified as in a
+// run, and so are its fixed points. (Where the force of a stop sets in with a jump the map has a
+// corner at a grazing contact, as with rigid stops.)
+#pragma once
+
+#include <optional>
+
+#include "graze/orbit/passage.hpp"
+
+namespace graze {
+
+struct StrobeOptions {
+  double closure_speed = 0.0;                    // m/s, of chatters on rigid stops
+  long long max_impacts = kDefaultImpactBudget;  // of one passage
+  StopSignal stop{};
+};
+
+class StrobeMap {
+ public:
+  // `reference`: the system whose units and forcing phase at t = 0 are taken. Requires forcing.
+  StrobeMap(const System& reference, const StrobeOptions& options);
+
+  const StrobeOptions& options() const { return options_; }
+  Eigen::Index size() const { return unit_.size(); }  // 2N
+  // The state in units of the map, and back.
+  Vector pack(const State& state) const;
+  State unpack(const Vector& x) const;
+  // The motion's start; nothing where a rigid stop is penetrated.
+  std::optional<MotionState<double>> start_of(const System& system, const Vector& x) const;
+
+  struct Image {
+    Vector image;         // 2N
+    Matrix jacobian;      // 2N x 2N
+    Vector by_parameter;  // 2N, where a tangent was given
+  };
+  // Nothing where the motion cannot be followed.
+  std::optional<Image> image(const System& system, const Vector& x,
+                             const System* tangent = nullptr) const;
+  // The motion over the period; nothing likewise. `minima`: as in PassageOptions.
+  std::optional<Passage> follow(const System& system, const Vector& x, bool minima = false) const;
+
+ private:
+  Instant<double> end_of(const MotionState<double>& start) const;
+  PassageOptions passage_options() const;
+
+  StrobeOptions options_;
+  Vector unit_;   // of (q, q')
+  double phase_;  // of the section, rad
+};
+
+}  // namespace graze

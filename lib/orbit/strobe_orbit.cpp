@@ -1,0 +1,198 @@
+#include "graze/orbit/strobe_orbit.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "graze/base/linear_equations.hpp"
+#include "graze/orbit/orbit_clock.hpp"
+#include "graze/orbit/solve.hpp"
+
+namespace graze {
+namespace {
+
+// The equations f(x_i) - x_{i+1} = 0 at u.
+struct Equations {
+  Vector residual;
+  Matrix jacobian, product;  // of the residual; of the slopes
+};
+
+std::optional<Equations> equations_at(const System& system, const StrobeMap& map, const Vector& u) {
+  const Eigen::Index n = map.size();
+  Equations equations{Vector(u.size()), Matrix::Zero(u.size(), u.size()), Matrix::Identity(n, n)};
+  for (Eigen::Index i = 0; i < u.size(); i += n) {
+    const Eigen::Index next = (i + n) % u.size();
+    const std::optional<StrobeMap::Image> image = map.image(system, u.segment(i, n));
+    if (!image) return {};
+    equations.residual.segment(i, n) = image->image - u.segment(next, n);
+    equations.jacobian.block(i, i, n, n) += image->jacobian;
+    equations.jacobian.block(i, next, n, n) -= Matrix::Identity(n, n);
+    equations.product = image->jacobian * equations.product;
+  }
+  return equations;
+}
+
+struct Solution {
+  Vector u;
+  double residual = 0.0;
+  Matrix product;
+};
+
+// Newton's method; once below the tolerance it goes on while it pays.
+std::optional<Solution> newton(const System& system, const StrobeMap& map, Vector u) {
+  constexpr int kMostSteps = 16;
+  std::optional<Solution> best;
+  for (int step = 0; step <= kMostSteps; ++step) {
+    const std::optional<Equations> at = equations_at(system, map, u);
+    if (!at) break;
+    const double residual = at->residual.cwiseAbs().maxCoeff();
+    if (best && !(residual < 0.5 * best->residual)) break;
+    const Vector update = LuFactors(at->jacobian).solve(at->residual);
+    if (!update.allFinite()) break;
+    if (residual <= kShootingTolerance && update.norm() <= kShootingAccuracy * (1.0 + u.norm()))
+      best = Solution{u, residual, at->product};
+    u -= update;
+  }
+  return best;
+}
+
+// The shortest part of a solution that repeats within it.
+Vector shortest(const StrobeMap& map, const Vector& u) {
+  const Eigen::Index n = map.size(), periods = u.size() / n;
+  for (Eigen::Index p = 1; p < periods; ++p) {
+    if (periods % p != 0) continue;
+    const Eigen::Index rest = (periods - p) * n;
+    if ((u.tail(rest) - u.head(rest)).norm() <= kShootingAccuracy * (1.0 + u.norm()))
+      return u.head(p * n);
+  }
+  return u;
+}
+
+// An impact with what became of it.
+struct Met {
+  OrbitImpact impact;
+  OrbitContact contact;
+};
+
+double seconds(const System& system, const PassedContact& contact) {
+  return static_cast<double>(contact.to.period - contact.from.period) * system.period() +
+         contact.to.local - contact.from.local;
+}
+
+// A contact that lasts over the end of a turn goes on in the next one.
+OrbitContact whole_contact(const System& system, const std::vector<Passage>& turns,
+                           std::size_t turn, const PassedContact& first) {
+  OrbitContact whole{seconds(system, first), first.speed_after, first.peak_force, first.taken};
+  const PassedContact* part = &first;
+  for (std::size_t i = 1; part->to_end && i <= turns.size(); ++i) {
+    const Passage& next = turns[(turn + i) % turns.size()];
+    const auto rest =
+        std::find_if(next.contacts.begin(), next.contacts.end(),
+                     [&](const PassedContact& c) { return c.from_start && c.stop == first.stop; });
+    if (rest == next.contacts.end()) break;
+    part = &*rest;
+    whole.duration += seconds(system, *part);
+    whole.speed_after = part->speed_after;
+    whole.peak_force = std::max(whole.peak_force, part->peak_force);
+    whole.taken += part->taken;
+  }
+  return whole;
+}
+
+// In time order; `start`: where the first turn begins.
+std::vector<Met> met_on(const System& system, const std::vector<Passage>& turns,
+                        const Instant<double>& begin, OrbitInstant& start) {
+  const auto at_turn = [](Instant<double> at, std::size_t turn) {
+    at.period += static_cast<long long>(turn);
+    return at;
+  };
+  std::vector<Instant<double>> instants;
+  std::vector<Met> met;
+  for (std::size_t turn = 0; turn < turns.size(); ++turn) {
+    for (const PassedImpact& impact : turns[turn].impacts) {
+      instants.push_back(at_turn(impact.at, turn));
+      met.push_back({{impact.stop, 0, 0.0, impact.speed, impact.before}, {}});
+    }
+    for (const PassedContact& contact : turns[turn].contacts) {
+      if (contact.from_start) continue;
+      instants.push_back(at_turn(contact.from, turn));
+      met.push_back({{contact.stop, 0, 0.0, contact.speed, contact.before},
+                     whole_contact(system, turns, turn, contact)});
+    }
+  }
+  const OrbitClock clock(system, static_cast<int>(turns.size()), instants);
+  start = clock(begin);
+  for (std::size_t i = 0; i < met.size(); ++i) {
+    const OrbitInstant at = clock(instants[i]);
+    met[i].impact.period_index = at.period_index;
+    met[i].impact.phase = at.phase;
+  }
+  std::stable_sort(met.begin(), met.end(), [](const Met& a, const Met& b) {
+    return earlier({a.impact.period_index, a.impact.phase},
+                   {b.impact.period_index, b.impact.phase});
+  });
+  return met;
+}
+
+}  // namespace
+
+std::optional<Orbit> orbit_of(const System& system, const StrobeMap& map, const Vector& u,
+                              std::vector<Eigenvalue> multipliers, double residual) {
+  const Eigen::Index n = map.size();
+  Orbit orbit;
+  orbit.period = static_cast<int>(u.size() / n);
+  orbit.strobe.emplace();
+  orbit.strobe->closure_speed = map.options().closure_speed;
+  std::vector<Passage> turns;
+  for (Eigen::Index i = 0; i < u.size(); i += n) {
+    std::optional<Passage> turn = map.follow(system, u.segment(i, n), true);
+    if (!turn) return {};
+    if (turn->clearance && (!orbit.clearance || *turn->clearance < *orbit.clearance))
+      orbit.clearance = turn->clearance;
+    orbit.strobe->turns.push_back(*map.start_of(system, u.segment(i, n)));
+    turns.push_back(std::move(*turn));
+  }
+  const Instant<double> begin = orbit.strobe->turns.front().instant;
+  for (const Met& met : met_on(system, turns, begin, orbit.strobe->start)) {
+    orbit.impacts.push_back(met.impact);
+    orbit.strobe->contacts.push_back(met.contact);
+  }
+  if (orbit.impacts.empty()) return {};
+  orbit.multipliers = std::move(multipliers);
+  const MultiplierCount count = count_multipliers(orbit.multipliers);
+  if (count.outside > 0)
+    orbit.stable = false;
+  else if (count.undecided == 0 && !orbit.multipliers.empty())
+    orbit.stable = true;
+  orbit.admissible = true;
+  orbit.residual = residual;
+  return orbit;
+}
+
+StrobeAnswer strobe_orbit(const System& system, const State& at_period_start, int period,
+                          const StrobeOptions& options) {
+  const StrobeMap map(system, options);
+  const Eigen::Index n = map.size();
+  Vector u(period * n);
+  u.head(n) = map.pack(at_period_start);
+  for (Eigen::Index i = n; i < u.size(); i += n) {
+    const std::optional<Passage> turn = map.follow(system, u.segment(i - n, n));
+    if (!turn) return {{}, "the motion cannot be followed"};
+    u.segment(i, n) = map.pack({turn->end.q, turn->end.qdot});
+  }
+  std::optional<Solution> solution = newton(system, map, u);
+  if (!solution) return {{}, "Newton's method does not converge on the stroboscopic map"};
+  const Vector least = shortest(map, solution->u);
+  if (least.size() < u.size()) {
+    solution = newton(system, map, least);
+    if (!solution) return {{}, "Newton's method does not converge on the shorter period"};
+  }
+  StrobeAnswer answer;
+  answer.orbit =
+      orbit_of(system, map, solution->u, eigenvalues(solution->product), solution->residual);
+  if (!answer.orbit) answer.why_not = "the periodic motion meets no stop";
+  return answer;
+}
+
+}  // namespace graze

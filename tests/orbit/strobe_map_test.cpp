@@ -1,0 +1,176 @@
+// The stroboscopic map of structures on compliant stops: its derivatives, and its orbits.
+#include <gtest/gtest.h>
+
+#include <Eigen/LU>
+#include <algorithm>
+#include <cmath>
+#include <functional>
+
+#include "graze/orbit/finder.hpp"
+#include "graze/orbit/settled.hpp"
+#include "graze/orbit/strobe_orbit.hpp"
+#include "support/systems.hpp"
+
+namespace graze {
+namespace {
+
+ContactForce law_of(double exponent, ContactDamping damping, double coefficient,
+                    Separation separation = Separation::kAtZeroForce) {
+  return {exponent == 1.0 ? 4e3 : 4e4, exponent, damping, coefficient, 2e-4, 3.0, separation};
+}
+
+// Three modes that a force and a load move against a compliant stop; two contacts and more a period.
+System three_modes(const ContactForce& law) {
+  System system;
+  system.omega = Vector{{10.0, 27.0, 61.0}};
+  system.delta = Vector{{0.6, 0.8, 1.1}};
+  system.forcing = HarmonicForcing{8.0, 0.7, Vector{{2.3, 1.7, 0.9}}};
+  system.load = Vector{{0.2, -0.1, 0.05}};
+  const Vector row{{1.0, -0.9, 0.8}};
+  system.stops.push_back({row, 0.01, row / row.squaredNorm(), Restitution{0.0}, law});
+  return system;
+}
+
+// The derivative of a vector function at 0, by central differences extrapolated to step zero.
+Vector slope_of(const std::function<Vector(double)>& f, double step) {
+  const auto difference = [&](double h) { return Vector((f(h) - f(-h)) / (2.0 * h)); };
+  const Vector a = difference(step), b = difference(0.5 * step), c = difference(0.25 * step);
+  const Vector ab = (4.0 * b - a) / 3.0, bc = (4.0 * c - b) / 3.0;
+  return (16.0 * bc - ab) / 15.0;
+}
+
+State some_state() { return support::state_of({0.013, -0.004, 0.002}, {0.11, 0.05, -0.07}); }
+
+class StrobeMapOf : public ::testing::TestWithParam<ContactForce> {};
+
+// From a state before a contact to one after several, for every entry of it.
+TEST_P(StrobeMapOf, SlopesAreThoseOfDifferences) {
+  const System system = three_modes(GetParam());
+  const StrobeMap map(system, {});
+  const Vector x = map.pack(some_state());
+  const std::optional<Passage> passage = map.follow(system, x);
+  ASSERT_TRUE(passage);
+  ASSERT_GE(passage->contacts.size(), 2u);
+  const auto image = map.image(system, x);
+  ASSERT_TRUE(image);
+  for (Eigen::Index j = 0; j < x.size(); ++j) {
+    const Vector slope = slope_of(
+        [&](double h) { return map.image(system, x + h * Vector::Unit(x.size(), j))->image; },
+        1e-4);
+    EXPECT_LT((slope - image->jacobian.col(j)).norm(), 2e-6 * image->jacobian.norm()) << j;
+  }
+}
+
+// And for what a scene may move: gap, row, load, frequencies, decay, forcing, and the spring.
+TEST_P(StrobeMapOf, ParametersMoveItAsDifferencesSay) {
+  const System system = three_modes(GetParam());
+  const StrobeMap map(system, {});
+  const Vector x = map.pack(some_state());
+  struct Case {
+    const char* name;
+    std::function<void(System&, double)> move;
+    double size;
+  };
+  const Case cases[] = {
+      {"gap", [](System& s, double h) { s.stops[0].gap += h; }, 1e-2},
+      {"row", [](System& s, double h) { s.stops[0].row[1] += h; }, 1.0},
+      {"load", [](System& s, double h) { (*s.load)[0] += h; }, 1.0},
+      {"omega", [](System& s, double h) { s.omega[1] += h; }, 10.0},
+      {"delta", [](System& s, double h) { s.delta[0] += h; }, 1.0},
+      {"amplitude", [](System& s, double h) { s.forcing->amplitude[2] += h; }, 20.0},
+      {"frequency", [](System& s, double h) { s.forcing->frequency += h; }, 8.0},
+      {"stiffness", [](System& s, double h) { s.stops[0].spring->stiffness += h; },
+       GetParam().stiffness},
+      {"exponent", [](System& s, double h) { s.stops[0].spring->exponent += h; }, 1.0},
+      {"coefficient", [](System& s, double h) { s.stops[0].spring->coefficient += h; },
+       std::max(GetParam().coefficient, 1.0)}};
+  for (const Case& one : cases) {
+    SCOPED_TRACE(one.name);
+    // The exponent of a law without one below 1 moves to one side only.
+    if (std::string(one.name) == "exponent" && GetParam().exponent == 1.0) continue;
+    if (std::string(one.name) == "coefficient" && GetParam().damping == ContactDamping::kNone)
+      continue;
+    System tangent = system;
+    tangent.omega.setZero();
+    tangent.delta.setZero();
+    tangent.forcing = HarmonicForcing{0.0, 0.0, Vector::Zero(3)};
+    tangent.load = Vector::Zero(3);
+    tangent.stops[0].row.setZero();
+    tangent.stops[0].gap = 0.0;
+    tangent.stops[0].spring =
+        ContactForce{0.0, 0.0, GetParam().damping, 0.0, 0.0, 0.0, GetParam().separation};
+    one.move(tangent, 1.0);
+    const auto image = map.image(system, x, &tangent);
+    ASSERT_TRUE(image);
+    const Vector slope = slope_of(
+        [&](double h) {
+          System moved = system;
+          one.move(moved, h);
+          return map.image(moved, x)->image;
+        },
+        1e-4 * one.size);
+    EXPECT_GT(slope.norm(), 0.0);
+    EXPECT_LT((slope - image->by_parameter).norm(), 2e-6 * slope.norm());
+  }
+}
+
+// Liouville: volumes shrink by the trace of the damping, the spring's own while it is loaded; what
+// jumps at the surface has determinant one.
+TEST_P(StrobeMapOf, VolumesShrinkByTheDampingAlone) {
+  const ContactForce law = GetParam();
+  if (law.damping != ContactDamping::kNone && law.damping != ContactDamping::kConstant)
+    GTEST_SKIP() << "its damping is no constant";
+  const System system = three_modes(law);
+  const StrobeMap map(system, {});
+  const Vector x = map.pack(some_state());
+  const std::optional<Passage> passage = map.follow(system, x);
+  ASSERT_TRUE(passage);
+  double loaded = 0.0;
+  for (const PassedContact& contact : passage->contacts) {
+    const auto periods = static_cast<double>(contact.to.period - contact.from.period);
+    loaded += periods * system.period() + contact.to.local - contact.from.local;
+  }
+  const double shrinks = 2.0 * system.delta.sum() * system.period() +
+                         law.coefficient * system.stops[0].row.squaredNorm() * loaded;
+  EXPECT_NEAR(std::log(std::abs(map.image(system, x)->jacobian.determinant())), -shrinks,
+              1e-9 * shrinks);
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Laws, StrobeMapOf,
+    ::testing::Values(law_of(1.0, ContactDamping::kNone, 0.0),
+                      law_of(1.0, ContactDamping::kConstant, 10.0),
+                      law_of(1.0, ContactDamping::kConstant, 10.0, Separation::kAtZeroDepth),
+                      law_of(1.5, ContactDamping::kNone, 0.0),
+                      law_of(1.5, ContactDamping::kPower, 2e4),
+                      law_of(1.5, ContactDamping::kOnset, 5.0, Separation::kAtZeroDepth),
+                      law_of(2.2, ContactDamping::kPower, 1e4)));
+
+// A forced oscillator whose orbit is known piece by piece: a free one, and one on the spring.
+TEST(StrobeOrbit, SolvesThePiecewiseLinearOscillator) {
+  System system = support::forced_oscillator(1.0, 0.05, 0.5, 0.0, 1.3, 1.0);
+  const double k = 30.0;
+  system.stops[0].spring = ContactForce{k};
+  const FoundOrbits found = find_orbits(system, support::rest(system), {});
+  ASSERT_FALSE(found.orbits.empty());
+  for (const Orbit& orbit : found.orbits) {
+    ASSERT_TRUE(orbit.strobe);
+    double product = 1.0;
+    for (const Eigenvalue& multiplier : orbit.multipliers) product *= std::abs(multiplier.value);
+    EXPECT_NEAR(product, std::exp(-2.0 * 0.05 * orbit.period * system.period()), 1e-9);
+    EXPECT_LE(orbit.residual, 1e-11);
+    // What the spring takes it gives back.
+    for (const OrbitContact& contact : orbit.strobe->contacts)
+      EXPECT_NEAR(contact.taken, 0.0, 1e-11);
+  }
+  // The motion settles on the stable one.
+  const SettledMotion settled = settle(system, support::rest(system));
+  ASSERT_EQ(settled.kind, SettledKind::kImpacts) << settled.verdict;
+  const auto stable = std::find_if(found.orbits.begin(), found.orbits.end(),
+                                   [](const Orbit& orbit) { return orbit.stable == true; });
+  ASSERT_NE(stable, found.orbits.end());
+  EXPECT_EQ(settled.impacts.size(), stable->impacts.size());
+}
+
+}  // namespace
+}  // namespace graze
