@@ -112,16 +112,18 @@ class StrobeTracer {
            int origin_branch, std::size_t origin_special) {
     ContinuationOptions range = range_;
     // The response that meets no stop is another matter.
-    range.proceed = [&](const BranchPoint&, const BranchPoint& here) {
-      return equations.judge(here).has_value();
+    range.proceed = [&](const BranchPoint& previous, const BranchPoint& here) {
+      return equations.judge(here).has_value() && !equations.passes_half(previous, here);
     };
     Branch branch = trace_branch(equations.problem(), range, start, directions);
     result_.shooting_evaluations += branch.evaluations;
     result_.rejected_steps += branch.rejected;
+    const auto cuts = [](OrbitBranchEnd end) {
+      return end == OrbitBranchEnd::kNotConverged || end == OrbitBranchEnd::kStepLimit;
+    };
     bool cut = false;
     for (StrobePart& part : parts_of(equations, range_, branch)) {
-      for (const OrbitBranchEnd end : part.branch.ends)
-        cut = cut || end == OrbitBranchEnd::kNotConverged || end == OrbitBranchEnd::kStepLimit;
+      cut = cut || cuts(part.branch.ends[0]) || cuts(part.branch.ends[1]);
       critical_.push_back(std::move(part.critical));
       on_.push_back(&equations);
       found_.push_back(

@@ -2,6 +2,9 @@
 
 #include <utility>
 
+#include "graze/bifurcation/half_period.hpp"
+#include "graze/orbit/solve.hpp"
+
 namespace graze {
 
 StrobeEquations::StrobeEquations(const SystemFamily& family, const StrobeOptions& options,
@@ -28,6 +31,21 @@ Vector StrobeEquations::pack(const Orbit& orbit) const {
     u.segment(i * map_.size(), map_.size()) = map_.pack({turn.q, turn.qdot});
   }
   return u;
+}
+
+Vector StrobeEquations::halves_differ(const BranchPoint& solution) const {
+  if (period_ % 2 != 0) return {};
+  const Eigen::Index half = solution.u.size() / 2;
+  return solution.u.tail(half) - solution.u.head(half);
+}
+
+bool StrobeEquations::is_half(const BranchPoint& solution) const {
+  return period_ % 2 == 0 &&
+         halves_differ(solution).norm() <= kShootingAccuracy * (1.0 + solution.u.norm());
+}
+
+bool StrobeEquations::passes_half(const BranchPoint& a, const BranchPoint& b) const {
+  return turns_round(halves_differ(a), halves_differ(b), kShootingAccuracy * (1.0 + a.u.norm()));
 }
 
 std::optional<OrbitBranchPoint> StrobeEquations::judge(const BranchPoint& solution) const {

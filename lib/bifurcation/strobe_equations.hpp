@@ -26,8 +26,19 @@ class StrobeEquations {
   const StrobeMap& map() const { return map_; }
   int period() const { return period_; }
 
+  // Of the forcing there, rad/s; requires the value to be allowed.
+  double frequency_at(const BranchPoint& solution) const {
+    return systems_.at(solution.parameter)->forcing->frequency;
+  }
   // Unknowns of an orbit of this period.
   Vector pack(const Orbit& orbit) const;
+  // How far the second half of a solution is from the first, in units of the map; empty where the
+  // period is odd.
+  Vector halves_differ(const BranchPoint& solution) const;
+  // Whether it has half the period.
+  bool is_half(const BranchPoint& solution) const;
+  // Whether the branch passes an orbit of half the period between two neighbours.
+  bool passes_half(const BranchPoint& a, const BranchPoint& b) const;
   // The orbit of a solution; nothing where the motion cannot be followed or meets no stop.
   std::optional<OrbitBranchPoint> judge(const BranchPoint& solution) const;
 

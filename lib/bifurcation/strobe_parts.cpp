@@ -14,21 +14,36 @@ class Parting {
       : equations_(equations), options_(options), trace_(trace) {}
 
   std::vector<StrobePart> cut() {
-    begin(as_orbit_end(trace_.ends[0]));
+    const std::size_t last = trace_.points.size() - 1;
+    const bool joins_first = last > 0 && joins(0, 0, 1),
+               joins_last = last > 0 && joins(1, last - 1, last);
+    const std::size_t first = joins_first && !equations_.is_half(trace_.points[0]) ? 1 : 0;
+    const std::size_t end =
+        joins_last && !equations_.is_half(trace_.points[last]) ? last - 1 : last;
+    begin(joins_first ? OrbitBranchEnd::kPeriodDoubling : as_orbit_end(trace_.ends[0]));
+    add_corner(0);
+    if (first > 0) add(half_between(trace_.points[1], trace_.points[0]));
     auto critical = trace_.critical.begin();
-    for (std::size_t i = 0; i < trace_.points.size(); ++i) {
+    while (critical != trace_.critical.end() && critical->after < first) ++critical;
+    for (std::size_t i = first; i <= end; ++i) {
       add(trace_.points[i]);
-      if (i + 1 == trace_.points.size()) break;
-      const BranchPoint* last = &trace_.points[i];
+      if (i == end) break;
+      const BranchPoint* from = &trace_.points[i];
       for (; critical != trace_.critical.end() && critical->after == i; ++critical) {
-        pass(*last, critical->point);
-        add_critical(*critical);
-        last = &critical->point;
+        pass(*from, critical->point);
+        // Where the branch joins orbits of half the period, the doubling is a special point of
+        // those.
+        if (!equations_.is_half(critical->point)) add_critical(*critical);
+        from = &critical->point;
       }
-      pass(*last, trace_.points[i + 1]);
+      pass(*from, trace_.points[i + 1]);
     }
-    close(as_orbit_end(trace_.ends[1]));
-    std::erase_if(parts_, [](const StrobePart& part) { return part.branch.points.empty(); });
+    if (end < last) add(half_between(trace_.points[end], trace_.points[last]));
+    close(joins_last ? OrbitBranchEnd::kPeriodDoubling : as_orbit_end(trace_.ends[1]));
+    add_corner(1);
+    std::erase_if(parts_, [](const StrobePart& part) {
+      return part.branch.points.empty() || part.branch.pattern.stops.empty();
+    });
     return std::move(parts_);
   }
 
@@ -40,6 +55,25 @@ class Parting {
   }
   void close(OrbitBranchEnd end) { parts_.back().branch.ends[1] = end; }
 
+  // Whether a side of the trace ends at an orbit of half the period: `outer` beyond it or at it.
+  bool joins(std::size_t side, std::size_t a, std::size_t b) const {
+    const BranchPoint& outer = trace_.points[side == 0 ? a : b];
+    return equations_.is_half(outer) ||
+           (trace_.ends[side] == BranchEnd::kHalted &&
+            equations_.passes_half(trace_.points[a], trace_.points[b]));
+  }
+
+  // The equations are singular there and passed in a step so short that the branch is straight over
+  // it.
+  BranchPoint half_between(const BranchPoint& inner, const BranchPoint& outer) const {
+    const double before = equations_.halves_differ(inner).norm();
+    const double part = before / (before + equations_.halves_differ(outer).norm());
+    BranchPoint at = inner;
+    at.u += part * (outer.u - inner.u);
+    at.parameter += part * (outer.parameter - inner.parameter);
+    return at;
+  }
+
   std::vector<int> stops_of(const BranchPoint& point) const {
     const std::optional<OrbitBranchPoint> at = equations_.judge(point);
     return at ? at->orbit.pattern().stops : std::vector<int>();
@@ -49,7 +83,7 @@ class Parting {
     const std::optional<OrbitBranchPoint> at = equations_.judge(point);
     if (!at) return;
     OrbitBranch& part = parts_.back().branch;
-    if (part.points.empty()) part.pattern = at->orbit.pattern();
+    if (part.pattern.stops.empty()) part.pattern = at->orbit.pattern();
     part.points.push_back(*at);
   }
 
@@ -70,8 +104,8 @@ class Parting {
     if (at) add_grazing(*at, before.size() < after.size());
     close(OrbitBranchEnd::kGrazing);
     begin(OrbitBranchEnd::kGrazing);
-    if (at) add_grazing(*at, before.size() > after.size());
     parts_.back().branch.pattern.stops = after;
+    if (at && !after.empty()) add_grazing(*at, before.size() > after.size());
   }
 
   // `approach`: an approach touches there, else a contact loses its speed.
@@ -82,6 +116,73 @@ class Parting {
     part.branch.points.push_back(*orbit);
     part.branch.special.push_back({SpecialKind::kGrazing, "", *orbit, {}, !approach, at});
     part.critical.emplace_back();
+  }
+
+  // How far an orbit is from a grazing, m or m^2/s^2: in proportion to the distance along the
+  // branch.
+  std::optional<double> margin_of(const BranchPoint& point, bool speed, std::size_t impacts) const {
+    const std::optional<OrbitBranchPoint> at = equations_.judge(point);
+    if (!at || at->orbit.impacts.size() != impacts) return {};
+    if (speed) return at->smallest_speed * at->smallest_speed;
+    return at->orbit.clearance;
+  }
+
+  // A margin that a trace which no step leads on from has come near enough to: 1e-5 of the largest
+  // speed, or 1e-10 of the way that this takes a radian of the forcing for.
+  double near_enough(const BranchPoint& point, bool speed) const {
+    constexpr double kPart = 1e-10;
+    const std::optional<OrbitBranchPoint> at = equations_.judge(point);
+    if (!at) return 0.0;
+    double largest = 0.0;
+    for (const OrbitImpact& impact : at->orbit.impacts) largest = std::fmax(largest, impact.speed);
+    return kPart * largest * (speed ? largest : 1.0 / equations_.frequency_at(point));
+  }
+
+  // Where the force of a stop sets in with a jump the map has a corner at a grazing and the trace
+  // cannot turn it. It is gone up to from its last points, where they lead onto one.
+  void add_corner(std::size_t side) {
+    const std::size_t count = trace_.points.size();
+    if (trace_.ends[side] != BranchEnd::kNotConverged || count < 2) return;
+    BranchPoint before = trace_.points[side == 0 ? 1 : count - 2];
+    BranchPoint last = trace_.points[side == 0 ? 0 : count - 1];
+    const std::size_t impacts = stops_of(last).size();
+    for (const bool speed : {false, true}) {
+      const std::optional<BranchPoint> corner = corner_beyond(before, last, speed, impacts);
+      if (!corner) continue;
+      if (side == 1)
+        close(OrbitBranchEnd::kGrazing);
+      else
+        parts_.back().branch.ends[0] = OrbitBranchEnd::kGrazing;
+      parts_.back().branch.pattern = equations_.judge(last)->orbit.pattern();
+      return add_grazing(*corner, !speed);
+    }
+  }
+
+  // By secants of the margin, from one side; nothing where they lead nowhere near.
+  std::optional<BranchPoint> corner_beyond(BranchPoint before, BranchPoint last, bool speed,
+                                           std::size_t impacts) const {
+    constexpr int kMostRounds = 40;
+    std::optional<double> from = margin_of(before, speed, impacts),
+                          to = margin_of(last, speed, impacts);
+    if (!from || !to) return {};
+    if (*to <= near_enough(last, speed)) return last;
+    if (!(*to < *from)) return {};
+    const double first = *from;
+    for (int round = 0; round<kMostRounds&& * to> 1e-12 * first; ++round) {
+      // Not quite there: beyond, the motion is another one.
+      const double part = 0.9 * *to / (*from - *to);
+      if (!(part > 0.0) || (round == 0 && part > 1.0)) return {};
+      BranchPoint guess = last;
+      guess.u += part * (last.u - before.u);
+      const double value = last.parameter + part * (last.parameter - before.parameter);
+      const std::optional<BranchPoint> next =
+          solve_at(equations_.problem(), options_, guess.u, value);
+      const std::optional<double> left = next ? margin_of(*next, speed, impacts) : std::nullopt;
+      if (!left || !(*left < *to)) break;
+      before = std::exchange(last, *next);
+      from = std::exchange(to, left);
+    }
+    return *to <= 1e-3 * first ? std::optional(last) : std::nullopt;
   }
 
   // The gap of an approach falls through zero in proportion to the distance; beyond, the square of
