@@ -1,0 +1,126 @@
+#include "graze/fit/near_minimum.hpp"
+
+#include <nlopt.h>
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+
+namespace graze {
+namespace {
+
+// Both in parts of the box, a side of which is 1. A tenth: whoever names limits knows the parameter
+// some ten times better. Gauss and Newton's steps are better from 1e-4 on: they halve the digits
+// that are missing.
+constexpr double kFirstStep = 0.1, kNear = 1e-4;
+// A sum of squares that falls by no more than this part changes no parameter by more than about a
+// hundredth of its standard uncertainty.
+constexpr double kFlat = 1e-4;
+
+// From the unit box to the parameters.
+class Box {
+ public:
+  explicit Box(const LeastSquaresProblem& problem)
+      : problem_(problem), low_(to_scale(problem.low)), high_(to_scale(problem.high)) {}
+
+  Vector parameters(const Vector& unit) const {
+    Vector p = low_ + unit.cwiseProduct(high_ - low_);
+    for (Eigen::Index j = 0; j < p.size(); ++j) {
+      if (is_logarithmic(j)) p[j] = std::exp(p[j]);
+      p[j] = std::clamp(p[j], problem_.low[j], problem_.high[j]);
+    }
+    return p;
+  }
+  Vector unit(const Vector& parameters) const {
+    return (to_scale(parameters) - low_).cwiseQuotient(high_ - low_).cwiseMax(0.0).cwiseMin(1.0);
+  }
+
+ private:
+  bool is_logarithmic(Eigen::Index j) const {
+    return problem_.logarithmic[static_cast<std::size_t>(j)];
+  }
+  Vector to_scale(Vector p) const {
+    for (Eigen::Index j = 0; j < p.size(); ++j)
+      if (is_logarithmic(j)) p[j] = std::log(p[j]);
+    return p;
+  }
+
+  const LeastSquaresProblem& problem_;
+  Vector low_, high_;
+};
+
+struct Search {
+  const Box& box;
+  const Residuals& residuals;
+  const NearMinimumOptions& options;
+  double highest;  // what stands for a model without value: NLopt takes no NaN
+  nlopt_opt running = nullptr;
+  NearMinimum best{};
+  double least = HUGE_VAL;
+
+  double at(const Vector& unit) {
+    if (options.over()) nlopt_force_stop(running);
+    const Vector p = box.parameters(unit);
+    const std::optional<Vector> r = residuals(p);
+    if (!r) return highest;
+    const double sum = r->squaredNorm();
+    if (sum < least) {
+      least = sum;
+      best.parameters = p;
+      best.residuals = *r;
+    }
+    return std::min(sum, highest);
+  }
+};
+
+double sum_at(unsigned n, const double* x, double*, void* data) {
+  return static_cast<Search*>(data)->at(Eigen::Map<const Vector>(x, n));
+}
+
+using Optimiser = std::unique_ptr<nlopt_opt_s, decltype(&nlopt_destroy)>;
+
+void run(nlopt_algorithm algorithm, Search& search, Vector unit, long long evaluations) {
+  const auto n = static_cast<unsigned>(unit.size());
+  const Optimiser optimiser(nlopt_create(algorithm, n), &nlopt_destroy);
+  if (!optimiser) return;
+  search.running = optimiser.get();
+  nlopt_set_lower_bounds1(optimiser.get(), 0.0);
+  nlopt_set_upper_bounds1(optimiser.get(), 1.0);
+  nlopt_set_min_objective(optimiser.get(), sum_at, &search);
+  nlopt_set_maxeval(optimiser.get(), static_cast<int>(std::min(evaluations, 1'000'000'000LL)));
+  nlopt_set_initial_step1(optimiser.get(), kFirstStep);
+  nlopt_set_xtol_abs1(optimiser.get(), kNear);
+  nlopt_set_ftol_rel(optimiser.get(), kFlat);
+  double value = 0.0;
+  // Its word is not asked for: the best was kept on the way.
+  nlopt_optimize(optimiser.get(), unit.data(), &value);
+}
+
+}  // namespace
+
+NearMinimum near_minimum(const LeastSquaresProblem& problem, const Residuals& residuals,
+                         const NearMinimumOptions& options) {
+  const Box box(problem);
+  // Ten times worse than a model that is zero.
+  const double highest = 100.0 * std::max(problem.size * problem.size, 1.0);
+  Search search{box, residuals, options, highest};
+  const Vector start = box.unit(problem.start);
+  // A start outside the reach of rounding of the box is kept to the last digit.
+  if (const std::optional<Vector> r = residuals(problem.start)) {
+    search.least = r->squaredNorm();
+    search.best.parameters = problem.start;
+    search.best.residuals = *r;
+  }
+  std::string method;
+  if (options.global) {
+    run(NLOPT_GN_DIRECT_L, search, start, options.evaluations / 2);
+    method = "DIRECT over the box, then ";
+  }
+  const bool one = problem.start.size() == 1;
+  const Vector from = search.best.parameters.size() > 0 ? box.unit(search.best.parameters) : start;
+  run(one ? NLOPT_LN_NELDERMEAD : NLOPT_LN_BOBYQA, search, from, options.evaluations);
+  search.best.method = method + (one ? "Nelder-Mead" : "BOBYQA");
+  return std::move(search.best);
+}
+
+}  // namespace graze
