@@ -46,7 +46,7 @@ def contact(graze):
     rows = simulated(graze, "contact.toml",
                      ["stop.spring.stiffness=2e7", "stop.spring.exponent=1.5",
                       "stop.spring.damping.coefficient=1.5e7"],
-                     ["--duration", "1e-3", "--record", "samples", "--sample-rate", "4e5"],
+                     ["--duration", "4e-3", "--record", "samples", "--sample-rate", "1e5"],
                      "samples.csv")
     write("contact.csv", "time,force1",
           [(float(row["time"]), round(float(row["force1"]) + noise.gauss(0.0, 0.5), 2))

@@ -116,7 +116,9 @@ std::optional<Slope> best_slope(const Column& column, double change, double& ste
 std::optional<DifferenceJacobian> difference_jacobian(const Residuals& residuals, const Vector& at,
                                                       const Vector& low, const Vector& high,
                                                       const Vector& steps, double change) {
-  DifferenceJacobian jacobian{{}, steps, 0.0};
+  // No better than the rounding of a step that is as small as it may be.
+  DifferenceJacobian jacobian{
+      {}, steps, std::pow(std::numeric_limits<double>::epsilon(), 2.0 / 3.0)};
   for (Eigen::Index j = 0; j < at.size(); ++j) {
     const Column column(residuals, at, j, low[j], high[j]);
     const std::optional<Slope> slope = best_slope(column, change, jacobian.steps[j]);

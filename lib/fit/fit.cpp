@@ -69,7 +69,7 @@ class Fit {
   FitResult run() {
     require_enough(measurements_, parameters_);
     const LeastSquaresProblem problem = posed();
-    require_comparable(measurements_, parameters_, problem.start, model_);
+    require_comparable(measurements_, parameters_, problem.start, model_, options_.stop);
     LeastSquaresOptions options{options_.global, options_.max_evaluations, options_.stop,
                                 options_.progress};
     const LeastSquaresResult solved = solve_least_squares(problem, options);

@@ -150,7 +150,7 @@ void require_enough(const Measurements& measurements,
 
 void require_comparable(const Measurements& measurements,
                         const std::vector<SoughtParameter>& parameters, const Vector& start,
-                        FitModel& model) {
+                        FitModel& model, const StopSignal& stop) {
   // Restitutions were looked at when they were read.
   if (measurements.kind == MeasurementKind::kRestitution) return;
   ModelSizes sizes(measurements);
@@ -169,7 +169,7 @@ void require_comparable(const Measurements& measurements,
       values[static_cast<Eigen::Index>(j)] = limit;
       probe(values);
     }
-  if (!evaluated) return;  // the fit says why
+  if (!evaluated || stop.requested()) return;  // the fit says why
   if (measurements.kind == MeasurementKind::kImpactTimes && !met)
     throw InputError(
         measurements.places.back(), "data",

@@ -20,9 +20,9 @@ void require_enough(const Measurements& measurements,
                     const std::vector<SoughtParameter>& parameters);
 
 // Throws InputError, with the place in the file, where the values are far larger or smaller than
-// what the model says at `start` and where one parameter is at a limit: another unit, most likely.
+// what the model says at `start` and where one parameter is at a limit: another unit, most likely. Where it is stopped on the way nothing is said.
 void require_comparable(const Measurements& measurements,
                         const std::vector<SoughtParameter>& parameters, const Vector& start,
-                        FitModel& model);
+                        FitModel& model, const StopSignal& stop);
 
 }  // namespace graze

@@ -79,7 +79,7 @@ class Reader {
     } else {
       read_impacts();
     }
-    if (!pairs && !options_.columns.empty() && result_.kind != MeasurementKind::kResponse)
+    if (!options_.columns.empty() && result_.kind != MeasurementKind::kResponse)
       throw InputError("--column: only columns of a response (time and what moves) are chosen");
     refuse_mixed_uncertainties();
     for (std::size_t c = 0; c < table_.columns(); ++c)

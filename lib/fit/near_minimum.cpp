@@ -12,10 +12,10 @@ namespace {
 // Both in parts of the box, a side of which is 1. A tenth: whoever names limits knows the parameter
 // some ten times better. Gauss and Newton's steps are better from 1e-4 on: they halve the digits
 // that are missing.
-constexpr double kFirstStep = 0.1, kNear = 1e-4;
+constexpr double kFirstStep = 0.1, kNear = 1e-3;
 // A sum of squares that falls by no more than this part changes no parameter by more than about a
 // hundredth of its standard uncertainty.
-constexpr double kFlat = 1e-4;
+constexpr double kFlat = 1e-2;
 
 // From the unit box to the parameters.
 class Box {

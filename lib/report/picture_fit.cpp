@@ -39,7 +39,8 @@ class FitPicture {
  public:
   explicit FitPicture(const FitResult& result) : result_(result), column_(script_) {
     count_ = std::min(result.series.size(), kMostSeries);
-    dot_ = result.at.size() > kManyDots ? 0.35 : 0.6;
+    many_ = result.at.size() > kManyDots;
+    dot_ = many_ ? 0.4 : 0.6;
   }
 
   GnuplotScript script() {
@@ -110,11 +111,12 @@ class FitPicture {
     script_.data("fitted" + name, line);
     column_.begin_panel(shown, series_title(series.name), unit.unit);
     if (k == 0) column_.set_legend();
+    // The line lies over its dots, so that it is seen where they are many.
     column_.end_panel(
-        {fmt::format("$fitted{} using 1:2 with lines lw 1.8 lc rgb '{}' title '{}'", name,
-                     kVermillion, k == 0 ? "fitted" : ""),
-         fmt::format("$measured{} using 1:2 with points pt 7 ps {}*mark lc rgb '{}' title '{}'",
-                     name, dot_, kBlue, k == 0 ? "measured" : "")});
+        {fmt::format("$measured{} using 1:2 with points pt 7 ps {}*mark lc rgb '{}' title '{}'",
+                     name, dot_, many_ ? kSky : kBlue, k == 0 ? "measured" : ""),
+         fmt::format("$fitted{} using 1:2 with lines lw {} lc rgb '{}' title '{}'", name,
+                     many_ ? 1.2 : 1.8, kVermillion, k == 0 ? "fitted" : "")});
   }
 
   void draw_residuals(std::size_t k) {
@@ -123,11 +125,10 @@ class FitPicture {
     const bool bars = series.uncertainty.size() > 0;
     AxisRange range;
     for (Eigen::Index i = 0; i < missed.size(); ++i) {
-      const double more = bars ? series.uncertainty[i] : 0.0;
-      range.include(missed[i] - more);
-      range.include(missed[i] + more);
+      const double size = std::abs(missed[i]) + (bars ? series.uncertainty[i] : 0.0);
+      range.include(-size);
+      range.include(size);
     }
-    range.include(0.0);
     const AxisUnit unit = unit_of(series, range);
     AxisRange shown;
     shown.include(unit.factor * range.low);
@@ -155,7 +156,8 @@ class FitPicture {
   PanelColumn column_;
   std::size_t count_ = 0;
   double along_ = 1.0;  // factor of the horizontal axis
-  double dot_ = 0.6;
+  bool many_ = false;
+  double dot_ = 0.6;  // size
 };
 
 }  // namespace

@@ -4,6 +4,7 @@
 
 #include "graze/report/table.hpp"
 #include "graze/report/text.hpp"
+#include "graze/scene/suggestion.hpp"
 
 namespace graze {
 namespace {
@@ -89,6 +90,8 @@ std::string to_text(const FitRecord& record) {
                     result.knows_uncertainty
                         ? std::string("from the uncertainties of the data")
                         : fmt::format("Student's t with {} degrees of freedom", result.freedom));
+  if (!record.unused_columns.empty())
+    text += fmt::format("columns that are not used: {}\n", joined(record.unused_columns, "and"));
   text += fmt::format("least sum of squares by {}; {} evaluations of the model\n", result.method,
                       result.evaluations);
   if (!record.outcome.message.empty())
