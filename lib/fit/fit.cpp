@@ -182,13 +182,20 @@ class Fit {
     add_curve(solved.parameters);
     try {
       result_.fitted = model_.scene_at(solved.parameters);
-      // That of a stiffness depends on the exponent.
-      for (FittedParameter& parameter : result_.parameters)
-        if (find_parameter(*result_.fitted, parameter.name) != nullptr)
-          parameter.unit = parameter_unit(*result_.fitted, parameter.name);
+      name_units(*result_.fitted);
     } catch (const InputError& error) {
       result_.warnings.push_back(
           fmt::format("no scene can have these values together: {}", error.what()));
+    }
+  }
+
+  // Units that hold an exponent which is itself fitted are written with its letter.
+  void name_units(const Scene& fitted) {
+    for (FittedParameter& parameter : result_.parameters) {
+      if (find_parameter(fitted, parameter.name) == nullptr ||
+          parameter_unit(fitted, parameter.name) == parameter.unit)
+        continue;
+      parameter.unit = parameter.name.ends_with(".stiffness") ? "N/m^n" : "N s/m^(n+1)";
     }
   }
 

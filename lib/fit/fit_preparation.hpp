@@ -4,8 +4,8 @@
 
 #include <vector>
 
-#include "graze/fit/fit.hpp"
 #include "graze/fit/fit_model.hpp"
+#include "graze/fit/fit_result.hpp"
 
 namespace graze {
 
@@ -20,7 +20,8 @@ void require_enough(const Measurements& measurements,
                     const std::vector<SoughtParameter>& parameters);
 
 // Throws InputError, with the place in the file, where the values are far larger or smaller than
-// what the model says at `start` and where one parameter is at a limit: another unit, most likely. Where it is stopped on the way nothing is said.
+// what the model says at `start` and where one parameter is at a limit: another unit, most likely.
+// Where it is stopped on the way nothing is said.
 void require_comparable(const Measurements& measurements,
                         const std::vector<SoughtParameter>& parameters, const Vector& start,
                         FitModel& model, const StopSignal& stop);

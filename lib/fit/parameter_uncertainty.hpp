@@ -4,10 +4,13 @@
 #include <string>
 #include <vector>
 
-#include "graze/fit/fit.hpp"
+#include "graze/fit/fit_result.hpp"
 #include "graze/fit/least_squares.hpp"
 
 namespace graze {
+
+// The 97.5 % quantile of Student's distribution; of the normal one for `freedom` 0.
+double confidence_quantile(long long freedom);
 
 // Fills in uncertainties, intervals and correlations of `result` from the derivative at the
 // optimum; parameters at limits are held. Where a direction of the others is not told by the data,

@@ -48,7 +48,7 @@ class FitPicture {
     std::vector<double> panels;
     for (std::size_t k = 0; k < count_; ++k) {
       panels.push_back(1.4 * PanelColumn::kPanel);
-      panels.push_back(PanelColumn::kLowPanel);
+      panels.push_back(PanelColumn::kPanel);
     }
     column_.lay_out(panels, false, true, false);
     script_.command("set multiplot");

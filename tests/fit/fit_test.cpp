@@ -124,7 +124,7 @@ TEST(Fit, HoldsARestitutionAtItsLimitAndSaysSo) {
 
 TEST(Fit, FindsWhereTheClockOfTheRecordBegan) {
   Measurements data = oscillation_data();
-  // The clock began 0.1 s late.
+  // The clock began 0.01 s late.
   data.at.array() -= 0.01;
   const FitResult result = fit(oscillator(), data, fit_options({{"record.start", 0.0, 0.05}}));
   ASSERT_EQ(result.end, FitEnd::kFitted) << result.message;
@@ -190,7 +190,7 @@ TEST(Fit, IsTheSameEveryTime) {
   }
 }
 
-// From 19 rad/s the nearest valley of the sum of squares is not that of 10.
+// From 34 rad/s the nearest valley of the sum of squares is not that of 10.
 TEST(Fit, SearchesTheBoxIfAsked) {
   const Scene far = with_parameter(oscillator(), "modal.frequencies.1", 34.0);
   FitOptions options = fit_options({{"modal.frequencies.1", 3.0, 40.0}});

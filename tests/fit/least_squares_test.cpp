@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "graze/fit/jacobian_factors.hpp"
+#include "graze/fit/parameter_uncertainty.hpp"
 #include "noisy.hpp"
 
 namespace graze {
