@@ -7,9 +7,9 @@
 namespace graze {
 namespace {
 
-// A derivative that its two steps give alike to this part serves a step of Gauss and Newton, and
-// an uncertainty of two digits.
-constexpr double kGood = 0.01;
+// A derivative that its two steps give alike to this part serves a step of Gauss and Newton and an
+// uncertainty. Where the model has kinks that are finer than the noise no step does better.
+constexpr double kGood = 0.05;
 // Adjustments of a step, and then reductions, at most.
 constexpr int kAdjustments = 4, kReductions = 3;
 constexpr double kReduction = 8.0;

@@ -43,6 +43,18 @@ void check_limit(const Scene& scene, const SoughtParameter& parameter, double va
   }
 }
 
+// A response is that of the motion, which begins at 0.
+void check_record_start(const Measurements& measurements, const SoughtParameter& parameter) {
+  if (parameter.name != kRecordStart || measurements.kind != MeasurementKind::kResponse) return;
+  const double first = measurements.at.minCoeff();
+  if (parameter.low + first >= 0.0) return;
+  throw InputError(
+      fmt::format("--parameter record.start: at the limit {:g} s the record would begin before the "
+                  "motion does; "
+                  "allowed is {:g} s or more, the first time of {} less",
+                  parameter.low, -first, measurements.file));
+}
+
 double size_of(const Vector& values) { return values.cwiseAbs().maxCoeff(); }
 
 // Smallest and largest sizes of each series among what the model says.
@@ -123,6 +135,7 @@ std::vector<SoughtParameter> checked_parameters(const Scene& scene,
     if (!(parameter.low < parameter.high))
       throw InputError(fmt::format("--parameter {}: LOW must be below HIGH, not {:g}:{:g}",
                                    parameter.name, parameter.low, parameter.high));
+    check_record_start(measurements, parameter);
     check_limit(scene, parameter, parameter.low);
     check_limit(scene, parameter, parameter.high);
   }

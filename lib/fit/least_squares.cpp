@@ -15,6 +15,8 @@ constexpr double kEps = std::numeric_limits<double>::epsilon();
 constexpr int kMostSteps = 30;
 // Halvings of one of them.
 constexpr int kMostHalvings = 12;
+// Where they come to a stand before the minimum, it is sought directly, so often at most.
+constexpr int kMostSearches = 2;
 
 class Solver {
  public:
@@ -88,12 +90,34 @@ class Solver {
         result_.end = LeastSquaresEnd::kConverged;
         return;
       }
-      if (is_over() && !moved) {
+      if (moved) continue;
+      if (is_over()) {
         result_.end = why_over();
         return;
       }
-      if (!moved) return;
+      if (searches_ < kMostSearches) {
+        search_directly();
+      } else {
+        // A minimum at a kink: found to a part of the uncertainties, but no derivative of it is
+        // zero. One that asks for more than these is none.
+        if (result_.last_step <= residual_noise(problem_, result_.residuals))
+          result_.end = LeastSquaresEnd::kConverged;
+        return;
+      }
     }
+  }
+
+  void search_directly() {
+    if (searches_++ == 0) result_.method += " and Nelder-Mead";
+    const double noise = residual_noise(problem_, result_.residuals);
+    Vector deviations = noise * result_.jacobian.matrix.colwise().norm().cwiseInverse().transpose();
+    for (Eigen::Index j = 0; j < deviations.size(); ++j)
+      if (!(deviations[j] > 0.0 && std::isfinite(deviations[j]))) deviations[j] = steps_[j];
+    const NearMinimum found =
+        simplex_minimum(problem_, counted_, result_.parameters, result_.residuals, deviations,
+                        kNoiseStep, [this] { return is_over(); });
+    result_.parameters = found.parameters;
+    result_.residuals = found.residuals;
   }
 
   bool differentiate() {
@@ -178,6 +202,7 @@ class Solver {
   const Residuals counted_;
   std::vector<bool> free_;
   Vector steps_;
+  int searches_ = 0;
   LeastSquaresResult result_;
 };
 

@@ -48,26 +48,29 @@ class Box {
   Vector low_, high_;
 };
 
+// A sum of squares as NLopt sees it.
 struct Search {
-  const Box& box;
+  std::function<Vector(const Vector&)> parameters;  // of NLopt's unknowns
   const Residuals& residuals;
-  const NearMinimumOptions& options;
+  const std::function<bool()>& over;
   double highest;  // what stands for a model without value: NLopt takes no NaN
   nlopt_opt running = nullptr;
   NearMinimum best{};
   double least = HUGE_VAL;
 
+  void start_from(const Vector& p, const Vector& r) {
+    least = r.squaredNorm();
+    best.parameters = p;
+    best.residuals = r;
+  }
+
   double at(const Vector& unit) {
-    if (options.over()) nlopt_force_stop(running);
-    const Vector p = box.parameters(unit);
+    if (over()) nlopt_force_stop(running);
+    const Vector p = parameters(unit);
     const std::optional<Vector> r = residuals(p);
     if (!r) return highest;
     const double sum = r->squaredNorm();
-    if (sum < least) {
-      least = sum;
-      best.parameters = p;
-      best.residuals = *r;
-    }
+    if (sum < least) start_from(p, *r);
     return std::min(sum, highest);
   }
 };
@@ -77,6 +80,11 @@ double sum_at(unsigned n, const double* x, double*, void* data) {
 }
 
 using Optimiser = std::unique_ptr<nlopt_opt_s, decltype(&nlopt_destroy)>;
+
+// Far worse than a model that is zero.
+double highest_sum(const LeastSquaresProblem& problem) {
+  return 100.0 * std::max(problem.size * problem.size, 1.0);
+}
 
 void run(nlopt_algorithm algorithm, Search& search, Vector unit, long long evaluations) {
   const auto n = static_cast<unsigned>(unit.size());
@@ -103,16 +111,12 @@ void run(nlopt_algorithm algorithm, Search& search, Vector unit, long long evalu
 NearMinimum near_minimum(const LeastSquaresProblem& problem, const Residuals& residuals,
                          const NearMinimumOptions& options) {
   const Box box(problem);
-  // Ten times worse than a model that is zero.
-  const double highest = 100.0 * std::max(problem.size * problem.size, 1.0);
-  Search search{box, residuals, options, highest};
+  Search search{[&](const Vector& unit) { return box.parameters(unit); }, residuals, options.over,
+                highest_sum(problem)};
   const Vector start = box.unit(problem.start);
-  // A start outside the reach of rounding of the box is kept to the last digit.
-  if (const std::optional<Vector> r = residuals(problem.start)) {
-    search.least = r->squaredNorm();
-    search.best.parameters = problem.start;
-    search.best.residuals = *r;
-  }
+  // As it is, and not as the box has it after rounding.
+  if (const std::optional<Vector> r = residuals(problem.start))
+    search.start_from(problem.start, *r);
   std::string method;
   if (options.global) {
     run(NLOPT_GN_DIRECT_L, search, start, options.evaluations / 2);
@@ -122,6 +126,27 @@ NearMinimum near_minimum(const LeastSquaresProblem& problem, const Residuals& re
   const Vector from = search.best.parameters.size() > 0 ? box.unit(search.best.parameters) : start;
   run(one ? NLOPT_LN_NELDERMEAD : NLOPT_LN_BOBYQA, search, from, options.evaluations);
   search.best.method = method + (one ? "Nelder-Mead" : "BOBYQA");
+  return std::move(search.best);
+}
+
+NearMinimum simplex_minimum(const LeastSquaresProblem& problem, const Residuals& residuals,
+                            const Vector& at, const Vector& residuals_at, const Vector& deviations,
+                            double part, const std::function<bool()>& over) {
+  Search search{[](const Vector& p) { return p; }, residuals, over, highest_sum(problem)};
+  search.start_from(at, residuals_at);
+  const Optimiser optimiser(nlopt_create(NLOPT_LN_NELDERMEAD, static_cast<unsigned>(at.size())),
+                            &nlopt_destroy);
+  if (!optimiser) return std::move(search.best);
+  search.running = optimiser.get();
+  const Vector ends = part * deviations;
+  nlopt_set_lower_bounds(optimiser.get(), problem.low.data());
+  nlopt_set_upper_bounds(optimiser.get(), problem.high.data());
+  nlopt_set_min_objective(optimiser.get(), sum_at, &search);
+  nlopt_set_initial_step(optimiser.get(), deviations.data());
+  nlopt_set_xtol_abs(optimiser.get(), ends.data());
+  Vector p = at;
+  double value = 0.0;
+  nlopt_optimize(optimiser.get(), p.data(), &value);
   return std::move(search.best);
 }
 

@@ -23,4 +23,10 @@ struct NearMinimum {
 NearMinimum near_minimum(const LeastSquaresProblem& problem, const Residuals& residuals,
                          const NearMinimumOptions& options);
 
+// The minimum itself where the sum of squares has kinks, by Nelder and Mead's simplex of the size
+// `deviations` around `at`, down to `part` of them. `residuals_at`: those at `at`.
+NearMinimum simplex_minimum(const LeastSquaresProblem& problem, const Residuals& residuals,
+                            const Vector& at, const Vector& residuals_at, const Vector& deviations,
+                            double part, const std::function<bool()>& over);
+
 }  // namespace graze

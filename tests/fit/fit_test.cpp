@@ -239,6 +239,9 @@ TEST(Fit, RefusesParametersThatCannotBeSought) {
   EXPECT_NE(error_of(oscillator(), data, {{"stop.restitution", 0.5, 1.5}})
                 .find("the scene does not allow the limit 1.5"),
             std::string::npos);
+  EXPECT_NE(error_of(oscillator(), data, {{"record.start", -0.03, 1}})
+                .find("the record would begin before the motion does; allowed is -0.02 s or more"),
+            std::string::npos);
   EXPECT_NE(error_of(ball("0.5"), restitutions(Eigen::Vector2d(1, 2), Eigen::Vector2d(0.5, 0.5)),
                      {{"stop.gap", 0, 1}})
                 .find("pairs of speed and restitution say nothing of it"),

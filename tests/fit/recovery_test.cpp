@@ -117,6 +117,37 @@ TEST(Recovery, OfFrequencyAndDampingFromAResponse) {
   coverage.expect();
 }
 
+// Between its impacts the ball falls: u = h - v s + g s^2/2, s the time since the last of them, v
+// the speed that it left with, g t0 r^k.
+Vector bouncing(const Vector& at, double h, double r) {
+  const double fall = std::sqrt(2.0 * h / 9.81);
+  return at.unaryExpr([&](double t) {
+    if (t <= fall) return 4.905 * t * t;
+    double since = t - fall, speed = 9.81 * fall * r;
+    while (since > 2.0 * speed / 9.81) {
+      since -= 2.0 * speed / 9.81;
+      speed *= r;
+    }
+    return h - speed * since + 4.905 * since * since;
+  });
+}
+
+// Kinks of the displacement at impacts that come and go between the samples.
+TEST(Recovery, OfDropAndRestitutionFromADisplacement) {
+  const Scene scene = ball("gap = 0.9\nrestitution = 0.7\n");
+  const Vector at = Vector::LinSpaced(150, 0.0, 3.0);
+  const Vector exact = bouncing(at, 1.0, 0.8);
+  Coverage coverage({1.0, 0.8});
+  for (int seed = 1; seed <= kSeeds; ++seed) {
+    Noise noise(seed);
+    Vector values = exact;
+    for (double& value : values) value += 0.01 * noise();
+    coverage.add(fit(scene, response("displacement1", Quantity::kDisplacement, at, values),
+                     fit_options({{"stop.gap", 0.5, 2.0}, {"stop.restitution", 0.3, 1.0}})));
+  }
+  coverage.expect();
+}
+
 // A contact has no closed form with these laws: the force is integrated here, by Runge and Kutta's
 // method with steps of 1/200 of a sample, an error below 1e-9 of the force.
 struct ContactRecord {
@@ -190,6 +221,19 @@ TEST(Recovery, IsExactWithoutNoise) {
   expect(fit(ball("gap = 0.8\nrestitution = 0.7\n"), impacts(bounce_times(1.0, 0.8, 12)),
              fit_options({{"stop.gap", 0.2, 3.0}, {"stop.restitution", 0.3, 1.0}})),
          {1.0, 0.8}, 1e-12);
+  // A mass of 1 kg meets a linear spring at 0.5 m/s: x = 0.5 sin(w t)/w until w t = pi, then it is
+  // gone. With contact errors of 1e-12 of the speed.
+  const double w = 300.0;
+  const Vector at = Vector::LinSpaced(40, 0.0, 0.02);
+  const Vector depth =
+      (0.5 / w * (w * at.array()).sin()).max(0.0) * (w * at.array() < M_PI).cast<double>();
+  const Scene spring = parse_scene(
+      "[modal]\nfrequencies = [0.0]\n[[stop]]\nshape = [1.0]\ngap = 0.0\n[stop.spring]\n"
+      "stiffness = 5e4\nexponent = 1.0\n[initial]\nqdot = [0.5]\n",
+      "spring");
+  expect(fit(spring, response("penetration1", Quantity::kPenetration, at, depth),
+             fit_options({{"stop.spring.stiffness", 1e4, 1e6}})),
+         {w * w}, 1e-10);
   // Of the integration above and of the contact itself, 1e-9 of the force.
   const ContactRecord record = contact(5e6, 1.5, 3e6, 60, 2e-4);
   expect(fit(hammer(), response("force1", Quantity::kForce, record.at, record.force),
