@@ -146,7 +146,7 @@ class Solver {
     std::fill(free_.begin(), free_.end(), true);
     const Vector& p = result_.parameters;
     for (;;) {
-      const Vector step = free_step();
+      Vector step = free_step();
       bool held = false;
       for (Eigen::Index j = 0; j < p.size(); ++j) {
         const bool out = (p[j] <= problem_.low[j] && step[j] < 0.0) ||

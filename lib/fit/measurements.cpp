@@ -126,7 +126,7 @@ class Reader {
     for (const std::string& candidate : {"sigma_" + name, std::string("sigma")}) {
       if (!table_.find(candidate)) continue;
       const std::size_t c = column(candidate, unit);
-      const Vector values = numbers(c);
+      Vector values = numbers(c);
       for (std::size_t i = 0; i < kept_.size(); ++i)
         if (!(values[static_cast<Eigen::Index>(i)] > 0.0))
           throw table_.cell_error(

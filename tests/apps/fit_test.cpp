@@ -56,6 +56,20 @@ TEST(FitCommand, FindsTheValuesBehindTheShippedMeasurements) {
   }
 }
 
+TEST(FitCommand, SaysWhatItFound) {
+  const Finished run = run_graze("fit " + kResponse);
+  ASSERT_EQ(run.code, 0) << run.err;
+  for (const char* part :
+       {"response in ", "95 % interval", "damping.viscous (N s/m^2)", "0.001..0.2", "correlation",
+        "displacement1: 300 values", "Student's t with 298 degrees of freedom", "BOBYQA"})
+    EXPECT_NE(run.out.find(part), std::string::npos) << part << "\n" << run.out;
+  const Finished known = run_graze("fit --sigma 5e-5 " + kResponse);
+  EXPECT_NE(known.out.find("intervals: 1.96 standard uncertainties, from the uncertainties of the "
+                           "data"),
+            std::string::npos)
+      << known.out;
+}
+
 TEST(FitCommand, WritesItsFiles) {
   const ScratchFolder scratch;
   const std::string out = (scratch / "run").string();
