@@ -122,6 +122,31 @@ TEST(Fit, HoldsARestitutionAtItsLimitAndSaysSo) {
   EXPECT_TRUE(says(result.warnings, "stop.restitution is held at its limit 1"));
 }
 
+// u = q, whichever side the stop is on; its gap is 1 - u above and 1 + u below.
+TEST(Fit, KnowsEveryColumnOfAResponse) {
+  const double w = 10.0, zeta = 0.05;
+  const Vector at = Vector::LinSpaced(60, 0.02, 1.2), u = oscillation(at, w, zeta);
+  const double damped = w * std::sqrt(1.0 - zeta * zeta);
+  const Vector rate =
+      (-zeta * w * at.array()).exp() * (damped * at.array()).cos() - zeta * w * u.array();
+  for (const double side : {1.0, -1.0}) {
+    Scene scene = with_parameter(oscillator(), "modal.frequencies.1", 9.0);
+    scene.stops[0].side = side > 0.0 ? Side::kAbove : Side::kBelow;
+    const std::vector<std::pair<Quantity, Vector>> columns = {
+        {Quantity::kCoordinate, u},
+        {Quantity::kRate, rate},
+        {Quantity::kDisplacement, u},
+        {Quantity::kVelocity, rate},
+        {Quantity::kGap, 1.0 - side * u.array()}};
+    for (const auto& [quantity, values] : columns) {
+      const FitResult result = fit(scene, response("column", quantity, at, values),
+                                   fit_options({{"modal.frequencies.1", 8.0, 12.0}}));
+      ASSERT_EQ(result.end, FitEnd::kFitted) << result.message;
+      EXPECT_NEAR(result.parameters[0].value, w, 1e-10) << static_cast<int>(quantity) << side;
+    }
+  }
+}
+
 TEST(Fit, FindsWhereTheClockOfTheRecordBegan) {
   Measurements data = oscillation_data();
   // The clock began 0.01 s late.

@@ -102,6 +102,26 @@ TEST(LeastSquares, SearchesTheBoxIfAsked) {
   EXPECT_NEAR(global.parameters[0], 3.0, 1e-11);
 }
 
+// (1 + |x - y|)^2 + (x + y - 1)^2/10 is 1 at x = y = 1/2, where it has a kink, and more elsewhere.
+TEST(LeastSquares, FindsAMinimumAtAKink) {
+  LeastSquaresProblem problem;
+  problem.residuals = [](const Vector& p) -> std::optional<Vector> {
+    Vector r = Vector::Constant(10, 2.0);  // the rest is noise
+    r[0] = 1.0 + std::abs(p[0] - p[1]);
+    r[1] = std::sqrt(0.1) * (p[0] + p[1] - 1.0);
+    return r;
+  };
+  problem.start = Eigen::Vector2d(4.0, -3.0);
+  problem.low = Eigen::Vector2d(-5.0, -5.0);
+  problem.high = Eigen::Vector2d(5.0, 5.0);
+  problem.logarithmic = {false, false};
+  const LeastSquaresResult result = solve_least_squares(problem, {false, 5000});
+  EXPECT_EQ(result.end, LeastSquaresEnd::kConverged) << result.method;
+  // The noise is sqrt(33/8), and so are the uncertainties at least.
+  EXPECT_NEAR(result.parameters[0], result.parameters[1], 5e-3);
+  EXPECT_NEAR(result.parameters.sum(), 1.0, 2e-2);
+}
+
 TEST(LeastSquares, EndsAtItsBudgetAndWhenStopped) {
   LeastSquaresResult result = solve_least_squares(exponential_problem(), {false, 15});
   EXPECT_EQ(result.end, LeastSquaresEnd::kBudget);
