@@ -40,6 +40,10 @@ void note_options(const Command& command, const FitOptions& options, RunInfo& in
   for (const SoughtParameter& sought : options.parameters)
     info.options.emplace_back("parameter " + sought.name,
                               fmt::format("{}:{}", sought.low, sought.high));
+  if (!command.columns.empty())
+    info.options.emplace_back("column", fmt::format("{}", fmt::join(command.columns, ",")));
+  if (!command.sigmas.empty())
+    info.options.emplace_back("sigma", fmt::format("{}", fmt::join(command.sigmas, " ")));
   info.options.emplace_back("algorithm", command.algorithm);
   info.options.emplace_back("max_evaluations", command.max_evaluations);
   if (options.closure_speed) info.options.emplace_back("closure_speed", *options.closure_speed);
@@ -71,7 +75,7 @@ int run_fit(const Command& command) {
   options.progress = progress_line(command);
   note_options(command, options, record.info);
   record.warnings = system_warnings(scene, assemble(scene));
-  prepare_output(command);
+  options.begins = [&] { prepare_output(command); };
   record.result = fit(scene, measurements, options);
   for (const std::string& warning : record.result.warnings) record.warnings.push_back(warning);
   options.progress = {};

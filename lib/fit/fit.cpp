@@ -70,6 +70,7 @@ class Fit {
     require_enough(measurements_, parameters_);
     const LeastSquaresProblem problem = posed();
     require_comparable(measurements_, parameters_, problem.start, model_, options_.stop);
+    if (options_.begins) options_.begins();
     LeastSquaresOptions options{options_.global, options_.max_evaluations, options_.stop,
                                 options_.progress};
     const LeastSquaresResult solved = solve_least_squares(problem, options);

@@ -25,6 +25,7 @@ struct FitOptions {
   std::optional<double> closure_speed{};
   long long max_impacts = 0;  // of one motion
   StopSignal stop{};
+  std::function<void()> begins{};  // called when all is checked, before the search
   std::function<void(double part)> progress{};
 };
 

@@ -128,6 +128,8 @@ TEST(FitCommand, TakesTheTablesThatSimulateWrites) {
   ASSERT_EQ(run.code, 0) << run.err;
   EXPECT_EQ(json::parse(run.out)["series"].size(), 2u);
   EXPECT_EQ(json::parse(run.out)["uncertainties"], "given");
+  EXPECT_EQ(json::parse(run.out)["graze"]["options"]["column"], "q1,qdot1");
+  EXPECT_EQ(json::parse(run.out)["graze"]["options"]["sigma"], "q1=1e-6 qdot1=1e-4");
 }
 
 TEST(FitCommand, RefusesWhatCannotBeUsed) {
@@ -139,6 +141,14 @@ TEST(FitCommand, RefusesWhatCannotBeUsed) {
   EXPECT_EQ(run.code, 2);
   EXPECT_EQ(run.out, "");
   EXPECT_EQ(run.err, bad + ":3:3: data: gap1: 'nan' is not a finite number\n");
+  // In mm: known only once the model has been asked, and still nothing is written.
+  std::ofstream(bad) << "time,displacement1\n0.1,1\n0.2,-3\n0.3,4\n";
+  run = run_graze(start + bad + " --parameter stop.gap=4e-3:6e-3 --out " +
+                  (scratch / "out").string());
+  EXPECT_EQ(run.code, 2);
+  EXPECT_EQ(run.err.rfind(bad + ":4:5: data: displacement1: the values reach 4 m", 0), 0u)
+      << run.err;
+  EXPECT_FALSE(std::filesystem::exists(scratch / "out"));
   EXPECT_EQ(run_graze(start + bad + " --parameter stop.gap=4e-3").code, 2);
   EXPECT_EQ(run_graze(start + bad + " --parameter stop.gap=a:b").code, 2);
   EXPECT_EQ(run_graze(start + bad + " --parameter stop.gap=1:2 --sigma 0").code, 2);

@@ -192,7 +192,7 @@ const std::vector<SoughtParameter> kContactLaw = {{"stop.spring.stiffness", 1e5,
 
 TEST(Recovery, OfStiffnessExponentAndDampingFromAForceRecord) {
   const double stiffness = 5e6, exponent = 1.5, coefficient = 3e6;
-  const ContactRecord record = contact(stiffness, exponent, coefficient, 60, 2e-4);
+  const ContactRecord record = contact(stiffness, exponent, coefficient, 36, 3e-4);
   Coverage coverage({stiffness, exponent, coefficient});
   coverage.widest = 0.2;
   for (int seed = 1; seed <= kSeeds; ++seed) {
