@@ -59,6 +59,14 @@ struct Command {
   std::string branches = "all";    // none | all
   long long samples = 100;
 
+  // fit
+  std::string data;                  // file
+  std::vector<std::string> sought;   // "NAME=LOW:HIGH"
+  std::vector<std::string> columns;  // empty: all
+  std::vector<std::string> sigmas;   // "VALUE" or "COLUMN=VALUE"
+  std::string algorithm = "local";   // local | global
+  long long max_evaluations = 5000;
+
   long long max_impacts = kDefaultImpactBudget;
   double max_seconds = 3600.0;
 };

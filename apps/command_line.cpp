@@ -15,7 +15,7 @@ namespace graze {
 namespace {
 
 // Options that a later version brings: known by name, refused in words.
-const char* const kLaterCommands[] = {"compare", "fit"};
+const char* const kLaterCommands[] = {"compare"};
 
 void add_check(CLI::App& graze, Command& command) {
   CLI::App* app = graze.add_subcommand(
@@ -162,6 +162,49 @@ void add_cost(CLI::App& graze, Command& command) {
   add_limits(app, command);
 }
 
+void add_fit(CLI::App& graze, Command& command) {
+  CLI::App* app = graze.add_subcommand("fit", "Identify parameters of the scene from measurements");
+  app->footer(
+      footer("fit data/measurements/restitution.toml data/measurements/restitution.csv\n"
+             "         graze fit data/measurements/contact.toml data/measurements/contact.csv \\\n"
+             "           --parameter stop.spring.stiffness=1e6:1e9"));
+  add_shared(app, command);
+  app->add_option("DATA", command.data,
+                  "Measurements (CSV): speed,restitution; time and stop of impacts; or time and "
+                  "force1, gap1, displacement1, velocity1, penetration1, q1, qdot1, ..")
+      ->required();
+  add_plot(app, command);
+  app->add_option("--parameter", command.sought,
+                  "A parameter that is fitted and the values between which it is sought; as often "
+                  "as wanted. Also record.start, initial.q.1, initial.qdot.1, .. Of restitutions "
+                  "all coefficients by default")
+      ->type_name("NAME=LOW:HIGH")
+      ->allow_extra_args(false)
+      ->take_all();
+  app->add_option("--column", command.columns,
+                  "Columns of a response that are fitted, several with commas (default: all)")
+      ->delimiter(',')
+      ->type_name("NAME");
+  app->add_option("--sigma", command.sigmas,
+                  "Standard uncertainty of the data in SI units, in place of a column sigma; of "
+                  "one column with its name (default: from the residuals)")
+      ->type_name("[COLUMN=]VALUE")
+      ->allow_extra_args(false)
+      ->take_all();
+  app->add_option("--algorithm", command.algorithm,
+                  "local: from the scene's values on; global: search between all limits first")
+      ->check(CLI::IsMember({"local", "global"}))
+      ->capture_default_str()
+      ->type_name("NAME");
+  app->add_option("--max-evaluations", command.max_evaluations,
+                  "Most evaluations of the model; the best values so far are then printed")
+      ->transform(whole_number("a whole number from 1", 1.0, 1e9))
+      ->capture_default_str()
+      ->type_name("N");
+  add_closure_speed(app, command);
+  add_limits(app, command);
+}
+
 void add_later(CLI::App& graze) {
   for (const char* name : kLaterCommands) {
     CLI::App* app = graze.add_subcommand(name, "(not available in this version)");
@@ -187,7 +230,7 @@ std::string unknown_option(const CLI::App& app) {
 
 // A sentence about a first word that is no command, or "".
 std::string unknown_command(int argc, char** argv, const CLI::App& app) {
-  if (argc < 2) return "give a command: check, simulate, orbit, continue, diagram or cost";
+  if (argc < 2) return "give a command: check, simulate, orbit, continue, diagram, cost or fit";
   const std::string word = argv[1];
   std::vector<std::string> names;
   for (const CLI::App* command : app.get_subcommands({})) names.push_back(command->get_name());
@@ -215,6 +258,7 @@ ParsedCommand parse_command_line(int argc, char** argv) {
   add_continue(app, command);
   add_diagram(app, command);
   add_cost(app, command);
+  add_fit(app, command);
   add_later(app);
   try {
     app.parse(argc, argv);

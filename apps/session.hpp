@@ -49,5 +49,6 @@ int run_continue(const Command& command);
 int run_loci(const Command& command);  // continue --locus
 int run_diagram(const Command& command);
 int run_cost(const Command& command);
+int run_fit(const Command& command);
 
 }  // namespace graze

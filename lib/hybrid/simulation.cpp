@@ -4,13 +4,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include "graze/base/angle.hpp"
 #include "graze/contact/impulse.hpp"
-#include "graze/hybrid/clearance.hpp"
 #include "graze/hybrid/sampler.hpp"
-#include "graze/system/gap_value.hpp"
+#include "graze/hybrid/smallest_gap.hpp"
 #include "graze/system/scale.hpp"
 
 namespace graze {
@@ -18,10 +18,8 @@ namespace {
 
 Instant<double> end_of(const System& system, const SimulationOptions& options) {
   if (!options.duration) return {options.periods, 0.0};
-  if (!system.forcing) return {0, *options.duration};
-  const double period = system.period(), periods = std::floor(*options.duration / period);
-  return {static_cast<long long>(periods),
-          std::clamp(*options.duration - periods * period, 0.0, period)};
+  const double period = system.forcing ? system.period() : std::numeric_limits<double>::infinity();
+  return later<double>({}, *options.duration, period);
 }
 
 class Run {
@@ -89,7 +87,7 @@ class Run {
     const Instant<double> start = motion_.instant();
     // What a cut arc's end would decide is decided when it is flown again, whole.
     if (is_cut_ && not_before(start, end_)) return false;
-    if (motion_.has_news()) return receive(motion_.fly(start.local));
+    if (motion_.has_news()) return receive(decide(start));
     if (state_.tail && not_before(start, state_.tail->over)) announce_tail();
     if (not_before(start, end_) || !within_budget()) return false;
     const NextFlight flight = next_flight(motion_, end_, state_.tail, longest_flight_);
@@ -115,6 +113,16 @@ class Run {
     }
     if (!flight.cut || arrival.kind != ArrivalKind::kTime) is_cut_ = false;
     return receive(arrival);
+  }
+
+  // What stands still within rounding is put to rest.
+  Arrival<double> decide(const Instant<double>& now) {
+    if (options_.energy) before_.qdot = motion_.qdot();
+    const Arrival<double> news = motion_.fly(now.local);
+    if (options_.energy)
+      state_.book.impacts +=
+          0.5 * (motion_.qdot() - before_.qdot).dot(motion_.qdot() + before_.qdot);
+    return news;
   }
 
   // Along the arc just flown.
@@ -212,13 +220,10 @@ class Run {
     if (listeners_.event) listeners_.event(event);
   }
 
-  void count_energy(double change) {
+  // `book`: of impacts; contacts at compliant stops are booked as they go.
+  void book_energy(double change, bool book = true) {
     (change > 0.0 ? state_.totals.energy_added : state_.totals.energy_lost) += std::abs(change);
-  }
-
-  void book_energy(double change) {
-    count_energy(change);
-    state_.book.impacts += change;
+    if (book) state_.book.impacts += change;
   }
 
   void book_impact() {
@@ -263,7 +268,7 @@ class Run {
     event.duration = event.time - contact.since;
     event.peak_force = contact.peak_force;
     event.energy_change = -contact.taken;
-    count_energy(event.energy_change);
+    book_energy(event.energy_change, false);
     if (contact.speed > 0.0) event.effective_restitution = event.speed / contact.speed;
     emit(event);
   }
@@ -327,28 +332,14 @@ class Run {
       if (motion_.is_closed(i)) announce_stick(i);
   }
 
-  void note_gap(double gap) {
-    state_.totals.smallest_gap = std::min(gap, state_.totals.smallest_gap.value_or(gap));
-  }
-
-  // A gap within its rounding of zero is zero.
-  void note_gap_at(int i) {
-    const GapValue<double> gap = gap_value<double>(stop(i).row, motion_.q(), stop(i).gap);
-    const bool gives_way = stop(i).spring && gap.value < 0.0;
-    note_gap(gives_way || std::abs(gap.value) <= gap.rounding ? 0.0 : gap.value);
-  }
-
   void note_gaps() {
     for (int i = 0; i < stops(); ++i) note_gap_at(i);
   }
-
+  void note_gap_at(int i) { graze::note_gap_at(stop(i), motion_.q(), state_.totals.smallest_gap); }
+  void note_gap(double gap) { graze::note_gap(gap, state_.totals.smallest_gap); }
   void note_minima(double window) {
-    for (int i = 0; i < stops(); ++i) {
-      const ArcCurve<double>& curve = motion_.gap_ahead(i, window);
-      // A minimum beyond the first contact is not part of the motion; the contact itself is zero.
-      const std::optional<double> gap = smallest_minimum(curve);
-      if (gap && std::isfinite(*gap)) note_gap(std::max(*gap, 0.0));
-    }
+    for (int i = 0; i < stops(); ++i)
+      graze::note_minimum(motion_.gap_ahead(i, window), state_.totals.smallest_gap);
   }
 
   double time() const { return seconds_at(motion_.instant(), motion_.flow().period()); }

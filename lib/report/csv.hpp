@@ -6,6 +6,7 @@
 
 #include "graze/record/cost_record.hpp"
 #include "graze/record/diagram_record.hpp"
+#include "graze/record/fit_record.hpp"
 #include "graze/record/loci_record.hpp"
 
 namespace graze {
@@ -32,6 +33,10 @@ std::string costs_csv(const CostRecord& record);
 std::string mode_costs_csv(const CostRecord& record);
 std::string closure_costs_csv(const CostRecord& record);
 std::string corrector_costs_csv(const CostRecord& record);
+
+// One line a measured value, with the model's and the difference; one line a parameter.
+std::string fit_csv(const FitRecord& record);
+std::string parameters_csv(const FitRecord& record);
 
 // One line a sample, one for a value that has none.
 std::string sweep_csv(const DiagramRecord& record);

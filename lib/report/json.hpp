@@ -6,6 +6,7 @@
 
 #include "graze/record/cost_record.hpp"
 #include "graze/record/diagram_record.hpp"
+#include "graze/record/fit_record.hpp"
 #include "graze/record/loci_record.hpp"
 #include "graze/record/spool.hpp"
 
@@ -23,6 +24,7 @@ std::string to_json(const OrbitRecord& record);
 std::string to_json(const BranchRecord& record);
 std::string to_json(const LociRecord& record);
 std::string to_json(const CostRecord& record);
+std::string to_json(const FitRecord& record);
 // The document of the branches, with the sweep added.
 std::string to_json(const DiagramRecord& record);
 

@@ -29,8 +29,10 @@ void PanelColumn::lay_out(std::vector<double> panels, bool row, bool legend, boo
 
 double PanelColumn::proportion() const { return total_ / kWidth; }
 
-void PanelColumn::set_time_axis(const AxisRange& range, const std::string& unit) {
+void PanelColumn::set_time_axis(const AxisRange& range, const std::string& unit,
+                                const std::string& name) {
   time_unit_ = unit;
+  time_name_ = name;
   script_.command("set xrange " + range.text());
   script_.command(fmt::format("set xtics {:.6g}", range.tic_step(6)));
   script_.command("set format x ''");
@@ -46,7 +48,7 @@ void PanelColumn::begin_panel(const AxisRange& range, const std::string& name,
   name_vertical(name, unit);
   if (begun_ < panels_.size()) return;
   script_.command("set format x '%h'");
-  script_.command("set xlabel " + axis_label("time", time_unit_));
+  script_.command("set xlabel " + axis_label(time_name_, time_unit_));
 }
 
 void PanelColumn::end_panel(const std::vector<std::string>& layers) {

@@ -22,7 +22,9 @@ class PanelColumn {
   // Height of the picture over its width.
   double proportion() const;
 
-  void set_time_axis(const AxisRange& range, const std::string& unit);
+  // `name`: of what the panels share where that is not time.
+  void set_time_axis(const AxisRange& range, const std::string& unit,
+                     const std::string& name = "time");
   // The next panel over time; its vertical axis is named in one or two lines.
   void begin_panel(const AxisRange& range, const std::string& name, const std::string& unit);
   void end_panel(const std::vector<std::string>& layers);
@@ -47,7 +49,7 @@ class PanelColumn {
 
   GnuplotScript& script_;
   std::vector<double> panels_;
-  std::string time_unit_;
+  std::string time_unit_, time_name_;
   std::size_t begun_ = 0;
   double right_ = 0.0, total_ = 0.0;  // margin, height of the picture
   double top_ = 0.0, height_ = 0.0;   // of the panel begun, from the head

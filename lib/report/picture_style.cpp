@@ -113,7 +113,7 @@ void name_vertical_axis(GnuplotScript& script, const std::string& name, const st
                         double place) {
   // Lines far enough apart for a subscript above an exponent, which gnuplot's own are not.
   constexpr double kLine = 0.039;
-  const std::string text = name + " (" + unit_markup(unit) + ")";
+  const std::string text = unit.empty() ? name : name + " (" + unit_markup(unit) + ")";
   for (std::size_t start = 0; start < text.size(); place += kLine) {
     const std::size_t end = std::min(text.find('\n', start), text.size());
     script.command(fmt::format("set label {} at screen {:.4g}, graph 0.5 center rotate",

@@ -6,6 +6,7 @@
 
 #include "graze/record/cost_record.hpp"
 #include "graze/record/diagram_record.hpp"
+#include "graze/record/fit_record.hpp"
 #include "graze/record/loci_record.hpp"
 
 namespace graze {
@@ -27,6 +28,10 @@ void draw_simulation(const std::string& file, const SimulationRecord& record);
 // for each of its settings, open marks where the sequence of impacts was lost, and the settings
 // that no other beats in both.
 void draw_costs(const std::string& file, const CostRecord& record);
+
+// What was measured as dots, with the fitted model as a line, a panel each series (the first four);
+// below each the residuals, with bars of their uncertainties where they are known.
+void draw_fit(const std::string& file, const FitRecord& record);
 
 // Phase portrait of the orbits found, at most eight of them, seen at the stop of the first one's
 // first impact.

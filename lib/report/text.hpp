@@ -5,6 +5,7 @@
 
 #include "graze/record/cost_record.hpp"
 #include "graze/record/diagram_record.hpp"
+#include "graze/record/fit_record.hpp"
 #include "graze/record/loci_record.hpp"
 
 namespace graze {
@@ -17,5 +18,6 @@ std::string to_text(const LociRecord& record);
 std::string regions_text(const LociRecord& record);  // requires regions
 std::string to_text(const DiagramRecord& record);
 std::string to_text(const CostRecord& record);
+std::string to_text(const FitRecord& record);
 
 }  // namespace graze

@@ -110,7 +110,7 @@ TEST(CompliantEnergyBesideAnObliqueStop, BookCloses) {
   system.stops.push_back({row, 0.002, along / row.dot(along), Restitution{0.2}});
   const auto run = support::record_run(system, support::rest(system), booked(10.0));
   ASSERT_EQ(run.result.outcome, RunOutcome::kReachedEnd) << run.result.message;
-  EXPECT_GT(run.result.totals.stuck_time, 0.1);
+  EXPECT_GT(run.result.totals.stuck_time, 0.01);
   EXPECT_NE(run.result.energy->work.constraint, 0.0);
   EXPECT_NE(run.result.energy->work.contact, 0.0);
   EXPECT_LT(std::abs(run.result.energy->defect()), 1e-12 * run.result.energy->size());

@@ -1,0 +1,98 @@
+// graze fit: parameters of the scene from measurements.
+#include "graze/fit/fit.hpp"
+
+#include <fmt/format.h>
+
+#include "fit_options.hpp"
+#include "graze/assembly/assembly.hpp"
+#include "graze/assembly/system_warnings.hpp"
+#include "graze/base/errors.hpp"
+#include "graze/report/csv.hpp"
+#include "graze/report/json.hpp"
+#include "graze/report/pictures.hpp"
+#include "graze/report/text.hpp"
+#include "graze/scene/reader.hpp"
+#include "session.hpp"
+
+namespace graze {
+namespace {
+
+// A million rows of four columns with all their digits.
+constexpr std::size_t kLargestData = 128 * 1024 * 1024;
+
+std::string data_text(const std::string& file) {
+  std::string text = read_file(file, kLargestData);
+  if (text.size() > kLargestData)
+    throw InputError({file, 1, 1}, "data",
+                     fmt::format("the file is larger than {} MiB", kLargestData >> 20));
+  return text;
+}
+
+// Motions are looked at along the exact flow.
+void require_exact(const Scene& scene) {
+  if (scene.solver.flow != FlowChoice::kAuto && scene.solver.flow != FlowChoice::kExact)
+    throw scene_error(scene, "solver.flow",
+                      "parameters are fitted with the exact flow; take \"auto\" or \"exact\"");
+}
+
+void note_options(const Command& command, const FitOptions& options, RunInfo& info) {
+  info.options.emplace_back("data", command.data);
+  for (const SoughtParameter& sought : options.parameters)
+    info.options.emplace_back("parameter " + sought.name,
+                              fmt::format("{}:{}", sought.low, sought.high));
+  if (!command.columns.empty())
+    info.options.emplace_back("column", fmt::format("{}", fmt::join(command.columns, ",")));
+  if (!command.sigmas.empty())
+    info.options.emplace_back("sigma", fmt::format("{}", fmt::join(command.sigmas, " ")));
+  info.options.emplace_back("algorithm", command.algorithm);
+  info.options.emplace_back("max_evaluations", command.max_evaluations);
+  if (options.closure_speed) info.options.emplace_back("closure_speed", *options.closure_speed);
+  info.options.emplace_back("max_impacts", command.max_impacts);
+  info.options.emplace_back("max_seconds", command.max_seconds);
+}
+
+}  // namespace
+
+int run_fit(const Command& command) {
+  if (!command.plot.empty()) check_picture_name(command.plot);
+  const Scene scene = read_scene(command.scene, command.settings);
+  require_exact(scene);
+  FitRecord record;
+  record.info = run_info(command.name, command.scene, scene);
+  const std::string text = data_text(command.data);
+  record.data_file = command.data;
+  record.data_sha256 = sha256(text);
+  const DataTable table(text, command.data);
+  const Measurements measurements = read_measurements(table, scene, measurement_options(command));
+  record.unused_columns = measurements.unused;
+  FitOptions options;
+  options.parameters = sought_parameters(command.sought);
+  options.global = command.algorithm == "global";
+  options.max_evaluations = command.max_evaluations;
+  options.closure_speed = command.closure_speed;
+  options.max_impacts = command.max_impacts;
+  options.stop = stop_signal(command);
+  options.progress = progress_line(command);
+  note_options(command, options, record.info);
+  record.warnings = system_warnings(scene, assemble(scene));
+  options.begins = [&] { prepare_output(command); };
+  record.result = fit(scene, measurements, options);
+  for (const std::string& warning : record.result.warnings) record.warnings.push_back(warning);
+  options.progress = {};
+  warn(command, record.warnings);
+  record.outcome = fit_outcome(record.result);
+  std::vector<std::pair<std::string, std::string>> files = {
+      {"fit.csv", fit_csv(record)}, {"parameters.csv", parameters_csv(record)}};
+  const std::string fitted = fitted_scene_text(record.result);
+  if (!fitted.empty()) files.emplace_back("fitted.toml", fitted);
+  return conclude(command, record.info, record.outcome,
+                  {to_json(record),
+                   to_text(record),
+                   files,
+                   [&] {
+                     if (!record.result.series.empty()) draw_fit(command.plot, record);
+                   },
+                   {}});
+}
+
+}  // namespace graze

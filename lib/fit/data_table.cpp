@@ -1,0 +1,150 @@
+#include "graze/fit/data_table.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <utility>
+
+namespace graze {
+namespace {
+
+std::string stripped(const std::string& text) {
+  const std::size_t first = text.find_first_not_of(" \t");
+  if (first == std::string::npos) return "";
+  std::string inner = text.substr(first, text.find_last_not_of(" \t") - first + 1);
+  if (inner.size() >= 2 && inner.front() == '"' && inner.back() == '"')
+    inner = inner.substr(1, inner.size() - 2);
+  return inner;
+}
+
+std::optional<double> number_in(const std::string& text) {
+  const char* first = text.data();
+  const char* const last = first + text.size();
+  if (first != last && *first == '+') ++first;
+  double value = 0.0;
+  const auto [end, error] = std::from_chars(first, last, value);
+  if (error == std::errc::result_out_of_range) return HUGE_VAL;
+  if (error != std::errc() || end != last) return {};
+  return value;
+}
+
+// What a message shows of a cell, which may be anything.
+std::string shown(const std::string& text) {
+  constexpr std::size_t kMost = 40;
+  std::string plain;
+  for (const char c : text.substr(0, kMost)) plain += c < ' ' || c == 0x7f ? '?' : c;
+  return text.size() > kMost ? plain + ".." : plain;
+}
+
+}  // namespace
+
+DataTable::DataTable(const std::string& text, std::string name) : name_(std::move(name)) {
+  std::size_t start = text.starts_with("\xEF\xBB\xBF") ? 3 : 0;  // a byte order mark
+  for (int number = 1; start < text.size(); ++number) {
+    const std::size_t end = std::min(text.find('\n', start), text.size());
+    std::string line = text.substr(start, end - start);
+    start = end + 1;
+    if (line.ends_with('\r')) line.pop_back();
+    if (line.find('\0') != std::string::npos)
+      throw InputError({name_, number, static_cast<int>(line.find('\0')) + 1}, "data",
+                       "this is no text; measurements are comma-separated numbers under a row of "
+                       "names");
+    if (stripped(line).empty() || line.front() == '#') continue;
+    Row row = split(line, number);
+    if (names_.empty()) {
+      read_names(std::move(row));
+      continue;
+    }
+    check_width(row);
+    rows_.push_back(std::move(row));
+  }
+  if (names_.empty())
+    throw error("the file is empty; it needs a row of column names and rows of numbers");
+  if (rows_.empty()) throw error("there is no row of numbers below the column names");
+}
+
+DataTable::Row DataTable::split(const std::string& line, int number) const {
+  Row row{number, {}};
+  std::size_t start = 0;
+  for (;;) {
+    const std::size_t end = std::min(line.find(',', start), line.size());
+    const std::string cell = line.substr(start, end - start);
+    const std::size_t blank = std::min(cell.find_first_not_of(" \t"), cell.size());
+    row.cells.push_back({stripped(cell), static_cast<int>(start + blank) + 1});
+    if (end == line.size()) return row;
+    start = end + 1;
+  }
+}
+
+void DataTable::read_names(Row row) {
+  header_line_ = row.line;
+  for (Cell& cell : row.cells) {
+    const SourceLocation where{name_, row.line, cell.column};
+    if (cell.text.empty()) throw InputError(where, "data", "a column has no name");
+    if (number_in(cell.text))
+      throw InputError(where, "data",
+                       fmt::format("'{}' is a number; the first row must name the columns, e.g. "
+                                   "time,force",
+                                   shown(cell.text)));
+    if (row.cells.size() == 1 && cell.text.find_first_of(";\t") != std::string::npos)
+      throw InputError(where, "data", "columns must be parted by commas");
+    std::optional<std::string> unit;
+    const std::size_t open = cell.text.find_last_of("([");
+    if (open != std::string::npos && open > 0 &&
+        (cell.text.back() == ')' || cell.text.back() == ']')) {
+      unit = cell.text.substr(open + 1, cell.text.size() - open - 2);
+      cell.text = stripped(cell.text.substr(0, open));
+    }
+    if (find(cell.text))
+      throw InputError(where, "data",
+                       fmt::format("column '{}' stands there twice", shown(cell.text)));
+    names_.push_back(cell);
+    units_.push_back(std::move(unit));
+  }
+}
+
+void DataTable::check_width(const Row& row) const {
+  const std::size_t wanted = names_.size(), given = row.cells.size();
+  if (given == wanted) return;
+  const Cell& at = given > wanted ? row.cells[wanted] : row.cells.back();
+  throw InputError(
+      {name_, row.line, at.column}, "data",
+      fmt::format("the row has {} cell{}, line {} names {} column{}", given, given == 1 ? "" : "s",
+                  header_line_, wanted, wanted == 1 ? "" : "s"));
+}
+
+std::optional<std::size_t> DataTable::find(const std::string& column) const {
+  for (std::size_t i = 0; i < names_.size(); ++i)
+    if (names_[i].text == column) return i;
+  return {};
+}
+
+double DataTable::number(std::size_t row, std::size_t column) const {
+  const std::string& cell = text(row, column);
+  const std::string& name = column_name(column);
+  if (cell.empty()) throw cell_error(row, column, fmt::format("{}: a number is missing", name));
+  const std::optional<double> value = number_in(cell);
+  if (!value)
+    throw cell_error(row, column, fmt::format("{}: '{}' is not a number", name, shown(cell)));
+  if (!std::isfinite(*value))
+    throw cell_error(row, column,
+                     fmt::format("{}: '{}' is not a finite number", name, shown(cell)));
+  return *value;
+}
+
+InputError DataTable::cell_error(std::size_t row, std::size_t column,
+                                 const std::string& sentence) const {
+  return {place(row, column), "data", sentence};
+}
+
+InputError DataTable::name_error(std::size_t column, const std::string& sentence) const {
+  return {{name_, header_line_, names_[column].column}, "data", sentence};
+}
+
+InputError DataTable::error(const std::string& sentence) const {
+  return {{name_, std::max(header_line_, 1), 1}, "data", sentence};
+}
+
+}  // namespace graze

@@ -1,0 +1,156 @@
+#include "graze/fit/observed_motion.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "graze/hybrid/next_flight.hpp"
+#include "graze/system/scale.hpp"
+
+namespace graze {
+namespace {
+
+Instant<double> instant_at(const System& system, double seconds) {
+  if (!system.forcing) return {0, seconds};
+  const double period = system.period(), periods = std::floor(seconds / period);
+  return {static_cast<long long>(periods), std::clamp(seconds - periods * period, 0.0, period)};
+}
+
+class Follower {
+ public:
+  Follower(const System& system, const State& start, const Observation& observation)
+      : system_(system),
+        observation_(observation),
+        motion_(system, {}, start.q, start.qdot),
+        end_(instant_at(system, observation.end)),
+        longest_flight_(longest_flight(system)) {}
+
+  std::string follow() {
+    while (proceed()) {
+    }
+    if (!failure_.empty() || ended_) return failure_;
+    // What rounding of the end has left over.
+    while (next_ < observation_.times.size()) hand_out_now();
+    return "";
+  }
+
+ private:
+  // As the run of simulation.cpp goes on, without its books.
+  bool proceed() {
+    const Instant<double> start = motion_.instant();
+    if (motion_.has_news()) return receive(motion_.fly(start.local));
+    if (tail_ && not_before(start, tail_->over)) tail_.reset();
+    if (not_before(start, end_)) return false;
+    if (observation_.stop.requested()) return fail("it was stopped");
+    const NextFlight flight = next_flight(motion_, end_, tail_, longest_flight_);
+    const double from = time();
+    const Arrival<double> arrival = motion_.fly(flight.until, flight.horizon);
+    if (arrival.kind == ArrivalKind::kRefused && arrival.flight == 0.0) return receive(arrival);
+    while (next_ < observation_.times.size() && observation_.times[next_] - from <= arrival.flight)
+      hand_out(motion_.flown(), observation_.times[next_] - from);
+    return receive(arrival);
+  }
+
+  bool receive(const Arrival<double>& arrival) {
+    switch (arrival.kind) {
+      case ArrivalKind::kTime:
+      case ArrivalKind::kLeft:
+      case ArrivalKind::kTouch:
+      case ArrivalKind::kStick:
+      case ArrivalKind::kRelease:
+      case ArrivalKind::kSeparation:
+        return true;
+      case ArrivalKind::kContact:
+        return take_impact();
+      case ArrivalKind::kEntry:
+        return report(arrival.stop);
+      case ArrivalKind::kUndecided:
+      case ArrivalKind::kNotFinite:
+      case ArrivalKind::kRefused:
+        break;
+    }
+    return fail(failure_of(motion_, arrival));
+  }
+
+  bool take_impact() {
+    const std::vector<ImpactShare<double>>& shares = motion_.impact();
+    for (const ImpactShare<double>& share : shares)
+      if (share.hit && !report(share.stop)) return false;
+    // Against a single stop only impacts as slow as that are summed.
+    if (system_.stops.size() == 1 && shares.size() == 1 &&
+        shares.front().speed > observation_.closure_speed)
+      return true;
+    if (const auto closed = motion_.close_chatter(shares, observation_.closure_speed))
+      tail_ = tail_of(motion_, *closed);
+    return true;
+  }
+
+  bool report(int stop) {
+    if (++impacts_ > observation_.max_impacts)
+      return fail(fmt::format("the budget of {} impacts was spent", observation_.max_impacts));
+    ended_ = observation_.impact && !observation_.impact(stop, time());
+    return !ended_;
+  }
+
+  bool fail(const std::string& why) {
+    failure_ = fmt::format("at t = {:.9g} s {}", time(), why);
+    return false;
+  }
+
+  // `s` seconds after the start of the arc flown last.
+  void hand_out(const ContactPhase<double>& phase, double s) {
+    observed_.index = next_++;
+    observed_.q.resize(system_.modes());
+    observed_.qdot.resize(system_.modes());
+    s = std::max(s, 0.0);
+    phase.state(s, observed_.q, observed_.qdot);
+    if (observation_.forces) note_forces(phase, s);
+    observation_.state(observed_);
+  }
+
+  void hand_out_now() {
+    observed_ = {next_++, motion_.q(), motion_.qdot(), {}};
+    if (observation_.forces) {
+      observed_.forces.setZero(static_cast<Eigen::Index>(system_.stops.size()));
+      for (int i = 0; i < observed_.forces.size(); ++i)
+        observed_.forces[i] = motion_.is_closed(i) ? motion_.force(i) : motion_.spring_force(i);
+    }
+    observation_.state(observed_);
+  }
+
+  void note_forces(const ContactPhase<double>& phase, double s) {
+    observed_.forces.setZero(static_cast<Eigen::Index>(system_.stops.size()));
+    for (const int i : phase.closed())
+      observed_.forces[i] = phase.force_at(i, phase.start_phase() + motion_.flow().frequency() * s,
+                                           observed_.q, observed_.qdot);
+    for (const int i : phase.springs().loaded) {
+      const RigidStop& stop = system_.stops[static_cast<std::size_t>(i)];
+      observed_.forces[i] =
+          stop.spring->at(stop.row.dot(observed_.q) - stop.gap, stop.row.dot(observed_.qdot));
+    }
+  }
+
+  double time() const { return seconds_at(motion_.instant(), motion_.flow().period()); }
+
+  const System& system_;
+  const Observation& observation_;
+  Motion<double> motion_;
+  const Instant<double> end_;
+  double longest_flight_;  // s
+  std::optional<ChatterTail> tail_;
+  Observed observed_;
+  std::size_t next_ = 0;  // of the instants
+  long long impacts_ = 0;
+  bool ended_ = false;
+  std::string failure_;
+};
+
+}  // namespace
+
+std::string observe(const System& system, const State& start, const Observation& observation) {
+  return Follower(system, start, observation).follow();
+}
+
+}  // namespace graze
