@@ -38,7 +38,9 @@ int run_orbit(const Command& command) {
   return conclude(command, record.info, record.outcome,
                   {to_json(record),
                    to_text(record),
-                   {{"orbits.csv", orbits_csv(record)}, {"stuck.csv", stuck_csv(record)}},
+                   {{"orbits.csv", orbits_csv(record)},
+                    {"stuck.csv", stuck_csv(record)},
+                    {"contacts.csv", contacts_csv(record)}},
                    [&] { draw_orbits(command.plot, record); },
                    {}});
 }

@@ -34,9 +34,16 @@ std::optional<SpecialOrbit::Sticking> sticking_part(const OrbitBranch& branch,
                                 orbit.sticking->closure_speed};
 }
 
+SpecialOrbit::Strobe strobe_part(const OrbitBranchPoint& at) {
+  const OrbitStrobe& strobe = *at.orbit.strobe;
+  SpecialOrbit::Strobe part{at.value, {}, strobe.closure_speed};
+  for (const MotionState<double>& turn : strobe.turns) part.turns.push_back({turn.q, turn.qdot});
+  return part;
+}
+
 std::optional<OrbitLocusKind> locus_of(const SpecialOrbit& special) {
   if (special.locus) return special.locus;
-  if (special.sticking || special.by_push) return {};
+  if (special.sticking || special.strobe || special.by_push) return {};
   for (const OrbitLocusKind kind : kOrbitLocusKinds)
     if (special.label == label_of(kind)) return kind;
   return {};
@@ -58,6 +65,8 @@ std::vector<SpecialOrbit> special_orbits(const OrbitBranches& traced, const Syst
       one.by_push = special.by_push;
       if (branch.sticks()) {
         one.sticking = sticking_part(branch, special);
+      } else if (special.at.orbit.strobe) {
+        one.strobe = strobe_part(special.at);
       } else {
         one.pattern = branch.pattern;
         const ShootingProblem problem(branch.pattern, traced.scale);

@@ -17,7 +17,7 @@ struct SpecialOrbit {
   std::optional<SpecialKind> kind{};      // on a branch
   std::optional<OrbitLocusKind> locus{};  // that it was found on; nothing: on a branch
   std::vector<double> values;             // of the parameter, on a locus of both
-  // Nothing of an orbit that sticks; on a locus of grazing with the touch among the impacts.
+  // Nothing of an orbit that sticks or is on compliant stops; on a locus of grazing with the touch among the impacts.
   ImpactPattern pattern;
   std::vector<ImpactPoint> impacts;  // in the pattern's order
   // The branch's direction there, however long, in the units of what it moves.
@@ -37,6 +37,13 @@ struct SpecialOrbit {
     double closure_speed = 0.0;  // m/s
   };
   std::optional<Sticking> sticking;
+  // An orbit on compliant stops, as its states at the starts of its forcing periods.
+  struct Strobe {
+    double value = 0.0;  // of the parameter
+    std::vector<State> turns;
+    double closure_speed = 0.0;  // m/s
+  };
+  std::optional<Strobe> strobe{};
 };
 
 // Where a branch is to be traced from, without any search: from a special point, at the value that

@@ -34,11 +34,10 @@ class StrobeTracer {
   }
 
   OrbitBranches trace() {
-    for (const double value : start_values()) {
-      if (options_.stop.requested()) break;
-      if (options_.progress) options_.progress(progress_++ / (1.0 + options_.start_values));
-      trace_at(value);
-    }
+    if (options_.start)
+      trace_from_special(*options_.start);
+    else
+      trace_from_values();
     follow();
     const double speed = result_.scale.length * family_.at(family_.value())->forcing->frequency;
     result_.branches = put_in_order(std::move(found_), Components(result_.range, speed),
@@ -62,6 +61,39 @@ class StrobeTracer {
     for (int i = 0; i < options_.start_values; ++i)
       values.push_back(low + (high - low) * i / std::max(options_.start_values - 1, 1));
     return values;
+  }
+
+  void trace_from_values() {
+    for (const double value : start_values()) {
+      if (options_.stop.requested()) return;
+      if (options_.progress) options_.progress(progress_++ / (1.0 + options_.start_values));
+      trace_at(value);
+    }
+  }
+
+  // At the family's own value.
+  void trace_from_special(const BranchStart& start) {
+    if (!start.at.strobe) {
+      result_.notes.push_back("the point is of orbits on rigid stops, and these give way");
+      return;
+    }
+    ++result_.starts;
+    StrobeEquations& equations = equations_of(static_cast<int>(start.at.strobe->turns.size()));
+    Vector u(0);
+    for (const State& turn : start.at.strobe->turns) {
+      const Vector x = equations.map().pack(turn);
+      u.conservativeResize(u.size() + x.size());
+      u.tail(x.size()) = x;
+    }
+    const std::optional<BranchPoint> point =
+        solve_near(equations.problem(), range_, u, family_.value());
+    const bool doubles = start.at.kind == SpecialKind::kPeriodDoubling;
+    if (!point)
+      result_.notes.push_back("the orbit there was not found again");
+    else if (!start.switched)
+      add(equations, *point, Directions::kBoth, -1, 0);
+    else if (!doubles || !switch_from(equations, {CriticalKind::kPeriodDoubling, *point}, -1, 0))
+      result_.notes.push_back("no other branch was found there");
   }
 
   StrobeEquations& equations_of(int period) {
@@ -155,22 +187,29 @@ class StrobeTracer {
   }
 
   void switch_at(std::size_t index, std::size_t which) {
-    const std::optional<CriticalPoint> critical = critical_[index][which];
-    if (!leads_on(critical)) return;
-    const bool doubles = critical->kind == CriticalKind::kPeriodDoubling;
-    StrobeEquations& equations = doubles ? equations_of(2 * on_[index]->period()) : *on_[index];
-    const BranchPoint at = doubles ? twice_round(critical->point) : critical->point;
+    if (leads_on(critical_[index][which]))
+      switch_from(*on_[index], *critical_[index][which], static_cast<int>(index), which);
+  }
+
+  // Whether another branch leads away from there that was not known.
+  bool switch_from(StrobeEquations& known, CriticalPoint critical, int origin_branch,
+                   std::size_t origin_special) {
+    const bool doubles = critical.kind == CriticalKind::kPeriodDoubling;
+    StrobeEquations& equations = doubles ? equations_of(2 * known.period()) : known;
+    const BranchPoint at = doubles ? twice_round(critical.point) : critical.point;
     const std::optional<BranchPoint> start = other_branch(equations.problem(), range_, at);
-    if (!start) return;
-    // The doubling itself lies on every branch through it.
+    if (!start) return false;
+    // The special point itself lies on every branch through it.
     ContinuationOptions some = range_;
     some.max_points = 2;
     ZeroProblem bare = equations.problem();
     bare.multipliers = nullptr;
     const Branch away = trace_branch(bare, some, *start, Directions::kForward);
-    if (away.points.size() > 1 && knows(equations, away.points.back())) return;
-    add(equations, *start, doubles ? Directions::kForward : Directions::kBoth,
-        static_cast<int>(index), which);
+    if (away.points.size() > 1 && knows(equations, away.points.back())) return false;
+    // Either way from a doubling lead the same orbits, half a period apart.
+    add(equations, *start, doubles ? Directions::kForward : Directions::kBoth, origin_branch,
+        origin_special);
+    return true;
   }
 
   const SystemFamily& family_;

@@ -14,56 +14,12 @@
 // the judge. A list is what the budgets have found, never proved to be all there is.
 #pragma once
 
-#include <cstdint>
 #include <optional>
-#include <string>
-#include <vector>
 
-#include "graze/base/default_budget.hpp"
-#include "graze/base/stop_signal.hpp"
-#include "graze/orbit/orbit.hpp"
+#include "graze/orbit/finder_values.hpp"
 #include "graze/orbit/orbit_identity.hpp"
 
 namespace graze {
-
-// Quasi-random phases that each round of a search for orbits of one impact begins with.
-inline constexpr int kStartsOfOneImpact = 16;
-
-struct FinderOptions {
-  int period = 1;  // p
-  // k, on every sequence of stops of that length (those that are rotations of each other once).
-  // Nothing: k = 1, then 2 and 3 while the structure is small (finder.cpp, kCheapWork), and
-  // whatever the simulation settles on.
-  std::optional<int> impacts;
-  bool from_closed_form = true;
-  bool from_simulation = true;
-  bool from_random = true;
-  bool keep_virtual = false;  // list inadmissible solutions too
-  // Rough guesses at a pattern, where it comes to that: at most; 128/(N k) where that is less, but
-  // at least 4.
-  int random_guesses = 32;
-  std::uint64_t random_seed = 1;
-  long long max_impacts = kDefaultImpactBudget;  // of the simulation
-  int threads = 0;                               // 0: as many as there are cores; changes no result
-  // Below it the tail of a chatter is summed, m/s; default_closure_speed where absent.
-  std::optional<double> closure_speed;
-  StopSignal stop;
-};
-
-struct StartCount {
-  int tried = 0;
-  int converged = 0;
-};
-
-struct FoundOrbits {
-  std::vector<Orbit> orbits;  // in the order of comes_before; each once, each minimal
-  int inadmissible = 0;       // distinct solutions left out because they are no orbits
-  StartCount closed_form, simulation, random, global;
-  int patterns = 0;                // patterns searched at random
-  bool simulated = false;          // whether the simulation was among the starts
-  std::vector<std::string> notes;  // sentences: what the simulation does, what did not hold
-  std::string tried;               // what was done, for a search that found nothing
-};
 
 // Finds orbits. Requires forcing and a stop; finding none is an empty list. Without a start there
 // is no simulation.

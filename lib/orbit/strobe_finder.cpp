@@ -8,6 +8,7 @@
 #include "graze/base/angle.hpp"
 #include "graze/hybrid/simulation.hpp"
 #include "graze/orbit/closed_form.hpp"
+#include "graze/orbit/orbit_identity.hpp"
 #include "graze/orbit/rough_guess.hpp"
 #include "graze/orbit/settled.hpp"
 #include "graze/orbit/strobe_orbit.hpp"

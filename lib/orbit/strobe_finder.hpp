@@ -10,7 +10,7 @@
 
 #include <optional>
 
-#include "graze/orbit/finder.hpp"
+#include "graze/orbit/finder_values.hpp"
 
 namespace graze {
 

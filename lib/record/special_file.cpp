@@ -58,6 +58,26 @@ std::vector<ImpactPoint> read_impacts(const StateTable& table, const std::string
   return impacts;
 }
 
+// One turn after the other.
+Vector side_by_side(const std::vector<State>& turns, Vector State::*part) {
+  Vector list(0);
+  for (const State& turn : turns) {
+    const Vector& more = turn.*part;
+    list.conservativeResize(list.size() + more.size());
+    list.tail(more.size()) = more;
+  }
+  return list;
+}
+
+void write_strobe(StateLines& lines, const SpecialOrbit::Strobe& strobe) {
+  lines.table("[special.strobe]");
+  lines.count("period", static_cast<long long>(strobe.turns.size()));
+  lines.number("value", strobe.value);
+  lines.number("closure_speed", strobe.closure_speed);
+  lines.numbers("q", side_by_side(strobe.turns, &State::q));
+  lines.numbers("qdot", side_by_side(strobe.turns, &State::qdot));
+}
+
 void write_point(StateLines& lines, const SpecialOrbit& point) {
   lines.table("[[special]]");
   lines.word("id", point.id);
@@ -78,6 +98,7 @@ void write_point(StateLines& lines, const SpecialOrbit& point) {
     lines.number("along_value", point.along->value);
     write_impacts(lines, "along_", point.along->impacts);
   }
+  if (point.strobe) write_strobe(lines, *point.strobe);
   if (!point.sticking) return;
   lines.table("[special.sticking]");
   lines.count("period", point.sticking->period);
@@ -106,6 +127,19 @@ SpecialOrbit::Sticking read_sticking(const Node& node, const std::string& path, 
   if (std::find(contacts.begin(), contacts.end(), Contact::kClosed) == contacts.end())
     table.fail("motion", "no stop is closed in it");
   return sticking;
+}
+
+SpecialOrbit::Strobe read_strobe(const Node& node, const System& system) {
+  const StateTable table(node, "special.strobe", {"period", "value", "closure_speed", "q", "qdot"});
+  const auto modes = static_cast<std::size_t>(system.modes());
+  const auto periods = static_cast<std::size_t>(read_period(table));
+  SpecialOrbit::Strobe strobe{table.number("value"), {}, table.size("closure_speed")};
+  const std::vector<double> q = table.numbers("q", periods * modes),
+                            qdot = table.numbers("qdot", periods * modes);
+  for (std::size_t i = 0; i < periods; ++i)
+    strobe.turns.push_back({Eigen::Map<const Vector>(q.data() + i * modes, system.modes()),
+                            Eigen::Map<const Vector>(qdot.data() + i * modes, system.modes())});
+  return strobe;
 }
 
 void read_names(const StateTable& table, SpecialOrbit& point) {
@@ -141,10 +175,10 @@ void read_pattern(const StateTable& table, const System& system, SpecialOrbit& p
 
 SpecialOrbit read_point(const Node& node, const Scene& scene, const System& system,
                         const std::vector<std::string>& parameters) {
-  const StateTable table(
-      node, "special",
-      {"id", "label", "locus", "values", "multiplier", "by_speed", "by_push", "period", "stops",
-       "theta", "q", "qdot", "along_value", "along_theta", "along_q", "along_qdot", "sticking"});
+  const StateTable table(node, "special",
+                         {"id", "label", "locus", "values", "multiplier", "by_speed", "by_push",
+                          "period", "stops", "theta", "q", "qdot", "along_value", "along_theta",
+                          "along_q", "along_qdot", "sticking", "strobe"});
   SpecialOrbit point;
   read_names(table, point);
   point.values = table.numbers("values", parameters.size());
@@ -156,6 +190,8 @@ SpecialOrbit read_point(const Node& node, const Scene& scene, const System& syst
   point.by_push = table.flag("by_push");
   if (const Node* sticking = table.find("sticking"))
     point.sticking = read_sticking(*sticking, "special.sticking", scene, parameters);
+  else if (const Node* strobe = table.find("strobe"))
+    point.strobe = read_strobe(*strobe, system);
   else
     read_pattern(table, system, point);
   return point;

@@ -130,6 +130,24 @@ std::string stuck_csv(const OrbitRecord& record) {
   return text;
 }
 
+std::string contacts_csv(const OrbitRecord& record) {
+  std::string text =
+      "orbit,impact,stop,duration,peak_force,effective_restitution,energy_change\n";
+  for (std::size_t i = 0; i < record.found.orbits.size(); ++i) {
+    const Orbit& orbit = record.found.orbits[i];
+    if (!orbit.strobe) continue;
+    for (std::size_t k = 0; k < orbit.impacts.size(); ++k) {
+      const OrbitContact& contact = orbit.strobe->contacts[k];
+      fmt::format_to(std::back_inserter(text), "{},{},{},{},{},{},{}\n", i + 1, k + 1,
+                     orbit.impacts[k].stop + 1, csv_cell(contact.duration),
+                     csv_cell(contact.peak_force),
+                     csv_cell(contact.speed_after / orbit.impacts[k].speed),
+                     csv_cell(-contact.taken));
+    }
+  }
+  return text;
+}
+
 std::string branches_csv(const BranchRecord& record) {
   std::string text =
       "branch,component,period,impacts,value,phase,speed,stable,admissible,unstable_multipliers,"

@@ -21,6 +21,8 @@ std::string samples_csv_row(const System& system, const Sample& sample);
 std::string orbits_csv(const OrbitRecord& record);
 // The stuck phases of the orbits.
 std::string stuck_csv(const OrbitRecord& record);
+// Their contacts at compliant stops.
+std::string contacts_csv(const OrbitRecord& record);
 std::string branches_csv(const BranchRecord& record);
 std::string special_csv(const BranchRecord& record);
 std::string loci_csv(const LociRecord& record);

@@ -61,11 +61,19 @@ Json multipliers(const Orbit& orbit) {
 
 Json impacts_at(const Orbit& orbit) {
   Json array = Json::array();
-  for (const OrbitImpact& impact : orbit.impacts)
+  for (std::size_t i = 0; i < orbit.impacts.size(); ++i) {
+    const OrbitImpact& impact = orbit.impacts[i];
     array.push_back({{"stop", impact.stop + 1},
                      {"period_index", impact.period_index},
                      {"phase", number(impact.phase)},
                      {"speed", number(impact.speed)}});
+    if (!orbit.strobe) continue;
+    const OrbitContact& contact = orbit.strobe->contacts[i];
+    array.back().update({{"duration", number(contact.duration)},
+                         {"peak_force", number(contact.peak_force)},
+                         {"effective_restitution", number(contact.speed_after / impact.speed)},
+                         {"energy_change", number(-contact.taken)}});
+  }
   return array;
 }
 
@@ -90,6 +98,14 @@ void add_sticking(const OrbitSticking& sticking, Json& orbit) {
   orbit["closure_speed"] = number(sticking.closure_speed);
 }
 
+// The state at the start of its first forcing period, from which the motion repeats the orbit.
+void add_strobe(const OrbitStrobe& strobe, Json& orbit) {
+  Json section = instant_json(strobe.start);
+  section["q"] = list(strobe.turns.front().q);
+  section["qdot"] = list(strobe.turns.front().qdot);
+  orbit["section"] = section;
+}
+
 Json orbit_json(const Orbit& orbit) {
   Json phases = Json::array(), speeds = Json::array();
   for (const OrbitImpact& impact : orbit.impacts) {
@@ -108,6 +124,7 @@ Json orbit_json(const Orbit& orbit) {
                {"residual", number(orbit.residual)},
                {"stuck", orbit.sticking.has_value()}};
   if (orbit.sticking) add_sticking(*orbit.sticking, json);
+  if (orbit.strobe) add_strobe(*orbit.strobe, json);
   return json;
 }
 
@@ -221,16 +238,17 @@ Json totals_json(const RunTotals& totals) {
 
 Json energy_json(const System& system, const EnergyBook& book) {
   const EnergyEntries entries = energy_entries(system, book);
-  return {{"start", number(book.start)},
-          {"forcing", maybe(entries.forcing)},
-          {"load", maybe(entries.load)},
-          {"constraint", maybe(entries.constraint)},
-          {"impacts", maybe(entries.impacts)},
-          {"dissipation", maybe(entries.dissipation)},
-          {"contact", maybe(entries.contact)},
-          {"end", number(book.now)},
-          {"defect", number(book.defect())},
-          {"relative_defect", number(relative_defect(book))}};
+  Json json = {{"start", number(book.start)},
+               {"forcing", maybe(entries.forcing)},
+               {"load", maybe(entries.load)},
+               {"constraint", maybe(entries.constraint)},
+               {"impacts", maybe(entries.impacts)},
+               {"dissipation", maybe(entries.dissipation)},
+               {"end", number(book.now)},
+               {"defect", number(book.defect())},
+               {"relative_defect", number(relative_defect(book))}};
+  if (entries.contact) json["contact"] = number(*entries.contact);
+  return json;
 }
 
 // How the components of (p, 1) solutions were sought.

@@ -213,6 +213,24 @@ std::string holds_text(const std::vector<Orbit>& orbits) {
   return table.empty() ? "" : table.text() + "\n";
 }
 
+// Contacts at compliant stops.
+std::string contacts_text(const std::vector<Orbit>& orbits) {
+  Table table({"orbit", "impact", "stop", "duration (s)", "peak force (N)", "effective restitution",
+               "energy change (J)"});
+  for (std::size_t i = 0; i < orbits.size(); ++i) {
+    if (!orbits[i].strobe) continue;
+    for (std::size_t k = 0; k < orbits[i].impacts.size(); ++k) {
+      const OrbitContact& contact = orbits[i].strobe->contacts[k];
+      table.add({fmt::format("{}", i + 1), fmt::format("{}", k + 1),
+                 fmt::format("{}", orbits[i].impacts[k].stop + 1),
+                 fmt::format("{:.9g}", contact.duration), fmt::format("{:.6g}", contact.peak_force),
+                 fmt::format("{:.6g}", contact.speed_after / orbits[i].impacts[k].speed),
+                 fmt::format("{:.4e}", -contact.taken)});
+    }
+  }
+  return table.empty() ? "" : table.text() + "\n";
+}
+
 }  // namespace
 
 std::string to_text(const CheckRecord& record) {
@@ -295,6 +313,7 @@ std::string to_text(const OrbitRecord& record) {
   }
   if (!table.empty()) text += table.text() + "\n";
   text += holds_text(record.found.orbits);
+  text += contacts_text(record.found.orbits);
   return text + notes_text(record.found.notes) + ending(record.outcome);
 }
 

@@ -1,6 +1,7 @@
 // Compliant stops as a user meets them.
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <string>
@@ -114,21 +115,81 @@ TEST_F(Compliant, CheckNamesTheMassAndTheOnset) {
       << run.out;
 }
 
-TEST_F(Compliant, OtherCommandsRefuseIt) {
+TEST_F(Compliant, WhatIsNotBuiltYetSaysSo) {
   const std::string scene = file();
   const std::string forced =
       " --set 'modal.participation=[1.0]' --set "
       "'forcing={kind=\"modal\",amplitude=1.0,frequency=2.0}' " +
       scene;
-  for (const std::string& command :
-       {std::string("orbit"), std::string("continue --parameter stop.gap --from 0.1 --to 0.2"),
-        std::string("diagram --parameter stop.gap --from 0.1 --to 0.2"), std::string("cost"),
-        std::string("simulate --energy")}) {
-    const Finished run = run_graze(command + forced);
-    EXPECT_EQ(run.code, 2) << command;
-    EXPECT_NE(run.err.find("not available in this version"), std::string::npos) << run.err;
-    EXPECT_TRUE(run.out.empty()) << command;
+  const Finished run = run_graze(
+      "continue --parameter stop.gap --from 0.1 --to 0.2 --locus LP --second forcing.frequency "
+      "--second-from 1 --second-to 2" +
+      forced);
+  EXPECT_EQ(run.code, 2);
+  EXPECT_NE(run.err.find("not available in this version"), std::string::npos) << run.err;
+  EXPECT_TRUE(run.out.empty());
+}
+
+TEST_F(Compliant, TheBookOfEnergyCloses) {
+  const Finished run = run_graze("simulate --json --energy --duration 0.5 " + file());
+  ASSERT_EQ(run.code, 0) << run.err;
+  const json document = json::parse(run.out);
+  const json& book = document["energy"];
+  EXPECT_TRUE(book["impacts"].is_null());
+  EXPECT_NEAR(book["contact"].get<double>(), -0.125 * (1.0 - 0.6629622 * 0.6629622), 1e-8);
+  EXPECT_LT(std::abs(book["defect"].get<double>()), 1e-14);
+  EXPECT_EQ(document["events"][1]["energy_change"], document["energy"]["contact"]);
+}
+
+const std::string kOscillator = scene("12_spring_dashpot_oscillator.toml");
+
+TEST(CompliantOrbits, ComeWithTheirContacts) {
+  ScratchFolder scratch;
+  const Finished run = run_graze("orbit --json --out " + (scratch / "run").string() +
+                                 " --set forcing.frequency=2.4 " + kOscillator);
+  ASSERT_EQ(run.code, 0) << run.err;
+  const json orbits = json::parse(run.out)["orbits"];
+  ASSERT_FALSE(orbits.empty());
+  for (const json& orbit : orbits) {
+    double lost = 0.0;
+    for (const json& at : orbit["at"]) {
+      EXPECT_NEAR(at["effective_restitution"].get<double>(), 0.8, 0.05);
+      EXPECT_GT(at["duration"].get<double>(), 0.0);
+      EXPECT_GT(at["peak_force"].get<double>(), 0.0);
+      lost -= at["energy_change"].get<double>();
+    }
+    EXPECT_GT(lost, 0.0);
+    EXPECT_EQ(orbit["section"]["q"].size(), 1u);
   }
+  EXPECT_EQ(lines_of((scratch / "run" / "contacts.csv").string())[0],
+            "orbit,impact,stop,duration,peak_force,effective_restitution,energy_change");
+  EXPECT_NE(run_graze("orbit --set forcing.frequency=2.4 " + kOscillator)
+                .out.find("effective restitution"),
+            std::string::npos);
+}
+
+TEST(CompliantOrbits, GoOnFromTheirSpecialPoints) {
+  ScratchFolder scratch;
+  const std::string folder = (scratch / "run").string();
+  const std::string range = " --parameter forcing.frequency --from 2.3 --to 2.8 ";
+  const Finished first = run_graze("continue --json --out " + folder + range +
+                                   "--set forcing.frequency=2.4 " + kOscillator);
+  ASSERT_EQ(first.code, 0) << first.err;
+  const Finished doubled = run_graze("continue --json " + folder + "/scene.toml --restart " +
+                                     folder + " --label PD1 --switch" + range);
+  ASSERT_EQ(doubled.code, 0) << doubled.err;
+  const json branches = json::parse(doubled.out)["branches"];
+  ASSERT_EQ(branches.size(), 1u);
+  EXPECT_EQ(branches[0]["period"], 2);
+  const Finished same = run_graze("continue --json " + folder + "/scene.toml --restart " + folder +
+                                  " --label PD1" + range);
+  ASSERT_EQ(same.code, 0) << same.err;
+  const json again = json::parse(same.out)["branches"];
+  ASSERT_EQ(again.size(), 1u);
+  EXPECT_EQ(again[0]["period"], 1);
+  bool passes = false;
+  for (const json& special : again[0]["special"]) passes = passes || special["label"] == "PD";
+  EXPECT_TRUE(passes);
 }
 
 }  // namespace
