@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "graze/bifurcation/pattern_loci.hpp"
+#include "graze/bifurcation/strobe_loci.hpp"
 #include "graze/scene/parameter.hpp"
 
 namespace graze {
@@ -138,7 +139,42 @@ class LociTracer {
     result_.traces_cut_short += traced.cut_short;
     for (const OrbitBranch& branch : traced.branches)
       for (const SpecialPoint& special : branch.special)
-        if (const auto start = start_of(*family, special, value)) begin(*start);
+        if (special.at.orbit.strobe)
+          begin_strobe(*family, special, value);
+        else if (const auto start = start_of(*family, special, value))
+          begin(*start);
+  }
+
+  // On compliant stops.
+  void begin_strobe(const SystemFamily& family, const SpecialPoint& special, double fixed) {
+    const std::optional<OrbitLocusKind> kind = locus_kind(special.kind);
+    if (!kind || *kind == OrbitLocusKind::kGrazing || !wants(*kind)) return;
+    const double moved = special.at.value;
+    const bool over_first = family.parameter() == plane_.first;
+    StrobeLocusStart start{*kind,
+                           {},
+                           over_first ? moved : fixed,
+                           over_first ? fixed : moved,
+                           special.multiplier.value_or(1.0)};
+    for (const MotionState<double>& turn : special.at.orbit.strobe->turns)
+      start.turns.push_back({turn.q, turn.qdot});
+    if (!strobe_) {
+      StrobeOptions strobe;
+      strobe.max_impacts = options_.branches.finder.max_impacts;
+      strobe.stop = options_.branches.stop;
+      strobe_ =
+          std::make_unique<StrobeLoci>(scene_, plane_.first, plane_.second, plane_.options, strobe);
+    }
+    ++result_.starts;
+    StrobeLocusAnswer answer = strobe_->trace(start);
+    result_.shooting_evaluations += answer.evaluations;
+    if (answer.known) return;
+    if (!answer.locus) {
+      ++result_.lost_starts;
+      return;
+    }
+    if (is_cut_short(*answer.locus)) ++result_.cut_short;
+    result_.loci.push_back(std::move(*answer.locus));
   }
 
   std::optional<OrbitLocusStart> start_of(const SystemFamily& family, const SpecialPoint& special,
@@ -225,6 +261,7 @@ class LociTracer {
   LocusPlane plane_;
   std::map<std::pair<OrbitLocusKind, Name>, std::unique_ptr<CriticalLoci>> critical_;
   std::map<Name, std::unique_ptr<GrazingLoci>> grazing_;
+  std::unique_ptr<StrobeLoci> strobe_;
   OrbitLoci result_;
 };
 

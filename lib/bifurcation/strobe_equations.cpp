@@ -9,7 +9,10 @@ namespace graze {
 
 StrobeEquations::StrobeEquations(const SystemFamily& family, const StrobeOptions& options,
                                  int period)
-    : systems_(family), map_(*family.at(family.value()), options), period_(period) {
+    : systems_(family),
+      map_(*family.at(family.value()), options),
+      length_(shooting_scale(*family.at(family.value())).length),
+      period_(period) {
   problem_ =
       periodic_points([this](const Vector& x, double value) { return evaluate(x, value); }, period);
 }

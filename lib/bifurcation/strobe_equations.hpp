@@ -26,6 +26,8 @@ class StrobeEquations {
   const StrobeMap& map() const { return map_; }
   int period() const { return period_; }
 
+  // Of the forced motion at the family's own value, m.
+  double length() const { return length_; }
   // Of the forcing there, rad/s; requires the value to be allowed.
   double frequency_at(const BranchPoint& solution) const {
     return systems_.at(solution.parameter)->forcing->frequency;
@@ -47,6 +49,7 @@ class StrobeEquations {
 
   mutable SystemCursor systems_;
   StrobeMap map_;
+  double length_;
   int period_;
   ZeroProblem problem_;
   mutable Remembered<std::tuple<Vector, double>, std::optional<OrbitBranchPoint>> judged_;

@@ -127,15 +127,12 @@ class Parting {
     return at->orbit.clearance;
   }
 
-  // A margin that a trace which no step leads on from has come near enough to: 1e-5 of the largest
-  // speed, or 1e-10 of the way that this takes a radian of the forcing for.
+  // A margin that a trace which no step leads on from has come near enough to: 1e-5 of the speed of
+  // the forced motion, or 1e-10 of its length.
   double near_enough(const BranchPoint& point, bool speed) const {
     constexpr double kPart = 1e-10;
-    const std::optional<OrbitBranchPoint> at = equations_.judge(point);
-    if (!at) return 0.0;
-    double largest = 0.0;
-    for (const OrbitImpact& impact : at->orbit.impacts) largest = std::fmax(largest, impact.speed);
-    return kPart * largest * (speed ? largest : 1.0 / equations_.frequency_at(point));
+    const double size = speed ? equations_.length() * equations_.frequency_at(point) : 1.0;
+    return kPart * (speed ? size * size : equations_.length());
   }
 
   // Where the force of a stop sets in with a jump the map has a corner at a grazing and the trace

@@ -72,6 +72,18 @@ std::optional<StrobeMap::Image> StrobeMap::image(const System& system, const Vec
   return image;
 }
 
+std::optional<Vector> StrobeMap::rate(const System& system, const Vector& x,
+                                      const System& tangent) const {
+  const std::optional<MotionState<double>> start = start_of(system, x);
+  if (!start) return {};
+  const Eigen::Index n = size() / 2;
+  ParameterDeviation parameter(system, tangent, State{Vector::Zero(n), Vector::Zero(n)});
+  const Passage passage =
+      pass(system, *start, end_of(*start), passage_options(), nullptr, &parameter);
+  if (!passage.failure.empty()) return {};
+  return pack(parameter.value());
+}
+
 std::optional<Passage> StrobeMap::follow(const System& system, const Vector& x, bool minima) const {
   const std::optional<MotionState<double>> start = start_of(system, x);
   if (!start) return {};

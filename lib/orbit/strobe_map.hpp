@@ -40,6 +40,8 @@ class StrobeMap {
   // Nothing where the motion cannot be followed.
   std::optional<Image> image(const System& system, const Vector& x,
                              const System* tangent = nullptr) const;
+  // How the image moves with a parameter alone; nothing likewise.
+  std::optional<Vector> rate(const System& system, const Vector& x, const System& tangent) const;
   // The motion over the period; nothing likewise. `minima`: as in PassageOptions.
   std::optional<Passage> follow(const System& system, const Vector& x, bool minima = false) const;
 

@@ -122,7 +122,7 @@ TEST_F(Compliant, WhatIsNotBuiltYetSaysSo) {
       "'forcing={kind=\"modal\",amplitude=1.0,frequency=2.0}' " +
       scene;
   const Finished run = run_graze(
-      "continue --parameter stop.gap --from 0.1 --to 0.2 --locus LP --second forcing.frequency "
+      "continue --parameter stop.gap --from 0.1 --to 0.2 --locus GR --second forcing.frequency "
       "--second-from 1 --second-to 2" +
       forced);
   EXPECT_EQ(run.code, 2);
