@@ -61,6 +61,12 @@ class Varied {
     motion_.begin(theta, x, depths, z_);
     slope_.resize(z_.size());
     sizes_ = sizes;
+    const Vector slow = motion_.scale().cwiseInverse();
+    stiffness_ = system_.stiffness.cols() == 1 ? Matrix(system_.stiffness.col(0).cwiseProduct(slow))
+                                               : Matrix(system_.stiffness * slow.asDiagonal());
+    rows_.clear();
+    for (const SprungSystem::Spring& spring : system_.springs)
+      rows_.push_back(spring.row.cwiseProduct(slow));
     State whole = z_;
     whole.resize(z_.size() + static_cast<std::size_t>(2 * n * deviations.count()));
     Eigen::Map<Matrix> columns(whole.data() + z_.size(), 2 * n, deviations.count());
@@ -77,21 +83,20 @@ class Varied {
     std::copy(slope_.begin(), slope_.end(), slope.begin());
     const Eigen::Map<const Matrix> columns(whole.data() + z_.size(), 2 * n, m);
     Eigen::Map<Matrix> rates(slope.data() + z_.size(), 2 * n, m);
-    const Vector& w = motion_.scale();
-    rates.topRows(n) = w.asDiagonal() * columns.bottomRows(n);
-    moved_ = w.cwiseInverse().asDiagonal() * columns.topRows(n);
-    rates.bottomRows(n) =
-        -times(system_.stiffness, moved_) - times(system_.damping, columns.bottomRows(n));
+    rates.topRows(n).noalias() = motion_.scale().asDiagonal() * columns.bottomRows(n);
+    subtract(stiffness_, columns.topRows(n), rates.bottomRows(n), true);
+    subtract(system_.damping, columns.bottomRows(n), rates.bottomRows(n), false);
     contacts_.clear();
     for (std::size_t i = 0; i < system_.springs.size(); ++i) {
       const SprungSystem::Spring& spring = system_.springs[i];
       contacts_.push_back(motion_.compression(i, z_));
       if (!spring.loaded) continue;
       const Sprung::Compression& at = contacts_.back();
-      rates.bottomRows(n) -=
-          spring.acting *
-          (spring.law.by_depth(at.depth, at.rate) * spring.row.transpose() * moved_ +
-           spring.law.resistance(at.depth) * spring.row.transpose() * columns.bottomRows(n));
+      force_.noalias() = rows_[i].transpose() * columns.topRows(n);
+      force_ *= spring.law.by_depth(at.depth, at.rate);
+      force_.noalias() +=
+          spring.law.resistance(at.depth) * (spring.row.transpose() * columns.bottomRows(n));
+      rates.bottomRows(n).noalias() -= spring.acting * force_;
     }
     if (source_) add_source(s, rates);
   }
@@ -107,9 +112,14 @@ class Varied {
   const Vector& scale() const { return motion_.scale(); }
 
  private:
-  static Matrix times(const Matrix& matrix, const Matrix& columns) {
-    return matrix.cols() == 1 ? Matrix(matrix.col(0).asDiagonal() * columns)
-                              : Matrix(matrix * columns);
+  // `fresh`: from nothing. A matrix may come as the column of its diagonal.
+  template <class Columns, class Rates>
+  static void subtract(const Matrix& matrix, const Columns& columns, Rates&& rates, bool fresh) {
+    if (fresh) rates.setZero();
+    if (matrix.cols() == 1)
+      rates.noalias() -= matrix.col(0).asDiagonal() * columns;
+    else
+      rates.noalias() -= matrix * columns;
   }
 
   void add_source(double s, Eigen::Map<Matrix>& rates) {
@@ -129,7 +139,9 @@ class Varied {
   Vector start_, sizes_;
   double theta_ = 0.0;
   State z_, slope_;
-  Matrix moved_;
+  Matrix stiffness_;          // K/w
+  std::vector<Vector> rows_;  // row/w
+  Eigen::RowVectorXd force_;
   std::vector<Sprung::Compression> contacts_;
   Vector drift_, push_;
 };

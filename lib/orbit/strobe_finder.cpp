@@ -150,9 +150,11 @@ class StrobeFinder {
     for (std::size_t i = 0; i < system_.stops.size(); ++i) {
       const int stop = static_cast<int>(i);
       ++found_.patterns;
-      for (const std::vector<ImpactPoint>& guess :
-           rough_guesses(system_, {options_.period, {stop}}, options_.random_guesses, speed_scale(),
-                         options_.random_seed)) {
+      // A map with its derivatives costs as N^3.
+      const int modes = system_.modes();
+      const int guesses = std::min(options_.random_guesses, std::max(4, 64 / (modes * modes)));
+      for (const std::vector<ImpactPoint>& guess : rough_guesses(
+               system_, {options_.period, {stop}}, guesses, speed_scale(), options_.random_seed)) {
         if (options_.stop.requested()) return;
         start_from(guess.front(), stop, found_.random);
       }

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "graze/base/linear_equations.hpp"
 #include "graze/orbit/orbit_clock.hpp"
@@ -42,12 +43,19 @@ struct Solution {
 // Newton's method; once below the tolerance it goes on while it pays.
 std::optional<Solution> newton(const System& system, const StrobeMap& map, Vector u) {
   constexpr int kMostSteps = 16;
+  // A start from which the equations get no nearer within some steps leads nowhere.
+  constexpr int kPatience = 4;
   std::optional<Solution> best;
+  double least = std::numeric_limits<double>::infinity();
+  int since = 0;
   for (int step = 0; step <= kMostSteps; ++step) {
     const std::optional<Equations> at = equations_at(system, map, u);
     if (!at) break;
     const double residual = at->residual.cwiseAbs().maxCoeff();
     if (best && !(residual < 0.5 * best->residual)) break;
+    since = residual < 0.5 * least ? 0 : since + 1;
+    if (since > kPatience) break;
+    least = std::fmin(least, residual);
     const Vector update = LuFactors(at->jacobian).solve(at->residual);
     if (!update.allFinite()) break;
     if (residual <= kShootingTolerance && update.norm() <= kShootingAccuracy * (1.0 + u.norm()))

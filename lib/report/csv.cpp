@@ -138,6 +138,7 @@ std::string contacts_csv(const OrbitRecord& record) {
     if (!orbit.strobe) continue;
     for (std::size_t k = 0; k < orbit.impacts.size(); ++k) {
       const OrbitContact& contact = orbit.strobe->contacts[k];
+      if (!(contact.duration > 0.0)) continue;  // an impact on a rigid stop
       fmt::format_to(std::back_inserter(text), "{},{},{},{},{},{},{}\n", i + 1, k + 1,
                      orbit.impacts[k].stop + 1, csv_cell(contact.duration),
                      csv_cell(contact.peak_force),

@@ -67,7 +67,7 @@ Json impacts_at(const Orbit& orbit) {
                      {"period_index", impact.period_index},
                      {"phase", number(impact.phase)},
                      {"speed", number(impact.speed)}});
-    if (!orbit.strobe) continue;
+    if (!orbit.strobe || !(orbit.strobe->contacts[i].duration > 0.0)) continue;
     const OrbitContact& contact = orbit.strobe->contacts[i];
     array.back().update({{"duration", number(contact.duration)},
                          {"peak_force", number(contact.peak_force)},

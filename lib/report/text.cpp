@@ -221,6 +221,7 @@ std::string contacts_text(const std::vector<Orbit>& orbits) {
     if (!orbits[i].strobe) continue;
     for (std::size_t k = 0; k < orbits[i].impacts.size(); ++k) {
       const OrbitContact& contact = orbits[i].strobe->contacts[k];
+      if (!(contact.duration > 0.0)) continue;  // an impact on a rigid stop
       table.add({fmt::format("{}", i + 1), fmt::format("{}", k + 1),
                  fmt::format("{}", orbits[i].impacts[k].stop + 1),
                  fmt::format("{:.9g}", contact.duration), fmt::format("{:.6g}", contact.peak_force),
