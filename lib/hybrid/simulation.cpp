@@ -58,7 +58,7 @@ class Run {
       result_.forces.push_back(motion_.is_closed(i) && is_known ? motion_.force(i) : 0.0);
     }
     result_.totals = state_.totals;
-    if (options_.steps) result_.evaluations = motion_.step_evaluations();
+    result_.evaluations += motion_.step_evaluations();
     if (options_.energy) {
       state_.book.now = mechanical_energy(system_, last.q, last.qdot);
       result_.energy = state_.book;

@@ -31,6 +31,7 @@ class CostTable {
     costs_.impacts = comparison_.impacts();
     costs_.end_time = reference.end_time;
     costs_.forced = system.forcing.has_value();
+    costs_.compliant = has_compliant_stop(system);
     costs_.period = system.forcing ? system.period() : 1.0;
     costs_.tolerance = options.tolerance;
     // A part of a period for impact times; of the amplitude where there are none.

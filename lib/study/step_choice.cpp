@@ -81,6 +81,11 @@ std::optional<StepSetting> step_choice(const Scene& scene, const System& system,
   return setting;
 }
 
+bool has_compliant_stop(const System& system) {
+  return std::any_of(system.stops.begin(), system.stops.end(),
+                     [](const RigidStop& stop) { return stop.spring.has_value(); });
+}
+
 void require_rigid_stops(const Scene& scene, const char* what) {
   for (std::size_t i = 0; i < scene.stops.size(); ++i)
     if (scene.stops[i].spring)

@@ -38,6 +38,8 @@ StepSetting stable_steps(const System& system, const State& start, StepMethod me
 std::optional<StepSetting> step_choice(const Scene& scene, const System& system,
                                        const State& start);
 
+bool has_compliant_stop(const System& system);
+
 // Throws InputError where a stop is compliant; `what` is done, e.g. "costs are compared".
 void require_rigid_stops(const Scene& scene, const char* what);
 
