@@ -31,8 +31,8 @@ struct BodyState {
 // Nothing but what a textbook has.
 BodyState runge_kutta_step(const ElasticContact& contact, const BodyState& at, double h) {
   const auto slope = [&](const BodyState& s) {
-    const double force = s.depth > 0.0 ? contact.stiffness * std::pow(s.depth, contact.exponent)
-                                       : 0.0;
+    const double force =
+        s.depth > 0.0 ? contact.stiffness * std::pow(s.depth, contact.exponent) : 0.0;
     return BodyState{s.rate, -force / contact.mass};
   };
   const auto moved = [&](const BodyState& by, double part) {
@@ -178,9 +178,8 @@ std::vector<ContactOrder> contact_orders(const ElasticContact& contact, const St
       other.stiffness = 0.5 * (n + 1.0) * contact.mass * contact.speed * contact.speed /
                         std::pow(contact.depth(), n + 1.0);
     }
-    lines.push_back(ladder(other, "rk4, located", stop, [&](const Place& at) {
-      return cross_with_location(other, at.step);
-    }));
+    lines.push_back(ladder(other, "rk4, located", stop,
+                           [&](const Place& at) { return cross_with_location(other, at.step); }));
     lines.push_back(ladder(other, "rk4, not located", stop, [&](const Place& at) {
       return cross_without_location(other, at.step, at.lead);
     }));

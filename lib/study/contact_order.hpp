@@ -36,10 +36,10 @@ struct ElasticContact {
 
 // What came of one contact that was integrated.
 struct ContactCrossing {
-  bool ended = false;          // the body got away
-  double duration = 0.0;       // s
-  double speed = 0.0;          // away, m/s
-  long long evaluations = 0;   // of the right-hand side; with the exact flow of gaps too
+  bool ended = false;         // the body got away
+  double duration = 0.0;      // s
+  double speed = 0.0;         // away, m/s
+  long long evaluations = 0;  // of the right-hand side; with the exact flow of gaps too
 };
 
 // The comparator: Runge-Kutta steps of one length, s, straight across the contact, which begins
@@ -53,10 +53,10 @@ ContactCrossing cross_with_location(const ElasticContact& contact, double step);
 double crossing_error(const ElasticContact& contact, const ContactCrossing& crossing);
 
 struct ContactOrderRow {
-  int steps = 0;         // in the contact; 0: the exact flow
-  double step = 0.0;     // s
-  double error = 0.0;    // the largest of kContactPlaces places of the contact's ends in their steps
-  double seconds = 0.0;  // of computing time, a contact
+  int steps = 0;       // in the contact; 0: the exact flow
+  double step = 0.0;   // s
+  double error = 0.0;  // the largest of kContactPlaces places of the contact's ends in their steps
+  double seconds = 0.0;      // of computing time, a contact
   double evaluations = 0.0;  // a contact
 };
 inline constexpr int kContactPlaces = 16;
@@ -70,7 +70,8 @@ struct ContactOrder {
 };
 
 // Of a linear spring, of Hertz's, and of the given one if it is neither; all as deep as that.
-std::vector<ContactOrder> contact_orders(const ElasticContact& contact, const StopSignal& stop = {});
+std::vector<ContactOrder> contact_orders(const ElasticContact& contact,
+                                         const StopSignal& stop = {});
 
 // The first contact of the motion with a compliant stop, as of the body that the structure is to a
 // blow there, 1/|row|^2, without the damping of the stop; why there is none where it says so.

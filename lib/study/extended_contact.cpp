@@ -122,8 +122,7 @@ class Equations {
     Numbers slope(x.size());
     slope.head(n_) = x.segment(n_, n_);
     auto acceleration = slope.segment(n_, n_);
-    acceleration =
-        -damping_.cwiseProduct(x.segment(n_, n_)) - stiffness_.cwiseProduct(x.head(n_));
+    acceleration = -damping_.cwiseProduct(x.segment(n_, n_)) - stiffness_.cwiseProduct(x.head(n_));
     if (system_.load) acceleration += system_.load->cast<Extended>();
     slope.tail(2).setZero();
     if (system_.forcing) {
@@ -196,12 +195,11 @@ std::optional<Extrapolated> extrapolate(const Equations& equations, const Number
     for (int k = 1; k <= j; ++k) {
       const Extended ratio = Extended(j + 1) / (j + 1 - k);
       const Numbers& finer = row[static_cast<std::size_t>(k - 1)];
-      row.push_back(finer +
-                    (finer - last[static_cast<std::size_t>(k - 1)]) / (ratio * ratio - 1));
+      row.push_back(finer + (finer - last[static_cast<std::size_t>(k - 1)]) / (ratio * ratio - 1));
     }
-    if (j >= 2 && equations.allows(row[static_cast<std::size_t>(j)] -
-                                       row[static_cast<std::size_t>(j - 1)],
-                                   x, step))
+    if (j >= 2 &&
+        equations.allows(row[static_cast<std::size_t>(j)] - row[static_cast<std::size_t>(j - 1)], x,
+                         step))
       return Extrapolated{row.back(), j + 1};
     last = std::move(row);
   }

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "graze/hybrid/simulation.hpp"
+#include "graze/orbit/strobe_finder.hpp"
 #include "graze/study/step_choice.hpp"
 
 namespace graze {

@@ -116,8 +116,8 @@ class Reference {
   }
 
   void take_contact(int stop) {
-    ++met_;
     if (!is_compliant(stop)) return take_impact();
+    ++met_;
     const Extended began = exact_time();
     run_.impacts.push_back(
         {time(), stop, static_cast<double>(motion_->approach_speed(stop)), false});
@@ -125,10 +125,9 @@ class Reference {
       run_.message = "a compliant stop is reached while another holds the structure";
       return;
     }
-    const ExtendedContact contact =
-        follow_contact(system_, stop, motion_->q(), motion_->qdot(),
-                       {motion_->flow().phase(motion_->instant()),
-                        options_.longest, options_.stop});
+    const ExtendedContact contact = follow_contact(
+        system_, stop, motion_->q(), motion_->qdot(),
+        {motion_->flow().phase(motion_->instant()), options_.longest, options_.stop});
     run_.message = contact.message;
     if (!run_.message.empty()) return;
     const RigidStop& left = system_.stops[static_cast<std::size_t>(stop)];
@@ -151,6 +150,7 @@ class Reference {
     for (const ImpactShare<Extended>& share : shares)
       if (share.hit && static_cast<double>(share.speed) > options_.slowest)
         run_.impacts.push_back({time(), share.stop, static_cast<double>(share.speed), false});
+    met_ += run_.impacts.size() - before;
     std::sort(run_.impacts.begin() + static_cast<std::ptrdiff_t>(before), run_.impacts.end(),
               [](const auto& a, const auto& b) { return a.stop < b.stop; });
     motion_->close_chatter(shares, closure_);
@@ -171,7 +171,7 @@ class Reference {
   std::optional<Motion<Extended>> motion_;
   Extended closure_;
   double piece_, longest_flight_, end_;  // s
-  std::size_t met_ = 0;                  // impacts and contacts
+  std::size_t met_ = 0;                  // impacts that are told, and contacts
   ReferenceRun run_;
 };
 

@@ -1,5 +1,6 @@
 // The motion in 50 digits, in closed form between impacts, by extrapolation to 24 digits a step in
-// contacts with compliant stops (extended_contact.hpp): what flows in double precision are compared with.
+// contacts with compliant stops (extended_contact.hpp): what flows in double precision are compared
+// with.
 #pragma once
 
 #include <string>
@@ -10,12 +11,16 @@
 
 namespace graze {
 
+// Of a step within a contact, relative to the displacements and to the velocities. What a contact
+// errs by in all is some thousand times that, far below the rounding of double precision.
+inline constexpr double kReferenceTolerance = 1e-24;
+
 // Or the beginning or the end of a contact with a compliant stop.
 struct ReferenceImpact {
   double time = 0.0;  // s
   int stop = 0;
-  double speed = 0.0;    // of approach, at an end of leaving, m/s
-  bool leaves = false;   // the end of a contact
+  double speed = 0.0;   // of approach, at an end of leaving, m/s
+  bool leaves = false;  // the end of a contact
 };
 
 struct ReferenceRun {

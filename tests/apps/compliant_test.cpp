@@ -122,7 +122,7 @@ TEST_F(Compliant, OtherCommandsRefuseIt) {
       scene;
   for (const std::string& command :
        {std::string("orbit"), std::string("continue --parameter stop.gap --from 0.1 --to 0.2"),
-        std::string("diagram --parameter stop.gap --from 0.1 --to 0.2"), std::string("cost"),
+        std::string("diagram --parameter stop.gap --from 0.1 --to 0.2"),
         std::string("simulate --energy")}) {
     const Finished run = run_graze(command + forced);
     EXPECT_EQ(run.code, 2) << command;
