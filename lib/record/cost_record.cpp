@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include "graze/study/extended_contact.hpp"
+
 namespace graze {
 
 Outcome cost_outcome(const FlowCosts& costs, StopReason stopped) {

@@ -13,9 +13,13 @@
 #include "graze/base/stop_signal.hpp"
 #include "graze/flow/exact_flow.hpp"
 #include "graze/flow/extended.hpp"
-#include "graze/study/reference_run.hpp"
+#include "graze/system/system.hpp"
 
 namespace graze {
+
+// Of a step within a contact, relative to the displacements and to the velocities. What a contact
+// errs by in all is some thousand times that, far below the rounding of double precision.
+inline constexpr double kReferenceTolerance = 1e-24;
 
 struct ExtendedContact {
   RealVector<Extended> q, qdot;  // where the structure leaves the stop

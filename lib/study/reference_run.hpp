@@ -11,10 +11,6 @@
 
 namespace graze {
 
-// Of a step within a contact, relative to the displacements and to the velocities. What a contact
-// errs by in all is some thousand times that, far below the rounding of double precision.
-inline constexpr double kReferenceTolerance = 1e-24;
-
 // Or the beginning or the end of a contact with a compliant stop.
 struct ReferenceImpact {
   double time = 0.0;  // s
