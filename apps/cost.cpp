@@ -25,12 +25,19 @@ double longest_span(const System& system) {
   return kLongest * (std::isfinite(seconds) ? seconds : 1.0);
 }
 
+ContactOrders contact_orders_of(const System& system, const State& start,
+                                const FlowCostOptions& options) {
+  ContactOrders orders;
+  orders.first = first_contact(system, start, options.longest, options.stop);
+  if (orders.first.stop >= 0) orders.lines = contact_orders(orders.first.contact, options.stop);
+  return orders;
+}
+
 }  // namespace
 
 int run_cost(const Command& command) {
   if (!command.plot.empty()) check_picture_name(command.plot);
   const Scene scene = read_scene(command.scene, command.settings);
-  require_rigid_stops(scene, "costs are compared");
   CostRecord record;
   record.info = run_info(command.name, command.scene, scene);
   const System system = assemble(scene);
@@ -66,6 +73,7 @@ int run_cost(const Command& command) {
     record.closure = closure_costs(system, start, others);
     tell(0.9);
     record.corrector = corrector_costs(scene, others);
+    if (record.costs.compliant) record.contact = contact_orders_of(system, start, options);
     tell(1.0);
   }
   record.outcome = cost_outcome(record.costs, options.stop.reason());
@@ -75,7 +83,8 @@ int run_cost(const Command& command) {
                    {{"costs.csv", costs_csv(record)},
                     {"costs_of_modes.csv", mode_costs_csv(record)},
                     {"costs_of_closure.csv", closure_costs_csv(record)},
-                    {"costs_of_corrector.csv", corrector_costs_csv(record)}},
+                    {"costs_of_corrector.csv", corrector_costs_csv(record)},
+                    {"costs_of_contact.csv", contact_orders_csv(record)}},
                    [&] { draw_costs(command.plot, record); },
                    {}});
 }

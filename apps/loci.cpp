@@ -60,7 +60,8 @@ void start_from(const Restart& restart, const Command& command, LociOptions& opt
   options.start = locus_start(assemble(restart.scene), restart.at, first, second);
   if (!options.start)
     throw InputError(
-        fmt::format("--label: {} has no locus; LP, PD, NS and GR of orbits that do not stick have",
+        fmt::format("--label: {} has no locus; LP, PD, NS and GR of orbits that do not stick, on "
+                    "rigid stops, have",
                     restart.at.id));
   // Which orbits these are, for what else is asked of the plane; a locus of grazing counts its
   // touch.

@@ -162,6 +162,7 @@ class LociTracer {
       StrobeOptions strobe;
       strobe.max_impacts = options_.branches.finder.max_impacts;
       strobe.stop = options_.branches.stop;
+      strobe.closure_speed = special.at.orbit.strobe->closure_speed;
       strobe_ =
           std::make_unique<StrobeLoci>(scene_, plane_.first, plane_.second, plane_.options, strobe);
     }

@@ -64,6 +64,7 @@ struct OrbitLocus {
   std::vector<OrbitLocusPoint> points;  // in order along the locus, special points among them
   std::vector<OrbitLocusSpecial> special;
   std::array<OrbitLocusEnd, 2> ends{OrbitLocusEnd::kNotConverged, OrbitLocusEnd::kNotConverged};
+  bool compliant = false;  // of orbits on compliant stops: impacts do not tell them
 };
 
 }  // namespace graze

@@ -82,7 +82,8 @@ std::vector<SpecialOrbit> special_orbits(const OrbitBranches& traced, const Syst
 
 std::vector<SpecialOrbit> special_orbits(const OrbitLoci& traced) {
   std::vector<SpecialOrbit> list;
-  for (const OrbitLocus& locus : traced.loci)
+  for (const OrbitLocus& locus : traced.loci) {
+    if (locus.compliant) continue;  // the impacts of its points do not tell the orbit
     for (const OrbitLocusSpecial& special : locus.special) {
       SpecialOrbit one;
       one.id = special.id;
@@ -98,6 +99,7 @@ std::vector<SpecialOrbit> special_orbits(const OrbitLoci& traced) {
       one.by_speed = locus.kind == OrbitLocusKind::kGrazing;
       list.push_back(std::move(one));
     }
+  }
   return list;
 }
 

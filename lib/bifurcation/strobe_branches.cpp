@@ -28,9 +28,10 @@ class StrobeTracer {
     range_.stop = options.stop;
     strobe_.max_impacts = options.finder.max_impacts;
     strobe_.stop = options.stop;
-    if (const std::optional<State> start = clear_start(family.scene(), own))
-      strobe_.closure_speed = options.finder.closure_speed.value_or(
-          default_closure_speed(own, *start, family.scene().solver.tolerance));
+    const State at_rest{Vector::Zero(own.modes()), Vector::Zero(own.modes())};
+    const State start = clear_start(family.scene(), own).value_or(at_rest);
+    strobe_.closure_speed = options.finder.closure_speed.value_or(
+        default_closure_speed(own, start, family.scene().solver.tolerance));
   }
 
   OrbitBranches trace() {
@@ -110,7 +111,9 @@ class StrobeTracer {
     finder.impacts = options_.impacts;
     finder.stop = options_.stop;
     // Random starts cost more than all else: at the first value only.
-    finder.from_random = finder.from_random && result_.starts == 0;
+    finder.from_random = finder.from_random && first_value_;
+    first_value_ = false;
+    finder.closure_speed = strobe_.closure_speed;
     const FoundOrbits found = find_orbits(*system, clear_start(family_.scene(), *system), finder);
     if (result_.notes.empty()) result_.notes = found.notes;
     for (const Orbit& orbit : found.orbits) {
@@ -218,6 +221,7 @@ class StrobeTracer {
   ContinuationOptions range_;
   StrobeOptions strobe_;
   double progress_ = 0.0;
+  bool first_value_ = true;
   std::map<int, std::unique_ptr<StrobeEquations>> equations_;  // by period
   std::vector<Traced> traced_;
   // Of each found branch: its special points in the trace, and the equations it solves.

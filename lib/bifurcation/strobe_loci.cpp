@@ -125,6 +125,7 @@ std::optional<OrbitLocusPoint> StrobeLoci::point_of(const LocusPoint& at) const 
 OrbitLocus StrobeLoci::as_orbits(OrbitLocusKind kind, int period, const Locus& locus) const {
   OrbitLocus result;
   result.kind = kind;
+  result.compliant = true;
   result.pattern.period = period;
   result.ends = {as_end(locus.ends[0]), as_end(locus.ends[1])};
   auto special = locus.special.begin();

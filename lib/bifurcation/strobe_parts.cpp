@@ -96,10 +96,14 @@ class Parting {
     part.critical.push_back(critical);
   }
 
-  // The grazings between neighbours: nothing but how many contacts there are tells them.
+  // The grazings between neighbours: their contacts tell them, in whatever order.
   void pass(const BranchPoint& a, const BranchPoint& b) {
     const std::vector<int> before = stops_of(a), after = stops_of(b);
-    if (before.size() == after.size()) return;
+    const auto sorted = [](std::vector<int> stops) {
+      std::sort(stops.begin(), stops.end());
+      return stops;
+    };
+    if (sorted(before) == sorted(after)) return;
     const std::optional<BranchPoint> at = grazing_between(a, b, before.size(), after.size());
     if (at) add_grazing(*at, before.size() < after.size());
     close(OrbitBranchEnd::kGrazing);
@@ -165,7 +169,7 @@ class Parting {
     if (*to <= near_enough(last, speed)) return last;
     if (!(*to < *from)) return {};
     const double first = *from;
-    for (int round = 0; round<kMostRounds&& * to> 1e-12 * first; ++round) {
+    for (int round = 0; round < kMostRounds && *to > 1e-12 * first; ++round) {
       // Not quite there: beyond, the motion is another one.
       const double part = 0.9 * *to / (*from - *to);
       if (!(part > 0.0) || (round == 0 && part > 1.0)) return {};

@@ -2,7 +2,9 @@
 
 #include <boost/numeric/odeint/stepper/bulirsch_stoer.hpp>
 #include <cmath>
-#include <stdexcept>
+#include <functional>
+#include <limits>
+#include <vector>
 
 #include "graze/flow/sprung_rates.hpp"
 
@@ -158,6 +160,7 @@ Varied::State integrate(Varied& varied, Varied::State whole, double s) {
     failures =
         method.try_step(std::ref(varied), whole, at, next) == odeint::success ? 0 : failures + 1;
   }
+  if (at < s) whole.assign(whole.size(), std::numeric_limits<double>::quiet_NaN());
   return whole;
 }
 

@@ -51,6 +51,7 @@ class ExtrapolatedWalk {
       if (method_within_.try_step(std::ref(rates), within_, at, x, next) != odeint::success)
         x = within_;
     }
+    if (at < s) x.assign(x.size(), std::numeric_limits<double>::quiet_NaN());
   }
 
   Rates rates;

@@ -1,7 +1,7 @@
 // The motion of a linear system of first order between events, integrated step by step by a method
 // of Boost.Odeint, and the first fall of an observable through zero by what such integrators can
 // see: its sign at the ends of the steps. Where it changes, the zero is refined within the step; a
-// fall and a rise within one step are missed. That is what the exact flow is compared with.
+// fall and a rise within one step are missed (but of a structure on springs looked for). That is what the exact flow is compared with.
 //
 //   x_j' = w_j x_{n+j},   x_{n+j}' = load_j + force_j cos(theta) - 2 delta_j x_{n+j} - k_j x_j
 //

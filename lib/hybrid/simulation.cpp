@@ -58,7 +58,7 @@ class Run {
       result_.forces.push_back(motion_.is_closed(i) && is_known ? motion_.force(i) : 0.0);
     }
     result_.totals = state_.totals;
-    if (options_.steps) result_.evaluations = motion_.step_evaluations();
+    result_.evaluations += motion_.step_evaluations();
     if (options_.energy) {
       state_.book.now = mechanical_energy(system_, last.q, last.qdot);
       result_.energy = state_.book;
@@ -256,7 +256,8 @@ class Run {
     event.speed = motion_.approach_speed(i);
     if (system_.forcing) event.phase = wrapped(motion_.flow().phase(motion_.instant()));
     note_gap_at(i);
-    ++state_.totals.impacts;
+    // One that grips again below the surface, on its way out, is no new impact.
+    if (event.speed >= 0.0) ++state_.totals.impacts;
     contact_at(i) = {time(), event.speed, 0.0, 0.0};
     emit(event);
   }

@@ -118,7 +118,8 @@ struct Simulation {
   std::vector<double> forces;  // contact forces at the end, N, one per stop
   RunTotals totals;
   std::optional<EnergyBook> energy;
-  // Of gaps and contact forces in search of events; with `steps` of the equations of motion.
+  // Of gaps and contact forces in search of events, and of the equations of motion on springs; with
+  // `steps` of the equations of motion alone.
   long long evaluations = 0;
   RunState state;  // to go on from
 };

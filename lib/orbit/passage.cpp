@@ -45,7 +45,10 @@ class Follower {
       hold.to_end = true;
       passage_.holds.push_back(hold);
     }
-    while (!in_contact_.empty()) close_contact(in_contact_.front().stop, 0.0, true);
+    while (!in_contact_.empty()) {
+      if (!in_contact_.front().parted) part(in_contact_.front().stop, 0.0, true);
+      close_contact(in_contact_.front().stop);
+    }
     passage_.end = motion_.state();
     if (carried_.any() && passage_.failure.empty()) carried_.undelay();
     return std::move(passage_);
@@ -153,9 +156,11 @@ class Follower {
       case ArrivalKind::kSeparation:
         if (!arrival.below && stop(arrival.stop).spring->separation == Separation::kAtZeroDepth)
           carried_.cross_surface(arrival.stop, -1.0);
-        close_contact(arrival.stop, -motion_.approach_speed(arrival.stop), false);
+        part(arrival.stop, -motion_.approach_speed(arrival.stop), false);
+        if (!arrival.below) close_contact(arrival.stop);
         return true;
       case ArrivalKind::kLeft:
+        close_contact(arrival.stop);
         return true;
       case ArrivalKind::kRelease:
         close_hold(arrival.stop);
@@ -168,10 +173,17 @@ class Follower {
     return false;
   }
 
-  // A spring that grips again below the surface does so smoothly.
+  // A spring that grips again below the surface does so smoothly, in the contact that it is in.
   bool enter(int i) {
     const GapValue<double> gap = gap_value<double>(stop(i).row, motion_.q(), stop(i).gap);
-    if (std::abs(gap.value) <= gap.rounding) carried_.cross_surface(i, 1.0);
+    const auto open = contact_of(i);
+    if (std::abs(gap.value) > gap.rounding) {
+      if (open == in_contact_.end()) open_contact(i, 0.0, true);
+      contact_of(i)->parted = false;
+      return true;
+    }
+    if (open != in_contact_.end()) close_contact(i);
+    carried_.cross_surface(i, 1.0);
     open_contact(i, motion_.approach_speed(i), false);
     return ++impacts_ <= options_.max_impacts || out_of_impacts();
   }
@@ -240,16 +252,27 @@ class Follower {
     in_contact_.push_back(std::move(contact));
   }
 
-  void close_contact(int i, double speed, bool to_end) {
-    const auto open = std::find_if(in_contact_.begin(), in_contact_.end(),
-                                   [i](const PassedContact& contact) { return contact.stop == i; });
+  std::vector<PassedContact>::iterator contact_of(int i) {
+    return std::find_if(in_contact_.begin(), in_contact_.end(),
+                        [i](const PassedContact& contact) { return contact.stop == i; });
+  }
+
+  // Its force is gone, at the surface or below it, or the passage at its end.
+  void part(int i, double speed, bool to_end) {
+    const auto open = contact_of(i);
     if (open == in_contact_.end()) return;
     const SpringContact& book = book_[static_cast<std::size_t>(i)];
     open->to = motion_.instant();
     open->to_end = to_end;
+    open->parted = !to_end;
     open->speed_after = speed;
     open->peak_force = book.peak_force;
     open->taken = book.taken;
+  }
+
+  void close_contact(int i) {
+    const auto open = contact_of(i);
+    if (open == in_contact_.end()) return;
     passage_.contacts.push_back(*open);
     in_contact_.erase(open);
   }

@@ -58,7 +58,9 @@ struct PassedHold {
   std::optional<double> smallest_force;     // interior local minimum, N; with `minima`
 };
 
-// A contact at a compliant stop. One that the start of the passage cuts has no speed.
+// A contact at a compliant stop, from its entry until its force is gone for good: a spring that
+// grips again below the surface goes on with it. One that the start of the passage cuts has no
+// speed.
 struct PassedContact {
   int stop = 0;
   Instant<double> from, to;
@@ -67,6 +69,7 @@ struct PassedContact {
   double peak_force = 0.0;                  // N
   double taken = 0.0;                       // of the structure's energy, J
   State before;
+  bool parted = false;  // its force is gone, below the surface
 };
 
 struct Passage {

@@ -95,8 +95,11 @@ class Settling {
       case ArrivalKind::kEntry:
         contacts_.any = contacts_.sprung = true;
         contacts_.held = false;
-        return count_impact() &&
-               remember_impact(arrival.stop, motion_.approach_speed(arrival.stop));
+        // One that grips again below the surface, on its way out, is no new impact.
+        if (motion_.approach_speed(arrival.stop) < 0.0) return true;
+        if (!count_impact()) return false;
+        remember_impact(arrival.stop, motion_.approach_speed(arrival.stop));
+        return true;
       case ArrivalKind::kSeparation:
       case ArrivalKind::kLeft:
         return true;
@@ -123,11 +126,10 @@ class Settling {
     return true;
   }
 
-  bool remember_impact(int stop, double speed) {
+  void remember_impact(int stop, double speed) {
     history_.add_impact(
         {motion_.instant().period, stop, motion_.flow().phase(motion_.instant()), speed},
         motion_.q(), motion_.qdot());
-    return true;
   }
 
   // False where that was one too many, or it is time to stop.

@@ -50,8 +50,9 @@ class StrobeFinder {
       : system_(system), start_(start), options_(options), scale_(shooting_scale(system)) {
     strobe_.max_impacts = options.max_impacts;
     strobe_.stop = options.stop;
-    if (start)
-      strobe_.closure_speed = options.closure_speed.value_or(default_closure_speed(system, *start));
+    const State at_rest{Vector::Zero(system.modes()), Vector::Zero(system.modes())};
+    strobe_.closure_speed =
+        options.closure_speed.value_or(default_closure_speed(system, start.value_or(at_rest)));
   }
 
   FoundOrbits find() {

@@ -7,7 +7,7 @@
 namespace graze {
 
 StrobeMap::StrobeMap(const System& reference, const StrobeOptions& options)
-    : options_(options), unit_(2 * reference.modes()), phase_(reference.forcing->phase) {
+    : options_(options), unit_(2 * reference.modes()) {
   const ShootingScale scale = shooting_scale(reference);
   unit_ << Vector::Constant(reference.modes(), scale.displacement), scale.velocity;
 }
@@ -24,6 +24,11 @@ State StrobeMap::unpack(const Vector& x) const {
   return {whole.head(n), whole.tail(n)};
 }
 
+Instant<double> StrobeMap::first_instant(const System& system) {
+  const double local = wrapped(-system.forcing->phase) / system.forcing->frequency;
+  return {0, local < system.period() ? local : 0.0};
+}
+
 std::optional<MotionState<double>> StrobeMap::start_of(const System& system,
                                                        const Vector& x) const {
   const State state = unpack(x);
@@ -33,9 +38,7 @@ std::optional<MotionState<double>> StrobeMap::start_of(const System& system,
     const GapValue<double> gap = gap_value<double>(stop.row, state.q, stop.gap);
     if (gap.value < -gap.rounding) return {};
   }
-  Instant<double> instant;
-  instant.local = wrapped(phase_ - system.forcing->phase) / system.forcing->frequency;
-  if (!(instant.local < system.period())) instant.local = 0.0;
+  const Instant<double> instant = first_instant(system);
   return Motion<double>(system, instant, state.q, state.qdot).state();
 }
 
@@ -69,6 +72,7 @@ std::optional<StrobeMap::Image> StrobeMap::image(const System& system, const Vec
   image.jacobian << deviations.q, deviations.qdot;
   image.jacobian = unit_.cwiseInverse().asDiagonal() * image.jacobian;
   if (parameter) image.by_parameter = pack(parameter->value());
+  if (!image.jacobian.allFinite()) return {};
   return image;
 }
 

@@ -21,7 +21,8 @@ struct StrobeOptions {
 
 class StrobeMap {
  public:
-  // `reference`: the system whose units and forcing phase at t = 0 are taken. Requires forcing.
+  // `reference`: the system whose units are taken. Requires forcing. The section lies at the
+  // forcing phase 0, whatever the system, so that states mean the same to every map.
   StrobeMap(const System& reference, const StrobeOptions& options);
 
   const StrobeOptions& options() const { return options_; }
@@ -29,7 +30,9 @@ class StrobeMap {
   // The state in units of the map, and back.
   Vector pack(const State& state) const;
   State unpack(const Vector& x) const;
-  // The motion's start; nothing where a rigid stop is penetrated.
+  // When the motion that starts at t = 0 first comes to the section.
+  static Instant<double> first_instant(const System& system);
+  // The motion's start there; nothing where a rigid stop is penetrated.
   std::optional<MotionState<double>> start_of(const System& system, const Vector& x) const;
 
   struct Image {
@@ -50,8 +53,7 @@ class StrobeMap {
   PassageOptions passage_options() const;
 
   StrobeOptions options_;
-  Vector unit_;   // of (q, q')
-  double phase_;  // of the section, rad
+  Vector unit_;  // of (q, q')
 };
 
 }  // namespace graze

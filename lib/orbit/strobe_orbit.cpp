@@ -155,7 +155,8 @@ std::optional<Orbit> orbit_of(const System& system, const StrobeMap& map, const 
   std::vector<Passage> turns;
   for (Eigen::Index i = 0; i < u.size(); i += n) {
     std::optional<Passage> turn = map.follow(system, u.segment(i, n), true);
-    if (!turn) return {};
+    // An orbit that sticks besides has a map of lower rank, and is not one of these.
+    if (!turn || !turn->holds.empty()) return {};
     if (turn->clearance && (!orbit.clearance || *turn->clearance < *orbit.clearance))
       orbit.clearance = turn->clearance;
     orbit.strobe->turns.push_back(*map.start_of(system, u.segment(i, n)));
@@ -183,7 +184,15 @@ StrobeAnswer strobe_orbit(const System& system, const State& at_period_start, in
   const StrobeMap map(system, options);
   const Eigen::Index n = map.size();
   Vector u(period * n);
-  u.head(n) = map.pack(at_period_start);
+  PassageOptions passage;
+  passage.closure_speed = options.closure_speed;
+  passage.max_impacts = options.max_impacts;
+  passage.stop = options.stop;
+  const Passage to_section =
+      pass(system, Motion<double>(system, {}, at_period_start.q, at_period_start.qdot).state(),
+           StrobeMap::first_instant(system), passage);
+  if (!to_section.failure.empty()) return {{}, to_section.failure};
+  u.head(n) = map.pack({to_section.end.q, to_section.end.qdot});
   for (Eigen::Index i = n; i < u.size(); i += n) {
     const std::optional<Passage> turn = map.follow(system, u.segment(i - n, n));
     if (!turn) return {{}, "the motion cannot be followed"};
@@ -199,7 +208,10 @@ StrobeAnswer strobe_orbit(const System& system, const State& at_period_start, in
   StrobeAnswer answer;
   answer.orbit =
       orbit_of(system, map, solution->u, eigenvalues(solution->product), solution->residual);
-  if (!answer.orbit) answer.why_not = "the periodic motion meets no stop";
+  if (!answer.orbit)
+    answer.why_not =
+        "the periodic motion meets no stop, never leaves one, or comes to rest on one that is "
+        "rigid";
   return answer;
 }
 

@@ -22,8 +22,8 @@ struct StrobeAnswer {
 StrobeAnswer strobe_orbit(const System& system, const State& at_period_start, int period,
                           const StrobeOptions& options);
 
-// The orbit of a solution u = (x_1, .., x_p) of the map. No orbit without any impact, or where the
-// motion cannot be followed. `residual`: of the solution.
+// The orbit of a solution u = (x_1, .., x_p) of the map. No orbit without any impact, where a rigid
+// stop is stuck to, or where the motion cannot be followed. `residual`: of the solution.
 std::optional<Orbit> orbit_of(const System& system, const StrobeMap& map, const Vector& u,
                               std::vector<Eigenvalue> multipliers, double residual);
 

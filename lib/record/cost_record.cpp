@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include "graze/study/extended_contact.hpp"
+
 namespace graze {
 
 Outcome cost_outcome(const FlowCosts& costs, StopReason stopped) {
@@ -18,9 +20,16 @@ Outcome cost_outcome(const FlowCosts& costs, StopReason stopped) {
   return {"measured", ""};
 }
 
+std::string reference_name(const FlowCosts& costs) {
+  if (!costs.compliant) return "exact, 50 digits";
+  return fmt::format("exact, 50 digits; contacts with compliant stops integrated to {:g} a step",
+                     kReferenceTolerance);
+}
+
 std::string compared_span(const FlowCosts& costs) {
   if (costs.impacts == 0) return fmt::format("no impacts, {:.6g} s", costs.end_time);
-  return fmt::format("first {} impact{}, {:.6g} s", costs.impacts, costs.impacts == 1 ? "" : "s",
+  return fmt::format("first {} {}{}, {:.6g} s", costs.impacts,
+                     costs.compliant ? "contact" : "impact", costs.impacts == 1 ? "" : "s",
                      costs.end_time);
 }
 

@@ -53,7 +53,8 @@ std::vector<RunState::Streak> read_streaks(const Node& node, const System& syste
 // Where there was none there is nothing to remember.
 void write_contacts(StateLines& lines, const ContactBook& book) {
   if (std::all_of(book.begin(), book.end(), [](const SpringContact& contact) {
-        return contact.since == 0.0 && contact.peak_force == 0.0;
+        return contact.since == 0.0 && contact.speed == 0.0 && contact.peak_force == 0.0 &&
+               contact.taken == 0.0;
       }))
     return;
   lines.table("[contacts]");

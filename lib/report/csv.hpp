@@ -35,6 +35,7 @@ std::string costs_csv(const CostRecord& record);
 std::string mode_costs_csv(const CostRecord& record);
 std::string closure_costs_csv(const CostRecord& record);
 std::string corrector_costs_csv(const CostRecord& record);
+std::string contact_orders_csv(const CostRecord& record);
 
 // One line a measured value, with the model's and the difference; one line a parameter.
 std::string fit_csv(const FitRecord& record);

@@ -45,4 +45,16 @@ std::string corrector_costs_csv(const CostRecord& record) {
   return text;
 }
 
+std::string contact_orders_csv(const CostRecord& record) {
+  std::string text = "spring,method,order,steps,step,error,seconds,evaluations\n";
+  if (!record.contact) return text;
+  for (const ContactOrder& line : record.contact->lines)
+    for (const ContactOrderRow& row : line.rows)
+      fmt::format_to(std::back_inserter(text), "{},\"{}\",{},{},{},{},{},{}\n", line.spring,
+                     line.method, row.steps > 0 ? csv_cell(line.order) : "", row.steps,
+                     csv_cell(row.step), csv_cell(row.error), csv_cell(row.seconds),
+                     csv_cell(row.evaluations));
+  return text;
+}
+
 }  // namespace graze

@@ -48,12 +48,40 @@ Json corrector_json(const CorrectorCosts& costs) {
   return json;
 }
 
+Json contact_json(const ContactOrders& orders) {
+  const FirstContact& first = orders.first;
+  if (first.stop < 0) return {{"message", first.message}};
+  Json lines = Json::array();
+  for (const ContactOrder& line : orders.lines) {
+    Json rows = Json::array();
+    for (const ContactOrderRow& row : line.rows)
+      rows.push_back({{"steps", row.steps},
+                      {"step", row.step},
+                      {"error", row.error},
+                      {"seconds", row.seconds},
+                      {"evaluations", row.evaluations}});
+    const bool stepped = !line.rows.empty() && line.rows.front().steps > 0;
+    lines.push_back({{"spring", line.spring},
+                     {"method", line.method},
+                     {"stiffness", line.contact.stiffness},
+                     {"exponent", line.contact.exponent},
+                     {"duration", line.contact.duration()},
+                     {"order", stepped ? Json(line.order) : Json(nullptr)},
+                     {"rows", rows}});
+  }
+  return {{"stop", first.stop + 1},
+          {"mass", first.contact.mass},
+          {"speed", first.contact.speed},
+          {"depth", first.contact.depth()},
+          {"lines", lines}};
+}
+
 }  // namespace
 
 std::string to_json(const CostRecord& record) {
   const FlowCosts& costs = record.costs;
   Json document = Json::parse(json_head(record.info, record.outcome, record.warnings));
-  document["reference"] = "exact, 50 digits";
+  document["reference"] = reference_name(costs);
   document["span"] = compared_span(costs);
   if (!costs.reference_message.empty()) document["reference_message"] = costs.reference_message;
   document["impacts"] = costs.impacts;
@@ -78,6 +106,7 @@ std::string to_json(const CostRecord& record) {
     document["closure"].push_back(closure_json(row));
   if (!record.closure.message.empty()) document["closure_message"] = record.closure.message;
   document["corrector"] = corrector_json(record.corrector);
+  if (record.contact) document["contact"] = contact_json(*record.contact);
   const FlowCost* best = cheapest(costs, costs.allowed);
   document["recommended"] = {{"tolerance", costs.tolerance},
                              {"allowed_error", costs.allowed},

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <map>
 
+#include "graze/report/picture_contact_order.hpp"
 #include "graze/report/picture_style.hpp"
 #include "graze/report/pictures.hpp"
 
@@ -45,7 +46,9 @@ std::vector<const FlowCost*> front_of(const FlowCosts& costs) {
 
 class CostPicture {
  public:
-  explicit CostPicture(const FlowCosts& costs) : costs_(costs) {
+  explicit CostPicture(const CostRecord& record) : costs_(record.costs) {
+    if (record.contact) contact_ = record.contact->lines;
+    const FlowCosts& costs = costs_;
     for (const FlowCost& row : costs.rows) {
       if (!row.compared.error) continue;
       include(time_, row.seconds_per_period);
@@ -56,16 +59,19 @@ class CostPicture {
     if (time_.empty()) include(time_, 1e-6);
   }
 
+  // Height over width.
+  double proportion() const { return height() / kWidth; }
+
   GnuplotScript script() {
     set_style(script_);
+    if (!contact_.empty()) script_.command("set multiplot");
     std::size_t flows = 0;
     for (const auto& [flow, style] : flow_styles()) flows += add_flow(flow, style) ? 1 : 0;
     add_front();
     add_allowed();
     Margins margins;
     margins.bottom += legend_height(flows + 2, 2);
-    set_margins(script_, margins);
-    set_legend(script_, margins, 2);
+    place(margins);
     script_.command("set logscale xy");
     script_.command("set format xy '10^{%L}'");
     script_.command(fmt::format("set xrange [{:g}:{:g}]", time_.low, time_.high));
@@ -75,14 +81,36 @@ class CostPicture {
                                                    : "computing time per second of motion",
                                                "s"));
     name_vertical_axis(script_,
-                       costs_.impacts > 0 ? "largest error of an impact time"
+                       costs_.impacts > 0 ? costs_.compliant
+                                                ? "largest error of the time of a contact"
+                                                : "largest error of an impact time"
                                           : "largest error of displacement / amplitude",
                        costs_.impacts > 0 ? "s" : "");
     script_.plot(layers_);
+    if (contact_.empty()) return script_;
+    draw_contact_orders(script_, contact_, height());
+    script_.command("unset multiplot");
     return script_;
   }
 
  private:
+  // cm
+  static constexpr double kWidth = 12.0, kHeight = 9.0;
+  double height() const { return kHeight + (contact_.empty() ? 0.0 : kContactOrderHeight); }
+
+  // Margins of a picture of flows alone; it stands above what follows.
+  void place(Margins margins) {
+    const double part = kHeight / height();
+    const Margins whole = margins;
+    margins.bottom = 1.0 - part * (1.0 - margins.bottom);
+    margins.top *= part;
+    set_margins(script_, margins);
+    set_legend(script_, whole, 2);
+    if (!contact_.empty())
+      script_.command(fmt::format("set key at screen {:.4g}, screen {:.4g}",
+                                  0.5 * (1.0 + whole.left - whole.right), 1.0 - 0.99 * part));
+  }
+
   // To whole decades.
   static void include(AxisRange& range, double value) {
     if (!(value > 0.0) || !std::isfinite(value)) return;
@@ -125,6 +153,7 @@ class CostPicture {
   }
 
   const FlowCosts& costs_;
+  std::vector<ContactOrder> contact_;
   AxisRange time_, error_;
   GnuplotScript script_;
   std::vector<std::string> layers_;
@@ -133,7 +162,8 @@ class CostPicture {
 }  // namespace
 
 void draw_costs(const std::string& file, const CostRecord& record) {
-  draw_picture(file, CostPicture(record.costs).script());
+  CostPicture picture(record);
+  draw_picture(file, picture.script(), picture.proportion());
 }
 
 }  // namespace graze

@@ -225,7 +225,9 @@ std::string contacts_text(const std::vector<Orbit>& orbits) {
       table.add({fmt::format("{}", i + 1), fmt::format("{}", k + 1),
                  fmt::format("{}", orbits[i].impacts[k].stop + 1),
                  fmt::format("{:.9g}", contact.duration), fmt::format("{:.6g}", contact.peak_force),
-                 fmt::format("{:.6g}", contact.speed_after / orbits[i].impacts[k].speed),
+                 orbits[i].impacts[k].speed > 0.0
+                     ? fmt::format("{:.6g}", contact.speed_after / orbits[i].impacts[k].speed)
+                     : "-",
                  fmt::format("{:.4e}", -contact.taken)});
     }
   }

@@ -2,6 +2,7 @@
 
 #include <array>
 
+#include "graze/orbit/strobe_finder.hpp"
 #include "graze/study/accuracy_costs.hpp"
 #include "graze/study/step_choice.hpp"
 #include "graze/study/timed_run.hpp"
@@ -35,6 +36,10 @@ std::optional<std::size_t> impacts_before_chatter(const System& system, const St
 ClosureCosts closure_costs(const System& system, const State& start,
                            const AccuracyCostOptions& options) {
   ClosureCosts costs;
+  if (has_compliant_stop(system)) {
+    costs.message = "not measured where a stop is compliant";
+    return costs;
+  }
   const double unit = speed_scale(system, start), fastest = kClosures.front() * unit;
   SimulationOptions run_options;
   run_options.duration = options.longest;

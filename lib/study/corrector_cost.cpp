@@ -9,8 +9,10 @@
 #include "graze/base/linear_equations.hpp"
 #include "graze/orbit/finder.hpp"
 #include "graze/orbit/solve.hpp"
+#include "graze/orbit/strobe_finder.hpp"
 #include "graze/study/accuracy_costs.hpp"
 #include "graze/study/processor_time.hpp"
+#include "graze/study/step_choice.hpp"
 
 namespace graze {
 namespace {
@@ -75,6 +77,10 @@ CorrectorCosts corrector_costs(const Scene& scene, const AccuracyCostOptions& op
     return costs;
   }
   const System system = assemble(scene);
+  if (has_compliant_stop(system)) {
+    costs.message = "not measured where a stop is compliant";
+    return costs;
+  }
   FinderOptions finder;
   finder.impacts = 1;
   finder.stop = options.stop;

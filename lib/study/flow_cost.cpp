@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "graze/hybrid/simulation.hpp"
+#include "graze/orbit/strobe_finder.hpp"
 #include "graze/study/step_choice.hpp"
 
 namespace graze {
@@ -31,6 +32,7 @@ class CostTable {
     costs_.impacts = comparison_.impacts();
     costs_.end_time = reference.end_time;
     costs_.forced = system.forcing.has_value();
+    costs_.compliant = has_compliant_stop(system);
     costs_.period = system.forcing ? system.period() : 1.0;
     costs_.tolerance = options.tolerance;
     // A part of a period for impact times; of the amplitude where there are none.

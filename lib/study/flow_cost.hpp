@@ -25,6 +25,7 @@ struct FlowCosts {
   double end_time = 0.0;    // s, of the compared motion
   double period = 0.0;      // s, what costs are given per: a forcing period, or one second
   bool forced = false;
+  bool compliant = false;  // some stop is: impacts are contacts there, with two instants each
   double tolerance = 0.0;  // of the scene
   double allowed = 0.0;    // the error that this tolerance allows, in the unit of the errors
   std::vector<FlowCost> rows;

@@ -49,7 +49,8 @@ std::optional<double> first_impact(const Prepared& beam, const AccuracyCostOptio
   std::optional<double> time;
   RunListeners listeners;
   listeners.event = [&](const Event& event) {
-    if (event.kind == EventKind::kImpact && !time) time = event.time;
+    const bool meets = event.kind == EventKind::kImpact || event.kind == EventKind::kContact;
+    if (meets && !time) time = event.time;
   };
   SimulationOptions one;
   one.duration = options.longest;

@@ -3,9 +3,13 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
+#include <utility>
 
+#include "graze/contact/impulse.hpp"
 #include "graze/flow/extended.hpp"
 #include "graze/hybrid/motion.hpp"
+#include "graze/study/extended_contact.hpp"
 #include "graze/system/scale.hpp"
 
 namespace graze {
@@ -16,33 +20,52 @@ constexpr double kSamplesPerPeriod = 16.0;
 // double precision, and far from the last digit of the reference.
 constexpr double kClosure = 1e-16;
 
+// Flights are those of the same structure against rigid stops: each ends where a stop is reached.
+System with_rigid_stops(System system) {
+  for (RigidStop& stop : system.stops) {
+    if (!stop.spring) continue;
+    stop.spring.reset();
+    stop.direction = momentum_direction(stop.row);
+  }
+  return system;
+}
+
 class Reference {
  public:
   Reference(const System& system, const State& start, const ReferenceOptions& options)
-      : options_(options),
-        motion_(system, {}, start.q.cast<Extended>(), start.qdot.cast<Extended>()),
+      : system_(system),
+        flying_(with_rigid_stops(system)),
+        options_(options),
+        motion_(std::in_place, flying_, Instant<Extended>{}, start.q.cast<Extended>(),
+                start.qdot.cast<Extended>()),
         closure_(kClosure * speed_scale(system, start)),
         piece_((system.forcing ? std::min(system.period(), options.longest) : options.longest) /
                kSamplesPerPeriod),
-        longest_flight_(longest_flight(system)) {}
+        longest_flight_(longest_flight(system)),
+        end_(options.longest) {
+    for (const RigidStop& stop : system.stops)
+      if (stop.spring && stop.row.dot(start.q) > stop.gap)
+        run_.message = "the motion starts on a compressed spring";
+  }
 
   ReferenceRun finish() {
     run_.sample_interval = piece_;
     double next_sample = piece_;
-    while (time() < options_.longest && !options_.stop.requested()) {
-      const bool enough = run_.impacts.size() >= options_.impacts;
+    while (time() < end_ && run_.message.empty() && !options_.stop.requested()) {
+      const bool enough = met_ >= options_.impacts;
       const double before = time();
+      while (next_sample <= before) next_sample += piece_;
       // Never so far that the run could not be stopped meanwhile.
-      const double next = std::min({next_sample, options_.longest, before + longest_flight_});
+      const double next = std::min({next_sample, end_, before + longest_flight_});
       const Extended until = std::min<Extended>(
-          motion_.instant().local + (Extended(next) - exact_time()), motion_.flow().period());
-      const Arrival<Extended> arrival = motion_.fly(until);
+          motion_->instant().local + (Extended(next) - exact_time()), motion_->flow().period());
+      const Arrival<Extended> arrival = motion_->fly(until);
       if (!go_on(arrival)) break;
       if (enough && time() > before) {
         fly_back(before);
         return run_;
       }
-      if (arrival.kind == ArrivalKind::kContact) take_impact();
+      if (arrival.kind == ArrivalKind::kContact) take_contact(arrival.stop);
       if (arrival.kind == ArrivalKind::kTime && time() >= next_sample * (1.0 - 1e-12)) {
         run_.samples.push_back(state());
         next_sample = piece_ * static_cast<double>(run_.samples.size() + 1);
@@ -60,13 +83,13 @@ class Reference {
 
  private:
   Extended exact_time() const {
-    const Instant<Extended>& now = motion_.instant();
+    const Instant<Extended>& now = motion_->instant();
     if (now.period == 0) return now.local;
-    return Extended(now.period) * motion_.flow().period() + now.local;
+    return Extended(now.period) * motion_->flow().period() + now.local;
   }
   double time() const { return static_cast<double>(exact_time()); }
   State state() const {
-    return {motion_.q().template cast<double>(), motion_.qdot().template cast<double>()};
+    return {motion_->q().template cast<double>(), motion_->qdot().template cast<double>()};
   }
 
   bool go_on(const Arrival<Extended>& arrival) {
@@ -78,37 +101,77 @@ class Reference {
         run_.message = "the motion left the range of the numbers";
         return false;
       case ArrivalKind::kRefused:
-        run_.message = motion_.refusal();
+        run_.message = motion_->refusal();
         return false;
+      case ArrivalKind::kStick:
+        if (is_compliant(arrival.stop)) run_.message = "a compliant stop is reached at rest";
+        return run_.message.empty();
       default:
         return true;
     }
   }
 
+  bool is_compliant(int stop) const {
+    return stop >= 0 && system_.stops[static_cast<std::size_t>(stop)].spring.has_value();
+  }
+
+  void take_contact(int stop) {
+    if (!is_compliant(stop)) return take_impact();
+    ++met_;
+    const Extended began = exact_time();
+    run_.impacts.push_back(
+        {time(), stop, static_cast<double>(motion_->approach_speed(stop)), false});
+    if (motion_->is_closed_anywhere()) {
+      run_.message = "a compliant stop is reached while another holds the structure";
+      return;
+    }
+    const ExtendedContact contact = follow_contact(
+        system_, stop, motion_->q(), motion_->qdot(),
+        {motion_->flow().phase(motion_->instant()), options_.longest, options_.stop});
+    run_.message = contact.message;
+    if (!run_.message.empty()) return;
+    const RigidStop& left = system_.stops[static_cast<std::size_t>(stop)];
+    const RealVector<Extended> row = left.row.cast<Extended>();
+    run_.impacts.push_back({static_cast<double>(began + contact.separation), stop,
+                            static_cast<double>(-row.dot(contact.qdot)), true});
+    // Onto the surface to all digits: a motion that starts beyond a stop is none.
+    const RealVector<Extended> on_it =
+        contact.q + (Extended(left.gap) - row.dot(contact.q)) / row.squaredNorm() * row;
+    const Instant<Extended> now =
+        later(motion_->instant(), contact.end, Extended(motion_->flow().period()));
+    motion_.emplace(flying_, now, on_it, contact.qdot);
+    // Somewhat beyond the contact in any case, so that its end is within the run.
+    end_ = std::max(end_, time() + 0.5 * piece_);
+  }
+
   void take_impact() {
-    const std::vector<ImpactShare<Extended>> shares = motion_.impact();
+    const std::vector<ImpactShare<Extended>> shares = motion_->impact();
     const std::size_t before = run_.impacts.size();
     for (const ImpactShare<Extended>& share : shares)
       if (share.hit && static_cast<double>(share.speed) > options_.slowest)
-        run_.impacts.push_back({time(), share.stop, static_cast<double>(share.speed)});
+        run_.impacts.push_back({time(), share.stop, static_cast<double>(share.speed), false});
+    met_ += run_.impacts.size() - before;
     std::sort(run_.impacts.begin() + static_cast<std::ptrdiff_t>(before), run_.impacts.end(),
               [](const auto& a, const auto& b) { return a.stop < b.stop; });
-    motion_.close_chatter(shares, closure_);
+    motion_->close_chatter(shares, closure_);
   }
 
   // Half the way along the arc that was flown last.
   void fly_back(double from) {
-    RealVector<Extended> q = motion_.q(), qdot = motion_.qdot();
+    RealVector<Extended> q = motion_->q(), qdot = motion_->qdot();
     const double half = 0.5 * (time() - from);
-    motion_.flown().state(Extended(half), q, qdot);
+    motion_->flown().state(Extended(half), q, qdot);
     run_.end_time = from + half;
     run_.end = {q.cast<double>(), qdot.cast<double>()};
   }
 
+  const System& system_;
+  const System flying_;
   const ReferenceOptions& options_;
-  Motion<Extended> motion_;
+  std::optional<Motion<Extended>> motion_;
   Extended closure_;
-  double piece_, longest_flight_;  // s
+  double piece_, longest_flight_, end_;  // s
+  std::size_t met_ = 0;                  // impacts that are told, and contacts
   ReferenceRun run_;
 };
 

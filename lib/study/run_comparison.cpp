@@ -5,13 +5,29 @@
 #include <utility>
 
 namespace graze {
+namespace {
+
+// Instants at which a stop is met or left; an impact of a rigid one is both.
+bool is_instant(const Event& event, double slowest) {
+  if (event.kind == EventKind::kImpact) return event.speed > slowest;
+  return event.kind == EventKind::kContact || event.kind == EventKind::kSeparation;
+}
+
+bool stands_for(const ReferenceImpact& a, const ReferenceImpact& b) {
+  return a.stop == b.stop && a.leaves == b.leaves;
+}
+
+}  // namespace
 
 RunComparison::RunComparison(ReferenceRun reference, std::size_t impacts, double slowest,
                              double speed)
-    : reference_(std::move(reference)),
-      impacts_(std::min(reference_.impacts.size(), impacts)),
-      slowest_(slowest),
-      speed_(speed) {}
+    : reference_(std::move(reference)), slowest_(slowest), speed_(speed) {
+  for (const ReferenceImpact& impact : reference_.impacts) {
+    if (!impact.leaves && impacts_ == impacts) break;
+    impacts_ += impact.leaves ? 0 : 1;
+    ++instants_;
+  }
+}
 
 RunError RunComparison::of(const System& system, const State& start,
                            const SimulationOptions& options) const {
@@ -19,8 +35,9 @@ RunError RunComparison::of(const System& system, const State& start,
   std::vector<State> samples;
   RunListeners listeners;
   listeners.event = [&](const Event& event) {
-    if (event.kind == EventKind::kImpact && event.speed > slowest_)
-      impacts.push_back({event.time, event.stop, event.speed});
+    if (is_instant(event, slowest_))
+      impacts.push_back(
+          {event.time, event.stop, event.speed, event.kind == EventKind::kSeparation});
   };
   if (impacts_ == 0) {
     listeners.sample = [&](const Sample& sample) { samples.push_back(sample.state); };
@@ -42,18 +59,19 @@ RunError RunComparison::of(const System& system, const State& start,
 }
 
 // One too many is as wrong as one too few; and each has to be nearer to the impact that it stands
-// for than to any other on that stop, and to the start.
+// for than to any other on that stop, and to the start; the beginning of a contact to its beginning
+// than to that of another, and likewise its end.
 bool RunComparison::agrees(const std::vector<ReferenceImpact>& impacts) const {
   const std::vector<ReferenceImpact>& meant = reference_.impacts;
   // Where the reference had to end early another may come there or not.
   const bool cut = !reference_.message.empty();
   if (cut ? impacts.size() < meant.size() : impacts.size() != meant.size()) return false;
   for (std::size_t i = 0; i < meant.size(); ++i) {
-    if (impacts[i].stop != meant[i].stop) return false;
+    if (!stands_for(impacts[i], meant[i])) return false;
     const double off = std::abs(impacts[i].time - meant[i].time);
     if (impacts[i].time < off) return false;
     for (std::size_t k = 0; k < meant.size(); ++k)
-      if (k != i && meant[k].stop == meant[i].stop &&
+      if (k != i && stands_for(meant[k], meant[i]) &&
           std::abs(impacts[i].time - meant[k].time) < off)
         return false;
   }
@@ -62,7 +80,7 @@ bool RunComparison::agrees(const std::vector<ReferenceImpact>& impacts) const {
 
 double RunComparison::time_error(const std::vector<ReferenceImpact>& impacts) const {
   double error = 0.0;
-  for (std::size_t i = 0; i < impacts_; ++i)
+  for (std::size_t i = 0; i < instants_; ++i)
     error = std::max(error, std::abs(impacts[i].time - reference_.impacts[i].time));
   return error;
 }

@@ -12,8 +12,9 @@ namespace graze {
 
 struct RunError {
   bool impacts_agree = false;
-  // Largest error of an impact time, s; of a motion without impacts largest error of the
-  // displacements relative to their largest size. Absent where the run failed or lost the sequence.
+  // Largest error of the time of an impact, of the beginning or the end of a contact, s; of a
+  // motion without impacts largest error of the displacements relative to their largest size.
+  // Absent where the run failed or lost the sequence.
   std::optional<double> error;
   // Of the state at the end, displacements times frequencies and velocities, relative to a speed;
   // absent likewise.
@@ -40,7 +41,7 @@ class RunComparison {
   double state_error(const System& system, const State& end) const;
 
   ReferenceRun reference_;
-  std::size_t impacts_;
+  std::size_t impacts_ = 0, instants_ = 0;  // compared; a contact has two
   double slowest_, speed_;
 };
 

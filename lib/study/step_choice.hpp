@@ -22,7 +22,10 @@ std::optional<StepMethod> step_method(FlowChoice flow);
 // (docs/accuracy.md; tests/study/flow_decision_test.cpp holds them to it):
 //   - where every effect is linear between impacts the exact flow meets any tolerance down to the
 //     rounding of the impacts, and costs less than any setting of the others that does;
-//   - where one is not, none of closed form remains. This version has no such effect.
+//   - at compliant stops the exact flow integrates each contact to 1e-13 of its speed: it is the
+//     most careful there is, but steps as long as a tolerance allows may cost less, and over many
+//     contacts that magnify errors it may exceed the tolerance;
+//   - where another effect is not linear, none of closed form remains. This version has none.
 struct FlowDecision {
   FlowChoice flow = FlowChoice::kExact;  // never kAuto
   std::string reason;

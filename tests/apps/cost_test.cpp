@@ -145,6 +145,74 @@ TEST(CostCommand, SaysWhenTheTimeIsSpent) {
   EXPECT_FALSE(document["message"].get<std::string>().empty());
 }
 
+// At a compliant stop: contacts are compared, and the order across one of them is told.
+TEST(CostCommand, ComparesContactsWithACompliantStop) {
+  const ScratchFolder scratch;
+  const std::string options = " --duration 0.02 --out " + (scratch / "run").string() + " --plot " +
+                              (scratch / "cost.svg").string() + " ";
+  const Finished run = run_graze("cost --json" + options + scene("11_body_meets_stop.toml"));
+  ASSERT_EQ(run.code, 0) << run.err;
+  const json document = json::parse(run.out);
+  EXPECT_EQ(document["reference"],
+            "exact, 50 digits; contacts with compliant stops integrated to 1e-24 a step");
+  EXPECT_EQ(document["span"], "first 1 contact, 0.02 s");
+  // 3.3e-4 s after the first instant comes the second; a rounding of either is 2e-18 s.
+  EXPECT_EQ(document["rows"][0]["flow"], "exact");
+  EXPECT_LE(document["rows"][0]["error"].get<double>(), 1e-14);
+  EXPECT_TRUE(document["closure"].empty());
+  EXPECT_EQ(document["closure_message"], "not measured where a stop is compliant");
+  const json& contact = document["contact"];
+  EXPECT_EQ(contact["stop"], 1);
+  EXPECT_NEAR(contact["mass"].get<double>(), 0.1, 1e-15);
+  EXPECT_NEAR(contact["speed"].get<double>(), 0.1, 1e-15);
+  EXPECT_NEAR(contact["depth"].get<double>(), 1.11664597110381e-5, 1e-17);
+  std::size_t rows = 0;
+  for (const json& line : contact["lines"]) {
+    rows += line["rows"].size();
+    const bool linear = line["spring"] == "linear";
+    if (line["method"] == "exact") {
+      EXPECT_TRUE(line["order"].is_null());
+    } else {
+      EXPECT_NEAR(line["order"].get<double>(),
+                  !linear                            ? 2.5
+                  : line["method"] == "rk4, located" ? 4.0
+                                                     : 2.0,
+                  0.2);
+    }
+  }
+  EXPECT_EQ(contact["lines"].size(), 6u);
+  std::ifstream table(scratch / "run" / "costs_of_contact.csv");
+  std::string header;
+  std::getline(table, header);
+  EXPECT_EQ(header, "spring,method,order,steps,step,error,seconds,evaluations");
+  EXPECT_EQ(std::count(std::istreambuf_iterator<char>(table), {}, '\n'), static_cast<long>(rows));
+  std::ifstream picture(scratch / "cost.svg");
+  const std::string drawn((std::istreambuf_iterator<char>(picture)), {});
+  for (const char* text : {"step / duration of the contact", "computing time of the contact (s)",
+                           "linear, not located: order"})
+    EXPECT_NE(drawn.find(text), std::string::npos) << text;
+}
+
+TEST(CostCommand, PrintsTheOrderAcrossAContact) {
+  const Finished run = run_graze("cost --duration 0.02 " + scene("11_body_meets_stop.toml"));
+  ASSERT_EQ(run.code, 0) << run.err;
+  for (const char* text : {"error of contacts (s)", "same contacts",
+                           "Order of rk4 across one contact: 0.1 kg at 0.1 m/s",
+                           "Hertz, not located", "\n            order ", "\n       exact flow "})
+    EXPECT_NE(run.out.find(text), std::string::npos) << text << " in\n" << run.out;
+  const Finished away = run_graze("cost --duration 0.005 " + scene("11_body_meets_stop.toml"));
+  EXPECT_NE(away.out.find("Order across a contact: no contact with a compliant stop begins"),
+            std::string::npos)
+      << away.out;
+}
+
+// The table is absent where it would say nothing.
+TEST(CostCommand, RigidStopsHaveNoOrderAcrossAContact) {
+  const Finished run = run_graze("cost --json --impacts 3 " + kOneMode);
+  ASSERT_EQ(run.code, 0) << run.err;
+  EXPECT_FALSE(json::parse(run.out).contains("contact"));
+}
+
 TEST(StepFlows, AreSaidByCheckAndUsedBySimulate) {
   const std::string stepping = " --set solver.flow=\\\"rk4\\\" --set solver.step=1e-4 ";
   const Finished check = run_graze("check --json" + stepping + kOneMode);

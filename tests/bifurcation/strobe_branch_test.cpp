@@ -133,5 +133,29 @@ TEST(StrobeBranches, OrbitsRepeatAndShrinkVolumesByTheirDamping) {
     }
 }
 
+// The phase of the forcing moves nothing but the clock: an orbit is the same at all of them, so far
+// into the forcing's turn, wherever the scene's own phase is.
+TEST(StrobeBranches, AreTheSameAtEveryPhaseOfTheForcing) {
+  Scene scene = oscillator(
+      "stiffness=400.0,exponent=1.0,damping={model=\"hunt-crossley\",alpha=0.6}");
+  scene.forcing->phase = -2.0;
+  const SystemFamily family(scene, "forcing.phase");
+  BranchOptions options;
+  options.from = 0.0;
+  options.to = 1.0;
+  options.start_values = 2;
+  options.finder.from_random = false;
+  const OrbitBranches result = trace_orbits(family, options);
+  ASSERT_EQ(result.branches.size(), 1u);
+  const std::vector<OrbitBranchPoint>& points = result.branches.front().points;
+  EXPECT_NEAR(std::abs(points.front().value - points.back().value), 1.0, 1e-12);
+  for (const OrbitBranchPoint& point : points) {
+    EXPECT_NEAR(point.orbit.impacts.front().phase, points.front().orbit.impacts.front().phase,
+                1e-9);
+    EXPECT_NEAR(point.orbit.impacts.front().speed, points.front().orbit.impacts.front().speed,
+                1e-9);
+  }
+}
+
 }  // namespace
 }  // namespace graze

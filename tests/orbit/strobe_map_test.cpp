@@ -172,5 +172,18 @@ TEST(StrobeOrbit, SolvesThePiecewiseLinearOscillator) {
   EXPECT_EQ(settled.impacts.size(), stable->impacts.size());
 }
 
+// A dashpot that is overtaken below the surface lets go and grips again: that is one contact, and
+// no impact of negative speed.
+TEST(StrobeOrbit, CountsAContactThatGripsAgainOnce) {
+  System system = support::forced_oscillator(1.0, 0.05, 0.0, 0.0, 2.0, 0.65);
+  system.load = Vector::Constant(1, 1.0);
+  system.stops[0].spring = ContactForce{25.0, 1.0, ContactDamping::kConstant, 9.0};
+  const SettledMotion settled = settle(system, support::rest(system));
+  for (const MetImpact& impact : settled.impacts) EXPECT_GE(impact.speed, 0.0);
+  const FoundOrbits found = find_orbits(system, support::rest(system), {});
+  for (const Orbit& orbit : found.orbits)
+    for (const OrbitImpact& impact : orbit.impacts) EXPECT_GE(impact.speed, 0.0);
+}
+
 }  // namespace
 }  // namespace graze

@@ -7,6 +7,7 @@
 #include "graze/assembly/assembly.hpp"
 #include "graze/assembly/initial_state.hpp"
 #include "graze/hybrid/simulation.hpp"
+#include "graze/orbit/strobe_finder.hpp"
 #include "graze/scene/reader.hpp"
 #include "graze/study/flow_cost.hpp"
 #include "graze/study/step_choice.hpp"
@@ -23,27 +24,30 @@ std::vector<std::string> shipped_scenes() {
   return paths;
 }
 
+FlowCosts costs_of(const Scene& scene, double longest, double row_seconds) {
+  const System system = assemble(scene);
+  const State start = initial_state(scene, system);
+  FlowCostOptions options;
+  options.impacts = 20;
+  options.longest = longest;
+  options.tolerance = scene.solver.tolerance;
+  options.row_seconds = row_seconds;
+  options.speed = modal_speed(system, start);
+  options.closure_speed = default_closure_speed(system, start, scene.solver.tolerance);
+  return flow_costs(system, start, options);
+}
+
 // Every setting that meets the tolerance takes at least as many evaluations: of the whole
 // right-hand side, where the exact flow evaluates a gap.
-TEST(FlowDecision, MeetsTheToleranceOfEveryShippedSceneForTheLeast) {
+TEST(FlowDecision, MeetsTheToleranceOfEveryRigidSceneForTheLeast) {
   int scenes = 0;
   for (const std::string& path : shipped_scenes()) {
     SCOPED_TRACE(path);
     const Scene scene = read_scene(path);
     const System system = assemble(scene);
-    // Costs are compared at rigid stops.
-    if (std::any_of(system.stops.begin(), system.stops.end(),
-                    [](const RigidStop& stop) { return stop.spring.has_value(); }))
-      continue;
-    const State start = initial_state(scene, system);
-    FlowCostOptions options;
-    options.impacts = 20;
-    options.longest = system.forcing ? 40.0 * system.period() : 10.0;
-    options.tolerance = scene.solver.tolerance;
-    options.row_seconds = 0.05;
-    options.speed = modal_speed(system, start);
-    options.closure_speed = default_closure_speed(system, start, scene.solver.tolerance);
-    const FlowCosts costs = flow_costs(system, start, options);
+    // At compliant stops nothing of the kind is promised, see below.
+    if (has_compliant_stop(system)) continue;
+    const FlowCosts costs = costs_of(scene, system.forcing ? 40.0 * system.period() : 10.0, 0.05);
     const std::string taken = flow_name(flow_decision(scene).flow);
     const FlowCost* own = nullptr;
     for (const FlowCost& row : costs.rows)
@@ -58,6 +62,33 @@ TEST(FlowDecision, MeetsTheToleranceOfEveryShippedSceneForTheLeast) {
     ++scenes;
   }
   EXPECT_EQ(scenes, 10);
+}
+
+// At compliant stops: every contact is seen, and the error is that of contacts integrated to 1e-13,
+// magnified by what follows. It meets the tolerance but on the beam against the ball (14), whose
+// twenty contacts magnify it beyond, by less than double: what docs/accuracy.md says. Other
+// settings may cost less.
+TEST(FlowDecision, ErrorsAtCompliantStops) {
+  struct Case {
+    const char* name;
+    double longest, allowed;  // s; of the tolerance
+  };
+  for (const Case& c :
+       {Case{"11_body_meets_stop", 10.0, 1.0}, Case{"12_spring_dashpot_oscillator", 100.0, 1.0},
+        Case{"13_beam_on_a_spring", 2.5, 1.0}, Case{"14_beam_against_a_ball", 2.5, 2.0},
+        Case{"15_sphere_on_a_beam", 3e-4, 1.0}}) {
+    SCOPED_TRACE(c.name);
+    const Scene scene = support::shipped_scene(c.name);
+    const FlowDecision decision = flow_decision(scene);
+    EXPECT_EQ(decision.flow, FlowChoice::kExact);
+    EXPECT_EQ(decision.reason.find("cost less"), std::string::npos);
+    // The first row of the table alone.
+    const FlowCosts costs = costs_of(scene, c.longest, 0.0);
+    ASSERT_FALSE(costs.rows.empty()) << costs.reference_message;
+    EXPECT_EQ(costs.rows.front().flow, "exact");
+    EXPECT_TRUE(costs.compliant);
+    EXPECT_LE(costs.rows.front().compared.error.value_or(1.0), c.allowed * costs.allowed);
+  }
 }
 
 TEST(FlowDecision, IsWhatTheSceneAsksFor) {
