@@ -74,7 +74,7 @@ TEST_P(StrobeMapOf, ParametersMoveItAsDifferencesSay) {
   const Case cases[] = {
       {"gap", [](System& s, double h) { s.stops[0].gap += h; }, 1e-2},
       {"row", [](System& s, double h) { s.stops[0].row[1] += h; }, 1.0},
-      {"load", [](System& s, double h) { (*s.load)[0] += h; }, 1.0},
+      {"load", [](System& s, double h) { (*s.load)[0] += h; }, 0.2},
       {"omega", [](System& s, double h) { s.omega[1] += h; }, 10.0},
       {"delta", [](System& s, double h) { s.delta[0] += h; }, 1.0},
       {"amplitude", [](System& s, double h) { s.forcing->amplitude[2] += h; }, 20.0},
