@@ -60,8 +60,8 @@ TEST(StrobeBranches, DoublingTendsToThatOfTheRigidStop) {
 // Where a branch of two contacts grazes, one of them is lost: on either side the orbits that are
 // found without it have one more, or one less, and at it a contact has no speed.
 TEST(StrobeBranches, PassGrazingsOfSmoothForces) {
-  const Scene scene = oscillator(
-      "stiffness=400.0,exponent=1.0,damping={model=\"hunt-crossley\",alpha=0.6}");
+  const Scene scene =
+      oscillator("stiffness=400.0,exponent=1.0,damping={model=\"hunt-crossley\",alpha=0.6}");
   const OrbitBranches result = traced(scene, 1.8, 4.5, 1);
   const std::vector<SpecialPoint> grazings = special_of(result, SpecialKind::kGrazing);
   ASSERT_EQ(grazings.size(), 2u);  // of the two parts that meet there
@@ -114,8 +114,8 @@ TEST(StrobeBranches, EndAtGrazingsOfForcesThatJump) {
 // damping leaves of a volume, by the structure's own decay and the stop's while it is loaded.
 TEST(StrobeBranches, OrbitsRepeatAndShrinkVolumesByTheirDamping) {
   const double coefficient = 2.8;
-  const Scene scene = oscillator(
-      "stiffness=400.0,exponent=1.0,damping={model=\"kelvin-voigt\",coefficient=2.8}");
+  const Scene scene =
+      oscillator("stiffness=400.0,exponent=1.0,damping={model=\"kelvin-voigt\",coefficient=2.8}");
   const SystemFamily family(scene, "forcing.frequency");
   const OrbitBranches result = traced(scene, 1.8, 3.0, 1);
   ASSERT_EQ(result.branches.size(), 2u);
@@ -136,8 +136,8 @@ TEST(StrobeBranches, OrbitsRepeatAndShrinkVolumesByTheirDamping) {
 // The phase of the forcing moves nothing but the clock: an orbit is the same at all of them, so far
 // into the forcing's turn, wherever the scene's own phase is.
 TEST(StrobeBranches, AreTheSameAtEveryPhaseOfTheForcing) {
-  Scene scene = oscillator(
-      "stiffness=400.0,exponent=1.0,damping={model=\"hunt-crossley\",alpha=0.6}");
+  Scene scene =
+      oscillator("stiffness=400.0,exponent=1.0,damping={model=\"hunt-crossley\",alpha=0.6}");
   scene.forcing->phase = -2.0;
   const SystemFamily family(scene, "forcing.phase");
   BranchOptions options;

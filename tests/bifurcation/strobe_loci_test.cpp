@@ -55,9 +55,8 @@ TEST(StrobeLoci, HaveTheCriticalMultiplier) {
   ASSERT_GT(locus.points.size(), 10u);
   for (std::size_t i = 0; i < locus.points.size(); i += 12) {
     const OrbitLocusPoint& point = locus.points[i];
-    const Scene there =
-        with_parameter(with_parameter(scene, "forcing.frequency", point.value),
-                       "stop.spring.stiffness", point.second);
+    const Scene there = with_parameter(with_parameter(scene, "forcing.frequency", point.value),
+                                       "stop.spring.stiffness", point.second);
     const System system = assemble(there);
     FinderOptions options;
     options.from_simulation = false;

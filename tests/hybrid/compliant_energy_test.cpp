@@ -5,6 +5,7 @@
 
 #include "graze/contact/restitution_damping.hpp"
 #include "graze/hybrid/simulation.hpp"
+#include "support/contact_laws.hpp"
 #include "support/systems.hpp"
 
 namespace graze {
