@@ -37,6 +37,35 @@ struct Beam {
   int modes = 0;                // 1..400
   Projection discretisation = Projection::kGalerkin;
   std::vector<double> points;  // m from the clamp, one per mode, in (0, length]; empty: i L/N
+  std::optional<double> thickness{};  // h, m: of the section, which strains are told at h/2 from
+};
+
+// Motor torque from t = 0 on: constant for a while,
+struct TorquePulse {
+  double amplitude = 0.0;  // N m
+  double duration = 0.0;   // s, > 0
+};
+// or through measured points, straight between them and zero outside; at an instant that stands
+// twice it jumps.
+struct TorqueTable {
+  std::vector<double> times;   // s, >= 0, ascending, at least two
+  std::vector<double> values;  // N m, as many
+};
+using Torque = std::variant<TorquePulse, TorqueTable>;
+
+// kPaper: as printed in Yigit, Ulsoy & Scott (1990), without the two terms of the hub's equation
+// that conserve the energy.
+enum class HubEquations { kConsistent, kPaper };
+
+// What the beam's clamp is fixed to, a rigid hub that turns about its centre; coordinates are its
+// angle and the beam's modes. The beam leaves it radially.
+struct Hub {
+  double radius = 0.0;   // alpha, m, >= 0: from the centre to the clamp
+  double inertia = 0.0;  // I_R, kg m^2, >= 0
+  std::optional<Torque> torque{};
+  HubEquations equations = HubEquations::kConsistent;
+  bool centrifugal = true;           // terms with the square of the rate, and the inertia's change
+  std::optional<double> friction{};  // Coulomb's at the joint, N m, >= 0
 };
 
 // Any structure given by its mass-normalised modes; all lists have one entry per mode.
@@ -67,7 +96,8 @@ struct Forcing {
   double phase = 0.0;      // rad
 };
 
-// Uniform acceleration along +u of every mass element; a constant load of the modes.
+// Uniform acceleration along +u of every mass element; a constant load of the modes. With a hub
+// along -u at angle 0, and there it stays while the beam turns.
 struct Gravity {
   double acceleration = 0.0;  // m/s^2
 };
@@ -125,9 +155,25 @@ struct Stop {
   std::optional<Spring> spring{};  // in place of restitution and impulse
 };
 
+// kDisplacement, kVelocity: of the point, with a hub along the arc from angle 0 on; kDeflection:
+// from the line that turns with the hub, without one the displacement; kStrain: of the fibre at
+// half the thickness, -h/2 u'' (beam).
+enum class ProbeQuantity { kDisplacement, kVelocity, kDeflection, kStrain };
+// As the scene writes it.
+std::string probe_quantity_name(ProbeQuantity quantity);
+
+// A quantity at a place, told in the series of a motion.
+struct Probe {
+  double position = 0.0;      // m from the clamp (beam), 0..length
+  std::vector<double> shape;  // phi_j at the place (modal structure), kg^-1/2
+  ProbeQuantity quantity = ProbeQuantity::kDisplacement;
+};
+
 struct Initial {
   std::vector<double> q;     // kg^1/2 m, one per mode
   std::vector<double> qdot;  // kg^1/2 m/s, one per mode
+  double angle = 0.0;        // rad, of the hub
+  double rate = 0.0;         // rad/s
 };
 
 struct Solver {
@@ -143,17 +189,19 @@ using Origins = std::map<std::string, SourceLocation>;
 struct Scene {
   std::string title;
   std::variant<Beam, ModalStructure> structure;
+  std::optional<Hub> hub{};  // of a beam
   std::optional<Damping> damping;
   std::optional<Forcing> forcing;
   std::optional<Gravity> gravity;
   std::vector<Stop> stops;
+  std::vector<Probe> probes{};
   std::optional<Initial> initial;
   Solver solver;
   std::shared_ptr<const Origins> origins;  // null for a scene made in code
 
   const Beam* beam() const { return std::get_if<Beam>(&structure); }
   const ModalStructure* modal() const { return std::get_if<ModalStructure>(&structure); }
-  // Number of modes N.
+  // Number of the structure's modes N; a hub adds its angle to them.
   int modes() const;
 };
 
