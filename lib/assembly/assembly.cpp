@@ -1,5 +1,6 @@
 #include "graze/assembly/assembly.hpp"
 
+#include "graze/assembly/hub_system.hpp"
 #include "graze/assembly/spring_law.hpp"
 #include "graze/contact/impulse.hpp"
 #include "graze/scene/check.hpp"
@@ -59,6 +60,7 @@ RigidStop stop_tangent(const Stop& stop, const Stop& rate, const RigidStop& asse
 System assemble(const Scene& scene) { return assemble(scene, modal_model(scene)); }
 
 System assemble(const Scene& scene, const ModalModel& model) {
+  if (scene.hub) return assemble_on_hub(scene, model);
   System system{model.omega, model.delta, {}, {}, {}};
   if (scene.forcing) system.forcing = assemble_forcing(*scene.forcing, model.participation);
   if (scene.gravity) system.load = scene.gravity->acceleration * model.inertia;

@@ -6,6 +6,7 @@
 #include <limits>
 #include <vector>
 
+#include "graze/assembly/hub_system.hpp"
 #include "graze/base/linear_equations.hpp"
 #include "graze/contact/complementarity.hpp"
 #include "graze/system/gap_value.hpp"
@@ -115,12 +116,24 @@ std::optional<Vector> static_equilibrium(const System& system) {
 
 }  // namespace
 
+namespace {
+
+Vector as_vector(const std::vector<double>& list) {
+  return Eigen::Map<const Vector>(list.data(), static_cast<Eigen::Index>(list.size()));
+}
+
+}  // namespace
+
 State initial_state(const Scene& scene, const System& system) {
   const Eigen::Index n = system.modes();
   State state{Vector::Zero(n), Vector::Zero(n)};
-  if (scene.initial) {
-    state.q = Eigen::Map<const Vector>(scene.initial->q.data(), n);
-    state.qdot = Eigen::Map<const Vector>(scene.initial->qdot.data(), n);
+  if (scene.initial && system.rotation) {
+    const Vector q = as_vector(scene.initial->q), qdot = as_vector(scene.initial->qdot);
+    state.q = turning_coordinates(*system.rotation, scene.initial->angle, q);
+    state.qdot = turning_coordinates(*system.rotation, scene.initial->rate, qdot);
+  } else if (scene.initial) {
+    state.q = as_vector(scene.initial->q);
+    state.qdot = as_vector(scene.initial->qdot);
   } else if (is_preloaded(system)) {
     const std::optional<Vector> q = static_equilibrium(system);
     if (!q)

@@ -57,6 +57,7 @@ class Follower {
     switch (arrival.kind) {
       case ArrivalKind::kTime:
       case ArrivalKind::kLeft:
+      case ArrivalKind::kJoint:
       case ArrivalKind::kTouch:
       case ArrivalKind::kStick:
       case ArrivalKind::kRelease:
@@ -123,8 +124,7 @@ class Follower {
   void note_forces(const ContactPhase<double>& phase, double s) {
     observed_.forces.setZero(static_cast<Eigen::Index>(system_.stops.size()));
     for (const int i : phase.closed())
-      observed_.forces[i] = phase.force_at(i, phase.start_phase() + motion_.flow().frequency() * s,
-                                           observed_.q, observed_.qdot);
+      observed_.forces[i] = phase.force_at(i, s, observed_.q, observed_.qdot);
     for (const int i : phase.springs().loaded) {
       const RigidStop& stop = system_.stops[static_cast<std::size_t>(i)];
       observed_.forces[i] =

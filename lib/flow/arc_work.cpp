@@ -229,6 +229,7 @@ Work work_on_springs(const System& system, const ContactPhase<double>& phase, do
   if (system.load)
     work.load = system.load->dot(phase.closed().empty() ? works.moved
                                                         : Vector(phase.basis() * works.moved));
+  if (phase.turns()) work.load = works.weight;
   work.forcing = works.forcing;
   work.constraint = works.constraint;
   work.dissipation = works.dissipation;
@@ -239,7 +240,7 @@ Work work_on_springs(const System& system, const ContactPhase<double>& phase, do
 }  // namespace
 
 Work work_along(const System& system, const ContactPhase<double>& phase, double s) {
-  if (!phase.springs().empty()) return work_on_springs(system, phase, s);
+  if (!phase.springs().empty() || phase.turns()) return work_on_springs(system, phase, s);
   Work work;
   if (system.load) {
     const Eigen::Index n = system.modes();

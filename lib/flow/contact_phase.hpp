@@ -36,8 +36,9 @@ struct PhaseSprings {
 };
 
 // Of a step, against the speed of the contact (sprung_rates.hpp): a contact costs some thousand
-// evaluations, and its error is that of a rounded impact.
-inline constexpr double kContactTolerance = 1e-13;
+// evaluations, and its error is that of a rounded impact. And of a structure that turns, against
+// its own: over some ten thousand steps the energy keeps eleven digits.
+inline constexpr double kContactTolerance = 1e-14;
 
 template <class Real>
 class ContactPhase {
@@ -45,8 +46,10 @@ class ContactPhase {
   // `closed`: indices of stops with linearly independent rows. `steps`: the motion is integrated
   // step by step (double only); absent: it is exact.
   // `springs`: they are integrated step by step in any case (double only).
+  // `joint`: of a hub with friction, and its angle where it is held, rad.
   ContactPhase(const System& system, const std::vector<int>& closed,
-               const std::optional<StepSetting>& steps = {}, const PhaseSprings& springs = {});
+               const std::optional<StepSetting>& steps = {}, const PhaseSprings& springs = {},
+               Joint joint = Joint::kFree, double angle = 0.0);
   ContactPhase(const ContactPhase&) = delete;  // the arc refers to the flow beside it
   ContactPhase& operator=(const ContactPhase&) = delete;
 
@@ -57,7 +60,10 @@ class ContactPhase {
   const PhaseSprings& springs() const { return springs_; }
   // At the next start, m: of the loaded springs, then of the parted ones.
   void set_depths(const std::vector<double>& depths) { depths_ = depths; }
-  // Flights are to be cut to this, s; infinite but for matrix exponentials.
+  // And, s, of a structure that turns.
+  void set_time(double time) { time_ = time; }
+  // Flights are to be cut to this, s; infinite but for matrix exponentials, and for a torque that
+  // is smooth no longer.
   Real longest_flight() const;
 
   void start(const Real& theta, const RealVector<Real>& q, const RealVector<Real>& qdot);
@@ -81,9 +87,23 @@ class ContactPhase {
   // this departure where that is a zero (watch()); the grip, or the lack of it.
   const Watch& depth_watch(std::size_t spring, int multiplicity, double departure);
   const Watch& grip_watch(std::size_t spring) const { return grip_watches_[spring]; }
-  // The force now, at forcing phase theta.
-  Real force_at(int stop, const Real& theta, const RealVector<Real>& q,
+  // And at a joint with friction that turns: its rate in the direction in which it does, until it
+  // stands still; that is held: what is left of the friction against being turned forward and back.
+  // Starting from rest, the joint leaves it as told: see watch().
+  const std::vector<Watch>& joint_watches(int multiplicity, double departure);
+  // The torque of a joint that is held, at the start, N m: what turns it is positive.
+  double joint_torque_at_start() const;
+  // Acceleration of the hub at the start, rad/s^2, its rounding, and its rate.
+  CurvePoint<double> hub_acceleration_at_start() const;
+  // The force of a closed stop at a state, s seconds after the start.
+  Real force_at(int stop, const Real& s, const RealVector<Real>& q,
                 const RealVector<Real>& qdot) const;
+  // At the start of the arc, a derivative of the gap of an open stop with its rounding; order 1..3.
+  CurvePoint<Real> gap_rate(int stop, int order);
+  // Of a closed stop of a structure that turns, N/s.
+  double force_rate_at_start(int stop) const;
+  // Of a structure that turns: no curve is known of it ahead.
+  bool turns() const { return sprung_ && sprung_->turning; }
 
   // Forcing phase at the start of the arc, rad.
   Real start_phase() const;
@@ -113,14 +133,33 @@ class ContactPhase {
   void step_by(const StepSetting& setting);
   void spring_by(const System& system, const std::optional<StepSetting>& steps);
   SprungSystem sprung_system(const System& system) const;
+  Turning turning(const System& system) const;
+  // Where springs act or the structure turns: of a closed stop, N.
+  double sprung_force_at(int stop, double s, const Vector& q, const Vector& qdot) const;
+  // By loaded springs, on all coordinates, N, and at the start its rate, N/s.
+  Vector spring_push(const Vector& q, const Vector& qdot) const;
+  Vector spring_push_rate(const Vector& acceleration) const;
+  CurvePoint<Real> turning_gap_rate(int stop, int order) const;
   void add_powers(const System& system, SprungSystem& sprung) const;
   void add_watches(const Vector& scale);
   void start_steps(double theta, const Vector& q, const Vector& qdot);
   void step_state(double s, Vector& q, Vector& qdot) const;
 
+  System with_joint_held(const System& system, double angle) const;
+  void watch_joint(double friction);
+  struct AtStart {
+    Vector force, acceleration, force_rate, jerk;
+  };
+  AtStart at_start() const;
+
   std::vector<int> closed_;
+  std::vector<int> holds_;  // these and, after all stops, a joint that is held
   PhaseSprings springs_;
   std::vector<double> depths_;
+  double time_ = 0.0;
+  Vector start_q_, start_qdot_;     // of a structure that turns
+  std::vector<Vector> whole_rows_;  // b of every stop where springs act or the structure turns
+  std::vector<double> gaps_;        // beside them, m
   std::string refusal_;
   RealMatrix<Real> rows_, directions_;  // B, D: N x closed
   RealVector<Real> held_;               // q_c; empty in free flight
@@ -141,6 +180,8 @@ class ContactPhase {
   Vector step_scale_;                                // of the displacements, beside it
   std::vector<Watch> watches_;                       // of every stop, beside it
   std::vector<Watch> depth_watches_, grip_watches_;  // of every spring
+  Joint joint_ = Joint::kFree;
+  std::vector<Watch> joint_watches_;
   RealMatrix<Real> shares_;  // of the closed stops in a free acceleration, N x closed
   RealMatrix<Real> left_;    // left inverse of U that knows nothing of oblique directions; or empty
 };

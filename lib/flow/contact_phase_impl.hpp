@@ -58,16 +58,22 @@ bool is_normal(const RealVector<Real>& row, const RealVector<Real>& direction) {
 }  // namespace contact_phase_detail
 
 template <class Real>
-ContactPhase<Real>::ContactPhase(const System& system, const std::vector<int>& closed,
+ContactPhase<Real>::ContactPhase(const System& given, const std::vector<int>& closed,
                                  const std::optional<StepSetting>& steps,
-                                 const PhaseSprings& springs)
-    : closed_(closed), springs_(springs) {
+                                 const PhaseSprings& springs, Joint joint, double angle)
+    : closed_(closed), holds_(closed), springs_(springs), joint_(joint) {
+  std::optional<System> with_joint;
+  if (joint == Joint::kHeld) {
+    holds_.push_back(static_cast<int>(given.stops.size()));
+    with_joint = with_joint_held(given, angle);
+  }
+  const System& system = with_joint ? *with_joint : given;
   const LinearSystem<Real> full = linear_system<Real>(system);
-  if (closed_.empty()) {
+  if (holds_.empty()) {
     reduced_ = full;
   } else {
-    rows_ = rows_of(system, closed_).template cast<Real>();
-    directions_ = directions_of(system, closed_).template cast<Real>();
+    rows_ = rows_of(system, holds_).template cast<Real>();
+    directions_ = directions_of(system, holds_).template cast<Real>();
     reduce(system, full);
   }
   if (!coupled_flow_) {
@@ -75,26 +81,28 @@ ContactPhase<Real>::ContactPhase(const System& system, const std::vector<int>& c
     arc_.emplace(*flow_);
   }
   RealMatrix<Real> shares;  // columns: lambda_i = share_i.(free acceleration)
-  if (!closed_.empty())
+  if (!holds_.empty())
     shares = rows_ * (rows_.transpose() * directions_).transpose().fullPivLu().inverse();
   for (std::size_t i = 0; i < system.stops.size(); ++i) {
     const RigidStop& stop = system.stops[i];
     const RealVector<Real> row = stop.row.template cast<Real>();
-    const auto found = std::find(closed_.begin(), closed_.end(), static_cast<int>(i));
+    const auto found = std::find(holds_.begin(), holds_.end(), static_cast<int>(i));
     const Observable<Real> observable =
-        found == closed_.end() ? gap_observable<Real>(row, Real(stop.gap))
-                               : force_observable(full, shares.col(found - closed_.begin()),
-                                                  Real(1) / row.squaredNorm());
-    observables_.push_back(closed_.empty() ? observable : reduced_observable(observable));
+        found == holds_.end() ? gap_observable<Real>(row, Real(stop.gap))
+                              : force_observable(full, shares.col(found - holds_.begin()),
+                                                 Real(1) / row.squaredNorm());
+    observables_.push_back(holds_.empty() ? observable : reduced_observable(observable));
   }
   shares_ = shares;
   if constexpr (std::is_same_v<Real, double>) {
-    if (!springs_.empty())
+    if (!springs_.empty() || system.rotation)
       spring_by(system, steps);
     else if (steps)
       step_by(*steps);
   } else if (!springs_.empty()) {
     refusal_ = "a compressed spring is followed in double precision only";
+  } else if (system.rotation) {
+    refusal_ = "a structure on a hub is followed in double precision only";
   }
 }
 
@@ -109,8 +117,7 @@ void ContactPhase<Real>::reduce(const System& system, const LinearSystem<Real>& 
   const RealMatrix<Real> all = qr.householderQ() * RealMatrix<Real>::Identity(n, n);
   RealVector<Real> gaps(k);
   for (Eigen::Index i = 0; i < k; ++i)
-    gaps[i] =
-        Real(system.stops[static_cast<std::size_t>(closed_[static_cast<std::size_t>(i)])].gap);
+    gaps[i] = Real(system.stops[static_cast<std::size_t>(holds_[static_cast<std::size_t>(i)])].gap);
   // The shortest q with B^T q = a.
   held_ = rows_ * (rows_.transpose() * rows_).fullPivLu().solve(gaps);
   basis_ = all.rightCols(m);
@@ -234,6 +241,7 @@ Observable<Real> ContactPhase<Real>::reduced_observable(const Observable<Real>& 
 
 template <class Real>
 Real ContactPhase<Real>::longest_flight() const {
+  if (turns()) return Real(sprung_->turning->structure.smooth_for());
   return coupled_flow_ ? Real(coupled_flow_->longest_flight())
                        : std::numeric_limits<Real>::infinity();
 }
@@ -249,7 +257,8 @@ void ContactPhase<Real>::start(const Real& theta, const RealVector<Real>& q,
   if constexpr (std::is_same_v<Real, double>) {
     if (step_flow_) start_steps(theta, q, qdot);
   }
-  if (closed_.empty()) {
+  if (turns()) return;
+  if (holds_.empty()) {
     // What an instant is asked for and the flight from there are one arc.
     if (arc_->starts_at(theta, q, qdot)) return;
     for (KeptCurve& kept : kept_) kept.known = false;
@@ -275,7 +284,7 @@ void ContactPhase<Real>::state(const Real& s, RealVector<Real>& q, RealVector<Re
       return;
     }
   }
-  if (closed_.empty()) {
+  if (holds_.empty()) {
     arc_->state(s, q, qdot);
     return;
   }
@@ -303,6 +312,7 @@ ArcCurve<Real> ContactPhase<Real>::curve(const Observable<Real>& observable, con
 
 template <class Real>
 Real ContactPhase<Real>::start_phase() const {
+  if (turns()) return Real(0);
   if constexpr (std::is_same_v<Real, double>) {
     if (coupled_arc_) return coupled_arc_->start_phase();
   }
@@ -338,9 +348,13 @@ ArcCurve<Real> ContactPhase<Real>::force(int stop, const Real& window) const {
 }
 
 template <class Real>
-Real ContactPhase<Real>::force_at(int stop, const Real& theta, const RealVector<Real>& q,
+Real ContactPhase<Real>::force_at(int stop, const Real& s, const RealVector<Real>& q,
                                   const RealVector<Real>& qdot) const {
+  if constexpr (std::is_same_v<Real, double>) {
+    if (sprung_) return sprung_force_at(stop, s, q, qdot);
+  }
   const RealVector<Real> y = reduced_coordinates(q), ydot = basis_.transpose() * qdot;
+  const Real theta = start_phase() + reduced_.frequency * s;
   return observed<Real>(observables_[static_cast<std::size_t>(stop)], theta, y, ydot).value;
 }
 

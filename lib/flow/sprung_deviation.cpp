@@ -6,7 +6,7 @@
 #include <limits>
 #include <vector>
 
-#include "graze/flow/sprung_rates.hpp"
+#include "graze/flow/sprung_rates_turning_impl.hpp"
 
 namespace graze {
 namespace {

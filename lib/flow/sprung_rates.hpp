@@ -6,10 +6,14 @@
 // the displacements, and errors are told against them. Displacements are counted from the start of
 // the piece, so that a depth does not lose what the displacement has before it. The works follow z,
 // those of the springs per u^2, the others per the square of the largest velocity.
+//
+// A structure that turns (SprungSystem::turning) is integrated here with springs and without; then
+// u is the size of its own motion.
 #pragma once
 
 #include <limits>
 
+#include "graze/base/angle.hpp"
 #include "graze/flow/step_rates.hpp"
 
 namespace graze::step_walk {
@@ -26,9 +30,13 @@ class Sprung {
   Sprung(const SprungSystem& system, double tolerance)
       : system_(system), tolerance_(tolerance), contacts_(system.springs.size()) {}
 
+  // Before begin(): the time, s, where a torque goes by it.
+  void set_time(double time) {
+    if (system_.turning) system_.turning->structure.begin(time);
+  }
   void begin(double theta, const Vector& x, std::span<const double> depths, State& start);
   void operator()(const State& z, State& slope, double s);
-  double observed(const Watch& watch, double s, const State& z) const;
+  double observed(const Watch& watch, double s, const State& z);
   // Rate of change of a watch, per s.
   double rate(const Watch& watch, double s, const State& z);
   void whole(const State& z, Vector& x) const;
@@ -46,7 +54,9 @@ class Sprung {
   double force(std::size_t spring, const State& z) const;
   double force_rate(std::size_t spring, double s, const State& z);
   // The longest step, s, that shows what the force of a parted spring does: one whose damping sets
-  // in within a depth h takes hold there within h/(2 Q v).
+  // in within a depth h takes hold there within h/(2 Q v). And of a structure that turns, a quarter
+  // of its quickest oscillation: between its ends a gap has hardly more than one minimum, which is
+  // looked for.
   double longest_step() const { return longest_step_; }
   // A step to begin with, s: a part of the contact that its error can be told on.
   double first_step(double longest) const {
@@ -61,15 +71,26 @@ class Sprung {
     Vector depth, rate;  // per entry of z
   };
   Eigen::Index modes() const { return system_.load.size(); }
+  // Of a structure that is held in all its coordinates there are none.
+  static double largest_of(const Vector& v) { return v.size() > 0 ? v.cwiseAbs().maxCoeff() : 0.0; }
   Vector times(const Matrix& matrix, const Vector& y) const {
     return matrix.cols() == 1 ? Vector(matrix.col(0).cwiseProduct(y)) : Vector(matrix * y);
   }
   Compression compression_rate(std::size_t spring, const State& slope) const;
   void set_units(double theta, const Vector& velocity, std::span<const double> depths);
   // Where the works are in z: of the forcing, by damping, of what holds, and of the springs.
-  enum Place { kForcing, kDissipation, kConstraint, kSprings };
+  enum Place { kForcing, kWeight, kDissipation, kConstraint, kSprings };
   std::size_t place(std::size_t work) const { return 2 * static_cast<std::size_t>(modes()) + work; }
-  void add_powers(const State& z, const Vector& resistance, double s, State& slope) const;
+  void add_powers(const State& z, const Vector& resistance, double s, State& slope);
+  // Of a structure that turns: its motion in all coordinates, what acts on it beside springs and
+  // stiffness, the inertia that its shape adds, and a force that holds it.
+  void spread(const State& z);
+  void turn(double s, Eigen::Ref<Vector> acceleration, State& slope);
+  void add_inertia(Eigen::Ref<Vector> acceleration) const;
+  void set_turning_units(const Vector& velocity);
+  double hold_force(int hold, double s, const State& z);
+  double hold_rate(int hold, double s, const State& z);
+  Vector spring_push(const State& z) const;
 
   SprungSystem system_;
   double tolerance_;
@@ -85,6 +106,8 @@ class Sprung {
   std::vector<Contact> contacts_;
   State slope_;
   Vector resistance_;
+  Vector y_, ydot_;  // of a structure that turns, in all coordinates
+  Vector angle_;     // its row on those that are left free
 };
 
 inline Sprung::Compression Sprung::compression(std::size_t spring, const State& z) const {
@@ -128,8 +151,9 @@ inline void Sprung::set_units(double theta, const Vector& velocity,
       longest_step_ =
           std::fmin(longest_step_, spring.law.onset_depth / (2.0 * spring.law.onset_sharpness * v));
   }
+  if (system_.turning) set_turning_units(velocity);
   // No error is smaller than the rounding of the velocities.
-  const double rounding = std::numeric_limits<double>::epsilon() * velocity.cwiseAbs().maxCoeff();
+  const double rounding = std::numeric_limits<double>::epsilon() * largest_of(velocity);
   if (tolerance_ > 0.0) unit_ = std::fmax(unit_, 16.0 * rounding / tolerance_);
   if (!(unit_ > 0.0)) unit_ = 1.0;
 }
@@ -144,8 +168,9 @@ inline void Sprung::begin(double theta, const Vector& x, std::span<const double>
   const Vector own = system_.stiffness.cols() == 1 ? Vector(system_.stiffness.col(0))
                                                    : Vector(system_.stiffness.diagonal());
   scale_ = own.cwiseMax(0.0).cwiseSqrt().cwiseMax(contact_frequency_);
+  // What nothing pulls back moves as long as the slowest of the others.
   for (double& w : scale_)
-    if (!(w > 0.0)) w = 1.0;
+    if (!(w > 0.0)) w = system_.turning ? system_.turning->structure.lowest_frequency() : 1.0;
   push_ = (system_.load - times(system_.stiffness, from_)) / unit_;
   force_ = system_.force / unit_;
   stiffness_ = system_.stiffness.cols() == 1
@@ -155,8 +180,9 @@ inline void Sprung::begin(double theta, const Vector& x, std::span<const double>
     const Vector& row = system_.springs[i].row;
     contacts_[i] = {depths[i], unit_ * row.cwiseQuotient(scale_), unit_ * row};
   }
-  const double largest = std::fmax(unit_, velocity.cwiseAbs().maxCoeff());
+  const double largest = std::fmax(unit_, largest_of(velocity));
   work_unit_ = largest * largest;
+  if (system_.turning) angle_ = system_.turning->gathered(system_.turning->structure.angle_row());
   start.assign(place(kSprings) + contacts_.size(), 0.0);
   Eigen::Map<Vector>(start.data() + n, n) = velocity / unit_;
 }
@@ -177,8 +203,13 @@ inline void Sprung::operator()(const State& z, State& slope, double s) {
     resistance_ = system_.damping.col(0).cwiseProduct(velocity);
   else
     resistance_.noalias() = system_.damping * velocity;
-  acceleration -= resistance_;
-  add_powers(z, resistance_, s, slope);
+  if (system_.turning) {
+    spread(z);
+    turn(s, acceleration, slope);
+  } else {
+    acceleration -= resistance_;
+    add_powers(z, resistance_, s, slope);
+  }
   for (std::size_t i = 0; i < contacts_.size(); ++i) {
     const SprungSystem::Spring& spring = system_.springs[i];
     slope[place(kSprings + i)] = 0.0;
@@ -188,15 +219,15 @@ inline void Sprung::operator()(const State& z, State& slope, double s) {
     acceleration -= force * spring.acting;
     slope[place(kSprings + i)] = force * (at.rate / unit_);
   }
+  if (system_.turning) add_inertia(acceleration);
 }
 
-inline void Sprung::add_powers(const State& z, const Vector& resistance, double s,
-                               State& slope) const {
+inline void Sprung::add_powers(const State& z, const Vector& resistance, double s, State& slope) {
   const Eigen::Index n = modes();
   const Eigen::Map<const Vector> velocity(z.data() + n, n);
   const double unit = unit_ * unit_ / work_unit_;
   const auto& powers = system_.powers;
-  slope[place(kForcing)] = slope[place(kConstraint)] = 0.0;
+  slope[place(kForcing)] = slope[place(kWeight)] = slope[place(kConstraint)] = 0.0;
   if (system_.frequency > 0.0)
     slope[place(kForcing)] = unit / unit_ * std::cos(theta_ + system_.frequency * s) *
                              (powers ? powers->forcing : system_.force).dot(velocity);
@@ -212,6 +243,7 @@ inline SprungWorks Sprung::works(const State& z) const {
   SprungWorks works;
   works.moved = unit_ * Eigen::Map<const Vector>(z.data(), modes()).cwiseQuotient(scale_);
   works.forcing = work_unit_ * z[place(kForcing)];
+  works.weight = work_unit_ * z[place(kWeight)];
   works.dissipation = work_unit_ * z[place(kDissipation)];
   works.constraint = work_unit_ * z[place(kConstraint)];
   for (std::size_t i = 0; i < contacts_.size(); ++i)
@@ -234,7 +266,9 @@ inline double Sprung::force_rate(std::size_t spring, double s, const State& z) {
   return own.law.by_depth(at.depth, at.rate) * at.rate + own.law.resistance(at.depth) * rate.rate;
 }
 
-inline double Sprung::observed(const Watch& watch, double s, const State& z) const {
+inline double Sprung::observed(const Watch& watch, double s, const State& z) {
+  if (watch.of_spring == SpringWatch::kHold)
+    return watch.constant + watch.factor * hold_force(watch.spring, s, z);
   if (watch.of_spring != SpringWatch::kNone) {
     const auto i = static_cast<std::size_t>(watch.spring);
     const Compression at = compression(i, z);
@@ -259,6 +293,7 @@ inline double Sprung::observed(const Watch& watch, double s, const State& z) con
 }
 
 inline double Sprung::rate(const Watch& watch, double s, const State& z) {
+  if (watch.of_spring == SpringWatch::kHold) return watch.factor * hold_rate(watch.spring, s, z);
   slope_.resize(z.size());
   (*this)(z, slope_, s);
   if (watch.of_spring != SpringWatch::kNone) {

@@ -1,7 +1,8 @@
 // The motion of a linear system of first order between events, integrated step by step by a method
 // of Boost.Odeint, and the first fall of an observable through zero by what such integrators can
 // see: its sign at the ends of the steps. Where it changes, the zero is refined within the step; a
-// fall and a rise within one step are missed (but of a structure on springs looked for). That is what the exact flow is compared with.
+// fall and a rise within one step are missed (but of a structure on springs looked for). That is
+// what the exact flow is compared with.
 //
 //   x_j' = w_j x_{n+j},   x_{n+j}' = load_j + force_j cos(theta) - 2 delta_j x_{n+j} - k_j x_j
 //
@@ -16,6 +17,7 @@
 
 #include "graze/contact/contact_force.hpp"
 #include "graze/flow/first_order.hpp"
+#include "graze/flow/turning.hpp"
 
 namespace graze {
 
@@ -33,7 +35,8 @@ enum class SpringWatch {
   kNone,
   kDepth,  // of a spring
   kGrip,   // of a spring (ContactForce::grip)
-  kSlack   // minus that
+  kSlack,  // minus that
+  kHold    // constant + weights.x + the force of a hold of a turning structure
 };
 
 // An observable to be watched: constant + weights.x + harmonic cos(theta + its phase), and of
@@ -47,7 +50,9 @@ struct Watch {
   double departure = 0.0;
   Vector force_weights{};  // per spring; empty: none
   SpringWatch of_spring = SpringWatch::kNone;
-  int spring = -1;  // index into SprungSystem::springs
+  int spring = -1;      // index into SprungSystem::springs, or of a hold
+  double factor = 1.0;  // of the force of a hold
+  bool is_told = true;  // its least value is (StepDescent::lowest)
 };
 
 // A structure on compressed springs, on its displacements y and velocities y':
@@ -61,6 +66,7 @@ struct SprungSystem {
     ContactForce law;
     Vector row, acting;  // n
     bool loaded = true;
+    Vector whole_row{};  // on all coordinates of a structure that turns
   };
   // What holds the structure by a force that is not along what it forbids: the force, and with
   // which row it takes power, -against.y' times the force.
@@ -80,12 +86,15 @@ struct SprungSystem {
   double frequency = 0.0;     // of the force, rad/s
   std::vector<Spring> springs;
   std::optional<Powers> powers{};
+  // Then K alone stands above, and everything else but the springs comes from here.
+  std::optional<Turning> turning{};
 };
 
 // Since the start of a piece on springs.
 struct SprungWorks {
   Vector moved;                 // y - y_0
-  double forcing = 0.0;         // J
+  double forcing = 0.0;         // J; of the torque on a hub
+  double weight = 0.0;          // of a structure that turns, J; others count it by what they moved
   double dissipation = 0.0;     // by damping, J
   double constraint = 0.0;      // of what holds the structure, J
   std::vector<double> springs;  // taken by each, kept or lost there, J
@@ -104,8 +113,9 @@ class StepFlow {
  public:
   virtual ~StepFlow() = default;
   // A smooth piece begins: the state at forcing phase theta; s counts from here.
-  // `depths`: of the springs, m.
-  virtual void start(double theta, const Vector& x, std::span<const double> depths = {}) = 0;
+  // `depths`: of the springs, m. `time`: of a structure that turns, s.
+  virtual void start(double theta, const Vector& x, std::span<const double> depths = {},
+                     double time = 0.0) = 0;
   // The first watch to fall through zero within the window, s. Nobody asks beyond `until`, s: up to
   // there the least value is told, and a step that gets beyond it is the last.
   virtual StepDescent first_descent(std::span<const Watch* const> watches, double window,

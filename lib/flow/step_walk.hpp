@@ -13,7 +13,7 @@
 #include <vector>
 
 #include "graze/base/bracketed_zero.hpp"
-#include "graze/flow/sprung_rates.hpp"
+#include "graze/flow/sprung_rates_turning_impl.hpp"
 #include "graze/flow/step_methods.hpp"
 #include "graze/flow/step_rates.hpp"
 
@@ -30,7 +30,8 @@ class WalkingFlow final : public StepFlow {
 
   WalkingFlow(Walk walk, const StopSignal& stop) : walk_(std::move(walk)), stop_(stop) {}
 
-  void start(double theta, const Vector& x, std::span<const double> depths) override {
+  void start(double theta, const Vector& x, std::span<const double> depths, double time) override {
+    if constexpr (kSprung) walk_.rates.set_time(time);
     walk_.rates.begin(theta, x, depths, start_);
     within_ = last_ = start_;
     walk_.begin(start_);
@@ -64,13 +65,14 @@ class WalkingFlow final : public StepFlow {
       for (std::size_t i = 0; i < watches.size(); ++i) {
         const double there = walk_.rates.observed(*watches[i], end, x);
         if (!std::isfinite(there)) return not_finite(found);
-        if (end <= until) found.lowest = std::min(found.lowest, there);
+        if (end <= until && watches[i]->is_told) found.lowest = std::min(found.lowest, there);
         double zero = end;
         if constexpr (kSprung) {
           const double slope = walk_.rates.rate(*watches[i], end, x);
-          const std::optional<double> dip = there > 0.0 && slopes_[i] < 0.0 && slope > 0.0
-                                                ? dip_between(*watches[i], from, end, slope, found)
-                                                : std::nullopt;
+          const std::optional<double> dip =
+              there > 0.0 && slopes_[i] < 0.0 && slope > 0.0
+                  ? dip_between(*watches[i], from, end, slope, until, found)
+                  : std::nullopt;
           slopes_[i] = slope;
           if (there > 0.0 && !dip) continue;
           zero = dip ? *dip : locate(*watches[i], from, end, there, found.values);
@@ -153,7 +155,7 @@ class WalkingFlow final : public StepFlow {
   // The fall through zero of a watch that is positive at both ends of (from, end], but falls at the
   // first and rises at the second.
   std::optional<double> dip_between(const Watch& watch, double from, double end, double slope,
-                                    StepDescent& found) {
+                                    double until, StepDescent& found) {
     const auto slope_at = [&](double s) {
       walk_.between(s, within_);
       return walk_.rates.rate(watch, s, within_);
@@ -164,6 +166,7 @@ class WalkingFlow final : public StepFlow {
     walk_.between(least, within_);
     const double value = walk_.rates.observed(watch, least, within_);
     found.values += 1;
+    if (least <= until && watch.is_told) found.lowest = std::min(found.lowest, value);
     if (value > 0.0) return {};
     return locate(watch, from, least, value, found.values);
   }

@@ -40,18 +40,21 @@ std::optional<ClosedChatter<Real>> Motion<Real>::close_chatter(int i, const Real
   if (!(restitution < 1) || !(stop(i).restitution.at_rest() < 1) || !(leaving > 0)) return {};
   for (const int j : order_)
     if (j != i && contact(j) != Contact::kClear && contact(j) != Contact::kClosed) return {};
-  const CurvePoint<Real> now = start_phase().gap(i, Real(0), true).at(Real(0), 2);
+  const CurvePoint<Real> now = start_phase().gap_rate(i, 2);
   const Real push = -now.value;
   if (!(push > now.noise)) return {};
   const Real duration = 2 * leaving / (push * (1 - restitution));
-  const CurvePoint<Real> ahead = phase_->gap(i, duration, true).at(Real(0), 2);
+  // Of a structure that turns no more is known ahead than how the push changes now.
+  const CurvePoint<Real> ahead = turning_ ? now : phase_->gap(i, duration, true).at(Real(0), 2);
   if (!(duration * (abs(ahead.slope) + ahead.bound * duration) <= push / 2)) return {};
   if (!is_quiet(*phase_, {i}, duration)) return {};
+  if (has_friction() && !turns_on(duration)) return {};
   // What the tail's impulses add up to: the part of the push that the closed stop would have taken,
   // less the speed at which the structure leaves.
   std::vector<int> stops = closed();
   stops.push_back(i);
   now_.qdot = at_rest_on(stops).second;
+  look_at_joint();
   return settled(stops, duration);
 }
 
@@ -59,13 +62,38 @@ std::optional<ClosedChatter<Real>> Motion<Real>::close_chatter(int i, const Real
 // released.
 template <class Real>
 bool Motion<Real>::is_quiet(const ContactPhase<Real>& phase, const std::vector<int>& chattering,
-                            const Real& duration) const {
+                            const Real& duration) {
   for (const int j : order_) {
     if (std::find(chattering.begin(), chattering.end(), j) != chattering.end()) continue;
+    if (turning_) {
+      if (!is_quiet_meanwhile(j, duration)) return false;
+      continue;
+    }
     const FirstZero<Real> zero = contact(j) == Contact::kClosed
                                      ? first_release(phase.force(j, duration))
                                      : first_contact(phase.gap(j, duration, false), 0);
     if (zero.kind != ZeroKind::kNone) return false;
+  }
+  return true;
+}
+
+// The same of one stop of a structure that turns, by what its gap or force does now, doubled.
+template <class Real>
+bool Motion<Real>::is_quiet_meanwhile(int j, const Real& duration) {
+  using std::abs;
+  if (contact(j) == Contact::kClosed) {
+    if constexpr (std::is_same_v<Real, double>)
+      return force(j) > 2 * duration * abs(phase_->force_rate_at_start(j));
+  }
+  return gap(j) > 2 * duration * (abs(approach_speed(j)) + duration * abs(free_push(j)));
+}
+
+// Whether a hub with friction goes on turning as it does, impacts or no.
+template <class Real>
+bool Motion<Real>::turns_on(const Real& duration) const {
+  if constexpr (std::is_same_v<Real, double>) {
+    const double rate = std::abs(turning_->rate(now_.qdot));
+    return rate > 2.0 * duration * std::abs(turning_->rate(free_acceleration()));
   }
   return true;
 }
@@ -127,6 +155,7 @@ std::vector<int> Motion<Real>::chattering_together(const Real& closure_speed) co
 template <class Real>
 std::optional<ClosedChatter<Real>> Motion<Real>::close_shared(const Real& closure_speed) {
   using std::abs;
+  if (turning_) return {};  // no curve of it is known ahead
   const std::vector<int> stops = chattering_together(closure_speed);
   if (stops.empty()) return {};
   ContactPhase<Real>& held = phase_of(stops);

@@ -40,7 +40,7 @@ std::optional<Arrival<Real>> Motion<Real>::decide() {
       resting.push_back(i);
       continue;
     }
-    const CurvePoint<Real> rate = phase.gap_along(i, Real(0), true).at(Real(0), 1);
+    const CurvePoint<Real> rate = phase.gap_rate(i, 1);
     // The phase forgets what closed stops leave of the velocities: rounding of b.q'.
     // And the instant is known to its rounding, in which a push changes the speed: at the end of a
     // chatter, where nothing else moves, this is what is left of it.
@@ -76,7 +76,7 @@ std::optional<Arrival<Real>> Motion<Real>::decide() {
 template <class Real>
 Real Motion<Real>::unseen_speed(int i) const {
   using std::sqrt;
-  if (!steps_ && !is_sprung()) return 0;
+  if (!steps_ && !is_sprung() && !turning_) return 0;
   const Real push = free_push(i);
   if (!(push > 0)) return 0;
   return sqrt(2 * push * gap_value(stop(i).row, now_.q, stop(i).gap).rounding);
@@ -85,6 +85,9 @@ Real Motion<Real>::unseen_speed(int i) const {
 // Without any rigid stop. `size`: of the terms that are summed.
 template <class Real>
 RealVector<Real> Motion<Real>::free_acceleration(RealVector<Real>* size) const {
+  if constexpr (std::is_same_v<Real, double>) {
+    if (turning_) return turning_acceleration(size);
+  }
   const Eigen::Index n = now_.q.size();
   RealVector<Real> acceleration(n);
   if (size) size->resize(n);
@@ -93,6 +96,63 @@ RealVector<Real> Motion<Real>::free_acceleration(RealVector<Real>* size) const {
     acceleration[j] = free_acceleration(j, cosine, size ? &(*size)[j] : nullptr);
   if (!compliant_.empty()) add_spring_forces(acceleration, size);
   return acceleration;
+}
+
+template <class Real>
+Vector Motion<Real>::turning_acceleration(Vector* size) const {
+  Vector acceleration;
+  if constexpr (std::is_same_v<Real, double>) {
+    turning_->begin(now_.instant.local);
+    const TurningMotion at{now_.q, now_.qdot};
+    Vector force = turning_->force(at, 0.0);
+    if (size) *size = turning_->force_size(at, 0.0);
+    if (!compliant_.empty()) add_spring_forces(force, size);
+    acceleration = turning_->accelerated(force, now_.q);
+    if (now_.joint == Joint::kHeld) hold_joint(acceleration);
+  }
+  return acceleration;
+}
+
+// What of an acceleration a joint leaves that does not turn.
+template <class Real>
+void Motion<Real>::hold_joint(Vector& acceleration) const {
+  const Vector& row = turning_->angle_row();
+  if constexpr (std::is_same_v<Real, double>) {
+    const Vector along = turning_->accelerated(row, now_.q);
+    acceleration -= (row.dot(acceleration) / row.dot(along)) * along;
+  }
+}
+
+// How a force at each of these stops acts on the push at each; unlike an impulse it does not turn a
+// joint that is held.
+template <class Real>
+RealMatrix<Real> Motion<Real>::pressing(const std::vector<int>& stops) const {
+  Matrix_ matrix = delassus(stops);
+  if constexpr (std::is_same_v<Real, double>) {
+    if (!turning_ || now_.joint != Joint::kHeld) return matrix;
+    for (std::size_t b = 0; b < stops.size(); ++b) {
+      Vector direction = stop(stops[b]).direction;
+      hold_joint(direction);
+      for (std::size_t a = 0; a < stops.size(); ++a)
+        matrix(static_cast<Eigen::Index>(a), static_cast<Eigen::Index>(b)) =
+            stop(stops[a]).row.dot(direction);
+    }
+  }
+  return matrix;
+}
+
+// d = M^-1 b/(b.M^-1 b): an impulse along b, which at this shape changes the approach speed by 1.
+template <class Real>
+void Motion<Real>::turn_directions() {
+  if constexpr (std::is_same_v<Real, double>) {
+    if (!turning_) return;
+    for (Stop& stop : stops_) {
+      if (stop.spring) continue;
+      stop.direction = turning_->accelerated(stop.row, now_.q);
+      stop.direction /= stop.row.dot(stop.direction);
+      stop.norm2 = 0.0;
+    }
+  }
 }
 
 template <class Real>
@@ -116,6 +176,7 @@ Real Motion<Real>::forcing_cosine() const {
 
 template <class Real>
 Real Motion<Real>::free_push(int i) const {
+  if (turning_) return stop(i).row.dot(free_acceleration());
   const Real cosine = forcing_cosine();
   Real push = 0;
   for (Eigen::Index j = 0; j < now_.q.size(); ++j)
@@ -147,7 +208,7 @@ bool Motion<Real>::decide_resting(const std::vector<int>& resting) {
     push[a] = s.row.dot(acceleration);
     rounding[a] = push_rounding(candidates[static_cast<std::size_t>(a)], size);
   }
-  const Matrix_ shares = delassus(candidates);
+  const Matrix_ shares = pressing(candidates);
   const std::optional<RealVector<Real>> held = solve_contacts(shares, push, rounding);
   if (!held) return false;
   const RealVector<Real> into = push - shares * *held;
@@ -178,8 +239,8 @@ std::vector<int> Motion<Real>::decide_degenerate(std::vector<int> held, std::vec
     if (!is_independent(i, held)) return true;  // kept there by others
     ContactPhase<Real>& phase = phase_of(held);
     if (!phase.refusal().empty()) return true;
-    phase.start(clock_.phase(now_.instant), now_.q, now_.qdot);
-    const CurvePoint<Real> jerk = phase.gap(i, Real(0), true).at(Real(0), 3);
+    start_at_now(phase);
+    const CurvePoint<Real> jerk = phase.gap_rate(i, 3);
     return !(jerk.value > jerk.noise);
   };
   // Each pass keeps one more, so there are no more passes than stops.
@@ -235,6 +296,7 @@ void Motion<Real>::rest_on_closed() {
   for (std::size_t a = 0; a < stops.size(); ++a)
     speeds[static_cast<Eigen::Index>(a)] = approach_speed(stops[a]);
   push_back_from(stops, delassus(stops).partialPivLu().solve(speeds));
+  look_at_joint();
 }
 
 }  // namespace graze

@@ -2,8 +2,9 @@
 //
 //   start + forcing + load + constraint + impacts + contact - dissipation = now,
 //
-// where energy is (|q'|^2 + |w q|^2)/2, relative to the clamp, without that of compressed stops. Every entry is computed on its own,
-// so the book closes only if all of them are right.
+// where energy is (|q'|^2 + |w q|^2)/2, relative to the clamp, without that of compressed stops; of
+// a structure on a hub (q'.M q' + |w q|^2)/2, forcing being its torque and load its weight. Every
+// entry is computed on its own, so the book closes only if all of them are right.
 #pragma once
 
 #include <cmath>
@@ -15,6 +16,9 @@
 namespace graze {
 
 double mechanical_energy(const System& system, const Vector& q, const Vector& qdot);
+// Change of its kinetic part by a jump of the velocities at q, J.
+double kinetic_change(const System& system, const Vector& q, const Vector& before,
+                      const Vector& after);
 
 struct EnergyBook {
   double start = 0.0, now = 0.0;
@@ -46,7 +50,8 @@ struct ImpactEnergy {
   std::vector<Hit> hits;
 };
 void impact_energy(const System& system, const std::vector<ImpactShare<double>>& shares,
-                   const Vector& before, const Vector& after, ImpactEnergy& energy);
+                   const Vector& q, const Vector& before, const Vector& after,
+                   ImpactEnergy& energy);
 
 // Change of the mechanical energy by a sudden one of the state, and what the forces at forcing
 // phase theta (rad) do along its displacement; J.

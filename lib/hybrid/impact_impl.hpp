@@ -47,6 +47,7 @@ void Motion<Real>::impact_alone(int i) {
   push_back(s, left);
   set(i, Contact::kTouching);
   shares_.assign(1, {i, speed, target, impulse + left, true});
+  look_at_joint();
 }
 
 template <class Real>
@@ -91,6 +92,7 @@ const std::vector<ImpactShare<Real>>& Motion<Real>::impact() {
   }
   if (shares_.size() == 1) shares_.front().hit = true;
   phase_ = nullptr;
+  look_at_joint();
   return shares_;
 }
 

@@ -37,6 +37,7 @@ enum class ArrivalKind {
   kEntry,       // a spring is compressed from now on
   kSeparation,  // the force of a compressed spring is gone
   kLeft,        // the surface of a stop whose force was gone before
+  kJoint,       // a hub's joint with friction stands still, or is turned again
   kUndecided,   // the search for an event used up its evaluations
   kNotFinite,   // the state left the range of the scalar
   kRefused      // the motion on the stop cannot be followed; see refusal()
@@ -53,6 +54,7 @@ struct Arrival {
   std::optional<Real> lowest{};
   // Separation: the force is gone below the surface of the stop, which is left later.
   bool below = false;
+  bool forward = false;  // joint: what has held it is turned forward
 };
 
 // How a stop stands to the structure at one instant.
@@ -94,6 +96,7 @@ struct MotionState {
   // The speed left in a shared chatter that could not be summed, m/s; 0: there was none. It is
   // looked at again at half of it.
   Real unsummed = 0;
+  Joint joint = Joint::kFree;  // of a hub with friction
 };
 
 template <class Real>
@@ -155,10 +158,7 @@ class Motion {
   // The gap at a stop along the arc that starts now, for `window` seconds; holds until it is flown.
   const ArcCurve<Real>& gap_ahead(int stop, const Real& window);
   // Contact force of a closed stop at the present instant, N.
-  Real force(int stop) {
-    return phase_of(closed(), springs())
-        .force_at(stop, clock_.phase(now_.instant), now_.q, now_.qdot);
-  }
+  Real force(int stop) { return start_phase().force_at(stop, Real(0), now_.q, now_.qdot); }
   // gap - row.q at the present instant.
   Real gap(int stop) const;
   // Approach speed row.q' at the present instant.
@@ -177,6 +177,13 @@ class Motion {
     ArrivalKind kind;
     int stop;
   };
+  static constexpr int kJoint = -1;  // in place of a stop
+  struct PhaseKey {
+    std::vector<int> closed;
+    PhaseSprings springs;
+    Joint joint = Joint::kFree;
+    auto operator<=>(const PhaseKey&) const = default;
+  };
 
   void adopt(const System& system);
   const Stop& stop(int i) const { return stops_[static_cast<std::size_t>(i)]; }
@@ -188,6 +195,12 @@ class Motion {
   // What of the approach speed may be rounding, m/s.
   Real speed_rounding(int i) const;
   RealVector<Real> free_acceleration(RealVector<Real>* size = nullptr) const;
+  // Of a structure that turns; its torque is that of the present instant.
+  Vector turning_acceleration(Vector* size) const;
+  void hold_joint(Vector& acceleration) const;
+  Matrix_ pressing(const std::vector<int>& stops) const;
+  // Directions of impulses at the present shape of a structure that turns.
+  void turn_directions();
   Real free_acceleration(Eigen::Index mode, const Real& cosine, Real* size) const;
   Real forcing_cosine() const;
   // Speed, m/s, at which a motion integrated step by step cannot leave a stop that it is pushed on.
@@ -203,11 +216,13 @@ class Motion {
   Real depth(int stop) const;
   void begin_springs();
   void decide_springs();
+  int departure_from_rest(int stop);
   void compress(int stop);
   void arrive_at_spring(Arrival<Real>& arrival);
   // Of the acceleration, by the springs that are compressed.
   void add_spring_forces(RealVector<Real>& acceleration, RealVector<Real>* size) const;
   ContactPhase<Real>& start_phase();
+  void start_at_now(ContactPhase<Real>& phase) const;
 
   // D: how the impulse of each of these stops acts on the approach speed at each.
   Matrix_ delassus(const std::vector<int>& stops) const;
@@ -251,7 +266,8 @@ class Motion {
   void apply(const std::vector<int>& touched, const RealVector<Real>& target,
              RealVector<Real>& impulse);
   bool is_quiet(const ContactPhase<Real>& phase, const std::vector<int>& chattering,
-                const Real& duration) const;
+                const Real& duration);
+  bool is_quiet_meanwhile(int stop, const Real& duration);
   Real resolved_speed() const;
   std::vector<int> chattering_together(const Real& closure_speed) const;
   std::optional<ClosedChatter<Real>> close_shared(const Real& closure_speed);
@@ -268,6 +284,13 @@ class Motion {
     bool below = false;
   };
   void watch_springs(ContactPhase<Real>& phase, std::vector<Watched>& list) const;
+  bool has_friction() const { return turning_ && system_.rotation->friction; }
+  void set_joint(Joint joint);
+  void look_at_joint();
+  bool turns_on(const Real& duration) const;
+  void stop_joint();
+  void watch_joint(ContactPhase<Real>& phase, std::vector<Watched>& list) const;
+  void arrive_at_joint(bool forward);
   Arrival<Real> arrive(Arrival<Real> arrival, const Real& until);
   void settle_on(int stop, const Real& flight);
   void touch_simultaneous(const Real& flight);
@@ -276,11 +299,12 @@ class Motion {
   const std::optional<StepSetting> steps_;
   ExactFlow<Real> clock_;
   LinearSystem<Real> linear_;
+  mutable std::optional<TurningStructure> turning_;
   std::vector<Stop> stops_;
   // In which rigid stops are looked at: the same however they are listed; then the compliant ones.
   std::vector<int> order_, compliant_, all_;
   MotionState<Real> now_, departure_;
-  std::map<std::pair<std::vector<int>, PhaseSprings>, std::unique_ptr<ContactPhase<Real>>> phases_;
+  std::map<PhaseKey, std::unique_ptr<ContactPhase<Real>>> phases_;
   ContactPhase<Real>* phase_ = nullptr;  // of the closed stops; null until it is looked up
   ContactPhase<Real>* flown_ = nullptr;
   bool undecided_ = false;  // some stop is touching

@@ -11,6 +11,7 @@
 #include "graze/hybrid/contact_decision_impl.hpp"
 #include "graze/hybrid/first_zero.hpp"
 #include "graze/hybrid/impact_impl.hpp"
+#include "graze/hybrid/joint_impl.hpp"
 #include "graze/hybrid/motion.hpp"
 #include "graze/hybrid/spring_contact_impl.hpp"
 #include "graze/hybrid/step_search_impl.hpp"
@@ -40,9 +41,11 @@ Motion<Real>::Motion(const System& system, const Instant<Real>& instant, const R
   adopt(system);
   now_ = {instant, q, qdot, std::vector<Contact>(stops_.size(), Contact::kClear),
           std::vector<int>(stops_.size(), 0)};
+  turn_directions();
   for (const int i : order_)
     if (touches(i)) set(i, Contact::kTouching);
   begin_springs();
+  look_at_joint();
 }
 
 template <class Real>
@@ -54,6 +57,8 @@ Motion<Real>::Motion(const System& system, const MotionState<Real>& state,
       linear_(linear_system<Real>(system)),
       now_(state) {
   adopt(system);
+  turn_directions();
+  if (turning_) turning_->set_joint(now_.joint);
   undecided_ = std::any_of(now_.contacts.begin(), now_.contacts.end(),
                            [](Contact c) { return c == Contact::kTouching; });
   recheck_ = undecided_;
@@ -74,6 +79,7 @@ void Motion<Real>::adopt(const System& system) {
   });
   all_ = order_;
   all_.insert(all_.end(), compliant_.begin(), compliant_.end());
+  if (system.rotation) turning_.emplace(system);
 }
 
 template <class Real>
@@ -106,8 +112,12 @@ bool Motion<Real>::is_closed_anywhere() const {
 template <class Real>
 ContactPhase<Real>& Motion<Real>::phase_of(const std::vector<int>& closed,
                                            const PhaseSprings& springs) {
-  std::unique_ptr<ContactPhase<Real>>& phase = phases_[{closed, springs}];
-  if (!phase) phase = std::make_unique<ContactPhase<Real>>(system_, closed, steps_, springs);
+  std::unique_ptr<ContactPhase<Real>>& phase = phases_[{closed, springs, now_.joint}];
+  if (phase) return *phase;
+  const double angle = now_.joint == Joint::kHeld
+                           ? system_.rotation->angle.dot(now_.q.template cast<double>())
+                           : 0.0;
+  phase = std::make_unique<ContactPhase<Real>>(system_, closed, steps_, springs, now_.joint, angle);
   return *phase;
 }
 
@@ -120,8 +130,14 @@ ContactPhase<Real>& Motion<Real>::start_phase() {
     for (const int i : phase_->springs().parted) depths.push_back(static_cast<double>(depth(i)));
     phase_->set_depths(depths);
   }
-  phase_->start(clock_.phase(now_.instant), now_.q, now_.qdot);
+  start_at_now(*phase_);
   return *phase_;
+}
+
+template <class Real>
+void Motion<Real>::start_at_now(ContactPhase<Real>& phase) const {
+  if (turning_) phase.set_time(static_cast<double>(now_.instant.local));
+  phase.start(clock_.phase(now_.instant), now_.q, now_.qdot);
 }
 
 template <class Real>
@@ -237,7 +253,7 @@ Arrival<Real> Motion<Real>::search(const Real& until, const Real& horizon) {
 template <class Real>
 long long Motion<Real>::step_evaluations() const {
   long long sum = 0;
-  for (const auto& [closed, phase] : phases_)
+  for (const auto& [key, phase] : phases_)
     if (phase->step_flow() != nullptr) sum += phase->step_flow()->evaluations();
   return sum;
 }
@@ -253,6 +269,7 @@ Arrival<Real> Motion<Real>::arrive(Arrival<Real> arrival, const Real& until) {
     for (const int i : all_)
       if (contact(i) == Contact::kDeparting)
         set(i, touches(i) ? Contact::kTouching : Contact::kClear);
+    turn_directions();
   }
   now_.instant.local = whole ? until : Real(now_.instant.local + arrival.flight);
   if (now_.instant.local >= clock_.period()) {
@@ -270,6 +287,9 @@ Arrival<Real> Motion<Real>::arrive(Arrival<Real> arrival, const Real& until) {
     return arrival;
   }
   switch (arrival.kind) {
+    case ArrivalKind::kJoint:
+      arrive_at_joint(arrival.forward);
+      break;
     case ArrivalKind::kContact:
       // A gap that touches zero without approaching has nothing to undo: a grazing from outside, or
       // a point within rounding of one.

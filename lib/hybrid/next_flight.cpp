@@ -42,6 +42,7 @@ std::string failure_of(const Motion<double>& motion, const Arrival<double>& arri
     case ArrivalKind::kEntry:
     case ArrivalKind::kSeparation:
     case ArrivalKind::kLeft:
+    case ArrivalKind::kJoint:
       break;
   }
   return "";

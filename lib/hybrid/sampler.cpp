@@ -21,8 +21,7 @@ bool Sampler::hand_out(Motion<double>& motion, double start_time, double flight,
     sample.forces.assign(system_.stops.size(), 0.0);
     for (const int i : phase.closed())
       sample.forces[static_cast<std::size_t>(i)] =
-          steps ? phase.force_at(i, phase.start_phase() + motion.flow().frequency() * s,
-                                 sample.state.q, sample.state.qdot)
+          steps ? phase.force_at(i, s, sample.state.q, sample.state.qdot)
                 : phase.force(i, flight).at(s, 0).value;
     for (const int i : phase.springs().loaded) {
       const RigidStop& stop = system_.stops[static_cast<std::size_t>(i)];

@@ -97,9 +97,10 @@ class Run {
     // Until the first contact the smallest gap is not known to be zero and has to be looked for.
     const bool untouched =
         state_.totals.impacts == 0 && !motion_.is_closed_anywhere() && !motion_.is_sprung();
-    if (untouched && !options_.steps) note_minima(flight.until - start.local);
+    if (untouched && !options_.steps && !system_.rotation) note_minima(flight.until - start.local);
     const Arrival<double> arrival = motion_.fly(flight.until, flight.horizon);
-    if (options_.steps && arrival.kind == ArrivalKind::kUndecided && !within_budget(true))
+    if ((options_.steps || system_.rotation) && arrival.kind == ArrivalKind::kUndecided &&
+        !within_budget(true))
       return false;
     if (untouched && arrival.lowest && std::isfinite(*arrival.lowest))
       note_gap(std::max(*arrival.lowest, 0.0));
@@ -120,8 +121,7 @@ class Run {
     if (options_.energy) before_.qdot = motion_.qdot();
     const Arrival<double> news = motion_.fly(now.local);
     if (options_.energy)
-      state_.book.impacts +=
-          0.5 * (motion_.qdot() - before_.qdot).dot(motion_.qdot() + before_.qdot);
+      state_.book.impacts += kinetic_change(system_, motion_.q(), before_.qdot, motion_.qdot());
     return news;
   }
 
@@ -146,6 +146,7 @@ class Run {
     switch (arrival.kind) {
       case ArrivalKind::kTime:
       case ArrivalKind::kLeft:
+      case ArrivalKind::kJoint:
         if (listeners_.progress) listeners_.progress(fraction());
         note_gaps();
         return true;
@@ -229,7 +230,7 @@ class Run {
   void book_impact() {
     before_.qdot = motion_.qdot();
     const std::vector<ImpactShare<double>>& shares = motion_.impact();
-    impact_energy(system_, shares, before_.qdot, motion_.qdot(), impact_energy_);
+    impact_energy(system_, shares, motion_.q(), before_.qdot, motion_.qdot(), impact_energy_);
     book_energy(impact_energy_.total);
     for (const ImpactEnergy::Hit& hit : impact_energy_.hits) book_hit(hit.share, hit.change);
     close_chatter(shares);

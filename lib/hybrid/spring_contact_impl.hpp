@@ -83,13 +83,28 @@ void Motion<Real>::decide_springs() {
       set(i, Contact::kDeparting, 1);
       continue;
     }
-    if (!(speed > rounding) && free_push(i) < 0) {
-      set(i, Contact::kDeparting, 2);
-      continue;
+    if (!(speed > rounding)) {
+      if (const int departs = departure_from_rest(i); departs > 0) {
+        set(i, Contact::kDeparting, departs);
+        continue;
+      }
     }
     compress(i);
     changes_.push_back({ArrivalKind::kEntry, i});
   }
+}
+
+// At rest on a surface: how its gap grows, as s^2 or s^3; 0: it is pushed beyond. Where neither push
+// nor its rate says, nothing moves it, and it stays in front of the surface.
+template <class Real>
+int Motion<Real>::departure_from_rest(int i) {
+  using std::abs;
+  RealVector<Real> size;
+  free_acceleration(&size);
+  const Real push = free_push(i);
+  if (abs(push) > push_rounding(i, size)) return push < 0 ? 2 : 0;
+  const CurvePoint<Real> jerk = start_phase().gap_rate(i, 3);
+  return jerk.value < -jerk.noise ? 0 : 3;
 }
 
 // The depth begins at zero where the spring has just been entered: at a speed, or pushed.
@@ -102,8 +117,11 @@ void Motion<Real>::watch_springs(ContactPhase<Real>& phase, std::vector<Watched>
       int multiplicity = 0;
       double departure = 0.0;
       if (depth(i) == 0.0) {
-        multiplicity = speed > speed_rounding(i) ? 1 : 2;
-        departure = multiplicity == 1 ? speed : 0.5 * free_push(i);
+        const double push = free_push(i);
+        multiplicity = speed > speed_rounding(i) ? 1 : push > 0.0 ? 2 : 3;
+        departure = multiplicity == 1   ? speed
+                    : multiplicity == 2 ? 0.5 * push
+                                        : -phase.gap_rate(i, 3).value / 6.0;
       }
       list.push_back({i, &phase.depth_watch(k, multiplicity, departure),
                       loaded ? ArrivalKind::kSeparation : ArrivalKind::kLeft});

@@ -20,12 +20,13 @@ void Motion<Real>::search_by_steps(ContactPhase<Real>& phase, const Real& until,
       if (at == Contact::kLocked || at == Contact::kCompressed || at == Contact::kParted) continue;
       const Watch& watch = phase.watch(i, now_.multiplicities[static_cast<std::size_t>(i)]);
       if (watch.multiplicity > 0 && !(watch.departure > 0.0)) {
-        arrival = {ArrivalKind::kTouch, i, 0.0, 0.0, 0, {}, false};
+        arrival = {ArrivalKind::kTouch, i, 0.0, 0.0, 0, {}, false, false};
         return;
       }
       list.push_back(
           {i, &watch, at == Contact::kClosed ? ArrivalKind::kRelease : ArrivalKind::kContact});
     }
+    watch_joint(phase, list);
     std::vector<const Watch*> watches;
     for (const Watched& watched : list) watches.push_back(watched.watch);
     const StepDescent found =
@@ -45,6 +46,7 @@ void Motion<Real>::search_by_steps(ContactPhase<Real>& phase, const Real& until,
     arrival.stop = met.stop;
     arrival.kind = met.kind;
     arrival.below = met.below;
+    arrival.forward = met.watch->factor < 0.0;
   }
 }
 

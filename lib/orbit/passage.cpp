@@ -165,6 +165,7 @@ class Follower {
       case ArrivalKind::kRelease:
         close_hold(arrival.stop);
         return true;
+      case ArrivalKind::kJoint:  // orbits are those of structures that do not turn
       case ArrivalKind::kUndecided:
       case ArrivalKind::kNotFinite:
       case ArrivalKind::kRefused:

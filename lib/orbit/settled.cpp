@@ -102,6 +102,7 @@ class Settling {
         return true;
       case ArrivalKind::kSeparation:
       case ArrivalKind::kLeft:
+      case ArrivalKind::kJoint:
         return true;
       case ArrivalKind::kRelease:
         contacts_.held = false;

@@ -22,6 +22,22 @@ double reach_at(const System& system, const RigidStop& stop) {
   return std::max(std::abs(stop.gap), forced_reach_at(system, stop));
 }
 
+namespace {
+
+// Largest acceleration at a stop by torque and weight on the structure at rest, m/s^2.
+double hub_push(const Rotation& rotation, const Vector& row) {
+  const double turning = std::abs(rotation.angle.dot(row));
+  double push = 0.0;
+  if (rotation.torque)
+    for (const double torque : rotation.torque->values)
+      push = std::max(push, std::abs(torque) * turning);
+  if (rotation.weight)
+    push += std::abs(rotation.weight->moment) * turning + std::abs(rotation.weight->pull.dot(row));
+  return push;
+}
+
+}  // namespace
+
 double speed_scale(const System& system, const State& start) {
   double scale = 0.0;
   for (const RigidStop& stop : system.stops) {
@@ -37,6 +53,11 @@ double speed_scale(const System& system, const State& start) {
     if (system.load) {
       const double height = distance > 0.0 ? distance : forced;
       scale = std::max(scale, std::sqrt(2.0 * std::abs(stop.row.dot(*system.load)) * height));
+    }
+    if (system.rotation) {
+      // As if all of the torque and of the weight acted on the way to the stop at once.
+      const double push = hub_push(*system.rotation, stop.row);
+      scale = std::max(scale, std::sqrt(2.0 * push * distance));
     }
     const Vector swing = system.omega.cwiseProduct(start.q).cwiseAbs() + start.qdot.cwiseAbs();
     scale = std::max(scale, stop.row.cwiseAbs().dot(swing));

@@ -16,6 +16,7 @@
 #include "graze/base/vector.hpp"
 #include "graze/contact/contact_force.hpp"
 #include "graze/contact/restitution.hpp"
+#include "graze/system/rotation.hpp"
 
 namespace graze {
 
@@ -45,6 +46,10 @@ struct System {
   std::optional<HarmonicForcing> forcing;
   std::vector<RigidStop> stops;
   std::optional<Vector> load;  // constant modal force (gravity), kg^1/2 m/s^2, N
+  // A hub that turns: the coordinates are then those of hub and beam together, N + 1 of them, and
+  // there is no forcing and no load; damping, torque and weight are in here, delta is 0. Directions
+  // are those of the structure at rest in its shape.
+  std::optional<Rotation> rotation{};
 
   int modes() const { return static_cast<int>(omega.size()); }
   // T = 2 pi/frequency, s; requires forcing.
