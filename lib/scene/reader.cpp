@@ -3,10 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cerrno>
-#include <cstring>
-#include <fstream>
-#include <system_error>
 
 #include "graze/scene/check.hpp"
 #include "graze/scene/document.hpp"
@@ -14,7 +10,7 @@
 #include "graze/scene/spring_reader.hpp"
 #include "graze/scene/suggestion.hpp"
 #include "graze/scene/table_reader.hpp"
-#include "graze/scene/text_check.hpp"
+#include "graze/scene/text_file.hpp"
 
 namespace graze {
 namespace {
@@ -250,28 +246,7 @@ Scene parse_scene(const std::string& text, const std::string& name,
 }
 
 Scene read_scene(const std::filesystem::path& file, const std::vector<std::string>& settings) {
-  const std::string name = file.string();
-  std::error_code no_matter;  // what cannot be looked at cannot be opened either
-  if (std::filesystem::is_directory(file, no_matter)) {
-    throw FileError(fmt::format("{}: cannot be read as a scene, it is a directory", name));
-  }
-  errno = 0;
-  std::ifstream stream(file, std::ios::binary);
-  if (!stream) {
-    throw FileError(fmt::format("{}: cannot be read, {}", name,
-                                errno != 0 ? std::strerror(errno) : "it cannot be opened"));
-  }
-  // Anything past the limit tells a text that is too large; an endless stream ends there as well.
-  std::string text;
-  std::vector<char> piece(65536);
-  while (stream && text.size() <= kLargestText) {
-    stream.read(piece.data(), static_cast<std::streamsize>(piece.size()));
-    text.append(piece.data(), static_cast<std::size_t>(stream.gcount()));
-  }
-  if (stream.bad()) {
-    throw FileError(fmt::format("{}: cannot be read to its end", name));
-  }
-  return parse_scene(text, name, settings);
+  return parse_scene(read_text_file(file, "a scene"), file.string(), settings);
 }
 
 }  // namespace graze
