@@ -9,7 +9,6 @@
 #include "graze/report/json.hpp"
 #include "graze/report/pictures.hpp"
 #include "graze/report/text.hpp"
-#include "graze/scene/reader.hpp"
 #include "graze/study/step_choice.hpp"
 #include "resumption.hpp"
 #include "run_output.hpp"
@@ -92,7 +91,7 @@ Simulation run_listened(const System& system, const State& start, const std::opt
 
 int run_simulate(const Command& command) {
   if (!command.plot.empty()) check_picture_name(command.plot);
-  const Scene scene = read_scene(command.scene, command.settings);
+  const Scene scene = scene_of(command);
   SimulationRecord record;
   record.info = run_info(command.name, command.scene, scene);
   record.system = assemble(scene);
