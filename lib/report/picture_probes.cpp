@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <iterator>
 
+#include "graze/assembly/probes.hpp"
+
 namespace graze {
 namespace {
 

@@ -2,6 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <optional>
+#include <utility>
+
 #include "graze/scene/keys.hpp"
 #include "graze/scene/torque_table.hpp"
 #include "graze/scene/value_checker.hpp"

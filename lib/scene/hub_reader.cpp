@@ -1,6 +1,7 @@
 #include "graze/scene/hub_reader.hpp"
 
-#include <fmt/format.h>
+#include <initializer_list>
+#include <string>
 
 #include "graze/scene/table_reader.hpp"
 #include "graze/scene/torque_table.hpp"
