@@ -7,7 +7,6 @@
 #include "graze/flow/contact_phase.hpp"
 #include "graze/report/json.hpp"
 #include "graze/report/text.hpp"
-#include "graze/scene/reader.hpp"
 #include "graze/study/step_choice.hpp"
 #include "session.hpp"
 
@@ -30,7 +29,7 @@ std::vector<std::string> unstable_stops(const System& system) {
 }  // namespace
 
 int run_check(const Command& command) {
-  const Scene scene = read_scene(command.scene, command.settings);
+  const Scene scene = scene_of(command);
   CheckRecord record{run_info(command.name, command.scene, scene),
                      scene,
                      assemble(scene),

@@ -14,7 +14,6 @@
 #include "graze/report/pictures.hpp"
 #include "graze/report/text.hpp"
 #include "graze/scene/parameter.hpp"
-#include "graze/scene/reader.hpp"
 #include "graze/study/step_choice.hpp"
 #include "restart.hpp"
 #include "search_options.hpp"
@@ -89,7 +88,7 @@ void start_from(const Restart& restart, const Command& command, BranchOptions& o
 
 int run_continue(const Command& command) {
   if (!command.plot.empty()) check_picture_name(command.plot);
-  const Scene given = read_scene(command.scene, command.settings);
+  const Scene given = scene_of(command);
   require_exact_flow(given, "branches are traced");
   const std::optional<Restart> restart = read_restart(command, given);
   const Scene& scene = restart ? restart->scene : given;

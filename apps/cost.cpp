@@ -9,7 +9,6 @@
 #include "graze/report/json.hpp"
 #include "graze/report/pictures.hpp"
 #include "graze/report/text.hpp"
-#include "graze/scene/reader.hpp"
 #include "graze/study/step_choice.hpp"
 #include "graze/system/scale.hpp"
 #include "session.hpp"
@@ -37,7 +36,7 @@ ContactOrders contact_orders_of(const System& system, const State& start,
 
 int run_cost(const Command& command) {
   if (!command.plot.empty()) check_picture_name(command.plot);
-  const Scene scene = read_scene(command.scene, command.settings);
+  const Scene scene = scene_of(command);
   CostRecord record;
   record.info = run_info(command.name, command.scene, scene);
   const System system = assemble(scene);

@@ -8,7 +8,6 @@
 #include "graze/report/pictures.hpp"
 #include "graze/report/text.hpp"
 #include "graze/scene/parameter.hpp"
-#include "graze/scene/reader.hpp"
 #include "graze/study/step_choice.hpp"
 #include "restart.hpp"
 #include "search_options.hpp"
@@ -78,7 +77,7 @@ std::optional<Outcome> add_branches(const Command& command, const SystemFamily& 
 
 int run_diagram(const Command& command) {
   if (!command.plot.empty()) check_picture_name(command.plot);
-  const Scene scene = read_scene(command.scene, command.settings);
+  const Scene scene = scene_of(command);
   require_exact_flow(scene, "diagrams are drawn");
   require_forcing_and_stop(scene);
   BranchOptions tracing = branch_options(command);

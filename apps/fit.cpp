@@ -11,7 +11,6 @@
 #include "graze/report/json.hpp"
 #include "graze/report/pictures.hpp"
 #include "graze/report/text.hpp"
-#include "graze/scene/reader.hpp"
 #include "session.hpp"
 
 namespace graze {
@@ -55,7 +54,7 @@ void note_options(const Command& command, const FitOptions& options, RunInfo& in
 
 int run_fit(const Command& command) {
   if (!command.plot.empty()) check_picture_name(command.plot);
-  const Scene scene = read_scene(command.scene, command.settings);
+  const Scene scene = scene_of(command);
   require_exact(scene);
   FitRecord record;
   record.info = run_info(command.name, command.scene, scene);

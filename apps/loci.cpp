@@ -15,7 +15,6 @@
 #include "graze/report/pictures.hpp"
 #include "graze/report/text.hpp"
 #include "graze/scene/parameter.hpp"
-#include "graze/scene/reader.hpp"
 #include "graze/study/step_choice.hpp"
 #include "restart.hpp"
 #include "search_options.hpp"
@@ -126,7 +125,7 @@ StableRegions regions_of(const Command& command, const Scene& scene, const LociO
 
 int run_loci(const Command& command) {
   if (!command.plot.empty()) check_picture_name(command.plot);
-  const Scene given = read_scene(command.scene, command.settings);
+  const Scene given = scene_of(command);
   require_exact_flow(given, "loci are traced");
   if (command.regions > 0) require_rigid_stops(given, "what is stable in the plane is told");
   if (command.locus == std::vector<std::string>{label_of(OrbitLocusKind::kGrazing)})

@@ -6,7 +6,6 @@
 #include "graze/report/json.hpp"
 #include "graze/report/pictures.hpp"
 #include "graze/report/text.hpp"
-#include "graze/scene/reader.hpp"
 #include "graze/study/step_choice.hpp"
 #include "search_options.hpp"
 #include "session.hpp"
@@ -15,7 +14,7 @@ namespace graze {
 
 int run_orbit(const Command& command) {
   if (!command.plot.empty()) check_picture_name(command.plot);
-  const Scene scene = read_scene(command.scene, command.settings);
+  const Scene scene = scene_of(command);
   require_exact_flow(scene, "orbits are solved for");
   require_forcing_and_stop(scene);
   OrbitRecord record{run_info(command.name, command.scene, scene), assemble(scene), {}, {}, {}};

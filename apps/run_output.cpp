@@ -24,8 +24,10 @@ std::filesystem::path spool_folder(const Command& command) {
 
 }  // namespace
 
-RunOutput::RunOutput(const Command& command, const System& system)
+RunOutput::RunOutput(const Command& command, const System& system,
+                     const std::vector<ProbeRow>& probes)
     : system_(system),
+      probes_(probes),
       records_events_(command.record != "none"),
       records_samples_(command.record == "samples"),
       writes_document_(command.json || !command.out.empty()),
@@ -39,7 +41,7 @@ RunOutput::RunOutput(const Command& command, const System& system)
   }
   if (records_samples_) {
     sample_table_.emplace(folder / "samples.csv");
-    sample_table_->append(samples_csv_header(system, command.keeps_book()));
+    sample_table_->append(samples_csv_header(system, command.keeps_book(), probes));
   }
 }
 
@@ -56,7 +58,7 @@ void RunOutput::add(const Event& event) {
 }
 
 void RunOutput::add(const Sample& sample) {
-  if (sample_table_) sample_table_->append(samples_csv_row(system_, sample));
+  if (sample_table_) sample_table_->append(samples_csv_row(system_, sample, probes_));
   if (draws_) {
     last_samples_.push_back(sample);
     trim();

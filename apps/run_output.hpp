@@ -17,8 +17,8 @@ namespace graze {
 // long the run is. Throws FileError where something cannot be written.
 class RunOutput {
  public:
-  // `system` must outlive it.
-  RunOutput(const Command& command, const System& system);
+  // `system` and `probes` must outlive it.
+  RunOutput(const Command& command, const System& system, const std::vector<ProbeRow>& probes);
 
   void add(const Event& event);
   void add(const Sample& sample);
@@ -37,6 +37,7 @@ class RunOutput {
   void trim();
 
   const System& system_;
+  const std::vector<ProbeRow>& probes_;
   bool records_events_, records_samples_, writes_document_, draws_;
   std::optional<PendingFile> event_table_, sample_table_;
   Spool events_;

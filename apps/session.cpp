@@ -8,6 +8,7 @@
 #include <memory>
 
 #include "graze/base/errors.hpp"
+#include "graze/scene/reader.hpp"
 
 namespace graze {
 namespace {
@@ -23,6 +24,13 @@ void print(const Document& document) {
 }
 
 }  // namespace
+
+Scene scene_of(const Command& command) {
+  Scene scene = read_scene(command.scene, command.settings);
+  if (scene.hub)
+    throw scene_error(scene, "hub", "a hub is not available in this version, it must be left out");
+  return scene;
+}
 
 std::atomic<bool> interrupted{false};
 

@@ -15,6 +15,9 @@
 
 namespace graze {
 
+// The command's scene with its settings. Throws InputError where no command can compute it yet.
+Scene scene_of(const Command& command);
+
 // Set by Ctrl-C; long work polls it and keeps what it finished.
 extern std::atomic<bool> interrupted;
 

@@ -3,13 +3,13 @@
 
 #include "graze/assembly/assembly.hpp"
 #include "graze/assembly/initial_state.hpp"
+#include "graze/assembly/probes.hpp"
 #include "graze/assembly/system_warnings.hpp"
 #include "graze/base/angle.hpp"
 #include "graze/base/errors.hpp"
 #include "graze/report/json.hpp"
 #include "graze/report/pictures.hpp"
 #include "graze/report/text.hpp"
-#include "graze/scene/reader.hpp"
 #include "graze/study/step_choice.hpp"
 #include "resumption.hpp"
 #include "run_output.hpp"
@@ -92,10 +92,11 @@ Simulation run_listened(const System& system, const State& start, const std::opt
 
 int run_simulate(const Command& command) {
   if (!command.plot.empty()) check_picture_name(command.plot);
-  const Scene scene = read_scene(command.scene, command.settings);
+  const Scene scene = scene_of(command);
   SimulationRecord record;
   record.info = run_info(command.name, command.scene, scene);
   record.system = assemble(scene);
+  record.probes = probe_rows(scene);
   const State start = initial_state(scene, record.system);
   SimulationOptions options = simulation_options(command, scene);
   options.steps = step_choice(scene, record.system, start);
@@ -117,7 +118,7 @@ int run_simulate(const Command& command) {
     record.notes.push_back("the run before kept no energy book; it begins where this one goes on");
 
   prepare_output(command);
-  RunOutput output(command, record.system);
+  RunOutput output(command, record.system, record.probes);
   record.run = run_listened(record.system, start, cut, options, rate, command, output);
   record.outcome = simulation_outcome(record.run);
   for (const std::string& warning : simulation_warnings(record.system, record.run)) {

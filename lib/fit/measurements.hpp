@@ -17,7 +17,7 @@
 #include <vector>
 
 #include "graze/base/vector.hpp"
-#include "graze/fit/data_table.hpp"
+#include "graze/scene/data_table.hpp"
 #include "graze/scene/scene.hpp"
 
 namespace graze {

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "graze/assembly/probes.hpp"
 #include "graze/bifurcation/orbit_branches.hpp"
 #include "graze/hybrid/simulation.hpp"
 #include "graze/orbit/finder.hpp"
@@ -51,6 +52,7 @@ class EventExcerpt {
 struct SimulationRecord {
   RunInfo info;
   System system;
+  std::vector<ProbeRow> probes{};
   Simulation run;
   EventExcerpt excerpt;         // empty unless recorded
   std::vector<Event> events;    // the end of the run, for pictures

@@ -56,7 +56,8 @@ std::string events_csv_row(const Event& e) {
   return start + ",,,,,,,,,\n";
 }
 
-std::string samples_csv_header(const System& system, bool energy) {
+std::string samples_csv_header(const System& system, bool energy,
+                               const std::vector<ProbeRow>& probes) {
   std::string text = "time";
   const auto columns = [&](const char* name, std::size_t count) {
     for (std::size_t i = 1; i <= count; ++i)
@@ -69,10 +70,12 @@ std::string samples_csv_header(const System& system, bool energy) {
   columns("force", system.stops.size());
   if (energy)
     text += ",energy,work_forcing,work_load,work_constraint,work_impacts,dissipation,work_contact";
+  columns("probe_", probes.size());
   return text + "\n";
 }
 
-std::string samples_csv_row(const System& system, const Sample& sample) {
+std::string samples_csv_row(const System& system, const Sample& sample,
+                            const std::vector<ProbeRow>& probes) {
   std::string text = csv_cell(sample.time);
   const auto add = [&](const auto& value) {
     fmt::format_to(std::back_inserter(text), ",{}", csv_cell(value));
@@ -91,6 +94,7 @@ std::string samples_csv_row(const System& system, const Sample& sample) {
     add(entries.dissipation);
     add(entries.contact);
   }
+  for (const ProbeRow& probe : probes) add(probe.value(sample.state));
   return text + "\n";
 }
 
@@ -131,19 +135,17 @@ std::string stuck_csv(const OrbitRecord& record) {
 }
 
 std::string contacts_csv(const OrbitRecord& record) {
-  std::string text =
-      "orbit,impact,stop,duration,peak_force,effective_restitution,energy_change\n";
+  std::string text = "orbit,impact,stop,duration,peak_force,effective_restitution,energy_change\n";
   for (std::size_t i = 0; i < record.found.orbits.size(); ++i) {
     const Orbit& orbit = record.found.orbits[i];
     if (!orbit.strobe) continue;
     for (std::size_t k = 0; k < orbit.impacts.size(); ++k) {
       const OrbitContact& contact = orbit.strobe->contacts[k];
       if (!(contact.duration > 0.0)) continue;  // an impact on a rigid stop
-      fmt::format_to(std::back_inserter(text), "{},{},{},{},{},{},{}\n", i + 1, k + 1,
-                     orbit.impacts[k].stop + 1, csv_cell(contact.duration),
-                     csv_cell(contact.peak_force),
-                     csv_cell(contact.speed_after / orbit.impacts[k].speed),
-                     csv_cell(-contact.taken));
+      fmt::format_to(
+          std::back_inserter(text), "{},{},{},{},{},{},{}\n", i + 1, k + 1,
+          orbit.impacts[k].stop + 1, csv_cell(contact.duration), csv_cell(contact.peak_force),
+          csv_cell(contact.speed_after / orbit.impacts[k].speed), csv_cell(-contact.taken));
     }
   }
   return text;

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "graze/record/cost_record.hpp"
 #include "graze/record/diagram_record.hpp"
@@ -14,9 +15,11 @@ namespace graze {
 // Tables of a run grow row by row, so header and rows come apart.
 std::string events_csv_header();
 std::string events_csv_row(const Event& event);
-// With `energy` the entries of the energy book follow.
-std::string samples_csv_header(const System& system, bool energy);
-std::string samples_csv_row(const System& system, const Sample& sample);
+// With `energy` the entries of the energy book follow, then the probes.
+std::string samples_csv_header(const System& system, bool energy,
+                               const std::vector<ProbeRow>& probes = {});
+std::string samples_csv_row(const System& system, const Sample& sample,
+                            const std::vector<ProbeRow>& probes = {});
 
 std::string orbits_csv(const OrbitRecord& record);
 // The stuck phases of the orbits.

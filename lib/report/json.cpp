@@ -303,6 +303,8 @@ Document to_json(const SimulationRecord& record, Spool& events) {
                        {"energy_change", "J"}, {"closure_speed", "m/s"}, {"force", "N"},
                        {"q", "kg^1/2 m"},      {"qdot", "kg^1/2 m/s"},   {"gap", "m"},
                        {"energy", "J"}};
+  for (std::size_t i = 0; i < record.probes.size(); ++i)
+    document["units"]["probe_" + std::to_string(i + 1)] = probe_unit(record.probes[i].quantity);
   document["events"] = Json::array();
   document["final"] = final_json(record.run);
   document["totals"] = totals_json(record.run.totals);

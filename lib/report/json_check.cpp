@@ -1,6 +1,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "graze/assembly/probes.hpp"
 #include "graze/assembly/requested_restitution.hpp"
 #include "graze/report/json.hpp"
 #include "graze/study/step_choice.hpp"
@@ -43,6 +44,36 @@ Json spring(const ContactForce& law, const Spring& from) {
           {"restitution", maybe_restitution(from)}};
 }
 
+Json torque_json(const Torque& torque) {
+  if (const auto* pulse = std::get_if<TorquePulse>(&torque))
+    return {{"kind", "pulse"},
+            {"amplitude", number(pulse->amplitude)},
+            {"duration", number(pulse->duration)}};
+  const auto& table = std::get<TorqueTable>(torque);
+  return {{"kind", "table"}, {"times", table.times}, {"values", table.values}};
+}
+
+Json hub_json(const Hub& hub) {
+  return {{"radius", number(hub.radius)},
+          {"inertia", number(hub.inertia)},
+          {"torque", hub.torque ? torque_json(*hub.torque) : Json(nullptr)},
+          {"equations", hub.equations == HubEquations::kConsistent ? "consistent" : "paper"},
+          {"centrifugal", hub.centrifugal},
+          {"friction", maybe(hub.friction)}};
+}
+
+Json probes_json(const Scene& scene) {
+  Json probes = Json::array();
+  const std::vector<ProbeRow> rows = probe_rows(scene);
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    probes.push_back({{"quantity", probe_quantity_name(rows[i].quantity)},
+                      {"unit", probe_unit(rows[i].quantity)},
+                      {"position", scene.beam() ? number(scene.probes[i].position) : Json(nullptr)},
+                      {"row", list(rows[i].row)}});
+  }
+  return probes;
+}
+
 }  // namespace
 
 std::string to_json(const CheckRecord& record) {
@@ -73,6 +104,8 @@ std::string to_json(const CheckRecord& record) {
                      {"effective_mass", number(1.0 / stop.row.squaredNorm())}});
   }
   document["stops"] = stops;
+  document["probes"] = probes_json(record.scene);
+  document["hub"] = record.scene.hub ? hub_json(*record.scene.hub) : Json(nullptr);
   document["collocation_condition"] =
       record.collocation_condition > 0.0 ? number(record.collocation_condition) : Json(nullptr);
   document["closure_speed"] = maybe(record.closure_speed);

@@ -150,6 +150,19 @@ std::vector<EnergyTerm> energy_terms(const SamplesSeen& samples, const System& s
   return terms;
 }
 
+std::vector<SeenProbe> probes_seen(const SamplesSeen& samples,
+                                   const std::vector<ProbeRow>& probes) {
+  if (samples.empty()) return {};
+  std::vector<SeenProbe> seen;
+  for (const ProbeRow& probe : probes) {
+    SeenProbe curve{static_cast<int>(seen.size()) + 1, probe.quantity, {}};
+    for (const Sample* sample : samples)
+      curve.curve.push_back({sample->time, probe.value(sample->state)});
+    seen.push_back(std::move(curve));
+  }
+  return seen;
+}
+
 }  // namespace
 
 std::vector<TimeSpan> stuck_phases(const SimulationRecord& record, int stop,
@@ -209,6 +222,7 @@ MotionSeen motion_seen(const SimulationRecord& record) {
     if (!force.empty()) seen.forces.push_back({i, std::move(force)});
   }
   seen.energy = energy_terms(samples, record.system);
+  seen.probes = probes_seen(samples, record.probes);
   return seen;
 }
 

@@ -57,11 +57,18 @@ struct EnergyTerm {
   DrawnCurve curve;  // J
 };
 
+struct SeenProbe {
+  int number = 1;  // from 1
+  ProbeQuantity quantity = ProbeQuantity::kDisplacement;
+  DrawnCurve curve;  // never empty
+};
+
 struct MotionSeen {
   TimeSpan window;
   std::vector<Place> places;       // in the order of the stops, never empty
   std::vector<SeenForce> forces;   // of the stops that held something
   std::vector<EnergyTerm> energy;  // energy now, and the work done on it since the window began
+  std::vector<SeenProbe> probes;   // none where no samples are
 };
 
 // The places of the system's stops, in their order, without motion.

@@ -8,6 +8,7 @@
 
 #include "graze/report/picture_column.hpp"
 #include "graze/report/picture_motion.hpp"
+#include "graze/report/picture_probes.hpp"
 #include "graze/report/picture_stops.hpp"
 #include "graze/report/pictures.hpp"
 
@@ -27,7 +28,7 @@ std::string line(const std::string& data, const char* colour, double width = 1.2
 class SimulationPicture {
  public:
   explicit SimulationPicture(const SimulationRecord& record)
-      : record_(record), seen_(motion_seen(record)) {
+      : record_(record), seen_(motion_seen(record)), probes_(seen_.probes) {
     places_left_out_ = seen_.places.size() - std::min(seen_.places.size(), kMostPlaces);
     seen_.places.resize(seen_.places.size() - places_left_out_);
     measure_motion();
@@ -48,6 +49,8 @@ class SimulationPicture {
     column_.set_time_axis(window_, time_.unit);
     for (std::size_t i = 0; i < seen_.places.size(); ++i) draw_displacement(i);
     draw_velocity();
+    for (std::size_t i = 0; i < probes_.count(); ++i)
+      probes_.draw(i, script_, column_, time_.factor);
     if (shows_forces()) draw_forces();
     if (shows_energy()) draw_energy();
     const std::size_t portraits = std::min(seen_.places.size(), std::size_t{2});
@@ -61,10 +64,11 @@ class SimulationPicture {
  private:
   void lay_out() {
     gather_legend();
-    std::vector<double> panels(seen_.places.size() + 1, PanelColumn::kPanel);
+    std::vector<double> panels(seen_.places.size() + 1 + probes_.count(), PanelColumn::kPanel);
     if (shows_forces()) panels.push_back(PanelColumn::kLowPanel);
     if (shows_energy()) panels.push_back(PanelColumn::kPanel);
-    column_.lay_out(panels, shows_portraits(), !legend_.empty(), shows_energy() || several_stops());
+    column_.lay_out(panels, shows_portraits(), !legend_.empty(),
+                    shows_energy() || several_stops() || probes_.labelled());
   }
 
   bool no_stops() const { return record_.system.stops.empty(); }
@@ -220,7 +224,9 @@ class SimulationPicture {
   void draw_velocity() {
     const AxisRange range = velocity_range(seen_.places[0].motion);
     std::string name = no_stops() ? "rate of q_1\n" : "velocity\n";
-    if (seen_.places.size() > 1) name += "at " + stop_name(seen_.places[0]);
+    // One of several velocities says whose it is.
+    if (!no_stops() && (seen_.places.size() > 1 || probes_.count() > 0))
+      name += "at " + stop_name(seen_.places[0]);
     column_.begin_panel(range, name, speed_.unit);
     column_.draw_zero_line();
     std::vector<std::string> layers;
@@ -304,6 +310,7 @@ class SimulationPicture {
 
   const SimulationRecord& record_;
   MotionSeen seen_;
+  ProbePanels probes_;
   std::size_t places_left_out_ = 0;
   std::vector<StopMarks> stops_;     // of every place
   std::vector<std::string> legend_;  // layers that draw nothing but their entry

@@ -5,129 +5,12 @@
 #include <algorithm>
 #include <cmath>
 
-#include "graze/assembly/requested_restitution.hpp"
-#include "graze/assembly/spring_law.hpp"
 #include "graze/base/angle.hpp"
 #include "graze/report/names.hpp"
 #include "graze/report/table.hpp"
-#include "graze/study/step_choice.hpp"
 
 namespace graze {
 namespace {
-
-std::string damping_text(const Stop& stop, const ContactForce& law) {
-  if (!stop.spring->damping) return "without damping";
-  return fmt::format("with {} damping {:g}", contact_model_name(stop.spring->damping->model),
-                     law.coefficient);
-}
-
-// Asked and given, a line of each.
-std::string requests_text(const Scene& scene) {
-  std::string text;
-  for (std::size_t i = 0; i < scene.stops.size(); ++i) {
-    if (!scene.stops[i].spring) continue;
-    const std::optional<RequestedRestitution> asked = requested_restitution(*scene.stops[i].spring);
-    if (!asked) continue;
-    text += fmt::format("stop {}: asked for restitution {:g}", i + 1, asked->requested);
-    if (asked->speed) text += fmt::format(" at {:g} m/s", *asked->speed);
-    if (asked->mass) text += fmt::format(" of {:g} kg", *asked->mass);
-    text += fmt::format(", one such contact gives {:.6g}", asked->effective);
-    text += asked->exact_coefficient
-                ? fmt::format("; exact with the coefficient {:.6g}\n", *asked->exact_coefficient)
-                : ", and more where it is not much deeper than the onset\n";
-  }
-  return text;
-}
-
-// 0.8, or 0.8 - 0.1 v - ..
-std::string restitution_text(const std::vector<double>& coefficients) {
-  std::string text = fmt::format("{:g}", coefficients.front());
-  for (std::size_t i = 1; i < coefficients.size(); ++i) {
-    text += fmt::format(" {} {:g} v", coefficients[i] < 0.0 ? "+" : "-", std::abs(coefficients[i]));
-    if (i > 1) text += fmt::format("^{}", i);
-  }
-  return text;
-}
-
-std::string title(const Scene& scene) { return scene.title.empty() ? "" : scene.title + "\n"; }
-
-std::string damping_text(const Scene& scene) {
-  if (!scene.damping)
-    return scene.modal() && !scene.modal()->damping_ratios.empty() ? "a ratio for each mode"
-                                                                   : "none";
-  if (const auto* viscous = std::get_if<ViscousDamping>(&*scene.damping))
-    return fmt::format("viscous, {:g} N s/m^2", viscous->coefficient);
-  if (const auto* rayleigh = std::get_if<RayleighDamping>(&*scene.damping))
-    return fmt::format("Rayleigh, mass {:g} 1/s, stiffness {:g} s", rayleigh->mass,
-                       rayleigh->stiffness);
-  return "a ratio for each mode";
-}
-
-std::string flow_text(const CheckRecord& record) {
-  const FlowDecision decision = flow_decision(record.scene);
-  if (!record.steps) return fmt::format("{}: {}", flow_name(decision.flow), decision.reason);
-  const Solver& solver = record.scene.solver;
-  const std::string steps = solver.step
-                                ? fmt::format("steps of {:g} s", *solver.step)
-                                : fmt::format("steps by their error, {:g}", solver.tolerance);
-  return fmt::format("{}: {}; stable up to {:.6g} s; a contact shows at the ends of steps only",
-                     flow_name(solver.flow), steps, record.steps->longest);
-}
-
-std::string simulated_effects(const CheckRecord& record) {
-  const Scene& scene = record.scene;
-  std::string text;
-  const auto line = [&](const char* what, const std::string& how) {
-    text += fmt::format("  {:<12} {}\n", what, how);
-  };
-  if (const Beam* beam = scene.beam())
-    line("structure",
-         fmt::format("clamped-free beam, {} mode{}, {} projection", beam->modes,
-                     beam->modes == 1 ? "" : "s",
-                     beam->discretisation == Projection::kGalerkin ? "Galerkin" : "collocation"));
-  else
-    line("structure",
-         fmt::format("given by {} mode{}", scene.modes(), scene.modes() == 1 ? "" : "s"));
-  line("damping", damping_text(scene));
-  if (scene.forcing)
-    line("forcing",
-         fmt::format("{}, amplitude {:g}{}, {:g} rad/s = {:.6g} Hz, period {:.6g} s",
-                     scene.forcing->kind == ForcingKind::kBase          ? "moving clamp"
-                     : scene.forcing->kind == ForcingKind::kDistributed ? "distributed load"
-                                                                        : "modal",
-                     scene.forcing->amplitude,
-                     scene.forcing->kind == ForcingKind::kBase          ? " m"
-                     : scene.forcing->kind == ForcingKind::kDistributed ? " N/m"
-                                                                        : "",
-                     scene.forcing->frequency, scene.forcing->frequency / kTurn,
-                     kTurn / scene.forcing->frequency));
-  else
-    line("forcing", "none");
-  line("gravity",
-       scene.gravity ? fmt::format("{:g} m/s^2 along +u", scene.gravity->acceleration) : "none");
-  for (std::size_t i = 0; i < scene.stops.size(); ++i) {
-    const Stop& stop = scene.stops[i];
-    const std::string name = fmt::format("stop {}", i + 1);
-    const std::string place = scene.beam() ? fmt::format("at x = {:g} m, ", stop.position) : "";
-    if (stop.spring) {
-      const ContactForce law = spring_law(*stop.spring);
-      line(name.c_str(),
-           fmt::format("{}{}, gap {:g} m, compliant: {:g} N/m^{:g} {}, parts where its {} is gone",
-                       place, stop.side == Side::kAbove ? "above" : "below", stop.gap,
-                       law.stiffness, law.exponent, damping_text(stop, law),
-                       law.separation == Separation::kAtZeroForce ? "force" : "depth"));
-      continue;
-    }
-    line(name.c_str(),
-         fmt::format("{}{}, gap {:g} m, restitution {}, {} impulse", place,
-                     stop.side == Side::kAbove ? "above" : "below", stop.gap,
-                     restitution_text(stop.restitution),
-                     stop.impulse == Impulse::kMomentum ? "momentum" : "collocation"));
-  }
-  if (scene.stops.empty()) line("stop", "none: no contact is looked for");
-  line("flow", flow_text(record));
-  return text;
-}
 
 std::string complex_text(const Complex& z) {
   if (z.imag() == 0.0) return fmt::format("{:.7g}", z.real());
@@ -235,32 +118,6 @@ std::string contacts_text(const std::vector<Orbit>& orbits) {
 }
 
 }  // namespace
-
-std::string to_text(const CheckRecord& record) {
-  std::string text = title(record.scene) + "Simulated:\n" + simulated_effects(record) + "\n";
-  const System& system = record.system;
-  Table modes({"mode", "frequency (rad/s)", "frequency (Hz)", "decay rate (1/s)", "damping ratio",
-               "modal force (kg^1/2 m/s^2)"});
-  for (Eigen::Index j = 0; j < system.omega.size(); ++j)
-    modes.add(
-        {fmt::format("{}", j + 1), fmt::format("{:.8g}", system.omega[j]),
-         fmt::format("{:.6g}", system.omega[j] / kTurn), fmt::format("{:.6g}", system.delta[j]),
-         system.omega[j] > 0.0 ? fmt::format("{:.4g}", system.delta[j] / system.omega[j]) : "-",
-         system.forcing ? fmt::format("{:.6g}", system.forcing->amplitude[j]) : "-"});
-  text += modes.text();
-  if (!system.stops.empty()) text += "\n";
-  for (std::size_t i = 0; i < system.stops.size(); ++i)
-    text += fmt::format("stop {}: effective mass at the contact {:.6g} kg\n", i + 1,
-                        1.0 / system.stops[i].row.squaredNorm());
-  text += requests_text(record.scene);
-  if (record.closure_speed)
-    text += fmt::format("a chatter is summed once it is slower than {:.4g} m/s (--closure-speed)\n",
-                        *record.closure_speed);
-  if (record.collocation_condition > 0.0)
-    text +=
-        fmt::format("collocation matrix: condition number {:.4g}\n", record.collocation_condition);
-  return text;
-}
 
 std::string to_text(const SimulationRecord& record) {
   const Simulation& run = record.run;

@@ -7,57 +7,16 @@
 #include <cstdlib>
 #include <limits>
 
+#include "graze/scene/hub_check.hpp"
+#include "graze/scene/probe_check.hpp"
 #include "graze/scene/spring_check.hpp"
 #include "graze/scene/suggestion.hpp"
+#include "graze/scene/value_checker.hpp"
 
 namespace graze {
 namespace {
 
-// The rules for single numbers and lists; a key is put together only where a rule is broken, since
-// every step of a continuation checks its scene.
-class Checker {
- public:
-  Checker(const Scene& scene, std::string table) : scene_(scene), table_(std::move(table)) {}
-
-  [[noreturn]] void fail(const std::string& key, const std::string& sentence) const {
-    throw scene_error(scene_, table_.empty() ? key : table_ + "." + key, sentence);
-  }
-  void require(bool kept, const std::string& key, double value, const char* what) const {
-    if (!kept) {
-      fail(key, fmt::format("{} is not allowed, it must be {}", value, what));
-    }
-  }
-  void finite(const char* key, double value) const {
-    require(std::isfinite(value), key, value, "a finite number");
-  }
-  void positive(const char* key, double value) const {
-    require(std::isfinite(value) && value > 0.0, key, value, "a finite number greater than 0");
-  }
-  void not_negative(const char* key, double value) const {
-    require(std::isfinite(value) && value >= 0.0, key, value, "a finite number of at least 0");
-  }
-  void entries(const char* key, const std::vector<double>& values, int modes,
-               bool negative_allowed) const {
-    if (values.size() != static_cast<std::size_t>(modes)) {
-      fail(key, fmt::format("the list has {}, it must have one per mode, which is {}",
-                            values.size() == 1 ? std::string("1 entry")
-                                               : fmt::format("{} entries", values.size()),
-                            modes));
-    }
-    for (std::size_t k = 0; k < values.size(); ++k) {
-      if (!std::isfinite(values[k]) || (values[k] < 0.0 && !negative_allowed)) {
-        require(false, fmt::format("{}.{}", key, k + 1), values[k],
-                negative_allowed ? "a finite number" : "a finite number of at least 0");
-      }
-    }
-  }
-
- private:
-  const Scene& scene_;
-  std::string table_;
-};
-
-void check_points(const Checker& checker, const Beam& beam) {
+void check_points(const ValueChecker& checker, const Beam& beam) {
   if (beam.points.empty()) {
     return;
   }
@@ -77,19 +36,20 @@ void check_points(const Checker& checker, const Beam& beam) {
 
 void check_structure(const Scene& scene) {
   if (const Beam* beam = scene.beam()) {
-    const Checker checker(scene, "beam");
+    const ValueChecker checker(scene, "beam");
     checker.positive("length", beam->length);
     checker.positive("youngs_modulus", beam->youngs_modulus);
     checker.positive("second_moment", beam->second_moment);
     checker.positive("density", beam->density);
     checker.positive("area", beam->area);
+    if (beam->thickness) checker.positive("thickness", *beam->thickness);
     checker.require(beam->modes >= 1 && beam->modes <= kMostModes, "modes", beam->modes,
                     "an integer from 1 to 400");
     check_points(checker, *beam);
     return;
   }
   const ModalStructure& modal = *scene.modal();
-  const Checker checker(scene, "modal");
+  const ValueChecker checker(scene, "modal");
   const std::size_t size = modal.frequencies.size();
   if (size < 1 || size > kMostModes) {
     checker.fail("frequencies",
@@ -112,7 +72,7 @@ void check_damping(const Scene& scene) {
   if (!scene.damping) {
     return;
   }
-  const Checker checker(scene, "damping");
+  const ValueChecker checker(scene, "damping");
   const ModalStructure* modal = scene.modal();
   if (const auto* viscous = std::get_if<ViscousDamping>(&*scene.damping)) {
     if (modal != nullptr) {
@@ -140,7 +100,7 @@ void check_forcing(const Scene& scene) {
   if (!scene.forcing) {
     return;
   }
-  const Checker checker(scene, "forcing");
+  const ValueChecker checker(scene, "forcing");
   const Forcing& forcing = *scene.forcing;
   const ModalStructure* modal = scene.modal();
   if (modal == nullptr && forcing.kind == ForcingKind::kModal) {
@@ -168,7 +128,7 @@ void check_gravity(const Scene& scene) {
   if (!scene.gravity) {
     return;
   }
-  Checker(scene, "gravity").finite("acceleration", scene.gravity->acceleration);
+  ValueChecker(scene, "gravity").finite("acceleration", scene.gravity->acceleration);
   if (scene.modal() != nullptr && scene.modal()->inertia.empty()) {
     throw scene_error(scene, "modal.inertia",
                       "the key is missing, [gravity] needs a list of numbers, one per mode");
@@ -183,7 +143,7 @@ std::string point_text(double point, double length) {
   return same ? text : fmt::format("{}", point);
 }
 
-void check_collocation_impulse(const Checker& checker, const Scene& scene, const Stop& stop) {
+void check_collocation_impulse(const ValueChecker& checker, const Scene& scene, const Stop& stop) {
   const Beam* beam = scene.beam();
   if (beam == nullptr) {
     checker.fail("impulse",
@@ -205,7 +165,7 @@ void check_collocation_impulse(const Checker& checker, const Scene& scene, const
 
 // Only a0, the restitution of a vanishing speed, has bounds of its own: where r(v) leaves 0..1
 // depends on the speeds that occur.
-void check_restitution(const Checker& checker, const std::vector<double>& coefficients) {
+void check_restitution(const ValueChecker& checker, const std::vector<double>& coefficients) {
   if (coefficients.empty()) {
     checker.fail("restitution", "the list is empty, it must have at least one number");
   }
@@ -223,7 +183,7 @@ void check_restitution(const Checker& checker, const std::vector<double>& coeffi
 }
 
 void check_stop(const Scene& scene, const Stop& stop, std::size_t number) {
-  const Checker checker(scene, number == 1 ? "stop" : fmt::format("stop.{}", number));
+  const ValueChecker checker(scene, number == 1 ? "stop" : fmt::format("stop.{}", number));
   if (const Beam* beam = scene.beam()) {
     if (!stop.shape.empty()) {
       checker.fail("shape", "a stop of a [beam] has no shape, it must have a position");
@@ -287,14 +247,14 @@ void check_initial(const Scene& scene) {
   if (!scene.initial) {
     return;
   }
-  const Checker checker(scene, "initial");
+  const ValueChecker checker(scene, "initial");
   checker.entries("q", scene.initial->q, scene.modes(), true);
   checker.entries("qdot", scene.initial->qdot, scene.modes(), true);
 }
 
 void check_solver(const Scene& scene) {
   const Solver& solver = scene.solver;
-  const Checker checker(scene, "solver");
+  const ValueChecker checker(scene, "solver");
   checker.require(solver.tolerance > 0.0 && solver.tolerance < 1.0, "tolerance", solver.tolerance,
                   "a number between 0 and 1, both excluded");
   const bool steps = solver.flow != FlowChoice::kAuto && solver.flow != FlowChoice::kExact;
@@ -313,10 +273,12 @@ void check_solver(const Scene& scene) {
 
 void check_scene(const Scene& scene) {
   check_structure(scene);
+  check_hub(scene);
   check_damping(scene);
   check_forcing(scene);
   check_gravity(scene);
   check_stops(scene);
+  check_probes(scene);
   check_initial(scene);
   check_solver(scene);
 }

@@ -29,6 +29,7 @@ std::vector<std::string> lines_of(const Scene& scene) {
 void strip(Scene& scene) {
   scene.title.clear();
   scene.initial.reset();
+  scene.probes.clear();
   scene.solver = {};
 }
 
@@ -43,6 +44,9 @@ std::string scene_difference(Scene there, Scene here, const std::vector<std::str
     if (!value || !own) return fmt::format("one of them has no {}", name);
     *own = *value;
   }
+  // No orbit depends on it, though it may be the parameter.
+  for (Scene* scene : {&there, &here})
+    if (Beam* beam = std::get_if<Beam>(&scene->structure)) beam->thickness.reset();
   const std::vector<std::string> before = lines_of(there), now = lines_of(here);
   for (std::size_t i = 0; i < before.size() || i < now.size(); ++i) {
     if (i >= before.size()) return fmt::format("it has no '{}'", now[i]);

@@ -34,6 +34,7 @@ void visit_structure(S& scene, F&& f) {
     f("beam.second_moment", beam->second_moment);
     f("beam.density", beam->density);
     f("beam.area", beam->area);
+    if (beam->thickness) f("beam.thickness", *beam->thickness);
     visit_list(beam->points, "beam.points", f);
   } else {
     auto& modal = std::get<ModalStructure>(scene.structure);
@@ -42,6 +43,19 @@ void visit_structure(S& scene, F&& f) {
     visit_list(modal.participation, "modal.participation", f);
     visit_list(modal.inertia, "modal.inertia", f);
   }
+}
+
+template <typename H, typename F>
+void visit_hub(H& hub, F&& f) {
+  f("hub.radius", hub.radius);
+  f("hub.inertia", hub.inertia);
+  if (hub.torque) {
+    if (auto* pulse = std::get_if<TorquePulse>(&*hub.torque)) {
+      f("hub.torque.amplitude", pulse->amplitude);
+      f("hub.torque.duration", pulse->duration);
+    }
+  }
+  if (hub.friction) f("hub.friction.coulomb", *hub.friction);
 }
 
 template <typename D, typename F>
@@ -86,6 +100,9 @@ void visit_spring(Sp& spring, const std::string& name, F&& f) {
 template <typename S, typename F>
 void visit_parameters(S& scene, F&& f) {
   visit_structure(scene, f);
+  if (scene.hub) {
+    visit_hub(*scene.hub, f);
+  }
   if (scene.damping) {
     visit_damping(*scene.damping, f);
   }
@@ -196,6 +213,26 @@ std::string spring_unit(const Scene& scene, const std::string& path) {
   return key == "onset" ? "m" : "";
 }
 
+void zero_what_is_no_parameter(Scene& scene) {
+  const auto zero = [](std::vector<double>& list) { list.assign(list.size(), 0.0); };
+  if (scene.initial) {
+    zero(scene.initial->q);
+    zero(scene.initial->qdot);
+    scene.initial->angle = scene.initial->rate = 0.0;
+  }
+  if (scene.hub && scene.hub->torque) {
+    if (auto* table = std::get_if<TorqueTable>(&*scene.hub->torque)) {
+      zero(table->times);
+      zero(table->values);
+    }
+  }
+  for (Probe& probe : scene.probes) {
+    probe.position = 0.0;
+    zero(probe.shape);
+  }
+  scene.solver.tolerance = 0.0;
+}
+
 InputError unknown_parameter(const Scene& scene, const std::string& path) {
   const std::vector<std::string> names = parameter_names(scene);
   const std::string meant = closest_name(path, names);
@@ -238,11 +275,7 @@ Scene with_parameter(const Scene& scene, const std::string& path, double value) 
 Scene parameter_direction(const Scene& scene, const std::string& path) {
   Scene direction = scene;
   visit_parameters(direction, [](const std::string&, double& value) { value = 0.0; });
-  if (direction.initial) {
-    direction.initial->q.assign(direction.initial->q.size(), 0.0);
-    direction.initial->qdot.assign(direction.initial->qdot.size(), 0.0);
-  }
-  direction.solver.tolerance = 0.0;
+  zero_what_is_no_parameter(direction);
   double* parameter = find_parameter(direction, path);
   if (parameter == nullptr) {
     throw unknown_parameter(scene, path);
@@ -254,7 +287,7 @@ Scene parameter_direction(const Scene& scene, const std::string& path) {
 bool leaves_structure(const std::string& path) {
   const auto begins = [&](const char* with) { return path.rfind(with, 0) == 0; };
   const auto contains = [&](const char* part) { return path.find(part) != std::string::npos; };
-  return begins("forcing.") || begins("gravity.") ||
+  return begins("forcing.") || begins("gravity.") || begins("hub.") || path == "beam.thickness" ||
          (begins("stop.") && (contains(".gap") || contains(".restitution") || contains(".spring")));
 }
 
@@ -282,13 +315,19 @@ std::string parameter_unit(const Scene& scene, const std::string& path) {
     return kind == ForcingKind::kBase ? "m" : (kind == ForcingKind::kDistributed ? "N/m" : "");
   }
   // Mass-normalised coordinates q are in kg^1/2 m, so modal forces are in kg^1/2 m/s^2.
-  static constexpr std::array<std::pair<const char*, const char*>, 18> kUnits = {{
+  static constexpr std::array<std::pair<const char*, const char*>, 24> kUnits = {{
       {"beam.length", "m"},
       {"beam.youngs_modulus", "Pa"},
       {"beam.second_moment", "m^4"},
       {"beam.density", "kg/m^3"},
       {"beam.area", "m^2"},
+      {"beam.thickness", "m"},
       {"beam.points", "m"},
+      {"hub.radius", "m"},
+      {"hub.inertia", "kg m^2"},
+      {"hub.torque.amplitude", "N m"},
+      {"hub.torque.duration", "s"},
+      {"hub.friction.coulomb", "N m"},
       {"modal.frequencies", "rad/s"},
       {"modal.participation", "kg^1/2 m/s^2"},
       {"modal.inertia", "kg^1/2"},

@@ -3,18 +3,17 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cerrno>
-#include <cstring>
-#include <fstream>
-#include <system_error>
 
 #include "graze/scene/check.hpp"
 #include "graze/scene/document.hpp"
+#include "graze/scene/hub_reader.hpp"
+#include "graze/scene/keys.hpp"
+#include "graze/scene/probe_reader.hpp"
 #include "graze/scene/settings.hpp"
 #include "graze/scene/spring_reader.hpp"
 #include "graze/scene/suggestion.hpp"
 #include "graze/scene/table_reader.hpp"
-#include "graze/scene/text_check.hpp"
+#include "graze/scene/text_file.hpp"
 
 namespace graze {
 namespace {
@@ -29,6 +28,7 @@ Beam read_beam(const Node& node, Origins& origins) {
   beam.second_moment = table.number("second_moment", kPositive + ", in m^4");
   beam.density = table.number("density", kPositive + ", in kg/m^3");
   beam.area = table.number("area", kPositive + ", in m^2");
+  if (table.has("thickness")) beam.thickness = table.number("thickness", kPositive + ", in m");
   const std::string modes = "an integer from 1 to 400";
   const std::int64_t count = table.integer("modes", modes);
   if (count < 1 || count > kMostModes) {
@@ -151,29 +151,28 @@ Stop read_stop(const Node& node, const std::string& path, bool modal, Origins& o
 }
 
 std::vector<Stop> read_stops(const Node& node, bool modal, Origins& origins) {
-  const auto* list = node.as<NodeList>();
-  if (list == nullptr) {
-    throw InputError(node.place.location(), "stop",
-                     fmt::format("{} is not allowed, stops must be written [[stop]] in two pairs "
-                                 "of brackets",
-                                 node_description(node)));
-  }
   std::vector<Stop> stops;
-  for (const Node& entry : *list) {
-    const std::string path = stops.empty() ? "stop" : fmt::format("stop.{}", stops.size() + 1);
-    stops.push_back(read_stop(entry, path, modal, origins));
-  }
+  for (const Node& entry : tables_of(node, "stop"))
+    stops.push_back(read_stop(entry, numbered_path("stop", stops.size() + 1), modal, origins));
   return stops;
 }
 
-Initial read_initial(const Node& node, int modes, Origins& origins) {
+Initial read_initial(const Node& node, int modes, bool hub, Origins& origins) {
   const TableReader table(node, "initial", origins);
   const std::string what = "a list of numbers, one per mode";
   const auto list = [&](const std::string& key) {
     return table.has(key) ? table.numbers(key, what)
                           : std::vector<double>(static_cast<std::size_t>(modes), 0.0);
   };
-  return Initial{list("q"), list("qdot")};
+  Initial initial{list("q"), list("qdot")};
+  for (const char* key : {"angle", "rate"}) {
+    if (table.has(key) && !hub) {
+      table.fail(key, "it is that of a [hub], without one it must be left out");
+    }
+  }
+  initial.angle = table.number_or("angle", "a number in rad", 0.0);
+  initial.rate = table.number_or("rate", "a number in rad/s", 0.0);
+  return initial;
 }
 
 Solver read_solver(const Node& node, Origins& origins) {
@@ -207,13 +206,16 @@ void read_structure(const TableReader& root, Scene& scene, Origins& origins) {
   }
 }
 
-Scene read_root(const Node& node) {
+Scene read_root(const Node& node, const std::filesystem::path& folder) {
   const auto origins = std::make_shared<Origins>();
   const TableReader root(node, "", *origins);
   Scene scene;
   scene.title = root.text_or("title", "");
   read_structure(root, scene, *origins);
   const bool modal = scene.modal() != nullptr;
+  if (const Node* hub = root.find("hub")) {
+    scene.hub = read_hub(*hub, folder, *origins);
+  }
   if (const Node* damping = root.find("damping")) {
     scene.damping = read_damping(*damping, *origins);
   }
@@ -226,8 +228,11 @@ Scene read_root(const Node& node) {
   if (const Node* stops = root.find("stop")) {
     scene.stops = read_stops(*stops, modal, *origins);
   }
+  if (const Node* probes = root.find("probe")) {
+    scene.probes = read_probes(*probes, modal, *origins);
+  }
   if (const Node* initial = root.find("initial")) {
-    scene.initial = read_initial(*initial, scene.modes(), *origins);
+    scene.initial = read_initial(*initial, scene.modes(), scene.hub.has_value(), *origins);
   }
   if (const Node* solver = root.find("solver")) {
     scene.solver = read_solver(*solver, *origins);
@@ -244,34 +249,13 @@ Scene parse_scene(const std::string& text, const std::string& name,
   for (const std::string& setting : settings) {
     apply_setting(root, setting);
   }
-  Scene scene = read_root(root);
+  Scene scene = read_root(root, std::filesystem::path(name).parent_path());
   check_scene(scene);
   return scene;
 }
 
 Scene read_scene(const std::filesystem::path& file, const std::vector<std::string>& settings) {
-  const std::string name = file.string();
-  std::error_code no_matter;  // what cannot be looked at cannot be opened either
-  if (std::filesystem::is_directory(file, no_matter)) {
-    throw FileError(fmt::format("{}: cannot be read as a scene, it is a directory", name));
-  }
-  errno = 0;
-  std::ifstream stream(file, std::ios::binary);
-  if (!stream) {
-    throw FileError(fmt::format("{}: cannot be read, {}", name,
-                                errno != 0 ? std::strerror(errno) : "it cannot be opened"));
-  }
-  // Anything past the limit tells a text that is too large; an endless stream ends there as well.
-  std::string text;
-  std::vector<char> piece(65536);
-  while (stream && text.size() <= kLargestText) {
-    stream.read(piece.data(), static_cast<std::streamsize>(piece.size()));
-    text.append(piece.data(), static_cast<std::size_t>(stream.gcount()));
-  }
-  if (stream.bad()) {
-    throw FileError(fmt::format("{}: cannot be read to its end", name));
-  }
-  return parse_scene(text, name, settings);
+  return parse_scene(read_text_file(file, "a scene"), file.string(), settings);
 }
 
 }  // namespace graze

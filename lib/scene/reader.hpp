@@ -11,11 +11,12 @@ namespace graze {
 
 // Reads and checks a scene file. Each of `settings` is "NAME=VALUE" with a dotted parameter path
 // and a TOML value; it replaces or adds that key before the whole scene is checked.
-// Throws FileError when the file cannot be read, InputError (file:line:column: key: sentence) when
-// it is no usable scene.
+// Throws FileError when the file, or one it names, cannot be read, InputError (file:line:column:
+// key: sentence) when it is no usable scene.
 Scene read_scene(const std::filesystem::path& file, const std::vector<std::string>& settings = {});
 
-// The same for text already in memory; `name` stands for the file in messages.
+// The same for text already in memory; `name` stands for the file in messages and as the place from
+// which the scene's names of other files start.
 Scene parse_scene(const std::string& text, const std::string& name,
                   const std::vector<std::string>& settings = {});
 

@@ -5,11 +5,14 @@
 namespace graze {
 namespace {
 
-// The first stop may be called stop or stop.1; its keys are remembered under the former.
+// The first stop may be called stop or stop.1, so a probe; its keys are remembered under the
+// former.
 std::string canonical(const std::string& key) {
-  const std::string numbered = "stop.1";
-  if (key == numbered || key.compare(0, numbered.size() + 1, numbered + ".") == 0) {
-    return "stop" + key.substr(numbered.size());
+  for (const std::string list : {"stop", "probe"}) {
+    const std::string numbered = list + ".1";
+    if (key == numbered || key.compare(0, numbered.size() + 1, numbered + ".") == 0) {
+      return list + key.substr(numbered.size());
+    }
   }
   return key;
 }
@@ -46,6 +49,20 @@ std::string contact_model_name(ContactModel model) {
       return "lankarani-nikravesh";
     case ContactModel::kFlores:
       return "flores";
+  }
+  return "";
+}
+
+std::string probe_quantity_name(ProbeQuantity quantity) {
+  switch (quantity) {
+    case ProbeQuantity::kDisplacement:
+      return "displacement";
+    case ProbeQuantity::kVelocity:
+      return "velocity";
+    case ProbeQuantity::kDeflection:
+      return "deflection";
+    case ProbeQuantity::kStrain:
+      return "strain";
   }
   return "";
 }

@@ -129,12 +129,16 @@ std::size_t index_of(const std::string& part) {
   return error == std::errc() && end == part.data() + part.size() ? index : 0;
 }
 
-// Entry number `part` of the list that `path` names. Only of stops could there be one more.
+// Lists of tables, whose names without a number mean the first of them, and of which there could be
+// one more.
+bool is_list_of_tables(const std::string& name) { return name == "stop" || name == "probe"; }
+
+// Entry number `part` of the list that `path` names.
 Node& entry_of(NodeList& list, const std::string& part, const std::string& path,
                const Setting& setting) {
   const std::size_t index = index_of(part);
   if (index == 0 || index > list.size()) {
-    const std::size_t most = path == "stop" ? list.size() + 1 : list.size();
+    const std::size_t most = is_list_of_tables(path) ? list.size() + 1 : list.size();
     const std::string allowed = most == 1 ? "1" : fmt::format("from 1 to {}", most);
     setting.fail(0, most == 0 ? fmt::format("{} is an empty list, it has no entry to change", path)
                               : fmt::format("there is no entry {} in {}, the number must be {}",
@@ -165,15 +169,14 @@ void apply_setting(Node& root, const std::string& text) {
   for (std::size_t k = 0; k < parts.size(); ++k) {
     if (auto* table = at->as<NodeTable>()) {
       const bool last = k + 1 == parts.size();
-      // The stops are a list of tables; a name without a number means the first of them, and the
-      // one after the last is made.
-      const bool stops = k == 0 && parts[k] == "stop" && !last;
+      // A name without a number means the first of the tables, and the one after the last is made.
+      const bool tables = k == 0 && is_list_of_tables(parts[k]) && !last;
       Node made{NodeTable(), place};
-      if (stops) {
+      if (tables) {
         made = Node{NodeList(), place};
       }
       at = &member_of(*table, parts[k], std::move(made));
-      if (auto* list = at->as<NodeList>(); list != nullptr && stops) {
+      if (auto* list = at->as<NodeList>(); list != nullptr && tables) {
         const std::size_t number = index_of(parts[k + 1]);
         const bool numbered = number > 0 || parts[k + 1] == "0";
         if ((numbered ? number : 1) == list->size() + 1) {

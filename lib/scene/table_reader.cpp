@@ -67,7 +67,10 @@ std::string TableReader::title() const {
   if (spring != std::string::npos) {
     return fmt::format("[stop{}]", path_.substr(spring));
   }
-  return path_.compare(0, 4, "stop") == 0 ? "[[stop]]" : fmt::format("[{}]", path_);
+  for (const char* list : {"stop", "probe"}) {
+    if (path_.rfind(list, 0) == 0) return fmt::format("[[{}]]", list);
+  }
+  return fmt::format("[{}]", path_);
 }
 
 void TableReader::check_keys() const {
@@ -76,16 +79,14 @@ void TableReader::check_keys() const {
     if (contains(keys.allowed, member.key)) {
       continue;
     }
-    if (contains(keys.later, member.key)) {
-      fail(member.key, "this key is not available in this version, it must be left out");
-    }
     // The right key in the wrong table, as when a header is missing, or else a slip.
     std::vector<std::string> meant = keys_named(member.key);
     // Not one of a table within another table: the mass of a stop is no damping.
     meant.erase(std::remove_if(meant.begin(), meant.end(),
                                [&](const std::string& name) {
                                  const std::size_t dot = name.rfind('.');
-                                 if (path_.empty() && name.rfind("stop.spring.", 0) == 0) {
+                                 if (path_.empty() && (name.rfind("stop.spring.", 0) == 0 ||
+                                                       name.rfind("hub.torque.", 0) == 0)) {
                                    return true;
                                  }
                                  return !path_.empty() && dot != std::string::npos &&
@@ -183,6 +184,28 @@ std::size_t TableReader::choice_index(const std::string& key,
     refuse(key, joined(shown, "or"));
   }
   return static_cast<std::size_t>(found - names.begin());
+}
+
+const NodeList& tables_of(const Node& node, const std::string& name) {
+  const auto* list = node.as<NodeList>();
+  if (list == nullptr) {
+    fail_at(node.place, name,
+            fmt::format("{} is not allowed, {}s must be written [[{}]] in two pairs of brackets",
+                        node_description(node), name, name));
+  }
+  return *list;
+}
+
+bool TableReader::flag_or(const std::string& key, bool fallback) const {
+  const Node* node = find(key);
+  if (node == nullptr) {
+    return fallback;
+  }
+  const auto* flag = node->as<bool>();
+  if (flag == nullptr) {
+    refuse(key, "true or false");
+  }
+  return *flag;
 }
 
 void TableReader::refuse(const std::string& key, const std::string& what) const {

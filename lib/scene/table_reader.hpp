@@ -14,6 +14,9 @@ namespace graze {
 // "beam.length" from "beam" and "length", as messages show it; the root table has no name.
 std::string key_path(const std::string& table, const std::string& key);
 
+// The tables of [[name]], "stop" or "probe"; throws InputError where the node is no list.
+const NodeList& tables_of(const Node& node, const std::string& name);
+
 // Remembers in `origins` where each key it is asked for stands. Every function throws InputError at
 // the key (or at the table, when the key is missing).
 class TableReader {
@@ -31,6 +34,7 @@ class TableReader {
   double number(const std::string& key, const std::string& what) const;
   double number_or(const std::string& key, const std::string& what, double fallback) const;
   std::int64_t integer(const std::string& key, const std::string& what) const;
+  bool flag_or(const std::string& key, bool fallback) const;
   std::string text_or(const std::string& key, const std::string& fallback) const;
   // The list of numbers; empty when the key is missing.
   std::vector<double> numbers(const std::string& key, const std::string& what) const;

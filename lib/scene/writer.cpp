@@ -8,6 +8,14 @@
 namespace graze {
 namespace {
 
+std::string list_text(const std::vector<double>& values) {
+  std::string entries;
+  for (const double value : values) {
+    entries += (entries.empty() ? "" : ", ") + real_text(value);
+  }
+  return "[" + entries + "]";
+}
+
 // Collects "key = value" lines.
 class Writer {
  public:
@@ -20,11 +28,7 @@ class Writer {
   void word(std::string_view key, const std::string& value) { verbatim(key, quoted(value)); }
   void number(std::string_view key, double value) { verbatim(key, real_text(value)); }
   void list(std::string_view key, const std::vector<double>& values) {
-    std::string entries;
-    for (const double value : values) {
-      entries += (entries.empty() ? "" : ", ") + real_text(value);
-    }
-    verbatim(key, "[" + entries + "]");
+    verbatim(key, list_text(values));
   }
   void list_if_any(std::string_view key, const std::vector<double>& values) {
     if (!values.empty()) {
@@ -44,10 +48,34 @@ void write(Writer& out, const Beam& beam) {
   out.number("second_moment", beam.second_moment);
   out.number("density", beam.density);
   out.number("area", beam.area);
+  if (beam.thickness) out.number("thickness", *beam.thickness);
   out.verbatim("modes", std::to_string(beam.modes));
   out.word("discretisation",
            beam.discretisation == Projection::kGalerkin ? "galerkin" : "collocation");
   out.list_if_any("points", beam.points);
+}
+
+// A table stands in the text, so that the scene needs no other file.
+std::string torque_text(const Torque& torque) {
+  if (const auto* pulse = std::get_if<TorquePulse>(&torque)) {
+    return fmt::format("{{ kind = \"pulse\", amplitude = {}, duration = {} }}",
+                       real_text(pulse->amplitude), real_text(pulse->duration));
+  }
+  const auto& table = std::get<TorqueTable>(torque);
+  return fmt::format("{{ kind = \"table\", times = {}, values = {} }}", list_text(table.times),
+                     list_text(table.values));
+}
+
+void write(Writer& out, const Hub& hub) {
+  out.table("[hub]");
+  out.number("radius", hub.radius);
+  out.number("inertia", hub.inertia);
+  if (hub.torque) out.verbatim("torque", torque_text(*hub.torque));
+  out.word("equations", hub.equations == HubEquations::kConsistent ? "consistent" : "paper");
+  out.verbatim("centrifugal", hub.centrifugal ? "true" : "false");
+  if (hub.friction) {
+    out.verbatim("friction", fmt::format("{{ coulomb = {} }}", real_text(*hub.friction)));
+  }
 }
 
 void write(Writer& out, const ModalStructure& modal) {
@@ -165,6 +193,16 @@ void write(Writer& out, const Stop& stop, bool modal) {
   out.word("impulse", stop.impulse == Impulse::kMomentum ? "momentum" : "collocation");
 }
 
+void write(Writer& out, const Probe& probe, bool modal) {
+  out.table("[[probe]]");
+  if (modal) {
+    out.list("shape", probe.shape);
+  } else {
+    out.number("position", probe.position);
+  }
+  out.word("quantity", probe_quantity_name(probe.quantity));
+}
+
 }  // namespace
 
 std::string write_scene(const Scene& scene) {
@@ -173,6 +211,9 @@ std::string write_scene(const Scene& scene) {
     out.word("title", scene.title);
   }
   std::visit([&](const auto& structure) { write(out, structure); }, scene.structure);
+  if (scene.hub) {
+    write(out, *scene.hub);
+  }
   if (scene.damping) {
     write(out, *scene.damping);
   }
@@ -185,10 +226,17 @@ std::string write_scene(const Scene& scene) {
   for (const Stop& stop : scene.stops) {
     write(out, stop, scene.modal() != nullptr);
   }
+  for (const Probe& probe : scene.probes) {
+    write(out, probe, scene.modal() != nullptr);
+  }
   if (scene.initial) {
     out.table("[initial]");
     out.list("q", scene.initial->q);
     out.list("qdot", scene.initial->qdot);
+    if (scene.hub) {
+      out.number("angle", scene.initial->angle);
+      out.number("rate", scene.initial->rate);
+    }
   }
   // The numerics that apply are no part of the structure, but another default would change results.
   out.table("[solver]");

@@ -71,6 +71,14 @@ double cantilever_slope(int j, double xi) {
                           std::sin(x) + m.ratio * std::cos(x));
 }
 
+double cantilever_curvature(int j, double xi) {
+  const ModeShape& m = mode_shape(j);
+  const double x = m.wave_number * xi;
+  return m.wave_number * m.wave_number *
+         (m.rise * std::exp(m.wave_number * (xi - 1.0)) + m.fall * std::exp(-x) + std::cos(x) -
+          m.ratio * std::sin(x));
+}
+
 double cantilever_mean(int j) {
   const ModeShape& m = mode_shape(j);
   return 2.0 * m.ratio / m.wave_number;

@@ -249,6 +249,44 @@ TEST(Simulate, TablesHoldWhatTheDocumentHolds) {
   EXPECT_EQ(samples.back().substr(0, 2), "2,");
 }
 
+// Of the shipped scene with a strain gauge: the last two columns, and their units.
+TEST(Simulate, ProbesAreColumnsOfTheSamples) {
+  const ScratchFolder scratch;
+  const std::string folder = (scratch / "run").string();
+  const std::string line =
+      "--set beam.modes=1 --set 'probe.3={position=0.3}' " + scene("16_strain_gauge.toml");
+  const Finished run =
+      run_graze("simulate --json --periods 1 --record samples --out " + folder + " " + line);
+  ASSERT_EQ(run.code, 0) << run.err;
+  const json document = json::parse(run.out);
+  EXPECT_EQ(document["units"]["probe_1"], "");
+  EXPECT_EQ(document["units"]["probe_2"], "m/s");
+  EXPECT_EQ(document["units"]["probe_3"], "m");
+  const std::vector<std::string> samples = lines_of(folder + "/samples.csv");
+  EXPECT_EQ(samples[0], "time,q1,qdot1,gap1,force1,probe_1,probe_2,probe_3");
+  std::vector<double> row;
+  std::istringstream cells(samples[50]);
+  for (std::string cell; std::getline(cells, cell, ',');) row.push_back(std::stod(cell));
+  ASSERT_EQ(row.size(), 8U);
+  // The stop is at the tip below it: gap = 1.05e-3 + u.
+  EXPECT_NEAR(row[7], row[3] - 1.05e-3, 1e-15);
+  // The first mode's strain near the clamp over its tip displacement, -h/2 phi''(x)/phi(L), with
+  // the textbook's b and s.
+  const double b = 1.8751040687119612, s = 0.7340955137589128, z = b * 0.02 / 0.3;
+  const double curvature =
+      b * b / 0.09 * (std::cosh(z) + std::cos(z) - s * (std::sinh(z) + std::sin(z))) / 2.0;
+  EXPECT_NEAR(row[5] / row[7], -0.5 * 4.859e-4 * curvature, 1e-9);
+  const json check = json::parse(run_graze("check --json " + line).out);
+  ASSERT_EQ(check["probes"].size(), 3U);
+  EXPECT_EQ(check["probes"][0]["quantity"], "strain");
+  EXPECT_EQ(check["probes"][1]["position"], 0.15);
+  EXPECT_EQ(check["probes"][2]["unit"], "m");
+  EXPECT_TRUE(check["hub"].is_null());
+  const std::string text = run_graze("check " + line).out;
+  EXPECT_NE(text.find("  probe 1      strain at x = 0.02 m\n"), std::string::npos) << text;
+  EXPECT_NE(text.find("  probe 2      velocity (m/s) at x = 0.15 m\n"), std::string::npos) << text;
+}
+
 TEST(Simulate, BudgetsEndWithTheirOutcome) {
   const json impacts = simulated("--max-impacts 5 " + kOneMode, 3);
   EXPECT_EQ(impacts["outcome"], "event_budget");

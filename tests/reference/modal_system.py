@@ -37,7 +37,7 @@ def extra_digits(j):
 
 
 def mode_shape(j, xi):
-    """(phi, dphi/dxi) at xi = x/L for unit length and mass, so that |phi(1)| = 2.
+    """(phi, dphi/dxi, d^2phi/dxi^2) at xi = x/L for unit length and mass, so that |phi(1)| = 2.
 
     Textbook form  cosh - cos - s (sinh - sin), evaluated with as many more digits as it loses.
     """
@@ -47,7 +47,8 @@ def mode_shape(j, xi):
         z = b * xi
         phi = mp.cosh(z) - mp.cos(z) - s * (mp.sinh(z) - mp.sin(z))
         slope = b * (mp.sinh(z) + mp.sin(z) - s * (mp.cosh(z) - mp.cos(z)))
-    return +phi, +slope
+        curvature = b * b * (mp.cosh(z) + mp.cos(z) - s * (mp.sinh(z) + mp.sin(z)))
+    return +phi, +slope, +curvature
 
 
 def mode_integral(j):

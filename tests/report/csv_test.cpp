@@ -84,8 +84,22 @@ TEST(SamplesCsv, HoldsTheEntriesOfTheEnergyBookThatTheSystemHas) {
   EXPECT_EQ(samples_csv_row(system, sample),
             "0,0.125,-2,0.375,0,2.03125,0.5,0.25,0.125,-1.5,0.75,\n");
   system.stops[0].spring = ContactForce{};
-  EXPECT_EQ(samples_csv_row(system, sample),
-            "0,0.125,-2,0.375,0,2.03125,0.5,0.25,,,0.75,-0.375\n");
+  EXPECT_EQ(samples_csv_row(system, sample), "0,0.125,-2,0.375,0,2.03125,0.5,0.25,,,0.75,-0.375\n");
+}
+
+TEST(SamplesCsv, EndsWithTheProbes) {
+  const System system = support::oscillator(2.0, 0.0, 0.5, 0.8);
+  Sample sample{0.5, support::state_of({0.125}, {-2.0}), {0.0}, EnergyBook{}};
+  const std::vector<ProbeRow> probes = {
+      {ProbeQuantity::kDisplacement, Vector::Constant(1, 4.0), false, 0.0},
+      {ProbeQuantity::kVelocity, Vector::Constant(1, 0.25), true, 0.0}};
+  const std::string header = samples_csv_header(system, true, probes);
+  EXPECT_EQ(header.substr(header.rfind("work_contact")), "work_contact,probe_1,probe_2\n");
+  EXPECT_EQ(samples_csv_header(system, false, probes),
+            "time,q1,qdot1,gap1,force1,probe_1,probe_2\n");
+  EXPECT_EQ(samples_csv_row(system, sample, probes), "0.5,0.125,-2,0.375,0,0,,,0,0,,,0.5,-0.5\n");
+  sample.energy.reset();
+  EXPECT_EQ(samples_csv_row(system, sample, probes), "0.5,0.125,-2,0.375,0,0.5,-0.5\n");
 }
 
 TEST(Table, ColumnsLineUpOnTheRight) {

@@ -297,6 +297,60 @@ TEST(SpecialMarks, AreToldApartByTheirShape) {
   EXPECT_FALSE(shapes.contains(7));
 }
 
+std::vector<ProbeRow> probes_of(const std::vector<ProbeQuantity>& quantities) {
+  std::vector<ProbeRow> probes;
+  for (const ProbeQuantity quantity : quantities)
+    probes.push_back({quantity, Vector::Constant(1, 1.0 + static_cast<double>(probes.size())),
+                      quantity == ProbeQuantity::kVelocity, 0.0});
+  return probes;
+}
+
+TEST(MotionSeen, HoldsTheProbesAtEverySample) {
+  SimulationRecord record = simulated(pressed_oscillator(), 10.013, 100'000);
+  record.probes = probes_of({ProbeQuantity::kDisplacement, ProbeQuantity::kVelocity});
+  const MotionSeen seen = motion_seen(record);
+  ASSERT_EQ(seen.probes.size(), 2U);
+  ASSERT_EQ(seen.probes[1].curve.size(), record.samples.size() + 1);
+  EXPECT_EQ(seen.probes[1].number, 2);
+  EXPECT_EQ(seen.probes[1].curve[7].value, 2.0 * record.samples[7].state.qdot[0]);
+  EXPECT_EQ(seen.probes[0].curve.back().time, record.run.end_time);
+  EXPECT_EQ(seen.probes[0].curve.back().value, record.run.final.q[0]);
+  record.samples.clear();
+  EXPECT_TRUE(motion_seen(record).probes.empty());
+}
+
+// One panel a unit; curves that share one are told apart.
+TEST(DrawSimulation, ShowsProbesInPanelsByTheirUnit) {
+  SimulationRecord record = simulated(pressed_oscillator(), 20.0, 100'000);
+  const ScratchFolder scratch;
+  const auto script = [&] {
+    draw_simulation((scratch / "x.svg").string(), record);
+    return read_text(scratch / "x.gp");
+  };
+  const auto count = [](const std::string& text, const std::string& part) {
+    int times = 0;
+    for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + 1))
+      ++times;
+    return times;
+  };
+  const int panels = count(script(), "set yrange");
+  record.probes = probes_of({ProbeQuantity::kStrain});
+  std::string text = script();
+  EXPECT_EQ(count(text, "set yrange"), panels + 1);
+  EXPECT_NE(text.find("'at probe 1'"), std::string::npos);
+  record.probes =
+      probes_of({ProbeQuantity::kStrain, ProbeQuantity::kDisplacement, ProbeQuantity::kStrain,
+                 ProbeQuantity::kVelocity, ProbeQuantity::kDeflection});
+  text = script();
+  EXPECT_EQ(count(text, "set yrange"), panels + 3);
+  for (const char* name : {"'at probes'", "'displacement,'", "'deflection (m)'",
+                           "'at probe 4 (m/s)'", "'probe 1'", "'probe 5'"})
+    EXPECT_NE(text.find(name), std::string::npos) << name;
+  EXPECT_EQ(text.find("'probe 4'"), std::string::npos);
+  record.probes = probes_of(std::vector<ProbeQuantity>(8, ProbeQuantity::kVelocity));
+  EXPECT_NE(script().find("the first 6 of 8 probes"), std::string::npos);
+}
+
 TEST(DrawSimulation, DrawsWhateverWasRecorded) {
   SimulationRecord two_places = simulated(pressed_oscillator(), 20.0, 100'000);
   two_places.system.stops.push_back(
@@ -305,6 +359,8 @@ TEST(DrawSimulation, DrawsWhateverWasRecorded) {
   SimulationRecord not_finite = simulated(pressed_oscillator(), 20.0, 100'000);
   not_finite.samples.back().state.q[0] = kNaN;
   not_finite.samples.back().energy->now = kNaN;
+  not_finite.probes = probes_of({ProbeQuantity::kStrain, ProbeQuantity::kStrain});
+  not_finite.run.final.q[0] = kNaN;
   not_finite.run.final.qdot[0] = std::numeric_limits<double>::infinity();
   const ScratchFolder scratch;
   const std::string picture = (scratch / "x.svg").string();

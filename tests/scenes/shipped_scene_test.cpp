@@ -45,6 +45,13 @@ void expect_equal(const Scene& a, const Scene& b) {
     EXPECT_EQ(a.stops[k].impulse, b.stops[k].impulse);
     EXPECT_EQ(a.stops[k].spring.has_value(), b.stops[k].spring.has_value());
   }
+  ASSERT_EQ(a.probes.size(), b.probes.size());
+  for (std::size_t k = 0; k < a.probes.size(); ++k) {
+    EXPECT_EQ(a.probes[k].quantity, b.probes[k].quantity);
+    EXPECT_EQ(a.probes[k].position, b.probes[k].position);
+    EXPECT_EQ(a.probes[k].shape, b.probes[k].shape);
+  }
+  ASSERT_EQ(a.hub.has_value(), b.hub.has_value());
   ASSERT_EQ(a.initial.has_value(), b.initial.has_value());
   if (a.initial) {
     EXPECT_EQ(a.initial->q, b.initial->q);
@@ -54,7 +61,7 @@ void expect_equal(const Scene& a, const Scene& b) {
   EXPECT_EQ(a.solver.tolerance, b.solver.tolerance);
 }
 
-TEST(ShippedScene, ThereAreSome) { EXPECT_GE(shipped_scenes().size(), 15u); }
+TEST(ShippedScene, ThereAreSome) { EXPECT_GE(shipped_scenes().size(), 16u); }
 
 TEST(ShippedScene, IsReadAndHasATitle) {
   for (const auto& file : shipped_scenes()) {

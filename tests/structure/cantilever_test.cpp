@@ -24,7 +24,7 @@ TEST(Cantilever, WaveNumbersAreThePrintedOnes) {
 }
 
 // The error is a few eps b: the argument b xi is rounded.
-TEST(Cantilever, ShapesAndSlopesAgreeWithTheTable) {
+TEST(Cantilever, ShapesAndTheirDerivativesAgreeWithTheTable) {
   const std::pair<const char*, double> places[] = {
       {"_1", 1.0}, {"_0.5", 0.5}, {"_0.6667", 2.0 / 3.0}};
   for (const support::TableRow& row : support::read_table("mode_shapes.csv")) {
@@ -36,6 +36,9 @@ TEST(Cantilever, ShapesAndSlopesAgreeWithTheTable) {
           << "mode " << j << " at " << xi;
       EXPECT_NEAR(cantilever_slope(j, xi), support::number(row, std::string("slope") + suffix),
                   4.0 * kEps * b * b)
+          << "mode " << j << " at " << xi;
+      EXPECT_NEAR(cantilever_curvature(j, xi),
+                  support::number(row, std::string("curvature") + suffix), 4.0 * kEps * b * b * b)
           << "mode " << j << " at " << xi;
     }
   }
@@ -60,6 +63,33 @@ TEST(Cantilever, SlopeIsTheDerivativeOfTheShape) {
           (12.0 * h);
       EXPECT_NEAR(cantilever_slope(j, xi), difference, 1e-9 * cantilever_wave_number(j)) << j;
     }
+  }
+}
+
+TEST(Cantilever, CurvatureIsTheDerivativeOfTheSlope) {
+  for (const int j : {1, 2, 3, 10, 40, 200}) {
+    const double b = cantilever_wave_number(j), h = 1e-3 / b;
+    for (const double xi : {0.05, 0.3, 0.62, 0.97}) {
+      const double difference =
+          (8.0 * (cantilever_slope(j, xi + h) - cantilever_slope(j, xi - h)) -
+           (cantilever_slope(j, xi + 2.0 * h) - cantilever_slope(j, xi - 2.0 * h))) /
+          (12.0 * h);
+      EXPECT_NEAR(cantilever_curvature(j, xi), difference, 1e-9 * b * b) << j;
+    }
+  }
+}
+
+// Seen from the free end the curvature is a mode of the beam clamped there: shape'' obeys the same
+// equation, and a free end has neither curvature nor its derivative.
+TEST(Cantilever, CurvatureIsTheShapeSeenFromTheOtherEnd) {
+  for (int j = 1; j <= 400; ++j) {
+    const double b = cantilever_wave_number(j), sign = j % 2 == 1 ? 1.0 : -1.0;
+    EXPECT_NEAR(cantilever_curvature(j, 0.0), 2.0 * b * b, kEps * b * b * b) << j;
+    EXPECT_NEAR(cantilever_curvature(j, 1.0), 0.0, kEps * b * b * b) << j;
+    for (const double xi : {0.1, 0.37, 0.5, 0.81})
+      EXPECT_NEAR(cantilever_curvature(j, xi), sign * b * b * cantilever_shape(j, 1.0 - xi),
+                  8.0 * kEps * b * b * b)
+          << j;
   }
 }
 

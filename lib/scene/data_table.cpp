@@ -1,4 +1,4 @@
-#include "graze/fit/data_table.hpp"
+#include "graze/scene/data_table.hpp"
 
 #include <fmt/format.h>
 
@@ -40,7 +40,8 @@ std::string shown(const std::string& text) {
 
 }  // namespace
 
-DataTable::DataTable(const std::string& text, std::string name) : name_(std::move(name)) {
+DataTable::DataTable(const std::string& text, std::string name, ColumnNames names)
+    : name_(std::move(name)) {
   std::size_t start = text.starts_with("\xEF\xBB\xBF") ? 3 : 0;  // a byte order mark
   for (int number = 1; start < text.size(); ++number) {
     const std::size_t end = std::min(text.find('\n', start), text.size());
@@ -49,10 +50,12 @@ DataTable::DataTable(const std::string& text, std::string name) : name_(std::mov
     if (line.ends_with('\r')) line.pop_back();
     if (line.find('\0') != std::string::npos)
       throw InputError({name_, number, static_cast<int>(line.find('\0')) + 1}, "data",
-                       "this is no text; measurements are comma-separated numbers under a row of "
+                       "this is no text; a table must be comma-separated numbers under a row of "
                        "names");
     if (stripped(line).empty() || line.front() == '#') continue;
     Row row = split(line, number);
+    if (names_.empty() && names == ColumnNames::kOptional && number_in(row.cells.front().text))
+      number_columns(row);
     if (names_.empty()) {
       read_names(std::move(row));
       continue;
@@ -61,7 +64,9 @@ DataTable::DataTable(const std::string& text, std::string name) : name_(std::mov
     rows_.push_back(std::move(row));
   }
   if (names_.empty())
-    throw error("the file is empty; it needs a row of column names and rows of numbers");
+    throw error(names == ColumnNames::kRequired
+                    ? "the file is empty; it needs a row of column names and rows of numbers"
+                    : "the file is empty; it needs rows of numbers");
   if (rows_.empty()) throw error("there is no row of numbers below the column names");
 }
 
@@ -105,14 +110,22 @@ void DataTable::read_names(Row row) {
   }
 }
 
+void DataTable::number_columns(const Row& first) {
+  header_line_ = first.line;
+  named_ = false;
+  for (std::size_t i = 0; i < first.cells.size(); ++i)
+    names_.push_back({fmt::format("column {}", i + 1), first.cells[i].column});
+  units_.resize(names_.size());
+}
+
 void DataTable::check_width(const Row& row) const {
   const std::size_t wanted = names_.size(), given = row.cells.size();
   if (given == wanted) return;
   const Cell& at = given > wanted ? row.cells[wanted] : row.cells.back();
   throw InputError(
       {name_, row.line, at.column}, "data",
-      fmt::format("the row has {} cell{}, line {} names {} column{}", given, given == 1 ? "" : "s",
-                  header_line_, wanted, wanted == 1 ? "" : "s"));
+      fmt::format("the row has {} cell{}, line {} {} {} column{}", given, given == 1 ? "" : "s",
+                  header_line_, named_ ? "names" : "has", wanted, wanted == 1 ? "" : "s"));
 }
 
 std::optional<std::size_t> DataTable::find(const std::string& column) const {

@@ -1,5 +1,5 @@
-// A table of measurements as text: comma-separated columns under a row of names, each cell with its
-// place, so that a message can point at it.
+// A table of numbers as text (measurements, a torque over time): comma-separated columns under a
+// row of names, each cell with its place, so that a message can point at it.
 #pragma once
 
 #include <cstddef>
@@ -11,13 +11,16 @@
 
 namespace graze {
 
+// Whether the first row must name the columns, or may hold numbers already.
+enum class ColumnNames { kRequired, kOptional };
+
 class DataTable {
  public:
   // `name` stands for the file in messages. Lines that are empty or begin with # are passed over;
   // names and cells may stand in double quotes. Throws InputError (file:line:column) for a text
   // without names or rows, a name that is missing or stands twice, and a row with more or fewer
-  // cells than there are names.
-  DataTable(const std::string& text, std::string name);
+  // cells than there are columns. Columns without names are called "column 1", "column 2", ..
+  DataTable(const std::string& text, std::string name, ColumnNames names = ColumnNames::kRequired);
 
   const std::string& name() const { return name_; }
   std::size_t columns() const { return names_.size(); }
@@ -55,10 +58,12 @@ class DataTable {
 
   Row split(const std::string& line, int number) const;
   void read_names(Row row);
+  void number_columns(const Row& first);
   void check_width(const Row& row) const;
 
   std::string name_;
-  int header_line_ = 0;
+  int header_line_ = 0;  // which says how many columns there are: the row of names, or the first
+  bool named_ = true;
   std::vector<Cell> names_;
   std::vector<std::optional<std::string>> units_;
   std::vector<Row> rows_;

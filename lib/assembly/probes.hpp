@@ -1,0 +1,34 @@
+// The probes of a scene as rows on the modal coordinates of its structure:
+//
+//   displacement, deflection  phi(x).q      velocity  phi(x).q'      strain  -h/2 phi''(x).q
+//
+// With a hub the displacement and the velocity of a point also hold its own arc, (radius + x) times
+// the hub's angle or rate; the factor stands beside the row.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "graze/base/vector.hpp"
+#include "graze/scene/scene.hpp"
+#include "graze/system/system.hpp"
+
+namespace graze {
+
+struct ProbeRow {
+  ProbeQuantity quantity = ProbeQuantity::kDisplacement;
+  Vector row;                // on q or on q', N: kg^-1/2, of a strain kg^-1/2 m^-1
+  bool of_velocity = false;  // on q' (and the rate) in place of q (and the angle)
+  double angle = 0.0;        // m, factor of the hub's angle or rate; 0 without a hub
+
+  // In the unit of the quantity; of a structure without hub.
+  double value(const State& state) const { return row.dot(of_velocity ? state.qdot : state.q); }
+};
+
+// Of a checked scene, in the order of its probes.
+std::vector<ProbeRow> probe_rows(const Scene& scene);
+
+// "m", "m/s", or "" of a strain.
+std::string probe_unit(ProbeQuantity quantity);
+
+}  // namespace graze

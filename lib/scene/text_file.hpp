@@ -1,0 +1,14 @@
+// A whole file as text.
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+namespace graze {
+
+// Of a file with more than kLargestText bytes (text_check.hpp) a little more than these, so that
+// whoever reads them finds it too large; an endless stream ends there as well. `kind` says in
+// messages what it was to be: "a scene". Throws FileError.
+std::string read_text_file(const std::filesystem::path& file, const std::string& kind);
+
+}  // namespace graze

@@ -1,0 +1,52 @@
+#include "graze/scene/value_checker.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <utility>
+
+namespace graze {
+
+ValueChecker::ValueChecker(const Scene& scene, std::string table)
+    : scene_(scene), table_(std::move(table)) {}
+
+void ValueChecker::fail(const std::string& key, const std::string& sentence) const {
+  throw scene_error(scene_, table_ + "." + key, sentence);
+}
+
+void ValueChecker::require(bool kept, const std::string& key, double value,
+                           const char* what) const {
+  if (!kept) fail(key, fmt::format("{} is not allowed, it must be {}", value, what));
+}
+
+void ValueChecker::finite(const char* key, double value) const {
+  if (!std::isfinite(value)) require(false, key, value, "a finite number");
+}
+
+void ValueChecker::positive(const char* key, double value) const {
+  if (!std::isfinite(value) || value <= 0.0)
+    require(false, key, value, "a finite number greater than 0");
+}
+
+void ValueChecker::not_negative(const char* key, double value) const {
+  if (!std::isfinite(value) || value < 0.0)
+    require(false, key, value, "a finite number of at least 0");
+}
+
+void ValueChecker::entries(const char* key, const std::vector<double>& values, int modes,
+                           bool negative_allowed) const {
+  if (values.size() != static_cast<std::size_t>(modes)) {
+    fail(key, fmt::format("the list has {}, it must have one per mode, which is {}",
+                          values.size() == 1 ? std::string("1 entry")
+                                             : fmt::format("{} entries", values.size()),
+                          modes));
+  }
+  for (std::size_t k = 0; k < values.size(); ++k) {
+    if (!std::isfinite(values[k]) || (values[k] < 0.0 && !negative_allowed)) {
+      require(false, fmt::format("{}.{}", key, k + 1), values[k],
+              negative_allowed ? "a finite number" : "a finite number of at least 0");
+    }
+  }
+}
+
+}  // namespace graze
