@@ -26,10 +26,7 @@ void print(const Document& document) {
 }  // namespace
 
 Scene scene_of(const Command& command) {
-  Scene scene = read_scene(command.scene, command.settings);
-  if (scene.hub)
-    throw scene_error(scene, "hub", "a hub is not available in this version, it must be left out");
-  return scene;
+  return read_scene(command.scene, command.settings);
 }
 
 std::atomic<bool> interrupted{false};

@@ -96,7 +96,7 @@ int run_simulate(const Command& command) {
   SimulationRecord record;
   record.info = run_info(command.name, command.scene, scene);
   record.system = assemble(scene);
-  record.probes = probe_rows(scene);
+  record.probes = probe_rows(scene, record.system);
   const State start = initial_state(scene, record.system);
   SimulationOptions options = simulation_options(command, scene);
   options.steps = step_choice(scene, record.system, start);

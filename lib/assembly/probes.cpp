@@ -34,11 +34,26 @@ std::vector<ProbeRow> probe_rows(const Scene& scene) {
     else
       row.row = Eigen::Map<const Vector>(probe.shape.data(),
                                          static_cast<Eigen::Index>(probe.shape.size()));
+    if (is_of_hub(probe.quantity)) {
+      row.of_velocity = probe.quantity == ProbeQuantity::kRate;
+      row.angle = 1.0;
+      row.row = Vector::Zero(scene.modes());
+      rows.push_back(row);
+      continue;
+    }
     const bool of_the_point = probe.quantity == ProbeQuantity::kDisplacement ||
                               probe.quantity == ProbeQuantity::kVelocity;
     if (scene.hub && of_the_point) row.angle = scene.hub->radius + probe.position;
     rows.push_back(row);
   }
+  return rows;
+}
+
+std::vector<ProbeRow> probe_rows(const Scene& scene, const System& system) {
+  std::vector<ProbeRow> rows = probe_rows(scene);
+  if (!system.rotation) return rows;
+  for (ProbeRow& row : rows)
+    row.row = row.angle * system.rotation->angle + system.rotation->beam.transpose() * row.row;
   return rows;
 }
 
@@ -49,6 +64,10 @@ std::string probe_unit(ProbeQuantity quantity) {
       return "m";
     case ProbeQuantity::kVelocity:
       return "m/s";
+    case ProbeQuantity::kAngle:
+      return "rad";
+    case ProbeQuantity::kRate:
+      return "rad/s";
     case ProbeQuantity::kStrain:
       break;
   }

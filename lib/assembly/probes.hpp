@@ -19,16 +19,19 @@ struct ProbeRow {
   ProbeQuantity quantity = ProbeQuantity::kDisplacement;
   Vector row;                // on q or on q', N: kg^-1/2, of a strain kg^-1/2 m^-1
   bool of_velocity = false;  // on q' (and the rate) in place of q (and the angle)
-  double angle = 0.0;        // m, factor of the hub's angle or rate; 0 without a hub
+  double angle = 0.0;        // factor of the hub's angle or rate; 0 without a hub
 
-  // In the unit of the quantity; of a structure without hub.
+  // In the unit of the quantity; with a hub of rows on the system's own coordinates.
   double value(const State& state) const { return row.dot(of_velocity ? state.qdot : state.q); }
 };
 
-// Of a checked scene, in the order of its probes.
+// Of a checked scene, in the order of its probes, on the beam's own modes.
 std::vector<ProbeRow> probe_rows(const Scene& scene);
 
-// "m", "m/s", or "" of a strain.
+// The same on the coordinates of the system that the scene became.
+std::vector<ProbeRow> probe_rows(const Scene& scene, const System& system);
+
+// "m", "m/s", "rad", "rad/s", or "" of a strain.
 std::string probe_unit(ProbeQuantity quantity);
 
 }  // namespace graze

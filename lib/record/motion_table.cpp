@@ -32,6 +32,24 @@ Contact contact_of(const StateTable& table, const std::string& word) {
   table.fail("contacts", fmt::format("there is no contact called {}", quoted(word)));
 }
 
+const std::vector<std::pair<Joint, std::string>>& joint_names() {
+  static const std::vector<std::pair<Joint, std::string>> names = {
+      {Joint::kForward, "forward"}, {Joint::kBackward, "backward"}, {Joint::kHeld, "held"}};
+  return names;
+}
+
+std::string joint_name(Joint joint) {
+  for (const auto& [value, name] : joint_names())
+    if (value == joint) return name;
+  return {};
+}
+
+Joint joint_of(const StateTable& table, const std::string& word) {
+  for (const auto& [value, name] : joint_names())
+    if (name == word) return value;
+  table.fail("joint", fmt::format("there is no joint called {}", quoted(word)));
+}
+
 }  // namespace
 
 void write_motion(StateLines& lines, const std::string& header, const MotionState<double>& motion) {
@@ -44,6 +62,8 @@ void write_motion(StateLines& lines, const std::string& header, const MotionStat
   lines.text("multiplicities",
              listed(motion.multiplicities, [](int count) { return std::to_string(count); }));
   lines.number("unsummed", motion.unsummed);
+  // Of a hub with friction.
+  if (motion.joint != Joint::kFree) lines.word("joint", joint_name(motion.joint));
 }
 
 Instant<double> read_instant(const StateTable& table, const System& system) {
@@ -56,8 +76,11 @@ Instant<double> read_instant(const StateTable& table, const System& system) {
 }
 
 MotionState<double> read_motion(const Node& node, const std::string& path, const System& system) {
-  const StateTable table(
-      node, path, {"period", "local", "q", "qdot", "contacts", "multiplicities", "unsummed"});
+  std::vector<std::string> keys = {"period",   "local",          "q",       "qdot",
+                                   "contacts", "multiplicities", "unsummed"};
+  const bool has_joint = system.rotation && system.rotation->friction;
+  if (has_joint) keys.emplace_back("joint");
+  const StateTable table(node, path, keys);
   const auto modes = static_cast<std::size_t>(system.modes());
   MotionState<double> motion;
   motion.instant = read_instant(table, system);
@@ -71,6 +94,7 @@ MotionState<double> read_motion(const Node& node, const std::string& path, const
     motion.multiplicities.push_back(static_cast<int>(count));
   }
   motion.unsummed = table.number("unsummed");
+  if (has_joint) motion.joint = joint_of(table, table.word("joint"));
   return motion;
 }
 

@@ -8,6 +8,7 @@
 #include "graze/bifurcation/special_names.hpp"
 #include "graze/report/csv_cell.hpp"
 #include "graze/report/names.hpp"
+#include "graze/system/hub_state.hpp"
 
 namespace graze {
 
@@ -63,7 +64,8 @@ std::string samples_csv_header(const System& system, bool energy,
     for (std::size_t i = 1; i <= count; ++i)
       fmt::format_to(std::back_inserter(text), ",{}{}", name, i);
   };
-  const auto modes = static_cast<std::size_t>(system.modes());
+  if (system.rotation) text += ",angle,rate";
+  const auto modes = static_cast<std::size_t>(system.modes() - (system.rotation ? 1 : 0));
   columns("q", modes);
   columns("qdot", modes);
   columns("gap", system.stops.size());
@@ -80,8 +82,18 @@ std::string samples_csv_row(const System& system, const Sample& sample,
   const auto add = [&](const auto& value) {
     fmt::format_to(std::back_inserter(text), ",{}", csv_cell(value));
   };
-  for (const double value : sample.state.q) add(value);
-  for (const double value : sample.state.qdot) add(value);
+  const auto add_state = [&](const State& state) {
+    for (const double value : state.q) add(value);
+    for (const double value : state.qdot) add(value);
+  };
+  if (system.rotation) {
+    const HubState hub = hub_state(*system.rotation, sample.state);
+    add(hub.angle);
+    add(hub.rate);
+    add_state(hub.beam);
+  } else {
+    add_state(sample.state);
+  }
   for (const RigidStop& stop : system.stops) add(stop.gap - stop.row.dot(sample.state.q));
   for (const double force : sample.forces) add(force);
   if (sample.energy) {

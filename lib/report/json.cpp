@@ -6,6 +6,7 @@
 
 #include "graze/bifurcation/special_names.hpp"
 #include "graze/report/names.hpp"
+#include "graze/system/hub_state.hpp"
 
 namespace graze {
 namespace {
@@ -214,15 +215,22 @@ Json event_json(const Event& event) {
   return json;
 }
 
-Json final_json(const Simulation& run) {
+Json final_json(const System& system, const Simulation& run) {
   Json stuck = Json::array(), forces = Json::array();
   for (const int stop : run.stuck) stuck.push_back(stop + 1);
   for (const double force : run.forces) forces.push_back(number(force));
-  return {{"time", number(run.end_time)},
-          {"q", list(run.final.q)},
-          {"qdot", list(run.final.qdot)},
-          {"stuck", stuck},
-          {"forces", forces}};
+  Json json = {{"time", number(run.end_time)},
+               {"q", list(run.final.q)},
+               {"qdot", list(run.final.qdot)},
+               {"stuck", stuck},
+               {"forces", forces}};
+  if (!system.rotation) return json;
+  const HubState hub = hub_state(*system.rotation, run.final);
+  json["q"] = list(hub.beam.q);
+  json["qdot"] = list(hub.beam.qdot);
+  json["angle"] = number(hub.angle);
+  json["rate"] = number(hub.rate);
+  return json;
 }
 
 Json totals_json(const RunTotals& totals) {
@@ -306,7 +314,7 @@ Document to_json(const SimulationRecord& record, Spool& events) {
   for (std::size_t i = 0; i < record.probes.size(); ++i)
     document["units"]["probe_" + std::to_string(i + 1)] = probe_unit(record.probes[i].quantity);
   document["events"] = Json::array();
-  document["final"] = final_json(record.run);
+  document["final"] = final_json(record.system, record.run);
   document["totals"] = totals_json(record.run.totals);
   if (record.run.energy) document["energy"] = energy_json(record.system, *record.run.energy);
   const std::string whole = text(document);

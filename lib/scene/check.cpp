@@ -257,7 +257,8 @@ void check_solver(const Scene& scene) {
   const ValueChecker checker(scene, "solver");
   checker.require(solver.tolerance > 0.0 && solver.tolerance < 1.0, "tolerance", solver.tolerance,
                   "a number between 0 and 1, both excluded");
-  const bool steps = solver.flow != FlowChoice::kAuto && solver.flow != FlowChoice::kExact;
+  const bool steps = solver.flow != FlowChoice::kAuto && solver.flow != FlowChoice::kExact &&
+                     solver.flow != FlowChoice::kBulirschStoer;
   if (!solver.step) {
     if (solver.flow == FlowChoice::kRk4)
       checker.fail("flow", "the flow \"rk4\" needs solver.step, the length of its steps in s");

@@ -30,7 +30,7 @@ void check_surroundings(const Scene& scene) {
   if (scene.solver.flow == FlowChoice::kExact)
     throw scene_error(scene, "solver.flow",
                       "the motion of a structure on a hub has no exact flow, it must be \"auto\", "
-                      "\"rk4\", \"dopri5\" or \"fehlberg78\"");
+                      "\"bulirsch-stoer\", \"rk4\", \"dopri5\" or \"fehlberg78\"");
 }
 
 void check_table(const ValueChecker& checker, const TorqueTable& table) {
@@ -74,7 +74,13 @@ void check_start(const Scene& scene) {
 
 void check_hub(const Scene& scene) {
   check_start(scene);
-  if (!scene.hub) return;
+  if (!scene.hub) {
+    if (scene.solver.flow == FlowChoice::kBulirschStoer)
+      throw scene_error(scene, "solver.flow",
+                        "\"bulirsch-stoer\" is the flow of a structure on a [hub], it must be "
+                        "\"auto\", \"exact\", \"rk4\", \"dopri5\" or \"fehlberg78\"");
+    return;
+  }
   check_surroundings(scene);
   const Hub& hub = *scene.hub;
   const ValueChecker checker(scene, "hub");

@@ -12,6 +12,12 @@ namespace {
 // mode.
 void check_probe(const Scene& scene, const Probe& probe, std::size_t number) {
   const ValueChecker checker(scene, numbered_path("probe", number));
+  if (is_of_hub(probe.quantity)) {
+    if (!scene.hub)
+      checker.fail("quantity", fmt::format("a {} is that of a [hub], which the scene does not have",
+                                           probe_quantity_name(probe.quantity)));
+    return;
+  }
   if (const Beam* beam = scene.beam()) {
     if (!probe.shape.empty())
       checker.fail("shape", "a probe of a [beam] has no shape, it must have a position");

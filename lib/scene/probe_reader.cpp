@@ -12,6 +12,18 @@ namespace {
 Probe read_probe(const Node& node, const std::string& path, bool modal, Origins& origins) {
   const TableReader table(node, path, origins);
   Probe probe;
+  std::vector<std::pair<std::string, ProbeQuantity>> quantities;
+  for (const ProbeQuantity quantity :
+       {ProbeQuantity::kDisplacement, ProbeQuantity::kVelocity, ProbeQuantity::kDeflection,
+        ProbeQuantity::kStrain, ProbeQuantity::kAngle, ProbeQuantity::kRate})
+    quantities.emplace_back(probe_quantity_name(quantity), quantity);
+  probe.quantity = table.choice<ProbeQuantity>("quantity", quantities);
+  if (is_of_hub(probe.quantity)) {
+    for (const char* key : {"position", "shape"})
+      if (table.has(key))
+        table.fail(key, "angle and rate are those of the hub, it must be left out");
+    return probe;
+  }
   if (modal) {
     if (table.has("position"))
       table.fail("position",
@@ -24,11 +36,6 @@ Probe read_probe(const Node& node, const std::string& path, bool modal, Origins&
       table.fail("shape", "a probe of a [beam] has no shape, it must have a position");
     probe.position = table.number("position", "a number in m from the clamp");
   }
-  std::vector<std::pair<std::string, ProbeQuantity>> quantities;
-  for (const ProbeQuantity quantity : {ProbeQuantity::kDisplacement, ProbeQuantity::kVelocity,
-                                       ProbeQuantity::kDeflection, ProbeQuantity::kStrain})
-    quantities.emplace_back(probe_quantity_name(quantity), quantity);
-  probe.quantity = table.choice<ProbeQuantity>("quantity", quantities);
   return probe;
 }
 

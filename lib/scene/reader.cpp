@@ -180,7 +180,8 @@ Solver read_solver(const Node& node, Origins& origins) {
   Solver solver;
   std::vector<std::pair<std::string, FlowChoice>> flows;
   for (const FlowChoice flow : {FlowChoice::kAuto, FlowChoice::kExact, FlowChoice::kRk4,
-                                FlowChoice::kDopri5, FlowChoice::kFehlberg78})
+                                FlowChoice::kDopri5, FlowChoice::kFehlberg78,
+                                FlowChoice::kBulirschStoer})
     flows.emplace_back(flow_name(flow), flow);
   solver.flow = table.choice<FlowChoice>("flow", flows);
   solver.tolerance = table.number_or("tolerance", "a number between 0 and 1", Solver().tolerance);

@@ -31,6 +31,8 @@ std::string flow_name(FlowChoice flow) {
       return "dopri5";
     case FlowChoice::kFehlberg78:
       return "fehlberg78";
+    case FlowChoice::kBulirschStoer:
+      return "bulirsch-stoer";
   }
   return "";
 }
@@ -61,6 +63,10 @@ std::string probe_quantity_name(ProbeQuantity quantity) {
       return "velocity";
     case ProbeQuantity::kDeflection:
       return "deflection";
+    case ProbeQuantity::kAngle:
+      return "angle";
+    case ProbeQuantity::kRate:
+      return "rate";
     case ProbeQuantity::kStrain:
       return "strain";
   }

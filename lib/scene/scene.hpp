@@ -21,9 +21,9 @@ enum class Projection { kGalerkin, kCollocation };
 enum class Side { kAbove, kBelow };
 enum class Impulse { kMomentum, kCollocation };
 enum class ForcingKind { kBase, kDistributed, kModal };
-// How the motion between impacts is found: exactly, or integrated step by step by rk4, dopri5 or
-// fehlberg78.
-enum class FlowChoice { kAuto, kExact, kRk4, kDopri5, kFehlberg78 };
+// How the motion between impacts is found: exactly, or integrated step by step by rk4, dopri5,
+// fehlberg78, or (with a hub) bulirsch-stoer.
+enum class FlowChoice { kAuto, kExact, kRk4, kDopri5, kFehlberg78, kBulirschStoer };
 // As the scene writes it.
 std::string flow_name(FlowChoice flow);
 
@@ -157,10 +157,13 @@ struct Stop {
 
 // kDisplacement, kVelocity: of the point, with a hub along the arc from angle 0 on; kDeflection:
 // from the line that turns with the hub, without one the displacement; kStrain: of the fibre at
-// half the thickness, -h/2 u'' (beam).
-enum class ProbeQuantity { kDisplacement, kVelocity, kDeflection, kStrain };
+// half the thickness, -h/2 u'' (beam); kAngle, kRate: of the hub, wherever the probe is.
+enum class ProbeQuantity { kDisplacement, kVelocity, kDeflection, kStrain, kAngle, kRate };
 // As the scene writes it.
 std::string probe_quantity_name(ProbeQuantity quantity);
+inline bool is_of_hub(ProbeQuantity quantity) {
+  return quantity == ProbeQuantity::kAngle || quantity == ProbeQuantity::kRate;
+}
 
 // A quantity at a place, told in the series of a motion.
 struct Probe {

@@ -12,6 +12,7 @@ std::optional<StepMethod> step_method(FlowChoice flow) {
   switch (flow) {
     case FlowChoice::kAuto:
     case FlowChoice::kExact:
+    case FlowChoice::kBulirschStoer:
       return {};
     case FlowChoice::kRk4:
       return StepMethod::kRk4;
@@ -36,6 +37,12 @@ double modal_speed(const System& system, const State& start) {
 FlowDecision flow_decision(const Scene& scene) {
   const Solver& solver = scene.solver;
   if (solver.flow != FlowChoice::kAuto) return {solver.flow, "the scene asks for it"};
+  if (scene.hub)
+    return {
+        FlowChoice::kBulirschStoer,
+        "the motion of a structure on a hub has no closed form; it is integrated to 1e-14 of its "
+        "velocities a step, whatever the tolerance, and no step is longer than a quarter of the "
+        "quickest oscillation, so that no gap falls and rises within one unseen"};
   const std::string why =
       "every effect in this scene is linear between impacts, so motion and first contact have "
       "closed forms: they ";
@@ -54,7 +61,7 @@ FlowDecision flow_decision(const Scene& scene) {
   if (compliant)
     return {FlowChoice::kExact,
             "between contacts every effect in this scene is linear, so motion and first contact "
-            "have closed forms; contacts with compliant stops are integrated to 1e-13 of their "
+            "have closed forms; contacts with compliant stops are integrated to 1e-14 of their "
             "speed, whatever the tolerance"};
   return {FlowChoice::kExact,
           why + fmt::format("meet the tolerance {:g}, and cost less than steps that would",
@@ -90,6 +97,14 @@ std::optional<StepSetting> step_choice(const Scene& scene, const System& system,
   return setting;
 }
 
+void require_clamp(const Scene& scene, const char* what) {
+  if (!scene.hub) return;
+  throw scene_error(scene, "hub",
+                    fmt::format("{} under a forcing that repeats itself; a structure on a hub has "
+                                "none, its torque is a pulse or a table",
+                                what));
+}
+
 void require_rigid_stops(const Scene& scene, const char* what) {
   for (std::size_t i = 0; i < scene.stops.size(); ++i)
     if (scene.stops[i].spring)
@@ -99,6 +114,7 @@ void require_rigid_stops(const Scene& scene, const char* what) {
 }
 
 void require_exact_flow(const Scene& scene, const char* what) {
+  require_clamp(scene, what);
   if (!step_method(flow_decision(scene).flow)) return;
   throw scene_error(scene, "solver.flow",
                     fmt::format("the flow \"{}\" is not allowed where {}, it must be \"auto\" or "

@@ -22,10 +22,12 @@ std::optional<StepMethod> step_method(FlowChoice flow);
 // (docs/accuracy.md; tests/study/flow_decision_test.cpp holds them to it):
 //   - where every effect is linear between impacts the exact flow meets any tolerance down to the
 //     rounding of the impacts, and costs less than any setting of the others that does;
-//   - at compliant stops the exact flow integrates each contact to 1e-13 of its speed: it is the
+//   - at compliant stops the exact flow integrates each contact to 1e-14 of its speed: it is the
 //     most careful there is, but steps as long as a tolerance allows may cost less, and over many
 //     contacts that magnify errors it may exceed the tolerance;
-//   - where another effect is not linear, none of closed form remains. This version has none.
+//   - on a hub nothing has a closed form: the extrapolation method of Bulirsch and Stoer costs a
+//   few
+//     times what the others do at their coarsest, and loses nothing.
 struct FlowDecision {
   FlowChoice flow = FlowChoice::kExact;  // never kAuto
   std::string reason;
@@ -40,6 +42,10 @@ StepSetting stable_steps(const System& system, const State& start, StepMethod me
 // scene. Throws InputError for a step at which the method is not stable.
 std::optional<StepSetting> step_choice(const Scene& scene, const System& system,
                                        const State& start);
+
+// Throws InputError where the structure is on a hub, which nothing drives periodically; `what` is
+// done, e.g. "orbits are solved for".
+void require_clamp(const Scene& scene, const char* what);
 
 // Throws InputError where a stop is compliant; `what` is done, e.g. "costs are compared".
 void require_rigid_stops(const Scene& scene, const char* what);
