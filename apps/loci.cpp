@@ -129,8 +129,6 @@ int run_loci(const Command& command) {
   const Scene given = read_scene(command.scene, command.settings);
   require_exact_flow(given, "loci are traced");
   if (command.regions > 0) require_rigid_stops(given, "what is stable in the plane is told");
-  if (command.locus == std::vector<std::string>{label_of(OrbitLocusKind::kGrazing)})
-    require_rigid_stops(given, "loci of grazing are traced");
   const std::optional<Restart> restart = read_restart(command, given);
   const Scene& scene = restart ? restart->scene : given;
   require_forcing_and_stop(scene);

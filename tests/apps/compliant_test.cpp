@@ -122,8 +122,8 @@ TEST_F(Compliant, WhatIsNotBuiltYetSaysSo) {
       "'forcing={kind=\"modal\",amplitude=1.0,frequency=2.0}' " +
       scene;
   const Finished run = run_graze(
-      "continue --parameter stop.gap --from 0.1 --to 0.2 --locus GR --second forcing.frequency "
-      "--second-from 1 --second-to 2" +
+      "continue --parameter stop.gap --from 0.1 --to 0.2 --locus GR --regions 4 "
+      "--second forcing.frequency --second-from 1 --second-to 2" +
       forced);
   EXPECT_EQ(run.code, 2);
   EXPECT_NE(run.err.find("not available in this version"), std::string::npos) << run.err;
