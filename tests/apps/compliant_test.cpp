@@ -1,6 +1,7 @@
 // Compliant stops as a user meets them.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <fstream>
 #include <nlohmann/json.hpp>
@@ -190,6 +191,38 @@ TEST(CompliantOrbits, GoOnFromTheirSpecialPoints) {
   bool passes = false;
   for (const json& special : again[0]["special"]) passes = passes || special["label"] == "PD";
   EXPECT_TRUE(passes);
+}
+
+// The locus of a grazing without other contacts: the gap is the amplitude of the linear response.
+TEST(CompliantOrbits, GoOnAlongTheLociOfTheirSpecialPoints) {
+  ScratchFolder scratch;
+  const std::string folder = (scratch / "run").string();
+  const std::string range = " --parameter stop.gap --from 0.05 --to 0.3 ";
+  const Finished first = run_graze("continue --json --start closed-form --out " + folder + range +
+                                   "--set forcing.frequency=2.4 " + kOscillator);
+  ASSERT_EQ(first.code, 0) << first.err;
+  const std::string from = "continue --json " + folder + "/scene.toml --restart " + folder + range +
+                           "--second forcing.frequency --second-from 2.3 --second-to 2.5 ";
+  for (const std::string kind : {"GR", "PD"}) {
+    const Finished run = run_graze(from + "--label " + kind + "1 --locus " + kind);
+    ASSERT_EQ(run.code, 0) << run.err;
+    const json loci = json::parse(run.out)["loci"];
+    ASSERT_EQ(loci.size(), 1u);
+    EXPECT_EQ(loci[0]["label"], kind);
+    EXPECT_EQ(loci[0]["impacts"], 1);
+    double nearest = 1.0;
+    for (const json& point : loci[0]["points"]) {
+      const double w = point["second"].get<double>(), gap = point["value"].get<double>();
+      if (kind == "GR") {
+        EXPECT_NEAR(gap, 1.0 / std::hypot(1.0 - w * w, 0.1 * w), 1e-11) << w;
+      }
+      nearest = std::min(nearest, std::abs(w - 2.4));
+    }
+    EXPECT_LT(nearest, 0.01);
+  }
+  const Finished other = run_graze(from + "--label GR1 --locus PD");
+  EXPECT_EQ(other.code, 2);
+  EXPECT_NE(other.err.find("GR1 lies on a locus of GR"), std::string::npos) << other.err;
 }
 
 }  // namespace

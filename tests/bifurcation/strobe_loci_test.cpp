@@ -8,6 +8,7 @@
 
 #include "branch_checks.hpp"
 #include "graze/bifurcation/orbit_loci.hpp"
+#include "graze/bifurcation/restart.hpp"
 #include "graze/orbit/strobe_orbit.hpp"
 #include "graze/scene/parameter.hpp"
 
@@ -108,6 +109,38 @@ TEST(StrobeLoci, OfGrazingAloneAreWhereTheResponseIsAsLargeAsTheGap) {
                   0.0, 1e-9);
     }
   }
+}
+
+// A special point of a locus keeps its orbit as states; from there the same locus is traced again.
+TEST(StrobeLoci, GoOnFromTheirSpecialPoints) {
+  const Scene scene = support::shipped_scene("12_spring_dashpot_oscillator",
+                                             {"forcing.frequency=2.4", "stop.gap=0.7"});
+  LociOptions options = grazing_options(0.0, 0.6, 2.3, 2.5);
+  options.slices = 0;
+  OrbitLoci traced = trace_loci(scene, "stop.gap", "forcing.frequency", options);
+  ASSERT_EQ(traced.loci.size(), 1u);
+  OrbitLocus& locus = traced.loci.front();
+  const OrbitLocusPoint at = locus.points[locus.points.size() / 3];
+  locus.special.push_back({"GRGR", "GRGR-1", at});
+  const std::vector<SpecialOrbit> special = special_orbits(traced);
+  ASSERT_EQ(special.size(), 1u);
+  EXPECT_EQ(special[0].locus, OrbitLocusKind::kGrazing);
+  ASSERT_TRUE(special[0].strobe);
+  ASSERT_EQ(special[0].strobe->turns.size(), 1u);
+  // The response F cos(w t - lag) at the start of its forcing period.
+  const double w = at.second, re = 1.0 - w * w, im = 0.1 * w, size = re * re + im * im;
+  EXPECT_NEAR(special[0].strobe->turns[0].q[0], re / size, 1e-9);
+  EXPECT_NEAR(special[0].strobe->turns[0].qdot[0], w * im / size, 1e-9);
+  options.start = locus_start(assemble(scene), special[0], at.value, at.second);
+  ASSERT_TRUE(options.start);
+  const OrbitLoci again = trace_loci(scene, "stop.gap", "forcing.frequency", options);
+  ASSERT_EQ(again.loci.size(), 1u);
+  EXPECT_EQ(again.slices, 0);
+  for (const OrbitLocusPoint& point : again.loci[0].points)
+    EXPECT_NEAR(point.value,
+                1.0 / std::hypot(1.0 - point.second * point.second, 0.1 * point.second), 1e-11);
+  EXPECT_NEAR(again.loci[0].points.front().second, locus.points.front().second, 1e-12);
+  EXPECT_NEAR(again.loci[0].points.back().second, locus.points.back().second, 1e-12);
 }
 
 int contacts_at(const Scene& scene, const OrbitLocusPoint& point, double gap) {
