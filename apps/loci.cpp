@@ -131,7 +131,6 @@ int run_loci(const Command& command) {
   if (!command.plot.empty()) check_picture_name(command.plot);
   const Scene given = read_scene(command.scene, command.settings);
   require_exact_flow(given, "loci are traced");
-  if (command.regions > 0) require_rigid_stops(given, "what is stable in the plane is told");
   const std::optional<Restart> restart = read_restart(command, given);
   const Scene& scene = restart ? restart->scene : given;
   require_forcing_and_stop(scene);

@@ -198,6 +198,24 @@ std::optional<Orbit> orbit_along(const System& system, const StrobeMap& map, con
   return orbit;
 }
 
+StrobeAnswer solve_from(const System& system, const StrobeMap& map, const Vector& u) {
+  std::optional<Solution> solution = newton(system, map, u);
+  if (!solution) return {{}, "Newton's method does not converge on the stroboscopic map"};
+  const Vector least = shortest(map, solution->u);
+  if (least.size() < u.size()) {
+    solution = newton(system, map, least);
+    if (!solution) return {{}, "Newton's method does not converge on the shorter period"};
+  }
+  StrobeAnswer answer;
+  answer.orbit =
+      orbit_of(system, map, solution->u, eigenvalues(solution->product), solution->residual);
+  if (!answer.orbit)
+    answer.why_not =
+        "the periodic motion meets no stop, never leaves one, or comes to rest on one that is "
+        "rigid";
+  return answer;
+}
+
 }  // namespace
 
 std::optional<Orbit> orbit_of(const System& system, const StrobeMap& map, const Vector& u,
@@ -259,6 +277,12 @@ std::vector<State> turns_of(const Orbit& orbit) {
   return turns;
 }
 
+StrobeAnswer strobe_orbit(const System& system, const std::vector<State>& turns,
+                          const StrobeOptions& options) {
+  const StrobeMap map(system, options);
+  return solve_from(system, map, map.pack(turns));
+}
+
 StrobeAnswer strobe_orbit(const System& system, const State& at_period_start, int period,
                           const StrobeOptions& options) {
   const StrobeMap map(system, options);
@@ -278,21 +302,7 @@ StrobeAnswer strobe_orbit(const System& system, const State& at_period_start, in
     if (!turn) return {{}, "the motion cannot be followed"};
     u.segment(i, n) = map.pack({turn->end.q, turn->end.qdot});
   }
-  std::optional<Solution> solution = newton(system, map, u);
-  if (!solution) return {{}, "Newton's method does not converge on the stroboscopic map"};
-  const Vector least = shortest(map, solution->u);
-  if (least.size() < u.size()) {
-    solution = newton(system, map, least);
-    if (!solution) return {{}, "Newton's method does not converge on the shorter period"};
-  }
-  StrobeAnswer answer;
-  answer.orbit =
-      orbit_of(system, map, solution->u, eigenvalues(solution->product), solution->residual);
-  if (!answer.orbit)
-    answer.why_not =
-        "the periodic motion meets no stop, never leaves one, or comes to rest on one that is "
-        "rigid";
-  return answer;
+  return solve_from(system, map, u);
 }
 
 }  // namespace graze

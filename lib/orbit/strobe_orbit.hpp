@@ -22,6 +22,11 @@ struct StrobeAnswer {
 StrobeAnswer strobe_orbit(const System& system, const State& at_period_start, int period,
                           const StrobeOptions& options);
 
+// The orbit near one with these states at the starts of its forcing periods, where the section of
+// the map lies.
+StrobeAnswer strobe_orbit(const System& system, const std::vector<State>& turns,
+                          const StrobeOptions& options);
+
 // The orbit of a solution u = (x_1, .., x_p) of the map. No orbit without any impact, where a rigid
 // stop is stuck to, or where the motion cannot be followed. `residual`: of the solution.
 std::optional<Orbit> orbit_of(const System& system, const StrobeMap& map, const Vector& u,

@@ -90,14 +90,6 @@ std::optional<StepSetting> step_choice(const Scene& scene, const System& system,
   return setting;
 }
 
-void require_rigid_stops(const Scene& scene, const char* what) {
-  for (std::size_t i = 0; i < scene.stops.size(); ++i)
-    if (scene.stops[i].spring)
-      throw scene_error(
-          scene, i == 0 ? "stop.spring" : fmt::format("stop.{}.spring", i + 1),
-          fmt::format("a compliant stop is not available in this version where {}", what));
-}
-
 void require_exact_flow(const Scene& scene, const char* what) {
   if (!step_method(flow_decision(scene).flow)) return;
   throw scene_error(scene, "solver.flow",

@@ -41,10 +41,7 @@ StepSetting stable_steps(const System& system, const State& start, StepMethod me
 std::optional<StepSetting> step_choice(const Scene& scene, const System& system,
                                        const State& start);
 
-// Throws InputError where a stop is compliant; `what` is done, e.g. "costs are compared".
-void require_rigid_stops(const Scene& scene, const char* what);
-
-// The same, and unless the scene's flow is the exact one; `what` is done, e.g. "orbits are
+// Throws InputError unless the scene's flow is the exact one; `what` is done, e.g. "orbits are
 // solved for".
 void require_exact_flow(const Scene& scene, const char* what);
 

@@ -116,21 +116,6 @@ TEST_F(Compliant, CheckNamesTheMassAndTheOnset) {
       << run.out;
 }
 
-TEST_F(Compliant, WhatIsNotBuiltYetSaysSo) {
-  const std::string scene = file();
-  const std::string forced =
-      " --set 'modal.participation=[1.0]' --set "
-      "'forcing={kind=\"modal\",amplitude=1.0,frequency=2.0}' " +
-      scene;
-  const Finished run = run_graze(
-      "continue --parameter stop.gap --from 0.1 --to 0.2 --locus GR --regions 4 "
-      "--second forcing.frequency --second-from 1 --second-to 2" +
-      forced);
-  EXPECT_EQ(run.code, 2);
-  EXPECT_NE(run.err.find("not available in this version"), std::string::npos) << run.err;
-  EXPECT_TRUE(run.out.empty());
-}
-
 TEST_F(Compliant, TheBookOfEnergyCloses) {
   const Finished run = run_graze("simulate --json --energy --duration 0.5 " + file());
   ASSERT_EQ(run.code, 0) << run.err;
@@ -191,6 +176,19 @@ TEST(CompliantOrbits, GoOnFromTheirSpecialPoints) {
   bool passes = false;
   for (const json& special : again[0]["special"]) passes = passes || special["label"] == "PD";
   EXPECT_TRUE(passes);
+}
+
+TEST(CompliantOrbits, ShareThePlaneWithOtherMotions) {
+  const Finished run = run_graze(
+      "continue --json --start closed-form --locus GR --slices 1 --regions 2 --parameter stop.gap "
+      "--from 0.2 --to 0.4 --second forcing.frequency --second-from 2.3 --second-to 2.5 " +
+      kOscillator);
+  ASSERT_EQ(run.code, 0) << run.err;
+  const json places = json::parse(run.out)["regions"]["places"];
+  ASSERT_EQ(places.size(), 4u);
+  // The gaps are 0.25 and 0.35 m, the largest response at 2.35 rad/s 0.22 m.
+  for (const json& place : places)
+    EXPECT_NE(place["label"].get<std::string>().find("no impact"), std::string::npos) << place;
 }
 
 // The locus of a grazing without other contacts: the gap is the amplitude of the linear response.
