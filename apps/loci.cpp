@@ -59,15 +59,18 @@ void start_from(const Restart& restart, const Command& command, LociOptions& opt
   options.start = locus_start(assemble(restart.scene), restart.at, first, second);
   if (!options.start)
     throw InputError(
-        fmt::format("--label: {} has no locus; LP, PD, NS and GR of orbits that do not stick, on "
-                    "rigid stops, have",
+        fmt::format("--label: {} has no locus; LP, PD, NS and GR of orbits that do not stick have",
                     restart.at.id));
   // Which orbits these are, for what else is asked of the plane; a locus of grazing counts its
   // touch.
-  const ImpactPattern& pattern = restart.at.pattern;
-  options.branches.period = pattern.period;
-  options.branches.impacts =
-      std::max(1, pattern.impacts() - (restart.at.locus == OrbitLocusKind::kGrazing ? 1 : 0));
+  if (restart.at.strobe) {
+    options.branches.period = static_cast<int>(restart.at.strobe->turns.size());
+  } else {
+    const ImpactPattern& pattern = restart.at.pattern;
+    options.branches.period = pattern.period;
+    options.branches.impacts =
+        std::max(1, pattern.impacts() - (restart.at.locus == OrbitLocusKind::kGrazing ? 1 : 0));
+  }
   const OrbitLocusKind kind = options.start->kind;
   if (std::find(options.kinds.begin(), options.kinds.end(), kind) == options.kinds.end())
     throw InputError(fmt::format("--locus: {} lies on a locus of {}; give --locus {} or all",
@@ -127,9 +130,6 @@ int run_loci(const Command& command) {
   if (!command.plot.empty()) check_picture_name(command.plot);
   const Scene given = scene_of(command);
   require_exact_flow(given, "loci are traced");
-  if (command.regions > 0) require_rigid_stops(given, "what is stable in the plane is told");
-  if (command.locus == std::vector<std::string>{label_of(OrbitLocusKind::kGrazing)})
-    require_rigid_stops(given, "loci of grazing are traced");
   const std::optional<Restart> restart = read_restart(command, given);
   const Scene& scene = restart ? restart->scene : given;
   require_forcing_and_stop(scene);

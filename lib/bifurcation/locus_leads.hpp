@@ -15,6 +15,12 @@ struct OrbitLocusStart {
   TouchingOrbit orbit;  // in its canonical order; on GR from the touch on
   double first = 0.0, second = 0.0;
   Complex multiplier = 1.0;  // of NS: one of the pair
+  // In place of `orbit` one on compliant stops: its states at the starts of its forcing periods.
+  struct Strobe {
+    std::vector<State> turns;
+    double closure_speed = 0.0;  // m/s, of chatters on rigid stops beside them
+  };
+  std::optional<Strobe> strobe{};
 };
 
 // An orbit at a special point as a start of its locus. For one of grazing it is written from its

@@ -9,6 +9,7 @@
 
 #include "graze/bifurcation/pattern_loci.hpp"
 #include "graze/bifurcation/strobe_loci.hpp"
+#include "graze/orbit/strobe_orbit.hpp"
 #include "graze/scene/parameter.hpp"
 
 namespace graze {
@@ -139,30 +140,54 @@ class LociTracer {
     result_.traces_cut_short += traced.cut_short;
     for (const OrbitBranch& branch : traced.branches)
       for (const SpecialPoint& special : branch.special)
-        if (special.at.orbit.strobe)
-          begin_strobe(*family, special, value);
-        else if (const auto start = start_of(*family, special, value))
-          begin(*start);
+        if (const auto start = start_of(*family, special, value)) begin(*start);
   }
 
-  // On compliant stops.
-  void begin_strobe(const SystemFamily& family, const SpecialPoint& special, double fixed) {
+  std::optional<OrbitLocusStart> start_of(const SystemFamily& family, const SpecialPoint& special,
+                                          double fixed) const {
     const std::optional<OrbitLocusKind> kind = locus_kind(special.kind);
-    if (!kind || *kind == OrbitLocusKind::kGrazing || !wants(*kind)) return;
+    if (!kind || special.by_push || special.at.orbit.sticking || !wants(*kind)) return {};
     const double moved = special.at.value;
     const bool over_first = family.parameter() == plane_.first;
-    StrobeLocusStart start{*kind,
-                           {},
-                           over_first ? moved : fixed,
-                           over_first ? fixed : moved,
-                           special.multiplier.value_or(1.0)};
-    for (const MotionState<double>& turn : special.at.orbit.strobe->turns)
-      start.turns.push_back({turn.q, turn.qdot});
+    const LocusStartPlace place{over_first ? moved : fixed, over_first ? fixed : moved,
+                                special.multiplier.value_or(1.0)};
+    const Orbit& orbit = special.at.orbit;
+    if (orbit.strobe)
+      return OrbitLocusStart{*kind,
+                             {},
+                             place.first,
+                             place.second,
+                             place.multiplier,
+                             {{turns_of(orbit), orbit.strobe->closure_speed}}};
+    return locus_start(*family.at(moved), *kind, {orbit.pattern(), orbit.points(), 0},
+                       special.by_speed, place);
+  }
+
+  bool wants(OrbitLocusKind kind) const {
+    return std::find(options_.kinds.begin(), options_.kinds.end(), kind) != options_.kinds.end();
+  }
+
+  // Its locus, and those that meet it.
+  void begin(const OrbitLocusStart& start) {
+    if (start.strobe) return begin_strobe(start);
+    std::deque<OrbitLocusStart> starts{start};
+    while (!starts.empty() && !options_.branches.stop.requested()) {
+      const std::size_t known = result_.loci.size();
+      begin_one(starts.front());
+      starts.pop_front();
+      for (std::size_t i = known; i < result_.loci.size(); ++i)
+        for (const OrbitLocusSpecial& special : result_.loci[i].special)
+          add_leads(result_.loci[i], special, starts);
+    }
+  }
+
+  // On compliant stops its locus alone.
+  void begin_strobe(const OrbitLocusStart& start) {
     if (!strobe_) {
       StrobeOptions strobe;
       strobe.max_impacts = options_.branches.finder.max_impacts;
       strobe.stop = options_.branches.stop;
-      strobe.closure_speed = special.at.orbit.strobe->closure_speed;
+      strobe.closure_speed = start.strobe->closure_speed;
       strobe_ =
           std::make_unique<StrobeLoci>(scene_, plane_.first, plane_.second, plane_.options, strobe);
     }
@@ -176,35 +201,6 @@ class LociTracer {
     }
     if (is_cut_short(*answer.locus)) ++result_.cut_short;
     result_.loci.push_back(std::move(*answer.locus));
-  }
-
-  std::optional<OrbitLocusStart> start_of(const SystemFamily& family, const SpecialPoint& special,
-                                          double fixed) const {
-    const std::optional<OrbitLocusKind> kind = locus_kind(special.kind);
-    if (!kind || special.by_push || special.at.orbit.sticking || !wants(*kind)) return {};
-    const double moved = special.at.value;
-    const bool over_first = family.parameter() == plane_.first;
-    return locus_start(
-        *family.at(moved), *kind, {special.at.orbit.pattern(), special.at.orbit.points(), 0},
-        special.by_speed,
-        {over_first ? moved : fixed, over_first ? fixed : moved, special.multiplier.value_or(1.0)});
-  }
-
-  bool wants(OrbitLocusKind kind) const {
-    return std::find(options_.kinds.begin(), options_.kinds.end(), kind) != options_.kinds.end();
-  }
-
-  // Its locus, and those that meet it.
-  void begin(const OrbitLocusStart& start) {
-    std::deque<OrbitLocusStart> starts{start};
-    while (!starts.empty() && !options_.branches.stop.requested()) {
-      const std::size_t known = result_.loci.size();
-      begin_one(starts.front());
-      starts.pop_front();
-      for (std::size_t i = known; i < result_.loci.size(); ++i)
-        for (const OrbitLocusSpecial& special : result_.loci[i].special)
-          add_leads(result_.loci[i], special, starts);
-    }
   }
 
   void add_leads(const OrbitLocus& locus, const OrbitLocusSpecial& special,

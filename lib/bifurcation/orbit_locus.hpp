@@ -33,6 +33,9 @@ struct OrbitLocusPoint {
   // Clear of every stop between the impacts, every impact speed positive but for the one that
   // vanishes on GR, none sticks.
   bool admissible = false;
+  // On compliant stops: the orbit's states at the starts of its forcing periods, from which the
+  // motion repeats it. Its impacts do not tell it there.
+  std::vector<State> turns{};
 };
 
 // Where loci meet or change their nature, with MatCont's names: CP, R1 to R4, LPPD, LPNS, PDPD,
@@ -64,7 +67,8 @@ struct OrbitLocus {
   std::vector<OrbitLocusPoint> points;  // in order along the locus, special points among them
   std::vector<OrbitLocusSpecial> special;
   std::array<OrbitLocusEnd, 2> ends{OrbitLocusEnd::kNotConverged, OrbitLocusEnd::kNotConverged};
-  bool compliant = false;  // of orbits on compliant stops: impacts do not tell them
+  bool compliant = false;      // of orbits on compliant stops: impacts do not tell them
+  double closure_speed = 0.0;  // m/s, there: of chatters on rigid stops beside them
 };
 
 }  // namespace graze

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "graze/bifurcation/special_names.hpp"
+#include "graze/orbit/strobe_orbit.hpp"
 
 namespace graze {
 namespace {
@@ -35,15 +36,12 @@ std::optional<SpecialOrbit::Sticking> sticking_part(const OrbitBranch& branch,
 }
 
 SpecialOrbit::Strobe strobe_part(const OrbitBranchPoint& at) {
-  const OrbitStrobe& strobe = *at.orbit.strobe;
-  SpecialOrbit::Strobe part{at.value, {}, strobe.closure_speed};
-  for (const MotionState<double>& turn : strobe.turns) part.turns.push_back({turn.q, turn.qdot});
-  return part;
+  return {at.value, turns_of(at.orbit), at.orbit.strobe->closure_speed};
 }
 
 std::optional<OrbitLocusKind> locus_of(const SpecialOrbit& special) {
   if (special.locus) return special.locus;
-  if (special.sticking || special.strobe || special.by_push) return {};
+  if (special.sticking || special.by_push) return {};
   for (const OrbitLocusKind kind : kOrbitLocusKinds)
     if (special.label == label_of(kind)) return kind;
   return {};
@@ -83,17 +81,20 @@ std::vector<SpecialOrbit> special_orbits(const OrbitBranches& traced, const Syst
 std::vector<SpecialOrbit> special_orbits(const OrbitLoci& traced) {
   std::vector<SpecialOrbit> list;
   for (const OrbitLocus& locus : traced.loci) {
-    if (locus.compliant) continue;  // the impacts of its points do not tell the orbit
     for (const OrbitLocusSpecial& special : locus.special) {
       SpecialOrbit one;
       one.id = special.id;
       one.label = special.label;
       one.values = {special.at.value, special.at.second};
-      Orbit orbit;
-      orbit.period = locus.pattern.period;
-      orbit.impacts = special.at.impacts;
-      one.pattern = orbit.pattern();
-      one.impacts = orbit.points();
+      if (locus.compliant) {
+        one.strobe = {special.at.value, special.at.turns, locus.closure_speed};
+      } else {
+        Orbit orbit;
+        orbit.period = locus.pattern.period;
+        orbit.impacts = special.at.impacts;
+        one.pattern = orbit.pattern();
+        one.impacts = orbit.points();
+      }
       one.multiplier = std::polar(1.0, special.at.angle);
       one.locus = locus.kind;
       one.by_speed = locus.kind == OrbitLocusKind::kGrazing;
@@ -107,6 +108,13 @@ std::optional<OrbitLocusStart> locus_start(const System& system, const SpecialOr
                                            double first, double second) {
   const std::optional<OrbitLocusKind> kind = locus_of(special);
   if (!kind) return {};
+  if (special.strobe)
+    return OrbitLocusStart{*kind,
+                           {},
+                           first,
+                           second,
+                           special.multiplier.value_or(1.0),
+                           {{special.strobe->turns, special.strobe->closure_speed}}};
   return locus_start(system, *kind, {special.pattern, special.impacts, 0}, special.by_speed,
                      {first, second, special.multiplier.value_or(1.0)});
 }

@@ -108,8 +108,8 @@ std::vector<NearGrazing> impacts_near(const StickingEquations& equations, Correc
 
 bool touches(const StickingEquations& equations, const BranchPoint& at) {
   const std::optional<ReleaseReturn> here = equations.follow(at, true);
-  return here && here->passage.clearance &&
-         *here->passage.clearance <= kTouches * length_unit(equations, at);
+  return here && here->passage.clearance() &&
+         *here->passage.clearance() <= kTouches * length_unit(equations, at);
 }
 
 StickingTip grazing_at(const StickingEquations& equations, Corrector& corrector,
@@ -128,9 +128,9 @@ StickingTip grazing_at(const StickingEquations& equations, Corrector& corrector,
   for (auto point = reached.rbegin(); point != reached.rend(); ++point) {
     const std::optional<ReleaseReturn> back = equations.follow(*point, !by_speed);
     if (!back) return {};
-    if (by_speed || back->passage.clearance)
+    if (by_speed || back->passage.clearance())
       near.insert(near.begin(),
-                  {point->parameter, by_speed ? back->slowest : *back->passage.clearance});
+                  {point->parameter, by_speed ? back->slowest : *back->passage.clearance()});
     if (!by_speed || !(back->slowest > std::max(kReliable * unit, 2.0 * here->slowest))) continue;
     solved = impacts_near(equations, corrector, {*point, back->slowest}, {at, here->slowest},
                           corrector.chord(at, *point).normalized());

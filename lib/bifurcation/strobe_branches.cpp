@@ -80,12 +80,7 @@ class StrobeTracer {
     }
     ++result_.starts;
     StrobeEquations& equations = equations_of(static_cast<int>(start.at.strobe->turns.size()));
-    Vector u(0);
-    for (const State& turn : start.at.strobe->turns) {
-      const Vector x = equations.map().pack(turn);
-      u.conservativeResize(u.size() + x.size());
-      u.tail(x.size()) = x;
-    }
+    const Vector u = equations.map().pack(start.at.strobe->turns);
     const std::optional<BranchPoint> point =
         solve_near(equations.problem(), range_, u, family_.value());
     const bool doubles = start.at.kind == SpecialKind::kPeriodDoubling;
@@ -120,7 +115,7 @@ class StrobeTracer {
       ++result_.starts;
       StrobeEquations& equations = equations_of(orbit.period);
       const std::optional<BranchPoint> start =
-          solve_at(equations.problem(), range_, equations.pack(orbit), value);
+          solve_at(equations.problem(), range_, equations.map().pack(turns_of(orbit)), value);
       if (start && !knows(equations, *start)) add(equations, *start, Directions::kBoth, -1, 0);
     }
   }

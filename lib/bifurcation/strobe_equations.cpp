@@ -27,15 +27,6 @@ std::optional<MapEvaluation> StrobeEquations::evaluate(const Vector& x, double v
                        std::move(image->by_parameter)};
 }
 
-Vector StrobeEquations::pack(const Orbit& orbit) const {
-  Vector u(period_ * map_.size());
-  for (int i = 0; i < period_; ++i) {
-    const MotionState<double>& turn = orbit.strobe->turns[static_cast<std::size_t>(i)];
-    u.segment(i * map_.size(), map_.size()) = map_.pack({turn.q, turn.qdot});
-  }
-  return u;
-}
-
 Vector StrobeEquations::halves_differ(const BranchPoint& solution) const {
   if (period_ % 2 != 0) return {};
   const Eigen::Index half = solution.u.size() / 2;

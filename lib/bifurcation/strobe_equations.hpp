@@ -32,8 +32,6 @@ class StrobeEquations {
   double frequency_at(const BranchPoint& solution) const {
     return systems_.at(solution.parameter)->forcing->frequency;
   }
-  // Unknowns of an orbit of this period.
-  Vector pack(const Orbit& orbit) const;
   // How far the second half of a solution is from the first, in units of the map; empty where the
   // period is odd.
   Vector halves_differ(const BranchPoint& solution) const;

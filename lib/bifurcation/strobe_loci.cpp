@@ -1,22 +1,12 @@
 #include "graze/bifurcation/strobe_loci.hpp"
 
-#include <array>
-#include <cmath>
 #include <utility>
 
-#include "graze/orbit/strobe_orbit.hpp"
+#include "graze/continuation/branch.hpp"
+#include "graze/continuation/plane_curve.hpp"
 
 namespace graze {
 namespace {
-
-// Slopes of the map are known to about this, in its units: ten times what a contact is followed to.
-constexpr double kMapAccuracy = 10.0 * kContactTolerance;
-// So differences of slopes err least over steps of its cube root, in units of the map and in ranges
-// of the parameters.
-const double kStep = std::cbrt(kMapAccuracy);
-// The test for a multiplier is formed from slopes: it vanishes to what these are known to, times
-// what solving with them costs.
-constexpr double kResidual = 1e3 * kMapAccuracy;
 
 LocusKind as_locus_kind(OrbitLocusKind kind) {
   return kind == OrbitLocusKind::kPeriodDoubling ? LocusKind::kPeriodDoubling
@@ -48,85 +38,59 @@ OrbitLocusEnd as_end(LocusEnd end) {
   return OrbitLocusEnd::kNotConverged;
 }
 
-System own_system(const Scene& scene, const std::string& parameter) {
-  const SystemFamily family(scene, parameter);
-  return *family.at(family.value());
+// Contacts may be born and lost along it: those of its first point name it.
+void name_pattern(OrbitLocus& locus) {
+  if (locus.points.empty()) return;
+  for (const OrbitImpact& impact : locus.points.front().impacts)
+    locus.pattern.stops.push_back(impact.stop);
 }
 
 }  // namespace
 
 StrobeLoci::StrobeLoci(const Scene& scene, const std::string& first, const std::string& second,
                        const LocusOptions& options, const StrobeOptions& strobe)
-    : systems_(scene, {first, second}), options_(options), map_(own_system(scene, first), strobe) {
-  options_.residual_tolerance = kResidual;
+    : options_(options), plane_(scene, first, second, options, strobe) {
   options_.proceed = [this](const LocusPoint&, const LocusPoint& here) {
     return point_of(here).has_value();
   };
 }
 
-std::optional<PlaneMapEvaluation> StrobeLoci::evaluate(const Vector& x, double p, double q) const {
-  const std::array values{p, q};
-  const System* system = systems_.at(values);
-  const System* by_first = system ? systems_.tangent_at(values, 0) : nullptr;
-  const System* by_second = by_first ? systems_.tangent_at(values, 1) : nullptr;
-  if (!by_second) return {};
-  std::optional<StrobeMap::Image> image = map_.image(*system, x, by_first);
-  std::optional<Vector> second = image ? map_.rate(*system, x, *by_second) : std::nullopt;
-  if (!second) return {};
-  return PlaneMapEvaluation{std::move(image->image), std::move(image->jacobian),
-                            std::move(image->by_parameter), std::move(*second)};
+OrbitLocus StrobeLoci::frame_of(OrbitLocusKind kind, int period) const {
+  OrbitLocus frame;
+  frame.kind = kind;
+  frame.compliant = true;
+  frame.closure_speed = plane_.map().options().closure_speed;
+  frame.pattern.period = period;
+  return frame;
 }
 
-std::optional<double> StrobeLoci::product(const Vector& x, double p, double q, const Vector& left,
-                                          const Vector& right) const {
-  const System* system = systems_.at(std::array{p, q});
-  const auto image = system ? map_.image(*system, x) : std::nullopt;
-  return image ? std::optional(left.dot(image->jacobian * right)) : std::nullopt;
-}
-
-std::optional<Vector> StrobeLoci::curvature(const Vector& x, double p, double q, const Vector& left,
-                                            const Vector& right) const {
-  const double first = std::abs(options_.first_to - options_.first_from),
-               second = std::abs(options_.second_to - options_.second_from);
-  Vector slopes(x.size() + 2);
-  for (Eigen::Index j = 0; j < slopes.size(); ++j) {
-    const bool of_state = j < x.size();
-    const Vector shift =
-        of_state ? Vector(kStep * Vector::Unit(x.size(), j)) : Vector(Vector::Zero(x.size()));
-    const double dp = j == x.size() ? kStep * first : 0.0,
-                 dq = j == x.size() + 1 ? kStep * second : 0.0;
-    const auto ahead = product(x + shift, p + dp, q + dq, left, right),
-               behind = product(x - shift, p - dp, q - dq, left, right);
-    if (!ahead || !behind) return {};
-    slopes[j] = (*ahead - *behind) / (2.0 * (of_state ? kStep : dp + dq));
-  }
-  return slopes;
-}
-
-const PlaneProblem& StrobeLoci::problem(int period) {
-  const auto known = problems_.find(period);
-  if (known != problems_.end()) return known->second;
-  PlaneMap map;
-  map.evaluate = [this](const Vector& x, double p, double q) { return evaluate(x, p, q); };
-  map.curvature = [this](const Vector& x, double p, double q, const Vector& left,
-                         const Vector& right) { return curvature(x, p, q, left, right); };
-  return problems_.emplace(period, periodic_points(map, period)).first->second;
+OrbitLocusPoint StrobeLoci::as_point(double first, double second, double angle,
+                                     const Orbit& orbit) const {
+  return {first, second, angle, orbit.impacts, true, turns_of(orbit)};
 }
 
 std::optional<OrbitLocusPoint> StrobeLoci::point_of(const LocusPoint& at) const {
-  const System* system = systems_.at(std::array{at.first, at.second});
+  const System* system = plane_.system_at(at.first, at.second);
   if (!system) return {};
-  std::optional<Orbit> orbit = orbit_of(*system, map_, at.u, {}, at.residual);
+  const std::optional<Orbit> orbit = orbit_of(*system, plane_.map(), at.u, {}, at.residual);
   if (!orbit) return {};
-  return OrbitLocusPoint{at.first, at.second, at.angle, std::move(orbit->impacts), true};
+  return as_point(at.first, at.second, at.angle, *orbit);
+}
+
+std::optional<OrbitLocusPoint> StrobeLoci::point_of(const StrobeGrazing& curve,
+                                                    const BranchPoint& at) const {
+  const double first = curve.first_of(at);
+  const System* system = plane_.system_at(first, at.parameter);
+  if (!system) return {};
+  const std::optional<Orbit> orbit =
+      touching_orbit_of(*system, plane_.map(), curve.turns_of(at), curve.touch_of(at), at.residual);
+  if (!orbit) return {};
+  return as_point(first, at.parameter, 0.0, *orbit);
 }
 
 // In order along it, special points among the others.
 OrbitLocus StrobeLoci::as_orbits(OrbitLocusKind kind, int period, const Locus& locus) const {
-  OrbitLocus result;
-  result.kind = kind;
-  result.compliant = true;
-  result.pattern.period = period;
+  OrbitLocus result = frame_of(kind, period);
   result.ends = {as_end(locus.ends[0]), as_end(locus.ends[1])};
   auto special = locus.special.begin();
   for (std::size_t i = 0; i < locus.points.size(); ++i) {
@@ -138,29 +102,74 @@ OrbitLocus StrobeLoci::as_orbits(OrbitLocusKind kind, int period, const Locus& l
       result.special.push_back({label_of(special->kind), "", *at});
     }
   }
-  if (!result.points.empty())
-    for (const OrbitImpact& impact : result.points.front().impacts)
-      result.pattern.stops.push_back(impact.stop);
+  name_pattern(result);
   return result;
 }
 
-StrobeLocusAnswer StrobeLoci::trace(const StrobeLocusStart& start) {
+StrobeLocusAnswer StrobeLoci::trace(const OrbitLocusStart& start) {
+  if (start.kind == OrbitLocusKind::kGrazing) return trace_grazing(start);
   StrobeLocusAnswer answer;
-  const int period = static_cast<int>(start.turns.size());
-  const Eigen::Index n = map_.size();
-  LocusStart at{as_locus_kind(start.kind), Vector(period * n), start.first, start.second,
-                start.multiplier};
-  for (int i = 0; i < period; ++i)
-    at.u.segment(i * n, n) = map_.pack(start.turns[static_cast<std::size_t>(i)]);
+  const int period = static_cast<int>(start.strobe->turns.size());
+  LocusOptions options = options_;
+  options.residual_tolerance = StrobePlane::residual_tolerance();
+  const LocusStart at{as_locus_kind(start.kind), plane_.map().pack(start.strobe->turns),
+                      start.first, start.second, start.multiplier};
   std::vector<Locus>& traced = traced_[{period, start.kind}];
-  answer.known = find_locus(problem(period), options_, traced, at).has_value();
+  answer.known = find_locus(plane_.problem(period), options, traced, at).has_value();
   if (answer.known) return answer;
-  std::optional<Locus> locus = trace_locus(problem(period), options_, at);
+  std::optional<Locus> locus = trace_locus(plane_.problem(period), options, at);
   if (!locus) return answer;
   answer.evaluations = locus->evaluations;
   OrbitLocus orbits = as_orbits(start.kind, period, *locus);
   if (!orbits.points.empty()) answer.locus = std::move(orbits);
   traced.push_back(std::move(*locus));
+  return answer;
+}
+
+// A touch alone is that of the motion without contacts, which repeats every period.
+std::optional<StrobeLoci::Touching> StrobeLoci::touching(const OrbitLocusStart& start) const {
+  const System* system = plane_.system_at(start.first, start.second);
+  if (!system) return {};
+  const Vector u = plane_.map().pack(start.strobe->turns);
+  const std::optional<StrobeTouch> touch = nearest_touch(*system, plane_.map(), u);
+  if (!touch) return {};
+  const Eigen::Index n = plane_.map().size();
+  if (start.strobe->turns.size() > 1) {
+    const std::optional<Orbit> orbit = orbit_of(*system, plane_.map(), u, {}, 0.0);
+    if (!orbit || orbit->impacts.size() <= 1)
+      return Touching{u.segment(static_cast<Eigen::Index>(touch->turn) * n, n),
+                      {touch->stop, 0, touch->angle, 0.0}};
+  }
+  return Touching{u, *touch};
+}
+
+StrobeLocusAnswer StrobeLoci::trace_grazing(const OrbitLocusStart& start) {
+  StrobeLocusAnswer answer;
+  const std::optional<Touching> at = touching(start);
+  if (!at) return answer;
+  const int period = static_cast<int>(at->u.size() / plane_.map().size());
+  Grazing& grazing = grazings_[{period, at->touch.stop}];
+  if (!grazing.curve)
+    grazing.curve = std::make_unique<StrobeGrazing>(plane_, period, at->touch.stop);
+  const StrobeGrazing& curve = *grazing.curve;
+  const std::optional<BranchPoint> point = point_on_curve(
+      curve.problem(), options_, curve.pack(at->u, at->touch, start.first), start.second);
+  if (!point) return answer;
+  const ContinuationOptions along = branch_options(curve.problem(), options_);
+  for (const BranchPoint& written : curve.rewritings(*point))
+    for (const Branch& branch : grazing.traced)
+      answer.known = answer.known || lies_on(curve.problem().problem, along, branch, written);
+  if (answer.known) return answer;
+  PlaneCurve traced = trace_curve(curve.problem(), options_, *point);
+  answer.evaluations = traced.branch.evaluations;
+  OrbitLocus locus = frame_of(OrbitLocusKind::kGrazing, period);
+  for (const std::size_t side : {0u, 1u})
+    locus.ends[side] = as_end(as_locus_end(traced.branch.ends[side], true));
+  for (const BranchPoint& here : traced.branch.points)
+    if (auto orbit = point_of(curve, here)) locus.points.push_back(std::move(*orbit));
+  name_pattern(locus);
+  if (!locus.points.empty()) answer.locus = std::move(locus);
+  grazing.traced.push_back(std::move(traced.branch));
   return answer;
 }
 

@@ -1,32 +1,20 @@
-// Loci of folds, period doublings and tori of orbits on compliant stops: those of the stroboscopic
-// map (strobe_map.hpp) over two parameters of the scene.
-//
-// The equations need first derivatives of the map, which are integrated. The slope of their last
-// one, for a critical multiplier, would need second ones; it is told by differences of the first.
-// Newton's method ends where the equations hold, so that a solution does not depend on that slope,
-// only how quickly it is reached.
+// All loci of orbits on compliant stops that have been traced so far: of folds, period doublings
+// and tori (strobe_plane.hpp), and of grazing (strobe_grazing.hpp).
 #pragma once
 
 #include <map>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
-#include "graze/assembly/system_family.hpp"
+#include "graze/bifurcation/locus_leads.hpp"
 #include "graze/bifurcation/orbit_locus.hpp"
+#include "graze/bifurcation/strobe_grazing.hpp"
+#include "graze/bifurcation/strobe_plane.hpp"
 #include "graze/continuation/locus.hpp"
-#include "graze/continuation/plane_map.hpp"
-#include "graze/orbit/strobe_map.hpp"
 
 namespace graze {
-
-// A critical orbit on compliant stops, at or near a locus; not of grazing.
-struct StrobeLocusStart {
-  OrbitLocusKind kind = OrbitLocusKind::kFold;
-  std::vector<State> turns;  // at the starts of its forcing periods
-  double first = 0.0, second = 0.0;
-  Complex multiplier = 1.0;  // of NS: one of the pair
-};
 
 struct StrobeLocusAnswer {
   bool known = false;               // its locus had been traced before
@@ -43,23 +31,33 @@ class StrobeLoci {
   StrobeLoci(const StrobeLoci&) = delete;
   StrobeLoci& operator=(const StrobeLoci&) = delete;
 
-  StrobeLocusAnswer trace(const StrobeLocusStart& start);
+  // Requires a start on compliant stops.
+  StrobeLocusAnswer trace(const OrbitLocusStart& start);
 
  private:
-  std::optional<PlaneMapEvaluation> evaluate(const Vector& x, double p, double q) const;
-  std::optional<double> product(const Vector& x, double p, double q, const Vector& left,
-                                const Vector& right) const;
-  std::optional<Vector> curvature(const Vector& x, double p, double q, const Vector& left,
-                                  const Vector& right) const;
-  const PlaneProblem& problem(int period);
+  // Of one period and stop.
+  struct Grazing {
+    std::unique_ptr<StrobeGrazing> curve;
+    std::vector<Branch> traced{};
+  };
+
+  StrobeLocusAnswer trace_grazing(const OrbitLocusStart& start);
+  // The touch that a start is at, and the shortest orbit that has it.
+  struct Touching {
+    Vector u;
+    StrobeTouch touch;
+  };
+  std::optional<Touching> touching(const OrbitLocusStart& start) const;
+  OrbitLocus frame_of(OrbitLocusKind kind, int period) const;
+  OrbitLocusPoint as_point(double first, double second, double angle, const Orbit& orbit) const;
   std::optional<OrbitLocusPoint> point_of(const LocusPoint& at) const;
+  std::optional<OrbitLocusPoint> point_of(const StrobeGrazing& curve, const BranchPoint& at) const;
   OrbitLocus as_orbits(OrbitLocusKind kind, int period, const Locus& locus) const;
 
-  mutable SystemCursor systems_;
   LocusOptions options_;
-  StrobeMap map_;
-  std::map<int, PlaneProblem> problems_;  // by period
+  StrobePlane plane_;
   std::map<std::pair<int, OrbitLocusKind>, std::vector<Locus>> traced_;
+  std::map<std::pair<int, int>, Grazing> grazings_;
 };
 
 }  // namespace graze

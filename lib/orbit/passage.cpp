@@ -120,9 +120,13 @@ class Follower {
 
   void note_minima(double flight) {
     const ContactPhase<double>& phase = motion_.flown();
-    for (const int i : open_stops())
-      note_smallest(passage_.clearance,
-                    smallest_minimum(phase.gap(i, flight, departed_from(i)), multiplicity(i)));
+    for (const int i : open_stops()) {
+      const std::optional<GapMinimum> least =
+          lowest_minimum(phase.gap(i, flight, departed_from(i)), multiplicity(i));
+      if (least && (!passage_.lowest || least->gap < passage_.lowest->gap))
+        passage_.lowest = {i, later(motion_.departure().instant, least->s, system_.period()),
+                           least->gap};
+    }
     for (PassedHold& hold : holding_)
       if (contact_at_departure(hold.stop) == Contact::kClosed)
         note_smallest(hold.smallest_force, smallest_minimum(phase.force(hold.stop, flight)));

@@ -72,13 +72,24 @@ struct PassedContact {
   bool parted = false;  // its force is gone, below the surface
 };
 
+// Where a gap is least between the impacts.
+struct PassedMinimum {
+  int stop = 0;
+  Instant<double> at;
+  double gap = 0.0;  // m
+};
+
 struct Passage {
   std::string failure;  // a sentence where the end was not reached; empty: it was
   MotionState<double> end;
   std::vector<PassedImpact> impacts;
   std::vector<PassedHold> holds;        // by the instant at which they end
   std::vector<PassedContact> contacts;  // likewise
-  std::optional<double> clearance;  // smallest interior local minimum of a gap, m; with `minima`
+  // The smallest interior local minimum of a gap; with `minima`.
+  std::optional<PassedMinimum> lowest{};
+  std::optional<double> clearance() const {  // m
+    return lowest ? std::optional(lowest->gap) : std::nullopt;
+  }
   std::vector<PassedApproach> approaches;  // with `along`
 };
 

@@ -206,7 +206,7 @@ Orbit orbit_of(const System& system, const HeldSection& section, const HeldSecti
   else if (count.undecided == 0 && !orbit.multipliers.empty())
     orbit.stable = true;
   orbit.admissible = true;
-  orbit.clearance = back.passage.clearance;
+  orbit.clearance = back.passage.clearance();
   orbit.residual = back.residual;
   orbit.sticking = OrbitSticking{holds_of(system, period, back.passage, clock),
                                  clock(section.at().instant), section.at(), closure_speed};

@@ -1,6 +1,7 @@
 #include "graze/orbit/strobe_map.hpp"
 
 #include "graze/base/angle.hpp"
+#include "graze/flow/deviation.hpp"
 #include "graze/orbit/shooting.hpp"
 #include "graze/system/gap_value.hpp"
 
@@ -16,6 +17,13 @@ Vector StrobeMap::pack(const State& state) const {
   Vector x(size());
   x << state.q, state.qdot;
   return x.cwiseQuotient(unit_);
+}
+
+Vector StrobeMap::pack(const std::vector<State>& turns) const {
+  Vector u(static_cast<Eigen::Index>(turns.size()) * size());
+  for (std::size_t i = 0; i < turns.size(); ++i)
+    u.segment(static_cast<Eigen::Index>(i) * size(), size()) = pack(turns[i]);
+  return u;
 }
 
 State StrobeMap::unpack(const Vector& x) const {
@@ -54,15 +62,21 @@ PassageOptions StrobeMap::passage_options() const {
   return passage;
 }
 
-std::optional<StrobeMap::Image> StrobeMap::image(const System& system, const Vector& x,
-                                                 const System* tangent) const {
-  const std::optional<MotionState<double>> start = start_of(system, x);
-  if (!start) return {};
+Deviations StrobeMap::unit_deviations() const {
   const Eigen::Index n = size() / 2;
   Deviations deviations{Matrix::Zero(n, 2 * n), Matrix::Zero(n, 2 * n),
                         Eigen::RowVectorXd::Zero(2 * n)};
   deviations.q.leftCols(n) = unit_.head(n).asDiagonal();
   deviations.qdot.rightCols(n) = unit_.tail(n).asDiagonal();
+  return deviations;
+}
+
+std::optional<StrobeMap::Image> StrobeMap::image(const System& system, const Vector& x,
+                                                 const System* tangent) const {
+  const std::optional<MotionState<double>> start = start_of(system, x);
+  if (!start) return {};
+  const Eigen::Index n = size() / 2;
+  Deviations deviations = unit_deviations();
   std::optional<ParameterDeviation> parameter;
   if (tangent) parameter.emplace(system, *tangent, State{Vector::Zero(n), Vector::Zero(n)});
   const Passage passage = pass(system, *start, end_of(*start), passage_options(), &deviations,
@@ -86,6 +100,35 @@ std::optional<Vector> StrobeMap::rate(const System& system, const Vector& x,
       pass(system, *start, end_of(*start), passage_options(), nullptr, &parameter);
   if (!passage.failure.empty()) return {};
   return pack(parameter.value());
+}
+
+std::optional<StrobeMap::Within> StrobeMap::within(const System& system, const Vector& x,
+                                                   double angle,
+                                                   std::span<const System* const> tangents) const {
+  const std::optional<MotionState<double>> start = start_of(system, x);
+  if (!start) return {};
+  const Eigen::Index n = size() / 2;
+  const double frequency = system.forcing->frequency;
+  const Instant<double> end = later(start->instant, angle / frequency, system.period());
+  Within within;
+  within.by_state = unit_deviations();
+  Passage passage = pass(system, *start, end, passage_options(), &within.by_state);
+  if (!passage.failure.empty()) return {};
+  within.at = std::move(passage.end);
+  within.state = {within.at.q, within.at.qdot};
+  for (const System* tangent : tangents) {
+    ParameterDeviation parameter(system, *tangent, State{Vector::Zero(n), Vector::Zero(n)});
+    if (!pass(system, *start, end, passage_options(), nullptr, &parameter).failure.empty())
+      return {};
+    within.by_parameters.push_back(parameter.value());
+  }
+  const Motion<double> motion(system, within.at);
+  within.by_angle = held_rate(system, {}, within.state, motion.flow().phase(within.at.instant));
+  for (std::size_t i = 0; i < system.stops.size(); ++i)
+    within.by_angle.qdot -= motion.spring_force(static_cast<int>(i)) * system.stops[i].row;
+  within.by_angle.q /= frequency;
+  within.by_angle.qdot /= frequency;
+  return within;
 }
 
 std::optional<Passage> StrobeMap::follow(const System& system, const Vector& x, bool minima) const {

@@ -8,6 +8,8 @@
 #pragma once
 
 #include <optional>
+#include <span>
+#include <vector>
 
 #include "graze/orbit/passage.hpp"
 
@@ -30,6 +32,8 @@ class StrobeMap {
   // The state in units of the map, and back.
   Vector pack(const State& state) const;
   State unpack(const Vector& x) const;
+  // (x_1, .., x_p) of the states at the starts of an orbit's forcing periods.
+  Vector pack(const std::vector<State>& turns) const;
   // When the motion that starts at t = 0 first comes to the section.
   static Instant<double> first_instant(const System& system);
   // The motion's start there; nothing where a rigid stop is penetrated.
@@ -45,11 +49,23 @@ class StrobeMap {
                              const System* tangent = nullptr) const;
   // How the image moves with a parameter alone; nothing likewise.
   std::optional<Vector> rate(const System& system, const Vector& x, const System& tangent) const;
+
+  // The same within the period, at a forcing angle after the section, 0 <= angle < 2 pi.
+  struct Within {
+    State state;
+    MotionState<double> at;  // that motion goes on from
+    Deviations by_state;     // 2N columns, by x
+    State by_angle;          // per rad
+    std::vector<State> by_parameters;
+  };
+  std::optional<Within> within(const System& system, const Vector& x, double angle,
+                               std::span<const System* const> tangents) const;
   // The motion over the period; nothing likewise. `minima`: as in PassageOptions.
   std::optional<Passage> follow(const System& system, const Vector& x, bool minima = false) const;
 
  private:
   Instant<double> end_of(const MotionState<double>& start) const;
+  Deviations unit_deviations() const;
   PassageOptions passage_options() const;
 
   StrobeOptions options_;

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "graze/base/angle.hpp"
 #include "graze/base/linear_equations.hpp"
 #include "graze/orbit/orbit_clock.hpp"
 #include "graze/orbit/solve.hpp"
@@ -83,9 +84,12 @@ struct Met {
   OrbitContact contact;
 };
 
+double seconds(const System& system, const Instant<double>& from, const Instant<double>& to) {
+  return static_cast<double>(to.period - from.period) * system.period() + to.local - from.local;
+}
+
 double seconds(const System& system, const PassedContact& contact) {
-  return static_cast<double>(contact.to.period - contact.from.period) * system.period() +
-         contact.to.local - contact.from.local;
+  return seconds(system, contact.from, contact.to);
 }
 
 // A contact that lasts over the end of a turn goes on in the next one.
@@ -108,9 +112,27 @@ OrbitContact whole_contact(const System& system, const std::vector<Passage>& tur
   return whole;
 }
 
+// A touch, where an orbit has one.
+struct MetTouch {
+  StrobeTouch touch;
+  Instant<double> at;  // counted within its turn
+  State state;
+
+  // One as long before or after it as it lasts at the most: the instant is known less well than the
+  // depth.
+  bool is(const System& system, std::size_t turn, const PassedContact& contact) const {
+    if (turn != touch.turn || contact.stop != touch.stop || contact.speed > touch.slowest)
+      return false;
+    const double lasts = seconds(system, contact);
+    const double since = seconds(system, contact.from, at);
+    return since >= -lasts && since <= 2.0 * lasts;
+  }
+};
+
 // In time order; `start`: where the first turn begins.
 std::vector<Met> met_on(const System& system, const std::vector<Passage>& turns,
-                        const Instant<double>& begin, OrbitInstant& start) {
+                        const std::optional<MetTouch>& touch, const Instant<double>& begin,
+                        OrbitInstant& start) {
   const auto at_turn = [](Instant<double> at, std::size_t turn) {
     at.period += static_cast<long long>(turn);
     return at;
@@ -123,11 +145,15 @@ std::vector<Met> met_on(const System& system, const std::vector<Passage>& turns,
       met.push_back({{impact.stop, 0, 0.0, impact.speed, impact.before}, {}});
     }
     for (const PassedContact& contact : turns[turn].contacts) {
-      if (contact.from_start) continue;
+      if (contact.from_start || (touch && touch->is(system, turn, contact))) continue;
       instants.push_back(at_turn(contact.from, turn));
       met.push_back({{contact.stop, 0, 0.0, contact.speed, contact.before},
                      whole_contact(system, turns, turn, contact)});
     }
+  }
+  if (touch) {
+    instants.push_back(at_turn(touch->at, touch->touch.turn));
+    met.push_back({{touch->touch.stop, 0, 0.0, 0.0, touch->state}, {}});
   }
   const OrbitClock clock(system, static_cast<int>(turns.size()), instants);
   start = clock(begin);
@@ -143,10 +169,9 @@ std::vector<Met> met_on(const System& system, const std::vector<Passage>& turns,
   return met;
 }
 
-}  // namespace
-
-std::optional<Orbit> orbit_of(const System& system, const StrobeMap& map, const Vector& u,
-                              std::vector<Eigenvalue> multipliers, double residual) {
+// With everything but what multipliers tell.
+std::optional<Orbit> orbit_along(const System& system, const StrobeMap& map, const Vector& u,
+                                 const std::optional<MetTouch>& touch, double residual) {
   const Eigen::Index n = map.size();
   Orbit orbit;
   orbit.period = static_cast<int>(u.size() / n);
@@ -157,26 +182,105 @@ std::optional<Orbit> orbit_of(const System& system, const StrobeMap& map, const 
     std::optional<Passage> turn = map.follow(system, u.segment(i, n), true);
     // An orbit that sticks besides has a map of lower rank, and is not one of these.
     if (!turn || !turn->holds.empty()) return {};
-    if (turn->clearance && (!orbit.clearance || *turn->clearance < *orbit.clearance))
-      orbit.clearance = turn->clearance;
+    const std::optional<double> clearance = turn->clearance();
+    if (clearance && (!orbit.clearance || *clearance < *orbit.clearance))
+      orbit.clearance = clearance;
     orbit.strobe->turns.push_back(*map.start_of(system, u.segment(i, n)));
     turns.push_back(std::move(*turn));
   }
   const Instant<double> begin = orbit.strobe->turns.front().instant;
-  for (const Met& met : met_on(system, turns, begin, orbit.strobe->start)) {
+  for (const Met& met : met_on(system, turns, touch, begin, orbit.strobe->start)) {
     orbit.impacts.push_back(met.impact);
     orbit.strobe->contacts.push_back(met.contact);
   }
-  if (orbit.impacts.empty()) return {};
-  orbit.multipliers = std::move(multipliers);
-  const MultiplierCount count = count_multipliers(orbit.multipliers);
-  if (count.outside > 0)
-    orbit.stable = false;
-  else if (count.undecided == 0 && !orbit.multipliers.empty())
-    orbit.stable = true;
   orbit.admissible = true;
   orbit.residual = residual;
   return orbit;
+}
+
+StrobeAnswer solve_from(const System& system, const StrobeMap& map, const Vector& u) {
+  std::optional<Solution> solution = newton(system, map, u);
+  if (!solution) return {{}, "Newton's method does not converge on the stroboscopic map"};
+  const Vector least = shortest(map, solution->u);
+  if (least.size() < u.size()) {
+    solution = newton(system, map, least);
+    if (!solution) return {{}, "Newton's method does not converge on the shorter period"};
+  }
+  StrobeAnswer answer;
+  answer.orbit =
+      orbit_of(system, map, solution->u, eigenvalues(solution->product), solution->residual);
+  if (!answer.orbit)
+    answer.why_not =
+        "the periodic motion meets no stop, never leaves one, or comes to rest on one that is "
+        "rigid";
+  return answer;
+}
+
+}  // namespace
+
+std::optional<Orbit> orbit_of(const System& system, const StrobeMap& map, const Vector& u,
+                              std::vector<Eigenvalue> multipliers, double residual) {
+  std::optional<Orbit> orbit = orbit_along(system, map, u, {}, residual);
+  if (!orbit || orbit->impacts.empty()) return {};
+  orbit->multipliers = std::move(multipliers);
+  const MultiplierCount count = count_multipliers(orbit->multipliers);
+  if (count.outside > 0)
+    orbit->stable = false;
+  else if (count.undecided == 0 && !orbit->multipliers.empty())
+    orbit->stable = true;
+  return orbit;
+}
+
+std::optional<Orbit> touching_orbit_of(const System& system, const StrobeMap& map, const Vector& u,
+                                       const StrobeTouch& touch, double residual) {
+  const Eigen::Index n = map.size();
+  const auto at =
+      map.within(system, u.segment(static_cast<Eigen::Index>(touch.turn) * n, n), touch.angle, {});
+  if (!at) return {};
+  return orbit_along(system, map, u, MetTouch{touch, at->at.instant, at->state}, residual);
+}
+
+std::optional<StrobeTouch> nearest_touch(const System& system, const StrobeMap& map,
+                                         const Vector& u) {
+  const Eigen::Index n = map.size();
+  const double length = shooting_scale(system).length, frequency = system.forcing->frequency;
+  std::optional<StrobeTouch> nearest;
+  double least = std::numeric_limits<double>::infinity();
+  const auto offer = [&](double depth, int stop, std::size_t turn, double seconds) {
+    if (!(depth < least)) return;
+    least = depth;
+    nearest = {stop, turn, std::clamp(frequency * seconds, 0.0, kTurn), 0.0};
+  };
+  for (Eigen::Index i = 0; i < u.size(); i += n) {
+    const std::optional<Passage> turn = map.follow(system, u.segment(i, n), true);
+    if (!turn) return {};
+    const auto index = static_cast<std::size_t>(i / n);
+    const auto since_start = [&](const Instant<double>& at) {
+      return seconds(system, StrobeMap::first_instant(system), at);
+    };
+    if (turn->lowest)
+      offer(std::abs(turn->lowest->gap) / length, turn->lowest->stop, index,
+            since_start(turn->lowest->at));
+    for (const PassedContact& contact : turn->contacts) {
+      if (contact.from_start) continue;
+      const double part = contact.speed / (frequency * length);
+      offer(0.5 * part * part, contact.stop, index, since_start(contact.from));
+    }
+  }
+  if (nearest && !system.stops[static_cast<std::size_t>(nearest->stop)].spring) return {};
+  return nearest;
+}
+
+std::vector<State> turns_of(const Orbit& orbit) {
+  std::vector<State> turns;
+  for (const MotionState<double>& turn : orbit.strobe->turns) turns.push_back({turn.q, turn.qdot});
+  return turns;
+}
+
+StrobeAnswer strobe_orbit(const System& system, const std::vector<State>& turns,
+                          const StrobeOptions& options) {
+  const StrobeMap map(system, options);
+  return solve_from(system, map, map.pack(turns));
 }
 
 StrobeAnswer strobe_orbit(const System& system, const State& at_period_start, int period,
@@ -198,21 +302,7 @@ StrobeAnswer strobe_orbit(const System& system, const State& at_period_start, in
     if (!turn) return {{}, "the motion cannot be followed"};
     u.segment(i, n) = map.pack({turn->end.q, turn->end.qdot});
   }
-  std::optional<Solution> solution = newton(system, map, u);
-  if (!solution) return {{}, "Newton's method does not converge on the stroboscopic map"};
-  const Vector least = shortest(map, solution->u);
-  if (least.size() < u.size()) {
-    solution = newton(system, map, least);
-    if (!solution) return {{}, "Newton's method does not converge on the shorter period"};
-  }
-  StrobeAnswer answer;
-  answer.orbit =
-      orbit_of(system, map, solution->u, eigenvalues(solution->product), solution->residual);
-  if (!answer.orbit)
-    answer.why_not =
-        "the periodic motion meets no stop, never leaves one, or comes to rest on one that is "
-        "rigid";
-  return answer;
+  return solve_from(system, map, u);
 }
 
 }  // namespace graze

@@ -22,9 +22,37 @@ struct StrobeAnswer {
 StrobeAnswer strobe_orbit(const System& system, const State& at_period_start, int period,
                           const StrobeOptions& options);
 
+// The orbit near one with these states at the starts of its forcing periods, where the section of
+// the map lies.
+StrobeAnswer strobe_orbit(const System& system, const std::vector<State>& turns,
+                          const StrobeOptions& options);
+
 // The orbit of a solution u = (x_1, .., x_p) of the map. No orbit without any impact, where a rigid
 // stop is stuck to, or where the motion cannot be followed. `residual`: of the solution.
 std::optional<Orbit> orbit_of(const System& system, const StrobeMap& map, const Vector& u,
                               std::vector<Eigenvalue> multipliers, double residual);
+
+// The states at the starts of its forcing periods; requires an orbit on compliant stops.
+std::vector<State> turns_of(const Orbit& orbit);
+
+// An instant at which an orbit touches a compliant stop at no speed.
+struct StrobeTouch {
+  int stop = 0;
+  std::size_t turn = 0;  // of the orbit's
+  double angle = 0.0;    // of the forcing, after the turn's start, rad, 0 <= angle < 2 pi
+  // m/s: a contact at that instant which begins no faster is the touch itself, met a little deep.
+  double slowest = 0.0;
+};
+
+// Where the orbit of a solution, or of one near that, comes nearest to a touch: the slowest of its
+// contacts, or the least of its gaps, told by v^2/2 as the depth in units of the forced motion.
+// Nothing where there is neither, or where that is a rigid stop's.
+std::optional<StrobeTouch> nearest_touch(const System& system, const StrobeMap& map,
+                                         const Vector& u);
+
+// The orbit of a solution that has this touch, as an impact at speed 0 with a contact in which
+// nothing happens. Without multipliers; nothing as above.
+std::optional<Orbit> touching_orbit_of(const System& system, const StrobeMap& map, const Vector& u,
+                                       const StrobeTouch& touch, double residual);
 
 }  // namespace graze

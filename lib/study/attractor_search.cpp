@@ -11,6 +11,8 @@
 #include "graze/orbit/minimal_orbit.hpp"
 #include "graze/orbit/orbit_identity.hpp"
 #include "graze/orbit/periodic_response.hpp"
+#include "graze/orbit/strobe_finder.hpp"
+#include "graze/orbit/strobe_orbit.hpp"
 #include "graze/study/clear_state.hpp"
 #include "graze/study/followed_motion.hpp"
 #include "graze/study/random_start.hpp"
@@ -42,6 +44,7 @@ class AttractorSearch {
                   PlaceAttractors known)
       : system_(system),
         options_(options),
+        compliant_(has_compliant_stop(system)),
         scale_(shooting_scale(system)),
         periods_(periods_to_forget(system, options)),
         found_(std::move(known)) {}
@@ -67,7 +70,7 @@ class AttractorSearch {
   void from_closed_form() {
     for (std::size_t i = 0; i < system_.stops.size(); ++i)
       found_.searched += holds_closed_form(static_cast<int>(i)) ? 1 : 0;
-    if (found_.searched == 0) return;
+    if (found_.searched == 0 && !compliant_) return;
     FinderOptions finder;
     finder.period = options_.period;
     finder.impacts = 1;
@@ -77,8 +80,9 @@ class AttractorSearch {
       if (found_.finished && orbit.stable == true && !knows(orbit)) check(orbit);
   }
 
+  // On compliant stops it is a start, and tells nothing of how many there are.
   bool holds_closed_form(int stop) const {
-    return closed_form(system_, stop, options_.period).form.has_value();
+    return !compliant_ && closed_form(system_, stop, options_.period).form.has_value();
   }
 
   // Whether the closed form should have had this orbit.
@@ -113,7 +117,9 @@ class AttractorSearch {
              known.orbit->period == neighbour.period;
     };
     if (is_searched(neighbour)) return std::any_of(found_.list.begin(), found_.list.end(), is_like);
-    const std::optional<Orbit> orbit = solve(neighbour.pattern(), neighbour.points());
+    const std::optional<Orbit> orbit =
+        compliant_ ? strobe_orbit(system_, turns_of(neighbour), strobe_options()).orbit
+                   : solve(neighbour.pattern(), neighbour.points());
     if (!orbit || orbit->stable != true || !orbit->admissible) return false;
     if (knows(*orbit)) return true;
     if (is_searched(*orbit)) found_.missed.push_back(*orbit);
@@ -127,6 +133,17 @@ class AttractorSearch {
     const auto solution = newton(problem, system_, problem.pack(points));
     if (!solution) return {};
     return minimal_orbit(system_, problem, *solution);
+  }
+
+  // That a motion which repeats has settled on.
+  std::optional<Orbit> solve(const SettledMotion& motion) const {
+    if (compliant_)
+      return strobe_orbit(system_, motion.at_start, motion.period, strobe_options()).orbit;
+    return motion.pattern ? solve(*motion.pattern, motion.points) : std::nullopt;
+  }
+
+  StrobeOptions strobe_options() const {
+    return {options_.closure_speed, options_.max_impacts, options_.stop};
   }
 
   // Lists a stable orbit if the motion beside it settles on it.
@@ -161,8 +178,8 @@ class AttractorSearch {
   }
 
   bool is_on(const SettledMotion& motion, const Orbit& orbit) const {
-    if (motion.kind != SettledKind::kImpacts || !motion.pattern) return false;
-    const std::optional<Orbit> settled = solve(*motion.pattern, motion.points);
+    if (motion.kind != SettledKind::kImpacts) return false;
+    const std::optional<Orbit> settled = solve(motion);
     return settled && is_same(*settled, orbit);
   }
 
@@ -172,7 +189,7 @@ class AttractorSearch {
     if (!found_.finished) return;
     const AttractorKind kind = kind_of(motion);
     if (kind == AttractorKind::kOrbit) {
-      const std::optional<Orbit> orbit = solve(*motion.pattern, motion.points);
+      const std::optional<Orbit> orbit = solve(motion);
       if (orbit && orbit->stable != false) return add_settled(*orbit, motion.at_start);
     }
     if (motion.kind == SettledKind::kImpactBudget || motion.kind == SettledKind::kRefused) {
@@ -194,8 +211,8 @@ class AttractorSearch {
   AttractorKind kind_of(const SettledMotion& motion) const {
     switch (motion.kind) {
       case SettledKind::kImpacts:
-        return motion.pattern && motion.period <= 2 * options_.period &&
-                       motion.pattern->impacts() <= 2 * options_.impacts
+        return (motion.pattern || compliant_) && motion.period <= 2 * options_.period &&
+                       static_cast<int>(motion.impacts.size()) <= 2 * options_.impacts
                    ? AttractorKind::kOrbit
                    : AttractorKind::kOther;
       case SettledKind::kSticks:
@@ -248,6 +265,7 @@ class AttractorSearch {
 
   const System& system_;
   const AttractorSearchOptions& options_;
+  bool compliant_;  // some stop is
   ShootingScale scale_;
   long long periods_;  // a motion is followed at first
   PlaceAttractors found_;

@@ -3,7 +3,8 @@
 //
 // Every orbit that its multipliers call stable is checked by simulation: a motion that starts
 // beside it has to settle on that very orbit. The other way round, a motion that settles on a
-// (p, 1) orbit has to be on one that the closed form gave, where that holds.
+// (p, 1) orbit has to be on one that the closed form gave, where that holds. With compliant stops
+// the closed form of rigid ones only gives starts.
 #pragma once
 
 #include <compare>

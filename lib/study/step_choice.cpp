@@ -105,14 +105,6 @@ void require_clamp(const Scene& scene, const char* what) {
                                 what));
 }
 
-void require_rigid_stops(const Scene& scene, const char* what) {
-  for (std::size_t i = 0; i < scene.stops.size(); ++i)
-    if (scene.stops[i].spring)
-      throw scene_error(
-          scene, i == 0 ? "stop.spring" : fmt::format("stop.{}.spring", i + 1),
-          fmt::format("a compliant stop is not available in this version where {}", what));
-}
-
 void require_exact_flow(const Scene& scene, const char* what) {
   require_clamp(scene, what);
   if (!step_method(flow_decision(scene).flow)) return;

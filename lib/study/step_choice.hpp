@@ -47,9 +47,6 @@ std::optional<StepSetting> step_choice(const Scene& scene, const System& system,
 // done, e.g. "orbits are solved for".
 void require_clamp(const Scene& scene, const char* what);
 
-// Throws InputError where a stop is compliant; `what` is done, e.g. "costs are compared".
-void require_rigid_stops(const Scene& scene, const char* what);
-
 // The same, and unless the scene's flow is the exact one; `what` is done, e.g. "orbits are
 // solved for".
 void require_exact_flow(const Scene& scene, const char* what);

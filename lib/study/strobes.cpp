@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 #include "graze/base/angle.hpp"
 #include "graze/flow/exact_flow.hpp"
@@ -26,9 +27,23 @@ std::vector<State> sticking_states(const System& system, const Orbit& orbit) {
   return states;
 }
 
+// Flown on from the section of each turn, to the start of the next period.
+std::vector<State> compliant_states(const System& system, const Orbit& orbit) {
+  PassageOptions options;
+  options.closure_speed = orbit.strobe->closure_speed;
+  std::vector<State> states;
+  for (const MotionState<double>& turn : orbit.strobe->turns) {
+    const Passage passage = pass(system, turn, {turn.instant.period + 1, 0.0}, options);
+    states.push_back({passage.end.q, passage.end.qdot});
+  }
+  std::rotate(states.begin(), std::prev(states.end()), states.end());
+  return states;
+}
+
 }  // namespace
 
 std::vector<State> stroboscopic_states(const System& system, const Orbit& orbit) {
+  if (orbit.strobe) return compliant_states(system, orbit);
   if (orbit.sticking) return sticking_states(system, orbit);
   const ExactFlow<double> flow(system);
   Arc<double> arc(flow);

@@ -1,6 +1,7 @@
 // Compliant stops as a user meets them.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <fstream>
 #include <nlohmann/json.hpp>
@@ -115,21 +116,6 @@ TEST_F(Compliant, CheckNamesTheMassAndTheOnset) {
       << run.out;
 }
 
-TEST_F(Compliant, WhatIsNotBuiltYetSaysSo) {
-  const std::string scene = file();
-  const std::string forced =
-      " --set 'modal.participation=[1.0]' --set "
-      "'forcing={kind=\"modal\",amplitude=1.0,frequency=2.0}' " +
-      scene;
-  const Finished run = run_graze(
-      "continue --parameter stop.gap --from 0.1 --to 0.2 --locus GR --second forcing.frequency "
-      "--second-from 1 --second-to 2" +
-      forced);
-  EXPECT_EQ(run.code, 2);
-  EXPECT_NE(run.err.find("not available in this version"), std::string::npos) << run.err;
-  EXPECT_TRUE(run.out.empty());
-}
-
 TEST_F(Compliant, TheBookOfEnergyCloses) {
   const Finished run = run_graze("simulate --json --energy --duration 0.5 " + file());
   ASSERT_EQ(run.code, 0) << run.err;
@@ -190,6 +176,51 @@ TEST(CompliantOrbits, GoOnFromTheirSpecialPoints) {
   bool passes = false;
   for (const json& special : again[0]["special"]) passes = passes || special["label"] == "PD";
   EXPECT_TRUE(passes);
+}
+
+TEST(CompliantOrbits, ShareThePlaneWithOtherMotions) {
+  const Finished run = run_graze(
+      "continue --json --start closed-form --locus GR --slices 1 --regions 2 --parameter stop.gap "
+      "--from 0.2 --to 0.4 --second forcing.frequency --second-from 2.3 --second-to 2.5 " +
+      kOscillator);
+  ASSERT_EQ(run.code, 0) << run.err;
+  const json places = json::parse(run.out)["regions"]["places"];
+  ASSERT_EQ(places.size(), 4u);
+  // The gaps are 0.25 and 0.35 m, the largest response at 2.35 rad/s 0.22 m.
+  for (const json& place : places)
+    EXPECT_NE(place["label"].get<std::string>().find("no impact"), std::string::npos) << place;
+}
+
+// The locus of a grazing without other contacts: the gap is the amplitude of the linear response.
+TEST(CompliantOrbits, GoOnAlongTheLociOfTheirSpecialPoints) {
+  ScratchFolder scratch;
+  const std::string folder = (scratch / "run").string();
+  const std::string range = " --parameter stop.gap --from 0.05 --to 0.3 ";
+  const Finished first = run_graze("continue --json --start closed-form --out " + folder + range +
+                                   "--set forcing.frequency=2.4 " + kOscillator);
+  ASSERT_EQ(first.code, 0) << first.err;
+  const std::string from = "continue --json " + folder + "/scene.toml --restart " + folder + range +
+                           "--second forcing.frequency --second-from 2.3 --second-to 2.5 ";
+  for (const std::string kind : {"GR", "PD"}) {
+    const Finished run = run_graze(from + "--label " + kind + "1 --locus " + kind);
+    ASSERT_EQ(run.code, 0) << run.err;
+    const json loci = json::parse(run.out)["loci"];
+    ASSERT_EQ(loci.size(), 1u);
+    EXPECT_EQ(loci[0]["label"], kind);
+    EXPECT_EQ(loci[0]["impacts"], 1);
+    double nearest = 1.0;
+    for (const json& point : loci[0]["points"]) {
+      const double w = point["second"].get<double>(), gap = point["value"].get<double>();
+      if (kind == "GR") {
+        EXPECT_NEAR(gap, 1.0 / std::hypot(1.0 - w * w, 0.1 * w), 1e-11) << w;
+      }
+      nearest = std::min(nearest, std::abs(w - 2.4));
+    }
+    EXPECT_LT(nearest, 0.01);
+  }
+  const Finished other = run_graze(from + "--label GR1 --locus PD");
+  EXPECT_EQ(other.code, 2);
+  EXPECT_NE(other.err.find("GR1 lies on a locus of GR"), std::string::npos) << other.err;
 }
 
 }  // namespace

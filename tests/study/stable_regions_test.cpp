@@ -330,5 +330,43 @@ TEST(StableRegions, LabelsAreWords) {
             "(1,1) + (2,2) + no impact + sticks + at rest + other");
 }
 
+// Where the response stays below the gap, F/|w0^2 - w^2 + 2 i zeta w0 w| of the oscillator, that is
+// stable whatever the law of the stop, and nowhere else.
+TEST(StableRegionsOnCompliantStops, AreClearWhereTheResponseIs) {
+  const Scene scene = scene_of(
+      "12_spring_dashpot_oscillator",
+      {"stop.spring={stiffness=400.0,exponent=1.5,damping={model=\"hunt-crossley\",alpha=0.6}}"});
+  StableRegionsOptions options = plane(2.3, 2.9, 0.12, 0.28, 3);
+  options.search.periods = 300;
+  options.search.most_periods = 600;
+  const StableRegions found = regions(scene, options);
+  int clear = 0;
+  for (const RegionPlace& place : found.places) {
+    EXPECT_TRUE(place.message.empty()) << place.message;
+    EXPECT_FALSE(place.stable.empty());
+    const double w = place.value;
+    const bool stays = 1.0 / std::hypot(1.0 - w * w, 0.1 * w) < place.second;
+    EXPECT_EQ(has(place, kNoImpact), stays) << w << " " << place.second;
+    clear += stays ? 1 : 0;
+  }
+  EXPECT_GT(clear, 2);
+  EXPECT_LT(clear, 9);
+  EXPECT_TRUE(found.refuted.empty());
+  EXPECT_TRUE(found.missed.empty());
+}
+
+// Linear springs at no gap know no size: what is stable does not depend on the force.
+TEST(StableRegionsOnCompliantStops, DoNotDependOnTheForceAtNoGap) {
+  const Scene scene = scene_of("12_spring_dashpot_oscillator");
+  StableRegionsOptions options = plane(2.2, 2.6, 0.5, 2.5, 2);
+  options.search.periods = 300;
+  options.search.most_periods = 600;
+  const StableRegions found = regions(scene, options, "forcing.amplitude");
+  for (std::size_t i = 0; i < 2; ++i)
+    EXPECT_EQ(label_of(found.places[i].stable), label_of(found.places[i + 2].stable));
+  EXPECT_TRUE(has(found.places[0], kOneOne)) << label_of(found.places[0].stable);
+  EXPECT_GT(found.confirmed, 0);
+}
+
 }  // namespace
 }  // namespace graze
