@@ -67,6 +67,12 @@ struct Command {
   std::string algorithm = "local";   // local | global
   long long max_evaluations = 5000;
 
+  // compare, with `parameter`, `from`, `to`, `second` and `duration`
+  bool sensitivity = false;
+  int runs = 21;
+  std::vector<double> second_values;
+  std::optional<double> reference;
+
   long long max_impacts = kDefaultImpactBudget;
   double max_seconds = 3600.0;
 };

@@ -15,7 +15,6 @@ namespace graze {
 namespace {
 
 // Options that a later version brings: known by name, refused in words.
-const char* const kLaterCommands[] = {"compare"};
 
 void add_check(CLI::App& graze, Command& command) {
   CLI::App* app = graze.add_subcommand(
@@ -205,12 +204,41 @@ void add_fit(CLI::App& graze, Command& command) {
   add_limits(app, command);
 }
 
-void add_later(CLI::App& graze) {
-  for (const char* name : kLaterCommands) {
-    CLI::App* app = graze.add_subcommand(name, "(not available in this version)");
-    app->allow_extras();
-    app->callback([name] { throw not_available(std::string("graze ") + name); });
-  }
+void add_compare(CLI::App& graze, Command& command) {
+  CLI::App* app =
+      graze.add_subcommand("compare", "Compare motions: how sensitive they are to a parameter");
+  app->footer(
+      footer("compare data/scenes/20_yigit_sensitivity.toml --sensitivity --duration 0.2 \\\n"
+             "           --parameter stop.spring.damping.coefficient --from 0 --to 1000"));
+  add_shared(app, command);
+  add_plot(app, command);
+  app->add_flag("--sensitivity", command.sensitivity,
+                "Largest size (s1) and end value (s2) of every probe over a parameter");
+  app->add_option("--parameter", command.parameter, "Path of the parameter, e.g. stop.gap")
+      ->type_name("NAME");
+  app->add_option("--from", command.from, "Start of the parameter's range")
+      ->check(finite_number())
+      ->type_name("A");
+  app->add_option("--to", command.to, "End of the parameter's range")
+      ->check(finite_number())
+      ->type_name("B");
+  app->add_option("--points", command.runs, "Values from A to B, both among them")
+      ->transform(whole_number_within(2, 1'000'000))
+      ->capture_default_str()
+      ->type_name("N");
+  app->add_option("--reference", command.reference,
+                  "Value that ends are compared with (default: the middle of the range)")
+      ->check(finite_number())
+      ->type_name("V");
+  app->add_option("--second", command.second, "Path of another parameter")->type_name("NAME");
+  app->add_option("--second-values", command.second_values, "Its values, with commas")
+      ->delimiter(',')
+      ->type_name("V1,V2,..");
+  app->add_option("--duration", command.duration, "Time of a run, s")
+      ->check(above_zero())
+      ->type_name("S");
+  add_closure_speed(app, command);
+  add_limits(app, command);
 }
 
 // A sentence about a word that the command does not know, or "".
@@ -230,7 +258,8 @@ std::string unknown_option(const CLI::App& app) {
 
 // A sentence about a first word that is no command, or "".
 std::string unknown_command(int argc, char** argv, const CLI::App& app) {
-  if (argc < 2) return "give a command: check, simulate, orbit, continue, diagram, cost or fit";
+  if (argc < 2)
+    return "give a command: check, simulate, orbit, continue, diagram, cost, fit or compare";
   const std::string word = argv[1];
   std::vector<std::string> names;
   for (const CLI::App* command : app.get_subcommands({})) names.push_back(command->get_name());
@@ -259,7 +288,7 @@ ParsedCommand parse_command_line(int argc, char** argv) {
   add_diagram(app, command);
   add_cost(app, command);
   add_fit(app, command);
-  add_later(app);
+  add_compare(app, command);
   try {
     app.parse(argc, argv);
   } catch (const CLI::Success& done) {  // help, version

@@ -43,6 +43,7 @@ int run(const graze::Command& command) {
   if (command.name == "diagram") return graze::run_diagram(command);
   if (command.name == "cost") return graze::run_cost(command);
   if (command.name == "fit") return graze::run_fit(command);
+  if (command.name == "compare") return graze::run_compare(command);
   return command.locus.empty() ? graze::run_continue(command) : graze::run_loci(command);
 }
 

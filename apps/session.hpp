@@ -15,7 +15,7 @@
 
 namespace graze {
 
-// The command's scene with its settings. Throws InputError where no command can compute it yet.
+// The command's scene with its settings.
 Scene scene_of(const Command& command);
 
 // Set by Ctrl-C; long work polls it and keeps what it finished.
@@ -53,5 +53,6 @@ int run_loci(const Command& command);  // continue --locus
 int run_diagram(const Command& command);
 int run_cost(const Command& command);
 int run_fit(const Command& command);
+int run_compare(const Command& command);
 
 }  // namespace graze

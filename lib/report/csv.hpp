@@ -9,6 +9,7 @@
 #include "graze/record/diagram_record.hpp"
 #include "graze/record/fit_record.hpp"
 #include "graze/record/loci_record.hpp"
+#include "graze/record/sensitivity_record.hpp"
 
 namespace graze {
 
@@ -43,6 +44,9 @@ std::string contact_orders_csv(const CostRecord& record);
 // One line a measured value, with the model's and the difference; one line a parameter.
 std::string fit_csv(const FitRecord& record);
 std::string parameters_csv(const FitRecord& record);
+
+// One line a value, with peak, s1, end and s2 of every probe.
+std::string sensitivity_csv(const SensitivityRecord& record);
 
 // One line a sample, one for a value that has none.
 std::string sweep_csv(const DiagramRecord& record);

@@ -8,6 +8,7 @@
 #include "graze/record/diagram_record.hpp"
 #include "graze/record/fit_record.hpp"
 #include "graze/record/loci_record.hpp"
+#include "graze/record/sensitivity_record.hpp"
 #include "graze/record/spool.hpp"
 
 namespace graze {
@@ -25,6 +26,7 @@ std::string to_json(const BranchRecord& record);
 std::string to_json(const LociRecord& record);
 std::string to_json(const CostRecord& record);
 std::string to_json(const FitRecord& record);
+std::string to_json(const SensitivityRecord& record);
 // The document of the branches, with the sweep added.
 std::string to_json(const DiagramRecord& record);
 

@@ -8,6 +8,7 @@
 #include "graze/record/diagram_record.hpp"
 #include "graze/record/fit_record.hpp"
 #include "graze/record/loci_record.hpp"
+#include "graze/record/sensitivity_record.hpp"
 
 namespace graze {
 
@@ -32,6 +33,10 @@ void draw_costs(const std::string& file, const CostRecord& record);
 // What was measured as dots, with the fitted model as a line, a panel each series (the first four);
 // below each the residuals, with bars of their uncertainties where they are known.
 void draw_fit(const std::string& file, const FitRecord& record);
+
+// s1 and s2 of the first three probes over the parameter, in per cent, a line for each value of the
+// other one.
+void draw_sensitivity(const std::string& file, const SensitivityRecord& record);
 
 // Phase portrait of the orbits found, at most eight of them, seen at the stop of the first one's
 // first impact.

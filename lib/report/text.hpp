@@ -7,6 +7,7 @@
 #include "graze/record/diagram_record.hpp"
 #include "graze/record/fit_record.hpp"
 #include "graze/record/loci_record.hpp"
+#include "graze/record/sensitivity_record.hpp"
 
 namespace graze {
 
@@ -19,5 +20,6 @@ std::string regions_text(const LociRecord& record);  // requires regions
 std::string to_text(const DiagramRecord& record);
 std::string to_text(const CostRecord& record);
 std::string to_text(const FitRecord& record);
+std::string to_text(const SensitivityRecord& record);
 
 }  // namespace graze

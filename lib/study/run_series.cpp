@@ -1,0 +1,110 @@
+#include "graze/study/run_series.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <mutex>
+
+#include "graze/assembly/assembly.hpp"
+#include "graze/assembly/initial_state.hpp"
+#include "graze/assembly/probes.hpp"
+#include "graze/base/angle.hpp"
+#include "graze/base/parallel.hpp"
+#include "graze/scene/parameter.hpp"
+#include "graze/study/step_choice.hpp"
+
+namespace graze {
+namespace {
+
+constexpr double kSamplesPerOscillation = 64.0;
+
+// The largest size of a series of values at equal distances.
+class Peak {
+ public:
+  void add(double value) {
+    largest_ = std::max(largest_, std::abs(value));
+    if (count_ >= 2) {
+      const double curvature = before_ - 2.0 * last_ + value, slope = 0.5 * (value - before_);
+      // The vertex lies within half a distance of the middle one where that is the extreme.
+      if (curvature != 0.0 && std::abs(slope) < 0.5 * std::abs(curvature))
+        largest_ = std::max(largest_, std::abs(last_ - 0.5 * slope * slope / curvature));
+    }
+    before_ = last_;
+    last_ = value;
+    ++count_;
+  }
+  double largest() const { return largest_; }
+
+ private:
+  double before_ = 0.0, last_ = 0.0, largest_ = 0.0;
+  long long count_ = 0;
+};
+
+ValueRun run_at(const Scene& scene, double value, const RunSeriesOptions& series) {
+  const System system = assemble(scene);
+  const State start = initial_state(scene, system);
+  const std::vector<ProbeRow> probes = probe_rows(scene, system);
+  SimulationOptions options;
+  options.duration = series.duration;
+  options.steps = step_choice(scene, system, start);
+  options.max_impacts = series.max_impacts;
+  options.closure_speed =
+      series.closure_speed.value_or(default_closure_speed(system, start, scene.solver.tolerance));
+  options.stop = series.stop;
+  ValueRun run;
+  run.value = value;
+  std::vector<Peak> peaks(probes.size());
+  RunListeners listeners;
+  listeners.event = [&](const Event& event) {
+    if (event.kind == EventKind::kImpact || event.kind == EventKind::kContact)
+      run.impacts.push_back({event.time, event.stop, event.speed});
+  };
+  if (!probes.empty())
+    listeners.sample = [&](const Sample& sample) {
+      for (std::size_t i = 0; i < probes.size(); ++i) peaks[i].add(probes[i].value(sample.state));
+    };
+  listeners.sample_rate = kSamplesPerOscillation * system.omega.maxCoeff() / kTurn;
+  const Simulation end = simulate(system, start, options, listeners);
+  run.outcome = end.outcome;
+  run.message = end.message;
+  for (std::size_t i = 0; i < probes.size(); ++i) {
+    run.peaks.push_back(peaks[i].largest());
+    run.ends.push_back(probes[i].value(end.final));
+  }
+  return run;
+}
+
+}  // namespace
+
+std::vector<ValueRun> run_series(const Scene& scene, const RunSeriesOptions& options) {
+  // A value that the scene does not allow is told before anything is run.
+  std::vector<Scene> scenes;
+  scenes.reserve(options.values.size());
+  for (const double value : options.values) {
+    scenes.push_back(with_parameter(scene, options.parameter, value));
+    initial_state(scenes.back(), assemble(scenes.back()));
+  }
+  std::vector<ValueRun> runs(options.values.size());
+  std::mutex telling;
+  std::size_t done = 0;
+  for_each_index(runs.size(), options.threads, [&](std::size_t i) {
+    if (options.stop.requested()) return;
+    runs[i] = run_at(scenes[i], options.values[i], options);
+    const std::lock_guard lock(telling);
+    ++done;
+    if (options.progress)
+      options.progress(static_cast<double>(done) / static_cast<double>(runs.size()));
+  });
+  if (options.stop.requested()) return {};
+  return runs;
+}
+
+std::vector<double> even_values(double from, double to, int points) {
+  std::vector<double> values;
+  for (int i = 0; i < points; ++i) {
+    const double part = static_cast<double>(i) / (points - 1);
+    values.push_back(i + 1 == points ? to : from + part * (to - from));
+  }
+  return values;
+}
+
+}  // namespace graze

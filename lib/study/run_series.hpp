@@ -1,0 +1,51 @@
+// One run from the scene's start at each of several values of a parameter, for a given time: its
+// impacts, and what its probes saw. For motions that no forcing repeats, where nothing settles.
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "graze/base/default_budget.hpp"
+#include "graze/base/stop_signal.hpp"
+#include "graze/hybrid/simulation.hpp"
+#include "graze/scene/scene.hpp"
+
+namespace graze {
+
+struct RunImpact {
+  double time = 0.0;   // s
+  int stop = 0;        // from 0
+  double speed = 0.0;  // of approach, m/s; of a contact too
+};
+
+struct ValueRun {
+  double value = 0.0;  // of the parameter, SI
+  RunOutcome outcome = RunOutcome::kReachedEnd;
+  std::string message;             // a sentence unless the end was reached
+  std::vector<RunImpact> impacts;  // and contacts
+  // Of the probes, in their order: largest size over the run and value at its end, SI. Between
+  // samples, 64 to the quickest oscillation, extremes lie on parabolas.
+  std::vector<double> peaks, ends;
+};
+
+struct RunSeriesOptions {
+  std::string parameter;
+  std::vector<double> values;
+  double duration = 0.0;                // s
+  std::optional<double> closure_speed;  // m/s; absent: the default at every value
+  long long max_impacts = kDefaultImpactBudget;
+  int threads = 0;  // 0: all cores
+  StopSignal stop;
+  std::function<void(double fraction)> progress;  // called by one thread at a time
+};
+
+// In the order of the values; empty where a stop was asked for before all were done. Throws
+// InputError where the scene does not allow a value.
+std::vector<ValueRun> run_series(const Scene& scene, const RunSeriesOptions& options);
+
+// `points` >= 2 values from `from` to `to`, both among them.
+std::vector<double> even_values(double from, double to, int points);
+
+}  // namespace graze
