@@ -9,17 +9,20 @@ std::optional<BranchPoint> CrossingPassage::pass(GrowingBranch& branch, double& 
   std::optional<BranchPoint> next;
   for (const double part : {1.0, 3.0, 10.0, 30.0, 100.0}) {
     h = part * kShortest * (1.0 + x.norm());
+    // Where that reach did not lead clear of the branch point a longer one may: how far points are
+    // badly determined goes with the accuracy of the equations.
+    if (stuck_ && (*stuck_ - x).norm() <= h && h <= reach_) continue;
     next = pass_within(branch, h);
     if (next) break;
   }
   stuck_ = x;
+  reach_ = h;
   return next;
 }
 
 // Goes back half of `reach`, drops the points in between, and takes a step of nearly all of it.
 std::optional<BranchPoint> CrossingPassage::pass_within(GrowingBranch& branch, double reach) {
   const Vector x = corrector_.pack(branch.last());
-  if (stuck_ && (*stuck_ - x).norm() <= reach) return {};
   const auto distance = [&](const BranchPoint& p) { return (corrector_.pack(p) - x).norm(); };
   std::size_t keep = branch.size();
   while (keep > 0 && distance(branch[keep - 1]) < 0.5 * reach) --keep;

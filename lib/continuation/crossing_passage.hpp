@@ -28,6 +28,7 @@ class CrossingPassage {
   Corrector& corrector_;
   Stepper& stepper_;
   std::optional<Vector> stuck_;  // where no step led on last time
+  double reach_ = 0.0;           // and how far the passage was from there
 };
 
 }  // namespace graze

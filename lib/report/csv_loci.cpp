@@ -21,7 +21,7 @@ std::string loci_csv(const LociRecord& record) {
   for (const OrbitLocus& locus : record.traced.loci)
     for (const OrbitLocusPoint& point : locus.points)
       fmt::format_to(std::back_inserter(text), "{},{},{},{},{}\n", locus.id, label_of(locus.kind),
-                     locus.pattern.period, locus.pattern.impacts(), cells(point));
+                     locus.pattern.period, point.impacts.size(), cells(point));
   return text;
 }
 

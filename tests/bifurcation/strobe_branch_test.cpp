@@ -8,6 +8,7 @@
 #include "branch_checks.hpp"
 #include "graze/orbit/finder.hpp"
 #include "graze/orbit/strobe_orbit.hpp"
+#include "graze/scene/reader.hpp"
 
 namespace graze {
 namespace {
@@ -154,6 +155,58 @@ TEST(StrobeBranches, AreTheSameAtEveryPhaseOfTheForcing) {
                 1e-9);
     EXPECT_NEAR(point.orbit.impacts.front().speed, points.front().orbit.impacts.front().speed,
                 1e-9);
+  }
+}
+
+// Between equal stops an orbit may be its own mirror image: the other stop is met half a period
+// later, as fast. Where that symmetry is lost two branches of orbits that mirror each other leave,
+// which is a branch point of the one that goes on.
+TEST(StrobeBranches, GoOnWhereTheirSymmetryIsLost) {
+  std::string text = R"(
+[modal]
+frequencies = [1.0]
+damping_ratios = [0.05]
+participation = [1.0]
+
+[forcing]
+kind = "modal"
+amplitude = 1.0
+frequency = 1.3
+)";
+  for (const char* side : {"above", "below"})
+    text += std::string("[[stop]]\nshape = [1.0]\ngap = 0.2\nside = \"") + side + R"("
+[stop.spring]
+stiffness = 10.0
+exponent = 1.5
+damping = { model = "hunt-crossley", alpha = 0.2 }
+)";
+  const SystemFamily family(parse_scene(text, "two_sides"), "forcing.frequency");
+  BranchOptions options;
+  options.from = 1.0;
+  options.to = 1.4;
+  options.impacts = 2;
+  options.start_values = 0;
+  options.finder.from_random = false;
+  const OrbitBranches result = trace_orbits(family, options);
+  EXPECT_EQ(result.cut_short, 0);
+  ASSERT_EQ(result.branches.size(), 1u);
+  const OrbitBranch& branch = result.branches.front();
+  EXPECT_EQ(branch.ends[0], OrbitBranchEnd::kParameterLimit);
+  EXPECT_EQ(branch.ends[1], OrbitBranchEnd::kParameterLimit);
+  const std::vector<SpecialPoint> lost = special_of(result, SpecialKind::kBranchPoint);
+  ASSERT_EQ(lost.size(), 1u);
+  const double pi = std::acos(-1.0);
+  for (const OrbitBranchPoint& point : branch.points) {
+    const std::vector<OrbitImpact>& impacts = point.orbit.impacts;
+    ASSERT_EQ(impacts.size(), 2u);
+    EXPECT_NE(impacts[0].stop, impacts[1].stop);
+    // Beside the branch point they are known to the accuracy of the map over the distance.
+    EXPECT_NEAR(impacts[0].speed, impacts[1].speed, 1e-5) << point.value;
+    EXPECT_NEAR(impacts[1].phase - impacts[0].phase, pi, 1e-5) << point.value;
+    // Stable on one side alone.
+    if (std::abs(point.value - lost[0].at.value) > 1e-3) {
+      EXPECT_EQ(point.orbit.stable, point.value > lost[0].at.value) << point.value;
+    }
   }
 }
 
