@@ -27,11 +27,14 @@ std::string data_text(const std::string& file) {
   return text;
 }
 
-// Motions are looked at along the exact flow.
+// Motions are looked at along the flow that is most careful.
 void require_exact(const Scene& scene) {
-  if (scene.solver.flow != FlowChoice::kAuto && scene.solver.flow != FlowChoice::kExact)
+  const FlowChoice flow = scene.solver.flow;
+  if (flow != FlowChoice::kAuto && flow != FlowChoice::kExact && flow != FlowChoice::kBulirschStoer)
     throw scene_error(scene, "solver.flow",
-                      "parameters are fitted with the exact flow; take \"auto\" or \"exact\"");
+                      fmt::format("parameters are fitted with the {0} flow; take \"auto\" or "
+                                  "\"{0}\"",
+                                  scene.hub ? "bulirsch-stoer" : "exact"));
 }
 
 void note_options(const Command& command, const FitOptions& options, RunInfo& info) {

@@ -53,6 +53,14 @@ def contact(graze):
            for row in rows])
 
 
+def vibration():
+    """The frequency that Yigit, Ulsoy and Scott (1990) print, as a record."""
+    noise = random.Random(5)
+    write("vibration.csv", "time,probe_1",
+          [(1e-3 * k, round(1e-4 * math.cos(2.0 * math.pi * 66.5 * 1e-3 * k)
+                            + noise.gauss(0.0, 2e-6), 8)) for k in range(101)])
+
+
 def impacts():
     """Impact k of a ball dropped from h: sqrt(2 h/g) (1 + 2 r + .. + 2 r^(k-1))."""
     noise = random.Random(3)
@@ -78,5 +86,6 @@ if __name__ == "__main__":
         sys.exit(__doc__)
     restitution()
     contact(sys.argv[1])
+    vibration()
     impacts()
     response(sys.argv[1])

@@ -8,6 +8,7 @@
 #include <map>
 
 #include "graze/assembly/initial_state.hpp"
+#include "graze/assembly/probes.hpp"
 #include "graze/base/default_budget.hpp"
 #include "graze/hybrid/simulation.hpp"
 #include "graze/scene/check.hpp"
@@ -180,9 +181,15 @@ bool FitModel::follow(const System& system, const State& start, Observation& obs
 }
 
 double FitModel::quantity(const MeasuredSeries& series, const System& system,
-                          const Observed& observed) const {
-  if (series.quantity == Quantity::kCoordinate) return observed.q[series.index];
-  if (series.quantity == Quantity::kRate) return observed.qdot[series.index];
+                          const Observed& observed, const std::vector<ProbeRow>& probes) const {
+  // On a hub the coordinates are still those of the beam.
+  const auto coordinate = [&](const Vector& q) {
+    return system.rotation ? system.rotation->beam.row(series.index).dot(q) : q[series.index];
+  };
+  if (series.quantity == Quantity::kProbe)
+    return probes[static_cast<std::size_t>(series.index)].value({observed.q, observed.qdot});
+  if (series.quantity == Quantity::kCoordinate) return coordinate(observed.q);
+  if (series.quantity == Quantity::kRate) return coordinate(observed.qdot);
   if (series.quantity == Quantity::kForce) return observed.forces[series.index];
   const auto i = static_cast<std::size_t>(series.index);
   const RigidStop& stop = system.stops[i];
@@ -214,12 +221,16 @@ std::optional<Vector> FitModel::responses(const Vector& values, const Vector& at
     return {};
   }
   observation.end = observation.times.back();
-  for (const MeasuredSeries& series : measurements_.series)
+  std::vector<ProbeRow> probes;
+  for (const MeasuredSeries& series : measurements_.series) {
     observation.forces = observation.forces || series.quantity == Quantity::kForce;
+    if (series.quantity == Quantity::kProbe && probes.empty())
+      probes = probe_rows(scene_at(values), *system);
+  }
   observation.state = [&](const Observed& observed) {
     auto place = static_cast<Eigen::Index>(observed.index);
     for (const MeasuredSeries& series : measurements_.series) {
-      predicted[place] = quantity(series, *system, observed);
+      predicted[place] = quantity(series, *system, observed, probes);
       place += rows;
     }
   };

@@ -11,6 +11,7 @@
 #include <string>
 #include <vector>
 
+#include "graze/assembly/probes.hpp"
 #include "graze/assembly/system_family.hpp"
 #include "graze/base/stop_signal.hpp"
 #include "graze/fit/measurements.hpp"
@@ -79,8 +80,8 @@ class FitModel {
   // The system at these values with its start; nothing, and why_, where there is none.
   const System* system_at(const Vector& values, State& start);
   bool follow(const System& system, const State& start, Observation& observation);
-  double quantity(const MeasuredSeries& series, const System& system,
-                  const Observed& observed) const;
+  double quantity(const MeasuredSeries& series, const System& system, const Observed& observed,
+                  const std::vector<ProbeRow>& probes) const;
 
   Scene scene_;  // with the initial state in force
   const Measurements& measurements_;

@@ -9,25 +9,29 @@
 #include <map>
 #include <set>
 
+#include "graze/assembly/probes.hpp"
 #include "graze/scene/suggestion.hpp"
 
 namespace graze {
 namespace {
 
+enum class Place { kMode, kStop, kProbe };
+
 struct QuantityName {
   const char* name;
   Quantity quantity;
-  const char* unit;
-  bool of_stop;
+  const char* unit;  // of a probe its own
+  Place of;
 };
-constexpr std::array<QuantityName, 7> kQuantities = {{
-    {"qdot", Quantity::kRate, "kg^1/2 m/s", false},
-    {"q", Quantity::kCoordinate, "kg^1/2 m", false},
-    {"gap", Quantity::kGap, "m", true},
-    {"force", Quantity::kForce, "N", true},
-    {"displacement", Quantity::kDisplacement, "m", true},
-    {"velocity", Quantity::kVelocity, "m/s", true},
-    {"penetration", Quantity::kPenetration, "m", true},
+constexpr std::array<QuantityName, 8> kQuantities = {{
+    {"qdot", Quantity::kRate, "kg^1/2 m/s", Place::kMode},
+    {"q", Quantity::kCoordinate, "kg^1/2 m", Place::kMode},
+    {"gap", Quantity::kGap, "m", Place::kStop},
+    {"force", Quantity::kForce, "N", Place::kStop},
+    {"displacement", Quantity::kDisplacement, "m", Place::kStop},
+    {"velocity", Quantity::kVelocity, "m/s", Place::kStop},
+    {"penetration", Quantity::kPenetration, "m", Place::kStop},
+    {"probe_", Quantity::kProbe, "", Place::kProbe},
 }};
 
 struct NamedQuantity {
@@ -235,14 +239,13 @@ class Reader {
     for (const std::string& name : wanted_columns()) {
       const std::size_t c = *table_.find(name);
       const NamedQuantity quantity = *quantity_of(name);
-      const int most =
-          quantity.of->of_stop ? static_cast<int>(scene_.stops.size()) : scene_.modes();
-      const char* what = quantity.of->of_stop ? "stop" : "mode";
-      if (quantity.number > most)
-        throw table_.name_error(
-            c, fmt::format("{}: the scene has {} {}{}", name, most, what, most == 1 ? "" : "s"));
-      add_series(name, quantity.of->unit, column(name, quantity.of->unit), quantity.of->quantity,
-                 quantity.number - 1);
+      require_place(c, name, quantity);
+      const bool of_probe = quantity.of->of == Place::kProbe;
+      const std::string unit =
+          of_probe
+              ? probe_unit(scene_.probes[static_cast<std::size_t>(quantity.number - 1)].quantity)
+              : quantity.of->unit;
+      add_series(name, unit, column(name, unit), quantity.of->quantity, quantity.number - 1);
       const Vector& values = result_.series.back().values;
       if (values.size() > 1 && values.minCoeff() == values.maxCoeff())
         throw table_.cell_error(0, c,
@@ -250,6 +253,17 @@ class Reader {
                                             "tells nothing of the parameters",
                                             name, values.size(), values[0]));
     }
+  }
+
+  void require_place(std::size_t c, const std::string& name, const NamedQuantity& quantity) const {
+    const Place of = quantity.of->of;
+    const int most = of == Place::kMode   ? scene_.modes()
+                     : of == Place::kStop ? static_cast<int>(scene_.stops.size())
+                                          : static_cast<int>(scene_.probes.size());
+    const char* what = of == Place::kMode ? "mode" : of == Place::kStop ? "stop" : "probe";
+    if (quantity.number > most)
+      throw table_.name_error(
+          c, fmt::format("{}: the scene has {} {}{}", name, most, what, most == 1 ? "" : "s"));
   }
 
   std::vector<std::string> wanted_columns() const {

@@ -3,7 +3,8 @@
 //   restitution    speed, restitution: the approach speed v, m/s, and the part of it given back
 //   impact times   time, and stop where there are several: the instants of impacts, s
 //   response       time, and columns of a motion: q1 .., qdot1 .. (modal coordinates and rates),
-//                  gap1 .., force1 .., displacement1 .., velocity1 .., penetration1 .. at the stops
+//                  gap1 .., force1 .., displacement1 .., velocity1 .., penetration1 .. at the stops,
+//                  probe_1 .. (probe1 ..) of the scene's probes
 //
 // A column `sigma` gives each value its standard uncertainty, `sigma_force1` that of one of several
 // columns. A table with a column `kind`, as `graze simulate --out` writes its events, holds impact
@@ -32,7 +33,8 @@ enum class Quantity {
   kForce,         // of a stop on the structure, N, >= 0
   kDisplacement,  // u at a stop, m
   kVelocity,      // u' at a stop, m/s
-  kPenetration    // by which a compliant stop is overrun, m, >= 0
+  kPenetration,   // by which a compliant stop is overrun, m, >= 0
+  kProbe          // what a probe of the scene sees, in its unit
 };
 
 // One measured column.
@@ -40,7 +42,7 @@ struct MeasuredSeries {
   std::string name;  // as the file names it
   std::string unit;  // SI
   Quantity quantity = Quantity::kCoordinate;
-  int index = 0;       // of the mode or stop, from 0
+  int index = 0;       // of the mode, stop or probe, from 0
   Vector values;       // one per row
   Vector uncertainty;  // standard uncertainties, one per row, > 0; empty where they are not known
 };

@@ -180,6 +180,7 @@ class WalkingFlow final : public StepFlow {
   // is divided by that: what is left starts at its departure. Kept out of the loop over the steps.
   [[gnu::noinline]] double locate(const Watch& watch, double from, double end, double at_end,
                                   long long& values) {
+    if (!(end > from)) return from;
     const bool departs = from == 0.0 && watch.multiplicity > 0;
     const auto quotient = [&](double s, double v) {
       return departs ? v / std::pow(s, watch.multiplicity) : v;

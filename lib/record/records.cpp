@@ -83,7 +83,10 @@ std::vector<std::string> simulation_warnings(const System& system, const Simulat
                                   std::fmax(totals.energy_lost, totals.energy_added));
   const double rounding = kRoundings * std::numeric_limits<double>::epsilon() *
                           static_cast<double>(totals.impacts) * energy;
-  if (totals.energy_added > rounding)
+  // A compliant stop gives back what it kept where its force grips again.
+  const bool rigid = std::any_of(system.stops.begin(), system.stops.end(),
+                                 [](const RigidStop& stop) { return !stop.spring; });
+  if (rigid && totals.energy_added > rounding)
     warnings.push_back(
         fmt::format("impacts added {:.3g} J of kinetic energy; an oblique impulse law can do that, "
                     "and so can unequal restitutions of stops that are hit at once",

@@ -5,6 +5,7 @@
 #include "graze/assembly/requested_restitution.hpp"
 #include "graze/report/json.hpp"
 #include "graze/study/step_choice.hpp"
+#include "graze/system/hub_state.hpp"
 
 namespace graze {
 namespace {
@@ -62,13 +63,15 @@ Json hub_json(const Hub& hub) {
           {"friction", maybe(hub.friction)}};
 }
 
-Json probes_json(const Scene& scene) {
+Json probes_json(const Scene& scene, const System& system) {
   Json probes = Json::array();
-  const std::vector<ProbeRow> rows = probe_rows(scene);
+  const std::vector<ProbeRow> rows = probe_rows(scene, system);
   for (std::size_t i = 0; i < rows.size(); ++i) {
     probes.push_back({{"quantity", probe_quantity_name(rows[i].quantity)},
                       {"unit", probe_unit(rows[i].quantity)},
-                      {"position", scene.beam() ? number(scene.probes[i].position) : Json(nullptr)},
+                      {"position", scene.beam() && !is_of_hub(rows[i].quantity)
+                                       ? number(scene.probes[i].position)
+                                       : Json(nullptr)},
                       {"row", list(rows[i].row)}});
   }
   return probes;
@@ -80,11 +83,12 @@ std::string to_json(const CheckRecord& record) {
   Json document = Json::parse(json_head(record.info, record.outcome, record.warnings));
   const System& system = record.system;
   Json modes = Json::array();
+  const Vector decay = decay_rates(system);
   for (Eigen::Index j = 0; j < system.omega.size(); ++j)
     modes.push_back(
         {{"mode", j + 1},
          {"frequency", number(system.omega[j])},
-         {"decay_rate", number(system.delta[j])},
+         {"decay_rate", number(decay[j])},
          {"force", system.forcing ? number(system.forcing->amplitude[j]) : Json(nullptr)},
          {"load", system.load ? number((*system.load)[j]) : Json(nullptr)}});
   document["title"] = record.scene.title;
@@ -104,7 +108,7 @@ std::string to_json(const CheckRecord& record) {
                      {"effective_mass", number(1.0 / stop.row.squaredNorm())}});
   }
   document["stops"] = stops;
-  document["probes"] = probes_json(record.scene);
+  document["probes"] = probes_json(record.scene, record.system);
   document["hub"] = record.scene.hub ? hub_json(*record.scene.hub) : Json(nullptr);
   document["collocation_condition"] =
       record.collocation_condition > 0.0 ? number(record.collocation_condition) : Json(nullptr);

@@ -9,6 +9,7 @@
 #include "graze/report/table.hpp"
 #include "graze/report/text.hpp"
 #include "graze/study/step_choice.hpp"
+#include "graze/system/hub_state.hpp"
 
 namespace graze {
 namespace {
@@ -140,7 +141,9 @@ std::string probe_text(const Scene& scene, const Probe& probe) {
   const std::string unit = probe_unit(probe.quantity);
   return fmt::format("{}{}{}", probe_quantity_name(probe.quantity),
                      unit.empty() ? "" : fmt::format(" ({})", unit),
-                     scene.beam() ? fmt::format(" at x = {:g} m", probe.position) : "");
+                     is_of_hub(probe.quantity) ? " of the hub"
+                     : scene.beam()            ? fmt::format(" at x = {:g} m", probe.position)
+                                               : std::string());
 }
 
 std::string simulated_effects(const CheckRecord& record) {
@@ -166,12 +169,12 @@ std::string to_text(const CheckRecord& record) {
   const System& system = record.system;
   Table modes({"mode", "frequency (rad/s)", "frequency (Hz)", "decay rate (1/s)", "damping ratio",
                "modal force (kg^1/2 m/s^2)"});
+  const Vector decay = decay_rates(system);
   for (Eigen::Index j = 0; j < system.omega.size(); ++j)
-    modes.add(
-        {fmt::format("{}", j + 1), fmt::format("{:.8g}", system.omega[j]),
-         fmt::format("{:.6g}", system.omega[j] / kTurn), fmt::format("{:.6g}", system.delta[j]),
-         system.omega[j] > 0.0 ? fmt::format("{:.4g}", system.delta[j] / system.omega[j]) : "-",
-         system.forcing ? fmt::format("{:.6g}", system.forcing->amplitude[j]) : "-"});
+    modes.add({fmt::format("{}", j + 1), fmt::format("{:.8g}", system.omega[j]),
+               fmt::format("{:.6g}", system.omega[j] / kTurn), fmt::format("{:.6g}", decay[j]),
+               system.omega[j] > 0.0 ? fmt::format("{:.4g}", decay[j] / system.omega[j]) : "-",
+               system.forcing ? fmt::format("{:.6g}", system.forcing->amplitude[j]) : "-"});
   text += modes.text();
   if (!system.stops.empty()) text += "\n";
   for (std::size_t i = 0; i < system.stops.size(); ++i)

@@ -12,4 +12,7 @@ struct HubState {
 
 HubState hub_state(const Rotation& rotation, const State& state);
 
+// Of each natural mode by itself, 1/s; on a hub the modes share their damping.
+Vector decay_rates(const System& system);
+
 }  // namespace graze

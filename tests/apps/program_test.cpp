@@ -91,22 +91,6 @@ TEST(Program, RefusesWhatALaterVersionBrings) {
   }
 }
 
-TEST(Program, RefusesAHubInWords) {
-  const ScratchFolder scratch;
-  std::ofstream(scratch / "hub.toml")
-      << "[beam]\nlength = 0.3\nyoungs_modulus = 2e11\nsecond_moment = 2e-13\ndensity = 8500\n"
-         "area = 1e-5\nmodes = 2\n[hub]\nradius = 0.02\ninertia = 1e-3\n";
-  const std::string file = (scratch / "hub.toml").string();
-  for (const std::string& line : {"check " + file, "simulate --duration 1 " + file}) {
-    const Finished run = run_graze(line);
-    EXPECT_EQ(run.code, 2) << line;
-    EXPECT_EQ(run.err, file +
-                           ":8:1: hub: a hub is not available in this version, it must be left "
-                           "out\n");
-    EXPECT_EQ(run.out, "");
-  }
-}
-
 TEST(Program, ATorqueFileThatIsNotThereExitsWith4) {
   const ScratchFolder scratch;
   std::ofstream(scratch / "hub.toml")

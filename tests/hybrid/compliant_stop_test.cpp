@@ -56,6 +56,28 @@ TEST(CompliantStop, PiecewiseLinearOscillator) {
   }
 }
 
+// At rest exactly on the surface: what follows is told by the first derivative that is not zero.
+TEST(CompliantStop, AtRestOnTheSurface) {
+  // Nothing moves it.
+  System system = sprung(2.0, 0.0, linear(1000.0));
+  auto run =
+      support::record_run(system, support::state_of({0.0}, {0.0}), support::for_seconds(5.0));
+  EXPECT_EQ(run.result.outcome, RunOutcome::kReachedEnd) << run.result.message;
+  EXPECT_TRUE(run.events.empty());
+  EXPECT_EQ(run.result.final.q[0], 0.0);
+  // A force sin(t), -sin(t): the push is zero, its rate presses or pulls. A free mass on a spring
+  // then moves as x'' + k x = sin(t): x = (sin(t) - sin(w t)/w)/(k - 1).
+  for (const double sense : {1.0, -1.0}) {
+    system = sprung(0.0, 0.0, linear(100.0));
+    system.forcing = HarmonicForcing{1.0, -std::numbers::pi / 2.0, Vector::Constant(1, sense)};
+    run = support::record_run(system, support::state_of({0.0}, {0.0}), support::for_seconds(0.2));
+    EXPECT_EQ(run.result.outcome, RunOutcome::kReachedEnd) << run.result.message;
+    const double expected = sense > 0.0 ? (std::sin(0.2) - std::sin(2.0) / 10.0) / 99.0
+                                        : -(0.2 - std::sin(0.2));
+    EXPECT_NEAR(run.result.final.q[0], expected, 1e-12) << sense;
+  }
+}
+
 // Hard case S2, at the stop of a free mass.
 TEST(CompliantStop, SpringDashpotByBothRules) {
   for (const double zeta : {0.05, 0.3, 0.8})
