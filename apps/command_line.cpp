@@ -233,6 +233,7 @@ void add_compare(CLI::App& graze, Command& command) {
   app->add_option("--second", command.second, "Path of another parameter")->type_name("NAME");
   app->add_option("--second-values", command.second_values, "Its values, with commas")
       ->delimiter(',')
+      ->allow_extra_args(false)
       ->type_name("V1,V2,..");
   app->add_option("--duration", command.duration, "Time of a run, s")
       ->check(above_zero())

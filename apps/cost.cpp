@@ -72,7 +72,8 @@ int run_cost(const Command& command) {
     record.closure = closure_costs(system, start, others);
     tell(0.9);
     record.corrector = corrector_costs(scene, others);
-    if (record.costs.compliant) record.contact = contact_orders_of(system, start, options);
+    if (record.costs.compliant && !record.costs.turns)
+      record.contact = contact_orders_of(system, start, options);
     tell(1.0);
   }
   record.outcome = cost_outcome(record.costs, options.stop.reason());

@@ -11,7 +11,6 @@ namespace graze {
 namespace {
 
 // A picture shows the end of a run, this much of it at most.
-constexpr std::size_t kPictureSamples = 12 * 400;  // 12 forcing periods
 constexpr std::size_t kPictureEvents = 100'000;
 
 // Beside the results, where room for them is needed anyway, or else among the temporary files.

@@ -12,6 +12,9 @@
 
 namespace graze {
 
+// The end of a run that pictures show.
+inline constexpr std::size_t kPictureSamples = 12 * 400;  // 12 forcing periods
+
 // Takes what the run hands out: rows of the tables in the output folder, the events of the
 // document, and the few that the printed table and the picture show. Memory stays bounded however
 // long the run is. Throws FileError where something cannot be written.

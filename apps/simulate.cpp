@@ -48,12 +48,19 @@ SimulationOptions simulation_options(const Command& command, const Scene& scene)
 // 1/s. The slowest mode stands in for the forcing where there is none.
 double samples_per_period(const System& system, double count) {
   if (system.forcing) return count / system.period();
-  const double slowest = system.omega.minCoeff();
+  // A hub turns freely; what it carries does not.
+  const double slowest = system.rotation ? system.omega[1] : system.omega.minCoeff();
   return slowest > 0.0 ? count * slowest / kTurn : count;
 }
 
 double sample_rate(const Command& command, const System& system, const std::optional<CutRun>& cut) {
-  if (command.record != "samples") return samples_per_period(system, kPictureSamplesPerPeriod);
+  if (command.record != "samples") {
+    const double rate = samples_per_period(system, kPictureSamplesPerPeriod);
+    // Nothing settles on a hub: the whole run is looked at.
+    return system.rotation && command.duration
+               ? std::min(rate, static_cast<double>(kPictureSamples - 1) / *command.duration)
+               : rate;
+  }
   if (command.sample_rate) return *command.sample_rate;
   if (cut && cut->sample_rate) return *cut->sample_rate;
   return samples_per_period(system, kSamplesPerPeriod);

@@ -88,7 +88,8 @@ class StrobeTracer {
       result_.notes.push_back("the orbit there was not found again");
     else if (!start.switched)
       add(equations, *point, Directions::kBoth, -1, 0);
-    else if (!doubles || !switch_from(equations, {CriticalKind::kPeriodDoubling, *point}, -1, 0))
+    else if (!doubles ||
+             !switch_from(equations, {CriticalKind::kPeriodDoubling, *point, 0, {}}, -1, 0))
       result_.notes.push_back("no other branch was found there");
   }
 

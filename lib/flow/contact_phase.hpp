@@ -36,9 +36,12 @@ struct PhaseSprings {
 };
 
 // Of a step, against the speed of the contact (sprung_rates.hpp): a contact costs some thousand
-// evaluations, and its error is that of a rounded impact. And of a structure that turns, against
-// its own: over some ten thousand steps the energy keeps eleven digits.
-inline constexpr double kContactTolerance = 1e-14;
+// evaluations, and its error is that of a rounded impact.
+inline constexpr double kContactTolerance = 1e-13;
+
+// Of a structure that turns, against its own speed: over some ten thousand steps its energy keeps
+// ten digits.
+inline constexpr double kTurningTolerance = 1e-14;
 
 template <class Real>
 class ContactPhase {

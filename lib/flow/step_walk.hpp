@@ -49,7 +49,9 @@ class WalkingFlow final : public StepFlow {
     found.lowest = std::numeric_limits<double>::infinity();
     if constexpr (kSprung) {
       slopes_.clear();
-      for (const Watch* watch : watches) slopes_.push_back(walk_.rates.rate(*watch, 0.0, start_));
+      // What leaves a known zero rises; the sign of its rate may be rounding.
+      for (const Watch* watch : watches)
+        slopes_.push_back(watch->multiplicity > 0 ? 0.0 : walk_.rates.rate(*watch, 0.0, start_));
     }
     for (double from = 0.0; from < std::min(window, until) && found.watch < 0;) {
       walk_.step();

@@ -63,7 +63,8 @@ enum class Contact {
   kTouching,    // on the stop, and what follows is still to be decided
   kDeparting,   // on the stop, leaving
   kClosed,      // held on the stop by its contact force
-  kLocked,      // on the stop because other, closed stops keep it there
+  kLocked,      // on the stop because other, closed stops keep it there; on a compliant one
+                // because nothing moves it
   kCompressed,  // beyond the surface of a compliant stop, against its force
   kParted       // beyond it, but its force is gone
 };
@@ -216,7 +217,7 @@ class Motion {
   Real depth(int stop) const;
   void begin_springs();
   void decide_springs();
-  int departure_from_rest(int stop);
+  std::optional<int> departure_from_rest(int stop);
   void compress(int stop);
   void arrive_at_spring(Arrival<Real>& arrival);
   // Of the acceleration, by the springs that are compressed.

@@ -193,6 +193,7 @@ Arrival<Real> Motion<Real>::fly(const Real& until, const Real& horizon) {
 template <class Real>
 int Motion<Real>::first_of(const ContactPhase<Real>& phase) {
   if (!phase.closed().empty()) return phase.closed().front();
+  if (phase.springs().empty()) return 0;  // what turns with a hub
   return phase.springs().loaded.empty() ? phase.springs().parted.front()
                                         : phase.springs().loaded.front();
 }
@@ -270,6 +271,9 @@ Arrival<Real> Motion<Real>::arrive(Arrival<Real> arrival, const Real& until) {
       if (contact(i) == Contact::kDeparting)
         set(i, touches(i) ? Contact::kTouching : Contact::kClear);
     turn_directions();
+    for (const int i : compliant_)
+      if (contact(i) == Contact::kLocked)
+        set(i, touches(i) ? Contact::kTouching : Contact::kClear);
   }
   now_.instant.local = whole ? until : Real(now_.instant.local + arrival.flight);
   if (now_.instant.local >= clock_.period()) {

@@ -84,8 +84,9 @@ void Motion<Real>::decide_springs() {
       continue;
     }
     if (!(speed > rounding)) {
-      if (const int departs = departure_from_rest(i); departs > 0) {
-        set(i, Contact::kDeparting, departs);
+      const std::optional<int> departs = departure_from_rest(i);
+      if (!departs || *departs > 0) {
+        set(i, departs ? Contact::kDeparting : Contact::kLocked, departs.value_or(0));
         continue;
       }
     }
@@ -95,16 +96,17 @@ void Motion<Real>::decide_springs() {
 }
 
 // At rest on a surface: how its gap grows, as s^2 or s^3; 0: it is pushed beyond. Where neither push
-// nor its rate says, nothing moves it, and it stays in front of the surface.
+// nor its rate says, nothing moves it: it stays there until something does.
 template <class Real>
-int Motion<Real>::departure_from_rest(int i) {
+std::optional<int> Motion<Real>::departure_from_rest(int i) {
   using std::abs;
   RealVector<Real> size;
   free_acceleration(&size);
   const Real push = free_push(i);
   if (abs(push) > push_rounding(i, size)) return push < 0 ? 2 : 0;
   const CurvePoint<Real> jerk = start_phase().gap_rate(i, 3);
-  return jerk.value < -jerk.noise ? 0 : 3;
+  if (!(abs(jerk.value) > jerk.noise)) return {};
+  return jerk.value < 0 ? 0 : 3;
 }
 
 // The depth begins at zero where the spring has just been entered: at a speed, or pushed.

@@ -21,6 +21,7 @@ Outcome cost_outcome(const FlowCosts& costs, StopReason stopped) {
 }
 
 std::string reference_name(const FlowCosts& costs) {
+  if (costs.turns) return "fehlberg78, as far as bulirsch-stoer agrees with it";
   if (!costs.compliant) return "exact, 50 digits";
   return fmt::format("exact, 50 digits; contacts with compliant stops integrated to {:g} a step",
                      kReferenceTolerance);

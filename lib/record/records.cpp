@@ -56,8 +56,10 @@ long long EventExcerpt::left_out() const {
 
 EnergyEntries energy_entries(const System& system, const EnergyBook& book) {
   EnergyEntries entries;
-  if (system.forcing) entries.forcing = book.work.forcing;
-  if (system.load) entries.load = book.work.load;
+  // On a hub the torque and the weight.
+  const Rotation* hub = system.rotation ? &*system.rotation : nullptr;
+  if (system.forcing || (hub && hub->torque)) entries.forcing = book.work.forcing;
+  if (system.load || (hub && hub->weight)) entries.load = book.work.load;
   const auto compliant = [](const RigidStop& stop) { return stop.spring.has_value(); };
   if (!std::all_of(system.stops.begin(), system.stops.end(), compliant)) {
     entries.constraint = book.work.constraint;
@@ -65,7 +67,9 @@ EnergyEntries energy_entries(const System& system, const EnergyBook& book) {
   }
   if (std::any_of(system.stops.begin(), system.stops.end(), compliant))
     entries.contact = book.work.contact;
-  if ((system.delta.array() != 0.0).any()) entries.dissipation = book.work.dissipation;
+  const bool damped = (system.delta.array() != 0.0).any();
+  if (damped || (hub && (hub->damping.size() > 0 || hub->friction)))
+    entries.dissipation = book.work.dissipation;
   return entries;
 }
 

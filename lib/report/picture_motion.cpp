@@ -119,21 +119,21 @@ std::vector<EnergyTerm> energy_terms(const SamplesSeen& samples, const System& s
     bool present;
     std::function<double(const EnergyBook&)> value;
   };
-  const bool damped = (system.delta.array() != 0.0).any();
-  const bool stopped = std::any_of(system.stops.begin(), system.stops.end(),
-                                   [](const RigidStop& stop) { return !stop.spring; });
-  const bool sprung = std::any_of(system.stops.begin(), system.stops.end(),
-                                  [](const RigidStop& stop) { return stop.spring.has_value(); });
+  const EnergyEntries has = energy_entries(system, EnergyBook{});
+  const bool turns = system.rotation.has_value();
   // Signed, so that the energy rises by their sum.
-  const Entry entries[] = {
-      {"forcing", kBlue, system.forcing.has_value(),
-       [](const EnergyBook& book) { return book.work.forcing; }},
-      {"load", kPurple, system.load.has_value(),
-       [](const EnergyBook& book) { return book.work.load; }},
-      {"constraint", kOrange, stopped, [](const EnergyBook& book) { return book.work.constraint; }},
-      {"damping", kGreen, damped, [](const EnergyBook& book) { return -book.work.dissipation; }},
-      {"impacts", kVermillion, stopped, [](const EnergyBook& book) { return book.impacts; }},
-      {"contact", kSky, sprung, [](const EnergyBook& book) { return book.work.contact; }}};
+  const Entry entries[] = {{turns ? "torque" : "forcing", kBlue, has.forcing.has_value(),
+                            [](const EnergyBook& book) { return book.work.forcing; }},
+                           {turns ? "weight" : "load", kPurple, has.load.has_value(),
+                            [](const EnergyBook& book) { return book.work.load; }},
+                           {"constraint", kOrange, has.constraint.has_value(),
+                            [](const EnergyBook& book) { return book.work.constraint; }},
+                           {"damping", kGreen, has.dissipation.has_value(),
+                            [](const EnergyBook& book) { return -book.work.dissipation; }},
+                           {"impacts", kVermillion, has.impacts.has_value(),
+                            [](const EnergyBook& book) { return book.impacts; }},
+                           {"contact", kSky, has.contact.has_value(),
+                            [](const EnergyBook& book) { return book.work.contact; }}};
   std::vector<EnergyTerm> terms{{"energy", kBlack, {}}};
   for (const Sample* sample : samples)
     if (sample->energy) terms[0].curve.push_back({sample->time, sample->energy->now});

@@ -16,11 +16,12 @@ constexpr std::size_t kMostCurves = std::size(kColours);
 // Of the vertical axis, in two lines.
 std::string panel_name(const std::vector<SeenProbe>& probes) {
   const std::string first = probe_quantity_name(probes.front().quantity);
-  if (probes.size() == 1) return fmt::format("{}\nat probe {}", first, probes.front().number);
+  if (is_of_hub(probes.front().quantity)) return "hub’s\n" + first;
+  if (probes.size() == 1) return fmt::format("{}\nprobe {}", first, probes.front().number);
   for (const SeenProbe& probe : probes)
     if (probe.quantity != probes.front().quantity)
       return first + ",\n" + probe_quantity_name(probe.quantity);
-  return first + "\nat probes";
+  return first + "\nprobes";
 }
 
 }  // namespace

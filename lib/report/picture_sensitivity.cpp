@@ -73,8 +73,8 @@ class SensitivityPicture {
     }
     range.settle(0.08);
     column_.begin_panel(range,
-                        fmt::format("{}, {}\nat probe {}", name,
-                                    probe_quantity_name(record_.probes[probe].quantity), probe + 1),
+                        fmt::format("{}\n{}", name,
+                                    probe_quantity_name(record_.probes[probe].quantity)),
                         "%");
     if (legend && !record_.second.empty()) column_.set_legend();
     column_.draw_zero_line();

@@ -32,7 +32,8 @@ std::string modes_text(const CostRecord& record) {
   for (const ModeCost& row : record.modes)
     table.add({std::to_string(row.modes), error_text(row.error), time_text(row.seconds_per_period),
                fmt::format("{:.4g}", row.evaluations_per_period)});
-  return fmt::format("\nModes, against {} of them\n{}", kMostModesCompared, table.text());
+  return fmt::format("\nModes, against {} of them\n{}",
+                     record.costs.turns ? kMostModesOnHub : kMostModesCompared, table.text());
 }
 
 std::string closure_text(const CostRecord& record) {
@@ -114,8 +115,9 @@ std::string to_text(const CostRecord& record) {
                error_text(row.compared.state_error), time_text(row.seconds_per_period),
                fmt::format("{:.4g}", row.evaluations_per_period), agreement_text(row.compared)});
   std::string text = table.empty() ? "" : table.text() + "\n";
-  text += fmt::format("compared over: {}; reference: {}\n", compared_span(costs),
-                      costs.compliant ? reference_name(costs) : "exact flow, 50 digits");
+  text +=
+      fmt::format("compared over: {}; reference: {}\n", compared_span(costs),
+                  costs.compliant || costs.turns ? reference_name(costs) : "exact flow, 50 digits");
   if (!costs.reference_message.empty())
     text += fmt::format("the reference ended there: {}\n", costs.reference_message);
   if (const FlowCost* best = cheapest(costs, costs.allowed))

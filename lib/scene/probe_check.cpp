@@ -14,7 +14,7 @@ void check_probe(const Scene& scene, const Probe& probe, std::size_t number) {
   const ValueChecker checker(scene, numbered_path("probe", number));
   if (is_of_hub(probe.quantity)) {
     if (!scene.hub)
-      checker.fail("quantity", fmt::format("a {} is that of a [hub], which the scene does not have",
+      checker.fail("quantity", fmt::format("the {} is that of a [hub], which the scene does not have",
                                            probe_quantity_name(probe.quantity)));
     return;
   }

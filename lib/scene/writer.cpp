@@ -195,6 +195,10 @@ void write(Writer& out, const Stop& stop, bool modal) {
 
 void write(Writer& out, const Probe& probe, bool modal) {
   out.table("[[probe]]");
+  if (is_of_hub(probe.quantity)) {
+    out.word("quantity", probe_quantity_name(probe.quantity));
+    return;
+  }
   if (modal) {
     out.list("shape", probe.shape);
   } else {

@@ -19,14 +19,15 @@ struct AccuracyCostOptions {
   StopSignal stop{};
 };
 
-// A beam with N modes against one with kMostModesCompared.
+// A beam with N modes against one with kMostModesCompared; on a hub, where steps follow the quickest
+// mode and time goes with N^3 or more, with kMostModesOnHub.
 struct ModeCost {
   int modes = 0;
   std::optional<double> error;      // of the first impact time, s; absent where there is none
   double seconds_per_period = 0.0;  // of computing time, per forcing period (per second without)
   double evaluations_per_period = 0.0;
 };
-inline constexpr int kMostModesCompared = 64;
+inline constexpr int kMostModesCompared = 64, kMostModesOnHub = 16;
 
 // Empty where the number of modes is not free: a structure given by its modes, lists of as many
 // entries. Without the numbers that the scene does not allow or that could not be followed.

@@ -8,6 +8,7 @@
 #include "graze/hybrid/simulation.hpp"
 #include "graze/orbit/strobe_finder.hpp"
 #include "graze/study/step_choice.hpp"
+#include "graze/study/stepped_reference.hpp"
 
 namespace graze {
 namespace {
@@ -18,6 +19,12 @@ constexpr double kStepRatio = 4.0, kToleranceRatio = 100.0;
 constexpr double kFirstTolerance = 1e-2, kLastTolerance = 1e-14;
 constexpr int kMostRungs = 14;
 
+ReferenceRun reference_of(const System& system, const State& start,
+                          const ReferenceOptions& options) {
+  return system.rotation ? stepped_reference(system, start, options)
+                         : reference_run(system, start, options);
+}
+
 class CostTable {
  public:
   CostTable(const System& system, const State& start, const FlowCostOptions& options)
@@ -25,14 +32,15 @@ class CostTable {
         start_(start),
         options_(options),
         comparison_(
-            reference_run(system, start,
-                          {options.impacts, options.closure_speed, options.longest, options.stop}),
+            reference_of(system, start,
+                         {options.impacts, options.closure_speed, options.longest, options.stop}),
             options.impacts, options.closure_speed, options.speed) {
     const ReferenceRun& reference = comparison_.reference();
     costs_.impacts = comparison_.impacts();
     costs_.end_time = reference.end_time;
     costs_.forced = system.forcing.has_value();
     costs_.compliant = has_compliant_stop(system);
+    costs_.turns = system.rotation.has_value();
     costs_.period = system.forcing ? system.period() : 1.0;
     costs_.tolerance = options.tolerance;
     // A part of a period for impact times; of the amplitude where there are none.
@@ -42,7 +50,7 @@ class CostTable {
 
   FlowCosts finish() {
     if (!(costs_.end_time > 0.0)) return std::move(costs_);
-    measure(FlowChoice::kExact, "", {});
+    measure(system_.rotation ? FlowChoice::kBulirschStoer : FlowChoice::kExact, "", {});
     for (const FlowChoice flow : {FlowChoice::kRk4, FlowChoice::kDopri5, FlowChoice::kFehlberg78})
       climb(flow);
     return std::move(costs_);

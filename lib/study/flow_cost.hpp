@@ -26,6 +26,7 @@ struct FlowCosts {
   double period = 0.0;      // s, what costs are given per: a forcing period, or one second
   bool forced = false;
   bool compliant = false;  // some stop is: impacts are contacts there, with two instants each
+  bool turns = false;      // on a hub: the reference is that of stepped_reference.hpp
   double tolerance = 0.0;  // of the scene
   double allowed = 0.0;    // the error that this tolerance allows, in the unit of the errors
   std::vector<FlowCost> rows;

@@ -15,10 +15,12 @@ namespace {
 // Computing time is taken over so many forcing periods at most.
 constexpr double kTimedPeriods = 20.0;
 
+int most_compared(const Scene& scene) { return scene.hub ? kMostModesOnHub : kMostModesCompared; }
+
 // And the scene's own.
 std::set<int> numbers(const Scene& scene) {
-  std::set<int> list = {1, 2, 3, 4, 5, 6, 8, 12, 16, 24, 32, 48};
-  if (scene.modes() < kMostModesCompared) list.insert(scene.modes());
+  std::set<int> list = {1, 2, 3, 4, 5, 6, 8, 12, 16, 24, 32, 48, scene.modes()};
+  std::erase_if(list, [most = most_compared(scene)](int modes) { return modes >= most; });
   return list;
 }
 
@@ -66,7 +68,7 @@ std::optional<double> first_impact(const Prepared& beam, const AccuracyCostOptio
 std::vector<ModeCost> mode_costs(const Scene& scene, const AccuracyCostOptions& options) {
   std::vector<ModeCost> rows;
   if (!is_free(scene)) return rows;
-  const std::optional<Prepared> many = with_modes(scene, kMostModesCompared);
+  const std::optional<Prepared> many = with_modes(scene, most_compared(scene));
   const std::optional<double> meant = many ? first_impact(*many, options) : std::nullopt;
   for (const int modes : numbers(scene)) {
     if (options.stop.requested()) break;

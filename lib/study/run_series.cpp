@@ -62,7 +62,9 @@ ValueRun run_at(const Scene& scene, double value, const RunSeriesOptions& series
     listeners.sample = [&](const Sample& sample) {
       for (std::size_t i = 0; i < probes.size(); ++i) peaks[i].add(probes[i].value(sample.state));
     };
-  listeners.sample_rate = kSamplesPerOscillation * system.omega.maxCoeff() / kTurn;
+  // Where nothing oscillates, as many over the run.
+  listeners.sample_rate = kSamplesPerOscillation *
+                          std::max(system.omega.maxCoeff() / kTurn, 1.0 / series.duration);
   const Simulation end = simulate(system, start, options, listeners);
   run.outcome = end.outcome;
   run.message = end.message;

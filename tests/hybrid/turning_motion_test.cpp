@@ -271,6 +271,21 @@ TEST(TurningMotion, FrictionAndImpacts) {
   EXPECT_LT(std::abs(end.energy->defect()), 1e-9 * end.energy->size());
 }
 
+// Chatter, rest and release by the hundred; what leaves a stop without speed is not met again by
+// rounding.
+TEST(TurningMotion, LeavesEveryStopThatItRestedOn) {
+  Scene scene = strip_on_hub(3);
+  for (const double gap : {0.01, 0.05, 0.12, 0.2})
+    for (const double torque : {0.1, 0.24, 0.7}) {
+      scene.hub->torque = TorquePulse{torque, 60.0};
+      scene.stops = {stop_at(0.6, gap, 0.46)};
+      const Simulation end = run(scene, 1.5);
+      EXPECT_EQ(end.outcome, RunOutcome::kReachedEnd) << gap << " " << torque << end.message;
+      EXPECT_GT(end.totals.impacts, 0);
+      EXPECT_LT(std::abs(end.energy->defect()), 1e-9 * end.energy->size());
+    }
+}
+
 TEST(TurningMotion, IsGoneOnWithAsIfItHadNotEnded) {
   Scene scene = strip_on_hub(3);
   scene.hub->torque = TorquePulse{1.0, 0.05};

@@ -337,14 +337,14 @@ TEST(DrawSimulation, ShowsProbesInPanelsByTheirUnit) {
   record.probes = probes_of({ProbeQuantity::kStrain});
   std::string text = script();
   EXPECT_EQ(count(text, "set yrange"), panels + 1);
-  EXPECT_NE(text.find("'at probe 1'"), std::string::npos);
+  EXPECT_NE(text.find("'probe 1'"), std::string::npos);
   record.probes =
       probes_of({ProbeQuantity::kStrain, ProbeQuantity::kDisplacement, ProbeQuantity::kStrain,
                  ProbeQuantity::kVelocity, ProbeQuantity::kDeflection});
   text = script();
   EXPECT_EQ(count(text, "set yrange"), panels + 3);
-  for (const char* name : {"'at probes'", "'displacement,'", "'deflection (m)'",
-                           "'at probe 4 (m/s)'", "'probe 1'", "'probe 5'"})
+  for (const char* name : {"'probes'", "'displacement,'", "'deflection (m)'",
+                           "'probe 4 (m/s)'", "'probe 1'", "'probe 5'"})
     EXPECT_NE(text.find(name), std::string::npos) << name;
   EXPECT_EQ(text.find("'probe 4'"), std::string::npos);
   record.probes = probes_of(std::vector<ProbeQuantity>(8, ProbeQuantity::kVelocity));
