@@ -140,8 +140,8 @@ void print_case(const Case& c) {
     }
   std::printf("  dominant frequency after the first set: %.2f Hz\n",
               dominant_frequency(three, sets[0].first + 0.02, sets[1].first));
-  std::printf("  mean angular acceleration over the first contact: %.4g rad/s^2\n",
-              acceleration_at_impact(scene));
+  if (const double acceleration = acceleration_at_impact(scene); acceleration != 0.0)
+    std::printf("  mean angular acceleration over the first contact: %.4g rad/s^2\n", acceleration);
   for (const int modes : {5, 7}) {
     const Run more = run(with_modes(c.scene, modes));
     std::printf("  %d modes: sets", modes);
@@ -171,22 +171,22 @@ void draw(const std::string& file) {
     const std::string name = std::to_string(column + 1);
     script.data("rate" + name, rate);
     script.data("strain" + name, strain);
-    const double left = column == 0 ? 0.12 : 0.58, right = left + 0.40;
+    const double left = column == 0 ? 0.16 : 0.635, right = left + 0.345;
     for (int row = 0; row < 2; ++row) {
       Margins margins{left, 1.0 - right, row == 0 ? 0.58 : 0.14, row == 0 ? 0.08 : 0.50};
       set_margins(script, margins);
       script.command(row == 0 ? "set format x ''" : "set format x '%g'");
       script.command("set xrange [0:1.5]\nset xtics 0.5");
-      script.command(row == 0 ? "set yrange [-5:5]\nset ytics 2.5"
+      script.command(row == 0 ? "set yrange [-12:12]\nset ytics 6"
                               : "set yrange [-250:250]\nset ytics 125");
       script.command("unset label");
       if (row == 0)
         script.command("set label 1 '" + std::string(kCases[column].name) +
                        "' at graph 0.5, graph 1.08 center");
       script.command(row == 1 ? "set xlabel 'time (s)'" : "unset xlabel");
-      script.command(column == 0 ? (row == 0 ? "set ylabel 'angular velocity (rad/s)'"
-                                             : "set ylabel 'strain at 0.275 m (10^{-6})'")
-                                 : "unset ylabel");
+      if (column == 0)
+        name_vertical_axis(script, row == 0 ? "hub’s rate" : "strain",
+                           row == 0 ? "rad/s" : "10^{-6}");
       script.plot({std::string("$") + (row == 0 ? "rate" : "strain") + name +
                    " using 1:2 with lines lw 0.8 lc rgb '" + (row == 0 ? kBlue : kVermillion) +
                    "' notitle"});
