@@ -1,6 +1,6 @@
 # Draws yigit_sensitivity.png: gnuplot yigit_sensitivity.gp
 set encoding utf8
-set terminal pngcairo enhanced font 'DejaVu Sans,11' fontscale 2.6 linewidth 3 pointscale 3.4 dashlength 0.7 size 1360,1519 background '#FFFFFF'
+set terminal pngcairo enhanced font 'DejaVu Sans,11' fontscale 2.6 linewidth 3 pointscale 3.4 dashlength 0.7 size 1360,1754 background '#FFFFFF'
 mark = 1
 set output 'yigit_sensitivity.png'
 set minussign
@@ -60,13 +60,13 @@ $s_1_1_2 << EOD
 EOD
 set lmargin at screen 0.2083
 set rmargin at screen 0.9583
-set bmargin at screen 0.7575
-set tmargin at screen 0.9515
+set bmargin at screen 0.7565
+set tmargin at screen 0.958
 set yrange [-3.54872249598:13.7774040562]
 set ytics 5
 set label 's_1' at screen 0.02, graph 0.5 center rotate
 set label 'deflection (%)' at screen 0.059, graph 0.5 center rotate
-set key at screen 0.9583, screen 0.9757 right center horizontal Left reverse samplen 1.5 font ',9'
+set key at screen 0.9583, screen 0.979 right center horizontal Left reverse samplen 1.5 font ',9'
 set arrow from graph 0, first 0 to graph 1, first 0 nohead back lw 0.5 lc rgb '#999999'
 plot $s_1_1_1 with lines lw 1.8 dt 1 lc rgb '#0072B2' title 'hub.inertia 0.0002787 kg m^2', \
      $s_1_1_2 with lines lw 1.8 dt 2 lc rgb '#D55E00' title 'hub.inertia 0.027 kg m^2', \
@@ -123,8 +123,8 @@ $s_2_1_2 << EOD
 EOD
 set lmargin at screen 0.2083
 set rmargin at screen 0.9583
-set bmargin at screen 0.5373
-set tmargin at screen 0.7313
+set bmargin at screen 0.5323
+set tmargin at screen 0.7339
 set yrange [-74.0109969685:11.3368293741]
 set ytics 20
 set label 's_2' at screen 0.02, graph 0.5 center rotate
@@ -185,8 +185,8 @@ $s_1_2_2 << EOD
 EOD
 set lmargin at screen 0.2083
 set rmargin at screen 0.9583
-set bmargin at screen 0.3172
-set tmargin at screen 0.5112
+set bmargin at screen 0.3081
+set tmargin at screen 0.5097
 set yrange [-13.6820057622:23.6708860905]
 set ytics 10
 set label 's_1' at screen 0.02, graph 0.5 center rotate
@@ -247,8 +247,8 @@ $s_2_2_2 << EOD
 EOD
 set lmargin at screen 0.2083
 set rmargin at screen 0.9583
-set bmargin at screen 0.09701
-set tmargin at screen 0.291
+set bmargin at screen 0.08398
+set tmargin at screen 0.2855
 set yrange [-24.808101575:16.10602504]
 set ytics 10
 set label 's_2' at screen 0.02, graph 0.5 center rotate

@@ -23,7 +23,7 @@ class SensitivityPicture {
 
   GnuplotScript script() {
     set_style(script_);
-    column_.lay_out(std::vector<double>(2 * probes_, PanelColumn::kPanel), false,
+    column_.lay_out(std::vector<double>(2 * probes_, 1.2 * PanelColumn::kPanel), false,
                     !record_.second.empty(), false);
     script_.command("set multiplot");
     AxisRange range;
@@ -72,10 +72,9 @@ class SensitivityPicture {
                                    kDashes[c], kColours[c], title));
     }
     range.settle(0.08);
-    column_.begin_panel(range,
-                        fmt::format("{}\n{}", name,
-                                    probe_quantity_name(record_.probes[probe].quantity)),
-                        "%");
+    column_.begin_panel(
+        range, fmt::format("{}\n{}", name, probe_quantity_name(record_.probes[probe].quantity)),
+        "%");
     if (legend && !record_.second.empty()) column_.set_legend();
     column_.draw_zero_line();
     column_.end_panel(layers);
