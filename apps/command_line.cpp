@@ -139,6 +139,14 @@ void add_diagram(CLI::App& graze, Command& command) {
       ->capture_default_str()
       ->type_name("P");
   add_branch_kind(app, command);
+  CLI::Option* duration =
+      app->add_option("--duration", command.duration,
+                      "Where no forcing repeats the motion: time of the one run at each value, s")
+          ->check(above_zero())
+          ->type_name("S");
+  for (const char* of_sweep : {"--direction", "--section", "--periods", "--samples", "--branches",
+                               "--period", "--impacts", "--max-step", "--follow", "--depth"})
+    duration->excludes(app->get_option(of_sweep));
   add_limits(app, command);
   add_later_options(app, {"--resume", "--shard"});
 }

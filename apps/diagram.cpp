@@ -2,6 +2,7 @@
 #include "branch_options.hpp"
 #include "graze/assembly/assembly.hpp"
 #include "graze/assembly/system_warnings.hpp"
+#include "graze/base/errors.hpp"
 #include "graze/bifurcation/restart.hpp"
 #include "graze/report/csv.hpp"
 #include "graze/report/json.hpp"
@@ -78,6 +79,11 @@ std::optional<Outcome> add_branches(const Command& command, const SystemFamily& 
 int run_diagram(const Command& command) {
   if (!command.plot.empty()) check_picture_name(command.plot);
   const Scene scene = scene_of(command);
+  if (!scene.forcing) return run_diagram_of_runs(command, scene);
+  if (command.duration)
+    throw InputError(
+        "--duration: it is not allowed here; this scene's motion repeats with its forcing and is "
+        "followed until it has settled (--periods)");
   require_exact_flow(scene, "diagrams are drawn");
   require_forcing_and_stop(scene);
   BranchOptions tracing = branch_options(command);

@@ -9,6 +9,7 @@
 #include "graze/record/diagram_record.hpp"
 #include "graze/record/fit_record.hpp"
 #include "graze/record/loci_record.hpp"
+#include "graze/record/run_diagram_record.hpp"
 #include "graze/record/sensitivity_record.hpp"
 
 namespace graze {
@@ -47,6 +48,11 @@ std::string parameters_csv(const FitRecord& record);
 
 // One line a value, with peak, s1, end and s2 of every probe.
 std::string sensitivity_csv(const SensitivityRecord& record);
+
+// Of single runs over a parameter: one line an impact, one for a value that has none; and one line
+// a value with what its probes saw.
+std::string run_impacts_csv(const RunDiagramRecord& record);
+std::string runs_csv(const RunDiagramRecord& record);
 
 // One line a sample, one for a value that has none.
 std::string sweep_csv(const DiagramRecord& record);

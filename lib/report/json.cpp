@@ -1,37 +1,16 @@
 #include "graze/report/json.hpp"
 
 #include <algorithm>
-#include <cmath>
-#include <nlohmann/json.hpp>
 
 #include "graze/bifurcation/special_names.hpp"
+#include "graze/report/json_value.hpp"
 #include "graze/report/names.hpp"
 #include "graze/system/hub_state.hpp"
 
 namespace graze {
 namespace {
 
-using Json = nlohmann::ordered_json;
-
-// Numbers that do not exist (NaN, infinity) are null; JSON has no other word for them.
-Json number(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
-
-template <class T>
-Json maybe(const std::optional<T>& value) {
-  if (!value) return nullptr;
-  if constexpr (std::is_same_v<T, double>)
-    return number(*value);
-  else
-    return *value;
-}
-
-Json list(const Vector& v) {
-  Json array = Json::array();
-  for (const double value : v) array.push_back(number(value));
-  return array;
-}
-
-Json pair(const Complex& z) { return Json::array({number(z.real()), number(z.imag())}); }
+Json pair(const Complex& z) { return Json::array({json_number(z.real()), json_number(z.imag())}); }
 
 Json header(const RunInfo& info, const Outcome& outcome, const std::vector<std::string>& warnings) {
   Json options = Json::object();
@@ -66,20 +45,20 @@ Json impacts_at(const Orbit& orbit) {
     const OrbitImpact& impact = orbit.impacts[i];
     array.push_back({{"stop", impact.stop + 1},
                      {"period_index", impact.period_index},
-                     {"phase", number(impact.phase)},
-                     {"speed", number(impact.speed)}});
+                     {"phase", json_number(impact.phase)},
+                     {"speed", json_number(impact.speed)}});
     if (!orbit.strobe || !(orbit.strobe->contacts[i].duration > 0.0)) continue;
     const OrbitContact& contact = orbit.strobe->contacts[i];
-    array.back().update({{"duration", number(contact.duration)},
-                         {"peak_force", number(contact.peak_force)},
-                         {"effective_restitution", number(contact.speed_after / impact.speed)},
-                         {"energy_change", number(-contact.taken)}});
+    array.back().update({{"duration", json_number(contact.duration)},
+                         {"peak_force", json_number(contact.peak_force)},
+                         {"effective_restitution", json_number(contact.speed_after / impact.speed)},
+                         {"energy_change", json_number(-contact.taken)}});
   }
   return array;
 }
 
 Json instant_json(const OrbitInstant& at) {
-  return {{"period_index", at.period_index}, {"phase", number(at.phase)}};
+  return {{"period_index", at.period_index}, {"phase", json_number(at.phase)}};
 }
 
 void add_sticking(const OrbitSticking& sticking, Json& orbit) {
@@ -88,30 +67,30 @@ void add_sticking(const OrbitSticking& sticking, Json& orbit) {
     phases.push_back({{"stop", hold.stop + 1},
                       {"from", instant_json(hold.from)},
                       {"to", instant_json(hold.to)},
-                      {"duration", number(hold.duration)},
-                      {"force", number(hold.force)},
-                      {"smallest_force", maybe(hold.smallest_force)}});
+                      {"duration", json_number(hold.duration)},
+                      {"force", json_number(hold.force)},
+                      {"smallest_force", json_maybe(hold.smallest_force)}});
   orbit["stuck_phases"] = phases;
   Json section = instant_json(sticking.section);
-  section["q"] = list(sticking.at_section.q);
-  section["qdot"] = list(sticking.at_section.qdot);
+  section["q"] = json_list(sticking.at_section.q);
+  section["qdot"] = json_list(sticking.at_section.qdot);
   orbit["section"] = section;
-  orbit["closure_speed"] = number(sticking.closure_speed);
+  orbit["closure_speed"] = json_number(sticking.closure_speed);
 }
 
 // The state at the start of its first forcing period, from which the motion repeats the orbit.
 void add_strobe(const OrbitStrobe& strobe, Json& orbit) {
   Json section = instant_json(strobe.start);
-  section["q"] = list(strobe.turns.front().q);
-  section["qdot"] = list(strobe.turns.front().qdot);
+  section["q"] = json_list(strobe.turns.front().q);
+  section["qdot"] = json_list(strobe.turns.front().qdot);
   orbit["section"] = section;
 }
 
 Json orbit_json(const Orbit& orbit) {
   Json phases = Json::array(), speeds = Json::array();
   for (const OrbitImpact& impact : orbit.impacts) {
-    phases.push_back(number(impact.phase));
-    speeds.push_back(number(impact.speed));
+    phases.push_back(json_number(impact.phase));
+    speeds.push_back(json_number(impact.speed));
   }
   Json json = {{"period", orbit.period},
                {"impacts", orbit.impacts.size()},
@@ -119,10 +98,10 @@ Json orbit_json(const Orbit& orbit) {
                {"speeds", speeds},
                {"at", impacts_at(orbit)},
                {"multipliers", multipliers(orbit)},
-               {"stable", maybe(orbit.stable)},
+               {"stable", json_maybe(orbit.stable)},
                {"admissible", orbit.admissible},
-               {"clearance", maybe(orbit.clearance)},
-               {"residual", number(orbit.residual)},
+               {"clearance", json_maybe(orbit.clearance)},
+               {"residual", json_number(orbit.residual)},
                {"stuck", orbit.sticking.has_value()}};
   if (orbit.sticking) add_sticking(*orbit.sticking, json);
   if (orbit.strobe) add_strobe(*orbit.strobe, json);
@@ -131,21 +110,21 @@ Json orbit_json(const Orbit& orbit) {
 
 // Of the first impact; null where the orbit has none, at rest on its stop.
 Json first_phase(const Orbit& orbit) {
-  return orbit.impacts.empty() ? Json(nullptr) : number(orbit.impacts.front().phase);
+  return orbit.impacts.empty() ? Json(nullptr) : json_number(orbit.impacts.front().phase);
 }
 
 Json first_speed(const Orbit& orbit) {
-  return orbit.impacts.empty() ? Json(nullptr) : number(orbit.impacts.front().speed);
+  return orbit.impacts.empty() ? Json(nullptr) : json_number(orbit.impacts.front().speed);
 }
 
 Json point_json(const OrbitBranchPoint& point) {
-  Json json = {{"value", number(point.value)},
+  Json json = {{"value", json_number(point.value)},
                {"phase", first_phase(point.orbit)},
                {"speed", first_speed(point.orbit)},
-               {"stable", maybe(point.orbit.stable)},
+               {"stable", json_maybe(point.orbit.stable)},
                {"admissible", point.orbit.admissible},
                {"unstable_multipliers", point.unstable_multipliers},
-               {"clearance", maybe(point.orbit.clearance)}};
+               {"clearance", json_maybe(point.orbit.clearance)}};
   if (point.orbit.impacts.size() > 1) json["at"] = impacts_at(point.orbit);
   json["stuck"] = point.orbit.sticking.has_value();
   if (point.orbit.sticking) {
@@ -167,9 +146,9 @@ Json special_json(const SpecialPoint& special) {
   const std::optional<SpecialPoint::Impact> impact = special.impact();
   Json json = {{"id", special.id},
                {"label", label_of(special.kind)},
-               {"value", number(special.at.value)},
-               {"phase", impact ? number(impact->phase) : Json(nullptr)},
-               {"speed", impact ? number(impact->speed) : Json(nullptr)},
+               {"value", json_number(special.at.value)},
+               {"phase", impact ? json_number(impact->phase) : Json(nullptr)},
+               {"speed", impact ? json_number(impact->speed) : Json(nullptr)},
                {"multiplier", special.multiplier ? pair(*special.multiplier) : Json(nullptr)},
                {"admissible", special.at.orbit.admissible}};
   if (special.at.orbit.impacts.size() > 1) json["at"] = impacts_at(special.at.orbit);
@@ -186,28 +165,29 @@ Json special_json(const SpecialPoint& special) {
 
 Json event_json(const Event& event) {
   Json json = {
-      {"kind", name_of(event.kind)}, {"time", number(event.time)}, {"stop", event.stop + 1}};
+      {"kind", name_of(event.kind)}, {"time", json_number(event.time)}, {"stop", event.stop + 1}};
   switch (event.kind) {
     case EventKind::kImpact:
-      json["speed"] = number(event.speed);
-      json["phase"] = maybe(event.phase);
-      json["energy_change"] = number(event.energy_change);
+      json["speed"] = json_number(event.speed);
+      json["phase"] = json_maybe(event.phase);
+      json["energy_change"] = json_number(event.energy_change);
       break;
     case EventKind::kChatter:
-      json.update({{"impacts", event.impacts}, {"closure_speed", number(event.closure_speed)}});
-      json["energy_change"] = number(event.energy_change);
+      json.update(
+          {{"impacts", event.impacts}, {"closure_speed", json_number(event.closure_speed)}});
+      json["energy_change"] = json_number(event.energy_change);
       break;
     case EventKind::kStick:
-      json["force"] = number(event.force);
+      json["force"] = json_number(event.force);
       break;
     case EventKind::kContact:
-      json.update({{"speed", number(event.speed)}, {"phase", maybe(event.phase)}});
+      json.update({{"speed", json_number(event.speed)}, {"phase", json_maybe(event.phase)}});
       break;
     case EventKind::kSeparation:
-      json.update({{"speed", number(event.speed)}, {"duration", number(event.duration)}});
-      json.update({{"peak_force", number(event.peak_force)},
-                   {"effective_restitution", maybe(event.effective_restitution)},
-                   {"energy_change", number(event.energy_change)}});
+      json.update({{"speed", json_number(event.speed)}, {"duration", json_number(event.duration)}});
+      json.update({{"peak_force", json_number(event.peak_force)},
+                   {"effective_restitution", json_maybe(event.effective_restitution)},
+                   {"energy_change", json_number(event.energy_change)}});
       break;
     case EventKind::kRelease:
       break;
@@ -218,44 +198,44 @@ Json event_json(const Event& event) {
 Json final_json(const System& system, const Simulation& run) {
   Json stuck = Json::array(), forces = Json::array();
   for (const int stop : run.stuck) stuck.push_back(stop + 1);
-  for (const double force : run.forces) forces.push_back(number(force));
-  Json json = {{"time", number(run.end_time)},
-               {"q", list(run.final.q)},
-               {"qdot", list(run.final.qdot)},
+  for (const double force : run.forces) forces.push_back(json_number(force));
+  Json json = {{"time", json_number(run.end_time)},
+               {"q", json_list(run.final.q)},
+               {"qdot", json_list(run.final.qdot)},
                {"stuck", stuck},
                {"forces", forces}};
   if (!system.rotation) return json;
   const HubState hub = hub_state(*system.rotation, run.final);
-  json["q"] = list(hub.beam.q);
-  json["qdot"] = list(hub.beam.qdot);
-  json["angle"] = number(hub.angle);
-  json["rate"] = number(hub.rate);
+  json["q"] = json_list(hub.beam.q);
+  json["qdot"] = json_list(hub.beam.qdot);
+  json["angle"] = json_number(hub.angle);
+  json["rate"] = json_number(hub.rate);
   return json;
 }
 
 Json totals_json(const RunTotals& totals) {
   return {{"impacts", totals.impacts},
           {"chatters", totals.chatters},
-          {"stuck_time", number(totals.stuck_time)},
-          {"energy_added_by_impacts", number(totals.energy_added)},
-          {"energy_lost_by_impacts", number(totals.energy_lost)},
-          {"smallest_gap", maybe(totals.smallest_gap)},
+          {"stuck_time", json_number(totals.stuck_time)},
+          {"energy_added_by_impacts", json_number(totals.energy_added)},
+          {"energy_lost_by_impacts", json_number(totals.energy_lost)},
+          {"smallest_gap", json_maybe(totals.smallest_gap)},
           {"undecided_touches", totals.undecided_touches},
           {"clamped_restitutions", totals.clamped_restitutions}};
 }
 
 Json energy_json(const System& system, const EnergyBook& book) {
   const EnergyEntries entries = energy_entries(system, book);
-  Json json = {{"start", number(book.start)},
-               {"forcing", maybe(entries.forcing)},
-               {"load", maybe(entries.load)},
-               {"constraint", maybe(entries.constraint)},
-               {"impacts", maybe(entries.impacts)},
-               {"dissipation", maybe(entries.dissipation)},
-               {"end", number(book.now)},
-               {"defect", number(book.defect())},
-               {"relative_defect", number(relative_defect(book))}};
-  if (entries.contact) json["contact"] = number(*entries.contact);
+  Json json = {{"start", json_number(book.start)},
+               {"forcing", json_maybe(entries.forcing)},
+               {"load", json_maybe(entries.load)},
+               {"constraint", json_maybe(entries.constraint)},
+               {"impacts", json_maybe(entries.impacts)},
+               {"dissipation", json_maybe(entries.dissipation)},
+               {"end", json_number(book.now)},
+               {"defect", json_number(book.defect())},
+               {"relative_defect", json_number(relative_defect(book))}};
+  if (entries.contact) json["contact"] = json_number(*entries.contact);
   return json;
 }
 

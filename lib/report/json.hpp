@@ -8,6 +8,7 @@
 #include "graze/record/diagram_record.hpp"
 #include "graze/record/fit_record.hpp"
 #include "graze/record/loci_record.hpp"
+#include "graze/record/run_diagram_record.hpp"
 #include "graze/record/sensitivity_record.hpp"
 #include "graze/record/spool.hpp"
 
@@ -27,6 +28,8 @@ std::string to_json(const LociRecord& record);
 std::string to_json(const CostRecord& record);
 std::string to_json(const FitRecord& record);
 std::string to_json(const SensitivityRecord& record);
+// One run at each value.
+std::string to_json(const RunDiagramRecord& record);
 // The document of the branches, with the sweep added.
 std::string to_json(const DiagramRecord& record);
 

@@ -1,20 +1,12 @@
-#include <cmath>
-#include <nlohmann/json.hpp>
-
 #include "graze/report/json.hpp"
+#include "graze/report/json_value.hpp"
 
 namespace graze {
 namespace {
 
-using Json = nlohmann::ordered_json;
-
-Json maybe(const std::optional<double>& value) {
-  return value && std::isfinite(*value) ? Json(*value) : Json(nullptr);
-}
-
 Json with_error(Json row, const RunError& compared) {
-  row["error"] = maybe(compared.error);
-  row["state_error"] = maybe(compared.state_error);
+  row["error"] = json_maybe(compared.error);
+  row["state_error"] = json_maybe(compared.state_error);
   row["impacts_agree"] = compared.impacts_agree;
   if (!compared.message.empty()) row["message"] = compared.message;
   return row;
@@ -98,7 +90,7 @@ std::string to_json(const CostRecord& record) {
   document["modes"] = Json::array();
   for (const ModeCost& row : record.modes)
     document["modes"].push_back({{"modes", row.modes},
-                                 {"error", maybe(row.error)},
+                                 {"error", json_maybe(row.error)},
                                  {"seconds_per_period", row.seconds_per_period},
                                  {"evaluations_per_period", row.evaluations_per_period}});
   document["closure"] = Json::array();

@@ -1,29 +1,22 @@
-#include <cmath>
-#include <nlohmann/json.hpp>
-
 #include "graze/report/json.hpp"
+#include "graze/report/json_value.hpp"
 
 namespace graze {
 namespace {
 
-using Json = nlohmann::ordered_json;
-
-Json maybe(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
-
-Json list(const Vector& values) {
-  Json json = Json::array();
-  for (const double value : values) json.push_back(maybe(value));
-  return json;
-}
-
 Json parameter_json(const FittedParameter& parameter) {
-  Json json = {
-      {"name", parameter.name},   {"unit", parameter.unit},      {"value", parameter.value},
-      {"uncertainty", nullptr},   {"interval", nullptr},         {"at_limit", parameter.at_limit},
-      {"start", parameter.start}, {"low", maybe(parameter.low)}, {"high", maybe(parameter.high)}};
+  Json json = {{"name", parameter.name},
+               {"unit", parameter.unit},
+               {"value", parameter.value},
+               {"uncertainty", nullptr},
+               {"interval", nullptr},
+               {"at_limit", parameter.at_limit},
+               {"start", parameter.start},
+               {"low", json_number(parameter.low)},
+               {"high", json_number(parameter.high)}};
   if (parameter.uncertainty) {
-    json["uncertainty"] = maybe(*parameter.uncertainty);
-    json["interval"] = {maybe(parameter.interval_low), maybe(parameter.interval_high)};
+    json["uncertainty"] = json_number(*parameter.uncertainty);
+    json["interval"] = {json_number(parameter.interval_low), json_number(parameter.interval_high)};
   }
   return json;
 }
@@ -31,18 +24,18 @@ Json parameter_json(const FittedParameter& parameter) {
 Json correlations_json(const Matrix& correlations) {
   Json rows = Json::array();
   for (Eigen::Index i = 0; i < correlations.rows(); ++i)
-    rows.push_back(list(correlations.row(i).transpose()));
+    rows.push_back(json_list(correlations.row(i).transpose()));
   return rows;
 }
 
 Json series_json(const FittedSeries& series) {
-  return {
-      {"name", series.name},
-      {"unit", series.unit},
-      {"standard_deviation", series.noise},
-      {"measured", list(series.measured)},
-      {"predicted", list(series.predicted)},
-      {"uncertainty", series.uncertainty.size() > 0 ? list(series.uncertainty) : Json(nullptr)}};
+  return {{"name", series.name},
+          {"unit", series.unit},
+          {"standard_deviation", series.noise},
+          {"measured", json_list(series.measured)},
+          {"predicted", json_list(series.predicted)},
+          {"uncertainty",
+           series.uncertainty.size() > 0 ? json_list(series.uncertainty) : Json(nullptr)}};
 }
 
 }  // namespace
@@ -70,7 +63,8 @@ std::string to_json(const FitRecord& record) {
   document["quantile"] = result.quantile > 0.0 ? Json(result.quantile) : Json(nullptr);
   document["method"] = result.method;
   document["evaluations"] = result.evaluations;
-  document["at"] = {{"name", abscissa.name}, {"unit", abscissa.unit}, {"values", list(result.at)}};
+  document["at"] = {
+      {"name", abscissa.name}, {"unit", abscissa.unit}, {"values", json_list(result.at)}};
   document["series"] = Json::array();
   for (const FittedSeries& series : result.series)
     document["series"].push_back(series_json(series));

@@ -1,33 +1,27 @@
-#include <cmath>
-#include <nlohmann/json.hpp>
-
 #include "graze/report/json.hpp"
+#include "graze/report/json_value.hpp"
 #include "graze/report/names.hpp"
 
 namespace graze {
 namespace {
 
-using Json = nlohmann::ordered_json;
-
-Json number(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
-
 Json place_json(const OrbitLocusPoint& point) {
-  return {{"value", number(point.value)}, {"second", number(point.second)}};
+  return {{"value", json_number(point.value)}, {"second", json_number(point.second)}};
 }
 
 Json point_json(OrbitLocusKind kind, const OrbitLocusPoint& point) {
   Json json = place_json(point);
-  json["phase"] = number(point.impacts.front().phase);
-  json["speed"] = number(point.impacts.front().speed);
-  if (kind == OrbitLocusKind::kTorus) json["angle"] = number(point.angle);
+  json["phase"] = json_number(point.impacts.front().phase);
+  json["speed"] = json_number(point.impacts.front().speed);
+  if (kind == OrbitLocusKind::kTorus) json["angle"] = json_number(point.angle);
   json["admissible"] = point.admissible;
   if (point.impacts.size() < 2) return json;
   Json at = Json::array();
   for (const OrbitImpact& impact : point.impacts)
     at.push_back({{"stop", impact.stop + 1},
                   {"period_index", impact.period_index},
-                  {"phase", number(impact.phase)},
-                  {"speed", number(impact.speed)}});
+                  {"phase", json_number(impact.phase)},
+                  {"speed", json_number(impact.speed)}});
   json["at"] = at;
   return json;
 }
@@ -52,8 +46,8 @@ Json locus_json(const OrbitLocus& locus) {
 }
 
 Json place_json(const RegionPlace& place) {
-  return {{"value", number(place.value)},
-          {"second", number(place.second)},
+  return {{"value", json_number(place.value)},
+          {"second", json_number(place.second)},
           {"label", label_of(place.stable)}};
 }
 
@@ -62,8 +56,8 @@ Json listed_json(const StableRegions& regions, const std::vector<OrbitAtPlace>& 
   for (const OrbitAtPlace& orbit : orbits) {
     const RegionPlace& place = regions.places[orbit.place];
     list.push_back({{"label", name_of(orbit.name)},
-                    {"value", number(place.value)},
-                    {"second", number(place.second)}});
+                    {"value", json_number(place.value)},
+                    {"second", json_number(place.second)}});
   }
   return list;
 }
@@ -72,10 +66,10 @@ Json borders_json(const StableRegions& regions, const RegionBorders& borders) {
   Json open = Json::array();
   for (const auto& [i, other] : borders.open) {
     const RegionPlace &a = regions.places[i], &b = regions.places[other];
-    open.push_back({{"value", number(a.value)},
-                    {"second", number(a.second)},
-                    {"to_value", number(b.value)},
-                    {"to_second", number(b.second)}});
+    open.push_back({{"value", json_number(a.value)},
+                    {"second", json_number(a.second)},
+                    {"to_value", json_number(b.value)},
+                    {"to_second", json_number(b.second)}});
   }
   return {{"count", borders.count}, {"without_locus", open}};
 }
@@ -87,8 +81,8 @@ Json regions_json(const StableRegions& regions) {
                  {"label", label_of(area.stable)},
                  {"places", area.places},
                  {"share", area.share}};
-    json["value"] = number(regions.places[area.inner].value);
-    json["second"] = number(regions.places[area.inner].second);
+    json["value"] = json_number(regions.places[area.inner].value);
+    json["second"] = json_number(regions.places[area.inner].second);
     areas.push_back(json);
   }
   for (const RegionPlace& place : regions.places) {

@@ -1,30 +1,24 @@
-#include <cmath>
-#include <nlohmann/json.hpp>
-
 #include "graze/report/json.hpp"
+#include "graze/report/json_value.hpp"
 #include "graze/report/sweep_names.hpp"
 
 namespace graze {
 namespace {
-
-using Json = nlohmann::ordered_json;
-
-Json number(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
 
 Json samples_json(const SweepRow& row, DiagramSection section) {
   Json stops = Json::array(), first = Json::array(), second = Json::array();
   if (section == DiagramSection::kImpact) {
     for (const MetImpact& impact : row.motion.impacts) {
       stops.push_back(impact.stop + 1);
-      first.push_back(number(impact_phase(impact)));
-      second.push_back(number(impact.speed));
+      first.push_back(json_number(impact_phase(impact)));
+      second.push_back(json_number(impact.speed));
     }
     return {{"stops", stops}, {"phases", first}, {"speeds", second}};
   }
   for (const SweepRow::Strobe& strobe : row.strobes) {
     stops.push_back(strobe.stop + 1);
-    first.push_back(number(strobe.displacement));
-    second.push_back(number(strobe.velocity));
+    first.push_back(json_number(strobe.displacement));
+    second.push_back(json_number(strobe.velocity));
   }
   return {{"stops", stops}, {"displacements", first}, {"velocities", second}};
 }
@@ -32,7 +26,7 @@ Json samples_json(const SweepRow& row, DiagramSection section) {
 Json row_json(const SweepRow& row, DiagramSection section) {
   const AttractorClass attractor = attractor_class(row);
   const bool repeats = attractor.period > 0, sticks = attractor.kind == SettledKind::kSticks;
-  Json json = {{"value", number(row.value)},
+  Json json = {{"value", json_number(row.value)},
                {"start", name_of(row.start)},
                {"status", name_of(row.status)},
                {"attractor", attractor_label(attractor)},
@@ -40,7 +34,7 @@ Json row_json(const SweepRow& row, DiagramSection section) {
                {"impacts", repeats && !sticks ? Json(attractor.impacts) : Json(nullptr)},
                {"sticks", row.motion.sticks},
                {"periods", row.motion.periods},
-               {"remaining", repeats ? number(row.motion.remaining) : Json(nullptr)}};
+               {"remaining", repeats ? json_number(row.motion.remaining) : Json(nullptr)}};
   if (!row.message.empty()) json["message"] = row.message;
   json.update(samples_json(row, section));
   return json;
@@ -58,8 +52,8 @@ std::string to_json(const DiagramRecord& record) {
   Json ranges = Json::array(), rows = Json::array();
   for (const AttractorRange& range : attractor_ranges(swept.rows))
     ranges.push_back({{"attractor", attractor_label(range.attractor)},
-                      {"from", number(swept.rows[range.first].value)},
-                      {"to", number(swept.rows[range.last].value)},
+                      {"from", json_number(swept.rows[range.first].value)},
+                      {"to", json_number(swept.rows[range.last].value)},
                       {"values", range.last - range.first + 1}});
   for (const SweepRow& row : swept.rows) rows.push_back(row_json(row, record.section));
   document["sweep"] = {{"section", name_of(record.section)},

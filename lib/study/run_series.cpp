@@ -63,8 +63,8 @@ ValueRun run_at(const Scene& scene, double value, const RunSeriesOptions& series
       for (std::size_t i = 0; i < probes.size(); ++i) peaks[i].add(probes[i].value(sample.state));
     };
   // Where nothing oscillates, as many over the run.
-  listeners.sample_rate = kSamplesPerOscillation *
-                          std::max(system.omega.maxCoeff() / kTurn, 1.0 / series.duration);
+  listeners.sample_rate =
+      kSamplesPerOscillation * std::max(system.omega.maxCoeff() / kTurn, 1.0 / series.duration);
   const Simulation end = simulate(system, start, options, listeners);
   run.outcome = end.outcome;
   run.message = end.message;
@@ -85,19 +85,23 @@ std::vector<ValueRun> run_series(const Scene& scene, const RunSeriesOptions& opt
     scenes.push_back(with_parameter(scene, options.parameter, value));
     initial_state(scenes.back(), assemble(scenes.back()));
   }
-  std::vector<ValueRun> runs(options.values.size());
+  std::vector<std::optional<ValueRun>> runs(options.values.size());
   std::mutex telling;
   std::size_t done = 0;
   for_each_index(runs.size(), options.threads, [&](std::size_t i) {
     if (options.stop.requested()) return;
-    runs[i] = run_at(scenes[i], options.values[i], options);
+    ValueRun run = run_at(scenes[i], options.values[i], options);
+    if (run.outcome == RunOutcome::kInterrupted || run.outcome == RunOutcome::kTimeBudget) return;
+    runs[i] = std::move(run);
     const std::lock_guard lock(telling);
     ++done;
     if (options.progress)
       options.progress(static_cast<double>(done) / static_cast<double>(runs.size()));
   });
-  if (options.stop.requested()) return {};
-  return runs;
+  std::vector<ValueRun> finished;
+  for (std::optional<ValueRun>& run : runs)
+    if (run) finished.push_back(std::move(*run));
+  return finished;
 }
 
 std::vector<double> even_values(double from, double to, int points) {

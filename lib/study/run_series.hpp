@@ -41,8 +41,8 @@ struct RunSeriesOptions {
   std::function<void(double fraction)> progress;  // called by one thread at a time
 };
 
-// In the order of the values; empty where a stop was asked for before all were done. Throws
-// InputError where the scene does not allow a value.
+// In the order of the values; where a stop was asked for before all were done, those that were.
+// Throws InputError where the scene does not allow a value.
 std::vector<ValueRun> run_series(const Scene& scene, const RunSeriesOptions& options);
 
 // `points` >= 2 values from `from` to `to`, both among them.

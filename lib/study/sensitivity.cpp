@@ -48,7 +48,7 @@ std::vector<SensitivityCurve> sensitivities(const Scene& scene, const Sensitivit
     SensitivityCurve curve;
     curve.second = seconds[i];
     curve.runs = run_series(own, series);
-    if (curve.runs.empty()) break;
+    if (curve.runs.size() < series.values.size()) break;  // means want all of them
     curve.reference = std::move(curve.runs.back());
     curve.runs.pop_back();
     compare(curve);

@@ -1,0 +1,77 @@
+// graze diagram of a motion that no forcing repeats: one run at each value of a parameter.
+#include "graze/assembly/assembly.hpp"
+#include "graze/assembly/system_warnings.hpp"
+#include "graze/base/errors.hpp"
+#include "graze/report/csv.hpp"
+#include "graze/report/json.hpp"
+#include "graze/report/pictures.hpp"
+#include "graze/report/text.hpp"
+#include "graze/scene/parameter.hpp"
+#include "session.hpp"
+
+namespace graze {
+namespace {
+
+RunSeriesOptions series_options(const Command& command) {
+  RunSeriesOptions options;
+  options.parameter = command.parameter;
+  options.values = even_values(command.from, command.to, command.points);
+  options.duration = *command.duration;
+  options.closure_speed = command.closure_speed;
+  options.max_impacts = command.max_impacts;
+  options.threads = command.threads;
+  options.stop = stop_signal(command);
+  return options;
+}
+
+void require_what_is_shown(const Command& command, const Scene& scene) {
+  if (!command.duration)
+    throw InputError(
+        "--duration: it is missing; no forcing repeats this scene's motion, so a diagram of it "
+        "shows one run at each value: give its time in s");
+  if (scene.stops.empty() && scene.probes.empty())
+    throw scene_error(
+        scene, "stop",
+        "there is neither a [[stop]] nor a [[probe]]; a diagram shows impacts and what "
+        "probes see");
+}
+
+}  // namespace
+
+int run_diagram_of_runs(const Command& command, const Scene& scene) {
+  require_what_is_shown(command, scene);
+  RunSeriesOptions options = series_options(command);
+  RunDiagramRecord record;
+  record.info = run_info(command.name, command.scene, scene);
+  record.parameter = command.parameter;
+  record.unit = parameter_unit(scene, command.parameter);
+  record.from = command.from;
+  record.to = command.to;
+  record.duration = options.duration;
+  record.stops = scene.stops.size();
+  record.probes = scene.probes;
+  auto& noted = record.info.options;
+  noted.emplace_back("parameter", command.parameter);
+  noted.emplace_back("from", command.from);
+  noted.emplace_back("to", command.to);
+  noted.emplace_back("points", static_cast<long long>(command.points));
+  noted.emplace_back("duration", options.duration);
+  if (command.closure_speed) noted.emplace_back("closure_speed", *command.closure_speed);
+  noted.emplace_back("max_impacts", command.max_impacts);
+  noted.emplace_back("max_seconds", command.max_seconds);
+  record.warnings = system_warnings(scene, assemble(scene));
+  warn(command, record.warnings);
+  prepare_output(command);
+  options.progress = progress_line(command);
+  record.runs = run_series(scene, options);
+  options.progress = nullptr;
+  record.outcome = run_diagram_outcome(record.runs, options.values.size(), options.stop.reason());
+  return conclude(command, record.info, record.outcome,
+                  {to_json(record),
+                   to_text(record),
+                   {{"sweep.csv", run_impacts_csv(record)}, {"runs.csv", runs_csv(record)}},
+                   [&] { draw_run_diagram(command.plot, record); },
+                   {}});
+}
+
+}  // namespace graze

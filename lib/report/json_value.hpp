@@ -1,0 +1,33 @@
+// Private to this room. Values as documents hold them: null for what does not exist, as JSON has
+// no other word for NaN and infinity.
+#pragma once
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <type_traits>
+
+namespace graze {
+
+using Json = nlohmann::ordered_json;
+
+inline Json json_number(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
+
+template <class T>
+Json json_maybe(const std::optional<T>& value) {
+  if (!value) return nullptr;
+  if constexpr (std::is_same_v<T, double>)
+    return json_number(*value);
+  else
+    return *value;
+}
+
+// Of a vector of numbers.
+template <class Numbers>
+Json json_list(const Numbers& numbers) {
+  Json json = Json::array();
+  for (const double value : numbers) json.push_back(json_number(value));
+  return json;
+}
+
+}  // namespace graze
