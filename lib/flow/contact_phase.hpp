@@ -87,9 +87,10 @@ class ContactPhase {
   const std::vector<double>& depths() const { return depths_; }
   const Watch& watch(int stop, int multiplicity);
   // What it watches for at its springs, counted as set_depths() does: the depth, which starts from
-  // this departure where that is a zero (watch()); the grip, or the lack of it.
+  // this departure where that is a zero (watch()); the grip, or the lack of it, which may start from
+  // a zero too.
   const Watch& depth_watch(std::size_t spring, int multiplicity, double departure);
-  const Watch& grip_watch(std::size_t spring) const { return grip_watches_[spring]; }
+  const Watch& grip_watch(std::size_t spring, int multiplicity);
   // And at a joint with friction that turns: its rate in the direction in which it does, until it
   // stands still; that is held: what is left of the friction against being turned forward and back.
   // Starting from rest, the joint leaves it as told: see watch().

@@ -178,6 +178,12 @@ const Watch& ContactPhase<Real>::depth_watch(std::size_t spring, int multiplicit
 }
 
 template <class Real>
+const Watch& ContactPhase<Real>::grip_watch(std::size_t spring, int multiplicity) {
+  grip_watches_[spring].multiplicity = multiplicity;
+  return grip_watches_[spring];
+}
+
+template <class Real>
 const Watch& ContactPhase<Real>::watch(int stop, int multiplicity) {
   Watch& watch = watches_[static_cast<std::size_t>(stop)];
   watch.multiplicity = multiplicity;

@@ -28,7 +28,10 @@ class Sprung {
 
   // `tolerance`: of a step, against u; 0: its length is fixed.
   Sprung(const SprungSystem& system, double tolerance)
-      : system_(system), tolerance_(tolerance), contacts_(system.springs.size()) {}
+      : system_(system),
+        tolerance_(tolerance),
+        contacts_(system.springs.size()),
+        grips_(system.springs.size()) {}
 
   // Before begin(): the time, s, where a torque goes by it.
   void set_time(double time) {
@@ -104,6 +107,7 @@ class Sprung {
   Vector push_, force_;  // per u: what of the forces does not move with z, and the harmonic part
   Matrix stiffness_;     // K/w
   std::vector<Contact> contacts_;
+  std::vector<double> grips_;  // at the start
   State slope_;
   Vector resistance_;
   Vector y_, ydot_;  // of a structure that turns, in all coordinates
@@ -185,6 +189,10 @@ inline void Sprung::begin(double theta, const Vector& x, std::span<const double>
   if (system_.turning) angle_ = system_.turning->gathered(system_.turning->structure.angle_row());
   start.assign(place(kSprings) + contacts_.size(), 0.0);
   Eigen::Map<Vector>(start.data() + n, n) = velocity / unit_;
+  for (std::size_t i = 0; i < grips_.size(); ++i) {
+    const Compression at = compression(i, start);
+    grips_[i] = system_.springs[i].law.grip(at.depth, at.rate);
+  }
 }
 
 inline void Sprung::operator()(const State& z, State& slope, double s) {
@@ -273,7 +281,8 @@ inline double Sprung::observed(const Watch& watch, double s, const State& z) {
     const auto i = static_cast<std::size_t>(watch.spring);
     const Compression at = compression(i, z);
     if (watch.of_spring == SpringWatch::kDepth) return at.depth;
-    const double grip = system_.springs[i].law.grip(at.depth, at.rate);
+    double grip = system_.springs[i].law.grip(at.depth, at.rate);
+    if (watch.multiplicity > 0) grip -= grips_[i];
     return watch.of_spring == SpringWatch::kGrip ? grip : -grip;
   }
   Vector x;

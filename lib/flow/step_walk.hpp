@@ -188,7 +188,7 @@ class WalkingFlow final : public StepFlow {
       return departs ? v / std::pow(s, watch.multiplicity) : v;
     };
     const auto at = [&](double s) {
-      if (s == from && departs) return watch.departure;
+      if (s == from && departs) return departure(watch);
       walk_.between(s, within_);
       ++values;
       return quotient(s, walk_.rates.observed(watch, s, within_));
@@ -197,6 +197,13 @@ class WalkingFlow final : public StepFlow {
     if (!(first > 0.0)) return from;
     if (last == 0.0) return end;
     return bracketed_zero(at, {from, first}, {end, last}).second;
+  }
+
+  double departure(const Watch& watch) {
+    if constexpr (kSprung)
+      if (watch.of_spring == SpringWatch::kGrip || watch.of_spring == SpringWatch::kSlack)
+        return walk_.rates.rate(watch, 0.0, start_);
+    return watch.departure;
   }
 
   static constexpr long long kStepsPerPoll = 4096;

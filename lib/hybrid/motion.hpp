@@ -93,7 +93,8 @@ struct MotionState {
   Instant<Real> instant;
   RealVector<Real> q, qdot;
   std::vector<Contact> contacts;    // one per stop
-  std::vector<int> multiplicities;  // of the gap's zero at the instant, one per stop
+  // Of the zero at the instant, one per stop: of the gap, or beyond a surface of the force's grip.
+  std::vector<int> multiplicities;
   // The speed left in a shared chatter that could not be summed, m/s; 0: there was none. It is
   // looked at again at half of it.
   Real unsummed = 0;

@@ -271,9 +271,12 @@ Arrival<Real> Motion<Real>::arrive(Arrival<Real> arrival, const Real& until) {
       if (contact(i) == Contact::kDeparting)
         set(i, touches(i) ? Contact::kTouching : Contact::kClear);
     turn_directions();
-    for (const int i : compliant_)
+    for (const int i : compliant_) {
       if (contact(i) == Contact::kLocked)
         set(i, touches(i) ? Contact::kTouching : Contact::kClear);
+      else if (contact(i) == Contact::kCompressed || contact(i) == Contact::kParted)
+        set(i, contact(i));
+    }
   }
   now_.instant.local = whole ? until : Real(now_.instant.local + arrival.flight);
   if (now_.instant.local >= clock_.period()) {

@@ -95,8 +95,8 @@ void Motion<Real>::decide_springs() {
   }
 }
 
-// At rest on a surface: how its gap grows, as s^2 or s^3; 0: it is pushed beyond. Where neither push
-// nor its rate says, nothing moves it: it stays there until something does.
+// At rest on a surface: how its gap grows, as s^2 or s^3; 0: it is pushed beyond. Where neither
+// push nor its rate says, nothing moves it: it stays there until something does.
 template <class Real>
 std::optional<int> Motion<Real>::departure_from_rest(int i) {
   using std::abs;
@@ -128,7 +128,7 @@ void Motion<Real>::watch_springs(ContactPhase<Real>& phase, std::vector<Watched>
       list.push_back({i, &phase.depth_watch(k, multiplicity, departure),
                       loaded ? ArrivalKind::kSeparation : ArrivalKind::kLeft});
       if (stop(i).spring->parts_early())
-        list.push_back({i, &phase.grip_watch(k),
+        list.push_back({i, &phase.grip_watch(k, now_.multiplicities[static_cast<std::size_t>(i)]),
                         loaded ? ArrivalKind::kSeparation : ArrivalKind::kEntry, true});
       ++k;
     };
@@ -142,10 +142,11 @@ template <class Real>
 void Motion<Real>::arrive_at_spring(Arrival<Real>& arrival) {
   const int i = arrival.stop;
   arrival.speed = approach_speed(i);
+  // The force is zero here, whatever it comes to from the rounded depth.
   if (contact(i) == Contact::kParted && arrival.kind == ArrivalKind::kEntry) {
-    set(i, Contact::kCompressed);
+    set(i, Contact::kCompressed, 1);
   } else if (arrival.below && depth(i) > 0) {
-    set(i, Contact::kParted);
+    set(i, Contact::kParted, 1);
   } else {
     // The surface, from either side.
     settle_on(i, arrival.flight);
