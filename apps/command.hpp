@@ -58,6 +58,7 @@ struct Command {
   std::string section = "impact";  // impact | strobe
   std::string branches = "all";    // none | all
   long long samples = 100;
+  long long exponents = 0;  // forcing periods averaged over; 0: none
 
   // fit
   std::string data;                  // file

@@ -105,30 +105,7 @@ void add_diagram(CLI::App& graze, Command& command) {
   add_shared(app, command);
   add_plot(app, command);
   add_range(app, command);
-  app->add_option("--points", command.points, "Values from A to B, both among them")
-      ->transform(whole_number_within(2, 1'000'000))
-      ->capture_default_str()
-      ->type_name("N");
-  app->add_option("--direction", command.direction,
-                  "up or down: each value goes on from the one before; fresh: each starts as the "
-                  "scene says")
-      ->check(CLI::IsMember({"up", "down", "fresh"}))
-      ->capture_default_str()
-      ->type_name("HOW");
-  app->add_option("--section", command.section,
-                  "What is shown of a motion: impact (phase and speed of every impact) or strobe "
-                  "(displacement and velocity at the stops once a forcing period)")
-      ->check(CLI::IsMember({"impact", "strobe"}))
-      ->capture_default_str()
-      ->type_name("WHAT");
-  app->add_option("--periods", command.periods,
-                  "Forcing periods run at a value, at most (default 1000); fewer once it settled")
-      ->transform(whole_number("a whole number from 1", 1.0, kMostCounted))
-      ->type_name("K");
-  app->add_option("--samples", command.samples, "Forcing periods shown where nothing repeats")
-      ->transform(whole_number_within(1, 1'000'000))
-      ->capture_default_str()
-      ->type_name("M");
+  add_sweep(app, command);
   add_closure_speed(app, command);
   app->add_option("--branches", command.branches, "Branches over the sweep: all, or none")
       ->check(CLI::IsMember({"none", "all"}))
@@ -144,8 +121,9 @@ void add_diagram(CLI::App& graze, Command& command) {
                       "Where no forcing repeats the motion: time of the one run at each value, s")
           ->check(above_zero())
           ->type_name("S");
-  for (const char* of_sweep : {"--direction", "--section", "--periods", "--samples", "--branches",
-                               "--period", "--impacts", "--max-step", "--follow", "--depth"})
+  for (const char* of_sweep :
+       {"--direction", "--section", "--periods", "--samples", "--branches", "--exponents",
+        "--period", "--impacts", "--max-step", "--follow", "--depth"})
     duration->excludes(app->get_option(of_sweep));
   add_limits(app, command);
   add_later_options(app, {"--resume", "--shard"});

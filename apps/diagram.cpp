@@ -27,6 +27,7 @@ SweepOptions sweep_options(const Command& command, const StopSignal& stop) {
                                                     : SweepDirection::kFresh;
   options.periods = command.periods.value_or(options.periods);
   options.samples = command.samples;
+  options.exponent_periods = command.exponents;
   options.max_impacts = command.max_impacts;
   options.closure_speed = command.closure_speed;
   options.threads = command.threads;
@@ -44,6 +45,7 @@ void note_options(const Command& command, const SweepOptions& options, RunInfo& 
   info.options.emplace_back("section", command.section);
   info.options.emplace_back("periods", options.periods);
   info.options.emplace_back("samples", options.samples);
+  if (command.exponents > 0) info.options.emplace_back("exponents", command.exponents);
   if (command.closure_speed) info.options.emplace_back("closure_speed", *command.closure_speed);
   info.options.emplace_back("branches", command.branches);
   if (command.branches != "none") {
@@ -110,14 +112,17 @@ int run_diagram(const Command& command) {
   options.progress = nullptr;
   const std::optional<Outcome> traced = add_branches(command, family, tracing, record);
   record.branches.outcome = diagram_outcome(record.swept, traced);
+  std::vector<std::pair<std::string, std::string>> files = {
+      {"sweep.csv", sweep_csv(record)},
+      {"branches.csv", branches_csv(record.branches)},
+      {"special.csv", special_csv(record.branches)},
+      special_file(record.branches.info, {command.parameter},
+                   special_orbits(record.branches.traced, record.branches.system))};
+  if (command.exponents > 0) files.emplace_back("exponents.csv", exponents_csv(record));
   return conclude(command, record.branches.info, record.branches.outcome,
                   {to_json(record),
                    to_text(record),
-                   {{"sweep.csv", sweep_csv(record)},
-                    {"branches.csv", branches_csv(record.branches)},
-                    {"special.csv", special_csv(record.branches)},
-                    special_file(record.branches.info, {command.parameter},
-                                 special_orbits(record.branches.traced, record.branches.system))},
+                   std::move(files),
                    [&] { draw_diagram(command.plot, record); },
                    {}});
 }

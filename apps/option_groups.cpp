@@ -117,6 +117,38 @@ void add_range(CLI::App* app, Command& command) {
       ->type_name("D");
 }
 
+void add_sweep(CLI::App* app, Command& command) {
+  app->add_option("--points", command.points, "Values from A to B, both among them")
+      ->transform(whole_number_within(2, 1'000'000))
+      ->capture_default_str()
+      ->type_name("N");
+  app->add_option("--direction", command.direction,
+                  "up or down: each value goes on from the one before; fresh: each starts as the "
+                  "scene says")
+      ->check(CLI::IsMember({"up", "down", "fresh"}))
+      ->capture_default_str()
+      ->type_name("HOW");
+  app->add_option("--section", command.section,
+                  "What is shown of a motion: impact (phase and speed of every impact) or strobe "
+                  "(displacement and velocity at the stops once a forcing period)")
+      ->check(CLI::IsMember({"impact", "strobe"}))
+      ->capture_default_str()
+      ->type_name("WHAT");
+  app->add_option("--periods", command.periods,
+                  "Forcing periods run at a value, at most (default 1000); fewer once it settled")
+      ->transform(whole_number("a whole number from 1", 1.0, kMostCounted))
+      ->type_name("K");
+  app->add_option("--samples", command.samples, "Forcing periods shown where nothing repeats")
+      ->transform(whole_number_within(1, 1'000'000))
+      ->capture_default_str()
+      ->type_name("M");
+  app->add_option("--exponents", command.exponents,
+                  "Lyapunov exponents at every value: of the multipliers where the motion repeats, "
+                  "else averaged over so many forcing periods")
+      ->transform(whole_number("a whole number from 1", 1.0, kMostCounted))
+      ->type_name("K");
+}
+
 void add_branch_kind(CLI::App* app, Command& command) {
   app->add_option("--impacts", command.impacts,
                   "Impacts per orbit, on all stops together (default: 1, and orbits that stick)")

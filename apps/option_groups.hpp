@@ -24,6 +24,8 @@ void add_limits(CLI::App* app, Command& command);
 // With those limits.
 void add_orbit_search(CLI::App* app, Command& command);
 void add_range(CLI::App* app, Command& command);
+// The values of a sweep and what is told at each.
+void add_sweep(CLI::App* app, Command& command);
 // Which orbits' branches are traced, and how far from the first.
 void add_branch_kind(CLI::App* app, Command& command);
 // Loci instead of branches.

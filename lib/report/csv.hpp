@@ -56,5 +56,7 @@ std::string runs_csv(const RunDiagramRecord& record);
 
 // One line a sample, one for a value that has none.
 std::string sweep_csv(const DiagramRecord& record);
+// One line a value, with all Lyapunov exponents; empty cells for minus infinity.
+std::string exponents_csv(const DiagramRecord& record);
 
 }  // namespace graze

@@ -7,8 +7,6 @@
 #include "graze/report/sweep_names.hpp"
 
 namespace graze {
-namespace {}  // namespace
-
 std::string sweep_csv(const DiagramRecord& record) {
   std::string text =
       "value,start,status,attractor,period,impacts,periods,remaining,sample,stop,period_index,"
@@ -38,6 +36,28 @@ std::string sweep_csv(const DiagramRecord& record) {
       }
     // A value without samples has its line all the same.
     if (sample == 0) fmt::format_to(std::back_inserter(text), "{},,,,,,,\n", start);
+  }
+  return text;
+}
+
+std::string exponents_csv(const DiagramRecord& record) {
+  std::string text = "value,period,periods,impacts,lost";
+  const Eigen::Index count = 2 * record.branches.system.modes();
+  for (Eigen::Index j = 1; j <= count; ++j) text += fmt::format(",exponent_{}", j);
+  for (Eigen::Index j = 1; j <= count; ++j) text += fmt::format(",error_{}", j);
+  text += "\n";
+  for (const SweepRow& row : record.swept.rows) {
+    text += csv_cell(row.value);
+    if (!row.exponents) {
+      text += std::string(static_cast<std::size_t>(4 + 2 * count), ',') + "\n";
+      continue;
+    }
+    const Exponents& exponents = *row.exponents;
+    text += fmt::format(",{},{},{},{}", row.motion.period, exponents.periods, exponents.impacts,
+                        exponents.lost);
+    for (const Vector& list : {exponents.values, exponents.errors})
+      for (const double value : list) text += "," + csv_cell(value);
+    text += "\n";
   }
   return text;
 }

@@ -36,6 +36,12 @@ Json row_json(const SweepRow& row, DiagramSection section) {
                {"periods", row.motion.periods},
                {"remaining", repeats ? json_number(row.motion.remaining) : Json(nullptr)}};
   if (!row.message.empty()) json["message"] = row.message;
+  if (row.exponents) {
+    json["exponents"] = json_list(row.exponents->values);
+    json["exponent_errors"] = json_list(row.exponents->errors);
+    json["lost_exponents"] = row.exponents->lost;
+    if (!row.exponents->failure.empty()) json["exponent_message"] = row.exponents->failure;
+  }
   json.update(samples_json(row, section));
   return json;
 }
@@ -48,6 +54,7 @@ std::string to_json(const DiagramRecord& record) {
   document["units"]["displacement"] = "m";
   document["units"]["velocity"] = "m/s";
   document["units"]["remaining"] = "1";
+  document["units"]["exponents"] = "1/s";
   const Sweep& swept = record.swept;
   Json ranges = Json::array(), rows = Json::array();
   for (const AttractorRange& range : attractor_ranges(swept.rows))

@@ -18,6 +18,7 @@ constexpr double kPanel = 0.36, kBetween = 0.05;  // of several: each, and what 
 constexpr int kPixels = 2000;                     // across a picture of 12 cm
 constexpr std::size_t kColumns = 2;
 constexpr std::size_t kMostPanels = 4;
+constexpr double kDeepest = 2.0;      // exponents shown below zero, by those above
 constexpr double kLineWeight = 0.55;  // thinner than without the dots under the curves
 
 enum Dot : std::size_t { kWild, kPeriodic, kDots };
@@ -40,6 +41,7 @@ struct Panel {
   AxisRange y;
   std::array<PlotTable, kDots> tables;
   std::optional<BranchCurves> branches;
+  bool of_exponents = false;
 };
 
 bool is_shown(const SweepRow& row) {
@@ -59,6 +61,17 @@ std::vector<DotAt> dots_of(const DiagramRecord& record, int stop) {
       for (const SweepRow::Strobe& strobe : row.strobes)
         if (strobe.stop == stop) dots.push_back({row.value, strobe.displacement, wild});
   }
+  return dots;
+}
+
+// The largest exponents; none for minus infinity.
+std::vector<DotAt> exponent_dots(const DiagramRecord& record) {
+  std::vector<DotAt> dots;
+  for (const SweepRow& row : record.swept.rows)
+    if (row.exponents && row.exponents->values.size() > 0 &&
+        std::isfinite(row.exponents->values[0]))
+      dots.push_back(
+          {row.value, row.exponents->values[0], row.status == SweepStatus::kNotPeriodic});
   return dots;
 }
 
@@ -82,6 +95,7 @@ class DiagramPicture {
                                                                     place.stops.front().index + 1),
                     "m", place.stops.front().index);
     }
+    if (record.swept.options.exponent_periods > 0) add_exponents();
     lay_out();
   }
 
@@ -145,6 +159,24 @@ class DiagramPicture {
     panels_.push_back(std::move(panel));
   }
 
+  void add_exponents() {
+    Panel panel{"largest\nexponent", exponent_dots(record_), {}, {}, {}, {}, true};
+    AxisRange y;
+    y.include(0.0);
+    for (const DotAt& dot : panel.dots) y.include(dot.y);
+    // Superstable orbits reach down without bound; what tells order from chaos lies about zero.
+    if (y.high > 0.0) y.low = std::max(y.low, -kDeepest * y.high);
+    panel.unit = {1.0, "1/s"};
+    panel.y = y;
+    panel.y.settle(0.05);
+    for (const DotAt& dot : panel.dots)
+      panel.tables[dot.wild ? kWild : kPeriodic].row({x_unit_.factor * dot.x, dot.y});
+    panel.branches.emplace(std::vector<OrbitBranch>(), std::vector<DiagramCurve>(),
+                           PicturePlane{x_unit_.factor, 1.0, x_, panel.y}, kLineWeight,
+                           fmt::format("panel{}_", panels_.size() + 1));
+    panels_.push_back(std::move(panel));
+  }
+
   void lay_out() {
     margins_.bottom += legend_height(legend().size(), kColumns);
     if (has_hertz_axis(parameter())) margins_.top = kHertzMargin;
@@ -174,8 +206,12 @@ class DiagramPicture {
     script_.command(fmt::format("set ytics {:.6g}", panel.y.tic_step(panels_.size() > 1 ? 5 : 8)));
     // Two lines take the room beside them.
     name_vertical_axis(script_, panel.name, panel.unit.unit,
-                       record_.section == DiagramSection::kStrobe ? 0.015 : 0.03);
-    if (panel.dots.empty() && record_.curves.empty())
+                       panel.name.find('\n') != std::string::npos ? 0.015 : 0.03);
+    if (panel.of_exponents)
+      script_.command(fmt::format(
+          "set arrow 1 from graph 0, first 0 to graph 1, first 0 nohead back lw 0.5 lc rgb '{}'",
+          kGrey));
+    if (panel.dots.empty() && record_.curves.empty() && !panel.of_exponents)
       script_.command("set label 'no impacts' at graph 0.5, graph 0.5 center");
     std::vector<std::string> layers = sweep_layers(i);
     for (const std::string& layer : panel.branches->layers()) layers.push_back(layer);

@@ -26,7 +26,7 @@ struct ValueRun {
   std::string message;             // a sentence unless the end was reached
   std::vector<RunImpact> impacts;  // and contacts
   // Of the probes, in their order: largest size over the run and value at its end, SI. Between
-  // samples, 64 to the quickest oscillation, extremes lie on parabolas.
+  // samples, 20 to the quickest oscillation, extremes lie on quartics.
   std::vector<double> peaks, ends;
 };
 

@@ -106,6 +106,7 @@ class Sweeper {
       if (!is_finished(row.motion)) return {};
       row.status = status_of(row.motion);
       row.message = row.status == SweepStatus::kSettled ? "" : row.motion.verdict;
+      if (!add_exponents(system, *settle_options.closure_speed, row)) return {};
       row.motion.pattern.reset();
       row.motion.points.clear();
       keep_strobes(system, row);
@@ -113,6 +114,19 @@ class Sweeper {
       row.message = error.what();
     }
     return made;
+  }
+
+  // False when it was stopped before that was finished.
+  bool add_exponents(const System& system, double closure_speed, SweepRow& row) const {
+    if (options_.exponent_periods == 0 || !hands_on(row)) return true;
+    ExponentOptions options;
+    options.periods = options_.exponent_periods;
+    options.repeats = row.motion.period;
+    options.closure_speed = closure_speed;
+    options.max_impacts = options_.max_impacts;
+    options.stop = options_.stop;
+    row.exponents = lyapunov_exponents(system, row.motion.at_end, options);
+    return row.exponents->failure.empty() || !options_.stop.requested();
   }
 
   static void keep_strobes(const System& system, SweepRow& row) {

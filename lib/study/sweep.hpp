@@ -16,6 +16,7 @@
 
 #include "graze/assembly/system_family.hpp"
 #include "graze/base/default_budget.hpp"
+#include "graze/orbit/exponents.hpp"
 #include "graze/orbit/settled.hpp"
 
 namespace graze {
@@ -53,6 +54,9 @@ struct SweepRow {
     double displacement = 0.0, velocity = 0.0;
   };
   std::vector<Strobe> strobes;
+  // Where they were asked for and the motion could be followed that far: of the multipliers where
+  // it repeats, else of an average.
+  std::optional<Exponents> exponents;
   std::string message;  // a sentence where there is something to say
 };
 
@@ -66,7 +70,10 @@ struct SweepOptions {
   double nearness = 1e-8;
   long long max_impacts = kDefaultImpactBudget;  // at a value
   std::optional<double> closure_speed;           // m/s
-  int threads = 0;                               // 0: all cores
+  // Forcing periods over which Lyapunov exponents are averaged where nothing repeats; 0: none are
+  // wanted.
+  long long exponent_periods = 0;
+  int threads = 0;  // 0: all cores
   StopSignal stop;
   std::function<void(double fraction)> progress;  // called by one thread at a time
 };

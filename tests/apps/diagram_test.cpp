@@ -4,6 +4,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <set>
+#include <sstream>
 
 #include "apps/program.hpp"
 
@@ -217,6 +218,31 @@ TEST(Diagram, UsageErrorsExitWith2) {
     EXPECT_EQ(run.out, "") << line;
     EXPECT_NE(run.err, "") << line;
   }
+}
+
+// Of orbits they are what their multipliers say, of a motion that stays clear the rate of decay.
+TEST(Diagram, TellsExponents) {
+  const ScratchFolder out;
+  const json document = diagram(kBistable + "--direction down --exponents 100 --out " +
+                                (out / "run").string() + " --plot " + (out / "d.svg").string());
+  EXPECT_EQ(document["graze"]["options"]["exponents"], 100);
+  EXPECT_EQ(document["units"]["exponents"], "1/s");
+  const double period = 2.0 * M_PI / 1.6, delta = 0.05;
+  for (const json& row : document["sweep"]["rows"]) {
+    const json& exponents = row["exponents"];
+    ASSERT_EQ(exponents.size(), 2U);
+    EXPECT_EQ(row["lost_exponents"], 0);
+    const double sum = exponents[0].get<double>() + exponents[1].get<double>();
+    const double impacts = row["attractor"] == "clear" ? 0.0 : 1.0;
+    EXPECT_NEAR(sum, -2.0 * delta + impacts * 2.0 * std::log(0.8) / period, 1e-8);
+    EXPECT_LT(exponents[0].get<double>(), 0.0);
+  }
+  std::istringstream table(read_text(out / "run" / "exponents.csv"));
+  std::string line;
+  std::getline(table, line);
+  EXPECT_EQ(line, "value,period,periods,impacts,lost,exponent_1,exponent_2,error_1,error_2");
+  EXPECT_NE(read_text(out / "d.svg").find("exponent"), std::string::npos);
+  EXPECT_FALSE(diagram(kBistable)["sweep"]["rows"][0].contains("exponents"));
 }
 
 }  // namespace
