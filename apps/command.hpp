@@ -60,6 +60,10 @@ struct Command {
   long long samples = 100;
   long long exponents = 0;  // forcing periods averaged over; 0: none
 
+  // map, with the two ranges, `periods`, `samples` and `exponents`
+  int first_points = 100, second_points = 100;
+  std::string show = "attractor";  // attractor | impacts | exponent | speed | stuck
+
   // fit
   std::string data;                  // file
   std::vector<std::string> sought;   // "NAME=LOW:HIGH"

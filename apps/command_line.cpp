@@ -129,6 +129,24 @@ void add_diagram(CLI::App& graze, Command& command) {
   add_later_options(app, {"--resume", "--shard"});
 }
 
+void add_map(CLI::App& graze, Command& command) {
+  CLI::App* app = graze.add_subcommand(
+      "map", "What the motion settles on over two parameters, or two coordinates of its start");
+  app->footer(
+      footer("map data/scenes/05_wagg_one_mode.toml --parameter forcing.frequency --from 15 "
+             "--to 120 \\\n           --second stop.gap --second-from 0.5e-3 --second-to 2e-3"));
+  add_shared(app, command);
+  add_plot(app, command);
+  add_plane(app, command);
+  app->add_option("--show", command.show, "What the picture shows of every cell")
+      ->check(CLI::IsMember({"attractor", "impacts", "exponent", "speed", "stuck"}))
+      ->capture_default_str()
+      ->type_name("WHAT");
+  add_settling(app, command);
+  add_closure_speed(app, command);
+  add_limits(app, command);
+}
+
 void add_cost(CLI::App& graze, Command& command) {
   CLI::App* app = graze.add_subcommand("cost", "What accuracy costs in time, flow by flow");
   app->footer(footer("cost data/scenes/02_wagg_momentum.toml --set stop.gap=5e-3 --plot cost.png"));
@@ -246,7 +264,7 @@ std::string unknown_option(const CLI::App& app) {
 // A sentence about a first word that is no command, or "".
 std::string unknown_command(int argc, char** argv, const CLI::App& app) {
   if (argc < 2)
-    return "give a command: check, simulate, orbit, continue, diagram, cost, fit or compare";
+    return "give a command: check, simulate, orbit, continue, diagram, map, cost, fit or compare";
   const std::string word = argv[1];
   std::vector<std::string> names;
   for (const CLI::App* command : app.get_subcommands({})) names.push_back(command->get_name());
@@ -273,6 +291,7 @@ ParsedCommand parse_command_line(int argc, char** argv) {
   add_orbit(app, command);
   add_continue(app, command);
   add_diagram(app, command);
+  add_map(app, command);
   add_cost(app, command);
   add_fit(app, command);
   add_compare(app, command);

@@ -117,6 +117,22 @@ void add_range(CLI::App* app, Command& command) {
       ->type_name("D");
 }
 
+void add_settling(CLI::App* app, Command& command) {
+  app->add_option("--periods", command.periods,
+                  "Forcing periods run at a value, at most (default 1000); fewer once it settled")
+      ->transform(whole_number("a whole number from 1", 1.0, kMostCounted))
+      ->type_name("K");
+  app->add_option("--samples", command.samples, "Forcing periods shown where nothing repeats")
+      ->transform(whole_number_within(1, 1'000'000))
+      ->capture_default_str()
+      ->type_name("M");
+  app->add_option("--exponents", command.exponents,
+                  "Lyapunov exponents at every value: of the multipliers where the motion repeats, "
+                  "else averaged over so many forcing periods")
+      ->transform(whole_number("a whole number from 1", 1.0, kMostCounted))
+      ->type_name("K");
+}
+
 void add_sweep(CLI::App* app, Command& command) {
   app->add_option("--points", command.points, "Values from A to B, both among them")
       ->transform(whole_number_within(2, 1'000'000))
@@ -134,19 +150,33 @@ void add_sweep(CLI::App* app, Command& command) {
       ->check(CLI::IsMember({"impact", "strobe"}))
       ->capture_default_str()
       ->type_name("WHAT");
-  app->add_option("--periods", command.periods,
-                  "Forcing periods run at a value, at most (default 1000); fewer once it settled")
-      ->transform(whole_number("a whole number from 1", 1.0, kMostCounted))
-      ->type_name("K");
-  app->add_option("--samples", command.samples, "Forcing periods shown where nothing repeats")
-      ->transform(whole_number_within(1, 1'000'000))
-      ->capture_default_str()
-      ->type_name("M");
-  app->add_option("--exponents", command.exponents,
-                  "Lyapunov exponents at every value: of the multipliers where the motion repeats, "
-                  "else averaged over so many forcing periods")
-      ->transform(whole_number("a whole number from 1", 1.0, kMostCounted))
-      ->type_name("K");
+  add_settling(app, command);
+}
+
+void add_plane(CLI::App* app, Command& command) {
+  const auto points = [app](const char* name, int& number, const char* what) {
+    app->add_option(name, number, what)
+        ->transform(whole_number_within(2, 10'000))
+        ->capture_default_str()
+        ->type_name("N");
+  };
+  const auto number = [app](const char* name, auto& value, const char* what, const char* type) {
+    app->add_option(name, value, what)->required()->check(finite_number())->type_name(type);
+  };
+  app->add_option(
+         "--parameter", command.parameter,
+         "Path of the parameter, e.g. forcing.frequency, or initial.q.1, initial.qdot.1, ..")
+      ->required()
+      ->type_name("NAME");
+  number("--from", command.from, "First value", "A");
+  number("--to", command.to, "Last value", "B");
+  points("--points", command.first_points, "Values from A to B, both among them");
+  app->add_option("--second", command.second, "Path of the other one, up the plane")
+      ->required()
+      ->type_name("NAME");
+  number("--second-from", command.second_from, "Its first value", "C");
+  number("--second-to", command.second_to, "Its last value", "D");
+  points("--second-points", command.second_points, "Values from C to D, both among them");
 }
 
 void add_branch_kind(CLI::App* app, Command& command) {

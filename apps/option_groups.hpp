@@ -26,6 +26,10 @@ void add_orbit_search(CLI::App* app, Command& command);
 void add_range(CLI::App* app, Command& command);
 // The values of a sweep and what is told at each.
 void add_sweep(CLI::App* app, Command& command);
+// How long motions are followed until they settle, and what is told of them; part of add_sweep.
+void add_settling(CLI::App* app, Command& command);
+// Two numbers of the scene and their ranges.
+void add_plane(CLI::App* app, Command& command);
 // Which orbits' branches are traced, and how far from the first.
 void add_branch_kind(CLI::App* app, Command& command);
 // Loci instead of branches.

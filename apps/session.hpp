@@ -52,6 +52,7 @@ int run_continue(const Command& command);
 int run_loci(const Command& command);  // continue --locus
 int run_diagram(const Command& command);
 int run_diagram_of_runs(const Command& command, const Scene& scene);  // diagram without forcing
+int run_map(const Command& command);
 int run_cost(const Command& command);
 int run_fit(const Command& command);
 int run_compare(const Command& command);

@@ -100,6 +100,22 @@ struct ContactForce {
     }
     return 0.0;
   }
+  // The sizes of its terms, added up.
+  double grip_size(double x, double v) const {
+    const double speed = std::abs(v);
+    switch (damping) {
+      case ContactDamping::kNone:
+        return stiffness;
+      case ContactDamping::kConstant:
+      case ContactDamping::kOnset:
+        return stiffness * std::abs(power(x)) + std::abs(resistance(x)) * speed;
+      case ContactDamping::kDepth:
+        return stiffness * std::pow(std::abs(x), exponent - 1.0) + coefficient * speed;
+      case ContactDamping::kPower:
+        return stiffness + coefficient * speed;
+    }
+    return 0.0;
+  }
   // Its rate of change at acceleration a of the depth.
   double grip_rate(double x, double v, double a) const {
     switch (damping) {

@@ -13,6 +13,7 @@
 #include "graze/hybrid/simulation.hpp"
 #include "graze/scene/check.hpp"
 #include "graze/scene/parameter.hpp"
+#include "graze/scene/start_coordinate.hpp"
 #include "graze/system/gap_value.hpp"
 
 namespace graze {
@@ -49,10 +50,10 @@ void FitModel::add(const std::string& name) {
   if (moves && name == kRecordStart) {
     parameter.target = Target::kClock;
     unit = "s";
-  } else if (moves && name.starts_with("initial.")) {
+  } else if (moves && names_start_coordinate(name)) {
     parameter.target = Target::kInitialState;
-    value = *initial_number(scene_, name);
-    unit = name.starts_with("initial.qdot") ? "kg^1/2 m/s" : "kg^1/2 m";
+    value = start_coordinate(scene_, name);
+    unit = start_coordinate_unit(name);
   } else {
     parameter_direction(scene_, name);  // throws for an unknown name
     value = *find_parameter(scene_, name);
@@ -68,25 +69,6 @@ void FitModel::add(const std::string& name) {
   units_.push_back(unit);
   start_.conservativeResize(start_.size() + 1);
   start_[start_.size() - 1] = value;
-}
-
-// "initial.qdot.1"
-double* FitModel::initial_number(Scene& scene, const std::string& name) const {
-  const bool rate = name.starts_with("initial.qdot.");
-  const std::string list = rate ? "initial.qdot." : "initial.q.";
-  char* end = nullptr;
-  const long number =
-      name.starts_with(list) ? std::strtol(name.c_str() + list.size(), &end, 10) : 0;
-  if (number < 1 || number > scene.modes() || *end != '\0')
-    throw InputError(fmt::format(
-        "{}: the scene has no such number of its start; allowed are initial.q.1..{} and "
-        "initial.qdot.1..{}",
-        name, scene.modes(), scene.modes()));
-  const auto modes = static_cast<std::size_t>(scene.modes());
-  if (!scene.initial) scene.initial = Initial{};
-  scene.initial->q.resize(modes, 0.0);
-  scene.initial->qdot.resize(modes, 0.0);
-  return &(rate ? scene.initial->qdot : scene.initial->q)[static_cast<std::size_t>(number - 1)];
 }
 
 void FitModel::check_restitution(const std::string& name) const {
@@ -153,7 +135,7 @@ const System* FitModel::system_at(const Vector& values, State& start) {
         record_start_ = value;
         break;
       case Target::kInitialState:
-        *initial_number(scene_, parameters_[j].name) = value;
+        start_coordinate(scene_, parameters_[j].name) = value;
         break;
     }
   }
@@ -276,7 +258,7 @@ Scene FitModel::scene_at(const Vector& values) const {
     if (parameters_[j].target == Target::kScene)
       *find_parameter(scene, parameters_[j].name) = value;
     else if (parameters_[j].target == Target::kInitialState)
-      *initial_number(scene, parameters_[j].name) = value;
+      start_coordinate(scene, parameters_[j].name) = value;
   }
   const std::shared_ptr<const Origins> origins = scene.origins;
   scene.origins = nullptr;  // the values are not those in the file

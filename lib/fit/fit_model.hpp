@@ -72,7 +72,6 @@ class FitModel {
   };
 
   void add(const std::string& name);
-  double* initial_number(Scene& scene, const std::string& name) const;
   void check_restitution(const std::string& name) const;
   std::optional<Vector> restitutions(const Vector& values, const Vector& speeds) const;
   std::optional<Vector> responses(const Vector& values, const Vector& at);

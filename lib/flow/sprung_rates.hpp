@@ -18,6 +18,9 @@
 
 namespace graze::step_walk {
 
+// Roundings, of each coordinate's part, in a grip as the state tells it.
+inline constexpr double kGripRoundings = 8.0;
+
 class Sprung {
  public:
   using State = std::vector<double>;
@@ -31,7 +34,8 @@ class Sprung {
       : system_(system),
         tolerance_(tolerance),
         contacts_(system.springs.size()),
-        grips_(system.springs.size()) {}
+        grips_(system.springs.size()),
+        grip_roundings_(system.springs.size()) {}
 
   // Before begin(): the time, s, where a torque goes by it.
   void set_time(double time) {
@@ -107,7 +111,7 @@ class Sprung {
   Vector push_, force_;  // per u: what of the forces does not move with z, and the harmonic part
   Matrix stiffness_;     // K/w
   std::vector<Contact> contacts_;
-  std::vector<double> grips_;  // at the start
+  std::vector<double> grips_, grip_roundings_;  // at the start
   State slope_;
   Vector resistance_;
   Vector y_, ydot_;  // of a structure that turns, in all coordinates
@@ -191,7 +195,11 @@ inline void Sprung::begin(double theta, const Vector& x, std::span<const double>
   Eigen::Map<Vector>(start.data() + n, n) = velocity / unit_;
   for (std::size_t i = 0; i < grips_.size(); ++i) {
     const Compression at = compression(i, start);
-    grips_[i] = system_.springs[i].law.grip(at.depth, at.rate);
+    const ContactForce& law = system_.springs[i].law;
+    grips_[i] = law.grip(at.depth, at.rate);
+    const double speeds = system_.springs[i].row.cwiseAbs().dot(velocity.cwiseAbs());
+    grip_roundings_[i] = kGripRoundings * static_cast<double>(n) *
+                         std::numeric_limits<double>::epsilon() * law.grip_size(at.depth, speeds);
   }
 }
 
@@ -281,9 +289,11 @@ inline double Sprung::observed(const Watch& watch, double s, const State& z) {
     const auto i = static_cast<std::size_t>(watch.spring);
     const Compression at = compression(i, z);
     if (watch.of_spring == SpringWatch::kDepth) return at.depth;
-    double grip = system_.springs[i].law.grip(at.depth, at.rate);
-    if (watch.multiplicity > 0) grip -= grips_[i];
-    return watch.of_spring == SpringWatch::kGrip ? grip : -grip;
+    const double grip = system_.springs[i].law.grip(at.depth, at.rate);
+    const double sign = watch.of_spring == SpringWatch::kGrip ? 1.0 : -1.0;
+    // From its zero on, changes within its rounding are none.
+    if (watch.multiplicity > 0) return sign * (grip - grips_[i]) + grip_roundings_[i];
+    return sign * grip;
   }
   Vector x;
   whole(z, x);

@@ -46,7 +46,7 @@ struct Watch {
   double constant = 0.0;
   double harmonic_re = 0.0, harmonic_im = 0.0;  // Re(h e^{i theta})
   // It starts at a known zero of this multiplicity, which it leaves as `departure` s^multiplicity.
-  // How a grip leaves its own is found at the start.
+  // A grip has no departure: it has left its zero where it differs by more than its rounding.
   int multiplicity = 0;
   double departure = 0.0;
   Vector force_weights{};  // per spring; empty: none

@@ -183,12 +183,12 @@ class WalkingFlow final : public StepFlow {
   [[gnu::noinline]] double locate(const Watch& watch, double from, double end, double at_end,
                                   long long& values) {
     if (!(end > from)) return from;
-    const bool departs = from == 0.0 && watch.multiplicity > 0;
+    const bool departs = from == 0.0 && watch.multiplicity > 0 && !is_grip(watch);
     const auto quotient = [&](double s, double v) {
       return departs ? v / std::pow(s, watch.multiplicity) : v;
     };
     const auto at = [&](double s) {
-      if (s == from && departs) return departure(watch);
+      if (s == from && departs) return watch.departure;
       walk_.between(s, within_);
       ++values;
       return quotient(s, walk_.rates.observed(watch, s, within_));
@@ -199,11 +199,9 @@ class WalkingFlow final : public StepFlow {
     return bracketed_zero(at, {from, first}, {end, last}).second;
   }
 
-  double departure(const Watch& watch) {
-    if constexpr (kSprung)
-      if (watch.of_spring == SpringWatch::kGrip || watch.of_spring == SpringWatch::kSlack)
-        return walk_.rates.rate(watch, 0.0, start_);
-    return watch.departure;
+  // It leaves its zero by more than its rounding (Sprung::observed).
+  static bool is_grip(const Watch& watch) {
+    return watch.of_spring == SpringWatch::kGrip || watch.of_spring == SpringWatch::kSlack;
   }
 
   static constexpr long long kStepsPerPoll = 4096;

@@ -9,6 +9,7 @@
 #include "graze/record/diagram_record.hpp"
 #include "graze/record/fit_record.hpp"
 #include "graze/record/loci_record.hpp"
+#include "graze/record/map_record.hpp"
 #include "graze/record/run_diagram_record.hpp"
 #include "graze/record/sensitivity_record.hpp"
 
@@ -53,6 +54,9 @@ std::string sensitivity_csv(const SensitivityRecord& record);
 // a value with what its probes saw.
 std::string run_impacts_csv(const RunDiagramRecord& record);
 std::string runs_csv(const RunDiagramRecord& record);
+
+// One line a cell that was run, row by row; attractors by their numbers in result.json.
+std::string map_csv(const MapRecord& record);
 
 // One line a sample, one for a value that has none.
 std::string sweep_csv(const DiagramRecord& record);

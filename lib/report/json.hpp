@@ -8,6 +8,7 @@
 #include "graze/record/diagram_record.hpp"
 #include "graze/record/fit_record.hpp"
 #include "graze/record/loci_record.hpp"
+#include "graze/record/map_record.hpp"
 #include "graze/record/run_diagram_record.hpp"
 #include "graze/record/sensitivity_record.hpp"
 #include "graze/record/spool.hpp"
@@ -25,6 +26,7 @@ void add_event_json(const Event& event, Spool& events);
 std::string to_json(const OrbitRecord& record);
 std::string to_json(const BranchRecord& record);
 std::string to_json(const LociRecord& record);
+std::string to_json(const MapRecord& record);
 std::string to_json(const CostRecord& record);
 std::string to_json(const FitRecord& record);
 std::string to_json(const SensitivityRecord& record);

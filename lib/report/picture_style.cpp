@@ -164,6 +164,8 @@ std::string parameter_title(const std::string& path) {
     const auto of_stop = kTitles.find(key);
     if (of_stop != kTitles.end()) return of_stop->second + which;
   }
+  if (path.starts_with("initial.qdot.")) return "dq_{" + path.substr(13) + "}/dt at the start";
+  if (path.starts_with("initial.q.")) return "q_{" + path.substr(10) + "} at the start";
   std::string title;
   for (char c : path) title += c == '_' ? std::string("\\_") : std::string(1, c);
   return title;

@@ -8,6 +8,7 @@
 #include "graze/record/diagram_record.hpp"
 #include "graze/record/fit_record.hpp"
 #include "graze/record/loci_record.hpp"
+#include "graze/record/map_record.hpp"
 #include "graze/record/run_diagram_record.hpp"
 #include "graze/record/sensitivity_record.hpp"
 
@@ -42,6 +43,9 @@ void draw_sensitivity(const std::string& file, const SensitivityRecord& record);
 // Single runs over a parameter: the speed of every impact as a dot, a panel for each of the first
 // three stops; below, the largest size that each of the first three probes saw.
 void draw_run_diagram(const std::string& file, const RunDiagramRecord& record);
+
+// The plane of two numbers, a colour for each attractor, or a scale of colours for what is shown.
+void draw_map(const std::string& file, const MapRecord& record);
 
 // Phase portrait of the orbits found, at most eight of them, seen at the stop of the first one's
 // first impact.

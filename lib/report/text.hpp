@@ -7,6 +7,7 @@
 #include "graze/record/diagram_record.hpp"
 #include "graze/record/fit_record.hpp"
 #include "graze/record/loci_record.hpp"
+#include "graze/record/map_record.hpp"
 #include "graze/record/run_diagram_record.hpp"
 #include "graze/record/sensitivity_record.hpp"
 
@@ -20,6 +21,7 @@ std::string to_text(const LociRecord& record);
 std::string regions_text(const LociRecord& record);  // requires regions
 std::string to_text(const DiagramRecord& record);
 std::string to_text(const RunDiagramRecord& record);
+std::string to_text(const MapRecord& record);
 std::string to_text(const CostRecord& record);
 std::string to_text(const FitRecord& record);
 std::string to_text(const SensitivityRecord& record);

@@ -8,32 +8,12 @@
 #include "graze/assembly/initial_state.hpp"
 #include "graze/base/errors.hpp"
 #include "graze/base/parallel.hpp"
-#include "graze/hybrid/simulation.hpp"
 #include "graze/scene/parameter.hpp"
 #include "graze/study/clear_state.hpp"
+#include "graze/study/settled_row.hpp"
 
 namespace graze {
 namespace {
-
-SweepStatus status_of(const SettledMotion& motion) {
-  switch (motion.kind) {
-    case SettledKind::kImpacts:
-    case SettledKind::kSticks:
-    case SettledKind::kClear:
-    case SettledKind::kAtRest:
-      return motion.near ? SweepStatus::kSettled : SweepStatus::kApproaching;
-    case SettledKind::kNotPeriodic:
-      return SweepStatus::kNotPeriodic;
-    case SettledKind::kImpactBudget:
-      return SweepStatus::kImpactBudget;
-    default:
-      return SweepStatus::kRefused;
-  }
-}
-
-bool is_finished(const SettledMotion& motion) {
-  return motion.kind != SettledKind::kInterrupted && motion.kind != SettledKind::kTimeBudget;
-}
 
 // A motion that was followed to the end of its periods leaves a state to go on from.
 bool hands_on(const SweepRow& row) {
@@ -83,30 +63,18 @@ class Sweeper {
     try {
       const Scene scene = with_parameter(family_.scene(), family_.parameter(), row.value);
       const System system = assemble(scene);
-      const State rest{Vector::Zero(system.modes()), Vector::Zero(system.modes())};
-      SettleOptions settle_options;
-      settle_options.periods = options_.periods;
-      settle_options.max_impacts = options_.max_impacts;
-      // By the scene alone, so that it does not depend on what was handed on.
-      settle_options.closure_speed = options_.closure_speed.value_or(default_closure_speed(
-          system, clear_start(scene, system).value_or(rest), scene.solver.tolerance));
-      settle_options.nearness = options_.nearness;
-      settle_options.tail = options_.samples;
-      settle_options.stop = options_.stop;
+      RowOptions options{options_.periods,       options_.samples,  options_.max_impacts,
+                         options_.closure_speed, options_.nearness, options_.exponent_periods,
+                         options_.stop};
       State start;
       if (before && hands_on(*before) && is_clear(system, before->motion.at_end)) {
         row.start = SweepStart::kHandedOn;
-        settle_options.from = "the state handed on";
         start = before->motion.at_end;
       } else {
         if (before) row.start = SweepStart::kAnew;
         start = initial_state(scene, system);
       }
-      row.motion = settle(system, start, settle_options);
-      if (!is_finished(row.motion)) return {};
-      row.status = status_of(row.motion);
-      row.message = row.status == SweepStatus::kSettled ? "" : row.motion.verdict;
-      if (!add_exponents(system, *settle_options.closure_speed, row)) return {};
+      if (!settle_row(scene, system, start, options, row)) return {};
       row.motion.pattern.reset();
       row.motion.points.clear();
       keep_strobes(system, row);
@@ -114,19 +82,6 @@ class Sweeper {
       row.message = error.what();
     }
     return made;
-  }
-
-  // False when it was stopped before that was finished.
-  bool add_exponents(const System& system, double closure_speed, SweepRow& row) const {
-    if (options_.exponent_periods == 0 || !hands_on(row)) return true;
-    ExponentOptions options;
-    options.periods = options_.exponent_periods;
-    options.repeats = row.motion.period;
-    options.closure_speed = closure_speed;
-    options.max_impacts = options_.max_impacts;
-    options.stop = options_.stop;
-    row.exponents = lyapunov_exponents(system, row.motion.at_end, options);
-    return row.exponents->failure.empty() || !options_.stop.requested();
   }
 
   static void keep_strobes(const System& system, SweepRow& row) {
@@ -160,19 +115,8 @@ class Sweeper {
     if (a.status != SweepStatus::kSettled || left.size() != right.size()) return true;
     const std::optional<System> system = family_.at(a.value);
     if (!system) return false;
-    const ShootingScale scale = shooting_scale(*system);
     // Both are this near to their orbit, each in its own way.
-    const double apart = 16.0 * options_.nearness;
-    for (std::size_t turn = 0; turn < right.size(); ++turn) {
-      bool same = true;
-      for (std::size_t i = 0; i < left.size() && same; ++i) {
-        const State &x = left[i], &y = right[(i + turn) % right.size()];
-        same = ((x.q - y.q).cwiseAbs().array() <= apart * scale.displacement).all() &&
-               ((x.qdot - y.qdot).cwiseAbs().array() <= apart * scale.velocity.array()).all();
-      }
-      if (same) return true;
-    }
-    return false;
+    return are_same_strobes(shooting_scale(*system), left, right, 16.0 * options_.nearness);
   }
 
   void report() {

@@ -72,8 +72,8 @@ TEST(CompliantStop, AtRestOnTheSurface) {
     system.forcing = HarmonicForcing{1.0, -std::numbers::pi / 2.0, Vector::Constant(1, sense)};
     run = support::record_run(system, support::state_of({0.0}, {0.0}), support::for_seconds(0.2));
     EXPECT_EQ(run.result.outcome, RunOutcome::kReachedEnd) << run.result.message;
-    const double expected = sense > 0.0 ? (std::sin(0.2) - std::sin(2.0) / 10.0) / 99.0
-                                        : -(0.2 - std::sin(0.2));
+    const double expected =
+        sense > 0.0 ? (std::sin(0.2) - std::sin(2.0) / 10.0) / 99.0 : -(0.2 - std::sin(0.2));
     EXPECT_NEAR(run.result.final.q[0], expected, 1e-12) << sense;
   }
 }
@@ -172,6 +172,48 @@ TEST(CompliantStop, ComesToRestCompressed) {
   const auto contacts = of_kind(run.events, EventKind::kContact);
   ASSERT_GE(contacts.size(), 2u);
   EXPECT_NEAR(contacts[0].time, std::sqrt(0.2 / g), 1e-12);
+}
+
+// F = x^(3/2) (k + C v) on a free body decays to the speed -k/C without ever being zero: what tells
+// gripping from not is rounding, and the contact ends at the surface, at that speed.
+TEST(CompliantStop, AForceThatFadesToRoundingDoesNotComeAndGo) {
+  for (const double e : {0.02, 0.05, 0.1}) {
+    SCOPED_TRACE(e);
+    const double k = 1e9, c = 8.0 * k * (1.0 - e) / (5.0 * e);  // Flores et al. (2011), at 1 m/s
+    System system = support::oscillator(0.0, 0.0, 1e-3, 1.0);
+    ContactForce law;
+    law.stiffness = k;
+    law.exponent = 1.5;
+    law.damping = ContactDamping::kPower;
+    law.coefficient = c;
+    system.stops[0].spring = law;
+    const support::RecordedRun run =
+        support::record_run(system, support::state_of({0.0}, {1.0}), support::for_seconds(0.5));
+    EXPECT_EQ(run.result.outcome, RunOutcome::kReachedEnd) << run.result.message;
+    EXPECT_LE(run.events.size(), 6u);
+    EXPECT_NEAR(run.result.final.qdot[0] / (-k / c), 1.0, 1e-9);
+  }
+}
+
+// A body pressed on a spring whose damping grows with the depth parts and grips again for ever
+// shorter: every return is one of the motion, not of rounding.
+TEST(CompliantStop, GripsAgainOnlyWhenTheForceDoes) {
+  for (const double push : {1.0, 5.0, 20.0, 60.0}) {
+    SCOPED_TRACE(push);
+    System system = support::oscillator(0.0, 0.0, 0.01, 1.0);
+    system.load = Vector::Constant(1, push);
+    ContactForce law;
+    law.stiffness = 6.3e7;
+    law.exponent = 1.5;
+    law.damping = ContactDamping::kDepth;
+    law.coefficient = 3.8e6;
+    system.stops[0].spring = law;
+    const support::RecordedRun run =
+        support::record_run(system, support::state_of({0.0}, {0.0}), support::for_seconds(2.0));
+    EXPECT_EQ(run.result.outcome, RunOutcome::kReachedEnd) << run.result.message;
+    for (std::size_t i = 1; i < run.events.size(); ++i)
+      EXPECT_GT(run.events[i].time, run.events[i - 1].time) << i;
+  }
 }
 
 }  // namespace

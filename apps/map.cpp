@@ -1,0 +1,90 @@
+// graze map: what the motion settles on over a plane of two parameters or two coordinates of its
+// start.
+#include "graze/assembly/assembly.hpp"
+#include "graze/assembly/system_warnings.hpp"
+#include "graze/base/errors.hpp"
+#include "graze/report/csv.hpp"
+#include "graze/report/json.hpp"
+#include "graze/report/pictures.hpp"
+#include "graze/report/text.hpp"
+#include "graze/study/step_choice.hpp"
+#include "search_options.hpp"
+#include "session.hpp"
+
+namespace graze {
+namespace {
+
+AttractorMapOptions map_options(const Command& command) {
+  AttractorMapOptions options;
+  options.x = {command.parameter, command.from, command.to, command.first_points};
+  options.y = {command.second, *command.second_from, *command.second_to, command.second_points};
+  options.periods = command.periods.value_or(options.periods);
+  options.samples = command.samples;
+  options.exponent_periods = command.exponents;
+  options.max_impacts = command.max_impacts;
+  options.closure_speed = command.closure_speed;
+  options.threads = command.threads;
+  options.stop = stop_signal(command);
+  return options;
+}
+
+MapQuantity shown(const Command& command) {
+  const std::string& name = command.show;
+  return name == "impacts"    ? MapQuantity::kImpacts
+         : name == "exponent" ? MapQuantity::kExponent
+         : name == "speed"    ? MapQuantity::kSpeed
+         : name == "stuck"    ? MapQuantity::kStuck
+                              : MapQuantity::kAttractor;
+}
+
+void note_options(const Command& command, const AttractorMapOptions& options, RunInfo& info) {
+  for (const auto& [prefix, axis] : {std::pair("", options.x), std::pair("second_", options.y)}) {
+    const std::string before = prefix;
+    info.options.emplace_back(before.empty() ? "parameter" : "second", axis.name);
+    info.options.emplace_back(before + "from", axis.from);
+    info.options.emplace_back(before + "to", axis.to);
+    info.options.emplace_back(before + "points", static_cast<long long>(axis.points));
+  }
+  info.options.emplace_back("periods", options.periods);
+  info.options.emplace_back("samples", options.samples);
+  if (options.exponent_periods > 0)
+    info.options.emplace_back("exponents", options.exponent_periods);
+  if (options.closure_speed) info.options.emplace_back("closure_speed", *options.closure_speed);
+  info.options.emplace_back("show", command.show);
+  info.options.emplace_back("max_impacts", options.max_impacts);
+  info.options.emplace_back("max_seconds", command.max_seconds);
+}
+
+}  // namespace
+
+int run_map(const Command& command) {
+  if (!command.plot.empty()) check_picture_name(command.plot);
+  if (command.show == "exponent" && command.exponents == 0)
+    throw InputError(
+        "--show exponent: give --exponents K, the periods that they are averaged over");
+  const Scene scene = scene_of(command);
+  require_exact_flow(scene, "maps are drawn");
+  require_forcing_and_stop(scene);
+  AttractorMapOptions options = map_options(command);
+  MapRecord record;
+  record.info = run_info(command.name, command.scene, scene);
+  record.x_unit = axis_unit_of(scene, options.x.name);
+  record.y_unit = axis_unit_of(scene, options.y.name);
+  record.shown = shown(command);
+  note_options(command, options, record.info);
+  record.warnings = system_warnings(scene, assemble(scene));
+  warn(command, record.warnings);
+  prepare_output(command);
+  options.progress = progress_line(command);
+  record.map = map_attractors(scene, options);
+  options.progress = nullptr;
+  record.outcome = map_outcome(record.map);
+  return conclude(command, record.info, record.outcome,
+                  {to_json(record),
+                   to_text(record),
+                   {{"map.csv", map_csv(record)}},
+                   [&] { draw_map(command.plot, record); },
+                   {}});
+}
+
+}  // namespace graze

@@ -1,0 +1,28 @@
+#include "graze/record/map_record.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace graze {
+
+Outcome map_outcome(const AttractorMap& map) {
+  const std::vector<MapCell>& cells = map.cells;
+  const auto known =
+      std::count_if(cells.begin(), cells.end(), [](const MapCell& cell) { return cell.is_known; });
+  const std::string kept = fmt::format("{} of {} cells are kept", known, cells.size());
+  if (map.stopped == StopReason::kInterrupted) return {"interrupted", "stopped; " + kept};
+  if (map.stopped == StopReason::kOutOfTime)
+    return {"budget", "the budget of computing time was spent; " + kept};
+  const auto is_failed = [](const MapCell& cell) {
+    return cell.attractor.status == SweepStatus::kImpactBudget ||
+           cell.attractor.status == SweepStatus::kRefused;
+  };
+  const auto failed = std::find_if(cells.begin(), cells.end(), is_failed);
+  if (failed == cells.end()) return {"complete", ""};
+  return {"budget", fmt::format("{} of {} cells could not be followed to their end; the first: {}",
+                                std::count_if(cells.begin(), cells.end(), is_failed), cells.size(),
+                                failed->message)};
+}
+
+}  // namespace graze

@@ -1,0 +1,65 @@
+#include "graze/report/json.hpp"
+#include "graze/report/json_value.hpp"
+#include "graze/report/map_names.hpp"
+#include "graze/report/sweep_names.hpp"
+
+namespace graze {
+namespace {
+
+Json axis_json(const MapAxis& axis, const std::string& unit) {
+  return {{"parameter", axis.name},
+          {"unit", unit},
+          {"from", axis.from},
+          {"to", axis.to},
+          {"points", axis.points}};
+}
+
+Json attractor_json(const AttractorMap& map, std::size_t i) {
+  const MapAttractor& one = map.attractors[i];
+  const AttractorClass& attractor = one.attractor;
+  const auto columns = static_cast<std::size_t>(map.options.x.points);
+  const bool repeats = attractor.period > 0, sticks = attractor.kind == SettledKind::kSticks;
+  return {{"id", i + 1},
+          {"attractor", attractor_name(map, i)},
+          {"period", repeats ? Json(attractor.period) : Json(nullptr)},
+          {"impacts", repeats && !sticks ? Json(attractor.impacts) : Json(nullptr)},
+          {"sticks", sticks},
+          {"cells", one.cells},
+          {"first", Json::array({map.options.x.value(static_cast<int>(one.first % columns)),
+                                 map.options.y.value(static_cast<int>(one.first / columns))})}};
+}
+
+}  // namespace
+
+std::string to_json(const MapRecord& record) {
+  const AttractorMap& map = record.map;
+  Json document = Json::parse(json_head(record.info, record.outcome, record.warnings));
+  document["x"] = axis_json(map.options.x, record.x_unit);
+  document["y"] = axis_json(map.options.y, record.y_unit);
+  document["nearness"] = map.options.nearness;
+  document["attractors"] = Json::array();
+  for (std::size_t i = 0; i < map.attractors.size(); ++i)
+    document["attractors"].push_back(attractor_json(map, i));
+  Json status = Json::array(), attractor = Json::array(), impacts = Json::array(),
+       speed = Json::array(), stuck = Json::array(), exponent = Json::array();
+  for (const MapCell& cell : map.cells) {
+    status.push_back(cell.is_known ? Json(name_of(cell.attractor.status)) : Json(nullptr));
+    attractor.push_back(cell.place >= 0 ? Json(cell.place + 1) : Json(nullptr));
+    impacts.push_back(json_number(cell_value(cell, MapQuantity::kImpacts)));
+    speed.push_back(json_number(cell_value(cell, MapQuantity::kSpeed)));
+    stuck.push_back(json_number(cell_value(cell, MapQuantity::kStuck)));
+    if (cell.exponent)
+      exponent.push_back(json_number(*cell.exponent));
+    else
+      exponent.push_back(nullptr);
+  }
+  document["cells"] = {{"status", status},
+                       {"attractor", attractor},
+                       {"impacts_per_period", impacts},
+                       {"peak_speed", speed},
+                       {"stuck_part", stuck}};
+  if (map.options.exponent_periods > 0) document["cells"]["exponent"] = exponent;
+  return document.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+}  // namespace graze

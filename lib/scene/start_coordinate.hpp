@@ -1,0 +1,21 @@
+// The numbers of a scene's start by name: "initial.q.1", "initial.qdot.2", for what looks at a
+// motion from many starts or seeks its start. They are no parameters: no orbit depends on them.
+#pragma once
+
+#include <string>
+
+#include "graze/scene/scene.hpp"
+
+namespace graze {
+
+// Whether the name is meant as one: it begins with "initial.".
+bool names_start_coordinate(const std::string& name);
+
+// The number, in a scene whose start then holds all of them, those not given as zero. Throws
+// InputError where the scene has no such number.
+double& start_coordinate(Scene& scene, const std::string& name);
+
+// "kg^1/2 m" or "kg^1/2 m/s".
+std::string start_coordinate_unit(const std::string& name);
+
+}  // namespace graze

@@ -1,0 +1,190 @@
+#include "graze/study/attractor_map.hpp"
+
+#include <algorithm>
+#include <map>
+#include <mutex>
+#include <numeric>
+
+#include "graze/assembly/assembly.hpp"
+#include "graze/assembly/initial_state.hpp"
+#include "graze/base/errors.hpp"
+#include "graze/base/parallel.hpp"
+#include "graze/hybrid/simulation.hpp"
+#include "graze/orbit/shooting.hpp"
+#include "graze/scene/check.hpp"
+#include "graze/scene/parameter.hpp"
+#include "graze/scene/start_coordinate.hpp"
+#include "graze/study/settled_row.hpp"
+
+namespace graze {
+namespace {
+
+Scene with_value(Scene scene, const std::string& name, double value) {
+  if (!names_start_coordinate(name)) return with_parameter(scene, name, value);
+  start_coordinate(scene, name) = value;
+  return scene;
+}
+
+class Mapper {
+ public:
+  Mapper(const Scene& scene, const AttractorMapOptions& options) : scene_(scene) {
+    map_.options = options;
+    map_.options.progress = nullptr;
+    map_.is_of_starts =
+        names_start_coordinate(options.x.name) && names_start_coordinate(options.y.name);
+    const auto count =
+        static_cast<std::size_t>(options.x.points) * static_cast<std::size_t>(options.y.points);
+    map_.cells.resize(count);
+    strobes_.resize(count);
+    progress_ = options.progress;
+  }
+
+  AttractorMap finish() {
+    const std::size_t count = map_.cells.size();
+    for_each_index(count, map_.options.threads, [&](std::size_t i) {
+      if (map_.options.stop.requested()) return;
+      run(i);
+      report();
+    });
+    const auto is_known = [](const MapCell& cell) { return cell.is_known; };
+    if (!std::all_of(map_.cells.begin(), map_.cells.end(), is_known))
+      map_.stopped = map_.options.stop.reason();
+    name_attractors();
+    return std::move(map_);
+  }
+
+ private:
+  void run(std::size_t i) {
+    MapCell& cell = map_.cells[i];
+    const auto columns = static_cast<std::size_t>(map_.options.x.points);
+    SweepRow row;
+    try {
+      const double x = map_.options.x.value(static_cast<int>(i % columns));
+      const double y = map_.options.y.value(static_cast<int>(i / columns));
+      const Scene scene =
+          with_value(with_value(scene_, map_.options.x.name, x), map_.options.y.name, y);
+      const System system = assemble(scene);
+      const RowOptions options{map_.options.periods,     map_.options.samples,
+                               map_.options.max_impacts, map_.options.closure_speed,
+                               map_.options.nearness,    map_.options.exponent_periods,
+                               map_.options.stop};
+      if (!settle_row(scene, system, initial_state(scene, system), options, row)) return;
+      look_at(system, row, cell);
+    } catch (const InputError& error) {
+      row.status = SweepStatus::kNoStart;
+      row.message = error.what();
+    }
+    cell.attractor = attractor_class(row);
+    cell.message = row.message;
+    if (row.exponents && row.exponents->values.size() > 0) cell.exponent = row.exponents->values[0];
+    strobes_[i] = std::move(row.motion.strobes);
+    cell.is_known = true;
+  }
+
+  // Over what is shown of the motion, once more, for what its events do not tell.
+  void look_at(const System& system, const SweepRow& row, MapCell& cell) const {
+    for (const MetImpact& impact : row.motion.impacts)
+      cell.peak_speed = std::max(cell.peak_speed, impact.speed);
+    const long long turns = row.motion.period > 0 ? row.motion.period : map_.options.samples;
+    cell.impacts_per_period =
+        static_cast<double>(row.motion.impacts.size()) / static_cast<double>(turns);
+    if (row.motion.kind == SettledKind::kAtRest) cell.stuck_part = 1.0;
+    if (!row.motion.sticks || row.motion.kind == SettledKind::kAtRest) return;
+    SimulationOptions options;
+    options.duration = static_cast<double>(turns) * system.period();
+    options.max_impacts = map_.options.max_impacts;
+    options.closure_speed = map_.options.closure_speed.value_or(
+        default_closure_speed(system, row.motion.at_end, scene_.solver.tolerance));
+    const Simulation again = simulate(system, row.motion.at_end, options, {});
+    cell.stuck_part = again.totals.stuck_time / *options.duration;
+  }
+
+  void report() {
+    if (!progress_) return;
+    const std::lock_guard lock(mutex_);
+    progress_(static_cast<double>(++finished_) / static_cast<double>(map_.cells.size()));
+  }
+
+  static bool is_attractor(const MapCell& cell) {
+    return cell.is_known && (cell.attractor.status == SweepStatus::kSettled ||
+                             cell.attractor.status == SweepStatus::kNotPeriodic);
+  }
+
+  // In the order of the cells, so that the names do not depend on who was first to finish.
+  void name_attractors() {
+    std::optional<ShootingScale> scale;
+    if (map_.is_of_starts) scale = shooting_scale(assemble(scene_));
+    // Each is as near to its orbit as asked for, in its own way.
+    const double apart = 16.0 * map_.options.nearness;
+    std::multimap<AttractorClass, int> known;
+    for (std::size_t i = 0; i < map_.cells.size(); ++i) {
+      MapCell& cell = map_.cells[i];
+      if (!is_attractor(cell)) continue;
+      const auto [first, last] = known.equal_range(cell.attractor);
+      const auto same = std::find_if(first, last, [&](const auto& entry) {
+        const MapAttractor& other = map_.attractors[static_cast<std::size_t>(entry.second)];
+        return !scale || cell.attractor.status != SweepStatus::kSettled ||
+               are_same_strobes(*scale, strobes_[i], other.strobes, apart);
+      });
+      if (same != last) {
+        cell.place = same->second;
+      } else {
+        cell.place = static_cast<int>(map_.attractors.size());
+        known.emplace(cell.attractor, cell.place);
+        map_.attractors.push_back({cell.attractor, i, 0, std::move(strobes_[i])});
+      }
+      ++map_.attractors[static_cast<std::size_t>(cell.place)].cells;
+    }
+    order_attractors();
+  }
+
+  void order_attractors() {
+    std::vector<std::size_t> order(map_.attractors.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+      return map_.attractors[a].cells > map_.attractors[b].cells;
+    });
+    std::vector<int> place(order.size());
+    std::vector<MapAttractor> sorted;
+    for (std::size_t k = 0; k < order.size(); ++k) {
+      place[order[k]] = static_cast<int>(k);
+      sorted.push_back(std::move(map_.attractors[order[k]]));
+    }
+    map_.attractors = std::move(sorted);
+    for (MapCell& cell : map_.cells)
+      if (cell.place >= 0) cell.place = place[static_cast<std::size_t>(cell.place)];
+  }
+
+  const Scene& scene_;
+  AttractorMap map_;
+  std::vector<std::vector<State>> strobes_;
+  std::function<void(double)> progress_;
+  std::mutex mutex_;
+  std::size_t finished_ = 0;
+};
+
+}  // namespace
+
+double MapAxis::value(int i) const {
+  const double part = static_cast<double>(i) / static_cast<double>(points - 1);
+  return i + 1 == points ? to : from + part * (to - from);
+}
+
+AttractorMap map_attractors(const Scene& scene, const AttractorMapOptions& options) {
+  for (const MapAxis* axis : {&options.x, &options.y}) {
+    Scene copy = scene;
+    if (names_start_coordinate(axis->name))
+      start_coordinate(copy, axis->name);
+    else
+      parameter_direction(scene, axis->name);
+  }
+  if (options.x.name == options.y.name)
+    throw InputError(options.y.name + ": both axes are this one; give two that differ");
+  return Mapper(scene, options).finish();
+}
+
+std::string axis_unit_of(const Scene& scene, const std::string& name) {
+  return names_start_coordinate(name) ? start_coordinate_unit(name) : parameter_unit(scene, name);
+}
+
+}  // namespace graze

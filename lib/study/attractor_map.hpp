@@ -1,0 +1,80 @@
+// What the motion settles on over a plane of two numbers of a scene: two parameters, or two
+// coordinates of its start, whose map are the basins of attraction.
+//
+// Every cell is a run of its own from the scene's start, followed until it has settled (settle()),
+// so that the map depends on nothing but its values, however many threads share the work. Motions
+// are told apart by what they do, (p, k) and whether they stick; where both numbers are of the
+// start, motions of the same system that repeat also by where they are.
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "graze/base/default_budget.hpp"
+#include "graze/scene/scene.hpp"
+#include "graze/study/sweep.hpp"
+
+namespace graze {
+
+struct MapAxis {
+  std::string name;  // of a parameter, or "initial.q.1", "initial.qdot.1", ..
+  double from = 0.0, to = 0.0;
+  int points = 100;  // cells from `from` to `to`, both the middle of one; at least 2
+
+  double value(int i) const;
+};
+
+struct AttractorMapOptions {
+  MapAxis x, y;
+  long long periods = 1000;  // forcing periods run in a cell, at most
+  double nearness = 1e-8;    // of a motion to its orbit; see SettleOptions
+  // Forcing periods over which exponents are averaged where nothing repeats; 0: none are wanted.
+  long long exponent_periods = 0;
+  long long samples = 100;  // periods looked at for speeds and rest where nothing repeats
+  long long max_impacts = kDefaultImpactBudget;  // of a cell
+  std::optional<double> closure_speed;           // m/s
+  int threads = 0;                               // 0: all cores
+  StopSignal stop;
+  std::function<void(double fraction)> progress;  // called by one thread at a time
+};
+
+struct MapCell {
+  bool is_known = false;  // false: it was not run
+  AttractorClass attractor;
+  int place = -1;                   // index of AttractorMap::attractors; -1: it has none
+  double impacts_per_period = 0.0;  // of the forcing, met in what was looked at; chatter summed
+  double peak_speed = 0.0;          // of its impacts, m/s; 0 where it has none
+  double stuck_part = 0.0;          // of the time, on any stop
+  std::optional<double> exponent;   // the largest, 1/s; minus infinity where all are lost
+  std::string message;              // a sentence where there is something to say
+};
+
+struct MapAttractor {
+  AttractorClass attractor;
+  std::size_t first = 0, cells = 0;  // the first cell, and how many
+  std::vector<State> strobes;        // at the starts of its periods, in that cell; where it repeats
+};
+
+struct AttractorMap {
+  AttractorMapOptions options;
+  bool is_of_starts = false;   // both numbers are coordinates of the start
+  std::vector<MapCell> cells;  // row by row: x runs within a row, y from row to row
+  // With the most cells first, of as many the one that comes first.
+  std::vector<MapAttractor> attractors;
+  StopReason stopped = StopReason::kNone;
+
+  const MapCell& at(int column, int row) const {
+    return cells[static_cast<std::size_t>(row * options.x.points + column)];
+  }
+};
+
+// Requires forcing and a stop. Throws InputError for a name that the scene does not have, or one
+// that stands for both. Cells whose value the scene does not allow are such that say so.
+AttractorMap map_attractors(const Scene& scene, const AttractorMapOptions& options);
+
+// "rad/s", .. of an axis.
+std::string axis_unit_of(const Scene& scene, const std::string& name);
+
+}  // namespace graze

@@ -1,0 +1,83 @@
+#include "graze/study/settled_row.hpp"
+
+#include "graze/assembly/initial_state.hpp"
+#include "graze/hybrid/simulation.hpp"
+#include "graze/study/clear_state.hpp"
+
+namespace graze {
+namespace {
+
+SweepStatus status_of(const SettledMotion& motion) {
+  switch (motion.kind) {
+    case SettledKind::kImpacts:
+    case SettledKind::kSticks:
+    case SettledKind::kClear:
+    case SettledKind::kAtRest:
+      return motion.near ? SweepStatus::kSettled : SweepStatus::kApproaching;
+    case SettledKind::kNotPeriodic:
+      return SweepStatus::kNotPeriodic;
+    case SettledKind::kImpactBudget:
+      return SweepStatus::kImpactBudget;
+    default:
+      return SweepStatus::kRefused;
+  }
+}
+
+bool is_finished(const SettledMotion& motion) {
+  return motion.kind != SettledKind::kInterrupted && motion.kind != SettledKind::kTimeBudget;
+}
+
+// Where a motion was followed to the end of its periods.
+bool has_exponents(SweepStatus status) {
+  return status == SweepStatus::kSettled || status == SweepStatus::kApproaching ||
+         status == SweepStatus::kNotPeriodic;
+}
+
+}  // namespace
+
+bool settle_row(const Scene& scene, const System& system, const State& start,
+                const RowOptions& options, SweepRow& row) {
+  const State rest{Vector::Zero(system.modes()), Vector::Zero(system.modes())};
+  SettleOptions settling;
+  settling.periods = options.periods;
+  settling.max_impacts = options.max_impacts;
+  // By the scene alone, so that it does not depend on what was handed on.
+  settling.closure_speed = options.closure_speed.value_or(default_closure_speed(
+      system, clear_start(scene, system).value_or(rest), scene.solver.tolerance));
+  settling.nearness = options.nearness;
+  settling.tail = options.samples;
+  settling.stop = options.stop;
+  if (row.start == SweepStart::kHandedOn) settling.from = "the state handed on";
+  row.motion = settle(system, start, settling);
+  if (!is_finished(row.motion)) return false;
+  row.status = status_of(row.motion);
+  row.message = row.status == SweepStatus::kSettled ? "" : row.motion.verdict;
+  if (options.exponent_periods == 0 || !has_exponents(row.status)) return true;
+  ExponentOptions exponents;
+  exponents.periods = options.exponent_periods;
+  exponents.repeats = row.motion.period;
+  exponents.closure_speed = *settling.closure_speed;
+  exponents.max_impacts = options.max_impacts;
+  exponents.stop = options.stop;
+  row.exponents = lyapunov_exponents(system, row.motion.at_end, exponents);
+  return row.exponents->failure.empty() || !options.stop.requested();
+}
+
+// Orbits are the same in whichever of their periods they are seen first.
+bool are_same_strobes(const ShootingScale& scale, const std::vector<State>& left,
+                      const std::vector<State>& right, double apart) {
+  if (left.size() != right.size()) return false;
+  if (left.empty()) return true;  // at rest
+  for (std::size_t turn = 0; turn < right.size(); ++turn) {
+    bool same = true;
+    for (std::size_t i = 0; i < left.size() && same; ++i) {
+      const State &x = left[i], &y = right[(i + turn) % right.size()];
+      same = ((x.q - y.q).cwiseAbs().array() <= apart * scale.displacement).all() &&
+             ((x.qdot - y.qdot).cwiseAbs().array() <= apart * scale.velocity.array()).all();
+    }
+    if (same) return true;
+  }
+  return false;
+}
+
+}  // namespace graze

@@ -1,0 +1,70 @@
+// graze map: what it prints, writes and draws, and how it ends.
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+#include "apps/program.hpp"
+
+namespace graze {
+namespace {
+
+using nlohmann::json;
+
+const std::string kBasins =
+    "--set forcing.frequency=1.6 --set stop.gap=0.5 --set forcing.amplitude=0.5 "
+    "--set 'initial.q=[0.0]' --parameter initial.q.1 --from -2 --to 0.8 --points 15 "
+    "--second initial.qdot.1 --second-from -2 --second-to 2 --second-points 11 " +
+    scene("04_impact_oscillator.toml");
+
+TEST(MapCommand, HasEveryCell) {
+  const ScratchFolder out;
+  const Finished run = run_graze("map --json --out " + (out / "run").string() + " --plot " +
+                                 (out / "m.svg").string() + " " + kBasins);
+  ASSERT_EQ(run.code, 0) << run.err;
+  const json document = json::parse(run.out);
+  EXPECT_EQ(document["outcome"], "complete");
+  EXPECT_EQ(document["x"]["parameter"], "initial.q.1");
+  EXPECT_EQ(document["y"]["points"], 11);
+  EXPECT_EQ(document["x"]["unit"], "kg^1/2 m");
+  std::size_t named = 0;
+  for (const json& attractor : document["attractors"])
+    named += attractor["cells"].get<std::size_t>();
+  std::size_t beyond = 0;
+  for (const char* key : {"status", "attractor", "impacts_per_period", "peak_speed", "stuck_part"})
+    ASSERT_EQ(document["cells"][key].size(), 165u) << key;
+  for (const json& status : document["cells"]["status"]) beyond += status == "no start";
+  EXPECT_EQ(beyond, 22u);  // 0.6 and 0.8 lie beyond the stop
+  EXPECT_EQ(named + beyond, 165u);
+  std::istringstream table(read_text(out / "run" / "map.csv"));
+  std::string line;
+  std::size_t lines = 0;
+  while (std::getline(table, line)) ++lines;
+  EXPECT_EQ(lines, 166u);
+  EXPECT_NE(read_text(out / "m.svg").find("(1,1)"), std::string::npos);
+  EXPECT_EQ(
+      run_graze("map --json --threads 1 --plot " + (out / "m.svg").string() + " " + kBasins).out,
+      run.out);
+}
+
+TEST(MapCommand, DrawsEveryQuantity) {
+  const ScratchFolder out;
+  for (const std::string what : {"impacts", "speed", "stuck", "exponent"}) {
+    const Finished run =
+        run_graze("map --show " + what + (what == "exponent" ? " --exponents 20" : "") +
+                  " --plot " + (out / "m.png").string() + " " + kBasins);
+    EXPECT_EQ(run.code, 0) << run.err;
+    EXPECT_GT(read_text(out / "m.png").size(), 3000u);
+  }
+  EXPECT_EQ(run_graze("map --show exponent " + kBasins).code, 2);
+}
+
+TEST(MapCommand, KeepsWhatWasFinishedInTime) {
+  const Finished run = run_graze("map --json --max-seconds 1e-9 " + kBasins);
+  EXPECT_EQ(run.code, 3);
+  EXPECT_EQ(json::parse(run.out)["outcome"], "budget");
+  EXPECT_EQ(run_graze("map --second stop.gap " + kBasins).code, 2);
+}
+
+}  // namespace
+}  // namespace graze
