@@ -17,15 +17,15 @@ namespace graze {
 namespace {
 
 constexpr std::size_t kMostPlaces = 3;
-// Of a curve. An orbit of many periods is drawn small, so it needs fewer in each.
-constexpr int kSamples = 384, kMostPerPeriod = 128, kLeastPerPeriod = 32;
+constexpr double kSamplesPerTurn = 24.0;  // of the fastest mode, which is seen in a phase portrait
+constexpr int kFewest = 128, kLeastPerPeriod = 32;
 constexpr long long kShownPeriods = 12;     // of a motion that does not repeat
 constexpr long long kMostImpacts = 20'000;  // followed for a picture
 constexpr std::size_t kListedImpacts = 400;
 
-int samples_per_period(long long periods) {
-  return static_cast<int>(
-      std::clamp<long long>(kSamples / periods, kLeastPerPeriod, kMostPerPeriod));
+int samples_per_period(const PageSource& source, const System& system, long long periods) {
+  return std::max(kLeastPerPeriod,
+                  page_samples(system, periods, source.most_samples) / static_cast<int>(periods));
 }
 
 struct Course {
@@ -44,7 +44,7 @@ struct Course {
 
 Json place_json(const System& system, const Place& place, const Course& course) {
   Json stops = Json::array();
-  std::string name = "stop";
+  std::string name = place.stops.size() > 1 ? "stops" : "stop";
   for (const SeenStop& stop : place.stops) {
     stops.push_back({{"index", stop.index + 1}, {"sense", stop.sense}, {"place", stop.place}});
     name += fmt::format("{} {}", stops.size() > 1 ? " and" : "", stop.index + 1);
@@ -136,7 +136,7 @@ SimulationRecord followed(const PageSource& source, const System& system, const 
   RunListeners listeners;
   listeners.event = [&](const Event& event) { record.events.push_back(event); };
   listeners.sample = [&](const Sample& sample) { record.samples.push_back(sample); };
-  listeners.sample_rate = samples_per_period(periods) / system.period();
+  listeners.sample_rate = samples_per_period(source, system, periods) / system.period();
   record.run = simulate(system, row.motion.at_start, options, listeners);
   return record;
 }
@@ -210,6 +210,12 @@ std::optional<Orbit> settled_orbit(const PageSource& source, const System& syste
 
 }  // namespace
 
+int page_samples(const System& system, long long periods, int most) {
+  const double turns = std::max(1.0, system.omega.maxCoeff() / system.forcing->frequency);
+  const double wanted = kSamplesPerTurn * turns * static_cast<double>(periods);
+  return static_cast<int>(std::clamp<double>(wanted, kFewest, most));
+}
+
 Json page_orbit(const PageSource& source, const System& system, const Orbit& orbit,
                 std::optional<double> value) {
   Json impacts = Json::array(), multipliers = Json::array(), places = Json::array();
@@ -226,7 +232,8 @@ Json page_orbit(const PageSource& source, const System& system, const Orbit& orb
   for (const Place& place : places_seen(system, first)) {
     Course course;
     for (const std::vector<CurveSample>& flight :
-         orbit_curve(system, orbit, place.stops.front().index, samples_per_period(orbit.period))) {
+         orbit_curve(system, orbit, place.stops.front().index,
+                     samples_per_period(source, system, orbit.period))) {
       for (const CurveSample& sample : flight)
         course.add(sample.theta / kTurn, sample.displacement, sample.velocity);
       course.gap();

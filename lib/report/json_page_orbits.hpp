@@ -16,7 +16,12 @@ struct PageSource {
   const RunInfo& info;
   std::string parameter;                // that the run was over; empty: none
   std::optional<double> closure_speed;  // where the user gave one, m/s
+  int most_samples = 1024;              // of an orbit's curve
 };
+
+// Samples of a curve over so many periods, so that the fastest mode is seen; at most `most`, but
+// some in every period.
+int page_samples(const System& system, long long periods, int most);
 
 // An orbit of `system`, which is the one at `value` of the parameter.
 Json page_orbit(const PageSource& source, const System& system, const Orbit& orbit,

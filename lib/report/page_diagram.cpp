@@ -14,8 +14,10 @@
 namespace graze {
 namespace {
 
-// Orbits that a page keeps, so that it stays below some ten megabytes: of branches, and of sweeps.
+// Orbits that a page keeps, of branches and of sweeps, and samples of their curves, 12 bytes each:
+// so that it stays below some ten megabytes.
 constexpr std::size_t kMostOfBranches = 1200, kMostOfSweeps = 800;
+constexpr std::size_t kMostSamples = 250'000;
 
 // Collects what goes into the page: the view, and the orbits behind its points.
 class DiagramPage {
@@ -24,6 +26,8 @@ class DiagramPage {
       : record_(record),
         family_(family),
         source_{record.info, record.traced.parameter, closure_speed()},
+        fit_(kMostSamples /
+             static_cast<std::size_t>(page_samples(record.system, 1, source_.most_samples))),
         orbits_(Json::array()) {}
 
   void set_view(const std::string& title, const std::vector<std::string>& notes) {
@@ -87,6 +91,7 @@ class DiagramPage {
   const BranchRecord& record_;
   const SystemFamily& family_;
   PageSource source_;
+  std::size_t fit_;  // orbits of one period that have that many samples
   Json view_, orbits_;
 };
 
@@ -120,7 +125,8 @@ void DiagramPage::add_sweep(const Sweep& swept, const std::vector<PageObservable
   for (std::size_t i = 0; i < observables.size(); ++i)
     if (observables[i].heights) dots[observables[i].key] = packed(heights[i]);
   std::vector<std::size_t> kept;
-  for (const std::size_t i : kept_of(shown.size(), kMostOfSweeps)) kept.push_back(shown[i]);
+  for (const std::size_t i : kept_of(shown.size(), std::min(fit_, kMostOfSweeps)))
+    kept.push_back(shown[i]);
   const std::vector<std::int32_t> orbits =
       keep(swept.rows.size(), kept, [&](std::size_t i) -> Json {
         const SweepRow& row = swept.rows[i];
@@ -136,7 +142,8 @@ void DiagramPage::add_sweep(const Sweep& swept, const std::vector<PageObservable
                     {"first", packed(first)},
                     {"dots", dots},
                     {"orbit", packed(orbits)}};
-  if (observables.front().key == "speed") view_["sweep"]["stop"] = packed(stop);
+  if (observables.front().key == "speed" && record_.system.stops.size() > 1)
+    view_["sweep"]["stop"] = packed(stop);
 }
 
 Json DiagramPage::branch_json(const OrbitBranch& branch, std::size_t most) {
@@ -191,12 +198,12 @@ Json DiagramPage::special_json(std::size_t branch, std::size_t index,
 
 void DiagramPage::add_branches(const std::vector<PageObservable>& observables) {
   const std::vector<OrbitBranch>& branches = record_.traced.branches;
+  const std::size_t most = std::min(fit_, kMostOfBranches);
   std::size_t points = 0;
   for (const OrbitBranch& branch : branches) points += branch.points.size();
   Json list = Json::array(), special = Json::array(), lines = Json::object();
   for (std::size_t i = 0; i < branches.size(); ++i) {
-    const std::size_t share =
-        points > kMostOfBranches ? kMostOfBranches * branches[i].points.size() / points : points;
+    const std::size_t share = points > most ? most * branches[i].points.size() / points : points;
     list.push_back(branch_json(branches[i], std::max<std::size_t>(2, share)));
     for (std::size_t k = 0; k < branches[i].special.size(); ++k)
       special.push_back(special_json(i, k, observables));

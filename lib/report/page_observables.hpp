@@ -1,4 +1,4 @@
-// Private to this room. What a page can show over the parameter: of the dots of a sweep and of
+// What a page can show over the parameter: of the dots of a sweep and of
 // branches, one at a time.
 #pragma once
 

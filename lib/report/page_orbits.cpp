@@ -8,7 +8,8 @@ void write_page(const std::string& file, const OrbitRecord& record) {
   view["kind"] = "orbits";
   view["title"] = "Periodic orbits";
   Json orbits = Json::array();
-  const PageSource source{record.info, "", std::nullopt};
+  // There are few, so each is drawn finely.
+  const PageSource source{record.info, "", std::nullopt, 8192};
   for (const Orbit& orbit : record.found.orbits)
     orbits.push_back(page_orbit(source, record.system, orbit, std::nullopt));
   write_page_file(file, view, orbits);

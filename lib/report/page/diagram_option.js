@@ -122,11 +122,6 @@ export function diagramOption(view, shown, shows, colours, height) {
   return {
     ...kCommon,
     grid: grids(view, height), xAxis: x, yAxis: yAxes(view, shown, colours), series,
-    // Out of sight: its rectangle is begun with a button of the page, which keys reach too.
-    toolbox: {
-      left: -100, itemSize: 1,
-      feature: { dataZoom: { xAxisIndex: x.map((_, i) => i), yAxisIndex: [0], filterMode: 'none' } },
-    },
     dataZoom: [
       { id: 'across', type: 'inside', xAxisIndex: x.map((_, i) => i), filterMode: 'none', minSpan: 1e-7 },
       { id: 'upright', type: 'inside', yAxisIndex: [0], filterMode: 'none', minSpan: 1e-7, zoomOnMouseWheel: 'shift' },

@@ -1,13 +1,13 @@
 // The parts of Apache ECharts that the page uses; what is not named here is not in the page.
 import { LineChart, ScatterChart } from 'echarts/charts';
 import {
-  DataZoomInsideComponent, GridComponent, MarkAreaComponent, MarkLineComponent, ToolboxComponent,
+  DataZoomInsideComponent, GridComponent, MarkAreaComponent, MarkLineComponent,
 } from 'echarts/components';
 import { init, use } from 'echarts/core';
 import { CanvasRenderer } from 'echarts/renderers';
 
 use([LineChart, ScatterChart, GridComponent, DataZoomInsideComponent, MarkAreaComponent,
-  MarkLineComponent, ToolboxComponent, CanvasRenderer]);
+  MarkLineComponent, CanvasRenderer]);
 
 export { init };
 

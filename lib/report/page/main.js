@@ -29,6 +29,7 @@ function start() {
   else new DiagramView(view, theme, openOrbit);
   fillTables(document.getElementById('tables'), view, orbits, openOrbit);
   document.documentElement.dataset.ready = 'true';
+  requestAnimationFrame(() => requestAnimationFrame(() => performance.mark('drawn')));
 }
 
 start();

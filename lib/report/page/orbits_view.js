@@ -25,7 +25,7 @@ export class OrbitsView {
     this.hover = new Hover(document.getElementById('hover'), document.getElementById('ring'));
     document.getElementById('observables').hidden = true;
     const entries = this.orbits.map((orbit, i) => ({
-      type: String(i), title: orbit.name, swatch: (colours) => lineSwatch(styleOf(orbit, i), colours),
+      type: String(i), title: `${orbit.name}, ${orbit.stability}`, swatch: (colours) => lineSwatch(styleOf(orbit, i), colours),
     }));
     this.legend = new Legend(document.getElementById('legend'), theme, entries, () => this.draw());
     this.zoom = new ZoomTools(this.chart, this.root);
@@ -39,6 +39,11 @@ export class OrbitsView {
     return this.orbits.map((orbit) => orbit.places.find((place) => place.name === this.orbits[0].places[0].name) ?? orbit.places[0]);
   }
 
+  displacementName() {
+    const { stops, name } = this.orbits[0].places[0];
+    return `displacement towards ${stops.length > 1 ? `stop ${stops[0].index}` : name}`;
+  }
+
   measureAxes() {
     const places = this.orbits.length > 0 ? this.places() : [];
     const displacements = [...places.flatMap((place) => [...place.x]), ...places.flatMap((place) => place.stops.map((stop) => stop.place))];
@@ -50,7 +55,7 @@ export class OrbitsView {
       const room = 0.07 * (high - low) || 1;
       return finite.length > 0 ? [low - room, high + room] : [-1, 1];
     };
-    this.x = { name: this.orbits.length > 0 ? `displacement towards ${this.orbits[0].places[0].name}` : 'displacement', range: range(displacements), ...unitOf('m', displacements) };
+    this.x = { name: this.orbits.length > 0 ? this.displacementName() : 'displacement', range: range(displacements), ...unitOf('m', displacements) };
     this.y = { name: 'velocity', range: range(velocities), ...unitOf('m/s', velocities) };
   }
 
@@ -86,7 +91,6 @@ export class OrbitsView {
     this.chart.setOption({
       ...kCommon, grid: { left: 76, right: 22, top: 16, bottom: 52 },
       xAxis: named(this.x, { nameGap: 30 }), yAxis: named(this.y, { nameGap: 54 }), series,
-      toolbox: { left: -100, itemSize: 1, feature: { dataZoom: { filterMode: 'none' } } },
       dataZoom: [zoom('across', { xAxisIndex: 0 }), { ...zoom('upright', { yAxisIndex: 0 }), zoomOnMouseWheel: 'shift' }],
     }, { replaceMerge: ['series'] });
     this.tellRange();
