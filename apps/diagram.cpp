@@ -83,7 +83,10 @@ int run_diagram(const Command& command) {
   if (!command.plot.empty()) check_picture_or_page_name(command.plot);
   const Scene scene = scene_of(command);
   if (!scene.forcing) {
-    if (is_page_name(command.plot)) check_picture_name(command.plot);
+    if (is_page_name(command.plot))
+      throw InputError(command.plot +
+                       ": pages show motions that repeat with a forcing, and this scene has none; "
+                       "its diagram is drawn as .svg, .png or .pdf");
     return run_diagram_of_runs(command, scene);
   }
   if (command.duration)

@@ -170,5 +170,16 @@ TEST(Page, NamesAreCheckedBeforeTheWork) {
   }
 }
 
+TEST(Page, ADiagramOfSingleRunsIsAPicture) {
+  if (!built_with_page()) GTEST_SKIP() << "built without npm";
+  const Finished run = run_graze(
+      "diagram --plot x.html --duration 1 --parameter stop.restitution "
+      "--from 0.5 --to 0.9 " +
+      scene("06_bouncing_ball.toml"));
+  EXPECT_EQ(run.code, 2);
+  EXPECT_NE(run.err.find("pages show motions that repeat with a forcing"), std::string::npos)
+      << run.err;
+}
+
 }  // namespace
 }  // namespace graze

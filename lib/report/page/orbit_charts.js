@@ -131,17 +131,23 @@ export function portraitOption(orbit, seen, colours) {
   };
 }
 
+const kFarOut = 4;  // modulus
+
 export function circleOption(orbit, colours, size) {
   const turn = Array.from({ length: 181 }, (_, k) => [Math.cos((k * Math.PI) / 90), Math.sin((k * Math.PI) / 90)]);
-  const inside = orbit.multipliers.filter(([re, im]) => Math.hypot(re, im) <= 1);
-  const outside = orbit.multipliers.filter(([re, im]) => Math.hypot(re, im) > 1);
-  const reach = 1.15 * Math.max(1, ...orbit.multipliers.map(([re, im]) => Math.max(Math.abs(re), Math.abs(im))));
+  const modulus = ([re, im]) => Math.hypot(re, im);
+  const inside = orbit.multipliers.filter((multiplier) => modulus(multiplier) <= 1);
+  const near = orbit.multipliers.filter((multiplier) => modulus(multiplier) > 1 && modulus(multiplier) <= kFarOut);
+  // The circle has to be seen beside them: those far out stand at the border, in their direction.
+  const reach = 1.15 * Math.min(kFarOut, Math.max(1, ...orbit.multipliers.map(modulus)));
+  const far = orbit.multipliers.filter((multiplier) => modulus(multiplier) > kFarOut)
+    .map(([re, im]) => [re, im].map((part) => (kFarOut * part) / Math.hypot(re, im)));
   // One unit is as long upright as across.
   const left = 50, right = 10, top = 10, bottom = 42;
   const proportion = Math.max(0.2, (size.height - top - bottom) / (size.width - left - right));
   const x = proportion < 1 ? reach / proportion : reach, y = proportion < 1 ? reach : reach * proportion;
-  const points = (id, data, colour) => ({
-    id, type: 'scatter', data, silent: true, symbolSize: 8, z: 5, itemStyle: { color: colours[colour], opacity: 1 },
+  const points = (id, data, colour, symbol = 'circle') => ({
+    id, type: 'scatter', data, silent: true, symbol, symbolSize: 8, z: 5, itemStyle: { color: colours[colour], opacity: 1 },
   });
   return {
     ...kCommon, grid: { left, right, top, bottom },
@@ -149,7 +155,8 @@ export function circleOption(orbit, colours, size) {
     yAxis: axis(colours, 'Im multiplier', -y, y, { nameGap: 34, splitNumber: 4 }),
     series: [
       { id: 'circle', type: 'line', data: turn, showSymbol: false, silent: true, lineStyle: { color: colours.faint, width: 1.2 } },
-      points('inside', inside, 'blue'), points('outside', outside, 'vermillion'),
+      points('inside', inside, 'blue'), points('outside', near, 'vermillion'),
+      points('far', far, 'vermillion', 'diamond'),
     ],
   };
 }
