@@ -236,29 +236,32 @@ test('dark and light differ, by the system and by the button', async () => {
   await Promise.all([dark.close(), light.close()]);
 });
 
-// A page of the program with a million dots in place of its own.
-function millionDots() {
-  const packed = (kind, array) => ({ [kind]: Buffer.from(array.buffer).toString('base64') });
-  const rows = 2000, each = 500;
-  const html = readFileSync(diagram, 'utf8');
-  return html.replace(/(id="view">)(.*?)(<\/script>)/s, (_, open, json, close) => {
+const packed = (kind, array) => ({ [kind]: Buffer.from(array.buffer).toString('base64') });
+
+// A page of the program with its view changed.
+function changed(name, change) {
+  const file = join(folder, name);
+  writeFileSync(file, readFileSync(diagram, 'utf8').replace(/(id="view">)(.*?)(<\/script>)/s, (_, open, json, close) => {
     const view = JSON.parse(json);
-    const fill = (from, to) => packed('f32', Float32Array.from({ length: rows * each }, () => from + (to - from) * Math.random() ** 2));
-    const speed = view.observables[0];
-    Object.assign(view.sweep, {
-      values: packed('f64', Float64Array.from({ length: rows }, (_, i) => 15 + (105 * i) / (rows - 1))),
-      label: packed('i32', new Int32Array(rows)), wild: packed('u8', new Uint8Array(rows).fill(1)),
-      first: packed('i32', Int32Array.from({ length: rows + 1 }, (_, i) => i * each)),
-      stop: packed('u8', new Uint8Array(rows * each).fill(1)), orbit: packed('i32', new Int32Array(rows)),
-      dots: { speed: fill(0, speed.high), phase: fill(0, 6) },
-    });
+    change(view);
     return open + JSON.stringify(view).replaceAll('<', '\\u003c') + close;
+  }));
+  return file;
+}
+
+function millionDots(view) {
+  const rows = 2000, each = 500;
+  const fill = (to) => packed('f32', Float32Array.from({ length: rows * each }, () => to * Math.random() ** 2));
+  Object.assign(view.sweep, {
+    values: packed('f64', Float64Array.from({ length: rows }, (_, i) => 15 + (105 * i) / (rows - 1))),
+    label: packed('i32', new Int32Array(rows)), wild: packed('u8', new Uint8Array(rows).fill(1)),
+    first: packed('i32', Int32Array.from({ length: rows + 1 }, (_, i) => i * each)),
+    orbit: packed('i32', new Int32Array(rows)), dots: { speed: fill(view.observables[0].high), phase: fill(6) },
   });
 }
 
 test('a million dots are there in less than two seconds', async () => {
-  const file = join(folder, 'million.html');
-  writeFileSync(file, millionDots());
+  const file = changed('million.html', millionDots);
   const times = [];
   for (let run = 0; run < 3; ++run) {
     const { page, wrong, close } = await openPage(browser, file);
@@ -274,4 +277,23 @@ test('a million dots are there in less than two seconds', async () => {
   const best = Math.min(...times.map(([shown]) => shown));
   console.log(`a million dots: drawn after ${times.map(([shown]) => shown).join(', ')} ms, hover ${times.map(([, hover]) => hover).join(', ')} ms`);
   assert.ok(best < 2000, `${best} ms`);
+});
+
+// As an exponent over the same parameter would be told.
+test('a strip below shares the parameter, and its zoom', async () => {
+  const file = changed('strip.html', (view) => {
+    const values = Float64Array.from({ length: 200 }, (_, i) => 15 + (105 * i) / 199);
+    view.strips.push({
+      name: 'exponent', unit: '1/s', factor: 1, low: -1.2, high: 1.2, reference: 0,
+      values: packed('f64', values), heights: packed('f32', Float32Array.from(values, (x) => Math.sin(x / 5))),
+    });
+  });
+  const [with_, without] = [await openPage(browser, file), await openPage(browser, diagram)];
+  const parts = await Promise.all([with_, without].map(({ page }) => pixelsOf(page, '#chart canvas')));
+  assert.ok(parts[0] > parts[1] + 500, `${parts}`);
+  await with_.page.click('#zoom-in');
+  await settled(with_.page);
+  if (process.env.GRAZE_PICTURES) await with_.page.screenshot({ path: join(process.env.GRAZE_PICTURES, 'strip.png') });
+  assert.deepEqual([...with_.wrong, ...without.wrong], []);
+  await Promise.all([with_.close(), without.close()]);
 });

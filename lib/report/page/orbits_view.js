@@ -36,7 +36,8 @@ export class OrbitsView {
 
   // The place that the first orbit is seen at stands for all.
   places() {
-    return this.orbits.map((orbit) => orbit.places.find((place) => place.name === this.orbits[0].places[0].name) ?? orbit.places[0]);
+    this.seen ??= this.orbits.map((orbit) => orbit.places.find((place) => place.name === this.orbits[0].places[0].name) ?? orbit.places[0]);
+    return this.seen;
   }
 
   displacementName() {
@@ -123,16 +124,24 @@ export class OrbitsView {
 
   nearest(px, py) {
     let best = null, least = kReach;
+    const toPixels = this.pixelMap();
     this.places().forEach((place, index) => {
       if (!this.legend.shows(String(index))) return;
       for (let k = 0; k < place.t.length; ++k) {
-        if (!Number.isFinite(place.t[k])) continue;
-        const [x, y] = this.chart.convertToPixel({ gridIndex: 0 }, [this.x.factor * place.x[k], this.y.factor * place.v[k]]);
+        const [x, y] = toPixels(place.x[k], place.v[k]);
         const distance = Math.hypot(x - px, y - py);
         if (distance < least) [least, best] = [distance, { index, x, y, place, k }];
       }
     });
     return best;
+  }
+
+  // From SI to pixels; the axes are linear, so two points tell all.
+  pixelMap() {
+    const corners = [0, 1].map((i) => [this.x.range[i], this.y.range[i]]);
+    const [from, to] = corners.map(([x, v]) => this.chart.convertToPixel({ gridIndex: 0 }, [this.x.factor * x, this.y.factor * v]));
+    const scale = [0, 1].map((i) => (to[i] - from[i]) / (corners[1][i] - corners[0][i]));
+    return (x, v) => [from[0] + scale[0] * (x - corners[0][0]), from[1] + scale[1] * (v - corners[0][1])];
   }
 
   show({ index, x, y, place, k }) {
