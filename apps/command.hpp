@@ -13,6 +13,7 @@ struct Command {
   std::string name;   // "check", "simulate", "orbit", "continue", "diagram"
   std::string scene;  // file
   std::vector<std::string> settings;
+  std::vector<std::string> arguments;  // all of them, as they were given
 
   bool json = false;
   bool quiet = false;

@@ -62,7 +62,7 @@ void add_orbit(CLI::App& graze, Command& command) {
   CLI::App* app = graze.add_subcommand("orbit", "Find periodic orbits, stable or not");
   app->footer(footer("orbit data/scenes/05_wagg_one_mode.toml --set forcing.frequency=40"));
   add_shared(app, command);
-  add_plot(app, command);
+  add_plot_or_page(app, command);
   add_orbit_search(app, command);
   add_closure_speed(app, command);
   app->add_option_function<std::string>(
@@ -87,7 +87,7 @@ void add_continue(CLI::App& graze, Command& command) {
       footer("continue data/scenes/05_wagg_one_mode.toml --parameter forcing.frequency --from 15 "
              "--to 120"));
   add_shared(app, command);
-  add_plot(app, command);
+  add_plot_or_page(app, command);
   add_orbit_search(app, command);
   add_range(app, command);
   add_branch_kind(app, command);
@@ -103,7 +103,7 @@ void add_diagram(CLI::App& graze, Command& command) {
       footer("diagram data/scenes/05_wagg_one_mode.toml --parameter forcing.frequency --from 15 "
              "--to 120"));
   add_shared(app, command);
-  add_plot(app, command);
+  add_plot_or_page(app, command);
   add_range(app, command);
   add_sweep(app, command);
   add_closure_speed(app, command);
@@ -311,6 +311,7 @@ ParsedCommand parse_command_line(int argc, char** argv) {
     return {std::nullopt, 2};
   }
   command.name = app.get_subcommands().front()->get_name();
+  command.arguments.assign(argv + 1, argv + argc);
   return {command, 0};
 }
 

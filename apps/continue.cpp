@@ -11,6 +11,7 @@
 #include "graze/bifurcation/restart.hpp"
 #include "graze/report/csv.hpp"
 #include "graze/report/json.hpp"
+#include "graze/report/page.hpp"
 #include "graze/report/pictures.hpp"
 #include "graze/report/text.hpp"
 #include "graze/scene/parameter.hpp"
@@ -87,7 +88,7 @@ void start_from(const Restart& restart, const Command& command, BranchOptions& o
 }  // namespace
 
 int run_continue(const Command& command) {
-  if (!command.plot.empty()) check_picture_name(command.plot);
+  if (!command.plot.empty()) check_picture_or_page_name(command.plot);
   const Scene given = scene_of(command);
   require_exact_flow(given, "branches are traced");
   const std::optional<Restart> restart = read_restart(command, given);
@@ -107,6 +108,8 @@ int run_continue(const Command& command) {
   // A range that reaches beyond what the scene allows is the user's error, not a broken branch.
   for (const double value : {command.from, command.to})
     with_parameter(scene, command.parameter, value);
+  note_call(command, record.info);
+  if (restart) note_values(*restart, command.parameter, record.info);
   record.info.options.emplace_back("parameter", command.parameter);
   record.info.options.emplace_back("from", command.from);
   record.info.options.emplace_back("to", command.to);
@@ -133,7 +136,12 @@ int run_continue(const Command& command) {
                     {"special.csv", special_csv(record)},
                     special_file(record.info, {command.parameter},
                                  special_orbits(record.traced, record.system))},
-                   [&] { draw_branches(command.plot, record); },
+                   [&] {
+                     if (is_page_name(command.plot))
+                       write_page(command.plot, record, family);
+                     else
+                       draw_branches(command.plot, record);
+                   },
                    {}});
 }
 

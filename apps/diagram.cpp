@@ -6,6 +6,7 @@
 #include "graze/bifurcation/restart.hpp"
 #include "graze/report/csv.hpp"
 #include "graze/report/json.hpp"
+#include "graze/report/page.hpp"
 #include "graze/report/pictures.hpp"
 #include "graze/report/text.hpp"
 #include "graze/scene/parameter.hpp"
@@ -79,9 +80,15 @@ std::optional<Outcome> add_branches(const Command& command, const SystemFamily& 
 }  // namespace
 
 int run_diagram(const Command& command) {
-  if (!command.plot.empty()) check_picture_name(command.plot);
+  if (!command.plot.empty()) check_picture_or_page_name(command.plot);
   const Scene scene = scene_of(command);
-  if (!scene.forcing) return run_diagram_of_runs(command, scene);
+  if (!scene.forcing) {
+    if (is_page_name(command.plot))
+      throw InputError(command.plot +
+                       ": pages show motions that repeat with a forcing, and this scene has none; "
+                       "its diagram is drawn as .svg, .png or .pdf");
+    return run_diagram_of_runs(command, scene);
+  }
   if (command.duration)
     throw InputError(
         "--duration: it is not allowed here; this scene's motion repeats with its forcing and is "
@@ -104,6 +111,7 @@ int run_diagram(const Command& command) {
                      parameter_unit(scene, command.parameter),
                      {},
                      {}};
+  note_call(command, record.branches.info);
   note_options(command, options, record.branches.info);
   record.branches.warnings = system_warnings(scene, record.branches.system);
   warn(command, record.branches.warnings);
@@ -123,7 +131,12 @@ int run_diagram(const Command& command) {
                   {to_json(record),
                    to_text(record),
                    std::move(files),
-                   [&] { draw_diagram(command.plot, record); },
+                   [&] {
+                     if (is_page_name(command.plot))
+                       write_page(command.plot, record, family);
+                     else
+                       draw_diagram(command.plot, record);
+                   },
                    {}});
 }
 

@@ -1,10 +1,18 @@
 #!/usr/bin/env bash
-# Installs the Debian packages of packages.txt that are missing. Needs root or sudo; without either
-# it prints the one line to run and exits 2.
+# Installs the Debian packages of packages.txt that are missing, and npm; with --tests also the browser
+# that only the tests need. Needs root or sudo; without either it prints the one line to run and
+# exits 2.
 set -euo pipefail
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
 
 mapfile -t wanted < "$here/packages.txt"
+# Of the page of --plot x.html and its tests; each is as good from anywhere else.
+has() { command -v "$1" >/dev/null; }
+has node || has nodejs || wanted+=(nodejs)
+has npm || wanted+=(npm)
+if [ "${1:-}" = --tests ]; then
+  has chromium || has google-chrome || wanted+=(chromium)
+fi
 missing=()
 for package in "${wanted[@]}"; do
   state=$(dpkg-query -W -f '${db:Status-Status}' "$package" 2>/dev/null || true)

@@ -19,6 +19,7 @@ std::string footer(const std::string& example);
 
 void add_shared(CLI::App* app, Command& command);
 void add_plot(CLI::App* app, Command& command);
+void add_plot_or_page(CLI::App* app, Command& command);
 void add_closure_speed(CLI::App* app, Command& command);
 void add_limits(CLI::App* app, Command& command);
 // With those limits.

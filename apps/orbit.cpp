@@ -4,6 +4,7 @@
 #include "graze/assembly/system_warnings.hpp"
 #include "graze/report/csv.hpp"
 #include "graze/report/json.hpp"
+#include "graze/report/page.hpp"
 #include "graze/report/pictures.hpp"
 #include "graze/report/text.hpp"
 #include "graze/study/step_choice.hpp"
@@ -13,11 +14,12 @@
 namespace graze {
 
 int run_orbit(const Command& command) {
-  if (!command.plot.empty()) check_picture_name(command.plot);
+  if (!command.plot.empty()) check_picture_or_page_name(command.plot);
   const Scene scene = scene_of(command);
   require_exact_flow(scene, "orbits are solved for");
   require_forcing_and_stop(scene);
   OrbitRecord record{run_info(command.name, command.scene, scene), assemble(scene), {}, {}, {}};
+  note_call(command, record.info);
   record_search(command, record.info);
   record.warnings = system_warnings(scene, record.system);
   warn(command, record.warnings);
@@ -40,7 +42,12 @@ int run_orbit(const Command& command) {
                    {{"orbits.csv", orbits_csv(record)},
                     {"stuck.csv", stuck_csv(record)},
                     {"contacts.csv", contacts_csv(record)}},
-                   [&] { draw_orbits(command.plot, record); },
+                   [&] {
+                     if (is_page_name(command.plot))
+                       write_page(command.plot, record);
+                     else
+                       draw_orbits(command.plot, record);
+                   },
                    {}});
 }
 

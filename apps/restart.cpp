@@ -75,6 +75,12 @@ double value_in_range(const Restart& restart, const std::string& parameter, doub
   return value;
 }
 
+void note_values(const Restart& restart, const std::string& parameter, RunInfo& info) {
+  for (const std::string& name : restart.parameters)
+    if (name != parameter)
+      info.settings.push_back(fmt::format("{}={}", name, *find_parameter(restart.scene, name)));
+}
+
 void record_restart(const Command& command, RunInfo& info) {
   info.options.emplace_back("restart", command.restart);
   info.options.emplace_back("label", command.label);

@@ -25,8 +25,11 @@ void print(const Document& document) {
 
 }  // namespace
 
-Scene scene_of(const Command& command) {
-  return read_scene(command.scene, command.settings);
+Scene scene_of(const Command& command) { return read_scene(command.scene, command.settings); }
+
+void note_call(const Command& command, RunInfo& info) {
+  info.arguments = command.arguments;
+  info.settings = command.settings;
 }
 
 std::atomic<bool> interrupted{false};

@@ -21,6 +21,9 @@ Scene scene_of(const Command& command);
 // Set by Ctrl-C; long work polls it and keeps what it finished.
 extern std::atomic<bool> interrupted;
 
+// How the program was called, for whoever wants the result again.
+void note_call(const Command& command, RunInfo& info);
+
 // Ctrl-C, and --max-seconds from now on.
 StopSignal stop_signal(const Command& command);
 

@@ -11,7 +11,7 @@ case "${1:-}" in
   --dev) preset=dev ;;
   *) echo "usage: bash tests/run.sh [--dev]" >&2; exit 2 ;;
 esac
-bash apps/install_packages.sh
+bash apps/install_packages.sh --tests
 cmake --preset "$preset" -DGRAZE_TESTS=ON > /dev/null
 cmake --build --preset "$preset"
 GRAZE_HARD_CASES=$(mktemp)

@@ -10,16 +10,12 @@
 namespace graze {
 namespace {
 
-// Impacts slower than this part of the fastest are not shown where a chatter completes: there is no
-// end to them.
-constexpr double kSlowest = 1e-3;
-
 // By speed: the j-th of them is continuous along a branch whatever impacts come and go.
 std::vector<double> chatter_heights(const Orbit& orbit) {
   const double fastest = leading_impact(orbit).speed;
   std::vector<double> heights;
   for (const OrbitImpact& impact : orbit.impacts)
-    if (impact.speed >= kSlowest * fastest) heights.push_back(impact.speed);
+    if (impact.speed >= kSlowestShown * fastest) heights.push_back(impact.speed);
   std::sort(heights.begin(), heights.end(), std::greater<>());
   return heights;
 }

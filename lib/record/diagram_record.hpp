@@ -31,6 +31,10 @@ struct DiagramRecord {
   std::vector<std::vector<DiagramCurve>> curves;
 };
 
+// Impacts slower than this part of the fastest are not shown where a chatter completes: there is no
+// end to them.
+inline constexpr double kSlowestShown = 1e-3;
+
 // The speeds of all impacts along the branches; where a chatter completes of those that are not
 // many times slower than the fastest.
 std::vector<DiagramCurve> impact_curves(const OrbitBranches& traced);

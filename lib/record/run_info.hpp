@@ -19,6 +19,8 @@ struct RunInfo {
   std::string scene_text;                                    // the scene in force, as TOML
   std::string scene_sha256;                                  // of scene_text
   std::vector<std::pair<std::string, OptionValue>> options;  // those that were given or used
+  // To call the program again: its arguments, and "NAME=VALUE" of what was set in the scene.
+  std::vector<std::string> arguments{}, settings{};
 };
 
 // "0.1.0"

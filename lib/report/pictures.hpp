@@ -14,8 +14,9 @@
 
 namespace graze {
 
-// Throws InputError unless `file` ends in .svg, .png or .pdf.
-void check_picture_name(const std::string& file);
+// Throws InputError unless `file` ends in .svg, .png or .pdf. `allowed`: what the message says that
+// it may end in.
+void check_picture_name(const std::string& file, const char* allowed = ".svg, .png or .pdf");
 
 // All throw FileError, leaving the files as they were, when gnuplot is missing or fails or the
 // files cannot be written.

@@ -80,7 +80,7 @@ TEST(Program, OptionsStandInAnyOrder) {
 
 TEST(Program, RefusesWhatALaterVersionBrings) {
   for (const std::string& line : std::vector<std::string>{
-           "compare " + kOneMode, "orbit --plot picture.html " + kOneMode,
+           "compare " + kOneMode,
            "diagram --parameter stop.gap --from 0 --to 1 --shard 1/2 " + kOneMode,
            "diagram --parameter stop.gap --from 0 --to 1 --resume out " + kOneMode,
            "diagram " + kOneMode + " --parameter stop.gap --from 0 --to 1 --resume"}) {

@@ -1,0 +1,274 @@
+#include "graze/report/json_page_orbits.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "graze/base/angle.hpp"
+#include "graze/hybrid/simulation.hpp"
+#include "graze/orbit/finder.hpp"
+#include "graze/orbit/orbit_curve.hpp"
+#include "graze/report/picture_motion.hpp"
+#include "graze/report/sweep_names.hpp"
+
+namespace graze {
+namespace {
+
+constexpr std::size_t kMostPlaces = 3;
+constexpr double kSamplesPerTurn = 24.0;  // of the fastest mode, which is seen in a phase portrait
+constexpr int kFewest = 128, kLeastPerPeriod = 32;
+constexpr long long kShownPeriods = 12;     // of a motion that does not repeat
+constexpr long long kMostImpacts = 20'000;  // followed for a picture
+constexpr std::size_t kListedImpacts = 400;
+
+int samples_per_period(const PageSource& source, const System& system, long long periods) {
+  return std::max(kLeastPerPeriod,
+                  page_samples(system, periods, source.most_samples) / static_cast<int>(periods));
+}
+
+struct Course {
+  std::vector<float> t, x, v;  // forcing periods, m, m/s; NaN where it jumps
+
+  void add(double time, double displacement, double velocity) {
+    t.push_back(static_cast<float>(time));
+    x.push_back(static_cast<float>(displacement));
+    v.push_back(static_cast<float>(velocity));
+  }
+  void gap() {
+    constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+    add(kNone, kNone, kNone);
+  }
+};
+
+Json place_json(const System& system, const Place& place, const Course& course) {
+  Json stops = Json::array();
+  std::string name = place.stops.size() > 1 ? "stops" : "stop";
+  for (const SeenStop& stop : place.stops) {
+    stops.push_back({{"index", stop.index + 1}, {"sense", stop.sense}, {"place", stop.place}});
+    name += fmt::format("{} {}", stops.size() > 1 ? " and" : "", stop.index + 1);
+  }
+  return {{"name", system.stops.size() > 1 ? name : "the stop"},
+          {"stops", stops},
+          {"t", packed(course.t)},
+          {"x", packed(course.x)},
+          {"v", packed(course.v)}};
+}
+
+// The place that is hit first comes first.
+std::vector<Place> places_seen(const System& system, int first_stop) {
+  std::vector<Place> places = places_of(system);
+  const auto has_it = [&](const Place& place) {
+    return std::any_of(place.stops.begin(), place.stops.end(),
+                       [&](const SeenStop& stop) { return stop.index == first_stop; });
+  };
+  std::stable_partition(places.begin(), places.end(), has_it);
+  if (places.size() > kMostPlaces) places.resize(kMostPlaces);
+  return places;
+}
+
+std::string stability(const Orbit& orbit) {
+  if (!orbit.admissible) return "virtual: no orbit of the system";
+  const std::string sticks = orbit.sticking ? "sticks, " : "";
+  if (!orbit.stable) return sticks + "stability open";
+  return sticks + (*orbit.stable ? "stable" : "unstable");
+}
+
+std::string orbit_name(const Orbit& orbit) {
+  return orbit.sticking ? fmt::format("({},stick) orbit", orbit.period)
+                        : fmt::format("({},{}) orbit", orbit.period, orbit.impacts.size());
+}
+
+double in_periods(const OrbitInstant& at) { return at.period_index + at.phase / kTurn; }
+
+std::vector<std::string> value_setting(const PageSource& source, std::optional<double> value) {
+  if (source.parameter.empty() || !value) return {};
+  return {fmt::format("{}={}", source.parameter, *value)};
+}
+
+std::string closure_option(const PageSource& source) {
+  return source.closure_speed ? fmt::format(" --closure-speed {}", *source.closure_speed) : "";
+}
+
+std::string orbit_command(const PageSource& source, const Orbit& orbit,
+                          std::vector<std::string> settings) {
+  return page_command(source.info, "orbit", settings) + fmt::format(" --period {}", orbit.period) +
+         (orbit.sticking ? "" : fmt::format(" --impacts {}", orbit.impacts.size())) +
+         (orbit.admissible ? "" : " --virtual") + closure_option(source);
+}
+
+Json stuck_json(const OrbitSticking& sticking, const System& system) {
+  Json phases = Json::array();
+  for (const OrbitHold& hold : sticking.holds) {
+    const double from = in_periods(hold.from);
+    phases.push_back(
+        {{"stop", hold.stop + 1}, {"from", from}, {"to", from + hold.duration / system.period()}});
+  }
+  return phases;
+}
+
+// "initial.q=[0.1, 0.2]"
+std::string list_setting(const char* name, const Vector& numbers) {
+  std::string text = fmt::format("{}=[", name);
+  for (Eigen::Index i = 0; i < numbers.size(); ++i)
+    text += fmt::format("{}{:#}", i > 0 ? "," : "", numbers[i]);
+  return text + "]";
+}
+
+std::vector<std::string> start_settings(const PageSource& source, const SweepRow& row) {
+  std::vector<std::string> settings = value_setting(source, row.value);
+  settings.push_back(list_setting("initial.q", row.motion.at_start.q));
+  settings.push_back(list_setting("initial.qdot", row.motion.at_start.qdot));
+  return settings;
+}
+
+// The motion from where the row's samples begin, as a run records it.
+SimulationRecord followed(const PageSource& source, const System& system, const SweepRow& row,
+                          long long periods) {
+  SimulationRecord record;
+  record.system = system;
+  SimulationOptions options;
+  options.periods = periods;
+  options.max_impacts = kMostImpacts;
+  options.closure_speed =
+      source.closure_speed.value_or(default_closure_speed(system, row.motion.at_start));
+  RunListeners listeners;
+  listeners.event = [&](const Event& event) { record.events.push_back(event); };
+  listeners.sample = [&](const Sample& sample) { record.samples.push_back(sample); };
+  listeners.sample_rate = samples_per_period(source, system, periods) / system.period();
+  record.run = simulate(system, row.motion.at_start, options, listeners);
+  return record;
+}
+
+Json motion_json(const PageSource& source, const System& system, const SweepRow& row) {
+  const bool repeats = row.motion.period > 0;
+  const long long periods = repeats ? row.motion.period : kShownPeriods;
+  const SimulationRecord record = followed(source, system, row, periods);
+  const double period = system.period();
+  Json impacts = Json::array(), stuck = Json::array(), places = Json::array();
+  for (const Event& event : record.events)
+    if ((event.kind == EventKind::kImpact || event.kind == EventKind::kContact) &&
+        impacts.size() < kListedImpacts)
+      impacts.push_back(
+          {{"stop", event.stop + 1}, {"t", event.time / period}, {"speed", event.speed}});
+  const int first = impacts.empty() ? 0 : impacts.front()["stop"].get<int>() - 1;
+  const MotionSeen seen = motion_seen(record);
+  for (const Place& shown : places_seen(system, first))
+    for (const Place& place : seen.places) {
+      if (place.stops.front().index != shown.stops.front().index) continue;
+      Course course;
+      for (const MotionPoint& point : place.motion)
+        // A point at which the velocity jumps belongs to both sides; the sides are there as well.
+        if (std::isfinite(point.velocity))
+          course.add(point.time / period, point.displacement, point.velocity);
+        else
+          course.gap();
+      places.push_back(place_json(system, place, course));
+      for (const SeenStop& stop : place.stops)
+        for (const TimeSpan& span : stuck_phases(record, stop.index, seen.window))
+          stuck.push_back(
+              {{"stop", stop.index + 1}, {"from", span.start / period}, {"to", span.end / period}});
+    }
+  const std::string name = attractor_label(attractor_class(row));
+  const std::string shown =
+      repeats ? ""
+              : fmt::format("The first {} of the periods that the sweep shows here. ", periods);
+  return {{"name", repeats ? name + " motion" : name},
+          {"value", row.value},
+          {"period", repeats ? Json(row.motion.period) : Json(nullptr)},
+          {"span", {0, periods}},
+          {"stability", repeats ? "what the sweep settled on" : ""},
+          {"admissible", true},
+          {"stable", nullptr},
+          {"clearance", nullptr},
+          {"multipliers", Json::array()},
+          {"impacts", impacts},
+          {"stuck", stuck},
+          {"places", places},
+          {"remark", shown + "The command starts from the state that the sweep was in there."},
+          {"command", page_command(source.info, "simulate", start_settings(source, row)) +
+                          fmt::format(" --periods {}", periods) + closure_option(source)}};
+}
+
+// The orbit that a row settled on, solved for from its last repetition.
+std::optional<Orbit> settled_orbit(const PageSource& source, const System& system,
+                                   const SweepRow& row) {
+  if (row.motion.kind != SettledKind::kImpacts && row.motion.kind != SettledKind::kSticks)
+    return {};
+  FinderOptions options;
+  options.period = row.motion.period;
+  options.from_closed_form = options.from_random = false;
+  options.max_impacts = kMostImpacts;
+  options.threads = 1;
+  options.closure_speed = source.closure_speed;
+  const FoundOrbits found = find_orbits(system, row.motion.at_start, options);
+  for (const Orbit& orbit : found.orbits)
+    if (orbit.admissible && orbit.period == row.motion.period) return orbit;
+  return {};
+}
+
+}  // namespace
+
+int page_samples(const System& system, long long periods, int most) {
+  const double turns = std::max(1.0, system.omega.maxCoeff() / system.forcing->frequency);
+  const double wanted = kSamplesPerTurn * turns * static_cast<double>(periods);
+  return static_cast<int>(std::clamp<double>(wanted, kFewest, most));
+}
+
+Json page_orbit(const PageSource& source, const System& system, const Orbit& orbit,
+                std::optional<double> value) {
+  Json impacts = Json::array(), multipliers = Json::array(), places = Json::array();
+  for (const OrbitImpact& impact : orbit.impacts) {
+    if (impacts.size() == kListedImpacts) break;
+    impacts.push_back({{"stop", impact.stop + 1},
+                       {"t", impact.period_index + impact.phase / kTurn},
+                       {"speed", json_number(impact.speed)}});
+  }
+  for (const Eigenvalue& multiplier : orbit.multipliers)
+    multipliers.push_back(
+        {json_number(multiplier.value.real()), json_number(multiplier.value.imag())});
+  const int first = orbit.impacts.empty() ? 0 : orbit.impacts.front().stop;
+  for (const Place& place : places_seen(system, first)) {
+    Course course;
+    for (const std::vector<CurveSample>& flight :
+         orbit_curve(system, orbit, place.stops.front().index,
+                     samples_per_period(source, system, orbit.period))) {
+      for (const CurveSample& sample : flight)
+        course.add(sample.theta / kTurn, sample.displacement, sample.velocity);
+      course.gap();
+    }
+    places.push_back(place_json(system, place, course));
+  }
+  return {{"name", orbit_name(orbit)},
+          {"value", value ? Json(*value) : Json(nullptr)},
+          {"period", orbit.period},
+          {"stability", stability(orbit)},
+          {"admissible", orbit.admissible},
+          {"stable", json_maybe(orbit.stable)},
+          {"clearance", json_maybe(orbit.clearance)},
+          {"multipliers", multipliers},
+          {"impacts", impacts},
+          {"stuck", orbit.sticking ? stuck_json(*orbit.sticking, system) : Json::array()},
+          {"places", places},
+          {"command", orbit_command(source, orbit, value_setting(source, value))}};
+}
+
+Json page_motion(const PageSource& source, const System& system, const SweepRow& row) {
+  const std::optional<Orbit> orbit = settled_orbit(source, system, row);
+  if (!orbit) return motion_json(source, system, row);
+  Json json = page_orbit(source, system, *orbit, row.value);
+  // A search from the scene's own start may settle on another attractor.
+  json["command"] = orbit_command(source, *orbit, start_settings(source, row));
+  return json;
+}
+
+std::vector<std::size_t> kept_of(std::size_t count, std::size_t most) {
+  std::vector<std::size_t> kept;
+  const std::size_t stride = std::max<std::size_t>(1, (count + most - 1) / most);
+  for (std::size_t i = 0; i < count; i += stride) kept.push_back(i);
+  if (count > 0 && kept.back() + 1 != count) kept.push_back(count - 1);
+  return kept;
+}
+
+}  // namespace graze

@@ -1,0 +1,35 @@
+// A result of Graze as a page: a picture to look into, and the orbits behind its points.
+import { Orbits, readView } from './data.js';
+import { DiagramView } from './diagram_view.js';
+import { OrbitPanel } from './orbit_panel.js';
+import { OrbitsView } from './orbits_view.js';
+import { fillTables } from './tables.js';
+import { Theme } from './theme.js';
+
+function fillHead(view) {
+  const { graze, outcome, message } = view.head;
+  document.title = `${view.title} · Graze`;
+  document.getElementById('title').textContent = view.title;
+  document.getElementById('subtitle').textContent = [graze.scene, view.subtitle].filter(Boolean).join(' · ');
+  const told = document.getElementById('outcome');
+  told.hidden = !message;
+  told.textContent = message ? `${outcome}: ${message}` : '';
+  document.getElementById('footer').textContent =
+    `Graze ${graze.version} · drawn with Apache ECharts (Apache License 2.0), which is in this page; nothing is fetched.`;
+}
+
+function start() {
+  const view = readView();
+  const orbits = new Orbits();
+  const theme = new Theme(document.getElementById('theme'));
+  fillHead(view);
+  const panel = new OrbitPanel(view, theme, () => window.dispatchEvent(new Event('resize')));
+  const openOrbit = (index, value) => panel.open(orbits.get(index), value);
+  if (view.kind === 'orbits') new OrbitsView(view, orbits, theme, openOrbit);
+  else new DiagramView(view, theme, openOrbit);
+  fillTables(document.getElementById('tables'), view, orbits, openOrbit);
+  document.documentElement.dataset.ready = 'true';
+  requestAnimationFrame(() => requestAnimationFrame(() => performance.mark('drawn')));
+}
+
+start();

@@ -1,0 +1,154 @@
+// The phase portraits of several orbits in one picture; a click on a curve, or on its row in the
+// table, opens it.
+import { axis, init, kCommon } from './echarts_parts.js';
+import { measure } from './format.js';
+import { Hover } from './hover.js';
+import { Legend } from './legend.js';
+import { lineSwatch } from './marks.js';
+import { jumpsOf, unitOf } from './orbit_charts.js';
+import { ZoomTools } from './zoom_tools.js';
+
+const kColours = ['blue', 'vermillion', 'green', 'black', 'orange', 'sky', 'purple', 'grey'];
+const kReach = 12;  // px
+
+function styleOf(orbit, i) {
+  const dash = !orbit.admissible ? [2, 3] : orbit.stable ? 'solid' : [7, 4];
+  return { colour: kColours[i % kColours.length], width: 2, dash };
+}
+
+export class OrbitsView {
+  constructor(view, orbits, theme, openOrbit) {
+    Object.assign(this, { view, theme, openOrbit });
+    this.orbits = Array.from({ length: orbits.count }, (_, i) => orbits.get(i));
+    this.root = document.getElementById('chart');
+    this.chart = init(this.root, null, { renderer: 'canvas' });
+    this.hover = new Hover(document.getElementById('hover'), document.getElementById('ring'));
+    document.getElementById('observables').hidden = true;
+    const entries = this.orbits.map((orbit, i) => ({
+      type: String(i), title: `${orbit.name}, ${orbit.stability}`, swatch: (colours) => lineSwatch(styleOf(orbit, i), colours),
+    }));
+    this.legend = new Legend(document.getElementById('legend'), theme, entries, () => this.draw());
+    this.zoom = new ZoomTools(this.chart, this.root);
+    this.measureAxes();
+    this.draw();
+    this.listen();
+  }
+
+  // The place that the first orbit is seen at stands for all.
+  places() {
+    this.seen ??= this.orbits.map((orbit) => orbit.places.find((place) => place.name === this.orbits[0].places[0].name) ?? orbit.places[0]);
+    return this.seen;
+  }
+
+  displacementName() {
+    const { stops, name } = this.orbits[0].places[0];
+    return `displacement towards ${stops.length > 1 ? `stop ${stops[0].index}` : name}`;
+  }
+
+  measureAxes() {
+    const places = this.orbits.length > 0 ? this.places() : [];
+    const displacements = [...places.flatMap((place) => [...place.x]), ...places.flatMap((place) => place.stops.map((stop) => stop.place))];
+    const velocities = places.flatMap((place) => [...place.v]);
+    const range = (values) => {
+      const finite = values.filter(Number.isFinite);
+      const low = finite.reduce((least, value) => Math.min(least, value), Infinity);
+      const high = finite.reduce((most, value) => Math.max(most, value), -Infinity);
+      const room = 0.07 * (high - low) || 1;
+      return finite.length > 0 ? [low - room, high + room] : [-1, 1];
+    };
+    this.x = { name: this.orbits.length > 0 ? this.displacementName() : 'displacement', range: range(displacements), ...unitOf('m', displacements) };
+    this.y = { name: 'velocity', range: range(velocities), ...unitOf('m/s', velocities) };
+  }
+
+  series() {
+    return this.orbits.flatMap((orbit, i) => {
+      const place = this.places()[i], style = styleOf(orbit, i);
+      const shown = this.legend.shows(String(i));
+      const colour = this.theme.colours[style.colour];
+      const line = (id, points, lineStyle) => ({
+        id: `${id} ${i}`, type: 'line', showSymbol: false, silent: true, z: 3, lineStyle: { color: colour, ...lineStyle },
+        data: shown ? points.map(([x, v]) => [this.x.factor * x, this.y.factor * v]) : [],
+      });
+      return [
+        line('orbit', Array.from(place.t, (_, k) => [place.x[k], place.v[k]]), { width: style.width, type: style.dash }),
+        line('jumps', jumpsOf(orbit, place).flatMap(([from, to]) => [from, to, [NaN, NaN]]), { width: 1, type: [2, 3] }),
+      ];
+    });
+  }
+
+  draw() {
+    const { colours } = this.theme;
+    const named = (quantity, more) => axis(colours, `${quantity.name} (${quantity.unit})`,
+      quantity.factor * quantity.range[0], quantity.factor * quantity.range[1], more);
+    const series = this.series();
+    if (series.length > 0)
+      series[0].markArea = {
+        silent: true, data: this.places()[0].stops.map((stop) => [
+          { xAxis: this.x.factor * stop.place, itemStyle: { color: colours.stop, opacity: 0.75 } },
+          { xAxis: this.x.factor * this.x.range[stop.sense > 0 ? 1 : 0] },
+        ]),
+      };
+    const zoom = (id, axes) => ({ id, type: 'inside', ...axes, filterMode: 'none', minSpan: 1e-6 });
+    this.chart.setOption({
+      ...kCommon, grid: { left: 76, right: 22, top: 16, bottom: 52 },
+      xAxis: named(this.x, { nameGap: 30 }), yAxis: named(this.y, { nameGap: 54 }), series,
+      dataZoom: [zoom('across', { xAxisIndex: 0 }), { ...zoom('upright', { yAxisIndex: 0 }), zoomOnMouseWheel: 'shift' }],
+    }, { replaceMerge: ['series'] });
+    this.tellRange();
+  }
+
+  // The part of the plane in view, for those who do not see it.
+  tellRange() {
+    const [x, y] = ['xAxis', 'yAxis'].map((name) => this.chart.getModel().getComponent(name).axis.scale.getExtent());
+    this.root.setAttribute('aria-label', `Phase portraits: velocity from ${y.join(' to ')} ${this.y.unit} over ` +
+      `displacement from ${x.join(' to ')} ${this.x.unit}. The table below opens each orbit.`);
+  }
+
+  listen() {
+    this.theme.onChange(() => { this.legend.draw(); this.draw(); });
+    new ResizeObserver(() => { this.chart.resize(); this.hover.hide(); }).observe(this.root);
+    this.chart.on('datazoom', () => { this.hover.hide(); this.tellRange(); });
+    const zr = this.chart.getZr();
+    zr.on('mousemove', (event) => {
+      const found = this.nearest(event.offsetX, event.offsetY);
+      zr.setCursorStyle(found ? 'pointer' : 'default');
+      if (found) this.show(found);
+      else this.hover.hide();
+    });
+    zr.on('globalout', () => this.hover.hide());
+    zr.on('click', (event) => {
+      const found = this.nearest(event.offsetX, event.offsetY);
+      if (found) this.openOrbit(found.index, null);
+    });
+  }
+
+  nearest(px, py) {
+    let best = null, least = kReach;
+    const toPixels = this.pixelMap();
+    this.places().forEach((place, index) => {
+      if (!this.legend.shows(String(index))) return;
+      for (let k = 0; k < place.t.length; ++k) {
+        const [x, y] = toPixels(place.x[k], place.v[k]);
+        const distance = Math.hypot(x - px, y - py);
+        if (distance < least) [least, best] = [distance, { index, x, y, place, k }];
+      }
+    });
+    return best;
+  }
+
+  // From SI to pixels; the axes are linear, so two points tell all.
+  pixelMap() {
+    const corners = [0, 1].map((i) => [this.x.range[i], this.y.range[i]]);
+    const [from, to] = corners.map(([x, v]) => this.chart.convertToPixel({ gridIndex: 0 }, [this.x.factor * x, this.y.factor * v]));
+    const scale = [0, 1].map((i) => (to[i] - from[i]) / (corners[1][i] - corners[0][i]));
+    return (x, v) => [from[0] + scale[0] * (x - corners[0][0]), from[1] + scale[1] * (v - corners[0][1])];
+  }
+
+  show({ index, x, y, place, k }) {
+    const orbit = this.orbits[index];
+    this.hover.show({ x, y }, orbit.name, [
+      ['stability', orbit.stability], ['displacement', measure(this.x, place.x[k])],
+      ['velocity', measure(this.y, place.v[k])],
+    ], 'click: the orbit');
+  }
+}

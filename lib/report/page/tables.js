@@ -1,0 +1,51 @@
+// Below the picture: special points or orbits as a table that keys reach too, what the run said, and
+// what made it.
+import { element, measure, number, table } from './format.js';
+import { markOf } from './marks.js';
+
+function folded(title, open, ...content) {
+  const details = element('details', open ? { open: '' } : {}, element('summary', {}, title), ...content);
+  return details;
+}
+
+function opener(text, open) {
+  return element('button', { type: 'button', onclick: open }, text);
+}
+
+function specialTable(view, openOrbit) {
+  const rows = view.special.map((special) => [
+    special.orbit >= 0 ? opener(special.id, () => openOrbit(special.orbit, special.value)) : special.id,
+    markOf(special.label).title, measure(view.parameter, special.value, 10), String(special.branch),
+    special.more.map(([name, value]) => `${name} ${value}`).join(', '),
+  ]);
+  return table([['', 'special point', view.parameter.name, 'branch', ''], ...rows]);
+}
+
+function orbitTable(view, orbits, openOrbit) {
+  const rows = Array.from({ length: orbits.count }, (_, i) => {
+    const orbit = orbits.get(i);
+    const fastest = Math.max(...orbit.impacts.map((impact) => impact.speed));
+    return [opener(orbit.name, () => openOrbit(i, null)), orbit.stability, String(orbit.impacts.length), number(fastest)];
+  });
+  return table([['orbit', '', 'impacts', 'fastest (m/s)'], ...rows]);
+}
+
+function madeBy(head, made) {
+  const { graze } = head;
+  const rows = Object.entries(graze.options).map(([name, value]) => [name, String(value)]);
+  return folded('How this was made', false, element('pre', { tabindex: '0' }, made),
+    table([['option', 'value'], ...rows, ['scene', graze.scene], ['SHA-256 of the scene in force', graze.scene_sha256]]));
+}
+
+export function fillTables(root, view, orbits, openOrbit) {
+  const parts = [];
+  if (view.special?.length > 0)
+    parts.push(folded(`${view.special.length} special points`, view.special.length <= 12, specialTable(view, openOrbit)));
+  if (view.kind === 'orbits' && orbits.count > 0) parts.push(orbitTable(view, orbits, openOrbit));
+  const said = [...(view.head.warnings ?? []), ...(view.notes ?? [])];
+  if (said.length > 0)
+    parts.push(folded(`${said.length} ${said.length === 1 ? 'note' : 'notes'} of the run`, said.length <= 3,
+      element('ul', {}, ...said.map((note) => element('li', {}, note)))));
+  parts.push(madeBy(view.head, view.made));
+  root.replaceChildren(...parts);
+}

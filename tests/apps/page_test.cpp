@@ -1,0 +1,185 @@
+// --plot x.html: the file that is written and what it holds. tests/page opens it in a browser.
+#include <gtest/gtest.h>
+
+#include <cstdint>
+#include <cstring>
+#include <nlohmann/json.hpp>
+
+#include "apps/program.hpp"
+
+namespace graze {
+namespace {
+
+using nlohmann::json;
+
+const std::string kOneMode = scene("05_wagg_one_mode.toml");
+const std::string kRange =
+    " --parameter forcing.frequency --from 58 --to 62 --points 9 --periods 300 --samples 20 ";
+
+bool built_with_page() {
+  const Finished run = run_graze("orbit --plot /no/such/folder/x.html " + kOneMode);
+  return run.err.find("built without npm") == std::string::npos;
+}
+
+// Of a <script> that holds data.
+json data_of(const std::string& page, const std::string& id) {
+  const std::string open = "<script type=\"application/json\" id=\"" + id + "\">";
+  const std::size_t from = page.find(open);
+  EXPECT_NE(from, std::string::npos) << id;
+  if (from == std::string::npos) return {};
+  const std::size_t start = from + open.size();
+  return json::parse(page.substr(start, page.find("</script>", start) - start));
+}
+
+template <class Number>
+std::vector<Number> unpacked(const std::string& base64) {
+  const std::string digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+  std::vector<std::uint8_t> bytes;
+  std::uint32_t bits = 0;
+  int held = 0;
+  for (const char c : base64) {
+    if (c == '=') break;
+    bits = bits << 6 | static_cast<std::uint32_t>(digits.find(c));
+    held += 6;
+    if (held < 8) continue;
+    held -= 8;
+    bytes.push_back(static_cast<std::uint8_t>(bits >> held));
+  }
+  std::vector<Number> numbers(bytes.size() / sizeof(Number));
+  if (!numbers.empty()) std::memcpy(numbers.data(), bytes.data(), bytes.size());
+  return numbers;
+}
+
+TEST(Page, IsOneFileThatFetchesNothing) {
+  if (!built_with_page()) GTEST_SKIP() << "built without npm";
+  const ScratchFolder scratch;
+  const Finished run =
+      run_graze("diagram --quiet --plot " + (scratch / "x.html").string() + kRange + kOneMode);
+  ASSERT_EQ(run.code, 0) << run.err;
+  EXPECT_EQ(names_in(scratch.string()), std::vector<std::string>{"x.html"});
+  const std::string page = read_text(scratch / "x.html");
+  EXPECT_TRUE(page.starts_with("<!doctype html>"));
+  EXPECT_TRUE(page.ends_with("</html>\n"));
+  EXPECT_NE(page.find("default-src 'none'"), std::string::npos);
+  EXPECT_NE(page.find("Apache License"), std::string::npos);
+  // The ways out of a page.
+  for (const char* way : {" src=", " href=", "@import", "url(http", "url(\"http", "fetch(",
+                          "XMLHttpRequest", "importScripts", "WebSocket"})
+    EXPECT_EQ(page.find(way), std::string::npos) << way;
+}
+
+TEST(Page, HoldsTheDotsOfTheDocument) {
+  if (!built_with_page()) GTEST_SKIP() << "built without npm";
+  const ScratchFolder scratch;
+  const Finished run = run_graze("diagram --json --quiet --plot " + (scratch / "x.html").string() +
+                                 kRange + kOneMode);
+  ASSERT_EQ(run.code, 0) << run.err;
+  const json document = json::parse(run.out), view = data_of(read_text(scratch / "x.html"), "view");
+  EXPECT_EQ(view["head"]["graze"], document["graze"]);
+  const json& sweep = view["sweep"];
+  const std::vector<double> values = unpacked<double>(sweep["values"]["f64"]);
+  const auto first = unpacked<std::int32_t>(sweep["first"]["i32"]);
+  const auto speeds = unpacked<float>(sweep["dots"]["speed"]["f32"]);
+  const auto phases = unpacked<float>(sweep["dots"]["phase"]["f32"]);
+  const json& rows = document["sweep"]["rows"];
+  ASSERT_EQ(values.size(), rows.size());
+  ASSERT_EQ(first.size(), rows.size() + 1);
+  ASSERT_EQ(static_cast<std::size_t>(first.back()), speeds.size());
+  ASSERT_EQ(speeds.size(), phases.size());
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    EXPECT_EQ(values[i], rows[i]["value"].get<double>());
+    const auto from = static_cast<std::size_t>(first[i]);
+    ASSERT_EQ(static_cast<std::size_t>(first[i + 1]) - from, rows[i]["speeds"].size());
+    for (std::size_t k = 0; k < rows[i]["speeds"].size(); ++k) {
+      EXPECT_FLOAT_EQ(speeds[from + k], rows[i]["speeds"][k].get<float>());
+      EXPECT_FLOAT_EQ(phases[from + k], rows[i]["phases"][k].get<float>());
+    }
+  }
+}
+
+// At 40 rad/s and a gap of 10 mm there are two orbits of one impact.
+TEST(Page, AnOrbitMeetsItsStopAtItsImpactsAlone) {
+  if (!built_with_page()) GTEST_SKIP() << "built without npm";
+  const ScratchFolder scratch;
+  const Finished run = run_graze("orbit --quiet --set forcing.frequency=40 --set stop.gap=0.01 " +
+                                 kOneMode + " --plot " + (scratch / "x.html").string());
+  ASSERT_EQ(run.code, 0) << run.err;
+  const json orbits = data_of(read_text(scratch / "x.html"), "orbits");
+  ASSERT_EQ(orbits.size(), 2U);
+  for (const json& orbit : orbits) {
+    const json& place = orbit["places"][0];
+    const auto t = unpacked<float>(place["t"]["f32"]), x = unpacked<float>(place["x"]["f32"]),
+               v = unpacked<float>(place["v"]["f32"]);
+    ASSERT_GT(t.size(), 100U);
+    EXPECT_EQ(place["stops"][0]["place"], 0.01);
+    const double impact = orbit["impacts"][0]["t"], speed = orbit["impacts"][0]["speed"];
+    EXPECT_FLOAT_EQ(t.front(), static_cast<float>(impact));
+    EXPECT_FLOAT_EQ(x.front(), 0.01F);
+    EXPECT_LT(v.front(), 0.0F);             // away from the stop
+    const std::size_t last = t.size() - 2;  // then a gap
+    EXPECT_FLOAT_EQ(t[last], static_cast<float>(impact + 1.0));
+    EXPECT_NEAR(x[last], 0.01, 1e-8);
+    EXPECT_NEAR(v[last], speed, 1e-6);
+    for (std::size_t i = 1; i < last; ++i) EXPECT_LT(x[i], 0.01F);
+  }
+}
+
+TEST(Page, NoTextOfASceneEndsItsScripts) {
+  if (!built_with_page()) GTEST_SKIP() << "built without npm";
+  const ScratchFolder scratch;
+  const Finished run =
+      run_graze("diagram --quiet --branches none --set 'title=\"</script><b>&\"' " + kRange +
+                kOneMode + " --plot " + (scratch / "x.html").string());
+  ASSERT_EQ(run.code, 0) << run.err;
+  const json view = data_of(read_text(scratch / "x.html"), "view");
+  EXPECT_EQ(view["subtitle"], "</script><b>&");
+  EXPECT_NE(view["made"].get<std::string>().find("--set 'title=\"</script><b>&\"'"),
+            std::string::npos);
+}
+
+TEST(Page, IsThereWholeOrNotAtAll) {
+  if (!built_with_page()) GTEST_SKIP() << "built without npm";
+  const ScratchFolder scratch;
+  const std::string file = (scratch / "x.html").string();
+  EXPECT_EQ(
+      run_graze("orbit --plot " + (scratch / "none" / "x.html").string() + " " + kOneMode).code, 4);
+  std::ofstream(file) << "what stood here";
+  const Finished run =
+      run_graze("orbit --quiet --plot " + file + " " + kOneMode, "ulimit -f 100; ");
+  EXPECT_EQ(run.code, 4);
+  EXPECT_NE(run.err.find(file), std::string::npos) << run.err;
+  EXPECT_EQ(read_text(file), "what stood here");
+  EXPECT_EQ(names_in(scratch.string()), std::vector<std::string>{"x.html"});
+}
+
+TEST(Page, NamesAreCheckedBeforeTheWork) {
+  const Finished gif = run_graze("orbit --plot x.gif " + kOneMode);
+  EXPECT_EQ(gif.code, 2);
+  EXPECT_NE(gif.err.find("x.gif: the name of a picture ends in .svg, .png, .pdf or .html"),
+            std::string::npos)
+      << gif.err;
+  for (const std::string& line :
+       {"simulate --plot x.html " + kOneMode, "cost --plot x.html " + kOneMode,
+        "continue --locus all --parameter forcing.frequency --from 20 --to 60 --second stop.gap "
+        "--second-from 1e-3 --second-to 2e-3 --plot x.html " +
+            kOneMode}) {
+    const Finished run = run_graze(line);
+    EXPECT_EQ(run.code, 2) << line;
+    EXPECT_NE(run.err.find("pages are drawn by orbit, continue and diagram"), std::string::npos)
+        << run.err;
+  }
+}
+
+TEST(Page, ADiagramOfSingleRunsIsAPicture) {
+  if (!built_with_page()) GTEST_SKIP() << "built without npm";
+  const Finished run = run_graze(
+      "diagram --plot x.html --duration 1 --parameter stop.restitution "
+      "--from 0.5 --to 0.9 " +
+      scene("06_bouncing_ball.toml"));
+  EXPECT_EQ(run.code, 2);
+  EXPECT_NE(run.err.find("pages show motions that repeat with a forcing"), std::string::npos)
+      << run.err;
+}
+
+}  // namespace
+}  // namespace graze

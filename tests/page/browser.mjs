@@ -1,0 +1,66 @@
+// A page in headless Chromium, cut off from any network, with a note of all that it did wrong.
+import { chromium } from 'playwright-core';
+import { pathToFileURL } from 'node:url';
+
+export async function startBrowser(executablePath) {
+  // As root, as in a container, Chromium runs without its sandbox or not at all.
+  return chromium.launch({ executablePath, args: process.getuid?.() === 0 ? ['--no-sandbox'] : [] });
+}
+
+export async function openPage(browser, file, { colorScheme = 'light' } = {}) {
+  const context = await browser.newContext({ viewport: { width: 1360, height: 860 }, colorScheme, offline: true });
+  const page = await context.newPage();
+  const wrong = [];
+  const address = pathToFileURL(file).href;
+  page.on('console', (message) => {
+    const mine = message.text().includes('willReadFrequently');  // the tests read what is drawn
+    if (['error', 'warning'].includes(message.type()) && !mine) wrong.push(`${message.type()}: ${message.text()}`);
+  });
+  page.on('pageerror', (error) => wrong.push(`thrown: ${error.stack}`));
+  page.on('request', (request) => { if (request.url() !== address) wrong.push(`asked for ${request.url()}`); });
+  await page.goto(address);
+  await page.waitForSelector('html[data-ready]');
+  await settled(page);
+  return { page, wrong, close: () => context.close() };
+}
+
+// Until what was asked for is drawn.
+export async function settled(page) {
+  await page.evaluate(() => new Promise((done) => {
+    requestAnimationFrame(() => requestAnimationFrame(() => setTimeout(done, 60)));
+  }));
+}
+
+// How many pixels of a canvas are not transparent.
+export function pixelsOf(page, selector) {
+  return page.$eval(selector, (canvas) => {
+    const { data } = canvas.getContext('2d').getImageData(0, 0, canvas.width, canvas.height);
+    let count = 0;
+    for (let i = 3; i < data.length; i += 4) if (data[i] > 0) ++count;
+    return count;
+  });
+}
+
+// Where a pixel of the given brightness (0 black, 255 white) is opaque on a canvas, on the screen;
+// the one nearest to the part (x, y) of its size.
+export async function placeOf(page, selector, { x, y }, [least, most]) {
+  const place = await page.$eval(selector, (canvas, [px, py, low, high]) => {
+    const { width, height } = canvas;
+    const { data } = canvas.getContext('2d').getImageData(0, 0, width, height);
+    let best = null, nearest = Infinity;
+    for (let i = 0; i < width * height; ++i) {
+      const light = (data[4 * i] + data[4 * i + 1] + data[4 * i + 2]) / 3;
+      if (data[4 * i + 3] < 128 || light < low || light > high) continue;
+      const distance = Math.hypot((i % width) / width - px, Math.floor(i / width) / height - py);
+      if (distance < nearest) [nearest, best] = [distance, i];
+    }
+    if (best === null) return null;
+    const box = canvas.getBoundingClientRect();
+    return {
+      x: box.x + ((best % width) + 0.5) * (box.width / width),
+      y: box.y + (Math.floor(best / width) + 0.5) * (box.height / height),
+    };
+  }, [x, y, least, most]);
+  if (!place) throw new Error(`nothing of that colour is drawn on ${selector}`);
+  return place;
+}

@@ -1,0 +1,299 @@
+// The pages of --plot x.html, in a browser: what is drawn, hovered over, zoomed into and clicked on.
+//   node page_test.mjs PROGRAM SCENES CHROMIUM
+import assert from 'node:assert/strict';
+import { execFileSync, execSync } from 'node:child_process';
+import { mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
+import { tmpdir } from 'node:os';
+import { join } from 'node:path';
+import { after, before, test } from 'node:test';
+import { openPage, pixelsOf, placeOf, settled, startBrowser } from './browser.mjs';
+
+const [program, scenes, chromium] = process.argv.slice(2);
+const folder = mkdtempSync(join(tmpdir(), 'graze page '));  // a blank, as in names of users
+const oneMode = join(scenes, '05_wagg_one_mode.toml');
+const kBlack = [0, 40], kGrey = [120, 200];
+let browser;
+
+// The page of a command.
+function pageOf(name, ...arguments_) {
+  const file = join(folder, name);
+  execFileSync(program, [...arguments_, '--quiet', '--plot', file], { stdio: ['ignore', 'ignore', 'inherit'] });
+  return file;
+}
+
+// What a command line that a page shows prints, as JSON.
+function again(command) {
+  assert.match(command, /^graze /);
+  return JSON.parse(execSync(`"${program}"${command.slice('graze'.length)} --json --quiet`, { encoding: 'utf8', maxBuffer: 1 << 28 }));
+}
+
+const text = (page, selector) => page.$eval(selector, (element) => element.textContent);
+const range = (page) => page.getAttribute('#chart', 'aria-label');
+const isShown = (page, selector) => page.$eval(selector, (element) => !element.hidden);
+
+let diagram, gap, orbits, supports, strobes;
+
+before(async () => {
+  browser = await startBrowser(chromium);
+  diagram = pageOf('diagram.html', 'diagram', oneMode, '--parameter', 'forcing.frequency', '--from', '15',
+    '--to', '120', '--points', '400', '--direction', 'down', '--set', 'stop.gap=1.05e-3');
+  gap = pageOf('gap.html', 'continue', oneMode, '--set', 'forcing.frequency=40', '--parameter', 'stop.gap',
+    '--from', '0', '--to', '0.02');
+  orbits = pageOf('orbits.html', 'orbit', oneMode, '--set', 'forcing.frequency=40', '--set', 'stop.gap=0.01');
+  supports = pageOf('supports.html', 'orbit', join(scenes, '07_two_stops.toml'));
+  strobes = pageOf('strobes.html', 'diagram', join(scenes, '04_impact_oscillator.toml'), '--parameter',
+    'forcing.amplitude', '--from', '0.2', '--to', '1', '--points', '60', '--section', 'strobe',
+    '--set', 'forcing.frequency=1.6', '--set', 'stop.gap=0.5', '--set', 'initial.q=[0.0]');
+});
+
+after(async () => {
+  await browser?.close();
+  rmSync(folder, { recursive: true, force: true });
+});
+
+// Opens the page, does what is to be done, and expects that nothing went wrong in the page.
+function inPage(name, file, act, options) {
+  test(name, async () => {
+    const opened = await openPage(browser, file(), options);
+    try {
+      await act(opened.page);
+      assert.deepEqual(opened.wrong, []);
+    } finally {
+      await opened.close();
+    }
+  });
+}
+
+inPage('a diagram is drawn, with dots, lines and marks', () => diagram, async (page) => {
+  assert.equal(await text(page, 'h1'), 'Bifurcation diagram');
+  assert.ok(await pixelsOf(page, '#dots') > 3000);
+  assert.ok(await pixelsOf(page, '#chart canvas') > 5000);
+  const types = await page.$$eval('#legend button', (list) => list.map((button) => button.dataset.type));
+  for (const type of ['periodic', 'wild', 'stable', 'unstable', 'PD', 'GR']) assert.ok(types.includes(type), type);
+});
+
+inPage('the pointer is told the values under it', () => diagram, async (page) => {
+  const place = await placeOf(page, '#dots', { x: 0.8, y: 0.4 }, kBlack);
+  await page.mouse.move(place.x, place.y);
+  const told = await text(page, '#hover');
+  assert.match(told, /sweep: \(\d+,\d+\)/);
+  assert.match(told, /forcing frequency Ω\d+(\.\d+)? rad\/s/);
+  assert.match(told, /impact speed\d\.\d+ m\/s/);
+  assert.ok(await isShown(page, '#ring'));
+  await page.mouse.move(5, 5);
+  assert.ok(!await isShown(page, '#hover'));
+});
+
+inPage('wheel, rectangle, buttons and keys zoom', () => diagram, async (page) => {
+  const whole = await range(page);
+  assert.match(whole, /impact speed from .* over forcing frequency Ω from 15 rad\/s to 120 rad\/s/);
+  const box = await (await page.$('#chart')).boundingBox();
+  await page.mouse.move(box.x + box.width / 2, box.y + box.height / 2);
+  await page.mouse.wheel(0, -500);
+  await settled(page);
+  const wheeled = await range(page);
+  assert.notEqual(wheeled, whole);
+  await page.click('#zoom-reset');
+  assert.equal(await range(page), whole);
+  await page.click('#zoom-in');
+  assert.notEqual(await range(page), whole);
+  await page.focus('#chart');
+  await page.keyboard.press('0');
+  assert.equal(await range(page), whole);
+  await page.click('#zoom-box');
+  await page.mouse.move(box.x + 0.4 * box.width, box.y + 0.3 * box.height);
+  await page.mouse.down();
+  await page.mouse.move(box.x + 0.5 * box.width, box.y + 0.5 * box.height, { steps: 4 });
+  await page.mouse.up();
+  await settled(page);
+  const [low, high] = (await range(page)).match(/Ω from ([\d.]+) rad\/s to ([\d.]+) rad/).slice(1).map(Number);
+  assert.ok(low > 50 && low < 65 && high > 60 && high < 75, `${low} to ${high}`);
+  assert.equal(await page.getAttribute('#zoom-box', 'aria-pressed'), 'false');
+});
+
+inPage('a click opens the orbit, and its command makes it again', () => diagram, async (page) => {
+  const place = await placeOf(page, '#dots', { x: 0.8, y: 0.4 }, kBlack);
+  await page.mouse.click(place.x, place.y);
+  await settled(page);
+  assert.ok(await isShown(page, '#orbit'));
+  assert.match(await text(page, '#orbit-title'), /^\(2,1\) orbit$/);
+  for (const part of ['series', 'portrait', 'circle']) assert.ok(await pixelsOf(page, `#orbit-${part} canvas`) > 500, part);
+  const speeds = await page.$$eval('#orbit-impacts tbody tr', (rows) => rows.map((row) => Number(row.cells[2].textContent)));
+  assert.equal(speeds.length, 1);
+  const command = await text(page, '#orbit-command');
+  assert.match(command, /--set stop\.gap=1\.05e-3 /);
+  const found = again(command).orbits.flatMap((orbit) => orbit.speeds);
+  assert.ok(found.some((speed) => Math.abs(speed - speeds[0]) < 1e-5 * speed), `${found} without ${speeds}`);
+  await page.click('#orbit-close');
+  assert.ok(!await isShown(page, '#orbit'));
+});
+
+inPage('a motion that never repeats opens as one, from where the sweep was', () => diagram, async (page) => {
+  const place = await placeOf(page, '#dots', { x: 0.9, y: 0.7 }, kGrey);
+  await page.mouse.click(place.x, place.y);
+  await settled(page);
+  assert.equal(await text(page, '#orbit-title'), 'not periodic');
+  assert.ok(await pixelsOf(page, '#orbit-series canvas') > 500);
+  const rows = await page.$$eval('#orbit-impacts tbody tr', (list) => list.map((row) => Number(row.cells[2].textContent)));
+  const run = again(await text(page, '#orbit-command'));
+  const speeds = run.events.filter((event) => event.kind === 'impact').map((event) => event.speed);
+  // Chaos: only the beginning is the same to all digits shown.
+  for (let i = 0; i < 5; ++i) assert.ok(Math.abs(rows[i] - speeds[i]) < 1e-4 * speeds[i], `${rows[i]} is not ${speeds[i]}`);
+});
+
+inPage('the legend hides by type', () => diagram, async (page) => {
+  const all = await pixelsOf(page, '#dots');
+  await page.click('#legend button[data-type="wild"]');
+  const periodic = await pixelsOf(page, '#dots');
+  assert.ok(periodic > 0 && periodic < all);
+  await page.click('#legend button[data-type="periodic"]');
+  assert.equal(await pixelsOf(page, '#dots'), 0);
+  const before = await pixelsOf(page, '#chart canvas');
+  await page.click('#legend button[data-type="stable"]');
+  await settled(page);
+  assert.ok(await pixelsOf(page, '#chart canvas') < before);
+});
+
+inPage('what is shown can be switched', () => diagram, async (page) => {
+  const names = await page.$$eval('#observable option', (list) => list.map((option) => option.textContent));
+  assert.deepEqual(names, ['impact speed', 'forcing phase of the impact', 'largest multiplier, modulus']);
+  const speed = await pixelsOf(page, '#dots');
+  await page.selectOption('#observable', 'phase');
+  assert.match(await range(page), /^forcing phase of the impact from .* rad over/);
+  assert.notEqual(await pixelsOf(page, '#dots'), speed);
+  await page.selectOption('#observable', 'multiplier');
+  assert.equal(await pixelsOf(page, '#dots'), 0);
+});
+
+inPage('keys go from point to point and open the orbit', () => gap, async (page) => {
+  await page.focus('#chart');
+  await page.keyboard.press('ArrowRight');
+  const first = await text(page, '#hover');
+  assert.match(first, /branch 1, \(1,1\): stable/);
+  await page.keyboard.press('ArrowRight');
+  assert.notEqual(await text(page, '#hover'), first);
+  await page.keyboard.press('Enter');
+  await settled(page);
+  assert.match(await text(page, '#orbit-facts'), /gap [\d.]+ mm · stable · largest multiplier 0\.\d+/);
+  const named = /--set 'stop\.gap=|--set stop\.gap=/;
+  assert.match(await text(page, '#orbit-command'), named);
+  await page.keyboard.press('Escape');
+  assert.ok(!await isShown(page, '#orbit'));
+});
+
+inPage('special points open from their table', () => gap, async (page) => {
+  await page.click('#tables button:text("LP1")');
+  await settled(page);
+  // The fold of the README, at a gap of 13.592831 mm.
+  assert.match(await text(page, '#orbit-facts'), /gap 13\.59283\d* mm/);
+  const [orbit] = again(await text(page, '#orbit-command')).orbits;
+  assert.ok(Math.abs(orbit.speeds[0] - 0.662861838) < 1e-4, `${orbit.speeds}`);
+});
+
+inPage('orbits are drawn in one phase plane', () => orbits, async (page) => {
+  const titles = await page.$$eval('#legend button', (list) => list.map((button) => button.textContent));
+  assert.deepEqual(titles, ['(1,1) orbit, stable', '(1,1) orbit, unstable']);
+  const box = await (await page.$('#chart')).boundingBox();
+  const curve = await placeOf(page, '#chart canvas', { x: 0.2, y: 0.5 }, [60, 140]);
+  await page.mouse.move(curve.x, curve.y);
+  assert.match(await text(page, '#hover'), /velocity−?[\d.·⁻]+ m/);
+  const whole = await range(page);
+  await page.mouse.wheel(0, -300);
+  await settled(page);
+  assert.notEqual(await range(page), whole);
+  await page.click('#tables button >> nth=1');
+  await settled(page);
+  assert.match(await text(page, '#orbit-facts'), /unstable/);
+  assert.ok(box.width > 600);
+});
+
+inPage('two stops are both there', () => supports, async (page) => {
+  await page.click('#tables button >> nth=0');
+  await settled(page);
+  assert.ok(await pixelsOf(page, '#orbit-series canvas') > 500);
+});
+
+inPage('a diagram by strobes shows displacements and velocities', () => strobes, async (page) => {
+  const names = await page.$$eval('#observable option', (list) => list.map((option) => option.textContent));
+  assert.ok(names.includes('displacement towards the stop') && names.includes('velocity towards the stop'), `${names}`);
+  assert.ok(await pixelsOf(page, '#dots') > 100);
+  const place = await placeOf(page, '#dots', { x: 0.5, y: 0.5 }, kBlack);
+  await page.mouse.click(place.x, place.y);
+  await settled(page);
+  assert.ok(await isShown(page, '#orbit'));
+});
+
+test('dark and light differ, by the system and by the button', async () => {
+  const ground = (page) => page.$eval('body', (body) => getComputedStyle(body).backgroundColor);
+  const dark = await openPage(browser, diagram, { colorScheme: 'dark' });
+  const light = await openPage(browser, diagram, { colorScheme: 'light' });
+  assert.equal(await ground(light.page), 'rgb(255, 255, 255)');
+  assert.notEqual(await ground(dark.page), await ground(light.page));
+  await placeOf(dark.page, '#dots', { x: 0.8, y: 0.4 }, [230, 255]);  // dots are white there
+  await dark.page.click('#theme');
+  assert.equal(await ground(dark.page), await ground(light.page));
+  assert.deepEqual([...dark.wrong, ...light.wrong], []);
+  await Promise.all([dark.close(), light.close()]);
+});
+
+const packed = (kind, array) => ({ [kind]: Buffer.from(array.buffer).toString('base64') });
+
+// A page of the program with its view changed.
+function changed(name, change) {
+  const file = join(folder, name);
+  writeFileSync(file, readFileSync(diagram, 'utf8').replace(/(id="view">)(.*?)(<\/script>)/s, (_, open, json, close) => {
+    const view = JSON.parse(json);
+    change(view);
+    return open + JSON.stringify(view).replaceAll('<', '\\u003c') + close;
+  }));
+  return file;
+}
+
+function millionDots(view) {
+  const rows = 2000, each = 500;
+  const fill = (to) => packed('f32', Float32Array.from({ length: rows * each }, () => to * Math.random() ** 2));
+  Object.assign(view.sweep, {
+    values: packed('f64', Float64Array.from({ length: rows }, (_, i) => 15 + (105 * i) / (rows - 1))),
+    label: packed('i32', new Int32Array(rows)), wild: packed('u8', new Uint8Array(rows).fill(1)),
+    first: packed('i32', Int32Array.from({ length: rows + 1 }, (_, i) => i * each)),
+    orbit: packed('i32', new Int32Array(rows)), dots: { speed: fill(view.observables[0].high), phase: fill(6) },
+  });
+}
+
+test('a million dots are there in less than two seconds', async () => {
+  const file = changed('million.html', millionDots);
+  const times = [];
+  for (let run = 0; run < 3; ++run) {
+    const { page, wrong, close } = await openPage(browser, file);
+    const shown = await page.evaluate(() => performance.getEntriesByName('drawn')[0].startTime);
+    assert.ok(await pixelsOf(page, '#dots') > 50000);
+    const begin = Date.now();
+    await page.mouse.move(700, 400);
+    assert.match(await text(page, '#hover'), /sweep/);
+    times.push([Math.round(shown), Date.now() - begin]);
+    assert.deepEqual(wrong, []);
+    await close();
+  }
+  const best = Math.min(...times.map(([shown]) => shown));
+  console.log(`a million dots: drawn after ${times.map(([shown]) => shown).join(', ')} ms, hover ${times.map(([, hover]) => hover).join(', ')} ms`);
+  assert.ok(best < 2000, `${best} ms`);
+});
+
+// As an exponent over the same parameter would be told.
+test('a strip below shares the parameter, and its zoom', async () => {
+  const file = changed('strip.html', (view) => {
+    const values = Float64Array.from({ length: 200 }, (_, i) => 15 + (105 * i) / 199);
+    view.strips.push({
+      name: 'exponent', unit: '1/s', factor: 1, low: -1.2, high: 1.2, reference: 0,
+      values: packed('f64', values), heights: packed('f32', Float32Array.from(values, (x) => Math.sin(x / 5))),
+    });
+  });
+  const [with_, without] = [await openPage(browser, file), await openPage(browser, diagram)];
+  const parts = await Promise.all([with_, without].map(({ page }) => pixelsOf(page, '#chart canvas')));
+  assert.ok(parts[0] > parts[1] + 500, `${parts}`);
+  await with_.page.click('#zoom-in');
+  await settled(with_.page);
+  if (process.env.GRAZE_PICTURES) await with_.page.screenshot({ path: join(process.env.GRAZE_PICTURES, 'strip.png') });
+  assert.deepEqual([...with_.wrong, ...without.wrong], []);
+  await Promise.all([with_.close(), without.close()]);
+});
