@@ -18,6 +18,7 @@ namespace {
 // so that it stays below some ten megabytes.
 constexpr std::size_t kMostOfBranches = 1200, kMostOfSweeps = 800;
 constexpr std::size_t kMostSamples = 250'000;
+constexpr double kDeepest = 2.0;  // exponents shown below zero, by those above
 
 // Collects what goes into the page: the view, and the orbits behind its points.
 class DiagramPage {
@@ -51,6 +52,7 @@ class DiagramPage {
   }
 
   void add_sweep(const Sweep& swept, const std::vector<PageObservable>& observables);
+  void add_exponents(const Sweep& swept);
   void add_branches(const std::vector<PageObservable>& observables);
   void add_observables(const std::vector<PageObservable>& observables, const Sweep* swept);
   void write(const std::string& file) { write_page_file(file, view_, orbits_); }
@@ -144,6 +146,28 @@ void DiagramPage::add_sweep(const Sweep& swept, const std::vector<PageObservable
                     {"orbit", packed(orbits)}};
   if (observables.front().key == "speed" && record_.system.stops.size() > 1)
     view_["sweep"]["stop"] = packed(stop);
+}
+
+void DiagramPage::add_exponents(const Sweep& swept) {
+  if (swept.options.exponent_periods == 0) return;
+  std::vector<double> values;
+  std::vector<float> heights;
+  AxisRange range;
+  range.include(0.0);
+  for (const SweepRow& row : swept.rows) {
+    values.push_back(row.value);
+    const bool known = row.exponents && row.exponents->values.size() > 0;
+    const double height = known ? row.exponents->values[0] : std::nan("");
+    heights.push_back(static_cast<float>(height));
+    range.include(height);
+  }
+  // Superstable orbits reach down without bound; what tells order from chaos lies about zero.
+  if (range.high > 0.0) range.low = std::max(range.low, -kDeepest * range.high);
+  Json strip = page_axis("largest exponent", "1/s", range);
+  strip["reference"] = 0.0;
+  strip["values"] = packed(values);
+  strip["heights"] = packed(heights);
+  view_["strips"].push_back(strip);
 }
 
 Json DiagramPage::branch_json(const OrbitBranch& branch, std::size_t most) {
@@ -287,6 +311,7 @@ void write_page(const std::string& file, const DiagramRecord& record, const Syst
                                                       : strobe_observables(record);
   page.add_observables(observables, &record.swept);
   page.add_sweep(record.swept, observables);
+  page.add_exponents(record.swept);
   page.add_branches(observables);
   page.write(file);
 }

@@ -97,8 +97,9 @@ function markSeries(view, shown, type, shows, colours) {
 function stripSeries(view, strip, i, colours) {
   const data = Array.from(strip.values, (value, k) => [view.parameter.factor * value, strip.factor * strip.heights[k]]);
   return {
-    id: `strip ${i}`, type: 'line', xAxisIndex: i + 1, yAxisIndex: i + 1, data, showSymbol: false,
-    silent: true, animation: false, lineStyle: { color: colours.blue, width: 1.4 },
+    id: `strip ${i}`, type: 'scatter', xAxisIndex: i + 1, yAxisIndex: i + 1, data, clip: true,
+    silent: true, animation: false, symbolSize: data.length > 2000 ? 2 : 3,
+    itemStyle: { color: colours.blue, opacity: 1 },
     markLine: strip.reference === undefined ? undefined : {
       symbol: 'none', silent: true, label: { show: false },
       lineStyle: { color: colours.faint, type: 'solid', width: 1 },
