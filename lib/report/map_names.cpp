@@ -50,7 +50,7 @@ double cell_value(const MapCell& cell, MapQuantity quantity) {
     case MapQuantity::kAttractor:
       return cell.place;
     case MapQuantity::kImpacts:
-      return cell.impacts_per_period;
+      return cell.impacts_per_period.value_or(kNone);
     case MapQuantity::kExponent:
       return cell.exponent.value_or(kNone);
     case MapQuantity::kSpeed:

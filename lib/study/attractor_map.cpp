@@ -86,8 +86,9 @@ class Mapper {
     for (const MetImpact& impact : row.motion.impacts)
       cell.peak_speed = std::max(cell.peak_speed, impact.speed);
     const long long turns = row.motion.period > 0 ? row.motion.period : map_.options.samples;
-    cell.impacts_per_period =
-        static_cast<double>(row.motion.impacts.size()) / static_cast<double>(turns);
+    if (!row.motion.sticks)
+      cell.impacts_per_period =
+          static_cast<double>(row.motion.impacts.size()) / static_cast<double>(turns);
     if (row.motion.kind == SettledKind::kAtRest) cell.stuck_part = 1.0;
     if (!row.motion.sticks || row.motion.kind == SettledKind::kAtRest) return;
     SimulationOptions options;

@@ -43,12 +43,14 @@ struct AttractorMapOptions {
 struct MapCell {
   bool is_known = false;  // false: it was not run
   AttractorClass attractor;
-  int place = -1;                   // index of AttractorMap::attractors; -1: it has none
-  double impacts_per_period = 0.0;  // of the forcing, met in what was looked at; chatter summed
-  double peak_speed = 0.0;          // of its impacts, m/s; 0 where it has none
-  double stuck_part = 0.0;          // of the time, on any stop
-  std::optional<double> exponent;   // the largest, 1/s; minus infinity where all are lost
-  std::string message;              // a sentence where there is something to say
+  int place = -1;  // index of AttractorMap::attractors; -1: it has none
+  // A forcing period; nothing where it comes to rest: how many a chatter has is a matter of the
+  // speed at which it is summed.
+  std::optional<double> impacts_per_period;
+  double peak_speed = 0.0;         // of its impacts, m/s; 0 where it has none
+  double stuck_part = 0.0;         // of the time, on any stop
+  std::optional<double> exponent;  // the largest, 1/s; minus infinity where all are lost
+  std::string message;             // a sentence where there is something to say
 };
 
 struct MapAttractor {

@@ -147,6 +147,7 @@ TEST(AttractorMap, StuckPartIsThatOfTheTime) {
     ++stuck;
     EXPECT_GT(cell.stuck_part, 0.05);
     EXPECT_LT(cell.stuck_part, 0.95);
+    EXPECT_FALSE(cell.impacts_per_period);
   }
   EXPECT_GE(stuck, 1);
 }
