@@ -63,6 +63,16 @@ bool settle_row(const Scene& scene, const System& system, const State& start,
   return row.exponents->failure.empty() || !options.stop.requested();
 }
 
+AttractorClass attractor_class(const SweepRow& row) {
+  const SettledMotion& motion = row.motion;
+  AttractorClass attractor{row.status, motion.kind, motion.period, 0};
+  // Nearness is no part of what it is.
+  if (row.status == SweepStatus::kApproaching) attractor.status = SweepStatus::kSettled;
+  if (motion.kind == SettledKind::kImpacts)
+    attractor.impacts = static_cast<int>(motion.impacts.size());
+  return attractor;
+}
+
 // Orbits are the same in whichever of their periods they are seen first.
 bool are_same_strobes(const ShootingScale& scale, const std::vector<State>& left,
                       const std::vector<State>& right, double apart) {

@@ -1,13 +1,62 @@
 // One value of a sweep, or one cell of a map: what the motion from a start settles on.
 #pragma once
 
+#include <optional>
+#include <string>
 #include <vector>
 
+#include "graze/base/default_budget.hpp"
+#include "graze/base/stop_signal.hpp"
+#include "graze/orbit/exponents.hpp"
+#include "graze/orbit/settled.hpp"
 #include "graze/orbit/shooting.hpp"
 #include "graze/scene/scene.hpp"
-#include "graze/study/sweep.hpp"
 
 namespace graze {
+
+enum class SweepStart {
+  kScene,     // the scene's initial state
+  kHandedOn,  // the state that the value before settled to
+  kAnew       // the scene's initial state, as what the value before left cannot be gone on from
+};
+
+enum class SweepStatus {
+  kSettled,      // periodic, and as near to its orbit as asked for
+  kApproaching,  // repeats, but is still further from its orbit than that
+  kNotPeriodic,
+  kImpactBudget,
+  kRefused,  // the motion could not be followed
+  kNoStart   // the scene does not allow the value, or a start there
+};
+
+struct SweepRow {
+  double value = 0.0;  // of the parameter, SI
+  SweepStatus status = SweepStatus::kNoStart;
+  SweepStart start = SweepStart::kScene;
+  SettledMotion motion;  // without pattern and points; empty where there is no start
+  // Gap and row of the stops do not fit a table of rows; what they make of a stroboscopic state
+  // does: row.q (m) and row.q' (m/s) of every stop, for each of the motion's strobes.
+  struct Strobe {
+    int stop = 0;
+    double displacement = 0.0, velocity = 0.0;
+  };
+  std::vector<Strobe> strobes;
+  // Where they were asked for and the motion could be followed that far: of the multipliers where
+  // it repeats, else of an average.
+  std::optional<Exponents> exponents;
+  std::string message;  // a sentence where there is something to say
+};
+
+// What rows that belong together have in common, in the order in which they are listed.
+struct AttractorClass {
+  SweepStatus status = SweepStatus::kNoStart;
+  SettledKind kind = SettledKind::kNotPeriodic;
+  int period = 0;   // 0 where nothing repeats
+  int impacts = 0;  // in a repetition; 0 where it sticks, as how many are counted is a matter of
+                    // the speed at which chatter is summed
+  auto operator<=>(const AttractorClass&) const = default;
+};
+AttractorClass attractor_class(const SweepRow& row);
 
 struct RowOptions {
   long long periods = 1000, samples = 100;

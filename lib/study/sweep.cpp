@@ -10,7 +10,6 @@
 #include "graze/base/parallel.hpp"
 #include "graze/scene/parameter.hpp"
 #include "graze/study/clear_state.hpp"
-#include "graze/study/settled_row.hpp"
 
 namespace graze {
 namespace {
@@ -158,16 +157,6 @@ double sweep_value(const SweepOptions& options, int i) {
 
 Sweep sweep(const SystemFamily& family, const SweepOptions& options) {
   return Sweeper(family, options).finish();
-}
-
-AttractorClass attractor_class(const SweepRow& row) {
-  const SettledMotion& motion = row.motion;
-  AttractorClass attractor{row.status, motion.kind, motion.period, 0};
-  // Nearness is no part of what it is.
-  if (row.status == SweepStatus::kApproaching) attractor.status = SweepStatus::kSettled;
-  if (motion.kind == SettledKind::kImpacts)
-    attractor.impacts = static_cast<int>(motion.impacts.size());
-  return attractor;
 }
 
 std::vector<AttractorRange> attractor_ranges(const std::vector<SweepRow>& rows) {
