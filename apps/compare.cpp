@@ -11,20 +11,14 @@
 #include "graze/report/pictures.hpp"
 #include "graze/report/text.hpp"
 #include "graze/scene/parameter.hpp"
-#include "session.hpp"
+#include "series_options.hpp"
 
 namespace graze {
 namespace {
 
 SensitivityOptions sensitivity_options(const Command& command) {
   SensitivityOptions options;
-  options.series.parameter = command.parameter;
-  options.series.values = even_values(command.from, command.to, command.runs);
-  options.series.duration = *command.duration;
-  options.series.closure_speed = command.closure_speed;
-  options.series.max_impacts = command.max_impacts;
-  options.series.threads = command.threads;
-  options.series.stop = stop_signal(command);
+  options.series = series_options(command, command.runs);
   options.reference = command.reference.value_or(0.5 * (command.from + command.to));
   options.second = command.second;
   options.seconds = command.second_values;

@@ -14,6 +14,7 @@
 #include "restart.hpp"
 #include "search_options.hpp"
 #include "session.hpp"
+#include "settling_options.hpp"
 
 namespace graze {
 namespace {
@@ -26,11 +27,7 @@ SweepOptions sweep_options(const Command& command, const StopSignal& stop) {
   options.direction = command.direction == "up"     ? SweepDirection::kUp
                       : command.direction == "down" ? SweepDirection::kDown
                                                     : SweepDirection::kFresh;
-  options.periods = command.periods.value_or(options.periods);
-  options.samples = command.samples;
-  options.exponent_periods = command.exponents;
-  options.max_impacts = command.max_impacts;
-  options.closure_speed = command.closure_speed;
+  set_settling(command, options);
   options.threads = command.threads;
   options.stop = stop;
   options.progress = progress_line(command);

@@ -7,22 +7,10 @@
 #include "graze/report/pictures.hpp"
 #include "graze/report/text.hpp"
 #include "graze/scene/parameter.hpp"
-#include "session.hpp"
+#include "series_options.hpp"
 
 namespace graze {
 namespace {
-
-RunSeriesOptions series_options(const Command& command) {
-  RunSeriesOptions options;
-  options.parameter = command.parameter;
-  options.values = even_values(command.from, command.to, command.points);
-  options.duration = *command.duration;
-  options.closure_speed = command.closure_speed;
-  options.max_impacts = command.max_impacts;
-  options.threads = command.threads;
-  options.stop = stop_signal(command);
-  return options;
-}
 
 void require_what_is_shown(const Command& command, const Scene& scene) {
   if (!command.duration)
@@ -40,7 +28,7 @@ void require_what_is_shown(const Command& command, const Scene& scene) {
 
 int run_diagram_of_runs(const Command& command, const Scene& scene) {
   require_what_is_shown(command, scene);
-  RunSeriesOptions options = series_options(command);
+  RunSeriesOptions options = series_options(command, command.points);
   RunDiagramRecord record;
   record.info = run_info(command.name, command.scene, scene);
   record.parameter = command.parameter;

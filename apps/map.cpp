@@ -10,6 +10,7 @@
 #include "graze/study/step_choice.hpp"
 #include "search_options.hpp"
 #include "session.hpp"
+#include "settling_options.hpp"
 
 namespace graze {
 namespace {
@@ -18,11 +19,7 @@ AttractorMapOptions map_options(const Command& command) {
   AttractorMapOptions options;
   options.x = {command.parameter, command.from, command.to, command.first_points};
   options.y = {command.second, *command.second_from, *command.second_to, command.second_points};
-  options.periods = command.periods.value_or(options.periods);
-  options.samples = command.samples;
-  options.exponent_periods = command.exponents;
-  options.max_impacts = command.max_impacts;
-  options.closure_speed = command.closure_speed;
+  set_settling(command, options);
   options.threads = command.threads;
   options.stop = stop_signal(command);
   return options;

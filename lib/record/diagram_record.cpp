@@ -67,13 +67,8 @@ std::vector<std::vector<DiagramCurve>> strobe_curves(const SystemFamily& family,
 
 Outcome diagram_outcome(const Sweep& swept, const std::optional<Outcome>& branches) {
   const std::size_t values = static_cast<std::size_t>(swept.options.points);
-  if (swept.stopped == StopReason::kInterrupted)
-    return {"interrupted",
-            fmt::format("stopped; {} of {} values are kept", swept.rows.size(), values)};
-  if (swept.stopped == StopReason::kOutOfTime)
-    return {"budget",
-            fmt::format("the budget of computing time was spent; {} of {} values are kept",
-                        swept.rows.size(), values)};
+  if (const auto stopped = stopped_outcome(swept.stopped, swept.rows.size(), values, "values"))
+    return *stopped;
   // That there are no such orbits is a note; the sweep says what there is.
   if (branches && branches->name != "complete" && branches->name != "no_orbit") return *branches;
   const auto is_failed = [](const SweepRow& row) {

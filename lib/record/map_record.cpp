@@ -10,10 +10,9 @@ Outcome map_outcome(const AttractorMap& map) {
   const std::vector<MapCell>& cells = map.cells;
   const auto known =
       std::count_if(cells.begin(), cells.end(), [](const MapCell& cell) { return cell.is_known; });
-  const std::string kept = fmt::format("{} of {} cells are kept", known, cells.size());
-  if (map.stopped == StopReason::kInterrupted) return {"interrupted", "stopped; " + kept};
-  if (map.stopped == StopReason::kOutOfTime)
-    return {"budget", "the budget of computing time was spent; " + kept};
+  if (const auto stopped =
+          stopped_outcome(map.stopped, static_cast<std::size_t>(known), cells.size(), "cells"))
+    return *stopped;
   const auto is_failed = [](const MapCell& cell) {
     return cell.attractor.status == SweepStatus::kImpactBudget ||
            cell.attractor.status == SweepStatus::kRefused;

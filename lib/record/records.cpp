@@ -112,6 +112,14 @@ std::vector<std::string> simulation_warnings(const System& system, const Simulat
   return warnings;
 }
 
+std::optional<Outcome> stopped_outcome(StopReason stopped, std::size_t kept, std::size_t asked,
+                                       const char* things) {
+  if (stopped == StopReason::kNone) return {};
+  const std::string left = fmt::format("{} of {} {} are kept", kept, asked, things);
+  if (stopped == StopReason::kInterrupted) return Outcome{"interrupted", "stopped; " + left};
+  return Outcome{"budget", "the budget of computing time was spent; " + left};
+}
+
 Outcome simulation_outcome(const Simulation& run) {
   switch (run.outcome) {
     case RunOutcome::kReachedEnd:

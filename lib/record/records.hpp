@@ -20,6 +20,11 @@ struct Outcome {
   std::string message;  // a sentence unless all went well
 };
 
+// Of work over many values that was stopped: "interrupted" or "budget" with what is kept of it, of
+// so many `things` ("values"); nothing where it was not.
+std::optional<Outcome> stopped_outcome(StopReason stopped, std::size_t kept, std::size_t asked,
+                                       const char* things);
+
 struct CheckRecord {
   RunInfo info;
   Scene scene;

@@ -8,12 +8,7 @@ namespace graze {
 
 Outcome run_diagram_outcome(const std::vector<ValueRun>& runs, std::size_t asked,
                             StopReason stopped) {
-  if (runs.size() < asked && stopped == StopReason::kInterrupted)
-    return {"interrupted", fmt::format("stopped; {} of {} values are kept", runs.size(), asked)};
-  if (runs.size() < asked)
-    return {"budget",
-            fmt::format("the budget of computing time was spent; {} of {} values are kept",
-                        runs.size(), asked)};
+  if (runs.size() < asked) return stopped_outcome(stopped, runs.size(), asked, "values").value();
   const auto is_cut = [](const ValueRun& run) { return run.outcome != RunOutcome::kReachedEnd; };
   const auto first = std::find_if(runs.begin(), runs.end(), is_cut);
   if (first == runs.end()) return {"complete", ""};

@@ -48,10 +48,7 @@ std::string to_json(const MapRecord& record) {
     impacts.push_back(json_number(cell_value(cell, MapQuantity::kImpacts)));
     speed.push_back(json_number(cell_value(cell, MapQuantity::kSpeed)));
     stuck.push_back(json_number(cell_value(cell, MapQuantity::kStuck)));
-    if (cell.exponent)
-      exponent.push_back(json_number(*cell.exponent));
-    else
-      exponent.push_back(nullptr);
+    exponent.push_back(json_maybe(cell.exponent));
   }
   document["cells"] = {{"status", status},
                        {"attractor", attractor},

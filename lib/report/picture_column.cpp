@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
 #include <numeric>
 #include <utility>
 
@@ -36,6 +38,15 @@ void PanelColumn::set_time_axis(const AxisRange& range, const std::string& unit,
   script_.command("set xrange " + range.text());
   script_.command(fmt::format("set xtics {:.6g}", range.tic_step(6)));
   script_.command("set format x ''");
+}
+
+double PanelColumn::set_parameter_axis(const std::string& path, const std::string& si_unit,
+                                       AxisRange values, double margin) {
+  const AxisUnit unit = axis_unit(si_unit, std::max(std::abs(values.low), std::abs(values.high)));
+  AxisRange axis{unit.factor * values.low, unit.factor * values.high};
+  axis.settle(margin);
+  set_time_axis(axis, unit.unit, parameter_title(path));
+  return unit.factor;
 }
 
 void PanelColumn::begin_panel(const AxisRange& range, const std::string& name,

@@ -25,6 +25,10 @@ class PanelColumn {
   // `name`: of what the panels share where that is not time.
   void set_time_axis(const AxisRange& range, const std::string& unit,
                      const std::string& name = "time");
+  // The same over a parameter, from its values in SI, a part of them more on both sides; returns
+  // the factor from SI to the axis.
+  double set_parameter_axis(const std::string& path, const std::string& si_unit, AxisRange values,
+                            double margin);
   // The next panel over time; its vertical axis is named in one or two lines.
   void begin_panel(const AxisRange& range, const std::string& name, const std::string& unit);
   void end_panel(const std::vector<std::string>& layers);

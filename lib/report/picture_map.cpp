@@ -4,7 +4,7 @@
 #include <array>
 #include <cmath>
 #include <cstdlib>
-#include <map>
+#include <set>
 
 #include "graze/report/map_names.hpp"
 #include "graze/report/picture_style.hpp"
@@ -100,10 +100,10 @@ class MapPicture {
       others = others || !named;
     }
     if (others) legend_.emplace_back("other orbits", kOther);
-    std::map<std::string, bool> rest;
+    std::set<std::string> rest;
     for (const MapCell& cell : map.cells)
-      if (cell.place < 0 && cell.is_known) rest[cell_name(map, cell)] = true;
-    for (const auto& [name, there] : rest)
+      if (cell.place < 0 && cell.is_known) rest.insert(cell_name(map, cell));
+    for (const std::string& name : rest)
       legend_.emplace_back(name, name == "no start" ? kNoStart : kOther);
   }
 

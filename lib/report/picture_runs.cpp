@@ -25,14 +25,10 @@ class RunDiagramPicture {
     heights.resize(stops_ + probes_, 1.2 * PanelColumn::kPanel);
     column_.lay_out(heights, false, stops_ > 0, false);
     script_.command("set multiplot");
-    const double most = std::max(std::abs(record_.from), std::abs(record_.to));
-    const AxisUnit unit = axis_unit(record_.unit, most);
-    along_ = unit.factor;
-    AxisRange axis;
-    axis.include(along_ * record_.from);
-    axis.include(along_ * record_.to);
-    axis.settle(0.0);
-    column_.set_time_axis(axis, unit.unit, parameter_title(record_.parameter));
+    AxisRange range;
+    range.include(record_.from);
+    range.include(record_.to);
+    along_ = column_.set_parameter_axis(record_.parameter, record_.unit, range, 0.0);
     for (std::size_t i = 0; i < stops_; ++i) draw_impacts(static_cast<int>(i));
     for (std::size_t i = 0; i < probes_; ++i) draw_peaks(i);
     script_.command("unset multiplot");

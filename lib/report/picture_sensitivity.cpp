@@ -29,14 +29,7 @@ class SensitivityPicture {
     AxisRange range;
     for (const SensitivityCurve& curve : record_.curves)
       for (const ValueRun& run : curve.runs) range.include(run.value);
-    const AxisUnit unit =
-        axis_unit(record_.unit, std::max(std::abs(range.low), std::abs(range.high)));
-    along_ = unit.factor;
-    AxisRange axis;
-    axis.include(along_ * range.low);
-    axis.include(along_ * range.high);
-    axis.settle(0.02);
-    column_.set_time_axis(axis, unit.unit, parameter_title(record_.parameter));
+    along_ = column_.set_parameter_axis(record_.parameter, record_.unit, range, 0.02);
     for (std::size_t i = 0; i < probes_; ++i) {
       draw(i, "s_1", &SensitivityCurve::s1, i == 0);
       draw(i, "s_2", &SensitivityCurve::s2, false);

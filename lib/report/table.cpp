@@ -6,6 +6,10 @@
 
 namespace graze {
 
+std::string with_unit(const std::string& name, const std::string& unit) {
+  return unit.empty() ? name : name + " (" + unit + ")";
+}
+
 std::string Table::text() const {
   std::vector<std::size_t> width;
   for (const auto& row : rows_)

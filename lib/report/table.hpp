@@ -6,6 +6,9 @@
 
 namespace graze {
 
+// The head of a column, "gap (m)"; the name alone of a pure number.
+std::string with_unit(const std::string& name, const std::string& unit);
+
 // Columns line up on the right; the header row comes first.
 class Table {
  public:

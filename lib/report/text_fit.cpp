@@ -13,10 +13,6 @@ std::string number(double value) {
   return std::isfinite(value) ? fmt::format("{:.10g}", value) : "-";
 }
 
-std::string with_unit(const std::string& name, const std::string& unit) {
-  return unit.empty() ? name : fmt::format("{} ({})", name, unit);
-}
-
 std::string limits_text(const FittedParameter& parameter) {
   const bool low = std::isfinite(parameter.low), high = std::isfinite(parameter.high);
   if (!low && !high) return "none";

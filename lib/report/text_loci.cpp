@@ -9,10 +9,6 @@
 namespace graze {
 namespace {
 
-std::string with_unit(const std::string& name, const std::string& unit) {
-  return unit.empty() ? name : name + " (" + unit + ")";
-}
-
 // "20 .. 120"
 std::string span(const OrbitLocus& locus, double OrbitLocusPoint::*of) {
   const auto [low, high] = std::minmax_element(

@@ -11,10 +11,6 @@ namespace {
 constexpr std::size_t kMostAreas = 20;
 constexpr std::size_t kMostListed = 5;
 
-std::string with_unit(const std::string& name, const std::string& unit) {
-  return unit.empty() ? name : name + " (" + unit + ")";
-}
-
 std::string quantity(double value, const std::string& unit) {
   return fmt::format("{:.4g}{}{}", value, unit.empty() ? "" : " ", unit);
 }

@@ -9,10 +9,6 @@
 namespace graze {
 namespace {
 
-std::string with_unit(const std::string& name, const std::string& unit) {
-  return unit.empty() ? name : fmt::format("{} ({})", name, unit);
-}
-
 // "0.12" or "0.12 .. 0.34".
 std::string range_text(double low, double high) {
   if (low == high) return fmt::format("{:.6g}", low);

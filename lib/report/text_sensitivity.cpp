@@ -9,10 +9,6 @@
 namespace graze {
 namespace {
 
-std::string with_unit(const std::string& name, const std::string& unit) {
-  return unit.empty() ? name : fmt::format("{} ({})", name, unit);
-}
-
 std::string percent(double part) {
   return std::isfinite(part) ? fmt::format("{:.3f}", 100.0 * part) : "-";
 }

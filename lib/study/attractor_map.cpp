@@ -8,13 +8,12 @@
 #include "graze/assembly/assembly.hpp"
 #include "graze/assembly/initial_state.hpp"
 #include "graze/base/errors.hpp"
+#include "graze/base/even_values.hpp"
 #include "graze/base/parallel.hpp"
 #include "graze/hybrid/simulation.hpp"
 #include "graze/orbit/shooting.hpp"
-#include "graze/scene/check.hpp"
 #include "graze/scene/parameter.hpp"
 #include "graze/scene/start_coordinate.hpp"
-#include "graze/study/settled_row.hpp"
 
 namespace graze {
 namespace {
@@ -64,12 +63,8 @@ class Mapper {
       const Scene scene =
           with_value(with_value(scene_, map_.options.x.name, x), map_.options.y.name, y);
       const System system = assemble(scene);
-      const RowOptions options{map_.options.periods,     map_.options.samples,
-                               map_.options.max_impacts, map_.options.closure_speed,
-                               map_.options.nearness,    map_.options.exponent_periods,
-                               map_.options.stop};
-      if (!settle_row(scene, system, initial_state(scene, system), options, row)) return;
-      look_at(system, row, cell);
+      if (!settle_row(scene, system, initial_state(scene, system), map_.options, row)) return;
+      look_at(scene, system, row, cell);
     } catch (const InputError& error) {
       row.status = SweepStatus::kNoStart;
       row.message = error.what();
@@ -82,7 +77,7 @@ class Mapper {
   }
 
   // Over what is shown of the motion, once more, for what its events do not tell.
-  void look_at(const System& system, const SweepRow& row, MapCell& cell) const {
+  void look_at(const Scene& scene, const System& system, const SweepRow& row, MapCell& cell) const {
     for (const MetImpact& impact : row.motion.impacts)
       cell.peak_speed = std::max(cell.peak_speed, impact.speed);
     const long long turns = row.motion.period > 0 ? row.motion.period : map_.options.samples;
@@ -94,8 +89,7 @@ class Mapper {
     SimulationOptions options;
     options.duration = static_cast<double>(turns) * system.period();
     options.max_impacts = map_.options.max_impacts;
-    options.closure_speed = map_.options.closure_speed.value_or(
-        default_closure_speed(system, row.motion.at_end, scene_.solver.tolerance));
+    options.closure_speed = closure_speed_of(scene, system, map_.options);
     const Simulation again = simulate(system, row.motion.at_end, options, {});
     cell.stuck_part = again.totals.stuck_time / *options.duration;
   }
@@ -166,10 +160,7 @@ class Mapper {
 
 }  // namespace
 
-double MapAxis::value(int i) const {
-  const double part = static_cast<double>(i) / static_cast<double>(points - 1);
-  return i + 1 == points ? to : from + part * (to - from);
-}
+double MapAxis::value(int i) const { return even_value(from, to, i, points); }
 
 AttractorMap map_attractors(const Scene& scene, const AttractorMapOptions& options) {
   for (const MapAxis* axis : {&options.x, &options.y}) {

@@ -12,9 +12,8 @@
 #include <string>
 #include <vector>
 
-#include "graze/base/default_budget.hpp"
 #include "graze/scene/scene.hpp"
-#include "graze/study/sweep.hpp"
+#include "graze/study/settled_row.hpp"
 
 namespace graze {
 
@@ -26,18 +25,11 @@ struct MapAxis {
   double value(int i) const;
 };
 
-struct AttractorMapOptions {
+// Periods, impacts and exponents are those of a cell.
+struct AttractorMapOptions : RowOptions {
   MapAxis x, y;
-  long long periods = 1000;  // forcing periods run in a cell, at most
-  double nearness = 1e-8;    // of a motion to its orbit; see SettleOptions
-  // Forcing periods over which exponents are averaged where nothing repeats; 0: none are wanted.
-  long long exponent_periods = 0;
-  long long samples = 100;  // periods looked at for speeds and rest where nothing repeats
-  long long max_impacts = kDefaultImpactBudget;  // of a cell
-  std::optional<double> closure_speed;           // m/s
-  int threads = 0;                               // 0: all cores
-  StopSignal stop;
-  std::function<void(double fraction)> progress;  // called by one thread at a time
+  int threads = 0;                                  // 0: all cores
+  std::function<void(double fraction)> progress{};  // called by one thread at a time
 };
 
 struct MapCell {

@@ -123,13 +123,4 @@ std::vector<ValueRun> run_series(const Scene& scene, const RunSeriesOptions& opt
   return finished;
 }
 
-std::vector<double> even_values(double from, double to, int points) {
-  std::vector<double> values;
-  for (int i = 0; i < points; ++i) {
-    const double part = static_cast<double>(i) / (points - 1);
-    values.push_back(i + 1 == points ? to : from + part * (to - from));
-  }
-  return values;
-}
-
 }  // namespace graze

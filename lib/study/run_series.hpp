@@ -45,7 +45,4 @@ struct RunSeriesOptions {
 // Throws InputError where the scene does not allow a value.
 std::vector<ValueRun> run_series(const Scene& scene, const RunSeriesOptions& options);
 
-// `points` >= 2 values from `from` to `to`, both among them.
-std::vector<double> even_values(double from, double to, int points);
-
 }  // namespace graze

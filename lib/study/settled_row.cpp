@@ -27,23 +27,25 @@ bool is_finished(const SettledMotion& motion) {
   return motion.kind != SettledKind::kInterrupted && motion.kind != SettledKind::kTimeBudget;
 }
 
-// Where a motion was followed to the end of its periods.
-bool has_exponents(SweepStatus status) {
+}  // namespace
+
+bool was_followed(SweepStatus status) {
   return status == SweepStatus::kSettled || status == SweepStatus::kApproaching ||
          status == SweepStatus::kNotPeriodic;
 }
 
-}  // namespace
+double closure_speed_of(const Scene& scene, const System& system, const RowOptions& options) {
+  const State rest{Vector::Zero(system.modes()), Vector::Zero(system.modes())};
+  return options.closure_speed.value_or(default_closure_speed(
+      system, clear_start(scene, system).value_or(rest), scene.solver.tolerance));
+}
 
 bool settle_row(const Scene& scene, const System& system, const State& start,
                 const RowOptions& options, SweepRow& row) {
-  const State rest{Vector::Zero(system.modes()), Vector::Zero(system.modes())};
   SettleOptions settling;
   settling.periods = options.periods;
   settling.max_impacts = options.max_impacts;
-  // By the scene alone, so that it does not depend on what was handed on.
-  settling.closure_speed = options.closure_speed.value_or(default_closure_speed(
-      system, clear_start(scene, system).value_or(rest), scene.solver.tolerance));
+  settling.closure_speed = closure_speed_of(scene, system, options);
   settling.nearness = options.nearness;
   settling.tail = options.samples;
   settling.stop = options.stop;
@@ -52,7 +54,7 @@ bool settle_row(const Scene& scene, const System& system, const State& start,
   if (!is_finished(row.motion)) return false;
   row.status = status_of(row.motion);
   row.message = row.status == SweepStatus::kSettled ? "" : row.motion.verdict;
-  if (options.exponent_periods == 0 || !has_exponents(row.status)) return true;
+  if (options.exponent_periods == 0 || !was_followed(row.status)) return true;
   ExponentOptions exponents;
   exponents.periods = options.exponent_periods;
   exponents.repeats = row.motion.period;

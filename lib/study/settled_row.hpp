@@ -58,14 +58,26 @@ struct AttractorClass {
 };
 AttractorClass attractor_class(const SweepRow& row);
 
+// How long a motion is followed until it has settled, and what is told of it.
 struct RowOptions {
-  long long periods = 1000, samples = 100;
-  long long max_impacts = kDefaultImpactBudget;
-  std::optional<double> closure_speed;  // m/s; nothing: by the scene alone, whatever the start
+  long long periods = 1000;  // forcing periods run, at most
+  long long samples = 100;   // periods shown where nothing repeats
+  // How near a motion has to come to its orbit; see SettleOptions. 0: run all the periods.
   double nearness = 1e-8;
+  long long max_impacts = kDefaultImpactBudget;
+  std::optional<double> closure_speed;  // m/s
+  // Forcing periods over which Lyapunov exponents are averaged where nothing repeats; 0: none are
+  // wanted.
   long long exponent_periods = 0;
-  StopSignal stop;
+  StopSignal stop{};
 };
+
+// The speed at which chatters are summed, m/s: where it is not given, by the scene alone, whatever
+// the start.
+double closure_speed_of(const Scene& scene, const System& system, const RowOptions& options);
+
+// Whether the motion was followed to the end of its periods, and left a state to go on from.
+bool was_followed(SweepStatus status);
 
 // Fills motion, status, message and, where they are wanted, exponents. `row.start` says where the
 // start comes from. False where it was stopped before that was done.

@@ -7,18 +7,13 @@
 #include "graze/assembly/assembly.hpp"
 #include "graze/assembly/initial_state.hpp"
 #include "graze/base/errors.hpp"
+#include "graze/base/even_values.hpp"
 #include "graze/base/parallel.hpp"
 #include "graze/scene/parameter.hpp"
 #include "graze/study/clear_state.hpp"
 
 namespace graze {
 namespace {
-
-// A motion that was followed to the end of its periods leaves a state to go on from.
-bool hands_on(const SweepRow& row) {
-  return row.status == SweepStatus::kSettled || row.status == SweepStatus::kApproaching ||
-         row.status == SweepStatus::kNotPeriodic;
-}
 
 class Sweeper {
  public:
@@ -62,18 +57,15 @@ class Sweeper {
     try {
       const Scene scene = with_parameter(family_.scene(), family_.parameter(), row.value);
       const System system = assemble(scene);
-      RowOptions options{options_.periods,       options_.samples,  options_.max_impacts,
-                         options_.closure_speed, options_.nearness, options_.exponent_periods,
-                         options_.stop};
       State start;
-      if (before && hands_on(*before) && is_clear(system, before->motion.at_end)) {
+      if (before && was_followed(before->status) && is_clear(system, before->motion.at_end)) {
         row.start = SweepStart::kHandedOn;
         start = before->motion.at_end;
       } else {
         if (before) row.start = SweepStart::kAnew;
         start = initial_state(scene, system);
       }
-      if (!settle_row(scene, system, start, options, row)) return {};
+      if (!settle_row(scene, system, start, options_, row)) return {};
       row.motion.pattern.reset();
       row.motion.points.clear();
       keep_strobes(system, row);
@@ -150,9 +142,7 @@ class Sweeper {
 }  // namespace
 
 double sweep_value(const SweepOptions& options, int i) {
-  // Both ends exactly.
-  const double part = static_cast<double>(i) / static_cast<double>(options.points - 1);
-  return i + 1 == options.points ? options.to : options.from + part * (options.to - options.from);
+  return even_value(options.from, options.to, i, options.points);
 }
 
 Sweep sweep(const SystemFamily& family, const SweepOptions& options) {

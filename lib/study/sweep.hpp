@@ -26,22 +26,13 @@ enum class SweepDirection {
   kFresh  // every value from the scene's initial state
 };
 
-struct SweepOptions {
+// Periods, impacts and exponents are those at a value.
+struct SweepOptions : RowOptions {
   double from = 0.0, to = 0.0;
   int points = 400;  // values from `from` to `to`, both among them; at least 2
   SweepDirection direction = SweepDirection::kUp;
-  long long periods = 1000;  // forcing periods run at a value, at most
-  long long samples = 100;   // periods shown where nothing repeats
-  // How near a motion has to come to its orbit; see SettleOptions. 0: run all the periods.
-  double nearness = 1e-8;
-  long long max_impacts = kDefaultImpactBudget;  // at a value
-  std::optional<double> closure_speed;           // m/s
-  // Forcing periods over which Lyapunov exponents are averaged where nothing repeats; 0: none are
-  // wanted.
-  long long exponent_periods = 0;
-  int threads = 0;  // 0: all cores
-  StopSignal stop;
-  std::function<void(double fraction)> progress;  // called by one thread at a time
+  int threads = 0;                                  // 0: all cores
+  std::function<void(double fraction)> progress{};  // called by one thread at a time
 };
 
 struct Sweep {

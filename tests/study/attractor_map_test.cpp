@@ -11,6 +11,7 @@
 #include "graze/assembly/assembly.hpp"
 #include "graze/assembly/initial_state.hpp"
 #include "graze/base/errors.hpp"
+#include "graze/study/sweep.hpp"
 #include "support/reference.hpp"
 #include "support/systems.hpp"
 

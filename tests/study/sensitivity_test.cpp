@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "graze/base/errors.hpp"
+#include "graze/base/even_values.hpp"
 #include "graze/scene/reader.hpp"
 
 namespace graze {
