@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "graze/base/default_budget.hpp"
+#include "graze/study/shared_work.hpp"
 
 namespace graze {
 
@@ -31,6 +32,14 @@ struct Command {
   bool keeps_book() const { return energy || !plot.empty(); }
   std::optional<double> closure_speed;  // m/s
   std::string resume;                   // file or folder; empty: from the scene's initial state
+
+  // diagram, map
+  bool goes_on = false;  // --resume: with the pieces that are in the folder
+  Share share;
+  std::optional<std::string> scene_text;  // in place of what the file holds now
+
+  // merge
+  std::vector<std::string> folders;
 
   // orbit, continue
   int period = 1;

@@ -14,8 +14,6 @@
 namespace graze {
 namespace {
 
-// Options that a later version brings: known by name, refused in words.
-
 void add_check(CLI::App& graze, Command& command) {
   CLI::App* app = graze.add_subcommand(
       "check", "Read a scene and say what is simulated: modes, frequencies, conditioning, flow");
@@ -126,7 +124,7 @@ void add_diagram(CLI::App& graze, Command& command) {
         "--period", "--impacts", "--max-step", "--follow", "--depth"})
     duration->excludes(app->get_option(of_sweep));
   add_limits(app, command);
-  add_later_options(app, {"--resume", "--shard"});
+  add_journal(app, command);
 }
 
 void add_map(CLI::App& graze, Command& command) {
@@ -145,6 +143,24 @@ void add_map(CLI::App& graze, Command& command) {
   add_settling(app, command);
   add_closure_speed(app, command);
   add_limits(app, command);
+  add_journal(app, command);
+}
+
+void add_merge(CLI::App& graze, Command& command) {
+  CLI::App* app =
+      graze.add_subcommand("merge", "Join the shares of a diagram or map (--shard) to its result");
+  app->footer(footer("merge runs/part* --out runs/whole --plot whole.svg"));
+  app->add_option("FOLDER", command.folders, "Folders that --shard wrote to")
+      ->required()
+      ->type_name("DIR ...");
+  add_output(app, command);
+  app->get_option("--out")->required();
+  add_plot_or_page(app, command);
+  app->add_option("--max-seconds", command.max_seconds,
+                  "Most computing time, s; what was reached by then is printed")
+      ->check(above_zero())
+      ->capture_default_str()
+      ->type_name("S");
 }
 
 void add_cost(CLI::App& graze, Command& command) {
@@ -264,7 +280,8 @@ std::string unknown_option(const CLI::App& app) {
 // A sentence about a first word that is no command, or "".
 std::string unknown_command(int argc, char** argv, const CLI::App& app) {
   if (argc < 2)
-    return "give a command: check, simulate, orbit, continue, diagram, map, cost, fit or compare";
+    return "give a command: check, simulate, orbit, continue, diagram, map, merge, cost, fit or "
+           "compare";
   const std::string word = argv[1];
   std::vector<std::string> names;
   for (const CLI::App* command : app.get_subcommands({})) names.push_back(command->get_name());
@@ -292,6 +309,7 @@ ParsedCommand parse_command_line(int argc, char** argv) {
   add_continue(app, command);
   add_diagram(app, command);
   add_map(app, command);
+  add_merge(app, command);
   add_cost(app, command);
   add_fit(app, command);
   add_compare(app, command);

@@ -11,6 +11,7 @@
 #include "graze/report/text.hpp"
 #include "graze/scene/parameter.hpp"
 #include "graze/study/step_choice.hpp"
+#include "journals.hpp"
 #include "restart.hpp"
 #include "search_options.hpp"
 #include "session.hpp"
@@ -30,21 +31,22 @@ SweepOptions sweep_options(const Command& command, const StopSignal& stop) {
   set_settling(command, options);
   options.threads = command.threads;
   options.stop = stop;
-  options.progress = progress_line(command);
+  options.progress = progress_line(command, options.points, "values");
   return options;
 }
 
-void note_options(const Command& command, const SweepOptions& options, RunInfo& info) {
+// What makes a difference to the sweep's rows.
+void note_rows(const Command& command, const SweepOptions& options, RunInfo& info) {
   info.options.emplace_back("parameter", command.parameter);
   info.options.emplace_back("from", command.from);
   info.options.emplace_back("to", command.to);
   info.options.emplace_back("points", static_cast<long long>(command.points));
   info.options.emplace_back("direction", command.direction);
+  note_settling(options, info);
+}
+
+void note_rest(const Command& command, RunInfo& info) {
   info.options.emplace_back("section", command.section);
-  info.options.emplace_back("periods", options.periods);
-  info.options.emplace_back("samples", options.samples);
-  if (command.exponents > 0) info.options.emplace_back("exponents", command.exponents);
-  if (command.closure_speed) info.options.emplace_back("closure_speed", *command.closure_speed);
   info.options.emplace_back("branches", command.branches);
   if (command.branches != "none") {
     info.options.emplace_back("period", static_cast<long long>(command.period));
@@ -54,7 +56,6 @@ void note_options(const Command& command, const SweepOptions& options, RunInfo& 
       info.options.emplace_back("depth", static_cast<long long>(command.depth));
   }
   if (command.max_step) info.options.emplace_back("max_step", *command.max_step);
-  info.options.emplace_back("max_impacts", command.max_impacts);
   info.options.emplace_back("max_seconds", command.max_seconds);
 }
 
@@ -78,6 +79,7 @@ std::optional<Outcome> add_branches(const Command& command, const SystemFamily& 
 
 int run_diagram(const Command& command) {
   if (!command.plot.empty()) check_picture_or_page_name(command.plot);
+  check_journal_options(command);
   const Scene scene = scene_of(command);
   if (!scene.forcing) {
     if (is_page_name(command.plot))
@@ -109,12 +111,22 @@ int run_diagram(const Command& command) {
                      {},
                      {}};
   note_call(command, record.branches.info);
-  note_options(command, options, record.branches.info);
+  note_rows(command, options, record.branches.info);
   record.branches.warnings = system_warnings(scene, record.branches.system);
   warn(command, record.branches.warnings);
   prepare_output(command);
+  std::optional<Journal> journal = journal_of(command, {record.branches.info,
+                                                        "row",
+                                                        static_cast<std::size_t>(command.points),
+                                                        sweep_block(options.direction),
+                                                        {},
+                                                        {}});
+  options.memory = memory_in<SweepRow>(journal ? &*journal : nullptr);
+  options.share = command.share;
   record.swept = sweep(family, options);
   options.progress = nullptr;
+  if (!command.share.is_all()) return conclude_share(command, *journal, record.swept.stopped);
+  note_rest(command, record.branches.info);
   const std::optional<Outcome> traced = add_branches(command, family, tracing, record);
   record.branches.outcome = diagram_outcome(record.swept, traced);
   std::vector<std::pair<std::string, std::string>> files = {

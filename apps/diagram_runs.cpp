@@ -7,6 +7,7 @@
 #include "graze/report/pictures.hpp"
 #include "graze/report/text.hpp"
 #include "graze/scene/parameter.hpp"
+#include "journals.hpp"
 #include "series_options.hpp"
 
 namespace graze {
@@ -46,13 +47,19 @@ int run_diagram_of_runs(const Command& command, const Scene& scene) {
   noted.emplace_back("duration", options.duration);
   if (command.closure_speed) noted.emplace_back("closure_speed", *command.closure_speed);
   noted.emplace_back("max_impacts", command.max_impacts);
-  noted.emplace_back("max_seconds", command.max_seconds);
   record.warnings = system_warnings(scene, assemble(scene));
   warn(command, record.warnings);
   prepare_output(command);
-  options.progress = progress_line(command);
+  note_call(command, record.info);
+  std::optional<Journal> journal =
+      journal_of(command, {record.info, "row", options.values.size(), 1, {}, {}});
+  options.memory = memory_in<ValueRun>(journal ? &*journal : nullptr);
+  options.share = command.share;
+  options.progress = progress_line(command, command.points, "values");
   record.runs = run_series(scene, options);
   options.progress = nullptr;
+  if (!command.share.is_all()) return conclude_share(command, *journal, options.stop.reason());
+  noted.emplace_back("max_seconds", command.max_seconds);
   record.outcome = run_diagram_outcome(record.runs, options.values.size(), options.stop.reason());
   return conclude(command, record.info, record.outcome,
                   {to_json(record),

@@ -42,6 +42,7 @@ int run(const graze::Command& command) {
   if (command.name == "orbit") return graze::run_orbit(command);
   if (command.name == "diagram") return graze::run_diagram(command);
   if (command.name == "map") return graze::run_map(command);
+  if (command.name == "merge") return graze::run_merge(command);
   if (command.name == "cost") return graze::run_cost(command);
   if (command.name == "fit") return graze::run_fit(command);
   if (command.name == "compare") return graze::run_compare(command);

@@ -8,6 +8,7 @@
 #include "graze/report/pictures.hpp"
 #include "graze/report/text.hpp"
 #include "graze/study/step_choice.hpp"
+#include "journals.hpp"
 #include "search_options.hpp"
 #include "session.hpp"
 #include "settling_options.hpp"
@@ -34,7 +35,8 @@ MapQuantity shown(const Command& command) {
                               : MapQuantity::kAttractor;
 }
 
-void note_options(const Command& command, const AttractorMapOptions& options, RunInfo& info) {
+// What makes a difference to the cells.
+void note_cells(const AttractorMapOptions& options, RunInfo& info) {
   for (const auto& [prefix, axis] : {std::pair("", options.x), std::pair("second_", options.y)}) {
     const std::string before = prefix;
     info.options.emplace_back(before.empty() ? "parameter" : "second", axis.name);
@@ -42,20 +44,14 @@ void note_options(const Command& command, const AttractorMapOptions& options, Ru
     info.options.emplace_back(before + "to", axis.to);
     info.options.emplace_back(before + "points", static_cast<long long>(axis.points));
   }
-  info.options.emplace_back("periods", options.periods);
-  info.options.emplace_back("samples", options.samples);
-  if (options.exponent_periods > 0)
-    info.options.emplace_back("exponents", options.exponent_periods);
-  if (options.closure_speed) info.options.emplace_back("closure_speed", *options.closure_speed);
-  info.options.emplace_back("show", command.show);
-  info.options.emplace_back("max_impacts", options.max_impacts);
-  info.options.emplace_back("max_seconds", command.max_seconds);
+  note_settling(options, info);
 }
 
 }  // namespace
 
 int run_map(const Command& command) {
   if (!command.plot.empty()) check_picture_name(command.plot);
+  check_journal_options(command);
   if (command.show == "exponent" && command.exponents == 0)
     throw InputError(
         "--show exponent: give --exponents K, the periods that they are averaged over");
@@ -68,13 +64,22 @@ int run_map(const Command& command) {
   record.x_unit = axis_unit_of(scene, options.x.name);
   record.y_unit = axis_unit_of(scene, options.y.name);
   record.shown = shown(command);
-  note_options(command, options, record.info);
+  note_cells(options, record.info);
   record.warnings = system_warnings(scene, assemble(scene));
   warn(command, record.warnings);
   prepare_output(command);
-  options.progress = progress_line(command);
+  note_call(command, record.info);
+  const int cells = options.x.points * options.y.points;
+  std::optional<Journal> journal =
+      journal_of(command, {record.info, "cell", static_cast<std::size_t>(cells), 1, {}, {}});
+  options.memory = memory_in<SettledCell>(journal ? &*journal : nullptr);
+  options.share = command.share;
+  options.progress = progress_line(command, cells, "cells");
   record.map = map_attractors(scene, options);
   options.progress = nullptr;
+  if (!command.share.is_all()) return conclude_share(command, *journal, record.map.stopped);
+  record.info.options.emplace_back("show", command.show);
+  record.info.options.emplace_back("max_seconds", command.max_seconds);
   record.outcome = map_outcome(record.map);
   return conclude(command, record.info, record.outcome,
                   {to_json(record),

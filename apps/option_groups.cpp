@@ -2,6 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <cstdio>
+
+#include "graze/base/errors.hpp"
 #include "option_values.hpp"
 
 namespace graze {
@@ -12,19 +15,6 @@ constexpr const char* kClosureSpeed =
     "of the motion's speed; graze check prints it)";
 
 }  // namespace
-
-InputError not_available(const std::string& what) {
-  return InputError(what + ": not available in this version");
-}
-
-void add_later_options(CLI::App* app, const std::vector<const char*>& options) {
-  for (const char* later : options)
-    app->add_option_function<std::vector<std::string>>(
-           later, [later](const std::vector<std::string>&) { throw not_available(later); },
-           "(not available in this version)")
-        ->type_name("X")
-        ->expected(0, 1);
-}
 
 std::string footer(const std::string& example) {
   return "Example: graze " + example +
@@ -39,6 +29,10 @@ void add_shared(CLI::App* app, Command& command) {
       ->type_name("NAME=VALUE")
       ->allow_extra_args(false)
       ->take_all();
+  add_output(app, command);
+}
+
+void add_output(CLI::App* app, Command& command) {
   app->add_flag("--json", command.json, "Print one JSON document and nothing else on stdout");
   app->add_option("--out", command.out, "Write result.json, scene.toml and tables into this folder")
       ->type_name("DIR");
@@ -184,6 +178,28 @@ void add_plane(CLI::App* app, Command& command) {
   number("--second-from", command.second_from, "Its first value", "C");
   number("--second-to", command.second_to, "Its last value", "D");
   points("--second-points", command.second_points, "Values from C to D, both among them");
+}
+
+void add_journal(CLI::App* app, Command& command) {
+  app->add_flag("--resume", command.goes_on,
+                "Go on with what an earlier run left in the folder of --out, whatever ended it; "
+                "what it finished is not done again");
+  app->add_option_function<std::string>(
+         "--shard",
+         [&command](const std::string& text) {
+           int end = 0;
+           Share& share = command.share;
+           const bool read =
+               std::sscanf(text.c_str(), "%9d/%9d%n", &share.part, &share.of, &end) == 2 &&
+               end == static_cast<int>(text.size());
+           if (!read || share.part < 1 || share.of < share.part)
+             throw InputError(fmt::format(
+                 "--shard: '{}' is not allowed; give the share's number and how many there are, "
+                 "like 3/8",
+                 text));
+         },
+         "Do one of n shares of the work, for job arrays; graze merge joins them")
+      ->type_name("k/n");
 }
 
 void add_branch_kind(CLI::App* app, Command& command) {

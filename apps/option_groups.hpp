@@ -6,18 +6,15 @@
 #include <vector>
 
 #include "command.hpp"
-#include "graze/base/errors.hpp"
 
 namespace graze {
-
-// Of what a later version brings.
-InputError not_available(const std::string& what);
-void add_later_options(CLI::App* app, const std::vector<const char*>& options);
 
 // What stands below the options.
 std::string footer(const std::string& example);
 
 void add_shared(CLI::App* app, Command& command);
+// Parts of it.
+void add_output(CLI::App* app, Command& command);
 void add_plot(CLI::App* app, Command& command);
 void add_plot_or_page(CLI::App* app, Command& command);
 void add_closure_speed(CLI::App* app, Command& command);
@@ -31,6 +28,8 @@ void add_sweep(CLI::App* app, Command& command);
 void add_settling(CLI::App* app, Command& command);
 // Two numbers of the scene and their ranges.
 void add_plane(CLI::App* app, Command& command);
+// Going on with what a folder holds, and a share of the work.
+void add_journal(CLI::App* app, Command& command);
 // Which orbits' branches are traced, and how far from the first.
 void add_branch_kind(CLI::App* app, Command& command);
 // Loci instead of branches.

@@ -23,9 +23,59 @@ void print(const Document& document) {
   check(std::fflush(stdout) == 0);
 }
 
+// Called by one thread at a time.
+class ProgressLine {
+ public:
+  ProgressLine(std::string name, int count, std::string things)
+      : name_(std::move(name)), count_(count), things_(std::move(things)) {}
+  ProgressLine(const ProgressLine&) = delete;
+  ProgressLine& operator=(const ProgressLine&) = delete;
+  ~ProgressLine() {
+    if (shown_) std::fputs("\r\033[K", stderr);
+  }
+
+  void show(double fraction) {
+    // Ten times a second is as often as a person reads.
+    constexpr std::chrono::milliseconds kPause{100};
+    const auto now = Clock::now();
+    if (now - last_ < kPause) return;
+    last_ = now;
+    // What an earlier run left is there at once and tells nothing of how fast this one is.
+    if (!shown_) first_ = fraction, first_time_ = now;
+    shown_ = true;
+    std::string text = fmt::format("\r{} {:3.0f} %", name_, 100.0 * fraction);
+    const double seconds = std::chrono::duration<double>(now - first_time_).count();
+    if (count_ > 0 && fraction > first_ && seconds > 1.0) {
+      const double rate = (fraction - first_) / seconds;
+      text += fmt::format(", {:.3g} {} a second, {} left", rate * count_, things_,
+                          duration_text((1.0 - fraction) / rate));
+    }
+    std::fputs((text + "\033[K").c_str(), stderr);
+  }
+
+ private:
+  using Clock = std::chrono::steady_clock;
+
+  static std::string duration_text(double seconds) {
+    if (seconds < 90.0) return fmt::format("{:.0f} s", seconds);
+    if (seconds < 90.0 * 60.0) return fmt::format("{:.0f} min", seconds / 60.0);
+    return fmt::format("{:.1f} h", seconds / 3600.0);
+  }
+
+  std::string name_;
+  int count_;
+  std::string things_;
+  Clock::time_point last_ = Clock::now(), first_time_;
+  double first_ = 0.0;
+  bool shown_ = false;
+};
+
 }  // namespace
 
-Scene scene_of(const Command& command) { return read_scene(command.scene, command.settings); }
+Scene scene_of(const Command& command) {
+  if (command.scene_text) return parse_scene(*command.scene_text, command.scene);
+  return read_scene(command.scene, command.settings);
+}
 
 void note_call(const Command& command, RunInfo& info) {
   info.arguments = command.arguments;
@@ -59,23 +109,10 @@ void warn(const Command& command, const std::vector<std::string>& warnings) {
     std::fputs(fmt::format("warning: {}\n", warning).c_str(), stderr);
 }
 
-std::function<void(double)> progress_line(const Command& command) {
+std::function<void(double)> progress_line(const Command& command, int count, const char* things) {
   if (command.quiet || ::isatty(STDERR_FILENO) == 0) return {};
-  // Ten times a second is as often as a person reads.
-  const std::chrono::milliseconds kPause{100};
-  struct Line {
-    std::chrono::steady_clock::time_point last = std::chrono::steady_clock::now();
-    bool shown = false;
-    ~Line() {
-      if (shown) std::fputs("\r\033[K", stderr);
-    }
-  };
-  return [line = std::make_shared<Line>(), name = command.name, kPause](double fraction) {
-    const auto now = std::chrono::steady_clock::now();
-    if (now - line->last < kPause) return;
-    line->last = now;
-    line->shown = true;
-    std::fputs(fmt::format("\r{} {:3.0f} %", name, 100.0 * fraction).c_str(), stderr);
+  return [line = std::make_shared<ProgressLine>(command.name, count, things)](double fraction) {
+    line->show(fraction);
   };
 }
 

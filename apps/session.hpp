@@ -34,8 +34,10 @@ void prepare_output(const Command& command);
 // Prints warnings on stderr unless quiet.
 void warn(const Command& command, const std::vector<std::string>& warnings);
 
-// A progress line on stderr, or nothing when stderr is no terminal or the user wants quiet.
-std::function<void(double)> progress_line(const Command& command);
+// A progress line on stderr, or nothing when stderr is no terminal or the user wants quiet. With a
+// number of `things` also how many of them are done in a second, and the time that is left.
+std::function<void(double)> progress_line(const Command& command, int count = 0,
+                                          const char* things = "");
 
 struct Result {
   Document json;
@@ -56,6 +58,7 @@ int run_loci(const Command& command);  // continue --locus
 int run_diagram(const Command& command);
 int run_diagram_of_runs(const Command& command, const Scene& scene);  // diagram without forcing
 int run_map(const Command& command);
+int run_merge(const Command& command);
 int run_cost(const Command& command);
 int run_fit(const Command& command);
 int run_compare(const Command& command);

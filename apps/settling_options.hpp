@@ -2,6 +2,7 @@
 #pragma once
 
 #include "command.hpp"
+#include "graze/record/run_info.hpp"
 #include "graze/study/settled_row.hpp"
 
 namespace graze {
@@ -12,6 +13,16 @@ inline void set_settling(const Command& command, RowOptions& options) {
   options.exponent_periods = command.exponents;
   options.max_impacts = command.max_impacts;
   options.closure_speed = command.closure_speed;
+}
+
+// What makes a difference to what they settle on.
+inline void note_settling(const RowOptions& options, RunInfo& info) {
+  info.options.emplace_back("periods", options.periods);
+  info.options.emplace_back("samples", options.samples);
+  if (options.exponent_periods > 0)
+    info.options.emplace_back("exponents", options.exponent_periods);
+  if (options.closure_speed) info.options.emplace_back("closure_speed", *options.closure_speed);
+  info.options.emplace_back("max_impacts", options.max_impacts);
 }
 
 }  // namespace graze

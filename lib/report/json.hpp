@@ -11,6 +11,7 @@
 #include "graze/record/map_record.hpp"
 #include "graze/record/run_diagram_record.hpp"
 #include "graze/record/sensitivity_record.hpp"
+#include "graze/record/share_record.hpp"
 #include "graze/record/spool.hpp"
 
 namespace graze {
@@ -27,6 +28,7 @@ std::string to_json(const OrbitRecord& record);
 std::string to_json(const BranchRecord& record);
 std::string to_json(const LociRecord& record);
 std::string to_json(const MapRecord& record);
+std::string to_json(const ShareRecord& record);
 std::string to_json(const CostRecord& record);
 std::string to_json(const FitRecord& record);
 std::string to_json(const SensitivityRecord& record);

@@ -10,6 +10,7 @@
 #include "graze/record/map_record.hpp"
 #include "graze/record/run_diagram_record.hpp"
 #include "graze/record/sensitivity_record.hpp"
+#include "graze/record/share_record.hpp"
 
 namespace graze {
 
@@ -22,6 +23,7 @@ std::string regions_text(const LociRecord& record);  // requires regions
 std::string to_text(const DiagramRecord& record);
 std::string to_text(const RunDiagramRecord& record);
 std::string to_text(const MapRecord& record);
+std::string to_text(const ShareRecord& record);
 std::string to_text(const CostRecord& record);
 std::string to_text(const FitRecord& record);
 std::string to_text(const SensitivityRecord& record);

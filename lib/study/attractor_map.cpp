@@ -4,6 +4,8 @@
 #include <map>
 #include <mutex>
 #include <numeric>
+#include <optional>
+#include <string>
 
 #include "graze/assembly/assembly.hpp"
 #include "graze/assembly/initial_state.hpp"
@@ -29,6 +31,7 @@ class Mapper {
   Mapper(const Scene& scene, const AttractorMapOptions& options) : scene_(scene) {
     map_.options = options;
     map_.options.progress = nullptr;
+    map_.options.memory = {};
     map_.is_of_starts =
         names_start_coordinate(options.x.name) && names_start_coordinate(options.y.name);
     const auto count =
@@ -36,25 +39,31 @@ class Mapper {
     map_.cells.resize(count);
     strobes_.resize(count);
     progress_ = options.progress;
+    memory_ = options.memory;
   }
 
   AttractorMap finish() {
     const std::size_t count = map_.cells.size();
+    for (std::size_t i = 0; i < count; ++i) due_ += map_.options.share.has(i);
     for_each_index(count, map_.options.threads, [&](std::size_t i) {
-      if (map_.options.stop.requested()) return;
-      run(i);
+      if (!map_.options.share.has(i) || map_.options.stop.requested()) return;
+      std::optional<SettledCell> settled =
+          memory_.get("cell " + std::to_string(i), [&] { return run(i); });
+      if (!settled) return;
+      map_.cells[i] = std::move(settled->cell);
+      strobes_[i] = std::move(settled->strobes);
       report();
     });
-    const auto is_known = [](const MapCell& cell) { return cell.is_known; };
-    if (!std::all_of(map_.cells.begin(), map_.cells.end(), is_known))
-      map_.stopped = map_.options.stop.reason();
+    if (finished_ < due_) map_.stopped = map_.options.stop.reason();
     name_attractors();
     return std::move(map_);
   }
 
  private:
-  void run(std::size_t i) {
-    MapCell& cell = map_.cells[i];
+  // Nothing where it was stopped before it was settled.
+  std::optional<SettledCell> run(std::size_t i) const {
+    SettledCell settled;
+    MapCell& cell = settled.cell;
     const auto columns = static_cast<std::size_t>(map_.options.x.points);
     SweepRow row;
     try {
@@ -63,7 +72,7 @@ class Mapper {
       const Scene scene =
           with_value(with_value(scene_, map_.options.x.name, x), map_.options.y.name, y);
       const System system = assemble(scene);
-      if (!settle_row(scene, system, initial_state(scene, system), map_.options, row)) return;
+      if (!settle_row(scene, system, initial_state(scene, system), map_.options, row)) return {};
       look_at(scene, system, row, cell);
     } catch (const InputError& error) {
       row.status = SweepStatus::kNoStart;
@@ -72,8 +81,9 @@ class Mapper {
     cell.attractor = attractor_class(row);
     cell.message = row.message;
     if (row.exponents && row.exponents->values.size() > 0) cell.exponent = row.exponents->values[0];
-    strobes_[i] = std::move(row.motion.strobes);
     cell.is_known = true;
+    settled.strobes = std::move(row.motion.strobes);
+    return settled;
   }
 
   // Over what is shown of the motion, once more, for what its events do not tell.
@@ -95,9 +105,9 @@ class Mapper {
   }
 
   void report() {
-    if (!progress_) return;
     const std::lock_guard lock(mutex_);
-    progress_(static_cast<double>(++finished_) / static_cast<double>(map_.cells.size()));
+    ++finished_;
+    if (progress_) progress_(static_cast<double>(finished_) / static_cast<double>(due_));
   }
 
   static bool is_attractor(const MapCell& cell) {
@@ -154,6 +164,8 @@ class Mapper {
   AttractorMap map_;
   std::vector<std::vector<State>> strobes_;
   std::function<void(double)> progress_;
+  PieceMemory<SettledCell> memory_;
+  std::size_t due_ = 0;  // cells of the share
   std::mutex mutex_;
   std::size_t finished_ = 0;
 };

@@ -14,6 +14,7 @@
 
 #include "graze/scene/scene.hpp"
 #include "graze/study/settled_row.hpp"
+#include "graze/study/shared_work.hpp"
 
 namespace graze {
 
@@ -23,13 +24,6 @@ struct MapAxis {
   int points = 100;  // cells from `from` to `to`, both the middle of one; at least 2
 
   double value(int i) const;
-};
-
-// Periods, impacts and exponents are those of a cell.
-struct AttractorMapOptions : RowOptions {
-  MapAxis x, y;
-  int threads = 0;                                  // 0: all cores
-  std::function<void(double fraction)> progress{};  // called by one thread at a time
 };
 
 struct MapCell {
@@ -43,6 +37,21 @@ struct MapCell {
   double stuck_part = 0.0;         // of the time, on any stop
   std::optional<double> exponent;  // the largest, 1/s; minus infinity where all are lost
   std::string message;             // a sentence where there is something to say
+};
+
+// A cell with the states at the starts of its periods.
+struct SettledCell {
+  MapCell cell;
+  std::vector<State> strobes;
+};
+
+// Periods, impacts and exponents are those of a cell.
+struct AttractorMapOptions : RowOptions {
+  MapAxis x, y;
+  int threads = 0;                                  // 0: all cores
+  std::function<void(double fraction)> progress{};  // called by one thread at a time
+  Share share{};                                    // of the cells
+  PieceMemory<SettledCell> memory{};                // of the cells, "cell i"
 };
 
 struct MapAttractor {

@@ -4,6 +4,8 @@
 #include <array>
 #include <cmath>
 #include <mutex>
+#include <optional>
+#include <string>
 
 #include "graze/assembly/assembly.hpp"
 #include "graze/assembly/initial_state.hpp"
@@ -56,7 +58,8 @@ class Peak {
   long long count_ = 0;
 };
 
-ValueRun run_at(const Scene& scene, double value, const RunSeriesOptions& series) {
+// Nothing where it was stopped.
+std::optional<ValueRun> run_at(const Scene& scene, double value, const RunSeriesOptions& series) {
   const System system = assemble(scene);
   const State start = initial_state(scene, system);
   const std::vector<ProbeRow> probes = probe_rows(scene, system);
@@ -85,6 +88,7 @@ ValueRun run_at(const Scene& scene, double value, const RunSeriesOptions& series
   listeners.sample_rate =
       kSamplesPerOscillation * std::max(system.omega.maxCoeff() / kTurn, 1.0 / series.duration);
   const Simulation end = simulate(system, start, options, listeners);
+  if (end.outcome == RunOutcome::kInterrupted || end.outcome == RunOutcome::kTimeBudget) return {};
   run.outcome = end.outcome;
   run.message = end.message;
   for (std::size_t i = 0; i < probes.size(); ++i) {
@@ -105,17 +109,17 @@ std::vector<ValueRun> run_series(const Scene& scene, const RunSeriesOptions& opt
     initial_state(scenes.back(), assemble(scenes.back()));
   }
   std::vector<std::optional<ValueRun>> runs(options.values.size());
+  std::size_t due = 0, done = 0;
+  for (std::size_t i = 0; i < runs.size(); ++i) due += options.share.has(i);
   std::mutex telling;
-  std::size_t done = 0;
   for_each_index(runs.size(), options.threads, [&](std::size_t i) {
-    if (options.stop.requested()) return;
-    ValueRun run = run_at(scenes[i], options.values[i], options);
-    if (run.outcome == RunOutcome::kInterrupted || run.outcome == RunOutcome::kTimeBudget) return;
-    runs[i] = std::move(run);
+    if (!options.share.has(i) || options.stop.requested()) return;
+    runs[i] = options.memory.get("row " + std::to_string(i),
+                                 [&] { return run_at(scenes[i], options.values[i], options); });
+    if (!runs[i]) return;
     const std::lock_guard lock(telling);
     ++done;
-    if (options.progress)
-      options.progress(static_cast<double>(done) / static_cast<double>(runs.size()));
+    if (options.progress) options.progress(static_cast<double>(done) / static_cast<double>(due));
   });
   std::vector<ValueRun> finished;
   for (std::optional<ValueRun>& run : runs)

@@ -11,6 +11,7 @@
 #include "graze/base/stop_signal.hpp"
 #include "graze/hybrid/simulation.hpp"
 #include "graze/scene/scene.hpp"
+#include "graze/study/shared_work.hpp"
 
 namespace graze {
 
@@ -39,9 +40,12 @@ struct RunSeriesOptions {
   int threads = 0;  // 0: all cores
   StopSignal stop;
   std::function<void(double fraction)> progress;  // called by one thread at a time
+  Share share{};                                  // of the values
+  PieceMemory<ValueRun> memory{};                 // of the runs, "row i"
 };
 
-// In the order of the values; where a stop was asked for before all were done, those that were.
+// In the order of the values; where a stop was asked for before all were done, those that were, and
+// of a share its own.
 // Throws InputError where the scene does not allow a value.
 std::vector<ValueRun> run_series(const Scene& scene, const RunSeriesOptions& options);
 

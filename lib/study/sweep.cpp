@@ -1,8 +1,8 @@
 #include "graze/study/sweep.hpp"
 
 #include <algorithm>
-#include <memory>
 #include <mutex>
+#include <string>
 
 #include "graze/assembly/assembly.hpp"
 #include "graze/assembly/initial_state.hpp"
@@ -21,27 +21,28 @@ class Sweeper {
       : family_(family), options_(options), rows_(static_cast<std::size_t>(options.points)) {}
 
   Sweep finish() {
-    const bool chains = options_.direction != SweepDirection::kFresh;
-    const std::size_t block = chains ? Sweep::kBlock : 1;
+    const std::size_t block = sweep_block(options_.direction);
     const std::size_t blocks = (rows_.size() + block - 1) / block;
+    for (std::size_t b = 0; b < blocks; ++b)
+      if (options_.share.has(b)) due_ += std::min(block, rows_.size() - b * block);
     for_each_index(blocks, options_.threads, [&](std::size_t b) {
+      if (!options_.share.has(b)) return;
       const std::size_t end = std::min((b + 1) * block, rows_.size());
       for (std::size_t k = b * block; k < end; ++k) {
-        const bool first = !chains || k == b * block;
-        std::unique_ptr<SweepRow> row = run(k, first ? nullptr : at(k - 1).get());
-        if (!row) return;
-        at(k) = std::move(row);
+        at(k) = row("row", k, k == b * block ? nullptr : &*at(k - 1));
+        if (!at(k)) return;
         report();
       }
     });
-    for (std::size_t b = 1; chains && b < blocks && join(b * block, block); ++b) {
+    const bool joins = block > 1 && options_.share.is_all();
+    for (std::size_t b = 1; joins && b < blocks && join(b * block, block); ++b) {
     }
     return collect();
   }
 
  private:
   // The row that is the k-th to be run.
-  std::unique_ptr<SweepRow>& at(std::size_t k) { return rows_[place(k)]; }
+  std::optional<SweepRow>& at(std::size_t k) { return rows_[place(k)]; }
   std::size_t place(std::size_t k) const {
     const bool grows = options_.from < options_.to;
     const bool backwards =
@@ -50,9 +51,13 @@ class Sweeper {
   }
 
   // Nothing when it was stopped before it was finished.
-  std::unique_ptr<SweepRow> run(std::size_t k, const SweepRow* before) {
-    auto made = std::make_unique<SweepRow>();
-    SweepRow& row = *made;
+  std::optional<SweepRow> row(const char* what, std::size_t k, const SweepRow* before) {
+    return options_.memory.get(what + (" " + std::to_string(k)),
+                               [&] { return run(k, before); });
+  }
+
+  std::optional<SweepRow> run(std::size_t k, const SweepRow* before) {
+    SweepRow row;
     row.value = sweep_value(options_, static_cast<int>(place(k)));
     try {
       const Scene scene = with_parameter(family_.scene(), family_.parameter(), row.value);
@@ -72,7 +77,7 @@ class Sweeper {
     } catch (const InputError& error) {
       row.message = error.what();
     }
-    return made;
+    return row;
   }
 
   static void keep_strobes(const System& system, SweepRow& row) {
@@ -87,12 +92,12 @@ class Sweeper {
   bool join(std::size_t first, std::size_t block) {
     const std::size_t end = std::min(first + block, rows_.size());
     for (std::size_t k = first; k < end; ++k) {
-      std::unique_ptr<SweepRow> row;
-      if (at(k - 1) && at(k)) row = run(k, at(k - 1).get());
-      if (!row) return is_joined_ = false;
+      std::optional<SweepRow> again;
+      if (at(k - 1) && at(k)) again = row("again", k, &*at(k - 1));
+      if (!again) return is_joined_ = false;
       ++run_again_;
-      const bool joined = is_same_attractor(*row, *at(k));
-      at(k) = std::move(row);
+      const bool joined = is_same_attractor(*again, *at(k));
+      at(k) = std::move(again);
       if (joined) return true;
     }
     return true;
@@ -113,33 +118,39 @@ class Sweeper {
   void report() {
     if (!options_.progress) return;
     const std::lock_guard<std::mutex> lock(mutex_);
-    options_.progress(static_cast<double>(++finished_) / static_cast<double>(rows_.size()));
+    options_.progress(static_cast<double>(++finished_) / static_cast<double>(due_));
   }
 
   Sweep collect() {
     Sweep result{family_.parameter(), options_, {}, 0, 0, run_again_, options_.stop.reason()};
     result.options.progress = nullptr;
-    for (std::unique_ptr<SweepRow>& row : rows_) {
+    result.options.memory = {};
+    for (std::optional<SweepRow>& row : rows_) {
       if (!row) continue;
       result.periods += row->motion.periods;
       result.impacts += row->motion.impacts_met;
       result.rows.push_back(std::move(*row));
     }
     // Whatever was asked for meanwhile, a sweep that has all its rows was not stopped.
-    if (result.rows.size() == rows_.size() && is_joined_) result.stopped = StopReason::kNone;
+    if (result.rows.size() == due_ && is_joined_) result.stopped = StopReason::kNone;
     return result;
   }
 
   const SystemFamily& family_;
   const SweepOptions& options_;
-  std::vector<std::unique_ptr<SweepRow>> rows_;
+  std::vector<std::optional<SweepRow>> rows_;
   int run_again_ = 0;
   bool is_joined_ = true;
+  std::size_t due_ = 0;  // rows of the share
   std::mutex mutex_;
   std::size_t finished_ = 0;
 };
 
 }  // namespace
+
+std::size_t sweep_block(SweepDirection direction) {
+  return direction == SweepDirection::kFresh ? 1 : Sweep::kBlock;
+}
 
 double sweep_value(const SweepOptions& options, int i) {
   return even_value(options.from, options.to, i, options.points);

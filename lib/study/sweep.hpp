@@ -17,6 +17,7 @@
 #include "graze/assembly/system_family.hpp"
 #include "graze/base/default_budget.hpp"
 #include "graze/study/settled_row.hpp"
+#include "graze/study/shared_work.hpp"
 
 namespace graze {
 
@@ -33,6 +34,8 @@ struct SweepOptions : RowOptions {
   SweepDirection direction = SweepDirection::kUp;
   int threads = 0;                                  // 0: all cores
   std::function<void(double fraction)> progress{};  // called by one thread at a time
+  Share share{};                   // of the blocks; they are joined where all of them are
+  PieceMemory<SweepRow> memory{};  // of the k-th row to be run, "row k", and to be run again, "again k"
 };
 
 struct Sweep {
@@ -50,6 +53,9 @@ struct Sweep {
 // Sweeps the family's parameter. Requires forcing and a stop. Values that cannot be settled are
 // rows that say so.
 Sweep sweep(const SystemFamily& family, const SweepOptions& options);
+
+// How many values in a row are run one after the other: a share has them together.
+std::size_t sweep_block(SweepDirection direction);
 
 // The value of the i-th of `points` from `from` to `to`.
 double sweep_value(const SweepOptions& options, int i);

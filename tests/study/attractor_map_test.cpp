@@ -78,7 +78,9 @@ TEST(AttractorMap, CellsAreSingleRuns) {
       late += event.kind == EventKind::kImpact && event.time > 390.0 * system.period();
     EXPECT_EQ(late > 0, map.at(column, row).attractor.kind == SettledKind::kImpacts)
         << column << " " << row;
-    if (late > 0) EXPECT_NEAR(run.events.back().speed, map.at(column, row).peak_speed, 1e-6);
+    if (late > 0) {
+      EXPECT_NEAR(run.events.back().speed, map.at(column, row).peak_speed, 1e-6);
+    }
   }
 }
 
@@ -104,8 +106,9 @@ TEST(AttractorMap, RowsAreFreshSweeps) {
       const MapCell& cell = map.at(column, row);
       const SweepRow& other = swept.rows[static_cast<std::size_t>(column)];
       EXPECT_EQ(cell.attractor, attractor_class(other)) << column << " " << row;
-      if (other.status == SweepStatus::kSettled && other.exponents)
+      if (other.status == SweepStatus::kSettled && other.exponents) {
         EXPECT_EQ(*cell.exponent, other.exponents->values[0]);
+      }
     }
   }
 }
@@ -171,7 +174,9 @@ TEST(AttractorMap, StartsBeyondAStopSaySo) {
   for (int column = 0; column < 8; ++column) {
     const bool beyond = map.options.x.value(column) > 0.5;
     EXPECT_EQ(map.at(column, 3).attractor.status == SweepStatus::kNoStart, beyond);
-    if (beyond) EXPECT_NE(map.at(column, 3).message, "");
+    if (beyond) {
+      EXPECT_NE(map.at(column, 3).message, "");
+    }
   }
 }
 

@@ -1,0 +1,22 @@
+// Pieces of long work as one line of text each, which reads back to the last bit.
+#pragma once
+
+#include <string>
+
+#include "graze/study/attractor_map.hpp"
+#include "graze/study/run_series.hpp"
+#include "graze/study/settled_row.hpp"
+
+namespace graze {
+
+// A row's pattern and points are not written; a sweep keeps none.
+std::string piece_text(const SweepRow& row);
+std::string piece_text(const SettledCell& cell);
+std::string piece_text(const ValueRun& run);
+
+// Reads what `piece_text` wrote. False where it did not.
+bool read_piece(const std::string& text, SweepRow& row);
+bool read_piece(const std::string& text, SettledCell& cell);
+bool read_piece(const std::string& text, ValueRun& run);
+
+}  // namespace graze

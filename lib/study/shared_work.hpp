@@ -1,0 +1,41 @@
+// Long work in pieces that do not depend on who does them or when: what an earlier run left of
+// them, where finished ones go, and which of them are done here.
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <optional>
+#include <string>
+#include <utility>
+
+namespace graze {
+
+// One of several shares of the work: blocks of it go to them in turn.
+struct Share {
+  int part = 1, of = 1;  // 1 <= part <= of
+
+  bool is_all() const { return of == 1; }
+  bool has(std::size_t block) const {
+    return block % static_cast<std::size_t>(of) == static_cast<std::size_t>(part - 1);
+  }
+};
+
+// Both may be called by several threads at once, and either may be empty. What a piece is named
+// ("row 12") says what it is, given the work that it belongs to.
+template <class Piece>
+struct PieceMemory {
+  std::function<std::optional<Piece>(const std::string& name)> recall{};
+  std::function<void(const std::string& name, const Piece& piece)> keep{};
+
+  // The piece as it is remembered, or else as `make` makes it; nothing where that was stopped.
+  template <class Make>
+  std::optional<Piece> get(const std::string& name, const Make& make) const {
+    if (recall)
+      if (std::optional<Piece> known = recall(name)) return known;
+    std::optional<Piece> made = make();
+    if (made && keep) keep(name, *made);
+    return made;
+  }
+};
+
+}  // namespace graze
