@@ -121,7 +121,7 @@ int run_diagram(const Command& command) {
                                                         sweep_block(options.direction),
                                                         {},
                                                         {}});
-  options.memory = memory_in<SweepRow>(journal ? &*journal : nullptr);
+  options.memory = memory_in<SweepRow>(journal);
   options.share = command.share;
   record.swept = sweep(family, options);
   options.progress = nullptr;

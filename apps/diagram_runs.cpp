@@ -53,7 +53,7 @@ int run_diagram_of_runs(const Command& command, const Scene& scene) {
   note_call(command, record.info);
   std::optional<Journal> journal =
       journal_of(command, {record.info, "row", options.values.size(), 1, {}, {}});
-  options.memory = memory_in<ValueRun>(journal ? &*journal : nullptr);
+  options.memory = memory_in<ValueRun>(journal);
   options.share = command.share;
   options.progress = progress_line(command, command.points, "values");
   record.runs = run_series(scene, options);

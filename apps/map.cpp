@@ -72,7 +72,7 @@ int run_map(const Command& command) {
   const int cells = options.x.points * options.y.points;
   std::optional<Journal> journal =
       journal_of(command, {record.info, "cell", static_cast<std::size_t>(cells), 1, {}, {}});
-  options.memory = memory_in<SettledCell>(journal ? &*journal : nullptr);
+  options.memory = memory_in<SettledCell>(journal);
   options.share = command.share;
   options.progress = progress_line(command, cells, "cells");
   record.map = map_attractors(scene, options);

@@ -181,7 +181,7 @@ std::vector<std::size_t> missing_pieces(const JournalHead& head,
                                         const std::vector<const Journal*>& journals) {
   std::vector<std::size_t> missing;
   for (std::size_t i = 0; i < head.pieces; ++i) {
-    const std::string name = fmt::format("{} {}", head.piece, i);
+    const std::string name = piece_name(head.piece, i);
     if (std::none_of(journals.begin(), journals.end(),
                      [&](const Journal* journal) { return journal->has(name); }))
       missing.push_back(i);

@@ -72,15 +72,15 @@ class Journal {
 // A memory of pieces in a journal, which must outlive it; one without a journal remembers nothing.
 // A text that is no piece counts as not written.
 template <class Piece>
-PieceMemory<Piece> memory_in(Journal* journal) {
+PieceMemory<Piece> memory_in(std::optional<Journal>& journal) {
   if (!journal) return {};
-  return {[journal](const std::string& name) -> std::optional<Piece> {
+  return {[&journal](const std::string& name) -> std::optional<Piece> {
             const std::optional<std::string> text = journal->find(name);
             Piece piece;
             if (!text || !read_piece(*text, piece)) return {};
             return piece;
           },
-          [journal](const std::string& name, const Piece& piece) {
+          [&journal](const std::string& name, const Piece& piece) {
             journal->add(name, piece_text(piece));
           }};
 }

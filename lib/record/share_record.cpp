@@ -1,7 +1,5 @@
 #include "graze/record/share_record.hpp"
 
-#include <fmt/format.h>
-
 namespace graze {
 
 ShareRecord share_record(const Journal& journal, StopReason stopped) {
@@ -11,11 +9,8 @@ ShareRecord share_record(const Journal& journal, StopReason stopped) {
   record.share = head.share;
   record.journal = journal.file().string();
   record.piece = head.piece;
-  for (std::size_t i = 0; i < head.pieces; ++i) {
-    if (!head.share.has(i / head.block)) continue;
-    ++record.due;
-    record.kept += journal.has(fmt::format("{} {}", head.piece, i));
-  }
+  record.due = head.share.count(head.pieces, head.block);
+  record.kept = head.pieces - missing_pieces(head, {&journal}).size();
   record.outcome = {"complete", ""};
   if (record.kept < record.due)
     if (auto outcome = stopped_outcome(stopped, record.kept, record.due, "pieces"))

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <map>
-#include <mutex>
 #include <numeric>
 #include <optional>
 #include <string>
@@ -12,6 +11,7 @@
 #include "graze/base/errors.hpp"
 #include "graze/base/even_values.hpp"
 #include "graze/base/parallel.hpp"
+#include "graze/base/tally.hpp"
 #include "graze/hybrid/simulation.hpp"
 #include "graze/orbit/shooting.hpp"
 #include "graze/scene/parameter.hpp"
@@ -44,17 +44,17 @@ class Mapper {
 
   AttractorMap finish() {
     const std::size_t count = map_.cells.size();
-    for (std::size_t i = 0; i < count; ++i) due_ += map_.options.share.has(i);
+    Tally tally(progress_, map_.options.share.count(count));
     for_each_index(count, map_.options.threads, [&](std::size_t i) {
       if (!map_.options.share.has(i) || map_.options.stop.requested()) return;
       std::optional<SettledCell> settled =
-          memory_.get("cell " + std::to_string(i), [&] { return run(i); });
+          memory_.get(piece_name("cell", i), [&] { return run(i); });
       if (!settled) return;
       map_.cells[i] = std::move(settled->cell);
       strobes_[i] = std::move(settled->strobes);
-      report();
+      tally.add();
     });
-    if (finished_ < due_) map_.stopped = map_.options.stop.reason();
+    if (!tally.is_complete()) map_.stopped = map_.options.stop.reason();
     name_attractors();
     return std::move(map_);
   }
@@ -102,12 +102,6 @@ class Mapper {
     options.closure_speed = closure_speed_of(scene, system, map_.options);
     const Simulation again = simulate(system, row.motion.at_end, options, {});
     cell.stuck_part = again.totals.stuck_time / *options.duration;
-  }
-
-  void report() {
-    const std::lock_guard lock(mutex_);
-    ++finished_;
-    if (progress_) progress_(static_cast<double>(finished_) / static_cast<double>(due_));
   }
 
   static bool is_attractor(const MapCell& cell) {
@@ -165,9 +159,6 @@ class Mapper {
   std::vector<std::vector<State>> strobes_;
   std::function<void(double)> progress_;
   PieceMemory<SettledCell> memory_;
-  std::size_t due_ = 0;  // cells of the share
-  std::mutex mutex_;
-  std::size_t finished_ = 0;
 };
 
 }  // namespace

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <mutex>
 #include <optional>
 #include <string>
 
@@ -12,6 +11,7 @@
 #include "graze/assembly/probes.hpp"
 #include "graze/base/angle.hpp"
 #include "graze/base/parallel.hpp"
+#include "graze/base/tally.hpp"
 #include "graze/scene/parameter.hpp"
 #include "graze/study/step_choice.hpp"
 
@@ -109,17 +109,12 @@ std::vector<ValueRun> run_series(const Scene& scene, const RunSeriesOptions& opt
     initial_state(scenes.back(), assemble(scenes.back()));
   }
   std::vector<std::optional<ValueRun>> runs(options.values.size());
-  std::size_t due = 0, done = 0;
-  for (std::size_t i = 0; i < runs.size(); ++i) due += options.share.has(i);
-  std::mutex telling;
+  Tally tally(options.progress, options.share.count(runs.size()));
   for_each_index(runs.size(), options.threads, [&](std::size_t i) {
     if (!options.share.has(i) || options.stop.requested()) return;
-    runs[i] = options.memory.get("row " + std::to_string(i),
+    runs[i] = options.memory.get(piece_name("row", i),
                                  [&] { return run_at(scenes[i], options.values[i], options); });
-    if (!runs[i]) return;
-    const std::lock_guard lock(telling);
-    ++done;
-    if (options.progress) options.progress(static_cast<double>(done) / static_cast<double>(due));
+    if (runs[i]) tally.add();
   });
   std::vector<ValueRun> finished;
   for (std::optional<ValueRun>& run : runs)

@@ -45,8 +45,7 @@ struct RunSeriesOptions {
 };
 
 // In the order of the values; where a stop was asked for before all were done, those that were, and
-// of a share its own.
-// Throws InputError where the scene does not allow a value.
+// of a share its own. Throws InputError where the scene does not allow a value.
 std::vector<ValueRun> run_series(const Scene& scene, const RunSeriesOptions& options);
 
 }  // namespace graze

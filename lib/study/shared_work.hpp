@@ -2,6 +2,7 @@
 // them, where finished ones go, and which of them are done here.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <functional>
 #include <optional>
@@ -18,7 +19,19 @@ struct Share {
   bool has(std::size_t block) const {
     return block % static_cast<std::size_t>(of) == static_cast<std::size_t>(part - 1);
   }
+  // How many of so many pieces it has, in blocks of so many.
+  std::size_t count(std::size_t pieces, std::size_t block = 1) const {
+    std::size_t count = 0;
+    for (std::size_t first = 0; first < pieces; first += block)
+      if (has(first / block)) count += std::min(block, pieces - first);
+    return count;
+  }
 };
+
+// "row 12"
+inline std::string piece_name(const std::string& what, std::size_t i) {
+  return what + " " + std::to_string(i);
+}
 
 // Both may be called by several threads at once, and either may be empty. What a piece is named
 // ("row 12") says what it is, given the work that it belongs to.

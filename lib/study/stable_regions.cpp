@@ -3,13 +3,13 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <mutex>
 #include <utility>
 
 #include "graze/assembly/assembly.hpp"
 #include "graze/assembly/initial_state.hpp"
 #include "graze/base/errors.hpp"
 #include "graze/base/parallel.hpp"
+#include "graze/base/tally.hpp"
 #include "graze/hybrid/simulation.hpp"
 #include "graze/scene/parameter.hpp"
 #include "graze/study/grid_areas.hpp"
@@ -83,13 +83,11 @@ class RegionFinder {
   }
 
   void look_everywhere() {
-    const double all = static_cast<double>(result_.places.size());
-    std::size_t done = 0;
+    Tally tally([&](double part) { tell(kOwnPart * part); }, result_.places.size());
     for_each_index(result_.places.size(), options_.threads, [&](std::size_t i) {
       if (stopped()) return;
       look(i);
-      const std::lock_guard<std::mutex> lock(mutex_);
-      tell(kOwnPart * static_cast<double>(++done) / all);
+      tally.add();
     });
   }
 
@@ -215,7 +213,6 @@ class RegionFinder {
   StableRegions result_;
   std::vector<PlaceAttractors> found_;  // at each place
   std::vector<std::size_t> first_new_;  // in each list: what the last round added, to its end
-  std::mutex mutex_;
 };
 
 }  // namespace

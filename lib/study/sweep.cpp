@@ -1,7 +1,6 @@
 #include "graze/study/sweep.hpp"
 
 #include <algorithm>
-#include <mutex>
 #include <string>
 
 #include "graze/assembly/assembly.hpp"
@@ -9,6 +8,7 @@
 #include "graze/base/errors.hpp"
 #include "graze/base/even_values.hpp"
 #include "graze/base/parallel.hpp"
+#include "graze/base/tally.hpp"
 #include "graze/scene/parameter.hpp"
 #include "graze/study/clear_state.hpp"
 
@@ -23,21 +23,20 @@ class Sweeper {
   Sweep finish() {
     const std::size_t block = sweep_block(options_.direction);
     const std::size_t blocks = (rows_.size() + block - 1) / block;
-    for (std::size_t b = 0; b < blocks; ++b)
-      if (options_.share.has(b)) due_ += std::min(block, rows_.size() - b * block);
+    Tally tally(options_.progress, options_.share.count(rows_.size(), block));
     for_each_index(blocks, options_.threads, [&](std::size_t b) {
       if (!options_.share.has(b)) return;
       const std::size_t end = std::min((b + 1) * block, rows_.size());
       for (std::size_t k = b * block; k < end; ++k) {
         at(k) = row("row", k, k == b * block ? nullptr : &*at(k - 1));
         if (!at(k)) return;
-        report();
+        tally.add();
       }
     });
     const bool joins = block > 1 && options_.share.is_all();
     for (std::size_t b = 1; joins && b < blocks && join(b * block, block); ++b) {
     }
-    return collect();
+    return collect(tally.is_complete());
   }
 
  private:
@@ -52,8 +51,7 @@ class Sweeper {
 
   // Nothing when it was stopped before it was finished.
   std::optional<SweepRow> row(const char* what, std::size_t k, const SweepRow* before) {
-    return options_.memory.get(what + (" " + std::to_string(k)),
-                               [&] { return run(k, before); });
+    return options_.memory.get(piece_name(what, k), [&] { return run(k, before); });
   }
 
   std::optional<SweepRow> run(std::size_t k, const SweepRow* before) {
@@ -115,13 +113,7 @@ class Sweeper {
     return are_same_strobes(shooting_scale(*system), left, right, 16.0 * options_.nearness);
   }
 
-  void report() {
-    if (!options_.progress) return;
-    const std::lock_guard<std::mutex> lock(mutex_);
-    options_.progress(static_cast<double>(++finished_) / static_cast<double>(due_));
-  }
-
-  Sweep collect() {
+  Sweep collect(bool is_complete) {
     Sweep result{family_.parameter(), options_, {}, 0, 0, run_again_, options_.stop.reason()};
     result.options.progress = nullptr;
     result.options.memory = {};
@@ -132,7 +124,7 @@ class Sweeper {
       result.rows.push_back(std::move(*row));
     }
     // Whatever was asked for meanwhile, a sweep that has all its rows was not stopped.
-    if (result.rows.size() == due_ && is_joined_) result.stopped = StopReason::kNone;
+    if (is_complete && is_joined_) result.stopped = StopReason::kNone;
     return result;
   }
 
@@ -141,9 +133,6 @@ class Sweeper {
   std::vector<std::optional<SweepRow>> rows_;
   int run_again_ = 0;
   bool is_joined_ = true;
-  std::size_t due_ = 0;  // rows of the share
-  std::mutex mutex_;
-  std::size_t finished_ = 0;
 };
 
 }  // namespace
