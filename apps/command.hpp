@@ -82,7 +82,14 @@ struct Command {
   std::string algorithm = "local";   // local | global
   long long max_evaluations = 5000;
 
-  // compare, with `parameter`, `from`, `to`, `second` and `duration`
+  // compare, with `parameter`, `from`, `to`, `second`, `second_from`, `second_to`, `show`,
+  // `duration`
+  std::vector<std::string> against;      // "KEY=VALUE" of the other scene
+  int fewest_modes = 0, most_modes = 0;  // of a series; 0: none
+  long long first_impacts = 20;
+  double within = 0.01;        // of a forcing period, of a speed
+  std::optional<double> last;  // s of the end of a run, in a picture
+  int second_runs = 21;
   bool sensitivity = false;
   int runs = 21;
   std::vector<double> second_values;

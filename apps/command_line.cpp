@@ -5,6 +5,7 @@
 #include <iostream>
 
 #include "command.hpp"
+#include "compare_options.hpp"
 #include "graze/base/errors.hpp"
 #include "graze/record/run_info.hpp"
 #include "graze/scene/suggestion.hpp"
@@ -220,44 +221,6 @@ void add_fit(CLI::App& graze, Command& command) {
       ->transform(whole_number("a whole number from 1", 1.0, 1e9))
       ->capture_default_str()
       ->type_name("N");
-  add_closure_speed(app, command);
-  add_limits(app, command);
-}
-
-void add_compare(CLI::App& graze, Command& command) {
-  CLI::App* app =
-      graze.add_subcommand("compare", "Compare motions: how sensitive they are to a parameter");
-  app->footer(
-      footer("compare data/scenes/20_yigit_sensitivity.toml --sensitivity --duration 0.2 \\\n"
-             "           --parameter stop.spring.damping.coefficient --from 0 --to 1000"));
-  add_shared(app, command);
-  add_plot(app, command);
-  app->add_flag("--sensitivity", command.sensitivity,
-                "Largest size (s1) and end value (s2) of every probe over a parameter");
-  app->add_option("--parameter", command.parameter, "Path of the parameter, e.g. stop.gap")
-      ->type_name("NAME");
-  app->add_option("--from", command.from, "Start of the parameter's range")
-      ->check(finite_number())
-      ->type_name("A");
-  app->add_option("--to", command.to, "End of the parameter's range")
-      ->check(finite_number())
-      ->type_name("B");
-  app->add_option("--points", command.runs, "Values from A to B, both among them")
-      ->transform(whole_number_within(2, 1'000'000))
-      ->capture_default_str()
-      ->type_name("N");
-  app->add_option("--reference", command.reference,
-                  "Value that ends are compared with (default: the middle of the range)")
-      ->check(finite_number())
-      ->type_name("V");
-  app->add_option("--second", command.second, "Path of another parameter")->type_name("NAME");
-  app->add_option("--second-values", command.second_values, "Its values, with commas")
-      ->delimiter(',')
-      ->allow_extra_args(false)
-      ->type_name("V1,V2,..");
-  app->add_option("--duration", command.duration, "Time of a run, s")
-      ->check(above_zero())
-      ->type_name("S");
   add_closure_speed(app, command);
   add_limits(app, command);
 }

@@ -1,88 +1,215 @@
-// graze compare: what a choice or a parameter makes of a motion.
+// graze compare: a scene and the same with another choice, side by side or over a plane of two
+// parameters; a series of modes, each next to the one more.
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <deque>
 
 #include "graze/assembly/assembly.hpp"
+#include "graze/assembly/initial_state.hpp"
 #include "graze/assembly/system_warnings.hpp"
 #include "graze/base/errors.hpp"
+#include "graze/base/parallel.hpp"
+#include "graze/report/comparison_names.hpp"
 #include "graze/report/csv.hpp"
 #include "graze/report/json.hpp"
 #include "graze/report/pictures.hpp"
 #include "graze/report/text.hpp"
-#include "graze/scene/parameter.hpp"
-#include "series_options.hpp"
+#include "graze/study/step_choice.hpp"
+#include "journals.hpp"
+#include "plane_options.hpp"
+#include "search_options.hpp"
+#include "session.hpp"
+#include "settling_options.hpp"
 
 namespace graze {
 namespace {
 
-SensitivityOptions sensitivity_options(const Command& command) {
-  SensitivityOptions options;
-  options.series = series_options(command, command.runs);
-  options.reference = command.reference.value_or(0.5 * (command.from + command.to));
-  options.second = command.second;
-  options.seconds = command.second_values;
-  return options;
+constexpr double kPictureSamplesPerPeriod = 400.0;
+constexpr double kPeriodsRun = 50.0, kPeriodsShown = 4.0;
+
+bool is_over_plane(const Command& command) { return !command.parameter.empty(); }
+
+void check_options(const Command& command) {
+  if (!command.plot.empty()) check_picture_name(command.plot);
+  if (command.against.empty() == (command.most_modes == 0))
+    throw InputError(
+        "compare: give what is compared, one of --against KEY=VALUE, --modes A:B and "
+        "--sensitivity");
+  if (!is_over_plane(command)) {
+    for (const auto& [given, name] :
+         {std::pair(command.goes_on, "--resume"), std::pair(!command.share.is_all(), "--shard"),
+          std::pair(!command.second.empty(), "--second")})
+      if (given) throw InputError(fmt::format("{}: it needs a plane; give --parameter too", name));
+    return;
+  }
+  if (command.most_modes > 0)
+    throw InputError("--parameter: maps compare two scenes; give --against in place of --modes");
+  if (command.second.empty() || !command.second_from || !command.second_to)
+    throw InputError(
+        "--parameter: give the other parameter of the plane too, with --second, --second-from and "
+        "--second-to");
+  check_journal_options(command);
 }
 
-void require_what_is_compared(const Command& command, const Scene& scene) {
-  if (!command.sensitivity)
-    throw InputError(
-        "compare without --sensitivity is not available in this version; give --sensitivity");
-  if (command.parameter.empty())
-    throw InputError("--parameter: it is missing; give the parameter that is varied");
-  if (!command.duration) throw InputError("--duration: it is missing; give the time of a run in s");
-  if (command.second.empty() != command.second_values.empty())
-    throw InputError("--second and --second-values: give both or neither");
-  if (scene.probes.empty())
-    throw scene_error(scene, "probe",
-                      "there is no [[probe]]; sensitivities are those of what probes see");
+void set_comparison(const Command& command, CompareOptions& options) {
+  set_settling(command, options);
+  options.first = command.first_impacts;
+  options.within = command.within;
+  options.stop = stop_signal(command);
+}
+
+void note_comparison(const Command& command, const CompareOptions& options, RunInfo& info) {
+  if (!command.against.empty())
+    info.options.emplace_back("against", fmt::format("{}", fmt::join(command.against, " ")));
+  if (command.most_modes > 0)
+    info.options.emplace_back("modes",
+                              fmt::format("{}:{}", command.fewest_modes, command.most_modes));
+  info.options.emplace_back("first", options.first);
+  info.options.emplace_back("within", options.within);
+  note_settling(options, info);
+}
+
+Scene comparable(const Command& command, const std::vector<std::string>& settings) {
+  Scene scene = scene_of(command, settings);
+  require_exact_flow(scene, "motions are compared");
+  require_forcing_and_stop(scene);
+  return scene;
+}
+
+std::string other_name(const Command& command) {
+  return fmt::format("{}", fmt::join(command.against, ", "));
+}
+
+// The end of a run as a picture shows it.
+SimulationRecord shown_run(const Command& command, const Scene& scene) {
+  SimulationRecord record;
+  record.system = assemble(scene);
+  const double period = record.system.period();
+  SimulationOptions options;
+  options.duration = command.duration.value_or(kPeriodsRun * period);
+  options.max_impacts = command.max_impacts;
+  options.closure_speed = command.closure_speed;
+  options.stop = stop_signal(command);
+  const double from = *options.duration - command.last.value_or(kPeriodsShown * period);
+  RunListeners listeners;
+  listeners.event = [&](const Event& event) {
+    if (event.time >= from) record.events.push_back(event);
+  };
+  listeners.sample = [&](const Sample& sample) {
+    if (sample.time >= from) record.samples.push_back(sample);
+  };
+  listeners.sample_rate = kPictureSamplesPerPeriod / period;
+  record.run = simulate(record.system, initial_state(scene, record.system), options, listeners);
+  return record;
+}
+
+int compare_motions(const Command& command) {
+  ComparisonRecord record;
+  std::vector<Scene> scenes;
+  const auto add = [&](const std::string& name, const std::vector<std::string>& settings) {
+    scenes.push_back(comparable(command, settings));
+    record.names.push_back(name);
+  };
+  if (command.most_modes == 0) {
+    add("the scene", {});
+    add(other_name(command), command.against);
+  }
+  for (int modes = command.fewest_modes; command.most_modes > 0 && modes <= command.most_modes;
+       ++modes) {
+    add(modes == 1 ? "1 mode" : fmt::format("{} modes", modes),
+        {fmt::format("beam.modes={}", modes)});
+    record.modes.push_back(modes);
+  }
+  set_comparison(command, record.options);
+  record.info = run_info(command.name, command.scene, scenes.front());
+  note_comparison(command, record.options, record.info);
+  for (const Scene& scene : scenes)
+    for (const std::string& warning : system_warnings(scene, assemble(scene)))
+      if (std::find(record.warnings.begin(), record.warnings.end(), warning) ==
+          record.warnings.end())
+        record.warnings.push_back(warning);
+  warn(command, record.warnings);
+  prepare_output(command);
+  std::vector<std::optional<ComparedMotion>> motions(scenes.size());
+  for_each_index(scenes.size(), command.threads,
+                 [&](std::size_t i) { motions[i] = compared_motion(scenes[i], record.options); });
+  for (std::optional<ComparedMotion>& motion : motions) {
+    if (!motion) break;
+    record.motions.push_back(std::move(*motion));
+  }
+  conclude_comparison(record, scenes.size(), record.options.stop.reason());
+  const auto draw = [&] {
+    if (record.differences.empty()) return;
+    if (record.modes.empty())
+      for (const Scene& scene : scenes) record.runs.push_back(shown_run(command, scene));
+    draw_comparison(command.plot, record);
+  };
+  return conclude(command, record.info, record.outcome,
+                  {to_json(record),
+                   to_text(record),
+                   {{"comparison.csv", comparison_csv(record)},
+                    {"first_impacts.csv", first_impacts_csv(record)}},
+                   draw,
+                   {}});
+}
+
+ComparedQuantity shown(const Command& command) {
+  for (const ComparedQuantity quantity : kComparedQuantities)
+    if (name_of(quantity) == command.show) return quantity;
+  return ComparedQuantity::kAttractor;
+}
+
+int compare_over_plane(const Command& command) {
+  const Scene one = comparable(command, {}), other = comparable(command, command.against);
+  ComparisonMapOptions options;
+  set_comparison(command, options);
+  static_cast<Plane&>(options) = plane_of(command, command.runs, command.second_runs);
+  options.threads = command.threads;
+  ComparisonMapRecord record;
+  record.info = run_info(command.name, command.scene, one);
+  record.one = "the scene";
+  record.other = other_name(command);
+  record.x_unit = axis_unit_of(one, options.x.name);
+  record.y_unit = axis_unit_of(one, options.y.name);
+  record.shown = shown(command);
+  note_plane(options, record.info);
+  note_comparison(command, options, record.info);
+  record.warnings = system_warnings(one, assemble(one));
+  warn(command, record.warnings);
+  prepare_output(command);
+  note_call(command, record.info);
+  std::optional<Journal> journal =
+      journal_of(command, {record.info, "cell", options.cells(), 1, {}, {}});
+  options.memory = memory_in<ComparedCell>(journal);
+  options.share = command.share;
+  options.progress = progress_line(command, static_cast<int>(options.cells()), "cells");
+  record.map = compare_over(one, other, options);
+  options.progress = nullptr;
+  if (!command.share.is_all()) return conclude_share(command, *journal, record.map.stopped);
+  record.info.options.emplace_back("show", command.show);
+  record.info.options.emplace_back("max_seconds", command.max_seconds);
+  record.outcome = comparison_map_outcome(record.map);
+  return conclude(command, record.info, record.outcome,
+                  {to_json(record),
+                   to_text(record),
+                   {{"comparison.csv", comparison_csv(record)}},
+                   [&] { draw_comparison(command.plot, record); },
+                   {}});
 }
 
 }  // namespace
 
 int run_compare(const Command& command) {
-  if (!command.plot.empty()) check_picture_name(command.plot);
-  const Scene scene = scene_of(command);
-  require_what_is_compared(command, scene);
-  SensitivityOptions options = sensitivity_options(command);
-  options.series.progress = progress_line(command);
-  SensitivityRecord record;
-  record.info = run_info(command.name, command.scene, scene);
-  record.parameter = command.parameter;
-  record.unit = parameter_unit(scene, command.parameter);
-  record.second = command.second;
-  if (!command.second.empty()) record.second_unit = parameter_unit(scene, command.second);
-  record.reference = options.reference;
-  record.probes = scene.probes;
-  auto& noted = record.info.options;
-  noted.emplace_back("sensitivity", true);
-  noted.emplace_back("parameter", command.parameter);
-  noted.emplace_back("from", command.from);
-  noted.emplace_back("to", command.to);
-  noted.emplace_back("points", static_cast<long long>(command.runs));
-  noted.emplace_back("reference", options.reference);
-  noted.emplace_back("duration", *command.duration);
-  if (!command.second.empty()) {
-    noted.emplace_back("second", command.second);
-    noted.emplace_back("second_values", fmt::format("{}", fmt::join(command.second_values, ",")));
+  if (command.sensitivity) {
+    if (!command.against.empty() || command.most_modes > 0)
+      throw InputError(
+          "--sensitivity: it compares one scene over a parameter; leave out "
+          "--against and --modes");
+    return run_sensitivity(command);
   }
-  record.warnings = system_warnings(scene, assemble(scene));
-  warn(command, record.warnings);
-  prepare_output(command);
-  record.curves = sensitivities(scene, options);
-  options.series.progress = {};
-  record.outcome =
-      sensitivity_outcome(record.curves, std::max<std::size_t>(options.seconds.size(), 1),
-                          options.series.stop.reason());
-  return conclude(command, record.info, record.outcome,
-                  {to_json(record),
-                   to_text(record),
-                   {{"sensitivity.csv", sensitivity_csv(record)}},
-                   [&] {
-                     if (!record.curves.empty()) draw_sensitivity(command.plot, record);
-                   },
-                   {}});
+  check_options(command);
+  return is_over_plane(command) ? compare_over_plane(command) : compare_motions(command);
 }
 
 }  // namespace graze

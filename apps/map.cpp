@@ -5,10 +5,12 @@
 #include "graze/base/errors.hpp"
 #include "graze/report/csv.hpp"
 #include "graze/report/json.hpp"
+#include "graze/report/map_names.hpp"
 #include "graze/report/pictures.hpp"
 #include "graze/report/text.hpp"
 #include "graze/study/step_choice.hpp"
 #include "journals.hpp"
+#include "plane_options.hpp"
 #include "search_options.hpp"
 #include "session.hpp"
 #include "settling_options.hpp"
@@ -18,8 +20,7 @@ namespace {
 
 AttractorMapOptions map_options(const Command& command) {
   AttractorMapOptions options;
-  options.x = {command.parameter, command.from, command.to, command.first_points};
-  options.y = {command.second, *command.second_from, *command.second_to, command.second_points};
+  static_cast<Plane&>(options) = plane_of(command, command.first_points, command.second_points);
   set_settling(command, options);
   options.threads = command.threads;
   options.stop = stop_signal(command);
@@ -27,23 +28,14 @@ AttractorMapOptions map_options(const Command& command) {
 }
 
 MapQuantity shown(const Command& command) {
-  const std::string& name = command.show;
-  return name == "impacts"    ? MapQuantity::kImpacts
-         : name == "exponent" ? MapQuantity::kExponent
-         : name == "speed"    ? MapQuantity::kSpeed
-         : name == "stuck"    ? MapQuantity::kStuck
-                              : MapQuantity::kAttractor;
+  for (const MapQuantity quantity : kMapQuantities)
+    if (name_of(quantity) == command.show) return quantity;
+  return MapQuantity::kAttractor;
 }
 
 // What makes a difference to the cells.
 void note_cells(const AttractorMapOptions& options, RunInfo& info) {
-  for (const auto& [prefix, axis] : {std::pair("", options.x), std::pair("second_", options.y)}) {
-    const std::string before = prefix;
-    info.options.emplace_back(before.empty() ? "parameter" : "second", axis.name);
-    info.options.emplace_back(before + "from", axis.from);
-    info.options.emplace_back(before + "to", axis.to);
-    info.options.emplace_back(before + "points", static_cast<long long>(axis.points));
-  }
+  note_plane(options, info);
   note_settling(options, info);
 }
 
@@ -69,9 +61,9 @@ int run_map(const Command& command) {
   warn(command, record.warnings);
   prepare_output(command);
   note_call(command, record.info);
-  const int cells = options.x.points * options.y.points;
+  const auto cells = static_cast<int>(options.cells());
   std::optional<Journal> journal =
-      journal_of(command, {record.info, "cell", static_cast<std::size_t>(cells), 1, {}, {}});
+      journal_of(command, {record.info, "cell", options.cells(), 1, {}, {}});
   options.memory = memory_in<SettledCell>(journal);
   options.share = command.share;
   options.progress = progress_line(command, cells, "cells");

@@ -101,7 +101,8 @@ int run_merge(const Command& command) {
       for (const std::string& name : journal.names())
         if (!joined.has(name)) joined.add(name, journal.find(name).value());
   }
-  return whole.name == "map" ? run_map(whole) : run_diagram(whole);
+  if (whole.name == "map") return run_map(whole);
+  return whole.name == "compare" ? run_compare(whole) : run_diagram(whole);
 }
 
 }  // namespace graze

@@ -118,7 +118,7 @@ void add_range(CLI::App* app, Command& command) {
       ->type_name("D");
 }
 
-void add_settling(CLI::App* app, Command& command) {
+void add_following(CLI::App* app, Command& command) {
   app->add_option("--periods", command.periods,
                   "Forcing periods run at a value, at most (default 1000); fewer once it settled")
       ->transform(whole_number("a whole number from 1", 1.0, kMostCounted))
@@ -127,6 +127,10 @@ void add_settling(CLI::App* app, Command& command) {
       ->transform(whole_number_within(1, 1'000'000))
       ->capture_default_str()
       ->type_name("M");
+}
+
+void add_settling(CLI::App* app, Command& command) {
+  add_following(app, command);
   app->add_option("--exponents", command.exponents,
                   "Lyapunov exponents at every value: of the multipliers where the motion repeats, "
                   "else averaged over so many forcing periods")

@@ -24,7 +24,9 @@ void add_orbit_search(CLI::App* app, Command& command);
 void add_range(CLI::App* app, Command& command);
 // The values of a sweep and what is told at each.
 void add_sweep(CLI::App* app, Command& command);
-// How long motions are followed until they settle, and what is told of them; part of add_sweep.
+// How long motions are followed until they settle.
+void add_following(CLI::App* app, Command& command);
+// The same, and what is told of them; part of add_sweep.
 void add_settling(CLI::App* app, Command& command);
 // Two numbers of the scene and their ranges.
 void add_plane(CLI::App* app, Command& command);

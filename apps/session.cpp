@@ -72,9 +72,11 @@ class ProgressLine {
 
 }  // namespace
 
-Scene scene_of(const Command& command) {
-  if (command.scene_text) return parse_scene(*command.scene_text, command.scene);
-  return read_scene(command.scene, command.settings);
+Scene scene_of(const Command& command, const std::vector<std::string>& further) {
+  if (command.scene_text) return parse_scene(*command.scene_text, command.scene, further);
+  std::vector<std::string> settings = command.settings;
+  settings.insert(settings.end(), further.begin(), further.end());
+  return read_scene(command.scene, settings);
 }
 
 void note_call(const Command& command, RunInfo& info) {

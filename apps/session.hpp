@@ -15,8 +15,8 @@
 
 namespace graze {
 
-// The command's scene with its settings.
-Scene scene_of(const Command& command);
+// The command's scene with its settings, and further ones.
+Scene scene_of(const Command& command, const std::vector<std::string>& further = {});
 
 // Set by Ctrl-C; long work polls it and keeps what it finished.
 extern std::atomic<bool> interrupted;
@@ -62,5 +62,6 @@ int run_merge(const Command& command);
 int run_cost(const Command& command);
 int run_fit(const Command& command);
 int run_compare(const Command& command);
+int run_sensitivity(const Command& command);  // compare --sensitivity
 
 }  // namespace graze

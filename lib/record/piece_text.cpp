@@ -155,6 +155,18 @@ void fields(Archive& archive, ValueRun& run) {
   archive(run.value), archive(run.outcome), archive(run.message), archive(run.impacts);
   archive(run.peaks), archive(run.ends);
 }
+template <class Archive>
+void fields(Archive& archive, MotionDifference& difference) {
+  archive(difference.agreeing), archive(difference.first);
+  archive(difference.first_time), archive(difference.first_speed);
+  archive(difference.is_same_attractor), archive(difference.displacement);
+  archive(difference.velocity), archive(difference.energy), archive(difference.taken);
+}
+template <class Archive>
+void fields(Archive& archive, ComparedCell& cell) {
+  archive(cell.is_known), archive(cell.one), archive(cell.other), archive(cell.difference);
+  archive(cell.message);
+}
 
 // A writer leaves what it is given as it is.
 template <class Archive, class Value>
@@ -187,9 +199,11 @@ bool read(const std::string& text, Piece& piece) {
 std::string piece_text(const SweepRow& row) { return text_of(row); }
 std::string piece_text(const SettledCell& cell) { return text_of(cell); }
 std::string piece_text(const ValueRun& run) { return text_of(run); }
+std::string piece_text(const ComparedCell& cell) { return text_of(cell); }
 
 bool read_piece(const std::string& text, SweepRow& row) { return read(text, row); }
 bool read_piece(const std::string& text, SettledCell& cell) { return read(text, cell); }
 bool read_piece(const std::string& text, ValueRun& run) { return read(text, run); }
+bool read_piece(const std::string& text, ComparedCell& cell) { return read(text, cell); }
 
 }  // namespace graze

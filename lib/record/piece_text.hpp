@@ -4,6 +4,7 @@
 #include <string>
 
 #include "graze/study/attractor_map.hpp"
+#include "graze/study/comparison_map.hpp"
 #include "graze/study/run_series.hpp"
 #include "graze/study/settled_row.hpp"
 
@@ -13,10 +14,12 @@ namespace graze {
 std::string piece_text(const SweepRow& row);
 std::string piece_text(const SettledCell& cell);
 std::string piece_text(const ValueRun& run);
+std::string piece_text(const ComparedCell& cell);
 
 // Reads what `piece_text` wrote. False where it did not.
 bool read_piece(const std::string& text, SweepRow& row);
 bool read_piece(const std::string& text, SettledCell& cell);
 bool read_piece(const std::string& text, ValueRun& run);
+bool read_piece(const std::string& text, ComparedCell& cell);
 
 }  // namespace graze

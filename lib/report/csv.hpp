@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "graze/record/comparison_record.hpp"
 #include "graze/record/cost_record.hpp"
 #include "graze/record/diagram_record.hpp"
 #include "graze/record/fit_record.hpp"
@@ -57,6 +58,12 @@ std::string runs_csv(const RunDiagramRecord& record);
 
 // One line a cell that was run, row by row; attractors by their numbers in result.json.
 std::string map_csv(const MapRecord& record);
+
+// Motions side by side: one line a motion, with its differences from the one before; one line an
+// impact. Over a plane: one line a cell that was run.
+std::string comparison_csv(const ComparisonRecord& record);
+std::string first_impacts_csv(const ComparisonRecord& record);
+std::string comparison_csv(const ComparisonMapRecord& record);
 
 // One line a sample, one for a value that has none.
 std::string sweep_csv(const DiagramRecord& record);

@@ -11,16 +11,13 @@ std::string map_csv(const MapRecord& record) {
   const AttractorMap& map = record.map;
   std::string text =
       "x,y,status,attractor,period,impacts,impacts_per_period,peak_speed,stuck_part,exponent\n";
-  const auto columns = static_cast<std::size_t>(map.options.x.points);
   for (std::size_t i = 0; i < map.cells.size(); ++i) {
     const MapCell& cell = map.cells[i];
     if (!cell.is_known) continue;
     const AttractorClass& attractor = cell.attractor;
     const bool counted = attractor.period > 0 && attractor.kind != SettledKind::kSticks;
-    text += fmt::format("{},{},{},{},{},{},{},{},{},{}\n",
-                        csv_cell(map.options.x.value(static_cast<int>(i % columns))),
-                        csv_cell(map.options.y.value(static_cast<int>(i / columns))),
-                        name_of(attractor.status),
+    text += fmt::format("{},{},{},{},{},{},{},{},{},{}\n", csv_cell(map.options.x_at(i)),
+                        csv_cell(map.options.y_at(i)), name_of(attractor.status),
                         cell.place >= 0 ? std::to_string(cell.place + 1) : "",
                         attractor.period > 0 ? std::to_string(attractor.period) : "",
                         counted ? std::to_string(attractor.impacts) : "",

@@ -4,6 +4,7 @@
 
 #include <string>
 
+#include "graze/record/comparison_record.hpp"
 #include "graze/record/cost_record.hpp"
 #include "graze/record/diagram_record.hpp"
 #include "graze/record/fit_record.hpp"
@@ -28,6 +29,8 @@ std::string to_json(const OrbitRecord& record);
 std::string to_json(const BranchRecord& record);
 std::string to_json(const LociRecord& record);
 std::string to_json(const MapRecord& record);
+std::string to_json(const ComparisonRecord& record);
+std::string to_json(const ComparisonMapRecord& record);
 std::string to_json(const ShareRecord& record);
 std::string to_json(const CostRecord& record);
 std::string to_json(const FitRecord& record);

@@ -1,4 +1,5 @@
 #include "graze/report/json.hpp"
+#include "graze/report/json_plane.hpp"
 #include "graze/report/json_value.hpp"
 #include "graze/report/map_names.hpp"
 #include "graze/report/sweep_names.hpp"
@@ -6,18 +7,9 @@
 namespace graze {
 namespace {
 
-Json axis_json(const MapAxis& axis, const std::string& unit) {
-  return {{"parameter", axis.name},
-          {"unit", unit},
-          {"from", axis.from},
-          {"to", axis.to},
-          {"points", axis.points}};
-}
-
 Json attractor_json(const AttractorMap& map, std::size_t i) {
   const MapAttractor& one = map.attractors[i];
   const AttractorClass& attractor = one.attractor;
-  const auto columns = static_cast<std::size_t>(map.options.x.points);
   const bool repeats = attractor.period > 0, sticks = attractor.kind == SettledKind::kSticks;
   return {{"id", i + 1},
           {"attractor", attractor_name(map, i)},
@@ -25,8 +17,7 @@ Json attractor_json(const AttractorMap& map, std::size_t i) {
           {"impacts", repeats && !sticks ? Json(attractor.impacts) : Json(nullptr)},
           {"sticks", sticks},
           {"cells", one.cells},
-          {"first", Json::array({map.options.x.value(static_cast<int>(one.first % columns)),
-                                 map.options.y.value(static_cast<int>(one.first / columns))})}};
+          {"first", Json::array({map.options.x_at(one.first), map.options.y_at(one.first)})}};
 }
 
 }  // namespace

@@ -7,6 +7,10 @@
 
 namespace graze {
 
+inline constexpr MapQuantity kMapQuantities[] = {MapQuantity::kAttractor, MapQuantity::kImpacts,
+                                                 MapQuantity::kExponent, MapQuantity::kSpeed,
+                                                 MapQuantity::kStuck};
+
 // "attractor", "impacts", "exponent", "speed", "stuck".
 std::string name_of(MapQuantity quantity);
 

@@ -4,6 +4,7 @@
 
 #include <string>
 
+#include "graze/record/comparison_record.hpp"
 #include "graze/record/cost_record.hpp"
 #include "graze/record/diagram_record.hpp"
 #include "graze/record/fit_record.hpp"
@@ -47,6 +48,13 @@ void draw_run_diagram(const std::string& file, const RunDiagramRecord& record);
 
 // The plane of two numbers, a colour for each attractor, or a scale of colours for what is shown.
 void draw_map(const std::string& file, const MapRecord& record);
+
+// The recorded samples of two motions over time at the first stop, the second one dashed:
+// displacement and velocity. Of a series of modes the differences from one to the next, on a
+// logarithmic axis.
+void draw_comparison(const std::string& file, const ComparisonRecord& record);
+// Over a plane, a colour for what both motions settle on, or for a difference.
+void draw_comparison(const std::string& file, const ComparisonMapRecord& record);
 
 // Phase portrait of the orbits found, at most eight of them, seen at the stop of the first one's
 // first impact.

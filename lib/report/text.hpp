@@ -3,6 +3,7 @@
 
 #include <string>
 
+#include "graze/record/comparison_record.hpp"
 #include "graze/record/cost_record.hpp"
 #include "graze/record/diagram_record.hpp"
 #include "graze/record/fit_record.hpp"
@@ -23,6 +24,8 @@ std::string regions_text(const LociRecord& record);  // requires regions
 std::string to_text(const DiagramRecord& record);
 std::string to_text(const RunDiagramRecord& record);
 std::string to_text(const MapRecord& record);
+std::string to_text(const ComparisonRecord& record);
+std::string to_text(const ComparisonMapRecord& record);
 std::string to_text(const ShareRecord& record);
 std::string to_text(const CostRecord& record);
 std::string to_text(const FitRecord& record);

@@ -4,27 +4,17 @@
 #include <map>
 #include <numeric>
 #include <optional>
-#include <string>
+#include <utility>
 
 #include "graze/assembly/assembly.hpp"
 #include "graze/assembly/initial_state.hpp"
 #include "graze/base/errors.hpp"
-#include "graze/base/even_values.hpp"
-#include "graze/base/parallel.hpp"
-#include "graze/base/tally.hpp"
 #include "graze/hybrid/simulation.hpp"
 #include "graze/orbit/shooting.hpp"
-#include "graze/scene/parameter.hpp"
 #include "graze/scene/start_coordinate.hpp"
 
 namespace graze {
 namespace {
-
-Scene with_value(Scene scene, const std::string& name, double value) {
-  if (!names_start_coordinate(name)) return with_parameter(scene, name, value);
-  start_coordinate(scene, name) = value;
-  return scene;
-}
 
 class Mapper {
  public:
@@ -34,27 +24,17 @@ class Mapper {
     map_.options.memory = {};
     map_.is_of_starts =
         names_start_coordinate(options.x.name) && names_start_coordinate(options.y.name);
-    const auto count =
-        static_cast<std::size_t>(options.x.points) * static_cast<std::size_t>(options.y.points);
-    map_.cells.resize(count);
-    strobes_.resize(count);
-    progress_ = options.progress;
-    memory_ = options.memory;
   }
 
-  AttractorMap finish() {
-    const std::size_t count = map_.cells.size();
-    Tally tally(progress_, map_.options.share.count(count));
-    for_each_index(count, map_.options.threads, [&](std::size_t i) {
-      if (!map_.options.share.has(i) || map_.options.stop.requested()) return;
-      std::optional<SettledCell> settled =
-          memory_.get(piece_name("cell", i), [&] { return run(i); });
-      if (!settled) return;
-      map_.cells[i] = std::move(settled->cell);
-      strobes_[i] = std::move(settled->strobes);
-      tally.add();
-    });
-    if (!tally.is_complete()) map_.stopped = map_.options.stop.reason();
+  AttractorMap finish(const AttractorMapOptions& options) {
+    MadePieces<SettledCell> made = make_pieces<SettledCell>("cell", options.cells(), options,
+                                                            [&](std::size_t i) { return run(i); });
+    for (std::optional<SettledCell>& settled : made.pieces) {
+      if (!settled) settled.emplace();
+      map_.cells.push_back(std::move(settled->cell));
+      strobes_.push_back(std::move(settled->strobes));
+    }
+    if (!made.is_complete) map_.stopped = options.stop.reason();
     name_attractors();
     return std::move(map_);
   }
@@ -64,13 +44,9 @@ class Mapper {
   std::optional<SettledCell> run(std::size_t i) const {
     SettledCell settled;
     MapCell& cell = settled.cell;
-    const auto columns = static_cast<std::size_t>(map_.options.x.points);
     SweepRow row;
     try {
-      const double x = map_.options.x.value(static_cast<int>(i % columns));
-      const double y = map_.options.y.value(static_cast<int>(i / columns));
-      const Scene scene =
-          with_value(with_value(scene_, map_.options.x.name, x), map_.options.y.name, y);
+      const Scene scene = scene_at(scene_, map_.options, i);
       const System system = assemble(scene);
       if (!settle_row(scene, system, initial_state(scene, system), map_.options, row)) return {};
       look_at(scene, system, row, cell);
@@ -82,7 +58,7 @@ class Mapper {
     cell.message = row.message;
     if (row.exponents && row.exponents->values.size() > 0) cell.exponent = row.exponents->values[0];
     cell.is_known = true;
-    settled.strobes = std::move(row.motion.strobes);
+    if (map_.is_of_starts) settled.strobes = std::move(row.motion.strobes);
     return settled;
   }
 
@@ -90,18 +66,15 @@ class Mapper {
   void look_at(const Scene& scene, const System& system, const SweepRow& row, MapCell& cell) const {
     for (const MetImpact& impact : row.motion.impacts)
       cell.peak_speed = std::max(cell.peak_speed, impact.speed);
-    const long long turns = row.motion.period > 0 ? row.motion.period : map_.options.samples;
+    const long long turns = shown_periods(row, map_.options);
     if (!row.motion.sticks)
       cell.impacts_per_period =
           static_cast<double>(row.motion.impacts.size()) / static_cast<double>(turns);
     if (row.motion.kind == SettledKind::kAtRest) cell.stuck_part = 1.0;
     if (!row.motion.sticks || row.motion.kind == SettledKind::kAtRest) return;
-    SimulationOptions options;
-    options.duration = static_cast<double>(turns) * system.period();
-    options.max_impacts = map_.options.max_impacts;
-    options.closure_speed = closure_speed_of(scene, system, map_.options);
-    const Simulation again = simulate(system, row.motion.at_end, options, {});
-    cell.stuck_part = again.totals.stuck_time / *options.duration;
+    const Simulation again =
+        simulate(system, row.motion.at_end, on_from_settled(scene, system, row, map_.options), {});
+    cell.stuck_part = again.totals.stuck_time / (static_cast<double>(turns) * system.period());
   }
 
   static bool is_attractor(const MapCell& cell) {
@@ -157,29 +130,13 @@ class Mapper {
   const Scene& scene_;
   AttractorMap map_;
   std::vector<std::vector<State>> strobes_;
-  std::function<void(double)> progress_;
-  PieceMemory<SettledCell> memory_;
 };
 
 }  // namespace
 
-double MapAxis::value(int i) const { return even_value(from, to, i, points); }
-
 AttractorMap map_attractors(const Scene& scene, const AttractorMapOptions& options) {
-  for (const MapAxis* axis : {&options.x, &options.y}) {
-    Scene copy = scene;
-    if (names_start_coordinate(axis->name))
-      start_coordinate(copy, axis->name);
-    else
-      parameter_direction(scene, axis->name);
-  }
-  if (options.x.name == options.y.name)
-    throw InputError(options.y.name + ": both axes are this one; give two that differ");
-  return Mapper(scene, options).finish();
-}
-
-std::string axis_unit_of(const Scene& scene, const std::string& name) {
-  return names_start_coordinate(name) ? start_coordinate_unit(name) : parameter_unit(scene, name);
+  require_plane(scene, options);
+  return Mapper(scene, options).finish(options);
 }
 
 }  // namespace graze

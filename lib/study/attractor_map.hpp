@@ -13,18 +13,11 @@
 #include <vector>
 
 #include "graze/scene/scene.hpp"
+#include "graze/study/plane.hpp"
 #include "graze/study/settled_row.hpp"
 #include "graze/study/shared_work.hpp"
 
 namespace graze {
-
-struct MapAxis {
-  std::string name;  // of a parameter, or "initial.q.1", "initial.qdot.1", ..
-  double from = 0.0, to = 0.0;
-  int points = 100;  // cells from `from` to `to`, both the middle of one; at least 2
-
-  double value(int i) const;
-};
 
 struct MapCell {
   bool is_known = false;  // false: it was not run
@@ -39,15 +32,14 @@ struct MapCell {
   std::string message;             // a sentence where there is something to say
 };
 
-// A cell with the states at the starts of its periods.
+// A cell with the states at the starts of its periods where motions are told apart by them.
 struct SettledCell {
   MapCell cell;
   std::vector<State> strobes;
 };
 
 // Periods, impacts and exponents are those of a cell.
-struct AttractorMapOptions : RowOptions {
-  MapAxis x, y;
+struct AttractorMapOptions : RowOptions, Plane {
   int threads = 0;                                  // 0: all cores
   std::function<void(double fraction)> progress{};  // called by one thread at a time
   Share share{};                                    // of the cells
@@ -57,27 +49,22 @@ struct AttractorMapOptions : RowOptions {
 struct MapAttractor {
   AttractorClass attractor;
   std::size_t first = 0, cells = 0;  // the first cell, and how many
-  std::vector<State> strobes;        // at the starts of its periods, in that cell; where it repeats
+  std::vector<State> strobes;        // at the starts of its periods, in that cell; where they tell
 };
 
 struct AttractorMap {
   AttractorMapOptions options;
   bool is_of_starts = false;   // both numbers are coordinates of the start
-  std::vector<MapCell> cells;  // row by row: x runs within a row, y from row to row
+  std::vector<MapCell> cells;  // as the plane has them
   // With the most cells first, of as many the one that comes first.
   std::vector<MapAttractor> attractors;
   StopReason stopped = StopReason::kNone;
 
-  const MapCell& at(int column, int row) const {
-    return cells[static_cast<std::size_t>(row * options.x.points + column)];
-  }
+  const MapCell& at(int column, int row) const { return cells[options.cell(column, row)]; }
 };
 
 // Requires forcing and a stop. Throws InputError for a name that the scene does not have, or one
 // that stands for both. Cells whose value the scene does not allow are such that say so.
 AttractorMap map_attractors(const Scene& scene, const AttractorMapOptions& options);
-
-// "rad/s", .. of an axis.
-std::string axis_unit_of(const Scene& scene, const std::string& name);
 
 }  // namespace graze

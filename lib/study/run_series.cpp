@@ -10,8 +10,6 @@
 #include "graze/assembly/initial_state.hpp"
 #include "graze/assembly/probes.hpp"
 #include "graze/base/angle.hpp"
-#include "graze/base/parallel.hpp"
-#include "graze/base/tally.hpp"
 #include "graze/scene/parameter.hpp"
 #include "graze/study/step_choice.hpp"
 
@@ -75,10 +73,7 @@ std::optional<ValueRun> run_at(const Scene& scene, double value, const RunSeries
   std::vector<Peak> peaks(probes.size());
   RunListeners listeners;
   listeners.event = [&](const Event& event) {
-    // A spring that grips again below the surface, on the way out, is no new contact.
-    if (event.kind == EventKind::kImpact ||
-        (event.kind == EventKind::kContact && event.speed > 0.0))
-      run.impacts.push_back({event.time, event.stop, event.speed});
+    if (meets_stop(event)) run.impacts.push_back({event.time, event.stop, event.speed});
   };
   if (!probes.empty())
     listeners.sample = [&](const Sample& sample) {
@@ -108,16 +103,11 @@ std::vector<ValueRun> run_series(const Scene& scene, const RunSeriesOptions& opt
     scenes.push_back(with_parameter(scene, options.parameter, value));
     initial_state(scenes.back(), assemble(scenes.back()));
   }
-  std::vector<std::optional<ValueRun>> runs(options.values.size());
-  Tally tally(options.progress, options.share.count(runs.size()));
-  for_each_index(runs.size(), options.threads, [&](std::size_t i) {
-    if (!options.share.has(i) || options.stop.requested()) return;
-    runs[i] = options.memory.get(piece_name("row", i),
-                                 [&] { return run_at(scenes[i], options.values[i], options); });
-    if (runs[i]) tally.add();
-  });
+  MadePieces<ValueRun> made = make_pieces<ValueRun>(
+      "row", scenes.size(), options,
+      [&](std::size_t i) { return run_at(scenes[i], options.values[i], options); });
   std::vector<ValueRun> finished;
-  for (std::optional<ValueRun>& run : runs)
+  for (std::optional<ValueRun>& run : made.pieces)
     if (run) finished.push_back(std::move(*run));
   return finished;
 }

@@ -11,15 +11,10 @@
 #include "graze/base/stop_signal.hpp"
 #include "graze/hybrid/simulation.hpp"
 #include "graze/scene/scene.hpp"
+#include "graze/study/run_impact.hpp"
 #include "graze/study/shared_work.hpp"
 
 namespace graze {
-
-struct RunImpact {
-  double time = 0.0;   // s
-  int stop = 0;        // from 0
-  double speed = 0.0;  // of approach, m/s; of a contact too
-};
 
 struct ValueRun {
   double value = 0.0;  // of the parameter, SI

@@ -1,7 +1,6 @@
 #include "graze/study/settled_row.hpp"
 
 #include "graze/assembly/initial_state.hpp"
-#include "graze/hybrid/simulation.hpp"
 #include "graze/study/clear_state.hpp"
 
 namespace graze {
@@ -73,6 +72,19 @@ AttractorClass attractor_class(const SweepRow& row) {
   if (motion.kind == SettledKind::kImpacts)
     attractor.impacts = static_cast<int>(motion.impacts.size());
   return attractor;
+}
+
+long long shown_periods(const SweepRow& row, const RowOptions& options) {
+  return row.motion.period > 0 ? row.motion.period : options.samples;
+}
+
+SimulationOptions on_from_settled(const Scene& scene, const System& system, const SweepRow& row,
+                                  const RowOptions& options) {
+  SimulationOptions run;
+  run.periods = shown_periods(row, options);
+  run.max_impacts = options.max_impacts;
+  run.closure_speed = closure_speed_of(scene, system, options);
+  return run;
 }
 
 // Orbits are the same in whichever of their periods they are seen first.

@@ -7,6 +7,7 @@
 
 #include "graze/base/default_budget.hpp"
 #include "graze/base/stop_signal.hpp"
+#include "graze/hybrid/simulation.hpp"
 #include "graze/orbit/exponents.hpp"
 #include "graze/orbit/settled.hpp"
 #include "graze/orbit/shooting.hpp"
@@ -83,6 +84,12 @@ bool was_followed(SweepStatus status);
 // start comes from. False where it was stopped before that was done.
 bool settle_row(const Scene& scene, const System& system, const State& start,
                 const RowOptions& options, SweepRow& row);
+
+// How many forcing periods of what the motion has settled on are shown: one repetition, or as many
+// as asked for where nothing repeats; and a run over them, on from where they end.
+long long shown_periods(const SweepRow& row, const RowOptions& options);
+SimulationOptions on_from_settled(const Scene& scene, const System& system, const SweepRow& row,
+                                  const RowOptions& options);
 
 // Whether two motions that repeat are the same orbit, seen in whichever of its periods: states at
 // the starts of their periods no further apart than this part of the scale.

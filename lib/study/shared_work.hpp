@@ -8,6 +8,10 @@
 #include <optional>
 #include <string>
 #include <utility>
+#include <vector>
+
+#include "graze/base/parallel.hpp"
+#include "graze/base/tally.hpp"
 
 namespace graze {
 
@@ -50,5 +54,28 @@ struct PieceMemory {
     return made;
   }
 };
+
+// Pieces 0 .. count - 1 of a kind ("cell") that depend on nothing but themselves: those of the
+// options' share, remembered or as `make(i)` makes them, on its threads, with its progress. Nothing
+// where a piece is not of the share, or was stopped.
+template <class Piece>
+struct MadePieces {
+  std::vector<std::optional<Piece>> pieces;
+  bool is_complete = false;  // of the share
+};
+template <class Piece, class Options, class Make>
+MadePieces<Piece> make_pieces(const std::string& kind, std::size_t count, const Options& options,
+                              const Make& make) {
+  MadePieces<Piece> made;
+  made.pieces.resize(count);
+  Tally tally(options.progress, options.share.count(count));
+  for_each_index(count, options.threads, [&](std::size_t i) {
+    if (!options.share.has(i) || options.stop.requested()) return;
+    made.pieces[i] = options.memory.get(piece_name(kind, i), [&] { return make(i); });
+    if (made.pieces[i]) tally.add();
+  });
+  made.is_complete = tally.is_complete();
+  return made;
+}
 
 }  // namespace graze

@@ -78,13 +78,6 @@ TEST(Program, OptionsStandInAnyOrder) {
   }
 }
 
-TEST(Program, RefusesWhatALaterVersionBrings) {
-  const Finished run = run_graze("compare " + kOneMode);
-  EXPECT_EQ(run.code, 2);
-  EXPECT_NE(run.err.find("not available in this version"), std::string::npos) << run.err;
-  EXPECT_EQ(run.out, "");
-}
-
 TEST(Program, ATorqueFileThatIsNotThereExitsWith4) {
   const ScratchFolder scratch;
   std::ofstream(scratch / "hub.toml")

@@ -1,0 +1,29 @@
+// How the options of a plane of cells reach what is done over it.
+#pragma once
+
+#include <string>
+#include <utility>
+
+#include "command.hpp"
+#include "graze/record/run_info.hpp"
+#include "graze/study/plane.hpp"
+
+namespace graze {
+
+// With so many cells across and up. Requires both ranges of the second parameter.
+inline Plane plane_of(const Command& command, int across, int up) {
+  return {{command.parameter, command.from, command.to, across},
+          {command.second, *command.second_from, *command.second_to, up}};
+}
+
+inline void note_plane(const Plane& plane, RunInfo& info) {
+  for (const auto& [prefix, axis] : {std::pair("", plane.x), std::pair("second_", plane.y)}) {
+    const std::string before = prefix;
+    info.options.emplace_back(before.empty() ? "parameter" : "second", axis.name);
+    info.options.emplace_back(before + "from", axis.from);
+    info.options.emplace_back(before + "to", axis.to);
+    info.options.emplace_back(before + "points", static_cast<long long>(axis.points));
+  }
+}
+
+}  // namespace graze

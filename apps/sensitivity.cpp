@@ -1,0 +1,85 @@
+// graze compare --sensitivity: what a parameter makes of a motion.
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "graze/assembly/assembly.hpp"
+#include "graze/assembly/system_warnings.hpp"
+#include "graze/base/errors.hpp"
+#include "graze/report/csv.hpp"
+#include "graze/report/json.hpp"
+#include "graze/report/pictures.hpp"
+#include "graze/report/text.hpp"
+#include "graze/scene/parameter.hpp"
+#include "series_options.hpp"
+
+namespace graze {
+namespace {
+
+SensitivityOptions sensitivity_options(const Command& command) {
+  SensitivityOptions options;
+  options.series = series_options(command, command.runs);
+  options.reference = command.reference.value_or(0.5 * (command.from + command.to));
+  options.second = command.second;
+  options.seconds = command.second_values;
+  return options;
+}
+
+void require_what_varies(const Command& command, const Scene& scene) {
+  if (command.parameter.empty())
+    throw InputError("--parameter: it is missing; give the parameter that is varied");
+  if (!command.duration) throw InputError("--duration: it is missing; give the time of a run in s");
+  if (command.second.empty() != command.second_values.empty())
+    throw InputError("--second and --second-values: give both or neither");
+  if (scene.probes.empty())
+    throw scene_error(scene, "probe",
+                      "there is no [[probe]]; sensitivities are those of what probes see");
+}
+
+}  // namespace
+
+int run_sensitivity(const Command& command) {
+  if (!command.plot.empty()) check_picture_name(command.plot);
+  const Scene scene = scene_of(command);
+  require_what_varies(command, scene);
+  SensitivityOptions options = sensitivity_options(command);
+  options.series.progress = progress_line(command);
+  SensitivityRecord record;
+  record.info = run_info(command.name, command.scene, scene);
+  record.parameter = command.parameter;
+  record.unit = parameter_unit(scene, command.parameter);
+  record.second = command.second;
+  if (!command.second.empty()) record.second_unit = parameter_unit(scene, command.second);
+  record.reference = options.reference;
+  record.probes = scene.probes;
+  auto& noted = record.info.options;
+  noted.emplace_back("sensitivity", true);
+  noted.emplace_back("parameter", command.parameter);
+  noted.emplace_back("from", command.from);
+  noted.emplace_back("to", command.to);
+  noted.emplace_back("points", static_cast<long long>(command.runs));
+  noted.emplace_back("reference", options.reference);
+  noted.emplace_back("duration", *command.duration);
+  if (!command.second.empty()) {
+    noted.emplace_back("second", command.second);
+    noted.emplace_back("second_values", fmt::format("{}", fmt::join(command.second_values, ",")));
+  }
+  record.warnings = system_warnings(scene, assemble(scene));
+  warn(command, record.warnings);
+  prepare_output(command);
+  record.curves = sensitivities(scene, options);
+  options.series.progress = {};
+  record.outcome =
+      sensitivity_outcome(record.curves, std::max<std::size_t>(options.seconds.size(), 1),
+                          options.series.stop.reason());
+  return conclude(command, record.info, record.outcome,
+                  {to_json(record),
+                   to_text(record),
+                   {{"sensitivity.csv", sensitivity_csv(record)}},
+                   [&] {
+                     if (!record.curves.empty()) draw_sensitivity(command.plot, record);
+                   },
+                   {}});
+}
+
+}  // namespace graze

@@ -1,0 +1,51 @@
+// A plane of two numbers as a picture, a colour for every cell.
+#pragma once
+
+#include <functional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "graze/report/picture_style.hpp"
+#include "graze/study/plane.hpp"
+
+namespace graze {
+
+struct Colour {
+  double red = 255.0, green = 255.0, blue = 255.0;  // 0..255
+};
+Colour colour_of(const std::string& hex);  // "#0072B2"
+
+// What several kinds of cells look like in every picture.
+inline constexpr const char* kWildCell = "#444444";  // never repeats
+inline constexpr const char* kOtherCell = "#BBBBBB";
+inline constexpr const char* kNoCell = "#EEEEEE";  // has no motion
+// Orbits, one after the other.
+inline constexpr const char* kOrbitCells[] = {kSky,  kOrange,   kGreen,     kPurple,
+                                              kBlue, "#F0E442", kVermillion};
+
+struct CellColours {
+  std::function<Colour(std::size_t cell)> of;
+  std::vector<std::pair<std::string, std::string>> legend;  // name, colour
+};
+
+enum class CellScale {
+  kFromZero,  // from dark to bright
+  kSigned,    // away from zero in two hues
+  kUnbounded  // likewise, only as far below zero as above: smaller ones may have no bound
+};
+
+struct CellNumbers {
+  std::function<double(std::size_t cell)> of;      // not finite: none
+  std::function<bool(std::size_t cell)> is_known;  // false: white
+  std::string title;                               // of the bar beside the axes, a gnuplot string
+  CellScale scale = CellScale::kFromZero;
+};
+
+// `x_unit`, `y_unit`: SI. Throw FileError as the pictures do.
+void draw_cells(const std::string& file, const Plane& plane, const std::string& x_unit,
+                const std::string& y_unit, const CellColours& colours);
+void draw_cells(const std::string& file, const Plane& plane, const std::string& x_unit,
+                const std::string& y_unit, const CellNumbers& numbers);
+
+}  // namespace graze

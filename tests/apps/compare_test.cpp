@@ -1,0 +1,103 @@
+// graze compare: scenes side by side, over a plane, and over numbers of modes.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "apps/program.hpp"
+
+namespace graze {
+namespace {
+
+using nlohmann::json;
+
+const std::string kPaper = scene("01_wagg_2004.toml");
+const std::string kGalerkin = "--against beam.discretisation=galerkin ";
+const std::string kPlane =
+    "compare --quiet --against stop.restitution=0.7 --parameter forcing.frequency --from 30 --to "
+    "90 "
+    "--points 7 --second stop.gap --second-from 0.5e-3 --second-to 2e-3 --second-points 4 " +
+    scene("05_wagg_one_mode.toml");
+
+long long lines_of(const std::string& text) { return std::count(text.begin(), text.end(), '\n'); }
+
+TEST(CompareCommand, PutsTwoScenesSideBySide) {
+  const ScratchFolder out;
+  const Finished run = run_graze("compare --json --out " + (out / "run").string() + " --plot " +
+                                 (out / "two.svg").string() + " " + kGalerkin + kPaper);
+  ASSERT_EQ(run.code, 0) << run.err;
+  const json document = json::parse(run.out);
+  EXPECT_EQ(document["outcome"], "compared");
+  ASSERT_EQ(document["motions"].size(), 2u);
+  EXPECT_EQ(document["motions"][1]["name"], "beam.discretisation=galerkin");
+  EXPECT_EQ(document["motions"][0]["first_impacts"].size(), 20u);
+  ASSERT_EQ(document["differences"].size(), 1u);
+  const json& apart = document["differences"][0];
+  // Both are driven from rest; how the load is spread over the modes moves the first impact.
+  EXPECT_NE(apart["first_time"], 0.0);
+  EXPECT_LT(std::abs(apart["first_time"].get<double>()), 0.01);
+  EXPECT_EQ(lines_of(read_text(out / "run" / "comparison.csv")), 3);
+  EXPECT_EQ(lines_of(read_text(out / "run" / "first_impacts.csv")), 41);
+  EXPECT_NE(read_text(out / "two.svg").find("galerkin"), std::string::npos);
+}
+
+TEST(CompareCommand, ComparesNumbersOfModes) {
+  const ScratchFolder out;
+  const Finished run = run_graze("compare --modes 1:4 --periods 200 --plot " +
+                                 (out / "n.png").string() + " " + scene("02_wagg_momentum.toml"));
+  ASSERT_EQ(run.code, 0) << run.err;
+  EXPECT_NE(run.out.find("3 modes to 4 modes"), std::string::npos) << run.out;
+  EXPECT_GT(read_text(out / "n.png").size(), 3000u);
+}
+
+TEST(CompareCommand, DrawsEveryDifferenceOverAPlane) {
+  const ScratchFolder out;
+  for (const std::string what : {"attractor", "agreeing", "first_speed", "velocity", "energy"}) {
+    const Finished run = run_graze(kPlane + " --show " + what + " --out " + (out / "run").string() +
+                                   " --plot " + (out / "m.svg").string());
+    ASSERT_EQ(run.code, 0) << run.err;
+    EXPECT_GT(read_text(out / "m.svg").size(), 3000u);
+  }
+  const json document = json::parse(read_text(out / "run" / "result.json"));
+  EXPECT_EQ(document["outcome"], "complete");
+  for (const char* key : {"one", "other", "attractor", "agreeing", "first_time", "energy"})
+    EXPECT_EQ(document["cells"][key].size(), 28u) << key;
+  EXPECT_EQ(lines_of(read_text(out / "run" / "comparison.csv")), 29);
+}
+
+TEST(CompareCommand, IsSharedOutAndGoesOn) {
+  const ScratchFolder out;
+  ASSERT_EQ(run_graze(kPlane + " --out " + (out / "whole").string()).code, 0);
+  std::string folders;
+  for (const char* share : {"1/2", "2/2"}) {
+    const std::string folder = (out / ("part" + std::string(1, share[0]))).string();
+    EXPECT_EQ(run_graze(kPlane + " --shard " + share + " --out " + folder).code, 0);
+    folders += folder + " ";
+  }
+  const Finished merged = run_graze("merge " + folders + "--out " + (out / "joined").string());
+  ASSERT_EQ(merged.code, 0) << merged.err;
+  EXPECT_EQ(run_graze(kPlane + " --resume --out " + (out / "part1").string()).code, 0);
+  for (const char* folder : {"joined", "part1"})
+    for (const char* file : {"result.json", "comparison.csv"})
+      EXPECT_EQ(read_text(out / folder / file), read_text(out / "whole" / file)) << folder << file;
+}
+
+TEST(CompareCommand, SaysWhatIsMissing) {
+  const auto refuses = [](const std::string& arguments, const std::string& words) {
+    const Finished run = run_graze("compare " + arguments);
+    EXPECT_EQ(run.code, 2) << arguments;
+    EXPECT_NE(run.err.find(words), std::string::npos) << run.err;
+  };
+  refuses(kPaper, "--against");
+  refuses("--modes 1:3 " + kGalerkin + kPaper, "one of");
+  refuses("--modes 3:1 " + kPaper, "like 1:8");
+  refuses("--parameter stop.gap --from 0 --to 1 " + kGalerkin + kPaper, "--second");
+  refuses("--against beam.discretisation=galerking " + kPaper, "galerkin");
+  refuses("--resume --out x " + kGalerkin + kPaper, "--parameter");
+  refuses("--sensitivity " + kGalerkin + kPaper, "--against");
+  refuses("--modes 1:3 " + scene("04_impact_oscillator.toml"), "beam");
+  refuses(kGalerkin + scene("06_bouncing_ball.toml"), "forcing");
+}
+
+}  // namespace
+}  // namespace graze
