@@ -75,6 +75,7 @@ class MotionsPicture {
     std::vector<std::string> layers;
     if (has_stop) {
       column_.set_legend();
+      script_.command("set key maxrows 1");
       stops.draw(script_, range, column_.label_line(), layers);
     }
     for (std::size_t i = 0; i < curves.size(); ++i) {
@@ -109,10 +110,6 @@ constexpr QuantityStyle kStyles[] = {
 GnuplotScript modes_script(const ComparisonRecord& record) {
   GnuplotScript script;
   set_style(script);
-  Margins margins;
-  margins.bottom += legend_height(std::size(kStyles), 1);
-  set_margins(script, margins);
-  set_legend(script, margins, 1);
   AxisRange across, up;
   std::vector<std::string> layers;
   for (const QuantityStyle& style : kStyles) {
@@ -132,6 +129,10 @@ GnuplotScript modes_script(const ComparisonRecord& record) {
                                  data, style.mark, style.colour,
                                  gnuplot_string(title_of(style.quantity))));
   }
+  Margins margins;
+  margins.bottom += legend_height(layers.size(), 1);
+  set_margins(script, margins);
+  set_legend(script, margins, 1);
   across.settle(0.05);
   up.settle(0.0);
   script.command("set logscale y\nset format y '10^{%L}'");
