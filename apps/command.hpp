@@ -32,6 +32,8 @@ struct Command {
   bool keeps_book() const { return energy || !plot.empty(); }
   std::optional<double> closure_speed;  // m/s
   std::string resume;                   // file or folder; empty: from the scene's initial state
+  std::string run_section;              // impact | strobe; empty: none
+  std::optional<long long> transient;   // forcing periods that it leaves out
 
   // diagram, map
   bool goes_on = false;  // --resume: with the pieces that are in the folder

@@ -49,6 +49,19 @@ void add_simulate(CLI::App& graze, Command& command) {
   app->add_flag("--energy", command.energy,
                 "Keep the energy book: the work of every effect, and what is missing in their sum "
                 "(--plot keeps it too)");
+  auto* section =
+      app->add_option("--section", command.run_section,
+                      "Poincare section, which --plot then shows: impact (phase and speed of every "
+                      "impact) or strobe (displacement and velocity at the stops once a forcing "
+                      "period)")
+          ->check(CLI::IsMember({"impact", "strobe"}))
+          ->type_name("WHAT");
+  app->add_option("--transient", command.transient,
+                  "Forcing periods at the beginning that the section leaves out (default: a tenth "
+                  "of the run)")
+      ->transform(whole_number("a whole number, 0 or more", 0.0, kMostCounted))
+      ->type_name("K")
+      ->needs(section);
   add_closure_speed(app, command);
   app->add_option("--resume", command.resume,
                   "Go on from the state.toml that --out left, given as file or folder; the end "
@@ -141,6 +154,7 @@ void add_map(CLI::App& graze, Command& command) {
       ->check(CLI::IsMember({"attractor", "impacts", "exponent", "speed", "stuck"}))
       ->capture_default_str()
       ->type_name("WHAT");
+  add_loci_over_map(app, command);
   add_settling(app, command);
   add_closure_speed(app, command);
   add_limits(app, command);

@@ -2,9 +2,6 @@
 // parameters; a series of modes, each next to the one more.
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <deque>
-
 #include "graze/assembly/assembly.hpp"
 #include "graze/assembly/initial_state.hpp"
 #include "graze/assembly/system_warnings.hpp"
@@ -124,11 +121,9 @@ int compare_motions(const Command& command) {
   set_comparison(command, record.options);
   record.info = run_info(command.name, command.scene, scenes.front());
   note_comparison(command, record.options, record.info);
-  for (const Scene& scene : scenes)
-    for (const std::string& warning : system_warnings(scene, assemble(scene)))
-      if (std::find(record.warnings.begin(), record.warnings.end(), warning) ==
-          record.warnings.end())
-        record.warnings.push_back(warning);
+  for (std::size_t i = 0; i < scenes.size(); ++i)
+    for (const std::string& warning : system_warnings(scenes[i], assemble(scenes[i])))
+      record.warnings.push_back(record.names[i] + ": " + warning);
   warn(command, record.warnings);
   prepare_output(command);
   std::vector<std::optional<ComparedMotion>> motions(scenes.size());

@@ -5,7 +5,6 @@
 #include <array>
 #include <utility>
 
-#include "branch_options.hpp"
 #include "graze/assembly/assembly.hpp"
 #include "graze/assembly/system_warnings.hpp"
 #include "graze/bifurcation/restart.hpp"
@@ -16,40 +15,13 @@
 #include "graze/report/text.hpp"
 #include "graze/scene/parameter.hpp"
 #include "graze/study/step_choice.hpp"
+#include "loci_options.hpp"
 #include "restart.hpp"
 #include "search_options.hpp"
 #include "session.hpp"
 
 namespace graze {
 namespace {
-
-std::vector<OrbitLocusKind> kinds_of(const std::vector<std::string>& labels) {
-  std::vector<OrbitLocusKind> kinds;
-  for (const OrbitLocusKind kind : kOrbitLocusKinds)
-    for (const std::string& label : labels)
-      if (label == label_of(kind) || label == "all") {
-        kinds.push_back(kind);
-        break;
-      }
-  return kinds;
-}
-
-LociOptions loci_options(const Command& command) {
-  if (command.second.empty() || !command.second_from || !command.second_to)
-    throw InputError(
-        "--locus: give the second parameter, --second NAME --second-from C "
-        "--second-to D");
-  if (*command.second_from == *command.second_to)
-    throw InputError("--second-from, --second-to: the range must not be empty");
-  LociOptions options;
-  options.branches = branch_options(command);
-  options.branches.start_values = 8;
-  options.second_from = *command.second_from;
-  options.second_to = *command.second_to;
-  options.kinds = kinds_of(command.locus);
-  options.slices = command.slices;
-  return options;
-}
 
 // From a special point of an earlier run alone.
 void start_from(const Restart& restart, const Command& command, LociOptions& options) {
@@ -155,7 +127,7 @@ int run_loci(const Command& command) {
   options.branches.progress = nullptr;
   record.outcome = loci_outcome(record.traced, options);
   std::vector<std::pair<std::string, std::string>> tables = {
-      {"loci.csv", loci_csv(record)},
+      {"loci.csv", loci_csv(record.traced)},
       {"special.csv", special_csv(record)},
       special_file(record.info, {command.parameter, command.second},
                    special_orbits(record.traced))};

@@ -1,15 +1,21 @@
 // graze map: what the motion settles on over a plane of two parameters or two coordinates of its
 // start.
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
 #include "graze/assembly/assembly.hpp"
 #include "graze/assembly/system_warnings.hpp"
 #include "graze/base/errors.hpp"
+#include "graze/record/loci_record.hpp"
 #include "graze/report/csv.hpp"
 #include "graze/report/json.hpp"
 #include "graze/report/map_names.hpp"
 #include "graze/report/pictures.hpp"
 #include "graze/report/text.hpp"
+#include "graze/scene/start_coordinate.hpp"
 #include "graze/study/step_choice.hpp"
 #include "journals.hpp"
+#include "loci_options.hpp"
 #include "plane_options.hpp"
 #include "search_options.hpp"
 #include "session.hpp"
@@ -39,14 +45,39 @@ void note_cells(const AttractorMapOptions& options, RunInfo& info) {
   note_settling(options, info);
 }
 
-}  // namespace
+// Loci of the orbits over the map, where they were asked for; and how the whole ended.
+void trace_over(const Command& command, const Scene& scene, MapRecord& record) {
+  if (command.locus.empty()) return;
+  const LociOptions options = loci_options(command);
+  record.loci = trace_loci(scene, command.parameter, command.second, options);
+  const Outcome outcome = loci_outcome(*record.loci, options);
+  // That there are none is no failure: the map says what there is.
+  if (record.outcome.name == "complete" && outcome.name != "no_orbit") record.outcome = outcome;
+  auto& noted = record.info.options;
+  noted.emplace_back("locus", fmt::format("{}", fmt::join(command.locus, ",")));
+  noted.emplace_back("slices", static_cast<long long>(command.slices));
+  noted.emplace_back("period", static_cast<long long>(command.period));
+  noted.emplace_back("impacts", static_cast<long long>(command.impacts.value_or(1)));
+}
 
-int run_map(const Command& command) {
+void check_options(const Command& command) {
   if (!command.plot.empty()) check_picture_name(command.plot);
   check_journal_options(command);
   if (command.show == "exponent" && command.exponents == 0)
     throw InputError(
         "--show exponent: give --exponents K, the periods that they are averaged over");
+  if (command.locus.empty()) return;
+  for (const std::string& axis : {command.parameter, command.second})
+    if (names_start_coordinate(axis))
+      throw InputError(fmt::format(
+          "--locus: {} is no parameter; orbits, and so their loci, do not depend on the start",
+          axis));
+}
+
+}  // namespace
+
+int run_map(const Command& command) {
+  check_options(command);
   const Scene scene = scene_of(command);
   require_exact_flow(scene, "maps are drawn");
   require_forcing_and_stop(scene);
@@ -73,10 +104,13 @@ int run_map(const Command& command) {
   record.info.options.emplace_back("show", command.show);
   record.info.options.emplace_back("max_seconds", command.max_seconds);
   record.outcome = map_outcome(record.map);
+  trace_over(command, scene, record);
+  std::vector<std::pair<std::string, std::string>> tables = {{"map.csv", map_csv(record)}};
+  if (record.loci) tables.emplace_back("loci.csv", loci_csv(*record.loci));
   return conclude(command, record.info, record.outcome,
                   {to_json(record),
                    to_text(record),
-                   {{"map.csv", map_csv(record)}},
+                   std::move(tables),
                    [&] { draw_map(command.plot, record); },
                    {}});
 }

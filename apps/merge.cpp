@@ -63,6 +63,20 @@ void warn_of_processors(const Command& command, const std::vector<Journal>& jour
                                processors.size())});
 }
 
+// The words of a command without these options, each of which has a value.
+std::vector<std::string> without(const std::vector<std::string>& words,
+                                 const std::set<std::string>& options) {
+  std::vector<std::string> kept;
+  for (std::size_t i = 0; i < words.size(); ++i) {
+    const std::string name = words[i].substr(0, words[i].find('='));
+    if (!options.contains(name))
+      kept.push_back(words[i]);
+    else if (name == words[i])
+      ++i;
+  }
+  return kept;
+}
+
 // The command that the shares are of, for the whole of its work.
 Command whole_command(const Command& command, const JournalHead& head) {
   std::vector<std::string> words = head.info.arguments;
@@ -74,6 +88,7 @@ Command whole_command(const Command& command, const JournalHead& head) {
   if (!parsed.command) throw InputError("the journals do not tell which command they are of");
   Command whole = *parsed.command;
   whole.share = {};
+  whole.arguments = without(whole.arguments, {"--shard", "--out"});
   whole.goes_on = true;
   whole.scene_text = head.info.scene_text;
   whole.json = command.json;

@@ -223,14 +223,51 @@ void add_branch_kind(CLI::App* app, Command& command) {
       ->type_name("D");
 }
 
+namespace {
+
+CLI::Option* add_locus_kinds(CLI::App* app, Command& command, const char* what) {
+  return app->add_option("--locus", command.locus, what)
+      ->check(CLI::IsMember({"LP", "PD", "NS", "GR", "all"}))
+      ->delimiter(',')
+      ->allow_extra_args(false)
+      ->type_name("KIND");
+}
+
+void add_slices(CLI::App* app, Command& command, CLI::Option* locus) {
+  app->add_option("--slices", command.slices,
+                  "With --locus: values of either parameter, besides the scene's own, at which "
+                  "special points are sought to start from; a locus that crosses none and meets no "
+                  "other is missed")
+      ->transform(whole_number_within(0, 10'000))
+      ->capture_default_str()
+      ->type_name("N")
+      ->needs(locus);
+}
+
+}  // namespace
+
+void add_loci_over_map(CLI::App* app, Command& command) {
+  CLI::Option* locus = add_locus_kinds(
+      app, command,
+      "Draw the loci of special points over the map: LP, PD, NS, GR, several with commas, or all");
+  add_slices(app, command, locus);
+  app->add_option("--period", command.period, "With --locus: forcing periods p of the orbits")
+      ->transform(whole_number("a whole number from 1", 1.0, kMostPeriods))
+      ->capture_default_str()
+      ->type_name("P")
+      ->needs(locus);
+  app->add_option("--impacts", command.impacts,
+                  "With --locus: impacts k of the orbits (default: 1)")
+      ->transform(whole_number_within(1, 64))
+      ->type_name("K")
+      ->needs(locus);
+}
+
 void add_locus(CLI::App* app, Command& command) {
-  CLI::Option* locus =
-      app->add_option("--locus", command.locus,
-                      "Trace loci of special points over two parameters instead of branches: LP, "
-                      "PD, NS, GR, several with commas, or all")
-          ->check(CLI::IsMember({"LP", "PD", "NS", "GR", "all"}))
-          ->delimiter(',')
-          ->type_name("KIND");
+  CLI::Option* locus = add_locus_kinds(
+      app, command,
+      "Trace loci of special points over two parameters instead of branches: LP, PD, NS, GR, "
+      "several with commas, or all");
   CLI::Option* second = app->add_option("--second", command.second,
                                         "With --locus: path of the second parameter, e.g. stop.gap")
                             ->type_name("NAME")
@@ -243,14 +280,7 @@ void add_locus(CLI::App* app, Command& command) {
       ->check(finite_number())
       ->type_name("D")
       ->needs(second);
-  app->add_option("--slices", command.slices,
-                  "With --locus: values of either parameter, besides the scene's own, at which "
-                  "special points are sought to start from; a locus that crosses none and meets no "
-                  "other is missed")
-      ->transform(whole_number_within(0, 10'000))
-      ->capture_default_str()
-      ->type_name("N")
-      ->needs(locus);
+  add_slices(app, command, locus);
   app->add_option("--regions", command.regions,
                   "With --locus: say what is stable at N by N places of the plane, checked by "
                   "simulation, and draw it behind the loci")

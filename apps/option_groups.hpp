@@ -34,6 +34,8 @@ void add_plane(CLI::App* app, Command& command);
 void add_journal(CLI::App* app, Command& command);
 // Which orbits' branches are traced, and how far from the first.
 void add_branch_kind(CLI::App* app, Command& command);
+// Loci over a map, with the orbits that they are of.
+void add_loci_over_map(CLI::App* app, Command& command);
 // Loci instead of branches.
 void add_locus(CLI::App* app, Command& command);
 // A special point of an earlier run instead of any search; needs those of search and loci.

@@ -24,14 +24,15 @@ std::filesystem::path spool_folder(const Command& command) {
 }  // namespace
 
 RunOutput::RunOutput(const Command& command, const System& system,
-                     const std::vector<ProbeRow>& probes)
+                     const std::vector<ProbeRow>& probes, std::optional<RunSection> section)
     : system_(system),
       probes_(probes),
       records_events_(command.record != "none"),
       records_samples_(command.record == "samples"),
       writes_document_(command.json || !command.out.empty()),
-      draws_(!command.plot.empty()),
-      events_(spool_folder(command)) {
+      draws_(!command.plot.empty() && !section),
+      events_(spool_folder(command)),
+      section_(std::move(section)) {
   if (command.out.empty()) return;
   const std::filesystem::path folder = command.out;
   if (records_events_) {
@@ -45,6 +46,7 @@ RunOutput::RunOutput(const Command& command, const System& system,
 }
 
 void RunOutput::add(const Event& event) {
+  if (section_) section_->add(event);
   if (records_events_) {
     excerpt_.add(event);
     if (writes_document_) add_event_json(event, events_);
@@ -57,6 +59,7 @@ void RunOutput::add(const Event& event) {
 }
 
 void RunOutput::add(const Sample& sample) {
+  if (section_) section_->add(system_, sample);
   if (sample_table_) sample_table_->append(samples_csv_row(system_, sample, probes_));
   if (draws_) {
     last_samples_.push_back(sample);
@@ -82,7 +85,8 @@ std::vector<PendingFile> RunOutput::take_tables() {
   return tables;
 }
 
-void RunOutput::show_in(SimulationRecord& record) const {
+void RunOutput::show_in(SimulationRecord& record) {
+  record.section = std::move(section_);
   record.excerpt = excerpt_;
   record.events.assign(last_events_.begin(), last_events_.end());
   record.samples.assign(last_samples_.begin(), last_samples_.end());

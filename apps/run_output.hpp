@@ -21,20 +21,21 @@ inline constexpr std::size_t kPictureSamples = 12 * 400;  // 12 forcing periods
 class RunOutput {
  public:
   // `system` and `probes` must outlive it.
-  RunOutput(const Command& command, const System& system, const std::vector<ProbeRow>& probes);
+  RunOutput(const Command& command, const System& system, const std::vector<ProbeRow>& probes,
+            std::optional<RunSection> section);
 
   void add(const Event& event);
   void add(const Sample& sample);
 
-  bool wants_events() const { return records_events_ || draws_; }
-  bool wants_samples() const { return records_samples_ || draws_; }
+  bool wants_events() const { return records_events_ || draws_ || section_; }
+  bool wants_samples() const { return records_samples_ || draws_ || section_; }
 
   // The document's events; empty unless a document is wanted.
   Spool& events() { return events_; }
   // The tables, complete. Empties this.
   std::vector<PendingFile> take_tables();
-  // Fills in what the record shows of events and samples.
-  void show_in(SimulationRecord& record) const;
+  // Fills in what the record shows of events and samples, and the section.
+  void show_in(SimulationRecord& record);
 
  private:
   void trim();
@@ -47,6 +48,7 @@ class RunOutput {
   EventExcerpt excerpt_;
   std::deque<Event> last_events_;
   std::deque<Sample> last_samples_;
+  std::optional<RunSection> section_;
 };
 
 }  // namespace graze

@@ -7,6 +7,7 @@
 #include "graze/assembly/system_warnings.hpp"
 #include "graze/base/angle.hpp"
 #include "graze/base/errors.hpp"
+#include "graze/report/csv.hpp"
 #include "graze/report/json.hpp"
 #include "graze/report/pictures.hpp"
 #include "graze/report/text.hpp"
@@ -53,7 +54,25 @@ double samples_per_period(const System& system, double count) {
   return slowest > 0.0 ? count * slowest / kTurn : count;
 }
 
+// What the run is seen by, where that was asked for.
+std::optional<RunSection> section_of(const Command& command, const System& system,
+                                     const SimulationOptions& options) {
+  if (command.run_section.empty()) return {};
+  if (!system.forcing)
+    throw InputError("--section: the scene has no forcing, so its motion has no phase");
+  if (command.run_section == "strobe" && command.record == "samples")
+    throw InputError(
+        "--section strobe: it takes a sample each forcing period; leave out --record samples");
+  const double period = system.period();
+  const double end = options.duration.value_or(static_cast<double>(options.periods) * period);
+  const double from =
+      command.transient ? static_cast<double>(*command.transient) * period : 0.1 * end;
+  return RunSection(
+      command.run_section == "strobe" ? DiagramSection::kStrobe : DiagramSection::kImpact, from);
+}
+
 double sample_rate(const Command& command, const System& system, const std::optional<CutRun>& cut) {
+  if (!command.run_section.empty() && command.record != "samples") return 1.0 / system.period();
   if (command.record != "samples") {
     const double rate = samples_per_period(system, kPictureSamplesPerPeriod);
     // Nothing settles on a hub: the whole run is looked at.
@@ -75,6 +94,8 @@ void note_options(const Command& command, const SimulationOptions& options,
   info.options.emplace_back("record", command.record);
   if (command.record == "samples") info.options.emplace_back("sample_rate", rate);
   info.options.emplace_back("energy", command.keeps_book());
+  if (!command.run_section.empty()) info.options.emplace_back("section", command.run_section);
+  if (command.transient) info.options.emplace_back("transient", *command.transient);
   info.options.emplace_back("closure_speed", *options.closure_speed);
   info.options.emplace_back("max_impacts", options.max_impacts);
   info.options.emplace_back("max_seconds", command.max_seconds);
@@ -112,6 +133,7 @@ int run_simulate(const Command& command) {
     cut = read_cut_run(command, record.system, record.info);
     check_end(*cut, options, record.system);
   }
+  std::optional<RunSection> section = section_of(command, record.system, options);
   if (!options.closure_speed)
     options.closure_speed =
         cut ? cut->state.closure_speed
@@ -125,7 +147,7 @@ int run_simulate(const Command& command) {
     record.notes.push_back("the run before kept no energy book; it begins where this one goes on");
 
   prepare_output(command);
-  RunOutput output(command, record.system, record.probes);
+  RunOutput output(command, record.system, record.probes, std::move(section));
   record.run = run_listened(record.system, start, cut, options, rate, command, output);
   record.outcome = simulation_outcome(record.run);
   for (const std::string& warning : simulation_warnings(record.system, record.run)) {
@@ -139,11 +161,16 @@ int run_simulate(const Command& command) {
                      record.run.end_time,
                      command.record == "samples" ? std::optional<double>(rate) : std::nullopt,
                      record.run.state};
+  std::vector<std::pair<std::string, std::string>> files = {{kStateFile, write_run_state(state)}};
+  if (record.section) files.emplace_back("section.csv", section_csv(*record.section));
   return conclude(command, record.info, record.outcome,
-                  {to_json(record, output.events()),
-                   to_text(record),
-                   {{kStateFile, write_run_state(state)}},
-                   [&] { draw_simulation(command.plot, record); },
+                  {to_json(record, output.events()), to_text(record), std::move(files),
+                   [&] {
+                     if (record.section)
+                       draw_section(command.plot, record);
+                     else
+                       draw_simulation(command.plot, record);
+                   },
                    output.take_tables()});
 }
 

@@ -5,13 +5,15 @@
 #include <utility>
 
 #include "graze/continuation/plane_curve.hpp"
+#include "graze/flow/sprung_deviation.hpp"
 #include "graze/orbit/shooting.hpp"
 
 namespace graze {
 namespace {
 
-// Slopes of the map are known to about this, in its units: ten times what a contact is followed to.
-constexpr double kMapAccuracy = 10.0 * kContactTolerance;
+// Slopes of the map are known to about this, in its units: ten times what a step of
+// the deviations is.
+constexpr double kMapAccuracy = 10.0 * kDeviationTolerance;
 // So differences of slopes err least over steps of its cube root, in units of the map and in ranges
 // of the parameters.
 const double kStep = std::cbrt(kMapAccuracy);

@@ -35,13 +35,10 @@ struct PhaseSprings {
   auto operator<=>(const PhaseSprings&) const = default;
 };
 
-// Of a step, against the speed of the contact (sprung_rates.hpp): a contact costs some thousand
-// evaluations, and its error is that of a rounded impact.
-inline constexpr double kContactTolerance = 1e-13;
-
-// Of a structure that turns, against its own speed: over some ten thousand steps its energy keeps
-// ten digits.
-inline constexpr double kTurningTolerance = 1e-14;
+// Of a step where the motion has no closed form, against the speed of the contact
+// (sprung_rates.hpp), or of the structure that turns. A contact costs some thousand evaluations and
+// gives the speed away to 3e-13; over some ten thousand steps the energy keeps ten digits.
+inline constexpr double kStepTolerance = 1e-14;
 
 template <class Real>
 class ContactPhase {
@@ -87,8 +84,8 @@ class ContactPhase {
   const std::vector<double>& depths() const { return depths_; }
   const Watch& watch(int stop, int multiplicity);
   // What it watches for at its springs, counted as set_depths() does: the depth, which starts from
-  // this departure where that is a zero (watch()); the grip, or the lack of it, which may start from
-  // a zero too.
+  // this departure where that is a zero (watch()); the grip, or the lack of it, which may start
+  // from a zero too.
   const Watch& depth_watch(std::size_t spring, int multiplicity, double departure);
   const Watch& grip_watch(std::size_t spring, int multiplicity);
   // And at a joint with friction that turns: its rate in the direction in which it does, until it

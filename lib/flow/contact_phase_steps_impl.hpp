@@ -161,7 +161,7 @@ void ContactPhase<Real>::spring_by(const System& system, const std::optional<Ste
     StepSetting setting = steps.value_or(StepSetting{});
     setting.speed = 1.0;  // the state counts in speeds of the contact
     if (!steps) {
-      setting.tolerance = springs_.empty() ? kTurningTolerance : kContactTolerance;
+      setting.tolerance = kStepTolerance;
       setting.longest = std::numeric_limits<double>::infinity();
     }
     step_flow_ = steps ? graze::step_flow(sprung, setting) : bulirsch_stoer_flow(sprung, setting);

@@ -51,7 +51,7 @@ class Varied {
   using State = std::vector<double>;
 
   Varied(const SprungSystem& system, const Source* source)
-      : system_(system), source_(source), motion_(system, kContactTolerance) {}
+      : system_(system), source_(source), motion_(system, kDeviationTolerance) {}
 
   State begin(const graze::State& start, double theta, const std::vector<double>& depths,
               const Deviations& deviations, const Vector& sizes) {
@@ -152,8 +152,8 @@ class Varied {
 constexpr int kMostFailures = 500;
 
 Varied::State integrate(Varied& varied, Varied::State whole, double s) {
-  odeint::bulirsch_stoer<Varied::State> method(kContactTolerance,
-                                               Sprung::relative(kContactTolerance), 1.0, 0.0);
+  odeint::bulirsch_stoer<Varied::State> method(kDeviationTolerance,
+                                               Sprung::relative(kDeviationTolerance), 1.0, 0.0);
   double at = 0.0, next = varied.first_step(s);
   for (int failures = 0; at < s && failures < kMostFailures;) {
     next = std::min(next, s - at);

@@ -13,6 +13,9 @@
 
 namespace graze {
 
+// Of a step, against their own sizes: derivatives are needed no finer.
+inline constexpr double kDeviationTolerance = 1e-13;
+
 // Deviations at the end of the arc of s seconds that `phase` was started on, from `start` at
 // forcing phase theta. Requires springs in the phase, no closed stops, and zero delays.
 Deviations sprung_deviations(const ContactPhase<double>& phase, const State& start, double theta,

@@ -9,12 +9,6 @@
 
 namespace graze {
 
-// What is seen of a motion.
-enum class DiagramSection {
-  kImpact,  // phase and speed of every impact
-  kStrobe   // displacement and velocity at the stops at the start of every forcing period
-};
-
 // What a picture shows of a branch over the parameter: impact speeds (m/s) or displacements at a
 // stop (m), one for every impact or forcing period of an orbit.
 struct DiagramCurve {

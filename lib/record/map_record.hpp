@@ -1,9 +1,11 @@
 // The result of a map of attractors with what made it.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "graze/bifurcation/orbit_loci.hpp"
 #include "graze/record/records.hpp"
 #include "graze/study/attractor_map.hpp"
 
@@ -21,6 +23,7 @@ enum class MapQuantity {
 struct MapRecord {
   RunInfo info;
   AttractorMap map;
+  std::optional<OrbitLoci> loci;  // of special points over it, where they were asked for
   std::string x_unit, y_unit;
   MapQuantity shown = MapQuantity::kAttractor;
   std::vector<std::string> warnings;

@@ -11,6 +11,7 @@
 #include "graze/hybrid/simulation.hpp"
 #include "graze/orbit/finder.hpp"
 #include "graze/record/run_info.hpp"
+#include "graze/record/section.hpp"
 
 namespace graze {
 
@@ -59,9 +60,10 @@ struct SimulationRecord {
   System system;
   std::vector<ProbeRow> probes{};
   Simulation run;
-  EventExcerpt excerpt;         // empty unless recorded
-  std::vector<Event> events;    // the end of the run, for pictures
-  std::vector<Sample> samples;  // the end of the run, for pictures
+  EventExcerpt excerpt;               // empty unless recorded
+  std::vector<Event> events;          // the end of the run, for pictures
+  std::vector<Sample> samples;        // the end of the run, for pictures
+  std::optional<RunSection> section;  // where it was asked for
   std::vector<std::string> warnings, notes;
   Outcome outcome;
 };

@@ -68,7 +68,7 @@ double compared_value(const MotionDifference& difference, ComparedQuantity quant
     case ComparedQuantity::kAttractor:
       return difference.is_same_attractor ? 1.0 : 0.0;
     case ComparedQuantity::kAgreeing:
-      return difference.agreeing;
+      return difference.first > 0 ? difference.agreeing : kNone;
     case ComparedQuantity::kFirstTime:
       return difference.first_time.value_or(kNone);
     case ComparedQuantity::kFirstSpeed:

@@ -110,6 +110,16 @@ std::string samples_csv_row(const System& system, const Sample& sample,
   return text + "\n";
 }
 
+std::string section_csv(const RunSection& section) {
+  std::string text = section.kind() == DiagramSection::kImpact
+                         ? "time,stop,phase,speed\n"
+                         : "time,stop,displacement,velocity\n";
+  for (const SectionPoint& point : section.points())
+    text += fmt::format("{},{},{},{}\n", csv_cell(point.time), point.stop + 1,
+                        csv_cell(point.across), csv_cell(point.up));
+  return text;
+}
+
 std::string orbits_csv(const OrbitRecord& record) {
   std::string text =
       "orbit,period,impacts,impact,stop,period_index,phase,speed,stable,admissible,clearance,"

@@ -25,6 +25,9 @@ std::string samples_csv_header(const System& system, bool energy,
 std::string samples_csv_row(const System& system, const Sample& sample,
                             const std::vector<ProbeRow>& probes = {});
 
+// One line a point: "time,stop,phase,speed" or "time,stop,displacement,velocity".
+std::string section_csv(const RunSection& section);
+
 std::string orbits_csv(const OrbitRecord& record);
 // The stuck phases of the orbits.
 std::string stuck_csv(const OrbitRecord& record);
@@ -32,7 +35,7 @@ std::string stuck_csv(const OrbitRecord& record);
 std::string contacts_csv(const OrbitRecord& record);
 std::string branches_csv(const BranchRecord& record);
 std::string special_csv(const BranchRecord& record);
-std::string loci_csv(const LociRecord& record);
+std::string loci_csv(const OrbitLoci& traced);
 std::string special_csv(const LociRecord& record);
 // One line a place; labels hold commas and stand in quotes.
 std::string regions_csv(const StableRegions& regions);

@@ -16,9 +16,9 @@ std::string cells(const OrbitLocusPoint& point) {
 
 }  // namespace
 
-std::string loci_csv(const LociRecord& record) {
+std::string loci_csv(const OrbitLoci& traced) {
   std::string text = "locus,label,period,impacts,value,second,angle,phase,speed,admissible\n";
-  for (const OrbitLocus& locus : record.traced.loci)
+  for (const OrbitLocus& locus : traced.loci)
     for (const OrbitLocusPoint& point : locus.points)
       fmt::format_to(std::back_inserter(text), "{},{},{},{},{}\n", locus.id, label_of(locus.kind),
                      locus.pattern.period, point.impacts.size(), cells(point));

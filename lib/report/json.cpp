@@ -5,6 +5,7 @@
 #include "graze/bifurcation/special_names.hpp"
 #include "graze/report/json_value.hpp"
 #include "graze/report/names.hpp"
+#include "graze/report/sweep_names.hpp"
 #include "graze/system/hub_state.hpp"
 
 namespace graze {
@@ -284,6 +285,25 @@ void add_event_json(const Event& event, Spool& events) {
   events.append(text);
 }
 
+Json section_json(const RunSection& section) {
+  const bool of_impacts = section.kind() == DiagramSection::kImpact;
+  Json time = Json::array(), stop = Json::array(), across = Json::array(), up = Json::array();
+  for (const SectionPoint& point : section.points()) {
+    time.push_back(json_number(point.time));
+    stop.push_back(point.stop + 1);
+    across.push_back(json_number(point.across));
+    up.push_back(json_number(point.up));
+  }
+  return {{"kind", name_of(section.kind())},
+          {"from", section.from()},
+          {"points", section.points().size()},
+          {"left_out", section.left_out()},
+          {"time", time},
+          {"stop", stop},
+          {of_impacts ? "phase" : "displacement", across},
+          {of_impacts ? "speed" : "velocity", up}};
+}
+
 Document to_json(const SimulationRecord& record, Spool& events) {
   Json document = header(record.info, record.outcome, record.warnings);
   if (!record.notes.empty()) document["notes"] = record.notes;
@@ -297,6 +317,7 @@ Document to_json(const SimulationRecord& record, Spool& events) {
   document["final"] = final_json(record.system, record.run);
   document["totals"] = totals_json(record.run.totals);
   if (record.run.energy) document["energy"] = energy_json(record.system, *record.run.energy);
+  if (record.section) document["section"] = section_json(*record.section);
   const std::string whole = text(document);
   // Quotes inside strings are escaped, so this is found once, where it stands.
   const std::string opening = "\n \"events\": [";

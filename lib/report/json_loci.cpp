@@ -1,49 +1,10 @@
+#include "graze/report/json_loci.hpp"
 #include "graze/report/json.hpp"
 #include "graze/report/json_value.hpp"
 #include "graze/report/names.hpp"
 
 namespace graze {
 namespace {
-
-Json place_json(const OrbitLocusPoint& point) {
-  return {{"value", json_number(point.value)}, {"second", json_number(point.second)}};
-}
-
-Json point_json(OrbitLocusKind kind, const OrbitLocusPoint& point) {
-  Json json = place_json(point);
-  json["phase"] = json_number(point.impacts.front().phase);
-  json["speed"] = json_number(point.impacts.front().speed);
-  if (kind == OrbitLocusKind::kTorus) json["angle"] = json_number(point.angle);
-  json["admissible"] = point.admissible;
-  if (point.impacts.size() < 2) return json;
-  Json at = Json::array();
-  for (const OrbitImpact& impact : point.impacts)
-    at.push_back({{"stop", impact.stop + 1},
-                  {"period_index", impact.period_index},
-                  {"phase", json_number(impact.phase)},
-                  {"speed", json_number(impact.speed)}});
-  json["at"] = at;
-  return json;
-}
-
-Json locus_json(const OrbitLocus& locus) {
-  Json stops = Json::array(), points = Json::array(), special = Json::array();
-  for (const int stop : locus.pattern.stops) stops.push_back(stop + 1);
-  for (const OrbitLocusPoint& point : locus.points) points.push_back(point_json(locus.kind, point));
-  for (const OrbitLocusSpecial& s : locus.special) {
-    Json json = {{"id", s.id}, {"label", s.label}};
-    json.update(point_json(locus.kind, s.at));
-    special.push_back(json);
-  }
-  return {{"id", locus.id},
-          {"label", label_of(locus.kind)},
-          {"period", locus.pattern.period},
-          {"impacts", locus.pattern.impacts()},
-          {"stops", stops},
-          {"ends", {name_of(locus.ends[0]), name_of(locus.ends[1])}},
-          {"points", points},
-          {"special", special}};
-}
 
 Json place_json(const RegionPlace& place) {
   return {{"value", json_number(place.value)},
@@ -126,16 +87,9 @@ std::string to_json(const LociRecord& record) {
   Json document = Json::parse(to_json(branches));
   document["units"]["second"] = record.second_unit;
   document["units"]["angle"] = "rad";
-  Json loci = Json::array();
-  for (const OrbitLocus& locus : record.traced.loci) loci.push_back(locus_json(locus));
   document["second"] = record.traced.second;
-  document["loci"] = loci;
-  document["counters"] = {{"slices", record.traced.slices},
-                          {"starts", record.traced.starts},
-                          {"starts_lost", record.traced.lost_starts},
-                          {"loci_cut_short", record.traced.cut_short},
-                          {"traces_cut_short", record.traced.traces_cut_short},
-                          {"shooting_evaluations", record.traced.shooting_evaluations}};
+  document["loci"] = loci_json(record.traced);
+  document["counters"] = loci_counters_json(record.traced);
   if (record.regions) {
     document["regions"] = regions_json(*record.regions);
     document["regions"]["borders"] =

@@ -1,4 +1,5 @@
 #include "graze/report/json.hpp"
+#include "graze/report/json_loci.hpp"
 #include "graze/report/json_plane.hpp"
 #include "graze/report/json_value.hpp"
 #include "graze/report/map_names.hpp"
@@ -47,6 +48,10 @@ std::string to_json(const MapRecord& record) {
                        {"peak_speed", speed},
                        {"stuck_part", stuck}};
   if (map.options.exponent_periods > 0) document["cells"]["exponent"] = exponent;
+  if (record.loci) {
+    document["loci"] = loci_json(*record.loci);
+    document["counters"] = loci_counters_json(*record.loci);
+  }
   return document.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 

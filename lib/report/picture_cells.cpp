@@ -6,12 +6,16 @@
 #include <array>
 #include <cmath>
 #include <cstdlib>
+#include <utility>
+
+#include "graze/report/picture_locus_curves.hpp"
 
 namespace graze {
 namespace {
 
-constexpr std::size_t kColumns = 3;  // of the legend
-constexpr double kHeight = 0.75;     // of the picture over its width
+constexpr double kHeight = 0.75;  // of the picture over its width, without a legend of loci
+// Columns of the legend, of names that are short and of others.
+constexpr std::size_t kColumns = 3, kColumnsOfLong = 2, kLong = 14;
 
 // Colours of equal steps in lightness, dark to bright (after M. Kuhn's and N. Smith's viridis), and
 // two hues away from zero.
@@ -20,45 +24,39 @@ constexpr std::array kAboutZero = {"#2166AC", "#92C5DE", "#F7F7F7", "#F4A582", "
 
 class CellPicture {
  public:
-  CellPicture(const Plane& plane, const std::string& x_unit, const std::string& y_unit)
-      : plane_(plane) {
-    x_unit_ = axis_unit(x_unit, std::max(std::abs(plane.x.from), std::abs(plane.x.to)));
-    y_unit_ = axis_unit(y_unit, std::max(std::abs(plane.y.from), std::abs(plane.y.to)));
-    x_ = range_of(plane.x, x_unit_.factor);
-    y_ = range_of(plane.y, y_unit_.factor);
+  explicit CellPicture(const DrawnPlane& drawn) : plane_(drawn.plane), loci_(drawn.loci) {
+    x_unit_ = axis_unit(drawn.x_unit, std::max(std::abs(plane_.x.from), std::abs(plane_.x.to)));
+    y_unit_ = axis_unit(drawn.y_unit, std::max(std::abs(plane_.y.from), std::abs(plane_.y.to)));
+    x_ = range_of(plane_.x, x_unit_.factor);
+    y_ = range_of(plane_.y, y_unit_.factor);
   }
 
-  GnuplotScript script(const CellColours& colours) {
-    Margins margins;
-    margins.bottom += legend_height(colours.legend.size(), kColumns);
-    set_axes(margins);
-    write_cells(colours.of);
-    set_legend(script_, margins, kColumns);
-    std::vector<std::string> layers = {kCells};
+  void draw(const std::string& file, const CellColours& colours) {
+    const bool has_long = std::any_of(colours.legend.begin(), colours.legend.end(),
+                                      [](const auto& entry) { return entry.first.size() > kLong; });
+    std::vector<std::string> legend;
     for (const auto& [name, colour] : colours.legend)
-      layers.push_back(
+      legend.push_back(
           fmt::format("NaN with points pt 5 ps 1.1 lc rgb '{}' title '{}'", colour, name));
-    script_.plot(layers);
-    return script_;
+    begin(legend.size(), has_long ? kColumnsOfLong : kColumns, 0.04);
+    write_cells(colours.of);
+    plot(std::move(legend));
+    draw_picture(file, script_, proportion_);
   }
 
-  GnuplotScript script(const CellNumbers& numbers) {
+  void draw(const std::string& file, const CellNumbers& numbers) {
     find_range(numbers);
-    Margins margins;
-    margins.right = 0.2;
-    set_axes(margins);
+    begin(0, kColumns, 0.2);
     write_cells([&](std::size_t cell) {
       const double value = numbers.of(cell);
       if (std::isfinite(value)) return colour_at(value);
       return numbers.is_known(cell) ? colour_of(kNoCell) : Colour{};
     });
-    script_.plot({kCells, colour_bar(numbers.title)});
-    return script_;
+    plot({colour_bar(numbers.title)});
+    draw_picture(file, script_, proportion_);
   }
 
  private:
-  static constexpr const char* kCells = "$cells using 1:2:3:4:5 with rgbimage";
-
   // Cells reach half their width beyond the values at their middles.
   static AxisRange range_of(const PlaneAxis& axis, double factor) {
     const double half = 0.5 * std::abs(axis.to - axis.from) / (axis.points - 1);
@@ -68,14 +66,34 @@ class CellPicture {
     return range;
   }
 
-  void set_axes(Margins& margins) {
+  // Axes with room at the foot for `entries` of the legend; that of loci takes its own below.
+  void begin(std::size_t entries, std::size_t columns, double right) {
     set_style(script_);
-    if (has_hertz_axis(plane_.x.name)) margins.top = kHertzMargin;
+    if (loci_)
+      draw_locus_curves(*loci_, {x_unit_.factor, y_unit_.factor, x_, y_}, LociGround::kColours,
+                        script_, loci_drawn_);
+    if (loci_) columns = kColumnsOfLong;
+    const std::size_t all = entries + loci_drawn_.legend.size();
+    const double more = legend_height(all, columns) - legend_height(entries, columns);
+    proportion_ *= 1.0 + more;
+    Margins margins;
+    margins.right = right;
+    margins.bottom = (margins.bottom + legend_height(all, columns)) / (1.0 + more);
+    margins.top = (has_hertz_axis(plane_.x.name) ? kHertzMargin : margins.top) / (1.0 + more);
     set_margins(script_, margins);
+    if (all > 0) set_legend(script_, margins, columns);
     set_parameter_axis(script_, plane_.x.name, x_, x_unit_.unit);
     script_.command("set yrange " + y_.text());
     script_.command(fmt::format("set ytics {:.6g}", y_.tic_step(8)));
     name_vertical_axis(script_, parameter_title(plane_.y.name), y_unit_.unit);
+  }
+
+  // Cells, loci over them, and what else there is.
+  void plot(std::vector<std::string> others) {
+    std::vector<std::string> layers = {"$cells using 1:2:3:4:5 with rgbimage notitle"};
+    for (const auto* more : {&loci_drawn_.curves, &others, &loci_drawn_.legend})
+      layers.insert(layers.end(), more->begin(), more->end());
+    script_.plot(layers);
   }
 
   void find_range(const CellNumbers& numbers) {
@@ -125,14 +143,17 @@ class CellPicture {
     ends.row({x_.low, y_.low, shown_.low});
     ends.row({x_.high, y_.high, shown_.high});
     script_.data("ends", ends);
-    return "$ends using 1:2:3 with points pt 7 ps 0 lc palette";
+    return "$ends using 1:2:3 with points pt 7 ps 0 lc palette notitle";
   }
 
   const Plane& plane_;
+  const OrbitLoci* loci_;
+  LociDrawn loci_drawn_;
   GnuplotScript script_;
   AxisUnit x_unit_, y_unit_;
   AxisRange x_, y_, shown_;
   std::array<const char*, 5> scale_ = kScale;
+  double proportion_ = kHeight;
 };
 
 }  // namespace
@@ -143,14 +164,12 @@ Colour colour_of(const std::string& hex) {
           static_cast<double>(code & 255)};
 }
 
-void draw_cells(const std::string& file, const Plane& plane, const std::string& x_unit,
-                const std::string& y_unit, const CellColours& colours) {
-  draw_picture(file, CellPicture(plane, x_unit, y_unit).script(colours), kHeight);
+void draw_cells(const std::string& file, const DrawnPlane& plane, const CellColours& colours) {
+  CellPicture(plane).draw(file, colours);
 }
 
-void draw_cells(const std::string& file, const Plane& plane, const std::string& x_unit,
-                const std::string& y_unit, const CellNumbers& numbers) {
-  draw_picture(file, CellPicture(plane, x_unit, y_unit).script(numbers), kHeight);
+void draw_cells(const std::string& file, const DrawnPlane& plane, const CellNumbers& numbers) {
+  CellPicture(plane).draw(file, numbers);
 }
 
 }  // namespace graze

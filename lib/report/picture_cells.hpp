@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "graze/bifurcation/orbit_loci.hpp"
 #include "graze/report/picture_style.hpp"
 #include "graze/study/plane.hpp"
 
@@ -42,10 +43,15 @@ struct CellNumbers {
   CellScale scale = CellScale::kFromZero;
 };
 
-// `x_unit`, `y_unit`: SI. Throw FileError as the pictures do.
-void draw_cells(const std::string& file, const Plane& plane, const std::string& x_unit,
-                const std::string& y_unit, const CellColours& colours);
-void draw_cells(const std::string& file, const Plane& plane, const std::string& x_unit,
-                const std::string& y_unit, const CellNumbers& numbers);
+// A plane with the SI units of its axes, and the loci over it, or null.
+struct DrawnPlane {
+  const Plane& plane;
+  std::string x_unit, y_unit;
+  const OrbitLoci* loci = nullptr;
+};
+
+// Throw FileError as the pictures do.
+void draw_cells(const std::string& file, const DrawnPlane& plane, const CellColours& colours);
+void draw_cells(const std::string& file, const DrawnPlane& plane, const CellNumbers& numbers);
 
 }  // namespace graze

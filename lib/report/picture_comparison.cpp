@@ -198,7 +198,7 @@ void draw_comparison(const std::string& file, const ComparisonRecord& record) {
 void draw_comparison(const std::string& file, const ComparisonMapRecord& record) {
   const ComparisonMap& map = record.map;
   if (record.shown == ComparedQuantity::kAttractor) {
-    draw_cells(file, map.options, record.x_unit, record.y_unit, agreement_colours(map));
+    draw_cells(file, {map.options, record.x_unit, record.y_unit}, agreement_colours(map));
     return;
   }
   CellNumbers numbers;
@@ -209,7 +209,7 @@ void draw_comparison(const std::string& file, const ComparisonMapRecord& record)
   numbers.is_known = [&](std::size_t i) { return map.cells[i].is_known; };
   numbers.title = gnuplot_string(title_of(record.shown));
   if (is_signed(record.shown)) numbers.scale = CellScale::kSigned;
-  draw_cells(file, map.options, record.x_unit, record.y_unit, numbers);
+  draw_cells(file, {map.options, record.x_unit, record.y_unit}, numbers);
 }
 
 }  // namespace graze

@@ -58,8 +58,10 @@ std::string bar_title(MapQuantity shown) {
 
 void draw_map(const std::string& file, const MapRecord& record) {
   const AttractorMap& map = record.map;
+  const DrawnPlane plane{map.options, record.x_unit, record.y_unit,
+                         record.loci ? &*record.loci : nullptr};
   if (record.shown == MapQuantity::kAttractor) {
-    draw_cells(file, map.options, record.x_unit, record.y_unit, attractor_colours(map));
+    draw_cells(file, plane, attractor_colours(map));
     return;
   }
   CellNumbers numbers;
@@ -67,7 +69,7 @@ void draw_map(const std::string& file, const MapRecord& record) {
   numbers.is_known = [&](std::size_t i) { return map.cells[i].is_known; };
   numbers.title = bar_title(record.shown);
   if (record.shown == MapQuantity::kExponent) numbers.scale = CellScale::kUnbounded;
-  draw_cells(file, map.options, record.x_unit, record.y_unit, numbers);
+  draw_cells(file, plane, numbers);
 }
 
 }  // namespace graze

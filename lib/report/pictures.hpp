@@ -29,6 +29,10 @@ void check_picture_name(const std::string& file, const char* allowed = ".svg, .p
 // the first modal coordinate.
 void draw_simulation(const std::string& file, const SimulationRecord& record);
 
+// The Poincare section of the run: speed over phase of its impacts, or velocity over displacement
+// once a forcing period; a colour for each stop. In .svg and .pdf the dots are pixels of 0.06 mm.
+void draw_section(const std::string& file, const SimulationRecord& record);
+
 // Error over computing time per forcing period, both logarithmic: a line for each flow with a mark
 // for each of its settings, open marks where the sequence of impacts was lost, and the settings
 // that no other beats in both.
@@ -46,7 +50,8 @@ void draw_sensitivity(const std::string& file, const SensitivityRecord& record);
 // three stops; below, the largest size that each of the first three probes saw.
 void draw_run_diagram(const std::string& file, const RunDiagramRecord& record);
 
-// The plane of two numbers, a colour for each attractor, or a scale of colours for what is shown.
+// The plane of two numbers, a colour for each attractor, or a scale of colours for what is shown;
+// over it the loci, each kind in a dash of its own.
 void draw_map(const std::string& file, const MapRecord& record);
 
 // The recorded samples of two motions over time at the first stop, the second one dashed:

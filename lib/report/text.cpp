@@ -136,6 +136,9 @@ std::string to_text(const SimulationRecord& record) {
   for (const int stop : run.stuck)
     text += fmt::format("{:<24} stop {}, force {:.6g} N\n", "held at the end by", stop + 1,
                         run.forces[static_cast<std::size_t>(stop)]);
+  if (record.section)
+    text += fmt::format("{:<24} {} points from {:.6g} s on\n", "section",
+                        record.section->points().size(), record.section->from());
   if (run.energy) text += "\n" + energy_text(record.system, *run.energy);
   return text + notes_text(record.notes) + ending(record.outcome);
 }

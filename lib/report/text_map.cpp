@@ -29,6 +29,9 @@ std::string to_text(const MapRecord& record) {
     table.add({name, std::to_string(cells),
                fmt::format("{:.2f} %", 100.0 * static_cast<double>(cells) / all), "", ""});
   text += table.text();
+  if (record.loci)
+    text += fmt::format("\n{} loci of special points over it, from {} starts on {} slices\n",
+                        record.loci->loci.size(), record.loci->starts, record.loci->slices);
   if (!record.outcome.message.empty())
     text += fmt::format("\n{}: {}\n", record.outcome.name, record.outcome.message);
   return text;

@@ -47,6 +47,27 @@ TEST(MapCommand, HasEveryCell) {
       run.out);
 }
 
+// The loci over a map are those that continue --locus traces over the same plane.
+TEST(MapCommand, DrawsLociOverIt) {
+  const ScratchFolder out;
+  const std::string plane =
+      " --parameter forcing.frequency --from 40 --to 60 --second stop.gap --second-from 1e-3 "
+      "--second-to 3e-3 --locus LP,PD --slices 2 " +
+      scene("05_wagg_one_mode.toml");
+  const Finished map =
+      run_graze("map --json --points 8 --second-points 6 --out " + (out / "run").string() +
+                " --plot " + (out / "m.svg").string() + plane);
+  ASSERT_EQ(map.code, 0) << map.err;
+  const Finished alone = run_graze("continue --json" + plane);
+  ASSERT_EQ(alone.code, 0) << alone.err;
+  const json document = json::parse(map.out);
+  EXPECT_GE(document["loci"].size(), 2u);
+  EXPECT_EQ(document["loci"], json::parse(alone.out)["loci"]);
+  EXPECT_NE(read_text(out / "m.svg").find("period doubling (PD)"), std::string::npos);
+  EXPECT_NE(read_text(out / "run" / "loci.csv").find("PD"), std::string::npos);
+  EXPECT_EQ(run_graze("map --locus PD " + kBasins).code, 2);
+}
+
 TEST(MapCommand, DrawsEveryQuantity) {
   const ScratchFolder out;
   for (const std::string what : {"impacts", "speed", "stuck", "exponent"}) {

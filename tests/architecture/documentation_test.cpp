@@ -68,6 +68,13 @@ TEST(Documentation, NamesSourceFilesThatAreThere) {
   EXPECT_GT(checked, 50u);
 }
 
+TEST(Documentation, GalleryShowsWhatItsCommandsDraw) {
+  const std::string page = text_of(kRoot / "docs" / "gallery.md");
+  const std::vector<std::string> shown = found(page, R"(\]\(pictures/([\w.]+)\))");
+  EXPECT_GT(shown.size(), 8u);
+  EXPECT_EQ(shown, found(page, R"(\n    build/graze [^\n]* --plot ([\w.]+)\n)"));
+}
+
 TEST(Documentation, DecisionsAreNumberedWithoutGaps) {
   std::set<int> numbers;
   for (const fs::directory_entry& entry : fs::directory_iterator(kRoot / "docs" / "decisions"))

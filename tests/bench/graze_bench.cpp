@@ -8,6 +8,7 @@
 #include "graze/hybrid/simulation.hpp"
 #include "graze/orbit/closed_form.hpp"
 #include "graze/scene/reader.hpp"
+#include "graze/study/step_choice.hpp"
 #include "graze/study/sweep.hpp"
 
 namespace graze {
@@ -113,6 +114,40 @@ void SimulateWideGap(benchmark::State& state) {
   state.counters["impacts"] = static_cast<double>(impacts);
 }
 BENCHMARK(SimulateWideGap)->ArgName("modes")->Arg(1)->Arg(4)->Arg(8)->Unit(benchmark::kMillisecond);
+
+// 10 s of the beam of scene 13 against a spring: linear (0) and Hertz (1).
+void SimulateCompliant(benchmark::State& state) {
+  std::vector<std::string> settings;
+  if (state.range(0) != 0) settings = {"stop.spring.stiffness=3.2e9", "stop.spring.exponent=1.5"};
+  const Scene scene =
+      read_scene(GRAZE_SOURCE_DIR "/data/scenes/13_beam_on_a_spring.toml", settings);
+  const System system = assemble(scene);
+  const State start = initial_state(scene, system);
+  SimulationOptions options;
+  options.duration = 10.0;
+  long long contacts = 0;
+  for (auto _ : state) contacts = simulate(system, start, options).totals.impacts;
+  state.counters["contacts"] = static_cast<double>(contacts);
+}
+BENCHMARK(SimulateCompliant)->ArgName("hertz")->Arg(0)->Arg(1)->Unit(benchmark::kMillisecond);
+
+// 1.5 s of the rotating beams of scenes 17, 18 and 19, on the flow that they ask for.
+void SimulateHub(benchmark::State& state, const char* name) {
+  const Scene scene = read_scene(std::string(GRAZE_SOURCE_DIR "/data/scenes/") + name);
+  const System system = assemble(scene);
+  const State start = initial_state(scene, system);
+  SimulationOptions options;
+  options.duration = 1.5;
+  options.steps = step_choice(scene, system, start);
+  long long impacts = 0;
+  for (auto _ : state) impacts = simulate(system, start, options).totals.impacts;
+  state.counters["impacts"] = static_cast<double>(impacts);
+}
+BENCHMARK_CAPTURE(SimulateHub, lee_wang_1, "17_yigit_lee_wang_1.toml")
+    ->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(SimulateHub, lee_wang_2, "18_yigit_lee_wang_2.toml")
+    ->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(SimulateHub, momentum, "19_yigit_momentum.toml")->Unit(benchmark::kMillisecond);
 
 // The same for 1000 forcing periods without (0) and with (1) one effect; instructions of such pairs
 // are counted in docs/cost.md.

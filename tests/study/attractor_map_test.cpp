@@ -65,7 +65,7 @@ TEST(AttractorMap, CellsAreSingleRuns) {
   const AttractorMap map = map_attractors(scene, basins(41));
   std::mt19937 random(3);
   std::uniform_int_distribution<int> any(0, 40);
-  for (int i = 0; i < 300; ++i) {
+  for (int i = 0; i < 1000; ++i) {
     const int column = any(random), row = any(random);
     Scene one = scene;
     one.initial->q = {map.options.x.value(column)};

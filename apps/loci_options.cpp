@@ -1,0 +1,39 @@
+#include "loci_options.hpp"
+
+#include "branch_options.hpp"
+#include "graze/base/errors.hpp"
+
+namespace graze {
+namespace {
+
+std::vector<OrbitLocusKind> kinds_of(const std::vector<std::string>& labels) {
+  std::vector<OrbitLocusKind> kinds;
+  for (const OrbitLocusKind kind : kOrbitLocusKinds)
+    for (const std::string& label : labels)
+      if (label == label_of(kind) || label == "all") {
+        kinds.push_back(kind);
+        break;
+      }
+  return kinds;
+}
+
+}  // namespace
+
+LociOptions loci_options(const Command& command) {
+  if (command.second.empty() || !command.second_from || !command.second_to)
+    throw InputError(
+        "--locus: give the second parameter, --second NAME --second-from C "
+        "--second-to D");
+  if (*command.second_from == *command.second_to)
+    throw InputError("--second-from, --second-to: the range must not be empty");
+  LociOptions options;
+  options.branches = branch_options(command);
+  options.branches.start_values = 8;
+  options.second_from = *command.second_from;
+  options.second_to = *command.second_to;
+  options.kinds = kinds_of(command.locus);
+  options.slices = command.slices;
+  return options;
+}
+
+}  // namespace graze

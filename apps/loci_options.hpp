@@ -1,0 +1,12 @@
+// How the options of loci reach what traces them.
+#pragma once
+
+#include "command.hpp"
+#include "graze/bifurcation/orbit_loci.hpp"
+
+namespace graze {
+
+// Throws InputError where the second parameter or its range is missing.
+LociOptions loci_options(const Command& command);
+
+}  // namespace graze

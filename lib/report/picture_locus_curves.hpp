@@ -1,0 +1,27 @@
+// Loci of special points in a picture of the plane of two parameters: each kind in a colour and a
+// dash of its own, parts whose orbits are none of the system grey, points of codimension two as
+// dots. Every picture that shows loci has them from here.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "graze/bifurcation/orbit_loci.hpp"
+#include "graze/report/branch_lines.hpp"
+#include "graze/report/gnuplot.hpp"
+
+namespace graze {
+
+// What is drawn, in its order, and what the legend says of it.
+struct LociDrawn {
+  std::vector<std::string> curves, legend;
+};
+
+// On colours of their own, curves are black on white and told apart by their dashes.
+enum class LociGround { kPaper, kColours };
+
+// Writes their data and adds to what is drawn.
+void draw_locus_curves(const OrbitLoci& traced, const PicturePlane& plane, LociGround ground,
+                       GnuplotScript& script, LociDrawn& drawn);
+
+}  // namespace graze
