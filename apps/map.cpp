@@ -6,6 +6,7 @@
 #include "graze/report/csv.hpp"
 #include "graze/report/json.hpp"
 #include "graze/report/map_names.hpp"
+#include "graze/report/page.hpp"
 #include "graze/report/pictures.hpp"
 #include "graze/report/text.hpp"
 #include "graze/study/step_choice.hpp"
@@ -42,7 +43,7 @@ void note_cells(const AttractorMapOptions& options, RunInfo& info) {
 }  // namespace
 
 int run_map(const Command& command) {
-  if (!command.plot.empty()) check_picture_name(command.plot);
+  if (!command.plot.empty()) check_picture_or_page_name(command.plot);
   check_journal_options(command);
   if (command.show == "exponent" && command.exponents == 0)
     throw InputError(
@@ -51,6 +52,7 @@ int run_map(const Command& command) {
   require_exact_flow(scene, "maps are drawn");
   require_forcing_and_stop(scene);
   AttractorMapOptions options = map_options(command);
+  if (is_page_name(command.plot)) check_map_page(command.plot, options);
   MapRecord record;
   record.info = run_info(command.name, command.scene, scene);
   record.x_unit = axis_unit_of(scene, options.x.name);
@@ -77,7 +79,12 @@ int run_map(const Command& command) {
                   {to_json(record),
                    to_text(record),
                    {{"map.csv", map_csv(record)}},
-                   [&] { draw_map(command.plot, record); },
+                   [&] {
+                     if (is_page_name(command.plot))
+                       write_page(command.plot, record, scene);
+                     else
+                       draw_map(command.plot, record);
+                   },
                    {}});
 }
 

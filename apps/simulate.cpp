@@ -8,6 +8,7 @@
 #include "graze/base/angle.hpp"
 #include "graze/base/errors.hpp"
 #include "graze/report/json.hpp"
+#include "graze/report/page.hpp"
 #include "graze/report/pictures.hpp"
 #include "graze/report/text.hpp"
 #include "graze/study/step_choice.hpp"
@@ -98,7 +99,7 @@ Simulation run_listened(const System& system, const State& start, const std::opt
 }  // namespace
 
 int run_simulate(const Command& command) {
-  if (!command.plot.empty()) check_picture_name(command.plot);
+  if (!command.plot.empty()) check_picture_or_page_name(command.plot);
   const Scene scene = scene_of(command);
   SimulationRecord record;
   record.info = run_info(command.name, command.scene, scene);
@@ -125,6 +126,7 @@ int run_simulate(const Command& command) {
     record.notes.push_back("the run before kept no energy book; it begins where this one goes on");
 
   prepare_output(command);
+  note_call(command, record.info);
   RunOutput output(command, record.system, record.probes);
   record.run = run_listened(record.system, start, cut, options, rate, command, output);
   record.outcome = simulation_outcome(record.run);
@@ -143,7 +145,12 @@ int run_simulate(const Command& command) {
                   {to_json(record, output.events()),
                    to_text(record),
                    {{kStateFile, write_run_state(state)}},
-                   [&] { draw_simulation(command.plot, record); },
+                   [&] {
+                     if (is_page_name(command.plot))
+                       write_page(command.plot, record, scene);
+                     else
+                       draw_simulation(command.plot, record);
+                   },
                    output.take_tables()});
 }
 
