@@ -37,7 +37,12 @@ export function impactsWithin({ t }, [low, high], most = Infinity) {
   return stride > 1 ? found.filter((_, k) => k % stride === 0) : found;
 }
 
-// The marks that depend on what is in view, by the ids of their series.
+// Whether there are too many impacts to show all of them at once.
+export function marksDependOnView(view) {
+  return view.places.some((place) => place.impacts.t.length > kMostJumps);
+}
+
+// Impacts and the jumps of the velocity at them, by the ids of their series.
 export function runMarks(view, shows, window) {
   return view.panels.flatMap((panel, i) => {
     if (panel.kind === 'curves') return [];

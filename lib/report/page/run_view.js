@@ -7,10 +7,11 @@ import { Hover } from './hover.js';
 import { Legend } from './legend.js';
 import { cellSwatch, dotSwatch, lineSwatch } from './marks.js';
 import { RunPanel } from './run_panel.js';
-import { kRunEntries, runHeight, runMarks, runOption } from './run_option.js';
+import { kRunEntries, marksDependOnView, runHeight, runMarks, runOption } from './run_option.js';
 import { ZoomTools } from './zoom_tools.js';
 
 const kReach = 10;  // px
+const kRest = 40;   // ms
 
 // The index of the last of sorted times up to `time`, -1 where there is none.
 function lastUpTo(times, time) {
@@ -71,8 +72,7 @@ export class RunView {
   listen() {
     this.theme.onChange(() => { this.legend.draw(); this.draw(); });
     new ResizeObserver(() => this.resize()).observe(this.stage);
-    // ECharts takes no option while it tells of a zoom.
-    this.chart.on('datazoom', () => { this.hideMoment(); requestAnimationFrame(() => this.tellWindow()); });
+    this.chart.on('datazoom', () => this.zoomed());
     const zr = this.chart.getZr();
     zr.on('mousemove', (event) => {
       const moment = this.momentAt(event.offsetX, event.offsetY);
@@ -100,21 +100,35 @@ export class RunView {
     const option = runOption(this.view, (type) => this.shows(type), this.theme, this.root.clientHeight);
     keepZoom(this.chart, option);
     this.chart.setOption(option, { notMerge: true });
+    this.marked = false;
     this.hideMoment();
     this.tellWindow();
   }
 
   box(i) { return this.chart.getModel().getComponent('grid', i).coordinateSystem.getRect(); }
 
+  // What takes long waits until the wheel rests; and ECharts takes no option while it tells of a zoom.
+  zoomed() {
+    this.hideMoment();
+    clearTimeout(this.waiting);
+    this.waiting = setTimeout(() => this.tellWindow(), kRest);
+  }
+
   // What is in view: for the marks, the portrait, and those who do not see it.
   tellWindow() {
     const { time, panels } = this.view;
     const { x, width } = this.box(0);
     this.window = [x, x + width].map((px) => this.chart.convertFromPixel({ xAxisIndex: 0 }, px) / time.factor);
-    this.chart.setOption({ series: runMarks(this.view, (type) => this.shows(type), this.window) });
+    if (!this.marked || marksDependOnView(this.view)) this.mark();
     this.panel.look(this.window);
     this.root.setAttribute('aria-label', `Motion from ${measure(time, this.window[0])} to ${measure(time, this.window[1])}: ` +
       `${panels.map((panel) => panel.name).join(', ')}. Arrow keys go from impact to impact, Enter keeps the moment.`);
+  }
+
+  mark() {
+    const window = marksDependOnView(this.view) ? this.window : [-Infinity, Infinity];
+    this.chart.setOption({ series: runMarks(this.view, (type) => this.shows(type), window) });
+    this.marked = true;
   }
 
   // The moment under the pointer, and the panel that it is in; the impact where one is within reach.
@@ -125,12 +139,10 @@ export class RunView {
       return px >= x && px <= x + width && py >= y && py <= y + height;
     });
     if (i < 0) return null;
-    const { width } = this.box(0);
-    const reach = (kReach * (this.window[1] - this.window[0])) / width;
-    const at = this.chart.convertFromPixel({ xAxisIndex: 0 }, px) / time.factor;
+    const [at, beside] = [px, px + kReach].map((x) => this.chart.convertFromPixel({ xAxisIndex: 0 }, x) / time.factor);
     const place = panels[i].place ?? 0;
     const { t } = places[place].impacts;
-    const next = [lastUpTo(t, at), lastUpTo(t, at) + 1].filter((k) => k >= 0 && k < t.length && Math.abs(t[k] - at) <= reach)
+    const next = [lastUpTo(t, at), lastUpTo(t, at) + 1].filter((k) => k >= 0 && k < t.length && Math.abs(t[k] - at) <= beside - at)
       .sort((a, b) => Math.abs(t[a] - at) - Math.abs(t[b] - at))[0];
     return next === undefined || !this.shows('impacts') ? { panel: i, place, time: at } : { panel: i, place, time: t[next], impact: next };
   }
