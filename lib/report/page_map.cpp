@@ -73,8 +73,13 @@ Json cells_json(const AttractorMap& map) {
   Json entries = Json::array(), kinds = Json::array();
   for (const auto& [name, colour] : legend.entries)
     entries.push_back({{"name", name}, {"colour", colour}});
-  for (const auto& [name, entry] : legend.kinds)
-    kinds.push_back({{"name", name}, {"entry", entry}, {"cells", 0}, {"first", -1}});
+  for (const auto& [name, entry] : legend.kinds) {
+    const std::size_t i = kinds.size();
+    const bool wild = i < map.attractors.size() &&
+                      map.attractors[i].attractor.status == SweepStatus::kNotPeriodic;
+    kinds.push_back(
+        {{"name", name}, {"entry", entry}, {"wild", wild}, {"cells", 0}, {"first", -1}});
+  }
   for (std::size_t i = legend.kind_of.size(); i-- > 0;) {
     if (legend.kind_of[i] < 0) continue;
     Json& kind = kinds[static_cast<std::size_t>(legend.kind_of[i])];
@@ -125,6 +130,7 @@ void write_page(const std::string& file, const MapRecord& record, const Scene& s
   view["y"] = axis_of(map.options.y, record.y_unit);
   view["cells"] = cells_json(map);
   view["shown"] = name_of(record.shown);
+  view["samples"] = map.options.samples;
   Json numbers = Json::array();
   for (const MapQuantity quantity : kMapQuantities)
     if (quantity != MapQuantity::kAttractor &&

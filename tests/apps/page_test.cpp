@@ -214,6 +214,7 @@ TEST(Page, HoldsTheCellsOfTheDocument) {
     }
     const std::size_t attractor = cells["attractor"][i].get<std::size_t>() - 1;
     EXPECT_EQ(name, document["attractors"][attractor]["attractor"]);
+    EXPECT_EQ(kinds[kind[i]]["wild"], false);
     EXPECT_FLOAT_EQ(speeds[i], cells["peak_speed"][i].get<float>());
     EXPECT_FLOAT_EQ(impacts[i], cells["impacts_per_period"][i].get<float>());
   }

@@ -4,17 +4,18 @@ import { before, test } from 'node:test';
 import { openPage, pixelsOf, placeOf, settled } from './browser.mjs';
 import { again, browser, ground, inPage, isShown, pageOf, range, scene, text } from './pages.mjs';
 
-let sticks, supports, ball;
+let sticks, supports, far, ball;
 
 before(() => {
   sticks = pageOf('sticks.html', 'simulate', scene('02_wagg_momentum.toml'), '--duration', '1', '--energy');
   supports = pageOf('supports.html', 'simulate', scene('10_two_supports.toml'), '--duration', '0.3');
+  far = pageOf('far.html', 'simulate', scene('07_two_stops.toml'), '--duration', '1', '--set', 'stop.2.gap=0.3');
   ball = pageOf('ball.html', 'simulate', scene('06_bouncing_ball.toml'), '--duration', '1');
 });
 
 async function places(page) {
   const box = await (await page.$('#chart')).boundingBox();
-  const left = box.x + 92, right = box.x + box.width - 22;
+  const left = box.x + 100, right = box.x + box.width - 22;
   return { at: (part) => left + part * (right - left), top: box.y + 60, left, right };
 }
 
@@ -115,6 +116,10 @@ inPage('places with stops have a panel and a portrait each', () => supports, asy
   assert.notEqual(await text(page, '#orbit-facts'), first);
   const stops = await page.$$eval('#orbit-impacts tbody tr', (rows) => rows.map((row) => row.cells[1].textContent));
   assert.ok(stops.length > 0 && stops.every((stop) => stop === '2'), `${stops}`);
+});
+
+inPage('a stop far off the motion does not press it flat', () => far, async (page) => {
+  assert.equal(await text(page, '#orbit-remark'), 'Beyond the picture lies stop 2, at −300 mm.');
 });
 
 inPage('a ball needs no forcing', () => ball, async (page) => {

@@ -168,8 +168,9 @@ export class MapView {
     const [x, y] = this.valuesAt(cell);
     const opened = this.panel.open(this.kindName(cell), []);
     this.panel.tellNumbers(this.numbersOf(cell, 7));
-    const { messages } = this.cells;
-    this.panel.tellRemark(messages?.texts[messages.of[cell]]);
+    const { messages, kinds, kind } = this.cells;
+    this.panel.tellRemark(messages?.texts[messages.of[cell]], kinds[kind[cell]]?.wild
+      ? `Nothing repeats here: the numbers are those of the last ${this.view.samples} forcing periods, and a run agrees with the map for as long as rounding leaves it.` : '');
     this.panel.tellCommand(cellCommand(this.view, [x, y]));
     if (opened) this.panel.focus();
   }

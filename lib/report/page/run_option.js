@@ -19,7 +19,8 @@ function grids(view, height) {
   const room = Math.max(0, height - runHeight(view)) / view.panels.length;
   let top = kTop;
   return view.panels.map((panel) => {
-    const grid = { left: 92, right: 22, top, height: kHeights[panel.kind] + room };
+    // Panels stay in line, however wide the numbers of one are.
+    const grid = { left: 100, right: 22, top, height: kHeights[panel.kind] + room, outerBoundsMode: 'none' };
     top += grid.height + kBetween;
     return grid;
   });
@@ -107,7 +108,7 @@ export function runOption(view, shows, theme, height) {
     })),
     yAxis: panels.map((panel, i) => axis(colours, `${panel.name}\n${panel.more ? `${panel.more} ` : ''}${panel.unit ? `(${panel.unit})` : ''}`,
       panel.factor * panel.low, panel.factor * panel.high,
-      { gridIndex: i, nameGap: 50, splitNumber: 3, nameTextStyle: { color: colours.ink, fontSize: 12, lineHeight: 14 } })),
+      { gridIndex: i, nameGap: 56, splitNumber: 3, nameTextStyle: { color: colours.ink, fontSize: 12, lineHeight: 14 } })),
     series: panels.flatMap((panel, i) => (panel.kind === 'curves'
       ? curveSeries(view, panel, i, shows, theme) : motionSeries(view, panel, i, shows, colours))),
     dataZoom: [{ id: 'across', type: 'inside', xAxisIndex: panels.map((_, i) => i), filterMode: 'none', minSpan: 1e-5 }],

@@ -14,7 +14,7 @@ export class RunPanel {
     Object.assign(this, { view, theme, pointed: null, kept: null });
     this.panel = new Panel(['portrait'], () => window.dispatchEvent(new Event('resize')));
     this.panel.keepOpen();
-    this.panel.open(view.places[0].t.length > 0 ? 'Phase portrait' : 'Impacts', []);
+    this.panel.open('Phase portrait', []);
     this.panel.tellCommand(view.made);
     this.places = document.querySelector('#orbit-place select');
     this.places.replaceChildren(...view.places.map((place, i) => new Option(place.name, String(i))));
@@ -26,6 +26,20 @@ export class RunPanel {
 
   get index() { return Number(this.places.value) || 0; }
   get place() { return this.view.places[this.index]; }
+
+  // Whether a stop is within the picture, or so far off the motion that it would press it flat.
+  isNear(stop) {
+    const { low, high } = this.view.panels.find(({ kind, place }) => kind === 'displacement' && place === this.index);
+    return stop.place >= low && stop.place <= high;
+  }
+
+  tellRemark() {
+    const far = this.place.stops.filter((stop) => !this.isNear(stop))
+      .map((stop) => `stop ${stop.index}, at ${measure(this.view.length, stop.place)}`);
+    this.panel.tellRemark(
+      this.place.t.length === 0 ? 'No samples were recorded.' : '',
+      far.length > 0 ? `Beyond the picture ${far.length > 1 ? 'lie' : 'lies'} ${far.join(', ')}.` : '');
+  }
 
   // Which stop an impact is on: the nearest of those that are approached that way.
   stopOf(place, impact) {
@@ -44,6 +58,7 @@ export class RunPanel {
     document.getElementById('orbit-facts').textContent =
       [`${measure(time, window[0])} to ${measure(time, window[1])}`, ...count].join(' · ');
     this.listImpacts(inside);
+    this.tellRemark();
     const { theme, view } = this;
     this.chart.setOption(portraitOption({ period: null }, this.portrayed(), theme.colours, view), true);
     this.chart.setOption({ series: ['kept', 'pointed'].map((id) => ({
@@ -63,7 +78,7 @@ export class RunPanel {
     for (let i = 0; i < place.t.length; ++i) if (place.t[i] >= low && place.t[i] <= high) seen.push(i);
     const last = seen.slice(-kMostPortrayed);
     return {
-      ...place, t: last.map((i) => (Number.isFinite(place.v[i]) ? place.t[i] : NaN)), x: last.map((i) => place.x[i]), v: last.map((i) => place.v[i]),
+      stops: place.stops.filter((stop) => this.isNear(stop)), t: last.map((i) => (Number.isFinite(place.v[i]) ? place.t[i] : NaN)), x: last.map((i) => place.x[i]), v: last.map((i) => place.v[i]),
     };
   }
 
