@@ -60,11 +60,12 @@ export class RunPanel {
     this.listImpacts(inside);
     this.tellRemark();
     const { theme, view } = this;
-    this.chart.setOption(portraitOption({ period: null }, this.portrayed(), theme.colours, view), true);
-    this.chart.setOption({ series: ['kept', 'pointed'].map((id) => ({
+    const option = portraitOption({ period: null }, this.portrayed(), theme.colours, view);
+    option.series.push(...['kept', 'pointed'].map((id) => ({
       id, type: 'scatter', silent: true, symbolSize: 10, z: 8, data: this.markAt(this[id]),
       itemStyle: { color: id === 'kept' ? theme.colours.black : 'transparent', borderColor: theme.colours.black, borderWidth: 2, opacity: 1 },
-    })) });
+    })));
+    this.chart.setOption(option, true);
     document.getElementById('orbit-portrait').setAttribute('aria-label',
       `Phase portrait from ${measure(time, window[0])} to ${measure(time, window[1])}`);
   }

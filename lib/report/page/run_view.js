@@ -98,9 +98,9 @@ export class RunView {
 
   draw() {
     const option = runOption(this.view, (type) => this.shows(type), this.theme, this.root.clientHeight);
+    for (const mark of this.marks()) Object.assign(option.series.find(({ id }) => id === mark.id), mark);
     keepZoom(this.chart, option);
     this.chart.setOption(option, { notMerge: true });
-    this.marked = false;
     this.hideMoment();
     this.tellWindow();
   }
@@ -111,7 +111,10 @@ export class RunView {
   zoomed() {
     this.hideMoment();
     clearTimeout(this.waiting);
-    this.waiting = setTimeout(() => this.tellWindow(), kRest);
+    this.waiting = setTimeout(() => {
+      this.tellWindow();
+      if (marksDependOnView(this.view)) this.chart.setOption({ series: this.marks() });
+    }, kRest);
   }
 
   // What is in view: for the marks, the portrait, and those who do not see it.
@@ -119,16 +122,14 @@ export class RunView {
     const { time, panels } = this.view;
     const { x, width } = this.box(0);
     this.window = [x, x + width].map((px) => this.chart.convertFromPixel({ xAxisIndex: 0 }, px) / time.factor);
-    if (!this.marked || marksDependOnView(this.view)) this.mark();
     this.panel.look(this.window);
     this.root.setAttribute('aria-label', `Motion from ${measure(time, this.window[0])} to ${measure(time, this.window[1])}: ` +
       `${panels.map((panel) => panel.name).join(', ')}. Arrow keys go from impact to impact, Enter keeps the moment.`);
   }
 
-  mark() {
+  marks() {
     const window = marksDependOnView(this.view) ? this.window : [-Infinity, Infinity];
-    this.chart.setOption({ series: runMarks(this.view, (type) => this.shows(type), window) });
-    this.marked = true;
+    return runMarks(this.view, (type) => this.shows(type), window);
   }
 
   // The moment under the pointer, and the panel that it is in; the impact where one is within reach.
