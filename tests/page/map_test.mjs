@@ -119,7 +119,7 @@ inPage('a cell without a motion says why', () => basins, async (page) => {
 inPage('a cell of what never repeats says what its numbers are of', () => plane, async (page) => {
   if (!await page.$eval('#tables details', (details) => details.open)) await page.click('#tables summary >> nth=0');
   await page.click('#tables button:text("not periodic")');
-  assert.match(await text(page, '#orbit-remark'), /Nothing repeats here: the numbers are those of the last 100 forcing periods/);
+  assert.match(await text(page, '#orbit-remark'), /repeats no pattern.* periods\. The numbers are those of the last 100 forcing periods/);
 });
 
 inPage('keys go from cell to cell and open one', () => plane, async (page) => {

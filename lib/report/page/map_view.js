@@ -169,8 +169,9 @@ export class MapView {
     const opened = this.panel.open(this.kindName(cell), []);
     this.panel.tellNumbers(this.numbersOf(cell, 7));
     const { messages, kinds, kind } = this.cells;
-    this.panel.tellRemark(messages?.texts[messages.of[cell]], kinds[kind[cell]]?.wild
-      ? `Nothing repeats here: the numbers are those of the last ${this.view.samples} forcing periods, and a run agrees with the map for as long as rounding leaves it.` : '');
+    const said = messages?.texts[messages.of[cell]];
+    this.panel.tellRemark(said ? `${said[0].toUpperCase()}${said.slice(1)}.` : '', kinds[kind[cell]]?.wild
+      ? `The numbers are those of the last ${this.view.samples} forcing periods, and a run agrees with the map for as long as rounding leaves it.` : '');
     this.panel.tellCommand(cellCommand(this.view, [x, y]));
     if (opened) this.panel.focus();
   }
