@@ -28,8 +28,8 @@ struct Command {
   std::string record = "events";      // none | events | samples
   std::optional<double> sample_rate;  // 1/s
   bool energy = false;                // keep the energy book
-  // A picture shows the energy book.
-  bool keeps_book() const { return energy || !plot.empty(); }
+  // A picture of the motion shows the energy book.
+  bool keeps_book() const { return energy || (!plot.empty() && run_section.empty()); }
   std::optional<double> closure_speed;  // m/s
   std::string resume;                   // file or folder; empty: from the scene's initial state
   std::string run_section;              // impact | strobe; empty: none

@@ -26,7 +26,7 @@ void add_simulate(CLI::App& graze, Command& command) {
   CLI::App* app = graze.add_subcommand("simulate", "Follow the motion, every impact certified");
   app->footer(footer("simulate data/scenes/02_wagg_momentum.toml --duration 1 --energy"));
   add_shared(app, command);
-  add_plot(app, command);
+  add_plot_or_page(app, command);
   auto* duration =
       app->add_option("--duration", command.duration, "Simulated time, s; needed without forcing")
           ->check(at_least("a number of seconds, 0 or more", 0.0))
@@ -148,7 +148,7 @@ void add_map(CLI::App& graze, Command& command) {
       footer("map data/scenes/05_wagg_one_mode.toml --parameter forcing.frequency --from 15 "
              "--to 120 \\\n           --second stop.gap --second-from 0.5e-3 --second-to 2e-3"));
   add_shared(app, command);
-  add_plot(app, command);
+  add_plot_or_page(app, command);
   add_plane(app, command);
   app->add_option("--show", command.show, "What the picture shows of every cell")
       ->check(CLI::IsMember({"attractor", "impacts", "exponent", "speed", "stuck"}))

@@ -10,6 +10,7 @@
 #include "graze/report/csv.hpp"
 #include "graze/report/json.hpp"
 #include "graze/report/map_names.hpp"
+#include "graze/report/page.hpp"
 #include "graze/report/pictures.hpp"
 #include "graze/report/text.hpp"
 #include "graze/scene/start_coordinate.hpp"
@@ -61,7 +62,7 @@ void trace_over(const Command& command, const Scene& scene, MapRecord& record) {
 }
 
 void check_options(const Command& command) {
-  if (!command.plot.empty()) check_picture_name(command.plot);
+  if (!command.plot.empty()) check_picture_or_page_name(command.plot);
   check_journal_options(command);
   if (command.show == "exponent" && command.exponents == 0)
     throw InputError(
@@ -82,6 +83,7 @@ int run_map(const Command& command) {
   require_exact_flow(scene, "maps are drawn");
   require_forcing_and_stop(scene);
   AttractorMapOptions options = map_options(command);
+  if (is_page_name(command.plot)) check_map_page(command.plot, options);
   MapRecord record;
   record.info = run_info(command.name, command.scene, scene);
   record.x_unit = axis_unit_of(scene, options.x.name);
@@ -111,7 +113,12 @@ int run_map(const Command& command) {
                   {to_json(record),
                    to_text(record),
                    std::move(tables),
-                   [&] { draw_map(command.plot, record); },
+                   [&] {
+                     if (is_page_name(command.plot))
+                       write_page(command.plot, record, scene);
+                     else
+                       draw_map(command.plot, record);
+                   },
                    {}});
 }
 

@@ -9,6 +9,7 @@
 #include "graze/base/errors.hpp"
 #include "graze/report/csv.hpp"
 #include "graze/report/json.hpp"
+#include "graze/report/page.hpp"
 #include "graze/report/pictures.hpp"
 #include "graze/report/text.hpp"
 #include "graze/study/step_choice.hpp"
@@ -119,7 +120,10 @@ Simulation run_listened(const System& system, const State& start, const std::opt
 }  // namespace
 
 int run_simulate(const Command& command) {
-  if (!command.plot.empty()) check_picture_name(command.plot);
+  if (!command.plot.empty() && command.run_section.empty())
+    check_picture_or_page_name(command.plot);
+  else if (!command.plot.empty())
+    check_picture_name(command.plot);
   const Scene scene = scene_of(command);
   SimulationRecord record;
   record.info = run_info(command.name, command.scene, scene);
@@ -147,6 +151,7 @@ int run_simulate(const Command& command) {
     record.notes.push_back("the run before kept no energy book; it begins where this one goes on");
 
   prepare_output(command);
+  note_call(command, record.info);
   RunOutput output(command, record.system, record.probes, std::move(section));
   record.run = run_listened(record.system, start, cut, options, rate, command, output);
   record.outcome = simulation_outcome(record.run);
@@ -168,6 +173,8 @@ int run_simulate(const Command& command) {
                    [&] {
                      if (record.section)
                        draw_section(command.plot, record);
+                     else if (is_page_name(command.plot))
+                       write_page(command.plot, record, scene);
                      else
                        draw_simulation(command.plot, record);
                    },

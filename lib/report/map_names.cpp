@@ -22,6 +22,27 @@ std::string name_of(MapQuantity quantity) {
   return "stuck";
 }
 
+std::string title_of(MapQuantity quantity) {
+  switch (quantity) {
+    case MapQuantity::kAttractor:
+      return "attractor";
+    case MapQuantity::kImpacts:
+      return "impacts a forcing period";
+    case MapQuantity::kExponent:
+      return "largest exponent";
+    case MapQuantity::kSpeed:
+      return "speed of the fastest impact";
+    case MapQuantity::kStuck:
+      break;
+  }
+  return "part of the time at rest on a stop";
+}
+
+std::string unit_of(MapQuantity quantity) {
+  if (quantity == MapQuantity::kExponent) return "1/s";
+  return quantity == MapQuantity::kSpeed ? "m/s" : "";
+}
+
 std::string attractor_name(const AttractorMap& map, std::size_t attractor) {
   const AttractorClass& own = map.attractors[attractor].attractor;
   std::size_t before = 0, all = 0;

@@ -14,6 +14,10 @@ inline constexpr MapQuantity kMapQuantities[] = {MapQuantity::kAttractor, MapQua
 // "attractor", "impacts", "exponent", "speed", "stuck".
 std::string name_of(MapQuantity quantity);
 
+// "largest exponent" and its unit "1/s", ..
+std::string title_of(MapQuantity quantity);
+std::string unit_of(MapQuantity quantity);
+
 // "(1,1)", or "(1,1) b" of the second of several that do the same.
 std::string attractor_name(const AttractorMap& map, std::size_t attractor);
 

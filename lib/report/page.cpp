@@ -74,21 +74,24 @@ std::string plain_text(const std::string& markup) {
   static const std::map<char, std::string> kRaised = {
       {'-', "⁻"}, {'0', "⁰"}, {'1', "¹"}, {'2', "²"}, {'3', "³"}, {'4', "⁴"},
       {'5', "⁵"}, {'6', "⁶"}, {'7', "⁷"}, {'8', "⁸"}, {'9', "⁹"}};
+  static const std::map<char, std::string> kLowered = {
+      {'0', "₀"}, {'1', "₁"}, {'2', "₂"}, {'3', "₃"}, {'4', "₄"},
+      {'5', "₅"}, {'6', "₆"}, {'7', "₇"}, {'8', "₈"}, {'9', "₉"}};
   std::string text = markup;
   if (const std::size_t root = text.find("^1/2"); root != std::string::npos)
     text.replace(root, 4, "^½");
   std::string plain;
-  bool raised = false;
+  const std::map<char, std::string>* shifted = nullptr;
   for (std::size_t i = 0; i < text.size(); ++i) {
     const char c = text[i];
     if (c == '\\') continue;
-    if (c == '^' && i + 1 < text.size() && text[i + 1] == '{') {
-      raised = true;
+    if ((c == '^' || c == '_') && i + 1 < text.size() && text[i + 1] == '{') {
+      shifted = c == '^' ? &kRaised : &kLowered;
       ++i;
-    } else if (raised && c == '}') {
-      raised = false;
-    } else if (raised && kRaised.contains(c)) {
-      plain += kRaised.at(c);
+    } else if (shifted && c == '}') {
+      shifted = nullptr;
+    } else if (shifted && shifted->contains(c)) {
+      plain += shifted->at(c);
     } else {
       plain += c;
     }
@@ -96,9 +99,10 @@ std::string plain_text(const std::string& markup) {
   return plain;
 }
 
-Json page_axis(const std::string& name, const std::string& si_unit, AxisRange range) {
+Json page_axis(const std::string& name, const std::string& si_unit, AxisRange range,
+               double margin) {
   if (range.empty()) range.include(0.0);
-  range.settle(0.05);
+  range.settle(margin);
   const AxisUnit unit = axis_unit(si_unit, std::max(std::abs(range.low), std::abs(range.high)));
   return {{"name", plain_text(name)},
           {"unit", plain_text(unit.unit)},

@@ -1,4 +1,4 @@
-// Results as pages: one HTML file that holds a picture to look into and the orbits behind its
+// Results as pages: one HTML file that holds a picture to look into and what is behind its
 // points, with all that draws it. It opens from a disk and fetches nothing.
 #pragma once
 
@@ -6,6 +6,7 @@
 
 #include "graze/assembly/system_family.hpp"
 #include "graze/record/diagram_record.hpp"
+#include "graze/record/map_record.hpp"
 
 namespace graze {
 
@@ -15,6 +16,9 @@ void check_picture_or_page_name(const std::string& file);
 
 // Whether that name asks for a page.
 bool is_page_name(const std::string& file);
+
+// Throws InputError for a map of more cells than a page holds.
+void check_map_page(const std::string& file, const Plane& plane);
 
 // All throw FileError, leaving the file as it was, where it cannot be written.
 
@@ -26,5 +30,12 @@ void write_page(const std::string& file, const BranchRecord& record, const Syste
 
 // The sweep, and the branches over it.
 void write_page(const std::string& file, const DiagramRecord& record, const SystemFamily& family);
+
+// The cells of the map, each with what it settles on and the command that follows it. `scene`: the
+// one in force.
+void write_page(const std::string& file, const MapRecord& record, const Scene& scene);
+
+// The recorded samples over time, as draw_simulation (pictures.hpp) shows them.
+void write_page(const std::string& file, const SimulationRecord& record, const Scene& scene);
 
 }  // namespace graze

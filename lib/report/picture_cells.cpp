@@ -45,11 +45,11 @@ class CellPicture {
   }
 
   void draw(const std::string& file, const CellNumbers& numbers) {
-    find_range(numbers);
+    bar_ = cell_bar(plane_.cells(), numbers.of, numbers.scale);
     begin(0, kColumns, 0.2);
     write_cells([&](std::size_t cell) {
       const double value = numbers.of(cell);
-      if (std::isfinite(value)) return colour_at(value);
+      if (std::isfinite(value)) return bar_.at(value);
       return numbers.is_known(cell) ? colour_of(kNoCell) : Colour{};
     });
     plot({colour_bar(numbers.title)});
@@ -57,13 +57,9 @@ class CellPicture {
   }
 
  private:
-  // Cells reach half their width beyond the values at their middles.
   static AxisRange range_of(const PlaneAxis& axis, double factor) {
-    const double half = 0.5 * std::abs(axis.to - axis.from) / (axis.points - 1);
-    AxisRange range;
-    range.include(factor * (std::min(axis.from, axis.to) - half));
-    range.include(factor * (std::max(axis.from, axis.to) + half));
-    return range;
+    const AxisRange range = cell_range(axis);
+    return {factor * range.low, factor * range.high};
   }
 
   // Axes with room at the foot for `entries` of the legend; that of loci takes its own below.
@@ -96,30 +92,6 @@ class CellPicture {
     script_.plot(layers);
   }
 
-  void find_range(const CellNumbers& numbers) {
-    for (std::size_t i = 0; i < plane_.cells(); ++i) shown_.include(numbers.of(i));
-    bool has_two_hues = numbers.scale == CellScale::kSigned;
-    if (numbers.scale == CellScale::kFromZero) shown_.include(0.0);
-    if (numbers.scale == CellScale::kSigned)
-      for (const double end : {shown_.low, shown_.high}) shown_.include(-end);
-    if (numbers.scale == CellScale::kUnbounded && shown_.low < 0.0 && shown_.high > 0.0) {
-      has_two_hues = true;
-      shown_.low = -shown_.high;
-    }
-    shown_.settle(0.0);
-    if (has_two_hues) scale_ = kAboutZero;
-  }
-
-  Colour colour_at(double value) const {
-    const double place = std::clamp((value - shown_.low) / shown_.span(), 0.0, 1.0) *
-                         static_cast<double>(scale_.size() - 1);
-    const auto below = std::min(static_cast<std::size_t>(place), scale_.size() - 2);
-    const double part = place - static_cast<double>(below);
-    const Colour a = colour_of(scale_[below]), b = colour_of(scale_[below + 1]);
-    return {a.red + part * (b.red - a.red), a.green + part * (b.green - a.green),
-            a.blue + part * (b.blue - a.blue)};
-  }
-
   void write_cells(const std::function<Colour(std::size_t)>& colour_of_cell) {
     PlotTable table;
     for (std::size_t i = 0; i < plane_.cells(); ++i) {
@@ -133,15 +105,15 @@ class CellPicture {
   // The bar beside the axes comes with a layer that has a palette: two dots without a size.
   std::string colour_bar(const std::string& title) {
     std::string palette;
-    for (std::size_t i = 0; i < scale_.size(); ++i)
-      palette += fmt::format("{}{} '{}'", i == 0 ? "" : ", ", i, scale_[i]);
+    for (std::size_t i = 0; i < bar_.colours.size(); ++i)
+      palette += fmt::format("{}{} '{}'", i == 0 ? "" : ", ", i, bar_.colours[i]);
     script_.command("set palette defined (" + palette + ")");
-    script_.command("set cbrange " + shown_.text());
-    script_.command(fmt::format("set cbtics {:.6g}", shown_.tic_step(6)));
+    script_.command("set cbrange " + bar_.range.text());
+    script_.command(fmt::format("set cbtics {:.6g}", bar_.range.tic_step(6)));
     script_.command("set cblabel " + title + " offset 1.5");
     PlotTable ends;
-    ends.row({x_.low, y_.low, shown_.low});
-    ends.row({x_.high, y_.high, shown_.high});
+    ends.row({x_.low, y_.low, bar_.range.low});
+    ends.row({x_.high, y_.high, bar_.range.high});
     script_.data("ends", ends);
     return "$ends using 1:2:3 with points pt 7 ps 0 lc palette notitle";
   }
@@ -151,8 +123,8 @@ class CellPicture {
   LociDrawn loci_drawn_;
   GnuplotScript script_;
   AxisUnit x_unit_, y_unit_;
-  AxisRange x_, y_, shown_;
-  std::array<const char*, 5> scale_ = kScale;
+  AxisRange x_, y_;
+  CellBar bar_;
   double proportion_ = kHeight;
 };
 
@@ -162,6 +134,40 @@ Colour colour_of(const std::string& hex) {
   const long code = std::strtol(hex.c_str() + 1, nullptr, 16);
   return {static_cast<double>(code >> 16 & 255), static_cast<double>(code >> 8 & 255),
           static_cast<double>(code & 255)};
+}
+
+Colour CellBar::at(double value) const {
+  const double place = std::clamp((value - range.low) / range.span(), 0.0, 1.0) *
+                       static_cast<double>(colours.size() - 1);
+  const auto below = std::min(static_cast<std::size_t>(place), colours.size() - 2);
+  const double part = place - static_cast<double>(below);
+  const Colour a = colour_of(colours[below]), b = colour_of(colours[below + 1]);
+  return {a.red + part * (b.red - a.red), a.green + part * (b.green - a.green),
+          a.blue + part * (b.blue - a.blue)};
+}
+
+CellBar cell_bar(std::size_t cells, const std::function<double(std::size_t cell)>& of,
+                 CellScale scale) {
+  AxisRange range;
+  for (std::size_t i = 0; i < cells; ++i) range.include(of(i));
+  bool has_two_hues = scale == CellScale::kSigned;
+  if (scale == CellScale::kFromZero) range.include(0.0);
+  if (scale == CellScale::kSigned)
+    for (const double end : {range.low, range.high}) range.include(-end);
+  if (scale == CellScale::kUnbounded && range.low < 0.0 && range.high > 0.0) {
+    has_two_hues = true;
+    range.low = -range.high;
+  }
+  range.settle(0.0);
+  return {range, has_two_hues ? kAboutZero : kScale};
+}
+
+AxisRange cell_range(const PlaneAxis& axis) {
+  const double half = 0.5 * std::abs(axis.to - axis.from) / (axis.points - 1);
+  AxisRange range;
+  range.include(std::min(axis.from, axis.to) - half);
+  range.include(std::max(axis.from, axis.to) + half);
+  return range;
 }
 
 void draw_cells(const std::string& file, const DrawnPlane& plane, const CellColours& colours) {

@@ -1,6 +1,7 @@
 // A plane of two numbers as a picture, a colour for every cell.
 #pragma once
 
+#include <array>
 #include <functional>
 #include <string>
 #include <utility>
@@ -35,6 +36,21 @@ enum class CellScale {
   kSigned,    // away from zero in two hues
   kUnbounded  // likewise, only as far below zero as above: smaller ones may have no bound
 };
+
+// Numbers as colours: what a range spans, from one end of five colours to the other.
+struct CellBar {
+  AxisRange range;
+  std::array<const char*, 5> colours;
+
+  Colour at(double value) const;  // of a finite number; the ends' beyond them
+};
+// Of so many cells; what is not finite is left out.
+CellBar cell_bar(std::size_t cells, const std::function<double(std::size_t cell)>& of,
+                 CellScale scale);
+
+// What the cells of an axis span, SI: they reach half their width beyond the values at their
+// middles.
+AxisRange cell_range(const PlaneAxis& axis);
 
 struct CellNumbers {
   std::function<double(std::size_t cell)> of;      // not finite: none

@@ -3,18 +3,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <iterator>
 
 #include "graze/assembly/probes.hpp"
 
 namespace graze {
-namespace {
 
-constexpr const char* kColours[] = {kBlue, kVermillion, kGreen, kOrange, kPurple, kSky};
-constexpr std::size_t kMostCurves = std::size(kColours);
-
-// Of the vertical axis, in two lines.
-std::string panel_name(const std::vector<SeenProbe>& probes) {
+std::string ProbePanels::Panel::name() const {
   const std::string first = probe_quantity_name(probes.front().quantity);
   if (is_of_hub(probes.front().quantity)) return "hub’s\n" + first;
   if (probes.size() == 1) return fmt::format("{}\nprobe {}", first, probes.front().number);
@@ -23,8 +17,6 @@ std::string panel_name(const std::vector<SeenProbe>& probes) {
       return first + ",\n" + probe_quantity_name(probe.quantity);
   return first + "\nprobes";
 }
-
-}  // namespace
 
 ProbePanels::ProbePanels(const std::vector<SeenProbe>& probes) {
   for (const SeenProbe& probe : probes) {
@@ -52,7 +44,7 @@ void ProbePanels::draw(std::size_t i, GnuplotScript& script, PanelColumn& column
   range.include(axis.factor * values.low);
   range.include(axis.factor * values.high);
   range.settle(0.08);
-  column.begin_panel(range, panel_name(panel.probes), axis.unit);
+  column.begin_panel(range, panel.name(), axis.unit);
   column.draw_zero_line();
   std::vector<std::string> layers;
   std::vector<CurveLabel> labels;
@@ -60,9 +52,9 @@ void ProbePanels::draw(std::size_t i, GnuplotScript& script, PanelColumn& column
     const SeenProbe& probe = panel.probes[k];
     const std::string data = fmt::format("probe{}", probe.number);
     script.data(data, table_of(probe.curve, time_factor, axis.factor));
-    layers.push_back(fmt::format("${} with lines lw 1.2 lc rgb '{}'", data, kColours[k]));
+    layers.push_back(fmt::format("${} with lines lw 1.2 lc rgb '{}'", data, kCurveColours[k]));
     labels.push_back({axis.factor * probe.curve.back().value, fmt::format("probe {}", probe.number),
-                      kColours[k]});
+                      kCurveColours[k]});
   }
   if (panel.probes.size() > 1) label_curves(script, labels, range, column.label_line());
   if (shown < panel.probes.size())

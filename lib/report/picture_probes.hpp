@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <iterator>
 #include <string>
 #include <vector>
 
@@ -20,11 +21,16 @@ class ProbePanels {
   // Draws panel `i` as the next one of the column; times are drawn `time_factor` times as large.
   void draw(std::size_t i, GnuplotScript& script, PanelColumn& column, double time_factor) const;
 
- private:
   struct Panel {
     std::string si_unit;
     std::vector<SeenProbe> probes;
+
+    std::string name() const;  // in two lines
   };
+  const std::vector<Panel>& panels() const { return panels_; }
+  static constexpr std::size_t kMostCurves = std::size(kCurveColours);  // shown in a panel
+
+ private:
   std::vector<Panel> panels_;
 };
 

@@ -245,11 +245,11 @@ class SimulationPicture {
     range.low = std::min(range.low, 0.0);
     column_.begin_panel(range, "contact\nforce", force_.unit);
     column_.draw_zero_line();
-    static constexpr const char* kColours[] = {kBlue, kVermillion, kGreen, kOrange, kPurple, kSky};
     std::vector<std::string> layers;
     std::vector<CurveLabel> labels;
     for (const SeenForce& seen : seen_.forces) {
-      const char* colour = kColours[static_cast<std::size_t>(seen.stop) % std::size(kColours)];
+      const char* colour =
+          kCurveColours[static_cast<std::size_t>(seen.stop) % std::size(kCurveColours)];
       const std::string name = fmt::format("force{}", seen.stop + 1);
       script_.data(name, table_of(seen.force, time_.factor, force_.factor));
       layers.push_back(line(name, colour));

@@ -1,6 +1,8 @@
 // --plot x.html: the file that is written and what it holds. tests/page opens it in a browser.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <cstring>
 #include <nlohmann/json.hpp>
@@ -159,14 +161,142 @@ TEST(Page, NamesAreCheckedBeforeTheWork) {
             std::string::npos)
       << gif.err;
   for (const std::string& line :
-       {"simulate --plot x.html " + kOneMode, "cost --plot x.html " + kOneMode,
+       {"compare --sensitivity --plot x.html " + scene("20_yigit_sensitivity.toml") +
+            " --parameter hub.inertia --from 1 --to 2",
+        "cost --plot x.html " + kOneMode,
         "continue --locus all --parameter forcing.frequency --from 20 --to 60 --second stop.gap "
         "--second-from 1e-3 --second-to 2e-3 --plot x.html " +
             kOneMode}) {
     const Finished run = run_graze(line);
     EXPECT_EQ(run.code, 2) << line;
-    EXPECT_NE(run.err.find("pages are drawn by orbit, continue and diagram"), std::string::npos)
+    EXPECT_NE(run.err.find("pages are drawn by simulate, orbit, continue, diagram and map"),
+              std::string::npos)
         << run.err;
+  }
+}
+
+const std::string kBasins =
+    " --set forcing.frequency=1.6 --set stop.gap=0.5 --set forcing.amplitude=0.5 "
+    "--set 'initial.q=[0.0]' --parameter initial.q.1 --from -2 --to 0.8 --points 15 "
+    "--second initial.qdot.1 --second-from -2 --second-to 2 --second-points 11 " +
+    scene("04_impact_oscillator.toml");
+
+TEST(Page, HoldsTheCellsOfTheDocument) {
+  if (!built_with_page()) GTEST_SKIP() << "built without npm";
+  const ScratchFolder scratch;
+  const std::string file = (scratch / "x.html").string();
+  const Finished run = run_graze("map --json --quiet --show speed --plot " + file + kBasins);
+  ASSERT_EQ(run.code, 0) << run.err;
+  const json document = json::parse(run.out), view = data_of(read_text(file), "view");
+  EXPECT_EQ(view["kind"], "map");
+  EXPECT_EQ(view["shown"], "speed");
+  EXPECT_EQ(view["x"]["unit"], "kg^½ m");
+  const std::vector<double> x = unpacked<double>(view["x"]["values"]["f64"]);
+  const std::vector<double> y = unpacked<double>(view["y"]["values"]["f64"]);
+  ASSERT_EQ(x.size(), 15u);
+  ASSERT_EQ(y.size(), 11u);
+  EXPECT_EQ(x.front(), -2.0);
+  EXPECT_EQ(y.back(), 2.0);
+  const auto kind = unpacked<std::uint8_t>(view["cells"]["kind"]["u8"]);
+  const json &kinds = view["cells"]["kinds"], &cells = document["cells"];
+  ASSERT_EQ(kind.size(), 165u);
+  std::vector<std::string> keys;
+  for (const json& number : view["numbers"]) keys.push_back(number["key"]);
+  EXPECT_EQ(keys, (std::vector<std::string>{"impacts", "speed", "stuck"}));
+  const auto impacts = unpacked<float>(view["numbers"][0]["values"]["f32"]);
+  const auto speeds = unpacked<float>(view["numbers"][1]["values"]["f32"]);
+  for (std::size_t i = 0; i < kind.size(); ++i) {
+    const std::string name = kinds[kind[i]]["name"];
+    if (cells["status"][i] == "no start") {
+      EXPECT_EQ(name, "no start");
+      EXPECT_TRUE(std::isnan(speeds[i]));
+      continue;
+    }
+    const std::size_t attractor = cells["attractor"][i].get<std::size_t>() - 1;
+    EXPECT_EQ(name, document["attractors"][attractor]["attractor"]);
+    EXPECT_EQ(kinds[kind[i]]["wild"], false);
+    EXPECT_FLOAT_EQ(speeds[i], cells["peak_speed"][i].get<float>());
+    EXPECT_FLOAT_EQ(impacts[i], cells["impacts_per_period"][i].get<float>());
+  }
+  // Why there is none is told.
+  const auto message = unpacked<std::int32_t>(view["cells"]["messages"]["of"]["i32"]);
+  EXPECT_GE(message[14], 0);
+  EXPECT_EQ(message[0], -1);
+}
+
+TEST(Page, AMapTellsHowToFollowACell) {
+  if (!built_with_page()) GTEST_SKIP() << "built without npm";
+  const ScratchFolder scratch;
+  const std::string file = (scratch / "x.html").string();
+  ASSERT_EQ(
+      run_graze("map --quiet --periods 300 --closure-speed 1e-6 --plot " + file + kBasins).code, 0);
+  const json command = data_of(read_text(file), "view")["command"];
+  EXPECT_EQ(command["before"], "graze simulate " + scene("04_impact_oscillator.toml") +
+                                   " --set forcing.frequency=1.6 --set stop.gap=0.5 --set "
+                                   "forcing.amplitude=0.5 --set 'initial.q=[0.0]'");
+  EXPECT_EQ(command["after"], " --periods 300 --closure-speed 1e-06 --plot cell.html");
+  EXPECT_EQ(command["start"], json::parse(R"({"q": [0.0], "qdot": [0.0]})"));
+}
+
+TEST(Page, AMapOfTooManyCellsIsRefusedBeforeTheWork) {
+  if (!built_with_page()) GTEST_SKIP() << "built without npm";
+  const Finished run = run_graze(
+      "map --plot x.html --parameter forcing.frequency --from 15 --to 120 --points 2001 --second "
+      "stop.gap --second-from 1e-4 --second-to 2e-3 --second-points 2000 " +
+      kOneMode);
+  EXPECT_EQ(run.code, 2);
+  EXPECT_NE(run.err.find("x.html: a page of a map holds 4000000 cells at most, and this map has "
+                         "4002000"),
+            std::string::npos)
+      << run.err;
+}
+
+// The events of the document are the impacts of the page, at the stop's place.
+TEST(Page, HoldsTheMotionOfARun) {
+  if (!built_with_page()) GTEST_SKIP() << "built without npm";
+  const ScratchFolder scratch;
+  const std::string file = (scratch / "x.html").string();
+  const Finished run = run_graze("simulate --json --quiet --energy --duration 1 --plot " + file +
+                                 " " + scene("02_wagg_momentum.toml"));
+  ASSERT_EQ(run.code, 0) << run.err;
+  const json document = json::parse(run.out), view = data_of(read_text(file), "view");
+  EXPECT_EQ(view["kind"], "run");
+  EXPECT_EQ(view["made"].get<std::string>().find("graze simulate --json"), 0u);
+  const json& place = view["places"][0];
+  const auto t = unpacked<double>(place["impacts"]["t"]["f64"]);
+  const auto before = unpacked<float>(place["impacts"]["before"]["f32"]);
+  std::size_t impacts = 0;
+  for (const json& event : document["events"]) {
+    if (event["kind"] != "impact") continue;
+    ASSERT_LT(impacts, t.size());
+    EXPECT_EQ(t[impacts], event["time"].get<double>());
+    EXPECT_FLOAT_EQ(std::abs(before[impacts]), event["speed"].get<float>());
+    ++impacts;
+  }
+  EXPECT_EQ(impacts, t.size());
+  EXPECT_EQ(place["stuck"].size(), 1u);
+  std::vector<std::string> panels;
+  for (const json& panel : view["panels"]) panels.push_back(panel["name"]);
+  EXPECT_EQ(panels, (std::vector<std::string>{"displacement", "velocity", "contact force",
+                                              "energy, work"}));
+  const auto x = unpacked<float>(place["x"]["f32"]);
+  const float stop = place["stops"][0]["place"].get<float>();
+  EXPECT_FLOAT_EQ(*std::max_element(x.begin(), x.end()), stop);
+}
+
+// Without a forcing, without samples of its own, without stops.
+TEST(Page, AnyRunIsAPage) {
+  if (!built_with_page()) GTEST_SKIP() << "built without npm";
+  const ScratchFolder scratch;
+  const std::string file = (scratch / "x.html").string();
+  for (const std::string& line :
+       {"--duration 1 " + scene("06_bouncing_ball.toml"), "--record none " + kOneMode,
+        "--duration 0.4 " + scene("18_yigit_lee_wang_2.toml"), "--duration 0 " + kOneMode}) {
+    const Finished run = run_graze("simulate --quiet --plot " + file + " " + line);
+    ASSERT_EQ(run.code, 0) << line << run.err;
+    const json view = data_of(read_text(file), "view");
+    EXPECT_GE(view["panels"].size(), 2u) << line;
+    EXPECT_LT(view["time"]["low"].get<double>(), view["time"]["high"].get<double>()) << line;
   }
 }
 

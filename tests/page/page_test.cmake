@@ -1,4 +1,4 @@
-# Runs page_test.mjs in Chromium: cmake -DPROGRAM=.. -DSOURCE=.. -DSCENES=.. -DSCRATCH=.. -P ..
+# Runs the tests of pages in Chromium: cmake -DPROGRAM=.. -DSOURCE=.. -DSCENES=.. -DSCRATCH=.. -P ..
 # Without a browser, npm or the page it is skipped; where CI is set, that is a failure.
 find_program(NODE NAMES node nodejs)
 find_program(NPM npm)
@@ -31,6 +31,9 @@ if(NOT EXISTS ${SCRATCH}/packages_${lock})
     WORKING_DIRECTORY ${SCRATCH} COMMAND_ERROR_IS_FATAL ANY)
   file(TOUCH ${SCRATCH}/packages_${lock})
 endif()
-file(COPY ${SOURCE}/browser.mjs ${SOURCE}/page_test.mjs DESTINATION ${SCRATCH})
-execute_process(COMMAND ${NODE} page_test.mjs ${PROGRAM} ${SCENES} ${CHROMIUM}
-  WORKING_DIRECTORY ${SCRATCH} COMMAND_ERROR_IS_FATAL ANY)
+file(GLOB modules ${SOURCE}/*.mjs)
+file(COPY ${modules} DESTINATION ${SCRATCH})
+foreach(test page_test map_test run_test)
+  execute_process(COMMAND ${NODE} ${test}.mjs ${PROGRAM} ${SCENES} ${CHROMIUM}
+    WORKING_DIRECTORY ${SCRATCH} COMMAND_ERROR_IS_FATAL ANY)
+endforeach()

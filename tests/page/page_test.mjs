@@ -1,40 +1,18 @@
-// The pages of --plot x.html, in a browser: what is drawn, hovered over, zoomed into and clicked on.
-//   node page_test.mjs PROGRAM SCENES CHROMIUM
+// The pages of diagram, continue and orbit (--plot x.html), in a browser: what is drawn, hovered over,
+// zoomed into and clicked on.
 import assert from 'node:assert/strict';
-import { execFileSync, execSync } from 'node:child_process';
-import { mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
-import { tmpdir } from 'node:os';
+import { readFileSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
-import { after, before, test } from 'node:test';
-import { openPage, pixelsOf, placeOf, settled, startBrowser } from './browser.mjs';
+import { before, test } from 'node:test';
+import { openPage, pixelsOf, placeOf, settled } from './browser.mjs';
+import { again, browser, folder, ground, inPage, isShown, packed, pageOf, range, scene, text } from './pages.mjs';
 
-const [program, scenes, chromium] = process.argv.slice(2);
-const folder = mkdtempSync(join(tmpdir(), 'graze page '));  // a blank, as in names of users
-const oneMode = join(scenes, '05_wagg_one_mode.toml');
+const oneMode = scene('05_wagg_one_mode.toml');
 const kBlack = [0, 40], kGrey = [120, 200];
-let browser;
-
-// The page of a command.
-function pageOf(name, ...arguments_) {
-  const file = join(folder, name);
-  execFileSync(program, [...arguments_, '--quiet', '--plot', file], { stdio: ['ignore', 'ignore', 'inherit'] });
-  return file;
-}
-
-// What a command line that a page shows prints, as JSON.
-function again(command) {
-  assert.match(command, /^graze /);
-  return JSON.parse(execSync(`"${program}"${command.slice('graze'.length)} --json --quiet`, { encoding: 'utf8', maxBuffer: 1 << 28 }));
-}
-
-const text = (page, selector) => page.$eval(selector, (element) => element.textContent);
-const range = (page) => page.getAttribute('#chart', 'aria-label');
-const isShown = (page, selector) => page.$eval(selector, (element) => !element.hidden);
 
 let diagram, exponents, gap, orbits, supports, strobes;
 
 before(async () => {
-  browser = await startBrowser(chromium);
   diagram = pageOf('diagram.html', 'diagram', oneMode, '--parameter', 'forcing.frequency', '--from', '15',
     '--to', '120', '--points', '400', '--direction', 'down', '--set', 'stop.gap=1.05e-3');
   exponents = pageOf('exponents.html', 'diagram', oneMode, '--parameter', 'forcing.frequency', '--from', '55',
@@ -42,29 +20,11 @@ before(async () => {
   gap = pageOf('gap.html', 'continue', oneMode, '--set', 'forcing.frequency=40', '--parameter', 'stop.gap',
     '--from', '0', '--to', '0.02');
   orbits = pageOf('orbits.html', 'orbit', oneMode, '--set', 'forcing.frequency=40', '--set', 'stop.gap=0.01');
-  supports = pageOf('supports.html', 'orbit', join(scenes, '07_two_stops.toml'));
-  strobes = pageOf('strobes.html', 'diagram', join(scenes, '04_impact_oscillator.toml'), '--parameter',
+  supports = pageOf('supports.html', 'orbit', scene('07_two_stops.toml'));
+  strobes = pageOf('strobes.html', 'diagram', scene('04_impact_oscillator.toml'), '--parameter',
     'forcing.amplitude', '--from', '0.2', '--to', '1', '--points', '60', '--section', 'strobe',
     '--set', 'forcing.frequency=1.6', '--set', 'stop.gap=0.5', '--set', 'initial.q=[0.0]');
 });
-
-after(async () => {
-  await browser?.close();
-  rmSync(folder, { recursive: true, force: true });
-});
-
-// Opens the page, does what is to be done, and expects that nothing went wrong in the page.
-function inPage(name, file, act, options) {
-  test(name, async () => {
-    const opened = await openPage(browser, file(), options);
-    try {
-      await act(opened.page);
-      assert.deepEqual(opened.wrong, []);
-    } finally {
-      await opened.close();
-    }
-  });
-}
 
 inPage('a diagram is drawn, with dots, lines and marks', () => diagram, async (page) => {
   assert.equal(await text(page, 'h1'), 'Bifurcation diagram');
@@ -226,7 +186,6 @@ inPage('a diagram by strobes shows displacements and velocities', () => strobes,
 });
 
 test('dark and light differ, by the system and by the button', async () => {
-  const ground = (page) => page.$eval('body', (body) => getComputedStyle(body).backgroundColor);
   const dark = await openPage(browser, diagram, { colorScheme: 'dark' });
   const light = await openPage(browser, diagram, { colorScheme: 'light' });
   assert.equal(await ground(light.page), 'rgb(255, 255, 255)');
@@ -237,8 +196,6 @@ test('dark and light differ, by the system and by the button', async () => {
   assert.deepEqual([...dark.wrong, ...light.wrong], []);
   await Promise.all([dark.close(), light.close()]);
 });
-
-const packed = (kind, array) => ({ [kind]: Buffer.from(array.buffer).toString('base64') });
 
 // A page of the program with its view changed.
 function changed(name, change) {

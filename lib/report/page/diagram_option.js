@@ -1,6 +1,6 @@
 // The picture over a parameter as ECharts draws it: axes, lines of branches, marks of special
 // points. The dots of the sweep lie under it (dot_layer.js).
-import { axis, kCommon } from './echarts_parts.js';
+import { axis, hertzAxis, kCommon } from './echarts_parts.js';
 import { axisName } from './format.js';
 import { kLineKinds, markOf } from './marks.js';
 
@@ -27,8 +27,7 @@ function xAxes(view, colours) {
     return made;
   });
   if (parameter.hertz)
-    axes.push(axis(colours, 'forcing frequency (Hz)', low / (2 * Math.PI), high / (2 * Math.PI),
-      { gridIndex: 0, position: 'top', nameGap: 28, splitLine: { show: false } }));
+    axes.push(hertzAxis(colours, low, high));
   return axes;
 }
 

@@ -1,5 +1,6 @@
 // The picture over a parameter: a sweep's dots, branches, special points. The pointer or the arrow
 // keys choose a point, a click or Enter opens its orbit.
+import { keepZoom, planeInView } from './axes_in_view.js';
 import { diagramOption } from './diagram_option.js';
 import { DotLayer } from './dot_layer.js';
 import { init } from './echarts_parts.js';
@@ -58,27 +59,14 @@ export class DiagramView {
   draw() {
     const shows = (type) => this.legend.shows(type);
     const option = diagramOption(this.view, this.shown, shows, this.theme.colours, this.root.clientHeight);
-    const zoomed = this.chart.getOption()?.dataZoom;
-    for (const part of option.dataZoom) {
-      const last = zoomed?.find(({ id }) => id === part.id);
-      if (last) Object.assign(part, { start: last.start, end: last.end });
-    }
+    keepZoom(this.chart, option);
     this.chart.setOption(option, { notMerge: true });
     this.hover.hide();
     this.drawDots();
   }
 
-  // The part of the plane that is in view, SI, and where it is, px.
   plane() {
-    const rectangle = this.chart.getModel().getComponent('grid', 0).coordinateSystem.getRect();
-    const [x0, y0] = this.chart.convertFromPixel({ gridIndex: 0 }, [rectangle.x, rectangle.y + rectangle.height]);
-    const [x1, y1] = this.chart.convertFromPixel({ gridIndex: 0 }, [rectangle.x + rectangle.width, rectangle.y]);
-    const { factor } = this.view.parameter;
-    return {
-      left: rectangle.x, top: rectangle.y, right: rectangle.x + rectangle.width,
-      bottom: rectangle.y + rectangle.height, x: [x0 / factor, x1 / factor],
-      y: [y0 / this.shown.factor, y1 / this.shown.factor],
-    };
+    return planeInView(this.chart, this.view.parameter.factor, this.shown.factor);
   }
 
   drawDots() {

@@ -33,6 +33,12 @@ export function axis(colours, name, low, high, more = {}) {
   };
 }
 
+// Above the first axes, where what is across is a forcing frequency from `low` to `high`, rad/s.
+export function hertzAxis(colours, low, high) {
+  return axis(colours, 'forcing frequency (Hz)', low / (2 * Math.PI), high / (2 * Math.PI),
+    { gridIndex: 0, position: 'top', nameGap: 28, splitLine: { show: false } });
+}
+
 function tick(value) {
   const text = Math.abs(value) > 0 && (Math.abs(value) < 1e-5 || Math.abs(value) >= 1e7)
     ? value.toExponential() : String(Number(value.toPrecision(9)));

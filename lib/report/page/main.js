@@ -1,8 +1,10 @@
-// A result of Graze as a page: a picture to look into, and the orbits behind its points.
+// A result of Graze as a page: a picture to look into, and what is behind its points.
 import { Orbits, readView } from './data.js';
 import { DiagramView } from './diagram_view.js';
+import { MapView } from './map_view.js';
 import { OrbitPanel } from './orbit_panel.js';
 import { OrbitsView } from './orbits_view.js';
+import { RunView } from './run_view.js';
 import { fillTables } from './tables.js';
 import { Theme } from './theme.js';
 
@@ -18,16 +20,26 @@ function fillHead(view) {
     `Graze ${graze.version} · drawn with Apache ECharts (Apache License 2.0), which is in this page; nothing is fetched.`;
 }
 
+// What opens a part of the picture from the tables: orbits, or cells of a map.
+function startPicture(view, orbits, theme) {
+  if (view.kind === 'run') return new RunView(view, theme);
+  if (view.kind === 'map') {
+    const map = new MapView(view, theme);
+    return (cell) => map.open(cell);
+  }
+  const panel = new OrbitPanel(view, theme, () => window.dispatchEvent(new Event('resize')));
+  const openOrbit = (index, value) => panel.open(orbits.get(index), value);
+  if (view.kind === 'orbits') new OrbitsView(view, orbits, theme, openOrbit);
+  else new DiagramView(view, theme, openOrbit);
+  return openOrbit;
+}
+
 function start() {
   const view = readView();
   const orbits = new Orbits();
   const theme = new Theme(document.getElementById('theme'));
   fillHead(view);
-  const panel = new OrbitPanel(view, theme, () => window.dispatchEvent(new Event('resize')));
-  const openOrbit = (index, value) => panel.open(orbits.get(index), value);
-  if (view.kind === 'orbits') new OrbitsView(view, orbits, theme, openOrbit);
-  else new DiagramView(view, theme, openOrbit);
-  fillTables(document.getElementById('tables'), view, orbits, openOrbit);
+  fillTables(document.getElementById('tables'), view, orbits, startPicture(view, orbits, theme));
   document.documentElement.dataset.ready = 'true';
   requestAnimationFrame(() => requestAnimationFrame(() => performance.mark('drawn')));
 }

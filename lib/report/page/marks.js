@@ -64,6 +64,10 @@ export function dotSwatch(kind, colours) {
   return swatch(10, svg('circle', { cx: 5, cy: 7, r: 3, fill: colours[kind.colour] }));
 }
 
+export function cellSwatch(colour) {
+  return swatch(14, svg('rect', { x: 1, y: 1, width: 12, height: 12, fill: colour, stroke: '#808080', 'stroke-width': 0.6 }));
+}
+
 export function markSwatch(mark, colours) {
   return swatch(14, svg('path', {
     d: mark.path, transform: `translate(1 1) scale(${mark.small ? 0.4 : 0.6})`,

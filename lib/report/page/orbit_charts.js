@@ -1,6 +1,7 @@
 // The three pictures of an orbit: its displacement over time against the stops, its phase portrait,
 // its multipliers in the unit circle.
 import { axis, kCommon } from './echarts_parts.js';
+import { axisName } from './format.js';
 
 // A curve as pieces between jumps, each a list of indices; it is cut where a sample is not finite.
 export function pieces(place) {
@@ -51,8 +52,10 @@ export function unitOf(si, values) {
   return largest >= 1e-4 ? { factor: 1e3, unit: `m${si}` } : { factor: 1e6, unit: `µ${si}` };
 }
 
-function scaled(place) {
-  const length = unitOf('m', place.x), speed = unitOf('m/s', place.v);
+// `axes`: name, unit and factor of both, where they are not a length and a speed.
+function scaled(place, axes) {
+  const length = axes?.length ?? { name: 'displacement', ...unitOf('m', place.x) };
+  const speed = axes?.speed ?? { name: 'velocity', ...unitOf('m/s', place.v) };
   return {
     length, speed,
     place: {
@@ -63,7 +66,7 @@ function scaled(place) {
 }
 
 // The inside of the stops, as areas between a stop and the border of the axes.
-function stopAreas(stops, [low, high], name, colours) {
+export function stopAreas(stops, [low, high], name, colours) {
   return stops.map((stop) => [
     { [name]: stop.place, itemStyle: { color: colours.stop, opacity: 0.75 } },
     { [name]: stop.sense > 0 ? high : low },
@@ -112,8 +115,8 @@ export function jumpsOf(orbit, place) {
   return jumps;
 }
 
-export function portraitOption(orbit, seen, colours) {
-  const { place, length, speed } = scaled(seen);
+export function portraitOption(orbit, seen, colours, axes = null) {
+  const { place, length, speed } = scaled(seen, axes);
   const x = extent(place.x, ...place.stops.map((stop) => stop.place));
   const y = extent(place.v, 0);
   const flights = pieces(place).flatMap((piece) => [...piece.map((i) => [place.x[i], place.v[i]]), [NaN, NaN]]);
@@ -121,8 +124,8 @@ export function portraitOption(orbit, seen, colours) {
   const line = (id, data, style) => ({ id, type: 'line', data, showSymbol: false, silent: true, lineStyle: style });
   return {
     ...kCommon, grid: { left: 56, right: 10, top: 10, bottom: 42 },
-    xAxis: axis(colours, `displacement (${length.unit})`, x[0], x[1], { nameGap: 26, splitNumber: 3 }),
-    yAxis: axis(colours, `velocity (${speed.unit})`, y[0], y[1], { nameGap: 38, splitNumber: 4 }),
+    xAxis: axis(colours, axisName(length), x[0], x[1], { nameGap: 26, splitNumber: 3 }),
+    yAxis: axis(colours, axisName(speed), y[0], y[1], { nameGap: 38, splitNumber: 4 }),
     series: [
       { ...line('flights', flights, { color: colours.blue, width: 1.6 }), z: 4,
         markArea: { silent: true, data: stopAreas(place.stops, x, 'xAxis', colours) } },

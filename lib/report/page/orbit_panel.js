@@ -2,18 +2,16 @@
 import { init } from './echarts_parts.js';
 import { element, measure, number, table } from './format.js';
 import { circleOption, portraitOption, seriesOption } from './orbit_charts.js';
+import { Panel } from './panel.js';
 
 const kMostImpacts = 200;  // listed
 
 export class OrbitPanel {
   constructor(view, theme, resized) {
-    Object.assign(this, { view, theme, resized });
-    this.root = document.getElementById('orbit');
+    Object.assign(this, { view, theme });
+    this.panel = new Panel(['series', 'portrait', 'circle'], resized, () => { this.orbit = null; });
     this.places = document.querySelector('#orbit-place select');
     this.charts = null;
-    document.getElementById('orbit-close').addEventListener('click', () => this.close());
-    this.root.addEventListener('keydown', (event) => { if (event.key === 'Escape') this.close(); });
-    document.getElementById('orbit-copy').addEventListener('click', () => this.copy());
     this.places.addEventListener('change', () => this.draw());
     theme.onChange(() => this.draw());
     window.addEventListener('resize', () => this.fit());
@@ -22,22 +20,14 @@ export class OrbitPanel {
   // `asked`: the parameter's value of the point that was chosen, which may lie beside the orbit's.
   open(orbit, asked = null) {
     this.orbit = orbit;
-    const opener = this.root.hidden;
-    this.root.hidden = false;
-    if (opener) this.resized();
-    this.describe(asked);
+    const facts = this.factsOf(orbit);
+    const opened = this.panel.open(orbit.name, facts);
+    this.describe(asked, facts);
     this.places.replaceChildren(...orbit.places.map((place, i) => new Option(place.name, String(i))));
     document.getElementById('orbit-place').hidden = orbit.places.length < 2;
     this.charts ??= ['series', 'portrait', 'circle'].map((name) => init(document.getElementById(`orbit-${name}`)));
     this.draw();
-    if (opener) document.getElementById('orbit-close').focus({ preventScroll: true });
-  }
-
-  close() {
-    this.root.hidden = true;
-    this.orbit = null;
-    this.resized();
-    document.getElementById('chart').focus({ preventScroll: true });
+    if (opened) this.panel.focus();
   }
 
   draw() {
@@ -58,9 +48,7 @@ export class OrbitPanel {
     if (this.orbit) for (const chart of this.charts ?? []) chart.resize();
   }
 
-  describe(asked) {
-    const { orbit } = this;
-    document.getElementById('orbit-title').textContent = orbit.name;
+  factsOf(orbit) {
     const facts = [];
     const { parameter } = this.view;
     if (parameter && orbit.value !== null) facts.push(`${parameter.name} ${measure(parameter, orbit.value, 8)}`);
@@ -68,15 +56,17 @@ export class OrbitPanel {
     if (orbit.multipliers.length > 0)
       facts.push(`largest multiplier ${number(Math.max(...orbit.multipliers.map(([re, im]) => Math.hypot(re, im))), 4)} in modulus`);
     if (orbit.clearance !== null) facts.push(`clearance between impacts ${number(1e3 * orbit.clearance, 4)} mm`);
-    document.getElementById('orbit-facts').textContent = facts.join(' · ');
+    return facts;
+  }
+
+  describe(asked, facts) {
+    const { orbit } = this;
+    const { parameter } = this.view;
     const beside = parameter && asked !== null && orbit.value !== null && asked !== orbit.value;
-    document.getElementById('orbit-remark').textContent = [
+    this.panel.tellRemark(
       beside ? `The page keeps not every orbit; this one, at ${measure(parameter, orbit.value, 8)}, is the nearest to the point chosen.` : '',
-      orbit.remark ?? '',
-    ].join(' ').trim();
-    // No line ends within an option, which would look like two.
-    document.getElementById('orbit-command').replaceChildren(
-      ...orbit.command.split(' ').flatMap((word, i) => [i > 0 ? ' ' : '', element('span', {}, word)]));
+      orbit.remark);
+    this.panel.tellCommand(orbit.command);
     this.listImpacts();
     const about = `of ${orbit.name}${facts.length ? `, ${facts.join(', ')}` : ''}`;
     for (const [name, what] of [['series', 'Displacement over time'], ['portrait', 'Phase portrait'], ['circle', 'Multipliers in the unit circle']])
@@ -92,19 +82,5 @@ export class OrbitPanel {
     return root.replaceChildren(
       table([['impact at (periods)', 'stop', 'speed (m/s)'], ...rows]),
       left > 0 ? element('p', {}, `and ${left} more`) : '');
-  }
-
-  // Files opened from a disk have no clipboard in every browser: then the text is selected.
-  async copy() {
-    const text = document.getElementById('orbit-command');
-    const button = document.getElementById('orbit-copy');
-    try {
-      await navigator.clipboard.writeText(text.textContent);
-      button.textContent = 'Copied';
-    } catch {
-      getSelection().selectAllChildren(text);
-      button.textContent = 'Selected';
-    }
-    setTimeout(() => { button.textContent = 'Copy'; }, 1500);
   }
 }

@@ -30,6 +30,17 @@ function orbitTable(view, orbits, openOrbit) {
   return table([['orbit', '', 'impacts', 'fastest (m/s)'], ...rows]);
 }
 
+// What the cells of a map settle on; the label opens the first cell that does.
+function kindTable(view, openCell) {
+  const { kinds, kind } = view.cells;
+  const columns = view.x.values.length;
+  const rows = kinds.filter(({ cells }) => cells > 0).map(({ name, cells, first }) => [
+    opener(name, () => openCell(first)), String(cells), `${number((100 * cells) / kind.length, 4)} %`,
+    measure(view.x, view.x.values[first % columns], 7), measure(view.y, view.y.values[Math.floor(first / columns)], 7)]);
+  return folded(`${rows.length} kinds of cells`, rows.length <= 12,
+    table([['settles on', 'cells', 'part', `first at ${view.x.name}`, view.y.name], ...rows]));
+}
+
 function madeBy(head, made) {
   const { graze } = head;
   const rows = Object.entries(graze.options).map(([name, value]) => [name, String(value)]);
@@ -37,11 +48,13 @@ function madeBy(head, made) {
     table([['option', 'value'], ...rows, ['scene', graze.scene], ['SHA-256 of the scene in force', graze.scene_sha256]]));
 }
 
-export function fillTables(root, view, orbits, openOrbit) {
+// `open` shows an orbit of the page, or a cell of a map.
+export function fillTables(root, view, orbits, open) {
   const parts = [];
+  if (view.kind === 'map') parts.push(kindTable(view, open));
   if (view.special?.length > 0)
-    parts.push(folded(`${view.special.length} special points`, view.special.length <= 12, specialTable(view, openOrbit)));
-  if (view.kind === 'orbits' && orbits.count > 0) parts.push(orbitTable(view, orbits, openOrbit));
+    parts.push(folded(`${view.special.length} special points`, view.special.length <= 12, specialTable(view, open)));
+  if (view.kind === 'orbits' && orbits.count > 0) parts.push(orbitTable(view, orbits, open));
   const said = [...(view.head.warnings ?? []), ...(view.notes ?? [])];
   if (said.length > 0)
     parts.push(folded(`${said.length} ${said.length === 1 ? 'note' : 'notes'} of the run`, said.length <= 3,

@@ -1,0 +1,30 @@
+// Numbers as colours: a scale from `low` to `high` through evenly spaced colours, and the bar that
+// tells of it.
+import { axisName, element, number } from './format.js';
+import { pixelOf } from './cell_layer.js';
+import { cellSwatch } from './marks.js';
+
+const kSteps = 1024, kTics = 5;
+
+// The pixel of a number; `none` is that of what is no number.
+export function pixelScale({ low, high, colours }, none) {
+  const channels = colours.map((colour) => [1, 3, 5].map((at) => parseInt(colour.slice(at, at + 2), 16)));
+  const pixels = Uint32Array.from({ length: kSteps }, (_, i) => {
+    const place = (i / (kSteps - 1)) * (colours.length - 1);
+    const below = Math.min(Math.floor(place), colours.length - 2);
+    return pixelOf([0, 1, 2].map((k) => Math.round(channels[below][k] + (place - below) * (channels[below + 1][k] - channels[below][k]))));
+  });
+  const scale = (kSteps - 1) / (high - low);
+  return (value) => (Number.isFinite(value)
+    ? pixels[Math.max(0, Math.min(kSteps - 1, Math.round((value - low) * scale)))] : none);
+}
+
+export function fillBar(root, quantity, none) {
+  const tics = Array.from({ length: kTics }, (_, i) => quantity.low + (i / (kTics - 1)) * (quantity.high - quantity.low));
+  const scale = element('div', { class: 'scale' });
+  scale.style.background = `linear-gradient(to right, ${quantity.colours.join(', ')})`;
+  root.replaceChildren(
+    element('span', {}, axisName(quantity)),
+    element('div', { class: 'tics' }, scale, ...tics.map((value) => element('span', {}, number(value, 3)))),
+    element('span', { class: 'none' }, cellSwatch(none), 'no number'));
+}

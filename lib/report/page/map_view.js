@@ -1,0 +1,205 @@
+// A map: cells of a plane, coloured by what the motion settles on there or by a number of it. The
+// pointer or the arrow keys choose a cell, a click or Enter tells all of it and how to follow it.
+import { keepZoom, planeInView } from './axes_in_view.js';
+import { cellCommand } from './cell_command.js';
+import { CellAxis, CellLayer, pixelOf } from './cell_layer.js';
+import { fillBar, pixelScale } from './colour_bar.js';
+import { axis, hertzAxis, init, kCommon } from './echarts_parts.js';
+import { axisName, measure, number } from './format.js';
+import { Hover } from './hover.js';
+import { Legend } from './legend.js';
+import { cellSwatch } from './marks.js';
+import { Panel } from './panel.js';
+import { ZoomTools } from './zoom_tools.js';
+
+const kAttractor = { key: 'attractor', name: 'attractor' };
+
+export class MapView {
+  constructor(view, theme) {
+    Object.assign(this, { view, theme, cells: view.cells });
+    this.quantities = [kAttractor, ...view.numbers];
+    this.shown = this.quantities.find(({ key }) => key === view.shown) ?? kAttractor;
+    this.columns = new CellAxis(view.x.values);
+    this.rows = new CellAxis(view.y.values);
+    this.root = document.getElementById('chart');
+    this.chart = init(this.root, null, { renderer: 'canvas' });
+    this.layer = new CellLayer(document.getElementById('dots'), this.columns, this.rows);
+    this.hover = new Hover(document.getElementById('hover'), document.getElementById('ring'));
+    this.legend = new Legend(document.getElementById('legend'), theme, this.entries(), () => this.colour());
+    this.panel = new Panel([], () => window.dispatchEvent(new Event('resize')), () => this.mark(null));
+    this.zoom = new ZoomTools(this.chart, this.root);
+    document.getElementById('hint').textContent = 'wheel: zoom · shift + wheel: zoom upright · drag: move · click: the cell';
+    this.fillQuantities();
+    this.draw();
+    this.colour();
+    this.listen();
+  }
+
+  entries() {
+    return this.cells.entries.map(({ name, colour }, i) => ({
+      type: String(i), title: name, swatch: () => cellSwatch(this.theme.shade(colour)),
+    }));
+  }
+
+  fillQuantities() {
+    const select = document.getElementById('observable');
+    for (const { key, name } of this.quantities) select.add(new Option(name, key));
+    select.value = this.shown.key;
+    select.addEventListener('change', () => {
+      this.shown = this.quantities.find(({ key }) => key === select.value);
+      this.hover.hide();
+      this.colour();
+    });
+  }
+
+  listen() {
+    this.theme.onChange(() => { this.legend.draw(); this.draw(); this.colour(); });
+    new ResizeObserver(() => { this.chart.resize(); this.draw(); }).observe(document.getElementById('stage'));
+    this.chart.on('datazoom', () => { this.hover.hide(); this.drawCells(); });
+    const zr = this.chart.getZr();
+    zr.on('mousemove', (event) => {
+      const cell = this.cellAt(event.offsetX, event.offsetY);
+      zr.setCursorStyle(cell === null ? 'default' : 'pointer');
+      if (cell === null) this.hover.hide();
+      else this.show(cell);
+    });
+    zr.on('globalout', () => this.hover.hide());
+    zr.on('click', (event) => {
+      const cell = this.cellAt(event.offsetX, event.offsetY);
+      if (cell !== null) this.open(cell);
+    });
+    this.root.addEventListener('keydown', (event) => this.key(event));
+  }
+
+  draw() {
+    const { colours } = this.theme;
+    const { x, y } = this.view;
+    const [low, high] = [x.low, x.high].map((value) => x.factor * value);
+    const none = { splitLine: { show: false } };
+    const across = [axis(colours, axisName(x), low, high, { ...none, nameGap: 30 })];
+    if (x.hertz) across.push(hertzAxis(colours, low, high));
+    // No deeper than two cells.
+    const zoom = (id, axes, cells) => ({ id, type: 'inside', ...axes, filterMode: 'none', minSpan: Math.min(100, 200 / cells) });
+    const option = {
+      ...kCommon, grid: { left: 76, right: 22, top: x.hertz ? 52 : 16, bottom: 52 }, xAxis: across,
+      yAxis: axis(colours, axisName(y), y.factor * y.low, y.factor * y.high, { ...none, nameGap: 54 }),
+      series: [{
+        id: 'chosen', type: 'scatter', data: this.chosenData(), silent: true, symbol: 'rect', symbolSize: 11, z: 5,
+        itemStyle: { color: 'transparent', borderColor: colours.black, borderWidth: 2.5, opacity: 1, shadowColor: colours.paper, shadowBlur: 3 },
+      }],
+      dataZoom: [
+        zoom('across', { xAxisIndex: across.map((_, i) => i) }, this.columns.count),
+        { ...zoom('upright', { yAxisIndex: [0] }, this.rows.count), zoomOnMouseWheel: 'shift' },
+      ],
+    };
+    keepZoom(this.chart, option);
+    this.chart.setOption(option, { notMerge: true });
+    this.hover.hide();
+    this.drawCells();
+  }
+
+  // Every cell its colour, and the legend or the bar that tells of it.
+  colour() {
+    const { kind, kinds, entries } = this.cells;
+    const bar = document.getElementById('bar');
+    bar.hidden = this.shown === kAttractor;
+    document.getElementById('legend').hidden = !bar.hidden;
+    if (this.shown === kAttractor) {
+      const pixels = kinds.map(({ entry }) => (this.legend.shows(String(entry)) ? pixelOf(this.theme.shade(entries[entry].colour)) : 0));
+      this.layer.paint((cell) => pixels[kind[cell]] ?? 0);
+    } else {
+      const none = this.theme.colours.none;
+      const pixel = pixelScale(this.shown, pixelOf(none));
+      const { values } = this.shown;
+      this.layer.paint((cell) => (kinds[kind[cell]] ? pixel(values[cell]) : 0));
+      fillBar(bar, this.shown, none);
+    }
+    this.drawCells();
+  }
+
+  drawCells() {
+    const { x, y } = this.view;
+    this.plane = planeInView(this.chart, x.factor, y.factor);
+    this.layer.draw(this.plane);
+    const range = (quantity, [low, high]) => `${quantity.name} from ${measure(quantity, low)} to ${measure(quantity, high)}`;
+    this.root.setAttribute('aria-label', `Map of the ${this.shown.name} over ${range(x, this.plane.x)} and ` +
+      `${range(y, this.plane.y)}. Arrow keys go from cell to cell, Enter opens one.`);
+  }
+
+  cellAt(px, py) {
+    const { left, right, top, bottom, x, y } = this.plane;
+    if (px < left || px > right || py < top || py > bottom) return null;
+    const column = this.columns.placeOf(x[0] + ((px - left) / (right - left)) * (x[1] - x[0]));
+    const row = this.rows.placeOf(y[1] - ((py - top) / (bottom - top)) * (y[1] - y[0]));
+    if (column < 0 || column >= this.columns.count || row < 0 || row >= this.rows.count) return null;
+    return this.rows.index(row) * this.columns.count + this.columns.index(column);
+  }
+
+  valuesAt(cell) {
+    const column = cell % this.columns.count;
+    return [this.view.x.values[column], this.view.y.values[(cell - column) / this.columns.count]];
+  }
+
+  kindName(cell) { return this.cells.kinds[this.cells.kind[cell]]?.name ?? 'not run'; }
+
+  // Names and values of a cell.
+  numbersOf(cell, digits) {
+    const { x, y, numbers } = this.view;
+    const values = this.valuesAt(cell);
+    const told = (quantity) => {
+      const value = quantity.values[cell];
+      const text = value === -Infinity ? '−∞' : number(value, digits);
+      return [quantity.name, quantity.unit && text !== '–' ? `${text} ${quantity.unit}` : text];
+    };
+    return [[x.name, measure(x, values[0], 7)], [y.name, measure(y, values[1], 7)], ...numbers.map(told)];
+  }
+
+  show(cell) {
+    this.pointed = cell;
+    const { x, y } = this.view;
+    const values = this.valuesAt(cell);
+    const [left, top] = this.chart.convertToPixel({ gridIndex: 0 }, [x.factor * values[0], y.factor * values[1]]);
+    this.hover.show({ x: left, y: top }, this.kindName(cell), this.numbersOf(cell, 5), 'click: how to follow it');
+  }
+
+  open(cell) {
+    this.show(cell);
+    this.mark(cell);
+    const [x, y] = this.valuesAt(cell);
+    const opened = this.panel.open(this.kindName(cell), []);
+    this.panel.tellNumbers(this.numbersOf(cell, 7));
+    const { messages, kinds, kind } = this.cells;
+    const said = messages?.texts[messages.of[cell]];
+    this.panel.tellRemark(said ? `${said[0].toUpperCase()}${said.slice(1)}.` : '', kinds[kind[cell]]?.wild
+      ? `The numbers are those of the last ${this.view.samples} forcing periods, and a run agrees with the map for as long as rounding leaves it.` : '');
+    this.panel.tellCommand(cellCommand(this.view, [x, y]));
+    if (opened) this.panel.focus();
+  }
+
+  chosenData() {
+    if (this.chosen === null || this.chosen === undefined) return [];
+    const [x, y] = this.valuesAt(this.chosen);
+    return [[this.view.x.factor * x, this.view.y.factor * y]];
+  }
+
+  mark(cell) {
+    this.chosen = cell;
+    this.chart.setOption({ series: [{ id: 'chosen', data: this.chosenData() }] });
+  }
+
+  // To the cell beside, as seen.
+  key(event) {
+    const step = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1] }[event.key];
+    if (step) {
+      const { count } = this.columns;
+      const from = this.pointed ?? this.rows.index(this.rows.count >> 1) * count + this.columns.index(count >> 1);
+      const beside = (axis, at, by) => axis.index(Math.max(0, Math.min(axis.count - 1, axis.index(at) + by)));
+      this.show(beside(this.rows, Math.floor(from / count), step[1]) * count + beside(this.columns, from % count, step[0]));
+    } else if (event.key === 'Enter' && this.pointed !== undefined) {
+      this.open(this.pointed);
+    } else {
+      return;
+    }
+    event.preventDefault();
+  }
+}
