@@ -189,8 +189,10 @@ const Watch& ContactPhase<Real>::watch(int stop, int multiplicity) {
   watch.multiplicity = multiplicity;
   if constexpr (std::is_same_v<Real, double>) {
     // Taylor's coefficient of the zero that it starts from.
-    if (multiplicity > 0)
-      watch.departure = gap_rate(stop, multiplicity).value / std::tgamma(multiplicity + 1.0);
+    const double rate = multiplicity == 4  ? gap_rate(stop, 3).slope
+                        : multiplicity > 0 ? gap_rate(stop, multiplicity).value
+                                           : 0.0;
+    if (multiplicity > 0) watch.departure = rate / std::tgamma(multiplicity + 1.0);
   }
   return watch;
 }

@@ -230,19 +230,36 @@ bool Motion<Real>::decide_resting(const std::vector<int>& resting) {
   return true;
 }
 
-// Neither pushed nor pulled: the push that follows decides, which depends on who else is held.
-// Without any they stay where they are. Lets go of those that are left; the rest of them.
+// 1/s: by no more than this factor a derivative of a free motion is larger than the one before,
+// each term by term.
+template <class Real>
+Real Motion<Real>::quickest_rate() const {
+  using std::max;
+  Real rate = linear_.forced ? linear_.frequency : Real(0);
+  for (Eigen::Index j = 0; j < linear_.omega.size(); ++j)
+    rate = max(rate, max<Real>(linear_.omega[j], 2 * linear_.delta[j]));
+  return rate;
+}
+
+// Neither pushed nor pulled: the push that follows decides, which depends on who else is held, by
+// its rate or, where that vanishes too, by the rate of that. Without any they stay where they are.
+// Lets go of those that are left; the rest of them.
 template <class Real>
 std::vector<int> Motion<Real>::decide_degenerate(std::vector<int> held, std::vector<int> stops) {
   std::vector<int> kept;
-  const auto stays = [&](int i) {
-    if (!is_independent(i, held)) return true;  // kept there by others
+  // The multiplicity of the zero at which the structure leaves the stop; 0: it stays.
+  const auto leaves = [&](int i) {
+    if (!is_independent(i, held)) return 0;  // kept there by others
     ContactPhase<Real>& phase = phase_of(held);
-    if (!phase.refusal().empty()) return true;
+    if (!phase.refusal().empty()) return 0;
     start_at_now(phase);
     const CurvePoint<Real> jerk = phase.gap_rate(i, 3);
-    return !(jerk.value > jerk.noise);
+    if (jerk.value > jerk.noise) return 3;
+    // Where nothing has a closed form no further rate is known.
+    if (jerk.value < -jerk.noise || turning_ || is_sprung()) return 0;
+    return jerk.slope > quickest_rate() * jerk.noise ? 4 : 0;
   };
+  const auto stays = [&](int i) { return leaves(i) == 0; };
   // Each pass keeps one more, so there are no more passes than stops.
   for (auto next = stops.begin(); next != stops.end(); next = stops.begin()) {
     next = std::find_if(stops.begin(), stops.end(), stays);
@@ -251,7 +268,7 @@ std::vector<int> Motion<Real>::decide_degenerate(std::vector<int> held, std::vec
     kept.push_back(*next);
     stops.erase(next);
   }
-  for (const int i : stops) let_go(i, 3);
+  for (const int i : stops) let_go(i, leaves(i));
   return kept;
 }
 

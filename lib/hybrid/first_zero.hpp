@@ -221,7 +221,8 @@ FirstZero<Real> first_descent(const Sample& sample, const Real& from, const Real
 }
 
 // First contact in (0, curve.window()]. `multiplicity` > 0 says that the gap starts at a known
-// zero: 1 just after an impact, 2 when pulled away from rest on the stop, 3 after a release.
+// zero: 1 just after an impact, 2 when pulled away from rest on the stop, 3 after a release, 4 after
+// one at which the contact force vanishes without crossing zero.
 template <class Real>
 FirstZero<Real> first_contact(const ArcCurve<Real>& curve, int multiplicity) {
   Real from = 0;

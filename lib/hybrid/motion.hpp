@@ -238,6 +238,7 @@ class Motion {
   std::vector<int> decide_degenerate(std::vector<int> held, std::vector<int> stops);
   void hold(int stop);
   void let_go(int stop, int multiplicity);
+  Real quickest_rate() const;
   void rest_on_closed();
   bool is_independent(int stop, const std::vector<int>& of) const;
 

@@ -75,7 +75,8 @@ class MotionsPicture {
     std::vector<std::string> layers;
     if (has_stop) {
       column_.set_legend();
-      script_.command("set key maxrows 1");
+      // Gnuplot takes words of this size for wider than they are, and would begin another line.
+      script_.command("set key width -5");
       stops.draw(script_, range, column_.label_line(), layers);
     }
     for (std::size_t i = 0; i < curves.size(); ++i) {

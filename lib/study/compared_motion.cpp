@@ -67,8 +67,8 @@ bool add_settled(const Scene& scene, const System& system, const SweepRow& row,
   }
   motion.energy = energy / static_cast<double>(seen);
   const EnergyBook& book = *again.energy;
-  motion.taken =
-      -(book.impacts + book.work.constraint + book.work.contact) / static_cast<double>(turns);
+  const double given = book.impacts + book.work.constraint + book.work.contact;
+  motion.taken = (0.0 - given) / static_cast<double>(turns);
   return true;
 }
 
