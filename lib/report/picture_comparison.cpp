@@ -76,7 +76,7 @@ class MotionsPicture {
     if (has_stop) {
       column_.set_legend();
       // Gnuplot takes words of this size for wider than they are, and would begin another line.
-      script_.command("set key width -5");
+      script_.command("set key width -7");
       stops.draw(script_, range, column_.label_line(), layers);
     }
     for (std::size_t i = 0; i < curves.size(); ++i) {
