@@ -23,6 +23,8 @@ namespace graze {
 namespace {
 
 constexpr double kPictureSamplesPerPeriod = 400.0;
+// A cell takes a tenth of a second and more, and half a kilobyte.
+constexpr double kMostCells = 4e6;
 constexpr double kPeriodsRun = 50.0, kPeriodsShown = 4.0;
 
 bool is_over_plane(const Command& command) { return !command.parameter.empty(); }
@@ -42,6 +44,12 @@ void check_options(const Command& command) {
   }
   if (command.most_modes > 0)
     throw InputError("--parameter: maps compare two scenes; give --against in place of --modes");
+  const double cells = static_cast<double>(command.runs) * command.second_runs;
+  if (cells > kMostCells)
+    throw InputError(
+        fmt::format("--points, --second-points: {:.0f} cells are too many; at most "
+                    "{:.0f} are compared",
+                    cells, kMostCells));
   if (command.second.empty() || !command.second_from || !command.second_to)
     throw InputError(
         "--parameter: give the other parameter of the plane too, with --second, --second-from and "
@@ -79,7 +87,7 @@ std::string other_name(const Command& command) {
 }
 
 // The end of a run as a picture shows it.
-SimulationRecord shown_run(const Command& command, const Scene& scene) {
+SimulationRecord shown_run(const Command& command, const Scene& scene, const StopSignal& stop) {
   SimulationRecord record;
   record.system = assemble(scene);
   const double period = record.system.period();
@@ -87,7 +95,7 @@ SimulationRecord shown_run(const Command& command, const Scene& scene) {
   options.duration = command.duration.value_or(kPeriodsRun * period);
   options.max_impacts = command.max_impacts;
   options.closure_speed = command.closure_speed;
-  options.stop = stop_signal(command);
+  options.stop = stop;
   const double from = *options.duration - command.last.value_or(kPeriodsShown * period);
   RunListeners listeners;
   listeners.event = [&](const Event& event) {
@@ -99,6 +107,10 @@ SimulationRecord shown_run(const Command& command, const Scene& scene) {
   listeners.sample_rate = kPictureSamplesPerPeriod / period;
   record.run = simulate(record.system, initial_state(scene, record.system), options, listeners);
   return record;
+}
+
+bool draws_motions(const Command& command, const ComparisonRecord& record) {
+  return !command.plot.empty() && record.modes.empty() && !record.differences.empty();
 }
 
 int compare_motions(const Command& command) {
@@ -134,11 +146,15 @@ int compare_motions(const Command& command) {
     record.motions.push_back(std::move(*motion));
   }
   conclude_comparison(record, scenes.size(), record.options.stop.reason());
+  for (std::size_t i = 0; i < scenes.size() && draws_motions(command, record); ++i) {
+    record.runs.push_back(shown_run(command, scenes[i], record.options.stop));
+    const Outcome shown = simulation_outcome(record.runs.back().run);
+    if (record.outcome.name == "compared" && shown.name != "reached_end")
+      record.outcome = {shown.name == "interrupted" ? shown.name : "budget",
+                        record.names[i] + ", for the picture: " + shown.message};
+  }
   const auto draw = [&] {
-    if (record.differences.empty()) return;
-    if (record.modes.empty())
-      for (const Scene& scene : scenes) record.runs.push_back(shown_run(command, scene));
-    draw_comparison(command.plot, record);
+    if (!record.differences.empty()) draw_comparison(command.plot, record);
   };
   return conclude(command, record.info, record.outcome,
                   {to_json(record),
@@ -170,7 +186,9 @@ int compare_over_plane(const Command& command) {
   record.shown = shown(command);
   note_plane(options, record.info);
   note_comparison(command, options, record.info);
-  record.warnings = system_warnings(one, assemble(one));
+  for (const auto& [name, scene] : {std::pair(record.one, &one), std::pair(record.other, &other)})
+    for (const std::string& warning : system_warnings(*scene, assemble(*scene)))
+      record.warnings.push_back(name + ": " + warning);
   warn(command, record.warnings);
   prepare_output(command);
   note_call(command, record.info);

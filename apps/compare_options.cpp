@@ -97,6 +97,27 @@ void add_of_sensitivity(CLI::App* app, Command& command) {
       ->type_name("V");
 }
 
+// Which options go together.
+void relate(CLI::App* app) {
+  const auto option = [app](const char* name) { return app->get_option(name); };
+  for (const char* end : {"--from", "--to"}) {
+    option("--parameter")->needs(option(end));
+    option(end)->needs(option("--parameter"));
+  }
+  for (const char* of_plane : {"--points", "--second", "--show"})
+    option(of_plane)->needs(option("--parameter"));
+  for (const char* of_second :
+       {"--second-from", "--second-to", "--second-points", "--second-values"})
+    option(of_second)->needs(option("--second"));
+  for (const char* of_sensitivity : {"--second-values", "--reference"})
+    option(of_sensitivity)->needs(option("--sensitivity"));
+  for (const char* of_others :
+       {"--first", "--within", "--second-from", "--second-to", "--second-points", "--show",
+        "--last", "--periods", "--samples", "--resume", "--shard"})
+    option("--sensitivity")->excludes(option(of_others));
+  option("--last")->excludes(option("--parameter"));
+}
+
 }  // namespace
 
 void add_compare(CLI::App& graze, Command& command) {
@@ -125,6 +146,7 @@ void add_compare(CLI::App& graze, Command& command) {
   add_closure_speed(app, command);
   add_limits(app, command);
   add_journal(app, command);
+  relate(app);
 }
 
 }  // namespace graze

@@ -13,6 +13,7 @@
 #include "graze/report/page.hpp"
 #include "graze/report/pictures.hpp"
 #include "graze/report/text.hpp"
+#include "graze/scene/parameter.hpp"
 #include "graze/scene/start_coordinate.hpp"
 #include "graze/study/step_choice.hpp"
 #include "journals.hpp"
@@ -44,6 +45,14 @@ MapQuantity shown(const Command& command) {
 void note_cells(const AttractorMapOptions& options, RunInfo& info) {
   note_plane(options, info);
   note_settling(options, info);
+}
+
+// What loci need, told before the map is made: ranges, and values that the scene allows.
+void require_locus_plane(const Command& command, const Scene& scene) {
+  const LociOptions options = loci_options(command);
+  for (const double value : {command.from, command.to})
+    for (const double second : {options.second_from, options.second_to})
+      with_parameter(with_parameter(scene, command.parameter, value), command.second, second);
 }
 
 // Loci of the orbits over the map, where they were asked for; and how the whole ended.
@@ -82,6 +91,7 @@ int run_map(const Command& command) {
   const Scene scene = scene_of(command);
   require_exact_flow(scene, "maps are drawn");
   require_forcing_and_stop(scene);
+  if (!command.locus.empty()) require_locus_plane(command, scene);
   AttractorMapOptions options = map_options(command);
   if (is_page_name(command.plot)) check_map_page(command.plot, options);
   MapRecord record;

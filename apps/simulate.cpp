@@ -68,6 +68,10 @@ std::optional<RunSection> section_of(const Command& command, const System& syste
   const double end = options.duration.value_or(static_cast<double>(options.periods) * period);
   const double from =
       command.transient ? static_cast<double>(*command.transient) * period : 0.1 * end;
+  if (from >= end && end > 0.0)
+    throw InputError(fmt::format(
+        "--transient: the run has {:g} forcing periods; give fewer, or nothing is left of it",
+        end / period));
   return RunSection(
       command.run_section == "strobe" ? DiagramSection::kStrobe : DiagramSection::kImpact, from);
 }
@@ -123,7 +127,7 @@ int run_simulate(const Command& command) {
   if (!command.plot.empty() && command.run_section.empty())
     check_picture_or_page_name(command.plot);
   else if (!command.plot.empty())
-    check_picture_name(command.plot);
+    check_picture_name(command.plot, ".svg, .png or .pdf with --section");
   const Scene scene = scene_of(command);
   SimulationRecord record;
   record.info = run_info(command.name, command.scene, scene);

@@ -8,6 +8,9 @@
 namespace graze {
 namespace {
 
+// Of a gap's zero: after a release at which the contact force vanishes without crossing zero.
+constexpr int kLargestMultiplicity = 4;
+
 // Beyond, a double cannot tell the periods apart.
 constexpr long long kMostPeriods = 1LL << 53;
 
@@ -90,7 +93,8 @@ MotionState<double> read_motion(const Node& node, const std::string& path, const
   for (const std::string& word : table.words("contacts", system.stops.size()))
     motion.contacts.push_back(contact_of(table, word));
   for (const long long count : table.counts("multiplicities", system.stops.size())) {
-    if (count > 3) table.fail("multiplicities", "they are 0 to 3");
+    if (count > kLargestMultiplicity)
+      table.fail("multiplicities", fmt::format("they are 0 to {}", kLargestMultiplicity));
     motion.multiplicities.push_back(static_cast<int>(count));
   }
   motion.unsummed = table.number("unsummed");

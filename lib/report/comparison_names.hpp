@@ -15,7 +15,7 @@ inline constexpr ComparedQuantity kComparedQuantities[] = {
 
 // "attractor", "agreeing", "first_time", ..
 std::string name_of(ComparedQuantity quantity);
-// In a few words: "rms difference of the velocity".
+// In a few words: "mean energy, relative difference".
 std::string title_of(ComparedQuantity quantity);
 // Whether it is a difference with a sign.
 bool is_signed(ComparedQuantity quantity);

@@ -59,7 +59,10 @@ std::string to_json(const ComparisonMapRecord& record) {
     one.push_back(cell.is_known ? Json(attractor_label(cell.one)) : Json(nullptr));
     other.push_back(cell.is_known ? Json(attractor_label(cell.other)) : Json(nullptr));
   }
-  document["cells"] = {{"one", one}, {"other", other}};
+  Json messages = Json::array();
+  for (const ComparedCell& cell : map.cells)
+    messages.push_back(cell.message.empty() ? Json(nullptr) : Json(cell.message));
+  document["cells"] = {{"one", one}, {"other", other}, {"message", messages}};
   for (const ComparedQuantity quantity : kComparedQuantities) {
     Json values = Json::array();
     for (const ComparedCell& cell : map.cells)

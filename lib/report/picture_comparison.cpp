@@ -68,7 +68,12 @@ class MotionsPicture {
       range.include({unit.factor * own.low, unit.factor * own.high});
     }
     const StopMarks stops(seen_.front().places.front().stops, range, unit, false);
-    if (has_stop) stops.include(range);
+    if (has_stop) {
+      stops.include(range);
+      for (const SeenStop& stop : seen_.back().places.front().stops)
+        if (std::abs(unit.factor * stop.place) <= 1.5 * largest(range))
+          range.include(unit.factor * stop.place);
+    }
     range.settle(0.08);
     column_.begin_panel(range, name, unit.unit);
     column_.draw_zero_line();
@@ -78,6 +83,7 @@ class MotionsPicture {
       // Gnuplot takes words of this size for wider than they are, and would begin another line.
       script_.command("set key width -7");
       stops.draw(script_, range, column_.label_line(), layers);
+      draw_stops_of_other(unit);
     }
     for (std::size_t i = 0; i < curves.size(); ++i) {
       const std::string data = fmt::format("{}{}", has_stop ? "displacement" : "velocity", i + 1);
@@ -87,6 +93,18 @@ class MotionsPicture {
                                    gnuplot_string(has_stop ? plain(record_.names[i]) : "")));
     }
     column_.end_panel(layers);
+  }
+
+  // Where they are not those of the first motion: lines, dashed as it is.
+  void draw_stops_of_other(const AxisUnit& unit) {
+    const std::vector<SeenStop>& own = seen_.front().places.front().stops;
+    for (const SeenStop& stop : seen_.back().places.front().stops)
+      if (std::none_of(own.begin(), own.end(),
+                       [&](const SeenStop& one) { return one.place == stop.place; }))
+        script_.command(
+            fmt::format("set arrow from graph 0, first {0:.9g} to graph 1, first "
+                        "{0:.9g} nohead lw 1.6 dt (8,4) lc rgb '{1}'",
+                        unit.factor * stop.place, kVermillion));
   }
 
   const ComparisonRecord& record_;

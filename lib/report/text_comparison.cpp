@@ -54,11 +54,20 @@ std::string differences_text(const ComparisonRecord& record) {
 
 std::string first_impacts_text(const ComparisonRecord& record) {
   const std::vector<RunImpact>&one = record.motions[0].first, &other = record.motions[1].first;
-  Table table({"impact", "time (s)", "speed (m/s)", "time (s)", "speed (m/s)"});
+  bool several = false;  // stops are hit
+  for (const std::vector<RunImpact>* impacts : {&one, &other})
+    for (const RunImpact& impact : *impacts) several = several || impact.stop > 0;
+  std::vector<std::string> header = {"impact"};
+  for (int motion = 0; motion < 2; ++motion) {
+    if (several) header.emplace_back("stop");
+    header.insert(header.end(), {"time (s)", "speed (m/s)"});
+  }
+  Table table(header);
   for (std::size_t k = 0; k < std::max(one.size(), other.size()); ++k) {
     std::vector<std::string> row = {std::to_string(k + 1)};
     for (const std::vector<RunImpact>* impacts : {&one, &other}) {
       const bool has = k < impacts->size();
+      if (several) row.push_back(has ? std::to_string((*impacts)[k].stop + 1) : "-");
       row.push_back(has ? fmt::format("{:.9f}", (*impacts)[k].time) : "-");
       row.push_back(has ? fmt::format("{:.9g}", (*impacts)[k].speed) : "-");
     }

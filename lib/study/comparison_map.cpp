@@ -1,9 +1,12 @@
 #include "graze/study/comparison_map.hpp"
 
+#include <fmt/format.h>
+
 #include <optional>
 #include <utility>
 
 #include "graze/base/errors.hpp"
+#include "graze/scene/reader.hpp"
 
 namespace graze {
 namespace {
@@ -16,9 +19,9 @@ std::optional<ComparedCell> compared_cell(const Scene& one, const Scene& other,
   try {
     const auto first = compared_motion(scene_at(one, options, i), options);
     if (!first) return {};
+    cell.one = first->attractor;
     const auto second = compared_motion(scene_at(other, options, i), options);
     if (!second) return {};
-    cell.one = first->attractor;
     cell.other = second->attractor;
     cell.difference = difference(*first, *second, options);
     cell.message = first->message.empty() ? second->message : first->message;
@@ -28,12 +31,25 @@ std::optional<ComparedCell> compared_cell(const Scene& one, const Scene& other,
   return cell;
 }
 
+// The plane sets its two numbers in both scenes: they must not be all that tells these apart.
+void require_difference(const Scene& one, const Scene& other, const Plane& plane) {
+  try {
+    if (write_scene(scene_at(one, plane, 0)) != write_scene(scene_at(other, plane, 0))) return;
+  } catch (const InputError&) {
+    return;  // a cell that one of them does not allow
+  }
+  throw InputError(fmt::format(
+      "{}, {}: the plane sets both in either scene, and then nothing is left that differs",
+      plane.x.name, plane.y.name));
+}
+
 }  // namespace
 
 ComparisonMap compare_over(const Scene& one, const Scene& other,
                            const ComparisonMapOptions& options) {
   require_plane(one, options);
   require_plane(other, options);
+  require_difference(one, other, options);
   ComparisonMap map;
   map.options = options;
   map.options.progress = nullptr;

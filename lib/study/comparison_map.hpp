@@ -34,7 +34,8 @@ struct ComparisonMap {
 
 // Every cell is two runs of its own, so the map depends on nothing but its values. Cells whose
 // values a scene does not allow are such that say so. Requires of both scenes what compared_motion
-// does; throws InputError as require_plane.
+// does; throws InputError as require_plane,
+// and where the plane leaves nothing that tells the scenes apart.
 ComparisonMap compare_over(const Scene& one, const Scene& other,
                            const ComparisonMapOptions& options);
 

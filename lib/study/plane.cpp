@@ -42,6 +42,8 @@ void require_plane(const Scene& scene, const Plane& plane) {
       start_coordinate(copy, axis->name);
     else
       parameter_direction(scene, axis->name);
+    if (axis->from == axis->to)
+      throw InputError(axis->name + ": its range must not be empty; give two ends that differ");
   }
   if (plane.x.name == plane.y.name)
     throw InputError(plane.y.name + ": both axes are this one; give two that differ");

@@ -27,7 +27,8 @@ struct Plane {
   double y_at(std::size_t cell) const;
 };
 
-// Throws InputError for a name that the scene does not have, or one that stands for both.
+// Throws InputError for a name that the scene does not have, one that stands for both, or an empty
+// range.
 void require_plane(const Scene& scene, const Plane& plane);
 
 // Throws InputError where the scene does not allow the cell's values.

@@ -56,7 +56,12 @@ TEST(CompareCommand, DrawsEveryDifferenceOverAPlane) {
     const Finished run = run_graze(kPlane + " --show " + what + " --out " + (out / "run").string() +
                                    " --plot " + (out / "m.svg").string());
     ASSERT_EQ(run.code, 0) << run.err;
-    EXPECT_GT(read_text(out / "m.svg").size(), 3000u);
+    const std::string title = what == "attractor"     ? "both (1,1)"
+                              : what == "agreeing"    ? "first impacts that agree"
+                              : what == "first_speed" ? "speed of the first impact"
+                              : what == "velocity"    ? "velocity, rms difference"
+                                                      : "mean energy, relative";
+    EXPECT_NE(read_text(out / "m.svg").find(title), std::string::npos) << what;
   }
   const json document = json::parse(read_text(out / "run" / "result.json"));
   EXPECT_EQ(document["outcome"], "complete");
@@ -82,6 +87,17 @@ TEST(CompareCommand, IsSharedOutAndGoesOn) {
       EXPECT_EQ(read_text(out / folder / file), read_text(out / "whole" / file)) << folder << file;
 }
 
+// The time that a comparison may take holds for its picture too.
+TEST(CompareCommand, SaysWhereThePictureWasCut) {
+  const ScratchFolder out;
+  const Finished run = run_graze(
+      "compare --against stop.restitution=0.7 --duration 1000 "
+      "--max-impacts 3000 --plot " +
+      (out / "cut.svg").string() + " " + scene("05_wagg_one_mode.toml"));
+  EXPECT_EQ(run.code, 3) << run.out;
+  EXPECT_NE(run.out.find("for the picture"), std::string::npos) << run.out;
+}
+
 TEST(CompareCommand, SaysWhatIsMissing) {
   const auto refuses = [](const std::string& arguments, const std::string& words) {
     const Finished run = run_graze("compare " + arguments);
@@ -94,6 +110,18 @@ TEST(CompareCommand, SaysWhatIsMissing) {
   refuses("--parameter stop.gap --from 0 --to 1 " + kGalerkin + kPaper, "--second");
   refuses("--against beam.discretisation=galerking " + kPaper, "galerkin");
   refuses("--resume --out x " + kGalerkin + kPaper, "--parameter");
+  refuses("--parameter stop.gap --second forcing.frequency --second-from 20 --second-to 30 " +
+              kGalerkin + kPaper,
+          "--from");
+  refuses("--show taken " + kGalerkin + kPaper, "--parameter");
+  refuses("--second-values 1,2 " + kGalerkin + kPaper, "--second");
+  refuses("--sensitivity --parameter stop.gap --from 1 --to 2 --duration 1 --shard 1/2 " + kPaper,
+          "--shard");
+  refuses(
+      "--parameter stop.gap --from 1e-3 --to 2e-3 --points 10000 --second forcing.frequency "
+      "--second-from 20 --second-to 30 --second-points 10000 " +
+          kGalerkin + kPaper,
+      "too many");
   refuses("--sensitivity " + kGalerkin + kPaper, "--against");
   refuses("--modes 1:3 " + scene("04_impact_oscillator.toml"), "beam");
   refuses(kGalerkin + scene("06_bouncing_ball.toml"), "forcing");

@@ -26,8 +26,8 @@ TEST(HubCommand, FinalHoldsAngleAndRate) {
   EXPECT_EQ(final["q"].size(), 3u);
   EXPECT_EQ(final["qdot"].size(), 3u);
   EXPECT_GT(final["rate"].get<double>(), 0.0);
-  const double mass = 2710.0 * 2.41935e-4,
-               inertia = 4.992e-3 + mass * 0.57 * 0.57 * 0.57 / 3.0 - mass * 0.02 * 0.02 * 0.02 / 3.0;
+  const double mass = 2710.0 * 2.41935e-4, inertia = 4.992e-3 + mass * 0.57 * 0.57 * 0.57 / 3.0 -
+                                                     mass * 0.02 * 0.02 * 0.02 / 3.0;
   // theta = T t^2/(2 J), but for what the beam bends.
   EXPECT_NEAR(final["angle"].get<double>() / (0.5 * 0.24 * 0.01 / inertia), 1.0, 0.05);
 }

@@ -99,6 +99,18 @@ TEST(Resume, GoesOnAfterARunThatWasStopped) {
   }
 }
 
+// Before its first arc is over the gap still departs from a zero of order four.
+TEST(Resume, GoesOnFromAStartThatBalances) {
+  Runs runs(
+      "--set 'modal.damping_ratios=[0.0]' --set forcing.frequency=1.5 --set stop.gap=1 "
+      "--set forcing.amplitude=1 --set 'initial.q=[1.0]' " +
+      scene("04_impact_oscillator.toml"));
+  runs.run("whole", "--duration 10");
+  runs.run("first", "--duration 1");
+  runs.run("second", "--duration 10 --resume " + runs.folder("first"));
+  expect_same(runs, "whole", "first", "second");
+}
+
 TEST(Resume, GoesOnSeveralTimes) {
   Runs runs(kMomentum);
   runs.run("whole", "--duration 1.5");

@@ -95,7 +95,8 @@ TEST(RunDiagram, SaysWhatIsMissing) {
       << no_time.err;
   EXPECT_EQ(run_graze("diagram --duration 1 --section strobe " + kDrops + kBall).code, 2);
   EXPECT_EQ(run_graze("diagram --duration 1 --branches none " + kDrops + kBall).code, 2);
-  const Finished forced = run_graze("diagram --duration 1 " + kDrops + scene("04_impact_oscillator.toml"));
+  const Finished forced =
+      run_graze("diagram --duration 1 " + kDrops + scene("04_impact_oscillator.toml"));
   EXPECT_EQ(forced.code, 2);
   EXPECT_NE(forced.err.find("--duration: it is not allowed here"), std::string::npos) << forced.err;
   const Finished nothing = run_graze(

@@ -59,6 +59,8 @@ TEST(SectionCommand, SaysWhatItNeeds) {
       2);
   EXPECT_EQ(run_graze(kOrbit + " --section strobe --record samples").code, 2);
   EXPECT_EQ(run_graze(kOrbit + " --transient 3").code, 2);
+  EXPECT_EQ(run_graze(kOrbit + " --section impact --transient 400").code, 2);
+  EXPECT_EQ(run_graze(kOrbit + " --section impact --plot s.html").code, 2);
   EXPECT_EQ(run_graze(kOrbit + " --section plane").code, 2);
 }
 

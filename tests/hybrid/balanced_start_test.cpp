@@ -46,6 +46,7 @@ TEST(BalancedStart, LeavesWithDampingToo) {
   const support::RecordedRun run = run_of(
       {"forcing.frequency=1.6", "stop.gap=0.5", "forcing.amplitude=0.5", "initial.q=[0.5]"}, 50.0);
   ASSERT_EQ(run.result.outcome, RunOutcome::kReachedEnd) << run.result.message;
+  ASSERT_FALSE(run.events.empty());
   EXPECT_EQ(run.events.front().kind, EventKind::kImpact);
   EXPECT_GT(run.events.front().time, 1.0);
 }

@@ -94,8 +94,8 @@ TEST(Comparison, FindsNothingBetweenAMotionAndItself) {
     EXPECT_EQ(part, 0.0);
 }
 
-// A start half a turn of the forcing later settles on the same orbit of two periods, or on its
-// other half: seen in the period in which they differ least, they do not.
+// The same orbit of two periods, seen one period later: in the period in which they differ least,
+// they do not.
 TEST(Comparison, SeesOrbitsInWhicheverPeriodTheyAreAlike) {
   bool two_periods = false;
   for (const char* frequency : {"2.4", "2.5", "2.6", "2.7"}) {
@@ -143,6 +143,21 @@ TEST(ComparisonMap, HasTheDifferencesOfItsCells) {
     EXPECT_EQ(cell.difference.displacement, single.displacement);
     EXPECT_EQ(cell.difference.agreeing, single.agreeing);
   }
+  // Only the other one starts beyond the stop.
+  const Scene beyond = oscillator({"initial.q=[0.2]", "initial.qdot=[0.0]"});
+  options.y = {"stop.gap", 0.1, 0.4, 2};
+  const ComparisonMap mixed = compare_over(one, beyond, options);
+  EXPECT_NE(mixed.cells[0].one.status, SweepStatus::kNoStart);
+  EXPECT_EQ(mixed.cells[0].other.status, SweepStatus::kNoStart);
+  EXPECT_NE(mixed.cells[0].message, "");
+  EXPECT_NE(mixed.cells[5].other.status, SweepStatus::kNoStart);
+  // What --against changes must not be what the plane sets.
+  EXPECT_THROW(
+      compare_over(one, oscillator({"initial.q=[0.0]", "initial.qdot=[0.0]", "stop.gap=0.7"}),
+                   options),
+      InputError);
+  options.y = {"stop.gap", 0.1, 0.1, 2};
+  EXPECT_THROW(compare_over(one, other, options), InputError);
   options.y.name = "stop.gape";
   EXPECT_THROW(compare_over(one, other, options), InputError);
 }
