@@ -178,7 +178,7 @@ TEST(RunStateFile, RefusesNumbersThatNoRunLeavesBehind) {
            {"sample_rate = 0.3", "sample_rate = -0.3"},
            {"samples = 77", "samples = 77.0"},
            {"impacts = 9000000000", "impacts = -1"},
-           {"multiplicities = [0, 3]", "multiplicities = [0, 4]"},
+           {"multiplicities = [0, 3]", "multiplicities = [0, 5]"},
            {"started = true", "started = 1"},
            {"[streaks]", "[[streaks]]"},
            {"stuck_time = 1e+22", "stuck_time = inf"}})
