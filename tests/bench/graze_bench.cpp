@@ -118,7 +118,10 @@ BENCHMARK(SimulateWideGap)->ArgName("modes")->Arg(1)->Arg(4)->Arg(8)->Unit(bench
 // 10 s of the beam of scene 13 against a spring: linear (0) and Hertz (1).
 void SimulateCompliant(benchmark::State& state) {
   std::vector<std::string> settings;
-  if (state.range(0) != 0) settings = {"stop.spring.stiffness=3.2e9", "stop.spring.exponent=1.5"};
+  if (state.range(0) != 0)
+    settings = {
+        "stop.spring.stiffness=3.2e9", "stop.spring.exponent=1.5",
+        "stop.spring.damping={ model = \"hunt-crossley\", restitution = 0.8, speed = 0.1 }"};
   const Scene scene =
       read_scene(GRAZE_SOURCE_DIR "/data/scenes/13_beam_on_a_spring.toml", settings);
   const System system = assemble(scene);
