@@ -79,20 +79,29 @@ class MotionsPicture {
     column_.draw_zero_line();
     std::vector<std::string> layers;
     if (has_stop) {
-      column_.set_legend();
-      // Gnuplot takes words of this size for wider than they are, and would begin another line.
-      script_.command("set key width -7");
+      name_motions();
       stops.draw(script_, range, column_.label_line(), layers);
       draw_stops_of_other(unit);
     }
     for (std::size_t i = 0; i < curves.size(); ++i) {
       const std::string data = fmt::format("{}{}", has_stop ? "displacement" : "velocity", i + 1);
       script_.data(data, table_of(curves[i], time.factor, unit.factor));
-      layers.push_back(fmt::format("${} with lines lw 1.4 {} lc rgb '{}' title {}", data,
-                                   i == 0 ? "" : "dt (8,4)", i == 0 ? kBlue : kVermillion,
-                                   gnuplot_string(has_stop ? plain(record_.names[i]) : "")));
+      layers.push_back(fmt::format("${} with lines lw 1.4 {} lc rgb '{}' notitle", data,
+                                   i == 0 ? "" : "dt (8,4)", i == 0 ? kBlue : kVermillion));
     }
     column_.end_panel(layers);
+  }
+
+  // Above the panel at its ends, in the colours of their lines: gnuplot's own legend misjudges how
+  // wide such names are.
+  void name_motions() {
+    const double above = 1.0 + 0.8 * column_.label_line();
+    const auto name = [&](int end, const char* side, const std::string& text, const char* colour) {
+      script_.command(fmt::format("set label {} at graph {}, graph {:.4g} {} textcolor rgb '{}'",
+                                  gnuplot_string(text), end, above, side, colour));
+    };
+    name(0, "left", "━━━ " + plain(record_.names[0]), kBlue);
+    name(1, "right", "╍╍╍ " + plain(record_.names[1]), kVermillion);
   }
 
   // Where they are not those of the first motion: lines, dashed as it is.
