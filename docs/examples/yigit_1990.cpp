@@ -19,6 +19,7 @@
 #include "graze/report/picture_style.hpp"
 #include "graze/scene/reader.hpp"
 #include "graze/study/processor_time.hpp"
+#include "graze/study/run_impact.hpp"
 
 using namespace graze;
 
@@ -62,16 +63,12 @@ Run run(const Scene& scene, double end = kEnd, double sample_rate = kRate) {
   return run;
 }
 
-bool begins(const Event& event) {
-  return event.kind == EventKind::kImpact || event.kind == EventKind::kContact;
-}
-
 // When the sets of impacts begin, and how many impacts each has.
 std::vector<std::pair<double, int>> sets_of(const Run& run) {
   std::vector<std::pair<double, int>> sets;
   double last = -1.0;
   for (const Event& event : run.events) {
-    if (!begins(event)) continue;
+    if (!meets_stop(event)) continue;
     if (sets.empty() || event.time - last > kApart) sets.emplace_back(event.time, 0);
     ++sets.back().second;
     last = event.time;
@@ -110,43 +107,49 @@ Scene with_modes(const char* scene, int modes) {
   return read_scene(scene, {"beam.modes=" + std::to_string(modes)});
 }
 
-// Mean angular acceleration over the first contact, rad/s^2.
-double acceleration_at_impact(const Scene& scene) {
-  const Run whole = run(scene, 0.4, 10.0);
-  double entry = 0.0, exit = 0.0;
-  for (const Event& event : whole.events) {
-    if (entry == 0.0 && begins(event)) entry = event.time;
-    if (exit == 0.0 && event.kind == EventKind::kSeparation) exit = event.time;
-  }
-  if (exit == 0.0) return 0.0;
+// Of the first contact, until its force is gone: what it was, and by how much the hub turned faster
+// after it than before, on average over its time.
+void print_first_contact(const Scene& scene, const Run& whole) {
+  const auto parts = [](const Event& event) { return event.kind == EventKind::kSeparation; };
+  const auto first = std::find_if(whole.events.begin(), whole.events.end(), parts);
+  if (first == whole.events.end() || !first->effective_restitution) return;
   const auto rate_at = [&](double time) { return run(scene, time, 10.0).last_rate; };
-  return (rate_at(exit) - rate_at(entry)) / (exit - entry);
+  const double before = rate_at(first->time - first->duration), after = rate_at(first->time);
+  std::printf("    first contact: %.4g s, %.4g N, effective restitution %.4f\n", first->duration,
+              first->peak_force, *first->effective_restitution);
+  std::printf("    the hub meanwhile: %.3f to %.3f rad/s, on average %.4g rad/s^2\n", before, after,
+              (after - before) / first->duration);
+}
+
+void print_sets(const std::vector<std::pair<double, int>>& sets) {
+  std::printf("    sets of impacts:");
+  for (const auto& [time, count] : sets) std::printf(" %.4f s (%d)", time, count);
+  std::printf("\n");
 }
 
 void print_case(const Case& c) {
-  const Scene scene = read_scene(c.scene);
-  const Run three = run(scene);
-  const auto sets = sets_of(three);
-  std::printf("%s\n  sets of impacts:", c.name);
-  for (const auto& [time, count] : sets) std::printf(" %.4f s (%d)", time, count);
-  std::printf("\n  largest strain %.4g, rate %.4g rad/s\n", largest(three.strain),
-              largest(three.rate));
-  for (const Event& event : three.events)
-    if (event.kind == EventKind::kSeparation && event.effective_restitution) {
-      std::printf("  first contact: %.4g s, %.4g N, effective restitution %.4f\n", event.duration,
-                  event.peak_force, *event.effective_restitution);
-      break;
-    }
-  std::printf("  dominant frequency after the first set: %.2f Hz\n",
-              dominant_frequency(three, sets[0].first + 0.02, sets[1].first));
-  if (const double acceleration = acceleration_at_impact(scene); acceleration != 0.0)
-    std::printf("  mean angular acceleration over the first contact: %.4g rad/s^2\n", acceleration);
-  for (const int modes : {5, 7}) {
-    const Run more = run(with_modes(c.scene, modes));
-    std::printf("  %d modes: sets", modes);
-    for (const auto& [time, count] : sets_of(more)) std::printf(" %.4f s (%d)", time, count);
-    std::printf(", largest strain %.4g\n", largest(more.strain));
+  std::printf("%s\n", c.name);
+  for (const int modes : {3, 5, 7}) {
+    const Scene scene = with_modes(c.scene, modes);
+    const Run whole = run(scene);
+    const auto sets = sets_of(whole);
+    std::printf("  %d modes\n", modes);
+    print_sets(sets);
+    print_first_contact(scene, whole);
+    std::printf("    largest strain %.4g, rate %.4g rad/s\n", largest(whole.strain),
+                largest(whole.rate));
+    if (sets.size() < 2) continue;
+    const double quiet = sets[0].first + 0.02;
+    double lowest = 0.0;
+    for (std::size_t i = 0; i < whole.times.size(); ++i)
+      if (whole.times[i] > sets[0].first && whole.times[i] < quiet)
+        lowest = std::min(lowest, whole.rate[i]);
+    std::printf("    within 20 ms of the first impact the rate falls to %.3g rad/s\n", lowest);
+    if (modes == 3)
+      std::printf("    dominant frequency after the first set: %.2f Hz\n",
+                  dominant_frequency(whole, quiet, sets[1].first));
   }
+  const Scene scene = read_scene(c.scene);
   const System system = assemble(scene);
   const State start = initial_state(scene, system);
   SimulationOptions options;
@@ -154,6 +157,16 @@ void print_case(const Case& c) {
   options.closure_speed = default_closure_speed(system, start, scene.solver.tolerance);
   std::printf("  computing time %.3f s\n",
               least_time([&] { simulate(system, start, options); }, 1.0));
+}
+
+// How the third set moves with the gap.
+void print_chaos() {
+  std::printf("third set of the first model\n");
+  for (const char* gap : {"0.180", "0.181", "0.182", "0.183", "0.185"}) {
+    const Scene scene = read_scene(kCases[0].scene, {std::string("stop.gap=") + gap});
+    const auto sets = sets_of(run(scene, kEnd, 10.0));
+    std::printf("  gap %s m: third set at %.2f s\n", gap, sets.size() > 2 ? sets[2].first : 0.0);
+  }
 }
 
 void draw(const std::string& file) {
@@ -202,6 +215,7 @@ int main(int count, char** words) try {
     draw(words[1]);
   else
     for (const Case& c : kCases) print_case(c);
+  if (count == 1) print_chaos();
   return 0;
 } catch (const std::exception& error) {
   std::fprintf(stderr, "%s\n", error.what());
