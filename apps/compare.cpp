@@ -12,6 +12,7 @@
 #include "graze/report/json.hpp"
 #include "graze/report/pictures.hpp"
 #include "graze/report/text.hpp"
+#include "graze/scene/start_coordinate.hpp"
 #include "graze/study/step_choice.hpp"
 #include "journals.hpp"
 #include "plane_options.hpp"
@@ -181,8 +182,8 @@ int compare_over_plane(const Command& command) {
   record.info = run_info(command.name, command.scene, one);
   record.one = "the scene";
   record.other = other_name(command);
-  record.x_unit = axis_unit_of(one, options.x.name);
-  record.y_unit = axis_unit_of(one, options.y.name);
+  record.x_unit = number_unit(one, options.x.name);
+  record.y_unit = number_unit(one, options.y.name);
   record.shown = shown(command);
   note_plane(options, record.info);
   note_comparison(command, options, record.info);

@@ -6,7 +6,7 @@
 #include "graze/report/json.hpp"
 #include "graze/report/pictures.hpp"
 #include "graze/report/text.hpp"
-#include "graze/scene/parameter.hpp"
+#include "graze/scene/start_coordinate.hpp"
 #include "journals.hpp"
 #include "series_options.hpp"
 
@@ -33,7 +33,7 @@ int run_diagram_of_runs(const Command& command, const Scene& scene) {
   RunDiagramRecord record;
   record.info = run_info(command.name, command.scene, scene);
   record.parameter = command.parameter;
-  record.unit = parameter_unit(scene, command.parameter);
+  record.unit = number_unit(scene, command.parameter);
   record.from = command.from;
   record.to = command.to;
   record.duration = options.duration;

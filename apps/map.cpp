@@ -96,8 +96,8 @@ int run_map(const Command& command) {
   if (is_page_name(command.plot)) check_map_page(command.plot, options);
   MapRecord record;
   record.info = run_info(command.name, command.scene, scene);
-  record.x_unit = axis_unit_of(scene, options.x.name);
-  record.y_unit = axis_unit_of(scene, options.y.name);
+  record.x_unit = number_unit(scene, options.x.name);
+  record.y_unit = number_unit(scene, options.y.name);
   record.shown = shown(command);
   note_cells(options, record.info);
   record.warnings = system_warnings(scene, assemble(scene));

@@ -1,5 +1,6 @@
-// The numbers of a scene's start by name: "initial.q.1", "initial.qdot.2", for what looks at a
-// motion from many starts or seeks its start. They are no parameters: no orbit depends on them.
+// The numbers of a scene's start by name: "initial.q.1", "initial.qdot.2", of a hub "initial.angle"
+// and "initial.rate", for what looks at a motion from many starts or seeks its start. They are no
+// parameters: no orbit depends on them.
 #pragma once
 
 #include <string>
@@ -15,7 +16,12 @@ bool names_start_coordinate(const std::string& name);
 // InputError where the scene has no such number.
 double& start_coordinate(Scene& scene, const std::string& name);
 
-// "kg^1/2 m" or "kg^1/2 m/s".
+// "kg^1/2 m", "kg^1/2 m/s", "rad" or "rad/s".
 std::string start_coordinate_unit(const std::string& name);
+
+// The scene with a parameter or a number of its start changed, and the unit of either. Throw
+// InputError as with_parameter and start_coordinate do.
+Scene with_number(const Scene& scene, const std::string& name, double value);
+std::string number_unit(const Scene& scene, const std::string& name);
 
 }  // namespace graze

@@ -6,15 +6,6 @@
 #include "graze/scene/start_coordinate.hpp"
 
 namespace graze {
-namespace {
-
-Scene with_value(Scene scene, const std::string& name, double value) {
-  if (!names_start_coordinate(name)) return with_parameter(scene, name, value);
-  start_coordinate(scene, name) = value;
-  return scene;
-}
-
-}  // namespace
 
 double PlaneAxis::value(int i) const { return even_value(from, to, i, points); }
 
@@ -50,12 +41,8 @@ void require_plane(const Scene& scene, const Plane& plane) {
 }
 
 Scene scene_at(const Scene& scene, const Plane& plane, std::size_t cell) {
-  return with_value(with_value(scene, plane.x.name, plane.x_at(cell)), plane.y.name,
-                    plane.y_at(cell));
-}
-
-std::string axis_unit_of(const Scene& scene, const std::string& name) {
-  return names_start_coordinate(name) ? start_coordinate_unit(name) : parameter_unit(scene, name);
+  return with_number(with_number(scene, plane.x.name, plane.x_at(cell)), plane.y.name,
+                     plane.y_at(cell));
 }
 
 }  // namespace graze

@@ -34,7 +34,4 @@ void require_plane(const Scene& scene, const Plane& plane);
 // Throws InputError where the scene does not allow the cell's values.
 Scene scene_at(const Scene& scene, const Plane& plane, std::size_t cell);
 
-// "rad/s", .. of an axis.
-std::string axis_unit_of(const Scene& scene, const std::string& name);
-
 }  // namespace graze

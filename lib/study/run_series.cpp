@@ -10,7 +10,7 @@
 #include "graze/assembly/initial_state.hpp"
 #include "graze/assembly/probes.hpp"
 #include "graze/base/angle.hpp"
-#include "graze/scene/parameter.hpp"
+#include "graze/scene/start_coordinate.hpp"
 #include "graze/study/step_choice.hpp"
 
 namespace graze {
@@ -100,7 +100,7 @@ std::vector<ValueRun> run_series(const Scene& scene, const RunSeriesOptions& opt
   std::vector<Scene> scenes;
   scenes.reserve(options.values.size());
   for (const double value : options.values) {
-    scenes.push_back(with_parameter(scene, options.parameter, value));
+    scenes.push_back(with_number(scene, options.parameter, value));
     initial_state(scenes.back(), assemble(scenes.back()));
   }
   MadePieces<ValueRun> made = make_pieces<ValueRun>(

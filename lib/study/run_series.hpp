@@ -27,7 +27,7 @@ struct ValueRun {
 };
 
 struct RunSeriesOptions {
-  std::string parameter;
+  std::string parameter;  // or a number of the start, "initial.rate"
   std::vector<double> values;
   double duration = 0.0;                // s
   std::optional<double> closure_speed;  // m/s; absent: the default at every value

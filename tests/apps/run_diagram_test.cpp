@@ -46,6 +46,47 @@ TEST(RunDiagram, OfABallOverItsDrop) {
   }
 }
 
+// A ball thrown at v towards the floor, h below, hits it at sqrt(v^2 + 2 g h) after
+// (sqrt(v^2 + 2 g h) - v)/g.
+TEST(RunDiagram, OfABallOverTheSpeedItIsThrownAt) {
+  const Finished run = run_graze(
+      "diagram --json --duration 1.2 --parameter initial.qdot.1 --from -2 --to 2 --points 5 "
+      "--set stop.gap=1 " +
+      scene("06_bouncing_ball.toml"));
+  ASSERT_EQ(run.code, 0) << run.err;
+  const json document = json::parse(run.out);
+  EXPECT_EQ(document["unit"], "kg^1/2 m/s");
+  ASSERT_EQ(document["runs"].size(), 5u);
+  for (const json& one : document["runs"]) {
+    const double v = one["value"], g = 9.81, h = 1.0;
+    ASSERT_GE(one["impacts"].size(), 1u);
+    const double speed = one["impacts"][0]["speed"];
+    EXPECT_NEAR(speed, std::sqrt(v * v + 2.0 * g * h), 1e-12);
+    EXPECT_NEAR(one["impacts"][0]["time"].get<double>(), (speed - v) / g, 1e-12);
+  }
+}
+
+TEST(RunDiagram, OfAHubOverItsFirstRate) {
+  const std::string rates = "--parameter initial.rate --from 0 --to 2 --points 3 ";
+  const Finished run = run_graze("diagram --json --duration 0.3 " + rates + kHub);
+  ASSERT_EQ(run.code, 0) << run.err;
+  const json document = json::parse(run.out);
+  EXPECT_EQ(document["unit"], "rad/s");
+  const json single =
+      json::parse(run_graze("simulate --json --duration 0.3 --set initial.rate=1.0 " + kHub).out);
+  std::vector<double> times, told;
+  for (const json& event : single["events"])
+    if (event["kind"] == "impact" || (event["kind"] == "contact" && event["speed"] > 0.0))
+      times.push_back(event["time"]);
+  for (const json& impact : document["runs"][1]["impacts"]) told.push_back(impact["time"]);
+  EXPECT_FALSE(times.empty());
+  EXPECT_EQ(told, times);
+  EXPECT_EQ(run_graze("diagram --duration 1 --parameter initial.rate --from 0 --to 2 " +
+                      scene("06_bouncing_ball.toml"))
+                .code,
+            2);
+}
+
 // A row of a diagram is the run that simulate makes.
 TEST(RunDiagram, OfAHubOverItsTorque) {
   const std::string line = "diagram --json --duration 0.3 " + kTorques + kHub;
