@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <iterator>
 #include <optional>
 
 namespace graze {
@@ -83,6 +84,24 @@ bool begins_stuck(const SimulationRecord& record, int stop) {
                       [&](const Event& event) { return event.stop == stop; });
 }
 
+// The end of a contact tells its largest force, which samples may miss with all of it: it then
+// stands at the largest that they saw, or, where they saw none, half way.
+void add_largest_force(const Event& end, DrawnCurve& curve) {
+  const double begin = end.time - end.duration;
+  auto largest = curve.end();
+  for (auto point = curve.end(); point != curve.begin() && std::prev(point)->time >= begin;) {
+    --point;
+    if (std::isfinite(point->value) && (largest == curve.end() || point->value > largest->value))
+      largest = point;
+  }
+  if (largest != curve.end()) {
+    largest->value = std::max(largest->value, end.peak_force);
+    return;
+  }
+  curve.push_back({begin, 0.0});
+  curve.push_back({0.5 * (begin + end.time), end.peak_force});
+}
+
 DrawnCurve force_curve(const SamplesSeen& samples, const SimulationRecord& record, int stop,
                        const TimeSpan& window) {
   DrawnCurve curve;
@@ -94,7 +113,8 @@ DrawnCurve force_curve(const SamplesSeen& samples, const SimulationRecord& recor
     for (; event != record.events.end() && event->time <= time; ++event) {
       if (event->stop != stop || event->time < window.start) continue;
       if (event->kind == EventKind::kStick) curve.push_back({event->time, event->force});
-      if (event->kind == EventKind::kRelease) {
+      if (event->kind == EventKind::kSeparation) add_largest_force(*event, curve);
+      if (event->kind == EventKind::kRelease || event->kind == EventKind::kSeparation) {
         curve.push_back({event->time, 0.0});
         end_phase(event->time);
       }
