@@ -162,8 +162,8 @@ void add_map(CLI::App& graze, Command& command) {
 }
 
 void add_merge(CLI::App& graze, Command& command) {
-  CLI::App* app =
-      graze.add_subcommand("merge", "Join the shares of a diagram or map (--shard) to its result");
+  CLI::App* app = graze.add_subcommand(
+      "merge", "Join the shares of a diagram, map or comparison (--shard) to its result");
   app->footer(footer("merge runs/part* --out runs/whole --plot whole.svg"));
   app->add_option("FOLDER", command.folders, "Folders that --shard wrote to")
       ->required()

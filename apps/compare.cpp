@@ -38,8 +38,7 @@ void check_options(const Command& command) {
         "--sensitivity");
   if (!is_over_plane(command)) {
     for (const auto& [given, name] :
-         {std::pair(command.goes_on, "--resume"), std::pair(!command.share.is_all(), "--shard"),
-          std::pair(!command.second.empty(), "--second")})
+         {std::pair(command.goes_on, "--resume"), std::pair(!command.share.is_all(), "--shard")})
       if (given) throw InputError(fmt::format("{}: it needs a plane; give --parameter too", name));
     return;
   }

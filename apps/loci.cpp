@@ -105,11 +105,7 @@ int run_loci(const Command& command) {
   const std::optional<Restart> restart = read_restart(command, given);
   const Scene& scene = restart ? restart->scene : given;
   require_forcing_and_stop(scene);
-  LociOptions options = loci_options(command);
-  // A range that reaches beyond what the scene allows is the user's error.
-  for (const double value : {command.from, command.to})
-    for (const double second : {options.second_from, options.second_to})
-      with_parameter(with_parameter(scene, command.parameter, value), command.second, second);
+  LociOptions options = loci_options(command, scene);
   if (restart) start_from(*restart, command, options);
   LociRecord record;
   record.info = run_info(command.name, command.scene, scene);

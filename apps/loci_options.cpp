@@ -2,6 +2,7 @@
 
 #include "branch_options.hpp"
 #include "graze/base/errors.hpp"
+#include "graze/scene/parameter.hpp"
 
 namespace graze {
 namespace {
@@ -19,7 +20,7 @@ std::vector<OrbitLocusKind> kinds_of(const std::vector<std::string>& labels) {
 
 }  // namespace
 
-LociOptions loci_options(const Command& command) {
+LociOptions loci_options(const Command& command, const Scene& scene) {
   if (command.second.empty() || !command.second_from || !command.second_to)
     throw InputError(
         "--locus: give the second parameter, --second NAME --second-from C "
@@ -33,6 +34,9 @@ LociOptions loci_options(const Command& command) {
   options.second_to = *command.second_to;
   options.kinds = kinds_of(command.locus);
   options.slices = command.slices;
+  for (const double value : {command.from, command.to})
+    for (const double second : {options.second_from, options.second_to})
+      with_parameter(with_parameter(scene, command.parameter, value), command.second, second);
   return options;
 }
 

@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <optional>
+
 #include "graze/assembly/assembly.hpp"
 #include "graze/assembly/system_warnings.hpp"
 #include "graze/base/errors.hpp"
@@ -13,7 +15,6 @@
 #include "graze/report/page.hpp"
 #include "graze/report/pictures.hpp"
 #include "graze/report/text.hpp"
-#include "graze/scene/parameter.hpp"
 #include "graze/scene/start_coordinate.hpp"
 #include "graze/study/step_choice.hpp"
 #include "journals.hpp"
@@ -47,18 +48,9 @@ void note_cells(const AttractorMapOptions& options, RunInfo& info) {
   note_settling(options, info);
 }
 
-// What loci need, told before the map is made: ranges, and values that the scene allows.
-void require_locus_plane(const Command& command, const Scene& scene) {
-  const LociOptions options = loci_options(command);
-  for (const double value : {command.from, command.to})
-    for (const double second : {options.second_from, options.second_to})
-      with_parameter(with_parameter(scene, command.parameter, value), command.second, second);
-}
-
-// Loci of the orbits over the map, where they were asked for; and how the whole ended.
-void trace_over(const Command& command, const Scene& scene, MapRecord& record) {
-  if (command.locus.empty()) return;
-  const LociOptions options = loci_options(command);
+// Loci of the orbits over the map, and how the whole ended.
+void trace_over(const Command& command, const Scene& scene, const LociOptions& options,
+                MapRecord& record) {
   record.loci = trace_loci(scene, command.parameter, command.second, options);
   const Outcome outcome = loci_outcome(*record.loci, options);
   // That there are none is no failure: the map says what there is.
@@ -91,7 +83,9 @@ int run_map(const Command& command) {
   const Scene scene = scene_of(command);
   require_exact_flow(scene, "maps are drawn");
   require_forcing_and_stop(scene);
-  if (!command.locus.empty()) require_locus_plane(command, scene);
+  // What loci need is told before the map is made, and its time counts from here.
+  std::optional<LociOptions> loci;
+  if (!command.locus.empty()) loci = loci_options(command, scene);
   AttractorMapOptions options = map_options(command);
   if (is_page_name(command.plot)) check_map_page(command.plot, options);
   MapRecord record;
@@ -116,7 +110,7 @@ int run_map(const Command& command) {
   record.info.options.emplace_back("show", command.show);
   record.info.options.emplace_back("max_seconds", command.max_seconds);
   record.outcome = map_outcome(record.map);
-  trace_over(command, scene, record);
+  if (loci) trace_over(command, scene, *loci, record);
   std::vector<std::pair<std::string, std::string>> tables = {{"map.csv", map_csv(record)}};
   if (record.loci) tables.emplace_back("loci.csv", loci_csv(*record.loci));
   return conclude(command, record.info, record.outcome,

@@ -1,4 +1,4 @@
-// graze merge: the shares of a diagram or map, joined to the result of the whole.
+// graze merge: the shares of a diagram, map or comparison, joined to the result of the whole.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -21,7 +21,8 @@ std::vector<Journal> journals_in(const std::vector<std::string>& folders) {
       if (entry.path().extension() == kJournalEnd) files.push_back(entry.path());
     if (error) throw FileError(folder + ": cannot read: " + error.message());
     if (files.empty())
-      throw InputError(folder + ": there is no journal in it, as diagram or map with --out leave");
+      throw InputError(folder +
+                       ": there is no journal in it, as diagram, map or compare with --out leave");
     // In whichever order the folder has them.
     std::sort(files.begin(), files.end());
     for (const auto& file : files) journals.push_back(Journal::open(file));

@@ -27,8 +27,12 @@ class RunOutput {
   void add(const Event& event);
   void add(const Sample& sample);
 
-  bool wants_events() const { return records_events_ || draws_ || section_; }
-  bool wants_samples() const { return records_samples_ || draws_ || section_; }
+  bool wants_events() const {
+    return records_events_ || draws_ || is_seen(DiagramSection::kImpact);
+  }
+  bool wants_samples() const {
+    return records_samples_ || draws_ || is_seen(DiagramSection::kStrobe);
+  }
 
   // The document's events; empty unless a document is wanted.
   Spool& events() { return events_; }
@@ -39,6 +43,7 @@ class RunOutput {
 
  private:
   void trim();
+  bool is_seen(DiagramSection by) const { return section_ && section_->kind() == by; }
 
   const System& system_;
   const std::vector<ProbeRow>& probes_;

@@ -1,7 +1,6 @@
 // The words in which results speak of a comparison.
 #pragma once
 
-#include <span>
 #include <string>
 
 #include "graze/record/comparison_record.hpp"
