@@ -14,7 +14,6 @@ namespace {
 constexpr double kHeight = 0.75;  // over the width
 constexpr int kPixels = 2000;     // across a picture of 12 cm
 constexpr std::size_t kColumns = 3;
-constexpr const char* kColours[] = {kBlue, kVermillion, kGreen, kOrange, kPurple, kSky};
 
 class SectionPicture {
  public:
@@ -99,7 +98,7 @@ class SectionPicture {
 
  private:
   static const char* colour_of(int stop) {
-    return kColours[static_cast<std::size_t>(stop) % std::size(kColours)];
+    return kCurveColours[static_cast<std::size_t>(stop) % std::size(kCurveColours)];
   }
 
   // Dots shrink as they crowd.
