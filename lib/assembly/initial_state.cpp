@@ -114,12 +114,15 @@ std::optional<Vector> static_equilibrium(const System& system) {
   return q;
 }
 
-}  // namespace
-
-namespace {
-
 Vector as_vector(const std::vector<double>& list) {
   return Eigen::Map<const Vector>(list.data(), static_cast<Eigen::Index>(list.size()));
+}
+
+// What of the start puts the structure where it is.
+std::string start_key(const Initial& initial) {
+  const bool bent =
+      std::any_of(initial.q.begin(), initial.q.end(), [](double q) { return q != 0.0; });
+  return !bent && initial.angle != 0.0 ? "initial.angle" : "initial.q";
 }
 
 }  // namespace
@@ -150,7 +153,7 @@ State initial_state(const Scene& scene, const System& system) {
     if (!stop.spring && gap.value < -gap.rounding) {
       const std::string key =
           system.stops.size() == 1 ? "stop.gap" : fmt::format("stop.{}.gap", i + 1);
-      throw scene_error(scene, scene.initial ? "initial.q" : key,
+      throw scene_error(scene, scene.initial ? start_key(*scene.initial) : key,
                         fmt::format("the motion starts {:.6g} m beyond stop {}; the displacement "
                                     "at the stop must not exceed its gap",
                                     -gap.value, i + 1));

@@ -1,8 +1,10 @@
 // Beams on a hub as a user meets them.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <fstream>
+#include <iomanip>
 #include <nlohmann/json.hpp>
 #include <sstream>
 
@@ -60,6 +62,14 @@ TEST(HubCommand, GoesOnWhereItEnded) {
   EXPECT_EQ(json::parse(rest.out)["final"], json::parse(whole.out)["final"]);
 }
 
+TEST(HubCommand, AStartBeyondAStopNamesTheAngle) {
+  const Finished turned = run_graze("simulate --set initial.angle=0.5 " + kMomentum);
+  EXPECT_EQ(turned.code, 2);
+  EXPECT_NE(turned.err.find("initial.angle: the motion starts 0.102 m beyond stop 1"),
+            std::string::npos)
+      << turned.err;
+}
+
 TEST(HubCommand, WhatNeedsAPeriodSaysSo) {
   for (const std::string& line :
        {"orbit " + kFirst, "continue --parameter stop.gap --from 0.1 --to 0.2 " + kFirst}) {
@@ -70,6 +80,40 @@ TEST(HubCommand, WhatNeedsAPeriodSaysSo) {
         << run.err;
     EXPECT_EQ(run.out, "");
   }
+}
+
+// The inertia of a hub at which hub and uniform beam vibrate at `omega`, from the bending line
+// y = y0 K1 + y0' K2/b + y0'' K3/b^2 + y0''' K4/b^3 (Krylov's functions): y0 = R y0' at the hub, no
+// moment and no shear at the tip, and the hub takes the beam's moment and R times its shear.
+double inertia_for(double omega, double length, double rigidity, double mass, double radius) {
+  const double b = std::sqrt(std::sqrt(mass * omega * omega / rigidity)), z = b * length;
+  const double k1 = 0.5 * (std::cosh(z) + std::cos(z)), k2 = 0.5 * (std::sinh(z) + std::sin(z)),
+               k3 = 0.5 * (std::cosh(z) - std::cos(z)), k4 = 0.5 * (std::sinh(z) - std::sin(z));
+  // y0' = 1; what y0''/b^2 and y0'''/b^3 must cancel at the tip.
+  const double moment = -(radius * k3 + k4 / b), shear = -(radius * k2 + k3 / b),
+               determinant = k1 * k1 - k2 * k4,
+               curvature = b * b * (moment * k1 - k2 * shear) / determinant,
+               change = b * b * b * (k1 * shear - k4 * moment) / determinant;
+  return rigidity * (radius * change - curvature) / (omega * omega);
+}
+
+// vibration.csv is a cosine of 66.5 Hz with noise; the scene keeps three modes, which changes a
+// frequency by less than 1e-4 of it (hub_beam_test), the inertia by some 1e-3 of it.
+TEST(HubCommand, FitFindsTheInertiaBehindAFrequency) {
+  const std::string measured = std::string(GRAZE_SOURCE_DIR) + "/data/measurements/vibration";
+  const Finished run = run_graze("fit --json " + measured + ".toml " + measured +
+                                 ".csv --parameter hub.inertia=1e-4:5e-3 "
+                                 "--parameter initial.q.1=-1e-2:1e-2 "
+                                 "--parameter initial.q.2=-1e-2:1e-2 "
+                                 "--parameter initial.q.3=-1e-2:1e-2");
+  ASSERT_EQ(run.code, 0) << run.err;
+  const json document = json::parse(run.out), found = document["parameters"][0];
+  EXPECT_EQ(document["outcome"], "fitted");
+  const double expected = inertia_for(2.0 * 3.14159265358979 * 66.5, 0.55, 6.895e10 * 5.41968e-10,
+                                      2710.0 * 1.6129e-4, 0.02);
+  EXPECT_LE(found["interval"][0].get<double>(), expected);
+  EXPECT_GE(found["interval"][1].get<double>(), expected);
+  EXPECT_NEAR(found["value"].get<double>() / expected, 1.0, 0.01);
 }
 
 TEST(HubCommand, SensitivitiesOverTheDamping) {
@@ -97,6 +141,44 @@ TEST(HubCommand, SensitivitiesOverTheDamping) {
     EXPECT_NEAR(sum, 0.0, 1e-12);
   }
   EXPECT_EQ(run_graze(line + " --threads 1").out, run.out);
+}
+
+// What docs/yigit_1990.md tells of s1 and s2, from the command that it shows. Percentages with a
+// digit after the point are bounds, the others rounded.
+TEST(HubCommand, SensitivitiesAreThoseOnThePage) {
+  const Finished run = run_graze(
+      "compare --json --sensitivity --duration 0.2 --parameter stop.spring.damping.coefficient "
+      "--from 0 --to 1000 --reference 500 --second hub.inertia --second-values 2.787e-4,2.7e-2 " +
+      kSensitivity);
+  ASSERT_EQ(run.code, 0) << run.err;
+  const json curves = json::parse(run.out)["curves"];
+  const auto largest = [&](int hub, const char* which, int probe, double from) {
+    double value = 0.0;
+    for (const json& point : curves[hub]["points"])
+      if (point["value"].get<double>() >= from)
+        value = std::max(value, std::abs(point[which][probe].get<double>()));
+    return value;
+  };
+  const auto bound = [&](int hub, const char* which, int probe, double from) {
+    std::ostringstream text;
+    text << std::fixed << std::setprecision(1)
+         << std::ceil(1e3 * largest(hub, which, probe, from)) / 10.0 << " %";
+    return text.str();
+  };
+  const auto rounded = [&](int hub, const char* which, int probe) {
+    return std::to_string(std::lround(100.0 * largest(hub, which, probe, 0.0)));
+  };
+  const std::string page = read_text(std::string(GRAZE_SOURCE_DIR) + "/docs/yigit_1990.md");
+  for (const std::string& told :
+       {bound(0, "s1", 0, 0.0) + " and " + bound(1, "s1", 0, 0.0) + " at C2 = 0; within " +
+            bound(0, "s1", 0, 100.0) + " and " + bound(1, "s1", 0, 100.0) + " from 100 kg/s on",
+        "light hub up to " + rounded(0, "s2", 1) + " %, within " + bound(0, "s2", 1, 100.0) +
+            " from 100 kg/s on; heavy hub up to " + rounded(1, "s2", 1) + " %, within " +
+            bound(1, "s2", 1, 350.0) + " from 350 kg/s on",
+        "Its deflection: up to " + rounded(0, "s2", 0) + " and " + rounded(1, "s2", 0) +
+            " %, within " + bound(0, "s2", 0, 100.0) + " from 100 and " + bound(1, "s2", 0, 350.0) +
+            " from 350 kg/s on"})
+    EXPECT_NE(page.find(told), std::string::npos) << told;
 }
 
 TEST(HubCommand, SensitivitiesNeedProbesAndARange) {
