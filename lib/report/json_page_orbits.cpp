@@ -116,35 +116,33 @@ std::string list_setting(const char* name, const Vector& numbers) {
   return text + "]";
 }
 
-std::vector<std::string> start_settings(const PageSource& source, const SweepRow& row) {
-  std::vector<std::string> settings = value_setting(source, row.value);
-  settings.push_back(list_setting("initial.q", row.motion.at_start.q));
-  settings.push_back(list_setting("initial.qdot", row.motion.at_start.qdot));
+std::vector<std::string> start_settings(const PageMotion& motion) {
+  std::vector<std::string> settings = motion.settings;
+  settings.push_back(list_setting("initial.q", motion.start.q));
+  settings.push_back(list_setting("initial.qdot", motion.start.qdot));
   return settings;
 }
 
-// The motion from where the row's samples begin, as a run records it.
-SimulationRecord followed(const PageSource& source, const System& system, const SweepRow& row,
+SimulationRecord followed(const PageSource& source, const System& system, const State& start,
                           long long periods) {
   SimulationRecord record;
   record.system = system;
   SimulationOptions options;
   options.periods = periods;
   options.max_impacts = kMostImpacts;
-  options.closure_speed =
-      source.closure_speed.value_or(default_closure_speed(system, row.motion.at_start));
+  options.closure_speed = source.closure_speed.value_or(default_closure_speed(system, start));
   RunListeners listeners;
   listeners.event = [&](const Event& event) { record.events.push_back(event); };
   listeners.sample = [&](const Sample& sample) { record.samples.push_back(sample); };
   listeners.sample_rate = samples_per_period(source, system, periods) / system.period();
-  record.run = simulate(system, row.motion.at_start, options, listeners);
+  record.run = simulate(system, start, options, listeners);
   return record;
 }
 
-Json motion_json(const PageSource& source, const System& system, const SweepRow& row) {
-  const bool repeats = row.motion.period > 0;
-  const long long periods = repeats ? row.motion.period : kShownPeriods;
-  const SimulationRecord record = followed(source, system, row, periods);
+Json motion_json(const PageSource& source, const System& system, const PageMotion& motion) {
+  const bool repeats = motion.attractor.period > 0;
+  const long long periods = repeats ? motion.attractor.period : kShownPeriods;
+  const SimulationRecord record = followed(source, system, motion.start, periods);
   const double period = system.period();
   Json impacts = Json::array(), stuck = Json::array(), places = Json::array();
   for (const Event& event : record.events)
@@ -170,15 +168,16 @@ Json motion_json(const PageSource& source, const System& system, const SweepRow&
           stuck.push_back(
               {{"stop", stop.index + 1}, {"from", span.start / period}, {"to", span.end / period}});
     }
-  const std::string name = attractor_label(attractor_class(row));
+  const std::string name = attractor_label(motion.attractor);
   const std::string shown =
       repeats ? ""
-              : fmt::format("The first {} of the periods that the sweep shows here. ", periods);
+              : fmt::format("The first {} of the periods that the {} shows here. ", periods,
+                            motion.settled_in);
   return {{"name", repeats ? name + " motion" : name},
-          {"value", row.value},
-          {"period", repeats ? Json(row.motion.period) : Json(nullptr)},
+          {"value", json_maybe(motion.value)},
+          {"period", repeats ? Json(motion.attractor.period) : Json(nullptr)},
           {"span", {0, periods}},
-          {"stability", repeats ? "what the sweep settled on" : ""},
+          {"stability", repeats ? "what the " + motion.settled_in + " settled on" : ""},
           {"admissible", true},
           {"stable", nullptr},
           {"clearance", nullptr},
@@ -186,25 +185,26 @@ Json motion_json(const PageSource& source, const System& system, const SweepRow&
           {"impacts", impacts},
           {"stuck", stuck},
           {"places", places},
-          {"remark", shown + "The command starts from the state that the sweep was in there."},
-          {"command", page_command(source.info, "simulate", start_settings(source, row)) +
+          {"remark", shown + "The command starts from the state that the " + motion.settled_in +
+                         " was in there."},
+          {"command", page_command(source.info, "simulate", start_settings(motion)) +
                           fmt::format(" --periods {}", periods) + closure_option(source)}};
 }
 
-// The orbit that a row settled on, solved for from its last repetition.
+// The orbit that a motion settled on, solved for from its last repetition.
 std::optional<Orbit> settled_orbit(const PageSource& source, const System& system,
-                                   const SweepRow& row) {
-  if (row.motion.kind != SettledKind::kImpacts && row.motion.kind != SettledKind::kSticks)
-    return {};
+                                   const PageMotion& motion) {
+  const SettledKind kind = motion.attractor.kind;
+  if (kind != SettledKind::kImpacts && kind != SettledKind::kSticks) return {};
   FinderOptions options;
-  options.period = row.motion.period;
+  options.period = motion.attractor.period;
   options.from_closed_form = options.from_random = false;
   options.max_impacts = kMostImpacts;
   options.threads = 1;
   options.closure_speed = source.closure_speed;
-  const FoundOrbits found = find_orbits(system, row.motion.at_start, options);
+  const FoundOrbits found = find_orbits(system, motion.start, options);
   for (const Orbit& orbit : found.orbits)
-    if (orbit.admissible && orbit.period == row.motion.period) return orbit;
+    if (orbit.admissible && orbit.period == options.period) return orbit;
   return {};
 }
 
@@ -254,12 +254,17 @@ Json page_orbit(const PageSource& source, const System& system, const Orbit& orb
           {"command", orbit_command(source, orbit, value_setting(source, value))}};
 }
 
-Json page_motion(const PageSource& source, const System& system, const SweepRow& row) {
-  const std::optional<Orbit> orbit = settled_orbit(source, system, row);
-  if (!orbit) return motion_json(source, system, row);
-  Json json = page_orbit(source, system, *orbit, row.value);
+PageMotion page_motion_of(const PageSource& source, const SweepRow& row) {
+  return {attractor_class(row), row.motion.at_start, row.value, value_setting(source, row.value),
+          "sweep"};
+}
+
+Json page_motion(const PageSource& source, const System& system, const PageMotion& motion) {
+  const std::optional<Orbit> orbit = settled_orbit(source, system, motion);
+  if (!orbit) return motion_json(source, system, motion);
+  Json json = page_orbit(source, system, *orbit, motion.value);
   // A search from the scene's own start may settle on another attractor.
-  json["command"] = orbit_command(source, *orbit, start_settings(source, row));
+  json["command"] = orbit_command(source, *orbit, start_settings(motion));
   return json;
 }
 

@@ -27,9 +27,18 @@ int page_samples(const System& system, long long periods, int most);
 Json page_orbit(const PageSource& source, const System& system, const Orbit& orbit,
                 std::optional<double> value);
 
-// What a row of a sweep does, in the system at its value: the orbit that it settled on, else the
-// motion from where the row's samples begin.
-Json page_motion(const PageSource& source, const System& system, const SweepRow& row);
+// What a motion settled on, from the start of a forcing period on.
+struct PageMotion {
+  AttractorClass attractor;
+  State start;
+  std::optional<double> value;        // of the parameter
+  std::vector<std::string> settings;  // "name=value" of what differs from the scene of the run
+  std::string settled_in;             // "sweep", "map"
+};
+PageMotion page_motion_of(const PageSource& source, const SweepRow& row);
+
+// Of the system that it is in: the orbit that it settled on, else what the motion does.
+Json page_motion(const PageSource& source, const System& system, const PageMotion& motion);
 
 // Which of `count` orbits a page keeps, so that files stay small: every n-th, the first and the
 // last among them, at most `most`.

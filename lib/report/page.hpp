@@ -31,8 +31,8 @@ void write_page(const std::string& file, const BranchRecord& record, const Syste
 // The sweep, and the branches over it.
 void write_page(const std::string& file, const DiagramRecord& record, const SystemFamily& family);
 
-// The cells of the map, each with what it settles on and the command that follows it. `scene`: the
-// one in force.
+// The cells of the map, each with what it settles on and the command that follows it, the motions of
+// some, and the loci over them. `scene`: the one in force.
 void write_page(const std::string& file, const MapRecord& record, const Scene& scene);
 
 // The recorded samples over time, as draw_simulation (pictures.hpp) shows them.

@@ -134,7 +134,7 @@ void DiagramPage::add_sweep(const Sweep& swept, const std::vector<PageObservable
         const SweepRow& row = swept.rows[i];
         const std::optional<System> system = family_.at(row.value);
         if (!system) return nullptr;
-        return page_motion(source_, *system, row);
+        return page_motion(source_, *system, page_motion_of(source_, row));
       });
   view_["sweep"] = {{"direction", name_of(swept.options.direction)},
                     {"values", packed(values)},

@@ -4,6 +4,7 @@
 
 #include "graze/base/errors.hpp"
 #include "graze/report/json_page.hpp"
+#include "graze/report/json_page_map.hpp"
 #include "graze/report/map_legend.hpp"
 #include "graze/report/map_names.hpp"
 #include "graze/report/page.hpp"
@@ -138,7 +139,11 @@ void write_page(const std::string& file, const MapRecord& record, const Scene& s
       numbers.push_back(number_json(map, quantity));
   view["numbers"] = numbers;
   view["command"] = command_json(record, scene);
-  write_page_file(file, view, Json::array());
+  Json orbits = Json::array();
+  view["motions"] = cell_motions_json(record, scene, orbits);
+  view["is_of_starts"] = map.is_of_starts;
+  view["loci"] = locus_lines_json(record);
+  write_page_file(file, view, orbits);
 }
 
 }  // namespace graze

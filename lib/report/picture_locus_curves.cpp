@@ -28,16 +28,11 @@ struct LocusLayers {
 };
 
 void add(const OrbitLocus& locus, double x, double y, LocusLayers& layers) {
-  PlotTable& real = layers.real[locus.kind];
-  // Where the verdict changes both parts have the point.
-  for (std::size_t i = 0; i + 1 < locus.points.size(); ++i) {
-    const OrbitLocusPoint &a = locus.points[i], &b = locus.points[i + 1];
-    PlotTable& table = a.admissible && b.admissible ? real : layers.not_real;
-    table.row({x * a.value, y * a.second});
-    table.row({x * b.value, y * b.second});
-    const bool last = i + 2 == locus.points.size();
-    if (last || (locus.points[i + 2].admissible && b.admissible) != (a.admissible && b.admissible))
-      table.gap();
+  for (const LocusPart& part : locus_parts(locus)) {
+    PlotTable& table = part.is_real ? layers.real[locus.kind] : layers.not_real;
+    for (std::size_t i = part.first; i <= part.last; ++i)
+      table.row({x * locus.points[i].value, y * locus.points[i].second});
+    table.gap();
   }
   for (const OrbitLocusSpecial& special : locus.special)
     layers.special.row({x * special.at.value, y * special.at.second});
@@ -50,6 +45,16 @@ std::size_t special_count(const OrbitLoci& traced) {
 }
 
 }  // namespace
+
+std::vector<LocusPart> locus_parts(const OrbitLocus& locus) {
+  std::vector<LocusPart> parts;
+  for (std::size_t i = 0; i + 1 < locus.points.size(); ++i) {
+    const bool is_real = locus.points[i].admissible && locus.points[i + 1].admissible;
+    if (parts.empty() || parts.back().is_real != is_real) parts.push_back({is_real, i, i});
+    parts.back().last = i + 1;
+  }
+  return parts;
+}
 
 void draw_locus_curves(const OrbitLoci& traced, const PicturePlane& plane, LociGround ground,
                        GnuplotScript& script, LociDrawn& drawn) {

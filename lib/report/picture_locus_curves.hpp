@@ -3,6 +3,7 @@
 // dots. Every picture that shows loci has them from here.
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -11,6 +12,14 @@
 #include "graze/report/gnuplot.hpp"
 
 namespace graze {
+
+// Points of a locus from `first` to `last` whose orbits all are, or are not, some of the system.
+// Where the verdict changes both parts have the point.
+struct LocusPart {
+  bool is_real = true;
+  std::size_t first = 0, last = 0;
+};
+std::vector<LocusPart> locus_parts(const OrbitLocus& locus);
 
 // What is drawn, in its order, and what the legend says of it.
 struct LociDrawn {

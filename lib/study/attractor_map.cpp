@@ -16,9 +16,37 @@
 namespace graze {
 namespace {
 
+// At most `most` cells spread over a plane: every n-th column and row, from the middle of the first
+// n on.
+class SpreadCells {
+ public:
+  SpreadCells(const Plane& plane, std::size_t most)
+      : columns_(plane.x.points), rows_(plane.y.points) {
+    while (along(columns_) * along(rows_) > most) ++stride_;
+  }
+
+  bool has(std::size_t cell) const {
+    const auto columns = static_cast<std::size_t>(columns_);
+    return is_on(cell % columns, columns_) && is_on(cell / columns, rows_);
+  }
+
+ private:
+  int first(int points) const { return (std::min(stride_, points) - 1) / 2; }
+  std::size_t along(int points) const {
+    return static_cast<std::size_t>((points - 1 - first(points)) / stride_ + 1);
+  }
+  bool is_on(std::size_t at, int points) const {
+    const int away = static_cast<int>(at) - first(points);
+    return away >= 0 && away % stride_ == 0;
+  }
+
+  int columns_, rows_, stride_ = 1;
+};
+
 class Mapper {
  public:
-  Mapper(const Scene& scene, const AttractorMapOptions& options) : scene_(scene) {
+  Mapper(const Scene& scene, const AttractorMapOptions& options)
+      : scene_(scene), kept_(options, AttractorMap::kMostMotions) {
     map_.options = options;
     map_.options.progress = nullptr;
     map_.options.memory = {};
@@ -36,6 +64,7 @@ class Mapper {
     }
     if (!made.is_complete) map_.stopped = options.stop.reason();
     name_attractors();
+    list_motions();
     return std::move(map_);
   }
 
@@ -58,7 +87,9 @@ class Mapper {
     cell.message = row.message;
     if (row.exponents && row.exponents->values.size() > 0) cell.exponent = row.exponents->values[0];
     cell.is_known = true;
-    if (map_.is_of_starts) settled.strobes = std::move(row.motion.strobes);
+    settled.strobes = std::move(row.motion.strobes);
+    if (!map_.is_of_starts)
+      settled.strobes.resize(kept_.has(i) ? std::min<std::size_t>(settled.strobes.size(), 1) : 0);
     return settled;
   }
 
@@ -103,11 +134,23 @@ class Mapper {
       } else {
         cell.place = static_cast<int>(map_.attractors.size());
         known.emplace(cell.attractor, cell.place);
-        map_.attractors.push_back({cell.attractor, i, 0, std::move(strobes_[i])});
+        map_.attractors.push_back({cell.attractor, i, 0, {}});
+        if (map_.is_of_starts) map_.attractors.back().strobes = std::move(strobes_[i]);
       }
       ++map_.attractors[static_cast<std::size_t>(cell.place)].cells;
     }
     order_attractors();
+  }
+
+  void list_motions() {
+    const auto list = [&](std::size_t cell, const std::vector<State>& strobes) {
+      if (!strobes.empty()) map_.motions.push_back({cell, strobes.front()});
+    };
+    if (map_.is_of_starts)
+      for (const MapAttractor& attractor : map_.attractors)
+        list(attractor.first, attractor.strobes);
+    else
+      for (std::size_t i = 0; i < strobes_.size(); ++i) list(i, strobes_[i]);
   }
 
   void order_attractors() {
@@ -128,6 +171,7 @@ class Mapper {
   }
 
   const Scene& scene_;
+  SpreadCells kept_;
   AttractorMap map_;
   std::vector<std::vector<State>> strobes_;
 };

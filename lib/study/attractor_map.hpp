@@ -32,7 +32,8 @@ struct MapCell {
   std::string message;             // a sentence where there is something to say
 };
 
-// A cell with the states at the starts of its periods where motions are told apart by them.
+// A cell with the states at the starts of its periods where motions are told apart by them; the
+// first of these where the cell's motion is kept to be shown.
 struct SettledCell {
   MapCell cell;
   std::vector<State> strobes;
@@ -52,12 +53,22 @@ struct MapAttractor {
   std::vector<State> strobes;        // at the starts of its periods, in that cell; where they tell
 };
 
+// The motion of a cell once it has settled: from the start of a forcing period on.
+struct CellMotion {
+  std::size_t cell = 0;
+  State start;
+};
+
 struct AttractorMap {
+  static constexpr std::size_t kMostMotions = 400;  // kept of a map of parameters
+
   AttractorMapOptions options;
   bool is_of_starts = false;   // both numbers are coordinates of the start
   std::vector<MapCell> cells;  // as the plane has them
   // With the most cells first, of as many the one that comes first.
   std::vector<MapAttractor> attractors;
+  // Of cells spread over the plane; of basins the first cell of each attractor.
+  std::vector<CellMotion> motions;
   StopReason stopped = StopReason::kNone;
 
   const MapCell& at(int column, int row) const { return cells[options.cell(column, row)]; }

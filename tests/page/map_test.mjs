@@ -16,7 +16,7 @@ before(() => {
   // From high to low, with frequencies upright.
   plane = pageOf('plane.html', 'map', scene('05_wagg_one_mode.toml'), '--parameter', 'stop.gap', '--from', '2e-3',
     '--to', '0.5e-3', '--points', '16', '--second', 'forcing.frequency', '--second-from', '20', '--second-to', '110',
-    '--second-points', '31', '--show', 'speed');
+    '--second-points', '31', '--show', 'speed', '--locus', 'PD,LP', '--slices', '2', '--out', join(folder, 'plane'));
 });
 
 // Where the middle of a cell is on the screen, by its column and row of so many, as seen.
@@ -101,11 +101,18 @@ inPage('a click opens the cell, and its command follows it', () => basins, async
   await page.mouse.click(place.x, place.y);
   await settled(page);
   assert.equal(await text(page, '#orbit-title'), '(1,1)');
+  for (const picture of ['series', 'portrait', 'circle']) assert.ok(await pixelsOf(page, `#orbit-${picture} canvas`) > 1000, picture);
+  assert.match(await text(page, '#orbit-facts'), /^stable · largest multiplier 0\.\d+ in modulus/);
+  assert.equal(await text(page, '#orbit-remark'), '');  // all starts in a basin lead there
   const numbers = await toldNumbers(page);
   const command = await text(page, '#orbit-command');
   assert.match(command, / --set 'initial\.q=\[-3\.0[45]\d*\]' --set 'initial\.qdot=\[3\.0*\d*\]' --periods 1000 --plot cell\.html$/);
   const impacts = again(command).events.filter(({ kind }) => kind === 'impact').slice(-3);
   for (const { speed } of impacts) assert.ok(Math.abs(speed - Number.parseFloat(numbers['speed of the fastest impact'])) < 2e-6 * speed, `${speed}`);
+  // One impact each period, at the phase that the panel lists.
+  const [row] = await page.$$eval('#orbit-impacts tbody tr', (rows) => rows.map(({ cells }) => [...cells].map((cell) => Number(cell.textContent))));
+  assert.ok(Math.abs(row[2] - impacts[0].speed) < 2e-5 * row[2], `${row}`);
+  assert.ok(Math.abs(2 * Math.PI * row[0] - impacts[0].phase) < 1e-4, `${row} ${impacts[0].phase}`);
   assert.match(readFileSync(join(folder, 'cell.html'), 'utf8'), /^<!doctype html>/);
   await page.click('#orbit-close');
   assert.ok(!await isShown(page, '#orbit'));
@@ -114,12 +121,53 @@ inPage('a click opens the cell, and its command follows it', () => basins, async
 inPage('a cell without a motion says why', () => basins, async (page) => {
   await page.click('#tables button:text("no start")');
   assert.match(await text(page, '#orbit-remark'), /beyond/);
+  for (const picture of ['series', 'portrait', 'circle']) assert.ok(!await isShown(page, `#orbit-${picture}`));
+  assert.equal(await text(page, '#orbit-impacts'), '');
 });
 
 inPage('a cell of what never repeats says what its numbers are of', () => plane, async (page) => {
   if (!await page.$eval('#tables details', (details) => details.open)) await page.click('#tables summary >> nth=0');
   await page.click('#tables button:text("not periodic")');
-  assert.match(await text(page, '#orbit-remark'), /repeats no pattern.* periods\. The numbers are those of the last 100 forcing periods/);
+  assert.match(await text(page, '#orbit-remark'), /repeats no pattern.* periods\. (The page keeps not every motion.* )?The numbers are those of the last 100 forcing periods/);
+  assert.ok(await pixelsOf(page, '#orbit-series canvas') > 1000);
+  assert.ok(!await isShown(page, '#orbit-circle'));
+});
+
+// The points of a kind of locus as loci.csv has them, SI.
+function tracedPoints(kind) {
+  const [head, ...rows] = readFileSync(join(folder, 'plane', 'loci.csv'), 'utf8').trim().split('\n').map((line) => line.split(','));
+  const column = (name) => head.indexOf(name);
+  return rows.filter((row) => row[column('label')] === kind && row[column('admissible')] === '1')
+    .map((row) => [Number(row[column('value')]), Number(row[column('second')])]);
+}
+
+// How many pixels about a place of the chart are not the cells', which lie below it.
+function drawnAbout(page, { x, y }) {
+  return page.$eval('#chart canvas', (canvas, [px, py]) => {
+    const box = canvas.getBoundingClientRect();
+    const scale = canvas.width / box.width;
+    const { data } = canvas.getContext('2d').getImageData((px - box.x - 4) * scale, (py - box.y - 4) * scale, 9, 9);
+    return data.filter((value, i) => i % 4 === 3 && value > 0).length;
+  }, [x, y]);
+}
+
+inPage('loci lie over the cells, and the legend hides them', () => plane, async (page) => {
+  const titles = await page.$$eval('#legend button', (list) => list.map((button) => button.textContent));
+  assert.ok(titles.includes('period doubling (PD)'), `${titles}`);  // though colours tell speeds
+  const box = await (await page.$('#chart')).boundingBox();
+  // As much of a cell's half beyond the first and the last value; the upper axis takes nothing here.
+  const place = ([gap, frequency]) => ({
+    x: box.x + 76 + ((gap - 0.45e-3) / 1.6e-3) * (box.width - 98),
+    y: box.y + box.height - 52 - ((frequency - 18.5) / 93) * (box.height - 68),
+  });
+  const points = tracedPoints('PD').filter(([gap, frequency]) => gap > 0.5e-3 && gap < 2e-3 && frequency > 20 && frequency < 110);
+  assert.ok(points.length > 20, `${points.length}`);
+  for (const point of points) assert.ok(await drawnAbout(page, place(point)) > 8, `${point}`);
+  await page.click('#legend button:text("period doubling (PD)")');
+  await settled(page);
+  let left = 0;
+  for (const point of points) left += await drawnAbout(page, place(point)) > 8;
+  assert.ok(left < 0.2 * points.length, `${left}`);
 });
 
 inPage('keys go from cell to cell and open one', () => plane, async (page) => {

@@ -113,6 +113,48 @@ TEST(AttractorMap, RowsAreFreshSweeps) {
   }
 }
 
+// A motion kept starts on what its cell settles on: followed for its period it is back there.
+void expect_back(const Scene& scene, const AttractorMap& map, const CellMotion& motion) {
+  const System system = assemble(scene_at(scene, map.options, motion.cell));
+  const double duration = map.cells[motion.cell].attractor.period * system.period();
+  const support::RecordedRun run =
+      support::record_run(system, motion.start, support::for_seconds(duration));
+  const State& end = run.result.final;
+  const double size = motion.start.q.norm() + motion.start.qdot.norm() / system.forcing->frequency;
+  EXPECT_LT((end.q - motion.start.q).norm(), 1e-6 * size) << motion.cell;
+  EXPECT_LT((end.qdot - motion.start.qdot).norm(), 1e-6 * size * system.forcing->frequency)
+      << motion.cell;
+}
+
+TEST(AttractorMap, KeepsMotionsSpreadOverThePlane) {
+  const Scene scene = support::shipped_scene("05_wagg_one_mode");
+  AttractorMapOptions options;
+  options.x = {"forcing.frequency", 20.0, 110.0, 41};
+  options.y = {"stop.gap", 0.5e-3, 1.5e-3, 21};
+  options.periods = 300;
+  const AttractorMap map = map_attractors(scene, options);
+  // 861 cells: every second column and row, from the first on.
+  ASSERT_EQ(map.motions.size(), 21u * 11u);
+  int settled = 0;
+  for (std::size_t k = 0; k < map.motions.size(); ++k) {
+    const CellMotion& motion = map.motions[k];
+    EXPECT_EQ(motion.cell, 2 * (k % 21) + 41 * 2 * (k / 21));
+    if (map.cells[motion.cell].attractor.status != SweepStatus::kSettled) continue;
+    ++settled;
+    expect_back(scene, map, motion);
+  }
+  EXPECT_GT(settled, 100);
+}
+
+TEST(AttractorMap, KeepsAMotionOfEveryBasin) {
+  const AttractorMap map = map_attractors(bistable(), basins(21));
+  ASSERT_EQ(map.motions.size(), map.attractors.size());
+  for (std::size_t k = 0; k < map.motions.size(); ++k) {
+    EXPECT_EQ(map.motions[k].cell, map.attractors[k].first);
+    expect_back(bistable(), map, map.motions[k]);
+  }
+}
+
 TEST(AttractorMap, IsTheSameForAnyNumberOfThreads) {
   AttractorMapOptions options = basins(12);
   options.threads = 1;

@@ -24,7 +24,7 @@ function fillHead(view) {
 function startPicture(view, orbits, theme) {
   if (view.kind === 'run') return new RunView(view, theme);
   if (view.kind === 'map') {
-    const map = new MapView(view, theme);
+    const map = new MapView(view, orbits, theme);
     return (cell) => map.open(cell);
   }
   const panel = new OrbitPanel(view, theme, () => window.dispatchEvent(new Event('resize')));

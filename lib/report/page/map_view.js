@@ -8,15 +8,16 @@ import { axis, hertzAxis, init, kCommon } from './echarts_parts.js';
 import { axisName, measure, number } from './format.js';
 import { Hover } from './hover.js';
 import { Legend } from './legend.js';
+import { lociEntries, lociSeries } from './loci_layer.js';
 import { cellSwatch } from './marks.js';
-import { Panel } from './panel.js';
+import { OrbitPanel } from './orbit_panel.js';
 import { ZoomTools } from './zoom_tools.js';
 
 const kAttractor = { key: 'attractor', name: 'attractor' };
 
 export class MapView {
-  constructor(view, theme) {
-    Object.assign(this, { view, theme, cells: view.cells });
+  constructor(view, orbits, theme) {
+    Object.assign(this, { view, orbits, theme, cells: view.cells });
     this.quantities = [kAttractor, ...view.numbers];
     this.shown = this.quantities.find(({ key }) => key === view.shown) ?? kAttractor;
     this.columns = new CellAxis(view.x.values);
@@ -25,21 +26,31 @@ export class MapView {
     this.chart = init(this.root, null, { renderer: 'canvas' });
     this.layer = new CellLayer(document.getElementById('dots'), this.columns, this.rows);
     this.hover = new Hover(document.getElementById('hover'), document.getElementById('ring'));
-    this.legend = new Legend(document.getElementById('legend'), theme, this.entries(), () => this.colour());
-    this.panel = new Panel([], () => window.dispatchEvent(new Event('resize')), () => this.mark(null));
+    this.legend = new Legend(document.getElementById('legend'), theme, [], () => { this.drawLoci(); this.colour(); });
+    this.orbitPanel = new OrbitPanel(view, theme, () => window.dispatchEvent(new Event('resize')), () => this.mark(null));
+    this.panel = this.orbitPanel.panel;
     this.zoom = new ZoomTools(this.chart, this.root);
     document.getElementById('hint').textContent = 'wheel: zoom · shift + wheel: zoom upright · drag: move · click: the cell';
     this.fillQuantities();
+    this.fillLegend();
     this.draw();
     this.colour();
     this.listen();
   }
 
-  entries() {
-    return this.cells.entries.map(({ name, colour }, i) => ({
+  // The kinds of cells where they have the colours, and the loci.
+  fillLegend() {
+    const kinds = this.shown === kAttractor ? this.cells.entries : [];
+    this.legend.entries = [...kinds.map(({ name, colour }, i) => ({
       type: String(i), title: name, swatch: () => cellSwatch(this.theme.shade(colour)),
-    }));
+    })), ...lociEntries(this.view)];
+    this.legend.root.hidden = this.legend.entries.length === 0;
+    this.legend.draw();
   }
+
+  loci() { return lociSeries(this.view, (type) => this.legend.shows(type), this.theme.colours); }
+
+  drawLoci() { this.chart.setOption({ series: this.loci() }); }
 
   fillQuantities() {
     const select = document.getElementById('observable');
@@ -48,6 +59,7 @@ export class MapView {
     select.addEventListener('change', () => {
       this.shown = this.quantities.find(({ key }) => key === select.value);
       this.hover.hide();
+      this.fillLegend();
       this.colour();
     });
   }
@@ -83,8 +95,8 @@ export class MapView {
     const option = {
       ...kCommon, grid: { left: 76, right: 22, top: x.hertz ? 52 : 16, bottom: 52 }, xAxis: across,
       yAxis: axis(colours, axisName(y), y.factor * y.low, y.factor * y.high, { ...none, nameGap: 54 }),
-      series: [{
-        id: 'chosen', type: 'scatter', data: this.chosenData(), silent: true, symbol: 'rect', symbolSize: 11, z: 5,
+      series: [...this.loci(), {
+        id: 'chosen', type: 'scatter', data: this.chosenData(), silent: true, symbol: 'rect', symbolSize: 11, z: 20,
         itemStyle: { color: 'transparent', borderColor: colours.black, borderWidth: 2.5, opacity: 1, shadowColor: colours.paper, shadowBlur: 3 },
       }],
       dataZoom: [
@@ -103,7 +115,6 @@ export class MapView {
     const { kind, kinds, entries } = this.cells;
     const bar = document.getElementById('bar');
     bar.hidden = this.shown === kAttractor;
-    document.getElementById('legend').hidden = !bar.hidden;
     if (this.shown === kAttractor) {
       const pixels = kinds.map(({ entry }) => (this.legend.shows(String(entry)) ? pixelOf(this.theme.shade(entries[entry].colour)) : 0));
       this.layer.paint((cell) => pixels[kind[cell]] ?? 0);
@@ -159,21 +170,53 @@ export class MapView {
     const { x, y } = this.view;
     const values = this.valuesAt(cell);
     const [left, top] = this.chart.convertToPixel({ gridIndex: 0 }, [x.factor * values[0], y.factor * values[1]]);
-    this.hover.show({ x: left, y: top }, this.kindName(cell), this.numbersOf(cell, 5), 'click: how to follow it');
+    this.hover.show({ x: left, y: top }, this.kindName(cell), this.numbersOf(cell, 5), this.keptCell(cell) === null ? 'click: how to follow it' : 'click: what it does');
+  }
+
+  // The nearest cell of its kind whose motion the page keeps, by its place in the list of those;
+  // null without any.
+  keptCell(cell) {
+    const { kind } = this.cells;
+    const { motions } = this.view;
+    const { count } = this.columns;
+    let best = null, least = Infinity;
+    for (let k = 0; k < (motions?.length ?? 0); ++k) {
+      if (kind[motions[k]] !== kind[cell]) continue;
+      const across = (motions[k] % count) - (cell % count);
+      const upright = Math.floor(motions[k] / count) - Math.floor(cell / count);
+      const distance = Math.hypot(across / count, upright / this.rows.count);
+      if (distance < least) [least, best] = [distance, k];
+    }
+    return best;
   }
 
   open(cell) {
     this.show(cell);
     this.mark(cell);
-    const [x, y] = this.valuesAt(cell);
-    const opened = this.panel.open(this.kindName(cell), []);
+    const kept = this.keptCell(cell);
+    const orbit = kept === null ? null : this.orbits.get(kept);
+    const opened = this.panel.open(this.kindName(cell), orbit ? this.orbitPanel.factsOf(orbit) : []);
     this.panel.tellNumbers(this.numbersOf(cell, 7));
-    const { messages, kinds, kind } = this.cells;
-    const said = messages?.texts[messages.of[cell]];
-    this.panel.tellRemark(said ? `${said[0].toUpperCase()}${said.slice(1)}.` : '', kinds[kind[cell]]?.wild
-      ? `The numbers are those of the last ${this.view.samples} forcing periods, and a run agrees with the map for as long as rounding leaves it.` : '');
-    this.panel.tellCommand(cellCommand(this.view, [x, y]));
+    this.panel.tellRemark(...this.remarksOn(cell, kept === null ? cell : this.view.motions[kept]));
+    this.panel.tellCommand(cellCommand(this.view, this.valuesAt(cell)));
+    this.orbitPanel.show(orbit);
     if (opened) this.panel.focus();
+  }
+
+  // `shown`: the cell whose motion is.
+  remarksOn(cell, shown) {
+    const { messages, kinds, kind } = this.cells;
+    const { x, y, samples } = this.view;
+    const said = messages?.texts[messages.of[cell]];
+    const wild = kinds[kind[cell]]?.wild;
+    const remarks = [said ? `${said[0].toUpperCase()}${said.slice(1)}.` : ''];
+    // Starts in one basin lead to one orbit.
+    if (shown !== cell && (wild || !this.view.is_of_starts)) {
+      const values = this.valuesAt(shown);
+      remarks.push(`The page keeps not every motion; this one, at ${x.name} ${measure(x, values[0], 7)} and ${y.name} ${measure(y, values[1], 7)}, is the nearest of its kind.`);
+    }
+    if (wild) remarks.push(`The numbers are those of the last ${samples} forcing periods, and a run agrees with the map for as long as rounding leaves it.`);
+    return remarks;
   }
 
   chosenData() {

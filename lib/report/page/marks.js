@@ -8,6 +8,16 @@ export const kLineKinds = [
   { type: 'stable', title: 'stable', colour: 'blue', width: 2.4, dash: 'solid' },
 ];
 
+// Loci over the colours of a map; those of no orbit of the system lie below.
+export const kLocusKinds = [
+  { type: 'virtual', title: 'virtual', colour: 'paper', width: 1.3, dash: 'solid' },
+  { type: 'LP', title: 'fold (LP)', colour: 'black', width: 2.2, dash: 'solid' },
+  { type: 'PD', title: 'period doubling (PD)', colour: 'black', width: 2.2, dash: [9, 4] },
+  { type: 'NS', title: 'torus (NS)', colour: 'black', width: 2.2, dash: [9, 3, 2, 3] },
+  { type: 'GR', title: 'grazing (GR)', colour: 'black', width: 2.2, dash: [2, 3] },
+];
+export const kCodimensionTwo = { type: 'special', title: 'codimension two', colour: 'black' };
+
 export const kDotKinds = [
   { type: 'periodic', title: 'sweep: periodic', colour: 'black' },
   { type: 'wild', title: 'sweep: not periodic', colour: 'grey' },

@@ -5,11 +5,12 @@ import { circleOption, portraitOption, seriesOption } from './orbit_charts.js';
 import { Panel } from './panel.js';
 
 const kMostImpacts = 200;  // listed
+const kPictures = { series: 'Displacement over time', portrait: 'Phase portrait', circle: 'Multipliers in the unit circle' };
 
 export class OrbitPanel {
-  constructor(view, theme, resized) {
+  constructor(view, theme, resized, closed = () => {}) {
     Object.assign(this, { view, theme });
-    this.panel = new Panel(['series', 'portrait', 'circle'], resized, () => { this.orbit = null; });
+    this.panel = new Panel(Object.keys(kPictures), resized, () => { this.orbit = null; closed(); });
     this.places = document.querySelector('#orbit-place select');
     this.charts = null;
     this.places.addEventListener('change', () => this.draw());
@@ -19,15 +20,27 @@ export class OrbitPanel {
 
   // `asked`: the parameter's value of the point that was chosen, which may lie beside the orbit's.
   open(orbit, asked = null) {
-    this.orbit = orbit;
-    const facts = this.factsOf(orbit);
-    const opened = this.panel.open(orbit.name, facts);
-    this.describe(asked, facts);
-    this.places.replaceChildren(...orbit.places.map((place, i) => new Option(place.name, String(i))));
-    document.getElementById('orbit-place').hidden = orbit.places.length < 2;
-    this.charts ??= ['series', 'portrait', 'circle'].map((name) => init(document.getElementById(`orbit-${name}`)));
-    this.draw();
+    const opened = this.panel.open(orbit.name, this.factsOf(orbit));
+    this.describe(orbit, asked);
+    this.show(orbit);
     if (opened) this.panel.focus();
+  }
+
+  // Its pictures and its impacts; none with null.
+  show(orbit) {
+    this.orbit = orbit;
+    const places = orbit?.places ?? [];
+    this.places.replaceChildren(...places.map((place, i) => new Option(place.name, String(i))));
+    document.getElementById('orbit-place').hidden = places.length < 2;
+    for (const [name, what] of Object.entries(kPictures)) {
+      const root = document.getElementById(`orbit-${name}`);
+      root.hidden = orbit === null;
+      if (orbit) root.setAttribute('aria-label', [`${what} of ${orbit.name}`, ...this.factsOf(orbit)].join(', '));
+    }
+    this.listImpacts(orbit?.impacts ?? []);
+    if (orbit === null) return;
+    this.charts ??= Object.keys(kPictures).map((name) => init(document.getElementById(`orbit-${name}`)));
+    this.draw();
   }
 
   draw() {
@@ -59,22 +72,16 @@ export class OrbitPanel {
     return facts;
   }
 
-  describe(asked, facts) {
-    const { orbit } = this;
+  describe(orbit, asked) {
     const { parameter } = this.view;
     const beside = parameter && asked !== null && orbit.value !== null && asked !== orbit.value;
     this.panel.tellRemark(
       beside ? `The page keeps not every orbit; this one, at ${measure(parameter, orbit.value, 8)}, is the nearest to the point chosen.` : '',
       orbit.remark);
     this.panel.tellCommand(orbit.command);
-    this.listImpacts();
-    const about = `of ${orbit.name}${facts.length ? `, ${facts.join(', ')}` : ''}`;
-    for (const [name, what] of [['series', 'Displacement over time'], ['portrait', 'Phase portrait'], ['circle', 'Multipliers in the unit circle']])
-      document.getElementById(`orbit-${name}`).setAttribute('aria-label', `${what} ${about}`);
   }
 
-  listImpacts() {
-    const { impacts } = this.orbit;
+  listImpacts(impacts) {
     const root = document.getElementById('orbit-impacts');
     if (impacts.length === 0) return root.replaceChildren();
     const rows = impacts.slice(0, kMostImpacts).map(({ t, stop, speed }) => [number(t, 6), String(stop), number(speed, 6)]);

@@ -41,6 +41,11 @@ function kindTable(view, openCell) {
     table([['settles on', 'cells', 'part', `first at ${view.x.name}`, view.y.name], ...rows]));
 }
 
+function codimensionTwoTable(view) {
+  const rows = view.loci.special.map(({ id, x, y }) => [id, measure(view.x, x, 10), measure(view.y, y, 10)]);
+  return folded(`${rows.length} points of codimension two`, rows.length <= 12, table([['', view.x.name, view.y.name], ...rows]));
+}
+
 function madeBy(head, made) {
   const { graze } = head;
   const rows = Object.entries(graze.options).map(([name, value]) => [name, String(value)]);
@@ -52,6 +57,7 @@ function madeBy(head, made) {
 export function fillTables(root, view, orbits, open) {
   const parts = [];
   if (view.kind === 'map') parts.push(kindTable(view, open));
+  if (view.loci?.special.length > 0) parts.push(codimensionTwoTable(view));
   if (view.special?.length > 0)
     parts.push(folded(`${view.special.length} special points`, view.special.length <= 12, specialTable(view, open)));
   if (view.kind === 'orbits' && orbits.count > 0) parts.push(orbitTable(view, orbits, open));
