@@ -33,9 +33,7 @@ class Sweeper {
         tally.add();
       }
     });
-    const bool joins = block > 1 && options_.share.is_all();
-    for (std::size_t b = 1; joins && b < blocks && join(b * block, block); ++b) {
-    }
+    if (block > 1 && options_.share.is_all()) join_blocks(blocks, block);
     return collect(tally.is_complete());
   }
 
@@ -85,20 +83,45 @@ class Sweeper {
                                system.stops[i].row.dot(state.qdot)});
   }
 
-  // Runs the rows of a block again, from what the block before handed on, until one of them settles
-  // on what the block had found. False when the sweep was stopped.
-  bool join(std::size_t first, std::size_t block) {
+  // Rows that take the place of a block's first ones.
+  struct Joint {
+    std::vector<SweepRow> rows;
+    bool is_finished = false;
+  };
+
+  // Runs the rows of the block that begins with `first` again, from what the one before it handed
+  // on, until one of them settles on what the block had found.
+  Joint joint(const char* what, std::size_t first, std::size_t block) {
     const std::size_t end = std::min(first + block, rows_.size());
-    for (std::size_t k = first; k < end; ++k) {
-      std::optional<SweepRow> again;
-      if (at(k - 1) && at(k)) again = row("again", k, &*at(k - 1));
-      if (!again) return is_joined_ = false;
-      ++run_again_;
-      const bool joined = is_same_attractor(*again, *at(k));
-      at(k) = std::move(again);
-      if (joined) return true;
+    Joint made;
+    made.rows.reserve(end - first);
+    for (std::size_t k = first; k < end && !made.is_finished; ++k) {
+      const SweepRow* before = k > first ? &made.rows.back() : at(k - 1) ? &*at(k - 1) : nullptr;
+      if (!before || !at(k)) return made;
+      std::optional<SweepRow> again = row(what, k, before);
+      if (!again) return made;
+      made.is_finished = k + 1 == end || is_same_attractor(*again, *at(k));
+      made.rows.push_back(std::move(*again));
     }
-    return true;
+    return made;
+  }
+
+  // Most blocks end as they were, so that what follows on them can be joined to them side by side;
+  // where the last row of one is another one now, the next is joined to that instead.
+  void join_blocks(std::size_t blocks, std::size_t block) {
+    std::vector<Joint> ahead(blocks);
+    for_each_index(blocks - 1, options_.threads,
+                   [&](std::size_t b) { ahead[b + 1] = joint("ahead", (b + 1) * block, block); });
+    bool ends_as_it_was = true;
+    for (std::size_t b = 1; b < blocks; ++b) {
+      const std::size_t first = b * block;
+      Joint made = ends_as_it_was ? std::move(ahead[b]) : joint("again", first, block);
+      is_joined_ = made.is_finished;
+      if (!is_joined_) return;
+      run_again_ += static_cast<int>(made.rows.size());
+      ends_as_it_was = first + made.rows.size() < std::min(first + block, rows_.size());
+      for (std::size_t i = 0; i < made.rows.size(); ++i) at(first + i) = std::move(made.rows[i]);
+    }
   }
 
   // Orbits are the same in whichever of their periods they are seen first.

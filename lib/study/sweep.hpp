@@ -35,7 +35,7 @@ struct SweepOptions : RowOptions {
   int threads = 0;                                  // 0: all cores
   std::function<void(double fraction)> progress{};  // called by one thread at a time
   Share share{};                   // of the blocks; they are joined where all of them are
-  PieceMemory<SweepRow> memory{};  // of the k-th row to be run, "row k", and to be run again, "again k"
+  PieceMemory<SweepRow> memory{};  // of the k-th row, "row k", and run again, "ahead k", "again k"
 };
 
 struct Sweep {

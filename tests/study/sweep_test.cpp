@@ -10,6 +10,8 @@
 #include <string>
 #include <vector>
 
+#include "graze/assembly/assembly.hpp"
+#include "graze/assembly/initial_state.hpp"
 #include "graze/base/angle.hpp"
 #include "graze/orbit/closed_form.hpp"
 #include "graze/orbit/orbit.hpp"
@@ -128,13 +130,16 @@ TEST(Sweep, FreshStartsKnowNothingOfEachOther) {
   }
 }
 
-// All that a row holds, to the last bit.
-std::string bytes(const Sweep& result) {
+template <class Value>
+void add_bytes(const Value& value, std::string& text) {
+  text.append(reinterpret_cast<const char*>(&value), sizeof value);
+}
+
+// All that rows hold of their motions, to the last bit.
+std::string motions(const std::vector<SweepRow>& rows) {
   std::string text;
-  const auto add = [&](const auto& value) {
-    text.append(reinterpret_cast<const char*>(&value), sizeof value);
-  };
-  for (const SweepRow& row : result.rows) {
+  const auto add = [&](const auto& value) { add_bytes(value, text); };
+  for (const SweepRow& row : rows) {
     add(row.value);
     add(row.status);
     add(row.start);
@@ -146,14 +151,21 @@ std::string bytes(const Sweep& result) {
       add(impact.phase);
       add(impact.speed);
     }
-    for (const auto& strobe : row.strobes) {
-      add(strobe.displacement);
-      add(strobe.velocity);
-    }
     text += row.message;
   }
-  add(result.periods);
-  add(result.run_again);
+  return text;
+}
+
+// All that a sweep holds.
+std::string bytes(const Sweep& result) {
+  std::string text = motions(result.rows);
+  for (const SweepRow& row : result.rows)
+    for (const auto& strobe : row.strobes) {
+      add_bytes(strobe.displacement, text);
+      add_bytes(strobe.velocity, text);
+    }
+  add_bytes(result.periods, text);
+  add_bytes(result.run_again, text);
   return text;
 }
 
@@ -185,6 +197,51 @@ TEST(Sweep, JoinsItsBlocksIntoOneSweep) {
     if (direction == SweepDirection::kDown) {
       EXPECT_GT(blocks.run_again, 81 / Sweep::kBlock);
     }
+  }
+}
+
+// The same, all in order: blocks that each start from the scene's initial state, then each joined
+// to the last row of the one before.
+std::string joined_in_order(const SystemFamily& family, const SweepOptions& options) {
+  std::vector<SweepRow> rows(static_cast<std::size_t>(options.points));
+  const bool falls = options.direction == SweepDirection::kDown;
+  const auto run = [&](std::size_t k, const SweepRow* before) {
+    SweepRow row;
+    row.value = sweep_value(options, static_cast<int>(falls ? rows.size() - 1 - k : k));
+    if (before) row.start = SweepStart::kHandedOn;
+    const Scene scene = with_parameter(family.scene(), family.parameter(), row.value);
+    const System system = assemble(scene);
+    EXPECT_TRUE(settle_row(scene, system,
+                           before ? before->motion.at_end : initial_state(scene, system), options,
+                           row));
+    return row;
+  };
+  for (std::size_t k = 0; k < rows.size(); ++k)
+    rows[k] = run(k, k % Sweep::kBlock == 0 ? nullptr : &rows[k - 1]);
+  for (std::size_t first = Sweep::kBlock; first < rows.size(); first += Sweep::kBlock)
+    for (std::size_t k = first; k < std::min(first + Sweep::kBlock, rows.size()); ++k) {
+      SweepRow again = run(k, &rows[k - 1]);
+      const bool is_same =
+          attractor_class(again) == attractor_class(rows[k]) &&
+          (again.status != SweepStatus::kSettled ||
+           are_same_strobes(shooting_scale(*family.at(again.value)), again.motion.strobes,
+                            rows[k].motion.strobes, 16.0 * options.nearness));
+      rows[k] = std::move(again);
+      if (is_same) break;
+    }
+  if (falls) std::reverse(rows.begin(), rows.end());
+  return motions(rows);
+}
+
+TEST(Sweep, IsThatOfBlocksJoinedInOrder) {
+  for (const SweepDirection direction : {SweepDirection::kUp, SweepDirection::kDown}) {
+    const SweepOptions bistable = over(0.2, 1.0, 81, direction);
+    EXPECT_EQ(motions(sweep(bistable_family(), bistable).rows),
+              joined_in_order(bistable_family(), bistable));
+    SweepOptions wild = over(22.0, 60.0, 90, direction);
+    wild.periods = 120;
+    const SystemFamily family = family_of("05_wagg_one_mode", "forcing.frequency");
+    EXPECT_EQ(motions(sweep(family, wild).rows), joined_in_order(family, wild));
   }
 }
 
