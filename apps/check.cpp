@@ -49,7 +49,7 @@ int run_check(const Command& command) {
   warn(command, record.warnings);
   prepare_output(command);
   return conclude(command, record.info, record.outcome,
-                  {to_json(record), to_text(record), {}, {}, {}});
+                  {json_of(record), text_of(record), {}, {}, {}});
 }
 
 }  // namespace graze

@@ -157,10 +157,12 @@ int compare_motions(const Command& command) {
     if (!record.differences.empty()) draw_comparison(command.plot, record);
   };
   return conclude(command, record.info, record.outcome,
-                  {to_json(record),
-                   to_text(record),
-                   {{"comparison.csv", comparison_csv(record)},
-                    {"first_impacts.csv", first_impacts_csv(record)}},
+                  {json_of(record),
+                   text_of(record),
+                   [&] {
+                     return NamedFiles{{"comparison.csv", comparison_csv(record)},
+                                       {"first_impacts.csv", first_impacts_csv(record)}};
+                   },
                    draw,
                    {}});
 }
@@ -204,9 +206,11 @@ int compare_over_plane(const Command& command) {
   record.info.options.emplace_back("max_seconds", command.max_seconds);
   record.outcome = comparison_map_outcome(record.map);
   return conclude(command, record.info, record.outcome,
-                  {to_json(record),
-                   to_text(record),
-                   {{"comparison.csv", comparison_csv(record)}},
+                  {json_of(record),
+                   text_of(record),
+                   [&] {
+                     return NamedFiles{{"comparison.csv", comparison_csv(record)}};
+                   },
                    [&] { draw_comparison(command.plot, record); },
                    {}});
 }

@@ -130,12 +130,14 @@ int run_continue(const Command& command) {
   options.progress = nullptr;
   record.outcome = branch_outcome(record.traced, options);
   return conclude(command, record.info, record.outcome,
-                  {to_json(record),
-                   to_text(record),
-                   {{"branches.csv", branches_csv(record)},
-                    {"special.csv", special_csv(record)},
-                    special_file(record.info, {command.parameter},
-                                 special_orbits(record.traced, record.system))},
+                  {json_of(record),
+                   text_of(record),
+                   [&] {
+                     return NamedFiles{{"branches.csv", branches_csv(record)},
+                                       {"special.csv", special_csv(record)},
+                                       special_file(record.info, {command.parameter},
+                                                    special_orbits(record.traced, record.system))};
+                   },
                    [&] {
                      if (is_page_name(command.plot))
                        write_page(command.plot, record, family);

@@ -78,13 +78,15 @@ int run_cost(const Command& command) {
   }
   record.outcome = cost_outcome(record.costs, options.stop.reason());
   return conclude(command, record.info, record.outcome,
-                  {to_json(record),
-                   to_text(record),
-                   {{"costs.csv", costs_csv(record)},
-                    {"costs_of_modes.csv", mode_costs_csv(record)},
-                    {"costs_of_closure.csv", closure_costs_csv(record)},
-                    {"costs_of_corrector.csv", corrector_costs_csv(record)},
-                    {"costs_of_contact.csv", contact_orders_csv(record)}},
+                  {json_of(record),
+                   text_of(record),
+                   [&] {
+                     return NamedFiles{{"costs.csv", costs_csv(record)},
+                                       {"costs_of_modes.csv", mode_costs_csv(record)},
+                                       {"costs_of_closure.csv", closure_costs_csv(record)},
+                                       {"costs_of_corrector.csv", corrector_costs_csv(record)},
+                                       {"costs_of_contact.csv", contact_orders_csv(record)}};
+                   },
                    [&] { draw_costs(command.plot, record); },
                    {}});
 }

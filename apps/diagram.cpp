@@ -129,17 +129,20 @@ int run_diagram(const Command& command) {
   note_rest(command, record.branches.info);
   const std::optional<Outcome> traced = add_branches(command, family, tracing, record);
   record.branches.outcome = diagram_outcome(record.swept, traced);
-  std::vector<std::pair<std::string, std::string>> files = {
-      {"sweep.csv", sweep_csv(record)},
-      {"branches.csv", branches_csv(record.branches)},
-      {"special.csv", special_csv(record.branches)},
-      special_file(record.branches.info, {command.parameter},
-                   special_orbits(record.branches.traced, record.branches.system))};
-  if (command.exponents > 0) files.emplace_back("exponents.csv", exponents_csv(record));
+  const auto files = [&] {
+    NamedFiles list = {
+        {"sweep.csv", sweep_csv(record)},
+        {"branches.csv", branches_csv(record.branches)},
+        {"special.csv", special_csv(record.branches)},
+        special_file(record.branches.info, {command.parameter},
+                     special_orbits(record.branches.traced, record.branches.system))};
+    if (command.exponents > 0) list.emplace_back("exponents.csv", exponents_csv(record));
+    return list;
+  };
   return conclude(command, record.branches.info, record.branches.outcome,
-                  {to_json(record),
-                   to_text(record),
-                   std::move(files),
+                  {json_of(record),
+                   text_of(record),
+                   files,
                    [&] {
                      if (is_page_name(command.plot))
                        write_page(command.plot, record, family);

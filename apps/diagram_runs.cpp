@@ -61,12 +61,15 @@ int run_diagram_of_runs(const Command& command, const Scene& scene) {
   if (!command.share.is_all()) return conclude_share(command, *journal, options.stop.reason());
   noted.emplace_back("max_seconds", command.max_seconds);
   record.outcome = run_diagram_outcome(record.runs, options.values.size(), options.stop.reason());
-  return conclude(command, record.info, record.outcome,
-                  {to_json(record),
-                   to_text(record),
-                   {{"sweep.csv", run_impacts_csv(record)}, {"runs.csv", runs_csv(record)}},
-                   [&] { draw_run_diagram(command.plot, record); },
-                   {}});
+  return conclude(
+      command, record.info, record.outcome,
+      {json_of(record),
+       text_of(record),
+       [&] {
+         return NamedFiles{{"sweep.csv", run_impacts_csv(record)}, {"runs.csv", runs_csv(record)}};
+       },
+       [&] { draw_run_diagram(command.plot, record); },
+       {}});
 }
 
 }  // namespace graze

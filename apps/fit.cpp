@@ -83,13 +83,15 @@ int run_fit(const Command& command) {
   options.progress = {};
   warn(command, record.warnings);
   record.outcome = fit_outcome(record.result);
-  std::vector<std::pair<std::string, std::string>> files = {
-      {"fit.csv", fit_csv(record)}, {"parameters.csv", parameters_csv(record)}};
-  const std::string fitted = fitted_scene_text(record.result);
-  if (!fitted.empty()) files.emplace_back("fitted.toml", fitted);
+  const auto files = [&] {
+    NamedFiles list = {{"fit.csv", fit_csv(record)}, {"parameters.csv", parameters_csv(record)}};
+    const std::string fitted = fitted_scene_text(record.result);
+    if (!fitted.empty()) list.emplace_back("fitted.toml", fitted);
+    return list;
+  };
   return conclude(command, record.info, record.outcome,
-                  {to_json(record),
-                   to_text(record),
+                  {json_of(record),
+                   text_of(record),
                    files,
                    [&] {
                      if (!record.result.series.empty()) draw_fit(command.plot, record);

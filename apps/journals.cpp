@@ -47,7 +47,7 @@ int conclude_share(const Command& command, const Journal& journal, StopReason st
   Command printed = command;
   printed.out.clear();
   return conclude(printed, record.info, record.outcome,
-                  {to_json(record), to_text(record), {}, {}, {}});
+                  {json_of(record), text_of(record), {}, {}, {}});
 }
 
 }  // namespace graze

@@ -122,24 +122,23 @@ int run_loci(const Command& command) {
   record.traced = trace_loci(scene, command.parameter, command.second, options);
   options.branches.progress = nullptr;
   record.outcome = loci_outcome(record.traced, options);
-  std::vector<std::pair<std::string, std::string>> tables = {
-      {"loci.csv", loci_csv(record.traced)},
-      {"special.csv", special_csv(record)},
-      special_file(record.info, {command.parameter, command.second},
-                   special_orbits(record.traced))};
   if (command.regions > 0) {
     record.regions = regions_of(command, scene, options);
     if (options.kinds.size() == kOrbitLocusKinds.size())
       record.borders = region_borders(*record.regions, record.traced);
     record.outcome = regions_outcome(*record.regions, record.outcome);
-    tables.emplace_back("regions.csv", regions_csv(*record.regions));
   }
-  return conclude(command, record.info, record.outcome,
-                  {to_json(record),
-                   to_text(record),
-                   std::move(tables),
-                   [&] { draw_loci(command.plot, record); },
-                   {}});
+  const auto files = [&] {
+    NamedFiles list = {{"loci.csv", loci_csv(record.traced)},
+                       {"special.csv", special_csv(record)},
+                       special_file(record.info, {command.parameter, command.second},
+                                    special_orbits(record.traced))};
+    if (record.regions) list.emplace_back("regions.csv", regions_csv(*record.regions));
+    return list;
+  };
+  return conclude(
+      command, record.info, record.outcome,
+      {json_of(record), text_of(record), files, [&] { draw_loci(command.plot, record); }, {}});
 }
 
 }  // namespace graze

@@ -111,12 +111,15 @@ int run_map(const Command& command) {
   record.info.options.emplace_back("max_seconds", command.max_seconds);
   record.outcome = map_outcome(record.map);
   if (loci) trace_over(command, scene, *loci, record);
-  std::vector<std::pair<std::string, std::string>> tables = {{"map.csv", map_csv(record)}};
-  if (record.loci) tables.emplace_back("loci.csv", loci_csv(*record.loci));
+  const auto files = [&] {
+    NamedFiles list = {{"map.csv", map_csv(record)}};
+    if (record.loci) list.emplace_back("loci.csv", loci_csv(*record.loci));
+    return list;
+  };
   return conclude(command, record.info, record.outcome,
-                  {to_json(record),
-                   to_text(record),
-                   std::move(tables),
+                  {json_of(record),
+                   text_of(record),
+                   files,
                    [&] {
                      if (is_page_name(command.plot))
                        write_page(command.plot, record, scene);

@@ -37,11 +37,13 @@ int run_orbit(const Command& command) {
   record.found = find_orbits(record.system, start, options);
   record.outcome = orbit_outcome(record.found, options, options.stop.reason());
   return conclude(command, record.info, record.outcome,
-                  {to_json(record),
-                   to_text(record),
-                   {{"orbits.csv", orbits_csv(record)},
-                    {"stuck.csv", stuck_csv(record)},
-                    {"contacts.csv", contacts_csv(record)}},
+                  {json_of(record),
+                   text_of(record),
+                   [&] {
+                     return NamedFiles{{"orbits.csv", orbits_csv(record)},
+                                       {"stuck.csv", stuck_csv(record)},
+                                       {"contacts.csv", contacts_csv(record)}};
+                   },
                    [&] {
                      if (is_page_name(command.plot))
                        write_page(command.plot, record);

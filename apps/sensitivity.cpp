@@ -73,9 +73,11 @@ int run_sensitivity(const Command& command) {
       sensitivity_outcome(record.curves, std::max<std::size_t>(options.seconds.size(), 1),
                           options.series.stop.reason());
   return conclude(command, record.info, record.outcome,
-                  {to_json(record),
-                   to_text(record),
-                   {{"sensitivity.csv", sensitivity_csv(record)}},
+                  {json_of(record),
+                   text_of(record),
+                   [&] {
+                     return NamedFiles{{"sensitivity.csv", sensitivity_csv(record)}};
+                   },
                    [&] {
                      if (!record.curves.empty()) draw_sensitivity(command.plot, record);
                    },

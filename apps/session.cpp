@@ -119,21 +119,24 @@ std::function<void(double)> progress_line(const Command& command, int count, con
 }
 
 int conclude(const Command& command, const RunInfo& info, const Outcome& outcome, Result result) {
-  if (!command.out.empty()) {
+  const bool writes = !command.out.empty();
+  const Document document = writes || command.json ? result.json() : Document();
+  if (writes) {
     const std::filesystem::path folder = command.out;
     std::vector<PendingFile>& files = result.tables;
     const auto add = [&](const std::string& name, const Document& content) {
       files.emplace_back(folder / name);
       content.read([&](std::string_view piece) { files.back().append(piece); });
     };
-    for (const auto& [name, content] : result.files) add(name, content);
+    if (result.files)
+      for (const auto& [name, content] : result.files()) add(name, content);
     add("scene.toml", info.scene_text);
-    add("result.json", result.json);
+    add("result.json", document);
     // Where one of them does not fit on the disk, none takes its place.
     for (PendingFile& file : files) file.sync();
     for (PendingFile& file : files) file.commit();
   }
-  print(command.json ? result.json : Document(result.text));
+  print(command.json ? document : Document(result.text()));
   if (!command.plot.empty()) result.draw();
   if (outcome.name == "interrupted") return 130;
   return outcome.message.empty() ? 0 : 3;

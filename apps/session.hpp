@@ -39,13 +39,27 @@ void warn(const Command& command, const std::vector<std::string>& warnings);
 std::function<void(double)> progress_line(const Command& command, int count = 0,
                                           const char* things = "");
 
+// Names in the output folder, and contents.
+using NamedFiles = std::vector<std::pair<std::string, std::string>>;
+
+// What a command ends with, each made only where it is wanted.
 struct Result {
-  Document json;
-  std::string text;
-  std::vector<std::pair<std::string, std::string>> files;  // name in the output folder, content
-  std::function<void()> draw;                              // called where a picture is wanted
-  std::vector<PendingFile> tables;                         // files that have grown on the way
+  std::function<Document()> json;
+  std::function<std::string()> text;
+  std::function<NamedFiles()> files;  // beside the document; empty: none
+  std::function<void()> draw;
+  std::vector<PendingFile> tables;  // files that have grown on the way
 };
+
+// The document and the text of a record, which outlives them.
+template <class Record>
+std::function<Document()> json_of(const Record& record) {
+  return [&record] { return Document(to_json(record)); };
+}
+template <class Record>
+std::function<std::string()> text_of(const Record& record) {
+  return [&record] { return to_text(record); };
+}
 
 // Writes the result's files, prints it, draws it; returns the exit code of the outcome.
 int conclude(const Command& command, const RunInfo& info, const Outcome& outcome, Result result);

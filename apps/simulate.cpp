@@ -170,10 +170,13 @@ int run_simulate(const Command& command) {
                      record.run.end_time,
                      command.record == "samples" ? std::optional<double>(rate) : std::nullopt,
                      record.run.state};
-  std::vector<std::pair<std::string, std::string>> files = {{kStateFile, write_run_state(state)}};
-  if (record.section) files.emplace_back("section.csv", section_csv(*record.section));
+  const auto files = [&] {
+    NamedFiles list = {{kStateFile, write_run_state(state)}};
+    if (record.section) list.emplace_back("section.csv", section_csv(*record.section));
+    return list;
+  };
   return conclude(command, record.info, record.outcome,
-                  {to_json(record, output.events()), to_text(record), std::move(files),
+                  {[&] { return to_json(record, output.events()); }, text_of(record), files,
                    [&] {
                      if (record.section)
                        draw_section(command.plot, record);

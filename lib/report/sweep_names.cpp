@@ -75,7 +75,12 @@ std::string attractor_label(const AttractorClass& attractor) {
 }
 
 long long period_index(const SweepRow& row, const MetImpact& impact) {
-  return impact.period - (row.motion.periods - static_cast<long long>(row.motion.strobes.size()));
+  // Every period shown has a strobe at each stop.
+  const std::size_t shown =
+      row.strobes.empty()
+          ? 0
+          : row.strobes.size() / static_cast<std::size_t>(row.strobes.back().stop + 1);
+  return impact.period - (row.motion.periods - static_cast<long long>(shown));
 }
 
 double impact_phase(const MetImpact& impact) { return wrapped(impact.phase); }

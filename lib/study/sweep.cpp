@@ -144,6 +144,7 @@ class Sweeper {
       if (!row) continue;
       result.periods += row->motion.periods;
       result.impacts += row->motion.impacts_met;
+      row->motion.strobes = {};  // what they tell is in the row's own, and they are large
       result.rows.push_back(std::move(*row));
     }
     // Whatever was asked for meanwhile, a sweep that has all its rows was not stopped.

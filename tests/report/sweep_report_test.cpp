@@ -13,8 +13,6 @@
 namespace graze {
 namespace {
 
-State state(double q, double qdot) { return {Vector::Constant(1, q), Vector::Constant(1, qdot)}; }
-
 SweepRow periodic_row() {
   SweepRow row;
   row.value = 1.5;
@@ -26,7 +24,6 @@ SweepRow periodic_row() {
   row.motion.remaining = 0.5e-8;
   row.motion.periods = 50;
   row.motion.impacts = {{48, 0, 7.0, 0.25}, {49, 0, 1.25, 0.5}};
-  row.motion.strobes = {state(0.125, 0.0), state(0.25, -1.0)};
   row.strobes = {{0, 0.125, 0.0}, {0, 0.25, -1.0}};
   return row;
 }
