@@ -70,7 +70,7 @@ std::unique_ptr<StepFlow> bulirsch_stoer_flow(const SprungSystem& system,
                                               const StepSetting& setting) {
   using Walk = ExtrapolatedWalk<step_walk::Sprung>;
   return std::make_unique<step_walk::WalkingFlow<Walk>>(
-      Walk(step_walk::Sprung(system, setting.tolerance), setting), setting.stop);
+      Walk(step_walk::Sprung(system, setting.tolerance), setting));
 }
 
 }  // namespace graze

@@ -15,6 +15,7 @@
 #include <span>
 #include <vector>
 
+#include "graze/base/stop_signal.hpp"
 #include "graze/contact/contact_force.hpp"
 #include "graze/flow/first_order.hpp"
 #include "graze/flow/turning.hpp"
@@ -105,7 +106,7 @@ struct StepDescent {
   int watch = -1;        // which fell through zero first; -1: none did
   double s = 0.0;        // where; else the end of the window
   bool finite = true;    // the state stayed in range
-  bool stopped = false;  // the setting's stop signal ended it
+  bool stopped = false;  // the stop signal ended it
   double lowest = 0.0;   // least value of any watch at the ends of the steps
   long long values = 0;  // of observables, taken in search of the zero
 };
@@ -118,9 +119,10 @@ class StepFlow {
   virtual void start(double theta, const Vector& x, std::span<const double> depths = {},
                      double time = 0.0) = 0;
   // The first watch to fall through zero within the window, s. Nobody asks beyond `until`, s: up to
-  // there the least value is told, and a step that gets beyond it is the last.
+  // there the least value is told, and a step that gets beyond it is the last. `stop` is asked now
+  // and then: a window may have any number of steps.
   virtual StepDescent first_descent(std::span<const Watch* const> watches, double window,
-                                    double until) = 0;
+                                    double until, const StopSignal& stop) = 0;
   // The state s seconds after the start. Dear where s lies before the step taken last.
   virtual void state(double s, Vector& x) = 0;
   // Largest force of a spring since the start, N; 0 where there is none.

@@ -9,7 +9,7 @@ template <class Rates>
 std::unique_ptr<StepFlow> flow(const Rates& rates, const StepSetting& setting) {
   using Stepper = boost::numeric::odeint::runge_kutta4<typename Rates::State>;
   using Walk = step_walk::FixedWalk<Rates, Stepper>;
-  return std::make_unique<step_walk::WalkingFlow<Walk>>(Walk(rates, setting.step), setting.stop);
+  return std::make_unique<step_walk::WalkingFlow<Walk>>(Walk(rates, setting.step));
 }
 
 }  // namespace

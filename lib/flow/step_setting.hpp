@@ -3,7 +3,6 @@
 // their error decides.
 #pragma once
 
-#include "graze/base/stop_signal.hpp"
 #include "graze/system/system.hpp"
 
 namespace graze {
@@ -20,7 +19,6 @@ struct StepSetting {
   double tolerance = 0.0;  // allowed error of a step, relative to `speed`; where it decides
   double speed = 0.0;      // size of the modal motion, kg^1/2 m/s: of the velocities and of the
                            // displacements times their frequencies
-  StopSignal stop;         // asked for now and then: an arc may have any number of steps
   double longest = 0.0;    // s, no step that an error decides is longer: longest_stable_step
 };
 

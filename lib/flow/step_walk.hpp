@@ -28,7 +28,7 @@ class WalkingFlow final : public StepFlow {
  public:
   using State = typename Walk::State;
 
-  WalkingFlow(Walk walk, const StopSignal& stop) : walk_(std::move(walk)), stop_(stop) {}
+  explicit WalkingFlow(Walk walk) : walk_(std::move(walk)) {}
 
   void start(double theta, const Vector& x, std::span<const double> depths, double time) override {
     if constexpr (kSprung) walk_.rates.set_time(time);
@@ -42,8 +42,8 @@ class WalkingFlow final : public StepFlow {
     }
   }
 
-  StepDescent first_descent(std::span<const Watch* const> watches, double window,
-                            double until) override {
+  StepDescent first_descent(std::span<const Watch* const> watches, double window, double until,
+                            const StopSignal& stop) override {
     StepDescent found;
     found.s = window;
     found.lowest = std::numeric_limits<double>::infinity();
@@ -55,7 +55,7 @@ class WalkingFlow final : public StepFlow {
     }
     for (double from = 0.0; from < std::min(window, until) && found.watch < 0;) {
       walk_.step();
-      if (++polls_ % kStepsPerPoll == 0 && stop_.requested()) {
+      if (++polls_ % kStepsPerPoll == 0 && stop.requested()) {
         found.stopped = true;
         return found;
       }
@@ -206,7 +206,6 @@ class WalkingFlow final : public StepFlow {
 
   static constexpr long long kStepsPerPoll = 4096;
   Walk walk_;
-  StopSignal stop_;
   long long polls_ = 0;
   State start_, within_, last_;
   std::vector<Peak> peaks_;
@@ -269,9 +268,8 @@ class FixedWalk {
 template <class Stepper, class Adaptive, class Rates>
 std::unique_ptr<StepFlow> fixed_or_adaptive(const Rates& rates, const StepSetting& setting) {
   using Fixed = FixedWalk<Rates, Stepper>;
-  if (setting.step > 0.0)
-    return std::make_unique<WalkingFlow<Fixed>>(Fixed(rates, setting.step), setting.stop);
-  return std::make_unique<WalkingFlow<Adaptive>>(Adaptive(rates, setting), setting.stop);
+  if (setting.step > 0.0) return std::make_unique<WalkingFlow<Fixed>>(Fixed(rates, setting.step));
+  return std::make_unique<WalkingFlow<Adaptive>>(Adaptive(rates, setting));
 }
 
 // Calls make(rates) with the right-hand side of the modes there are; a few numbers of modes have

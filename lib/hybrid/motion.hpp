@@ -111,6 +111,8 @@ class Motion {
          const RealVector<Real>& qdot, const std::optional<StepSetting>& steps = {});
   Motion(const System& system, const MotionState<Real>& state,
          const std::optional<StepSetting>& steps = {});
+  // Where a flight is integrated step by step it ends undecided once this is requested.
+  void stop_on(const StopSignal& stop) { stop_ = stop; }
   Motion(const Motion&) = delete;
   Motion& operator=(const Motion&) = delete;
 
@@ -300,6 +302,7 @@ class Motion {
 
   const System system_;
   const std::optional<StepSetting> steps_;
+  StopSignal stop_;
   ExactFlow<Real> clock_;
   LinearSystem<Real> linear_;
   mutable std::optional<TurningStructure> turning_;

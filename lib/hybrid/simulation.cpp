@@ -30,11 +30,12 @@ class Run {
       : system_(system),
         options_(options),
         listeners_(listeners),
-        motion_(system, state.motion, stoppable(options)),
+        motion_(system, state.motion, options.steps),
         longest_flight_(longest_flight(system)),
         state_(state),
         end_(end_of(system, options)),
         sampler_(system, listeners.sample, listeners.sample_rate, options.energy) {
+    motion_.stop_on(options.stop);
     note_gaps();
     if (options.energy && !state_.keeps_book) {
       state_.keeps_book = true;
@@ -71,11 +72,6 @@ class Run {
   }
 
  private:
-  static std::optional<StepSetting> stoppable(const SimulationOptions& options) {
-    std::optional<StepSetting> steps = options.steps;
-    if (steps) steps->stop = options.stop;
-    return steps;
-  }
   int stops() const { return static_cast<int>(system_.stops.size()); }
   const RigidStop& stop(int i) const { return system_.stops[static_cast<std::size_t>(i)]; }
   bool is_stuck(int i) const {
@@ -99,9 +95,7 @@ class Run {
         state_.totals.impacts == 0 && !motion_.is_closed_anywhere() && !motion_.is_sprung();
     if (untouched && !options_.steps && !system_.rotation) note_minima(flight.until - start.local);
     const Arrival<double> arrival = motion_.fly(flight.until, flight.horizon);
-    if ((options_.steps || system_.rotation) && arrival.kind == ArrivalKind::kUndecided &&
-        !within_budget(true))
-      return false;
+    if (arrival.kind == ArrivalKind::kUndecided && !within_budget(true)) return false;
     if (untouched && arrival.lowest && std::isfinite(*arrival.lowest))
       note_gap(std::max(*arrival.lowest, 0.0));
     if (!options_.steps) result_.evaluations += arrival.evaluations;

@@ -15,6 +15,8 @@
 namespace graze {
 namespace {
 
+constexpr const char* kStopped = "stopped before the orbit was found";
+
 void note_smallest(std::optional<double>& smallest, const std::optional<double>& value) {
   if (value && (!smallest || *value < *smallest)) smallest = value;
 }
@@ -30,6 +32,7 @@ class Follower {
         carried_(system, motion_, deviations, parameter),
         book_(system.stops.size()),
         longest_flight_(longest_flight(system)) {
+    motion_.stop_on(options.stop);
     for (std::size_t i = 0; i < start.contacts.size(); ++i) {
       if (start.contacts[i] == Contact::kClosed)
         open_hold(static_cast<int>(i), start.instant, true);
@@ -74,8 +77,7 @@ class Follower {
     }
     if (tail_ && not_before(start, tail_->over)) announce_tail();
     if (not_before(start, end_)) return false;
-    if ((++polls_ & 255) == 0 && options_.stop.requested())
-      return fail("stopped before the orbit was found");
+    if ((++polls_ & 255) == 0 && options_.stop.requested()) return fail(kStopped);
     if (motion_.is_sprung() && carried_.any()) {
       if (motion_.is_closed_anywhere())
         return fail(
@@ -171,6 +173,8 @@ class Follower {
         return true;
       case ArrivalKind::kJoint:  // orbits are those of structures that do not turn
       case ArrivalKind::kUndecided:
+        if (options_.stop.requested()) return fail(kStopped);
+        [[fallthrough]];
       case ArrivalKind::kNotFinite:
       case ArrivalKind::kRefused:
         return fail(failure_of(motion_, arrival));

@@ -44,7 +44,9 @@ class Settling {
         history_(system, start, remembered(options)),
         closure_speed_(options.closure_speed.value_or(default_closure_speed(system, start))),
         longest_flight_(longest_flight(system)),
-        scale_(shooting_scale(system)) {}
+        scale_(shooting_scale(system)) {
+    motion_.stop_on(options.stop);
+  }
 
   SettledMotion finish() {
     while (!over_) {
@@ -110,8 +112,10 @@ class Settling {
       case ArrivalKind::kTouch:
       case ArrivalKind::kTime:
         return true;
-      case ArrivalKind::kRefused:
       case ArrivalKind::kUndecided:
+        if (stop_requested(true)) return false;
+        break;
+      case ArrivalKind::kRefused:
       case ArrivalKind::kNotFinite:
         break;
     }

@@ -1,11 +1,34 @@
 #include "graze/orbit/strobe_map.hpp"
 
+#include <algorithm>
+#include <cmath>
+
 #include "graze/base/angle.hpp"
 #include "graze/flow/deviation.hpp"
 #include "graze/orbit/shooting.hpp"
 #include "graze/system/gap_value.hpp"
+#include "graze/system/scale.hpp"
 
 namespace graze {
+namespace {
+
+// A dent deeper than this is none that an orbit starts in: so many times deeper than what the
+// structure makes at the speed of the scale, or what rests on it. Nor could the motion from there
+// be followed: a force damped by Hunt and Crossley or Lee and Wang falls to zero at a speed that
+// does not grow with the depth, and lets it out no faster, which is as stiff as it is long.
+double deepest(const System& system, const RigidStop& stop) {
+  constexpr double kTimes = 4.0;
+  const ShootingScale scale = shooting_scale(system);
+  const State at_rest{Vector::Zero(system.modes()), Vector::Zero(system.modes())};
+  const double speed =
+      std::max(stop.row.cwiseAbs().dot(scale.velocity), speed_scale(system, at_rest));
+  const double load =
+      system.load ? std::abs(stop.row.dot(*system.load)) / stop.row.squaredNorm() : 0.0;
+  const double resting = std::pow(load / stop.spring->stiffness, 1.0 / stop.spring->exponent);
+  return kTimes * (dent_at(stop, speed) + resting + std::max(0.0, -stop.gap));
+}
+
+}  // namespace
 
 StrobeMap::StrobeMap(const System& reference, const StrobeOptions& options)
     : options_(options), unit_(2 * reference.modes()) {
@@ -42,7 +65,11 @@ std::optional<MotionState<double>> StrobeMap::start_of(const System& system,
   const State state = unpack(x);
   if (!x.allFinite()) return {};
   for (const RigidStop& stop : system.stops) {
-    if (stop.spring) continue;
+    if (stop.spring) {
+      const double depth = stop.row.dot(state.q) - stop.gap;
+      if (depth > 0.0 && depth > deepest(system, stop)) return {};
+      continue;
+    }
     const GapValue<double> gap = gap_value<double>(stop.row, state.q, stop.gap);
     if (gap.value < -gap.rounding) return {};
   }

@@ -54,7 +54,7 @@ Parted parted(const Body& body, double v, double tolerance = 1e-14) {
   grip.multiplicity = 0;
   std::vector<const Watch*> watches = {&depth};
   if (body.law.parts_early()) watches.push_back(&grip);
-  const StepDescent found = flow->first_descent(watches, 1e3, 1e3);
+  const StepDescent found = flow->first_descent(watches, 1e3, 1e3, {});
   EXPECT_GE(found.watch, 0);
   flow->state(found.s, x);
   return {found.s, x[0] / root - body.from, -x[1] / root, flow->peak_force(0), flow->evaluations()};

@@ -1,6 +1,7 @@
 // Compliant stops: contacts entered and left, against closed forms and published numbers.
 #include <gtest/gtest.h>
 
+#include <chrono>
 #include <cmath>
 #include <numbers>
 
@@ -219,6 +220,22 @@ TEST(CompliantStop, GripsAgainOnlyWhenTheForceDoes) {
     for (std::size_t i = 1; i < run.events.size(); ++i)
       EXPECT_GT(run.events[i].time, run.events[i - 1].time) << i;
   }
+}
+
+// A Hunt-Crossley spring lets a body that is pressed into it out no faster than k/C, where its
+// force is zero; from deep within that takes 1e11 times as long as the force needs to settle, in
+// one flight without an event. It ends when it is told to, where it began.
+TEST(CompliantStop, AFlightOfAnyLengthCanBeStopped) {
+  System system = sprung(
+      2.0, 0.0, {1e14, 1.5, ContactDamping::kPower, 1e15, 0.0, 0.0, Separation::kAtZeroForce});
+  system.load = Vector{{5.0}};
+  const State deep = support::state_of({1e-2}, {0.0});
+  SimulationOptions options = support::for_seconds(1.0);
+  options.stop.deadline = std::chrono::steady_clock::now() + std::chrono::milliseconds(10);
+  const Simulation run = simulate(system, deep, options, {});
+  EXPECT_EQ(run.outcome, RunOutcome::kTimeBudget) << run.message;
+  EXPECT_LT(run.end_time, 1e-6);
+  EXPECT_NEAR(run.final.q[0], deep.q[0], 1e-6);
 }
 
 }  // namespace

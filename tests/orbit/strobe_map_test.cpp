@@ -198,5 +198,24 @@ TEST(StrobeOrbit, CountsNoImpactsWhereASpringGripsAgain) {
   EXPECT_TRUE(find_orbits(system, support::rest(system), {}).orbits.empty());
 }
 
+// No orbit starts in a dent a hundred times as deep as the motion makes any; one that starts in a
+// contact is followed.
+TEST(StrobeMap, StartsInNoDentBeyondReason) {
+  const System system = three_modes(law_of(1.5, ContactDamping::kPower, 4e4));
+  const StrobeMap map(system, {});
+  const RigidStop& stop = system.stops.front();
+  const auto at_depth = [&](double depth) {
+    const Vector q = stop.row * ((stop.gap + depth) / stop.row.squaredNorm());
+    return map.pack({q, Vector::Zero(3)});
+  };
+  const auto passage = map.follow(system, map.pack(some_state()));
+  ASSERT_TRUE(passage);
+  double peak = 0.0;
+  for (const PassedContact& contact : passage->contacts) peak = std::max(peak, contact.peak_force);
+  const double depth = std::pow(peak / 4e4, 1.0 / 1.5);  // were nothing damped
+  EXPECT_TRUE(map.start_of(system, at_depth(depth)));
+  EXPECT_FALSE(map.start_of(system, at_depth(100.0 * depth)));
+}
+
 }  // namespace
 }  // namespace graze
