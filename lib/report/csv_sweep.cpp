@@ -28,9 +28,8 @@ std::string sweep_csv(const DiagramRecord& record) {
                        csv_cell(impact.speed));
     else
       for (const SweepRow::Strobe& strobe : row.strobes) {
-        const std::size_t stops = row.strobes.size() / row.motion.strobes.size();
         fmt::format_to(std::back_inserter(text), "{},{},{},{},,,{},{}\n", start, sample + 1,
-                       strobe.stop + 1, static_cast<std::size_t>(sample) / stops,
+                       strobe.stop + 1, static_cast<std::size_t>(sample) / stops_seen(row),
                        csv_cell(strobe.displacement), csv_cell(strobe.velocity));
         ++sample;
       }

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "graze/bifurcation/special_names.hpp"
+#include "graze/report/json_document.hpp"
 #include "graze/report/json_value.hpp"
 #include "graze/report/names.hpp"
 #include "graze/report/sweep_names.hpp"
@@ -12,27 +13,6 @@ namespace graze {
 namespace {
 
 Json pair(const Complex& z) { return Json::array({json_number(z.real()), json_number(z.imag())}); }
-
-Json header(const RunInfo& info, const Outcome& outcome, const std::vector<std::string>& warnings) {
-  Json options = Json::object();
-  for (const auto& [name, value] : info.options)
-    std::visit([&, &key = name](const auto& v) { options[key] = v; }, value);
-  Json document;
-  document["graze"] = {{"version", info.version},
-                       {"command", info.command},
-                       {"scene", info.scene_file},
-                       {"scene_sha256", info.scene_sha256},
-                       {"options", options}};
-  document["outcome"] = outcome.name;
-  if (!outcome.message.empty()) document["message"] = outcome.message;
-  if (!warnings.empty()) document["warnings"] = warnings;
-  return document;
-}
-
-std::string text(const Json& document) {
-  // File names and titles may hold bytes that are no UTF-8; they are replaced, not thrown over.
-  return document.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
-}
 
 Json multipliers(const Orbit& orbit) {
   Json array = Json::array();
@@ -267,11 +247,6 @@ Json search_json(const OrbitBranches& traced) {
 
 }  // namespace
 
-std::string json_head(const RunInfo& info, const Outcome& outcome,
-                      const std::vector<std::string>& warnings) {
-  return text(header(info, outcome, warnings));
-}
-
 void add_event_json(const Event& event, Spool& events) {
   const std::string entry = event_json(event).dump(1);
   std::string text = events.empty() ? "\n" : ",\n";
@@ -305,7 +280,7 @@ Json section_json(const RunSection& section) {
 }
 
 Document to_json(const SimulationRecord& record, Spool& events) {
-  Json document = header(record.info, record.outcome, record.warnings);
+  Json document = document_head(record.info, record.outcome, record.warnings);
   if (!record.notes.empty()) document["notes"] = record.notes;
   document["units"] = {{"time", "s"},          {"speed", "m/s"},         {"phase", "rad"},
                        {"energy_change", "J"}, {"closure_speed", "m/s"}, {"force", "N"},
@@ -318,7 +293,7 @@ Document to_json(const SimulationRecord& record, Spool& events) {
   document["totals"] = totals_json(record.run.totals);
   if (record.run.energy) document["energy"] = energy_json(record.system, *record.run.energy);
   if (record.section) document["section"] = section_json(*record.section);
-  const std::string whole = text(document);
+  const std::string whole = document_text(document);
   // Quotes inside strings are escaped, so this is found once, where it stands.
   const std::string opening = "\n \"events\": [";
   const std::size_t at = whole.find(opening + "]") + opening.size();
@@ -326,7 +301,7 @@ Document to_json(const SimulationRecord& record, Spool& events) {
 }
 
 std::string to_json(const OrbitRecord& record) {
-  Json document = header(record.info, record.outcome, record.warnings);
+  Json document = document_head(record.info, record.outcome, record.warnings);
   Json orbits = Json::array();
   for (const Orbit& orbit : record.found.orbits) orbits.push_back(orbit_json(orbit));
   document["units"] = {{"phase", "rad"},  {"speed", "m/s"},      {"clearance", "m"},
@@ -343,11 +318,11 @@ std::string to_json(const OrbitRecord& record) {
   document["patterns_searched"] = record.found.patterns;
   document["left_out_as_inadmissible"] = record.found.inadmissible;
   document["notes"] = record.found.notes;
-  return text(document);
+  return document_text(document);
 }
 
 std::string to_json(const BranchRecord& record) {
-  Json document = header(record.info, record.outcome, record.warnings);
+  Json document = document_head(record.info, record.outcome, record.warnings);
   document["parameter"] = record.traced.parameter;
   document["units"] = {{"value", record.unit}, {"phase", "rad"},       {"speed", "m/s"},
                        {"clearance", "m"},     {"duration", "s"},      {"force", "N"},
@@ -383,7 +358,7 @@ std::string to_json(const BranchRecord& record) {
       {"left_open", record.traced.left_open}};
   document["search"] = search_json(record.traced);
   document["notes"] = record.traced.notes;
-  return text(document);
+  return document_text(document);
 }
 
 }  // namespace graze

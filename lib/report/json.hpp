@@ -17,10 +17,6 @@
 
 namespace graze {
 
-// What every document begins with, an object of its own.
-std::string json_head(const RunInfo& info, const Outcome& outcome,
-                      const std::vector<std::string>& warnings);
-
 std::string to_json(const CheckRecord& record);
 // The events of a run, each as `add_event_json` wrote it, stand in the middle of its document.
 Document to_json(const SimulationRecord& record, Spool& events);

@@ -1,6 +1,7 @@
 #include "graze/assembly/probes.hpp"
 #include "graze/assembly/requested_restitution.hpp"
 #include "graze/report/json.hpp"
+#include "graze/report/json_document.hpp"
 #include "graze/report/json_value.hpp"
 #include "graze/study/step_choice.hpp"
 #include "graze/system/hub_state.hpp"
@@ -66,7 +67,7 @@ Json probes_json(const Scene& scene, const System& system) {
 }  // namespace
 
 std::string to_json(const CheckRecord& record) {
-  Json document = Json::parse(json_head(record.info, record.outcome, record.warnings));
+  Json document = document_head(record.info, record.outcome, record.warnings);
   const System& system = record.system;
   Json modes = Json::array();
   const Vector decay = decay_rates(system);
@@ -106,7 +107,7 @@ std::string to_json(const CheckRecord& record) {
   document["step"] = json_maybe(record.scene.solver.step);
   document["longest_stable_step"] =
       record.steps ? json_number(record.steps->longest) : Json(nullptr);
-  return document.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
+  return document_text(document);
 }
 
 }  // namespace graze

@@ -1,5 +1,6 @@
 #include "graze/report/comparison_names.hpp"
 #include "graze/report/json.hpp"
+#include "graze/report/json_document.hpp"
 #include "graze/report/json_plane.hpp"
 #include "graze/report/json_value.hpp"
 #include "graze/report/sweep_names.hpp"
@@ -35,7 +36,7 @@ Json motion_json(const std::string& name, const ComparedMotion& motion) {
 }  // namespace
 
 std::string to_json(const ComparisonRecord& record) {
-  Json document = Json::parse(json_head(record.info, record.outcome, record.warnings));
+  Json document = document_head(record.info, record.outcome, record.warnings);
   document["within"] = record.options.within;
   document["motions"] = Json::array();
   for (std::size_t i = 0; i < record.motions.size(); ++i)
@@ -43,12 +44,12 @@ std::string to_json(const ComparisonRecord& record) {
   document["differences"] = Json::array();
   for (const MotionDifference& difference : record.differences)
     document["differences"].push_back(difference_json(difference));
-  return document.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
+  return document_text(document);
 }
 
 std::string to_json(const ComparisonMapRecord& record) {
   const ComparisonMap& map = record.map;
-  Json document = Json::parse(json_head(record.info, record.outcome, record.warnings));
+  Json document = document_head(record.info, record.outcome, record.warnings);
   document["one"] = record.one;
   document["other"] = record.other;
   document["within"] = map.options.within;
@@ -70,7 +71,7 @@ std::string to_json(const ComparisonMapRecord& record) {
                                            : Json(nullptr));
     document["cells"][name_of(quantity)] = values;
   }
-  return document.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
+  return document_text(document);
 }
 
 }  // namespace graze

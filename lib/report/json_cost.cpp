@@ -1,4 +1,5 @@
 #include "graze/report/json.hpp"
+#include "graze/report/json_document.hpp"
 #include "graze/report/json_value.hpp"
 
 namespace graze {
@@ -72,7 +73,7 @@ Json contact_json(const ContactOrders& orders) {
 
 std::string to_json(const CostRecord& record) {
   const FlowCosts& costs = record.costs;
-  Json document = Json::parse(json_head(record.info, record.outcome, record.warnings));
+  Json document = document_head(record.info, record.outcome, record.warnings);
   document["reference"] = reference_name(costs);
   document["span"] = compared_span(costs);
   if (!costs.reference_message.empty()) document["reference_message"] = costs.reference_message;
@@ -104,7 +105,7 @@ std::string to_json(const CostRecord& record) {
                              {"allowed_error", costs.allowed},
                              {"flow", best ? Json(best->flow) : Json(nullptr)},
                              {"setting", best ? Json(best->setting) : Json(nullptr)}};
-  return document.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
+  return document_text(document);
 }
 
 }  // namespace graze

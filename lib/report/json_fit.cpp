@@ -1,4 +1,5 @@
 #include "graze/report/json.hpp"
+#include "graze/report/json_document.hpp"
 #include "graze/report/json_value.hpp"
 
 namespace graze {
@@ -43,7 +44,7 @@ Json series_json(const FittedSeries& series) {
 std::string to_json(const FitRecord& record) {
   const FitResult& result = record.result;
   const Abscissa abscissa = abscissa_of(result.kind);
-  Json document = Json::parse(json_head(record.info, record.outcome, record.warnings));
+  Json document = document_head(record.info, record.outcome, record.warnings);
   document["data"] = {
       {"file", record.data_file},
       {"sha256", record.data_sha256},
@@ -68,7 +69,7 @@ std::string to_json(const FitRecord& record) {
   document["series"] = Json::array();
   for (const FittedSeries& series : result.series)
     document["series"].push_back(series_json(series));
-  return document.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
+  return document_text(document);
 }
 
 }  // namespace graze

@@ -1,5 +1,6 @@
 #include "graze/report/json_loci.hpp"
 #include "graze/report/json.hpp"
+#include "graze/report/json_document.hpp"
 #include "graze/report/json_value.hpp"
 #include "graze/report/names.hpp"
 
@@ -84,7 +85,7 @@ std::string to_json(const LociRecord& record) {
       "a locus that crosses none of the slices and meets no other is not found"};
   branches.warnings = record.warnings;
   branches.outcome = record.outcome;
-  Json document = Json::parse(to_json(branches));
+  Json document = parsed(to_json(branches));
   document["units"]["second"] = record.second_unit;
   document["units"]["angle"] = "rad";
   document["second"] = record.traced.second;
@@ -95,7 +96,7 @@ std::string to_json(const LociRecord& record) {
     document["regions"]["borders"] =
         record.borders ? borders_json(*record.regions, *record.borders) : Json(nullptr);
   }
-  return document.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
+  return document_text(document);
 }
 
 }  // namespace graze

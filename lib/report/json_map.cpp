@@ -1,4 +1,5 @@
 #include "graze/report/json.hpp"
+#include "graze/report/json_document.hpp"
 #include "graze/report/json_loci.hpp"
 #include "graze/report/json_plane.hpp"
 #include "graze/report/json_value.hpp"
@@ -25,7 +26,7 @@ Json attractor_json(const AttractorMap& map, std::size_t i) {
 
 std::string to_json(const MapRecord& record) {
   const AttractorMap& map = record.map;
-  Json document = Json::parse(json_head(record.info, record.outcome, record.warnings));
+  Json document = document_head(record.info, record.outcome, record.warnings);
   document["x"] = axis_json(map.options.x, record.x_unit);
   document["y"] = axis_json(map.options.y, record.y_unit);
   document["nearness"] = map.options.nearness;
@@ -52,7 +53,7 @@ std::string to_json(const MapRecord& record) {
     document["loci"] = loci_json(*record.loci);
     document["counters"] = loci_counters_json(*record.loci);
   }
-  return document.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
+  return document_text(document);
 }
 
 }  // namespace graze

@@ -2,6 +2,7 @@
 
 #include "graze/assembly/probes.hpp"
 #include "graze/report/json.hpp"
+#include "graze/report/json_document.hpp"
 #include "graze/report/json_value.hpp"
 
 namespace graze {
@@ -28,14 +29,14 @@ Json probes_json(const std::vector<Probe>& probes) {
 }
 
 std::string to_json(const RunDiagramRecord& record) {
-  Json document = Json::parse(json_head(record.info, record.outcome, record.warnings));
+  Json document = document_head(record.info, record.outcome, record.warnings);
   document["parameter"] = record.parameter;
   document["unit"] = record.unit;
   document["duration"] = record.duration;
   document["probes"] = probes_json(record.probes);
   document["runs"] = Json::array();
   for (const ValueRun& run : record.runs) document["runs"].push_back(run_json(run));
-  return document.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
+  return document_text(document);
 }
 
 }  // namespace graze

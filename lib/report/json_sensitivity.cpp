@@ -1,10 +1,11 @@
 #include "graze/report/json.hpp"
+#include "graze/report/json_document.hpp"
 #include "graze/report/json_runs.hpp"
 #include "graze/report/json_value.hpp"
 
 namespace graze {
 std::string to_json(const SensitivityRecord& record) {
-  Json document = Json::parse(json_head(record.info, record.outcome, record.warnings));
+  Json document = document_head(record.info, record.outcome, record.warnings);
   document["parameter"] = record.parameter;
   document["unit"] = record.unit;
   document["second"] = record.second.empty() ? Json(nullptr) : Json(record.second);
@@ -26,7 +27,7 @@ std::string to_json(const SensitivityRecord& record) {
          {"points", points},
          {"reference", run_json(curve.reference)}});
   }
-  return document.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
+  return document_text(document);
 }
 
 }  // namespace graze

@@ -1,4 +1,5 @@
 #include "graze/report/json.hpp"
+#include "graze/report/json_document.hpp"
 #include "graze/report/json_value.hpp"
 #include "graze/report/sweep_names.hpp"
 
@@ -50,7 +51,7 @@ Json row_json(const SweepRow& row, DiagramSection section) {
 
 std::string to_json(const DiagramRecord& record) {
   // Numbers survive being written and read again to the last bit.
-  Json document = Json::parse(to_json(record.branches));
+  Json document = parsed(to_json(record.branches));
   document["units"]["displacement"] = "m";
   document["units"]["velocity"] = "m/s";
   document["units"]["remaining"] = "1";
@@ -72,7 +73,7 @@ std::string to_json(const DiagramRecord& record) {
                        {"impacts", swept.impacts},
                        {"ranges", ranges},
                        {"rows", rows}};
-  return document.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
+  return document_text(document);
 }
 
 }  // namespace graze

@@ -1,4 +1,5 @@
 #include "graze/report/page.hpp"
+#include "graze/report/json_document.hpp"
 
 #include <fmt/format.h>
 
@@ -132,7 +133,7 @@ std::string page_command(const RunInfo& info, const std::string& command,
 Json page_view(const RunInfo& info, const Outcome& outcome,
                const std::vector<std::string>& warnings, const std::vector<std::string>& notes) {
   Json view;
-  view["head"] = Json::parse(json_head(info, outcome, warnings));
+  view["head"] = document_head(info, outcome, warnings);
   view["notes"] = notes;
   std::string made = "graze";
   for (const std::string& argument : info.arguments) made += " " + shell_word(argument);

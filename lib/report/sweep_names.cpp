@@ -74,12 +74,12 @@ std::string attractor_label(const AttractorClass& attractor) {
   return attractor_kind(attractor);
 }
 
+std::size_t stops_seen(const SweepRow& row) {
+  return row.strobes.empty() ? 0 : static_cast<std::size_t>(row.strobes.back().stop + 1);
+}
+
 long long period_index(const SweepRow& row, const MetImpact& impact) {
-  // Every period shown has a strobe at each stop.
-  const std::size_t shown =
-      row.strobes.empty()
-          ? 0
-          : row.strobes.size() / static_cast<std::size_t>(row.strobes.back().stop + 1);
+  const std::size_t stops = stops_seen(row), shown = stops > 0 ? row.strobes.size() / stops : 0;
   return impact.period - (row.motion.periods - static_cast<long long>(shown));
 }
 

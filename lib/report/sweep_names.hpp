@@ -18,6 +18,9 @@ std::string attractor_kind(const AttractorClass& attractor);
 // once a period; "clear", "at rest", "not periodic", or why there is no attractor.
 std::string attractor_label(const AttractorClass& attractor);
 
+// How many stops the strobes of a row tell of, those of every period one stop after the other.
+std::size_t stops_seen(const SweepRow& row);
+
 // The forcing period of an impact within the periods that a row shows, from 0; and its phase
 // (frequency t + phase) mod 2 pi, rad.
 long long period_index(const SweepRow& row, const MetImpact& impact);
