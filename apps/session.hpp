@@ -51,7 +51,11 @@ struct Result {
   std::vector<PendingFile> tables;  // files that have grown on the way
 };
 
-// The document and the text of a record, which outlives them.
+// The document and the text of a record, which has to outlive them.
+template <class Record>
+std::function<Document()> json_of(const Record&& record) = delete;
+template <class Record>
+std::function<std::string()> text_of(const Record&& record) = delete;
 template <class Record>
 std::function<Document()> json_of(const Record& record) {
   return [&record] { return Document(to_json(record)); };

@@ -25,7 +25,9 @@ class Follower {
         observation_(observation),
         motion_(system, {}, start.q, start.qdot),
         end_(instant_at(system, observation.end)),
-        longest_flight_(longest_flight(system)) {}
+        longest_flight_(longest_flight(system)) {
+    motion_.stop_on(observation.stop);
+  }
 
   std::string follow() {
     while (proceed()) {

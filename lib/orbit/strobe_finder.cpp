@@ -12,7 +12,6 @@
 #include "graze/orbit/rough_guess.hpp"
 #include "graze/orbit/settled.hpp"
 #include "graze/orbit/strobe_orbit.hpp"
-#include "graze/system/scale.hpp"
 
 namespace graze {
 namespace {
@@ -34,8 +33,11 @@ double restitution_of(const RigidStop& stop, double speed) {
       restitution = std::clamp(*event.effective_restitution, 0.0, 1.0);
   };
   SimulationOptions options;
-  // Dents take no longer than this at any exponent: 2 depth/speed is exceeded by none.
-  options.duration = 100.0 * dent_at(body.stops[0], speed) / speed;
+  // Depths take no longer than this at any exponent: 2 depth/speed is exceeded by none.
+  const double mobility = body.stops[0].row.squaredNorm(), n = stop.spring->exponent;
+  const double depth = std::pow(
+      0.5 * (n + 1.0) * speed * speed / (stop.spring->stiffness * mobility), 1.0 / (n + 1.0));
+  options.duration = 100.0 * depth / speed;
   simulate(body, {Vector::Zero(1), Vector::Constant(1, speed / stop.row.norm())}, options,
            listeners);
   return restitution;

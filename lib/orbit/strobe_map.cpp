@@ -1,32 +1,28 @@
 #include "graze/orbit/strobe_map.hpp"
 
-#include <algorithm>
-#include <cmath>
-
 #include "graze/base/angle.hpp"
 #include "graze/flow/deviation.hpp"
 #include "graze/orbit/shooting.hpp"
 #include "graze/system/gap_value.hpp"
-#include "graze/system/scale.hpp"
 
 namespace graze {
 namespace {
 
-// A dent deeper than this is none that an orbit starts in: so many times deeper than what the
-// structure makes at the speed of the scale, or what rests on it. Nor could the motion from there
-// be followed: a force damped by Hunt and Crossley or Lee and Wang falls to zero at a speed that
-// does not grow with the depth, and lets it out no faster, which is as stiff as it is long.
-double deepest(const System& system, const RigidStop& stop) {
-  constexpr double kTimes = 4.0;
-  const ShootingScale scale = shooting_scale(system);
-  const State at_rest{Vector::Zero(system.modes()), Vector::Zero(system.modes())};
-  const double speed =
-      std::max(stop.row.cwiseAbs().dot(scale.velocity), speed_scale(system, at_rest));
-  const double load =
-      system.load ? std::abs(stop.row.dot(*system.load)) / stop.row.squaredNorm() : 0.0;
-  const double resting = std::pow(load / stop.spring->stiffness, 1.0 / stop.spring->exponent);
-  return kTimes * (dent_at(stop, speed) + resting + std::max(0.0, -stop.gap));
+// Where the resistance R grows with the depth x (damping by Lee and Wang's first law, or Hunt and
+// Crossley's) the force F - R v of a spring vanishes at a speed that does not grow with it, and the
+// structure comes out no faster: that takes x R/F. Its velocity settles in m/R, m the effective
+// mass 1/|row|^2, which an integration has to resolve.
+double time_constants_to_leave(const RigidStop& stop, double depth) {
+  const ContactForce& law = *stop.spring;
+  if (law.damping != ContactDamping::kDepth && law.damping != ContactDamping::kPower) return 0.0;
+  const double resistance = law.resistance(depth);
+  return resistance * resistance * depth * stop.row.squaredNorm() /
+         (law.stiffness * law.power(depth));
 }
+
+// Contacts of orbits have less than one, or as many as the square of the speed over that at which
+// the force vanishes; each costs some ten evaluations.
+constexpr double kMostTimeConstants = 1e4;
 
 }  // namespace
 
@@ -67,7 +63,7 @@ std::optional<MotionState<double>> StrobeMap::start_of(const System& system,
   for (const RigidStop& stop : system.stops) {
     if (stop.spring) {
       const double depth = stop.row.dot(state.q) - stop.gap;
-      if (depth > 0.0 && depth > deepest(system, stop)) return {};
+      if (depth > 0.0 && time_constants_to_leave(stop, depth) > kMostTimeConstants) return {};
       continue;
     }
     const GapValue<double> gap = gap_value<double>(stop.row, state.q, stop.gap);

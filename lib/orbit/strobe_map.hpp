@@ -36,8 +36,9 @@ class StrobeMap {
   Vector pack(const std::vector<State>& turns) const;
   // When the motion that starts at t = 0 first comes to the section.
   static Instant<double> first_instant(const System& system);
-  // The motion's start there; nothing where a rigid stop is penetrated, or
-  // a compliant one deeper than the motion could.
+  // The motion's start there; nothing where a rigid stop is penetrated, or a
+  // compliant one so deep that its damping would keep the structure for longer than can be
+  // followed.
   std::optional<MotionState<double>> start_of(const System& system, const Vector& x) const;
 
   struct Image {

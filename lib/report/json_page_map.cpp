@@ -2,21 +2,29 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cstdint>
 #include <limits>
 #include <map>
 
 #include "graze/assembly/assembly.hpp"
+#include "graze/assembly/initial_state.hpp"
 #include "graze/base/errors.hpp"
 #include "graze/base/parallel.hpp"
+#include "graze/report/json_document.hpp"
 #include "graze/report/json_page_orbits.hpp"
 #include "graze/report/picture_locus_curves.hpp"
 #include "graze/scene/start_coordinate.hpp"
+#include "graze/study/settled_row.hpp"
 
 namespace graze {
 namespace {
 
-// Of all curves together, 12 bytes each, so that a page stays below some ten megabytes.
-constexpr std::size_t kMostSamples = 250'000;
+// Of all motions together; a page of more is slow to send and to open.
+constexpr std::size_t kMostBytes = 8'000'000;
+
+// A number of a cell that says nothing of where it is (Knuth's multiplicative hash).
+std::uint32_t shuffled(std::size_t cell) { return static_cast<std::uint32_t>(cell) * 2654435761u; }
 
 // What differs from the scene of the run but for the start, which a motion brings along.
 std::vector<std::string> settings_of(const Plane& plane, std::size_t cell) {
@@ -32,12 +40,56 @@ Json cell_motion(const PageSource& source, const MapRecord& record, const Scene&
                  const CellMotion& motion) {
   const AttractorMapOptions& plane = record.map.options;
   try {
-    return page_motion(source, assemble(scene_at(scene, plane, motion.cell)),
-                       {record.map.cells[motion.cell].attractor, motion.start, std::nullopt,
-                        settings_of(plane, motion.cell), "map"});
+    Json json = page_motion(source, assemble(scene_at(scene, plane, motion.cell)),
+                            {record.map.cells[motion.cell].attractor, motion.start, std::nullopt,
+                             settings_of(plane, motion.cell), "map"});
+    // The page has the command that comes here from the cell's own start.
+    if (json.is_object()) json.erase("command");
+    return json;
   } catch (const InputError&) {
     return nullptr;  // what cannot be followed again is not shown
   }
+}
+
+// The motion of a cell that the map did not keep.
+std::optional<CellMotion> settled_again(const MapRecord& record, const Scene& scene,
+                                        std::size_t cell, const StopSignal& stop) {
+  RowOptions options = record.map.options;
+  options.exponent_periods = 0;
+  options.stop = stop;
+  SweepRow row;
+  const Scene there = scene_at(scene, record.map.options, cell);
+  const System system = assemble(there);
+  if (!settle_row(there, system, initial_state(there, system), options, row)) return {};
+  if (row.motion.strobes.empty()) return {};
+  return CellMotion{cell, row.motion.strobes.front()};
+}
+
+// One of each attractor first, then the others in an order that is spread over the plane however
+// many of them there is room for.
+std::vector<CellMotion> motions_of(const MapRecord& record, const Scene& scene,
+                                   const PageSource& source) {
+  const AttractorMap& map = record.map;
+  std::vector<CellMotion> kept = map.motions, others;
+  std::stable_sort(kept.begin(), kept.end(), [](const CellMotion& a, const CellMotion& b) {
+    return shuffled(a.cell) < shuffled(b.cell);
+  });
+  std::vector<std::optional<CellMotion>> firsts(map.attractors.size());
+  for (CellMotion& motion : kept) {
+    const int place = map.cells[motion.cell].place;
+    if (place >= 0 && !firsts[static_cast<std::size_t>(place)])
+      firsts[static_cast<std::size_t>(place)] = std::move(motion);
+    else
+      others.push_back(std::move(motion));
+  }
+  for_each_index(firsts.size(), map.options.threads, [&](std::size_t i) {
+    if (!firsts[i]) firsts[i] = settled_again(record, scene, map.attractors[i].first, source.stop);
+  });
+  std::vector<CellMotion> motions;
+  for (std::optional<CellMotion>& motion : firsts)
+    if (motion) motions.push_back(std::move(*motion));
+  motions.insert(motions.end(), others.begin(), others.end());
+  return motions;
 }
 
 // Parts of loci one after the other, each ended by a NaN.
@@ -57,21 +109,21 @@ struct BrokenLine {
 }  // namespace
 
 Json cell_motions_json(const MapRecord& record, const Scene& scene, Json& orbits) {
-  const std::vector<CellMotion>& motions = record.map.motions;
-  if (motions.empty()) return nullptr;
+  // Ctrl-C ends it; a budget of time was the map's.
   PageSource source{record.info, "", record.map.options.closure_speed};
-  const System system = assemble(scene);
-  const std::size_t fit =
-      kMostSamples / static_cast<std::size_t>(page_samples(system, 1, source.most_samples));
-  const std::vector<std::size_t> kept = kept_of(motions.size(), fit);
-  std::vector<Json> made(kept.size());
-  for_each_index(kept.size(), 0, [&](std::size_t i) {
-    made[i] = cell_motion(source, record, scene, motions[kept[i]]);
+  source.stop.interrupted = record.map.options.stop.interrupted;
+  const std::vector<CellMotion> motions = motions_of(record, scene, source);
+  std::vector<Json> made(motions.size());
+  for_each_index(motions.size(), record.map.options.threads, [&](std::size_t i) {
+    if (!source.stop.requested()) made[i] = cell_motion(source, record, scene, motions[i]);
   });
   std::vector<std::int32_t> cells;
-  for (std::size_t i = 0; i < kept.size(); ++i) {
+  std::size_t bytes = 0;
+  for (std::size_t i = 0; i < motions.size(); ++i) {
     if (made[i].is_null()) continue;
-    cells.push_back(static_cast<std::int32_t>(motions[kept[i]].cell));
+    bytes += document_text(made[i]).size();
+    if (bytes > kMostBytes && !cells.empty()) break;
+    cells.push_back(static_cast<std::int32_t>(motions[i].cell));
     orbits.push_back(std::move(made[i]));
   }
   return packed(cells);

@@ -22,6 +22,7 @@ constexpr int kFewest = 128, kLeastPerPeriod = 32;
 constexpr long long kShownPeriods = 12;     // of a motion that does not repeat
 constexpr long long kMostImpacts = 20'000;  // followed for a picture
 constexpr std::size_t kListedImpacts = 400;
+constexpr const char* kFromThere = "The command starts from the state that the sweep was in there.";
 
 int samples_per_period(const PageSource& source, const System& system, long long periods) {
   return std::max(kLeastPerPeriod,
@@ -123,33 +124,49 @@ std::vector<std::string> start_settings(const PageMotion& motion) {
   return settings;
 }
 
-SimulationRecord followed(const PageSource& source, const System& system, const State& start,
-                          long long periods) {
+// A motion with all of its impacts, and of those in the record none closer to the one before than
+// the page's samples are: nobody sees them, and a chatter has thousands.
+struct Followed {
   SimulationRecord record;
+  std::vector<Event> impacts;
+};
+Followed followed(const PageSource& source, const System& system, const State& start,
+                  long long periods) {
+  Followed followed;
+  SimulationRecord& record = followed.record;
   record.system = system;
   SimulationOptions options;
   options.periods = periods;
   options.max_impacts = kMostImpacts;
   options.closure_speed = source.closure_speed.value_or(default_closure_speed(system, start));
   RunListeners listeners;
-  listeners.event = [&](const Event& event) { record.events.push_back(event); };
+  options.stop = source.stop;
+  const double apart = static_cast<double>(periods) * system.period() / source.most_samples;
+  std::vector<double> last(system.stops.size(), -apart);
+  listeners.event = [&](const Event& event) {
+    const bool meets = event.kind == EventKind::kImpact || event.kind == EventKind::kContact;
+    if (meets) followed.impacts.push_back(event);
+    double& before = last[static_cast<std::size_t>(event.stop)];
+    if (meets && event.time - before < apart) return;
+    if (meets) before = event.time;
+    record.events.push_back(event);
+  };
   listeners.sample = [&](const Sample& sample) { record.samples.push_back(sample); };
   listeners.sample_rate = samples_per_period(source, system, periods) / system.period();
   record.run = simulate(system, start, options, listeners);
-  return record;
+  return followed;
 }
 
 Json motion_json(const PageSource& source, const System& system, const PageMotion& motion) {
   const bool repeats = motion.attractor.period > 0;
   const long long periods = repeats ? motion.attractor.period : kShownPeriods;
-  const SimulationRecord record = followed(source, system, motion.start, periods);
+  const auto [record, met] = followed(source, system, motion.start, periods);
+  if (record.run.outcome == RunOutcome::kInterrupted) return nullptr;
   const double period = system.period();
   Json impacts = Json::array(), stuck = Json::array(), places = Json::array();
-  for (const Event& event : record.events)
-    if ((event.kind == EventKind::kImpact || event.kind == EventKind::kContact) &&
-        impacts.size() < kListedImpacts)
-      impacts.push_back(
-          {{"stop", event.stop + 1}, {"t", event.time / period}, {"speed", event.speed}});
+  for (std::size_t i = 0; i < std::min(met.size(), kListedImpacts); ++i)
+    impacts.push_back(
+        {{"stop", met[i].stop + 1}, {"t", met[i].time / period}, {"speed", met[i].speed}});
   const int first = impacts.empty() ? 0 : impacts.front()["stop"].get<int>() - 1;
   const MotionSeen seen = motion_seen(record);
   for (const Place& shown : places_seen(system, first))
@@ -171,8 +188,8 @@ Json motion_json(const PageSource& source, const System& system, const PageMotio
   const std::string name = attractor_label(motion.attractor);
   const std::string shown =
       repeats ? ""
-              : fmt::format("The first {} of the periods that the {} shows here. ", periods,
-                            motion.settled_in);
+              : fmt::format("Seen are the first {} of the periods that the {} tells of here. ",
+                            periods, motion.settled_in);
   return {{"name", repeats ? name + " motion" : name},
           {"value", json_maybe(motion.value)},
           {"period", repeats ? Json(motion.attractor.period) : Json(nullptr)},
@@ -185,8 +202,7 @@ Json motion_json(const PageSource& source, const System& system, const PageMotio
           {"impacts", impacts},
           {"stuck", stuck},
           {"places", places},
-          {"remark", shown + "The command starts from the state that the " + motion.settled_in +
-                         " was in there."},
+          {"remark", motion.settled_in == "sweep" ? shown + kFromThere : shown},
           {"command", page_command(source.info, "simulate", start_settings(motion)) +
                           fmt::format(" --periods {}", periods) + closure_option(source)}};
 }
@@ -201,6 +217,7 @@ std::optional<Orbit> settled_orbit(const PageSource& source, const System& syste
   options.from_closed_form = options.from_random = false;
   options.max_impacts = kMostImpacts;
   options.threads = 1;
+  options.stop = source.stop;
   options.closure_speed = source.closure_speed;
   const FoundOrbits found = find_orbits(system, motion.start, options);
   for (const Orbit& orbit : found.orbits)

@@ -17,6 +17,7 @@ struct PageSource {
   std::string parameter;                // that the run was over; empty: none
   std::optional<double> closure_speed;  // where the user gave one, m/s
   int most_samples = 1024;              // of an orbit's curve
+  StopSignal stop{};                    // of what is followed for the page
 };
 
 // Samples of a curve over so many periods, so that the fastest mode is seen; at most `most`, but
@@ -37,7 +38,8 @@ struct PageMotion {
 };
 PageMotion page_motion_of(const PageSource& source, const SweepRow& row);
 
-// Of the system that it is in: the orbit that it settled on, else what the motion does.
+// Of the system that it is in: the orbit that it settled on, else what the motion does. Null where
+// it was stopped.
 Json page_motion(const PageSource& source, const System& system, const PageMotion& motion);
 
 // Which of `count` orbits a page keeps, so that files stay small: every n-th, the first and the

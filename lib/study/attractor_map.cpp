@@ -16,31 +16,34 @@
 namespace graze {
 namespace {
 
-// At most `most` cells spread over a plane: every n-th column and row, from the middle of the first
-// n on.
+// At most `most` cells spread over a plane, in columns and rows at equal distances, about as many
+// of either.
 class SpreadCells {
  public:
   SpreadCells(const Plane& plane, std::size_t most)
-      : columns_(plane.x.points), rows_(plane.y.points) {
-    while (along(columns_) * along(rows_) > most) ++stride_;
+      : columns_{plane.x.points}, rows_{plane.y.points} {
+    while (columns_.count() * rows_.count() > most)
+      ++(columns_.count() >= rows_.count() ? columns_ : rows_).stride;
   }
 
   bool has(std::size_t cell) const {
-    const auto columns = static_cast<std::size_t>(columns_);
-    return is_on(cell % columns, columns_) && is_on(cell / columns, rows_);
+    const auto columns = static_cast<std::size_t>(columns_.points);
+    return columns_.has(static_cast<int>(cell % columns)) &&
+           rows_.has(static_cast<int>(cell / columns));
   }
 
  private:
-  int first(int points) const { return (std::min(stride_, points) - 1) / 2; }
-  std::size_t along(int points) const {
-    return static_cast<std::size_t>((points - 1 - first(points)) / stride_ + 1);
-  }
-  bool is_on(std::size_t at, int points) const {
-    const int away = static_cast<int>(at) - first(points);
-    return away >= 0 && away % stride_ == 0;
-  }
+  // Every stride-th, from the middle of the first ones on.
+  struct Axis {
+    int points = 0, stride = 1;
+    int first() const { return (std::min(stride, points) - 1) / 2; }
+    std::size_t count() const {
+      return static_cast<std::size_t>((points - 1 - first()) / stride + 1);
+    }
+    bool has(int i) const { return i >= first() && (i - first()) % stride == 0; }
+  };
 
-  int columns_, rows_, stride_ = 1;
+  Axis columns_, rows_;
 };
 
 class Mapper {
@@ -87,9 +90,11 @@ class Mapper {
     cell.message = row.message;
     if (row.exponents && row.exponents->values.size() > 0) cell.exponent = row.exponents->values[0];
     cell.is_known = true;
-    settled.strobes = std::move(row.motion.strobes);
-    if (!map_.is_of_starts)
-      settled.strobes.resize(kept_.has(i) ? std::min<std::size_t>(settled.strobes.size(), 1) : 0);
+    std::vector<State>& strobes = row.motion.strobes;
+    if (map_.is_of_starts)
+      settled.strobes = std::move(strobes);
+    else if (kept_.has(i) && !strobes.empty())
+      settled.strobes = {strobes.front()};
     return settled;
   }
 

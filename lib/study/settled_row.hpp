@@ -34,7 +34,7 @@ struct SweepRow {
   double value = 0.0;  // of the parameter, SI
   SweepStatus status = SweepStatus::kNoStart;
   SweepStart start = SweepStart::kScene;
-  // Without pattern and points, in a sweep without states; empty where there is no start.
+  // Without pattern and points, in a sweep without strobes; empty where there is no start.
   SettledMotion motion;
   // Gap and row of the stops do not fit a table of rows; what they make of a stroboscopic state
   // does: row.q (m) and row.q' (m/s) of every stop, for each of the motion's strobes.

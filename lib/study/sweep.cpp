@@ -110,15 +110,17 @@ class Sweeper {
   // where the last row of one is another one now, the next is joined to that instead.
   void join_blocks(std::size_t blocks, std::size_t block) {
     std::vector<Joint> ahead(blocks);
-    for_each_index(blocks - 1, options_.threads,
-                   [&](std::size_t b) { ahead[b + 1] = joint("ahead", (b + 1) * block, block); });
+    for_each_index(blocks, options_.threads, [&](std::size_t b) {
+      if (b > 0) ahead[b] = joint("ahead", b * block, block);
+    });
+    for (const Joint& joint : ahead) run_again_ += static_cast<int>(joint.rows.size());
     bool ends_as_it_was = true;
     for (std::size_t b = 1; b < blocks; ++b) {
       const std::size_t first = b * block;
       Joint made = ends_as_it_was ? std::move(ahead[b]) : joint("again", first, block);
       is_joined_ = made.is_finished;
       if (!is_joined_) return;
-      run_again_ += static_cast<int>(made.rows.size());
+      if (!ends_as_it_was) run_again_ += static_cast<int>(made.rows.size());
       ends_as_it_was = first + made.rows.size() < std::min(first + block, rows_.size());
       for (std::size_t i = 0; i < made.rows.size(); ++i) at(first + i) = std::move(made.rows[i]);
     }

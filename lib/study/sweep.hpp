@@ -46,7 +46,7 @@ struct Sweep {
   std::vector<SweepRow> rows;  // in the order of the values from `from` to `to`; the finished ones
   long long periods = 0;       // forcing periods run, all together
   long long impacts = 0;
-  int run_again = 0;  // rows that were run again where blocks are joined
+  int run_again = 0;  // runs of rows once more, where blocks are joined
   StopReason stopped = StopReason::kNone;
 };
 

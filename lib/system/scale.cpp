@@ -22,13 +22,6 @@ double reach_at(const System& system, const RigidStop& stop) {
   return std::max(std::abs(stop.gap), forced_reach_at(system, stop));
 }
 
-double dent_at(const RigidStop& stop, double speed) {
-  const double n = stop.spring->exponent;
-  return std::pow(
-      0.5 * (n + 1.0) * speed * speed / (stop.spring->stiffness * stop.row.squaredNorm()),
-      1.0 / (n + 1.0));
-}
-
 namespace {
 
 // Largest acceleration at a stop by torque and weight on the structure at rest, m/s^2.

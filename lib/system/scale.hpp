@@ -11,10 +11,6 @@ double forced_reach_at(const System& system, const RigidStop& stop);
 // Length at a stop, m: that, or the gap if it is more.
 double reach_at(const System& system, const RigidStop& stop);
 
-// How deep the structure at a compliant stop, a body of its effective mass 1/|row|^2 there, makes
-// its dent at `speed` (m/s) where nothing damps it, m: K x^(n+1)/(n+1) = v^2/(2 |row|^2).
-double dent_at(const RigidStop& stop, double speed);
-
 // Speed at the stops, m/s: what the forcing gives over the distance to the stop (of rest or of the
 // start, whichever is more) before it turns, the fall over that distance under a constant load, and
 // what the start brings along, whichever is largest. Where there is no distance, the forced motion

@@ -6,10 +6,12 @@
 #include <cmath>
 #include <functional>
 
+#include "graze/assembly/assembly.hpp"
 #include "graze/orbit/finder.hpp"
 #include "graze/orbit/settled.hpp"
 #include "graze/orbit/strobe_orbit.hpp"
 #include "support/contact_laws.hpp"
+#include "support/reference.hpp"
 #include "support/systems.hpp"
 
 namespace graze {
@@ -198,23 +200,37 @@ TEST(StrobeOrbit, CountsNoImpactsWhereASpringGripsAgain) {
   EXPECT_TRUE(find_orbits(system, support::rest(system), {}).orbits.empty());
 }
 
-// No orbit starts in a dent a hundred times as deep as the motion makes any; one that starts in a
-// contact is followed.
-TEST(StrobeMap, StartsInNoDentBeyondReason) {
-  const System system = three_modes(law_of(1.5, ContactDamping::kPower, 4e4));
-  const StrobeMap map(system, {});
-  const RigidStop& stop = system.stops.front();
-  const auto at_depth = [&](double depth) {
+// A spring whose resistance is C x^n lets a mass m out of the depth x at no more than k/C, which
+// takes C^2 x^(n+1)/(m k) times as long as its velocity takes to settle: 1e4 is the most that is
+// followed.
+TEST(StrobeMap, StartsInNoDentThatDampingKeepsItIn) {
+  const double k = 4e4, c = 4e6, n = 1.5;
+  const System damped = three_modes(law_of(n, ContactDamping::kPower, c));
+  const System free = three_modes(law_of(n, ContactDamping::kNone, 0.0));
+  const RigidStop& stop = damped.stops.front();
+  const auto starts = [&](const System& system, double depth) {
     const Vector q = stop.row * ((stop.gap + depth) / stop.row.squaredNorm());
-    return map.pack({q, Vector::Zero(3)});
+    const StrobeMap map(system, {});
+    return map.start_of(system, map.pack({q, Vector::Zero(3)})).has_value();
   };
-  const auto passage = map.follow(system, map.pack(some_state()));
-  ASSERT_TRUE(passage);
-  double peak = 0.0;
-  for (const PassedContact& contact : passage->contacts) peak = std::max(peak, contact.peak_force);
-  const double depth = std::pow(peak / 4e4, 1.0 / 1.5);  // were nothing damped
-  EXPECT_TRUE(map.start_of(system, at_depth(depth)));
-  EXPECT_FALSE(map.start_of(system, at_depth(100.0 * depth)));
+  const double mass = 1.0 / stop.row.squaredNorm();
+  const double deepest = std::pow(1e4 * mass * k / (c * c), 1.0 / (n + 1.0));
+  EXPECT_TRUE(starts(damped, 0.99 * deepest));
+  EXPECT_FALSE(starts(damped, 1.01 * deepest));
+  EXPECT_TRUE(starts(free, 1e3 * deepest));
+}
+
+// Near its resonance an oscillator hits its spring much harder than forcing and gap let expect.
+TEST(StrobeMap, FollowsDeepContactsOfAResonance) {
+  const System system = assemble(
+      support::shipped_scene("12_spring_dashpot_oscillator",
+                             {"modal.damping_ratios=[0.005]",
+                              "stop.spring.damping.restitution=0.98", "forcing.frequency=1.76"}));
+  FinderOptions options;
+  options.impacts = 1;
+  const FoundOrbits found = find_orbits(system, support::state_of({0.0}, {0.0}), options);
+  EXPECT_TRUE(std::any_of(found.orbits.begin(), found.orbits.end(),
+                          [](const Orbit& orbit) { return orbit.stable == true; }));
 }
 
 }  // namespace

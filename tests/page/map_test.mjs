@@ -133,6 +133,16 @@ inPage('a cell of what never repeats says what its numbers are of', () => plane,
   assert.ok(!await isShown(page, '#orbit-circle'));
 });
 
+inPage('every kind of cells that have a motion shows one', () => plane, async (page) => {
+  if (!await page.$eval('#tables details', (details) => details.open)) await page.click('#tables summary >> nth=0');
+  const buttons = await page.$$('#tables details >> nth=0 >> button');
+  assert.ok(buttons.length > 5);
+  for (const button of buttons) {
+    await button.click();
+    assert.ok(await pixelsOf(page, '#orbit-portrait canvas') > 500, await button.textContent());
+  }
+});
+
 // The points of a kind of locus as loci.csv has them, SI.
 function tracedPoints(kind) {
   const [head, ...rows] = readFileSync(join(folder, 'plane', 'loci.csv'), 'utf8').trim().split('\n').map((line) => line.split(','));

@@ -3,7 +3,8 @@ import { element } from './format.js';
 import { dotSwatch, kDotKinds, kLineKinds, lineSwatch, markOf, markSwatch } from './marks.js';
 
 export class Legend {
-  // `entries`: { type, title, swatch(colours) }, which may be changed before it is drawn again; `changed` is called after a click.
+  // `entries`: { type, title, swatch(colours) }; they may be others when it is drawn again. `changed`
+  // is called after a click.
   constructor(root, theme, entries, changed) {
     Object.assign(this, { root, theme, entries, changed });
     this.hidden = new Set();

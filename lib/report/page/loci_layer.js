@@ -1,4 +1,5 @@
-// Loci of special points over a map: dark lines with a pale border, told apart by their dashes.
+// Loci of special points over a map: lines with a border like the ground of the
+// page, told apart by their dashes.
 import { dotSwatch, kCodimensionTwo, kLocusKinds, lineSwatch } from './marks.js';
 
 const kBorder = 1.6;  // px on both sides

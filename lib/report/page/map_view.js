@@ -197,7 +197,7 @@ export class MapView {
     const orbit = kept === null ? null : this.orbits.get(kept);
     const opened = this.panel.open(this.kindName(cell), orbit ? this.orbitPanel.factsOf(orbit) : []);
     this.panel.tellNumbers(this.numbersOf(cell, 7));
-    this.panel.tellRemark(...this.remarksOn(cell, kept === null ? cell : this.view.motions[kept]));
+    this.panel.tellRemark(...this.remarksOn(cell, kept === null ? cell : this.view.motions[kept]), orbit?.remark);
     this.panel.tellCommand(cellCommand(this.view, this.valuesAt(cell)));
     this.orbitPanel.show(orbit);
     if (opened) this.panel.focus();

@@ -63,11 +63,14 @@ function swatch(width, ...children) {
   return made;
 }
 
+// A line as pale as the paper is seen on a ground of its own.
 export function lineSwatch(kind, colours) {
-  return swatch(30, svg('line', {
+  const line = svg('line', {
     x1: 0, x2: 30, y1: 7, y2: 7, stroke: colours[kind.colour] ?? kind.colour,
     'stroke-width': kind.width, 'stroke-dasharray': kind.dash === 'solid' ? 'none' : kind.dash.join(' '),
-  }));
+  });
+  const ground = svg('rect', { x: 0, y: 1, width: 30, height: 12, fill: colours.other });
+  return kind.colour === 'paper' ? swatch(30, ground, line) : swatch(30, line);
 }
 
 export function dotSwatch(kind, colours) {
