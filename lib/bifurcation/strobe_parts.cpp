@@ -87,9 +87,19 @@ class Parting {
     part.points.push_back(*at);
   }
 
+  // Next to a grazing a multiplier can run through the circle within less than the branch resolves:
+  // where it was looked for it has passed it by far.
+  static bool passes_unseen(const CriticalPoint& critical) {
+    constexpr double kFar = 0.01;  // of the modulus; located crossings keep eight digits
+    const bool crosses =
+        critical.kind == CriticalKind::kPeriodDoubling || critical.kind == CriticalKind::kTorus;
+    return crosses && critical.multiplier &&
+           std::abs(std::abs(critical.multiplier->value) - 1.0) > kFar;
+  }
+
   void add_critical(const CriticalPoint& critical) {
     const std::optional<OrbitBranchPoint> at = equations_.judge(critical.point);
-    if (!at || !is_of_orbits(critical)) return;
+    if (!at || !is_of_orbits(critical) || passes_unseen(critical)) return;
     add(critical.point);
     StrobePart& part = parts_.back();
     part.branch.special.push_back(as_special(critical, *at));
@@ -169,7 +179,7 @@ class Parting {
     if (*to <= near_enough(last, speed)) return last;
     if (!(*to < *from)) return {};
     const double first = *from;
-    for (int round = 0; round < kMostRounds && *to > 1e-12 * first; ++round) {
+    for (int round = 0; round<kMostRounds&& * to> 1e-12 * first; ++round) {
       // Not quite there: beyond, the motion is another one.
       const double part = 0.9 * *to / (*from - *to);
       if (!(part > 0.0) || (round == 0 && part > 1.0)) return {};

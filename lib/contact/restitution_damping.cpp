@@ -62,7 +62,8 @@ double power_damping_of(double restitution) {
   const auto miss = [&](double a) { return log1pmx(a) - log1pmx(-a * restitution); };
   // A = 1 - e falls short. As e tends to 0, A e tends to 1, faster than any power.
   const double low = 1.0 - restitution;
-  const double high = std::nextafter(1.0, 0.0) / restitution;
+  double high = std::nextafter(1.0, 0.0) / restitution;
+  while (high * restitution >= 1.0) high = std::nextafter(high, 0.0);  // but for its rounding
   if (!(miss(high) > 0.0)) return high;
   return bracketed_zero(miss, {low, miss(low)}, {high, miss(high)}).second;
 }

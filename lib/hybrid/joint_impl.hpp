@@ -13,6 +13,17 @@
 
 namespace graze {
 
+namespace joint_detail {
+
+// No rate but the rounding of what it is made of.
+inline bool stands_still(const TurningStructure& turning, const Vector& qdot) {
+  const double rounding = impact_detail::kRoundings * std::numeric_limits<double>::epsilon() *
+                          turning.angle_row().cwiseAbs().dot(qdot.cwiseAbs());
+  return std::abs(turning.rate(qdot)) <= rounding;
+}
+
+}  // namespace joint_detail
+
 template <class Real>
 void Motion<Real>::set_joint(Joint joint) {
   if (now_.joint == joint && joint != Joint::kHeld) return;
@@ -29,12 +40,8 @@ template <class Real>
 void Motion<Real>::look_at_joint() {
   if constexpr (std::is_same_v<Real, double>) {
     if (!has_friction()) return;
-    const Vector& row = turning_->angle_row();
-    const double rate = turning_->rate(now_.qdot);
-    const double rounding = impact_detail::kRoundings * std::numeric_limits<double>::epsilon() *
-                            row.cwiseAbs().dot(now_.qdot.cwiseAbs());
-    if (std::abs(rate) > rounding)
-      set_joint(rate > 0.0 ? Joint::kForward : Joint::kBackward);
+    if (!joint_detail::stands_still(*turning_, now_.qdot))
+      set_joint(turning_->rate(now_.qdot) > 0.0 ? Joint::kForward : Joint::kBackward);
     else if (now_.joint != Joint::kHeld)
       stop_joint();
   }
@@ -60,7 +67,7 @@ void Motion<Real>::watch_joint(ContactPhase<Real>& phase, std::vector<Watched>& 
     if (!has_friction()) return;
     int multiplicity = 0;
     double departure = 0.0;
-    if (now_.joint != Joint::kHeld && turning_->rate(now_.qdot) == 0.0) {
+    if (now_.joint != Joint::kHeld && joint_detail::stands_still(*turning_, now_.qdot)) {
       const CurvePoint<double> turned = phase.hub_acceleration_at_start();
       const double sign = now_.joint == Joint::kForward ? 1.0 : -1.0;
       multiplicity = std::abs(turned.value) > turned.noise ? 1 : 2;

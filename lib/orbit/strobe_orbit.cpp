@@ -9,6 +9,7 @@
 #include "graze/base/angle.hpp"
 #include "graze/base/linear_equations.hpp"
 #include "graze/orbit/orbit_clock.hpp"
+#include "graze/orbit/shooting.hpp"
 #include "graze/orbit/solve.hpp"
 
 namespace graze {
@@ -221,7 +222,11 @@ StrobeAnswer solve_from(const System& system, const StrobeMap& map, const Vector
 std::optional<Orbit> orbit_of(const System& system, const StrobeMap& map, const Vector& u,
                               std::vector<Eigenvalue> multipliers, double residual) {
   std::optional<Orbit> orbit = orbit_along(system, map, u, {}, residual);
-  if (!orbit || orbit->impacts.empty()) return {};
+  // Contacts at speeds that are rounding are those of a structure that does not move.
+  const double still = still_speed(system);
+  if (!orbit || std::none_of(orbit->impacts.begin(), orbit->impacts.end(),
+                             [&](const OrbitImpact& impact) { return impact.speed > still; }))
+    return {};
   orbit->multipliers = std::move(multipliers);
   const MultiplierCount count = count_multipliers(orbit->multipliers);
   if (count.outside > 0)

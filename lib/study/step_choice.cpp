@@ -61,7 +61,7 @@ FlowDecision flow_decision(const Scene& scene) {
   if (compliant)
     return {FlowChoice::kExact,
             "between contacts every effect in this scene is linear, so motion and first contact "
-            "have closed forms; contacts with compliant stops are integrated to 1e-13 of their "
+            "have closed forms; contacts with compliant stops are integrated to 1e-14 of their "
             "speed, whatever the tolerance"};
   return {FlowChoice::kExact,
           why + fmt::format("meet the tolerance {:g}, and cost less than steps that would",

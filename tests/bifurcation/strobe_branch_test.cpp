@@ -97,6 +97,21 @@ TEST(StrobeBranches, PassGrazingsOfSmoothForces) {
 }
 
 // A force that sets in with a jump and is released at zero makes a corner there: the branch ends.
+// Beside the grazing that this branch begins with its multiplier runs from far below -1 to it
+// within less than the branch resolves; no doubling is told that is none.
+TEST(StrobeBranches, DoublingsHaveAMultiplierOfMinusOne) {
+  const Scene scene = support::shipped_scene(
+      "13_beam_on_a_spring",
+      {"beam.modes=1", "stop.spring={stiffness=1e7,exponent=1.0}", "forcing.frequency=20.0"});
+  const std::vector<SpecialPoint> doublings =
+      special_of(traced(scene, 19.0, 21.0), SpecialKind::kPeriodDoubling);
+  ASSERT_FALSE(doublings.empty());
+  for (const SpecialPoint& doubling : doublings) {
+    ASSERT_TRUE(doubling.multiplier);
+    EXPECT_NEAR(doubling.multiplier->real(), -1.0, 1e-3) << doubling.at.value;
+  }
+}
+
 TEST(StrobeBranches, EndAtGrazingsOfForcesThatJump) {
   const OrbitBranches result = traced(
       oscillator("stiffness=400.0,exponent=1.0,damping={model=\"kelvin-voigt\",coefficient=2.8}"),

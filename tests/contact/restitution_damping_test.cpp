@@ -63,6 +63,10 @@ TEST(PowerDamping, InversionReturnsTheRestitution) {
     EXPECT_NEAR(restitution_of_power_damping(a), e, 4e-15) << e;
   }
   EXPECT_NEAR(power_damping_of(1.0 - 1e-9), 1.5e-9, 1e-15);  // A = 3(1 - e)/2 + ..
+  for (int i = 1; i < 1000; ++i) {
+    const double e = 0.001 * i;
+    EXPECT_NEAR(restitution_of_power_damping(power_damping_of(e)), e, 4e-15) << e;
+  }
 }
 
 }  // namespace

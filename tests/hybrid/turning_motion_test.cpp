@@ -11,6 +11,7 @@
 #include "graze/hybrid/simulation.hpp"
 #include "graze/structure/hub_beam.hpp"
 #include "support/hub_scene.hpp"
+#include "support/reference.hpp"
 
 namespace graze {
 namespace {
@@ -330,6 +331,19 @@ TEST(TurningMotion, FrictionAndImpacts) {
   ASSERT_EQ(end.outcome, RunOutcome::kReachedEnd) << end.message;
   EXPECT_GT(end.totals.impacts, 3);
   EXPECT_LT(std::abs(end.energy->defect()), 1e-9 * end.energy->size());
+}
+
+// Against a ball, with several sets of contacts between which the hub stands still and is turned
+// on; at a standstill its rate is rounding of either sign.
+TEST(TurningMotion, FrictionHoldsAndLetsGoAtAnyRounding) {
+  for (const char* modes : {"3", "6"})
+    for (const char* friction : {"0.01", "0.02", "0.05", "0.1"}) {
+      const Scene scene = support::shipped_scene(
+          "17_yigit_lee_wang_1",
+          {std::string("beam.modes=") + modes, std::string("hub.friction.coulomb=") + friction});
+      const Simulation end = run(scene, 1.5);
+      EXPECT_EQ(end.outcome, RunOutcome::kReachedEnd) << modes << " " << friction << end.message;
+    }
 }
 
 // Chatter, rest and release by the hundred; what leaves a stop without speed is not met again by

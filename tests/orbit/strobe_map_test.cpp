@@ -233,5 +233,13 @@ TEST(StrobeMap, FollowsDeepContactsOfAResonance) {
                           [](const Orbit& orbit) { return orbit.stable == true; }));
 }
 
+// What meets its stop at speeds of 1e-230 m/s does not move.
+TEST(StrobeOrbit, NothingMovesWithoutForcing) {
+  const System system =
+      assemble(support::shipped_scene("12_spring_dashpot_oscillator", {"forcing.amplitude=0.0"}));
+  const FoundOrbits found = find_orbits(system, support::state_of({0.0}, {0.0}), {});
+  EXPECT_TRUE(found.orbits.empty());
+}
+
 }  // namespace
 }  // namespace graze
