@@ -6,6 +6,8 @@
 #include <cmath>
 #include <limits>
 
+#include "graze/base/angle.hpp"
+#include "graze/flow/contact_phase.hpp"
 #include "graze/system/scale.hpp"
 
 namespace graze {
@@ -17,12 +19,16 @@ constexpr std::size_t kShown = 10;
 // By how much the energy book of a sound run may miss, J. Rounding is multiplied by up to 2^8 where
 // motion is written about its forced response or rest position (exact_flow_impl.hpp), and energies
 // are squares: 2^16. The flights, one per impact and one per forcing period at least, err to either
-// side, so that their errors add up like the root of their number.
+// side, so that their errors add up like the root of their number. A structure that turns is
+// integrated in steps of a quarter of its quickest oscillation, each to kStepTolerance of the
+// velocities, whose squares may all err to one side.
 double book_rounding(const System& system, const Simulation& run) {
   constexpr double kAmplification = 0x1p16;
   const double periods = system.forcing ? run.end_time / system.period() : 0.0;
   const double flights = 1.0 + periods + static_cast<double>(run.totals.impacts);
-  return kAmplification * std::numeric_limits<double>::epsilon() * std::sqrt(flights) *
+  const double steps = system.rotation ? 4.0 * system.omega.maxCoeff() / kTurn * run.end_time : 0.0;
+  return (kAmplification * std::numeric_limits<double>::epsilon() * std::sqrt(flights) +
+          2.0 * kStepTolerance * steps) *
          run.energy->size();
 }
 

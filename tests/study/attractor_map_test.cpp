@@ -121,12 +121,13 @@ void expect_back(const Scene& scene, const AttractorMap& map, const CellMotion& 
   const support::RecordedRun run =
       support::record_run(system, motion.start, support::for_seconds(duration));
   const State& end = run.result.final;
-  // Both are within 1e-8 of the orbit, in units of the scale.
+  // Within 1e-8 of the orbit at its impacts, in phases and relative speeds; between them, where one
+  // is slow, within a hundred times as much.
   const ShootingScale scale = shooting_scale(system);
   const Vector moved = (end.q - motion.start.q) / scale.displacement,
                faster = (end.qdot - motion.start.qdot).cwiseQuotient(scale.velocity);
-  EXPECT_LT(moved.cwiseAbs().maxCoeff(), 1e-7) << motion.cell;
-  EXPECT_LT(faster.cwiseAbs().maxCoeff(), 1e-7) << motion.cell;
+  EXPECT_LT(moved.cwiseAbs().maxCoeff(), 1e-5) << motion.cell;
+  EXPECT_LT(faster.cwiseAbs().maxCoeff(), 1e-5) << motion.cell;
 }
 
 TEST(AttractorMap, KeepsMotionsSpreadOverThePlane) {
