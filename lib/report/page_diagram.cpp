@@ -150,8 +150,8 @@ void DiagramPage::add_sweep(const Sweep& swept, const std::vector<PageObservable
 
 void DiagramPage::add_exponents(const Sweep& swept) {
   if (swept.options.exponent_periods == 0) return;
-  std::vector<double> values;
-  std::vector<float> heights;
+  std::vector<double> values, lower_values;
+  std::vector<float> heights, lower_heights;
   AxisRange range;
   range.include(0.0);
   for (const SweepRow& row : swept.rows) {
@@ -160,13 +160,19 @@ void DiagramPage::add_exponents(const Sweep& swept) {
     const double height = known ? row.exponents->values[0] : std::nan("");
     heights.push_back(static_cast<float>(height));
     range.include(height);
+    for (Eigen::Index j = 1; known && j < row.exponents->values.size(); ++j) {
+      if (!std::isfinite(row.exponents->values[j])) continue;
+      lower_values.push_back(row.value);
+      lower_heights.push_back(static_cast<float>(row.exponents->values[j]));
+    }
   }
   // Superstable orbits reach down without bound; what tells order from chaos lies about zero.
   if (range.high > 0.0) range.low = std::max(range.low, -kDeepest * range.high);
-  Json strip = page_axis("largest exponent", "1/s", range);
+  Json strip = page_axis("exponents", "1/s", range);
   strip["reference"] = 0.0;
   strip["values"] = packed(values);
   strip["heights"] = packed(heights);
+  strip["lower"] = {{"values", packed(lower_values)}, {"heights", packed(lower_heights)}};
   view_["strips"].push_back(strip);
 }
 

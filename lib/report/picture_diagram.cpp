@@ -21,17 +21,23 @@ constexpr std::size_t kMostPanels = 4;
 constexpr double kDeepest = 2.0;      // exponents shown below zero, by those above
 constexpr double kLineWeight = 0.55;  // thinner than without the dots under the curves
 
-enum Dot : std::size_t { kWild, kPeriodic, kDots };
+// In the order in which they are drawn.
+enum Dot : std::size_t { kLower, kWild, kPeriodic, kDots };
 struct DotStyle {
   const char *name, *title, *colour;
 };
-constexpr std::array<DotStyle, kDots> kDotStyles = {
-    {{"wild", "sweep: not periodic", "#999999"}, {"periodic", "sweep: periodic", "#000000"}}};
+constexpr std::array<DotStyle, kDots> kDotStyles = {{{"lower", "other exponents", kOrange},
+                                                     {"wild", "sweep: not periodic", kGrey},
+                                                     {"periodic", "sweep: periodic", kBlack}}};
 
 struct DotAt {
   double x, y;
-  bool wild;
+  Dot kind;
 };
+
+Dot kind_of(const SweepRow& row) {
+  return row.status == SweepStatus::kNotPeriodic ? kWild : kPeriodic;
+}
 
 // One pair of axes: all impacts, or the displacement at one place.
 struct Panel {
@@ -53,25 +59,24 @@ std::vector<DotAt> dots_of(const DiagramRecord& record, int stop) {
   std::vector<DotAt> dots;
   for (const SweepRow& row : record.swept.rows) {
     if (!is_shown(row)) continue;
-    const bool wild = row.status == SweepStatus::kNotPeriodic;
+    const Dot kind = kind_of(row);
     if (record.section == DiagramSection::kImpact)
       for (const MetImpact& impact : row.motion.impacts)
-        dots.push_back({row.value, impact.speed, wild});
+        dots.push_back({row.value, impact.speed, kind});
     else
       for (const SweepRow::Strobe& strobe : row.strobes)
-        if (strobe.stop == stop) dots.push_back({row.value, strobe.displacement, wild});
+        if (strobe.stop == stop) dots.push_back({row.value, strobe.displacement, kind});
   }
   return dots;
 }
 
-// The largest exponents; none for minus infinity.
+// None for minus infinity.
 std::vector<DotAt> exponent_dots(const DiagramRecord& record) {
   std::vector<DotAt> dots;
   for (const SweepRow& row : record.swept.rows)
-    if (row.exponents && row.exponents->values.size() > 0 &&
-        std::isfinite(row.exponents->values[0]))
-      dots.push_back(
-          {row.value, row.exponents->values[0], row.status == SweepStatus::kNotPeriodic});
+    for (Eigen::Index j = 0; row.exponents && j < row.exponents->values.size(); ++j)
+      if (std::isfinite(row.exponents->values[j]))
+        dots.push_back({row.value, row.exponents->values[j], j > 0 ? kLower : kind_of(row)});
   return dots;
 }
 
@@ -150,8 +155,7 @@ class DiagramPicture {
     panel.y = {panel.unit.factor * y.low, panel.unit.factor * y.high};
     panel.y.settle(0.05);
     for (const DotAt& dot : panel.dots)
-      panel.tables[dot.wild ? kWild : kPeriodic].row(
-          {x_unit_.factor * dot.x, panel.unit.factor * dot.y});
+      panel.tables[dot.kind].row({x_unit_.factor * dot.x, panel.unit.factor * dot.y});
     panel.branches.emplace(
         curves.empty() ? std::vector<OrbitBranch>() : record_.branches.traced.branches, curves,
         PicturePlane{x_unit_.factor, panel.unit.factor, x_, panel.y}, kLineWeight,
@@ -160,17 +164,18 @@ class DiagramPicture {
   }
 
   void add_exponents() {
-    Panel panel{"largest\nexponent", exponent_dots(record_), {}, {}, {}, {}, true};
+    Panel panel{"Lyapunov\nexponents", exponent_dots(record_), {}, {}, {}, {}, true};
     AxisRange y;
     y.include(0.0);
-    for (const DotAt& dot : panel.dots) y.include(dot.y);
-    // Superstable orbits reach down without bound; what tells order from chaos lies about zero.
+    // Superstable orbits reach down without bound, and so do all other exponents; what
+    // tells order from chaos lies about zero.
+    for (const DotAt& dot : panel.dots)
+      if (dot.kind != kLower) y.include(dot.y);
     if (y.high > 0.0) y.low = std::max(y.low, -kDeepest * y.high);
     panel.unit = {1.0, "1/s"};
     panel.y = y;
     panel.y.settle(0.05);
-    for (const DotAt& dot : panel.dots)
-      panel.tables[dot.wild ? kWild : kPeriodic].row({x_unit_.factor * dot.x, dot.y});
+    for (const DotAt& dot : panel.dots) panel.tables[dot.kind].row({x_unit_.factor * dot.x, dot.y});
     panel.branches.emplace(std::vector<OrbitBranch>(), std::vector<DiagramCurve>(),
                            PicturePlane{x_unit_.factor, 1.0, x_, panel.y}, kLineWeight,
                            fmt::format("panel{}_", panels_.size() + 1));
@@ -247,8 +252,8 @@ class DiagramPicture {
   // Motions that never repeat fill areas: their dots shrink as they crowd.
   static double dot_size(const Panel& panel, std::size_t kind) {
     if (kind != kWild) return 1.0;
-    const auto crowd =
-        std::count_if(panel.dots.begin(), panel.dots.end(), [](auto& dot) { return dot.wild; });
+    const auto crowd = std::count_if(panel.dots.begin(), panel.dots.end(),
+                                     [](auto& dot) { return dot.kind == kWild; });
     return std::clamp(std::sqrt(4000.0 / static_cast<double>(crowd)), 0.5, 1.0);
   }
 
@@ -262,12 +267,13 @@ class DiagramPicture {
     return layers;
   }
 
-  // Every panel shows the same rows and branches.
+  // Every panel shows the same rows, and all but that of the exponents the same branches.
   std::vector<std::string> legend() const {
     const Panel& panel = panels_.front();
     std::vector<std::string> entries;
     for (std::size_t k = kDots; k-- > 0;)
-      if (!panel.tables[k].empty())
+      if (std::any_of(panels_.begin(), panels_.end(),
+                      [&](const Panel& any) { return !any.tables[k].empty(); }))
         entries.push_back(fmt::format("NaN with points pt 7 ps 0.35 lc rgb '{}' title '{}'",
                                       kDotStyles[k].colour, kDotStyles[k].title));
     for (const std::string& entry : panel.branches->legend()) entries.push_back(entry);

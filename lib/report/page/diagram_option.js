@@ -2,7 +2,7 @@
 // points. The dots of the sweep lie under it (dot_layer.js).
 import { axis, hertzAxis, kCommon } from './echarts_parts.js';
 import { axisName } from './format.js';
-import { kLineKinds, markOf } from './marks.js';
+import { kLineKinds, kLowerKind, markOf } from './marks.js';
 
 const kStrip = 120, kBetween = 26;  // height of a panel below the picture, and what is above it, px
 
@@ -93,18 +93,24 @@ function markSeries(view, shown, type, shows, colours) {
   };
 }
 
-function stripSeries(view, strip, i, colours) {
-  const data = Array.from(strip.values, (value, k) => [view.parameter.factor * value, strip.factor * strip.heights[k]]);
-  return {
-    id: `strip ${i}`, type: 'scatter', xAxisIndex: i + 1, yAxisIndex: i + 1, data, clip: true,
-    silent: true, animation: false, symbolSize: data.length > 2000 ? 2 : 3,
-    itemStyle: { color: colours.blue, opacity: 1 },
-    markLine: strip.reference === undefined ? undefined : {
+// Its largest values, over the others if those are shown.
+function stripSeries(view, strip, i, shows, colours) {
+  const dots = (id, { values, heights }, colour, z) => {
+    const data = Array.from(values, (value, k) => [view.parameter.factor * value, strip.factor * heights[k]]);
+    return {
+      id, type: 'scatter', xAxisIndex: i + 1, yAxisIndex: i + 1, data, clip: true, silent: true, animation: false,
+      symbolSize: strip.values.length > 2000 ? 2 : 3, z, itemStyle: { color: colours[colour], opacity: 1 },
+    };
+  };
+  const largest = dots(`strip ${i}`, strip, 'blue', 4);
+  if (strip.reference !== undefined)
+    largest.markLine = {
       symbol: 'none', silent: true, label: { show: false },
       lineStyle: { color: colours.faint, type: 'solid', width: 1 },
       data: [{ yAxis: strip.factor * strip.reference }],
-    },
-  };
+    };
+  const none = { values: [], heights: [] };
+  return [dots(`strip ${i} lower`, shows(kLowerKind.type) ? strip.lower : none, kLowerKind.colour, 3), largest];
 }
 
 export function diagramOption(view, shown, shows, colours, height) {
@@ -118,7 +124,7 @@ export function diagramOption(view, shown, shows, colours, height) {
       data: [{ yAxis: shown.factor * shown.reference }],
     };
   series.push(...types.map((type) => markSeries(view, shown, type, shows, colours)));
-  series.push(...view.strips.map((strip, i) => stripSeries(view, strip, i, colours)));
+  series.push(...view.strips.flatMap((strip, i) => stripSeries(view, strip, i, shows, colours)));
   return {
     ...kCommon,
     grid: grids(view, height), xAxis: x, yAxis: yAxes(view, shown, colours), series,

@@ -1,6 +1,6 @@
 // The legend: a button for each type of what is shown, which hides it and shows it again.
 import { element } from './format.js';
-import { dotSwatch, kDotKinds, kLineKinds, lineSwatch, markOf, markSwatch } from './marks.js';
+import { dotSwatch, kDotKinds, kLineKinds, kLowerKind, lineSwatch, markOf, markSwatch } from './marks.js';
 
 export class Legend {
   // `entries`: { type, title, swatch(colours) }; they may be others when it is drawn again. `changed`
@@ -44,5 +44,6 @@ export function diagramEntries(view) {
     const mark = markOf(type);
     entries.push({ type, title: mark.title, swatch: (colours) => markSwatch(mark, colours) });
   }
+  if (view.strips.length > 0) entries.push({ ...kLowerKind, swatch: (colours) => dotSwatch(kLowerKind, colours) });
   return entries;
 }

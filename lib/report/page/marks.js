@@ -23,6 +23,8 @@ export const kDotKinds = [
   { type: 'wild', title: 'sweep: not periodic', colour: 'grey' },
 ];
 
+export const kLowerKind = { type: 'lower', title: 'other exponents', colour: 'orange' };
+
 // Paths in a box of 20 by 20.
 const kPaths = {
   circle: 'M10 1A9 9 0 1 0 10 19A9 9 0 1 0 10 1Z',
