@@ -64,12 +64,23 @@ class StrobeTracer {
     return values;
   }
 
+  // First from the closed forms, which cost next to nothing, then from simulations, which may never
+  // settle: whoever stops them has the branches of the former.
   void trace_from_values() {
-    for (const double value : start_values()) {
-      if (options_.stop.requested()) return;
-      if (options_.progress) options_.progress(progress_++ / (1.0 + options_.start_values));
-      trace_at(value);
-    }
+    FinderOptions quick = options_.finder, slow = options_.finder;
+    quick.from_simulation = quick.from_random = false;
+    slow.from_closed_form = false;
+    const std::vector<double> values = start_values();
+    double done = 0.0;
+    for (const FinderOptions* finder : {&quick, &slow})
+      for (const double value : values) {
+        if (options_.stop.requested()) return;
+        if (options_.progress)
+          options_.progress(done++ / (2.0 * static_cast<double>(values.size())));
+        trace_at(value, *finder);
+        // Random starts cost more than all else: at the first value only.
+        slow.from_random = slow.from_random && finder == &quick;
+      }
   }
 
   // At the family's own value.
@@ -99,16 +110,12 @@ class StrobeTracer {
     return *place;
   }
 
-  void trace_at(double value) {
+  void trace_at(double value, FinderOptions finder) {
     const std::optional<System> system = family_.at(value);
     if (!system) return;
-    FinderOptions finder = options_.finder;
     finder.period = options_.period;
     finder.impacts = options_.impacts;
     finder.stop = options_.stop;
-    // Random starts cost more than all else: at the first value only.
-    finder.from_random = finder.from_random && first_value_;
-    first_value_ = false;
     finder.closure_speed = strobe_.closure_speed;
     const FoundOrbits found = find_orbits(*system, clear_start(family_.scene(), *system), finder);
     if (result_.notes.empty()) result_.notes = found.notes;
@@ -216,8 +223,6 @@ class StrobeTracer {
   OrbitBranches result_;
   ContinuationOptions range_;
   StrobeOptions strobe_;
-  double progress_ = 0.0;
-  bool first_value_ = true;
   std::map<int, std::unique_ptr<StrobeEquations>> equations_;  // by period
   std::vector<Traced> traced_;
   // Of each found branch: its special points in the trace, and the equations it solves.
