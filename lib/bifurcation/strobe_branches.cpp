@@ -79,7 +79,7 @@ class StrobeTracer {
           options_.progress(done++ / (2.0 * static_cast<double>(values.size())));
         trace_at(value, *finder);
         // Random starts cost more than all else: at the first value only.
-        slow.from_random = slow.from_random && finder == &quick;
+        if (finder == &slow) slow.from_random = false;
       }
   }
 

@@ -179,7 +179,7 @@ class Parting {
     if (*to <= near_enough(last, speed)) return last;
     if (!(*to < *from)) return {};
     const double first = *from;
-    for (int round = 0; round<kMostRounds&& * to> 1e-12 * first; ++round) {
+    for (int round = 0; round < kMostRounds && 1e-12 * first < *to; ++round) {
       // Not quite there: beyond, the motion is another one.
       const double part = 0.9 * *to / (*from - *to);
       if (!(part > 0.0) || (round == 0 && part > 1.0)) return {};

@@ -1,7 +1,5 @@
 #include "graze/report/json_page_map.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cstdint>
 #include <limits>
@@ -14,7 +12,6 @@
 #include "graze/report/json_document.hpp"
 #include "graze/report/json_page_orbits.hpp"
 #include "graze/report/picture_locus_curves.hpp"
-#include "graze/scene/start_coordinate.hpp"
 #include "graze/study/settled_row.hpp"
 
 namespace graze {
@@ -26,23 +23,12 @@ constexpr std::size_t kMostBytes = 8'000'000;
 // A number of a cell that says nothing of where it is (Knuth's multiplicative hash).
 std::uint32_t shuffled(std::size_t cell) { return static_cast<std::uint32_t>(cell) * 2654435761u; }
 
-// What differs from the scene of the run but for the start, which a motion brings along.
-std::vector<std::string> settings_of(const Plane& plane, std::size_t cell) {
-  std::vector<std::string> settings;
-  if (!names_start_coordinate(plane.x.name))
-    settings.push_back(fmt::format("{}={}", plane.x.name, plane.x_at(cell)));
-  if (!names_start_coordinate(plane.y.name))
-    settings.push_back(fmt::format("{}={}", plane.y.name, plane.y_at(cell)));
-  return settings;
-}
-
 Json cell_motion(const PageSource& source, const MapRecord& record, const Scene& scene,
                  const CellMotion& motion) {
-  const AttractorMapOptions& plane = record.map.options;
   try {
-    Json json = page_motion(source, assemble(scene_at(scene, plane, motion.cell)),
-                            {record.map.cells[motion.cell].attractor, motion.start, std::nullopt,
-                             settings_of(plane, motion.cell), "map"});
+    Json json = page_motion(
+        source, assemble(scene_at(scene, record.map.options, motion.cell)),
+        {record.map.cells[motion.cell].attractor, motion.start, std::nullopt, {}, "map"});
     // The page has the command that comes here from the cell's own start.
     if (json.is_object()) json.erase("command");
     return json;

@@ -7,8 +7,7 @@
 
 namespace graze {
 
-// Adds what the motions of the map do to `orbits`; which cells they are of, and their indices
-// there.
+// Adds what the motions of the map do to `orbits`; the cells that they are of, in their order.
 Json cell_motions_json(const MapRecord& record, const Scene& scene, Json& orbits);
 
 // The lines of all loci, by kind, and the points of codimension two; null without any.

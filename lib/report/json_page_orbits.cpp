@@ -139,16 +139,17 @@ Followed followed(const PageSource& source, const System& system, const State& s
   options.periods = periods;
   options.max_impacts = kMostImpacts;
   options.closure_speed = source.closure_speed.value_or(default_closure_speed(system, start));
-  RunListeners listeners;
   options.stop = source.stop;
+  RunListeners listeners;
   const double apart = static_cast<double>(periods) * system.period() / source.most_samples;
   std::vector<double> last(system.stops.size(), -apart);
   listeners.event = [&](const Event& event) {
-    const bool meets = event.kind == EventKind::kImpact || event.kind == EventKind::kContact;
-    if (meets) followed.impacts.push_back(event);
-    double& before = last[static_cast<std::size_t>(event.stop)];
-    if (meets && event.time - before < apart) return;
-    if (meets) before = event.time;
+    if (event.kind == EventKind::kImpact || event.kind == EventKind::kContact) {
+      followed.impacts.push_back(event);
+      double& before = last[static_cast<std::size_t>(event.stop)];
+      if (event.time - before < apart) return;
+      before = event.time;
+    }
     record.events.push_back(event);
   };
   listeners.sample = [&](const Sample& sample) { record.samples.push_back(sample); };
