@@ -7,6 +7,7 @@
 #include "graze/bifurcation/pattern_loci.hpp"
 #include "graze/hybrid/simulation.hpp"
 #include "graze/orbit/closed_form.hpp"
+#include "graze/orbit/finder.hpp"
 #include "graze/scene/reader.hpp"
 #include "graze/study/step_choice.hpp"
 #include "graze/study/sweep.hpp"
@@ -73,6 +74,34 @@ void TraceLocus(benchmark::State& state) {
                          benchmark::Counter::kIsRate | benchmark::Counter::kInvert);
 }
 BENCHMARK(TraceLocus)->Arg(1)->Arg(2)->Arg(4)->Unit(benchmark::kMillisecond);
+
+// Orbits of the beam that rests on its stop in every period, over the forcing frequency.
+void TraceSticking(benchmark::State& state) {
+  const SystemFamily family(read_scene(GRAZE_SOURCE_DIR "/data/scenes/09_soft_stop_two_modes.toml"),
+                            "forcing.frequency");
+  BranchOptions options;
+  options.from = 35.0;
+  options.to = 40.0;
+  std::size_t points = 0;
+  for (auto _ : state) {
+    const OrbitBranches traced = trace_orbits(family, options);
+    for (const OrbitBranch& branch : traced.branches) points += branch.points.size();
+  }
+  state.counters["points"] = static_cast<double>(points) / static_cast<double>(state.iterations());
+}
+BENCHMARK(TraceSticking)->Unit(benchmark::kMillisecond);
+
+// What `graze orbit` does on the beam of scene 14 against a steel ball, on one core.
+void FindCompliantOrbit(benchmark::State& state) {
+  const Scene scene = read_scene(GRAZE_SOURCE_DIR "/data/scenes/14_beam_against_a_ball.toml");
+  const System system = assemble(scene);
+  const State start = initial_state(scene, system);
+  const FinderOptions options;
+  std::size_t orbits = 0;
+  for (auto _ : state) orbits = find_orbits(system, start, options).orbits.size();
+  state.counters["orbits"] = static_cast<double>(orbits);
+}
+BENCHMARK(FindCompliantOrbit)->Unit(benchmark::kMillisecond);
 
 // 3000 forcing periods of scene 05: 2999 impacts, no chatter.
 void SimulateOneMode(benchmark::State& state) {
