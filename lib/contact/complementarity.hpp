@@ -3,9 +3,11 @@
 //   p >= 0,   w = v - D p <= 0,   p_i w_i = 0,
 //
 // v: what would happen without them (approach speeds to be undone, accelerations into the stops,
-// penetrations); D: how each of them acts on each (Delassus matrix). The contacts that act are
-// searched among all sets of them, in one order: few are ever touched at one instant, and contacts
-// that depend on each other (two stops at one place) need no rule of their own.
+// penetrations); D: how each of them acts on each (Delassus matrix). The set of contacts that act
+// is found by letting the first one that contradicts itself change sides, which ends at the
+// solution where all principal minors of D are positive, as those of independent contacts are (K.
+// G. Murty, Opsearch 11, 1974, 123-130). Where contacts depend on each other (two stops at one
+// place) all sets are tried, in one order.
 #pragma once
 
 #include <Eigen/Core>
@@ -31,6 +33,42 @@ Eigen::Matrix<Real, Eigen::Dynamic, 1> rounding_of_action(
          p.cwiseAbs();
 }
 
+// What comes of letting these contacts act, bit i of `set` for contact i.
+template <class Real>
+struct ContactTrial {
+  Eigen::Matrix<Real, Eigen::Dynamic, 1> p;
+  bool solvable = true;  // else the contacts of the set depend on each other
+  int violated = -1;     // the first contact that pulls, or gives way without acting; -1: none does
+};
+template <class Real>
+ContactTrial<Real> try_contacts(const Eigen::Matrix<Real, Eigen::Dynamic, Eigen::Dynamic>& delassus,
+                                const Eigen::Matrix<Real, Eigen::Dynamic, 1>& v,
+                                const Eigen::Matrix<Real, Eigen::Dynamic, 1>& rounding, int set) {
+  using ResultVector = Eigen::Matrix<Real, Eigen::Dynamic, 1>;
+  const auto n = static_cast<int>(v.size());
+  std::vector<Eigen::Index> active;
+  for (int i = 0; i < n; ++i)
+    if ((set >> i & 1) != 0) active.push_back(i);
+  ContactTrial<Real> trial{ResultVector::Zero(n)};
+  ResultVector& p = trial.p;
+  if (!active.empty()) {
+    const auto lu = delassus(active, active).eval().fullPivLu();
+    trial.solvable = lu.isInvertible();
+    if (!trial.solvable) return trial;
+    p(active) = lu.solve(v(active).eval());
+    // Once more for what is left: rows of different size come out with roundings of the largest.
+    p(active) += lu.solve((v - delassus * p)(active).eval());
+  }
+  const ResultVector w = v - delassus * p;
+  const ResultVector own = rounding_of_action(delassus, p);
+  for (int i = 0; i < n && trial.violated < 0; ++i) {
+    const bool fits =
+        (set >> i & 1) != 0 ? p[i] * delassus(i, i) >= -rounding[i] : w[i] <= rounding[i] + own[i];
+    if (!fits) trial.violated = i;
+  }
+  return trial;
+}
+
 // p, or nothing where no set of contacts fits (they contradict each other) or there are too many.
 // `rounding`: of v, per contact; a violation within it and that of p counts as none.
 template <class Real>
@@ -38,29 +76,19 @@ std::optional<Eigen::Matrix<Real, Eigen::Dynamic, 1>> solve_contacts(
     const Eigen::Matrix<Real, Eigen::Dynamic, Eigen::Dynamic>& delassus,
     const Eigen::Matrix<Real, Eigen::Dynamic, 1>& v,
     const Eigen::Matrix<Real, Eigen::Dynamic, 1>& rounding) {
-  using ResultVector = Eigen::Matrix<Real, Eigen::Dynamic, 1>;
   const auto n = static_cast<int>(v.size());
   if (n > kMostContacts) return {};
-  std::vector<Eigen::Index> active;
-  for (int set = 0; set < 1 << n; ++set) {
-    active.clear();
-    for (int i = 0; i < n; ++i)
-      if ((set >> i & 1) != 0) active.push_back(i);
-    ResultVector p = ResultVector::Zero(n);
-    if (!active.empty()) {
-      const auto lu = delassus(active, active).eval().fullPivLu();
-      if (!lu.isInvertible()) continue;
-      p(active) = lu.solve(v(active).eval());
-      // Once more for what is left: rows of different size come out with roundings of the largest.
-      p(active) += lu.solve((v - delassus * p)(active).eval());
-    }
-    const ResultVector w = v - delassus * p;
-    const ResultVector own = rounding_of_action(delassus, p);
-    bool fits = true;
-    for (int i = 0; i < n && fits; ++i)
-      fits = (set >> i & 1) != 0 ? p[i] * delassus(i, i) >= -rounding[i]
-                                 : w[i] <= rounding[i] + own[i];
-    if (fits) return p.cwiseMax(Real(0));
+  const int sets = 1 << n;
+  int set = 0;
+  for (int tried = 0; tried < sets; ++tried) {
+    const ContactTrial<Real> trial = try_contacts<Real>(delassus, v, rounding, set);
+    if (!trial.solvable) break;
+    if (trial.violated < 0) return trial.p.cwiseMax(Real(0));
+    set ^= 1 << trial.violated;
+  }
+  for (set = 0; set < sets; ++set) {
+    const ContactTrial<Real> trial = try_contacts<Real>(delassus, v, rounding, set);
+    if (trial.solvable && trial.violated < 0) return trial.p.cwiseMax(Real(0));
   }
   return {};
 }

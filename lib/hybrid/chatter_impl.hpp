@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 
 #include "graze/contact/complementarity.hpp"
 #include "graze/hybrid/first_zero.hpp"
@@ -22,7 +23,7 @@ std::optional<ClosedChatter<Real>> Motion<Real>::close_chatter(
     ++hits;
     if (!fastest || share.speed > fastest->speed) fastest = &share;
   }
-  if (!fastest || !changes_.empty() || is_sprung()) return {};
+  if (!fastest || is_sprung()) return {};
   const Real speed = std::max<Real>(closure_speed, resolved_speed());
   if (!(fastest->speed <= speed)) {
     now_.unsummed = 0;
@@ -177,9 +178,13 @@ std::optional<ClosedChatter<Real>> Motion<Real>::close_shared(const Real& closur
   }
   // A look at it costs as much as a thousand impacts.
   const Real left = Real(speed_left(chatter));
-  if (now_.unsummed > 0 && 2 * left > now_.unsummed) return {};
-  now_.unsummed = left;
-  const std::optional<double> found = time_to_rest(chatter, static_cast<double>(closure_speed));
+  std::optional<double> found;
+  if (!(now_.unsummed > 0 && 2 * left > now_.unsummed)) {
+    now_.unsummed = left;
+    found = time_to_rest(chatter, static_cast<double>(closure_speed));
+  }
+  // What cannot be told from rest is over at once.
+  if (!found && left <= resolved_speed()) found = 0.0;
   if (!found) return {};
   const Real duration = Real(*found);
   const auto [q, qdot] = at_rest_on(stops);
@@ -195,6 +200,18 @@ std::optional<ClosedChatter<Real>> Motion<Real>::close_shared(const Real& closur
   now_.qdot = qdot;
   now_.unsummed = 0;
   return settled(stops, duration);
+}
+
+template <class Real>
+bool Motion<Real>::rest_together(const Real& speed) {
+  using std::abs;
+  const std::vector<int> stops = chattering_together(speed);
+  if (stops.empty()) return false;
+  for (const int i : stops)
+    if (!is_held(i) && !(abs(approach_speed(i)) <= speed)) return false;
+  std::tie(now_.q, now_.qdot) = at_rest_on(stops);
+  settled(stops, Real(0));
+  return true;
 }
 
 // Velocities, and positions where a stop is still to be reached, after the impulses that put the

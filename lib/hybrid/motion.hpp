@@ -92,7 +92,7 @@ template <class Real>
 struct MotionState {
   Instant<Real> instant;
   RealVector<Real> q, qdot;
-  std::vector<Contact> contacts;    // one per stop
+  std::vector<Contact> contacts;  // one per stop
   // Of the zero at the instant, one per stop: of the gap, or beyond a surface of the force's grip.
   std::vector<int> multiplicities;
   // The speed left in a shared chatter that could not be summed, m/s; 0: there was none. It is
@@ -136,6 +136,10 @@ class Motion {
   // v+, against a push a_n:
   //   duration = 2 v+/(a_n (1 - r)),   duration * |d a_n/dt| <= a_n/2.
   std::optional<ClosedChatter<Real>> close_chatter(int stop, const Real& restitution);
+  // Puts the structure to rest on the several stops that throw it at each other at no more than
+  // `speed` (m/s), where all of them would press; for motions in which what passes at such speeds
+  // takes no time worth telling. Returns whether there are such stops.
+  bool rest_together(const Real& speed);
 
   const Instant<Real>& instant() const { return now_.instant; }
   const RealVector<Real>& q() const { return now_.q; }

@@ -64,6 +64,22 @@ double speed_left(const Motion<double>& motion, const Vector& forces) {
   return most;
 }
 
+double fastest_hit(const std::vector<ImpactShare<double>>& shares) {
+  double fastest = 0.0;
+  for (const ImpactShare<double>& share : shares)
+    if (share.hit) fastest = std::max(fastest, share.speed);
+  return fastest;
+}
+
+// Each stop's own chatter.
+void close_each(Motion<double>& motion, const std::vector<ImpactShare<double>>& shares,
+                const ContactsAlone& alone) {
+  for (const ImpactShare<double>& share : shares) {
+    const Restitution& r = alone.system.stops[static_cast<std::size_t>(share.stop)].restitution;
+    if (share.hit) motion.close_chatter(share.stop, r.at(share.speed));
+  }
+}
+
 }  // namespace
 
 double speed_left(const SharedChatter& chatter) {
@@ -92,10 +108,8 @@ std::optional<double> time_to_rest(const SharedChatter& chatter, double closure_
     if (arrival.kind != ArrivalKind::kContact) continue;
     if (!(arrival.speed <= closure_speed)) return {};
     const std::vector<ImpactShare<double>> shares = motion.impact();
-    for (const ImpactShare<double>& share : shares) {
-      const Restitution& r = alone.system.stops[static_cast<std::size_t>(share.stop)].restitution;
-      if (share.hit && share.speed <= least) motion.close_chatter(share.stop, r.at(share.speed));
-    }
+    if (fastest_hit(shares) <= least && !motion.rest_together(least))
+      close_each(motion, shares, alone);
   }
   const double time = motion.instant().local, left = speed_left(motion, forces) / first;
   if (left > kPartInSight) return {};

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/LU>
+#include <algorithm>
 #include <cmath>
 #include <string>
 
@@ -149,6 +150,54 @@ TEST(SharedChatter, ErrsBySecondOrderInItsSpeed) {
     EXPECT_LE(middle, coarse / 20.0) << "N = " << modes;
     EXPECT_LE(fine, middle / 20.0) << "N = " << modes;
     EXPECT_GT(coarse, 1e-6 * exact.norm()) << "nothing was summed";
+  }
+}
+
+// A plucked string that lays itself onto frets without rebound. Whatever meets a fret pushes the
+// string off others that held it, which it comes back to a hundred times more slowly.
+System string_over_frets(int modes, int frets, double restitution) {
+  System system{Vector(modes), Vector(modes), {}, {}, {}};
+  for (int j = 1; j <= modes; ++j) {
+    system.omega[j - 1] = 600.0 * j;
+    system.delta[j - 1] = 2e-4 * system.omega[j - 1];
+  }
+  for (int k = 1; k <= frets; ++k) {
+    Vector row(modes);
+    for (int j = 1; j <= modes; ++j) row[j - 1] = -std::sqrt(2.0) * std::sin(j * M_PI * 0.04 * k);
+    system.stops.push_back({row, 6e-4, momentum_direction(row), Restitution(restitution)});
+  }
+  return system;
+}
+State plucked(int modes, double height, double place) {
+  Vector q(modes);
+  for (int j = 1; j <= modes; ++j)
+    q[j - 1] = height * std::sqrt(2.0) * std::sin(j * M_PI * place) /
+               (j * j * M_PI * M_PI * place * (1.0 - place));
+  return {q, Vector::Zero(modes)};
+}
+
+TEST(SharedChatter, OfAStringOnItsFretsIsSummedAtItsFirstSlowImpacts) {
+  const System system = string_over_frets(40, 10, 0.0);
+  const State start = plucked(40, 1e-2, 0.7);
+  const double quickest = (system.omega.cwiseProduct(start.q)).norm();  // m/s
+  const auto run_at = [&](double speed) {
+    SimulationOptions options = for_seconds(0.01);
+    options.closure_speed = speed;
+    RecordedRun run = record_run(system, start, options);
+    EXPECT_EQ(run.result.outcome, RunOutcome::kReachedEnd) << run.result.message;
+    return run;
+  };
+  const Vector exact = run_at(1e-9).result.final.q;
+  for (const double speed : {1e-3, 1e-4, 1e-5}) {
+    SCOPED_TRACE(testing::Message() << "closure speed " << speed << " m/s");
+    const RecordedRun run = run_at(speed);
+    const auto slow = std::count_if(run.events.begin(), run.events.end(), [&](const Event& event) {
+      return event.kind == EventKind::kImpact && event.speed < speed;
+    });
+    EXPECT_GT(run.result.totals.chatters, 0);
+    EXPECT_LE(slow, run.result.totals.chatters);
+    // What is summed errs by second order.
+    EXPECT_LE((run.result.final.q - exact).norm(), std::pow(speed / quickest, 2) * exact.norm());
   }
 }
 
