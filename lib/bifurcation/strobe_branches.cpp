@@ -153,6 +153,9 @@ class StrobeTracer {
     range.proceed = [&](const BranchPoint& previous, const BranchPoint& here) {
       return equations.judge(here).has_value() && !equations.passes_half(previous, here);
     };
+    range.resolves = [&](const BranchPoint& from, const BranchPoint& to) {
+      return resolves_contacts(equations, range_, from, to);
+    };
     Branch branch = trace_branch(equations.problem(), range, start, directions);
     result_.shooting_evaluations += branch.evaluations;
     result_.rejected_steps += branch.rejected;

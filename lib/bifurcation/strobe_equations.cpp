@@ -1,5 +1,6 @@
 #include "graze/bifurcation/strobe_equations.hpp"
 
+#include <algorithm>
 #include <utility>
 
 #include "graze/bifurcation/half_period.hpp"
@@ -54,6 +55,84 @@ std::optional<OrbitBranchPoint> StrobeEquations::judge(const BranchPoint& soluti
     if (!orbit) return {};
     return point_of_branch(solution.parameter, std::move(*orbit));
   });
+}
+
+std::optional<OrbitBranchPoint> StrobeEquations::judge_touching(const BranchPoint& solution,
+                                                                const StrobeTouch& touch) const {
+  const System* system = systems_.at(solution.parameter);
+  if (!system) return {};
+  std::optional<Orbit> orbit =
+      touching_orbit_of(*system, map_, solution.u, touch, solution.residual);
+  if (!orbit) return {};
+  orbit->multipliers = problem_.multipliers(solution.u, solution.parameter, ErrorBounds::kGiven);
+  return point_of_branch(solution.parameter, std::move(*orbit));
+}
+
+std::optional<OrbitBranchPoint> StrobeEquations::judge_without(const BranchPoint& solution,
+                                                               const StrobeTouch& touch) const {
+  std::optional<OrbitBranchPoint> at = judge_touching(solution, touch);
+  if (!at) return {};
+  Orbit& orbit = at->orbit;
+  const auto slowest = std::min_element(
+      orbit.impacts.begin(), orbit.impacts.end(),
+      [](const OrbitImpact& a, const OrbitImpact& b) { return a.speed < b.speed; });
+  orbit.strobe->contacts.erase(orbit.strobe->contacts.begin() + (slowest - orbit.impacts.begin()));
+  orbit.impacts.erase(slowest);
+  if (orbit.impacts.empty()) return {};
+  orbit.clearance = 0.0;
+  return point_of_branch(solution.parameter, std::move(orbit));
+}
+
+std::vector<int> StrobeEquations::stops_met(const BranchPoint& solution) const {
+  const System* system = systems_.at(solution.parameter);
+  const std::optional<Orbit> orbit =
+      system ? orbit_of(*system, map_, solution.u, {}, solution.residual) : std::nullopt;
+  if (!orbit) return {};
+  std::vector<int> stops = orbit->pattern().stops;
+  std::sort(stops.begin(), stops.end());
+  return stops;
+}
+
+std::vector<StrobeTouch> StrobeEquations::touches_near(const BranchPoint& solution) const {
+  const System* system = systems_.at(solution.parameter);
+  if (!system) return {};
+  std::vector<StrobeTouch> touches = graze::touches_near(*system, map_, solution.u);
+  std::erase_if(touches, [&](const StrobeTouch& touch) {
+    return !system->stops[static_cast<std::size_t>(touch.stop)].spring;
+  });
+  return touches;
+}
+
+bool StrobeEquations::sets_in_smoothly(const BranchPoint& solution, int stop) const {
+  const System* system = systems_.at(solution.parameter);
+  const RigidStop* met = system ? &system->stops[static_cast<std::size_t>(stop)] : nullptr;
+  return met && met->spring && met->spring->sets_in_smoothly();
+}
+
+std::optional<StrobeEquations::Touching> StrobeEquations::touching(const Vector& x, double value,
+                                                                   double angle, int stop) const {
+  const System* system = systems_.at(value);
+  const System* tangent = system ? systems_.tangent_at(value) : nullptr;
+  if (!tangent) return {};
+  const std::optional<StrobeMap::Within> at =
+      map_.within(*system, x, angle, std::span(&tangent, 1));
+  if (!at) return {};
+  const auto index = static_cast<std::size_t>(stop);
+  const RigidStop &met = system->stops[index], &rate = tangent->stops[index];
+  const double speed = length_ * system->forcing->frequency;
+  const State& moved = at->by_parameters.front();
+  Touching touching;
+  touching.by_state.resize(2, map_.size());
+  touching.value << (met.row.dot(at->state.q) - met.gap) / length_,
+      met.row.dot(at->state.qdot) / speed;
+  touching.by_state.row(0) = met.row.transpose() * at->by_state.q / length_;
+  touching.by_state.row(1) = met.row.transpose() * at->by_state.qdot / speed;
+  touching.by_angle << met.row.dot(at->by_angle.q) / length_,
+      met.row.dot(at->by_angle.qdot) / speed;
+  touching.by_parameter << (met.row.dot(moved.q) + rate.row.dot(at->state.q) - rate.gap) / length_,
+      (met.row.dot(moved.qdot) + rate.row.dot(at->state.qdot)) / speed;
+  touching.push = touching.by_angle[1];
+  return touching;
 }
 
 }  // namespace graze

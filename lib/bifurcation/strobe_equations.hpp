@@ -32,6 +32,8 @@ class StrobeEquations {
   double frequency_at(const BranchPoint& solution) const {
     return systems_.at(solution.parameter)->forcing->frequency;
   }
+  // Speed of the forced motion there, m/s; requires likewise.
+  double speed_unit(const BranchPoint& solution) const { return length_ * frequency_at(solution); }
   // How far the second half of a solution is from the first, in units of the map; empty where the
   // period is odd.
   Vector halves_differ(const BranchPoint& solution) const;
@@ -41,6 +43,29 @@ class StrobeEquations {
   bool passes_half(const BranchPoint& a, const BranchPoint& b) const;
   // The orbit of a solution; nothing where the motion cannot be followed or meets no stop.
   std::optional<OrbitBranchPoint> judge(const BranchPoint& solution) const;
+  // The orbit of a solution that has this touch, and the one without it: nothing happens there.
+  // Nothing likewise, and in place of an orbit that meets no stop but by the touch.
+  std::optional<OrbitBranchPoint> judge_touching(const BranchPoint& solution,
+                                                 const StrobeTouch& touch) const;
+  std::optional<OrbitBranchPoint> judge_without(const BranchPoint& solution,
+                                                const StrobeTouch& touch) const;
+  // The stops that its contacts are with, in order of their numbers; none where it meets none.
+  std::vector<int> stops_met(const BranchPoint& solution) const;
+  // As touches_near() of strobe_orbit.hpp.
+  std::vector<StrobeTouch> touches_near(const BranchPoint& solution) const;
+  // Whether the force of a stop sets in without a jump there: else the branch has a corner where a
+  // contact is born.
+  bool sets_in_smoothly(const BranchPoint& solution, int stop) const;
+
+  // How far the motion from a state is beyond a stop at a forcing angle after it, in lengths of the
+  // forced motion, and how fast it goes on, in its speeds.
+  struct Touching {
+    Eigen::Vector2d value, by_parameter, by_angle;
+    Matrix by_state;    // 2 x 2N
+    double push = 0.0;  // the rate of the speed by the angle
+  };
+  // Nothing where the motion cannot be followed, or the value is not allowed.
+  std::optional<Touching> touching(const Vector& x, double value, double angle, int stop) const;
 
  private:
   std::optional<MapEvaluation> evaluate(const Vector& x, double value) const;

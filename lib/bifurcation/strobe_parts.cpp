@@ -2,11 +2,31 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <utility>
 
+#include "graze/bifurcation/strobe_touch.hpp"
+#include "graze/continuation/locate.hpp"
+
 namespace graze {
 namespace {
+
+// The stop of a contact that only one of two orbits has; nothing where they have the same.
+std::optional<int> stop_of_difference(const std::vector<int>& a, const std::vector<int>& b) {
+  std::vector<int> difference;
+  std::set_symmetric_difference(a.begin(), a.end(), b.begin(), b.end(),
+                                std::back_inserter(difference));
+  return difference.empty() ? std::nullopt : std::optional(difference.front());
+}
+
+std::optional<StrobeBorder> border_between(const StrobeEquations& equations,
+                                           const ContinuationOptions& options, const BranchPoint& a,
+                                           const BranchPoint& b) {
+  const std::optional<int> stop =
+      stop_of_difference(equations.stops_met(a), equations.stops_met(b));
+  return stop ? touch_between(equations, options, a, b, *stop) : std::nullopt;
+}
 
 class Parting {
  public:
@@ -114,6 +134,14 @@ class Parting {
       return stops;
     };
     if (sorted(before) == sorted(after)) return;
+    const std::optional<StrobeBorder> border = border_between(equations_, options_, a, b);
+    if (border) {
+      add_touching(*border, before.size() < after.size());
+      close(OrbitBranchEnd::kGrazing);
+      begin(OrbitBranchEnd::kGrazing);
+      parts_.back().branch.pattern.stops = after;
+      return add_touching(*border, before.size() > after.size());
+    }
     const std::optional<BranchPoint> at = grazing_between(a, b, before.size(), after.size());
     if (at) add_grazing(*at, before.size() < after.size());
     close(OrbitBranchEnd::kGrazing);
@@ -122,9 +150,21 @@ class Parting {
     if (at && !after.empty()) add_grazing(*at, before.size() > after.size());
   }
 
+  // `approach`: the orbits of this part have no contact there yet, or no more.
+  void add_touching(const StrobeBorder& border, bool approach) {
+    add_border(border.at,
+               approach ? equations_.judge_without(border.at, border.touch)
+                        : equations_.judge_touching(border.at, border.touch),
+               approach);
+  }
+
   // `approach`: an approach touches there, else a contact loses its speed.
   void add_grazing(const BranchPoint& at, bool approach) {
-    const std::optional<OrbitBranchPoint> orbit = equations_.judge(at);
+    add_border(at, equations_.judge(at), approach);
+  }
+
+  void add_border(const BranchPoint& at, const std::optional<OrbitBranchPoint>& orbit,
+                  bool approach) {
     if (!orbit) return;
     StrobePart& part = parts_.back();
     part.branch.points.push_back(*orbit);
@@ -222,6 +262,18 @@ class Parting {
 std::vector<StrobePart> parts_of(const StrobeEquations& equations,
                                  const ContinuationOptions& options, const Branch& trace) {
   return Parting(equations, options, trace).cut();
+}
+
+bool resolves_contacts(const StrobeEquations& equations, const ContinuationOptions& options,
+                       const BranchPoint& from, const BranchPoint& to) {
+  const std::optional<int> stop =
+      stop_of_difference(equations.stops_met(from), equations.stops_met(to));
+  // Across a corner the tangents say nothing.
+  if (!stop || !equations.sets_in_smoothly(from, *stop)) return true;
+  // What is this short shows all there is.
+  if ((to.u - from.u).norm() <= kOnePoint * (1.0 + from.u.norm())) return true;
+  const std::optional<StrobeBorder> border = touch_between(equations, options, from, to, *stop);
+  return border && border->at.tangent.dot(from.tangent) >= std::cos(options.max_turn);
 }
 
 }  // namespace graze

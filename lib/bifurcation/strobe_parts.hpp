@@ -17,4 +17,9 @@ struct StrobePart {
 std::vector<StrobePart> parts_of(const StrobeEquations& equations,
                                  const ContinuationOptions& options, const Branch& trace);
 
+// Whether a step along a branch shows what its contacts do: where one is born or lost within it,
+// its grazing lies there too, and the branch has not turned too far up to that.
+bool resolves_contacts(const StrobeEquations& equations, const ContinuationOptions& options,
+                       const BranchPoint& from, const BranchPoint& to);
+
 }  // namespace graze

@@ -245,16 +245,12 @@ std::optional<Orbit> touching_orbit_of(const System& system, const StrobeMap& ma
   return orbit_along(system, map, u, MetTouch{touch, at->at.instant, at->state}, residual);
 }
 
-std::optional<StrobeTouch> nearest_touch(const System& system, const StrobeMap& map,
-                                         const Vector& u) {
+std::vector<StrobeTouch> touches_near(const System& system, const StrobeMap& map, const Vector& u) {
   const Eigen::Index n = map.size();
   const double length = shooting_scale(system).length, frequency = system.forcing->frequency;
-  std::optional<StrobeTouch> nearest;
-  double least = std::numeric_limits<double>::infinity();
+  std::vector<std::pair<double, StrobeTouch>> offered;
   const auto offer = [&](double depth, int stop, std::size_t turn, double seconds) {
-    if (!(depth < least)) return;
-    least = depth;
-    nearest = {stop, turn, std::clamp(frequency * seconds, 0.0, kTurn), 0.0};
+    offered.push_back({depth, {stop, turn, std::clamp(frequency * seconds, 0.0, kTurn), 0.0}});
   };
   for (Eigen::Index i = 0; i < u.size(); i += n) {
     const std::optional<Passage> turn = map.follow(system, u.segment(i, n), true);
@@ -269,11 +265,24 @@ std::optional<StrobeTouch> nearest_touch(const System& system, const StrobeMap& 
     for (const PassedContact& contact : turn->contacts) {
       if (contact.from_start) continue;
       const double part = contact.speed / (frequency * length);
-      offer(0.5 * part * part, contact.stop, index, since_start(contact.from));
+      // The gap is least near its middle.
+      offer(0.5 * part * part, contact.stop, index,
+            since_start(contact.from) + 0.5 * seconds(system, contact));
     }
   }
-  if (nearest && !system.stops[static_cast<std::size_t>(nearest->stop)].spring) return {};
-  return nearest;
+  std::stable_sort(offered.begin(), offered.end(),
+                   [](const auto& a, const auto& b) { return a.first < b.first; });
+  std::vector<StrobeTouch> touches;
+  for (const auto& [depth, touch] : offered) touches.push_back(touch);
+  return touches;
+}
+
+std::optional<StrobeTouch> nearest_touch(const System& system, const StrobeMap& map,
+                                         const Vector& u) {
+  const std::vector<StrobeTouch> touches = touches_near(system, map, u);
+  if (touches.empty() || !system.stops[static_cast<std::size_t>(touches.front().stop)].spring)
+    return {};
+  return touches.front();
 }
 
 std::vector<State> turns_of(const Orbit& orbit) {

@@ -44,9 +44,12 @@ struct StrobeTouch {
   double slowest = 0.0;
 };
 
-// Where the orbit of a solution, or of one near that, comes nearest to a touch: the slowest of its
-// contacts, or the least of its gaps, told by v^2/2 as the depth in units of the forced motion.
-// Nothing where there is neither, or where that is a rigid stop's.
+// Where the orbit of a solution, or of one near that, comes near to a touch: its contacts, and the
+// least gap of each of its turns, the nearest first, told by v^2/2 as the depth in units of the
+// forced motion. Empty where there is neither, or where the motion cannot be followed.
+std::vector<StrobeTouch> touches_near(const System& system, const StrobeMap& map, const Vector& u);
+
+// The first of them; nothing where there is none, or where that is a rigid stop's.
 std::optional<StrobeTouch> nearest_touch(const System& system, const StrobeMap& map,
                                          const Vector& u);
 

@@ -1,0 +1,27 @@
+// Where a branch of orbits on compliant stops grazes: the orbit that touches a stop at no speed,
+//
+//   f(x_i) = x_{i+1},   b.q - a = 0,   b.q' = 0   at the forcing angle psi after the start of x_1,
+//
+// in the unknowns x_1, .., x_p, psi and the parameter, by Newton's method. The gap at psi passes
+// zero at a rate, so that the solution depends neither on the step that passed it nor on the range,
+// whereas the slope of the stroboscopic map has a root's singularity there, or a jump.
+#pragma once
+
+#include <optional>
+
+#include "graze/bifurcation/strobe_equations.hpp"
+
+namespace graze {
+
+struct StrobeBorder {
+  BranchPoint at;     // on the branch, its tangent turned along it
+  StrobeTouch touch;  // in that orbit
+};
+
+// The grazing of a stop between two neighbours on a branch; the nearer to `a` where there are
+// several. Nothing where Newton's method leads to none that lies between them.
+std::optional<StrobeBorder> touch_between(const StrobeEquations& equations,
+                                          const ContinuationOptions& options, const BranchPoint& a,
+                                          const BranchPoint& b, int stop);
+
+}  // namespace graze
