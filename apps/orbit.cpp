@@ -2,6 +2,7 @@
 #include "graze/assembly/assembly.hpp"
 #include "graze/assembly/initial_state.hpp"
 #include "graze/assembly/system_warnings.hpp"
+#include "graze/bifurcation/orbits_over_gap.hpp"
 #include "graze/report/csv.hpp"
 #include "graze/report/json.hpp"
 #include "graze/report/page.hpp"
@@ -34,7 +35,7 @@ int run_orbit(const Command& command) {
   if (!start && options.from_simulation)
     warn(command, {"no start by simulation: the scene's initial state is not clear of the stop"});
   prepare_output(command);
-  record.found = find_orbits(record.system, start, options);
+  record.found = search_orbits(record.system, start, options);
   record.outcome = orbit_outcome(record.found, options, options.stop.reason());
   return conclude(command, record.info, record.outcome,
                   {json_of(record),
