@@ -76,6 +76,8 @@ void CircleCrossings::add(const BranchPoint& a, const BranchPoint& b) {
   divide(a, b, kMostHalvings);
 }
 
+void CircleCrossings::add_undivided(const BranchPoint& a, const BranchPoint& b) { divide(a, b, 0); }
+
 std::vector<Eigenvalue> CircleCrossings::multipliers_of(const BranchPoint& point,
                                                         ErrorBounds errors) const {
   return problem_.multipliers(point.u, point.parameter, errors);

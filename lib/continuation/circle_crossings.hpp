@@ -27,6 +27,8 @@ class CircleCrossings {
 
   // Between neighbours a and b within the step, whose multipliers are known; in no order.
   void add(const BranchPoint& a, const BranchPoint& b);
+  // Those that the ends of the piece show, where they differ by one.
+  void add_undivided(const BranchPoint& a, const BranchPoint& b);
 
  private:
   std::vector<Eigenvalue> multipliers_of(const BranchPoint& point,

@@ -1,6 +1,7 @@
 #include "graze/continuation/critical.hpp"
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 
 #include "graze/continuation/branch_crossing.hpp"
@@ -41,10 +42,7 @@ class CriticalSearch {
       });
     drop_folds_at_branch_points();
     if (!stations_.empty())
-      for (std::size_t i = 0; i + 1 < branch_.points.size(); ++i) {
-        CircleCrossings crossings(problem_, corrector_, stop_, i, branch_.critical);
-        for_each_piece(i, [&](const BranchPoint& a, const BranchPoint& b) { crossings.add(a, b); });
-      }
+      for (std::size_t i = 0; i + 1 < branch_.points.size(); ++i) add_crossings(i);
     std::stable_sort(branch_.critical.begin(), branch_.critical.end(),
                      [this](const CriticalPoint& a, const CriticalPoint& b) {
                        return a.after != b.after ? a.after < b.after : along(a) < along(b);
@@ -54,6 +52,23 @@ class CriticalSearch {
  private:
   std::vector<Eigenvalue> multipliers_of(const BranchPoint& point) const {
     return problem_.multipliers(point.u, point.parameter, ErrorBounds::kGiven);
+  }
+
+  // What is kept of a branch that was stopped is kept with the crossings that its points show:
+  // after the stop one location each, for so long.
+  void add_crossings(std::size_t i) {
+    constexpr std::chrono::milliseconds kGrace{500};
+    const std::size_t known = branch_.critical.size();
+    if (!stop_.requested()) {
+      CircleCrossings crossings(problem_, corrector_, stop_, i, branch_.critical);
+      for_each_piece(i, [&](const BranchPoint& a, const BranchPoint& b) { crossings.add(a, b); });
+      if (!stop_.requested()) return;
+    }
+    if (!last_) last_ = std::chrono::steady_clock::now() + kGrace;
+    branch_.critical.resize(known);
+    const StopSignal grace{nullptr, last_};
+    CircleCrossings crossings(problem_, corrector_, grace, i, branch_.critical);
+    crossings.add_undivided(branch_.points[i], branch_.points[i + 1]);
   }
 
   double along(const CriticalPoint& critical) const {
@@ -141,6 +156,7 @@ class CriticalSearch {
   const ZeroProblem& problem_;
   Corrector& corrector_;
   StopSignal stop_;
+  std::optional<std::chrono::steady_clock::time_point> last_;  // that work goes on to after a stop
   std::vector<std::vector<BranchPoint>> stations_;  // of each step; empty: none are known
 };
 
