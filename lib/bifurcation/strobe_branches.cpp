@@ -8,6 +8,7 @@
 #include "graze/assembly/initial_state.hpp"
 #include "graze/bifurcation/found_branches.hpp"
 #include "graze/bifurcation/strobe_parts.hpp"
+#include "graze/bifurcation/strobe_pieces.hpp"
 #include "graze/continuation/switching.hpp"
 #include "graze/hybrid/simulation.hpp"
 
@@ -104,9 +105,11 @@ class StrobeTracer {
       result_.notes.push_back("no other branch was found there");
   }
 
-  StrobeEquations& equations_of(int period) {
-    auto& place = equations_[period];
-    if (!place) place = std::make_unique<StrobeEquations>(family_, strobe_, period);
+  StrobeEquations& equations_of(int period, double section = 0.0) {
+    auto& place = equations_[{period, section}];
+    StrobeOptions strobe = strobe_;
+    strobe.section = section;
+    if (!place) place = std::make_unique<StrobeEquations>(family_, strobe, period);
     return *place;
   }
 
@@ -132,15 +135,19 @@ class StrobeTracer {
   bool knows(const StrobeEquations& equations, const BranchPoint& point) const {
     const Eigen::Index n = equations.map().size(), size = point.u.size();
     for (const Traced& traced : traced_) {
-      if (traced.equations != &equations) continue;
-      BranchPoint turned = point;
+      if (traced.equations->period() != equations.period()) continue;
+      const std::optional<BranchPoint> there =
+          traced.equations == &equations ? point
+                                         : equations.carried_to(*traced.equations, range_, point);
+      if (!there) continue;
+      BranchPoint turned = *there;
       for (Eigen::Index first = 0; first < size; first += n) {
-        turned.u << point.u.tail(size - first), point.u.head(first);
+        turned.u << there->u.tail(size - first), there->u.head(first);
         if (first > 0) {
-          turned.tangent.head(size) << point.tangent.segment(first, size - first),
-              point.tangent.head(first);
+          turned.tangent.head(size) << there->tangent.segment(first, size - first),
+              there->tangent.head(first);
         }
-        if (lies_on(equations.problem(), range_, traced.branch, turned)) return true;
+        if (lies_on(traced.equations->problem(), range_, traced.branch, turned)) return true;
       }
     }
     return false;
@@ -148,32 +155,30 @@ class StrobeTracer {
 
   void add(StrobeEquations& equations, const BranchPoint& start, Directions directions,
            int origin_branch, std::size_t origin_special) {
-    ContinuationOptions range = range_;
-    // The response that meets no stop is another matter.
-    range.proceed = [&](const BranchPoint& previous, const BranchPoint& here) {
-      return equations.judge(here).has_value() && !equations.passes_half(previous, here);
+    const AtSection at_section = [&](double section) -> StrobeEquations& {
+      return equations_of(equations.period(), section);
     };
-    range.resolves = [&](const BranchPoint& from, const BranchPoint& to) {
-      return resolves_contacts(equations, range_, from, to);
-    };
-    Branch branch = trace_branch(equations.problem(), range, start, directions);
-    result_.shooting_evaluations += branch.evaluations;
-    result_.rejected_steps += branch.rejected;
+    std::vector<StrobePart> parts;
+    for (StrobePiece& piece : trace_pieces(at_section, equations, range_, start, directions)) {
+      result_.shooting_evaluations += piece.branch.evaluations;
+      result_.rejected_steps += piece.branch.rejected;
+      append_parts(parts, parts_of(*piece.equations, range_, piece.branch));
+      traced_.push_back({piece.equations, std::move(piece.branch)});
+    }
     const auto cuts = [](OrbitBranchEnd end) {
       return end == OrbitBranchEnd::kNotConverged || end == OrbitBranchEnd::kStepLimit;
     };
     bool cut = false;
-    for (StrobePart& part : parts_of(equations, range_, branch)) {
+    for (StrobePart& part : parts) {
       cut = cut || cuts(part.branch.ends[0]) || cuts(part.branch.ends[1]);
       critical_.push_back(std::move(part.critical));
-      on_.push_back(&equations);
+      on_.push_back(std::move(part.on));
       found_.push_back(
           {std::move(part.branch), nullptr, result_.traced, origin_branch, origin_special});
     }
     ++result_.traced;
     if (cut) ++result_.cut_short;
     if (origin_branch >= 0) ++result_.switched;
-    traced_.push_back({&equations, std::move(branch)});
   }
 
   // Onto doubled orbits and crossing branches, those of one depth after the other.
@@ -197,14 +202,15 @@ class StrobeTracer {
 
   void switch_at(std::size_t index, std::size_t which) {
     if (leads_on(critical_[index][which]))
-      switch_from(*on_[index], *critical_[index][which], static_cast<int>(index), which);
+      switch_from(*on_[index][which], *critical_[index][which], static_cast<int>(index), which);
   }
 
   // Whether another branch leads away from there that was not known.
   bool switch_from(StrobeEquations& known, CriticalPoint critical, int origin_branch,
                    std::size_t origin_special) {
     const bool doubles = critical.kind == CriticalKind::kPeriodDoubling;
-    StrobeEquations& equations = doubles ? equations_of(2 * known.period()) : known;
+    StrobeEquations& equations =
+        doubles ? equations_of(2 * known.period(), known.section()) : known;
     const BranchPoint at = doubles ? twice_round(critical.point) : critical.point;
     const std::optional<BranchPoint> start = other_branch(equations.problem(), range_, at);
     if (!start) return false;
@@ -226,12 +232,13 @@ class StrobeTracer {
   OrbitBranches result_;
   ContinuationOptions range_;
   StrobeOptions strobe_;
-  std::map<int, std::unique_ptr<StrobeEquations>> equations_;  // by period
+  std::map<std::pair<int, double>, std::unique_ptr<StrobeEquations>>
+      equations_;  // by period and section
   std::vector<Traced> traced_;
-  // Of each found branch: its special points in the trace, and the equations it solves.
+  // Of each found branch: its special points in the trace, and the equations they solve.
   std::vector<FoundBranch> found_;
   std::vector<std::vector<std::optional<CriticalPoint>>> critical_;
-  std::vector<StrobeEquations*> on_;
+  std::vector<std::vector<StrobeEquations*>> on_;
 };
 
 }  // namespace

@@ -1,8 +1,10 @@
 #include "graze/bifurcation/strobe_equations.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
+#include "graze/base/angle.hpp"
 #include "graze/bifurcation/half_period.hpp"
 #include "graze/orbit/solve.hpp"
 
@@ -133,6 +135,65 @@ std::optional<StrobeEquations::Touching> StrobeEquations::touching(const Vector&
       (met.row.dot(moved.qdot) + rate.row.dot(at->state.qdot)) / speed;
   touching.push = touching.by_angle[1];
   return touching;
+}
+
+std::optional<double> StrobeEquations::clearer_section(const BranchPoint& solution) const {
+  // Far enough for a step, near enough for few moves.
+  constexpr double kPart = 0.25;
+  const System* system = systems_.at(solution.parameter);
+  const bool none =
+      !system || std::all_of(system->stops.begin(), system->stops.end(), [](const RigidStop& stop) {
+        return stop.spring && stop.spring->sets_in_smoothly();
+      });
+  if (none) return {};
+  const std::optional<OrbitBranchPoint> at = judge(solution);
+  if (!at) return {};
+  std::vector<double> phases;
+  for (std::size_t i = 0; i < at->orbit.impacts.size(); ++i) {
+    const OrbitImpact& impact = at->orbit.impacts[i];
+    const RigidStop& stop = system->stops[static_cast<std::size_t>(impact.stop)];
+    if (stop.spring && stop.spring->sets_in_smoothly()) continue;
+    phases.push_back(impact.phase);
+    if (stop.spring)
+      phases.push_back(wrapped(impact.phase + system->forcing->frequency *
+                                                  at->orbit.strobe->contacts[i].duration));
+  }
+  if (phases.empty()) return {};
+  std::sort(phases.begin(), phases.end());
+  double best = 0.0, middle = 0.0, nearest = kTurn;
+  for (std::size_t i = 0; i < phases.size(); ++i) {
+    const double next = i + 1 < phases.size() ? phases[i + 1] : phases.front() + kTurn;
+    const double ahead = wrapped(phases[i] - section());
+    nearest = std::min({nearest, ahead, kTurn - ahead});
+    if (next - phases[i] <= best) continue;
+    best = next - phases[i];
+    middle = wrapped(0.5 * (phases[i] + next));
+  }
+  return nearest < kPart * 0.5 * best ? std::optional(middle) : std::nullopt;
+}
+
+std::optional<BranchPoint> StrobeEquations::carried_to(const StrobeEquations& other,
+                                                       const ContinuationOptions& options,
+                                                       const BranchPoint& solution) const {
+  const System* system = systems_.at(solution.parameter);
+  const System* tangent = system ? systems_.tangent_at(solution.parameter) : nullptr;
+  if (!tangent) return {};
+  const double angle = wrapped(other.section() - section());
+  const double range = std::abs(options.to - options.from);
+  const Eigen::Index m = map_.size(), n = solution.u.size();
+  BranchPoint carried = solution;
+  for (Eigen::Index i = 0; i < n; i += m) {
+    const std::optional<StrobeMap::Within> at =
+        map_.within(*system, solution.u.segment(i, m), angle, std::span(&tangent, 1));
+    if (!at) return {};
+    carried.u.segment(i, m) = map_.pack(at->state);
+    const Vector along = solution.tangent.segment(i, m);
+    const State& moved = at->by_parameters.front();
+    const double rate = solution.rate() * range;
+    carried.tangent.segment(i, m) = map_.pack(
+        {at->by_state.q * along + rate * moved.q, at->by_state.qdot * along + rate * moved.qdot});
+  }
+  return solve_near(other.problem(), options, carried.u, carried.parameter, carried.tangent);
 }
 
 }  // namespace graze

@@ -25,6 +25,7 @@ class StrobeEquations {
   const ZeroProblem& problem() const { return problem_; }
   const StrobeMap& map() const { return map_; }
   int period() const { return period_; }
+  double section() const { return map_.options().section; }  // forcing phase, rad
 
   // Of the forced motion at the family's own value, m.
   double length() const { return length_; }
@@ -64,6 +65,16 @@ class StrobeEquations {
     Matrix by_state;    // 2 x 2N
     double push = 0.0;  // the rate of the speed by the angle
   };
+  // Where the section would lie farthest from all instants at which the derivative of the motion
+  // jumps, as a forcing phase, rad; nothing where there are none, or where it lies at least a part
+  // of that far from them as it is.
+  std::optional<double> clearer_section(const BranchPoint& solution) const;
+  // The solution, and its tangent, in the equations of another section; nothing where it cannot be
+  // solved for there.
+  std::optional<BranchPoint> carried_to(const StrobeEquations& other,
+                                        const ContinuationOptions& options,
+                                        const BranchPoint& solution) const;
+
   // Nothing where the motion cannot be followed, or the value is not allowed.
   std::optional<Touching> touching(const Vector& x, double value, double angle, int stop) const;
 

@@ -110,7 +110,7 @@ class Parting {
   // Next to a grazing a multiplier can run through the circle within less than the branch resolves:
   // where it was looked for it has passed it by far.
   static bool passes_unseen(const CriticalPoint& critical) {
-    constexpr double kFar = 0.01;  // of the modulus; located crossings keep eight digits
+    constexpr double kFar = 1e-3;  // of the modulus; located crossings keep eight digits
     const bool crosses =
         critical.kind == CriticalKind::kPeriodDoubling || critical.kind == CriticalKind::kTorus;
     return crosses && critical.multiplier &&
@@ -259,9 +259,26 @@ class Parting {
 
 }  // namespace
 
-std::vector<StrobePart> parts_of(const StrobeEquations& equations,
-                                 const ContinuationOptions& options, const Branch& trace) {
-  return Parting(equations, options, trace).cut();
+std::vector<StrobePart> parts_of(StrobeEquations& equations, const ContinuationOptions& options,
+                                 const Branch& trace) {
+  std::vector<StrobePart> parts = Parting(equations, options, trace).cut();
+  for (StrobePart& part : parts) part.on.assign(part.critical.size(), &equations);
+  return parts;
+}
+
+void append_parts(std::vector<StrobePart>& parts, std::vector<StrobePart> more) {
+  auto from = more.begin();
+  if (!parts.empty() && from != more.end()) {
+    StrobePart &last = parts.back(), &next = *from++;
+    last.branch.points.insert(last.branch.points.end(), next.branch.points.begin() + 1,
+                              next.branch.points.end());
+    for (SpecialPoint& special : next.branch.special)
+      last.branch.special.push_back(std::move(special));
+    for (auto& critical : next.critical) last.critical.push_back(std::move(critical));
+    last.on.insert(last.on.end(), next.on.begin(), next.on.end());
+    last.branch.ends[1] = next.branch.ends[1];
+  }
+  parts.insert(parts.end(), std::make_move_iterator(from), std::make_move_iterator(more.end()));
 }
 
 bool resolves_contacts(const StrobeEquations& equations, const ContinuationOptions& options,

@@ -11,11 +11,15 @@ struct StrobePart {
   OrbitBranch branch;
   // Of each special point, in the trace: what to switch from. Only PD and BP have one.
   std::vector<std::optional<CriticalPoint>> critical;
+  // Of each special point: the equations that it solves.
+  std::vector<StrobeEquations*> on;
 };
 
 // Those with contacts; the response that meets no stop is none.
-std::vector<StrobePart> parts_of(const StrobeEquations& equations,
-                                 const ContinuationOptions& options, const Branch& trace);
+std::vector<StrobePart> parts_of(StrobeEquations& equations, const ContinuationOptions& options,
+                                 const Branch& trace);
+// Appends those of a trace that begins with the orbit which the last one ends with.
+void append_parts(std::vector<StrobePart>& parts, std::vector<StrobePart> more);
 
 // Whether a step along a branch shows what its contacts do: where one is born or lost within it,
 // its grazing lies there too, and the branch has not turned too far up to that.

@@ -51,8 +51,9 @@ State StrobeMap::unpack(const Vector& x) const {
   return {whole.head(n), whole.tail(n)};
 }
 
-Instant<double> StrobeMap::first_instant(const System& system) {
-  const double local = wrapped(-system.forcing->phase) / system.forcing->frequency;
+Instant<double> StrobeMap::first_instant(const System& system) const {
+  const double local =
+      wrapped(options_.section - system.forcing->phase) / system.forcing->frequency;
   return {0, local < system.period() ? local : 0.0};
 }
 

@@ -19,12 +19,15 @@ struct StrobeOptions {
   double closure_speed = 0.0;                    // m/s, of chatters on rigid stops
   long long max_impacts = kDefaultImpactBudget;  // of one passage
   StopSignal stop{};
+  // Forcing phase of the section, rad: 0, where states mean the same to every map, but where a
+  // contact begins or ends nearby. There the map has a corner: an event is at the end of one
+  // period, or at the start of the next.
+  double section = 0.0;
 };
 
 class StrobeMap {
  public:
-  // `reference`: the system whose units are taken. Requires forcing. The section lies at the
-  // forcing phase 0, whatever the system, so that states mean the same to every map.
+  // `reference`: the system whose units are taken. Requires forcing.
   StrobeMap(const System& reference, const StrobeOptions& options);
 
   const StrobeOptions& options() const { return options_; }
@@ -35,7 +38,7 @@ class StrobeMap {
   // (x_1, .., x_p) of the states at the starts of an orbit's forcing periods.
   Vector pack(const std::vector<State>& turns) const;
   // When the motion that starts at t = 0 first comes to the section.
-  static Instant<double> first_instant(const System& system);
+  Instant<double> first_instant(const System& system) const;
   // The motion's start there; nothing where a rigid stop is penetrated, or a
   // compliant one so deep that its damping would keep the structure for longer than can be
   // followed.

@@ -170,6 +170,17 @@ std::vector<Met> met_on(const System& system, const std::vector<Passage>& turns,
   return met;
 }
 
+// Where the forcing period that begins with x, or within the turn that does, starts: at the forcing
+// phase 0, wherever the section of the map lies.
+std::optional<MotionState<double>> start_of_turn(const System& system, const StrobeMap& map,
+                                                 const Vector& x) {
+  const double angle = wrapped(-map.options().section);
+  if (angle == 0.0) return map.start_of(system, x);
+  std::optional<StrobeMap::Within> within = map.within(system, x, angle, {});
+  if (!within) return {};
+  return std::move(within->at);
+}
+
 // With everything but what multipliers tell.
 std::optional<Orbit> orbit_along(const System& system, const StrobeMap& map, const Vector& u,
                                  const std::optional<MetTouch>& touch, double residual) {
@@ -186,7 +197,9 @@ std::optional<Orbit> orbit_along(const System& system, const StrobeMap& map, con
     const std::optional<double> clearance = turn->clearance();
     if (clearance && (!orbit.clearance || *clearance < *orbit.clearance))
       orbit.clearance = clearance;
-    orbit.strobe->turns.push_back(*map.start_of(system, u.segment(i, n)));
+    const std::optional<MotionState<double>> start = start_of_turn(system, map, u.segment(i, n));
+    if (!start) return {};
+    orbit.strobe->turns.push_back(*start);
     turns.push_back(std::move(*turn));
   }
   const Instant<double> begin = orbit.strobe->turns.front().instant;
@@ -257,7 +270,7 @@ std::vector<StrobeTouch> touches_near(const System& system, const StrobeMap& map
     if (!turn) return {};
     const auto index = static_cast<std::size_t>(i / n);
     const auto since_start = [&](const Instant<double>& at) {
-      return seconds(system, StrobeMap::first_instant(system), at);
+      return seconds(system, map.first_instant(system), at);
     };
     if (turn->lowest)
       offer(std::abs(turn->lowest->gap) / length, turn->lowest->stop, index,
@@ -308,7 +321,7 @@ StrobeAnswer strobe_orbit(const System& system, const State& at_period_start, in
   passage.stop = options.stop;
   const Passage to_section =
       pass(system, Motion<double>(system, {}, at_period_start.q, at_period_start.qdot).state(),
-           StrobeMap::first_instant(system), passage);
+           map.first_instant(system), passage);
   if (!to_section.failure.empty()) return {{}, to_section.failure};
   u.head(n) = map.pack({to_section.end.q, to_section.end.qdot});
   for (Eigen::Index i = n; i < u.size(); i += n) {
