@@ -283,6 +283,10 @@ Arrival<Real> Motion<Real>::arrive(Arrival<Real> arrival, const Real& until) {
     ++now_.instant.period;
     now_.instant.local = 0;
   }
+  if (!isfinite(now_.instant.local)) {
+    arrival.kind = ArrivalKind::kNotFinite;
+    return arrival;
+  }
   for (Eigen::Index j = 0; j < now_.q.size(); ++j)
     if (!isfinite(now_.q[j]) || !isfinite(now_.qdot[j])) {
       arrival.kind = ArrivalKind::kNotFinite;

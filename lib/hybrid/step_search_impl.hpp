@@ -13,6 +13,21 @@ template <class Real>
 void Motion<Real>::search_by_steps(ContactPhase<Real>& phase, const Real& until,
                                    Arrival<Real>& arrival) {
   if constexpr (std::is_same_v<Real, double>) {
+    // Two springs at one place: what enters the one leaves the other at the same instant.
+    for (const int i : compliant_) {
+      const bool compressed = contact(i) == Contact::kCompressed;
+      if (!compressed && contact(i) != Contact::kParted) continue;
+      if (depth(i) > 0.0 || !(approach_speed(i) < -speed_rounding(i))) continue;
+      arrival = {compressed ? ArrivalKind::kSeparation : ArrivalKind::kLeft,
+                 i,
+                 0.0,
+                 0.0,
+                 0,
+                 {},
+                 false,
+                 false};
+      return;
+    }
     std::vector<Watched> list;
     watch_springs(phase, list);
     for (const int i : all_) {
