@@ -56,8 +56,15 @@ void Journal::fail(const char* what) const {
 }
 
 Journal Journal::writable(const std::filesystem::path& file) {
-  Journal journal(file, ::open(file.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666));
+  // What it may write over is a file of that name, not what a link of that name leads to.
+  Journal journal(file, ::open(file.c_str(), O_RDWR | O_CREAT | O_NOFOLLOW | O_CLOEXEC, 0666));
+  if (journal.descriptor_ < 0 && errno == ELOOP)
+    throw FileError(file.string() + ": cannot write: it is a symbolic link");
   if (journal.descriptor_ < 0) journal.fail("write");
+  struct stat status {};
+  if (::fstat(journal.descriptor_, &status) != 0) journal.fail("write");
+  if (!S_ISREG(status.st_mode) || status.st_nlink != 1)
+    throw FileError(file.string() + ": cannot write: it is no file of its own");
   // Goes with the program, however that ends. Where the disk knows no locks there are none.
   if (::flock(journal.descriptor_, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK)
     throw FileError(file.string() + ": another run is writing this journal");

@@ -1,11 +1,12 @@
 #include "graze/record/open_file.hpp"
 
+#include <fcntl.h>
 #include <fmt/format.h>
+#include <sys/file.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
 #include <cerrno>
-#include <cstdlib>
 #include <cstring>
 #include <utility>
 
@@ -15,13 +16,51 @@ namespace graze {
 namespace {
 
 constexpr std::size_t kBuffer = 64 * 1024;
+// As many programs may write the same file at the same time.
+constexpr int kNames = 1000;
+
+// Whether the open file still has that name, no other name, and is of this user.
+bool is_ours(int descriptor, const std::string& name) {
+  struct stat open {
+  }, named{};
+  return ::fstat(descriptor, &open) == 0 && ::lstat(name.c_str(), &named) == 0 &&
+         open.st_dev == named.st_dev && open.st_ino == named.st_ino && S_ISREG(open.st_mode) &&
+         open.st_nlink == 1 && open.st_uid == ::geteuid();
+}
+
+// Opens the file of that name for this program alone, empty. Returns -1 where another program has
+// it, or where it is not ours to write over; a file that cannot be opened at all sets `error`.
+int open_alone(const std::string& name, int& error) {
+  // A pipe of that name shall not be waited for; the umask applies to the mode.
+  const int descriptor =
+      ::open(name.c_str(), O_RDWR | O_CREAT | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC,
+             S_IRUSR | S_IWUSR | S_IRGRP | S_IWGRP | S_IROTH | S_IWOTH);
+  if (descriptor < 0) {
+    error = errno;
+    return -1;
+  }
+  // Where the disk knows no locks there are none. The name is looked at with the lock held: until
+  // then another program may have given this file its place.
+  const bool locked = ::flock(descriptor, LOCK_EX | LOCK_NB) == 0 || errno != EWOULDBLOCK;
+  if (locked && is_ours(descriptor, name) && ::ftruncate(descriptor, 0) == 0) return descriptor;
+  ::close(descriptor);
+  return -1;
+}
 
 }  // namespace
 
-OpenFile::OpenFile(std::filesystem::path file)
-    : path_(std::move(file)), written_as_(path_.string() + ".XXXXXX") {
-  descriptor_ = ::mkstemp(written_as_.data());
-  if (descriptor_ < 0) fail(errno);
+OpenFile::OpenFile(std::filesystem::path file) : path_(std::move(file)) {
+  int error = 0;
+  for (int i = 1; i <= kNames && descriptor_ < 0; ++i) {
+    written_as_ = path_.string() + ".unfinished" + (i == 1 ? "" : fmt::format("-{}", i));
+    error = EEXIST;
+    descriptor_ = open_alone(written_as_, error);
+    // A link or a folder of that name is in the way of that name only.
+    const bool taken = error == EEXIST || error == ELOOP || error == EISDIR || error == ENXIO ||
+                       (error == EACCES && ::access(written_as_.c_str(), F_OK) == 0);
+    if (descriptor_ < 0 && !taken) break;
+  }
+  if (descriptor_ < 0) fail(error);
 }
 
 OpenFile::~OpenFile() {
@@ -56,10 +95,7 @@ void OpenFile::flush() {
 
 void OpenFile::sync() {
   flush();
-  // mkstemp makes files that only their owner reads; results are for everyone the umask allows.
-  const mode_t mask = ::umask(0);
-  ::umask(mask);
-  if (::fchmod(descriptor_, 0666 & ~mask) != 0 || ::fsync(descriptor_) != 0) fail(errno);
+  if (::fsync(descriptor_) != 0) fail(errno);
 }
 
 std::string OpenFile::read(std::size_t position, std::size_t size) const {

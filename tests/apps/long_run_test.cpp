@@ -34,7 +34,7 @@ TEST(LongRun, MemoryDoesNotGrowWithTheRun) {
 
 TEST(LongRun, InterruptKeepsWhatWasFinishedAndExitsWith130) {
   const ScratchFolder scratch;
-  for (const char* signal : {"INT", "TERM"}) {
+  for (const char* signal : {"INT", "TERM", "HUP"}) {
     const std::string folder = (scratch / signal).string();
     const Finished run = run_graze(kEndless + "--json --out " + folder + " " + kOneMode,
                                    "timeout --preserve-status -s " + std::string(signal) + " 0.5 ");
@@ -48,6 +48,14 @@ TEST(LongRun, InterruptKeepsWhatWasFinishedAndExitsWith130) {
     EXPECT_TRUE(read_text(folder + "/result.json") == run.out);
     EXPECT_EQ(lines_of(folder + "/events.csv").size(), document["events"].size() + 1);
   }
+}
+
+TEST(LongRun, UnderNohupTheRunOutlivesItsTerminal) {
+  // A shell that ignores SIGHUP hands that on, as nohup does.
+  const std::string line = "trap '' HUP; '" GRAZE_PROGRAM
+                           "' simulate --max-seconds 0.6 --duration 1e9 --record none " +
+                           kOneMode + " > /dev/null & sleep 0.2; kill -HUP $!; wait $!";
+  EXPECT_EQ(WEXITSTATUS(std::system(line.c_str())), 3);
 }
 
 TEST(LongRun, StoppedRunsKeepTheirFilesToo) {

@@ -1,6 +1,15 @@
 #include "graze/record/files.hpp"
 
+#include <fcntl.h>
 #include <gtest/gtest.h>
+#include <signal.h>
+#include <sys/stat.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <atomic>
+#include <fstream>
+#include <thread>
 
 #include "apps/program.hpp"
 #include "graze/base/errors.hpp"
@@ -57,6 +66,86 @@ TEST(PendingFile, TakesItsPlaceOnlyWhenItIsComplete) {
   }
   EXPECT_EQ(read_text(scratch / "table"), all + "end\n");
   EXPECT_EQ(entries_of(scratch), 1);
+}
+
+// What a program that is killed leaves, too early for anything to be tidied up.
+void begin_and_be_killed(const std::filesystem::path& file) {
+  const pid_t child = ::fork();
+  if (child == 0) {
+    PendingFile pending(file);
+    pending.append("a longer text than the one that follows\n");
+    pending.sync();
+    ::kill(::getpid(), SIGKILL);
+  }
+  int status = 0;
+  ::waitpid(child, &status, 0);
+  EXPECT_TRUE(WIFSIGNALED(status));
+}
+
+TEST(PendingFile, WhatKilledProgramsLeftIsUsedAgain) {
+  const ScratchFolder scratch;
+  for (int i = 0; i < 3; ++i) begin_and_be_killed(scratch / "table");
+  EXPECT_EQ(entries_of(scratch), 1);
+  write_file(scratch / "table", "text\n");
+  EXPECT_EQ(read_text(scratch / "table"), "text\n");
+  EXPECT_EQ(entries_of(scratch), 1);
+}
+
+TEST(PendingFile, TwoOfOneNameDoNotMix) {
+  const ScratchFolder scratch;
+  PendingFile first(scratch / "table");
+  {
+    PendingFile second(scratch / "table");
+    first.append("first");
+    second.append("second");
+    second.commit();
+  }
+  EXPECT_EQ(read_text(scratch / "table"), "second");
+  first.commit();
+  EXPECT_EQ(read_text(scratch / "table"), "first");
+  EXPECT_EQ(entries_of(scratch), 1);
+}
+
+TEST(PendingFile, WritesOverNothingThatALinkLeadsTo) {
+  const ScratchFolder scratch;
+  std::ofstream(scratch / "mine") << "precious";
+  std::filesystem::create_symlink(scratch / "mine", scratch / "a.unfinished");
+  std::filesystem::create_hard_link(scratch / "mine", scratch / "b.unfinished");
+  std::filesystem::create_directory(scratch / "c.unfinished");
+  ASSERT_EQ(::mkfifo((scratch / "d.unfinished").c_str(), 0600), 0);
+  for (const char* name : {"a", "b", "c", "d"}) {
+    write_file(scratch / name, "text");
+    EXPECT_EQ(read_text(scratch / name), "text") << name;
+  }
+  EXPECT_EQ(read_text(scratch / "mine"), "precious");
+}
+
+// The umask belongs to all threads: a file that another one makes meanwhile would get the wrong
+// rights.
+TEST(PendingFile, LeavesTheUmaskAlone) {
+  const mode_t old = ::umask(027);
+  const ScratchFolder scratch;
+  std::atomic<bool> done{false};
+  std::thread writer([&] {
+    for (int i = 0; i < 300; ++i) write_file(scratch / "table", "text");
+    done = true;
+  });
+  int wrong = 0;
+  for (int i = 0; !done; ++i) {
+    const std::string name = (scratch / "other").string();
+    const int descriptor = ::open(name.c_str(), O_CREAT | O_WRONLY, 0666);
+    struct stat status {};
+    ::fstat(descriptor, &status);
+    wrong += (status.st_mode & 0777) != 0640;
+    ::close(descriptor);
+    ::unlink(name.c_str());
+  }
+  writer.join();
+  struct stat status {};
+  ASSERT_EQ(::stat((scratch / "table").c_str(), &status), 0);
+  EXPECT_EQ(status.st_mode & 0777, 0640U);
+  EXPECT_EQ(wrong, 0);
+  ::umask(old);
 }
 
 TEST(PendingFile, ALostFolderIsAnError) {

@@ -79,6 +79,18 @@ TEST(JournalFile, TellsADamagedByte) {
   EXPECT_EQ(journal.find("row 1"), "[0.25]");
 }
 
+TEST(JournalFile, WritesOverNothingThatALinkLeadsTo) {
+  const ScratchFolder scratch;
+  std::ofstream(scratch / "mine") << "precious";
+  std::filesystem::create_symlink(scratch / "mine", scratch / "soft");
+  std::filesystem::create_hard_link(scratch / "mine", scratch / "hard");
+  for (const char* name : {"soft", "hard"}) {
+    EXPECT_THROW(Journal::begin(scratch / name, some_head()), FileError) << name;
+    EXPECT_THROW(Journal::resume(scratch / name, some_head()), FileError) << name;
+  }
+  EXPECT_EQ(read_text(scratch / "mine"), "precious");
+}
+
 TEST(JournalFile, RefusesOtherWork) {
   const ScratchFolder scratch;
   const auto file = scratch / "j";
