@@ -7,6 +7,7 @@
 #include "command.hpp"
 #include "compare_options.hpp"
 #include "graze/base/errors.hpp"
+#include "graze/base/terminal_text.hpp"
 #include "graze/record/run_info.hpp"
 #include "graze/scene/suggestion.hpp"
 #include "option_groups.hpp"
@@ -254,6 +255,19 @@ std::string unknown_option(const CLI::App& app) {
   return "";
 }
 
+// A sentence about an option without a value, as `--out "$FOLDER"` gives where nothing is in
+// FOLDER, or
+// "". Settings have their own sentence.
+std::string empty_option(const CLI::App& command) {
+  for (const CLI::Option* option : command.get_options()) {
+    const std::vector<std::string>& values = option->results();
+    if (option->get_name() != "--set" && option->get_expected_max() > 0 &&
+        std::find(values.begin(), values.end(), "") != values.end())
+      return fmt::format("{}: the value is empty", option->get_name());
+  }
+  return "";
+}
+
 // A sentence about a first word that is no command, or "".
 std::string unknown_command(int argc, char** argv, const CLI::App& app) {
   if (argc < 2)
@@ -298,14 +312,19 @@ ParsedCommand parse_command_line(int argc, char** argv) {
     std::string unknown = unknown_command(argc, argv, app);
     if (unknown.empty()) unknown = unknown_option(app);
     const auto& commands = app.get_subcommands();
-    std::cerr << "graze: " << (unknown.empty() ? error.what() : unknown) << " (see graze "
-              << (commands.empty() ? "" : commands.front()->get_name() + " ") << "--help)\n";
+    std::cerr << "graze: " << terminal_line(unknown.empty() ? error.what() : unknown)
+              << " (see graze " << (commands.empty() ? "" : commands.front()->get_name() + " ")
+              << "--help)\n";
     return {std::nullopt, 2};
   } catch (const InputError& error) {
-    std::cerr << "graze: " << error.what() << "\n";
+    std::cerr << "graze: " << terminal_line(error.what()) << "\n";
     return {std::nullopt, 2};
   }
   command.name = app.get_subcommands().front()->get_name();
+  if (const std::string empty = empty_option(*app.get_subcommands().front()); !empty.empty()) {
+    std::cerr << "graze: " << empty << " (see graze " << command.name << " --help)\n";
+    return {std::nullopt, 2};
+  }
   command.arguments.assign(argv + 1, argv + argc);
   return {command, 0};
 }

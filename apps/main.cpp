@@ -8,6 +8,7 @@
 
 #include "command.hpp"
 #include "graze/base/errors.hpp"
+#include "graze/base/terminal_text.hpp"
 #include "session.hpp"
 
 namespace {
@@ -32,7 +33,7 @@ extern "C" void on_interrupt(int) {
 
 // Without exceptions: stderr may be full or closed.
 int complain(const std::string& sentence, int code) {
-  std::fputs((sentence + "\n").c_str(), stderr);
+  std::fputs((graze::terminal_line(sentence) + "\n").c_str(), stderr);
   return code;
 }
 

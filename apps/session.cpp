@@ -8,6 +8,7 @@
 #include <memory>
 
 #include "graze/base/errors.hpp"
+#include "graze/base/terminal_text.hpp"
 #include "graze/scene/reader.hpp"
 
 namespace graze {
@@ -108,7 +109,7 @@ void prepare_output(const Command& command) {
 void warn(const Command& command, const std::vector<std::string>& warnings) {
   if (command.quiet) return;
   for (const std::string& warning : warnings)
-    std::fputs(fmt::format("warning: {}\n", warning).c_str(), stderr);
+    std::fputs(fmt::format("warning: {}\n", terminal_line(warning)).c_str(), stderr);
 }
 
 std::function<void(double)> progress_line(const Command& command, int count, const char* things) {
@@ -136,7 +137,7 @@ int conclude(const Command& command, const RunInfo& info, const Outcome& outcome
     for (PendingFile& file : files) file.sync();
     for (PendingFile& file : files) file.commit();
   }
-  print(command.json ? document : Document(result.text()));
+  print(command.json ? document : Document(terminal_text(result.text())));
   if (!command.plot.empty()) result.draw();
   if (outcome.name == "interrupted") return 130;
   return outcome.message.empty() ? 0 : 3;

@@ -4,7 +4,9 @@
 
 namespace graze {
 
-std::string SourceLocation::text() const { return fmt::format("{}:{}:{}", file, line, column); }
+std::string SourceLocation::text() const {
+  return line == 0 ? file : fmt::format("{}:{}:{}", file, line, column);
+}
 
 InputError::InputError(const SourceLocation& where, const std::string& key,
                        const std::string& sentence)

@@ -91,6 +91,7 @@ Journal Journal::resume(const std::filesystem::path& file, const JournalHead& he
     journal.start(head);
     return journal;
   }
+  require_sound(journal.head_, file.string());
   require_same_work(journal.head_, head, file.string());
   journal.cut_off(journal.end_);
   return journal;
@@ -102,6 +103,7 @@ Journal Journal::open(const std::filesystem::path& file) {
   journal.read();
   if (!journal.has_head_)
     throw InputError(file.string() + ": it is no journal of graze, or lacks its first line");
+  require_sound(journal.head_, file.string());
   return journal;
 }
 

@@ -70,6 +70,28 @@ bool read_head(const std::string& text, JournalHead& head) {
   return head.block > 0 && head.share.of > 0;
 }
 
+void require_sound(const JournalHead& head, const std::string& file) {
+  // As many values as an option allows, and the longest run of rows that go to one share.
+  constexpr long long kMostValues = 1'000'000;
+  long long told = 1;
+  for (const auto& [name, value] : head.info.options)
+    if (name == "points" || name == "second_points") {
+      const auto* count = std::get_if<long long>(&value);
+      told = count && *count > 0 && *count <= kMostValues ? told * *count : 0;
+    }
+  if (told <= 0 || head.pieces != static_cast<std::size_t>(told))
+    throw InputError(
+        fmt::format("{}: it is damaged: its first line tells of {} {}s, its options "
+                    "of {}",
+                    file, head.pieces, head.piece, told));
+  if (head.share.part < 1 || head.share.part > head.share.of ||
+      head.block > static_cast<std::size_t>(kMostValues))
+    throw InputError(
+        fmt::format("{}: it is damaged: its first line tells of share {}/{} in blocks "
+                    "of {}",
+                    file, head.share.part, head.share.of, head.block));
+}
+
 std::string processor_name() {
   std::ifstream file("/proc/cpuinfo");
   for (std::string line; std::getline(file, line);) {

@@ -24,6 +24,11 @@ std::string processor_name();
 std::string head_text(const JournalHead& head);
 bool read_head(const std::string& text, JournalHead& head);
 
+// Throws InputError where the head of this file contradicts itself: another number of pieces than
+// its options tell of, a share that is none, more than any command makes. Nothing may be sized by
+// such a head.
+void require_sound(const JournalHead& head, const std::string& file);
+
 // Throws InputError where `there`, the head of this file, is of other work than `head`; says which
 // option differs. Shares and processors may.
 void require_same_work(const JournalHead& there, const JournalHead& head, const std::string& file);

@@ -16,6 +16,7 @@
 
 #include "graze/base/errors.hpp"
 #include "graze/record/files.hpp"
+#include "graze/report/shell_word.hpp"
 
 // POSIX leaves this to the program, g++ has it declared already.
 extern char** environ;  // NOLINT(readability-redundant-declaration)
@@ -216,8 +217,11 @@ std::string pixel_terminal(const PixelLayer& layer) {
 void draw(const std::string& file, const std::string& head, const std::string& layers,
           const GnuplotScript& script, const std::string& picture) {
   const std::filesystem::path path(file);
+  // What begins with a minus or a tilde would be an option or a home.
+  const std::string script_name = path.stem().string() + ".gp";
+  const bool special = script_name.front() == '-' || script_name.front() == '~';
   const std::string comment = fmt::format("# Draws {}: gnuplot {}\n", path.filename().string(),
-                                          path.stem().string() + ".gp");
+                                          shell_word((special ? "./" : "") + script_name));
   write_file(path, picture);
   write_file(std::filesystem::path(path).replace_extension(".gp"),
              comment + layers + head + output(path) + script.text());

@@ -2,6 +2,8 @@
 
 #include <variant>
 
+#include "graze/base/terminal_text.hpp"
+
 namespace graze {
 
 Json document_head(const RunInfo& info, const Outcome& outcome,
@@ -22,7 +24,7 @@ Json document_head(const RunInfo& info, const Outcome& outcome,
 }
 
 std::string document_text(const Json& document) {
-  return document.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
+  return terminal_json(document.dump(1, ' ', false, Json::error_handler_t::replace)) + "\n";
 }
 
 Json parsed(const std::string& text) { return Json::parse(text); }

@@ -26,9 +26,6 @@ std::string plain_text(const std::string& markup);
 Json page_axis(const std::string& name, const std::string& si_unit, AxisRange range,
                double margin = 0.05);
 
-// In quotes where a shell would read it otherwise.
-std::string shell_word(const std::string& word);
-
 // "graze orbit SCENE --set .." with the settings of the run; "name=value" of `more` come after.
 std::string page_command(const RunInfo& info, const std::string& command,
                          const std::vector<std::string>& more);

@@ -16,6 +16,7 @@
 #include "graze/report/json_page.hpp"
 #include "graze/report/page_template.hpp"
 #include "graze/report/pictures.hpp"
+#include "graze/report/shell_word.hpp"
 
 namespace graze {
 namespace {
@@ -110,16 +111,6 @@ Json page_axis(const std::string& name, const std::string& si_unit, AxisRange ra
           {"factor", unit.factor},
           {"low", range.low},
           {"high", range.high}};
-}
-
-std::string shell_word(const std::string& word) {
-  const bool plain = !word.empty() && word.find_first_not_of(
-                                          "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ"
-                                          "0123456789_-./=:,+@%") == std::string::npos;
-  if (plain) return word;
-  std::string quoted = "'";
-  for (const char c : word) quoted += c == '\'' ? std::string("'\\''") : std::string(1, c);
-  return quoted + "'";
 }
 
 std::string page_command(const RunInfo& info, const std::string& command,

@@ -24,6 +24,13 @@ void check_picture_name(const std::string& file, const char* allowed) {
   const auto control = [](char c) { return std::iscntrl(static_cast<unsigned char>(c)) != 0; };
   if (std::any_of(file.begin(), file.end(), control))
     throw InputError("the name of a picture cannot hold control characters");
+  // Its script has the name that gnuplot is given: `gnuplot '<x.gp'` runs a program x.gp.
+  const std::string name = path.filename().string();
+  if (name.front() == '<' || name.front() == '|')
+    throw InputError(
+        fmt::format("{}: the name of a picture cannot begin with {}, after which gnuplot takes it "
+                    "for a command",
+                    file, name.front()));
 }
 
 }  // namespace graze

@@ -44,12 +44,10 @@ struct Setting {
   std::string file;  // for messages
   std::string name;
   std::vector<std::string> parts;  // of the name
-  std::size_t value_at = 0;        // byte at which the value begins
   std::string value;
 
-  [[noreturn]] void fail(std::size_t byte, const std::string& sentence) const {
-    throw InputError(SourceLocation{file, 1, static_cast<int>(byte) + 1},
-                     name.empty() ? "set" : name, sentence);
+  [[noreturn]] void fail(const std::string& sentence) const {
+    throw InputError(SourceLocation{file}, name.empty() ? "set" : name, sentence);
   }
 };
 
@@ -73,53 +71,57 @@ Setting taken_apart(const std::string& text) {
   setting.parts = parts_of(name);
   const bool well_formed = std::all_of(setting.parts.begin(), setting.parts.end(), is_bare_key);
   if (equals == std::string::npos || !well_formed) {
-    setting.fail(0, "the setting is malformed, it must read NAME=VALUE like stop.gap=1e-3");
+    setting.fail("the setting is malformed, it must read NAME=VALUE like stop.gap=1e-3");
   }
   setting.name = name;
   if (setting.parts.size() > kMostParts) {
-    setting.fail(0, "there is no such key, at most five names can be joined by dots");
+    setting.fail("there is no such key, at most five names can be joined by dots");
   }
   const std::string_view value = trimmed(std::string_view(text).substr(equals + 1));
   if (value.empty()) {
-    setting.fail(equals + 1, "the value is missing, the setting must read NAME=VALUE");
+    setting.fail("the value is missing, the setting must read NAME=VALUE");
   }
   setting.value = value;
-  setting.value_at = static_cast<std::size_t>(value.data() - text.data());
   return setting;
 }
 
 constexpr std::string_view kAllowedValues =
-    "a number, a list in [ ], a string in quotes or one bare word";
+    "a number without a unit, a list in [ ], a string in quotes or one bare word";
+
+// A setting is short and is shown as a whole: lines and columns in it would tell nothing.
+void place_in_setting(Node& node, const Place& place) {
+  node.place = place;
+  if (auto* list = node.as<NodeList>()) {
+    for (Node& entry : *list) {
+      place_in_setting(entry, place);
+    }
+  } else if (auto* table = node.as<NodeTable>()) {
+    for (Member& member : *table) {
+      place_in_setting(member.node, place);
+    }
+  }
+}
 
 Node value_of(const Setting& setting) {
   const bool one_line = setting.value.find_first_of("\n\r") == std::string::npos;
   if (setting.value.size() > kLargestText) {
-    setting.fail(setting.value_at, "the value is larger than 16 MiB, it must be smaller");
+    setting.fail("the value is larger than 16 MiB, it must be smaller");
   }
-  // Read as the text "v   =VALUE", in which the value stands at the column it has in the setting.
-  std::string text(setting.value_at, ' ');
-  text.front() = 'v';
-  text.back() = '=';
-  text += setting.value;
+  const Place place{std::make_shared<const std::string>(setting.file)};
   try {
-    Node root = read_document(text, setting.file);
+    Node root = read_document("v=" + setting.value, setting.file);
     NodeTable& table = *root.as<NodeTable>();
     if (one_line && table.size() == 1) {
       Node node = std::move(table.front().node);
-      node.place.column = static_cast<int>(setting.value_at) + 1;
+      place_in_setting(node, place);
       return node;
     }
   } catch (const InputError&) {
     if (is_word(setting.value)) {
-      const auto file = std::make_shared<const std::string>(setting.file);
-      Node node;
-      node.value = setting.value;
-      node.place = {file, 1, static_cast<int>(setting.value_at) + 1};
-      return node;
+      return Node{setting.value, place};
     }
   }
-  setting.fail(setting.value_at,
-               fmt::format("the value is not TOML, it must be {}", kAllowedValues));
+  setting.fail(fmt::format("the value is not TOML, it must be {}", kAllowedValues));
 }
 
 // The number that `part` writes, or 0 when it is none.
@@ -140,9 +142,9 @@ Node& entry_of(NodeList& list, const std::string& part, const std::string& path,
   if (index == 0 || index > list.size()) {
     const std::size_t most = is_list_of_tables(path) ? list.size() + 1 : list.size();
     const std::string allowed = most == 1 ? "1" : fmt::format("from 1 to {}", most);
-    setting.fail(0, most == 0 ? fmt::format("{} is an empty list, it has no entry to change", path)
-                              : fmt::format("there is no entry {} in {}, the number must be {}",
-                                            part, path, allowed));
+    setting.fail(most == 0 ? fmt::format("{} is an empty list, it has no entry to change", path)
+                           : fmt::format("there is no entry {} in {}, the number must be {}", part,
+                                         path, allowed));
   }
   return list[index - 1];
 }
@@ -189,8 +191,8 @@ void apply_setting(Node& root, const std::string& text) {
     } else if (auto* list = at->as<NodeList>()) {
       at = &entry_of(*list, parts[k], path, setting);
     } else {
-      setting.fail(0, fmt::format("{} is {}, it must be a table or a list to hold {}", path,
-                                  node_description(*at), parts[k]));
+      setting.fail(fmt::format("{} is {}, it must be a table or a list to hold {}", path,
+                               node_description(*at), parts[k]));
     }
     path += (path.empty() ? "" : ".") + parts[k];
   }

@@ -189,9 +189,15 @@ std::size_t TableReader::choice_index(const std::string& key,
 const NodeList& tables_of(const Node& node, const std::string& name) {
   const auto* list = node.as<NodeList>();
   if (list == nullptr) {
-    fail_at(node.place, name,
-            fmt::format("{} is not allowed, {}s must be written [[{}]] in two pairs of brackets",
-                        node_description(node), name, name));
+    // A setting has no headers: there the keys of one table are named, or the list is given whole.
+    const bool in_setting = node.place.line == 0;
+    const std::string way =
+        in_setting ? fmt::format(
+                         "it must be a list of tables like [{{..}}]; --set {}.1.NAME=VALUE "
+                         "sets one key of the first {}",
+                         name, name)
+                   : fmt::format("{}s must be written [[{}]] in two pairs of brackets", name, name);
+    fail_at(node.place, name, fmt::format("{} is not allowed, {}", node_description(node), way));
   }
   return *list;
 }

@@ -91,6 +91,35 @@ TEST(JournalFile, WritesOverNothingThatALinkLeadsTo) {
   EXPECT_EQ(read_text(scratch / "mine"), "precious");
 }
 
+// A head with a right checksum, but not from this program: 1e9 pieces would take all memory.
+TEST(JournalFile, RefusesHeadsThatContradictThemselves) {
+  const ScratchFolder scratch;
+  std::vector<JournalHead> heads(6, some_head());
+  heads[0].pieces = 1'000'000'000;
+  heads[1].pieces = 4;
+  heads[2].info.options[1].second = 1'000'000'000LL;
+  heads[2].pieces = 1'000'000'000;
+  heads[3].share = {3, 2};
+  heads[4].share = {0, 2};
+  heads[5].block = std::numeric_limits<std::size_t>::max();
+  for (std::size_t i = 0; i < heads.size(); ++i) {
+    const auto file = scratch / ("j" + std::to_string(i));
+    Journal::begin(file, heads[i]);
+    for (const bool resumed : {false, true}) {
+      std::string message = "accepted";
+      try {
+        if (resumed)
+          Journal::resume(file, heads[i]);
+        else
+          Journal::open(file);
+      } catch (const InputError& error) {
+        message = error.what();
+      }
+      EXPECT_NE(message.find("it is damaged"), std::string::npos) << i << ": " << message;
+    }
+  }
+}
+
 TEST(JournalFile, RefusesOtherWork) {
   const ScratchFolder scratch;
   const auto file = scratch / "j";

@@ -10,6 +10,7 @@
 
 #include "apps/program.hpp"
 #include "graze/base/errors.hpp"
+#include "graze/report/gnuplot.hpp"
 #include "graze/report/picture_motion.hpp"
 #include "graze/report/special_marks.hpp"
 #include "support/systems.hpp"
@@ -343,8 +344,8 @@ TEST(DrawSimulation, ShowsProbesInPanelsByTheirUnit) {
                  ProbeQuantity::kVelocity, ProbeQuantity::kDeflection});
   text = script();
   EXPECT_EQ(count(text, "set yrange"), panels + 3);
-  for (const char* name : {"'probes'", "'displacement,'", "'deflection (m)'",
-                           "'probe 4 (m/s)'", "'probe 1'", "'probe 5'"})
+  for (const char* name : {"'probes'", "'displacement,'", "'deflection (m)'", "'probe 4 (m/s)'",
+                           "'probe 1'", "'probe 5'"})
     EXPECT_NE(text.find(name), std::string::npos) << name;
   EXPECT_EQ(text.find("'probe 4'"), std::string::npos);
   record.probes = probes_of(std::vector<ProbeQuantity>(8, ProbeQuantity::kVelocity));
@@ -371,6 +372,32 @@ TEST(DrawSimulation, DrawsWhateverWasRecorded) {
     EXPECT_NO_THROW(draw_simulation(picture, record));
     EXPECT_GT(read_text(picture).size(), 1000U);
     EXPECT_EQ(read_text(scratch / "x.gp").find("nan"), std::string::npos);
+  }
+}
+
+TEST(PictureNames, CannotBeCommandsOfGnuplot) {
+  for (const char* name : {"<x.png", "|x.svg", "folder/<x.pdf", "/tmp/| rm.png", "x\n.png"})
+    EXPECT_THROW(check_picture_name(name), InputError) << name;
+  for (const char* name : {"x.png", "a<b.svg", "<folder/x.pdf", "-x.png", "~x.png", "it's.svg"})
+    EXPECT_NO_THROW(check_picture_name(name)) << name;
+}
+
+// The script says how it is run: the line must do that in a shell, whatever its name.
+TEST(PictureNames, ScriptsTellACommandThatDrawsThem) {
+  const ScratchFolder scratch;
+  for (const std::string name :
+       {"x", "two words", "-x", "~x", "it's", "$(touch y)", "a;b", "a&b"}) {
+    GnuplotScript script;
+    script.command("set xrange [0:1]");
+    script.plot({"x notitle"});
+    draw_picture((scratch / (name + ".svg")).string(), script);
+    const std::string text = read_text(scratch / (name + ".gp"));
+    const std::size_t at = text.find(": gnuplot ") + 2;
+    const std::string command = text.substr(at, text.find('\n') - at);
+    std::filesystem::remove(scratch / (name + ".svg"));
+    EXPECT_EQ(std::system(("cd '" + scratch.string() + "' && " + command).c_str()), 0) << command;
+    EXPECT_TRUE(std::filesystem::exists(scratch / (name + ".svg"))) << command;
+    EXPECT_FALSE(std::filesystem::exists(scratch / "y")) << command;
   }
 }
 

@@ -138,10 +138,10 @@ TEST(Hub, SettingsReachItsNumbers) {
   const Scene table = with("hub.torque={kind=\"table\", times=[0, 1], values=[2, 0]}");
   EXPECT_EQ(std::get<TorqueTable>(*table.hub->torque).values, (std::vector<double>{2.0, 0.0}));
   EXPECT_EQ(message_of([&] { with("hub.torque.duration=-1"); }),
-            "--set hub.torque.duration=-1:1:21: hub.torque.duration: -1 is not allowed, it must be "
+            "--set hub.torque.duration=-1: hub.torque.duration: -1 is not allowed, it must be "
             "a finite number greater than 0");
   EXPECT_EQ(message_of([&] { with("hub.torque.amplitud=1"); }),
-            "--set hub.torque.amplitud=1:1:21: hub.torque.amplitud: there is no such key, did you "
+            "--set hub.torque.amplitud=1: hub.torque.amplitud: there is no such key, did you "
             "mean hub.torque.amplitude?");
 }
 
