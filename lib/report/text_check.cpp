@@ -6,6 +6,7 @@
 #include "graze/assembly/requested_restitution.hpp"
 #include "graze/assembly/spring_law.hpp"
 #include "graze/base/angle.hpp"
+#include "graze/base/terminal_text.hpp"
 #include "graze/report/table.hpp"
 #include "graze/report/text.hpp"
 #include "graze/study/step_choice.hpp"
@@ -48,7 +49,9 @@ std::string restitution_text(const std::vector<double>& coefficients) {
   return text;
 }
 
-std::string title(const Scene& scene) { return scene.title.empty() ? "" : scene.title + "\n"; }
+std::string title(const Scene& scene) {
+  return scene.title.empty() ? "" : terminal_line(scene.title) + "\n";
+}
 
 std::string damping_text(const Scene& scene) {
   if (!scene.damping)

@@ -10,7 +10,6 @@
 
 #include "apps/program.hpp"
 #include "graze/base/errors.hpp"
-#include "graze/report/gnuplot.hpp"
 #include "graze/report/picture_motion.hpp"
 #include "graze/report/special_marks.hpp"
 #include "support/systems.hpp"
@@ -372,32 +371,6 @@ TEST(DrawSimulation, DrawsWhateverWasRecorded) {
     EXPECT_NO_THROW(draw_simulation(picture, record));
     EXPECT_GT(read_text(picture).size(), 1000U);
     EXPECT_EQ(read_text(scratch / "x.gp").find("nan"), std::string::npos);
-  }
-}
-
-TEST(PictureNames, CannotBeCommandsOfGnuplot) {
-  for (const char* name : {"<x.png", "|x.svg", "folder/<x.pdf", "/tmp/| rm.png", "x\n.png"})
-    EXPECT_THROW(check_picture_name(name), InputError) << name;
-  for (const char* name : {"x.png", "a<b.svg", "<folder/x.pdf", "-x.png", "~x.png", "it's.svg"})
-    EXPECT_NO_THROW(check_picture_name(name)) << name;
-}
-
-// The script says how it is run: the line must do that in a shell, whatever its name.
-TEST(PictureNames, ScriptsTellACommandThatDrawsThem) {
-  const ScratchFolder scratch;
-  for (const std::string name :
-       {"x", "two words", "-x", "~x", "it's", "$(touch y)", "a;b", "a&b"}) {
-    GnuplotScript script;
-    script.command("set xrange [0:1]");
-    script.plot({"x notitle"});
-    draw_picture((scratch / (name + ".svg")).string(), script);
-    const std::string text = read_text(scratch / (name + ".gp"));
-    const std::size_t at = text.find(": gnuplot ") + 2;
-    const std::string command = text.substr(at, text.find('\n') - at);
-    std::filesystem::remove(scratch / (name + ".svg"));
-    EXPECT_EQ(std::system(("cd '" + scratch.string() + "' && " + command).c_str()), 0) << command;
-    EXPECT_TRUE(std::filesystem::exists(scratch / (name + ".svg"))) << command;
-    EXPECT_FALSE(std::filesystem::exists(scratch / "y")) << command;
   }
 }
 
