@@ -151,9 +151,22 @@ class Varied {
 // A step that fails its error more often than this in a row will not succeed.
 constexpr int kMostFailures = 500;
 
+// Odeint begins a step with a look at the size of the last one, which before the first step has no
+// value. It gets one here, NaN, which no step has. That size is private: an explicit instantiation
+// may name it, and has a friend that sets it.
+using Method = odeint::bulirsch_stoer<Varied::State>;
+void begin_steps(Method& method);
+template <double Method::*kLastStep>
+struct LastStep {
+  friend void begin_steps(Method& method) {
+    method.*kLastStep = std::numeric_limits<double>::quiet_NaN();
+  }
+};
+template struct LastStep<&Method::m_dt_last>;
+
 Varied::State integrate(Varied& varied, Varied::State whole, double s) {
-  odeint::bulirsch_stoer<Varied::State> method(kDeviationTolerance,
-                                               Sprung::relative(kDeviationTolerance), 1.0, 0.0);
+  Method method(kDeviationTolerance, Sprung::relative(kDeviationTolerance), 1.0, 0.0);
+  begin_steps(method);
   double at = 0.0, next = varied.first_step(s);
   for (int failures = 0; at < s && failures < kMostFailures;) {
     next = std::min(next, s - at);

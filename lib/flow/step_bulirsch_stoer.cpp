@@ -10,6 +10,19 @@ namespace odeint = boost::numeric::odeint;
 // A step that fails its error more often than this in a row will not succeed.
 constexpr int kMostFailures = 500;
 
+// Odeint begins a step with a look at the size of the last one, which before the first step has no
+// value. It gets one here, NaN, which no step has. That size is private: an explicit instantiation
+// may name it, and has a friend that sets it.
+using Method = odeint::bulirsch_stoer<step_walk::Sprung::State>;
+void begin_steps(Method& method);
+template <double Method::*kLastStep>
+struct LastStep {
+  friend void begin_steps(Method& method) {
+    method.*kLastStep = std::numeric_limits<double>::quiet_NaN();
+  }
+};
+template struct LastStep<&Method::m_dt_last>;
+
 // Steps and orders that their error decides; what lies within a step is reached from its start.
 template <class Rates>
 class ExtrapolatedWalk {
@@ -20,9 +33,11 @@ class ExtrapolatedWalk {
   ExtrapolatedWalk(Rates rates_of, const StepSetting& setting)
       : rates(std::move(rates_of)),
         longest_(setting.longest),
-        method_(setting.tolerance * setting.speed, Rates::relative(setting.tolerance), 1.0, 0.0,
-                std::isfinite(setting.longest) ? setting.longest : 0.0),
-        method_within_(method_) {}
+        method_(made(setting)),
+        method_within_(made(setting)) {
+    begin_steps(method_);
+    begin_steps(method_within_);
+  }
 
   void begin(const State& x) {
     from_ = to_ = 0.0;
@@ -57,11 +72,16 @@ class ExtrapolatedWalk {
   Rates rates;
 
  private:
+  static Method made(const StepSetting& setting) {
+    return Method(setting.tolerance * setting.speed, Rates::relative(setting.tolerance), 1.0, 0.0,
+                  std::isfinite(setting.longest) ? setting.longest : 0.0);
+  }
+
   double longest_;
   double from_ = 0.0, to_ = 0.0, next_ = 0.0;
   State at_start_{}, at_end_{}, within_{};
   // It learns from its steps; what is asked within them is not to change them.
-  odeint::bulirsch_stoer<State> method_, method_within_;
+  Method method_, method_within_;
 };
 
 }  // namespace
