@@ -2,6 +2,8 @@
 
 #include <utility>
 
+#include "graze/base/product_eigenvalues.hpp"
+
 namespace graze {
 namespace {
 
@@ -24,13 +26,13 @@ std::optional<ZeroEvaluation> evaluate(const Map& map, int period, const Vector&
 std::vector<Eigenvalue> multipliers(const Map& map, int period, const Vector& u, double parameter,
                                     ErrorBounds errors) {
   const Eigen::Index n = u.size() / period;
-  Matrix product = Matrix::Identity(n, n);
+  std::vector<Matrix> factors;
   for (Eigen::Index i = 0; i < u.size(); i += n) {
     const std::optional<MapEvaluation> f = map(u.segment(i, n), parameter);
     if (!f) return {};
-    product = f->jacobian * product;
+    factors.push_back(f->jacobian);
   }
-  return eigenvalues(product, errors);
+  return product_eigenvalues(factors, errors);
 }
 
 }  // namespace

@@ -2,6 +2,8 @@
 
 #include <utility>
 
+#include "graze/base/product_eigenvalues.hpp"
+
 namespace graze {
 namespace {
 
@@ -65,13 +67,13 @@ std::optional<Eigen::MatrixXcd> curvature(const PlaneMap& map, int period, const
 std::vector<Eigenvalue> multipliers(const PlaneMap& map, int period, const Vector& u, double p,
                                     double q, ErrorBounds errors) {
   const Eigen::Index n = u.size() / period;
-  Matrix product = Matrix::Identity(n, n);
+  std::vector<Matrix> factors;
   for (Eigen::Index i = 0; i < u.size(); i += n) {
     const std::optional<PlaneMapEvaluation> f = map.evaluate(u.segment(i, n), p, q);
     if (!f) return {};
-    product = f->jacobian * product;
+    factors.push_back(f->jacobian);
   }
-  return eigenvalues(product, errors);
+  return product_eigenvalues(factors, errors);
 }
 
 }  // namespace

@@ -28,8 +28,7 @@ std::optional<NearbyOrbit> nearby_orbit(const System& system, const ImpactPatter
   if (!solution) return {};
   NearbyOrbit orbit{pattern, problem.unpack(system, solution->x), {}};
   if (!(distance(system, shooting_scale(system), orbit, points) <= kNear)) return {};
-  const MultiplierCount count =
-      count_multipliers(eigenvalues(monodromy_matrix(system, pattern, orbit.points)));
+  const MultiplierCount count = count_multipliers(orbit_multipliers(system, pattern, orbit.points));
   if (count.outside > 0)
     orbit.stable = false;
   else if (count.undecided == 0)

@@ -8,6 +8,7 @@
 
 #include "graze/base/angle.hpp"
 #include "graze/base/linear_equations.hpp"
+#include "graze/base/product_eigenvalues.hpp"
 #include "graze/orbit/orbit_clock.hpp"
 #include "graze/orbit/shooting.hpp"
 #include "graze/orbit/solve.hpp"
@@ -18,12 +19,13 @@ namespace {
 // The equations f(x_i) - x_{i+1} = 0 at u.
 struct Equations {
   Vector residual;
-  Matrix jacobian, product;  // of the residual; of the slopes
+  Matrix jacobian;             // of the residual
+  std::vector<Matrix> slopes;  // of the map, at x_1, .., x_p
 };
 
 std::optional<Equations> equations_at(const System& system, const StrobeMap& map, const Vector& u) {
   const Eigen::Index n = map.size();
-  Equations equations{Vector(u.size()), Matrix::Zero(u.size(), u.size()), Matrix::Identity(n, n)};
+  Equations equations{Vector(u.size()), Matrix::Zero(u.size(), u.size()), {}};
   for (Eigen::Index i = 0; i < u.size(); i += n) {
     const Eigen::Index next = (i + n) % u.size();
     const std::optional<StrobeMap::Image> image = map.image(system, u.segment(i, n));
@@ -31,7 +33,7 @@ std::optional<Equations> equations_at(const System& system, const StrobeMap& map
     equations.residual.segment(i, n) = image->image - u.segment(next, n);
     equations.jacobian.block(i, i, n, n) += image->jacobian;
     equations.jacobian.block(i, next, n, n) -= Matrix::Identity(n, n);
-    equations.product = image->jacobian * equations.product;
+    equations.slopes.push_back(image->jacobian);
   }
   return equations;
 }
@@ -39,7 +41,7 @@ std::optional<Equations> equations_at(const System& system, const StrobeMap& map
 struct Solution {
   Vector u;
   double residual = 0.0;
-  Matrix product;
+  std::vector<Matrix> slopes;
 };
 
 // Newton's method; once below the tolerance it goes on while it pays.
@@ -61,7 +63,7 @@ std::optional<Solution> newton(const System& system, const StrobeMap& map, Vecto
     const Vector update = LuFactors(at->jacobian).solve(at->residual);
     if (!update.allFinite()) break;
     if (residual <= kShootingTolerance && update.norm() <= kShootingAccuracy * (1.0 + u.norm()))
-      best = Solution{u, residual, at->product};
+      best = Solution{u, residual, at->slopes};
     u -= update;
   }
   return best;
@@ -222,7 +224,7 @@ StrobeAnswer solve_from(const System& system, const StrobeMap& map, const Vector
   }
   StrobeAnswer answer;
   answer.orbit =
-      orbit_of(system, map, solution->u, eigenvalues(solution->product), solution->residual);
+      orbit_of(system, map, solution->u, product_eigenvalues(solution->slopes), solution->residual);
   if (!answer.orbit)
     answer.why_not =
         "the periodic motion meets no stop, never leaves one, or comes to rest on one that is "

@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <fstream>
 #include <map>
+#include <regex>
 #include <set>
 #include <string>
 #include <vector>
@@ -270,6 +271,24 @@ TEST(Architecture, HeadersOpenWithWhatTheyHoldAndGuardThemselves) {
     EXPECT_TRUE(starts_with(text[0], "// ")) << name_of(file);
     EXPECT_NE(std::find(text.begin(), text.end(), "#pragma once"), text.end()) << name_of(file);
   }
+}
+
+// Eigenvalues of a formed product lose all that is smaller than its rounding (decision 0008), and
+// a product is not seen by its type. So rooms beside base take those of factors, but for files
+// whose matrix comes as one: a generator, or what a motion followed once round gives.
+TEST(Architecture, OutsideBaseEigenvaluesAreTakenOfFactors) {
+  const std::set<std::string> whole = {"lib/flow/coupled_flow.cpp", "lib/orbit/release_section.cpp",
+                                       "lib/orbit/sticking_orbit.cpp"};
+  const std::regex call(R"((^|[^_[:alnum:]])eigenvalues\([^)])");
+  std::set<std::string> found;
+  for (const fs::path& file : sources("lib")) {
+    if (starts_with(name_of(file), "lib/base/")) continue;
+    for (const std::string& line : lines(file)) {
+      const std::string code = line.substr(0, line.find("//"));
+      if (std::regex_search(code, call)) found.insert(name_of(file));
+    }
+  }
+  EXPECT_EQ(found, whole);
 }
 
 }  // namespace
