@@ -7,6 +7,8 @@
 #include <cmath>
 #include <string>
 
+#include "graze/scene/value_checker.hpp"
+
 namespace graze {
 
 // A finite number that fits; `what` names those that do.
@@ -23,7 +25,8 @@ CLI::Validator number(const std::string& what, const Fits& fits) {
 }
 
 inline CLI::Validator finite_number() {
-  return number("a finite number", [](double) { return true; });
+  return number(fmt::format("a finite number of at most {:.1e} in size", kLargestNumber),
+                [](double value) { return std::abs(value) <= kLargestNumber; });
 }
 
 inline CLI::Validator above_zero() {

@@ -87,6 +87,7 @@ class Tracer {
       h *= 0.5;
       // Below this the two ends of a step are one point in double precision.
       const double size = 1.0 + corrector_.pack(branch.last()).norm();
+      if (!std::isfinite(size)) return {};
       if (h < 1e3 * std::numeric_limits<double>::epsilon() * size) return passage_.pass(branch, h);
     }
   }

@@ -46,7 +46,7 @@ enum class ArrivalKind {
 template <class Real>
 struct Arrival {
   ArrivalKind kind = ArrivalKind::kTime;
-  int stop = -1;
+  int stop = -1;              // -1: the event, or what is refused, is at none
   Real flight = 0;            // s, length of the arc
   Real speed = 0;             // m/s, approach speed at a contact
   long long evaluations = 0;  // of gaps and contact forces, in search of the event

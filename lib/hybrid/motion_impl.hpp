@@ -189,11 +189,11 @@ Arrival<Real> Motion<Real>::fly(const Real& until, const Real& horizon) {
   return *arrival;
 }
 
-// A stop that makes the phase what it is.
+// A stop that makes the phase what it is; -1: none does, it turns with a hub.
 template <class Real>
 int Motion<Real>::first_of(const ContactPhase<Real>& phase) {
   if (!phase.closed().empty()) return phase.closed().front();
-  if (phase.springs().empty()) return 0;  // what turns with a hub
+  if (phase.springs().empty()) return -1;
   return phase.springs().loaded.empty() ? phase.springs().parted.front()
                                         : phase.springs().loaded.front();
 }

@@ -25,14 +25,16 @@ NextFlight next_flight(const Motion<double>& motion, const Instant<double>& end,
 }
 
 std::string failure_of(const Motion<double>& motion, const Arrival<double>& arrival) {
+  const bool at_stop = arrival.stop >= 0;
   switch (arrival.kind) {
     case ArrivalKind::kUndecided:
-      return fmt::format("the search for the next event at stop {} used up its evaluations",
-                         arrival.stop + 1);
+      return fmt::format("the search for the next event{} used up its evaluations",
+                         at_stop ? fmt::format(" at stop {}", arrival.stop + 1) : "");
     case ArrivalKind::kNotFinite:
       return "the motion left the range of double precision";
     case ArrivalKind::kRefused:
-      return fmt::format("the motion on stop {} cannot be followed: {}", arrival.stop + 1,
+      return fmt::format("the motion{} cannot be followed: {}",
+                         at_stop ? fmt::format(" on stop {}", arrival.stop + 1) : "",
                          motion.refusal());
     case ArrivalKind::kTime:
     case ArrivalKind::kContact:

@@ -53,7 +53,7 @@ void Motion<Real>::search_by_steps(ContactPhase<Real>& phase, const Real& until,
     if (found.stopped) {
       arrival.kind = ArrivalKind::kUndecided;
       arrival.flight = 0.0;
-      arrival.stop = list.empty() ? 0 : list.front().stop;
+      arrival.stop = list.empty() ? -1 : list.front().stop;
       return;
     }
     if (found.watch < 0 || !found.finite) return;

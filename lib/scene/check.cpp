@@ -42,6 +42,12 @@ void check_structure(const Scene& scene) {
     checker.positive("second_moment", beam->second_moment);
     checker.positive("density", beam->density);
     checker.positive("area", beam->area);
+    checker.usable("density", beam->density * beam->area * beam->length,
+                   "the mass of the beam, kg,");
+    checker.usable("youngs_modulus",
+                   beam->youngs_modulus * beam->second_moment /
+                       (beam->density * beam->area * std::pow(beam->length, 4.0)),
+                   "the square of its frequencies, 1/s^2,");
     if (beam->thickness) checker.positive("thickness", *beam->thickness);
     checker.require(beam->modes >= 1 && beam->modes <= kMostModes, "modes", beam->modes,
                     "an integer from 1 to 400");
@@ -202,6 +208,9 @@ void check_stop(const Scene& scene, const Stop& stop, std::size_t number) {
     if (std::all_of(stop.shape.begin(), stop.shape.end(), [](double phi) { return phi == 0.0; })) {
       checker.fail("shape", "every entry is 0, at least one mode must move at the stop");
     }
+    double square = 0.0;
+    for (const double phi : stop.shape) square += phi * phi;
+    checker.usable("shape", 1.0 / square, "the effective mass at the stop, kg,");
   }
   checker.finite("gap", stop.gap);
   if (stop.spring) {

@@ -21,16 +21,32 @@ void ValueChecker::require(bool kept, const std::string& key, double value,
 
 void ValueChecker::finite(const char* key, double value) const {
   if (!std::isfinite(value)) require(false, key, value, "a finite number");
+  not_too_large(key, value);
 }
 
 void ValueChecker::positive(const char* key, double value) const {
   if (!std::isfinite(value) || value <= 0.0)
     require(false, key, value, "a finite number greater than 0");
+  not_too_large(key, value);
 }
 
 void ValueChecker::not_negative(const char* key, double value) const {
   if (!std::isfinite(value) || value < 0.0)
     require(false, key, value, "a finite number of at least 0");
+  not_too_large(key, value);
+}
+
+void ValueChecker::not_too_large(const std::string& key, double value) const {
+  if (std::abs(value) <= kLargestNumber) return;
+  fail(key, fmt::format("{} is not allowed, numbers must be at most {:.1e} in size, since squares "
+                        "of larger ones overflow",
+                        value, kLargestNumber));
+}
+
+void ValueChecker::usable(const char* key, double value, const char* what) const {
+  if (value > 0.0 && value <= kLargestNumber) return;
+  fail(key, fmt::format("with this value {} is {}, it must be greater than 0 and at most {:.1e}",
+                        what, value, kLargestNumber));
 }
 
 void ValueChecker::entries(const char* key, const std::vector<double>& values, int modes,
@@ -46,6 +62,8 @@ void ValueChecker::entries(const char* key, const std::vector<double>& values, i
       require(false, fmt::format("{}.{}", key, k + 1), values[k],
               negative_allowed ? "a finite number" : "a finite number of at least 0");
     }
+    if (std::abs(values[k]) > kLargestNumber)
+      not_too_large(fmt::format("{}.{}", key, k + 1), values[k]);
   }
 }
 

@@ -58,6 +58,24 @@ TEST(LongRun, UnderNohupTheRunOutlivesItsTerminal) {
   EXPECT_EQ(WEXITSTATUS(std::system(line.c_str())), 3);
 }
 
+TEST(LongRun, MotionIntegratedByStepsIsStoppedWhereThereIsNoStop) {
+  for (const char* command : {"simulate --duration 1000 ", "cost "})
+    EXPECT_EQ(run_graze(command + std::string("--max-seconds 0.2 --json ") + GRAZE_SOURCE_DIR +
+                        "/data/measurements/vibration.toml")
+                  .code,
+              3)
+        << command;
+}
+
+TEST(LongRun, RangesWhoseSquaresOverflowAreRefused) {
+  const Finished run = run_graze("continue --parameter stop.gap --from 0 --to 1e160 " + kOneMode,
+                                 "timeout -s KILL 60 ");
+  EXPECT_EQ(run.code, 2);
+  EXPECT_NE(run.err.find("--to: '1e160' is not a finite number of at most 6.7e+153"),
+            std::string::npos)
+      << run.err;
+}
+
 TEST(LongRun, StoppedRunsKeepTheirFilesToo) {
   const ScratchFolder scratch;
   const std::string folder = (scratch / "run").string();
