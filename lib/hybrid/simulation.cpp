@@ -145,7 +145,8 @@ class Run {
         note_gaps();
         return true;
       case ArrivalKind::kTouch:
-        ++state_.totals.undecided_touches;
+        // A spring that is touched is compressed or left next: no impact is passed over.
+        if (!stop(arrival.stop).spring) ++state_.totals.undecided_touches;
         return true;
       case ArrivalKind::kContact:
         book_impact();

@@ -4,6 +4,7 @@
 #include <chrono>
 #include <cmath>
 #include <numbers>
+#include <string>
 
 #include "graze/assembly/assembly.hpp"
 #include "graze/assembly/initial_state.hpp"
@@ -236,6 +237,20 @@ TEST(CompliantStop, AFlightOfAnyLengthCanBeStopped) {
   EXPECT_EQ(run.outcome, RunOutcome::kTimeBudget) << run.message;
   EXPECT_LT(run.end_time, 1e-6);
   EXPECT_NEAR(run.final.q[0], deep.q[0], 1e-6);
+}
+
+// Every touch of a spring with a damper is a contact or a separation, none a grazing that was
+// passed.
+TEST(CompliantStop, ContactsOfADampedSpringAreNoUndecidedTouches) {
+  for (const char* name : {"12_spring_dashpot_oscillator", "13_beam_on_a_spring",
+                           "14_beam_against_a_ball", "17_yigit_lee_wang_1"}) {
+    const Scene scene = read_scene(GRAZE_SOURCE_DIR "/data/scenes/" + std::string(name) + ".toml");
+    const System system = assemble(scene);
+    const auto run =
+        support::record_run(system, initial_state(scene, system), support::for_seconds(2.0));
+    EXPECT_GT(run.result.totals.impacts, 0) << name;
+    EXPECT_EQ(run.result.totals.undecided_touches, 0) << name;
+  }
 }
 
 }  // namespace
