@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # Installs what is missing, builds Graze, runs all tests. From the project's root or anywhere else:
-#   bash tests/run.sh            optimised build, all tests; writes docs/hard_cases.md and docs/cost.md anew
+#   bash tests/run.sh            optimised build, all tests; leaves what they measured as build/hard_cases.md
+#                                and build/cost.md, which `bash tests/update_pages.sh` copies into docs
 #   bash tests/run.sh --dev      the same with address and undefined-behaviour sanitizers
 set -euo pipefail
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
@@ -20,6 +21,6 @@ export GRAZE_HARD_CASES GRAZE_COSTS
 trap 'rm -f "$GRAZE_HARD_CASES" "$GRAZE_COSTS"' EXIT
 ctest --preset "$preset" --parallel "$(nproc)"
 if [ "$preset" = release ]; then
-  bash tests/hard/table.sh "$GRAZE_HARD_CASES" docs/hard_cases.md
-  bash tests/cost/table.sh "$GRAZE_COSTS" docs/cost.md
+  bash tests/hard/table.sh "$GRAZE_HARD_CASES" build/hard_cases.md
+  bash tests/cost/table.sh "$GRAZE_COSTS" build/cost.md
 fi

@@ -75,6 +75,32 @@ TEST(Documentation, GalleryShowsWhatItsCommandsDraw) {
   EXPECT_EQ(shown, found(page, R"(\n    build/graze [^\n]* --plot ([\w.]+)\n)"));
 }
 
+// The README's first command builds the program alone.
+TEST(Documentation, TellsHowTheExamplesItNamesAreBuilt) {
+  std::size_t named = 0;
+  for (const fs::path& page : pages()) {
+    const std::string text = text_of(page);
+    if (text.find("build/tests/example_") == std::string::npos) continue;
+    ++named;
+    EXPECT_EQ(found(text, "cmake --preset release (-DGRAZE_TESTS=ON) && cmake --build").size(), 1u)
+        << page;
+    const std::vector<std::string> targets = found(text, R"(--target ((?:example_\w+ ?)+)`)");
+    for (const std::string& name : found(text, R"(build/tests/(example_\w+))"))
+      EXPECT_TRUE(!targets.empty() && (targets[0] + " ").find(name + " ") != std::string::npos)
+          << page << " names " << name;
+  }
+  EXPECT_GE(named, 3u);
+}
+
+// What a test measures shall not change what is under version control.
+TEST(Documentation, IsNotWrittenByRunningTheTests) {
+  const std::string script = text_of(kRoot / "tests" / "run.sh");
+  const std::vector<std::string> commands = found(script, R"(\n *([^#\n][^\n]*))");
+  EXPECT_GT(commands.size(), 10u);
+  for (const std::string& command : commands)
+    EXPECT_EQ(command.find("docs"), std::string::npos) << command;
+}
+
 TEST(Documentation, DecisionsAreNumberedWithoutGaps) {
   std::set<int> numbers;
   for (const fs::directory_entry& entry : fs::directory_iterator(kRoot / "docs" / "decisions"))

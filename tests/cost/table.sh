@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Writes docs/cost.md from what the tests of tests/cost noted (tests/cost/noted_cost.hpp):
+# Writes the page docs/cost.md from what the tests of tests/cost noted (tests/cost/noted_cost.hpp):
 #   bash tests/cost/table.sh NOTES PAGE
 set -euo pipefail
 notes=$1
@@ -14,7 +14,7 @@ rows() {
 # What absence costs
 
 A scene that does not name an effect does not pay for it. The tests of `tests/cost` hold Graze to that, and
-`bash tests/run.sh` writes this page anew from what they counted. Instructions are counted by valgrind's callgrind (of one
+`bash tests/run.sh` counts this page's numbers anew, `bash tests/update_pages.sh` puts them here. Instructions are counted by valgrind's callgrind (of one
 processor's code path, so another machine may differ by some percent); they do not depend on what else the machine does.
 
 - **Evaluations.** A scene with an effect of no size (gravity of 0, a restitution polynomial that is constant, damping ratios

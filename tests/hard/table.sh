@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Writes docs/hard_cases.md from what the tests of tests/hard noted (tests/support/reached.hpp):
+# Writes the page docs/hard_cases.md from what the tests of tests/hard noted (tests/support/reached.hpp):
 #   bash tests/hard/table.sh NOTES PAGE
 set -euo pipefail
 notes=$1
@@ -13,7 +13,7 @@ trap 'rm -f "$temporary"' EXIT
 Motions on which simulators of impacts go wrong without a word: they miss a shallow contact, fall through a stop at the end
 of a chatter, take slow impacts for rest, leave a stop and find it again at once. Each row is a test in `tests/hard`, named by
 its tag; the expected values are closed forms or computed apart in extended precision (stated at each test).
-`bash tests/run.sh` writes this table anew from the tests of the optimised build. "reached" is the worst over all parameter
+`bash tests/run.sh` measures this table anew in the optimised build, `bash tests/update_pages.sh` puts it here. "reached" is the worst over all parameter
 values of the row.
 
 Z: chatter, sticking, release. G: grazing. P: periodic orbits. E: energy, several stops, contact at the start. M: modes and long times.
