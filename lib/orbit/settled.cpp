@@ -20,8 +20,10 @@ namespace {
 
 constexpr double kRepeats = 1e-6;
 constexpr int kRepetitions = 3;
-// An impact this much more frequent than the forcing is no pattern to look for.
-constexpr long long kMostImpactsPerPeriod = 4096;
+// The history keeps the state before every impact of a period: numbers that it may take, 256 MiB.
+// How many impacts a motion may have is the budget of the options, which no finite burst needs to
+// share out among periods; those that have no end at one instant are told by the motion.
+constexpr long long kMostNumbersPerPeriod = 1 << 25;
 constexpr double kLost = 1e-3;  // so far from an orbit a motion is on its way elsewhere
 constexpr const char* kSettlesClear = "settles clear of every stop";
 constexpr int kPatience = 32;  // repetitions until an orbit is asked for its stability again
@@ -142,9 +144,10 @@ class Settling {
     if (result_.impacts_met >= options_.max_impacts)
       return end(SettledKind::kImpactBudget, fmt::format("spent the budget of {} before it settled",
                                                          count(options_.max_impacts, "impact")));
-    if (++in_period_ > kMostImpactsPerPeriod)
+    if (++in_period_ > kMostNumbersPerPeriod / (2 * system_.modes()))
       return end(SettledKind::kImpactBudget,
-                 fmt::format("impacts without end in forcing period {}", now()));
+                 fmt::format("met more impacts in forcing period {} than memory is kept for, {}",
+                             now(), in_period_ - 1));
     // A period can hold thousands of impacts on a large structure.
     return (++result_.impacts_met & 255) != 0 || !stop_requested(true);
   }
