@@ -121,10 +121,14 @@ class SimulationPage {
     set_place(0);
   }
 
-  // Of the panel added last; where there are several it is named.
+  // Of the panel added last: what is shown of a place counts towards its first stop.
   void set_place(std::size_t i) {
     panels_.back()["place"] = i;
-    if (seen_.places.size() > 1) panels_.back()["more"] = "at " + name_of(seen_.places[i]);
+    if (!no_stops())
+      panels_.back()["more"] =
+          "towards " + (several_stops()
+                            ? fmt::format("stop {}", seen_.places[i].stops.front().index + 1)
+                            : name_of(seen_.places[i]));
   }
 
   void add_curves() {

@@ -49,7 +49,7 @@ class MotionsPicture {
     const AxisUnit time = axis_unit("s", time_.high);
     column_.set_time_axis({time.factor * time_.low, time.factor * time_.high}, time.unit);
     draw("displacement\ntowards the stop", length_, &MotionPoint::displacement, time, true);
-    draw("velocity\n", speed_, &MotionPoint::velocity, time, false);
+    draw("velocity\ntowards the stop", speed_, &MotionPoint::velocity, time, false);
     script_.command("unset multiplot");
     return script_;
   }

@@ -85,7 +85,7 @@ class OrbitsPicture {
       script_.command("set format x '%h'");
       draw_stop();
       script_.command("set xlabel " + axis_label("displacement towards " + which(), length_.unit));
-      column_.name_vertical("velocity\n", speed_.unit);
+      column_.name_vertical("velocity\ntowards " + which(), speed_.unit);
       column_.end_in_row(layers());
       script_.command("unset multiplot");
       return script_;
@@ -101,7 +101,7 @@ class OrbitsPicture {
     script_.command("set yrange " + y_.text());
     script_.command(fmt::format("set ytics {:.6g}", y_.tic_step(8)));
     script_.command("set xlabel " + axis_label("displacement towards " + which(), length_.unit));
-    name_vertical_axis(script_, "velocity", speed_.unit);
+    name_vertical_axis(script_, "velocity towards " + which(), speed_.unit);
     if (orbits_.empty())
       script_.command("set label 'no orbit was found' at graph 0.45, graph 0.6 center");
     if (left_out_ > 0)

@@ -7,14 +7,26 @@
 #include "graze/assembly/probes.hpp"
 
 namespace graze {
+namespace {
+
+// As an axis names it. What has a direction counts along +u, as scenes do, whatever side the stops
+// are on; angles count along it too.
+std::string axis_name(ProbeQuantity quantity) {
+  const std::string name = probe_quantity_name(quantity);
+  if (quantity == ProbeQuantity::kDisplacement) return name + " u";
+  if (quantity == ProbeQuantity::kVelocity) return name + " u’";
+  if (quantity == ProbeQuantity::kDeflection) return name + " along u";
+  return name;
+}
+
+}  // namespace
 
 std::string ProbePanels::Panel::name() const {
-  const std::string first = probe_quantity_name(probes.front().quantity);
+  const std::string first = axis_name(probes.front().quantity);
   if (is_of_hub(probes.front().quantity)) return "hub’s\n" + first;
   if (probes.size() == 1) return fmt::format("{}\nprobe {}", first, probes.front().number);
   for (const SeenProbe& probe : probes)
-    if (probe.quantity != probes.front().quantity)
-      return first + ",\n" + probe_quantity_name(probe.quantity);
+    if (probe.quantity != probes.front().quantity) return first + ",\n" + axis_name(probe.quantity);
   return first + "\nprobes";
 }
 

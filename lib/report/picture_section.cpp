@@ -55,12 +55,13 @@ class SectionPicture {
     script.command(
         fmt::format("set xtics {:.6g}\nset ytics {:.6g}", x_.tic_step(8), y_.tic_step(8)));
     // What one of several stops sees is said to be its own.
-    const std::string towards = stops_ > 1 && tables_.size() == 1 ? "displacement towards stop 1"
-                                                                  : "displacement towards the stop";
-    script.command(
-        "set xlabel " +
-        axis_label(is_of_impacts_ ? "forcing phase at the impact" : towards, x_unit_.unit));
-    name_vertical_axis(script, is_of_impacts_ ? "impact speed" : "velocity", y_unit_.unit);
+    const std::string towards =
+        stops_ > 1 && tables_.size() == 1 ? " towards stop 1" : " towards the stop";
+    script.command("set xlabel " + axis_label(is_of_impacts_ ? "forcing phase at the impact"
+                                                             : "displacement" + towards,
+                                              x_unit_.unit));
+    name_vertical_axis(script, is_of_impacts_ ? "impact speed" : "velocity" + towards,
+                       y_unit_.unit);
     if (tables_.empty())
       script.command("set label 'no point of the section' at graph 0.5, graph 0.5 center");
     std::vector<std::string> layers;

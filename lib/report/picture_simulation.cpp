@@ -129,6 +129,12 @@ class SimulationPicture {
     return several_stops() ? fmt::format("stop {}", place.stops.front().index + 1) : "stop";
   }
 
+  // Towards the stop, as all that is shown of a place, in the few letters that a low panel is high;
+  // probes show u and u'.
+  std::string velocity_name(const Place& place) const {
+    return no_stops() ? "rate of q_1\n" : "velocity\n→ " + stop_name(place);
+  }
+
   void write_place(std::size_t i) {
     const Place& place = seen_.places[i];
     DrawnCurve displacement, velocity;
@@ -199,7 +205,7 @@ class SimulationPicture {
     range.settle(0.1);
     stops.make_room(range);
     column_.begin_panel(range,
-                        no_stops() ? "first mode q_1\n" : "displacement\nat " + stop_name(place),
+                        no_stops() ? "first mode q_1\n" : "displacement\n→ " + stop_name(place),
                         length_.unit);
     std::vector<std::string> layers;
     if (i == 0) set_legend_at_head(layers);
@@ -223,11 +229,7 @@ class SimulationPicture {
 
   void draw_velocity() {
     const AxisRange range = velocity_range(seen_.places[0].motion);
-    std::string name = no_stops() ? "rate of q_1\n" : "velocity\n";
-    // One of several velocities says whose it is.
-    if (!no_stops() && (seen_.places.size() > 1 || probes_.count() > 0))
-      name += "at " + stop_name(seen_.places[0]);
-    column_.begin_panel(range, name, speed_.unit);
+    column_.begin_panel(range, velocity_name(seen_.places[0]), speed_.unit);
     column_.draw_zero_line();
     std::vector<std::string> layers;
     add_stuck(layers, 0, range);
@@ -292,7 +294,9 @@ class SimulationPicture {
         no_stops() ? "first mode q_1"
                    : (alone ? "displacement " : "") + std::string("towards ") + stop_name(place);
     script_.command("set xlabel " + axis_label(axis, length_.unit));
-    if (i == 0) column_.name_vertical(no_stops() ? "rate of q_1\n" : "velocity\n", speed_.unit);
+    if (i == 0)
+      column_.name_vertical(alone || no_stops() ? velocity_name(place) : "velocity\n→ stop",
+                            speed_.unit);
     if (portrayed(place).size() < place.motion.size())
       note_start("since", portrayed(place).front().time);
     column_.draw_zero_line();

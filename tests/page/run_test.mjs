@@ -33,7 +33,7 @@ inPage('the pointer is told the moment under it', () => sticks, async (page) => 
   const { at, top } = await places(page);
   await page.mouse.move(at(0.45), top);
   const told = await text(page, '#hover');
-  assert.match(told, /^0\.4[45]\d* sdisplacement−?[\d.]+ mmvelocity−?[\d.]+ m\/senergy[\d.]+ µJwork of forcing/);
+  assert.match(told, /^0\.4[45]\d* sdisplacement towards the stop−?[\d.]+ mmvelocity towards the stop−?[\d.]+ m\/senergy[\d.]+ µJwork of forcing/);
   assert.ok(await isShown(page, '#cursor') && await isShown(page, '#ring'));
   await page.mouse.move(5, 5);
   assert.ok(!await isShown(page, '#hover') && !await isShown(page, '#cursor'));

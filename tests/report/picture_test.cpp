@@ -343,8 +343,8 @@ TEST(DrawSimulation, ShowsProbesInPanelsByTheirUnit) {
                  ProbeQuantity::kVelocity, ProbeQuantity::kDeflection});
   text = script();
   EXPECT_EQ(count(text, "set yrange"), panels + 3);
-  for (const char* name : {"'probes'", "'displacement,'", "'deflection (m)'", "'probe 4 (m/s)'",
-                           "'probe 1'", "'probe 5'"})
+  for (const char* name : {"'probes'", "'displacement u,'", "'deflection along u (m)'",
+                           "'probe 4 (m/s)'", "'probe 1'", "'probe 5'"})
     EXPECT_NE(text.find(name), std::string::npos) << name;
   EXPECT_EQ(text.find("'probe 4'"), std::string::npos);
   record.probes = probes_of(std::vector<ProbeQuantity>(8, ProbeQuantity::kVelocity));

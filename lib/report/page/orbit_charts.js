@@ -52,10 +52,17 @@ export function unitOf(si, values) {
   return largest >= 1e-4 ? { factor: 1e3, unit: `m${si}` } : { factor: 1e6, unit: `µ${si}` };
 }
 
+// Which way what is shown of a place counts: " towards stop 2", or nothing where there is no stop.
+export function towards({ stops, name }) {
+  if (stops.length === 0) return '';
+  return ` towards ${stops.length > 1 ? `stop ${stops[0].index}` : name}`;
+}
+
 // `axes`: name, unit and factor of both, where they are not a length and a speed.
 function scaled(place, axes) {
-  const length = axes?.length ?? { name: 'displacement', ...unitOf('m', place.x) };
-  const speed = axes?.speed ?? { name: 'velocity', ...unitOf('m/s', place.v) };
+  const named = (quantity) => ({ ...quantity, name: quantity.name + towards(place) });
+  const length = named(axes?.length ?? { name: 'displacement', ...unitOf('m', place.x) });
+  const speed = named(axes?.speed ?? { name: 'velocity', ...unitOf('m/s', place.v) });
   return {
     length, speed,
     place: {
@@ -88,7 +95,7 @@ export function seriesOption(orbit, seen, colours) {
   return {
     ...kCommon, grid: { left: 62, right: 14, top: 10, bottom: 42 },
     xAxis: axis(colours, 'time (forcing periods)', x[0], x[1], { nameGap: 26 }),
-    yAxis: axis(colours, `displacement (${length.unit})`, y[0], y[1], { nameGap: 44, splitNumber: 4 }),
+    yAxis: axis(colours, axisName(length), y[0], y[1], { nameGap: 44, splitNumber: 4 }),
     series: [
       {
         id: 'motion', type: 'line', data: wrapped(orbit, place), showSymbol: false, silent: true, z: 4,

@@ -5,7 +5,7 @@ import { measure } from './format.js';
 import { Hover } from './hover.js';
 import { Legend } from './legend.js';
 import { lineSwatch } from './marks.js';
-import { jumpsOf, unitOf } from './orbit_charts.js';
+import { jumpsOf, towards, unitOf } from './orbit_charts.js';
 import { ZoomTools } from './zoom_tools.js';
 
 const kColours = ['blue', 'vermillion', 'green', 'black', 'orange', 'sky', 'purple', 'grey'];
@@ -40,11 +40,6 @@ export class OrbitsView {
     return this.seen;
   }
 
-  displacementName() {
-    const { stops, name } = this.orbits[0].places[0];
-    return `displacement towards ${stops.length > 1 ? `stop ${stops[0].index}` : name}`;
-  }
-
   measureAxes() {
     const places = this.orbits.length > 0 ? this.places() : [];
     const displacements = [...places.flatMap((place) => [...place.x]), ...places.flatMap((place) => place.stops.map((stop) => stop.place))];
@@ -56,8 +51,9 @@ export class OrbitsView {
       const room = 0.07 * (high - low) || 1;
       return finite.length > 0 ? [low - room, high + room] : [-1, 1];
     };
-    this.x = { name: this.orbits.length > 0 ? this.displacementName() : 'displacement', range: range(displacements), ...unitOf('m', displacements) };
-    this.y = { name: 'velocity', range: range(velocities), ...unitOf('m/s', velocities) };
+    const way = this.orbits.length > 0 ? towards(this.orbits[0].places[0]) : '';
+    this.x = { name: `displacement${way}`, range: range(displacements), ...unitOf('m', displacements) };
+    this.y = { name: `velocity${way}`, range: range(velocities), ...unitOf('m/s', velocities) };
   }
 
   series() {
