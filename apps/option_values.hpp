@@ -24,9 +24,19 @@ CLI::Validator number(const std::string& what, const Fits& fits) {
       "");
 }
 
+// Of a size that scenes allow too.
 inline CLI::Validator finite_number() {
-  return number(fmt::format("a finite number of at most {:.1e} in size", kLargestNumber),
-                [](double value) { return std::abs(value) <= kLargestNumber; });
+  return CLI::Validator(
+      [](std::string& text) {
+        double value = 0.0;
+        if (!CLI::detail::lexical_cast(text, value) || !std::isfinite(value))
+          return fmt::format("'{}' is not a finite number", text);
+        return std::abs(value) <= kLargestNumber
+                   ? std::string()
+                   : fmt::format("'{}' is not a number of at most {:.1e} in size", text,
+                                 kLargestNumber);
+      },
+      "");
 }
 
 inline CLI::Validator above_zero() {
