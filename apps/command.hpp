@@ -45,6 +45,7 @@ struct Command {
 
   // orbit, continue
   int period = 1;
+  bool period_given = false;  // then no orbit of another one is listed
   std::optional<int> impacts;
   bool keep_virtual = false;
   std::vector<std::string> starts;  // empty: all

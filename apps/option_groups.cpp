@@ -82,6 +82,7 @@ void add_orbit_search(CLI::App* app, Command& command) {
   add_limits(app, command);
   app->add_option("--period", command.period, "Forcing periods p after which the orbit repeats")
       ->transform(whole_number("a whole number from 1", 1.0, kMostPeriods))
+      ->each([&command](const std::string&) { command.period_given = true; })
       ->capture_default_str()
       ->type_name("P");
   app->add_flag("--virtual", command.keep_virtual,

@@ -18,6 +18,7 @@ inline FinderOptions finder_options(const Command& command) {
   FinderOptions options;
   options.period = command.period;
   options.impacts = command.impacts;
+  options.only_this_period = command.period_given;
   options.from_closed_form = wanted("closed-form");
   options.from_simulation = wanted("simulation");
   options.from_random = wanted("random");

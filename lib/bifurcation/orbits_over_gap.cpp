@@ -145,9 +145,8 @@ void add_orbits_over_gap(const System& system, const StrobeOptions& strobe,
     const bool known = std::any_of(found.orbits.begin(), found.orbits.end(), [&](const Orbit& o) {
       return same_orbit(o, orbit, speed_scale);
     });
-    const bool asked =
-        !options.impacts || static_cast<int>(orbit.impacts.size()) == *options.impacts;
-    if (asked && !known) found.orbits.push_back(orbit);
+    if (options.asks_for(orbit.period, orbit.impacts.size()) && !known)
+      found.orbits.push_back(orbit);
   }
   std::sort(found.orbits.begin(), found.orbits.end(), comes_before);
   found.tried += fmt::format(", {} solutions joined to the response without contacts", joined);

@@ -120,8 +120,7 @@ class Finder {
     const int k = static_cast<int>(orbit->impacts.size());
     found_.notes.push_back(fmt::format(
         "from the scene's initial state the motion settles on a ({}, {}) orbit", orbit->period, k));
-    if (!options_.impacts || (k == *options_.impacts && orbit->period == options_.period))
-      keep(*orbit);
+    if (options_.asks_for(orbit->period, orbit->impacts.size())) keep(*orbit);
   }
 
   // What comes of a motion that repeats and sticks: the rest of a sentence.
@@ -136,8 +135,7 @@ class Finder {
     ++found_.simulation.converged;
     const Orbit& orbit = *answer.orbit;
     const int k = static_cast<int>(orbit.impacts.size());
-    if (!options_.impacts || (k == *options_.impacts && orbit.period == options_.period))
-      keep(orbit);
+    if (options_.asks_for(orbit.period, orbit.impacts.size())) keep(orbit);
     return fmt::format(
         "; solved for, it is a ({}, {}) orbit that sticks, its chatters summed below {:.4g} m/s",
         orbit.period, k, closure_speed);

@@ -1,6 +1,7 @@
 // What a search for orbits (finder.hpp) is asked for with, and what comes of it.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -21,6 +22,9 @@ struct FinderOptions {
   // Nothing: k = 1, then 2 and 3 while the structure is small (finder.cpp, kCheapWork), and
   // whatever the simulation settles on.
   std::optional<int> impacts;
+  // Whether p was asked for: then no orbit of another period is listed, though the simulation
+  // settles on it; a note names it.
+  bool only_this_period = false;
   bool from_closed_form = true;
   bool from_simulation = true;
   bool from_random = true;
@@ -34,6 +38,13 @@ struct FinderOptions {
   // Below it the tail of a chatter is summed, m/s; default_closure_speed where absent.
   std::optional<double> closure_speed;
   StopSignal stop;
+
+  // Whether an orbit that the simulation settles on, in so many periods with so many impacts, is
+  // one of those asked for.
+  bool asks_for(int its_period, std::size_t its_impacts) const {
+    if (!impacts) return !only_this_period || its_period == period;
+    return its_period == period && its_impacts == static_cast<std::size_t>(*impacts);
+  }
 };
 
 struct StartCount {

@@ -116,10 +116,7 @@ class StrobeFinder {
       return {};
     }
     ++count.converged;
-    const bool asked =
-        answer.orbit->period == options_.period &&
-        (!options_.impacts || static_cast<int>(answer.orbit->impacts.size()) == *options_.impacts);
-    if (asked || !options_.impacts) keep(*answer.orbit);
+    if (options_.asks_for(answer.orbit->period, answer.orbit->impacts.size())) keep(*answer.orbit);
     return answer.orbit;
   }
 

@@ -57,6 +57,20 @@ TEST(Program, ValuesOfOptionsAreRefusedInWords) {
   }
 }
 
+// The one-mode beam settles on a (1, 1) orbit: an answer only where no other period is asked for.
+TEST(Program, AnOrbitOfAnotherPeriodIsNoAnswer) {
+  const std::string settles = "orbit --start simulation --json " + kOneMode;
+  const Finished any = run_graze(settles), one = run_graze(settles + " --period 1"),
+                 two = run_graze(settles + " --period 2");
+  EXPECT_EQ(any.code, 0) << any.err;
+  EXPECT_EQ(one.code, 0) << one.err;
+  EXPECT_EQ(two.code, 3) << two.err;
+  const json answer = json::parse(two.out);
+  EXPECT_EQ(answer["outcome"], "none");
+  EXPECT_TRUE(answer["orbits"].empty());
+  EXPECT_NE(answer["notes"].dump().find("settles on a (1, 1) orbit"), std::string::npos);
+}
+
 TEST(Program, WholeNumbersMayBeWrittenWithAnExponent) {
   const Finished written = run_graze("simulate --periods 2e1 --json " + kOneMode);
   EXPECT_EQ(written.code, 0) << written.err;

@@ -3,6 +3,7 @@
 #include "graze/assembly/assembly.hpp"
 #include "graze/assembly/initial_state.hpp"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -244,6 +245,30 @@ TEST(Finder, FindsTheDoubledOrbitFromTheSimulation) {
       EXPECT_LE(orbit.impacts[i - 1].period_index, orbit.impacts[i].period_index);
   }
   EXPECT_EQ(doubled, 1);
+}
+
+// What the motion settles on is no answer where orbits of another period were asked for, but named.
+TEST(Finder, ListsNoOrbitOfAnotherPeriodThanAskedFor) {
+  const System rigid = fruit_fly(2.7, 0.0);  // settles on a (2, 2) orbit
+  const System soft = assemble(support::shipped_scene("12_spring_dashpot_oscillator"));
+  for (const System* system : {&rigid, &soft}) {
+    FinderOptions options;
+    options.from_closed_form = options.from_random = false;
+    const State start{Vector::Constant(1, system == &rigid ? -1.0 : 0.0), Vector::Zero(1)};
+    const FoundOrbits any = find_orbits(*system, start, options);
+    ASSERT_EQ(any.orbits.size(), 1U);
+    const int settled = any.orbits.front().period;
+    options.only_this_period = true;
+    for (const int period : {1, 2, 3}) {
+      options.period = period;
+      const FoundOrbits found = find_orbits(*system, start, options);
+      EXPECT_EQ(found.orbits.size(), period == settled ? 1U : 0U) << period;
+      ASSERT_FALSE(found.notes.empty());
+      EXPECT_NE(found.notes.back().find(fmt::format("settles on a ({}, ", settled)),
+                std::string::npos)
+          << found.notes.back();
+    }
+  }
 }
 
 // Asked for two periods, the finder starts from the simple orbit taken twice only where that is
