@@ -17,6 +17,12 @@ double condition_number(const Matrix& matrix);
 struct Eigenvalue {
   Complex value;
   double error = 0.0;
+  // As far as it is known: real where a perturbation as large as that of the error lets it meet its
+  // conjugate, as those are into which rounding splits a double real one. They part as the square
+  // root of the perturbation, of which twice its linear error reaches back to where they meet.
+  Complex known() const {
+    return std::abs(value.imag()) <= 2.0 * error ? Complex(value.real()) : value;
+  }
 };
 
 // Largest modulus first, of a conjugate pair the negative imaginary part first.

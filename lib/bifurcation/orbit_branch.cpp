@@ -52,7 +52,7 @@ bool is_of_orbits(const CriticalPoint& critical) {
 SpecialPoint as_special(const CriticalPoint& critical, OrbitBranchPoint at) {
   SpecialPoint special{
       as_special_kind(critical.kind), "", std::move(at), {}, false, critical.point};
-  if (critical.multiplier) special.multiplier = critical.multiplier->value;
+  if (critical.multiplier) special.multiplier = critical.multiplier->known();
   return special;
 }
 

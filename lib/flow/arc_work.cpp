@@ -233,7 +233,7 @@ Work work_on_springs(const System& system, const ContactPhase<double>& phase, do
   work.forcing = works.forcing;
   work.constraint = works.constraint;
   work.dissipation = works.dissipation;
-  for (const double taken : works.springs) work.contact -= taken;
+  for (const SpringWork& spring : works.springs) work.contact -= spring.lost + spring.stored;
   return work;
 }
 

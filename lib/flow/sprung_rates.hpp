@@ -59,6 +59,9 @@ class Sprung {
   // Force of a spring, N, and its rate, N/s; 0 where it is not loaded.
   std::size_t springs() const { return contacts_.size(); }
   double force(std::size_t spring, const State& z) const;
+  bool is_damped(std::size_t spring) const {
+    return system_.springs[spring].law.damping != ContactDamping::kNone;
+  }
   double force_rate(std::size_t spring, double s, const State& z);
   // The longest step, s, that shows what the force of a parted spring does: one whose damping sets
   // in within a depth h takes hold there within h/(2 Q v). And of a structure that turns, a quarter
@@ -85,7 +88,7 @@ class Sprung {
   }
   Compression compression_rate(std::size_t spring, const State& slope) const;
   void set_units(double theta, const Vector& velocity, std::span<const double> depths);
-  // Where the works are in z: of the forcing, by damping, of what holds, and of the springs.
+  // Where the works are in z: of the forcing, by damping, of what holds, and lost in the springs.
   enum Place { kForcing, kWeight, kDissipation, kConstraint, kSprings };
   std::size_t place(std::size_t work) const { return 2 * static_cast<std::size_t>(modes()) + work; }
   void add_powers(const State& z, const Vector& resistance, double s, State& slope);
@@ -233,7 +236,8 @@ inline void Sprung::operator()(const State& z, State& slope, double s) {
     const Compression at = compression(i, z);
     const double force = spring.law.at(at.depth, at.rate) / unit_;
     acceleration -= force * spring.acting;
-    slope[place(kSprings + i)] = force * (at.rate / unit_);
+    const double speed = at.rate / unit_;
+    slope[place(kSprings + i)] = spring.law.resistance(at.depth) * speed * speed;
   }
   if (system_.turning) add_inertia(acceleration);
 }
@@ -262,8 +266,13 @@ inline SprungWorks Sprung::works(const State& z) const {
   works.weight = work_unit_ * z[place(kWeight)];
   works.dissipation = work_unit_ * z[place(kDissipation)];
   works.constraint = work_unit_ * z[place(kConstraint)];
-  for (std::size_t i = 0; i < contacts_.size(); ++i)
-    works.springs.push_back(unit_ * unit_ * z[place(kSprings + i)]);
+  for (std::size_t i = 0; i < contacts_.size(); ++i) {
+    const SprungSystem::Spring& spring = system_.springs[i];
+    works.springs.push_back({unit_ * unit_ * z[place(kSprings + i)], 0.0});
+    if (spring.loaded)
+      works.springs.back().stored =
+          spring.law.stored(compression(i, z).depth) - spring.law.stored(contacts_[i].start);
+  }
   return works;
 }
 

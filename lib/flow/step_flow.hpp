@@ -92,14 +92,20 @@ struct SprungSystem {
   std::optional<Turning> turning{};
 };
 
+// What a spring took from the structure since the start of a piece, J.
+struct SpringWork {
+  double lost = 0.0;    // to its damping, >= 0
+  double stored = 0.0;  // kept, or given back where it is negative
+};
+
 // Since the start of a piece on springs.
 struct SprungWorks {
-  Vector moved;                 // y - y_0
-  double forcing = 0.0;         // J; of the torque on a hub
-  double weight = 0.0;          // of a structure that turns, J; others count it by what they moved
-  double dissipation = 0.0;     // by damping, J
-  double constraint = 0.0;      // of what holds the structure, J
-  std::vector<double> springs;  // taken by each, kept or lost there, J
+  Vector moved;              // y - y_0
+  double forcing = 0.0;      // J; of the torque on a hub
+  double weight = 0.0;       // of a structure that turns, J; others count it by what they moved
+  double dissipation = 0.0;  // by damping, J
+  double constraint = 0.0;   // of what holds the structure, J
+  std::vector<SpringWork> springs;
 };
 
 struct StepDescent {
@@ -125,8 +131,10 @@ class StepFlow {
                                     double until, const StopSignal& stop) = 0;
   // The state s seconds after the start. Dear where s lies before the step taken last.
   virtual void state(double s, Vector& x) = 0;
-  // Largest force of a spring since the start, N; 0 where there is none.
+  // Of a spring since the start: its largest force, N, and how deep it was compressed, m; 0 where
+  // there is none.
   virtual double peak_force(std::size_t /*spring*/) const { return 0.0; }
+  virtual double deepest(std::size_t /*spring*/) const { return 0.0; }
   // Since the start, s seconds after it; nothing but for a structure on springs.
   virtual SprungWorks works(double /*s*/) { return {}; }
   // Of the right-hand side, so far.

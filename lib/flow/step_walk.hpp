@@ -38,7 +38,9 @@ class WalkingFlow final : public StepFlow {
     if constexpr (kSprung) {
       peaks_.assign(walk_.rates.springs(), {});
       for (std::size_t i = 0; i < peaks_.size(); ++i)
-        peaks_[i] = {walk_.rates.force(i, start_), walk_.rates.force_rate(i, 0.0, start_)};
+        peaks_[i] = {walk_.rates.force(i, start_), walk_.rates.force_rate(i, 0.0, start_),
+                     walk_.rates.compression(i, start_).depth,
+                     walk_.rates.compression(i, start_).rate};
     }
   }
 
@@ -112,12 +114,18 @@ class WalkingFlow final : public StepFlow {
     return 0.0;
   }
 
+  double deepest(std::size_t spring) const override {
+    if constexpr (kSprung) return peaks_[spring].depth;
+    return 0.0;
+  }
+
  private:
   static constexpr bool kSprung = requires(const typename Walk::RatesOf& rates) {
     rates.springs();
   };
   struct Peak {
-    double force = 0.0, rate = 0.0;  // N; N/s, at the end of the last step
+    double force = 0.0, force_rate = 0.0;  // N; N/s, at the end of the last step
+    double depth = 0.0, depth_rate = 0.0;  // m, m/s; likewise
   };
 
   // The state at s, in within_.
@@ -128,29 +136,37 @@ class WalkingFlow final : public StepFlow {
       walk_.step();
       if (!(walk_.to() > before)) break;
     }
+    within(s);
+  }
+
+  // The state at s within the last step, in within_.
+  const State& within(double s) {
     if (s == walk_.to())
       within_ = walk_.state_at_end();
     else
       walk_.between(s, within_);
+    return within_;
   }
 
-  // The largest forces of springs within (from, end].
+  // The largest depths and forces of springs within (from, end]: of one that nothing damps they are
+  // at the same instant.
   void pass_peaks(double from, double end) {
     for (std::size_t i = 0; i < peaks_.size(); ++i) {
-      const auto rate_at = [&](double s) {
-        if (s == walk_.to())
-          within_ = walk_.state_at_end();
-        else
-          walk_.between(s, within_);
-        return walk_.rates.force_rate(i, s, within_);
+      Peak& peak = peaks_[i];
+      const auto look = [&](const State& z) {
+        peak.depth = std::max(peak.depth, walk_.rates.compression(i, z).depth);
+        peak.force = std::max(peak.force, walk_.rates.force(i, z));
       };
-      const double before = peaks_[i].rate, after = rate_at(end);
-      peaks_[i].force = std::max(peaks_[i].force, walk_.rates.force(i, within_));
-      if (before > 0.0 && after < 0.0) {
-        walk_.between(bracketed_zero(rate_at, {from, before}, {end, after}).first, within_);
-        peaks_[i].force = std::max(peaks_[i].force, walk_.rates.force(i, within_));
-      }
-      peaks_[i].rate = after;
+      const auto depth_rate = [&](double s) { return walk_.rates.compression(i, within(s)).rate; };
+      const auto force_rate = [&](double s) { return walk_.rates.force_rate(i, s, within(s)); };
+      const auto pass = [&](double& rate, const auto& rate_at) {
+        const double before = std::exchange(rate, rate_at(end));
+        if (before > 0.0 && rate < 0.0)
+          look(within(bracketed_zero(rate_at, {from, before}, {end, rate}).first));
+      };
+      look(within(end));
+      pass(peak.depth_rate, depth_rate);
+      if (walk_.rates.is_damped(i)) pass(peak.force_rate, force_rate);
     }
   }
 

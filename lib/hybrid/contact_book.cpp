@@ -4,16 +4,19 @@
 
 namespace graze {
 
-void follow(ContactBook& book, const ContactPhase<double>& phase, double flight) {
+double follow(ContactBook& book, const ContactPhase<double>& phase, double flight) {
   const std::vector<int>& loaded = phase.springs().loaded;
-  if (loaded.empty()) return;
+  if (loaded.empty()) return 0.0;
+  double deepest = 0.0;
   StepFlow& flow = *phase.step_flow();
   const SprungWorks works = flow.works(flight);
   for (std::size_t k = 0; k < loaded.size(); ++k) {
     SpringContact& contact = book[static_cast<std::size_t>(loaded[k])];
     contact.peak_force = std::max(contact.peak_force, flow.peak_force(k));
-    contact.taken += works.springs[k];
+    contact.lost += works.springs[k].lost;
+    deepest = std::max(deepest, flow.deepest(k));
   }
+  return deepest;
 }
 
 }  // namespace graze

@@ -156,6 +156,8 @@ class Motion {
   bool is_sprung() const { return !springs().empty(); }
   // The force of a compressed spring at the present instant, N; 0 where it is not.
   Real spring_force(int stop) const;
+  // Energy stored in it, J; 0 at the surface.
+  double spring_energy(int stop) const;
   const std::string& refusal() const { return refusal_; }
   // Of the right-hand side of the equations of motion, by a motion integrated step by step.
   long long step_evaluations() const;

@@ -24,7 +24,7 @@ Instant<double> end_of(const System& system, const SimulationOptions& options) {
 
 class Run {
  public:
-  // Keeps its own state and the motion's; `state` says where it begins.
+  // `state` says where it begins.
   Run(const System& system, const RunState& state, const SimulationOptions& options,
       const RunListeners& listeners)
       : system_(system),
@@ -97,7 +97,7 @@ class Run {
     const Arrival<double> arrival = motion_.fly(flight.until, flight.horizon);
     if (arrival.kind == ArrivalKind::kUndecided && !within_budget(true)) return false;
     if (untouched && arrival.lowest && std::isfinite(*arrival.lowest))
-      note_gap(std::max(*arrival.lowest, 0.0));
+      note_gap(std::max(*arrival.lowest, 0.0), state_.totals);
     if (!options_.steps) result_.evaluations += arrival.evaluations;
     // A motion that cannot be followed has no samples, be it found out now or by an earlier run.
     if (arrival.kind == ArrivalKind::kRefused && arrival.flight == 0.0) return receive(arrival);
@@ -128,7 +128,8 @@ class Run {
       return false;
     if (options_.energy && flight > 0.0)
       state_.book.work = state_.book.work + work_along(system_, motion_.flown(), flight);
-    graze::follow(state_.contacts, motion_.flown(), flight);
+    const double deepest = graze::follow(state_.contacts, motion_.flown(), flight);
+    if (deepest > 0.0) note_gap(-deepest, state_.totals);
     const std::vector<int>& closed = motion_.flown().closed();
     const bool stuck = std::any_of(closed.begin(), closed.end(),
                                    [&](int i) { return !(state_.tail && state_.tail->holds(i)); });
@@ -138,8 +139,10 @@ class Run {
 
   bool receive(const Arrival<double>& arrival) {
     switch (arrival.kind) {
-      case ArrivalKind::kTime:
       case ArrivalKind::kLeft:
+        book_contacts(arrival.stop);
+        [[fallthrough]];
+      case ArrivalKind::kTime:
       case ArrivalKind::kJoint:
         if (listeners_.progress) listeners_.progress(fraction());
         note_gaps();
@@ -161,7 +164,7 @@ class Run {
         book_entry(arrival.stop);
         return true;
       case ArrivalKind::kSeparation:
-        book_separation(arrival.stop);
+        book_separation(arrival.stop, arrival.below);
         return true;
       case ArrivalKind::kUndecided:
         return fail(RunOutcome::kEventBudget, arrival);
@@ -254,20 +257,30 @@ class Run {
     note_gap_at(i);
     // One that grips again below the surface, on its way out, is no new impact.
     if (event.speed >= 0.0) ++state_.totals.impacts;
-    contact_at(i) = {time(), event.speed, 0.0, 0.0};
+    SpringContact& contact = contact_at(i);
+    contact = {time(), event.speed, 0.0, 0.0, motion_.spring_energy(i), contact.change_before};
     emit(event);
   }
 
-  void book_separation(int i) {
-    const SpringContact& contact = contact_at(i);
+  // `below` the surface the spring keeps what it may yet give back, should it grip again.
+  void book_separation(int i, bool below) {
+    SpringContact& contact = contact_at(i);
     Event event = event_at(EventKind::kSeparation, i);
     event.speed = -motion_.approach_speed(i);
     event.duration = event.time - contact.since;
     event.peak_force = contact.peak_force;
-    event.energy_change = -contact.taken;
-    book_energy(event.energy_change, false);
+    event.energy_change = contact.change(motion_.spring_energy(i));
+    contact.change_before += event.energy_change;
+    if (!below) book_contacts(i);
     if (contact.speed > 0.0) event.effective_restitution = event.speed / contact.speed;
     emit(event);
+  }
+
+  // From surface to surface.
+  void book_contacts(int i) {
+    if (!stop(i).spring) return;
+    book_energy(contact_at(i).change_before, false);
+    contact_at(i).change_before = 0.0;
   }
 
   // Sums the tail of a chatter where it will complete.
@@ -332,11 +345,9 @@ class Run {
   void note_gaps() {
     for (int i = 0; i < stops(); ++i) note_gap_at(i);
   }
-  void note_gap_at(int i) { graze::note_gap_at(stop(i), motion_.q(), state_.totals.smallest_gap); }
-  void note_gap(double gap) { graze::note_gap(gap, state_.totals.smallest_gap); }
+  void note_gap_at(int i) { graze::note_gap_at(stop(i), motion_.q(), state_.totals); }
   void note_minima(double window) {
-    for (int i = 0; i < stops(); ++i)
-      graze::note_minimum(motion_.gap_ahead(i, window), state_.totals.smallest_gap);
+    for (int i = 0; i < stops(); ++i) note_minimum(motion_.gap_ahead(i, window), state_.totals);
   }
 
   double time() const { return seconds_at(motion_.instant(), motion_.flow().period()); }

@@ -85,10 +85,14 @@ struct RunTotals {
   long long clamped_restitutions = 0;  // impacts at which r(v) left [0, 1] and was clamped
   long long undecided_touches = 0;     // grazings within rounding, passed without impact
   double stuck_time = 0.0;             // with at least one stop closed, s
-  // By impacts that gained and that lost kinetic energy, and contacts that gave and took, J.
+  // By impacts that gained and that lost kinetic energy, and contacts that gave and took, from
+  // surface to surface, J.
   double energy_added = 0.0;
   double energy_lost = 0.0;
-  std::optional<double> smallest_gap;  // over the whole run and all stops, m; absent without stops
+  // Over the whole run and all stops, m: below zero by how deep a spring was compressed. Absent
+  // without stops.
+  std::optional<double> smallest_gap;
+  double penetration = 0.0;  // of rigid stops, m: rounding, if anything
 };
 
 // Everything a run needs to go on as if it had never ended: where its last arc began.
@@ -99,7 +103,7 @@ struct RunState {
     long long impacts = 0;
     double speed = 0.0;
   };
-  std::vector<Streak> streaks;  // per stop
+  std::vector<Streak> streaks;      // per stop
   ContactBook contacts;             // per stop
   std::optional<ChatterTail> tail;  // of a chatter that was summed, until it is over
   RunTotals totals;

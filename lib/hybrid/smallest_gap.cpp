@@ -8,19 +8,20 @@
 
 namespace graze {
 
-void note_gap(double gap, std::optional<double>& smallest) {
-  smallest = std::min(gap, smallest.value_or(gap));
+void note_gap(double gap, RunTotals& totals) {
+  totals.smallest_gap = std::min(gap, totals.smallest_gap.value_or(gap));
 }
 
-void note_gap_at(const RigidStop& stop, const Vector& q, std::optional<double>& smallest) {
+void note_gap_at(const RigidStop& stop, const Vector& q, RunTotals& totals) {
   const GapValue<double> gap = gap_value<double>(stop.row, q, stop.gap);
-  const bool gives_way = stop.spring && gap.value < 0.0;
-  note_gap(gives_way || std::abs(gap.value) <= gap.rounding ? 0.0 : gap.value, smallest);
+  const double value = std::abs(gap.value) <= gap.rounding ? 0.0 : gap.value;
+  if (!stop.spring) totals.penetration = std::max(totals.penetration, -value);
+  note_gap(value, totals);
 }
 
-void note_minimum(const ArcCurve<double>& gap, std::optional<double>& smallest) {
+void note_minimum(const ArcCurve<double>& gap, RunTotals& totals) {
   const std::optional<double> least = smallest_minimum(gap);
-  if (least && std::isfinite(*least)) note_gap(std::max(*least, 0.0), smallest);
+  if (least && std::isfinite(*least)) note_gap(std::max(*least, 0.0), totals);
 }
 
 }  // namespace graze

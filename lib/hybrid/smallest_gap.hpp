@@ -1,18 +1,17 @@
-// The smallest gap of a run, m: of a compliant stop, which gives way, it is not below zero.
+// The smallest gap of a run, m: below zero by as much as a spring was compressed, or a rigid stop
+// penetrated, which no motion does by more than rounding.
 #pragma once
 
-#include <optional>
-
 #include "graze/flow/arc_curve.hpp"
-#include "graze/system/system.hpp"
+#include "graze/hybrid/simulation.hpp"
 
 namespace graze {
 
-void note_gap(double gap, std::optional<double>& smallest);
+void note_gap(double gap, RunTotals& totals);
 // That at displacements q; within its rounding of zero it is zero.
-void note_gap_at(const RigidStop& stop, const Vector& q, std::optional<double>& smallest);
+void note_gap_at(const RigidStop& stop, const Vector& q, RunTotals& totals);
 // The smallest minimum along a flight: beyond the first contact it is not part of the motion; the
 // contact itself is zero.
-void note_minimum(const ArcCurve<double>& gap, std::optional<double>& smallest);
+void note_minimum(const ArcCurve<double>& gap, RunTotals& totals);
 
 }  // namespace graze

@@ -42,6 +42,11 @@ Real Motion<Real>::spring_force(int i) const {
 }
 
 template <class Real>
+double Motion<Real>::spring_energy(int i) const {
+  return stop(i).spring->stored(static_cast<double>(depth(i)));
+}
+
+template <class Real>
 void Motion<Real>::add_spring_forces(RealVector<Real>& acceleration, RealVector<Real>* size) const {
   using std::abs;
   for (const int i : compliant_) {

@@ -252,6 +252,7 @@ class Follower {
 
   void open_contact(int i, double speed, bool from_start) {
     book_[static_cast<std::size_t>(i)] = {};
+    book_[static_cast<std::size_t>(i)].held = motion_.spring_energy(i);
     PassedContact contact;
     contact.stop = i;
     contact.from = motion_.instant();
@@ -276,7 +277,7 @@ class Follower {
     open->parted = !to_end;
     open->speed_after = speed;
     open->peak_force = book.peak_force;
-    open->taken = book.taken;
+    open->taken = 0.0 - book.change(motion_.spring_energy(i));
   }
 
   void close_contact(int i) {

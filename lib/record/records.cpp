@@ -93,7 +93,6 @@ std::vector<std::string> simulation_warnings(const System& system, const Simulat
                                   std::fmax(totals.energy_lost, totals.energy_added));
   const double rounding = kRoundings * std::numeric_limits<double>::epsilon() *
                           static_cast<double>(totals.impacts) * energy;
-  // A compliant stop gives back what it kept where its force grips again.
   const bool rigid = std::any_of(system.stops.begin(), system.stops.end(),
                                  [](const RigidStop& stop) { return !stop.spring; });
   if (rigid && totals.energy_added > rounding)
@@ -110,11 +109,11 @@ std::vector<std::string> simulation_warnings(const System& system, const Simulat
         fmt::format("the energy book does not close: {:.3g} J are missing, {:.1e} of its largest "
                     "entry, more than rounding explains; do not trust this run",
                     run.energy->defect(), relative_defect(*run.energy)));
-  if (totals.smallest_gap && *totals.smallest_gap < -gap_rounding(system))
+  if (totals.penetration > gap_rounding(system))
     warnings.push_back(
         fmt::format("a stop was penetrated by {:.3g} m, more than rounding explains; do not trust "
                     "this run",
-                    -*totals.smallest_gap));
+                    totals.penetration));
   return warnings;
 }
 

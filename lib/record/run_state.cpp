@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <utility>
 
 #include "graze/record/files.hpp"
@@ -16,7 +17,7 @@ namespace graze {
 namespace {
 
 // What the numbers of the file mean; another meaning is another format.
-constexpr long long kFormat = 1;
+constexpr long long kFormat = 2;
 
 void write_totals(StateLines& lines, const RunTotals& totals) {
   lines.table("[totals]");
@@ -28,6 +29,7 @@ void write_totals(StateLines& lines, const RunTotals& totals) {
   lines.number("energy_added", totals.energy_added);
   lines.number("energy_lost", totals.energy_lost);
   if (totals.smallest_gap) lines.number("smallest_gap", *totals.smallest_gap);
+  lines.number("penetration", totals.penetration);
 }
 
 void write_book(StateLines& lines, const EnergyBook& book) {
@@ -50,11 +52,20 @@ std::vector<RunState::Streak> read_streaks(const Node& node, const System& syste
   return streaks;
 }
 
+constexpr std::array<std::pair<const char*, double SpringContact::*>, 6> kContactKeys{{
+    {"since", &SpringContact::since},
+    {"speeds", &SpringContact::speed},
+    {"peak_forces", &SpringContact::peak_force},
+    {"lost", &SpringContact::lost},
+    {"held", &SpringContact::held},
+    {"changes_before", &SpringContact::change_before},
+}};
+
 // Where there was none there is nothing to remember.
 void write_contacts(StateLines& lines, const ContactBook& book) {
   if (std::all_of(book.begin(), book.end(), [](const SpringContact& contact) {
-        return contact.since == 0.0 && contact.speed == 0.0 && contact.peak_force == 0.0 &&
-               contact.taken == 0.0;
+        return std::all_of(kContactKeys.begin(), kContactKeys.end(),
+                           [&contact](const auto& key) { return contact.*key.second == 0.0; });
       }))
     return;
   lines.table("[contacts]");
@@ -63,23 +74,18 @@ void write_contacts(StateLines& lines, const ContactBook& book) {
                  return real_text(contact.*value);
                }));
   };
-  write("since", &SpringContact::since);
-  write("speeds", &SpringContact::speed);
-  write("peak_forces", &SpringContact::peak_force);
-  write("taken", &SpringContact::taken);
+  for (const auto& [key, value] : kContactKeys) write(key, value);
 }
 
 ContactBook read_contacts(const Node& node, const System& system) {
-  const StateTable table(node, "contacts", {"since", "speeds", "peak_forces", "taken"});
+  const StateTable table(node, "contacts",
+                         {"since", "speeds", "peak_forces", "lost", "held", "changes_before"});
   ContactBook book(system.stops.size());
   const auto read = [&](const char* key, double SpringContact::*value) {
     const std::vector<double> numbers = table.numbers(key, book.size());
     for (std::size_t i = 0; i < book.size(); ++i) book[i].*value = numbers[i];
   };
-  read("since", &SpringContact::since);
-  read("speeds", &SpringContact::speed);
-  read("peak_forces", &SpringContact::peak_force);
-  read("taken", &SpringContact::taken);
+  for (const auto& [key, value] : kContactKeys) read(key, value);
   return book;
 }
 
@@ -95,9 +101,10 @@ ChatterTail read_tail(const Node& node, const System& system) {
 }
 
 RunTotals read_totals(const Node& node) {
-  const StateTable table(node, "totals",
-                         {"impacts", "chatters", "clamped_restitutions", "undecided_touches",
-                          "stuck_time", "energy_added", "energy_lost", "smallest_gap"});
+  const StateTable table(
+      node, "totals",
+      {"impacts", "chatters", "clamped_restitutions", "undecided_touches", "stuck_time",
+       "energy_added", "energy_lost", "smallest_gap", "penetration"});
   RunTotals totals;
   totals.impacts = table.count("impacts");
   totals.chatters = table.count("chatters");
@@ -107,6 +114,7 @@ RunTotals read_totals(const Node& node) {
   totals.energy_added = table.size("energy_added");
   totals.energy_lost = table.size("energy_lost");
   if (table.find("smallest_gap")) totals.smallest_gap = table.number("smallest_gap");
+  totals.penetration = table.size("penetration");
   return totals;
 }
 

@@ -201,7 +201,7 @@ Json DiagramPage::special_json(std::size_t branch, std::size_t index,
     more.push_back(
         {"multiplier",
          fmt::format("{:.6g}{}", special.multiplier->real(),
-                     std::abs(special.multiplier->imag()) > 1e-12
+                     special.multiplier->imag() != 0.0
                          ? fmt::format(" ± {:.6g}i", std::abs(special.multiplier->imag()))
                          : "")});
   if (const auto impact = special.impact())

@@ -168,7 +168,7 @@ std::string to_text(const OrbitRecord& record) {
         row.push_back(orbit.admissible ? "yes" : "no");
         row.push_back(orbit.clearance ? fmt::format("{:.4g}", *orbit.clearance) : "-");
         row.push_back(orbit.multipliers.empty() ? "-"
-                                                : complex_text(orbit.multipliers.front().value));
+                                                : complex_text(orbit.multipliers.front().known()));
         row.push_back(fmt::format("{:.1e}", orbit.residual));
       }
       table.add(row);

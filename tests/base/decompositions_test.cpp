@@ -46,6 +46,23 @@ TEST(ComplexModes, OfDefectiveMatricesAreNone) {
   }
 }
 
+// (.4, 1; 0, .4) behind a turn: rounding parts the double eigenvalue, within its error.
+TEST(Eigenvalues, ADoubleRealOneIsKnownAsReal) {
+  const double sine = 0.6, cosine = 0.8;
+  Matrix block(2, 2), turn(2, 2);
+  turn << cosine, -sine, sine, cosine;
+  for (const double split : {0.0, -1e-17, -4e-16}) {  // of the last: +-2e-8 i
+    block << 0.4, 1.0, split, 0.4;
+    for (const Eigenvalue& value : eigenvalues(turn * block * turn.transpose())) {
+      EXPECT_EQ(value.known().imag(), 0.0) << split;
+      EXPECT_NEAR(value.known().real(), 0.4, 1e-7);
+    }
+  }
+  block << 0.4, 1.0, -1e-12, 0.4;
+  for (const Eigenvalue& value : eigenvalues(turn * block * turn.transpose()))
+    EXPECT_NEAR(std::abs(value.known().imag()), 1e-6, 1e-8);
+}
+
 // [2, a, 0; 0, 1, 0; 0, 0, -3]: right and left vectors of 2 and 1 have the condition number
 // sqrt(1 + a^2), those of -3 have 1; also behind a rotation.
 TEST(Eigenvalues, ErrorsAreThoseOfTheirConditionNumbers) {

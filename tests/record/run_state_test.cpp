@@ -38,7 +38,7 @@ CutRun cut_run() {
   state.started = true;
   state.streaks = {{12, 2.2250738585072011e-308}, {0, -0.0}};
   state.tail = ChatterTail{{0, 1}, {3, 0.7}};
-  state.totals = {9'000'000'000LL, 2, 3, 4, 1e22, 1e-7, 123456789.123456789, -4.3368e-19};
+  state.totals = {9'000'000'000LL, 2, 3, 4, 1e22, 1e-7, 123456789.123456789, -4.3368e-19, 2e-19};
   state.keeps_book = true;
   state.book.start = 5e-324;
   state.book.work = {1.0 / 7.0, -2.0, 3e-17, 4.0 / 9.0};
@@ -141,11 +141,11 @@ std::string at(const std::string& start) {
 }
 
 TEST(RunStateFile, SaysWhatIsWrongAndWhere) {
-  EXPECT_EQ(complaint("graze_state = 1", "title = \"a scene\""),
+  EXPECT_EQ(complaint("graze_state = 2", "title = \"a scene\""),
             "run/state.toml:1:1: graze_state: the key is missing, this is not the state of a run");
-  EXPECT_EQ(complaint("graze_state = 1", "graze_state = 2"),
+  EXPECT_EQ(complaint("graze_state = 2", "graze_state = 1"),
             at("graze_state") +
-                "graze_state: the integer 2 is the format of another version, this one reads 1");
+                "graze_state: the integer 1 is the format of another version, this one reads 2");
   const std::string other = complaint("aaaa\"", "aaab\"");
   EXPECT_EQ(other.find(at("scene_sha256") + "scene_sha256: run/state.toml is the state of another"),
             0U);

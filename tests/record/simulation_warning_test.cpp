@@ -36,7 +36,8 @@ TEST(SimulationWarnings, ASoundRunHasNone) {
   EXPECT_TRUE(simulation_warnings(forced_system(), sound_run()).empty());
   Simulation rounded = sound_run();
   rounded.energy->work.forcing = 1e-12;
-  rounded.totals.smallest_gap = -1e-15;
+  rounded.totals.penetration = 1e-15;
+  rounded.totals.smallest_gap = -5e-3;  // of a compressed spring
   EXPECT_TRUE(simulation_warnings(forced_system(), rounded).empty());
 }
 
@@ -51,7 +52,7 @@ TEST(SimulationWarnings, ABookThatDoesNotCloseIsSaid) {
 
 TEST(SimulationWarnings, APenetrationIsSaid) {
   Simulation run = sound_run();
-  run.totals.smallest_gap = -2e-3;
+  run.totals.penetration = 2e-3;
   const std::vector<std::string> warnings = simulation_warnings(forced_system(), run);
   ASSERT_EQ(warnings.size(), 1u);
   EXPECT_NE(warnings[0].find("penetrated by 0.002 m"), std::string::npos) << warnings[0];
