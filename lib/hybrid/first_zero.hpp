@@ -14,6 +14,7 @@
 #include <cmath>
 #include <limits>
 
+#include "graze/base/stop_signal.hpp"
 #include "graze/flow/arc_curve.hpp"
 
 namespace graze {
@@ -23,7 +24,7 @@ enum class ZeroKind {
   kCrossing,  // a zero with negative slope
   kTouch,     // within rounding of zero, crossing undecided
   kBlocked,   // starts at zero with no way to leave: rest against a push
-  kBudget,    // more evaluations than allowed
+  kBudget,    // more evaluations than allowed, or it was asked to stop
   kNotFinite  // the curve left the range of the scalar
 };
 
@@ -37,6 +38,10 @@ struct FirstZero {
 
 // The search is bounded: near-tangent motion at the noise floor takes a few thousand evaluations.
 inline constexpr int kMostSearchEvaluations = 1000000;
+
+// Evaluations between two looks at the stop signal: hardly any search takes so many, and of the
+// 400 modes that a scene may have they take a tenth of a millisecond or so.
+inline constexpr int kEvaluationsPerLook = 64;
 
 namespace first_zero_detail {
 
@@ -169,7 +174,8 @@ Real departure_step(const ArcCurve<Real>& curve, int multiplicity) {
 }
 
 template <class Real, class Sample>
-Descent<Real> approach_descent(const Sample& sample, const Real& from, const Real& window) {
+Descent<Real> approach_descent(const Sample& sample, const Real& from, const Real& window,
+                               const StopSignal& stop = {}) {
   using std::abs, std::isfinite;
   Real s = from;
   CurvePoint<Real> point;
@@ -181,6 +187,8 @@ Descent<Real> approach_descent(const Sample& sample, const Real& from, const Rea
       s = window;
       return ended(ZeroKind::kNone, Real(0), i);
     }
+    if (i % kEvaluationsPerLook == 0 && stop.requested())
+      return ended(ZeroKind::kBudget, Real(0), i);
     point = sample(s);
     if (!isfinite(point.value) || !isfinite(point.slope) || !isfinite(point.bound))
       return ended(ZeroKind::kNotFinite, Real(0), i);
@@ -215,35 +223,37 @@ FirstZero<Real> finish_descent(const Sample& sample, const Descent<Real>& descen
 
 // First descent through zero, in (from, curve.window()], of the curve that `sample` gives.
 template <class Real, class Sample>
-FirstZero<Real> first_descent(const Sample& sample, const Real& from, const Real& window) {
+FirstZero<Real> first_descent(const Sample& sample, const Real& from, const Real& window,
+                              const StopSignal& stop = {}) {
   using namespace first_zero_detail;
-  return finish_descent(sample, approach_descent(sample, from, window), window);
+  return finish_descent(sample, approach_descent(sample, from, window, stop), window);
 }
 
 // First contact in (0, curve.window()]. `multiplicity` > 0 says that the gap starts at a known
-// zero: 1 just after an impact, 2 when pulled away from rest on the stop, 3 after a release, 4 after
-// one at which the contact force vanishes without crossing zero.
+// zero: 1 just after an impact, 2 when pulled away from rest on the stop, 3 after a release, 4
+// after one at which the contact force vanishes without crossing zero.
 template <class Real>
-FirstZero<Real> first_contact(const ArcCurve<Real>& curve, int multiplicity) {
+FirstZero<Real> first_contact(const ArcCurve<Real>& curve, int multiplicity,
+                              const StopSignal& stop = {}) {
   Real from = 0;
   if (multiplicity > 0) {
     from = first_zero_detail::departure_step(curve, multiplicity);
     if (from < 0) return {ZeroKind::kBlocked, Real(0), Real(0), 1};
   }
   return first_descent([&](const Real& s) { return curve.at(s, 0, Reach::kStep); }, from,
-                       curve.window());
+                       curve.window(), stop);
 }
 
 // The first instant at which a contact force falls through zero. Where it only comes within its
 // rounding of zero and rises again it is still a contact.
 template <class Real>
-FirstZero<Real> first_release(const ArcCurve<Real>& force) {
+FirstZero<Real> first_release(const ArcCurve<Real>& force, const StopSignal& stop = {}) {
   using std::sqrt;
   Real from = 0;
   int evaluations = 0;
   const auto sample = [&](const Real& s) { return force.at(s, 0, Reach::kStep); };
   while (evaluations < kMostSearchEvaluations) {
-    FirstZero<Real> zero = first_descent(sample, from, force.window());
+    FirstZero<Real> zero = first_descent(sample, from, force.window(), stop);
     evaluations += zero.evaluations;
     zero.evaluations = evaluations;
     if (zero.kind != ZeroKind::kCrossing && zero.kind != ZeroKind::kTouch) return zero;

@@ -231,9 +231,9 @@ Arrival<Real> Motion<Real>::search(const Real& until, const Real& horizon) {
     const bool is_closed = contact(i) == Contact::kClosed;
     const int multiplicity = now_.multiplicities[static_cast<std::size_t>(i)];
     const FirstZero<Real> zero =
-        is_closed
-            ? first_release(phase.force(i, arrival.flight))
-            : first_contact(phase.gap_along(i, arrival.flight, multiplicity > 0), multiplicity);
+        is_closed ? first_release(phase.force(i, arrival.flight), stop_)
+                  : first_contact(phase.gap_along(i, arrival.flight, multiplicity > 0),
+                                  multiplicity, stop_);
     arrival.evaluations += zero.evaluations;
     if (zero.kind == ZeroKind::kNone) continue;
     arrival.stop = i;

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "graze/base/angle.hpp"
+#include "graze/base/stop_poll.hpp"
 #include "graze/contact/impulse.hpp"
 #include "graze/hybrid/sampler.hpp"
 #include "graze/hybrid/smallest_gap.hpp"
@@ -95,6 +96,7 @@ class Run {
         state_.totals.impacts == 0 && !motion_.is_closed_anywhere() && !motion_.is_sprung();
     if (untouched && !options_.steps && !system_.rotation) note_minima(flight.until - start.local);
     const Arrival<double> arrival = motion_.fly(flight.until, flight.horizon);
+    work_ += (1 + arrival.evaluations) * system_.modes();
     if (arrival.kind == ArrivalKind::kUndecided && !within_budget(true)) return false;
     if (untouched && arrival.lowest && std::isfinite(*arrival.lowest))
       note_gap(std::max(*arrival.lowest, 0.0), state_.totals);
@@ -122,7 +124,10 @@ class Run {
   // Along the arc just flown.
   bool follow(double start_time, double flight) {
     if (flight > 0.0) state_.started = true;
-    const auto goes_on = [this] { return within_budget(); };
+    const auto goes_on = [this] {
+      work_ += system_.modes();
+      return within_budget();
+    };
     if (listeners_.sample &&
         !sampler_.hand_out(motion_, start_time, flight, state_.book, state_.samples, goes_on))
       return false;
@@ -185,9 +190,9 @@ class Run {
                                   options_.max_impacts, time()));
     if (options_.stop.is_interrupted())
       return stop_run(RunOutcome::kInterrupted, fmt::format("stopped at t = {:.9g} s", time()));
-    // The clock costs as much as an arc of a small system: it is read once in 256 times, but an arc
-    // whose work is integrated may be long.
-    if (((++polls_ & 255) == 0 || options_.energy || asked) && options_.stop.is_late())
+    // An arc whose work is integrated may be long.
+    if ((poll_.is_due(std::exchange(work_, 0)) || options_.energy || asked) &&
+        options_.stop.is_late())
       return stop_run(
           RunOutcome::kTimeBudget,
           fmt::format("the budget of computing time was spent at t = {:.9g} s", time()));
@@ -369,7 +374,8 @@ class Run {
   State before_;  // an impact or a closure; kept, with what came of it, for the memory
   ImpactEnergy impact_energy_;
   Sampler sampler_;
-  long long polls_ = 0;
+  StopPoll poll_;
+  long long work_ = 0;  // since it was asked last
   Simulation result_;
 };
 

@@ -5,7 +5,9 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
+#include "graze/base/stop_poll.hpp"
 #include "graze/hybrid/clearance.hpp"
 #include "graze/hybrid/contact_book.hpp"
 #include "graze/hybrid/next_flight.hpp"
@@ -77,7 +79,7 @@ class Follower {
     }
     if (tail_ && not_before(start, tail_->over)) announce_tail();
     if (not_before(start, end_)) return false;
-    if ((++polls_ & 255) == 0 && options_.stop.requested()) return fail(kStopped);
+    if (poll_.is_due(std::exchange(work_, 0)) && options_.stop.requested()) return fail(kStopped);
     if (motion_.is_sprung() && carried_.any()) {
       if (motion_.is_closed_anywhere())
         return fail(
@@ -87,6 +89,7 @@ class Follower {
     }
     const NextFlight flight = next_flight(motion_, end_, tail_, longest_flight_);
     const Arrival<double> arrival = motion_.fly(flight.until, flight.horizon);
+    work_ += (1 + arrival.evaluations) * system_.modes();
     if (arrival.kind == ArrivalKind::kNotFinite || arrival.kind == ArrivalKind::kRefused)
       return receive(arrival);
     if (options_.flight) options_.flight(motion_.flown(), start, arrival.flight);
@@ -297,7 +300,9 @@ class Follower {
   ContactBook book_;
   double longest_flight_;  // s
   std::optional<ChatterTail> tail_;
-  long long polls_ = 0, impacts_ = 0;
+  StopPoll poll_;
+  long long work_ = 0;  // since it was asked last
+  long long impacts_ = 0;
   Passage passage_;
 };
 

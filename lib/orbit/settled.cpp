@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "graze/base/angle.hpp"
+#include "graze/base/stop_poll.hpp"
 #include "graze/hybrid/clearance.hpp"
 #include "graze/hybrid/next_flight.hpp"
 #include "graze/hybrid/simulation.hpp"
@@ -68,10 +69,10 @@ class Settling {
     const bool closed = motion_.is_closed_anywhere(), sprung = motion_.is_sprung();
     contacts_ = {closed || sprung, closed, sprung, closed};
     in_period_ = 0;
-    // The clock costs as much as a few arcs of a small system.
-    if (stop_requested((history_.periods() & 31) == 0)) return false;
     const long long period = history_.periods();
     for (;;) {
+      // A period can hold any number of flights.
+      if (stop_requested(poll_.is_due(std::exchange(work_, 0)))) return false;
       const Arrival<double> arrival = pending_ ? *std::exchange(pending_, std::nullopt) : fly();
       // What happens at the very end of a period belongs to the next one.
       if (motion_.instant().period > period) {
@@ -86,7 +87,9 @@ class Settling {
 
   Arrival<double> fly() {
     const NextFlight flight = next_flight(motion_, {now(), 0.0}, {}, longest_flight_);
-    return motion_.fly(flight.until, flight.horizon);
+    const Arrival<double> arrival = motion_.fly(flight.until, flight.horizon);
+    work_ += (1 + arrival.evaluations) * system_.modes();
+    return arrival;
   }
 
   bool receive(const Arrival<double>& arrival) {
@@ -148,8 +151,8 @@ class Settling {
       return end(SettledKind::kImpactBudget,
                  fmt::format("met more impacts in forcing period {} than memory is kept for, {}",
                              now(), in_period_ - 1));
-    // A period can hold thousands of impacts on a large structure.
-    return (++result_.impacts_met & 255) != 0 || !stop_requested(true);
+    ++result_.impacts_met;
+    return true;
   }
 
   bool stop_requested(bool reads_clock) {
@@ -349,6 +352,8 @@ class Settling {
   long long solved_at_ = 0, next_solve_ = 0, leaving_until_ = 0;  // periods
   PeriodHistory::Contacts contacts_;
   long long in_period_ = 0;
+  StopPoll poll_;
+  long long work_ = 0;                      // since it was asked last
   std::optional<Arrival<double>> pending_;  // at the end of the last period, not yet dealt with
   bool over_ = false;
   SettledMotion result_;
