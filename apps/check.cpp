@@ -17,8 +17,12 @@ namespace {
 // that comes to rest there ends.
 std::vector<std::string> unstable_stops(const System& system) {
   std::vector<std::string> warnings;
-  for (int i = 0; i < static_cast<int>(system.stops.size()); ++i) {
-    const ContactPhase<double> held(system, {i});
+  // The other stops do not take part, and there may be many.
+  System alone = system;
+  for (std::size_t i = 0; i < system.stops.size(); ++i) {
+    if (system.stops[i].spring) continue;  // it gives way, and holds nothing
+    alone.stops.assign(1, system.stops[i]);
+    const ContactPhase<double> held(alone, {0});
     if (!held.refusal().empty())
       warnings.push_back(
           fmt::format("motion held by stop {} cannot be followed: {}", i + 1, held.refusal()));

@@ -8,6 +8,7 @@
 
 #include "command.hpp"
 #include "graze/base/errors.hpp"
+#include "graze/base/stop_scope.hpp"
 #include "graze/base/terminal_text.hpp"
 #include "session.hpp"
 
@@ -23,6 +24,8 @@ long seconds_now() {
 std::atomic<long> first_interrupt{0};
 
 extern "C" void on_interrupt(int) {
+  // While the scene is read and assembled nothing is finished.
+  if (!graze::has_begun) std::_Exit(130);
   // The first asks for what is finished, a later one ends the program at once. One that comes along
   // with the first (a shell or `timeout` may signal both process and group) is the same.
   if (!graze::interrupted.exchange(true))
@@ -38,6 +41,7 @@ int complain(const std::string& sentence, int code) {
 }
 
 int run(const graze::Command& command) {
+  const graze::StopScope scope(graze::stop_signal(command));
   if (command.name == "check") return graze::run_check(command);
   if (command.name == "simulate") return graze::run_simulate(command);
   if (command.name == "orbit") return graze::run_orbit(command);

@@ -85,21 +85,23 @@ void note_call(const Command& command, RunInfo& info) {
   info.settings = command.settings;
 }
 
-std::atomic<bool> interrupted{false};
+std::atomic<bool> interrupted{false}, has_begun{false};
 
 StopSignal stop_signal(const Command& command) {
   using Clock = std::chrono::steady_clock;
+  static const Clock::time_point called = Clock::now();
   StopSignal signal;
   signal.interrupted = &interrupted;
   // Longer than the clock reaches is no limit.
   constexpr double kLongest = 1e9;
   if (command.max_seconds < kLongest)
-    signal.deadline = Clock::now() + std::chrono::duration_cast<Clock::duration>(
-                                         std::chrono::duration<double>(command.max_seconds));
+    signal.deadline = called + std::chrono::duration_cast<Clock::duration>(
+                                   std::chrono::duration<double>(command.max_seconds));
   return signal;
 }
 
 void prepare_output(const Command& command) {
+  has_begun = true;
   if (!command.out.empty()) prepare_folder(command.out);
   if (command.plot.empty()) return;
   const std::filesystem::path folder = std::filesystem::path(command.plot).parent_path();

@@ -20,11 +20,13 @@ Scene scene_of(const Command& command, const std::vector<std::string>& further =
 
 // Set by Ctrl-C; long work polls it and keeps what it finished.
 extern std::atomic<bool> interrupted;
+// Set once there may be something to keep; before, Ctrl-C ends the program at once.
+extern std::atomic<bool> has_begun;
 
 // How the program was called, for whoever wants the result again.
 void note_call(const Command& command, RunInfo& info);
 
-// Ctrl-C, and --max-seconds from now on.
+// Ctrl-C, and --max-seconds from the first call on.
 StopSignal stop_signal(const Command& command);
 
 // Once the command is known to be sound and before its work begins: makes the output folder and

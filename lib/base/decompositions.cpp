@@ -9,6 +9,7 @@
 #include <unsupported/Eigen/MatrixFunctions>
 
 #include "graze/base/linear_equations.hpp"
+#include "graze/base/stop_scope.hpp"
 
 namespace graze {
 namespace {
@@ -114,8 +115,11 @@ std::vector<Eigenvalue> eigenvalues_by_schur(const Matrix& matrix, ErrorBounds e
     const double size = static_cast<double>(n), norm = matrix.norm();
     const double unit = std::numeric_limits<double>::epsilon() * size * norm;
     const double elsner = std::pow(norm + unit, 1.0 - 1.0 / size) * std::pow(unit, 1.0 / size);
+    ScopedPoll poll;
+    bool stopped = false;
     for (Index j = 0; j < n; ++j) {
-      const double first_order = unit * condition_of(t, j, x);
+      stopped = stopped || poll.requested_after(n * n);
+      const double first_order = stopped ? elsner : unit * condition_of(t, j, x);
       list[static_cast<std::size_t>(j)].error = first_order < elsner ? first_order : elsner;
     }
   }

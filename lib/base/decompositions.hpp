@@ -33,7 +33,8 @@ enum class ErrorBounds { kGiven, kLeftOut };
 
 // Eigenvalues of a real square matrix, largest modulus first, conjugate pairs adjacent with the
 // negative imaginary part first; the same to the last bit with and without their errors. Empty when
-// the iteration does not converge.
+// the iteration does not converge. Where it was asked to stop (stop_scope.hpp) the bounds that are
+// missing are Elsner's.
 std::vector<Eigenvalue> eigenvalues(const Matrix& matrix, ErrorBounds errors = ErrorBounds::kGiven);
 
 // A = V diag(values) V^-1.

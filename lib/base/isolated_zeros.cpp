@@ -5,13 +5,18 @@
 #include <limits>
 
 #include "graze/base/bracketed_zero.hpp"
+#include "graze/base/stop_scope.hpp"
 
 namespace graze {
 namespace {
 
+// Some 10 us with one mode, in the units of ScopedPoll.
+constexpr long long kWorkOfEvaluation = 1 << 11;
+
 struct Cell {
   double low = 0.0, high = 0.0;
-  int sign = 0;  // that the function has all over it; 0 where only the signs at its ends say
+  int sign = 0;       // that the function has all over it; 0 where only the signs at its ends say
+  bool left = false;  // it may hold more zeros than these signs show
 };
 
 class Isolation {
@@ -19,7 +24,7 @@ class Isolation {
   explicit Isolation(const BoundedFunction& f) : f_(f) {}
 
   IsolatedZeros over(double low, double high, long long most_cells) {
-    std::vector<Cell> open{{low, high, 0}};
+    std::vector<Cell> open{{low, high}};
     long long looked_at = 0;
     // Narrower cells are one point within the rounding of the range: next to 0 there are many.
     const double finest = std::numeric_limits<double>::epsilon() * (high - low);
@@ -29,11 +34,11 @@ class Isolation {
           looked_at + static_cast<long long>(open.size()) <= std::max(most_cells, 1LL);
       for (const Cell& cell : open) {
         const double middle = cell.low + 0.5 * (cell.high - cell.low);
-        if (affordable && settles(cell)) continue;
-        if (affordable && middle > cell.low && middle < cell.high &&
+        if (affordable && goes_on() && settles(cell)) continue;
+        if (affordable && !stopped_ && middle > cell.low && middle < cell.high &&
             cell.high - cell.low > finest) {
-          halves.push_back({cell.low, middle, 0});
-          halves.push_back({middle, cell.high, 0});
+          halves.push_back({cell.low, middle});
+          halves.push_back({middle, cell.high});
         } else {
           leave(cell);
         }
@@ -46,6 +51,12 @@ class Isolation {
   }
 
  private:
+  // Once it was asked to stop all that is open is left so.
+  bool goes_on() {
+    stopped_ = stopped_ || poll_.requested_after(kWorkOfEvaluation);
+    return !stopped_;
+  }
+
   // Whether the cell needs no halving.
   bool settles(const Cell& cell) {
     ++found_.evaluations;
@@ -57,10 +68,15 @@ class Isolation {
     return true;
   }
 
-  void leave(const Cell& cell) {
+  void leave(Cell cell) {
+    count_undecided(cell);
+    cell.left = true;
+    cells_.push_back(cell);
+  }
+
+  void count_undecided(const Cell& cell) {
     ++found_.undecided;
     found_.widest = std::max(found_.widest, cell.high - cell.low);
-    cells_.push_back(cell);
   }
 
   double at(double value) {
@@ -81,8 +97,12 @@ class Isolation {
       int before = cell.sign, after = cell.sign;
       if (cell.sign == 0) {
         // Neighbours say the same of the point between them.
-        from = at(cell.low);
-        to = at(cell.high);
+        if (goes_on()) {
+          from = at(cell.low);
+          to = at(cell.high);
+        } else if (!cell.left) {
+          count_undecided(cell);
+        }
         before = i > 0 && sign != 0 ? sign : sign_of(from);
         after = sign_of(to);
         if (after == 0 && i + 1 < cells_.size()) after = cells_[i + 1].sign;
@@ -106,6 +126,8 @@ class Isolation {
   const BoundedFunction& f_;
   std::vector<Cell> cells_;
   IsolatedZeros found_;
+  ScopedPoll poll_;
+  bool stopped_ = false;
 };
 
 }  // namespace

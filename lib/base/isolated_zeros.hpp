@@ -3,7 +3,8 @@
 // The range is halved until over each cell either the function keeps its sign or its slope does, as
 // its mean value form shows (mean_value_form.hpp); in the latter case the signs at both ends say
 // whether there is a zero or none. What cannot be halved any further (a multiple zero, to rounding)
-// or what a budget leaves over is undecided, and the signs at its ends are all that is known of it.
+// or what is left over by a budget, or once it was asked to stop (stop_scope.hpp), is undecided,
+// and the signs at its ends are all that is known of it.
 #pragma once
 
 #include <functional>

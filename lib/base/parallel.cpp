@@ -6,6 +6,8 @@
 
 #include <algorithm>
 
+#include "graze/base/stop_scope.hpp"
+
 namespace graze {
 
 void for_each_index(std::size_t count, int threads, const std::function<void(std::size_t)>& work) {
@@ -15,11 +17,13 @@ void for_each_index(std::size_t count, int threads, const std::function<void(std
   }
   // More threads than cores gain nothing, and TBB complains of them on the terminal.
   const int cores = tbb::info::default_concurrency();
+  const StopSignal stop = StopScope::current();
   tbb::task_arena arena(threads > 0 ? std::min(threads, cores) : cores);
   arena.execute([&] {
     tbb::parallel_for(
         tbb::blocked_range<std::size_t>(0, count, 1),
         [&](const tbb::blocked_range<std::size_t>& part) {
+          const StopScope scope(stop);
           for (std::size_t i = part.begin(); i < part.end(); ++i) work(i);
         },
         tbb::simple_partitioner());

@@ -76,8 +76,7 @@ PeriodicHessenberg::PeriodicHessenberg(std::vector<Matrix> factors)
 
 bool PeriodicHessenberg::reduce() {
   split_off_zeros();
-  to_hessenberg();
-  return iterate();
+  return to_hessenberg() && iterate();
 }
 
 // A change of basis in the image of factor `image`, by the reflection that maps rows first ..
@@ -143,12 +142,15 @@ bool PeriodicHessenberg::split_off(std::size_t factor) {
   return true;
 }
 
-void PeriodicHessenberg::to_hessenberg() {
+bool PeriodicHessenberg::to_hessenberg() {
   const Index w = active_;
+  const Index reflections = 4 * static_cast<Index>(factors_.size()) * n_ * w;
   for (Index j = 0; j + 1 < w; ++j) {
+    if (poll_.requested_after(reflections)) return false;
     for (std::size_t i = 1; i < factors_.size(); ++i) reflect(i, j, w - j, j, w);
     if (j + 2 < w) reflect(0, j + 1, w - j - 1, j, w);
   }
+  return true;
 }
 
 // First row of the unreduced block of the Hessenberg factor that ends with row `last`. An entry
@@ -179,7 +181,8 @@ bool PeriodicHessenberg::iterate() {
       steps = 0;
       continue;
     }
-    if (++steps > kMaxSteps) return false;
+    const Index bulges = (last - first) * static_cast<Index>(factors_.size());
+    if (++steps > kMaxSteps || poll_.requested_after(8 * bulges * n_)) return false;
     // Now and then a step from anywhere, in case the shifts go round in circles. Towards a
     // triple defective eigenvalue they gain two bits each, and want no interruption.
     step(first, last,

@@ -5,6 +5,7 @@
 
 #include <vector>
 
+#include "graze/base/stop_scope.hpp"
 #include "graze/base/vector.hpp"
 
 namespace graze {
@@ -13,7 +14,8 @@ class PeriodicHessenberg {
  public:
   explicit PeriodicHessenberg(std::vector<Matrix> factors);
 
-  // Carries all steps out; false when an eigenvalue takes more than 120 of them.
+  // Carries all steps out; false when an eigenvalue takes more than 120 of them, or it
+  // was asked to stop (stop_scope.hpp).
   bool reduce();
 
   // After reduce(): the first factor is block upper triangular, the others upper triangular.
@@ -27,7 +29,7 @@ class PeriodicHessenberg {
   void reflect(std::size_t image, Index first, Index size, Index column, Index rows);
   void split_off_zeros();
   bool split_off(std::size_t factor);
-  void to_hessenberg();
+  bool to_hessenberg();
   bool iterate();
   Index window_start(Index last);
   Eigen::Vector3d double_shift(Index first, Index last) const;
@@ -39,6 +41,7 @@ class PeriodicHessenberg {
   Index n_ = 0;
   Index active_ = 0;  // leading rows whose product is not known to be singular
   std::vector<Index> blocks_;
+  ScopedPoll poll_;
   Vector reflector_, projection_;  // workspace
 };
 

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "graze/base/periodic_schur.hpp"
+#include "graze/base/stop_scope.hpp"
 
 namespace graze {
 namespace {
@@ -93,17 +94,19 @@ class CyclicBidiagonal {
 };
 
 // |x_i| of the vectors T_i x_i = T_i(j, j) x_{i+1}, x_i(j) = 1 (i from 0, cyclic), row i and column
-// j; infinite where there are none.
+// j; infinite where there are none, and all of them where it was asked to stop.
 Matrix vector_norms(const Factors& factors) {
   const Index n = factors[0].rows(), k = static_cast<Index>(factors.size());
   const auto at = [&factors](Index i) -> const Eigen::MatrixXcd& {
     return factors[static_cast<std::size_t>(i)];
   };
   Matrix norms = Matrix::Ones(k, n);
+  ScopedPoll poll;
   Eigen::MatrixXcd x(n, k);
   ComplexVector g(k), z(k);
   CyclicBidiagonal system(k);
   for (Index j = 0; j < n; ++j) {
+    if (poll.requested_after(k * j * j)) return Matrix::Constant(k, n, kInfinity);
     x.row(j).setOnes();
     bool found = true;
     for (Index l = j - 1; l >= 0 && found; --l) {
@@ -165,7 +168,7 @@ std::vector<Scaled<double>> first_order_errors(const Factors& factors, long expo
   return errors;
 }
 
-// Elsner's bound for the product, in units of 2^exponent.
+// Elsner's bound for the product, in units of 2^exponent; infinite where it was asked to stop.
 Scaled<double> elsner_bound(const Factors& factors, long exponent) {
   const Index n = factors[0].rows();
   const std::size_t k = factors.size();
@@ -173,6 +176,7 @@ Scaled<double> elsner_bound(const Factors& factors, long exponent) {
   // Norms of the products of the first i and the last k - i factors.
   const auto norms = [&](bool forwards) {
     std::vector<Scaled<double>> list{{1.0, 0}};
+    ScopedPoll poll;
     Eigen::MatrixXcd product = Eigen::MatrixXcd::Identity(n, n);
     for (std::size_t i = 0; i < k; ++i) {
       product = forwards ? (factors[i] * product).eval() : (product * factors[k - 1 - i]).eval();
@@ -181,6 +185,7 @@ Scaled<double> elsner_bound(const Factors& factors, long exponent) {
       norm.times(size);
       list.push_back(norm);
       if (size > 0.0) product /= size;
+      if (poll.requested_after(4 * n * n * n)) list.back().mantissa = kInfinity;
     }
     return list;
   };

@@ -33,7 +33,7 @@ namespace graze {
 // Eigenvalues of factors.back() .. factors.front(), n x n each; order as that of eigenvalues().
 // Exactly zero are those that a factor of deficient rank makes zero; deficient is a factor with
 // rows and columns that are dependent within n eps of their sizes. Empty without factors, when the
-// iteration does not converge, and where an entry is not finite. One factor: eigenvalues(), whose
+// iteration does not converge or was asked to stop (stop_scope.hpp), and where an entry is not finite. One factor: eigenvalues(), whose
 // zeros are within their error only. Products of diagonal entries neither overflow nor vanish where
 // their value is representable. The values do not depend on whether their errors are asked for.
 std::vector<Eigenvalue> product_eigenvalues(const std::vector<Matrix>& factors,

@@ -8,8 +8,11 @@ namespace graze {
 
 class StopPoll {
  public:
-  // `work`: multiply-adds done since the last call, roughly. True the first time, and whenever
-  // enough came together that a look at the clock does not count.
+  // `first`: work until the first look.
+  explicit StopPoll(long long first = 0) : left_(first) {}
+
+  // `work`: multiply-adds done since the last call, roughly. True whenever enough came together
+  // that a look at the clock does not count.
   bool is_due(long long work) {
     left_ -= std::max(work, 1LL);
     if (left_ > 0) return false;
@@ -20,7 +23,7 @@ class StopPoll {
  private:
   // At some 5 ns each a look every 80 us, of which it takes 30 ns.
   static constexpr long long kWorkPerLook = 1 << 14;
-  long long left_ = 0;
+  long long left_;
 };
 
 }  // namespace graze

@@ -77,13 +77,15 @@ class OrbitTracer {
       if (options_.progress)
         options_.progress(static_cast<double>(i) / static_cast<double>(values.size() + 1));
       for (const Orbit& orbit : orbits_at(values[i], i == 0))
-        branches_.trace_from(orbit.pattern(), orbit.points(), values[i]);
+        if (!options_.stop.requested())
+          branches_.trace_from(orbit.pattern(), orbit.points(), values[i]);
       if (options_.sticking && options_.finder.from_simulation) trace_sticking(values[i]);
     }
   }
 
   void trace_from_surveys() {
     for (std::size_t stop = 0; stop < family_.scene().stops.size(); ++stop) {
+      if (options_.stop.requested()) return;
       const int index = static_cast<int>(stop);
       if (!family_.at(family_.value())->stops[stop].restitution.is_constant()) {
         trace_from_speeds(index);

@@ -4,6 +4,7 @@
 #include <chrono>
 #include <cmath>
 
+#include "graze/base/stop_scope.hpp"
 #include "graze/continuation/branch_crossing.hpp"
 #include "graze/continuation/circle_crossings.hpp"
 #include "graze/continuation/crossing_stations.hpp"
@@ -67,6 +68,7 @@ class CriticalSearch {
     if (!last_) last_ = std::chrono::steady_clock::now() + kGrace;
     branch_.critical.resize(known);
     const StopSignal grace{nullptr, last_};
+    const StopScope scope(grace);
     CircleCrossings crossings(problem_, corrector_, grace, i, branch_.critical);
     crossings.add_undivided(branch_.points[i], branch_.points[i + 1]);
   }

@@ -68,6 +68,8 @@ class ArcCurve {
   // Derivative m = 0..3 of the curve with its slope and bound.
   CurvePoint<Real> at(const Real& s, int m, Reach reach = Reach::kWindow) const;
   const Real& window() const { return window_; }
+  // Parts that an evaluation adds up.
+  std::size_t terms() const { return terms_.size() + specials_.size(); }
 
  private:
   static constexpr std::size_t kOrders = 5;  // derivatives 0..4 are evaluated, 5 is bounded

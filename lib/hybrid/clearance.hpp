@@ -20,7 +20,7 @@ struct GapMinimum {
 // lowest minimum found, minima are passed over. Elsewhere extrema are found one after the other
 // with the certified search, so none is passed over; where rounding cannot tell an inflection from
 // a pair of extrema (both within the rounding of the gap of one another) it counts as none. A gap
-// of minus infinity when the search cannot be finished.
+// of minus infinity when the search cannot be finished, or was asked to stop (stop_scope.hpp).
 //
 // `multiplicity` n > 0 says that the gap departs from a known zero: 1 just after an impact, 2 when
 // pulled away from rest on the stop, 3 after a release. It then rises at least until n g_n/K_(n+1),

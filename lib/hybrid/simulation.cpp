@@ -84,7 +84,9 @@ class Run {
     const Instant<double> start = motion_.instant();
     // What a cut arc's end would decide is decided when it is flown again, whole.
     if (is_cut_ && not_before(start, end_)) return false;
-    if (motion_.has_news()) return receive(decide(start));
+    // What changes at one instant may be as many as the stops, and each asks all of them.
+    work_ += stops();
+    if (motion_.has_news()) return goes_on() && receive(decide(start));
     if (state_.tail && not_before(start, state_.tail->over)) announce_tail();
     if (not_before(start, end_) || !within_budget()) return false;
     const NextFlight flight = next_flight(motion_, end_, state_.tail, longest_flight_);
@@ -124,12 +126,12 @@ class Run {
   // Along the arc just flown.
   bool follow(double start_time, double flight) {
     if (flight > 0.0) state_.started = true;
-    const auto goes_on = [this] {
+    const auto within = [this] {
       work_ += system_.modes();
       return within_budget();
     };
     if (listeners_.sample &&
-        !sampler_.hand_out(motion_, start_time, flight, state_.book, state_.samples, goes_on))
+        !sampler_.hand_out(motion_, start_time, flight, state_.book, state_.samples, within))
       return false;
     if (options_.energy && flight > 0.0)
       state_.book.work = state_.book.work + work_along(system_, motion_.flown(), flight);
@@ -188,6 +190,10 @@ class Run {
       return stop_run(RunOutcome::kEventBudget,
                       fmt::format("the budget of {} impacts was spent at t = {:.9g} s",
                                   options_.max_impacts, time()));
+    return goes_on(asked);
+  }
+
+  bool goes_on(bool asked = false) {
     if (options_.stop.is_interrupted())
       return stop_run(RunOutcome::kInterrupted, fmt::format("stopped at t = {:.9g} s", time()));
     // An arc whose work is integrated may be long.

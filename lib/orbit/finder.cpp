@@ -93,8 +93,10 @@ class Finder {
         continue;
       }
       const ShootingProblem problem({options_.period, {static_cast<int>(i)}}, scale_);
-      for (const ImpactPoint& point : answer.form->solutions(system_.stops[i].gap))
+      for (const ImpactPoint& point : answer.form->solutions(system_.stops[i].gap)) {
+        if (options_.stop.requested()) return;
         keep(problem, newton(problem, system_, problem.pack({point})), found_.closed_form);
+      }
     }
   }
 
@@ -216,8 +218,9 @@ class Finder {
   // Keeps the solutions that are orbits (or may be listed); whether there was one.
   bool keep(const PeriodicResponse& response, const std::vector<PhaseSolution>& solutions) {
     std::vector<std::optional<Orbit>> orbits(solutions.size());
-    for_each_index(solutions.size(), options_.threads,
-                   [&](std::size_t i) { orbits[i] = judge(response, solutions[i]); });
+    for_each_index(solutions.size(), options_.threads, [&](std::size_t i) {
+      if (!options_.stop.requested()) orbits[i] = judge(response, solutions[i]);
+    });
     bool any = false;
     for (const std::optional<Orbit>& orbit : orbits) {
       if (!orbit) continue;

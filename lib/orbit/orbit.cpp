@@ -196,6 +196,7 @@ Admissibility admissibility(const System& system, const ImpactPattern& pattern,
   const ExactFlow<double> flow(system);
   Arc<double> arc(flow);
   const double still = still_speed(system);
+  constexpr double kUnfinished = -std::numeric_limits<double>::infinity();
   double lowest = std::numeric_limits<double>::infinity();
   Admissibility result;
   result.admissible = true;
@@ -218,7 +219,8 @@ Admissibility admissibility(const System& system, const ImpactPattern& pattern,
       lowest = corner->gap;
       result.nearest = corner;
     }
-    if (!(flight > 0.0)) continue;
+    // Where one search could not be finished, the others change nothing.
+    if (!(flight > 0.0) || lowest == kUnfinished) continue;
     arc.start(points[i].theta, after.q, after.qdot);
     for (std::size_t k = 0; k < system.stops.size(); ++k) {
       const bool here = static_cast<int>(k) == pattern.stops[i];
@@ -228,6 +230,7 @@ Admissibility admissibility(const System& system, const ImpactPattern& pattern,
       if (!minimum) continue;
       lowest = minimum->gap;
       result.nearest = NearestApproach{i, static_cast<int>(k), minimum->s, minimum->gap};
+      if (lowest == kUnfinished) break;
     }
   }
   if (result.nearest && result.nearest->gap < 0.0) result.admissible = false;

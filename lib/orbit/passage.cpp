@@ -72,6 +72,9 @@ class Follower {
   // One flight or one change; false when the passage is over.
   bool proceed() {
     const Instant<double> start = motion_.instant();
+    // What changes at one instant may be as many as the stops, and each asks all of them.
+    work_ += static_cast<long long>(system_.stops.size());
+    if (poll_.is_due(std::exchange(work_, 0)) && options_.stop.requested()) return fail(kStopped);
     if (motion_.has_news()) {
       const Arrival<double> news = motion_.fly(start.local);
       if (news.kind == ArrivalKind::kContact) carried_.meet_at_once(news);
@@ -79,7 +82,6 @@ class Follower {
     }
     if (tail_ && not_before(start, tail_->over)) announce_tail();
     if (not_before(start, end_)) return false;
-    if (poll_.is_due(std::exchange(work_, 0)) && options_.stop.requested()) return fail(kStopped);
     if (motion_.is_sprung() && carried_.any()) {
       if (motion_.is_closed_anywhere())
         return fail(

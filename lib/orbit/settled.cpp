@@ -71,7 +71,9 @@ class Settling {
     in_period_ = 0;
     const long long period = history_.periods();
     for (;;) {
-      // A period can hold any number of flights.
+      // A period can hold any number of flights, and an instant as many changes as stops, each of
+      // which asks all of them.
+      work_ += static_cast<long long>(system_.stops.size());
       if (stop_requested(poll_.is_due(std::exchange(work_, 0)))) return false;
       const Arrival<double> arrival = pending_ ? *std::exchange(pending_, std::nullopt) : fly();
       // What happens at the very end of a period belongs to the next one.

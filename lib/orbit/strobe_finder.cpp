@@ -70,6 +70,7 @@ class StrobeFinder {
     for (std::size_t i = 0; i < system_.stops.size(); ++i) {
       const RigidStop& stop = system_.stops[i];
       if (!stop.spring) continue;
+      if (options_.stop.requested()) return;
       // The two solutions have speeds of their own.
       for (std::size_t which = 0; which < 2; ++which) {
         double speed = speed_scale();

@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "graze/base/errors.hpp"
+#include "graze/base/named_pipe.hpp"
 
 namespace graze {
 namespace {
@@ -44,6 +45,9 @@ void write_file(const std::filesystem::path& file, std::string_view text) {
 std::string read_file(const std::filesystem::path& file, std::size_t most) {
   std::error_code no_matter;  // what cannot be looked at cannot be opened either
   if (std::filesystem::is_directory(file, no_matter)) fail(file, "read", EISDIR);
+  if (is_named_pipe(file))
+    throw InputError(
+        fmt::format("{}: cannot be read, it is a named pipe and no regular file", file.string()));
   errno = 0;
   std::ifstream stream(file, std::ios::binary);
   if (!stream) fail(file, "read", errno != 0 ? errno : EIO);

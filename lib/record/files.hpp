@@ -33,7 +33,8 @@ class PendingFile {
 // Writes `text` as the whole content of `file`. Throws FileError, leaving `file` as it was.
 void write_file(const std::filesystem::path& file, std::string_view text);
 
-// The file's content, but no more than `most` bytes and one. Throws FileError.
+// The file's content, but no more than `most` bytes and one. Throws FileError, and InputError
+// for a named pipe (named_pipe.hpp).
 std::string read_file(const std::filesystem::path& file, std::size_t most);
 
 // Checks that the folder is there and that files can be made in it. Throws FileError.

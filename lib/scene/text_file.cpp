@@ -9,15 +9,18 @@
 #include <vector>
 
 #include "graze/base/errors.hpp"
+#include "graze/base/named_pipe.hpp"
 #include "graze/scene/text_check.hpp"
 
 namespace graze {
-
 std::string read_text_file(const std::filesystem::path& file, const std::string& kind) {
   const std::string name = file.string();
   std::error_code no_matter;  // what cannot be looked at cannot be opened either
   if (std::filesystem::is_directory(file, no_matter))
     throw FileError(fmt::format("{}: cannot be read as {}, it is a directory", name, kind));
+  if (is_named_pipe(file))
+    throw InputError(fmt::format("{}: cannot be read as {}, it is a named pipe and no regular file",
+                                 name, kind));
   errno = 0;
   std::ifstream stream(file, std::ios::binary);
   if (!stream)

@@ -185,12 +185,14 @@ struct Extrapolated {
   int columns = 0;
 };
 
-// Nothing where the extrapolations do not agree.
+// Nothing where the extrapolations do not agree, or it was asked to stop.
 std::optional<Extrapolated> extrapolate(const Equations& equations, const Numbers& x,
-                                        const Extended& step) {
+                                        const Extended& step, const StopSignal& stop) {
   const Numbers first = equations.slope(x);
   std::vector<Numbers> last, row;
   for (int j = 0; j < kColumns; ++j) {
+    // A column of 400 modes takes some ten milliseconds.
+    if (stop.requested()) return {};
     row = {midpoint(equations, x, first, step, 2 * (j + 1))};
     for (int k = 1; k <= j; ++k) {
       const Extended ratio = Extended(j + 1) / (j + 1 - k);
@@ -245,7 +247,7 @@ class Follower {
       const std::optional<Extended> left = time_left();
       const bool last = left && *left < kLastStep * unit_;
       const Extended step = last ? *left : left && *left < 2 * h ? Extended(*left / 2) : h;
-      const auto next = extrapolate(equations_, x_, step);
+      const auto next = extrapolate(equations_, x_, step, options_.stop);
       // Beyond the end the equations are others.
       if (!next || (!last && equations_.ended(next->x))) {
         h = step / 2;

@@ -43,6 +43,7 @@ class Reference {
                kSamplesPerPeriod),
         longest_flight_(longest_flight(system)),
         end_(options.longest) {
+    motion_->stop_on(options.stop);
     for (const RigidStop& stop : system.stops)
       if (stop.spring && stop.row.dot(start.q) > stop.gap)
         run_.message = "the motion starts on a compressed spring";
@@ -95,6 +96,7 @@ class Reference {
   bool go_on(const Arrival<Extended>& arrival) {
     switch (arrival.kind) {
       case ArrivalKind::kUndecided:
+        if (options_.stop.requested()) return false;
         run_.message = "the search for the next event used up its evaluations";
         return false;
       case ArrivalKind::kNotFinite:
@@ -140,6 +142,7 @@ class Reference {
     const Instant<Extended> now =
         later(motion_->instant(), contact.end, Extended(motion_->flow().period()));
     motion_.emplace(flying_, now, on_it, contact.qdot);
+    motion_->stop_on(options_.stop);
     // Somewhat beyond the contact in any case, so that its end is within the run.
     end_ = std::max(end_, time() + 0.5 * piece_);
   }

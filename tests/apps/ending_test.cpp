@@ -1,5 +1,8 @@
 // Whatever a command is at, it ends soon after it was asked to, with the exit code that says so.
 #include <gtest/gtest.h>
+#include <sys/stat.h>
+
+#include <fstream>
 
 #include "apps/program.hpp"
 
@@ -8,6 +11,7 @@ namespace {
 
 // Ten times the second within which a command is to end: who is still there hangs.
 const std::string kHangs = "10";
+const std::string kUntilItHangs = "timeout -s KILL " + kHangs + " ";
 
 const std::string kOneMode = scene("05_wagg_one_mode.toml");
 // Some 1e10 oscillations of the beam in one forcing period.
@@ -24,6 +28,10 @@ struct Endless {
   std::string arguments;
 };
 
+// Each mode of the held beam is one of a matrix of 400 by 400.
+const std::string kManyModes = scene("02_wagg_momentum.toml") + " --set beam.modes=400";
+const std::string kOscillator = scene("04_impact_oscillator.toml");
+
 const std::vector<Endless> kEndless{
     {"a run of slow forcing", "simulate " + kSlowForcing},
     {"orbits under slow forcing", "orbit " + kSlowForcing},
@@ -33,13 +41,19 @@ const std::vector<Endless> kEndless{
     {"orbits of a stiff beam", "orbit " + kStiffBeam},
     {"a map of a stiff beam", "map " + kStiffBeam + kPlane},
     {"costs of a stiff beam", "cost " + kStiffBeam},
+    {"orbits of 400 modes", "orbit " + kManyModes},
+    {"branches of 400 modes", "continue " + kManyModes + kGaps},
+    {"orbits of 400 slow periods, solved by the dozen",
+     "orbit " + kOscillator + " --set forcing.frequency=1e-3 --period 400 --impacts 3"},
+    {"bounds on orbits under quick forcing",
+     "continue " + kOscillator + " --set forcing.frequency=1e8 --parameter stop.gap" +
+         " --from 1e-9 --to 1.5"},
     {"a comparison of stiff beams", "compare " + kStiffBeam + " --against stop.gap=1.2e-3"},
 };
 
 TEST(Program, EveryCommandEndsWhenItsTimeIsUp) {
   for (const Endless& endless : kEndless) {
-    const Finished run =
-        run_graze(endless.arguments + " --max-seconds 0.2", "timeout -s KILL " + kHangs + " ");
+    const Finished run = run_graze(endless.arguments + " --max-seconds 0.2", kUntilItHangs);
     EXPECT_EQ(run.code, 3) << endless.name << ": " << run.err;
   }
 }
@@ -50,6 +64,58 @@ TEST(Program, EveryCommandEndsWhenAsked) {
         run_graze(endless.arguments, "timeout --preserve-status -s TERM -k " + kHangs + " 0.3 ");
     EXPECT_EQ(run.code, 130) << endless.name << ": " << run.err;
   }
+}
+
+// 2,000 stops along one oscillator, the orbits of each to be sought by itself.
+std::string many_stops(int count) {
+  std::string text =
+      "[modal]\nfrequencies = [1.0]\nparticipation = [1.0]\n"
+      "[forcing]\nkind = \"modal\"\namplitude = 1.0\nfrequency = 1.1\n";
+  for (int i = 0; i < count; ++i)
+    text += "[[stop]]\nshape = [1.0]\nrestitution = 0.8\ngap = " + std::to_string(1.0 + 1e-5 * i) +
+            "\n";
+  return text;
+}
+
+TEST(Program, EndsWhenAskedAmongManyStops) {
+  const ScratchFolder scratch;
+  const std::string file = (scratch / "many.toml").string();
+  std::ofstream(file) << many_stops(2000);
+  for (const std::string& command :
+       {"orbit " + file, "continue " + file + " --parameter stop.gap --from 0.9 --to 1.1"}) {
+    const Finished run = run_graze(command + " --max-seconds 0.2", kUntilItHangs);
+    EXPECT_EQ(run.code, 3) << command << ": " << run.err;
+  }
+}
+
+// A thousandth of a second each, or less: what is done for one stop asks no other.
+TEST(Program, ChecksManyStops) {
+  const ScratchFolder scratch;
+  std::ofstream(scratch / "many.toml") << many_stops(20000);
+  const Finished run = run_graze("check " + (scratch / "many.toml").string(), kUntilItHangs);
+  EXPECT_EQ(run.code, 0) << run.err;
+}
+
+// Nothing is finished before the scene is assembled, so nothing is waited for.
+TEST(Program, EndsWhenAskedWhileItChecks) {
+  const Finished run = run_graze("check " + scene("03_wagg_fig4.toml") + " --set beam.modes=400",
+                                 "timeout --preserve-status -s TERM -k " + kHangs + " 0.3 ");
+  EXPECT_EQ(run.code, 130) << run.err;
+  EXPECT_EQ(run.out, "");
+}
+
+TEST(Program, WaitsForNoOneToWriteItsScene) {
+  const ScratchFolder scratch;
+  const std::string pipe = (scratch / "pipe").string();
+  ASSERT_EQ(::mkfifo(pipe.c_str(), 0600), 0);
+  for (const std::string& command :
+       {"check " + pipe, "fit " + scene("../measurements/restitution.toml") + " " + pipe}) {
+    const Finished run = run_graze(command, kUntilItHangs);
+    EXPECT_EQ(run.code, 2) << command << ": " << run.err;
+    EXPECT_NE(run.err.find("pipe"), std::string::npos) << run.err;
+  }
+  // What a shell hands over is a pipe as well.
+  EXPECT_EQ(run_graze("check /dev/stdin", "cat " + kOneMode + " | " + kUntilItHangs).code, 0);
 }
 
 }  // namespace
