@@ -1,7 +1,9 @@
 #!/usr/bin/env bash
 # Installs what is missing, builds Graze, runs all tests. From the project's root or anywhere else:
 #   bash tests/run.sh            optimised build, all tests; leaves what they measured as build/hard_cases.md
-#                                and build/cost.md, which `bash tests/update_pages.sh` copies into docs
+#                                and build/cost.md, which `bash tests/update_pages.sh` copies into docs;
+#                                then the program for a minute against scenes, options and journals
+#                                that are nearly right (tests/fuzz)
 #   bash tests/run.sh --dev      the same with address and undefined-behaviour sanitizers
 set -euo pipefail
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
@@ -20,6 +22,10 @@ GRAZE_COSTS=$(mktemp)
 export GRAZE_HARD_CASES GRAZE_COSTS
 trap 'rm -f "$GRAZE_HARD_CASES" "$GRAZE_COSTS"' EXIT
 ctest --preset "$preset" --parallel "$(nproc)"
+build=$root/build
+[ "$preset" = release ] || build=$root/build-dev
+rm -rf "$build/fuzz"
+"$build/tests/fuzz_program" "$build/graze" "$root/data" "$build/fuzz" 1 60
 if [ "$preset" = release ]; then
   bash tests/hard/table.sh "$GRAZE_HARD_CASES" build/hard_cases.md
   bash tests/cost/table.sh "$GRAZE_COSTS" build/cost.md

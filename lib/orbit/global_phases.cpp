@@ -17,10 +17,12 @@ struct Height {
   const PhaseProblem& problem;
   const PhaseDeflation& deflation;
   const PhaseSearchOptions& options;
+  nlopt_opt search;  // that is forced to stop with the rest
   double lowest = kHighest;
   Vector where;
 
   double at(const Vector& phases) {
+    if (options.stop.requested()) nlopt_force_stop(search);
     Vector speeds;
     const Vector r = problem.defect(phases, nullptr, &speeds) / options.length;
     const double factor = deflation.factor(phases);
@@ -47,7 +49,7 @@ std::optional<Vector> lowest_phases(const PhaseProblem& problem, const PhaseDefl
   const std::unique_ptr<nlopt_opt_s, decltype(&nlopt_destroy)> direct(
       nlopt_create(NLOPT_GN_DIRECT_L, k), &nlopt_destroy);
   if (!direct) return {};
-  Height height{problem, deflation, options, kHighest, {}};
+  Height height{problem, deflation, options, direct.get(), kHighest, {}};
   const Vector low = Vector::Zero(k);
   Vector high = Vector::Constant(k, kTurn * problem.response().period());
   high[0] = kTurn;  // a whole orbit later by a forcing period is the same orbit

@@ -196,7 +196,7 @@ std::vector<Vector> PhaseSearch::starts_of_a_round() {
   const PhaseProblem problem(*response_, stops, options_.speed);
   std::vector<Vector> starts;
   for (int draw = 0; draw < kMostDraws * options_.starts; ++draw) {
-    if (static_cast<int>(starts.size()) == options_.starts) break;
+    if (static_cast<int>(starts.size()) == options_.starts || options_.stop.requested()) break;
     const Vector phases = starts_.next();
     Vector speeds;
     if (options_.approaching) problem.defect(phases, nullptr, &speeds);

@@ -1,0 +1,87 @@
+#include "fuzz/watched_run.hpp"
+
+#include <fcntl.h>
+#include <signal.h>
+#include <spawn.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <fstream>
+#include <stdexcept>
+#include <thread>
+
+extern char** environ;
+
+namespace graze {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+std::string beginning_of(const std::string& file) {
+  std::ifstream stream(file, std::ios::binary);
+  std::string text(1 << 20, '\0');
+  stream.read(text.data(), static_cast<std::streamsize>(text.size()));
+  text.resize(static_cast<std::size_t>(stream.gcount()));
+  return text;
+}
+
+pid_t start(const std::vector<std::string>& arguments, const std::string& folder,
+            const std::string& out, const std::string& err, bool limits_memory) {
+  // 6 GiB of addresses, files of 256 MiB.
+  const std::string limits =
+      std::string(limits_memory ? "ulimit -v 6291456; " : "") + "ulimit -f 524288; ulimit -c 0; ";
+  const std::string script = limits + "cd \"$0\" && exec \"$@\"";
+  std::vector<std::string> words{"sh", "-c", script, folder};
+  words.insert(words.end(), arguments.begin(), arguments.end());
+  std::vector<char*> pointers;
+  for (std::string& word : words) pointers.push_back(word.data());
+  pointers.push_back(nullptr);
+  posix_spawn_file_actions_t files;
+  posix_spawn_file_actions_init(&files);
+  constexpr int kNew = O_WRONLY | O_CREAT | O_TRUNC;
+  posix_spawn_file_actions_addopen(&files, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
+  posix_spawn_file_actions_addopen(&files, STDOUT_FILENO, out.c_str(), kNew, 0600);
+  posix_spawn_file_actions_addopen(&files, STDERR_FILENO, err.c_str(), kNew, 0600);
+  pid_t child = -1;
+  const int error = ::posix_spawn(&child, "/bin/sh", &files, nullptr, pointers.data(), environ);
+  posix_spawn_file_actions_destroy(&files);
+  if (error != 0) throw std::runtime_error("the program cannot be started");
+  return child;
+}
+
+// Whether the child ended by then.
+bool ends_by(pid_t child, Clock::time_point latest, int& status) {
+  while (::waitpid(child, &status, WNOHANG) != child) {
+    if (Clock::now() >= latest) return false;
+    std::this_thread::sleep_for(std::chrono::milliseconds(2));
+  }
+  return true;
+}
+
+}  // namespace
+
+WatchedRun watched_run(const std::vector<std::string>& arguments, const std::string& folder,
+                       const RunLimits& limits) {
+  const std::string out = folder + "/stdout", err = folder + "/stderr";
+  WatchedRun run;
+  int status = 0;
+  const pid_t child = start(arguments, folder, out, err, limits.memory);
+  if (!ends_by(child, Clock::now() + limits.patience, status)) {
+    run.asked = true;
+    const Clock::time_point asked = Clock::now();
+    ::kill(child, SIGTERM);
+    if (!ends_by(child, asked + limits.bound, status)) {
+      run.killed = true;
+      ::kill(child, SIGKILL);
+      ::waitpid(child, &status, 0);
+    }
+    run.ending = std::chrono::duration<double>(Clock::now() - asked).count();
+  }
+  if (WIFSIGNALED(status)) run.signal = WTERMSIG(status);
+  if (WIFEXITED(status)) run.code = WEXITSTATUS(status);
+  run.out = beginning_of(out);
+  run.err = beginning_of(err);
+  return run;
+}
+
+}  // namespace graze
