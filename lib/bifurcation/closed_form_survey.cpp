@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 
+#include "graze/base/stop_scope.hpp"
 #include "graze/orbit/closed_form.hpp"
 #include "graze/orbit/orbit.hpp"
 
@@ -53,6 +54,7 @@ void ClosedFormSurvey::start_in_every_run() {
       run.clear();
     };
     for (int i = 0; i <= count; ++i) {
+      if (StopScope::current().requested()) break;
       const double value = i == count ? range.to : range.from + width * i / count;
       std::optional<System> system;
       const std::vector<ImpactPoint> solutions = solutions_at(value, system);

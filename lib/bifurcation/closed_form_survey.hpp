@@ -30,7 +30,8 @@ class ClosedFormSurvey {
 
   // A solution of each sheet in every interval.
   void start_in_every_range();
-  // One in every run of samples at which the solution is an orbit of the system.
+  // One in every run of samples at which the solution is an orbit of the system; of those before it
+  // was asked to stop (stop_scope.hpp).
   void start_in_every_run();
 
   const std::vector<Start>& starts() const { return starts_; }
