@@ -109,13 +109,14 @@ int run_merge(const Command& command) {
   warn_of_processors(command, journals);
   prepare_output(command);
   const Command whole = whole_command(command, journals.front().head());
+  const StopSignal stop = stop_signal(command);
   {
     JournalHead head = journals.front().head();
     head.share = {};
     Journal joined = Journal::resume(journal_file(whole), head);
     for (const Journal& journal : journals)
       for (const std::string& name : journal.names())
-        if (!joined.has(name)) joined.add(name, journal.find(name).value());
+        if (!joined.has(name) && !stop.requested()) joined.add(name, journal.find(name).value());
   }
   if (whole.name == "map") return run_map(whole);
   return whole.name == "compare" ? run_compare(whole) : run_diagram(whole);
