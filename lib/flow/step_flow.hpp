@@ -110,7 +110,7 @@ struct SprungWorks {
 
 struct StepDescent {
   int watch = -1;        // which fell through zero first; -1: none did
-  double s = 0.0;        // where; else the end of the window
+  double s = 0.0;        // where; else the end of the window, or the last place that is known
   bool finite = true;    // the state stayed in range
   bool stopped = false;  // the stop signal ended it
   double lowest = 0.0;   // least value of any watch at the ends of the steps

@@ -62,13 +62,13 @@ class WalkingFlow final : public StepFlow {
         return found;
       }
       const double end = std::min(walk_.to(), window);
-      if (!(end > from)) return not_finite(found);
+      if (!(end > from)) return not_finite(found, from);
       if (end < walk_.to()) walk_.between(end, last_);
       const State& x = end < walk_.to() ? last_ : walk_.state_at_end();
       found.values += static_cast<long long>(watches.size());
       for (std::size_t i = 0; i < watches.size(); ++i) {
         const double there = walk_.rates.observed(*watches[i], end, x);
-        if (!std::isfinite(there)) return not_finite(found);
+        if (!std::isfinite(there)) return not_finite(found, from);
         if (end <= until && watches[i]->is_told) found.lowest = std::min(found.lowest, there);
         double zero = end;
         if constexpr (kSprung) {
@@ -189,8 +189,10 @@ class WalkingFlow final : public StepFlow {
     return locate(watch, from, least, value, found.values);
   }
 
-  static StepDescent not_finite(StepDescent found) {
+  // The last place that is known.
+  static StepDescent not_finite(StepDescent found, double from) {
     found.finite = false;
+    found.s = from;
     return found;
   }
 

@@ -96,6 +96,15 @@ TEST(Program, ChecksManyStops) {
   EXPECT_EQ(run.code, 0) << run.err;
 }
 
+// Steps through a contact become as short as rounding and end there; what lies beyond is not
+// sought.
+TEST(Program, EndsAContactInWhichTimeStandsStill) {
+  const Finished run = run_graze(
+      "simulate " + scene("14_beam_against_a_ball.toml") + " --set forcing.amplitude=6e12",
+      kUntilItHangs);
+  EXPECT_EQ(run.code, 3) << run.err;
+}
+
 // Nothing is finished before the scene is assembled, so nothing is waited for.
 TEST(Program, EndsWhenAskedWhileItChecks) {
   const Finished run = run_graze("check " + scene("03_wagg_fig4.toml") + " --set beam.modes=400",
