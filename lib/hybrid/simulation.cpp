@@ -10,6 +10,7 @@
 #include "graze/base/angle.hpp"
 #include "graze/base/stop_poll.hpp"
 #include "graze/contact/impulse.hpp"
+#include "graze/hybrid/event_crowd.hpp"
 #include "graze/hybrid/sampler.hpp"
 #include "graze/hybrid/smallest_gap.hpp"
 #include "graze/system/scale.hpp"
@@ -25,7 +26,6 @@ Instant<double> end_of(const System& system, const SimulationOptions& options) {
 
 class Run {
  public:
-  // `state` says where it begins.
   Run(const System& system, const RunState& state, const SimulationOptions& options,
       const RunListeners& listeners)
       : system_(system),
@@ -38,10 +38,8 @@ class Run {
         sampler_(system, listeners.sample, listeners.sample_rate, options.energy) {
     motion_.stop_on(options.stop);
     note_gaps();
-    if (options.energy && !state_.keeps_book) {
-      state_.keeps_book = true;
+    if (options.energy && !state_.keeps_book)
       state_.book.start = mechanical_energy(system_, motion_.q(), motion_.qdot());
-    }
     state_.keeps_book = options.energy;
   }
 
@@ -53,8 +51,7 @@ class Run {
     result_.end_time = stopped_in_arc_.value_or(time());
     result_.final = {last.q, last.qdot};
     for (int i = 0; i < stops(); ++i) {
-      const bool stuck = is_stuck(i);
-      if (stuck) result_.stuck.push_back(i);
+      if (is_stuck(i)) result_.stuck.push_back(i);
       // What is refused at an instant leaves the forces as they were before it.
       const bool is_known = !motion_.has_news() || result_.outcome == RunOutcome::kRefused;
       result_.forces.push_back(motion_.is_closed(i) && is_known ? motion_.force(i) : 0.0);
@@ -96,7 +93,9 @@ class Run {
     // Until the first contact the smallest gap is not known to be zero and has to be looked for.
     const bool untouched =
         state_.totals.impacts == 0 && !motion_.is_closed_anywhere() && !motion_.is_sprung();
-    if (untouched && !options_.steps && !system_.rotation) note_minima(flight.until - start.local);
+    if (untouched && !options_.steps && !system_.rotation)
+      for (int i = 0; i < stops(); ++i)
+        note_minimum(motion_.gap_ahead(i, flight.until - start.local), state_.totals);
     const Arrival<double> arrival = motion_.fly(flight.until, flight.horizon);
     work_ += (1 + arrival.evaluations) * system_.modes();
     if (arrival.kind == ArrivalKind::kUndecided && !within_budget(true)) return false;
@@ -123,7 +122,6 @@ class Run {
     return news;
   }
 
-  // Along the arc just flown.
   bool follow(double start_time, double flight) {
     if (flight > 0.0) state_.started = true;
     const auto within = [this] {
@@ -187,9 +185,7 @@ class Run {
   // `asked`: whether the clock has been read already.
   bool within_budget(bool asked = false) {
     if (state_.totals.impacts >= options_.max_impacts)
-      return stop_run(RunOutcome::kEventBudget,
-                      fmt::format("the budget of {} impacts was spent at t = {:.9g} s",
-                                  options_.max_impacts, time()));
+      return spent(RunOutcome::kEventBudget, fmt::format("{} impacts", options_.max_impacts));
     return goes_on(asked);
   }
 
@@ -199,10 +195,14 @@ class Run {
     // An arc whose work is integrated may be long.
     if ((poll_.is_due(std::exchange(work_, 0)) || options_.energy || asked) &&
         options_.stop.is_late())
-      return stop_run(
-          RunOutcome::kTimeBudget,
-          fmt::format("the budget of computing time was spent at t = {:.9g} s", time()));
+      return spent(RunOutcome::kTimeBudget, "computing time");
     return true;
+  }
+
+  bool spent(RunOutcome outcome, const std::string& budget) {
+    const double span = system_.forcing ? system_.period() : longest_flight_;
+    return stop_run(outcome, fmt::format("the budget of {} was spent at t = {:.9g} s{}", budget,
+                                         time(), crowd_.sentence(span)));
   }
 
   bool fail(RunOutcome outcome, const Arrival<double>& arrival) {
@@ -217,16 +217,12 @@ class Run {
   }
 
   Event event_at(EventKind kind, int i) const {
-    Event event;
-    event.kind = kind;
-    event.time = time();
-    event.period_index = motion_.instant().period;
-    event.stop = i;
-    return event;
+    return {kind, time(), motion_.instant().period, i};
   }
 
   void emit(const Event& event) {
     state_.started = true;
+    crowd_.add(event);
     if (listeners_.event) listeners_.event(event);
   }
 
@@ -253,9 +249,7 @@ class Run {
     note_gap_at(share.stop);
     ++state_.totals.impacts;
     if (stop(share.stop).restitution.clamps_at(share.speed)) ++state_.totals.clamped_restitutions;
-    RunState::Streak& streak = state_.streaks[static_cast<std::size_t>(share.stop)];
-    streak.impacts = share.speed < streak.speed ? streak.impacts + 1 : 1;
-    streak.speed = share.speed;
+    state_.streaks[static_cast<std::size_t>(share.stop)].add(share.speed);
     emit(event);
   }
 
@@ -357,9 +351,6 @@ class Run {
     for (int i = 0; i < stops(); ++i) note_gap_at(i);
   }
   void note_gap_at(int i) { graze::note_gap_at(stop(i), motion_.q(), state_.totals); }
-  void note_minima(double window) {
-    for (int i = 0; i < stops(); ++i) note_minimum(motion_.gap_ahead(i, window), state_.totals);
-  }
 
   double time() const { return seconds_at(motion_.instant(), motion_.flow().period()); }
   double fraction() const {
@@ -380,16 +371,13 @@ class Run {
   State before_;  // an impact or a closure; kept, with what came of it, for the memory
   ImpactEnergy impact_energy_;
   Sampler sampler_;
+  EventCrowd crowd_;
   StopPoll poll_;
   long long work_ = 0;  // since it was asked last
   Simulation result_;
 };
 
 }  // namespace
-
-double default_closure_speed(const System& system, const State& start, double tolerance) {
-  return speed_scale(system, start) * std::sqrt(tolerance / 100.0);
-}
 
 Simulation simulate(const System& system, const State& start, const SimulationOptions& options,
                     const RunListeners& listeners) {

@@ -27,7 +27,7 @@ struct Event {
   // Impact: approach speed just before, m/s, > 0; forcing phase (frequency t + phase) mod 2 pi,
   // rad, absent without forcing; change of the kinetic energy, J.
   double speed = 0.0;
-  std::optional<double> phase;
+  std::optional<double> phase{};
   double energy_change = 0.0;
   // Chatter, at its last resolved impact: how many impacts on this stop fell in speed one after the
   // other up to it, and the speed below which the rest was summed, m/s. Stops that share a chatter
@@ -102,6 +102,10 @@ struct RunState {
   struct Streak {        // impacts on a stop that fall in speed
     long long impacts = 0;
     double speed = 0.0;
+    void add(double next) {
+      impacts = next < speed ? impacts + 1 : 1;
+      speed = next;
+    }
   };
   std::vector<Streak> streaks;      // per stop
   ContactBook contacts;             // per stop
