@@ -10,6 +10,7 @@
 
 #include "graze/base/linear_equations.hpp"
 #include "graze/base/stop_scope.hpp"
+#include "graze/base/triangular_factors.hpp"
 
 namespace graze {
 namespace {
@@ -94,7 +95,8 @@ double condition_of(const ComplexMatrix& t, Index j, ComplexColumn& x) {
 }
 
 template <class RealMatrix>
-std::vector<Eigenvalue> eigenvalues_by_schur(const Matrix& matrix, ErrorBounds errors) {
+std::vector<Eigenvalue> eigenvalues_by_schur(const Matrix& matrix, ErrorBounds errors,
+                                             double uncertainty) {
   const bool wanted = errors == ErrorBounds::kGiven;
   const Index n = matrix.rows();
   if (n == 0 || !matrix.allFinite()) return {};
@@ -113,15 +115,19 @@ std::vector<Eigenvalue> eigenvalues_by_schur(const Matrix& matrix, ErrorBounds e
     triangularise(t, values);
     Eigen::Matrix<Complex, Eigen::Dynamic, 1, 0, kMost, 1> x(n);
     const double size = static_cast<double>(n), norm = matrix.norm();
-    const double unit = std::numeric_limits<double>::epsilon() * size * norm;
+    const double roundings = size + uncertainty;
+    const double unit = std::numeric_limits<double>::epsilon() * roundings * norm;
     const double elsner = std::pow(norm + unit, 1.0 - 1.0 / size) * std::pow(unit, 1.0 / size);
     ScopedPoll poll;
-    bool stopped = false;
+    bool told = true, stopped = false;  // told from zero, each by itself
     for (Index j = 0; j < n; ++j) {
       stopped = stopped || poll.requested_after(n * n);
-      const double first_order = stopped ? elsner : unit * condition_of(t, j, x);
-      list[static_cast<std::size_t>(j)].error = first_order < elsner ? first_order : elsner;
+      Eigenvalue& value = list[static_cast<std::size_t>(j)];
+      value.error = stopped ? elsner : unit * condition_of(t, j, x);
+      told = told && (stopped || value.error <= std::abs(value.value));
     }
+    if (!told) bound_together({t}, roundings, 0, list);
+    for (Eigenvalue& value : list) value.error = value.error < elsner ? value.error : elsner;
   }
   sort_eigenvalues(list);
   return list;
@@ -160,12 +166,12 @@ void sort_eigenvalues(std::vector<Eigenvalue>& list) {
   }
 }
 
-std::vector<Eigenvalue> eigenvalues(const Matrix& matrix, ErrorBounds errors) {
+std::vector<Eigenvalue> eigenvalues(const Matrix& matrix, ErrorBounds errors, double uncertainty) {
   // Up to this size, that of eight modes, without allocating.
   constexpr int kSmall = 16;
   using Small = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, kSmall, kSmall>;
-  return matrix.rows() <= kSmall ? eigenvalues_by_schur<Small>(matrix, errors)
-                                 : eigenvalues_by_schur<Matrix>(matrix, errors);
+  return matrix.rows() <= kSmall ? eigenvalues_by_schur<Small>(matrix, errors, uncertainty)
+                                 : eigenvalues_by_schur<Matrix>(matrix, errors, uncertainty);
 }
 
 ComplexModes complex_modes(const Matrix& matrix) {

@@ -3,27 +3,13 @@
 
 #include <vector>
 
+#include "graze/base/eigenvalue.hpp"
 #include "graze/base/vector.hpp"
 
 namespace graze {
 
 // Ratio of the largest to the smallest singular value; infinity for a singular matrix.
 double condition_number(const Matrix& matrix);
-
-// An eigenvalue and a bound on its rounding error, for a perturbation E of size eps n |A|: the
-// smaller of the first-order bound |E| times the eigenvalue's own condition number, and Elsner's
-// (|A| + |E|)^(1 - 1/n) |E|^(1/n), which holds where the matrix is defective and the other is
-// infinite.
-struct Eigenvalue {
-  Complex value;
-  double error = 0.0;
-  // As far as it is known: real where a perturbation as large as that of the error lets it meet its
-  // conjugate, as those are into which rounding splits a double real one. They part as the square
-  // root of the perturbation, of which twice its linear error reaches back to where they meet.
-  Complex known() const {
-    return std::abs(value.imag()) <= 2.0 * error ? Complex(value.real()) : value;
-  }
-};
 
 // Largest modulus first, of a conjugate pair the negative imaginary part first.
 void sort_eigenvalues(std::vector<Eigenvalue>& list);
@@ -33,9 +19,11 @@ enum class ErrorBounds { kGiven, kLeftOut };
 
 // Eigenvalues of a real square matrix, largest modulus first, conjugate pairs adjacent with the
 // negative imaginary part first; the same to the last bit with and without their errors. Empty when
-// the iteration does not converge. Where it was asked to stop (stop_scope.hpp) the bounds that are
-// missing are Elsner's.
-std::vector<Eigenvalue> eigenvalues(const Matrix& matrix, ErrorBounds errors = ErrorBounds::kGiven);
+// the iteration does not converge. `uncertainty`, in eps |A|: how far the matrix may be from the
+// one that is meant, beside the n of the decomposition. Where it was asked to stop (stop_scope.hpp)
+// the bounds that are missing are Elsner's.
+std::vector<Eigenvalue> eigenvalues(const Matrix& matrix, ErrorBounds errors = ErrorBounds::kGiven,
+                                    double uncertainty = 0.0);
 
 // A = V diag(values) V^-1.
 struct ComplexModes {

@@ -5,36 +5,17 @@
 #include <limits>
 
 #include "graze/base/periodic_schur.hpp"
+#include "graze/base/scaled.hpp"
 #include "graze/base/stop_scope.hpp"
+#include "graze/base/triangular_factors.hpp"
 
 namespace graze {
 namespace {
 
 using Eigen::Index;
-using Factors = std::vector<Eigen::MatrixXcd>;
+using Factors = TriangularFactors;
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
-
-// mantissa 2^exponent; the mantissa's modulus near 1, or zero.
-template <class Mantissa>
-struct Scaled {
-  Mantissa mantissa;
-  long exponent = 0;
-
-  void times(const Mantissa& factor) {
-    mantissa *= factor;
-    const double size = std::abs(mantissa);
-    if (!(size > 0.0) || !std::isfinite(size)) return;
-    const int shift = std::ilogb(size);
-    mantissa *= std::ldexp(1.0, -shift);
-    exponent += shift;
-  }
-  Mantissa value() const {
-    // In two halves: either may be out of range where their product is not.
-    const int e = static_cast<int>(std::clamp(exponent, -4000L, 4000L));
-    return mantissa * std::ldexp(1.0, e / 2) * std::ldexp(1.0, e - e / 2);
-  }
-};
 
 // Scales a matrix by a power of two to entries of at most 1; returns the exponent taken out.
 int take_exponent(Matrix& matrix) {
@@ -47,100 +28,12 @@ int take_exponent(Matrix& matrix) {
   return exponent;
 }
 
-// Solves a_i z_i - t_i z_{i+1} = -g_i, i = 0..k-1, z_k = z_0, with row interchanges; false when it
-// is singular and the right-hand side does not fit. z_i is free, and then 0, where it only appears
-// with the factor 0.
-class CyclicBidiagonal {
- public:
-  explicit CyclicBidiagonal(Index k) : rows_(static_cast<std::size_t>(k)) {}
-
-  template <class A, class T>
-  bool solve(const A& a, const T& t, const ComplexVector& g, ComplexVector& z) {
-    const Index k = g.size();
-    // The row carried along: p z_0 + q z_i = r.
-    Row carry{a(0), -t(0), 0.0, -g[0]};
-    for (Index i = 1; i < k; ++i) {
-      Row& kept = rows_[static_cast<std::size_t>(i)];
-      const Complex ai = a(i), ti = t(i);
-      if (std::norm(carry.q) >= std::norm(ai)) {
-        kept = carry;
-        const Complex m = carry.q == 0.0 ? 0.0 : ai / carry.q;
-        carry = {-m * kept.p, -ti, 0.0, -g[i] - m * kept.r};
-      } else {
-        kept = {0.0, ai, -ti, -g[i]};
-        const Complex m = carry.q / ai;
-        carry = {carry.p, m * ti, 0.0, carry.r + m * g[i]};
-      }
-    }
-    if (!divide(carry.r, carry.p + carry.q, z[0])) return false;
-    for (Index i = k - 1; i > 0; --i) {
-      const Row& row = rows_[static_cast<std::size_t>(i)];
-      if (!divide(row.r - row.p * z[0] - row.w * z[i + 1 == k ? 0 : i + 1], row.q, z[i]))
-        return false;
-    }
-    return true;
-  }
-
- private:
-  struct Row {
-    Complex p, q, w, r;  // p z_0 + q z_i + w z_{i+1} = r
-  };
-  static bool divide(Complex above, Complex below, Complex& ratio) {
-    if (below == 0.0 && above != 0.0) return false;
-    ratio = below == 0.0 ? 0.0 : above / below;
-    return std::isfinite(ratio.real()) && std::isfinite(ratio.imag());
-  }
-  std::vector<Row> rows_;
-};
-
-// |x_i| of the vectors T_i x_i = T_i(j, j) x_{i+1}, x_i(j) = 1 (i from 0, cyclic), row i and column
-// j; infinite where there are none, and all of them where it was asked to stop.
-Matrix vector_norms(const Factors& factors) {
-  const Index n = factors[0].rows(), k = static_cast<Index>(factors.size());
-  const auto at = [&factors](Index i) -> const Eigen::MatrixXcd& {
-    return factors[static_cast<std::size_t>(i)];
-  };
-  Matrix norms = Matrix::Ones(k, n);
-  ScopedPoll poll;
-  Eigen::MatrixXcd x(n, k);
-  ComplexVector g(k), z(k);
-  CyclicBidiagonal system(k);
-  for (Index j = 0; j < n; ++j) {
-    if (poll.requested_after(k * j * j)) return Matrix::Constant(k, n, kInfinity);
-    x.row(j).setOnes();
-    bool found = true;
-    for (Index l = j - 1; l >= 0 && found; --l) {
-      for (Index i = 0; i < k; ++i)
-        g[i] = (at(i).row(l).segment(l + 1, j - l) * x.col(i).segment(l + 1, j - l)).value();
-      found = system.solve([&](Index i) { return at(i)(l, l); },
-                           [&](Index i) { return at(i)(j, j); }, g, z);
-      x.row(l) = z.transpose();
-    }
-    for (Index i = 0; i < k; ++i)
-      norms(i, j) = found ? x.col(i).head(j + 1).stableNorm() : kInfinity;
-  }
-  return norms;
-}
-
-// |y_i| of the vectors y_{i+1}^* T_i = T_i(j, j) y_i^*: those above of the factors in opposite
-// order, transposed and read from the last row and column.
-Matrix left_vector_norms(const Factors& factors) {
-  Factors mirrored;
-  for (auto factor = factors.rbegin(); factor != factors.rend(); ++factor)
-    mirrored.push_back(factor->transpose().reverse());
-  const Matrix norms = vector_norms(mirrored);
-  const Index k = norms.rows(), n = norms.cols();
-  Matrix result(k, n);
-  // The factor from space i to i + 1 goes from mirrored space k - 1 - i to k - i.
-  for (Index i = 0; i < k; ++i) result.row(i) = norms.row((k - i) % k).reverse();
-  return result;
-}
-
 // First-order errors of the eigenvalues in units of 2^exponent (see the header).
-std::vector<Scaled<double>> first_order_errors(const Factors& factors, long exponent) {
+std::vector<Scaled<double>> first_order_errors(const Factors& factors, double roundings,
+                                               long exponent) {
   const Index n = factors[0].rows(), k = static_cast<Index>(factors.size());
-  const double unit = std::numeric_limits<double>::epsilon() * static_cast<double>(n);
-  const Matrix right = vector_norms(factors), left = left_vector_norms(factors);
+  const double unit = std::numeric_limits<double>::epsilon() * roundings;
+  const auto [right, left] = vector_norms(factors);
   std::vector<Scaled<double>> errors;
   for (Index j = 0; j < n; ++j) {
     // |l| without its zero factors, of which one may be left out.
@@ -169,10 +62,10 @@ std::vector<Scaled<double>> first_order_errors(const Factors& factors, long expo
 }
 
 // Elsner's bound for the product, in units of 2^exponent; infinite where it was asked to stop.
-Scaled<double> elsner_bound(const Factors& factors, long exponent) {
+Scaled<double> elsner_bound(const Factors& factors, double roundings, long exponent) {
   const Index n = factors[0].rows();
   const std::size_t k = factors.size();
-  const double unit = std::numeric_limits<double>::epsilon() * static_cast<double>(n);
+  const double unit = std::numeric_limits<double>::epsilon() * roundings;
   // Norms of the products of the first i and the last k - i factors.
   const auto norms = [&](bool forwards) {
     std::vector<Scaled<double>> list{{1.0, 0}};
@@ -221,33 +114,37 @@ std::vector<Eigenvalue> diagonal_products(const Factors& factors, long exponent)
 }
 
 // Their errors.
-void add_errors(const Factors& factors, long exponent, std::vector<Eigenvalue>& list) {
-  const std::vector<Scaled<double>> errors = first_order_errors(factors, exponent);
+void add_errors(const Factors& factors, double roundings, long exponent,
+                std::vector<Eigenvalue>& list) {
+  const std::vector<Scaled<double>> errors = first_order_errors(factors, roundings, exponent);
   std::optional<double> elsner;
+  for (std::size_t j = 0; j < list.size(); ++j) list[j].error = errors[j].value();
+  bound_together(factors, roundings, exponent, list);
   for (std::size_t j = 0; j < list.size(); ++j) {
-    list[j].error = errors[j].value();
     // Only an eigenvalue as sensitive as this can have an error above the other bound.
     if (list[j].error < 1e-3 * std::abs(list[j].value)) continue;
-    if (!elsner) elsner = elsner_bound(factors, exponent).value();
+    if (!elsner) elsner = elsner_bound(factors, roundings, exponent).value();
     list[j].error = std::isnan(list[j].error) ? *elsner : std::min(list[j].error, *elsner);
   }
 }
 
 }  // namespace
 
-std::vector<Eigenvalue> product_eigenvalues(const std::vector<Matrix>& factors,
-                                            ErrorBounds errors) {
+std::vector<Eigenvalue> product_eigenvalues(const std::vector<Matrix>& factors, ErrorBounds errors,
+                                            double uncertainty) {
   if (factors.empty() || factors.front().size() == 0) return {};
   for (const Matrix& factor : factors)
     if (!factor.allFinite()) return {};
-  if (factors.size() == 1) return eigenvalues(factors.front(), errors);
+  if (factors.size() == 1) return eigenvalues(factors.front(), errors, uncertainty);
   long exponent = 0;
   std::vector<Matrix> scaled = factors;
   for (Matrix& factor : scaled) exponent += take_exponent(factor);
   const std::optional<PeriodicSchurForm> form = periodic_schur(std::move(scaled));
   if (!form) return {};
   std::vector<Eigenvalue> list = diagonal_products(form->factors, exponent);
-  if (errors == ErrorBounds::kGiven) add_errors(form->factors, exponent, list);
+  if (errors == ErrorBounds::kGiven)
+    add_errors(form->factors, static_cast<double>(factors.front().rows()) + uncertainty, exponent,
+               list);
   for (std::size_t j = 0, pair = 0; j < list.size(); ++j) {
     if (pair == form->pairs.size() || form->pairs[pair] != static_cast<Index>(j)) {
       list[j].value = list[j].value.real();

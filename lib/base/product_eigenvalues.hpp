@@ -16,9 +16,11 @@
 //
 //   error = eps n sum_i |prod_{m != i} t_m| |A_i| |y_i| |x_{i-1}|.
 //
-// It holds where the factors are known to their rounding relative to their norms; where it exceeds
-// Elsner's bound of the product (decompositions.hpp), as it does for defective products, that one
-// is given: (|M| + e)^(1 - 1/n) e^(1/n), e the first-order bound on the change of M.
+// It holds where the factors are known to their rounding relative to their norms; where they are
+// not, n is raised by `uncertainty`. Eigenvalues that it does not tell from 0 are bounded together
+// (triangular_factors.hpp) where that is less. Where both exceed Elsner's bound of the product
+// (decompositions.hpp), as they do for defective products, that one is given:
+// (|M| + e)^(1 - 1/n) e^(1/n), e the first-order bound on the change of M.
 //
 // Elsner, Linear Algebra Appl. 71 (1985) 77-80; Benner, Mehrmann and Xu, ETNA 11 (2000) 1-12 (the
 // perturbation of formal products).
@@ -33,10 +35,12 @@ namespace graze {
 // Eigenvalues of factors.back() .. factors.front(), n x n each; order as that of eigenvalues().
 // Exactly zero are those that a factor of deficient rank makes zero; deficient is a factor with
 // rows and columns that are dependent within n eps of their sizes. Empty without factors, when the
-// iteration does not converge or was asked to stop (stop_scope.hpp), and where an entry is not finite. One factor: eigenvalues(), whose
-// zeros are within their error only. Products of diagonal entries neither overflow nor vanish where
-// their value is representable. The values do not depend on whether their errors are asked for.
+// iteration does not converge or was asked to stop (stop_scope.hpp), and where an entry is not
+// finite. One factor: eigenvalues(), whose zeros are within their error only. Products of diagonal
+// entries neither overflow nor vanish where their value is representable. The values do not depend
+// on whether their errors are asked for.
 std::vector<Eigenvalue> product_eigenvalues(const std::vector<Matrix>& factors,
-                                            ErrorBounds errors = ErrorBounds::kGiven);
+                                            ErrorBounds errors = ErrorBounds::kGiven,
+                                            double uncertainty = 0.0);
 
 }  // namespace graze

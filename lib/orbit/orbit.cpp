@@ -10,6 +10,7 @@
 #include "graze/flow/arc_curve.hpp"
 #include "graze/flow/transition.hpp"
 #include "graze/hybrid/clearance.hpp"
+#include "graze/orbit/grazing_multipliers.hpp"
 #include "graze/system/gap_value.hpp"
 
 namespace graze {
@@ -19,6 +20,7 @@ namespace {
 struct ImpactPassage {
   Matrix saltation;
   FlowMatrix flow;
+  double duration;  // s
 };
 
 std::vector<ImpactPassage> impact_passages(const System& system, const ImpactPattern& pattern,
@@ -27,8 +29,9 @@ std::vector<ImpactPassage> impact_passages(const System& system, const ImpactPat
   std::vector<ImpactPassage> passages;
   for (std::size_t i = 0; i < points.size(); ++i) {
     const RigidStop& stop = stop_of(system, pattern, i);
+    const double duration = flight_time(system, pattern, points, i);
     passages.push_back({saltation_matrix(system, stop, points[i].before, points[i].theta),
-                        flow_matrix(system, flow, flight_time(system, pattern, points, i))});
+                        flow_matrix(system, flow, duration), duration});
   }
   return passages;
 }
@@ -42,6 +45,30 @@ Vector velocity_units(const System& system) {
   return system.omega.unaryExpr([&](double omega) {
     return std::ldexp(1.0, std::ilogb(std::max(omega, system.forcing->frequency)));
   });
+}
+
+// How far a factor that ends in a flow may be from the one that is meant, in eps |factor|
+// (Frobenius): the flow turns and shrinks mode j by exponents w t and delta t that carry a rounding
+// each, which changes what comes out of it, its two rows, by eps (w + 2 delta) t of themselves in
+// units in which the flow is round; those of velocity_units are within their ratio to w of that.
+double rounding_of_flow(const System& system, const Matrix& factor, double t) {
+  const Eigen::Index n = system.modes();
+  const double slowest = system.forcing->frequency, size = factor.squaredNorm();
+  double sum = 0.0;
+  for (Eigen::Index j = 0; j < n; ++j) {
+    const double angle = 2.0 * t * (std::max(system.omega[j], slowest) + system.delta[j]);
+    sum += angle * angle * (factor.row(j).squaredNorm() + factor.row(n + j).squaredNorm());
+  }
+  return size > 0.0 ? std::sqrt(sum / size) : 0.0;
+}
+
+// Displacement of each mode next to those of the others: u^(-1/2), u its velocity unit, rounded to
+// a power of two. A jump of velocity moves all modes alike, b in displacements and b/u in
+// velocities; with units a the impact's largest entry is the larger of max(b/a) max(b^T a) and the
+// same of (b/(a u), b^T a u), which are equal, and smallest, for a = u^(-1/2).
+Vector displacement_units(const Vector& velocity_unit) {
+  return velocity_unit.unaryExpr(
+      [](double u) { return std::ldexp(1.0, -static_cast<int>(std::floor(0.5 * std::ilogb(u)))); });
 }
 
 // The lowest gap of another stop at the instant of an impact that turns the motion back from it
@@ -159,27 +186,33 @@ std::vector<Eigenvalue> orbit_multipliers(const System& system, const ImpactPatt
                                           ErrorBounds errors) {
   const Eigen::Index n = system.modes();
   const Vector unit = velocity_units(system);
+  if (auto limit = multipliers_at_grazing(system, pattern, points, unit, errors)) return *limit;
+  const Vector size = displacement_units(unit);
   const auto scaled = [&](Matrix matrix) {
-    matrix.bottomRows(n).array().colwise() /= unit.array();
-    matrix.rightCols(n).array().rowwise() *= unit.transpose().array();
+    matrix.topRows(n).array().colwise() /= size.array();
+    matrix.leftCols(n).array().rowwise() *= size.transpose().array();
+    matrix.bottomRows(n).array().colwise() /= unit.array() * size.array();
+    matrix.rightCols(n).array().rowwise() *= (unit.array() * size.array()).transpose();
     return matrix;
   };
   std::vector<Matrix> factors;
-  double violent = kViolentNorm;
+  double violent = kViolentNorm, uncertainty = 0.0;
   std::ptrdiff_t most_violent = -1;
   for (const ImpactPassage& passage : impact_passages(system, pattern, points)) {
     Matrix factor = scaled(passage.flow.times(passage.saltation));
-    const double size = factor.norm();
-    if (size <= kViolentNorm) {
+    const double violence = factor.norm();
+    uncertainty = std::max(uncertainty, rounding_of_flow(system, factor, passage.duration));
+    if (violence <= kViolentNorm) {
       factors.push_back(std::move(factor));
       continue;
     }
-    if (size > violent) {
-      violent = size;
+    if (violence > violent) {
+      violent = violence;
       most_violent = static_cast<std::ptrdiff_t>(factors.size());
     }
     factors.push_back(scaled(passage.saltation));
     factors.push_back(scaled(passage.flow.times(Matrix::Identity(2 * n, 2 * n))));
+    uncertainty = std::max(uncertainty, rounding_of_flow(system, factors.back(), passage.duration));
   }
   // The second factor is the first one to be made triangular, before any change of basis mixes its
   // columns: those that are large next to grazing stay apart from the others.
@@ -188,7 +221,7 @@ std::vector<Eigenvalue> orbit_multipliers(const System& system, const ImpactPatt
     std::rotate(factors.begin(), factors.begin() + (most_violent + count - 1) % count,
                 factors.end());
   }
-  return product_eigenvalues(factors, errors);
+  return product_eigenvalues(factors, errors, uncertainty);
 }
 
 Admissibility admissibility(const System& system, const ImpactPattern& pattern,

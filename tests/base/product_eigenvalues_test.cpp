@@ -122,6 +122,55 @@ TEST(ProductEigenvalues, GradedFactorsAreWithinTheirErrors) {
   }
 }
 
+// Structures with damped quick modes: factors X_{i+1} D X_i^T (1 + u v^T) with rotations X_i, D
+// falling to 1e-24, whose eigenvalues crowd about 0 and have no vectors to speak of.
+std::vector<Matrix> quickly_damped(Dice& dice, int n, int k) {
+  std::vector<Matrix> bases, factors;
+  for (int i = 0; i < k; ++i) bases.push_back(random_rotation(dice, n));
+  Vector sizes(n);
+  for (int j = 0; j < n; ++j) sizes[j] = 0.8 * std::exp(-60.0 * j * j / (n * n));
+  for (std::size_t i = 0; i < bases.size(); ++i) {
+    Vector u(n), v(n);
+    for (double& entry : u) entry = dice.uniform(-1.0, 1.0);
+    for (double& entry : v) entry = dice.uniform(-1.0, 1.0);
+    const Matrix jump = Matrix::Identity(n, n) - 0.5 * u * v.transpose();
+    factors.push_back(bases[(i + 1) % bases.size()] * sizes.asDiagonal() * jump *
+                      bases[i].transpose());
+  }
+  return factors;
+}
+
+TEST(ProductEigenvalues, ThoseThatCrowdAboutZeroAreBoundedTogether) {
+  Dice dice(27);
+  for (const int n : {8, 16, 24})
+    for (const int k : {1, 2, 3}) {
+      SCOPED_TRACE("n = " + std::to_string(n) + ", k = " + std::to_string(k));
+      const std::vector<Matrix> factors = quickly_damped(dice, n, k);
+      std::vector<Eigenvalue> values = product_eigenvalues(factors);
+      // Several are 0: the one that is known best takes the nearest.
+      std::sort(values.begin(), values.end(),
+                [](const Eigenvalue& a, const Eigenvalue& b) { return a.error < b.error; });
+      EXPECT_LE(compare(values, extended_eigenvalues(factors)).of_error, 1.0);
+      for (const Eigenvalue& value : values) EXPECT_LE(value.error, 1e-10);
+    }
+}
+
+TEST(ProductEigenvalues, ThoseOfModesThatAreGoneAreBoundedTogether) {
+  // D (1 - u v^T) with half of D underflown to 0: as many eigenvalues are exactly 0, and those that
+  // are computed instead have no vectors.
+  Dice dice(28);
+  for (const int n : {16, 32}) {
+    SCOPED_TRACE(n);
+    Vector u(n), v(n), sizes(n);
+    for (double& entry : u) entry = dice.uniform(-1.0, 1.0);
+    for (double& entry : v) entry = dice.uniform(-1.0, 1.0);
+    for (int j = 0; j < n; ++j) sizes[j] = 0.8 * std::exp(-3000.0 * j * j / (n * n));
+    const Matrix jump = Matrix::Identity(n, n) - u * v.transpose();
+    for (const Eigenvalue& value : product_eigenvalues({sizes.asDiagonal() * jump}))
+      EXPECT_LE(value.error, 1e-10);
+  }
+}
+
 // Factors X_{i+1} D_i X_i^T with rotations X_i: one direction grows tenfold at each of twelve, all
 // others keep their size.
 std::vector<Matrix> one_growing_direction(Dice& dice, int n, int k) {

@@ -9,6 +9,8 @@
 #include "graze/base/product_eigenvalues.hpp"
 #include "graze/orbit/closed_form.hpp"
 #include "graze/orbit/orbit.hpp"
+#include "graze/orbit/shooting.hpp"
+#include "support/product_reference.hpp"
 #include "support/reference.hpp"
 #include "support/systems.hpp"
 
@@ -206,6 +208,64 @@ TEST(Multipliers, ArePutInUnitsOfTheFlow) {
     EXPECT_LE(worst_scaled, 1e-11);
     EXPECT_LE(1e3 * worst_scaled, worst_plain);
   }
+}
+
+TEST(Multipliers, OfManyModesAreTold) {
+  // Quick modes that are damped away leave multipliers of 1e-50 and less beside those that count.
+  const char* const dampings[] = {"{rayleigh={mass=4.0,stiffness=1e-7}}",
+                                  "{rayleigh={mass=0.5,stiffness=1e-5}}", "{viscous=0.5}"};
+  for (const int modes : {32, 128, 256})
+    for (const std::string damping : dampings) {
+      if (modes == 256 && damping == dampings[2]) continue;  // seconds
+      SCOPED_TRACE(std::to_string(modes) + " modes, damping = " + damping);
+      const System system = assemble(support::shipped_scene(
+          "05_wagg_one_mode", {"beam.modes=" + std::to_string(modes), "damping=" + damping,
+                               "stop.restitution=0.7", "forcing.frequency=31"}));
+      const ClosedFormAnswer answer = closed_form(system, 0, 1);
+      ASSERT_TRUE(answer.form);
+      const ImpactPoint point = answer.form->solutions(system.stops[0].gap).front();
+      for (const int laps : {1, modes == 32 ? 2 : 1}) {
+        const Repeated orbit = repeated(point, 1, laps);
+        const std::vector<Eigenvalue> values =
+            orbit_multipliers(system, orbit.pattern, orbit.points);
+        ASSERT_EQ(values.size(), static_cast<std::size_t>(2 * modes));
+        for (const Eigenvalue& value : values) EXPECT_LE(value.error, 1e-6);
+      }
+    }
+}
+
+// The flow of a mode over t in 50 digits, under critical damping.
+Eigen::Matrix<Extended, 2, 2> extended_flow(double omega, double delta, double t) {
+  const Extended w = omega, d = delta, s = t, turn = sqrt(w * w - d * d);
+  const Extended sine = exp(-d * s) * sin(turn * s) / turn, cosine = exp(-d * s) * cos(turn * s);
+  Eigen::Matrix<Extended, 2, 2> flow;
+  flow << cosine + d * sine, sine, -w * w * sine, cosine - d * sine;
+  return flow;
+}
+
+TEST(Multipliers, OfManyTurnsBetweenImpactsAreWithinTheirErrors) {
+  // Hundreds to thousands of radians: the rounding of the exponents is above that of the factors.
+  support::Dice dice(31);
+  double worst = 0.0;
+  for (int i = 0; i < 200; ++i) {
+    const double delta = dice.uniform(0.0, 1e-4);
+    const System system = support::forced_oscillator(1.0, delta, dice.uniform(0.1, 0.5), 0.9,
+                                                     dice.uniform(1e-3, 1e-2), 1.0);
+    const ClosedFormAnswer answer = closed_form(system, 0, 1);
+    ASSERT_TRUE(answer.form);
+    for (const ImpactPoint& point : answer.form->solutions(system.stops[0].gap)) {
+      const ImpactPattern pattern{1, {0}};
+      const Matrix saltation = saltation_matrix(system, system.stops[0], point.before, point.theta);
+      const support::ExtendedMatrix product =
+          extended_flow(1.0, delta, flight_time(system, pattern, {point}, 0)) *
+          saltation.cast<Extended>();
+      const auto compared = support::compare(orbit_multipliers(system, pattern, {point}),
+                                             support::extended_eigenvalues(product));
+      worst = std::max(worst, compared.of_error);
+    }
+  }
+  EXPECT_LE(worst, 1.0);
+  EXPECT_GE(worst, 1e-3);  // and no wider than that
 }
 
 TEST(Multipliers, OfPlasticImpactsHaveOneExactZero) {

@@ -36,16 +36,21 @@ struct ExtendedComplex {
   Extended modulus() const { return sqrt(re * re + im * im); }
 };
 
-// Of the product formed with 50 digits.
-inline std::vector<ExtendedComplex> extended_eigenvalues(const std::vector<Matrix>& factors) {
-  const Eigen::Index n = factors[0].rows();
-  ExtendedMatrix product = ExtendedMatrix::Identity(n, n);
-  for (const Matrix& factor : factors) product = (factor.cast<Extended>() * product).eval();
+inline std::vector<ExtendedComplex> extended_eigenvalues(const ExtendedMatrix& product) {
+  const Eigen::Index n = product.rows();
   const Eigen::EigenSolver<ExtendedMatrix> solver(product, false);
   std::vector<ExtendedComplex> list;
   for (Eigen::Index i = 0; i < n; ++i)
     list.push_back({solver.eigenvalues()[i].real(), solver.eigenvalues()[i].imag()});
   return list;
+}
+
+// Of the product formed with 50 digits.
+inline std::vector<ExtendedComplex> extended_eigenvalues(const std::vector<Matrix>& factors) {
+  const Eigen::Index n = factors[0].rows();
+  ExtendedMatrix product = ExtendedMatrix::Identity(n, n);
+  for (const Matrix& factor : factors) product = (factor.cast<Extended>() * product).eval();
+  return extended_eigenvalues(product);
 }
 
 // Largest relative errors over the eigenvalues, each compared with the nearest one not yet taken.

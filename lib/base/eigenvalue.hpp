@@ -1,0 +1,27 @@
+// An eigenvalue and what rounding may have done to it.
+#pragma once
+
+#include <cmath>
+#include <complex>
+
+#include "graze/base/vector.hpp"
+
+namespace graze {
+
+// An eigenvalue and a bound on its rounding error, for a perturbation E of size eps n |A| or as
+// said: the smallest of the first-order bound |E| times the eigenvalue's own condition number, of
+// the one that several near 0 have together (triangular_factors.hpp), and of Elsner's
+// (|A| + |E|)^(1 - 1/n) |E|^(1/n), which holds where the matrix is defective and the first is
+// infinite.
+struct Eigenvalue {
+  Complex value;
+  double error = 0.0;
+  // As far as it is known: real where a perturbation as large as that of the error lets it meet its
+  // conjugate, as those are into which rounding splits a double real one. They part as the square
+  // root of the perturbation, of which twice its linear error reaches back to where they meet.
+  Complex known() const {
+    return std::abs(value.imag()) <= 2.0 * error ? Complex(value.real()) : value;
+  }
+};
+
+}  // namespace graze
