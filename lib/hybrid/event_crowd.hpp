@@ -6,7 +6,7 @@
 #include <cstddef>
 #include <string>
 
-#include "graze/hybrid/simulation.hpp"
+#include "graze/hybrid/run_events.hpp"
 
 namespace graze {
 

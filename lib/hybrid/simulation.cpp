@@ -200,9 +200,9 @@ class Run {
   }
 
   bool spent(RunOutcome outcome, const std::string& budget) {
-    const double span = system_.forcing ? system_.period() : longest_flight_;
-    return stop_run(outcome, fmt::format("the budget of {} was spent at t = {:.9g} s{}", budget,
-                                         time(), crowd_.sentence(span)));
+    result_.crowd = crowd_.sentence(system_.forcing ? system_.period() : longest_flight_);
+    return stop_run(outcome,
+                    fmt::format("the budget of {} was spent at t = {:.9g} s", budget, time()));
   }
 
   bool fail(RunOutcome outcome, const Arrival<double>& arrival) {

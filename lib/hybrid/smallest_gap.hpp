@@ -3,7 +3,8 @@
 #pragma once
 
 #include "graze/flow/arc_curve.hpp"
-#include "graze/hybrid/simulation.hpp"
+#include "graze/hybrid/run_events.hpp"
+#include "graze/system/system.hpp"
 
 namespace graze {
 

@@ -130,9 +130,9 @@ Outcome simulation_outcome(const Simulation& run) {
     case RunOutcome::kReachedEnd:
       return {"reached_end", run.message};
     case RunOutcome::kEventBudget:
-      return {"event_budget", run.message};
+      return {"event_budget", run.message + run.crowd};
     case RunOutcome::kTimeBudget:
-      return {"time_budget", run.message};
+      return {"time_budget", run.message + run.crowd};
     case RunOutcome::kNotFinite:
       return {"not_finite", run.message};
     case RunOutcome::kRefused:

@@ -123,7 +123,9 @@ TEST_F(Compliant, TheBookOfEnergyCloses) {
   const json& book = document["energy"];
   EXPECT_TRUE(book["impacts"].is_null());
   EXPECT_NEAR(book["contact"].get<double>(), -0.125 * (1.0 - 0.6629622 * 0.6629622), 1e-8);
-  EXPECT_LT(std::abs(book["defect"].get<double>()), 1e-14);
+  // A contact takes some forty steps, each of which errs by 1e-14 of the velocities: twice that of
+  // the energy, .125 J.
+  EXPECT_LT(std::abs(book["defect"].get<double>()), 40 * 2e-14 * 0.125);
   EXPECT_EQ(document["events"][1]["energy_change"], document["energy"]["contact"]);
 }
 

@@ -5,6 +5,7 @@
 
 #include <string>
 
+#include "graze/hybrid/simulation.hpp"
 #include "support/systems.hpp"
 
 namespace graze {
@@ -49,7 +50,7 @@ TEST(EventCrowd, StandsInTheSentenceOfARunOutOfItsBudget) {
   System system = support::forced_oscillator(1.0, 0.05, 0.1, 0.8, 1.6, 1.0);
   SimulationOptions options = support::for_periods(1000);
   options.max_impacts = 5;
-  EXPECT_EQ(simulate(system, support::rest(system), options).message.find("events took"),
+  EXPECT_EQ(simulate(system, support::rest(system), options).crowd.find("events took"),
             std::string::npos);
   system.load = Vector::Constant(1, 100.0);  // presses it onto the stop
   system.stops.front().restitution = Restitution{0.99};
@@ -57,8 +58,8 @@ TEST(EventCrowd, StandsInTheSentenceOfARunOutOfItsBudget) {
   options.max_impacts = 2500;
   const Simulation run = simulate(system, support::rest(system), options);
   ASSERT_EQ(run.outcome, RunOutcome::kEventBudget);
-  EXPECT_NE(run.message.find("the last 512 events took"), std::string::npos) << run.message;
-  EXPECT_NE(run.message.find("stop 1, 512 impacts at"), std::string::npos) << run.message;
+  EXPECT_NE(run.crowd.find("the last 512 events took"), std::string::npos) << run.crowd;
+  EXPECT_NE(run.crowd.find("stop 1, 512 impacts at"), std::string::npos) << run.crowd;
 }
 
 }  // namespace
