@@ -108,16 +108,35 @@ LocusPlace place_of(const System& system, const ImpactPattern& pattern,
   return place;
 }
 
+// An approach beside the impact that vanishes touches to v^2/2a, which is zero within what gaps are
+// known to (still_gap, 1e-12 of the motion's length) up to this part of its speed.
+constexpr double kTouching = 1.5e-6;
+
+// Whether an approach touches because an impact beside it has all but vanished: then where its gap
+// passes zero is rounding.
+bool is_one_touch(const LocusPlace& a, const LocusPlace& b, double unit) {
+  const auto has = [](const LocusPlace& place, LocusMargin margin) {
+    return place.border == margin;
+  };
+  const auto slow = [unit](const LocusPlace& place) {
+    return place.margins[static_cast<Eigen::Index>(LocusMargin::kSpeed)] <= kTouching * unit;
+  };
+  return (has(a, LocusMargin::kSpeed) && has(b, LocusMargin::kClearance) && slow(b)) ||
+         (has(b, LocusMargin::kSpeed) && has(a, LocusMargin::kClearance) && slow(a));
+}
+
 // As an impact speed vanishes an approach touches too: one grazing, not two. A locus that was
-// started there has it among its points as well, on whatever side the last bit puts it.
-void merge_borders(std::vector<LocusPlace>& places, const LocusOptions& options) {
+// started there has it among its points as well, on whatever side the last bit puts it. `unit`: of
+// speeds, m/s.
+void merge_borders(std::vector<LocusPlace>& places, const LocusOptions& options, double unit) {
   std::vector<LocusPlace> merged;
   for (LocusPlace& place : places) {
     const bool same = !merged.empty() && (merged.back().border || place.border) &&
-                      distance(merged.back().at, place.at, options) <= kOneGrazing;
+                      (distance(merged.back().at, place.at, options) <= kOneGrazing ||
+                       is_one_touch(merged.back(), place, unit));
     if (!same)
       merged.push_back(std::move(place));
-    else if (!merged.back().border)
+    else if (!merged.back().border || place.border == LocusMargin::kSpeed)
       merged.back() = std::move(place);
   }
   places = std::move(merged);
@@ -215,7 +234,7 @@ LocusAnswer CriticalLoci::trace(const OrbitLocusStart& start) {
   answer.trace =
       LocusTrace{std::move(frame), in_order(std::move(points), std::move(within), options_)};
   end_on_grazing(answer.trace->places, answer.trace->frame.ends, speed_unit_);
-  merge_borders(answer.trace->places, options_);
+  merge_borders(answer.trace->places, options_, speed_unit_);
   traced_.push_back(std::move(*locus));
   return answer;
 }
@@ -224,10 +243,10 @@ GrazingLoci::GrazingLoci(const LocusPlane& plane, const ImpactPattern& pattern)
     : options_(plane.options),
       curve_(*plane.scene, plane.first, plane.second, pattern, 0, plane.scale,
              first_range(plane.options)),
-      problem_(curve_.problem()) {
+      problem_(curve_.problem()),
+      speed_unit_(plane.speed_unit()) {
   problem_.tests = [this](const BranchPoint&, const BranchPoint& at) { return tests(at); };
-  const double unit = plane.speed_unit();
-  problem_.resolves = [this, unit](const BranchPoint& from, const BranchPoint& to) {
+  problem_.resolves = [this, unit = speed_unit_](const BranchPoint& from, const BranchPoint& to) {
     return resolves_speeds(speeds(from), speeds(to), unit);
   };
 }
@@ -300,7 +319,7 @@ LocusAnswer GrazingLoci::trace(const OrbitLocusStart& start) {
     frame.ends[side] = as_orbit_end(as_locus_end(traced.branch.ends[side], true));
   answer.trace =
       LocusTrace{std::move(frame), in_order(std::move(points), std::move(within), options_)};
-  merge_borders(answer.trace->places, options_);
+  merge_borders(answer.trace->places, options_, speed_unit_);
   traced_.push_back(std::move(traced.branch));
   return answer;
 }

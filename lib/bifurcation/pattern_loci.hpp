@@ -74,6 +74,7 @@ class GrazingLoci {
   LocusOptions options_;
   GrazingCurve curve_;
   PlaneCurveProblem problem_;
+  double speed_unit_;  // m/s
   std::vector<Branch> traced_;
 };
 

@@ -6,7 +6,7 @@
 
 #include "graze/base/linear_equations.hpp"
 #include "graze/flow/transition.hpp"
-#include "graze/orbit/orbit.hpp"
+#include "graze/orbit/saltation.hpp"
 
 namespace graze {
 namespace {

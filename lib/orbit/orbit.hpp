@@ -7,6 +7,7 @@
 
 #include "graze/base/decompositions.hpp"
 #include "graze/hybrid/motion.hpp"
+#include "graze/orbit/saltation.hpp"
 #include "graze/orbit/shooting.hpp"
 
 namespace graze {
@@ -54,10 +55,10 @@ struct OrbitContact {
 
 // What an orbit of a structure on compliant stops has beyond its impacts; see strobe_orbit.hpp.
 struct OrbitStrobe {
-  std::vector<OrbitContact> contacts;     // of each impact; at a rigid stop with nothing in it
-  OrbitInstant start;                     // of the first of these
+  std::vector<OrbitContact> contacts;      // of each impact; at a rigid stop with nothing in it
+  OrbitInstant start;                      // of the first of these
   std::vector<MotionState<double>> turns;  // at the start of each of its forcing periods
-  double closure_speed = 0.0;             // m/s, as of OrbitSticking
+  double closure_speed = 0.0;              // m/s, as of OrbitSticking
 };
 
 struct Orbit {
@@ -86,8 +87,8 @@ struct Orbit {
 // stuck phases and tiny impacts come and go along its branch, the fastest. Requires an impact.
 const OrbitImpact& leading_impact(const Orbit& orbit);
 
-// The impacts of a solution of the shooting equations in time order, the one with the smallest phase
-// first and in period 0.
+// The impacts of a solution of the shooting equations in time order, the one with the smallest
+// phase first and in period 0.
 std::vector<OrbitImpact> ordered_impacts(const System& system, const ImpactPattern& pattern,
                                          const std::vector<ImpactPoint>& points);
 
@@ -97,11 +98,6 @@ struct MultiplierCount {
   int undecided = 0;
 };
 MultiplierCount count_multipliers(const std::vector<Eigenvalue>& multipliers);
-
-// The saltation matrix of an impact: how a deviation just before it, at a fixed time, becomes one
-// just after: S = J + (f+ - J f-) c^T/(c^T f-), with c the contact row and f the vector field.
-Matrix saltation_matrix(const System& system, const RigidStop& stop, const State& before,
-                        double theta);
 
 // The linearised map from just before each impact to just before the next one, flow times
 // saltation, 2N x 2N each, in time order from the first impact on.
