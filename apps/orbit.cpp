@@ -3,6 +3,8 @@
 #include "graze/assembly/initial_state.hpp"
 #include "graze/assembly/system_warnings.hpp"
 #include "graze/bifurcation/orbits_over_gap.hpp"
+#include "graze/orbit/spread_starts.hpp"
+#include "graze/orbit/strobe_finder.hpp"
 #include "graze/report/csv.hpp"
 #include "graze/report/json.hpp"
 #include "graze/report/page.hpp"
@@ -13,7 +15,6 @@
 #include "session.hpp"
 
 namespace graze {
-
 int run_orbit(const Command& command) {
   if (!command.plot.empty()) check_picture_or_page_name(command.plot);
   const Scene scene = scene_of(command);
@@ -36,6 +37,10 @@ int run_orbit(const Command& command) {
     warn(command, {"no start by simulation: the scene's initial state is not clear of the stop"});
   prepare_output(command);
   record.found = search_orbits(record.system, start, options);
+  if (options.from_simulation && start)
+    add_settled_orbits(record.system, options,
+                       has_compliant_stop(record.system) ? kSprungSpreadWork : kSpreadWork,
+                       record.found);
   record.outcome = orbit_outcome(record.found, options, options.stop.reason());
   return conclude(command, record.info, record.outcome,
                   {json_of(record),

@@ -6,16 +6,16 @@
 #include <cmath>
 #include <utility>
 
+#include "graze/orbit/clear_state.hpp"
 #include "graze/orbit/closed_form.hpp"
 #include "graze/orbit/finder.hpp"
 #include "graze/orbit/minimal_orbit.hpp"
 #include "graze/orbit/orbit_identity.hpp"
 #include "graze/orbit/periodic_response.hpp"
+#include "graze/orbit/random_start.hpp"
 #include "graze/orbit/strobe_finder.hpp"
 #include "graze/orbit/strobe_orbit.hpp"
-#include "graze/study/clear_state.hpp"
 #include "graze/study/followed_motion.hpp"
-#include "graze/study/random_start.hpp"
 #include "graze/study/strobes.hpp"
 
 namespace graze {

@@ -4,7 +4,7 @@
 #include <array>
 #include <limits>
 
-#include "graze/study/clear_state.hpp"
+#include "graze/orbit/clear_state.hpp"
 
 namespace graze {
 namespace {

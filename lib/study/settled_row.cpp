@@ -1,7 +1,7 @@
 #include "graze/study/settled_row.hpp"
 
 #include "graze/assembly/initial_state.hpp"
-#include "graze/study/clear_state.hpp"
+#include "graze/orbit/clear_state.hpp"
 
 namespace graze {
 namespace {

@@ -9,8 +9,8 @@
 #include "graze/base/even_values.hpp"
 #include "graze/base/parallel.hpp"
 #include "graze/base/tally.hpp"
+#include "graze/orbit/clear_state.hpp"
 #include "graze/scene/parameter.hpp"
-#include "graze/study/clear_state.hpp"
 
 namespace graze {
 namespace {

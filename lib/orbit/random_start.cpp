@@ -1,11 +1,12 @@
-#include "graze/study/random_start.hpp"
+#include "graze/orbit/random_start.hpp"
 
 #include <algorithm>
 #include <random>
+#include <vector>
 
+#include "graze/orbit/clear_state.hpp"
 #include "graze/orbit/periodic_response.hpp"
 #include "graze/orbit/shooting.hpp"
-#include "graze/study/clear_state.hpp"
 
 namespace graze {
 namespace {
@@ -15,27 +16,34 @@ constexpr double kReach = 2.0;
 
 }  // namespace
 
-State random_start(const System& system, std::uint64_t seed, std::uint64_t draw) {
-  // Neighbouring draws begin far apart (the golden ratio's bits).
-  std::mt19937_64 engine(seed ^ (0x9E3779B97F4A7C15u * (draw + 1)));
-  // Bits to [-1, 1) by hand: the standard leaves the distributions' algorithms open.
-  const auto uniform = [&engine] { return static_cast<double>(engine() >> 11) * 0x1p-52 - 1.0; };
+State start_at(const System& system, std::span<const double> coordinates) {
   State state{Vector::Zero(system.modes()), Vector::Zero(system.modes())};
   if (const PeriodicResponseAnswer answer = periodic_response(system, 1); answer.response)
     state = answer.response->forced_state(system.forcing->phase);
   const double frequency = system.forcing->frequency, length = shooting_scale(system).length;
-  for (const RigidStop& stop : system.stops) {
+  for (std::size_t i = 0; i < system.stops.size(); ++i) {
+    const RigidStop& stop = system.stops[i];
     Vector shape(system.modes());
     // A free mass has no static compliance; the forcing's time scale stands in for it.
     for (int j = 0; j < system.modes(); ++j)
       shape[j] =
           stop.row[j] / std::max(system.omega[j] * system.omega[j], 1e-2 * frequency * frequency);
     shape *= kReach * length / stop.row.dot(shape);
-    state.q += uniform() * shape;
-    state.qdot += uniform() * frequency * shape;
+    state.q += coordinates[2 * i] * shape;
+    state.qdot += coordinates[2 * i + 1] * frequency * shape;
   }
   bring_clear(system, state);
   return state;
+}
+
+State random_start(const System& system, std::uint64_t seed, std::uint64_t draw) {
+  // Neighbouring draws begin far apart (the golden ratio's bits).
+  std::mt19937_64 engine(seed ^ (0x9E3779B97F4A7C15u * (draw + 1)));
+  // Bits to [-1, 1) by hand: the standard leaves the distributions' algorithms open.
+  std::vector<double> coordinates(2 * system.stops.size());
+  for (double& coordinate : coordinates)
+    coordinate = static_cast<double>(engine() >> 11) * 0x1p-52 - 1.0;
+  return start_at(system, coordinates);
 }
 
 }  // namespace graze

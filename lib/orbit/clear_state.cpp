@@ -1,4 +1,4 @@
-#include "graze/study/clear_state.hpp"
+#include "graze/orbit/clear_state.hpp"
 
 #include <algorithm>
 
