@@ -1,0 +1,56 @@
+#!/usr/bin/env bash
+# What takes too long for every test run, to be run before a release and after every larger change:
+#   bash tests/long.sh
+# - the commands of README.md and docs that take long, compared with the pages (tests/docs/long.sh);
+# - every command of tests/results/commands.txt under the address and undefined-behaviour sanitizers;
+# - the program so built against scenes, options and journals that are nearly right, FUZZ_SECONDS
+#   (default 300) long;
+# - one command of each kind under valgrind, which sees reads of what was never written.
+# About an hour on two cores; the logs are left in build/long. Exit 1 when anything was found.
+set -uo pipefail
+root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
+cd "$root"
+[ $# -eq 0 ] || { echo "usage: bash tests/long.sh" >&2; exit 2; }
+set -e
+bash apps/install_packages.sh --tests
+command -v valgrind > /dev/null || sudo -n apt-get install -y valgrind || apt-get install -y valgrind
+for preset in release dev; do cmake --preset "$preset" -DGRAZE_TESTS=ON > /dev/null; done
+cmake --build --preset release --target graze_program fuzz_program
+cmake --build --preset dev --target graze_program
+set +e
+logs=$root/build/long
+rm -rf "$logs"
+mkdir -p "$logs"
+failed=0
+
+echo "== pages"
+bash tests/docs/long.sh > "$logs/pages.log" 2>&1 || { failed=1; tail -n 20 "$logs/pages.log"; }
+
+echo "== sanitizers"
+bash tests/results/write.sh build-dev/graze "$logs/sanitized" > "$logs/sanitized.log"
+grep -lE 'runtime error:|Sanitizer' "$logs"/sanitized/*.messages && failed=1
+# 0 and 3 are answers; anything else is none.
+grep -LxE '0|3' "$logs"/sanitized/*.code | grep . && failed=1
+build/tests/fuzz_program build-dev/graze data "$logs/fuzz" 1 "${FUZZ_SECONDS:-300}" || failed=1
+
+echo "== valgrind"
+cat > "$logs/graze_watched" << END
+#!/usr/bin/env bash
+exec valgrind -q --error-exitcode=99 "$root/build/graze" "\$@"
+END
+chmod +x "$logs/graze_watched"
+bash tests/results/write.sh "$logs/graze_watched" "$logs/valgrind" check_hub simulate_sphere \
+  simulate_hub_momentum simulate_sensitivity orbit_one_mode orbit_beam_on_spring branch_gap sticking_gap \
+  compliant_gap loci_one_mode regions_one_mode diagram_one_mode map_one_mode compare_methods fit_contact
+grep -lx 99 "$logs"/valgrind/*.code && failed=1
+watched() { "$logs/graze_watched" "$@" > "$logs/valgrind/last.log" 2>&1; [ $? -ne 99 ] || { failed=1; cat "$logs/valgrind/last.log"; }; }
+watched cost data/scenes/06_bouncing_ball.toml --duration 1 --quiet
+watched simulate data/scenes/06_bouncing_ball.toml --duration 1 --out "$logs/run" --plot "$logs/run.html" --quiet
+watched simulate data/scenes/06_bouncing_ball.toml --duration 2 --resume "$logs/run" --quiet
+for k in 1 2; do
+  watched diagram data/scenes/04_impact_oscillator.toml --parameter forcing.frequency --from 2.6 --to 2.8 \
+    --points 6 --shard "$k/2" --out "$logs/share$k" --quiet
+done
+watched merge "$logs/share1" "$logs/share2" --out "$logs/whole" --quiet
+[ "$failed" -eq 0 ] && echo "nothing was found" || echo "something was found; the logs are in $logs" >&2
+exit "$failed"
