@@ -5,6 +5,7 @@
 
 #include "graze/base/angle.hpp"
 #include "graze/bifurcation/half_period.hpp"
+#include "graze/bifurcation/locus_margins.hpp"
 #include "graze/orbit/solve.hpp"
 
 namespace graze {
@@ -18,6 +19,11 @@ OrbitEquations::OrbitEquations(const SystemFamily& family, ImpactPattern pattern
     const System* system = system_at(value);
     if (!system) return {};
     return orbit_multipliers(*system, this->pattern(), shooting_.unpack(*system, u), errors);
+  };
+  problem_.poles = [this](const Vector& u, double value) -> Vector {
+    const System* system = system_at(value);
+    if (!system) return {};
+    return approach_speeds(*system, this->pattern(), shooting_.unpack(*system, u));
   };
   problem_.wrap = shooting_.wrap();
 }

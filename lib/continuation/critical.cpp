@@ -17,6 +17,10 @@ namespace {
 // tracer passes one with.
 constexpr int kMostHalvings = 30;
 
+// Next to a pole stations are this part of a step away from it, 2^-n: a residue that is smaller
+// beside the others moves a multiplier through the circle within less.
+constexpr int kPoleHalvings = 20;
+
 std::optional<Eigenvalue> nearest_to_one(const std::vector<Eigenvalue>& multipliers) {
   std::optional<Eigenvalue> nearest;
   for (const Eigenvalue& m : multipliers)
@@ -86,6 +90,37 @@ class CriticalSearch {
     });
     if (problem_.multipliers && complete)
       stations_ = crossing_stations(branch_, problem_, corrector_, stop_);
+    if (problem_.poles && !stations_.empty())
+      for (std::size_t i = 0; i + 1 < points.size() && !stop_.requested(); ++i) add_beside_poles(i);
+  }
+
+  // Stations on either side of where a multiplier has a pole within step i.
+  void add_beside_poles(std::size_t i) {
+    const BranchPoint &a = branch_.points[i], &b = branch_.points[i + 1];
+    const auto poles_at = [this](const BranchPoint& p) { return problem_.poles(p.u, p.parameter); };
+    const Vector from = poles_at(a), to = poles_at(b);
+    if (from.size() != to.size()) return;
+    const double length = corrector_.ahead(a, b);
+    for (Eigen::Index k = 0; k < from.size(); ++k) {
+      if (!(from[k] * to[k] < 0.0)) continue;
+      const std::optional<BranchPoint> pole =
+          locate(corrector_, a, b, [&](const BranchPoint& p) { return poles_at(p)[k]; });
+      if (!pole) continue;
+      const double at = corrector_.ahead(a, *pole), aside = std::ldexp(length, -kPoleHalvings);
+      for (const double s : {at - aside, at + aside}) {
+        if (!(s > 0.0 && s < length)) continue;
+        std::optional<BranchPoint> station = point_between(corrector_, a, s, a, b);
+        if (!station) continue;
+        station->multipliers =
+            problem_.multipliers(station->u, station->parameter, ErrorBounds::kLeftOut);
+        if (station->multipliers.size() != a.multipliers.size()) continue;
+        auto& own = stations_[i];
+        const auto behind = std::find_if(own.begin(), own.end(), [&](const BranchPoint& other) {
+          return corrector_.ahead(a, other) > s;
+        });
+        own.insert(behind, std::move(*station));
+      }
+    }
   }
 
   // Step i from station to station.

@@ -28,6 +28,10 @@ struct ZeroProblem {
   // or without errors. Empty function: the equations have none.
   std::function<std::vector<Eigenvalue>(const Vector& u, double parameter, ErrorBounds errors)>
       multipliers;
+  // Smooth functions of the solution at whose zeros a multiplier may have a pole, as one has where
+  // the speed of an impact vanishes: it runs through the unit circle next to it, in a part of a step
+  // that is as small as its residue. Empty: there are none.
+  std::function<Vector(const Vector& u, double parameter)> poles{};
 };
 
 }  // namespace graze

@@ -10,6 +10,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <fstream>
 #include <nlohmann/json.hpp>
 #include <string>
 
@@ -62,6 +63,46 @@ TEST(MeetingGrazing, DoublingsEndWhereTheClosedFormHasIt) {
   expect_meetings(0.02, 0.9, 0.4, 0.9);
   expect_meetings(0.02, 0.8, 0.3, 0.85);
   expect_meetings(0.03, 0.9, 0.3, 0.85);
+}
+
+const char* const kTwoModes = R"([modal]
+frequencies = [1.0, 5.038982107768481]
+damping_ratios = [0.5, 0.18715916382755424]
+participation = [1.0, 0.2995833008697377]
+[forcing]
+kind = "modal"
+amplitude = 1.0
+frequency = 0.638860173981165
+phase = -2.6488888828114447
+[[stop]]
+shape = [1.0, -0.19389917574482163]
+gap = 1.1130563755319858
+restitution = 0.5230813333303654
+)";
+
+// As an impact vanishes a multiplier goes as -C/v: there is a doubling beside every such grazing,
+// within the branch's last step or not.
+TEST(MeetingGrazing, BranchesPassTheDoublingBesideIt) {
+  const ScratchFolder scratch;
+  const std::string file = (scratch / "two_modes.toml").string();
+  std::ofstream(file) << kTwoModes;
+  for (const char* range : {"0.5 --to 0.6", "0.3 --to 0.7", "0.05 --to 0.95", "0.7 --to 0.3",
+                            "0.52 --to 0.53", "0.4 --to 0.66"}) {
+    const Finished run =
+        run_graze("continue " + file +
+                  " --parameter modal.damping_ratios.1 --impacts 1 --json --from " + range);
+    ASSERT_EQ(run.code, 0) << run.err;
+    int doublings = 0, grazings = 0;
+    const json found = json::parse(run.out);
+    for (const json& branch : found["branches"])
+      for (const json& special : branch["special"]) {
+        const double value = special["value"];
+        if (special["label"] == "PD" && std::abs(value - 0.5276159465) < 1e-9) ++doublings;
+        if (special["label"] == "GR" && std::abs(value - 0.5276558320) < 1e-9) ++grazings;
+      }
+    EXPECT_EQ(doublings, 1) << range;
+    EXPECT_EQ(grazings, 1) << range;
+  }
 }
 
 }  // namespace
