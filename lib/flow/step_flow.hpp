@@ -11,6 +11,7 @@
 // compressed springs as a SprungSystem, whose x = (y, y').
 #pragma once
 
+#include <limits>
 #include <optional>
 #include <span>
 #include <vector>
@@ -119,6 +120,7 @@ struct StepDescent {
 
 class StepFlow {
  public:
+  static constexpr double kNoDepth = std::numeric_limits<double>::infinity();
   virtual ~StepFlow() = default;
   // A smooth piece begins: the state at forcing phase theta; s counts from here.
   // `depths`: of the springs, m. `time`: of a structure that turns, s.
@@ -126,13 +128,15 @@ class StepFlow {
                      double time = 0.0) = 0;
   // The first watch to fall through zero within the window, s. Nobody asks beyond `until`, s: up to
   // there the least value is told, and a step that gets beyond it is the last. `stop` is asked now
-  // and then: a window may have any number of steps.
+  // and then: a window may have any number of steps. Of springs the depths beyond `told_depth`, m,
+  // are located (deepest).
   virtual StepDescent first_descent(std::span<const Watch* const> watches, double window,
-                                    double until, const StopSignal& stop) = 0;
+                                    double until, const StopSignal& stop,
+                                    double told_depth = kNoDepth) = 0;
   // The state s seconds after the start. Dear where s lies before the step taken last.
   virtual void state(double s, Vector& x) = 0;
-  // Of a spring since the start: its largest force, N, and how deep it was compressed, m; 0 where
-  // there is none.
+  // Of a spring since the start: its largest force, N, and how deep it was compressed, m, where
+  // that is beyond the depth to be told; 0 where there is none.
   virtual double peak_force(std::size_t /*spring*/) const { return 0.0; }
   virtual double deepest(std::size_t /*spring*/) const { return 0.0; }
   // Since the start, s seconds after it; nothing but for a structure on springs.

@@ -37,15 +37,16 @@ class WalkingFlow final : public StepFlow {
     walk_.begin(start_);
     if constexpr (kSprung) {
       peaks_.assign(walk_.rates.springs(), {});
-      for (std::size_t i = 0; i < peaks_.size(); ++i)
-        peaks_[i] = {walk_.rates.force(i, start_), walk_.rates.force_rate(i, 0.0, start_),
-                     walk_.rates.compression(i, start_).depth,
-                     walk_.rates.compression(i, start_).rate};
+      for (std::size_t i = 0; i < peaks_.size(); ++i) {
+        const auto [depth, rate] = walk_.rates.compression(i, start_);
+        peaks_[i] = {walk_.rates.force(i, start_), walk_.rates.force_rate(i, 0.0, start_), depth,
+                     depth, rate};
+      }
     }
   }
 
   StepDescent first_descent(std::span<const Watch* const> watches, double window, double until,
-                            const StopSignal& stop) override {
+                            const StopSignal& stop, double told_depth) override {
     StepDescent found;
     found.s = window;
     found.lowest = std::numeric_limits<double>::infinity();
@@ -88,7 +89,7 @@ class WalkingFlow final : public StepFlow {
         found.watch = static_cast<int>(i);
         found.s = zero;
       }
-      if constexpr (kSprung) pass_peaks(from, std::min(end, found.s));
+      if constexpr (kSprung) pass_peaks(from, std::min(end, found.s), told_depth);
       from = end;
     }
     return found;
@@ -125,7 +126,8 @@ class WalkingFlow final : public StepFlow {
   };
   struct Peak {
     double force = 0.0, force_rate = 0.0;  // N; N/s, at the end of the last step
-    double depth = 0.0, depth_rate = 0.0;  // m, m/s; likewise
+    double depth = 0.0;                    // m
+    double at = 0.0, depth_rate = 0.0;     // m, m/s: there, likewise
   };
 
   // The state at s, in within_.
@@ -148,25 +150,37 @@ class WalkingFlow final : public StepFlow {
     return within_;
   }
 
-  // The largest depths and forces of springs within (from, end]: of one that nothing damps they are
-  // at the same instant.
-  void pass_peaks(double from, double end) {
+  // The largest forces of springs within (from, end], and depths beyond the one to be told: of a
+  // spring that nothing damps they are at the same instant.
+  void pass_peaks(double from, double end, double told_depth) {
+    at_end_ = within(end);
     for (std::size_t i = 0; i < peaks_.size(); ++i) {
       Peak& peak = peaks_[i];
       const auto look = [&](const State& z) {
         peak.depth = std::max(peak.depth, walk_.rates.compression(i, z).depth);
         peak.force = std::max(peak.force, walk_.rates.force(i, z));
       };
-      const auto depth_rate = [&](double s) { return walk_.rates.compression(i, within(s)).rate; };
-      const auto force_rate = [&](double s) { return walk_.rates.force_rate(i, s, within(s)); };
-      const auto pass = [&](double& rate, const auto& rate_at) {
-        const double before = std::exchange(rate, rate_at(end));
-        if (before > 0.0 && rate < 0.0)
-          look(within(bracketed_zero(rate_at, {from, before}, {end, rate}).first));
+      const auto pass = [&](double before, double after, const auto& rate_at) {
+        if (before > 0.0 && after < 0.0)
+          look(within(bracketed_zero(rate_at, {from, before}, {end, after}).first));
       };
-      look(within(end));
-      pass(peak.depth_rate, depth_rate);
-      if (walk_.rates.is_damped(i)) pass(peak.force_rate, force_rate);
+      look(at_end_);
+      const auto [depth, rate] = walk_.rates.compression(i, at_end_);
+      const bool damped = walk_.rates.is_damped(i);
+      // A depth that turns back lies below its tangents at both ends.
+      const double tangents = peak.at + peak.depth_rate * (depth - peak.at - rate * (end - from)) /
+                                            (peak.depth_rate - rate);
+      if (!damped || tangents > told_depth)
+        pass(peak.depth_rate, rate,
+             [&](double s) { return walk_.rates.compression(i, within(s)).rate; });
+      if (damped) {
+        const double force_rate = walk_.rates.force_rate(i, end, at_end_);
+        pass(peak.force_rate, force_rate,
+             [&](double s) { return walk_.rates.force_rate(i, s, within(s)); });
+        peak.force_rate = force_rate;
+      }
+      peak.at = depth;
+      peak.depth_rate = rate;
     }
   }
 
@@ -225,7 +239,7 @@ class WalkingFlow final : public StepFlow {
   static constexpr long long kStepsPerPoll = 4096;
   Walk walk_;
   long long polls_ = 0;
-  State start_, within_, last_;
+  State start_, within_, last_, at_end_;
   std::vector<Peak> peaks_;
   std::vector<double> slopes_;  // of the watches, at the end of the step before
 };

@@ -113,6 +113,8 @@ class Motion {
          const std::optional<StepSetting>& steps = {});
   // Where a flight is integrated step by step it ends undecided once this is requested.
   void stop_on(const StopSignal& stop) { stop_ = stop; }
+  // From now on depths of springs beyond this one, m, are located (StepFlow::deepest).
+  void tell_depths_beyond(double depth) { told_depth_ = depth; }
   Motion(const Motion&) = delete;
   Motion& operator=(const Motion&) = delete;
 
@@ -309,6 +311,7 @@ class Motion {
   const System system_;
   const std::optional<StepSetting> steps_;
   StopSignal stop_;
+  double told_depth_ = StepFlow::kNoDepth;
   ExactFlow<Real> clock_;
   LinearSystem<Real> linear_;
   mutable std::optional<TurningStructure> turning_;

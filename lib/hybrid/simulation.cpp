@@ -96,6 +96,7 @@ class Run {
     if (untouched && !options_.steps && !system_.rotation)
       for (int i = 0; i < stops(); ++i)
         note_minimum(motion_.gap_ahead(i, flight.until - start.local), state_.totals);
+    motion_.tell_depths_beyond(-std::min(state_.totals.smallest_gap.value_or(0.0), 0.0));
     const Arrival<double> arrival = motion_.fly(flight.until, flight.horizon);
     work_ += (1 + arrival.evaluations) * system_.modes();
     if (arrival.kind == ArrivalKind::kUndecided && !within_budget(true)) return false;

@@ -44,8 +44,8 @@ void Motion<Real>::search_by_steps(ContactPhase<Real>& phase, const Real& until,
     watch_joint(phase, list);
     std::vector<const Watch*> watches;
     for (const Watched& watched : list) watches.push_back(watched.watch);
-    const StepDescent found = phase.step_flow()->first_descent(watches, arrival.flight,
-                                                               until - now_.instant.local, stop_);
+    const StepDescent found = phase.step_flow()->first_descent(
+        watches, arrival.flight, until - now_.instant.local, stop_, told_depth_);
     arrival.evaluations = found.values;
     arrival.lowest = found.lowest;
     arrival.flight = found.s;
