@@ -15,8 +15,8 @@ set -e
 bash apps/install_packages.sh --tests
 command -v valgrind > /dev/null || sudo -n apt-get install -y valgrind || apt-get install -y valgrind
 for preset in release dev; do cmake --preset "$preset" -DGRAZE_TESTS=ON > /dev/null; done
-cmake --build --preset release --target graze_program fuzz_program
-cmake --build --preset dev --target graze_program
+cmake --build --preset release --target graze_program
+cmake --build --preset dev --target graze_program fuzz_program
 set +e
 logs=$root/build/long
 rm -rf "$logs"
@@ -31,7 +31,7 @@ bash tests/results/write.sh build-dev/graze "$logs/sanitized" > "$logs/sanitized
 grep -lE 'runtime error:|Sanitizer' "$logs"/sanitized/*.messages && failed=1
 # 0 and 3 are answers; anything else is none.
 grep -LxE '0|3' "$logs"/sanitized/*.code | grep . && failed=1
-build/tests/fuzz_program build-dev/graze data "$logs/fuzz" 1 "${FUZZ_SECONDS:-300}" || failed=1
+build-dev/tests/fuzz_program "$root/build-dev/graze" "$root/data" "$logs/fuzz" 1 "${FUZZ_SECONDS:-300}" || failed=1
 
 echo "== valgrind"
 cat > "$logs/graze_watched" << END
