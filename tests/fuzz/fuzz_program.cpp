@@ -80,9 +80,7 @@ class Fuzz {
     fs::create_directories(folder / "materials");
     materials_ = prepared_materials(program, data, folder / "materials");
 #ifdef GRAZE_SANITIZED
-    // Its start alone takes a fifth of a second.
     limits_.memory = false;
-    limits_.patience *= 4;
     limits_.bound *= 3;
 #endif
   }

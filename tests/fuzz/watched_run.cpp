@@ -49,6 +49,17 @@ pid_t start(const std::vector<std::string>& arguments, const std::string& folder
   return child;
 }
 
+// Whether a signal would end the child in its own way: it has come as far as that.
+bool catches_termination(pid_t child) {
+  std::ifstream status("/proc/" + std::to_string(child) + "/status");
+  for (std::string word; status >> word;) {
+    if (word != "SigCgt:") continue;
+    status >> word;
+    return (std::stoull(word, nullptr, 16) >> (SIGTERM - 1) & 1U) != 0;
+  }
+  return false;
+}
+
 // Whether the child ended by then.
 bool ends_by(pid_t child, Clock::time_point latest, int& status) {
   while (::waitpid(child, &status, WNOHANG) != child) {
@@ -66,7 +77,12 @@ WatchedRun watched_run(const std::vector<std::string>& arguments, const std::str
   WatchedRun run;
   int status = 0;
   const pid_t child = start(arguments, folder, out, err, limits.memory);
-  if (!ends_by(child, Clock::now() + limits.patience, status)) {
+  // On a machine that is busy it may not have begun by then.
+  const Clock::time_point begun = Clock::now(), latest = begun + limits.patience + limits.bound;
+  bool ended = ends_by(child, begun + limits.patience, status);
+  while (!ended && !catches_termination(child) && Clock::now() < latest)
+    ended = ends_by(child, Clock::now() + std::chrono::milliseconds(10), status);
+  if (!ended) {
     run.asked = true;
     const Clock::time_point asked = Clock::now();
     ::kill(child, SIGTERM);
