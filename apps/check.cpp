@@ -20,7 +20,7 @@ std::vector<std::string> unstable_stops(const System& system) {
   // The other stops do not take part, and there may be many.
   System alone = system;
   for (std::size_t i = 0; i < system.stops.size(); ++i) {
-    if (system.stops[i].spring) continue;  // it gives way, and holds nothing
+    if (system.stops[i].is_compliant()) continue;  // it gives way, and holds nothing
     alone.stops.assign(1, system.stops[i]);
     const ContactPhase<double> held(alone, {0});
     if (!held.refusal().empty())

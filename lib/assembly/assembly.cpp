@@ -31,28 +31,27 @@ HarmonicForcing forcing_tangent(const Forcing& forcing, const Forcing& rate,
               forcing.amplitude * load_factor(forcing) * model_rate.participation};
 }
 
-RigidStop assemble_stop(const Scene& scene, const Stop& stop, const Vector& shape,
-                        const Matrix& phi) {
+Stop assemble_stop(const Scene& scene, const SceneStop& stop, const Vector& shape,
+                   const Matrix& phi) {
   const double sign = sign_of(stop.side);
   const Vector row = sign * shape;
-  if (stop.spring) return {row, stop.gap, row, 0.0, spring_law(*stop.spring)};
+  if (stop.spring) return {row, stop.gap, spring_law(*stop.spring)};
   const Vector direction =
       stop.impulse == Impulse::kMomentum
           ? momentum_direction(row)
           : collocation_direction(phi, collocation_index(*scene.beam(), stop.position), sign);
-  return {row, stop.gap, direction, Restitution(stop.restitution)};
+  return {row, stop.gap, ImpactLaw{direction, Restitution(stop.restitution)}};
 }
 
-RigidStop stop_tangent(const Stop& stop, const Stop& rate, const RigidStop& assembled,
-                       const Vector& shape_rate, const Matrix& phi, const Matrix& phi_rate) {
+Stop stop_tangent(const SceneStop& stop, const SceneStop& rate, const Stop& assembled,
+                  const Vector& shape_rate, const Matrix& phi, const Matrix& phi_rate) {
   const Vector row_rate = sign_of(stop.side) * shape_rate;
-  if (stop.spring)
-    return {row_rate, rate.gap, row_rate, 0.0, spring_law_rate(*stop.spring, *rate.spring)};
+  if (stop.spring) return {row_rate, rate.gap, spring_law_rate(*stop.spring, *rate.spring)};
   const Vector direction_rate =
       stop.impulse == Impulse::kMomentum
           ? momentum_direction_rate(assembled.row, row_rate)
-          : collocation_direction_rate(phi, phi_rate, assembled.direction);
-  return {row_rate, rate.gap, direction_rate, Restitution(rate.restitution)};
+          : collocation_direction_rate(phi, phi_rate, assembled.direction());
+  return {row_rate, rate.gap, ImpactLaw{direction_rate, Restitution(rate.restitution)}};
 }
 
 }  // namespace

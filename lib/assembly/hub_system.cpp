@@ -16,13 +16,13 @@ TorqueCourse torque_course(const Torque& torque) {
 }
 
 // Its place moves by (position + radius) times the angle, and with the beam.
-RigidStop stop_on_hub(const Stop& stop, const Vector& shape, double radius,
-                      const Rotation& rotation) {
+Stop stop_on_hub(const SceneStop& stop, const Vector& shape, double radius,
+                 const Rotation& rotation) {
   const double sign = stop.side == Side::kAbove ? 1.0 : -1.0;
   const Vector row =
       sign * ((stop.position + radius) * rotation.angle + rotation.beam.transpose() * shape);
-  if (stop.spring) return {row, stop.gap, row, 0.0, spring_law(*stop.spring)};
-  return {row, stop.gap, momentum_direction(row), Restitution(stop.restitution)};
+  if (stop.spring) return {row, stop.gap, spring_law(*stop.spring)};
+  return {row, stop.gap, ImpactLaw{momentum_direction(row), Restitution(stop.restitution)}};
 }
 
 }  // namespace

@@ -16,7 +16,7 @@ namespace {
 
 bool is_preloaded(const System& system) {
   return std::any_of(system.stops.begin(), system.stops.end(),
-                     [](const RigidStop& stop) { return stop.gap < 0.0; });
+                     [](const Stop& stop) { return stop.gap < 0.0; });
 }
 
 // The structure pressed by forces at its stops, as far as they are concerned: a unit force at one
@@ -39,9 +39,9 @@ Pressed pressed_against(const System& system) {
              Vector(k)};
   if (system.load) at.free = at.compliance.cwiseProduct(*system.load);
   for (Eigen::Index i = 0; i < k; ++i) {
-    const RigidStop& stop = system.stops[static_cast<std::size_t>(i)];
+    const Stop& stop = system.stops[static_cast<std::size_t>(i)];
     at.rows.col(i) = stop.row;
-    at.directions.col(i) = stop.direction;
+    at.directions.col(i) = stop.direction();
     const GapValue<double> gap = gap_value<double>(stop.row, at.free, stop.gap);
     at.beyond[i] = -gap.value;
     at.rounding[i] = gap.rounding;
@@ -63,7 +63,7 @@ std::optional<Vector> static_forces(const System& system, const Pressed& at) {
     Matrix acting = at.delassus;
     Vector beyond = at.beyond;
     for (Eigen::Index i = 0; i < k; ++i) {
-      const std::optional<ContactForce>& law = system.stops[static_cast<std::size_t>(i)].spring;
+      const auto* law = std::get_if<ContactForce>(&system.stops[static_cast<std::size_t>(i)].law);
       if (law && !(depth[i] > 0.0)) continue;
       near.push_back(i);
       if (!law) continue;
@@ -98,14 +98,14 @@ std::optional<Vector> static_equilibrium(const System& system) {
   // solution.
   std::vector<Eigen::Index> pressed;
   for (Eigen::Index i = 0; i < force->size(); ++i)
-    if ((*force)[i] > 0.0 && !system.stops[static_cast<std::size_t>(i)].spring)
+    if ((*force)[i] > 0.0 && !system.stops[static_cast<std::size_t>(i)].is_compliant())
       pressed.push_back(i);
   if (pressed.empty()) return q;
   const Matrix acting = at.delassus(pressed, pressed);
   for (int pass = 0; pass < 2; ++pass) {
     Vector left(static_cast<Eigen::Index>(pressed.size()));
     for (std::size_t a = 0; a < pressed.size(); ++a) {
-      const RigidStop& stop = system.stops[static_cast<std::size_t>(pressed[a])];
+      const Stop& stop = system.stops[static_cast<std::size_t>(pressed[a])];
       left[static_cast<Eigen::Index>(a)] = -gap_value<double>(stop.row, q, stop.gap).value;
     }
     q -= at.compliance.cwiseProduct(at.directions(Eigen::all, pressed) *
@@ -148,9 +148,9 @@ State initial_state(const Scene& scene, const System& system) {
     state.q = *q;
   }
   for (std::size_t i = 0; i < system.stops.size(); ++i) {
-    const RigidStop& stop = system.stops[i];
+    const Stop& stop = system.stops[i];
     const GapValue<double> gap = gap_value<double>(stop.row, state.q, stop.gap);
-    if (!stop.spring && gap.value < -gap.rounding) {
+    if (!stop.is_compliant() && gap.value < -gap.rounding) {
       const std::string key =
           system.stops.size() == 1 ? "stop.gap" : fmt::format("stop.{}.gap", i + 1);
       throw scene_error(scene, scene.initial ? start_key(*scene.initial) : key,

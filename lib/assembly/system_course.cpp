@@ -33,11 +33,12 @@ Numbers numbers_of(const System& system) {
   numbers.add(3, system.forcing ? system.forcing->amplitude : none);
   numbers.add(4, system.load ? *system.load : none);
   int kind = 5;
-  for (const RigidStop& stop : system.stops) {
+  for (const Stop& stop : system.stops) {
     numbers.add(kind++, stop.gap);
     numbers.add(kind++, stop.row);
-    numbers.add(kind++, stop.direction);
-    for (const double coefficient : stop.restitution.coefficients())
+    numbers.add(kind++, stop.direction());
+    if (stop.is_compliant()) continue;
+    for (const double coefficient : stop.restitution().coefficients())
       numbers.add(kind++, coefficient);
   }
   return numbers;
@@ -168,13 +169,14 @@ SystemForms SystemCourse::over(const Piece& piece, double low, double high) cons
   forms.delta = numbers(n);
   forms.amplitude = numbers(n);
   forms.load = numbers(n);
-  for (const RigidStop& stop : like_->stops) {
+  for (const Stop& stop : like_->stops) {
     forms.stops.emplace_back();
     forms.stops.back().gap = number();
     forms.stops.back().row = numbers(n);
     forms.stops.back().direction = numbers(n);
+    if (stop.is_compliant()) continue;
     forms.stops.back().restitution =
-        numbers(static_cast<Eigen::Index>(stop.restitution.coefficients().size()));
+        numbers(static_cast<Eigen::Index>(stop.restitution().coefficients().size()));
   }
   return forms;
 }

@@ -30,10 +30,10 @@ std::vector<std::string> system_warnings(const Scene& scene, const System& syste
         condition, kIllConditioned));
   for (std::size_t i = 0; i < system.stops.size(); ++i) {
     if (scene.stops[i].impulse != Impulse::kCollocation) continue;
-    const RigidStop& stop = system.stops[i];
+    const Stop& stop = system.stops[i];
     // The gain grows with r; one that depends on the speed is not known beforehand.
-    const double r = stop.restitution.is_constant() ? stop.restitution.at_rest() : 1.0;
-    const double gain = worst_energy_gain(stop.row, stop.direction, r);
+    const double r = stop.restitution().is_constant() ? stop.restitution().at_rest() : 1.0;
+    const double gain = worst_energy_gain(stop.row, stop.direction(), r);
     // For N = 1 the collocation law is the momentum law.
     if (gain > 1.0 + 16.0 * std::numeric_limits<double>::epsilon())
       warnings.push_back(fmt::format(

@@ -40,7 +40,7 @@ BranchCollector::BranchCollector(const SystemFamily& family, const BranchOptions
       result_(result),
       continuation_(range_of(options)),
       sticking_(family, continuation_, options.follow_depth > 0, options.finder.max_impacts) {
-  result_.scale = shooting_scale(*family.at(family.value()));
+  result_.scale = motion_scale(*family.at(family.value()));
   result_.range = std::abs(options.to - options.from);
 }
 

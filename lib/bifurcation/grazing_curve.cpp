@@ -5,13 +5,13 @@
 namespace graze {
 
 GrazingCurve::GrazingCurve(const Scene& scene, const std::string& first, const std::string& second,
-                           ImpactPattern pattern, std::size_t touch, const ShootingScale& scale,
+                           ImpactPattern pattern, std::size_t touch, const MotionScale& scale,
                            double range)
     : systems_(scene, {first, second}),
       shooting_(std::move(pattern), scale),
       touch_(touch),
       range_(range),
-      speed_unit_(scale.length * scene.forcing->frequency) {
+      speed_unit_(scale.speed) {
   ZeroProblem& zero = problem_.problem;
   zero.evaluate = [this](const Vector& y, double q) { return evaluate(y, q); };
   if (shooting_.pattern().impacts() > 1)

@@ -21,7 +21,7 @@ class GrazingCurve {
  public:
   // `scale`: as for a branch; `range`: length of the first parameter's (first_range).
   GrazingCurve(const Scene& scene, const std::string& first, const std::string& second,
-               ImpactPattern pattern, std::size_t touch, const ShootingScale& scale, double range);
+               ImpactPattern pattern, std::size_t touch, const MotionScale& scale, double range);
   GrazingCurve(const GrazingCurve&) = delete;
   GrazingCurve& operator=(const GrazingCurve&) = delete;
 

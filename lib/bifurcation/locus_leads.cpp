@@ -46,7 +46,7 @@ TouchingOrbit from_its_touch(TouchingOrbit orbit) {
 bool touches(const System& system, const TouchingOrbit& orbit) {
   const std::optional<double> clearance =
       admissibility(system, orbit.pattern, orbit.impacts).clearance();
-  return clearance && std::abs(*clearance) <= kVanishing * shooting_scale(system).length;
+  return clearance && std::abs(*clearance) <= kVanishing * motion_scale(system).length;
 }
 
 // The kinds that meet on a locus of one kind at a point of this name.

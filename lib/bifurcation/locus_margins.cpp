@@ -62,7 +62,7 @@ std::optional<ApproachBeside> approach_beside(const System& system, const Impact
     if (!(flight.duration > 0.0)) continue;
     arc.start(flight.theta, flight.start.q, flight.start.qdot);
     for (int k = 0; k < static_cast<int>(system.stops.size()); ++k) {
-      const RigidStop& stop = system.stops[static_cast<std::size_t>(k)];
+      const Stop& stop = system.stops[static_cast<std::size_t>(k)];
       const ArcCurve<double> curve(arc, gap_observable<double>(stop.row, stop.gap), flight.duration,
                                    k == flight.leaves);
       const bool touches = flight.touch && k == pattern.stops[touch];
@@ -109,7 +109,7 @@ Vector locus_margins(const System& system, const ImpactPattern& pattern,
   }
   double slowest = std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < impacts.size(); ++i) {
-    const RigidStop& stop = stop_of(system, pattern, i);
+    const Stop& stop = stop_of(system, pattern, i);
     if (i != *touch) {
       slowest = std::min(slowest, stop.row.dot(impacts[i].before.qdot));
       continue;

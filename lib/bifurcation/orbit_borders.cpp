@@ -9,7 +9,7 @@ namespace {
 constexpr double kPenetration = 1e-12;
 
 bool penetrates(const OrbitEquations& equations, const BranchPoint& at) {
-  const double length = shooting_scale(*equations.system_at(at.parameter)).length;
+  const double length = motion_scale(*equations.system_at(at.parameter)).length;
   return equations.admissibility_of(at).clearance().value_or(0.0) < -kPenetration * length;
 }
 

@@ -40,8 +40,7 @@ class OrbitTracer {
     else
       trace_from_search();
     branches_.follow();
-    const double speed_scale =
-        result_.scale.length * family_.at(family_.value())->forcing->frequency;
+    const double speed_scale = result_.scale.speed;
     result_.branches =
         put_in_order(branches_.take(), Components(highest_ - lowest_, speed_scale),
                      [this](const OrbitBranch& branch) { return connected_set(branch); });
@@ -87,7 +86,7 @@ class OrbitTracer {
     for (std::size_t stop = 0; stop < family_.scene().stops.size(); ++stop) {
       if (options_.stop.requested()) return;
       const int index = static_cast<int>(stop);
-      if (!family_.at(family_.value())->stops[stop].restitution.is_constant()) {
+      if (!family_.at(family_.value())->stops[stop].restitution().is_constant()) {
         trace_from_speeds(index);
         continue;
       }

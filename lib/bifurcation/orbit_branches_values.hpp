@@ -40,7 +40,7 @@ struct OrbitBranches {
   std::vector<OrbitBranch> branches;
   // Units of the unknowns in the solutions at special points, and the range of the parameter that
   // their tangents are given in.
-  ShootingScale scale;
+  MotionScale scale;
   double range = 1.0;
   std::vector<std::string> notes;      // sentences
   long long shooting_evaluations = 0;  // of the shooting equations, all points together

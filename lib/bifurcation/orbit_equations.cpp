@@ -11,7 +11,7 @@
 namespace graze {
 
 OrbitEquations::OrbitEquations(const SystemFamily& family, ImpactPattern pattern,
-                               const ShootingScale& scale)
+                               const MotionScale& scale)
     : systems_(family), shooting_(std::move(pattern), scale) {
   problem_.evaluate = [this](const Vector& u, double value) { return evaluate(u, value); };
   problem_.multipliers = [this](const Vector& u, double value,

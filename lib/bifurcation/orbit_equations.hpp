@@ -15,7 +15,7 @@ namespace graze {
 class OrbitEquations {
  public:
   // `scale` is that of one value for all: the metric of a branch must not change on the way.
-  OrbitEquations(const SystemFamily& family, ImpactPattern pattern, const ShootingScale& scale);
+  OrbitEquations(const SystemFamily& family, ImpactPattern pattern, const MotionScale& scale);
   OrbitEquations(const OrbitEquations&) = delete;
   OrbitEquations& operator=(const OrbitEquations&) = delete;
 

@@ -51,7 +51,7 @@ class LociTracer {
     plane_.scene = &scene_;
     plane_.first = first;
     plane_.second = second;
-    plane_.scale = shooting_scale(*own_.at(own_.value()));
+    plane_.scale = motion_scale(*own_.at(own_.value()));
     LocusOptions& range = plane_.options;
     range.first_from = options.branches.from;
     range.first_to = options.branches.to;

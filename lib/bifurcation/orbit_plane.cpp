@@ -16,7 +16,7 @@ bool is_real(const PlaneProduct& product) {
 }  // namespace
 
 OrbitPlane::OrbitPlane(const Scene& scene, const std::string& first, const std::string& second,
-                       ImpactPattern pattern, const ShootingScale& scale)
+                       ImpactPattern pattern, const MotionScale& scale)
     : systems_(scene, {first, second}), shooting_(std::move(pattern), scale) {
   problem_.evaluate = [this](const Vector& u, double p, double q) { return evaluate(u, p, q); };
   problem_.curvature = [this](const Vector& u, double p, double q,

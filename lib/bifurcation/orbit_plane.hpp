@@ -17,7 +17,7 @@ class OrbitPlane {
  public:
   // `scale`: that of one place for all, as for a branch.
   OrbitPlane(const Scene& scene, const std::string& first, const std::string& second,
-             ImpactPattern pattern, const ShootingScale& scale);
+             ImpactPattern pattern, const MotionScale& scale);
   OrbitPlane(const OrbitPlane&) = delete;
   OrbitPlane& operator=(const OrbitPlane&) = delete;
 

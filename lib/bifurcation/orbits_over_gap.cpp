@@ -39,11 +39,10 @@ System rate_of_gaps(const System& system, double length) {
   rate.forcing->frequency = rate.forcing->phase = 0.0;
   rate.forcing->amplitude.setZero();
   if (rate.load) rate.load->setZero();
-  for (RigidStop& stop : rate.stops) {
+  for (Stop& stop : rate.stops) {
     stop.row.setZero();
-    stop.direction.setZero();
     stop.gap = length;
-    stop.spring.reset();
+    stop.law = ImpactLaw{Vector::Zero(stop.row.size())};
   }
   return rate;
 }
@@ -53,7 +52,7 @@ class GapBranch {
   GapBranch(const System& system, const FinderOptions& options, const StrobeOptions& strobe)
       : system_(system),
         widened_(system),
-        length_(shooting_scale(system).length),
+        length_(motion_scale(system).length),
         rate_(rate_of_gaps(system, length_)),
         map_(system, strobe) {
     problem_ =
@@ -134,7 +133,7 @@ class GapBranch {
 
 void add_orbits_over_gap(const System& system, const StrobeOptions& strobe,
                          const FinderOptions& options, FoundOrbits& found) {
-  const double speed_scale = shooting_scale(system).length * system.forcing->frequency;
+  const double speed_scale = motion_scale(system).speed;
   const StrobeMap map(system, strobe);
   int joined = 0;
   for (const Vector& u : GapBranch(system, options, strobe).solutions()) {

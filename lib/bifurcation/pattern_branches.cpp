@@ -6,7 +6,7 @@
 
 namespace graze {
 PatternBranches::PatternBranches(const SystemFamily& family, ImpactPattern pattern,
-                                 const ShootingScale& scale, ContinuationOptions range,
+                                 const MotionScale& scale, ContinuationOptions range,
                                  bool keep_virtual)
     : equations_(family, std::move(pattern), scale),
       options_(std::move(range)),

@@ -16,7 +16,7 @@ class PatternBranches {
  public:
   // `range` says from where to where, how fast, and when to stop; `keep_virtual`: whether solutions
   // that are no orbits are listed too.
-  PatternBranches(const SystemFamily& family, ImpactPattern pattern, const ShootingScale& scale,
+  PatternBranches(const SystemFamily& family, ImpactPattern pattern, const MotionScale& scale,
                   ContinuationOptions range, bool keep_virtual);
   PatternBranches(const PatternBranches&) = delete;
   PatternBranches& operator=(const PatternBranches&) = delete;

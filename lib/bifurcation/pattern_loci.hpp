@@ -20,10 +20,10 @@ namespace graze {
 struct LocusPlane {
   const Scene* scene = nullptr;
   std::string first, second;
-  ShootingScale scale;
+  MotionScale scale;
   LocusOptions options;
 
-  double speed_unit() const { return scale.length * scene->forcing->frequency; }  // m/s
+  double speed_unit() const { return scale.speed; }  // m/s
 };
 
 // In ranges of the parameters.

@@ -30,7 +30,7 @@ constexpr int kPolishingSteps = 2;
 constexpr double kBeside = 1e-5;
 
 double length_unit(const StickingEquations& equations, const BranchPoint& at) {
-  return shooting_scale(*equations.system_at(at.parameter)).length;
+  return motion_scale(*equations.system_at(at.parameter)).length;
 }
 
 double speed_unit(const StickingEquations& equations, const BranchPoint& at) {

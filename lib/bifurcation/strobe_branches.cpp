@@ -21,7 +21,7 @@ class StrobeTracer {
       : family_(family), options_(options) {
     const System own = *family.at(family.value());
     result_.parameter = family.parameter();
-    result_.scale = shooting_scale(own);
+    result_.scale = motion_scale(own);
     result_.range = std::abs(options.to - options.from);
     range_.from = options.from;
     range_.to = options.to;
@@ -41,7 +41,7 @@ class StrobeTracer {
     else
       trace_from_values();
     follow();
-    const double speed = result_.scale.length * family_.at(family_.value())->forcing->frequency;
+    const double speed = result_.scale.speed;
     result_.branches = put_in_order(std::move(found_), Components(result_.range, speed),
                                     [](const OrbitBranch&) { return std::nullopt; });
     result_.stopped = options_.stop.reason();

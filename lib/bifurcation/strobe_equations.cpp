@@ -14,7 +14,7 @@ StrobeEquations::StrobeEquations(const SystemFamily& family, const StrobeOptions
                                  int period)
     : systems_(family),
       map_(*family.at(family.value()), options),
-      length_(shooting_scale(*family.at(family.value())).length),
+      length_(motion_scale(*family.at(family.value())).length),
       period_(period) {
   problem_ =
       periodic_points([this](const Vector& x, double value) { return evaluate(x, value); }, period);
@@ -100,15 +100,15 @@ std::vector<StrobeTouch> StrobeEquations::touches_near(const BranchPoint& soluti
   if (!system) return {};
   std::vector<StrobeTouch> touches = graze::touches_near(*system, map_, solution.u);
   std::erase_if(touches, [&](const StrobeTouch& touch) {
-    return !system->stops[static_cast<std::size_t>(touch.stop)].spring;
+    return !system->stops[static_cast<std::size_t>(touch.stop)].is_compliant();
   });
   return touches;
 }
 
 bool StrobeEquations::sets_in_smoothly(const BranchPoint& solution, int stop) const {
   const System* system = systems_.at(solution.parameter);
-  const RigidStop* met = system ? &system->stops[static_cast<std::size_t>(stop)] : nullptr;
-  return met && met->spring && met->spring->sets_in_smoothly();
+  const Stop* met = system ? &system->stops[static_cast<std::size_t>(stop)] : nullptr;
+  return met && met->is_compliant() && met->force().sets_in_smoothly();
 }
 
 std::optional<StrobeEquations::Touching> StrobeEquations::touching(const Vector& x, double value,
@@ -120,7 +120,7 @@ std::optional<StrobeEquations::Touching> StrobeEquations::touching(const Vector&
       map_.within(*system, x, angle, std::span(&tangent, 1));
   if (!at) return {};
   const auto index = static_cast<std::size_t>(stop);
-  const RigidStop &met = system->stops[index], &rate = tangent->stops[index];
+  const Stop &met = system->stops[index], &rate = tangent->stops[index];
   const double speed = length_ * system->forcing->frequency;
   const State& moved = at->by_parameters.front();
   Touching touching;
@@ -142,8 +142,8 @@ std::optional<double> StrobeEquations::clearer_section(const BranchPoint& soluti
   constexpr double kPart = 0.25;
   const System* system = systems_.at(solution.parameter);
   const bool none =
-      !system || std::all_of(system->stops.begin(), system->stops.end(), [](const RigidStop& stop) {
-        return stop.spring && stop.spring->sets_in_smoothly();
+      !system || std::all_of(system->stops.begin(), system->stops.end(), [](const Stop& stop) {
+        return stop.is_compliant() && stop.force().sets_in_smoothly();
       });
   if (none) return {};
   const std::optional<OrbitBranchPoint> at = judge(solution);
@@ -151,10 +151,10 @@ std::optional<double> StrobeEquations::clearer_section(const BranchPoint& soluti
   std::vector<double> phases;
   for (std::size_t i = 0; i < at->orbit.impacts.size(); ++i) {
     const OrbitImpact& impact = at->orbit.impacts[i];
-    const RigidStop& stop = system->stops[static_cast<std::size_t>(impact.stop)];
-    if (stop.spring && stop.spring->sets_in_smoothly()) continue;
+    const Stop& stop = system->stops[static_cast<std::size_t>(impact.stop)];
+    if (stop.is_compliant() && stop.force().sets_in_smoothly()) continue;
     phases.push_back(impact.phase);
-    if (stop.spring)
+    if (stop.is_compliant())
       phases.push_back(wrapped(impact.phase + system->forcing->frequency *
                                                   at->orbit.strobe->contacts[i].duration));
   }

@@ -91,7 +91,7 @@ std::optional<ZeroEvaluation> StrobeGrazing::evaluate(const Vector& y, double se
   zero.jacobian.col(n + 1).head(n).setZero();
   zero.parameter_derivative.head(n) = orbit->by_second;
   const auto index = static_cast<std::size_t>(stop_);
-  const RigidStop& stop = system->stops[index];
+  const Stop& stop = system->stops[index];
   const double length = plane_.length(), speed = plane_.speed_unit();
   zero.residual[n] = (stop.row.dot(at->state.q) - stop.gap) / length;
   zero.residual[n + 1] = stop.row.dot(at->state.qdot) / speed;
@@ -101,7 +101,7 @@ std::optional<ZeroEvaluation> StrobeGrazing::evaluate(const Vector& y, double se
   zero.jacobian(n, n + 1) = stop.row.dot(at->by_angle.q) / length;
   zero.jacobian(n + 1, n + 1) = stop.row.dot(at->by_angle.qdot) / speed;
   for (const std::size_t k : {0u, 1u}) {
-    const RigidStop& rate = tangents[k]->stops[index];
+    const Stop& rate = tangents[k]->stops[index];
     const State& moved = at->by_parameters[k];
     const double depth = (stop.row.dot(moved.q) + rate.row.dot(at->state.q) - rate.gap) / length;
     const double approach = (stop.row.dot(moved.qdot) + rate.row.dot(at->state.qdot)) / speed;

@@ -33,7 +33,7 @@ StrobePlane::StrobePlane(const Scene& scene, const std::string& first, const std
     : systems_(scene, {first, second}),
       first_range_(graze::first_range(options)),
       second_range_(graze::second_range(options)),
-      length_(shooting_scale(own_system(scene, first)).length),
+      length_(motion_scale(own_system(scene, first)).length),
       speed_unit_(length_ * scene.forcing->frequency),
       map_(own_system(scene, first), strobe) {}
 

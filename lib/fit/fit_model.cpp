@@ -174,7 +174,7 @@ double FitModel::quantity(const MeasuredSeries& series, const System& system,
   if (series.quantity == Quantity::kRate) return coordinate(observed.qdot);
   if (series.quantity == Quantity::kForce) return observed.forces[series.index];
   const auto i = static_cast<std::size_t>(series.index);
-  const RigidStop& stop = system.stops[i];
+  const Stop& stop = system.stops[i];
   // The row points into the stop, u the way of the structure.
   const double way = scene_.stops[i].side == Side::kAbove ? 1.0 : -1.0;
   const double towards = stop.row.dot(observed.q);

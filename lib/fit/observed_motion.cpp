@@ -128,9 +128,9 @@ class Follower {
     for (const int i : phase.closed())
       observed_.forces[i] = phase.force_at(i, s, observed_.q, observed_.qdot);
     for (const int i : phase.springs().loaded) {
-      const RigidStop& stop = system_.stops[static_cast<std::size_t>(i)];
+      const Stop& stop = system_.stops[static_cast<std::size_t>(i)];
       observed_.forces[i] =
-          stop.spring->at(stop.row.dot(observed_.q) - stop.gap, stop.row.dot(observed_.qdot));
+          stop.force().at(stop.row.dot(observed_.q) - stop.gap, stop.row.dot(observed_.qdot));
     }
   }
 

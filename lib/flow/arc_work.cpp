@@ -191,9 +191,9 @@ Moments moments_along(const CoupledArc& arc, double s) {
 
 // Whether the force of a stop has no part along the motion b.q' = 0 that it allows: d = b/(b.b), to
 // the roundings of forming it.
-bool acts_along_row(const RigidStop& stop) {
+bool acts_along_row(const Stop& stop) {
   constexpr double kRoundings = 16.0;
-  return (stop.direction * stop.row.squaredNorm() - stop.row).norm() <=
+  return (stop.direction() * stop.row.squaredNorm() - stop.row).norm() <=
          kRoundings * std::numeric_limits<double>::epsilon() * stop.row.norm();
 }
 
@@ -210,7 +210,7 @@ void add_coupled(const System& system, const ContactPhase<double>& phase, double
   if (system.forcing)
     work.forcing += system.forcing->amplitude.dot(velocity.col(2 * m)) / moments.unit;
   for (const int i : phase.closed()) {
-    const RigidStop& stop = system.stops[static_cast<std::size_t>(i)];
+    const Stop& stop = system.stops[static_cast<std::size_t>(i)];
     if (acts_along_row(stop)) continue;
     const Observable<double>& force = phase.observable(i);
     Vector weight = Vector::Zero(2 * m + 3);
@@ -219,7 +219,7 @@ void add_coupled(const System& system, const ContactPhase<double>& phase, double
     weight.tail(3) << force.harmonic.re, -force.harmonic.im, force.constant;
     weight.tail(3) /= moments.unit;
     // A contact force of 1 N accelerates by -direction |row|^2.
-    work.constraint -= stop.row.squaredNorm() * stop.direction.dot(velocity * weight);
+    work.constraint -= stop.row.squaredNorm() * stop.direction().dot(velocity * weight);
   }
 }
 

@@ -84,7 +84,7 @@ ContactPhase<Real>::ContactPhase(const System& given, const std::vector<int>& cl
   if (!holds_.empty())
     shares = rows_ * (rows_.transpose() * directions_).transpose().fullPivLu().inverse();
   for (std::size_t i = 0; i < system.stops.size(); ++i) {
-    const RigidStop& stop = system.stops[i];
+    const Stop& stop = system.stops[i];
     const RealVector<Real> row = stop.row.template cast<Real>();
     const auto found = std::find(holds_.begin(), holds_.end(), static_cast<int>(i));
     const Observable<Real> observable =

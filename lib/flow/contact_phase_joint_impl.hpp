@@ -18,7 +18,7 @@ template <class Real>
 System ContactPhase<Real>::with_joint_held(const System& system, double angle) const {
   System held = system;
   const Vector& row = system.rotation->angle;
-  held.stops.push_back({row, angle, momentum_direction(row), Restitution(0.0)});
+  held.stops.push_back({row, angle, ImpactLaw{momentum_direction(row)}});
   return held;
 }
 

@@ -84,10 +84,10 @@ SprungSystem ContactPhase<Real>::sprung_system(const System& system) const {
     }
     const auto add = [&](const std::vector<int>& stops, bool loaded) {
       for (const int i : stops) {
-        const RigidStop& stop = system.stops[static_cast<std::size_t>(i)];
+        const Stop& stop = system.stops[static_cast<std::size_t>(i)];
         const Vector row = holds_.empty() ? stop.row : Vector(basis_.transpose() * stop.row);
         const Vector acting = left_.size() > 0 ? Vector(left_ * stop.row) : row;
-        sprung.springs.push_back({*stop.spring, row, acting, loaded, stop.row});
+        sprung.springs.push_back({stop.force(), row, acting, loaded, stop.row});
       }
     };
     add(springs_.loaded, true);
@@ -106,10 +106,10 @@ void ContactPhase<Real>::add_powers(const System& system, SprungSystem& sprung) 
     if (system.forcing) powers.forcing = basis_.transpose() * system.forcing->amplitude;
     powers.damping = basis_.transpose() * (2.0 * system.delta).asDiagonal() * basis_;
     for (const int i : holds_) {
-      const RigidStop& stop = system.stops[static_cast<std::size_t>(i)];
+      const Stop& stop = system.stops[static_cast<std::size_t>(i)];
       // A contact force of 1 N accelerates by -direction |row|^2.
       powers.held.push_back({watches_[static_cast<std::size_t>(i)],
-                             stop.row.squaredNorm() * basis_.transpose() * stop.direction});
+                             stop.row.squaredNorm() * basis_.transpose() * stop.direction()});
     }
   }
 }
@@ -117,7 +117,7 @@ void ContactPhase<Real>::add_powers(const System& system, SprungSystem& sprung) 
 template <class Real>
 void ContactPhase<Real>::spring_by(const System& system, const std::optional<StepSetting>& steps) {
   if constexpr (std::is_same_v<Real, double>) {
-    for (const RigidStop& stop : system.stops) {
+    for (const Stop& stop : system.stops) {
       whole_rows_.push_back(stop.row);
       gaps_.push_back(stop.gap);
     }

@@ -15,7 +15,7 @@ Matrix directions_of(const System& system, const std::vector<int>& stops) {
   Matrix directions(system.modes(), static_cast<Eigen::Index>(stops.size()));
   for (std::size_t a = 0; a < stops.size(); ++a)
     directions.col(static_cast<Eigen::Index>(a)) =
-        system.stops[static_cast<std::size_t>(stops[a])].direction;
+        system.stops[static_cast<std::size_t>(stops[a])].direction();
   return directions;
 }
 

@@ -56,7 +56,7 @@ LinearSystem<Real> linear_system(const System& system) {
   }
   if (system.load) linear.load = system.load->template cast<Real>();
   if (system.stops.empty()) linear.reach = std::numeric_limits<Real>::infinity();
-  for (const RigidStop& stop : system.stops) {
+  for (const Stop& stop : system.stops) {
     const double row = stop.row.norm();
     if (row > 0.0) linear.reach = std::max<Real>(linear.reach, std::abs(stop.gap) / row);
   }

@@ -35,11 +35,11 @@ struct Source {
     for (std::size_t i = 0; i < contacts.size(); ++i) {
       if (!own.springs[i].loaded) continue;
       const ContactForce& law = own.springs[i].law;
-      const RigidStop& rate = tangent.stops[static_cast<std::size_t>(springs[i])];
+      const Stop& rate = tangent.stops[static_cast<std::size_t>(springs[i])];
       const double x = contacts[i].depth, u = contacts[i].rate;
       double force =
           law.by_depth(x, u) * (rate.row.dot(q) - rate.gap) + law.resistance(x) * rate.row.dot(v);
-      if (rate.spring) force += law.rate_at(x, u, *rate.spring);
+      if (rate.is_compliant()) force += law.rate_at(x, u, rate.force());
       acceleration -= force * own.springs[i].acting + law.at(x, u) * rate.row;
     }
   }

@@ -31,14 +31,14 @@ std::optional<ClosedChatter<Real>> Motion<Real>::close_chatter(
   }
   if (auto closed = close_shared(speed)) return closed;
   if (hits != 1 || !(fastest->speed <= closure_speed)) return {};
-  return close_chatter(fastest->stop, stop(fastest->stop).restitution.at(fastest->speed));
+  return close_chatter(fastest->stop, stop(fastest->stop).restitution().at(fastest->speed));
 }
 
 template <class Real>
 std::optional<ClosedChatter<Real>> Motion<Real>::close_chatter(int i, const Real& restitution) {
   using std::abs;
   const Real leaving = -approach_speed(i);
-  if (!(restitution < 1) || !(stop(i).restitution.at_rest() < 1) || !(leaving > 0)) return {};
+  if (!(restitution < 1) || !(stop(i).restitution().at_rest() < 1) || !(leaving > 0)) return {};
   for (const int j : order_)
     if (j != i && contact(j) != Contact::kClear && contact(j) != Contact::kClosed) return {};
   const CurvePoint<Real> now = start_phase().gap_rate(i, 2);
@@ -126,7 +126,7 @@ std::vector<int> Motion<Real>::chattering_together(const Real& closure_speed) co
   for (const int i : order_) {
     if (contact(i) == Contact::kClear && !(2 * most * gap(i) <= closure_speed * closure_speed))
       continue;
-    if (!(stop(i).restitution.at_rest() < 1)) return {};
+    if (!(stop(i).restitution().at_rest() < 1)) return {};
     near.push_back(i);
     pushes.push_back(stop(i).row.dot(acceleration));
     roundings.push_back(push_rounding(i, size));
@@ -174,7 +174,7 @@ std::optional<ClosedChatter<Real>> Motion<Real>::close_shared(const Real& closur
     chatter.gaps[a] = apart ? static_cast<double>(gap(i)) : 0.0;
     chatter.speeds[a] = is_held(i) ? 0.0 : static_cast<double>(approach_speed(i));
     chatter.pushes[a] = static_cast<double>(stop(i).row.dot(acceleration));
-    chatter.restitutions.push_back(stop(i).restitution);
+    chatter.restitutions.push_back(stop(i).restitution());
   }
   // A look at it costs as much as a thousand impacts.
   const Real left = Real(speed_left(chatter));

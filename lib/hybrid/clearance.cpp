@@ -188,7 +188,7 @@ std::optional<State> clear_for_ever(const System& system, const ExactFlow<double
     steady.qdot[j] = -frequency * (mode.forced.re * n + mode.forced.im * c);
     free[j] = std::hypot(state.q[j] - steady.q[j], (state.qdot[j] - steady.qdot[j]) / mode.omega);
   }
-  for (const RigidStop& stop : system.stops) {
+  for (const Stop& stop : system.stops) {
     double re = 0.0, im = 0.0, swing = 0.0, rest = 0.0, size = std::abs(stop.gap);
     for (int j = 0; j < system.modes(); ++j) {
       const ModeFlow<double>& mode = flow.mode(j);

@@ -146,8 +146,8 @@ template <class Real>
 void Motion<Real>::turn_directions() {
   if constexpr (std::is_same_v<Real, double>) {
     if (!turning_) return;
-    for (Stop& stop : stops_) {
-      if (stop.spring) continue;
+    for (MetStop& stop : stops_) {
+      if (stop.is_compliant()) continue;
       stop.direction = turning_->accelerated(stop.row, now_.q);
       stop.direction /= stop.row.dot(stop.direction);
       stop.norm2 = 0.0;
@@ -204,7 +204,7 @@ bool Motion<Real>::decide_resting(const std::vector<int>& resting) {
   const RealVector<Real> acceleration = free_acceleration(&size);
   RealVector<Real> push(k), rounding(k);
   for (Eigen::Index a = 0; a < k; ++a) {
-    const Stop& s = stop(candidates[static_cast<std::size_t>(a)]);
+    const MetStop& s = stop(candidates[static_cast<std::size_t>(a)]);
     push[a] = s.row.dot(acceleration);
     rounding[a] = push_rounding(candidates[static_cast<std::size_t>(a)], size);
   }

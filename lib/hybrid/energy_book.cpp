@@ -32,8 +32,8 @@ void impact_energy(const System& system, const std::vector<ImpactShare<double>>&
   double elsewhere = 0.0;
   // Sums are formed in the order of the shares, which knows nothing of how stops are listed.
   for (const ImpactShare<double>& share : shares) {
-    const RigidStop& s = system.stops[static_cast<std::size_t>(share.stop)];
-    const double r = s.restitution.at(share.speed);
+    const Stop& s = system.stops[static_cast<std::size_t>(share.stop)];
+    const double r = s.restitution().at(share.speed);
     const double change =
         !acts(share) ? 0.0
         : system.rotation
@@ -41,8 +41,8 @@ void impact_energy(const System& system, const std::vector<ImpactShare<double>>&
             ? -0.5 * share.impulse / mobility(*system.rotation, s.row, q) *
                   (share.speed + share.speed_after)
             : alone && share.speed_after == -r * share.speed
-                  ? impact_energy_change(s.row, s.direction, before, r)
-                  : shared_energy_change(s.row, s.direction, share.impulse, share.speed,
+                  ? impact_energy_change(s.row, s.direction(), before, r)
+                  : shared_energy_change(s.row, s.direction(), share.impulse, share.speed,
                                          share.speed_after, 0.5 * (before + after));
     energy.total += change;
     if (share.hit)
@@ -76,8 +76,8 @@ Work operator+(const Work& a, const Work& b) {
 double closure_energy_change(const System& system, const std::vector<int>& closed, double theta,
                              const State& before, const State& after, Work& work) {
   if (system.rotation) return energy_change(system, before, after);
-  const RigidStop& only = system.stops[static_cast<std::size_t>(closed.front())];
-  if (closed.size() == 1) return impact_energy_change(only.row, only.direction, before.qdot, 0.0);
+  const Stop& only = system.stops[static_cast<std::size_t>(closed.front())];
+  if (closed.size() == 1) return impact_energy_change(only.row, only.direction(), before.qdot, 0.0);
   const Work shift = work_at_once(system, theta, after.q - before.q);
   work = work + shift;
   return energy_change(system, before, after) - shift.forcing - shift.load;

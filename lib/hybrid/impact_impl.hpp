@@ -38,8 +38,8 @@ int Motion<Real>::lone_stop() const {
 // What impact() comes to on one stop that is approached: p = v- - v+.
 template <class Real>
 void Motion<Real>::impact_alone(int i) {
-  const Stop& s = stop(i);
-  const Real speed = approach_speed(i), target = -s.restitution.at(speed) * speed;
+  const MetStop& s = stop(i);
+  const Real speed = approach_speed(i), target = -s.restitution().at(speed) * speed;
   Real impulse = speed - target;
   push_back(s, impulse);
   // Twice, as in apply().
@@ -131,8 +131,8 @@ typename Motion<Real>::Jump Motion<Real>::jump_of(const Touched& touched) const 
     partakes.push_back(a);
     const Real speed = touched.speed[a];
     if (!(speed > 0)) continue;
-    const Stop& s = stop(touched.stops[static_cast<std::size_t>(a)]);
-    jump.target[a] = -s.restitution.at(speed) * speed;
+    const MetStop& s = stop(touched.stops[static_cast<std::size_t>(a)]);
+    jump.target[a] = -s.restitution().at(speed) * speed;
     undone[a] = speed - jump.target[a];
   }
   if (partakes.size() == 1) {
@@ -199,7 +199,7 @@ RealMatrix<Real> Motion<Real>::delassus(const std::vector<int>& stops) const {
 
 // Along the row itself where it can be: a rounded direction errs to the same side at every impact.
 template <class Real>
-void Motion<Real>::push_back(const Stop& s, const Real& amount) {
+void Motion<Real>::push_back(const MetStop& s, const Real& amount) {
   if (s.norm2 > 0)
     now_.qdot -= (amount / s.norm2) * s.row;
   else

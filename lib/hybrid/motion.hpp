@@ -178,12 +178,16 @@ class Motion {
 
  private:
   using Matrix_ = RealMatrix<Real>;
-  struct Stop {
+  // A stop of the system in the scalar of the motion.
+  struct MetStop {
     RealVector<Real> row, direction;
     Real gap = 0;
-    Restitution restitution{0.0};
-    std::optional<ContactForce> spring{};
     Real norm2 = 0;  // |row|^2 where the direction is row/|row|^2 to rounding; 0: it is oblique
+    Stop given{};
+
+    bool is_compliant() const { return given.is_compliant(); }
+    const Restitution& restitution() const { return given.restitution(); }
+    const ContactForce& force() const { return given.force(); }
   };
   struct Change {
     ArrivalKind kind;
@@ -198,7 +202,7 @@ class Motion {
   };
 
   void adopt(const System& system);
-  const Stop& stop(int i) const { return stops_[static_cast<std::size_t>(i)]; }
+  const MetStop& stop(int i) const { return stops_[static_cast<std::size_t>(i)]; }
   Contact contact(int i) const { return now_.contacts[static_cast<std::size_t>(i)]; }
   bool is_held(int i) const {
     return contact(i) == Contact::kClosed || contact(i) == Contact::kLocked;
@@ -239,7 +243,7 @@ class Motion {
   // D: how the impulse of each of these stops acts on the approach speed at each.
   Matrix_ delassus(const std::vector<int>& stops) const;
   // q' -= amount d
-  void push_back(const Stop& stop, const Real& amount);
+  void push_back(const MetStop& stop, const Real& amount);
   // q' -= sum_i amounts_i d_i
   void push_back_from(const std::vector<int>& stops, const RealVector<Real>& amounts);
 
@@ -315,7 +319,7 @@ class Motion {
   ExactFlow<Real> clock_;
   LinearSystem<Real> linear_;
   mutable std::optional<TurningStructure> turning_;
-  std::vector<Stop> stops_;
+  std::vector<MetStop> stops_;
   // In which rigid stops are looked at: the same however they are listed; then the compliant ones.
   std::vector<int> order_, compliant_, all_;
   MotionState<Real> now_, departure_;

@@ -25,11 +25,11 @@ namespace motion_detail {
 inline constexpr int kMostStandstills = 1000;
 
 // Whether stop a comes before stop b in an order that knows nothing of how they are listed.
-inline bool precedes(const RigidStop& a, const RigidStop& b) {
+inline bool precedes(const Stop& a, const Stop& b) {
   for (Eigen::Index j = 0; j < a.row.size(); ++j)
     if (a.row[j] != b.row[j]) return a.row[j] < b.row[j];
   if (a.gap != b.gap) return a.gap < b.gap;
-  return a.restitution.coefficients() < b.restitution.coefficients();
+  return a.restitution().coefficients() < b.restitution().coefficients();
 }
 
 }  // namespace motion_detail
@@ -66,12 +66,12 @@ Motion<Real>::Motion(const System& system, const MotionState<Real>& state,
 
 template <class Real>
 void Motion<Real>::adopt(const System& system) {
-  for (const RigidStop& stop : system.stops) {
-    (stop.spring ? compliant_ : order_).push_back(static_cast<int>(stops_.size()));
-    const bool is_normal = stop.direction == momentum_direction(stop.row);
+  for (const Stop& stop : system.stops) {
+    (stop.is_compliant() ? compliant_ : order_).push_back(static_cast<int>(stops_.size()));
+    const bool is_normal = !stop.is_compliant() && stop.direction() == momentum_direction(stop.row);
     const RealVector<Real> row = stop.row.template cast<Real>();
-    stops_.push_back({row, stop.direction.template cast<Real>(), Real(stop.gap), stop.restitution,
-                      stop.spring, is_normal ? row.squaredNorm() : Real(0)});
+    stops_.push_back({row, stop.direction().template cast<Real>(), Real(stop.gap),
+                      is_normal ? row.squaredNorm() : Real(0), stop});
   }
   std::stable_sort(order_.begin(), order_.end(), [&](int a, int b) {
     return motion_detail::precedes(system.stops[static_cast<std::size_t>(a)],
@@ -292,8 +292,8 @@ Arrival<Real> Motion<Real>::arrive(Arrival<Real> arrival, const Real& until) {
       arrival.kind = ArrivalKind::kNotFinite;
       return arrival;
     }
-  if (arrival.stop >= 0 && stop(arrival.stop).spring && arrival.kind != ArrivalKind::kTime &&
-      arrival.kind != ArrivalKind::kUndecided) {
+  if (arrival.stop >= 0 && stop(arrival.stop).is_compliant() &&
+      arrival.kind != ArrivalKind::kTime && arrival.kind != ArrivalKind::kUndecided) {
     arrive_at_spring(arrival);
     return arrival;
   }
@@ -348,7 +348,7 @@ void Motion<Real>::touch_simultaneous(const Real& flight) {
 template <class Real>
 void Motion<Real>::settle_on(int i, const Real& flight) {
   using std::abs;
-  const Stop& s = stop(i);
+  const MetStop& s = stop(i);
   const auto moves = [&](Eigen::Index j) {
     const Real w = linear_.omega[j];
     return Real(abs(now_.q[j]) + abs(now_.qdot[j]) * (w * flight > 1 ? Real(1 / w) : flight));

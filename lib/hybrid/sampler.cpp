@@ -24,9 +24,9 @@ bool Sampler::hand_out(Motion<double>& motion, double start_time, double flight,
           steps ? phase.force_at(i, s, sample.state.q, sample.state.qdot)
                 : phase.force(i, flight).at(s, 0).value;
     for (const int i : phase.springs().loaded) {
-      const RigidStop& stop = system_.stops[static_cast<std::size_t>(i)];
+      const Stop& stop = system_.stops[static_cast<std::size_t>(i)];
       sample.forces[static_cast<std::size_t>(i)] =
-          stop.spring->at(stop.row.dot(sample.state.q) - stop.gap, stop.row.dot(sample.state.qdot));
+          stop.force().at(stop.row.dot(sample.state.q) - stop.gap, stop.row.dot(sample.state.qdot));
     }
     if (energy_) {
       sample.energy = book;

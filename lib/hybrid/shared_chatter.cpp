@@ -45,7 +45,8 @@ ContactsAlone contacts_alone(const SharedChatter& chatter,
   alone.system.load = directions * factors.solve(chatter.pushes);
   for (Eigen::Index i = 0; i < k; ++i)
     alone.system.stops.push_back(
-        {rows.col(i), 0.0, directions.col(i), chatter.restitutions[static_cast<std::size_t>(i)]});
+        {rows.col(i), 0.0,
+         ImpactLaw{directions.col(i), chatter.restitutions[static_cast<std::size_t>(i)]}});
   alone.start = {-directions * factors.solve(chatter.gaps),
                  directions * factors.solve(chatter.speeds)};
   return alone;
@@ -75,7 +76,7 @@ double fastest_hit(const std::vector<ImpactShare<double>>& shares) {
 void close_each(Motion<double>& motion, const std::vector<ImpactShare<double>>& shares,
                 const ContactsAlone& alone) {
   for (const ImpactShare<double>& share : shares) {
-    const Restitution& r = alone.system.stops[static_cast<std::size_t>(share.stop)].restitution;
+    const Restitution& r = alone.system.stops[static_cast<std::size_t>(share.stop)].restitution();
     if (share.hit) motion.close_chatter(share.stop, r.at(share.speed));
   }
 }

@@ -71,7 +71,7 @@ class Run {
 
  private:
   int stops() const { return static_cast<int>(system_.stops.size()); }
-  const RigidStop& stop(int i) const { return system_.stops[static_cast<std::size_t>(i)]; }
+  const Stop& stop(int i) const { return system_.stops[static_cast<std::size_t>(i)]; }
   bool is_stuck(int i) const {
     return motion_.is_closed(i) && !(state_.tail && state_.tail->holds(i));
   }
@@ -155,7 +155,7 @@ class Run {
         return true;
       case ArrivalKind::kTouch:
         // A spring that is touched is compressed or left next: no impact is passed over.
-        if (!stop(arrival.stop).spring) ++state_.totals.undecided_touches;
+        if (!stop(arrival.stop).is_compliant()) ++state_.totals.undecided_touches;
         return true;
       case ArrivalKind::kContact:
         book_impact();
@@ -249,7 +249,7 @@ class Run {
     if (system_.forcing) event.phase = wrapped(motion_.flow().phase(motion_.instant()));
     note_gap_at(share.stop);
     ++state_.totals.impacts;
-    if (stop(share.stop).restitution.clamps_at(share.speed)) ++state_.totals.clamped_restitutions;
+    if (stop(share.stop).restitution().clamps_at(share.speed)) ++state_.totals.clamped_restitutions;
     state_.streaks[static_cast<std::size_t>(share.stop)].add(share.speed);
     emit(event);
   }
@@ -284,7 +284,7 @@ class Run {
 
   // From surface to surface.
   void book_contacts(int i) {
-    if (!stop(i).spring) return;
+    if (!stop(i).is_compliant()) return;
     book_energy(contact_at(i).change_before, false);
     contact_at(i).change_before = 0.0;
   }
@@ -327,7 +327,7 @@ class Run {
     // A chatter that could not be summed and was followed down to the rounding of its speeds.
     const RunState::Streak& streak = state_.streaks[static_cast<std::size_t>(i)];
     if (streak.impacts > 1 && streak.speed <= state_.closure_speed &&
-        stop(i).restitution.at(streak.speed) > 0.0) {
+        stop(i).restitution().at(streak.speed) > 0.0) {
       ++state_.totals.chatters;
       emit(chatter_event(i));
     }

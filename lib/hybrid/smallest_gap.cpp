@@ -12,10 +12,10 @@ void note_gap(double gap, RunTotals& totals) {
   totals.smallest_gap = std::min(gap, totals.smallest_gap.value_or(gap));
 }
 
-void note_gap_at(const RigidStop& stop, const Vector& q, RunTotals& totals) {
+void note_gap_at(const Stop& stop, const Vector& q, RunTotals& totals) {
   const GapValue<double> gap = gap_value<double>(stop.row, q, stop.gap);
   const double value = std::abs(gap.value) <= gap.rounding ? 0.0 : gap.value;
-  if (!stop.spring) totals.penetration = std::max(totals.penetration, -value);
+  if (!stop.is_compliant()) totals.penetration = std::max(totals.penetration, -value);
   note_gap(value, totals);
 }
 

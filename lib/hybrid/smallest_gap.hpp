@@ -10,7 +10,7 @@ namespace graze {
 
 void note_gap(double gap, RunTotals& totals);
 // That at displacements q; within its rounding of zero it is zero.
-void note_gap_at(const RigidStop& stop, const Vector& q, RunTotals& totals);
+void note_gap_at(const Stop& stop, const Vector& q, RunTotals& totals);
 // The smallest minimum along a flight: beyond the first contact it is not part of the motion; the
 // contact itself is zero.
 void note_minimum(const ArcCurve<double>& gap, RunTotals& totals);

@@ -38,12 +38,12 @@ template <class Real>
 Real Motion<Real>::spring_force(int i) const {
   if (contact(i) != Contact::kCompressed) return 0;
   return Real(
-      stop(i).spring->at(static_cast<double>(depth(i)), static_cast<double>(approach_speed(i))));
+      stop(i).force().at(static_cast<double>(depth(i)), static_cast<double>(approach_speed(i))));
 }
 
 template <class Real>
 double Motion<Real>::spring_energy(int i) const {
-  return stop(i).spring->stored(static_cast<double>(depth(i)));
+  return stop(i).force().stored(static_cast<double>(depth(i)));
 }
 
 template <class Real>
@@ -71,7 +71,7 @@ void Motion<Real>::begin_springs() {
 
 template <class Real>
 void Motion<Real>::compress(int i) {
-  const ContactForce& law = *stop(i).spring;
+  const ContactForce& law = stop(i).force();
   const bool holds = !law.parts_early() || law.grip(static_cast<double>(depth(i)),
                                                     static_cast<double>(approach_speed(i))) >= 0.0;
   set(i, holds ? Contact::kCompressed : Contact::kParted);
@@ -132,7 +132,7 @@ void Motion<Real>::watch_springs(ContactPhase<Real>& phase, std::vector<Watched>
       }
       list.push_back({i, &phase.depth_watch(k, multiplicity, departure),
                       loaded ? ArrivalKind::kSeparation : ArrivalKind::kLeft});
-      if (stop(i).spring->parts_early())
+      if (stop(i).force().parts_early())
         list.push_back({i, &phase.grip_watch(k, now_.multiplicities[static_cast<std::size_t>(i)]),
                         loaded ? ArrivalKind::kSeparation : ArrivalKind::kEntry, true});
       ++k;

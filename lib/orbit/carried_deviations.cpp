@@ -39,7 +39,7 @@ void CarriedDeviations::carry(const Arrival<double>& arrival) {
   const Deviations change = change_along(arrival.flight, closed);
   Eigen::RowVectorXd reach(deviations_->count());
   if (arrival.kind == ArrivalKind::kContact) {
-    const RigidStop& s = stop(arrival.stop);
+    const Stop& s = stop(arrival.stop);
     reach = s.row.transpose() * change.q;
     // A flight that left this stop left it with b.dq = 0, as an identity.
     if (!departed_from(arrival.stop)) reach += s.row.transpose() * deviations_->q;
@@ -77,7 +77,7 @@ void CarriedDeviations::carry_parameter(const Arrival<double>& arrival,
 
 void CarriedDeviations::meet(const Arrival<double>& arrival, const Eigen::RowVectorXd& reach,
                              const std::vector<int>& closed) {
-  const RigidStop& s = stop(arrival.stop);
+  const Stop& s = stop(arrival.stop);
   move_instant(*deviations_, rate_now(closed), -reach / arrival.speed);
   deviations_->q -= s.row * (s.row.transpose() * deviations_->q) / s.row.squaredNorm();
 }
@@ -125,8 +125,8 @@ void CarriedDeviations::undo(const std::vector<int>& stops, const Vector& parts,
 }
 
 void CarriedDeviations::cross_surface(int i, double sign) {
-  const RigidStop& s = stop(i);
-  const double resistance = sign * surface_resistance(*s.spring);
+  const Stop& s = stop(i);
+  const double resistance = sign * surface_resistance(s.force());
   if (resistance == 0.0 || !any()) return;
   undelay(i);
   if (deviations_) deviations_->qdot -= resistance * s.row * (s.row.transpose() * deviations_->q);
@@ -145,13 +145,13 @@ double CarriedDeviations::gap_rate(const PassageDirection& along, int i, double 
       one.q + growth(motion_.flown(), s, one).q + along.parameter * by_parameter.value().q;
   State there{Vector(system_.modes()), Vector(system_.modes())};
   motion_.flown().state(s, there.q, there.qdot);
-  const RigidStop& rate = along.tangent->stops[static_cast<std::size_t>(i)];
+  const Stop& rate = along.tangent->stops[static_cast<std::size_t>(i)];
   return along.parameter * (rate.gap - rate.row.dot(there.q)) - stop(i).row.dot(q);
 }
 
 double CarriedDeviations::speed_rate(const PassageDirection& along, int i,
                                      const State& before) const {
-  const RigidStop& rate = along.tangent->stops[static_cast<std::size_t>(i)];
+  const Stop& rate = along.tangent->stops[static_cast<std::size_t>(i)];
   return stop(i).row.dot(deviations_->qdot * along.deviations) +
          along.parameter * (stop(i).row.dot(parameter_->value().qdot) + rate.row.dot(before.qdot));
 }

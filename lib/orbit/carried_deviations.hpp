@@ -47,7 +47,7 @@ class CarriedDeviations {
   std::vector<int> closed_now() const;
 
  private:
-  const RigidStop& stop(int i) const { return system_.stops[static_cast<std::size_t>(i)]; }
+  const Stop& stop(int i) const { return system_.stops[static_cast<std::size_t>(i)]; }
   State state_now() const { return {motion_.q(), motion_.qdot()}; }
   State rate_now(const std::vector<int>& closed, int without = -1) const;
   bool departed_from(int stop) const;

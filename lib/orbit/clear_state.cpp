@@ -7,16 +7,16 @@
 namespace graze {
 
 bool is_clear(const System& system, const State& state) {
-  return std::all_of(system.stops.begin(), system.stops.end(), [&](const RigidStop& stop) {
+  return std::all_of(system.stops.begin(), system.stops.end(), [&](const Stop& stop) {
     const GapValue<double> gap = gap_value<double>(stop.row, state.q, stop.gap);
-    return stop.spring || gap.value >= -gap.rounding;
+    return stop.is_compliant() || gap.value >= -gap.rounding;
   });
 }
 
 bool bring_clear(const System& system, State& state) {
-  for (const RigidStop& stop : system.stops) {
+  for (const Stop& stop : system.stops) {
     const GapValue<double> gap = gap_value<double>(stop.row, state.q, stop.gap);
-    if (!stop.spring && gap.value < -gap.rounding) state.q += gap.value * stop.direction;
+    if (!stop.is_compliant() && gap.value < -gap.rounding) state.q += gap.value * stop.direction();
   }
   return is_clear(system, state);
 }

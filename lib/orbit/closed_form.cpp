@@ -98,16 +98,16 @@ std::vector<ImpactPoint> ClosedForm::solutions(double full_gap) const {
 
 ClosedFormAnswer closed_form(const System& system, int stop_index, int period) {
   if (!system.forcing) return {{}, "there is no forcing"};
-  if (!system.stops[static_cast<std::size_t>(stop_index)].restitution.is_constant())
+  if (!system.stops[static_cast<std::size_t>(stop_index)].restitution().is_constant())
     return {{}, "the restitution depends on the speed"};
   const Eigen::Index n = system.modes();
   const ExactFlow<double> flow(system);
-  const RigidStop& stop = system.stops[static_cast<std::size_t>(stop_index)];
+  const Stop& stop = system.stops[static_cast<std::size_t>(stop_index)];
   const State rest{Vector::Zero(n), Vector::Zero(n)};
   const Transition motion = transition(system, flow, rest, 0.0, period * system.period());
   Matrix jump = Matrix::Identity(2 * n, 2 * n);
   jump.bottomRightCorner(n, n) -=
-      (1.0 + stop.restitution.at_rest()) * stop.direction * stop.row.transpose();
+      (1.0 + stop.restitution().at_rest()) * stop.direction() * stop.row.transpose();
   RepeatedArc arc{{}, {}, stop.row, Vector::Ones(2 * n)};
   arc.unit.tail(n) = system.omega.cwiseMax(flow.frequency());
   const auto in_units = [&arc](const Matrix& m) {
@@ -116,7 +116,7 @@ ClosedFormAnswer closed_form(const System& system, int stop_index, int period) {
   arc.matrix =
       Matrix::Identity(2 * n, 2 * n) - in_units(motion.flow.times(jump)) * arc.unit.asDiagonal();
   Vector kick = Vector::Zero(2 * n);
-  kick.tail(n) = flow.frequency() * stop.direction;
+  kick.tail(n) = flow.frequency() * stop.direction();
   arc.kick = in_units(motion.flow.times(kick));
 
   const State loaded = load_response(system, flow, period * system.period());

@@ -19,7 +19,7 @@ class StrobedMotion {
  public:
   StrobedMotion(const System& system, const State& start, const ExponentOptions& options)
       : system_(system), unit_(2 * system.modes()) {
-    const ShootingScale scale = shooting_scale(system);
+    const MotionScale scale = motion_scale(system);
     unit_ << Vector::Constant(system.modes(), scale.displacement), scale.velocity;
     at_ = Motion<double>(system, {}, start.q, start.qdot).state();
     passage_.closure_speed = options.closure_speed;
@@ -43,7 +43,7 @@ class StrobedMotion {
     const bool stays =
         std::any_of(passed.impacts.begin(), passed.impacts.end(), [&](const PassedImpact& impact) {
           const auto stop = static_cast<std::size_t>(impact.stop);
-          return system_.stops[stop].restitution.at(impact.speed) == 0.0;
+          return system_.stops[stop].restitution().at(impact.speed) == 0.0;
         });
     rank_ = 2 * n - (!passed.holds.empty() ? 2 : stays ? 1 : 0);
     Matrix image(2 * n, directions.cols());

@@ -73,7 +73,7 @@ Orbit outline(const PhaseSolution& solution) {
 class Finder {
  public:
   Finder(const System& system, const std::optional<State>& start, const FinderOptions& options)
-      : system_(system), start_(start), options_(options), scale_(shooting_scale(system)) {}
+      : system_(system), start_(start), options_(options), scale_(motion_scale(system)) {}
 
   FoundOrbits find() {
     const bool one_impact = !options_.impacts || *options_.impacts == 1;
@@ -346,12 +346,12 @@ class Finder {
   }
 
   // m/s, of the forced motion
-  double speed_scale() const { return scale_.length * system_.forcing->frequency; }
+  double speed_scale() const { return scale_.speed; }
 
   const System& system_;
   const std::optional<State>& start_;
   const FinderOptions& options_;
-  ShootingScale scale_;
+  MotionScale scale_;
   FoundOrbits found_;
 };
 

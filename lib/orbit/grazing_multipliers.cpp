@@ -21,9 +21,9 @@ struct Slow {
   double jump = 0.0, push = 0.0, speed = 0.0;
 };
 
-Slow slow_impact(const System& system, const RigidStop& stop, const ImpactPoint& point) {
+Slow slow_impact(const System& system, const Stop& stop, const ImpactPoint& point) {
   const double v = stop.row.dot(point.before.qdot);
-  return {1.0 + stop.restitution.at(std::abs(v)),
+  return {1.0 + stop.restitution().at(std::abs(v)),
           stop.row.dot(vector_field(system, point.before, point.theta).qdot), v};
 }
 
@@ -42,25 +42,25 @@ std::optional<std::vector<Eigenvalue>> multipliers_at_grazing(
   std::optional<std::size_t> touch;
   Slow slow;
   for (std::size_t i = 0; i < points.size(); ++i) {
-    const RigidStop& stop = stop_of(system, pattern, i);
+    const Stop& stop = stop_of(system, pattern, i);
     const Slow here = slow_impact(system, stop, points[i]);
     const double size = std::abs(here.jump * here.push) *
-                        stop.direction.cwiseQuotient(unit).norm() * stop.row.norm();
+                        stop.direction().cwiseQuotient(unit).norm() * stop.row.norm();
     if (!(size > kSingular * std::abs(here.speed))) continue;
     if (touch) return {};
     touch = i;
     slow = here;
   }
   if (!touch) return {};
-  const RigidStop& stop = stop_of(system, pattern, *touch);
+  const Stop& stop = stop_of(system, pattern, *touch);
   // S0 and x0 next to each other. The jump of velocities changes what damps them.
   Matrix moved = Matrix::Zero(2 * n, 2 * n + 1);
   moved.leftCols(2 * n).setIdentity();
-  moved.topLeftCorner(n, n) -= slow.jump * stop.direction * stop.row.transpose();
-  moved.block(n, n, n, n) -= slow.jump * stop.direction * stop.row.transpose();
+  moved.topLeftCorner(n, n) -= slow.jump * stop.direction() * stop.row.transpose();
+  moved.block(n, n, n, n) -= slow.jump * stop.direction() * stop.row.transpose();
   moved.block(n, 0, n, n) +=
-      2.0 * slow.jump * system.delta.cwiseProduct(stop.direction) * stop.row.transpose();
-  moved.col(2 * n).tail(n) = slow.jump * slow.push * stop.direction;
+      2.0 * slow.jump * system.delta.cwiseProduct(stop.direction()) * stop.row.transpose();
+  moved.col(2 * n).tail(n) = slow.jump * slow.push * stop.direction();
   const ExactFlow<double> flow(system);
   for (std::size_t passed = 0; passed < points.size(); ++passed) {
     const std::size_t i = (*touch + passed) % points.size();

@@ -18,9 +18,8 @@ std::optional<HeldForce> held_force(const System& system, const std::vector<int>
   if (system.load) held.head(n) = *system.load;
   at_rest.diagonal().head(n) = system.omega.cwiseAbs2();
   for (Eigen::Index i = 0; i < m; ++i) {
-    const RigidStop& one =
-        system.stops[static_cast<std::size_t>(closed[static_cast<std::size_t>(i)])];
-    at_rest.col(n + i).head(n) = one.direction;
+    const Stop& one = system.stops[static_cast<std::size_t>(closed[static_cast<std::size_t>(i)])];
+    at_rest.col(n + i).head(n) = one.direction();
     at_rest.row(n + i).head(n) = one.row.transpose();
     held[n + i] = one.gap;
   }

@@ -6,9 +6,9 @@ namespace graze {
 namespace {
 
 // Exactly: rows on either side of a structure come from the same shapes.
-bool are_opposite(const RigidStop& a, const RigidStop& b) {
-  return a.row == -b.row && a.gap == b.gap && a.direction == -b.direction &&
-         a.restitution.coefficients() == b.restitution.coefficients();
+bool are_opposite(const Stop& a, const Stop& b) {
+  return a.row == -b.row && a.gap == b.gap && a.direction() == -b.direction() &&
+         a.restitution().coefficients() == b.restitution().coefficients();
 }
 
 }  // namespace
@@ -16,7 +16,7 @@ bool are_opposite(const RigidStop& a, const RigidStop& b) {
 std::optional<std::vector<int>> opposite_stops(const System& system) {
   if (system.load && !system.load->isZero(0.0)) return {};
   std::vector<int> opposite;
-  for (const RigidStop& stop : system.stops) {
+  for (const Stop& stop : system.stops) {
     std::size_t other = 0;
     while (other < system.stops.size() && !are_opposite(stop, system.stops[other])) ++other;
     if (other == system.stops.size()) return {};

@@ -22,12 +22,12 @@ constexpr double kNear = 1e-3;
 
 std::optional<NearbyOrbit> nearby_orbit(const System& system, const ImpactPattern& pattern,
                                         const std::vector<ImpactPoint>& points) {
-  const ShootingProblem problem(pattern, shooting_scale(system));
+  const ShootingProblem problem(pattern, motion_scale(system));
   if (problem.size(system) > kMostUnknowns) return {};
   const auto solution = newton(problem, system, problem.pack(points));
   if (!solution) return {};
   NearbyOrbit orbit{pattern, problem.unpack(system, solution->x), {}};
-  if (!(distance(system, shooting_scale(system), orbit, points) <= kNear)) return {};
+  if (!(distance(system, motion_scale(system), orbit, points) <= kNear)) return {};
   const MultiplierCount count = count_multipliers(orbit_multipliers(system, pattern, orbit.points));
   if (count.outside > 0)
     orbit.stable = false;
@@ -36,7 +36,7 @@ std::optional<NearbyOrbit> nearby_orbit(const System& system, const ImpactPatter
   return orbit;
 }
 
-double distance(const System& system, const ShootingScale& scale, const NearbyOrbit& orbit,
+double distance(const System& system, const MotionScale& scale, const NearbyOrbit& orbit,
                 const std::vector<ImpactPoint>& points) {
   if (points.size() != orbit.points.size()) return std::numeric_limits<double>::infinity();
   double largest = 0.0;

@@ -25,7 +25,7 @@ std::optional<NearbyOrbit> nearby_orbit(const System& system, const ImpactPatter
 
 // Largest distance of points of a motion from the orbit's: of phases (rad), relative speeds, and
 // states in units of `scale`. Infinite where they are not as many.
-double distance(const System& system, const ShootingScale& scale, const NearbyOrbit& orbit,
+double distance(const System& system, const MotionScale& scale, const NearbyOrbit& orbit,
                 const std::vector<ImpactPoint>& points);
 
 // The smallest number of forcing periods after which the orbit repeats itself, phases (rad) and

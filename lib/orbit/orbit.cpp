@@ -28,7 +28,7 @@ std::vector<ImpactPassage> impact_passages(const System& system, const ImpactPat
   const ExactFlow<double> flow(system);
   std::vector<ImpactPassage> passages;
   for (std::size_t i = 0; i < points.size(); ++i) {
-    const RigidStop& stop = stop_of(system, pattern, i);
+    const Stop& stop = stop_of(system, pattern, i);
     const double duration = flight_time(system, pattern, points, i);
     passages.push_back({saltation_matrix(system, stop, points[i].before, points[i].theta),
                         flow_matrix(system, flow, duration), duration});
@@ -78,10 +78,10 @@ std::optional<NearestApproach> lowest_corner(const System& system, const ImpactP
                                              const ImpactPoint& point, const State& after,
                                              std::size_t flight, double lowest) {
   std::optional<NearestApproach> nearest;
-  const RigidStop& stop = stop_of(system, pattern, flight);
+  const Stop& stop = stop_of(system, pattern, flight);
   for (std::size_t k = 0; k < system.stops.size(); ++k) {
     if (static_cast<int>(k) == pattern.stops[flight]) continue;
-    const RigidStop& other = system.stops[k];
+    const Stop& other = system.stops[k];
     if (other.row.dot(point.before.qdot) < 0.0 || other.row.dot(after.qdot) > 0.0) continue;
     if (other.gap == stop.gap && other.row == stop.row) continue;  // hit together
     const GapValue<double> gap = gap_value<double>(other.row, point.before.q, other.gap);
@@ -216,7 +216,7 @@ Admissibility admissibility(const System& system, const ImpactPattern& pattern,
   result.admissible = true;
   result.smallest_speed = result.shortest_flight = std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < points.size(); ++i) {
-    const RigidStop& stop = stop_of(system, pattern, i);
+    const Stop& stop = stop_of(system, pattern, i);
     const double speed = stop.row.dot(points[i].before.qdot);
     if (speed < result.smallest_speed) {
       result.smallest_speed = speed;
@@ -226,7 +226,7 @@ Admissibility admissibility(const System& system, const ImpactPattern& pattern,
     result.shortest_flight = std::min(result.shortest_flight, flight);
     if (!(speed > still) || !(flight > 0.0)) result.admissible = false;
     const State after = after_impact(stop, points[i].before);
-    if (stop.restitution.at(speed) == 0.0)
+    if (stop.restitution().at(speed) == 0.0)
       result.push = std::max(result.push.value_or(-std::numeric_limits<double>::infinity()),
                              stop.row.dot(vector_field(system, after, points[i].theta).qdot));
     if (const auto corner = lowest_corner(system, pattern, points[i], after, i, lowest)) {

@@ -9,8 +9,8 @@
 namespace graze {
 namespace {
 
-double speed_rate(const RigidStop& stop, const RigidStop& stop_rate, const State& before,
-                  const State& rate, double parameter) {
+double speed_rate(const Stop& stop, const Stop& stop_rate, const State& before, const State& rate,
+                  double parameter) {
   return stop.row.dot(rate.qdot) + parameter * stop_rate.row.dot(before.qdot);
 }
 
@@ -18,14 +18,14 @@ double speed_rate(const RigidStop& stop, const RigidStop& stop_rate, const State
 State rate_after(const System& system, const ImpactPattern& pattern,
                  const std::vector<ImpactPoint>& points, const OrbitDirection& direction,
                  std::size_t i) {
-  const RigidStop& stop = stop_of(system, pattern, i);
-  const RigidStop& stop_rate = stop_of(*direction.tangent, pattern, i);
+  const Stop& stop = stop_of(system, pattern, i);
+  const Stop& stop_rate = stop_of(*direction.tangent, pattern, i);
   const State &before = points[i].before, &rate = direction.impacts[i].before;
   const double v = stop.row.dot(before.qdot), p = direction.parameter;
-  const double jump = (1.0 + stop.restitution.at(v)) * v;
+  const double jump = (1.0 + stop.restitution().at(v)) * v;
   const double jump_rate = jump_slope(stop, v) * speed_rate(stop, stop_rate, before, rate, p) +
-                           p * stop.restitution.rate_at(v, stop_rate.restitution) * v;
-  return {rate.q, rate.qdot - jump_rate * stop.direction - (p * jump) * stop_rate.direction};
+                           p * stop.restitution().rate_at(v, stop_rate.restitution()) * v;
+  return {rate.q, rate.qdot - jump_rate * stop.direction() - (p * jump) * stop_rate.direction()};
 }
 
 // The flight after an impact, with its approaches to the stops.
@@ -75,7 +75,7 @@ class Flight {
 
   OrbitMargin margin_at(const ArcCurve<double>& curve, std::size_t k,
                         const GapMinimum& minimum) const {
-    const RigidStop &stop = system_.stops[k], &stop_rate = direction_.tangent->stops[k];
+    const Stop &stop = system_.stops[k], &stop_rate = direction_.tangent->stops[k];
     const double p = direction_.parameter, frequency = system_.forcing->frequency;
     const Transition there = transition(system_, flow_, after_, points_[i_].theta, minimum.s);
     const State by_parameter =
@@ -115,7 +115,7 @@ std::vector<OrbitMargin> speed_margins(const System& system, const ImpactPattern
                                        const OrbitDirection& direction) {
   std::vector<OrbitMargin> margins;
   for (std::size_t i = 0; i < points.size(); ++i) {
-    const RigidStop& stop = stop_of(system, pattern, i);
+    const Stop& stop = stop_of(system, pattern, i);
     OrbitMargin margin;
     margin.impact = i;
     margin.stop = pattern.stops[i];

@@ -54,7 +54,7 @@ void ParameterDeviation::meet_at_once(int i, const State& at, const State& rate,
 
 void ParameterDeviation::move_to(int i, const State& at, const State& rate, double shift) {
   move_instant(column_, rate, Eigen::RowVectorXd::Constant(1, shift));
-  const RigidStop& s = stop(i);
+  const Stop& s = stop(i);
   const double beyond = s.row.dot(column_.q.col(0)) + stop_rate(i).row.dot(at.q) - stop_rate(i).gap;
   column_.q.col(0) -= s.row * (beyond / s.row.squaredNorm());
 }
@@ -81,14 +81,14 @@ void ParameterDeviation::jump(const std::vector<ImpactShare<double>>& shares,
   std::vector<double> impulses, rates;
   for (const ImpactShare<double>& share : shares) {
     if (!(share.impulse > 0.0)) continue;
-    const RigidStop &s = stop(share.stop), &rate = stop_rate(share.stop);
+    const Stop &s = stop(share.stop), &rate = stop_rate(share.stop);
     const double speed_rate = s.row.dot(column_.qdot.col(0)) + rate.row.dot(qdot_before);
     const bool rebounds = share.speed_after < 0.0;
     stops.push_back(share.stop);
     impulses.push_back(share.impulse);
     rates.push_back(rebounds
                         ? jump_slope(s, share.speed) * speed_rate +
-                              s.restitution.rate_at(share.speed, rate.restitution) * share.speed
+                              s.restitution().rate_at(share.speed, rate.restitution()) * share.speed
                         : speed_rate);
   }
   if (stops.empty()) return;

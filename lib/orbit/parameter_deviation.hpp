@@ -48,8 +48,8 @@ class ParameterDeviation {
   void end(const State& rate);
 
  private:
-  const RigidStop& stop(int i) const { return system_->stops[static_cast<std::size_t>(i)]; }
-  const RigidStop& stop_rate(int i) const { return tangent_->stops[static_cast<std::size_t>(i)]; }
+  const Stop& stop(int i) const { return system_->stops[static_cast<std::size_t>(i)]; }
+  const Stop& stop_rate(int i) const { return tangent_->stops[static_cast<std::size_t>(i)]; }
   struct Acting {
     Matrix rows, directions, rows_rate, directions_rate;  // N x k
     Matrix coupling_rate;                                 // of B^T D

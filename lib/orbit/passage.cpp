@@ -60,7 +60,7 @@ class Follower {
   }
 
  private:
-  const RigidStop& stop(int i) const { return system_.stops[static_cast<std::size_t>(i)]; }
+  const Stop& stop(int i) const { return system_.stops[static_cast<std::size_t>(i)]; }
 
   bool fail(std::string sentence) {
     passage_.failure = std::move(sentence);
@@ -165,7 +165,7 @@ class Follower {
       case ArrivalKind::kEntry:
         return enter(arrival.stop);
       case ArrivalKind::kSeparation:
-        if (!arrival.below && stop(arrival.stop).spring->separation == Separation::kAtZeroDepth)
+        if (!arrival.below && stop(arrival.stop).force().separation == Separation::kAtZeroDepth)
           carried_.cross_surface(arrival.stop, -1.0);
         part(arrival.stop, -motion_.approach_speed(arrival.stop), false);
         if (!arrival.below) close_contact(arrival.stop);

@@ -54,7 +54,7 @@ RowMotion PeriodicResponse::forced(int at, double theta) const {
 
 RowMotion PeriodicResponse::impulse(int at, int by, double s) const {
   const Vector& row = system_->stops[static_cast<std::size_t>(at)].row;
-  const Vector& direction = system_->stops[static_cast<std::size_t>(by)].direction;
+  const Vector& direction = system_->stops[static_cast<std::size_t>(by)].direction();
   RowMotion motion;
   for (std::size_t m = 0; m < modes_.size(); ++m) {
     const Mode& mode = modes_[m];
@@ -74,7 +74,7 @@ State PeriodicResponse::forced_state(double theta) const {
 }
 
 State PeriodicResponse::impulse_state(int by, double s) const {
-  const Vector& direction = system_->stops[static_cast<std::size_t>(by)].direction;
+  const Vector& direction = system_->stops[static_cast<std::size_t>(by)].direction();
   State state{direction, direction};
   for (std::size_t m = 0; m < modes_.size(); ++m) {
     const auto [q, v] = after(modes_[m], s);
@@ -118,7 +118,7 @@ PeriodicResponseAnswer periodic_response(const System& system, int period) {
     response.forced_[j] = Complex(cosine[0], -sine[0]);
     response.rest_[j] = constant[0];
   }
-  for (const RigidStop& stop : system.stops) {
+  for (const Stop& stop : system.stops) {
     response.forced_at_.push_back(stop.row.cast<Complex>().dot(response.forced_));
     response.rest_at_.push_back(stop.row.dot(response.rest_));
   }

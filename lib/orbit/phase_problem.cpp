@@ -47,21 +47,21 @@ PhaseProblem::PhaseProblem(const PeriodicResponse& response, std::vector<int> st
   from_contact_ = true;
   for (const int stop : stops_) {
     own_.push_back(response.impulse(stop, stop, response.duration()));
-    const RigidStop& met = response.system().stops[static_cast<std::size_t>(stop)];
-    constant_ = constant_ && met.restitution.is_constant();
-    const double own_part = 1.0 + (1.0 + met.restitution.at(speed)) * own_.back().rate;
+    const Stop& met = response.system().stops[static_cast<std::size_t>(stop)];
+    constant_ = constant_ && met.restitution().is_constant();
+    const double own_part = 1.0 + (1.0 + met.restitution().at(speed)) * own_.back().rate;
     from_contact_ = from_contact_ && std::abs(own_part) <= cancelled;
   }
 }
 
-const RigidStop& PhaseProblem::stop(Eigen::Index impact) const {
+const Stop& PhaseProblem::stop(Eigen::Index impact) const {
   return response_->system()
       .stops[static_cast<std::size_t>(stops_[static_cast<std::size_t>(impact)])];
 }
 
 Vector PhaseProblem::impulses(const Vector& speeds) const {
   Vector u = speeds;
-  for (Eigen::Index i = 0; i < u.size(); ++i) u[i] *= 1.0 + stop(i).restitution.at(speeds[i]);
+  for (Eigen::Index i = 0; i < u.size(); ++i) u[i] *= 1.0 + stop(i).restitution().at(speeds[i]);
   return u;
 }
 
@@ -78,7 +78,7 @@ Vector PhaseProblem::approach_speeds(const Matrix& h, const Vector& forced_rate,
     derivative.emplace(Matrix::Identity(k, k) + h * slopes.asDiagonal());
   };
   Vector slopes(k);
-  for (Eigen::Index i = 0; i < k; ++i) slopes[i] = 1.0 + stop(i).restitution.at(speed_);
+  for (Eigen::Index i = 0; i < k; ++i) slopes[i] = 1.0 + stop(i).restitution().at(speed_);
   factorise(slopes);
   Vector v = derivative->solve(forced_rate);
   if (constant_) return v;

@@ -67,7 +67,7 @@ class PhaseProblem {
   // Impulses and speeds, with their derivatives by the phases where these are asked for.
   struct Impacts;
 
-  const RigidStop& stop(Eigen::Index impact) const;
+  const Stop& stop(Eigen::Index impact) const;
   Rows rows(const Vector& phases) const;
   Impacts impacts_from_rates(const Rows& rows, bool derivatives) const;
   Impacts impacts_from_contact(const Rows& rows, bool derivatives) const;

@@ -20,9 +20,9 @@ State start_at(const System& system, std::span<const double> coordinates) {
   State state{Vector::Zero(system.modes()), Vector::Zero(system.modes())};
   if (const PeriodicResponseAnswer answer = periodic_response(system, 1); answer.response)
     state = answer.response->forced_state(system.forcing->phase);
-  const double frequency = system.forcing->frequency, length = shooting_scale(system).length;
+  const double frequency = system.forcing->frequency, length = motion_scale(system).length;
   for (std::size_t i = 0; i < system.stops.size(); ++i) {
-    const RigidStop& stop = system.stops[i];
+    const Stop& stop = system.stops[i];
     Vector shape(system.modes());
     // A free mass has no static compliance; the forcing's time scale stands in for it.
     for (int j = 0; j < system.modes(); ++j)

@@ -26,7 +26,7 @@ double seconds_between(const System& system, const Instant<double>& from,
 }
 
 // The sum of all sizes that a push is formed from, m/s^2.
-double push_scale(const System& system, const RigidStop& stop) {
+double push_scale(const System& system, const Stop& stop) {
   double scale = stop.row.cwiseAbs().dot(system.forcing->amplitude.cwiseAbs());
   if (system.load) scale += stop.row.cwiseAbs().dot(system.load->cwiseAbs());
   return scale > 0.0 ? scale : 1.0;
@@ -46,7 +46,7 @@ ReleaseSection::ReleaseSection(const System& reference, Release release,
     : release_(std::move(release)), options_(options) {
   const ContactPhase<double> phase(reference, release_.closed);
   basis_ = phase.basis();
-  const double displacement = shooting_scale(reference).displacement;
+  const double displacement = motion_scale(reference).displacement;
   unit_.resize(2 * freedoms());
   unit_ << Vector::Constant(freedoms(), displacement),
       displacement * phase.reduced().omega.cwiseMax(reference.forcing->frequency);

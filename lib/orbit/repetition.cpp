@@ -20,10 +20,7 @@ double beyond_rounding(double difference, double rounding) {
 }  // namespace
 
 PeriodHistory::PeriodHistory(const System& system, const State& start, long long most)
-    : modes_(system.modes()),
-      scale_(shooting_scale(system)),
-      speed_(scale_.length * system.forcing->frequency),
-      most_(most) {
+    : modes_(system.modes()), scale_(motion_scale(system)), speed_(scale_.speed), most_(most) {
   push_state(strobes_, start.q, start.qdot);
 }
 

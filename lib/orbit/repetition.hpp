@@ -102,7 +102,7 @@ class PeriodHistory {
   double largest(long long from, long long until, int p) const;
 
   Eigen::Index modes_;
-  ShootingScale scale_;
+  MotionScale scale_;
   double speed_;  // scale of impact speeds, m/s
   long long most_;
   Tail<Period> periods_;

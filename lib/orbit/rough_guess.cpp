@@ -10,7 +10,7 @@
 namespace graze {
 
 ImpactPoint rough_guess(const System& system, int stop_index, double theta, double speed) {
-  const RigidStop& stop = system.stops[static_cast<std::size_t>(stop_index)];
+  const Stop& stop = system.stops[static_cast<std::size_t>(stop_index)];
   const ExactFlow<double> flow(system);
   const Eigen::Index n = system.modes();
   const double frequency = flow.frequency();

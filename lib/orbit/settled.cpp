@@ -47,7 +47,7 @@ class Settling {
         history_(system, start, remembered(options)),
         closure_speed_(options.closure_speed.value_or(default_closure_speed(system, start))),
         longest_flight_(longest_flight(system)),
-        scale_(shooting_scale(system)) {
+        scale_(motion_scale(system)) {
     motion_.stop_on(options.stop);
   }
 
@@ -348,7 +348,7 @@ class Settling {
   PeriodHistory history_;
   double closure_speed_;   // m/s
   double longest_flight_;  // s
-  ShootingScale scale_;
+  MotionScale scale_;
   std::optional<NearbyOrbit> approached_;  // stable; solved for when the motion began to repeat
   double left_ = 0.0;                      // distance from it, one repetition ago at most
   long long solved_at_ = 0, next_solve_ = 0, leaving_until_ = 0;  // periods

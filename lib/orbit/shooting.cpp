@@ -20,20 +20,20 @@ struct ImpactRate {
   double reach = 0.0, jump = 0.0;
 };
 
-Impact impact_of(const RigidStop& stop, const ShootingScale& scale, const double* state) {
+Impact impact_of(const Stop& stop, const MotionScale& scale, const double* state) {
   const Eigen::Index n = stop.row.size();
   Impact impact;
   for (Eigen::Index j = 0; j < n; ++j) {
     impact.reach += stop.row[j] * (state[j] * scale.displacement);
     impact.speed += stop.row[j] * (state[n + j] * scale.velocity[j]);
   }
-  impact.jump = (1.0 + stop.restitution.at(impact.speed)) * impact.speed;
+  impact.jump = (1.0 + stop.restitution().at(impact.speed)) * impact.speed;
   impact.slope = jump_slope(stop, impact.speed);
   return impact;
 }
 
-ImpactRate rate_of(const Impact& impact, const RigidStop& stop, const RigidStop& tangent,
-                   const ShootingScale& scale, const double* state) {
+ImpactRate rate_of(const Impact& impact, const Stop& stop, const Stop& tangent,
+                   const MotionScale& scale, const double* state) {
   const Eigen::Index n = stop.row.size();
   ImpactRate rate;
   double v_rate = 0.0;
@@ -41,37 +41,14 @@ ImpactRate rate_of(const Impact& impact, const RigidStop& stop, const RigidStop&
     rate.reach += tangent.row[j] * (state[j] * scale.displacement);
     v_rate += tangent.row[j] * (state[n + j] * scale.velocity[j]);
   }
-  rate.jump = stop.restitution.rate_at(impact.speed, tangent.restitution) * impact.speed +
+  rate.jump = stop.restitution().rate_at(impact.speed, tangent.restitution()) * impact.speed +
               impact.slope * v_rate;
   return rate;
 }
 
 }  // namespace
 
-ShootingScale shooting_scale(const System& system) {
-  const double frequency = system.forcing->frequency;
-  ShootingScale scale{0.0, 0.0, {}};
-  for (const RigidStop& stop : system.stops) {
-    const double reach = reach_at(system, stop);
-    if (reach > scale.length) {
-      scale.length = reach;
-      scale.displacement = reach / stop.row.norm();
-    }
-  }
-  if (!(scale.length > 0.0)) scale.length = scale.displacement = 1.0;
-  scale.velocity = scale.displacement * system.omega.cwiseMax(frequency);
-  return scale;
-}
-
-double still_speed(const System& system) {
-  // Some sixteen roundings of forced displacement and forcing frequency.
-  return 16.0 * std::numeric_limits<double>::epsilon() * shooting_scale(system).length *
-         system.forcing->frequency;
-}
-
-double still_gap(const System& system) { return 1e-12 * shooting_scale(system).length; }
-
-const RigidStop& stop_of(const System& system, const ImpactPattern& pattern, std::size_t i) {
+const Stop& stop_of(const System& system, const ImpactPattern& pattern, std::size_t i) {
   return system.stops[static_cast<std::size_t>(pattern.stops[i])];
 }
 
@@ -83,18 +60,18 @@ double flight_time(const System& system, const ImpactPattern& pattern,
   return (points[last ? 0 : i + 1].theta - points[i].theta + turn) / system.forcing->frequency;
 }
 
-double jump_slope(const RigidStop& stop, double v) {
-  return 1.0 + stop.restitution.at(v) + v * stop.restitution.slope_at(v);
+double jump_slope(const Stop& stop, double v) {
+  return 1.0 + stop.restitution().at(v) + v * stop.restitution().slope_at(v);
 }
 
-double jump_bend(const RigidStop& stop, double v) {
-  return 2.0 * stop.restitution.slope_at(v) + v * stop.restitution.curvature_at(v);
+double jump_bend(const Stop& stop, double v) {
+  return 2.0 * stop.restitution().slope_at(v) + v * stop.restitution().curvature_at(v);
 }
 
-State after_impact(const RigidStop& stop, const State& before) {
+State after_impact(const Stop& stop, const State& before) {
   const double v = stop.row.dot(before.qdot);
-  const double jump = (1.0 + stop.restitution.at(v)) * v;
-  return {before.q, before.qdot - jump * stop.direction};
+  const double jump = (1.0 + stop.restitution().at(v)) * v;
+  return {before.q, before.qdot - jump * stop.direction()};
 }
 
 Eigen::Index ShootingProblem::size(const System& system) const {
@@ -131,7 +108,7 @@ std::vector<ImpactPoint> ShootingProblem::unpack(const System& system, const Vec
   return impacts;
 }
 
-void ShootingProblem::add_mode(const System& system, const RigidStop& stop, double jump_slope,
+void ShootingProblem::add_mode(const System& system, const Stop& stop, double jump_slope,
                                const ModeTransition& arc, Eigen::Index j, Eigen::Index at,
                                Matrix& jacobian) const {
   const Eigen::Index n = system.modes(), row = at + 1 + j, row_v = row + n;
@@ -144,7 +121,7 @@ void ShootingProblem::add_mode(const System& system, const RigidStop& stop, doub
   jacobian(row_v, at + 1 + j) += arc.vq * unit / unit_v;
   jacobian(row_v, at + 1 + n + j) += arc.vv;
   // The jump of this mode by the velocities of all.
-  const double jump = jump_slope * stop.direction[j];
+  const double jump = jump_slope * stop.direction()[j];
   for (Eigen::Index m = 0; m < n; ++m) {
     const double by = jump * stop.row[m] * scale_.velocity[m];
     jacobian(row, at + 1 + n + m) -= arc.qv / unit * by;
@@ -194,7 +171,7 @@ Vector ShootingProblem::evaluate(const System& system, const Vector& x,
     const bool last = i + 1 == k;
     const Eigen::Index at = i * block, to = last ? 0 : at + block;
     const auto which = static_cast<std::size_t>(pattern_.stops[static_cast<std::size_t>(i)]);
-    const RigidStop& stop = system.stops[which];
+    const Stop& stop = system.stops[which];
     const double* state = x.data() + at + 1;
     const Impact impact = impact_of(stop, scale_, state);
     const double turn = last ? kTurn * pattern_.period : 0.0;
@@ -205,14 +182,14 @@ Vector ShootingProblem::evaluate(const System& system, const Vector& x,
       wanted.jacobian->row(at).segment(at + 1, n) +=
           stop.row.transpose() * (scale_.displacement / scale_.length);
     for (std::size_t p = 0; p < rates.size(); ++p) {
-      const RigidStop& tangent = wanted.tangents[p]->stops[which];
+      const Stop& tangent = wanted.tangents[p]->stops[which];
       rates[p] = rate_of(impact, stop, tangent, scale_, state);
       wanted.by_parameters[p][at] = (rates[p].reach - tangent.gap) / scale_.length;
     }
     for (Eigen::Index j = 0; j < n; ++j) {
       const double unit = scale_.displacement, unit_v = scale_.velocity[j];
       const double q = state[j] * unit;
-      const double qdot = state[n + j] * unit_v - impact.jump * stop.direction[j];
+      const double qdot = state[n + j] * unit_v - impact.jump * stop.direction()[j];
       const ModeTransition arc = arcs.from(j, q, qdot);
       r[at + 1 + j] = arc.q / unit - x[to + 1 + j];
       r[at + 1 + n + j] = arc.qdot / unit_v - x[to + 1 + n + j];
@@ -223,8 +200,8 @@ Vector ShootingProblem::evaluate(const System& system, const Vector& x,
       for (std::size_t p = 0; p < rates.size(); ++p) {
         const System& tangent = *wanted.tangents[p];
         const Eigen::Vector2d end = arcs.tangent(j, q, qdot, arc, tangent);
-        const double qdot_rate =
-            -rates[p].jump * stop.direction[j] - impact.jump * tangent.stops[which].direction[j];
+        const double qdot_rate = -rates[p].jump * stop.direction()[j] -
+                                 impact.jump * tangent.stops[which].direction()[j];
         wanted.by_parameters[p][at + 1 + j] = (arc.qv * qdot_rate + end[0]) / unit;
         wanted.by_parameters[p][at + 1 + n + j] = (arc.vv * qdot_rate + end[1]) / unit_v;
       }

@@ -15,7 +15,7 @@
 #include <vector>
 
 #include "graze/flow/transition.hpp"
-#include "graze/system/system.hpp"
+#include "graze/system/scale.hpp"
 
 namespace graze {
 
@@ -32,28 +32,8 @@ struct ImpactPoint {
   State before;
 };
 
-// Unknowns and residuals are scaled: phases by 1 rad, displacements by `displacement`, velocities
-// by `velocity`, gaps by `length`.
-struct ShootingScale {
-  double length = 1.0;        // m
-  double displacement = 1.0;  // kg^1/2 m
-  Vector velocity;            // kg^1/2 m/s, N: displacement times the faster of mode and forcing
-};
-
-// The scale of a system: the larger of its gaps and its forced motion. Each mode's velocity has its
-// own unit, in which the free flow only turns and shrinks: otherwise the rounding of the fast modes
-// would drown the residual.
-ShootingScale shooting_scale(const System& system);
-
-// An impact speed below this, m/s, is within the rounding of the forced velocities that it is left
-// over from; it is not known to differ from zero.
-double still_speed(const System& system);
-
-// A gap nearer to zero than this, m, is not known to differ from it.
-double still_gap(const System& system);
-
 // The stop that impact i of a pattern is on.
-const RigidStop& stop_of(const System& system, const ImpactPattern& pattern, std::size_t i);
+const Stop& stop_of(const System& system, const ImpactPattern& pattern, std::size_t i);
 
 // Seconds from impact i to the next one.
 double flight_time(const System& system, const ImpactPattern& pattern,
@@ -69,14 +49,16 @@ struct ShootingLinearisation {
   std::vector<Vector> by_parameters;  // one for each tangent of the system
 };
 
+// Unknowns and residuals are scaled: phases by 1 rad, the others as MotionScale tells, gaps by its
+// length.
 class ShootingProblem {
  public:
   // Requires forcing and at least one impact in the pattern.
-  ShootingProblem(ImpactPattern pattern, ShootingScale scale)
+  ShootingProblem(ImpactPattern pattern, MotionScale scale)
       : pattern_(std::move(pattern)), scale_(std::move(scale)) {}
 
   const ImpactPattern& pattern() const { return pattern_; }
-  const ShootingScale& scale() const { return scale_; }
+  const MotionScale& scale() const { return scale_; }
   // k (2N + 1)
   Eigen::Index size(const System& system) const;
   // What the unknowns may come round by: a turn at each phase, else zero.
@@ -105,21 +87,21 @@ class ShootingProblem {
   Vector evaluate(const System& system, const Vector& x, const Wanted& wanted) const;
   // The derivatives of the two matching equations of mode j from the impact whose unknowns begin at
   // `at`, by these, and by those of the impact it leads to, which begin at `to`.
-  void add_mode(const System& system, const RigidStop& stop, double jump_slope,
+  void add_mode(const System& system, const Stop& stop, double jump_slope,
                 const ModeTransition& arc, Eigen::Index j, Eigen::Index at, Matrix& jacobian) const;
   void add_end(const System& system, const ModeTransition& arc, Eigen::Index j, Eigen::Index at,
                Eigen::Index to, Matrix& jacobian) const;
 
   ImpactPattern pattern_;
-  ShootingScale scale_;
+  MotionScale scale_;
 };
 
 // The state just after the impact of `before` at a stop.
-State after_impact(const RigidStop& stop, const State& before);
+State after_impact(const Stop& stop, const State& before);
 
 // Derivative of the velocity jump (1 + r(v)) v by the approach speed: 1 + r + v r'(v).
-double jump_slope(const RigidStop& stop, double v);
+double jump_slope(const Stop& stop, double v);
 // And the second one: 2 r'(v) + v r''(v).
-double jump_bend(const RigidStop& stop, double v);
+double jump_bend(const Stop& stop, double v);
 
 }  // namespace graze

@@ -63,7 +63,7 @@ class Curvature {
     Pair y;
   };
 
-  const RigidStop& stop(const System& system, const Flight& flight) const {
+  const Stop& stop(const System& system, const Flight& flight) const {
     return system.stops[flight.which];
   }
 
@@ -87,12 +87,12 @@ class Curvature {
     flight.theta_end = x_[flight.to] + (last ? kTurn * pattern.period : 0.0);
     flight.xi = v_[flight.at] / frequency_;
     flight.eta = (last ? mu_ : Scalar(1.0)) * v_[flight.to] / frequency_;
-    const RigidStop& left = stop(system_, flight);
+    const Stop& left = stop(system_, flight);
     for (Eigen::Index j = 0; j < n; ++j) {
       flight.speed += left.row[j] * x_[flight.at + 1 + n + j] * scale_.velocity[j];
       flight.moved += left.row[j] * v_[flight.at + 1 + n + j] * scale_.velocity[j];
     }
-    flight.jump = (1.0 + left.restitution.at(flight.speed)) * flight.speed;
+    flight.jump = (1.0 + left.restitution().at(flight.speed)) * flight.speed;
     flight.slope = jump_slope(left, flight.speed);
     flight.slope_bend = jump_bend(left, flight.speed);
     return flight;
@@ -101,7 +101,7 @@ class Curvature {
   Mode mode(const Flight& flight, const ModalTransitions& arcs, Eigen::Index j) const {
     const Eigen::Index n = system_.modes(), q = flight.at + 1 + j, qdot = q + n;
     const double unit = scale_.displacement, unit_v = scale_.velocity[j];
-    const double direction = stop(system_, flight).direction[j];
+    const double direction = stop(system_, flight).direction()[j];
     Mode mode;
     mode.omega2 = system_.omega[j] * system_.omega[j];
     mode.delta = system_.delta[j];
@@ -126,7 +126,7 @@ class Curvature {
   void add_flight(int i) {
     const Flight flight = this->flight(i);
     const Eigen::Index n = system_.modes(), at = flight.at;
-    const RigidStop& left = stop(system_, flight);
+    const Stop& left = stop(system_, flight);
     const double s = (flight.theta_end - flight.theta) / frequency_;
     const ModalTransitions arcs(system_, flow_, flight.theta, s);
     Scalar along_jump = 0.0, along_bend = 0.0;
@@ -143,8 +143,8 @@ class Curvature {
       const Pair by_start = flight.eta * mode.rho - flight.xi * mode.lagged;
       gradient_[at + 1 + j] += by_start[0] * scale_.displacement;
       gradient_[at + 1 + n + j] += by_start[1] * scale_.velocity[j];
-      along_jump += left.direction[j] * by_start[1];
-      along_bend += left.direction[j] * mode.lambda[1];
+      along_jump += left.direction()[j] * by_start[1];
+      along_bend += left.direction()[j] * mode.lambda[1];
       for (std::size_t p = 0; p < tangents_.size(); ++p)
         gradient_[x_.size() + static_cast<Eigen::Index>(p)] +=
             by_parameter(flight, mode, arcs, j, *tangents_[p]);
@@ -159,23 +159,23 @@ class Curvature {
   Scalar by_parameter(const Flight& flight, const Mode& mode, const ModalTransitions& arcs,
                       Eigen::Index j, const System& tangent) const {
     const Eigen::Index n = system_.modes();
-    const RigidStop &left = stop(system_, flight), &rate = stop(tangent, flight);
+    const Stop &left = stop(system_, flight), &rate = stop(tangent, flight);
     double speed_rate = 0.0;
     Scalar moved_rate = 0.0;  // of b.dq'
     for (Eigen::Index m = 0; m < n; ++m) {
       speed_rate += rate.row[m] * x_[flight.at + 1 + n + m] * scale_.velocity[m];
       moved_rate += rate.row[m] * v_[flight.at + 1 + n + m] * scale_.velocity[m];
     }
-    const Restitution& r = left.restitution;
-    const double at_fixed_speed = r.rate_at(flight.speed, rate.restitution);
+    const Restitution& r = left.restitution();
+    const double at_fixed_speed = r.rate_at(flight.speed, rate.restitution());
     const double jump_rate = at_fixed_speed * flight.speed + flight.slope * speed_rate;
     const double slope_rate = at_fixed_speed +
-                              flight.speed * r.slope_rate_at(flight.speed, rate.restitution) +
+                              flight.speed * r.slope_rate_at(flight.speed, rate.restitution()) +
                               flight.slope_bend * speed_rate;
-    const double start_rate = -jump_rate * left.direction[j] - flight.jump * rate.direction[j];
+    const double start_rate = -jump_rate * left.direction()[j] - flight.jump * rate.direction()[j];
     const Scalar y_rate =
-        -(slope_rate * flight.moved + flight.slope * moved_rate) * left.direction[j] -
-        flight.slope * flight.moved * rate.direction[j];
+        -(slope_rate * flight.moved + flight.slope * moved_rate) * left.direction()[j] -
+        flight.slope * flight.moved * rate.direction()[j];
     const double stiffness_rate = 2.0 * system_.omega[j] * tangent.omega[j];
     const auto field_rate = [&](const Eigen::Vector2d& state, double theta) {
       return -stiffness_rate * state[0] - 2.0 * tangent.delta[j] * state[1] +
@@ -207,7 +207,7 @@ class Curvature {
   }
 
   const ShootingProblem& problem_;
-  const ShootingScale& scale_;
+  const MotionScale& scale_;
   const System& system_;
   ExactFlow<double> flow_;
   double frequency_;

@@ -51,7 +51,7 @@ class Spread {
         options_(options),
         most_work_(most_work),
         found_(found),
-        scale_(shooting_scale(system)),
+        scale_(motion_scale(system)),
         numbers_(2 * system.stops.size()) {
     std::mt19937_64 engine(options.random_seed);
     for (std::size_t i = 0; i < 2 * system.stops.size(); ++i) shift_.push_back(engine());
@@ -77,7 +77,7 @@ class Spread {
   }
 
  private:
-  double speed_scale() const { return scale_.length * system_.forcing->frequency; }
+  double speed_scale() const { return scale_.speed; }
 
   // In [-1, 1); bits by hand: results shall not depend on a library's distributions.
   double coordinate(std::size_t i) {
@@ -201,7 +201,7 @@ class Spread {
   const FinderOptions& options_;
   const long long most_work_;
   FoundOrbits& found_;
-  const ShootingScale scale_;
+  const MotionScale scale_;
   boost::random::sobol numbers_;
   std::vector<std::uint64_t> shift_;
   std::vector<Orbit> known_;  // stable

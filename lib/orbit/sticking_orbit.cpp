@@ -24,7 +24,7 @@ std::vector<int> closed_stops(const MotionState<double>& at) {
 class HeldSection {
  public:
   HeldSection(const System& system, const MotionState<double>& at, const StickingOptions& options)
-      : system_(&system), at_(at), scale_(shooting_scale(system)) {
+      : system_(&system), at_(at), scale_(motion_scale(system)) {
     passage_.closure_speed = options.closure_speed;
     passage_.max_impacts = options.max_impacts;
     passage_.stop = options.stop;
@@ -83,7 +83,7 @@ class HeldSection {
  private:
   const System* system_;
   MotionState<double> at_;
-  ShootingScale scale_;
+  MotionScale scale_;
   PassageOptions passage_;
   Matrix basis_;  // U
   Vector unit_;   // of (y, y')

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "graze/base/angle.hpp"
+#include "graze/contact/impulse.hpp"
 #include "graze/hybrid/simulation.hpp"
 #include "graze/orbit/closed_form.hpp"
 #include "graze/orbit/orbit_identity.hpp"
@@ -21,10 +22,9 @@ namespace {
 constexpr int kRounds = 3;
 
 // What one contact of a body with the effective mass of a stop gives back of its speed, m/s.
-double restitution_of(const RigidStop& stop, double speed) {
+double restitution_of(const Stop& stop, double speed) {
   System body{Vector::Zero(1), Vector::Zero(1), {}, {stop}, {}};
   body.stops[0].row = Vector::Constant(1, stop.row.norm());
-  body.stops[0].direction = body.stops[0].row.cwiseInverse();
   body.stops[0].gap = 0.0;
   double restitution = 0.0;
   RunListeners listeners;
@@ -34,9 +34,9 @@ double restitution_of(const RigidStop& stop, double speed) {
   };
   SimulationOptions options;
   // Depths take no longer than this at any exponent: 2 depth/speed is exceeded by none.
-  const double mobility = body.stops[0].row.squaredNorm(), n = stop.spring->exponent;
+  const double mobility = body.stops[0].row.squaredNorm(), n = stop.force().exponent;
   const double depth = std::pow(
-      0.5 * (n + 1.0) * speed * speed / (stop.spring->stiffness * mobility), 1.0 / (n + 1.0));
+      0.5 * (n + 1.0) * speed * speed / (stop.force().stiffness * mobility), 1.0 / (n + 1.0));
   options.duration = 100.0 * depth / speed;
   simulate(body, {Vector::Zero(1), Vector::Constant(1, speed / stop.row.norm())}, options,
            listeners);
@@ -47,7 +47,7 @@ class StrobeFinder {
  public:
   StrobeFinder(const System& system, const std::optional<State>& start,
                const FinderOptions& options)
-      : system_(system), start_(start), options_(options), scale_(shooting_scale(system)) {
+      : system_(system), start_(start), options_(options), scale_(motion_scale(system)) {
     strobe_.max_impacts = options.max_impacts;
     strobe_.stop = options.stop;
     const State at_rest{Vector::Zero(system.modes()), Vector::Zero(system.modes())};
@@ -64,12 +64,12 @@ class StrobeFinder {
   }
 
  private:
-  double speed_scale() const { return scale_.length * system_.forcing->frequency; }
+  double speed_scale() const { return scale_.speed; }
 
   void from_closed_form() {
     for (std::size_t i = 0; i < system_.stops.size(); ++i) {
-      const RigidStop& stop = system_.stops[i];
-      if (!stop.spring) continue;
+      const Stop& stop = system_.stops[i];
+      if (!stop.is_compliant()) continue;
       if (options_.stop.requested()) return;
       // The two solutions have speeds of their own.
       for (std::size_t which = 0; which < 2; ++which) {
@@ -77,9 +77,8 @@ class StrobeFinder {
         std::optional<ImpactPoint> point;
         for (int round = 0; round < kRounds && speed > 0.0; ++round) {
           System rigid = system_;
-          rigid.stops[i].spring.reset();
-          rigid.stops[i].direction = stop.row / stop.row.squaredNorm();
-          rigid.stops[i].restitution = Restitution{restitution_of(stop, speed)};
+          rigid.stops[i].law =
+              ImpactLaw{momentum_direction(stop.row), Restitution{restitution_of(stop, speed)}};
           const ClosedFormAnswer answer = closed_form(rigid, static_cast<int>(i), options_.period);
           if (!answer.form) break;
           const std::vector<ImpactPoint> points = answer.form->solutions(stop.gap);
@@ -163,7 +162,7 @@ class StrobeFinder {
   const System& system_;
   const std::optional<State>& start_;
   const FinderOptions& options_;
-  ShootingScale scale_;
+  MotionScale scale_;
   StrobeOptions strobe_;
   std::string why_not_;
   FoundOrbits found_;
@@ -173,7 +172,7 @@ class StrobeFinder {
 
 bool has_compliant_stop(const System& system) {
   return std::any_of(system.stops.begin(), system.stops.end(),
-                     [](const RigidStop& stop) { return stop.spring.has_value(); });
+                     [](const Stop& stop) { return stop.is_compliant(); });
 }
 
 FoundOrbits find_strobe_orbits(const System& system, const std::optional<State>& start,

@@ -12,8 +12,8 @@ namespace {
 // Crossley's) the force F - R v of a spring vanishes at a speed that does not grow with it, and the
 // structure comes out no faster: that takes x R/F. Its velocity settles in m/R, m the effective
 // mass 1/|row|^2, which an integration has to resolve.
-double time_constants_to_leave(const RigidStop& stop, double depth) {
-  const ContactForce& law = *stop.spring;
+double time_constants_to_leave(const Stop& stop, double depth) {
+  const ContactForce& law = stop.force();
   if (law.damping != ContactDamping::kDepth && law.damping != ContactDamping::kPower) return 0.0;
   const double resistance = law.resistance(depth);
   return resistance * resistance * depth * stop.row.squaredNorm() /
@@ -28,7 +28,7 @@ constexpr double kMostTimeConstants = 1e4;
 
 StrobeMap::StrobeMap(const System& reference, const StrobeOptions& options)
     : options_(options), unit_(2 * reference.modes()) {
-  const ShootingScale scale = shooting_scale(reference);
+  const MotionScale scale = motion_scale(reference);
   unit_ << Vector::Constant(reference.modes(), scale.displacement), scale.velocity;
 }
 
@@ -61,8 +61,8 @@ std::optional<MotionState<double>> StrobeMap::start_of(const System& system,
                                                        const Vector& x) const {
   const State state = unpack(x);
   if (!x.allFinite()) return {};
-  for (const RigidStop& stop : system.stops) {
-    if (stop.spring) {
+  for (const Stop& stop : system.stops) {
+    if (stop.is_compliant()) {
       const double depth = stop.row.dot(state.q) - stop.gap;
       if (depth > 0.0 && time_constants_to_leave(stop, depth) > kMostTimeConstants) return {};
       continue;

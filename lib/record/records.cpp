@@ -38,7 +38,7 @@ double book_rounding(const System& system, const Simulation& run) {
 double gap_rounding(const System& system) {
   constexpr double kAmplification = 0x1p12;
   double reach = 0.0;
-  for (const RigidStop& stop : system.stops) reach = std::fmax(reach, reach_at(system, stop));
+  for (const Stop& stop : system.stops) reach = std::fmax(reach, reach_at(system, stop));
   return reach > 0.0 ? kAmplification * std::numeric_limits<double>::epsilon() * reach
                      : std::numeric_limits<double>::infinity();
 }
@@ -66,7 +66,7 @@ EnergyEntries energy_entries(const System& system, const EnergyBook& book) {
   const Rotation* hub = system.rotation ? &*system.rotation : nullptr;
   if (system.forcing || (hub && hub->torque)) entries.forcing = book.work.forcing;
   if (system.load || (hub && hub->weight)) entries.load = book.work.load;
-  const auto compliant = [](const RigidStop& stop) { return stop.spring.has_value(); };
+  const auto compliant = [](const Stop& stop) { return stop.is_compliant(); };
   if (!std::all_of(system.stops.begin(), system.stops.end(), compliant)) {
     entries.constraint = book.work.constraint;
     entries.impacts = book.impacts;
@@ -94,7 +94,7 @@ std::vector<std::string> simulation_warnings(const System& system, const Simulat
   const double rounding = kRoundings * std::numeric_limits<double>::epsilon() *
                           static_cast<double>(totals.impacts) * energy;
   const bool rigid = std::any_of(system.stops.begin(), system.stops.end(),
-                                 [](const RigidStop& stop) { return !stop.spring; });
+                                 [](const Stop& stop) { return !stop.is_compliant(); });
   if (rigid && totals.energy_added > rounding)
     warnings.push_back(
         fmt::format("impacts added {:.3g} J of kinetic energy; an oblique impulse law can do that, "

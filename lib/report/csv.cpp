@@ -94,7 +94,7 @@ std::string samples_csv_row(const System& system, const Sample& sample,
   } else {
     add_state(sample.state);
   }
-  for (const RigidStop& stop : system.stops) add(stop.gap - stop.row.dot(sample.state.q));
+  for (const Stop& stop : system.stops) add(stop.gap - stop.row.dot(sample.state.q));
   for (const double force : sample.forces) add(force);
   if (sample.energy) {
     const EnergyEntries entries = energy_entries(system, *sample.energy);

@@ -85,14 +85,15 @@ std::string to_json(const CheckRecord& record) {
       record.scene.gravity ? json_number(record.scene.gravity->acceleration) : Json(nullptr);
   Json stops = Json::array();
   for (std::size_t i = 0; i < system.stops.size(); ++i) {
-    const RigidStop& stop = system.stops[i];
+    const Stop& stop = system.stops[i];
     const std::optional<Spring>& from = record.scene.stops[i].spring;
-    stops.push_back({{"gap", json_number(stop.gap)},
-                     {"restitution", stop.spring ? Json(nullptr) : restitution(stop.restitution)},
-                     {"spring", stop.spring ? spring(*stop.spring, *from) : Json(nullptr)},
-                     {"row", json_list(stop.row)},
-                     {"direction", json_list(stop.direction)},
-                     {"effective_mass", json_number(1.0 / stop.row.squaredNorm())}});
+    stops.push_back(
+        {{"gap", json_number(stop.gap)},
+         {"restitution", stop.is_compliant() ? Json(nullptr) : restitution(stop.restitution())},
+         {"spring", stop.is_compliant() ? spring(stop.force(), *from) : Json(nullptr)},
+         {"row", json_list(stop.row)},
+         {"direction", json_list(stop.direction())},
+         {"effective_mass", json_number(1.0 / stop.row.squaredNorm())}});
   }
   document["stops"] = stops;
   document["probes"] = probes_json(record.scene, record.system);

@@ -50,7 +50,7 @@ void gather_impacts(const SimulationRecord& record, const TimeSpan& window, Plac
     for (const SeenStop& stop : place.stops) {
       if (stop.index != event.stop) continue;
       const double restitution =
-          record.system.stops[static_cast<std::size_t>(event.stop)].restitution.at(event.speed);
+          record.system.stops[static_cast<std::size_t>(event.stop)].restitution().at(event.speed);
       const double before = stop.sense * event.speed;
       place.impacts.push_back({event.time, stop.place, before, -restitution * before});
     }
@@ -206,7 +206,7 @@ std::vector<TimeSpan> stuck_phases(const SimulationRecord& record, int stop,
 std::vector<Place> places_of(const System& system) {
   std::vector<Place> places;
   for (std::size_t i = 0; i < system.stops.size(); ++i) {
-    const RigidStop& stop = system.stops[i];
+    const Stop& stop = system.stops[i];
     const auto sense_at = [&](const Place& place) {
       for (const double sense : {1.0, -1.0})
         if ((stop.row - sense * place.row).norm() <= 1e-9 * stop.row.norm()) return sense;

@@ -15,7 +15,7 @@
 namespace graze {
 namespace {
 
-std::string damping_text(const Stop& stop, const ContactForce& law) {
+std::string damping_text(const SceneStop& stop, const ContactForce& law) {
   if (!stop.spring->damping) return "without damping";
   return fmt::format("with {} damping {:g}", contact_model_name(stop.spring->damping->model),
                      law.coefficient);
@@ -126,7 +126,7 @@ std::string gravity_text(const Scene& scene) {
                      scene.hub ? "-u at angle 0" : "+u");
 }
 
-std::string stop_text(const Scene& scene, const Stop& stop) {
+std::string stop_text(const Scene& scene, const SceneStop& stop) {
   const std::string place = fmt::format(
       "{}{}, gap {:g} m, ", scene.beam() ? fmt::format("at x = {:g} m, ", stop.position) : "",
       stop.side == Side::kAbove ? "above" : "below", stop.gap);

@@ -149,7 +149,8 @@ std::string point_text(double point, double length) {
   return same ? text : fmt::format("{}", point);
 }
 
-void check_collocation_impulse(const ValueChecker& checker, const Scene& scene, const Stop& stop) {
+void check_collocation_impulse(const ValueChecker& checker, const Scene& scene,
+                               const SceneStop& stop) {
   const Beam* beam = scene.beam();
   if (beam == nullptr) {
     checker.fail("impulse",
@@ -188,7 +189,7 @@ void check_restitution(const ValueChecker& checker, const std::vector<double>& c
   }
 }
 
-void check_stop(const Scene& scene, const Stop& stop, std::size_t number) {
+void check_stop(const Scene& scene, const SceneStop& stop, std::size_t number) {
   const ValueChecker checker(scene, number == 1 ? "stop" : fmt::format("stop.{}", number));
   if (const Beam* beam = scene.beam()) {
     if (!stop.shape.empty()) {
@@ -233,7 +234,7 @@ void check_stops(const Scene& scene) {
     check_stop(scene, scene.stops[k], k + 1);
   }
   // An impact at several stops at once is solved by one law for all of them.
-  const Stop* rigid = nullptr;
+  const SceneStop* rigid = nullptr;
   for (std::size_t k = 0; k < scene.stops.size(); ++k) {
     if (scene.stops[k].spring) {
       continue;

@@ -117,9 +117,9 @@ std::vector<double> read_restitution(const TableReader& table) {
   return {table.number(key, what)};
 }
 
-Stop read_stop(const Node& node, const std::string& path, bool modal, Origins& origins) {
+SceneStop read_stop(const Node& node, const std::string& path, bool modal, Origins& origins) {
   const TableReader table(node, path, origins);
-  Stop stop;
+  SceneStop stop;
   if (modal) {
     if (table.has("position")) {
       table.fail("position", "a stop of a [modal] structure has no position, it must have a shape");
@@ -150,8 +150,8 @@ Stop read_stop(const Node& node, const std::string& path, bool modal, Origins& o
   return stop;
 }
 
-std::vector<Stop> read_stops(const Node& node, bool modal, Origins& origins) {
-  std::vector<Stop> stops;
+std::vector<SceneStop> read_stops(const Node& node, bool modal, Origins& origins) {
+  std::vector<SceneStop> stops;
   for (const Node& entry : tables_of(node, "stop"))
     stops.push_back(read_stop(entry, numbered_path("stop", stops.size() + 1), modal, origins));
   return stops;
@@ -179,9 +179,9 @@ Solver read_solver(const Node& node, Origins& origins) {
   const TableReader table(node, "solver", origins);
   Solver solver;
   std::vector<std::pair<std::string, FlowChoice>> flows;
-  for (const FlowChoice flow : {FlowChoice::kAuto, FlowChoice::kExact, FlowChoice::kRk4,
-                                FlowChoice::kDopri5, FlowChoice::kFehlberg78,
-                                FlowChoice::kBulirschStoer})
+  for (const FlowChoice flow :
+       {FlowChoice::kAuto, FlowChoice::kExact, FlowChoice::kRk4, FlowChoice::kDopri5,
+        FlowChoice::kFehlberg78, FlowChoice::kBulirschStoer})
     flows.emplace_back(flow_name(flow), flow);
   solver.flow = table.choice<FlowChoice>("flow", flows);
   solver.tolerance = table.number_or("tolerance", "a number between 0 and 1", Solver().tolerance);

@@ -143,7 +143,7 @@ struct Spring {
   Separation release = Separation::kAtZeroForce;
 };
 
-struct Stop {
+struct SceneStop {
   double position = 0.0;      // m from the clamp (beam)
   std::vector<double> shape;  // phi_j at the stop (modal structure), kg^-1/2
   double gap = 0.0;           // m; may be 0 or negative (preload)
@@ -196,7 +196,7 @@ struct Scene {
   std::optional<Damping> damping;
   std::optional<Forcing> forcing;
   std::optional<Gravity> gravity;
-  std::vector<Stop> stops;
+  std::vector<SceneStop> stops;
   std::vector<Probe> probes{};
   std::optional<Initial> initial;
   Solver solver;

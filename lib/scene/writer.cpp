@@ -172,7 +172,7 @@ void write(Writer& out, const Spring& spring) {
   out.word("release", spring.release == Separation::kAtZeroForce ? "force" : "position");
 }
 
-void write(Writer& out, const Stop& stop, bool modal) {
+void write(Writer& out, const SceneStop& stop, bool modal) {
   out.table("[[stop]]");
   if (modal) {
     out.list("shape", stop.shape);
@@ -227,7 +227,7 @@ std::string write_scene(const Scene& scene) {
   if (scene.gravity) {
     write(out, *scene.gravity);
   }
-  for (const Stop& stop : scene.stops) {
+  for (const SceneStop& stop : scene.stops) {
     write(out, stop, scene.modal() != nullptr);
   }
   for (const Probe& probe : scene.probes) {

@@ -164,7 +164,7 @@ bool uses_collocation(const Scene& scene) {
   if (beam == nullptr) return false;
   return ((scene.forcing || scene.gravity) && beam->discretisation == Projection::kCollocation) ||
          std::any_of(scene.stops.begin(), scene.stops.end(),
-                     [](const Stop& stop) { return stop.impulse == Impulse::kCollocation; });
+                     [](const SceneStop& stop) { return stop.impulse == Impulse::kCollocation; });
 }
 
 ModalModel modal_model(const Scene& scene) {
@@ -177,13 +177,14 @@ ModalModel modal_model(const Scene& scene) {
       model.participation = as_vector(
           scene.forcing->kind == ForcingKind::kBase ? modal->inertia : modal->participation);
     if (scene.gravity) model.inertia = as_vector(modal->inertia);
-    for (const Stop& stop : scene.stops) model.shapes.emplace_back(as_vector(stop.shape));
+    for (const SceneStop& stop : scene.stops) model.shapes.emplace_back(as_vector(stop.shape));
   } else {
     const Beam& beam = *scene.beam();
     if (scene.forcing)
       model.participation = beam_participation(beam, scene.forcing->kind, model.collocation);
     if (scene.gravity) model.inertia = beam_inertia(beam, model.collocation);
-    for (const Stop& stop : scene.stops) model.shapes.push_back(shapes_at(beam, stop.position));
+    for (const SceneStop& stop : scene.stops)
+      model.shapes.push_back(shapes_at(beam, stop.position));
   }
   return model;
 }
@@ -197,7 +198,7 @@ ModalModel modal_tangent(const Scene& scene, const ModalModel& model, const Scen
       rate.participation = as_vector(
           scene.forcing->kind == ForcingKind::kBase ? modal->inertia : modal->participation);
     if (scene.gravity) rate.inertia = as_vector(modal->inertia);
-    for (const Stop& stop : direction.stops) rate.shapes.emplace_back(as_vector(stop.shape));
+    for (const SceneStop& stop : direction.stops) rate.shapes.emplace_back(as_vector(stop.shape));
     return rate;
   }
   const Beam& beam = *scene.beam();

@@ -120,8 +120,8 @@ class Mapper {
 
   // In the order of the cells, so that the names do not depend on who was first to finish.
   void name_attractors() {
-    std::optional<ShootingScale> scale;
-    if (map_.is_of_starts) scale = shooting_scale(assemble(scene_));
+    std::optional<MotionScale> scale;
+    if (map_.is_of_starts) scale = motion_scale(assemble(scene_));
     // Each is as near to its orbit as asked for, in its own way.
     const double apart = 16.0 * map_.options.nearness;
     std::multimap<AttractorClass, int> known;

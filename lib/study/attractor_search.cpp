@@ -45,7 +45,7 @@ class AttractorSearch {
       : system_(system),
         options_(options),
         compliant_(has_compliant_stop(system)),
-        scale_(shooting_scale(system)),
+        scale_(motion_scale(system)),
         periods_(periods_to_forget(system, options)),
         found_(std::move(known)) {}
 
@@ -259,14 +259,12 @@ class AttractorSearch {
            std::any_of(found_.refuted.begin(), found_.refuted.end(),
                        [&](const Orbit& refuted) { return is_same(refuted, orbit); });
   }
-  bool is_same(const Orbit& a, const Orbit& b) const {
-    return same_orbit(a, b, scale_.length * system_.forcing->frequency);
-  }
+  bool is_same(const Orbit& a, const Orbit& b) const { return same_orbit(a, b, scale_.speed); }
 
   const System& system_;
   const AttractorSearchOptions& options_;
   bool compliant_;  // some stop is
-  ShootingScale scale_;
+  MotionScale scale_;
   long long periods_;  // a motion is followed at first
   PlaceAttractors found_;
 };

@@ -140,7 +140,7 @@ ContactCrossing cross_with_location(const ElasticContact& contact, double step) 
   ContactForce law;
   law.stiffness = contact.stiffness;
   law.exponent = contact.exponent;
-  system.stops.push_back({row, 0.0, row, Restitution{0.0}, law});
+  system.stops.push_back({row, 0.0, law});
   const State start{Vector::Zero(1), Vector::Constant(1, std::sqrt(contact.mass) * contact.speed)};
   SimulationOptions options;
   options.duration = 1.01 * contact.duration() + 2.0 * step;
@@ -198,9 +198,9 @@ FirstContact first_contact(const System& system, const State& start, double long
   listeners.event = [&](const Event& event) {
     if (event.kind != EventKind::kContact || first.stop >= 0 || !(event.speed > 0.0)) return;
     first.stop = event.stop;
-    const RigidStop& met = system.stops[static_cast<std::size_t>(event.stop)];
-    first.contact = {1.0 / met.row.squaredNorm(), event.speed, met.spring->stiffness,
-                     met.spring->exponent};
+    const Stop& met = system.stops[static_cast<std::size_t>(event.stop)];
+    first.contact = {1.0 / met.row.squaredNorm(), event.speed, met.force().stiffness,
+                     met.force().exponent};
   };
   simulate(system, start, options, listeners);
   if (first.stop < 0) first.message = "no contact with a compliant stop begins in that time";

@@ -91,7 +91,7 @@ CorrectorCosts corrector_costs(const Scene& scene, const AccuracyCostOptions& op
     return costs;
   }
   const Orbit& orbit = found.orbits.front();
-  const ShootingProblem problem(orbit.pattern(), shooting_scale(system));
+  const ShootingProblem problem(orbit.pattern(), motion_scale(system));
   const Vector solution = problem.pack(orbit.points());
   costs.orbit = "orbit (1, 1)";
   // Its neighbour on the branch over the forcing frequency.

@@ -102,7 +102,7 @@ class Equations {
   Equations(const System& system, int stop)
       : system_(system),
         stop_(system.stops[static_cast<std::size_t>(stop)]),
-        law_(*stop_.spring),
+        law_(stop_.force()),
         row_(stop_.row.cast<Extended>()),
         stiffness_(system.omega.cast<Extended>().cwiseAbs2()),
         damping_(2 * system.delta.cast<Extended>()),
@@ -161,7 +161,7 @@ class Equations {
 
  private:
   const System& system_;
-  const RigidStop& stop_;
+  const Stop& stop_;
   Law law_;
   Numbers row_, stiffness_, damping_;
   Eigen::Index n_;
@@ -233,10 +233,10 @@ class Follower {
  private:
   // Of an elastic contact of the body that the structure is to a blow there.
   Extended expected_duration() const {
-    const RigidStop& stop = system_.stops[static_cast<std::size_t>(stop_)];
-    const double n = stop.spring->exponent + 1.0;
+    const Stop& stop = system_.stops[static_cast<std::size_t>(stop_)];
+    const double n = stop.force().exponent + 1.0;
     const double speed = static_cast<double>(equations_.rate(x_));
-    const double stiffness = stop.spring->stiffness * stop.row.squaredNorm();
+    const double stiffness = stop.force().stiffness * stop.row.squaredNorm();
     return 3.0 * std::pow(0.5 * n * speed * speed / stiffness, 1.0 / n) / speed;
   }
 
@@ -277,7 +277,7 @@ class Follower {
     else if (!equations_.loaded && equations_.pushes(x_))
       result_.message = "a spring whose force was gone takes hold again";
     for (std::size_t i = 0; i < system_.stops.size(); ++i) {
-      const RigidStop& other = system_.stops[i];
+      const Stop& other = system_.stops[i];
       if (static_cast<int>(i) != stop_ &&
           other.row.cast<Extended>().dot(equations_.q(x_)) >= other.gap)
         result_.message = "another stop is reached during a contact";

@@ -12,7 +12,7 @@ namespace {
 constexpr std::size_t kQuarters = 4;
 
 // The largest difference in each quarter of the strobes, in units of the system's scale.
-std::array<double, kQuarters> differences(const ShootingScale& scale,
+std::array<double, kQuarters> differences(const MotionScale& scale,
                                           const std::vector<State>& strobes, std::size_t p) {
   std::array<double, kQuarters> largest{};
   const std::size_t count = strobes.size() - p;
@@ -29,7 +29,7 @@ std::array<double, kQuarters> differences(const ShootingScale& scale,
 }  // namespace
 
 bool is_nearing(const System& system, const SettledMotion& motion, int longest_period) {
-  const ShootingScale scale = shooting_scale(system);
+  const MotionScale scale = motion_scale(system);
   for (std::size_t p = 1; p <= static_cast<std::size_t>(longest_period); ++p) {
     if (motion.strobes.size() < (kQuarters + 1) * p) continue;
     const auto largest = differences(scale, motion.strobes, p);

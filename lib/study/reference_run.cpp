@@ -22,10 +22,8 @@ constexpr double kClosure = 1e-16;
 
 // Flights are those of the same structure against rigid stops: each ends where a stop is reached.
 System with_rigid_stops(System system) {
-  for (RigidStop& stop : system.stops) {
-    if (!stop.spring) continue;
-    stop.spring.reset();
-    stop.direction = momentum_direction(stop.row);
+  for (Stop& stop : system.stops) {
+    if (stop.is_compliant()) stop.law = ImpactLaw{momentum_direction(stop.row)};
   }
   return system;
 }
@@ -44,8 +42,8 @@ class Reference {
         longest_flight_(longest_flight(system)),
         end_(options.longest) {
     motion_->stop_on(options.stop);
-    for (const RigidStop& stop : system.stops)
-      if (stop.spring && stop.row.dot(start.q) > stop.gap)
+    for (const Stop& stop : system.stops)
+      if (stop.is_compliant() && stop.row.dot(start.q) > stop.gap)
         run_.message = "the motion starts on a compressed spring";
   }
 
@@ -114,7 +112,7 @@ class Reference {
   }
 
   bool is_compliant(int stop) const {
-    return stop >= 0 && system_.stops[static_cast<std::size_t>(stop)].spring.has_value();
+    return stop >= 0 && system_.stops[static_cast<std::size_t>(stop)].is_compliant();
   }
 
   void take_contact(int stop) {
@@ -132,7 +130,7 @@ class Reference {
         {motion_->flow().phase(motion_->instant()), options_.longest, options_.stop});
     run_.message = contact.message;
     if (!run_.message.empty()) return;
-    const RigidStop& left = system_.stops[static_cast<std::size_t>(stop)];
+    const Stop& left = system_.stops[static_cast<std::size_t>(stop)];
     const RealVector<Extended> row = left.row.cast<Extended>();
     run_.impacts.push_back({static_cast<double>(began + contact.separation), stop,
                             static_cast<double>(-row.dot(contact.qdot)), true});

@@ -94,7 +94,7 @@ SimulationOptions on_from_settled(const Scene& scene, const System& system, cons
 
 // Whether two motions that repeat are the same orbit, seen in whichever of its periods: states at
 // the starts of their periods no further apart than this part of the scale.
-bool are_same_strobes(const ShootingScale& scale, const std::vector<State>& left,
+bool are_same_strobes(const MotionScale& scale, const std::vector<State>& left,
                       const std::vector<State>& right, double apart);
 
 }  // namespace graze

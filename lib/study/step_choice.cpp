@@ -29,7 +29,7 @@ double modal_speed(const System& system, const State& start) {
   if (system.forcing)
     speed = std::max(speed, system.forcing->amplitude.norm() / system.forcing->frequency);
   const double at_stops = speed_scale(system, start);
-  for (const RigidStop& stop : system.stops)
+  for (const Stop& stop : system.stops)
     if (stop.row.norm() > 0.0) speed = std::max(speed, at_stops / stop.row.norm());
   return speed > 0.0 ? speed : 1.0;
 }
@@ -55,7 +55,7 @@ FlowDecision flow_decision(const Scene& scene) {
                               "nothing in double precision errs less",
                               solver.tolerance)};
   const bool compliant = std::any_of(scene.stops.begin(), scene.stops.end(),
-                                     [](const Stop& stop) { return stop.spring.has_value(); });
+                                     [](const SceneStop& stop) { return stop.spring.has_value(); });
   // How these errors grow from contact to contact is the motion's own, and steps made for a
   // tolerance of their own may cost less: nothing is promised.
   if (compliant)
@@ -73,7 +73,7 @@ StepSetting stable_steps(const System& system, const State& start, StepMethod me
   setting.method = method;
   setting.speed = modal_speed(system, start);
   setting.longest = longest_stable_step(system, method);
-  for (const RigidStop& stop : system.stops)
+  for (const Stop& stop : system.stops)
     if (std::isinf(setting.longest) && speed_scale(system, start) > 0.0 &&
         reach_at(system, stop) > 0.0)
       setting.longest = reach_at(system, stop) / speed_scale(system, start);

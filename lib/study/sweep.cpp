@@ -135,7 +135,7 @@ class Sweeper {
     const std::optional<System> system = family_.at(a.value);
     if (!system) return false;
     // Both are this near to their orbit, each in its own way.
-    return are_same_strobes(shooting_scale(*system), left, right, 16.0 * options_.nearness);
+    return are_same_strobes(motion_scale(*system), left, right, 16.0 * options_.nearness);
   }
 
   Sweep collect(bool is_complete) {

@@ -8,7 +8,7 @@
 
 namespace graze {
 
-double forced_reach_at(const System& system, const RigidStop& stop) {
+double forced_reach_at(const System& system, const Stop& stop) {
   double reach = 0.0;
   if (!system.forcing) return reach;
   const double frequency = system.forcing->frequency;
@@ -18,7 +18,7 @@ double forced_reach_at(const System& system, const RigidStop& stop) {
   return reach;
 }
 
-double reach_at(const System& system, const RigidStop& stop) {
+double reach_at(const System& system, const Stop& stop) {
   return std::max(std::abs(stop.gap), forced_reach_at(system, stop));
 }
 
@@ -38,9 +38,32 @@ double hub_push(const Rotation& rotation, const Vector& row) {
 
 }  // namespace
 
+MotionScale motion_scale(const System& system) {
+  const double frequency = system.forcing->frequency;
+  MotionScale scale{0.0, 0.0, 0.0, {}};
+  for (const Stop& stop : system.stops) {
+    const double reach = reach_at(system, stop);
+    if (reach > scale.length) {
+      scale.length = reach;
+      scale.displacement = reach / stop.row.norm();
+    }
+  }
+  if (!(scale.length > 0.0)) scale.length = scale.displacement = 1.0;
+  scale.speed = scale.length * frequency;
+  scale.velocity = scale.displacement * system.omega.cwiseMax(frequency);
+  return scale;
+}
+
+double still_speed(const System& system) {
+  // Some sixteen roundings of forced displacement and forcing frequency.
+  return 16.0 * std::numeric_limits<double>::epsilon() * motion_scale(system).speed;
+}
+
+double still_gap(const System& system) { return 1e-12 * motion_scale(system).length; }
+
 double speed_scale(const System& system, const State& start) {
   double scale = 0.0;
-  for (const RigidStop& stop : system.stops) {
+  for (const Stop& stop : system.stops) {
     const double distance = std::max(std::abs(stop.gap), std::abs(stop.row.dot(start.q)));
     const double forced = forced_reach_at(system, stop);
     // Over a distance d an acceleration a comes to sqrt(2 a d), however slowly it turns.

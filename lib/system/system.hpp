@@ -10,6 +10,7 @@
 #pragma once
 
 #include <optional>
+#include <variant>
 #include <vector>
 
 #include "graze/base/angle.hpp"
@@ -26,13 +27,28 @@ struct HarmonicForcing {
   Vector amplitude;        // modal force, kg^1/2 m/s^2, N entries
 };
 
-struct RigidStop {
-  Vector row;                    // b, kg^-1/2, N
-  double gap = 0.0;              // a, m
+// What a rigid stop does to the velocity of the structure that hits it.
+struct ImpactLaw {
   Vector direction;              // d, kg^1/2, N; row.direction = 1
   Restitution restitution{0.0};  // r(v)
-  // Of a compliant stop, in place of direction and restitution; its direction is the row.
-  std::optional<ContactForce> spring{};
+};
+
+// A rigid stop has a law of impact, a compliant one a force.
+struct Stop {
+  Vector row;        // b, kg^-1/2, N
+  double gap = 0.0;  // a, m
+  std::variant<ImpactLaw, ContactForce> law{};
+
+  bool is_compliant() const { return std::holds_alternative<ContactForce>(law); }
+  // Requires a rigid stop.
+  const ImpactLaw& impact() const { return std::get<ImpactLaw>(law); }
+  ImpactLaw& impact() { return std::get<ImpactLaw>(law); }
+  const Restitution& restitution() const { return impact().restitution; }
+  // Along which it pushes.
+  const Vector& direction() const { return is_compliant() ? row : impact().direction; }
+  // Requires a compliant one.
+  const ContactForce& force() const { return std::get<ContactForce>(law); }
+  ContactForce& force() { return std::get<ContactForce>(law); }
 };
 
 struct State {
@@ -44,7 +60,7 @@ struct System {
   Vector omega;  // rad/s, N
   Vector delta;  // 1/s, N
   std::optional<HarmonicForcing> forcing;
-  std::vector<RigidStop> stops;
+  std::vector<Stop> stops;
   std::optional<Vector> load;  // constant modal force (gravity), kg^1/2 m/s^2, N
   // A hub that turns: the coordinates are then those of hub and beam together, N + 1 of them, and
   // there is no forcing and no load; damping, torque and weight are in here, delta is 0. Directions

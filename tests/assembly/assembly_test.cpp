@@ -46,8 +46,8 @@ TEST(System, OfGivenModesHoldsTheirNumbers) {
   ASSERT_EQ(system.stops.size(), 1u);
   EXPECT_EQ(system.stops[0].row[1], -2.0);
   EXPECT_EQ(system.stops[0].gap, 0.1);
-  EXPECT_EQ(system.stops[0].restitution.at_rest(), 0.7);
-  EXPECT_DOUBLE_EQ(system.stops[0].direction[1], -2.0 / 5.0);
+  EXPECT_EQ(system.stops[0].restitution().at_rest(), 0.7);
+  EXPECT_DOUBLE_EQ(system.stops[0].direction()[1], -2.0 / 5.0);
 }
 
 TEST(System, MovingBaseForcesWithTheSquareOfItsFrequency) {
@@ -63,14 +63,14 @@ TEST(System, MovingBaseForcesWithTheSquareOfItsFrequency) {
   EXPECT_NEAR(system.omega[0], kB1 * kB1, 1e-15);
   // The stop below looks the other way: the row points into it.
   EXPECT_NEAR(system.stops[0].row[0], -2.0, 1e-15);
-  EXPECT_NEAR(system.stops[0].direction[0], -0.5, 1e-15);
+  EXPECT_NEAR(system.stops[0].direction()[0], -0.5, 1e-15);
 }
 
 TEST(System, SidesDifferBySignsOnly) {
   const System above = assemble(support::shipped_scene("01_wagg_2004", {"stop.side=\"above\""}));
   const System below = assemble(support::shipped_scene("01_wagg_2004"));
   EXPECT_EQ(above.stops[0].row, -below.stops[0].row);
-  EXPECT_LE((above.stops[0].direction + below.stops[0].direction).norm(), 1e-16);
+  EXPECT_LE((above.stops[0].direction() + below.stops[0].direction()).norm(), 1e-16);
   EXPECT_EQ(above.forcing->amplitude, below.forcing->amplitude);
 }
 
@@ -162,7 +162,7 @@ TEST(System, PreloadOnTwoStopsStartsOnBoth) {
         "pair.toml");
     const System system = assemble(scene);
     const State start = initial_state(scene, system);
-    for (const RigidStop& stop : system.stops) {
+    for (const Stop& stop : system.stops) {
       const GapValue<double> value = gap_value<double>(stop.row, start.q, stop.gap);
       EXPECT_LE(std::abs(value.value), value.rounding) << i;
     }
@@ -254,8 +254,8 @@ TEST(System, GalerkinForcingMayGoWithTheCollocationLaw) {
   const Scene scene = beam(3, "", "collocation", "galerkin");
   EXPECT_NEAR(collocation_condition(scene), 2.07, 0.1);
   const System system = assemble(scene);
-  EXPECT_NEAR(system.stops[0].row.dot(system.stops[0].direction), 1.0, 1e-14);
-  EXPECT_GT((system.stops[0].direction - system.stops[0].row / 12.0).norm(), 1e-3);
+  EXPECT_NEAR(system.stops[0].row.dot(system.stops[0].direction()), 1.0, 1e-14);
+  EXPECT_GT((system.stops[0].direction() - system.stops[0].row / 12.0).norm(), 1e-3);
 }
 
 }  // namespace

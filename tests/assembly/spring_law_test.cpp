@@ -21,7 +21,7 @@ Scene scene_with(const std::string& spring) {
 }
 
 ContactForce law_of(const std::string& spring) {
-  return *assemble(scene_with(spring)).stops.front().spring;
+  return assemble(scene_with(spring)).stops.front().force();
 }
 
 // Yigit, Ulsoy & Scott (1990): C1 = 1.92e8 kg/(m s) from alpha_1 = 0.08 s/m and k = 3.2e9.
@@ -103,7 +103,7 @@ TEST(SpringLaw, MovesWithTheNumbersOfTheScene) {
   for (const std::string& text : springs) {
     const Scene scene = scene_with(text);
     const auto force = [&](const std::string& name, double value) {
-      return assemble(with_parameter(scene, name, value)).stops.front().spring->at(x, v);
+      return assemble(with_parameter(scene, name, value)).stops.front().force().at(x, v);
     };
     int moved = 0;
     for (const std::string& name : parameter_names(scene)) {
@@ -116,8 +116,8 @@ TEST(SpringLaw, MovesWithTheNumbersOfTheScene) {
                             (force(name, here + 2.0 * h) - force(name, here - 2.0 * h))) /
                            (12.0 * h);
       const System tangent = system_tangent(scene, name);
-      const ContactForce law = *assemble(scene).stops.front().spring;
-      EXPECT_NEAR(law.rate_at(x, v, *tangent.stops.front().spring), meant,
+      const ContactForce law = assemble(scene).stops.front().force();
+      EXPECT_NEAR(law.rate_at(x, v, tangent.stops.front().force()), meant,
                   1e-8 * std::abs(meant) + 1e-9)
           << text << name;
       ++moved;

@@ -24,11 +24,11 @@ Vector numbers(const System& system) {
     add(system.forcing->amplitude);
   }
   if (system.load) add(*system.load);
-  for (const RigidStop& stop : system.stops) {
+  for (const Stop& stop : system.stops) {
     add(stop.row);
     list.push_back(stop.gap);
-    add(stop.direction);
-    for (const double a : stop.restitution.coefficients()) list.push_back(a);
+    add(stop.direction());
+    for (const double a : stop.restitution().coefficients()) list.push_back(a);
   }
   return Eigen::Map<const Vector>(list.data(), static_cast<Eigen::Index>(list.size()));
 }

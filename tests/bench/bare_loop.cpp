@@ -58,9 +58,9 @@ class BareBeam {
   explicit BareBeam(const SteppedBeam& beam)
       : frequency_(beam.system.forcing->frequency), phase_(beam.system.forcing->phase) {
     const System& system = beam.system;
-    const RigidStop& stop = system.stops.front();
+    const Stop& stop = system.stops.front();
     clearance_ = stop.gap;
-    rebound_ = 1.0 + stop.restitution.at_rest();
+    rebound_ = 1.0 + stop.restitution().at_rest();
     for (std::size_t j = 0; j < kModes; ++j) {
       const auto mode = static_cast<Eigen::Index>(j);
       const double omega = system.omega[mode];
@@ -70,7 +70,7 @@ class BareBeam {
       force_[j] = system.forcing->amplitude[mode];
       reach_[j] = stop.row[mode] / scale_[j];
       row_[j] = stop.row[mode];
-      direction_[j] = stop.direction[mode];
+      direction_[j] = stop.direction()[mode];
       start[j] = scale_[j] * beam.start.q[mode];
       start[kModes + j] = beam.start.qdot[mode];
     }

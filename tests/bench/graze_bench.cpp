@@ -53,7 +53,7 @@ void TraceLocus(benchmark::State& state) {
   plane.scene = &scene;
   plane.first = "forcing.frequency";
   plane.second = "stop.gap";
-  plane.scale = shooting_scale(assemble(scene));
+  plane.scale = motion_scale(assemble(scene));
   plane.options.first_from = 46.0;
   plane.options.first_to = 52.0;
   plane.options.second_from = 1e-3;

@@ -103,7 +103,7 @@ TEST(SpeedDependentRestitution, StartsAreOrbitsAlready) {
   const ImpactPattern pattern{1, {0}};
   for (const SpeedSurvey::Start& start : survey.starts) {
     const System system = *family.at(start.value);
-    const ShootingProblem problem(pattern, shooting_scale(system));
+    const ShootingProblem problem(pattern, motion_scale(system));
     EXPECT_LE(problem.residual(system, problem.pack({start.point})).cwiseAbs().maxCoeff(), 1e-8)
         << start.value;
   }

@@ -38,7 +38,7 @@ OrbitBranches traced(const Scene& scene) {
 // scene's own value, are found at other values, whatever closed form the other stop has: they are
 // those of the stop alone, for virtual orbits know nothing of other stops.
 TEST(Starts, OfAStopWithoutClosedFormAreSoughtBesideOneThatHasIt) {
-  Stop below;
+  SceneStop below;
   below.shape = {1.0};
   below.side = Side::kBelow;
   below.restitution = {0.9, 0.15};

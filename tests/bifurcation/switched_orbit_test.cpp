@@ -33,7 +33,7 @@ OrbitBranches followed(const Scene& scene, const std::string& parameter, double 
 State pushed(const System& system, const Orbit& orbit, double push) {
   // From the last impact on to the end of its period the motion is one arc.
   const OrbitImpact& last = orbit.impacts.back();
-  const RigidStop& stop = system.stops[static_cast<std::size_t>(last.stop)];
+  const Stop& stop = system.stops[static_cast<std::size_t>(last.stop)];
   const ExactFlow<double> flow(system);
   Arc<double> arc(flow);
   const State after = after_impact(stop, last.before);
@@ -279,7 +279,7 @@ TEST(SwitchedOrbits, GrazingsPartRunsByTheirImpacts) {
 TEST(SwitchedOrbits, EndAtTheFirstOfTwoGrazingsWithinOneStep) {
   const Scene scene = support::shipped_scene("05_wagg_one_mode");
   const OrbitBranches result = followed(scene, "forcing.frequency", 15.0, 120.0, 4);
-  const double length = shooting_scale(assemble(scene)).length;
+  const double length = motion_scale(assemble(scene)).length;
   int triples = 0;
   for (const OrbitBranch& branch : result.branches) {
     triples += branch.pattern.period == 2 && branch.pattern.impacts() == 3;

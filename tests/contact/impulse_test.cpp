@@ -79,14 +79,14 @@ TEST(Impulse, CollocationLawIsPhiInverseRPhi) {
       const Scene scene = collocated(modes, side);
       const Matrix phi = modal_model(scene).collocation;
       const System system = assemble(scene);
-      const RigidStop& stop = system.stops[0];
-      EXPECT_NEAR(stop.row.dot(stop.direction), 1.0, 1e-14);
+      const Stop& stop = system.stops[0];
+      EXPECT_NEAR(stop.row.dot(stop.direction()), 1.0, 1e-14);
       for (int i = 0; i < 100; ++i) {
         const Vector before = dice.vector(modes, -1.0, 1.0);
         Vector points = phi * before;
-        points[modes - 1] *= -stop.restitution.at_rest();
+        points[modes - 1] *= -stop.restitution().at_rest();
         const Vector moved =
-            phi * after(stop.row, stop.direction, before, stop.restitution.at_rest());
+            phi * after(stop.row, stop.direction(), before, stop.restitution().at_rest());
         EXPECT_LE((moved - points).norm(), 1e-13 * points.norm());
       }
     }
@@ -96,8 +96,8 @@ TEST(Impulse, CollocationLawIsPhiInverseRPhi) {
 TEST(Impulse, WorstGainsOfTheCollocationLawAreThePrintedOnes) {
   // The catalogue of hard cases: r = .8, stop at the tip.
   const auto gain = [](int modes) {
-    const RigidStop stop = assemble(collocated(modes, "\"below\"")).stops[0];
-    return worst_energy_gain(stop.row, stop.direction, stop.restitution.at_rest());
+    const Stop stop = assemble(collocated(modes, "\"below\"")).stops[0];
+    return worst_energy_gain(stop.row, stop.direction(), stop.restitution().at_rest());
   };
   EXPECT_NEAR(gain(1), 1.0, 1e-14);
   EXPECT_NEAR(gain(2), 1.664358, 5e-7);
@@ -121,10 +121,10 @@ TEST(Impulse, WorstGainIsTheLargestEigenvalueOfTheJump) {
 
 TEST(Impulse, WorstGainIsReachedAndNotExceeded) {
   Dice dice(6);
-  const RigidStop stop = assemble(collocated(4, "\"below\"")).stops[0];
-  const double worst = worst_energy_gain(stop.row, stop.direction, stop.restitution.at_rest());
-  const Matrix jump = Matrix::Identity(4, 4) -
-                      (1.0 + stop.restitution.at_rest()) * stop.direction * stop.row.transpose();
+  const Stop stop = assemble(collocated(4, "\"below\"")).stops[0];
+  const double worst = worst_energy_gain(stop.row, stop.direction(), stop.restitution().at_rest());
+  const Matrix jump = Matrix::Identity(4, 4) - (1.0 + stop.restitution().at_rest()) *
+                                                   stop.direction() * stop.row.transpose();
   const Eigen::JacobiSVD<Matrix> svd(jump, Eigen::ComputeFullV);
   const Vector worst_state = svd.matrixV().col(0);
   EXPECT_NEAR((jump * worst_state).squaredNorm(), worst, 1e-13);

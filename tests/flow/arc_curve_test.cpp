@@ -44,7 +44,7 @@ std::array<double, 6> derivatives(const System& system, const Observable<double>
 
 // The gap of the system's stop, or anything else that is linear.
 Observable<double> observable_of(const System& system, Dice& dice, bool gap) {
-  const RigidStop& stop = system.stops[0];
+  const Stop& stop = system.stops[0];
   if (gap) return gap_observable<double>(stop.row, stop.gap);
   const int n = system.modes();
   return {dice.uniform(-1.0, 1.0),

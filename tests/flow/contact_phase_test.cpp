@@ -47,7 +47,7 @@ System random_held_system(Dice& dice, const Case& c, int modes, int stops) {
       direction += 0.2 * direction.norm() * dice.vector(modes, -1.0, 1.0);
       direction /= row.dot(direction);
     }
-    system.stops.push_back({row, dice.uniform(-0.3, 0.3), direction, 0.5});
+    system.stops.push_back({row, dice.uniform(-0.3, 0.3), ImpactLaw{direction, 0.5}});
   }
   return system;
 }
@@ -60,10 +60,9 @@ Constrained constrained(const System& system, const std::vector<int>& closed) {
   const Eigen::Index n = system.modes(), k = static_cast<Eigen::Index>(closed.size());
   Constrained c{Matrix(n, k), Matrix(n, k), {}};
   for (Eigen::Index i = 0; i < k; ++i) {
-    const RigidStop& stop =
-        system.stops[static_cast<std::size_t>(closed[static_cast<std::size_t>(i)])];
+    const Stop& stop = system.stops[static_cast<std::size_t>(closed[static_cast<std::size_t>(i)])];
     c.rows.col(i) = stop.row;
-    c.directions.col(i) = stop.direction;
+    c.directions.col(i) = stop.direction();
   }
   c.projector = Matrix::Identity(n, n) -
                 c.directions * (c.rows.transpose() * c.directions).inverse() * c.rows.transpose();
@@ -165,7 +164,7 @@ bool expect_motion(const System& system, const std::vector<int>& closed, Dice& d
       EXPECT_NEAR(force.value, exact, 1e-12 * unit * quickest) << s;
     }
     if (!is_open) continue;
-    const RigidStop& stop = system.stops[static_cast<std::size_t>(open)];
+    const Stop& stop = system.stops[static_cast<std::size_t>(open)];
     const ArcCurve<double> gap = phase.gap(open, window, false);
     const CurvePoint<double> distance = gap.at(s, 0), closing = gap.at(s, 1);
     EXPECT_NEAR(distance.value, stop.gap - stop.row.dot(expected.q), 2e-12 * unit);
@@ -297,7 +296,8 @@ TEST(HeldMotion, RefusesAnObliqueLawThatMakesItGrow) {
     const double t = limit * part;
     System system{Vector(2), Vector::Zero(2), {}, {}, {}};
     system.omega << w1, w2;
-    system.stops.push_back({Eigen::Vector2d(1.0, 1.0), 0.0, Eigen::Vector2d(1.0 + t, -t), 0.5});
+    system.stops.push_back(
+        {Eigen::Vector2d(1.0, 1.0), 0.0, ImpactLaw{Eigen::Vector2d(1.0 + t, -t), 0.5}});
     EXPECT_EQ(ContactPhase<double>(system, {0}).refusal().empty(), part < 1.0) << part;
   }
 }

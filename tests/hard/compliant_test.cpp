@@ -26,7 +26,7 @@ struct Encounter {
 Encounter encounter(const ContactForce& law, double mass, double speed, double gap) {
   const Vector row = Vector::Constant(1, 1.0 / std::sqrt(mass));
   System system{Vector::Zero(1), Vector::Zero(1), {}, {}, {}};
-  system.stops.push_back({row, gap, row, 0.0, law});
+  system.stops.push_back({row, gap, law});
   const double n = law.exponent + 1.0;
   const double deepest = std::pow(0.5 * n * mass * speed * speed / law.stiffness, 1.0 / n);
   const auto run = support::record_run(system, support::state_of({0.0}, {std::sqrt(mass) * speed}),

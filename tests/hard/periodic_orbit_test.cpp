@@ -24,7 +24,7 @@ constexpr double kTurn = 2.0 * std::numbers::pi;
 Orbit faster_closed_form_orbit(const System& system, int period = 1) {
   const ClosedFormAnswer answer = closed_form(system, 0, period);
   EXPECT_TRUE(answer.form) << answer.why_not;
-  const ShootingProblem problem({period, {0}}, shooting_scale(system));
+  const ShootingProblem problem({period, {0}}, motion_scale(system));
   std::vector<Orbit> orbits;
   for (const ImpactPoint& point : answer.form->solutions(system.stops[0].gap))
     orbits.push_back(make_orbit(system, problem, problem.pack({point})));
@@ -218,7 +218,7 @@ TEST(HardCases, G3SaltationDeterminantAndFold) {
     ASSERT_TRUE(answer.form);
     for (const ImpactPoint& point : answer.form->solutions(system.stops[0].gap)) {
       const Matrix m = monodromy_matrix(system, {period, {0}}, {point});
-      const double r = system.stops[0].restitution.at_rest();
+      const double r = system.stops[0].restitution().at_rest();
       const double expected =
           r * r * std::exp(-2.0 * period * system.period() * system.delta.sum());
       // A determinant loses the products of the matrix's entries to rounding.

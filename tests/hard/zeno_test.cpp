@@ -363,7 +363,7 @@ Vector held_frequencies(int modes, double position) {
     system.omega[j] = std::pow(cantilever_wave_number(j + 1), 2);
     row[j] = cantilever_shape(j + 1, position);
   }
-  system.stops.push_back({row, 0.0, momentum_direction(row), 0.5});
+  system.stops.push_back({row, 0.0, ImpactLaw{momentum_direction(row), 0.5}});
   return ContactPhase<double>(system, {0}).reduced().omega;
 }
 

@@ -65,7 +65,7 @@ TEST(Chatter, CostPerImpactDoesNotGrow) {
 // x'' + x = cos(W t), x <= s: pushed from t = 0 until it is released.
 System pushed_oscillator(double stop, const Restitution& restitution) {
   System system = support::forced_oscillator(1.0, 0.0, stop, 0.0, 0.3, 1.0);
-  system.stops[0].restitution = restitution;
+  system.stops[0].impact().restitution = restitution;
   return system;
 }
 
@@ -74,7 +74,7 @@ TEST(Chatter, ThatLosesNothingAtLowSpeedNeverCompletes) {
   // sum.
   System ball = support::oscillator(0.0, 0.0, 1.0, 0.0);
   ball.load = Vector::Constant(1, 1.0);
-  ball.stops[0].restitution = Restitution(std::vector<double>{1.0, 0.5});
+  ball.stops[0].impact().restitution = Restitution(std::vector<double>{1.0, 0.5});
   SimulationOptions options = for_seconds(100.0);
   options.max_impacts = 20'000;
   const RecordedRun run = record_run(ball, support::rest(ball), options);
@@ -102,7 +102,7 @@ TEST(Chatter, OfARestitutionThatFallsWithTheSpeedCompletes) {
 
 TEST(Chatter, ClampedRestitutionsAreCounted) {
   System system = support::oscillator(1.0, 0.0, 0.5, 0.0);
-  system.stops[0].restitution = Restitution(std::vector<double>{0.9, 1.0});
+  system.stops[0].impact().restitution = Restitution(std::vector<double>{0.9, 1.0});
   const RecordedRun run = record_run(system, state_of({0.5}, {2.0}), for_seconds(1.0));
   ASSERT_EQ(run.events.size(), 1u);
   EXPECT_EQ(run.result.totals.clamped_restitutions, 1);  // .9 - 2 < 0

@@ -29,7 +29,7 @@ System three_modes(const ContactForce& law) {
   system.forcing = HarmonicForcing{8.0, 0.7, Vector{{1.3, 0.7, 0.2}}};
   system.load = Vector{{0.2, -0.1, 0.05}};
   const Vector row{{1.0, -0.9, 0.8}};
-  system.stops.push_back({row, 0.003, row / row.squaredNorm(), Restitution{0.0}, law});
+  system.stops.push_back({row, 0.003, law});
   return system;
 }
 
@@ -103,7 +103,7 @@ TEST(CompliantEnergyOfAMass, IsWhatItsRestitutionLeaves) {
   for (const double zeta : {0.05, 0.3, 0.8})
     for (const Separation rule : {Separation::kAtZeroForce, Separation::kAtZeroDepth}) {
       System system = support::oscillator(0.0, 0.0, 0.25, 0.0);
-      system.stops.front().spring = {
+      system.stops.front().law = ContactForce{
           k, 1.0, ContactDamping::kConstant, 2.0 * zeta * std::sqrt(k), 0.0, 0.0, rule};
       const auto run = support::record_run(system, support::state_of({0.0}, {v}), booked(1.0));
       const double e = rule == Separation::kAtZeroForce ? restitution_at_zero_force(zeta)
@@ -120,7 +120,7 @@ TEST(CompliantEnergyOfAMass, IsGivenBackByASpring) {
   const double k = 3e5, v = 0.7;
   for (const double n : {1.0, 1.5, 2.2}) {
     System system = support::oscillator(0.0, 0.0, 0.25, 0.0);
-    system.stops.front().spring = ContactForce{k, n};
+    system.stops.front().law = ContactForce{k, n};
     const auto run = support::record_run(system, support::state_of({0.0}, {v}), booked(1.0));
     ASSERT_EQ(run.events.size(), 2u);
     EXPECT_EQ(run.events[1].energy_change, 0.0);
@@ -159,7 +159,7 @@ TEST(CompliantEnergyBesideAnObliqueStop, BookCloses) {
   System system = three_modes(law_of(1.0, ContactDamping::kConstant, 20.0));
   system.load = Vector{{3.0, 1.0, -2.0}};
   const Vector row{{0.7, 1.0, -0.6}}, along{{0.4, 0.9, 0.3}};
-  system.stops.push_back({row, 0.002, along / row.dot(along), Restitution{0.2}});
+  system.stops.push_back({row, 0.002, ImpactLaw{along / row.dot(along), Restitution{0.2}}});
   const auto run = support::record_run(system, support::rest(system), booked(10.0));
   ASSERT_EQ(run.result.outcome, RunOutcome::kReachedEnd) << run.result.message;
   EXPECT_GT(run.result.totals.stuck_time, 0.01);

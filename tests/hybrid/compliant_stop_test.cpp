@@ -23,7 +23,7 @@ ContactForce linear(double k, double c = 0.0, Separation separation = Separation
 
 System sprung(double omega, double gap, const ContactForce& law) {
   System system = support::oscillator(omega, 0.0, gap, 0.0);
-  system.stops.front().spring = law;
+  system.stops.front().law = law;
   return system;
 }
 
@@ -117,7 +117,7 @@ TEST(CompliantStop, S5SphereOnABeam) {
     system.omega[j] = wave * wave * std::sqrt(stiffness / line);
     row[j] = -std::sqrt(2.0 / (line * length)) * std::sin(0.5 * n * std::numbers::pi);
   }
-  system.stops.push_back({row, 0.0, row, 0.0, ContactForce{1.5091575091575e10, 1.5}});
+  system.stops.push_back({row, 0.0, ContactForce{1.5091575091575e10, 1.5}});
   State start{Vector::Zero(modes + 1), Vector::Zero(modes + 1)};
   start.qdot[0] = std::sqrt(mass) * v;
   const auto run = support::record_run(system, start, support::for_seconds(3e-4));
@@ -189,7 +189,7 @@ TEST(CompliantStop, AForceThatFadesToRoundingDoesNotComeAndGo) {
     law.exponent = 1.5;
     law.damping = ContactDamping::kPower;
     law.coefficient = c;
-    system.stops[0].spring = law;
+    system.stops[0].law = law;
     const support::RecordedRun run =
         support::record_run(system, support::state_of({0.0}, {1.0}), support::for_seconds(0.5));
     EXPECT_EQ(run.result.outcome, RunOutcome::kReachedEnd) << run.result.message;
@@ -214,7 +214,7 @@ TEST(CompliantStop, GripsAgainOnlyWhenTheForceDoes) {
     law.exponent = 1.5;
     law.damping = ContactDamping::kDepth;
     law.coefficient = 3.8e6;
-    system.stops[0].spring = law;
+    system.stops[0].law = law;
     const support::RecordedRun run =
         support::record_run(system, support::state_of({0.0}, {0.0}), support::for_seconds(2.0));
     EXPECT_EQ(run.result.outcome, RunOutcome::kReachedEnd) << run.result.message;

@@ -53,7 +53,7 @@ TEST(EventCrowd, StandsInTheSentenceOfARunOutOfItsBudget) {
   EXPECT_EQ(simulate(system, support::rest(system), options).crowd.find("events took"),
             std::string::npos);
   system.load = Vector::Constant(1, 100.0);  // presses it onto the stop
-  system.stops.front().restitution = Restitution{0.99};
+  system.stops.front().impact().restitution = Restitution{0.99};
   options.closure_speed = 1e-300;
   options.max_impacts = 2500;
   const Simulation run = simulate(system, support::rest(system), options);

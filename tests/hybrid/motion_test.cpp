@@ -17,7 +17,7 @@ using support::Dice;
 // A free mass between walls at +-a.
 System between_walls(double a, double restitution) {
   System system = support::oscillator(0.0, 0.0, a, restitution);
-  system.stops.push_back({-Vector::Ones(1), a, -Vector::Ones(1), restitution});
+  system.stops.push_back({-Vector::Ones(1), a, ImpactLaw{-Vector::Ones(1), restitution}});
   return system;
 }
 
@@ -59,7 +59,7 @@ TEST(Motion, FreeMassComesToRestInANarrowCorner) {
   System system{Vector::Zero(2), Vector::Zero(2), {}, {}, {}};
   for (const double side : {1.0, -1.0}) {
     const Vector row = Eigen::Vector2d(std::sin(half), side * std::cos(half));
-    system.stops.push_back({row, 0.0, momentum_direction(row), 0.5});
+    system.stops.push_back({row, 0.0, ImpactLaw{momentum_direction(row), 0.5}});
   }
   Motion<double> motion(system, {}, -Vector::Unit(2, 0), Eigen::Vector2d(1.0, 0.05));
   double energy = motion.qdot().squaredNorm(), last = 0.0;
@@ -87,7 +87,8 @@ TEST(Motion, BarComesToRestOnTwoSupports) {
     system.load = Eigen::Vector2d(9.81, 0.0);
     for (const Vector& row :
          {Vector(Eigen::Vector2d(1.0, 1.5)), Vector(Eigen::Vector2d(1.0, -0.9))})
-      system.stops.push_back({row, row[1] > 0.0 ? 0.1 : 0.11, momentum_direction(row), r});
+      system.stops.push_back(
+          {row, row[1] > 0.0 ? 0.1 : 0.11, ImpactLaw{momentum_direction(row), r}});
     Motion<double> motion(system, {}, Vector::Zero(2), Vector::Zero(2));
     for (int impacts = 0; impacts < 5000 && motion.instant().local < 20.0;) {
       const Arrival<double> arrival = motion.fly(20.0);
@@ -114,7 +115,8 @@ TEST(Motion, ClampedCoordinateStandsImpactsOfAnother) {
     const Vector clamp = Eigen::Vector2d(dice.uniform(-1.0, 1.0), 0.0);
     const Vector struck = dice.vector(2, -1.0, 1.0);
     for (const Vector& row : {struck, clamp, Vector(-clamp)})
-      system.stops.push_back({row, 0.0, momentum_direction(row), dice.uniform(0.1, 0.9)});
+      system.stops.push_back(
+          {row, 0.0, ImpactLaw{momentum_direction(row), dice.uniform(0.1, 0.9)}});
     system.stops[0].gap = 0.01;
     Motion<double> motion(system, {}, Vector::Zero(2), Eigen::Vector2d(0.0, 30.0 * struck[1]));
     Arrival<double> arrival = motion.fly(1.0);
@@ -122,7 +124,7 @@ TEST(Motion, ClampedCoordinateStandsImpactsOfAnother) {
     if (arrival.kind == ArrivalKind::kTime) continue;  // does not come so far
     ASSERT_EQ(arrival.kind, ArrivalKind::kContact);
     ASSERT_EQ(arrival.stop, 0);
-    const double r = system.stops[0].restitution.at(arrival.speed);
+    const double r = system.stops[0].restitution().at(arrival.speed);
     motion.impact();
     EXPECT_NEAR(struck.dot(motion.qdot()), -r * arrival.speed, 1e-13 * arrival.speed);
     EXPECT_NEAR(clamp.dot(motion.qdot()), 0.0, 1e-14 * arrival.speed);

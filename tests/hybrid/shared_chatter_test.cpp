@@ -31,7 +31,7 @@ System bar(double s, double gap, double restitution) {
   for (const double side : {s, -s}) {
     const Vector row{{1.0, side}};
     system.stops.push_back(
-        {row, side > 0 ? 0.0 : gap, momentum_direction(row), Restitution(restitution)});
+        {row, side > 0 ? 0.0 : gap, ImpactLaw{momentum_direction(row), Restitution(restitution)}});
   }
   return system;
 }
@@ -164,7 +164,8 @@ System string_over_frets(int modes, int frets, double restitution) {
   for (int k = 1; k <= frets; ++k) {
     Vector row(modes);
     for (int j = 1; j <= modes; ++j) row[j - 1] = -std::sqrt(2.0) * std::sin(j * M_PI * 0.04 * k);
-    system.stops.push_back({row, 6e-4, momentum_direction(row), Restitution(restitution)});
+    system.stops.push_back(
+        {row, 6e-4, ImpactLaw{momentum_direction(row), Restitution(restitution)}});
   }
   return system;
 }

@@ -100,7 +100,7 @@ TEST(Simulation, StopsWhenInterrupted) {
 TEST(Simulation, ARefusedStartHasNoSamplesHoweverOftenItIsResumed) {
   System system{Eigen::Vector2d(3.0, 1.0), Vector::Zero(2), {}, {}, {}};
   const Vector row = Eigen::Vector2d(1.0, 1.0);
-  system.stops.push_back({row, -1.0, Eigen::Vector2d(1.25, -0.25), 0.5});
+  system.stops.push_back({row, -1.0, ImpactLaw{Eigen::Vector2d(1.25, -0.25), 0.5}});
   // At rest on the stop: free acceleration into it -(b.w^2 q) = 9.
   const State start = state_of({-1.0, 0.0}, {0.0, 0.0});
   int samples = 0;
@@ -119,10 +119,10 @@ TEST(Simulation, ARefusedStartHasNoSamplesHoweverOftenItIsResumed) {
 TEST(Simulation, StopsAtOnePlaceAreLeftTogether) {
   System system = forced_oscillator(63.0, 0.0, 0.0, 0.0, 91.0, 72.0);
   system.forcing->phase = 0.94;
-  system.stops[0].row[0] = system.stops[0].direction[0] = -1.0;
+  system.stops[0].row[0] = system.stops[0].impact().direction[0] = -1.0;
   system.stops.push_back(system.stops[0]);
-  system.stops[1].restitution = Restitution(0.7364336049948917);
-  system.stops.push_back({Vector::Ones(1), 0.0006, Vector::Ones(1), 0.78});
+  system.stops[1].impact().restitution = Restitution(0.7364336049948917);
+  system.stops.push_back({Vector::Ones(1), 0.0006, ImpactLaw{Vector::Ones(1), 0.78}});
   SimulationOptions options = for_periods(50);
   RunListeners listeners;
   double beyond = 0.0;
@@ -155,8 +155,8 @@ TEST(Simulation, EnergyBookOfASoftModeCloses) {
 TEST(Simulation, AGlideOntoAStopBesideAQuickMotionIsFollowed) {
   System system{Eigen::Vector4d(178.0, 154.0, 4070.0, 98.0), Vector::Zero(4), {}, {}, {}};
   system.delta << 178.0, 28.0, 0.0, 25.0;
-  system.stops.push_back({-Vector::Unit(4, 1), -0.007, -Vector::Unit(4, 1), 0.0});
-  system.stops.push_back({-Vector::Unit(4, 0), 0.0, -Vector::Unit(4, 0), 0.0});
+  system.stops.push_back({-Vector::Unit(4, 1), -0.007, ImpactLaw{-Vector::Unit(4, 1), 0.0}});
+  system.stops.push_back({-Vector::Unit(4, 0), 0.0, ImpactLaw{-Vector::Unit(4, 0), 0.0}});
   const RecordedRun run = record_run(
       system, state_of({0.006, 0.007, -5e-5, 0.09}, {0.2, 0.0, -0.04, 2.5}), for_seconds(0.4));
   EXPECT_EQ(run.result.outcome, RunOutcome::kReachedEnd) << run.result.message;
@@ -194,8 +194,8 @@ TEST(Simulation, InelasticImpactRestsWherePushedAndLeavesWherePulled) {
 TEST(Simulation, AWallThatTakesAllSpeedDoesNotStopTheMotionAlongIt) {
   System system{Vector::Zero(2), Vector::Zero(2), {}, {}, {}};
   const Vector first{{1.0, 0.0}}, second{{-0.6, 0.8}};
-  system.stops.push_back({first, 0.0, momentum_direction(first), Restitution(0.0)});
-  system.stops.push_back({second, 0.0, momentum_direction(second), Restitution(0.7)});
+  system.stops.push_back({first, 0.0, ImpactLaw{momentum_direction(first), Restitution(0.0)}});
+  system.stops.push_back({second, 0.0, ImpactLaw{momentum_direction(second), Restitution(0.7)}});
   const RecordedRun run = record_run(system, state_of({0.0, 0.0}, {1.0, 0.5}), for_seconds(1.0));
   // (1, 0.5) -> (0, 0.5), v2 = 0.4 -> q2' = -0.7 * 0.4/0.8.
   EXPECT_NEAR(run.result.final.qdot[0], 0.0, 1e-15);
@@ -352,7 +352,7 @@ TEST(Simulation, TotalsOfARefusedRunAreThoseOfItsEnd) {
   system.load = Vector::Constant(kMasses, kGravity);
   for (int k = 0; k < kMasses; ++k) {
     const Vector row = Vector::Unit(kMasses, k);
-    system.stops.push_back({row, 0.1 * (k + 1), row, Restitution(0.0)});
+    system.stops.push_back({row, 0.1 * (k + 1), ImpactLaw{row, Restitution(0.0)}});
   }
   const Simulation run =
       simulate(system, {Vector::Zero(kMasses), Vector::Zero(kMasses)}, for_seconds(3.0), {});

@@ -49,7 +49,7 @@ ContactForce hunt_crossley(double k, double r, double speed) {
 }
 
 System sprung(System system, const ContactForce& law) {
-  system.stops.front().spring = law;
+  system.stops.front().law = law;
   return system;
 }
 

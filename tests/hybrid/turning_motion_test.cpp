@@ -246,7 +246,7 @@ TEST(TurningMotion, RestsOnASpringUnderTorque) {
   Scene scene = strip_on_hub(3);
   scene.damping = RayleighDamping{20.0, 1e-4};
   scene.hub->torque = TorquePulse{0.4, 60.0};
-  Stop stop = stop_at(0.45, 0.01, 0.0);
+  SceneStop stop = stop_at(0.45, 0.01, 0.0);
   stop.spring = Spring{1e5, 1.0, {}, {}, Separation::kAtZeroForce};
   scene.stops = {stop};
   const System system = assemble(scene);

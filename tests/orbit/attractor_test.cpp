@@ -18,7 +18,7 @@ namespace {
 using Kind = std::pair<int, int>;  // (p, k)
 
 double speed_scale(const System& system) {
-  return shooting_scale(system).length * system.forcing->frequency;
+  return motion_scale(system).length * system.forcing->frequency;
 }
 
 // The orbit that a simulation settles on, made minimal; nothing when it settles on none.
@@ -28,7 +28,7 @@ std::optional<Orbit> settled_orbit(const System& system, const State& start) {
   options.longest_period = 8;
   const SettledMotion settled = settle(system, start, options);
   if (!settled.pattern) return {};
-  const ShootingProblem problem(*settled.pattern, shooting_scale(system));
+  const ShootingProblem problem(*settled.pattern, motion_scale(system));
   const auto solution = newton(problem, system, problem.pack(settled.points));
   if (!solution) return {};
   const Orbit orbit = make_orbit(system, problem, solution->x);
@@ -36,7 +36,7 @@ std::optional<Orbit> settled_orbit(const System& system, const State& start) {
   if (!shorter) return orbit;
   std::vector<ImpactPoint> points = orbit.points();
   points.resize(shorter->stops.size());
-  const ShootingProblem part(*shorter, shooting_scale(system));
+  const ShootingProblem part(*shorter, motion_scale(system));
   const auto minimal = newton(part, system, part.pack(points));
   if (!minimal) return {};
   return make_orbit(system, part, minimal->x);
@@ -51,7 +51,7 @@ std::vector<Orbit> attractors(const System& system) {
       start.q[0] = -0.04 - 0.12 * i;
       start.qdot[0] = 0.5 * j;
       bool clear = true;
-      for (const RigidStop& stop : system.stops) clear = clear && stop.row.dot(start.q) < stop.gap;
+      for (const Stop& stop : system.stops) clear = clear && stop.row.dot(start.q) < stop.gap;
       if (!clear) continue;
       const std::optional<Orbit> orbit = settled_orbit(system, start);
       if (!orbit) continue;
@@ -104,7 +104,7 @@ TEST(Attractors, BetweenTwoStopsAreListed) {
     const double frequency = 0.8 + 0.25 * i;
     SCOPED_TRACE(testing::Message() << "frequency " << frequency);
     System system = support::forced_oscillator(1.0, 0.05, 0.3, 0.6, frequency, 1.0);
-    system.stops.push_back({-Vector::Ones(1), 0.5, -Vector::Ones(1), 0.7});
+    system.stops.push_back({-Vector::Ones(1), 0.5, ImpactLaw{-Vector::Ones(1), 0.7}});
     expect_listed(system, kinds);
   }
   EXPECT_TRUE(kinds.contains(Kind(1, 2)));
@@ -119,7 +119,7 @@ TEST(Attractors, OfTwoModesWithRestitutionBySpeedAreListed) {
         (Vector(2) << 1.0, 4.3).finished(), (Vector(2) << 0.05, 0.1).finished(), {}, {}, {}};
     const Vector row = (Vector(2) << 1.0, -0.6).finished();
     system.stops.push_back(
-        {row, 0.1, row / row.squaredNorm(), Restitution(std::vector<double>{0.8, 0.1})});
+        {row, 0.1, ImpactLaw{row / row.squaredNorm(), Restitution(std::vector<double>{0.8, 0.1})}});
     expect_listed(support::forced(system, frequency, 0.0, (Vector(2) << 1.0, 0.3).finished()),
                   kinds);
   }

@@ -42,7 +42,7 @@ ImpactPoint solution_of(const Case& c) {
 }
 
 Orbit orbit_of(const Case& c, const ImpactPoint& point) {
-  const ShootingProblem problem({c.period, {0}}, shooting_scale(c.system));
+  const ShootingProblem problem({c.period, {0}}, motion_scale(c.system));
   return make_orbit(c.system, problem, problem.pack({point}));
 }
 
@@ -91,7 +91,7 @@ TEST(ClosedForm, NewtonKeepsIt) {
   for (const support::TableRow& row : support::read_table("closed_form_orbits.csv")) {
     const Case c = case_of(row);
     SCOPED_TRACE(c.name);
-    const ShootingProblem problem({c.period, {0}}, shooting_scale(c.system));
+    const ShootingProblem problem({c.period, {0}}, motion_scale(c.system));
     const auto solution = newton(problem, c.system, problem.pack({solution_of(c)}));
     ASSERT_TRUE(solution);
     EXPECT_LE(solution->residual, 1e-13);
@@ -147,7 +147,7 @@ TEST(ClosedForm, HoldsUnderAConstantLoad) {
       system.load = part * system.forcing->amplitude;
       const ClosedFormAnswer answer = closed_form(system, 0, 1);
       ASSERT_TRUE(answer.form);
-      const ShootingProblem problem({1, {0}}, shooting_scale(system));
+      const ShootingProblem problem({1, {0}}, motion_scale(system));
       for (const ImpactPoint& point : answer.form->solutions(system.stops[0].gap)) {
         ++found;
         EXPECT_LE(problem.residual(system, problem.pack({point})).cwiseAbs().maxCoeff(), 1e-11);
@@ -267,12 +267,12 @@ TEST(ClosedForm, HoldsAtAndBesideConservativeMotion) {
     system.forcing = HarmonicForcing{1.8, 0.4, (Vector(3) << 1.0, 0.4, -0.2).finished()};
     system.load = (Vector(3) << 0.03, -0.02, 0.01).finished();
     const Vector row = (Vector(3) << 1.0, -0.8, 0.6).finished();
-    system.stops.push_back({row, 0.2, row / row.squaredNorm(), 1.0 - lost});
+    system.stops.push_back({row, 0.2, ImpactLaw{row / row.squaredNorm(), 1.0 - lost}});
     const ClosedFormAnswer answer = closed_form(system, 0, 1);
     ASSERT_TRUE(answer.form) << answer.why_not;
     const std::vector<ImpactPoint> points = answer.form->solutions(0.2);
     ASSERT_EQ(points.size(), 2u);
-    const ShootingProblem problem({1, {0}}, shooting_scale(system));
+    const ShootingProblem problem({1, {0}}, motion_scale(system));
     // I - E J is about `lost`: far enough from zero it is solved with, and eps is divided by it.
     const double tolerance = lost > 1e-6 ? 1e-15 / lost : 1e-12;
     for (const ImpactPoint& point : points)
@@ -294,7 +294,7 @@ TEST(ClosedForm, HoldsForFourHundredModes) {
         support::reference_scene("orbits/beam_n4_33", {"beam.modes=" + std::to_string(modes)}));
     const ClosedFormAnswer answer = closed_form(system, 0, 1);
     ASSERT_TRUE(answer.form) << modes << ": " << answer.why_not;
-    const ShootingProblem problem({1, {0}}, shooting_scale(system));
+    const ShootingProblem problem({1, {0}}, motion_scale(system));
     for (const ImpactPoint& point : answer.form->solutions(system.stops[0].gap))
       EXPECT_LE(problem.residual(system, problem.pack({point})).cwiseAbs().maxCoeff(), 1e-12)
           << modes;

@@ -28,7 +28,7 @@ ExponentOptions over(long long periods) {
 
 // The flow shrinks volumes by e^{-2 sum delta t}, every impact by r^2.
 double sum_by_identity(const System& system, const Exponents& exponents) {
-  const double r = system.stops[0].restitution.at_rest();
+  const double r = system.stops[0].restitution().at_rest();
   const double time = static_cast<double>(exponents.periods) * system.period();
   return -2.0 * system.delta.sum() +
          static_cast<double>(exponents.impacts) * 2.0 * std::log(r) / time;
@@ -114,7 +114,7 @@ TEST(Exponents, OfABallOnAShakenTable) {
     System system{Vector::Zero(1), Vector::Zero(1), {}, {}, {}};
     system.load = Vector::Constant(1, 1.0);
     system.forcing = HarmonicForcing{1.0, 0.3, Vector::Constant(1, one.a)};
-    system.stops.push_back({Vector::Ones(1), 0.0, Vector::Ones(1), one.r});
+    system.stops.push_back({Vector::Ones(1), 0.0, ImpactLaw{Vector::Ones(1), one.r}});
     const Exponents exponents =
         lyapunov_exponents(system, support::state_of({-10.0}, {0.0}), over(150'000));
     ASSERT_EQ(exponents.failure, "");

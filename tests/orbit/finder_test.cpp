@@ -55,7 +55,7 @@ TEST(Settled, OnOneImpactInTwoPeriods) {
 TEST(Settled, OnADoubledOrbitWhereTheSimpleOneIsUnstable) {
   const System system = fruit_fly(2.7, 0.0);
   for (const ImpactPoint& exact : closed_form(system, 0, 1).form->solutions(0.0)) {
-    const ShootingProblem problem({1, {0}}, shooting_scale(system));
+    const ShootingProblem problem({1, {0}}, motion_scale(system));
     EXPECT_EQ(make_orbit(system, problem, problem.pack({exact})).stable, false);
   }
   const SettledMotion settled = settle(system, support::state_of({-1.0}, {0.0}));
@@ -63,7 +63,7 @@ TEST(Settled, OnADoubledOrbitWhereTheSimpleOneIsUnstable) {
   EXPECT_EQ(settled.pattern->period, 2);
   ASSERT_EQ(settled.pattern->impacts(), 2);
   EXPECT_GT(std::abs(settled.points[0].before.qdot[0] - settled.points[1].before.qdot[0]), 1e-2);
-  const ShootingProblem problem(*settled.pattern, shooting_scale(system));
+  const ShootingProblem problem(*settled.pattern, motion_scale(system));
   const auto solution = newton(problem, system, problem.pack(settled.points));
   ASSERT_TRUE(solution);
   const Orbit orbit = make_orbit(system, problem, solution->x);
@@ -115,7 +115,7 @@ TEST(Finder, ListsBothSolutionsOfTheClosedFormOnce) {
     EXPECT_EQ(simple, 2);
     EXPECT_EQ(found.closed_form.converged, 2);
     EXPECT_GT(found.random.converged, 0);
-    const double speed = shooting_scale(system).length * system.forcing->frequency;
+    const double speed = motion_scale(system).length * system.forcing->frequency;
     for (std::size_t i = 0; i < found.orbits.size(); ++i)
       for (std::size_t j = 0; j < i; ++j)
         EXPECT_FALSE(same_orbit(found.orbits[i], found.orbits[j], speed));

@@ -22,7 +22,8 @@ System two_modes(double second_damping) {
   system.forcing =
       HarmonicForcing{0.638860173981165, -2.6488888828114447, Vector{{1.0, 0.2995833008697377}}};
   const Vector row{{1.0, -0.19389917574482163}};
-  system.stops.push_back({row, 1.0, row / row.squaredNorm(), Restitution{0.5230813333303654}});
+  system.stops.push_back(
+      {row, 1.0, ImpactLaw{row / row.squaredNorm(), Restitution{0.5230813333303654}}});
   return system;
 }
 

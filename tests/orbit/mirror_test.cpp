@@ -54,8 +54,8 @@ TEST(Mirror, OrbitsThatStickHaveTheirImagesToo) {
   system.delta = (Vector(2) << 0.05, 0.03).finished().cwiseProduct(system.omega);
   system.forcing = HarmonicForcing{1.07, 0.0, (Vector(2) << 1.0, 0.3).finished()};
   const Vector row = (Vector(2) << 1.0, -0.9).finished();
-  system.stops.push_back({row, 0.85, row / row.squaredNorm(), 0.3});
-  system.stops.push_back({-row, 0.85, -row / row.squaredNorm(), 0.3});
+  system.stops.push_back({row, 0.85, ImpactLaw{row / row.squaredNorm(), 0.3}});
+  system.stops.push_back({-row, 0.85, ImpactLaw{-row / row.squaredNorm(), 0.3}});
   FinderOptions options;
   options.from_closed_form = options.from_random = false;
   std::vector<std::vector<Orbit>> lists;
@@ -80,9 +80,9 @@ TEST(Mirror, OrbitsThatStickHaveTheirImagesToo) {
 // One that is its own image is listed once.
 TEST(Mirror, OrbitsThatStickOnBothStopsAlikeAreListedOnce) {
   System system = support::forced_oscillator(1.0, 0.05, 0.3, 0.2, 0.5, 1.0);
-  RigidStop below = system.stops[0];
+  Stop below = system.stops[0];
   below.row *= -1.0;
-  below.direction *= -1.0;
+  below.impact().direction *= -1.0;
   system.stops.push_back(below);
   FinderOptions options;
   options.from_closed_form = options.from_random = false;

@@ -180,7 +180,7 @@ TEST(Multipliers, NextToGrazingTheyMultiplyToTheDeterminantWithAnyNumberOfModes)
       const auto& [system, point] = *slow;
       const std::vector<Eigenvalue> values = orbit_multipliers(system, {1, {0}}, {point});
       ASSERT_EQ(values.size(), static_cast<std::size_t>(2 * modes));
-      const double r = system.stops[0].restitution.at_rest();
+      const double r = system.stops[0].restitution().at_rest();
       Complex product = 1.0;
       for (const Eigenvalue& value : values) product *= value.value;
       const double expected = r * r * std::exp(-2.0 * system.period() * system.delta.sum());
@@ -273,7 +273,7 @@ TEST(Multipliers, OfPlasticImpactsHaveOneExactZero) {
   // so that each factor has rank 2N - 1. One is left out of what follows it: the zero is simple.
   System system = assemble(
       support::shipped_scene("05_wagg_one_mode", {"beam.modes=3", "forcing.frequency=100"}));
-  system.stops[0].restitution = 0.0;
+  system.stops[0].impact().restitution = 0.0;
   const ClosedFormAnswer answer = closed_form(system, 0, 1);
   ASSERT_TRUE(answer.form);
   for (const ImpactPoint& point : answer.form->solutions(system.stops[0].gap))

@@ -53,7 +53,7 @@ TEST(Passage, CarriesDeviationsLikeTheMonodromyMatrix) {
         system.forcing->amplitude = (Vector(3) << 1.0, 0.4, 0.2).finished();
         const Vector row = (Vector(3) << 1.0, 0.6, -0.5).finished();
         system.stops[0].row = row;
-        system.stops[0].direction = momentum_direction(row);
+        system.stops[0].impact().direction = momentum_direction(row);
         FinderOptions options;
         options.from_simulation = options.from_random = false;
         for (const Orbit& orbit : find_orbits(system, {}, options).orbits) {

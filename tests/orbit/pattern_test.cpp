@@ -28,7 +28,7 @@ FinderOptions searching(int period, std::optional<int> impacts) {
 // x'' + .1 x' + x = cos(W t) between stops at -gap and gap.
 System two_sided(double frequency, double gap, double restitution) {
   System system = support::forced_oscillator(1.0, 0.05, gap, restitution, frequency, 1.0);
-  system.stops.push_back({-Vector::Ones(1), gap, -Vector::Ones(1), restitution});
+  system.stops.push_back({-Vector::Ones(1), gap, ImpactLaw{-Vector::Ones(1), restitution}});
   return system;
 }
 
@@ -219,7 +219,7 @@ TEST(Patterns, OrbitsTakenTwiceAreNotListed) {
 // equations hold; and a constant r that happens to be that of the orbit's speed has the same orbit.
 TEST(Patterns, RestitutionThatDependsOnTheSpeed) {
   System system = support::forced_oscillator(1.0, 0.05, 0.1, 0.8, 2.0, 1.0);
-  system.stops[0].restitution = Restitution(std::vector<double>{0.9, 0.2});
+  system.stops[0].impact().restitution = Restitution(std::vector<double>{0.9, 0.2});
   FinderOptions options = searching(1, 1);
   options.keep_virtual = true;
   const FoundOrbits found = find_orbits(system, {}, options);
@@ -227,7 +227,8 @@ TEST(Patterns, RestitutionThatDependsOnTheSpeed) {
   for (const Orbit& orbit : found.orbits) {
     EXPECT_LE(orbit.residual, 1e-11);
     System same = system;
-    same.stops[0].restitution = Restitution(system.stops[0].restitution.at(orbit.impacts[0].speed));
+    same.stops[0].impact().restitution =
+        Restitution(system.stops[0].restitution().at(orbit.impacts[0].speed));
     bool there = false;
     for (const Orbit& other : find_orbits(same, {}, options).orbits)
       there = there || (std::abs(other.impacts[0].phase - orbit.impacts[0].phase) < 1e-9 &&

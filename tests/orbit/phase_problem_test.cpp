@@ -31,15 +31,15 @@ System many_kinds() {
   system.load = (Vector(5) << 0.1, 0.2, -0.1, 0.05, 0.02).finished();
   const Vector above = (Vector(5) << 1.0, -0.5, 0.7, 0.3, 0.4).finished();
   const Vector below = (Vector(5) << -0.6, 0.9, 0.2, -0.3, -0.5).finished();
-  system.stops.push_back({above, 0.3, above / above.squaredNorm(), 0.8});
-  system.stops.push_back({below, 0.2, below / below.squaredNorm(), 0.6});
+  system.stops.push_back({above, 0.3, ImpactLaw{above / above.squaredNorm(), 0.8}});
+  system.stops.push_back({below, 0.2, ImpactLaw{below / below.squaredNorm(), 0.6}});
   return system;
 }
 
 // Whatever the phases, the motion repeats: all matching equations hold, and the contact equations
 // leave what `defect` says. Both are computed in other ways by ShootingProblem.
 void expect_repetition(const System& system) {
-  const ShootingScale scale = shooting_scale(system);
+  const MotionScale scale = motion_scale(system);
   for (const int period : {1, 2, 3}) {
     const PeriodicResponseAnswer answer = periodic_response(system, period);
     ASSERT_TRUE(answer.response) << answer.why_not;
@@ -68,7 +68,7 @@ TEST(PhaseProblem, TheMotionRepeatsWhateverThePhases) { expect_repetition(many_k
 // r(v) = .9 - .05 v - .01 v^2 at one of the stops.
 System with_restitution_by_speed() {
   System system = many_kinds();
-  system.stops[0].restitution = Restitution(std::vector<double>{0.9, 0.05, 0.01});
+  system.stops[0].impact().restitution = Restitution(std::vector<double>{0.9, 0.05, 0.01});
   return system;
 }
 
@@ -81,7 +81,7 @@ System conservative() {
   System system = many_kinds();
   system.delta.setZero();
   system.omega[3] = 2.1;
-  for (RigidStop& stop : system.stops) stop.restitution = Restitution(1.0);
+  for (Stop& stop : system.stops) stop.impact().restitution = Restitution(1.0);
   return system;
 }
 
@@ -103,10 +103,10 @@ TEST(PhaseProblem, ConservativeMotionKeepsContactWhateverThePhases) {
     const std::size_t k = points.size();
     for (std::size_t i = 0; i < k; ++i) {
       const std::size_t next = (i + 1) % k;
-      const RigidStop& stop = system.stops[static_cast<std::size_t>(stops[i])];
+      const Stop& stop = system.stops[static_cast<std::size_t>(stops[i])];
       EXPECT_NEAR(stop.row.dot(points[i].before.q), stop.gap, 1e-12);
       State after = after_impact(stop, points[i].before);
-      after.qdot -= defect[static_cast<Eigen::Index>(i)] * 2.3 * stop.direction;
+      after.qdot -= defect[static_cast<Eigen::Index>(i)] * 2.3 * stop.direction();
       const double turn = points[next].theta - theta[static_cast<Eigen::Index>(i)] +
                           (next == 0 ? 2.0 * kTurn : 0.0);
       const State end =
@@ -152,7 +152,7 @@ TEST(PhaseProblem, ForOneImpactItIsTheClosedForm) {
   for (const char* name : {"sdof_2_8", "sdof_1_6", "three_modes_2_1", "beam_n2_40", "beam_n4_47"}) {
     SCOPED_TRACE(name);
     const System system = assemble(support::reference_scene(std::string("orbits/") + name));
-    const ShootingScale scale = shooting_scale(system);
+    const MotionScale scale = motion_scale(system);
     const PeriodicResponseAnswer answer = periodic_response(system, 1);
     ASSERT_TRUE(answer.response);
     const PhaseProblem problem(*answer.response, {0}, 1.0);

@@ -21,7 +21,7 @@ constexpr double kTurn = 2.0 * std::numbers::pi;
 
 PhaseSearchOptions options_for(const System& system) {
   PhaseSearchOptions options;
-  options.length = shooting_scale(system).length;
+  options.length = motion_scale(system).length;
   options.speed = options.length * system.forcing->frequency;
   return options;
 }
@@ -172,7 +172,7 @@ TEST(PhaseSearch, TheGlobalStageFindsWhatFewLocalSolvesMiss) {
   system.omega = (Vector(3) << 1.0, 3.71, 10.9445).finished();
   system.delta = 0.03 * system.omega;
   const Vector row = (Vector(3) << 1.0, 0.26, 0.81).finished();
-  system.stops.push_back({row, 0.224, row / row.squaredNorm(), 0.46});
+  system.stops.push_back({row, 0.224, ImpactLaw{row / row.squaredNorm(), 0.46}});
   system = support::forced(system, 2.354, 0.0, (Vector(3) << 1.0, 0.3, -0.2).finished());
   const PeriodicResponseAnswer answer = periodic_response(system, 2);
   ASSERT_TRUE(answer.response);
@@ -208,7 +208,7 @@ TEST(PhaseSearch, SolutionsSolveTheShootingEquations) {
   EXPECT_GT(found.size(), 2u);
   for (std::size_t i = 0; i < found.size(); ++i) {
     const PhaseProblem phases(*answer.response, found[i].pattern.stops, 1.0);
-    const ShootingProblem problem(found[i].pattern, shooting_scale(system));
+    const ShootingProblem problem(found[i].pattern, motion_scale(system));
     const Vector x = problem.pack(phases.points(found[i].phases));
     EXPECT_LE(problem.residual(system, x).cwiseAbs().maxCoeff(), 1e-9);
     EXPECT_GT(found[i].phases[1] - found[i].phases[0], 1e-6);

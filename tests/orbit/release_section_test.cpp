@@ -17,7 +17,7 @@ StickingOptions options_of(const Found& found) {
 
 // Chatters closed so late that the differences do not see it.
 Found fine_orbit(const Scene& scene) {
-  return settled_orbit(scene, 1e-8 * shooting_scale(assemble(scene)).length);
+  return settled_orbit(scene, 1e-8 * motion_scale(assemble(scene)).length);
 }
 
 void expect_derivatives(const Scene& scene, const std::string& parameter) {

@@ -69,7 +69,7 @@ void expect_monodromy(const System& system, int period, const ImpactPoint& point
   // M acts from impact to impact: M_section = E^-1 M E.
   const Matrix expected = back.flow.times(m * to_impact.flow.times(identity));
 
-  const ShootingScale scale = shooting_scale(system);
+  const MotionScale scale = motion_scale(system);
   Vector unit(2 * n);
   unit << Vector::Constant(n, scale.displacement), scale.velocity;
   const Vector y = stacked(back.end);
@@ -124,7 +124,7 @@ TEST(Saltation, DeterminantIsThatOfTheImpactLaw) {
     const State before{dice.vector(n, -1.0, 1.0), dice.vector(n, -1.0, 1.0)};
     const double v = row.dot(before.qdot);
     if (std::abs(v) < 0.1 || direction.norm() > 5.0) continue;
-    const Matrix s = saltation_matrix(system, {row, 0.5, direction, r}, before, 0.9);
+    const Matrix s = saltation_matrix(system, {row, 0.5, ImpactLaw{direction, r}}, before, 0.9);
     // det J = -r, and a change of clock multiplies it by (c f+)/(c f-) = -r.
     EXPECT_NEAR(s.determinant(), r * r, 1e-15 * std::pow(s.norm(), 2) + 1e-12);
   }
@@ -142,8 +142,8 @@ TEST(Saltation, DeterminantOfARestitutionThatDependsOnTheSpeed) {
     const State before{dice.vector(n, -1.0, 1.0), dice.vector(n, -1.0, 1.0)};
     const double v = row.dot(before.qdot);
     if (v < 0.1) continue;
-    const RigidStop stop{row, 0.5, momentum_direction(row),
-                         Restitution(std::vector<double>{a0, a1})};
+    const Stop stop{row, 0.5,
+                    ImpactLaw{momentum_direction(row), Restitution(std::vector<double>{a0, a1})}};
     const Matrix s = saltation_matrix(system, stop, before, 0.9);
     const double r = a0 - a1 * v;
     EXPECT_NEAR(s.determinant(), r * (r - v * a1), 1e-15 * std::pow(s.norm(), 2) + 1e-12);
@@ -156,7 +156,7 @@ TEST(Saltation, CarriesTheVectorFieldAcross) {
   const Vector row = dice.vector(3, -2.0, 2.0);
   System system{dice.vector(3, 0.5, 9.0), dice.vector(3, 0.0, 1.0), {}, {}, {}};
   system.forcing = HarmonicForcing{1.7, 0.0, dice.vector(3, -1.0, 1.0)};
-  const RigidStop stop{row, 0.5, momentum_direction(row), 0.6};
+  const Stop stop{row, 0.5, ImpactLaw{momentum_direction(row), 0.6}};
   const State before{dice.vector(3, -1.0, 1.0), dice.vector(3, -1.0, 1.0)};
   const Matrix s = saltation_matrix(system, stop, before, 2.1);
   const Vector from = stacked(vector_field(system, before, 2.1));

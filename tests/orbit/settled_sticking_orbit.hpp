@@ -86,7 +86,7 @@ inline std::vector<Eigenvalue> differenced_multipliers(const Found& found) {
   const ContactPhase<double> phase(found.system, closed_at_section(found.orbit));
   const Matrix basis = phase.basis();
   const Eigen::Index m = basis.cols();
-  const ShootingScale scale = shooting_scale(found.system);
+  const MotionScale scale = motion_scale(found.system);
   const MotionState<double>& at = found.orbit.sticking->at_section;
   Vector unit(2 * m);
   unit << Vector::Constant(m, scale.displacement),

@@ -50,7 +50,7 @@ TEST(Settled, ASlowApproachIsFollowedToItsEnd) {
     SCOPED_TRACE(inside);
     System system = support::forced_oscillator(1.0, 0.05, 0.5, 0.8, 1.6, 1.0);
     system.stops[0].gap = std::abs(closed_form(system, 0, 1).form->kappa) * (1.0 - inside);
-    const ShootingProblem problem({1, {0}}, shooting_scale(system));
+    const ShootingProblem problem({1, {0}}, motion_scale(system));
     for (const ImpactPoint& exact :
          closed_form(system, 0, 1).form->solutions(system.stops[0].gap)) {
       const Orbit orbit = make_orbit(system, problem, problem.pack({exact}));
@@ -99,7 +99,7 @@ std::vector<NearFlip> motions_near_flip() {
   std::vector<NearFlip> motions;
   for (double frequency = 2.60; frequency < 2.66; frequency += 0.004) {
     const System system = support::forced_oscillator(1.0, 0.05, 0.0, 0.8, frequency, 1.0);
-    const ShootingProblem problem({1, {0}}, shooting_scale(system));
+    const ShootingProblem problem({1, {0}}, motion_scale(system));
     for (const ImpactPoint& exact : closed_form(system, 0, 1).form->solutions(0.0)) {
       const Orbit orbit = make_orbit(system, problem, problem.pack({exact}));
       if (orbit.stable != true || !orbit.admissible) continue;
@@ -129,7 +129,7 @@ TEST(Settled, AnOrbitSeenTwiceIsOne) {
 // must not pass for settled. Left alone it ends on the doubled orbit.
 TEST(Settled, AnUnstableOrbitIsNoPlaceToSettle) {
   System system = support::forced_oscillator(1.0, 0.05, 0.0, 0.8, 2.7, 1.0);
-  const ShootingProblem problem({1, {0}}, shooting_scale(system));
+  const ShootingProblem problem({1, {0}}, motion_scale(system));
   int met = 0;
   for (const ImpactPoint& exact : closed_form(system, 0, 1).form->solutions(0.0)) {
     const Orbit orbit = make_orbit(system, problem, problem.pack({exact}));

@@ -42,7 +42,7 @@ Vector parts(Complex z) { return Vector{{z.real(), z.imag()}}; }
 
 void expect_curvature(const Scene& scene, const ImpactPattern& pattern) {
   const System system = assemble(scene);
-  const ShootingProblem problem(pattern, shooting_scale(system));
+  const ShootingProblem problem(pattern, motion_scale(system));
   support::Dice dice(11);
   const Vector x = arbitrary_unknowns(system, pattern, dice);
   const ComplexVector w = arbitrary_complex(x.size(), dice), v = arbitrary_complex(x.size(), dice);

@@ -20,7 +20,7 @@ namespace {
 // Impacts at evenly spread phases from states of the system's own size, in no way a solution.
 std::vector<ImpactPoint> arbitrary_points(const System& system, const ImpactPattern& pattern,
                                           support::Dice& dice) {
-  const ShootingScale scale = shooting_scale(system);
+  const MotionScale scale = motion_scale(system);
   const int n = system.modes();
   std::vector<ImpactPoint> points;
   for (int i = 0; i < pattern.impacts(); ++i)
@@ -32,7 +32,7 @@ std::vector<ImpactPoint> arbitrary_points(const System& system, const ImpactPatt
 
 void expect_derivatives(const Scene& scene, const ImpactPattern& pattern) {
   const System system = assemble(scene);
-  const ShootingProblem problem(pattern, shooting_scale(system));
+  const ShootingProblem problem(pattern, motion_scale(system));
   support::Dice dice(7);
   const Vector x = problem.pack(arbitrary_points(system, pattern, dice));
   Matrix jacobian;
@@ -124,7 +124,7 @@ TEST(Shooting, DerivativesAtResonance) {
 
 TEST(Shooting, PackedPointsComeBack) {
   const System system = assemble(support::reference_scene("orbits/beam_n4_40"));
-  const ShootingProblem problem({2, {0, 0}}, shooting_scale(system));
+  const ShootingProblem problem({2, {0, 0}}, motion_scale(system));
   support::Dice dice(3);
   const auto points = arbitrary_points(system, problem.pattern(), dice);
   const auto back = problem.unpack(system, problem.pack(points));
@@ -141,7 +141,7 @@ TEST(Shooting, ResidualVanishesOnTheClosedForm) {
   for (const support::TableRow& row : support::read_table("closed_form_orbits.csv")) {
     const System system = assemble(support::reference_scene("orbits/" + row.at("case")));
     const int period = std::stoi(row.at("period"));
-    const ShootingProblem problem({period, {0}}, shooting_scale(system));
+    const ShootingProblem problem({period, {0}}, motion_scale(system));
     const ClosedFormAnswer answer = closed_form(system, 0, period);
     ASSERT_TRUE(answer.form);
     for (const ImpactPoint& point : answer.form->solutions(system.stops[0].gap))
@@ -153,7 +153,7 @@ TEST(Shooting, ResidualVanishesOnTheClosedForm) {
 TEST(Shooting, ImpactTurnsTheApproachSpeedRound) {
   support::Dice dice(5);
   const Vector row = dice.vector(4, -2.0, 2.0);
-  const RigidStop stop{row, 1.0, momentum_direction(row), 0.7};
+  const Stop stop{row, 1.0, ImpactLaw{momentum_direction(row), 0.7}};
   const State before{dice.vector(4, -1.0, 1.0), dice.vector(4, -1.0, 1.0)};
   const State after = after_impact(stop, before);
   EXPECT_EQ(after.q, before.q);

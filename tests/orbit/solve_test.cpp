@@ -37,7 +37,7 @@ double distance_to_closed_form(const System& system, const ImpactPoint& point) {
 // Guesses: twelve phases, speeds of the forced motion's size.
 std::vector<ImpactPoint> grid_of_guesses(const System& system) {
   std::vector<ImpactPoint> guesses;
-  const double unit = shooting_scale(system).length * system.forcing->frequency;
+  const double unit = motion_scale(system).length * system.forcing->frequency;
   for (int i = 0; i < 12; ++i)
     for (const double speed : {0.5 * unit, unit, 2.0 * unit})
       guesses.push_back(rough_guess(system, 0, kTurn * i / 12.0, speed));
@@ -57,7 +57,7 @@ TEST(Solve, SeekBringsInEveryRoughGuess) {
        {"sdof_2_8", "sdof_1_6", "three_modes_2_1", "beam_n2_40", "beam_n4_40", "beam_n4_47"}) {
     SCOPED_TRACE(name);
     const System system = reference_system(name);
-    const ShootingProblem problem({1, {0}}, shooting_scale(system));
+    const ShootingProblem problem({1, {0}}, motion_scale(system));
     for (const ImpactPoint& guess : grid_of_guesses(system)) {
       const auto solution = seek(problem, system, problem.pack({guess}));
       ASSERT_TRUE(solution) << guess.theta;
@@ -77,7 +77,7 @@ TEST(Solve, SeekSucceedsBesideAFoldWhereNewtonFails) {
     System system = reference_system(name);
     const double fold = std::abs(closed_form(system, 0, 1).form->kappa);
     system.stops[0].gap = fold * (1.0 - 1e-10);
-    const ShootingProblem problem({1, {0}}, shooting_scale(system));
+    const ShootingProblem problem({1, {0}}, motion_scale(system));
     for (const ImpactPoint& guess : grid_of_guesses(system)) {
       EXPECT_FALSE(newton(problem, system, problem.pack({guess}))) << guess.theta;
       const auto solution = seek(problem, system, problem.pack({guess}));
@@ -98,7 +98,7 @@ TEST(Solve, NothingJustPastAFold) {
     const double fold = std::abs(closed_form(system, 0, 1).form->kappa);
     for (const double past : {1e-2, 1e-4, 1e-6, 1e-8, 1e-9}) {
       system.stops[0].gap = fold * (1.0 + past);
-      const ShootingProblem problem({1, {0}}, shooting_scale(system));
+      const ShootingProblem problem({1, {0}}, motion_scale(system));
       for (const ImpactPoint& guess : grid_of_guesses(system)) {
         EXPECT_FALSE(newton(problem, system, problem.pack({guess}))) << past;
         EXPECT_FALSE(seek(problem, system, problem.pack({guess}))) << past;
@@ -112,7 +112,7 @@ TEST(Solve, NothingJustPastAFold) {
 // forced motion's.
 TEST(Solve, SeekSucceedsForTwoImpactsWhereNewtonFails) {
   const System system = assemble(support::shipped_scene("04_impact_oscillator"));
-  const ShootingScale scale = shooting_scale(system);
+  const MotionScale scale = motion_scale(system);
   const ShootingProblem problem({2, {0, 0}}, scale);
   const double unit = scale.length * system.forcing->frequency;
   const int guesses[][3] = {{2, 2, 0}, {2, 2, 2}, {3, 2, 0}, {3, 2, 2}, {4, 1, 2},

@@ -132,8 +132,8 @@ RealVector<Real> extended_map(const Found& found, const MotionState<Real>& from,
     const std::vector<ImpactShare<Real>> shares = motion.impact();
     if (shares.size() == 1 && arrival.speed <= closure_speed)
       motion.close_chatter(
-          arrival.stop,
-          found.system.stops[static_cast<std::size_t>(arrival.stop)].restitution.at(arrival.speed));
+          arrival.stop, found.system.stops[static_cast<std::size_t>(arrival.stop)].restitution().at(
+                            arrival.speed));
   }
   RealVector<Real> state(2 * dq.size());
   state << motion.q(), motion.qdot();
@@ -152,7 +152,7 @@ std::vector<Eigenvalue> extended_multipliers(const Found& found, const Real& clo
   const ContactPhase<double> phase(found.system, closed_at_section(found.orbit));
   const RealMatrix<Real> basis = phase.basis().cast<Real>();
   const Eigen::Index n = basis.rows(), m = basis.cols();
-  const Real step = 1e-12 * shooting_scale(found.system).displacement;
+  const Real step = 1e-12 * motion_scale(found.system).displacement;
   Matrix map(2 * m, 2 * m);
   for (Eigen::Index column = 0; column < 2 * m; ++column) {
     RealVector<Real> dq = RealVector<Real>::Zero(n), dqdot = dq;
@@ -174,9 +174,9 @@ TEST(StickingOrbit, MultipliersAreThoseOfFiftyDigits) {
                              sticking_case("plastic"), beam("momentum", 2, 24.0)}) {
     SCOPED_TRACE(scene.title);
     // Chatters followed so far that closing them is below rounding: short flights cost no digits.
-    const Found found = settled_orbit(scene, 1e-9 * shooting_scale(assemble(scene)).length);
+    const Found found = settled_orbit(scene, 1e-9 * motion_scale(assemble(scene)).length);
     const std::vector<Eigenvalue> expected =
-        extended_multipliers(found, Real(1e-12) * shooting_scale(found.system).length);
+        extended_multipliers(found, Real(1e-12) * motion_scale(found.system).length);
     for (std::size_t i = 0; i < expected.size(); ++i)
       EXPECT_LE(std::abs(found.orbit.multipliers[i].value - expected[i].value), 1e-12) << i;
   }

@@ -32,7 +32,7 @@ TEST(StickingOrbitSearch, IsFoundFromARoughGuess) {
     SCOPED_TRACE(scene.title);
     const Found found = settled_orbit(scene);
     const State start = at_period_start(found);
-    const ShootingScale scale = shooting_scale(found.system);
+    const MotionScale scale = motion_scale(found.system);
     for (const double off : {1e-6, 1e-4}) {
       State guess = start;
       for (Eigen::Index j = 0; j < guess.q.size(); ++j) {
@@ -157,9 +157,9 @@ TEST(StickingOrbitSearch, SaysWhyThereIsNone) {
   pair.omega = Vector::Ones(2);
   pair.delta = Vector::Zero(2);
   pair.forcing->amplitude = Vector::Ones(2);
-  pair.stops[0].row = pair.stops[0].direction = Vector::Unit(2, 0);
+  pair.stops[0].row = pair.stops[0].impact().direction = Vector::Unit(2, 0);
   pair.stops.push_back(pair.stops[0]);
-  pair.stops[1].row = pair.stops[1].direction = Vector::Unit(2, 1);
+  pair.stops[1].row = pair.stops[1].impact().direction = Vector::Unit(2, 1);
   const StickingOrbitAnswer both =
       sticking_orbit(pair, support::state_of({0.2, 0.2}, {0.0, 0.0}), 1, options);
   EXPECT_FALSE(both.orbit);

@@ -31,7 +31,7 @@ System three_modes(const ContactForce& law) {
   system.forcing = HarmonicForcing{8.0, 0.7, Vector{{2.3, 1.7, 0.9}}};
   system.load = Vector{{0.2, -0.1, 0.05}};
   const Vector row{{1.0, -0.9, 0.8}};
-  system.stops.push_back({row, 0.01, row / row.squaredNorm(), Restitution{0.0}, law});
+  system.stops.push_back({row, 0.01, law});
   return system;
 }
 
@@ -83,10 +83,10 @@ TEST_P(StrobeMapOf, ParametersMoveItAsDifferencesSay) {
       {"delta", [](System& s, double h) { s.delta[0] += h; }, 1.0},
       {"amplitude", [](System& s, double h) { s.forcing->amplitude[2] += h; }, 20.0},
       {"frequency", [](System& s, double h) { s.forcing->frequency += h; }, 8.0},
-      {"stiffness", [](System& s, double h) { s.stops[0].spring->stiffness += h; },
+      {"stiffness", [](System& s, double h) { s.stops[0].force().stiffness += h; },
        GetParam().stiffness},
-      {"exponent", [](System& s, double h) { s.stops[0].spring->exponent += h; }, 1.0},
-      {"coefficient", [](System& s, double h) { s.stops[0].spring->coefficient += h; },
+      {"exponent", [](System& s, double h) { s.stops[0].force().exponent += h; }, 1.0},
+      {"coefficient", [](System& s, double h) { s.stops[0].force().coefficient += h; },
        std::max(GetParam().coefficient, 1.0)}};
   for (const Case& one : cases) {
     SCOPED_TRACE(one.name);
@@ -101,7 +101,7 @@ TEST_P(StrobeMapOf, ParametersMoveItAsDifferencesSay) {
     tangent.load = Vector::Zero(3);
     tangent.stops[0].row.setZero();
     tangent.stops[0].gap = 0.0;
-    tangent.stops[0].spring =
+    tangent.stops[0].law =
         ContactForce{0.0, 0.0, GetParam().damping, 0.0, 0.0, 0.0, GetParam().separation};
     one.move(tangent, 1.0);
     const auto image = map.image(system, x, &tangent);
@@ -161,7 +161,7 @@ INSTANTIATE_TEST_SUITE_P(Laws, StrobeMapOfConstantDamping,
 TEST(StrobeOrbit, SolvesThePiecewiseLinearOscillator) {
   System system = support::forced_oscillator(1.0, 0.05, 0.5, 0.0, 1.3, 1.0);
   const double k = 30.0;
-  system.stops[0].spring = ContactForce{k};
+  system.stops[0].law = ContactForce{k};
   const FoundOrbits found = find_orbits(system, support::rest(system), {});
   ASSERT_FALSE(found.orbits.empty());
   for (const Orbit& orbit : found.orbits) {
@@ -187,7 +187,7 @@ TEST(StrobeOrbit, SolvesThePiecewiseLinearOscillator) {
 // period: it never leaves, so there is no impact, least of all one of negative speed.
 TEST(StrobeOrbit, CountsNoImpactsWhereASpringGripsAgain) {
   System system = support::forced_oscillator(1.0, 0.05, -0.8, 0.0, 0.7, 0.65);
-  system.stops[0].spring = ContactForce{2.0, 1.0, ContactDamping::kConstant, 8.0};
+  system.stops[0].law = ContactForce{2.0, 1.0, ContactDamping::kConstant, 8.0};
   const auto run = support::record_run(system, support::rest(system), support::for_seconds(400.0));
   const auto grips = std::count_if(run.events.begin(), run.events.end(), [](const Event& event) {
     return event.kind == EventKind::kContact && event.speed < 0.0;
@@ -207,7 +207,7 @@ TEST(StrobeMap, StartsInNoDentThatDampingKeepsItIn) {
   const double k = 4e4, c = 4e6, n = 1.5;
   const System damped = three_modes(law_of(n, ContactDamping::kPower, c));
   const System free = three_modes(law_of(n, ContactDamping::kNone, 0.0));
-  const RigidStop& stop = damped.stops.front();
+  const Stop& stop = damped.stops.front();
   const auto starts = [&](const System& system, double depth) {
     const Vector q = stop.row * ((stop.gap + depth) / stop.row.squaredNorm());
     const StrobeMap map(system, {});

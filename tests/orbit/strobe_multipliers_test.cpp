@@ -19,8 +19,7 @@ System answering_at_half_the_frequency() {
   system.delta = Vector{{0.02, 9.0}};
   system.forcing = HarmonicForcing{8.0 / 3.0, 0.0, Vector{{1.0, 0.3}}};
   const Vector row{{1.0, 0.2}};
-  system.stops.push_back({row, 0.0, row / row.squaredNorm(), Restitution{0.0},
-                          ContactForce{3.0, 1.0, ContactDamping::kNone, 0.0}});
+  system.stops.push_back({row, 0.0, ContactForce{3.0, 1.0, ContactDamping::kNone, 0.0}});
   return system;
 }
 

@@ -16,7 +16,7 @@ namespace {
 bool has_stable_orbit(const System& system) {
   const ClosedFormAnswer answer = closed_form(system, 0, 1);
   if (!answer.form) return false;
-  const ShootingProblem problem({1, {0}}, shooting_scale(system));
+  const ShootingProblem problem({1, {0}}, motion_scale(system));
   for (const ImpactPoint& point : answer.form->solutions(system.stops[0].gap)) {
     const Orbit orbit = make_orbit(system, problem, problem.pack({point}));
     if (orbit.admissible && orbit.stable.value_or(false)) return true;

@@ -57,9 +57,9 @@ Vector force_sizes(const System& system, const State& state,
   const auto k = static_cast<Eigen::Index>(closed.size());
   Matrix rows(system.modes(), k), directions(system.modes(), k);
   for (Eigen::Index a = 0; a < k; ++a) {
-    const RigidStop& stop = system.stops[closed[static_cast<std::size_t>(a)]];
+    const Stop& stop = system.stops[closed[static_cast<std::size_t>(a)]];
     rows.col(a) = stop.row;
-    directions.col(a) = stop.direction;
+    directions.col(a) = stop.direction();
   }
   const Matrix shares = rows * (rows.transpose() * directions).transpose().fullPivLu().inverse();
   Vector sizes(k);
@@ -85,7 +85,7 @@ class Watch {
   void look(const Sample& sample) {
     ++samples_;
     for (std::size_t i = 0; i < system_.stops.size(); ++i) {
-      const RigidStop& stop = system_.stops[i];
+      const Stop& stop = system_.stops[i];
       const double size = stop.row.cwiseAbs().dot(sample.state.q.cwiseAbs());
       reached_[i] = std::max(reached_[i], size);
       const double length = property::length_at(system_, stop) + reached_[i];
@@ -151,7 +151,7 @@ class Watch {
 void check_outcome(const Prepared& prepared, const Simulation& run, Summary& summary) {
   const bool oblique =
       std::any_of(prepared.scene.stops.begin(), prepared.scene.stops.end(),
-                  [](const Stop& stop) { return stop.impulse == Impulse::kCollocation; });
+                  [](const SceneStop& stop) { return stop.impulse == Impulse::kCollocation; });
   switch (run.outcome) {
     case RunOutcome::kReachedEnd:
       summary.count("reached the end");

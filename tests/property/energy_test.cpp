@@ -16,7 +16,7 @@ constexpr double kAddedByMomentumLaw = 256.0 * std::numeric_limits<double>::epsi
 
 bool momentum_law(const Scene& scene) {
   return std::all_of(scene.stops.begin(), scene.stops.end(),
-                     [](const Stop& stop) { return stop.impulse == Impulse::kMomentum; });
+                     [](const SceneStop& stop) { return stop.impulse == Impulse::kMomentum; });
 }
 
 // Energy of the forced response and of the rest position under load, J. Where the motion is small

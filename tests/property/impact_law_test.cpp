@@ -29,8 +29,9 @@ class ImpactCheck {
  public:
   ImpactCheck(const Prepared& prepared, Motion<double>& motion, Summary& summary)
       : system_(prepared.system),
-        momentum_(std::all_of(prepared.scene.stops.begin(), prepared.scene.stops.end(),
-                              [](const Stop& stop) { return stop.impulse == Impulse::kMomentum; })),
+        momentum_(
+            std::all_of(prepared.scene.stops.begin(), prepared.scene.stops.end(),
+                        [](const SceneStop& stop) { return stop.impulse == Impulse::kMomentum; })),
         motion_(motion),
         summary_(summary),
         reached_(motion.q().cwiseAbs()) {}
@@ -49,11 +50,12 @@ class ImpactCheck {
     const Vector& after = motion_.qdot();
     // Velocities that cancel in the sum of several impulses.
     double size = before.qdot.lpNorm<1>() + after.lpNorm<1>();
-    for (const auto& share : shares) size += share.impulse * stop(share.stop).direction.lpNorm<1>();
+    for (const auto& share : shares)
+      size += share.impulse * stop(share.stop).direction().lpNorm<1>();
     Vector expected = before.qdot;
     for (const auto& share : shares) {
       check_share(share, before, size, shares.size() == 1);
-      expected -= share.impulse * stop(share.stop).direction;
+      expected -= share.impulse * stop(share.stop).direction();
     }
     summary_.require("jump off its directions/speed",
                      relative((after - expected).lpNorm<Eigen::Infinity>(), size),
@@ -63,14 +65,14 @@ class ImpactCheck {
   }
 
  private:
-  const RigidStop& stop(int i) const { return system_.stops[static_cast<std::size_t>(i)]; }
+  const Stop& stop(int i) const { return system_.stops[static_cast<std::size_t>(i)]; }
   std::string where() const {
     return fmt::format("at period {} and {:.17g} s", motion_.instant().period,
                        motion_.instant().local);
   }
 
   void check_arrival(const Arrival<double>& arrival) {
-    const RigidStop& s = stop(arrival.stop);
+    const Stop& s = stop(arrival.stop);
     const double length = property::length_at(system_, s) + s.row.cwiseAbs().dot(reached_);
     summary_.require("gap at contact/length", relative(std::abs(motion_.gap(arrival.stop)), length),
                      kOfLength, where());
@@ -79,12 +81,12 @@ class ImpactCheck {
 
   void check_share(const ImpactShare<double>& share, const Before& before, double size,
                    bool alone) {
-    const RigidStop& s = stop(share.stop);
+    const Stop& s = stop(share.stop);
     const bool closed = before.closed[static_cast<std::size_t>(share.stop)];
     Law law;
     law.speed = closed ? 0.0 : s.row.dot(before.qdot);
     law.after = s.row.dot(motion_.qdot());
-    law.target = law.speed > 0.0 ? -s.restitution.at(law.speed) * law.speed : 0.0;
+    law.target = law.speed > 0.0 ? -s.restitution().at(law.speed) * law.speed : 0.0;
     // Where nothing rebounds, in a corner that impacts would never leave or without any room.
     if (!alone && law.target != 0.0 && share.speed_after == 0.0) {
       law.target = 0.0;

@@ -160,9 +160,9 @@ TEST(RandomScene, CutAndResumedIsTheSameRun) {
 
 // Stops that do not differ are one: which of them is named is all the same.
 int first_alike(const System& system, std::size_t i) {
-  const auto alike = [&](const RigidStop& a, const RigidStop& b) {
-    return same(a.row, b.row) && same(a.direction, b.direction) && same(a.gap, b.gap) &&
-           a.restitution.coefficients() == b.restitution.coefficients();
+  const auto alike = [&](const Stop& a, const Stop& b) {
+    return same(a.row, b.row) && same(a.direction(), b.direction()) && same(a.gap, b.gap) &&
+           a.restitution().coefficients() == b.restitution().coefficients();
   };
   for (std::size_t j = 0; j < i; ++j)
     if (alike(system.stops[j], system.stops[i])) return static_cast<int>(j);

@@ -61,7 +61,7 @@ inline double relative(double value, double size) {
 }
 
 // A length that the motion at a stop is rounded at, m: its gap, how far forcing and load move it.
-inline double length_at(const System& system, const RigidStop& stop) {
+inline double length_at(const System& system, const Stop& stop) {
   double length = reach_at(system, stop);
   if (system.load)
     for (Eigen::Index j = 0; j < system.omega.size(); ++j)
@@ -91,7 +91,7 @@ inline Scene without_mode(const Scene& scene, std::size_t j) {
     drop(modal->frequencies);
     drop(modal->participation);
     drop(modal->inertia);
-    for (Stop& stop : simpler.stops) drop(stop.shape);
+    for (SceneStop& stop : simpler.stops) drop(stop.shape);
   } else {
     --std::get<Beam>(simpler.structure).modes;
   }

@@ -62,7 +62,7 @@ TEST(EventsCsv, EveryKindFillsItsOwnColumns) {
 
 TEST(SamplesCsv, HoldsStateGapsAndForces) {
   System system = support::oscillator(2.0, 0.0, 0.5, 0.8);
-  system.stops.push_back({-Vector::Ones(1), 0.25, -Vector::Ones(1), 0.8});
+  system.stops.push_back({-Vector::Ones(1), 0.25, ImpactLaw{-Vector::Ones(1), 0.8}});
   Sample sample{1.5, support::state_of({0.125}, {-2.0}), {0.0, 3.5}, {}};
   EXPECT_EQ(samples_csv_header(system, false), "time,q1,qdot1,gap1,gap2,force1,force2\n");
   EXPECT_EQ(samples_csv_row(system, sample), "1.5,0.125,-2,0.375,0.375,0,3.5\n");
@@ -83,7 +83,7 @@ TEST(SamplesCsv, HoldsTheEntriesOfTheEnergyBookThatTheSystemHas) {
   system = support::forced(system, 1.0, 0.0, Vector::Ones(1));
   EXPECT_EQ(samples_csv_row(system, sample),
             "0,0.125,-2,0.375,0,2.03125,0.5,0.25,0.125,-1.5,0.75,\n");
-  system.stops[0].spring = ContactForce{};
+  system.stops[0].law = ContactForce{};
   EXPECT_EQ(samples_csv_row(system, sample), "0,0.125,-2,0.375,0,2.03125,0.5,0.25,,,0.75,-0.375\n");
 }
 

@@ -97,8 +97,8 @@ TEST(StuckPhases, OfAChatterCutShortBeginWithIt) {
 TEST(MotionSeen, GathersTheStopsOfAPlaceOnBothSides) {
   SimulationRecord record = record_of(0, 2, {0.0}, {});
   const Vector along = Vector::Constant(1, 2.0);
-  record.system.stops.push_back({-Vector::Ones(1), 0.25, -Vector::Ones(1), 0.5});
-  record.system.stops.push_back({along, 0.5, 0.5 * Vector::Ones(1), 0.5});
+  record.system.stops.push_back({-Vector::Ones(1), 0.25, ImpactLaw{-Vector::Ones(1), 0.5}});
+  record.system.stops.push_back({along, 0.5, ImpactLaw{0.5 * Vector::Ones(1), 0.5}});
   record.events = {event_of(EventKind::kImpact, 1.5, 1)};
   const MotionSeen seen = motion_seen(record);
   ASSERT_EQ(seen.places.size(), 2U);
@@ -354,7 +354,7 @@ TEST(DrawSimulation, ShowsProbesInPanelsByTheirUnit) {
 TEST(DrawSimulation, DrawsWhateverWasRecorded) {
   SimulationRecord two_places = simulated(pressed_oscillator(), 20.0, 100'000);
   two_places.system.stops.push_back(
-      {Vector::Constant(1, 2.0), 30.0, Vector::Constant(1, 0.5), 0.5});
+      {Vector::Constant(1, 2.0), 30.0, ImpactLaw{Vector::Constant(1, 0.5), 0.5}});
   System free{Vector::Ones(1), Vector::Zero(1), {}, {}, {}};
   SimulationRecord not_finite = simulated(pressed_oscillator(), 20.0, 100'000);
   not_finite.samples.back().state.q[0] = kNaN;

@@ -102,9 +102,8 @@ TEST(Reader, StopsAreKeptInOrder) {
 
 // The C library's strtod rounds correctly; so must the reader.
 TEST(Reader, NumbersAreTheNearestDoubles) {
-  for (const char* literal :
-       {"0.1", "24.4e-14", "6.703903964971299e153", "2.2250738585072011e-308",
-        "9007199254740993.0", "4.9e-324", "0.30000000000000004"}) {
+  for (const char* literal : {"0.1", "24.4e-14", "6.703903964971299e153", "2.2250738585072011e-308",
+                              "9007199254740993.0", "4.9e-324", "0.30000000000000004"}) {
     const Scene scene = parse_scene("[modal]\nfrequencies = [" + std::string(literal) + "]\n", "s");
     EXPECT_EQ(scene.modal()->frequencies[0], std::strtod(literal, nullptr)) << literal;
   }
@@ -150,7 +149,7 @@ TEST(Reader, StopsMadeInCodeKeepTheRules) {
   Scene scene;
   scene.structure = ModalStructure{{1.0}, {}, {}, {}};
   scene.stops.resize(2);
-  for (Stop& stop : scene.stops) {
+  for (SceneStop& stop : scene.stops) {
     stop.shape = {1.0};
   }
   EXPECT_NO_THROW(check_scene(scene));

@@ -109,7 +109,7 @@ TEST(ShippedScene, TwoStopsHoldTheSameBeam) {
   Scene one = read_scene(kFolder / "02_wagg_momentum.toml");
   Scene two = read_scene(kFolder / "07_two_stops.toml");
   ASSERT_EQ(two.stops.size(), 2u);
-  for (const Stop& stop : two.stops) {
+  for (const SceneStop& stop : two.stops) {
     EXPECT_EQ(stop.position, 0.3);
     EXPECT_EQ(stop.gap, 1.05e-3);
     EXPECT_EQ(stop.impulse, Impulse::kMomentum);

@@ -123,7 +123,7 @@ void expect_back(const Scene& scene, const AttractorMap& map, const CellMotion& 
   const State& end = run.result.final;
   // Within 1e-8 of the orbit at its impacts, in phases and relative speeds; between them, where one
   // is slow, within a hundred times as much.
-  const ShootingScale scale = shooting_scale(system);
+  const MotionScale scale = motion_scale(system);
   const Vector moved = (end.q - motion.start.q) / scale.displacement,
                faster = (end.qdot - motion.start.qdot).cwiseQuotient(scale.velocity);
   EXPECT_LT(moved.cwiseAbs().maxCoeff(), 1e-5) << motion.cell;

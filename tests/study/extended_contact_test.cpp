@@ -20,7 +20,7 @@ const Extended kPi = boost::math::constants::pi<Extended>();
 ExtendedContact contact_of(const ContactForce& law, const Extended& speed, double longest = 1.0) {
   System system{Vector::Zero(1), Vector::Zero(1), {}, {}, {}};
   const Vector row = Vector::Constant(1, 2.0);
-  system.stops.push_back({row, 1.0, row, 0.0, law});
+  system.stops.push_back({row, 1.0, law});
   RealVector<Extended> q(1), qdot(1);
   q << Extended(0.5);
   qdot << speed / 2;

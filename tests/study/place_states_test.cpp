@@ -16,20 +16,20 @@ System system_of(const std::string& name, const std::vector<std::string>& settin
   return assemble(read_scene(GRAZE_SOURCE_DIR "/data/scenes/" + name + ".toml", settings));
 }
 
-double penetration(const RigidStop& stop, const State& state) {
+double penetration(const Stop& stop, const State& state) {
   return stop.row.dot(state.q) - stop.gap;
 }
 
 TEST(BringClear, PutsBackOntoTheStopAlongItsImpulse) {
   const System system = system_of("02_wagg_momentum");
-  const RigidStop& stop = system.stops[0];
+  const Stop& stop = system.stops[0];
   State state{Vector::Constant(system.modes(), 1e-4), Vector::Constant(system.modes(), 0.01)};
-  state.q += stop.direction * (1e-3 - penetration(stop, state));  // 1 mm too far
+  state.q += stop.direction() * (1e-3 - penetration(stop, state));  // 1 mm too far
   const State before = state;
   EXPECT_FALSE(is_clear(system, state));
   EXPECT_TRUE(bring_clear(system, state));
   EXPECT_NEAR(penetration(stop, state), 0.0, 1e-15);
-  EXPECT_NEAR((state.q - before.q + 1e-3 * stop.direction).norm(), 0.0, 1e-15);
+  EXPECT_NEAR((state.q - before.q + 1e-3 * stop.direction()).norm(), 0.0, 1e-15);
   EXPECT_EQ(state.qdot, before.qdot);
 }
 

@@ -23,7 +23,7 @@ TEST(Strobes, AreWhatTheSettledMotionShows) {
     options.nearness = 1e-11;
     const SettledMotion settled = settle(system, initial_state(scene, system), options);
     ASSERT_EQ(settled.kind, SettledKind::kImpacts) << settled.verdict;
-    const ShootingProblem problem(*settled.pattern, shooting_scale(system));
+    const ShootingProblem problem(*settled.pattern, motion_scale(system));
     const Orbit orbit = make_orbit(system, problem, problem.pack(settled.points));
     const std::vector<State> states = stroboscopic_states(system, orbit);
     ASSERT_EQ(states.size(), settled.strobes.size());

@@ -51,7 +51,7 @@ double distance_from_closed_form(const SystemFamily& family, const SweepRow& row
   const MetImpact& impact = row.motion.impacts.front();
   const ClosedFormAnswer answer = closed_form(system, impact.stop, row.motion.period);
   double least = 1.0;
-  const ShootingProblem problem({row.motion.period, {impact.stop}}, shooting_scale(system));
+  const ShootingProblem problem({row.motion.period, {impact.stop}}, motion_scale(system));
   for (const ImpactPoint& exact : answer.form->solutions(system.stops[0].gap)) {
     const Orbit orbit = make_orbit(system, problem, problem.pack({exact}));
     if (orbit.stable != true || !orbit.admissible) continue;
@@ -224,7 +224,7 @@ std::string joined_in_order(const SystemFamily& family, const SweepOptions& opti
       const bool is_same =
           attractor_class(again) == attractor_class(rows[k]) &&
           (again.status != SweepStatus::kSettled ||
-           are_same_strobes(shooting_scale(*family.at(again.value)), again.motion.strobes,
+           are_same_strobes(motion_scale(*family.at(again.value)), again.motion.strobes,
                             rows[k].motion.strobes, 16.0 * options.nearness));
       rows[k] = std::move(again);
       if (is_same) break;

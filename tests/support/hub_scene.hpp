@@ -25,8 +25,8 @@ inline Scene strip_on_hub(int modes = 3) {
   return scene;
 }
 
-inline Stop stop_at(double position, double gap, double restitution) {
-  Stop stop;
+inline SceneStop stop_at(double position, double gap, double restitution) {
+  SceneStop stop;
   stop.position = position;
   stop.gap = gap;
   stop.restitution = {restitution};

@@ -51,7 +51,7 @@ inline double time_unit(const Prepared& prepared) {
     if (omega > 0.0 && (slowest == 0.0 || omega < slowest)) slowest = omega;
   if (slowest > 0.0) return 2.0 * std::numbers::pi / slowest;
   double unit = 0.0;
-  for (const RigidStop& stop : system.stops) {
+  for (const Stop& stop : system.stops) {
     const double gap = std::abs(stop.gap) + std::abs(stop.row.dot(prepared.start.q));
     const double speed = std::abs(stop.row.dot(prepared.start.qdot));
     const double push = system.load ? std::abs(stop.row.dot(*system.load)) : 0.0;
@@ -105,8 +105,8 @@ class RandomScene {
     scene.structure = modal;
     const int stops = stop_count();
     for (int i = 0; i < stops; ++i) {
-      Stop stop;
-      const Stop* before = i > 0 ? &scene.stops.back() : nullptr;
+      SceneStop stop;
+      const SceneStop* before = i > 0 ? &scene.stops.back() : nullptr;
       if (before && chance(0.35)) {
         stop.shape = before->shape;
         stop.side = chance(0.8) == (before->side == Side::kAbove) ? Side::kBelow : Side::kAbove;
@@ -155,7 +155,7 @@ class RandomScene {
     const Impulse impulse = chance(0.5) ? Impulse::kMomentum : Impulse::kCollocation;
     const int stops = stop_count();
     for (int i = 0; i < stops; ++i) {
-      Stop stop;
+      SceneStop stop;
       stop.impulse = impulse;
       stop.position = stop_position(beam, impulse);
       if (i > 0 && chance(0.3)) stop.position = scene.stops.back().position;
@@ -261,7 +261,7 @@ class RandomScene {
     }
   }
 
-  void set_gap_and_restitution(Stop& stop) {
+  void set_gap_and_restitution(SceneStop& stop) {
     const double kind = dice_.uniform(0.0, 1.0);
     if (kind < 0.7)
       stop.gap = reach_ * log_uniform(0.003, 3.0);
@@ -301,7 +301,7 @@ class RandomScene {
   void move_clear(Scene& scene) {
     Scene trial = scene;
     trial.initial.reset();
-    for (Stop& stop : trial.stops) stop.gap = 0.0;
+    for (SceneStop& stop : trial.stops) stop.gap = 0.0;
     const auto rows = prepared(trial);
     if (!rows) return;
     Eigen::Map<Vector> q(scene.initial->q.data(), modes_);

@@ -47,7 +47,7 @@ inline System random_system(Dice& dice, int modes, double gap) {
   system.forcing =
       HarmonicForcing{frequency, dice.uniform(0.0, 6.0), dice.vector(modes, -1.0, 1.0)};
   const Vector row = dice.vector(modes, -1.0, 1.0);
-  system.stops.push_back({row, gap, momentum_direction(row), dice.uniform(0.3, 1.0)});
+  system.stops.push_back({row, gap, ImpactLaw{momentum_direction(row), dice.uniform(0.3, 1.0)}});
   return system;
 }
 

@@ -14,7 +14,7 @@ namespace graze::support {
 // One mass-normalised mode: x'' + 2 delta x' + omega^2 x, one stop x <= gap. No forcing.
 inline System oscillator(double omega, double delta, double gap, double restitution) {
   System system{Vector::Constant(1, omega), Vector::Constant(1, delta), {}, {}, {}};
-  system.stops.push_back({Vector::Ones(1), gap, Vector::Ones(1), restitution});
+  system.stops.push_back({Vector::Ones(1), gap, ImpactLaw{Vector::Ones(1), restitution}});
   return system;
 }
 
