@@ -49,9 +49,9 @@ SimulationOptions simulation_options(const Command& command, const Scene& scene)
 
 // 1/s. The slowest mode stands in for the forcing where there is none.
 double samples_per_period(const System& system, double count) {
-  if (system.forcing) return count / system.period();
+  if (system.forcing()) return count / system.period();
   // A hub turns freely; what it carries does not.
-  const double slowest = system.rotation ? system.omega[1] : system.omega.minCoeff();
+  const double slowest = system.turns() ? system.omega[1] : system.omega.minCoeff();
   return slowest > 0.0 ? count * slowest / kTurn : count;
 }
 
@@ -59,7 +59,7 @@ double samples_per_period(const System& system, double count) {
 std::optional<RunSection> section_of(const Command& command, const System& system,
                                      const SimulationOptions& options) {
   if (command.run_section.empty()) return {};
-  if (!system.forcing)
+  if (!system.forcing())
     throw InputError("--section: the scene has no forcing, so its motion has no phase");
   if (command.run_section == "strobe" && command.record == "samples")
     throw InputError(
@@ -81,7 +81,7 @@ double sample_rate(const Command& command, const System& system, const std::opti
   if (command.record != "samples") {
     const double rate = samples_per_period(system, kPictureSamplesPerPeriod);
     // Nothing settles on a hub: the whole run is looked at.
-    return system.rotation && command.duration
+    return system.turns() && command.duration
                ? std::min(rate, static_cast<double>(kPictureSamples - 1) / *command.duration)
                : rate;
   }

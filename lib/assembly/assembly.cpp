@@ -60,9 +60,9 @@ System assemble(const Scene& scene) { return assemble(scene, modal_model(scene))
 
 System assemble(const Scene& scene, const ModalModel& model) {
   if (scene.hub) return assemble_on_hub(scene, model);
-  System system{model.omega, model.delta, {}, {}, {}};
-  if (scene.forcing) system.forcing = assemble_forcing(*scene.forcing, model.participation);
-  if (scene.gravity) system.load = scene.gravity->acceleration * model.inertia;
+  System system{model.omega, NaturalModes{model.delta}, {}};
+  if (scene.forcing) system.modal().forcing = assemble_forcing(*scene.forcing, model.participation);
+  if (scene.gravity) system.modal().load = scene.gravity->acceleration * model.inertia;
   system.stops.reserve(scene.stops.size());
   for (std::size_t i = 0; i < scene.stops.size(); ++i)
     system.stops.push_back(
@@ -79,12 +79,12 @@ System system_tangent(const Scene& scene, const std::string& parameter) {
 
 System system_tangent(const Scene& scene, const Scene& direction, const ModalModel& model,
                       const ModalModel& rate, const System& system) {
-  System tangent{rate.omega, rate.delta, {}, {}, {}};
+  System tangent{rate.omega, NaturalModes{rate.delta}, {}};
   if (scene.forcing)
-    tangent.forcing = forcing_tangent(*scene.forcing, *direction.forcing, model, rate);
+    tangent.modal().forcing = forcing_tangent(*scene.forcing, *direction.forcing, model, rate);
   if (scene.gravity)
-    tangent.load = direction.gravity->acceleration * model.inertia +
-                   scene.gravity->acceleration * rate.inertia;
+    tangent.modal().load = direction.gravity->acceleration * model.inertia +
+                           scene.gravity->acceleration * rate.inertia;
   tangent.stops.reserve(scene.stops.size());
   for (std::size_t i = 0; i < scene.stops.size(); ++i)
     tangent.stops.push_back(stop_tangent(scene.stops[i], direction.stops[i], system.stops[i],

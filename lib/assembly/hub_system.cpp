@@ -31,8 +31,7 @@ System assemble_on_hub(const Scene& scene, const ModalModel& model) {
   const Hub& hub = *scene.hub;
   const HubBeam beam = hub_beam(scene);
   const HubModes modes = hub_modes(model.omega, beam.coupling, beam.inertia);
-  System system{modes.omega, Vector::Zero(modes.omega.size()), {}, {}, {}};
-  Rotation& rotation = system.rotation.emplace(Rotation{modes.angle, modes.beam});
+  Rotation rotation{modes.angle, modes.beam};
   if (!model.delta.isZero(0.0))
     rotation.damping = modes.beam.transpose() * (2.0 * model.delta).asDiagonal() * modes.beam;
   if (beam.stiffening.size() > 0) {
@@ -47,6 +46,7 @@ System assemble_on_hub(const Scene& scene, const ModalModel& model) {
   }
   if (hub.torque) rotation.torque = torque_course(*hub.torque);
   rotation.friction = hub.friction;
+  System system{modes.omega, rotation, {}};
   for (std::size_t i = 0; i < scene.stops.size(); ++i)
     system.stops.push_back(stop_on_hub(scene.stops[i], model.shapes[i], hub.radius, rotation));
   return system;

@@ -37,7 +37,7 @@ Pressed pressed_against(const System& system) {
              {},
              Vector(k),
              Vector(k)};
-  if (system.load) at.free = at.compliance.cwiseProduct(*system.load);
+  if (system.load()) at.free = at.compliance.cwiseProduct(*system.load());
   for (Eigen::Index i = 0; i < k; ++i) {
     const Stop& stop = system.stops[static_cast<std::size_t>(i)];
     at.rows.col(i) = stop.row;
@@ -130,10 +130,10 @@ std::string start_key(const Initial& initial) {
 State initial_state(const Scene& scene, const System& system) {
   const Eigen::Index n = system.modes();
   State state{Vector::Zero(n), Vector::Zero(n)};
-  if (scene.initial && system.rotation) {
+  if (scene.initial && system.turns()) {
     const Vector q = as_vector(scene.initial->q), qdot = as_vector(scene.initial->qdot);
-    state.q = turning_coordinates(*system.rotation, scene.initial->angle, q);
-    state.qdot = turning_coordinates(*system.rotation, scene.initial->rate, qdot);
+    state.q = turning_coordinates(*system.rotation(), scene.initial->angle, q);
+    state.qdot = turning_coordinates(*system.rotation(), scene.initial->rate, qdot);
   } else if (scene.initial) {
     state.q = as_vector(scene.initial->q);
     state.qdot = as_vector(scene.initial->qdot);

@@ -51,9 +51,9 @@ std::vector<ProbeRow> probe_rows(const Scene& scene) {
 
 std::vector<ProbeRow> probe_rows(const Scene& scene, const System& system) {
   std::vector<ProbeRow> rows = probe_rows(scene);
-  if (!system.rotation) return rows;
+  if (!system.turns()) return rows;
   for (ProbeRow& row : rows)
-    row.row = row.angle * system.rotation->angle + system.rotation->beam.transpose() * row.row;
+    row.row = row.angle * system.rotation()->angle + system.rotation()->beam.transpose() * row.row;
   return rows;
 }
 

@@ -27,11 +27,11 @@ struct Numbers {
 Numbers numbers_of(const System& system) {
   const Vector none = Vector::Zero(system.modes());
   Numbers numbers;
-  numbers.add(0, system.forcing ? system.forcing->frequency : 0.0);
+  numbers.add(0, system.forcing() ? system.forcing()->frequency : 0.0);
   numbers.add(1, system.omega);
-  numbers.add(2, system.delta);
-  numbers.add(3, system.forcing ? system.forcing->amplitude : none);
-  numbers.add(4, system.load ? *system.load : none);
+  numbers.add(2, system.delta());
+  numbers.add(3, system.forcing() ? system.forcing()->amplitude : none);
+  numbers.add(4, system.load() ? *system.load() : none);
   int kind = 5;
   for (const Stop& stop : system.stops) {
     numbers.add(kind++, stop.gap);

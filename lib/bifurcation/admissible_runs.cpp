@@ -223,7 +223,7 @@ bool bounded_runs(const System& system, int stop) {
   const Restitution& restitution = system.stops[static_cast<std::size_t>(stop)].restitution();
   if (!restitution.is_constant() || restitution.at_rest() == 0.0) return false;
   if (!(system.omega.minCoeff() > 0.0)) return false;
-  return restitution.at_rest() < 1.0 || system.delta.maxCoeff() > 0.0;
+  return restitution.at_rest() < 1.0 || system.delta().maxCoeff() > 0.0;
 }
 
 }  // namespace graze

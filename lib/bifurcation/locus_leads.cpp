@@ -93,7 +93,7 @@ std::optional<TouchingOrbit> other_touch(const System& system, TouchingOrbit orb
   if (!beside) return {};
   const ExactFlow<double> flow(system);
   const ImpactPoint touch{
-      beside->theta + beside->after * system.forcing->frequency,
+      beside->theta + beside->after * system.forcing()->frequency,
       transition(system, flow, beside->start, beside->theta, beside->after).end};
   if (without.impacts.empty()) return TouchingOrbit{{1, {beside->stop}}, {touch}, 0};
   // Among the impacts left, after the one that its flight leaves.

@@ -24,7 +24,7 @@ struct RealFlight {
 std::vector<RealFlight> real_flights(const System& system, const ExactFlow<double>& flow,
                                      const ImpactPattern& pattern,
                                      const std::vector<ImpactPoint>& impacts, std::size_t touch) {
-  const double frequency = system.forcing->frequency;
+  const double frequency = system.forcing()->frequency;
   if (impacts.size() == 1) {
     // From half a period after the touch on.
     const double half = 0.5 * pattern.period * system.period();

@@ -35,10 +35,10 @@ constexpr int kMostPoints = 400;
 System rate_of_gaps(const System& system, double length) {
   System rate = system;
   rate.omega.setZero();
-  rate.delta.setZero();
-  rate.forcing->frequency = rate.forcing->phase = 0.0;
-  rate.forcing->amplitude.setZero();
-  if (rate.load) rate.load->setZero();
+  rate.modal().delta.setZero();
+  rate.modal().forcing->frequency = rate.modal().forcing->phase = 0.0;
+  rate.modal().forcing->amplitude.setZero();
+  if (rate.modal().load) rate.modal().load->setZero();
   for (Stop& stop : rate.stops) {
     stop.row.setZero();
     stop.gap = length;

@@ -42,7 +42,7 @@ class SpeedEquation {
  public:
   SpeedEquation(const System& system, const OneImpactForm& form, int stop)
       : restitution_(system.stops[static_cast<std::size_t>(stop)].restitution()),
-        frequency_(system.forcing->frequency),
+        frequency_(system.forcing()->frequency),
         forced_(form.forced_real.middle.middle(), form.forced_imaginary.middle.middle()),
         displaced_(form.displaced.middle.middle()),
         returned_(form.returned.middle.middle()),

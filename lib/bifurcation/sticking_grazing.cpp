@@ -34,7 +34,7 @@ double length_unit(const StickingEquations& equations, const BranchPoint& at) {
 }
 
 double speed_unit(const StickingEquations& equations, const BranchPoint& at) {
-  return length_unit(equations, at) * equations.system_at(at.parameter)->forcing->frequency;
+  return length_unit(equations, at) * equations.system_at(at.parameter)->forcing()->frequency;
 }
 
 // The orbit that is left where the impact vanishes: it may lie on either side.

@@ -121,7 +121,7 @@ std::optional<StrobeEquations::Touching> StrobeEquations::touching(const Vector&
   if (!at) return {};
   const auto index = static_cast<std::size_t>(stop);
   const Stop &met = system->stops[index], &rate = tangent->stops[index];
-  const double speed = length_ * system->forcing->frequency;
+  const double speed = length_ * system->forcing()->frequency;
   const State& moved = at->by_parameters.front();
   Touching touching;
   touching.by_state.resize(2, map_.size());
@@ -155,7 +155,7 @@ std::optional<double> StrobeEquations::clearer_section(const BranchPoint& soluti
     if (stop.is_compliant() && stop.force().sets_in_smoothly()) continue;
     phases.push_back(impact.phase);
     if (stop.is_compliant())
-      phases.push_back(wrapped(impact.phase + system->forcing->frequency *
+      phases.push_back(wrapped(impact.phase + system->forcing()->frequency *
                                                   at->orbit.strobe->contacts[i].duration));
   }
   if (phases.empty()) return {};

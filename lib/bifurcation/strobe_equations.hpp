@@ -31,7 +31,7 @@ class StrobeEquations {
   double length() const { return length_; }
   // Of the forcing there, rad/s; requires the value to be allowed.
   double frequency_at(const BranchPoint& solution) const {
-    return systems_.at(solution.parameter)->forcing->frequency;
+    return systems_.at(solution.parameter)->forcing()->frequency;
   }
   // Speed of the forced motion there, m/s; requires likewise.
   double speed_unit(const BranchPoint& solution) const { return length_ * frequency_at(solution); }

@@ -19,7 +19,7 @@ std::optional<TouchingOrbit> with_touch(const System& system, const ImpactPatter
   TouchingOrbit orbit{pattern, impacts, approach.flight + 1};
   const auto at = static_cast<std::ptrdiff_t>(orbit.touch);
   orbit.impacts.insert(orbit.impacts.begin() + at,
-                       {from.theta + approach.after * system.forcing->frequency, arc.end});
+                       {from.theta + approach.after * system.forcing()->frequency, arc.end});
   orbit.pattern.stops.insert(orbit.pattern.stops.begin() + at, approach.stop);
   return orbit;
 }

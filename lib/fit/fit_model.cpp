@@ -166,7 +166,7 @@ double FitModel::quantity(const MeasuredSeries& series, const System& system,
                           const Observed& observed, const std::vector<ProbeRow>& probes) const {
   // On a hub the coordinates are still those of the beam.
   const auto coordinate = [&](const Vector& q) {
-    return system.rotation ? system.rotation->beam.row(series.index).dot(q) : q[series.index];
+    return system.turns() ? system.rotation()->beam.row(series.index).dot(q) : q[series.index];
   };
   if (series.quantity == Quantity::kProbe)
     return probes[static_cast<std::size_t>(series.index)].value({observed.q, observed.qdot});

@@ -13,7 +13,7 @@ namespace graze {
 namespace {
 
 Instant<double> instant_at(const System& system, double seconds) {
-  if (!system.forcing) return {0, seconds};
+  if (!system.forcing()) return {0, seconds};
   const double period = system.period(), periods = std::floor(seconds / period);
   return {static_cast<long long>(periods), std::clamp(seconds - periods * period, 0.0, period)};
 }

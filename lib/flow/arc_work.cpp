@@ -206,9 +206,9 @@ void add_coupled(const System& system, const ContactPhase<double>& phase, double
   // Moments of the modal velocities with z, N x (2m + 3).
   const Matrix velocity = basis * moments.integral.middleRows(m, m);
   const Vector squares = velocity.middleCols(m, m).cwiseProduct(basis).rowwise().sum();
-  work.dissipation += 2.0 * system.delta.dot(squares);
-  if (system.forcing)
-    work.forcing += system.forcing->amplitude.dot(velocity.col(2 * m)) / moments.unit;
+  work.dissipation += 2.0 * system.delta().dot(squares);
+  if (system.forcing())
+    work.forcing += system.forcing()->amplitude.dot(velocity.col(2 * m)) / moments.unit;
   for (const int i : phase.closed()) {
     const Stop& stop = system.stops[static_cast<std::size_t>(i)];
     if (acts_along_row(stop)) continue;
@@ -226,9 +226,9 @@ void add_coupled(const System& system, const ContactPhase<double>& phase, double
 Work work_on_springs(const System& system, const ContactPhase<double>& phase, double s) {
   const SprungWorks works = phase.step_flow()->works(s);
   Work work;
-  if (system.load)
-    work.load = system.load->dot(phase.closed().empty() ? works.moved
-                                                        : Vector(phase.basis() * works.moved));
+  if (system.load())
+    work.load = system.load()->dot(phase.closed().empty() ? works.moved
+                                                          : Vector(phase.basis() * works.moved));
   if (phase.turns()) work.load = works.weight;
   work.forcing = works.forcing;
   work.constraint = works.constraint;
@@ -242,12 +242,12 @@ Work work_on_springs(const System& system, const ContactPhase<double>& phase, do
 Work work_along(const System& system, const ContactPhase<double>& phase, double s) {
   if (!phase.springs().empty() || phase.turns()) return work_on_springs(system, phase, s);
   Work work;
-  if (system.load) {
+  if (system.load()) {
     const Eigen::Index n = system.modes();
     Vector q0(n), q1(n), qdot(n);
     phase.state(0.0, q0, qdot);
     phase.state(s, q1, qdot);
-    work.load = system.load->dot(q1 - q0);
+    work.load = system.load()->dot(q1 - q0);
   }
   if (phase.has_real_modes())
     add_real_modes(phase, s, work);

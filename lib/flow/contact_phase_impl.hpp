@@ -95,13 +95,13 @@ ContactPhase<Real>::ContactPhase(const System& given, const std::vector<int>& cl
   }
   shares_ = shares;
   if constexpr (std::is_same_v<Real, double>) {
-    if (!springs_.empty() || system.rotation)
+    if (!springs_.empty() || system.turns())
       spring_by(system, steps);
     else if (steps)
       step_by(*steps);
   } else if (!springs_.empty()) {
     refusal_ = "a compressed spring is followed in double precision only";
-  } else if (system.rotation) {
+  } else if (system.turns()) {
     refusal_ = "a structure on a hub is followed in double precision only";
   }
 }

@@ -17,7 +17,7 @@ inline constexpr double kRoundingsOfTurning = 16.0 * std::numeric_limits<double>
 template <class Real>
 System ContactPhase<Real>::with_joint_held(const System& system, double angle) const {
   System held = system;
-  const Vector& row = system.rotation->angle;
+  const Vector& row = system.rotation()->angle;
   held.stops.push_back({row, angle, ImpactLaw{momentum_direction(row)}});
   return held;
 }

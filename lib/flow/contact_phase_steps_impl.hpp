@@ -61,7 +61,7 @@ SprungSystem ContactPhase<Real>::sprung_system(const System& system) const {
     const auto or_zero = [m](const Vector& list) {
       return list.size() > 0 ? list : Vector(Vector::Zero(m));
     };
-    if (system.rotation) {
+    if (system.turns()) {
       sprung.stiffness = reduced_.omega.cwiseAbs2();
       sprung.damping = Vector::Zero(m);
       sprung.load = or_zero(reduced_.load);
@@ -103,8 +103,8 @@ void ContactPhase<Real>::add_powers(const System& system, SprungSystem& sprung) 
     if (left_.size() == 0) return;
     SprungSystem::Powers& powers = sprung.powers.emplace();
     powers.forcing = Vector::Zero(basis_.cols());
-    if (system.forcing) powers.forcing = basis_.transpose() * system.forcing->amplitude;
-    powers.damping = basis_.transpose() * (2.0 * system.delta).asDiagonal() * basis_;
+    if (system.forcing()) powers.forcing = basis_.transpose() * system.forcing()->amplitude;
+    powers.damping = basis_.transpose() * (2.0 * system.delta()).asDiagonal() * basis_;
     for (const int i : holds_) {
       const Stop& stop = system.stops[static_cast<std::size_t>(i)];
       // A contact force of 1 N accelerates by -direction |row|^2.
@@ -126,7 +126,7 @@ void ContactPhase<Real>::spring_by(const System& system, const std::optional<Ste
     SprungSystem& sprung = sprung_.emplace(sprung_system(system));
     const auto count = static_cast<Eigen::Index>(sprung.springs.size());
     for (std::size_t c = 0; c < holds_.size(); ++c) {
-      if (system.rotation) {
+      if (system.turns()) {
         Watch& hold = watches_[static_cast<std::size_t>(holds_[c])];
         hold.constant = 0.0;
         hold.of_spring = SpringWatch::kHold;
@@ -148,7 +148,7 @@ void ContactPhase<Real>::spring_by(const System& system, const std::optional<Ste
       }
     }
     add_powers(system, sprung);
-    if (system.rotation && system.rotation->friction) watch_joint(*system.rotation->friction);
+    if (system.turns() && system.rotation()->friction) watch_joint(*system.rotation()->friction);
     for (Eigen::Index k = 0; k < count; ++k) {
       Watch watch;
       watch.spring = static_cast<int>(k);

@@ -41,20 +41,22 @@ struct LinearSystem {
 
 template <class Real>
 LinearSystem<Real> linear_system(const System& system) {
+  // A hub couples the damping of its modes, and their flow is not this one.
+  const Vector delta = system.turns() ? Vector(Vector::Zero(system.modes())) : system.delta();
   LinearSystem<Real> linear{system.omega.template cast<Real>(),
-                            system.delta.template cast<Real>(),
-                            system.forcing.has_value(),
+                            delta.template cast<Real>(),
+                            system.forcing() != nullptr,
                             0,
                             0,
                             {},
                             {},
                             0};
-  if (system.forcing) {
-    linear.frequency = system.forcing->frequency;
-    linear.phase = near_zero(Real(system.forcing->phase));
-    linear.amplitude = system.forcing->amplitude.template cast<Real>();
+  if (system.forcing()) {
+    linear.frequency = system.forcing()->frequency;
+    linear.phase = near_zero(Real(system.forcing()->phase));
+    linear.amplitude = system.forcing()->amplitude.template cast<Real>();
   }
-  if (system.load) linear.load = system.load->template cast<Real>();
+  if (system.load()) linear.load = system.load()->template cast<Real>();
   if (system.stops.empty()) linear.reach = std::numeric_limits<Real>::infinity();
   for (const Stop& stop : system.stops) {
     const double row = stop.row.norm();

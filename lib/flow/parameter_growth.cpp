@@ -61,17 +61,18 @@ ParameterGrowth free_growth(const System& system, const System& tangent,
                             double s, const Deviations& column) {
   const Eigen::Index n = system.modes();
   ParameterGrowth growth{graze::growth(phase, s, column), Vector(n)};
-  const double frequency = system.forcing->frequency;
+  const double frequency = system.forcing()->frequency;
   // Long arcs by the closed forms, all modes at once, where any of them needs it.
   std::optional<State> by_closed_form;
   std::optional<Vector> end;
   for (Eigen::Index j = 0; j < n; ++j) {
-    if ((2.0 * system.delta[j] + system.omega[j] + frequency) * s < 2.0) {
-      const ModeEnd mode = end_by_series(
-          system.omega[j], system.delta[j], system.forcing->amplitude[j],
-          system.load ? (*system.load)[j] : 0.0, frequency, tangent.omega[j], tangent.delta[j],
-          tangent.forcing->amplitude[j], tangent.load ? (*tangent.load)[j] : 0.0,
-          tangent.forcing->frequency, start.q[j], start.qdot[j], theta, s);
+    if ((2.0 * system.delta()[j] + system.omega[j] + frequency) * s < 2.0) {
+      const ModeEnd mode =
+          end_by_series(system.omega[j], system.delta()[j], system.forcing()->amplitude[j],
+                        system.load() ? (*system.load())[j] : 0.0, frequency, tangent.omega[j],
+                        tangent.delta()[j], tangent.forcing()->amplitude[j],
+                        tangent.load() ? (*tangent.load())[j] : 0.0, tangent.forcing()->frequency,
+                        start.q[j], start.qdot[j], theta, s);
       growth.change.q(j, 0) += mode.q;
       growth.change.qdot(j, 0) += mode.qdot;
       growth.moved[j] = mode.moved;
@@ -96,7 +97,7 @@ ParameterGrowth free_growth(const System& system, const System& tangent,
 class HeldGenerator {
  public:
   HeldGenerator(const System& system, const System& tangent, const std::vector<int>& closed)
-      : n_(system.modes()), rates_(system.omega.cwiseMax(system.forcing->frequency)) {
+      : n_(system.modes()), rates_(system.omega.cwiseMax(system.forcing()->frequency)) {
     const Matrix directions = directions_of(system, closed), share = contact_share(system, closed);
     const Matrix projection = Matrix::Identity(n_, n_) - directions * share;
     const Matrix projection_rate = -directions_of(tangent, closed) * share -
@@ -105,14 +106,14 @@ class HeldGenerator {
     generator_ = Matrix::Zero(size(), size());
     generator_.topRows(n_).middleCols(n_, n_) = rates_.asDiagonal();
     generator_.middleRows(n_, n_) = projection * forces;
-    generator_(2 * n_, 2 * n_ + 1) = -system.forcing->frequency;
-    generator_(2 * n_ + 1, 2 * n_) = system.forcing->frequency;
+    generator_(2 * n_, 2 * n_ + 1) = -system.forcing()->frequency;
+    generator_(2 * n_ + 1, 2 * n_) = system.forcing()->frequency;
     rate_ = Matrix::Zero(size(), size());
     rate_.middleRows(n_, n_) = projection_rate * forces + projection * forces_rate;
-    rate_(2 * n_, 2 * n_ + 1) = -tangent.forcing->frequency;
-    rate_(2 * n_ + 1, 2 * n_) = tangent.forcing->frequency;
-    stretch_ = -tangent.forcing->frequency / system.forcing->frequency;
-    frequency_ = system.forcing->frequency;
+    rate_(2 * n_, 2 * n_ + 1) = -tangent.forcing()->frequency;
+    rate_(2 * n_ + 1, 2 * n_) = tangent.forcing()->frequency;
+    stretch_ = -tangent.forcing()->frequency / system.forcing()->frequency;
+    frequency_ = system.forcing()->frequency;
   }
 
   // What s seconds add to a deviation and to the state.
@@ -139,9 +140,9 @@ class HeldGenerator {
   Matrix forces_of(const System& system) const {
     Matrix forces = Matrix::Zero(n_, size());
     forces.leftCols(n_) = (-system.omega.cwiseAbs2().cwiseQuotient(rates_)).asDiagonal();
-    forces.middleCols(n_, n_) = (-2.0 * system.delta).asDiagonal();
-    forces.col(2 * n_) = system.forcing->amplitude;
-    if (system.load) forces.col(2 * n_ + 2) = *system.load;
+    forces.middleCols(n_, n_) = (-2.0 * system.delta()).asDiagonal();
+    forces.col(2 * n_) = system.forcing()->amplitude;
+    if (system.load()) forces.col(2 * n_ + 2) = *system.load();
     return forces;
   }
 
@@ -149,9 +150,9 @@ class HeldGenerator {
     Matrix forces = Matrix::Zero(n_, size());
     forces.leftCols(n_) =
         (-2.0 * system.omega.cwiseProduct(tangent.omega).cwiseQuotient(rates_)).asDiagonal();
-    forces.middleCols(n_, n_) = (-2.0 * tangent.delta).asDiagonal();
-    forces.col(2 * n_) = tangent.forcing->amplitude;
-    if (tangent.load) forces.col(2 * n_ + 2) = *tangent.load;
+    forces.middleCols(n_, n_) = (-2.0 * tangent.delta()).asDiagonal();
+    forces.col(2 * n_) = tangent.forcing()->amplitude;
+    if (tangent.load()) forces.col(2 * n_ + 2) = *tangent.load();
     return forces;
   }
 

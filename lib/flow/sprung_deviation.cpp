@@ -26,12 +26,12 @@ struct Source {
           const std::vector<Sprung::Compression>& contacts, Vector& velocity,
           Vector& acceleration) const {
     // Times stretch where the frequency moves: instants are compared at equal phases.
-    const double stretch = -tangent.forcing->frequency / system.forcing->frequency;
+    const double stretch = -tangent.forcing()->frequency / system.forcing()->frequency;
     velocity = stretch * v;
-    acceleration = stretch * a + tangent.forcing->amplitude * cosine -
-                   2.0 * (tangent.delta.cwiseProduct(v) +
+    acceleration = stretch * a + tangent.forcing()->amplitude * cosine -
+                   2.0 * (tangent.delta().cwiseProduct(v) +
                           system.omega.cwiseProduct(tangent.omega).cwiseProduct(q));
-    if (tangent.load) acceleration += *tangent.load;
+    if (tangent.load()) acceleration += *tangent.load();
     for (std::size_t i = 0; i < contacts.size(); ++i) {
       if (!own.springs[i].loaded) continue;
       const ContactForce& law = own.springs[i].law;

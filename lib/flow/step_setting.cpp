@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "graze/system/hub_state.hpp"
+
 namespace graze {
 namespace {
 
@@ -32,9 +34,10 @@ constexpr double kLightDamping = 0.17364817766693033;  // sin 10 degrees
 
 double longest_stable_step(const System& system, StepMethod method) {
   const StableRadius radius = stable_radius(method);
+  const Vector decay = decay_rates(system);
   double longest = std::numeric_limits<double>::infinity();
   for (Eigen::Index j = 0; j < system.omega.size(); ++j) {
-    const double omega = system.omega[j], delta = system.delta[j];
+    const double omega = system.omega[j], delta = decay[j];
     // The quicker of the two rates, |l|.
     const double rate =
         delta > omega ? delta + std::sqrt((delta - omega) * (delta + omega)) : omega;

@@ -59,8 +59,9 @@ struct ModeRates {   // of one mode's coefficients
 };
 
 ModeRates rates_of(const System& system, const System& tangent, Eigen::Index j) {
-  return {2.0 * system.omega[j] * tangent.omega[j], tangent.delta[j], tangent.forcing->amplitude[j],
-          tangent.forcing->frequency, tangent.load ? (*tangent.load)[j] : 0.0};
+  return {2.0 * system.omega[j] * tangent.omega[j], tangent.delta()[j],
+          tangent.forcing()->amplitude[j], tangent.forcing()->frequency,
+          tangent.load() ? (*tangent.load())[j] : 0.0};
 }
 
 // The forcing phase at both ends of an arc.
@@ -167,18 +168,18 @@ Matrix FlowMatrix::times(const Matrix& right) const {
 }
 
 State vector_field(const System& system, const State& state, double theta) {
-  Vector acceleration =
-      -2.0 * system.delta.cwiseProduct(state.qdot) - system.omega.cwiseAbs2().cwiseProduct(state.q);
-  if (system.forcing) acceleration += system.forcing->amplitude * std::cos(theta);
-  if (system.load) acceleration += *system.load;
+  Vector acceleration = -2.0 * system.delta().cwiseProduct(state.qdot) -
+                        system.omega.cwiseAbs2().cwiseProduct(state.q);
+  if (system.forcing()) acceleration += system.forcing()->amplitude * std::cos(theta);
+  if (system.load()) acceleration += *system.load();
   return {state.qdot, acceleration};
 }
 
 ModalTransitions::ModalTransitions(const System& system, const ExactFlow<double>& flow,
                                    double theta, double s)
     : system_(system), flow_(flow), theta_(theta), s_(s) {
-  if (!system.forcing) return;
-  const double theta_end = theta + system.forcing->frequency * s;
+  if (!system.forcing()) return;
+  const double theta_end = theta + system.forcing()->frequency * s;
   start_cosine_ = std::cos(theta);
   start_sine_ = std::sin(theta);
   end_cosine_ = std::cos(theta_end);
@@ -216,15 +217,15 @@ ModeTransition ModalTransitions::from(Eigen::Index j, double q, double qdot) con
     arc.qdot += mode.load * arc.basis.sine;
   }
   arc.acceleration = -2.0 * mode.delta * arc.qdot - mode.omega * mode.omega * arc.q;
-  if (system_.forcing) arc.acceleration += system_.forcing->amplitude[j] * end_cosine_;
-  if (system_.load) arc.acceleration += (*system_.load)[j];
+  if (system_.forcing()) arc.acceleration += system_.forcing()->amplitude[j] * end_cosine_;
+  if (system_.load()) arc.acceleration += (*system_.load())[j];
   return arc;
 }
 
 Eigen::Vector2d ModalTransitions::tangent(Eigen::Index j, double q, double qdot,
                                           const ModeTransition& of, const System& tangent) const {
   const ModeFlow<double>& mode = flow_.mode(static_cast<int>(j));
-  const double load = system_.load ? (*system_.load)[j] : 0.0;
+  const double load = system_.load() ? (*system_.load())[j] : 0.0;
   const ModeRates rates = rates_of(system_, tangent, j);
   const Eigen::Vector2d start(q, qdot);
   // With no load there is nothing for a soft mode to rest against.
@@ -281,12 +282,13 @@ Transition transition(const System& system, const ExactFlow<double>& flow, const
 State load_response(const System& system, const ExactFlow<double>& flow, double s) {
   const Eigen::Index n = system.modes();
   State response{Vector::Zero(n), Vector::Zero(n)};
-  if (!system.load) return response;
+  if (!system.load()) return response;
   for (Eigen::Index j = 0; j < n; ++j) {
     const ModeFlow<double>& mode = flow.mode(static_cast<int>(j));
-    response.q[j] = (*system.load)[j] * step_response(mode.omega, mode.delta, mode.discriminant, s);
+    response.q[j] =
+        (*system.load())[j] * step_response(mode.omega, mode.delta, mode.discriminant, s);
     response.qdot[j] =
-        (*system.load)[j] * free_basis(mode.omega, mode.delta, mode.discriminant, s).sine;
+        (*system.load())[j] * free_basis(mode.omega, mode.delta, mode.discriminant, s).sine;
   }
   return response;
 }

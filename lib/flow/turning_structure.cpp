@@ -8,7 +8,7 @@
 namespace graze {
 
 TurningStructure::TurningStructure(const System& system)
-    : stiffness_(system.omega.cwiseAbs2()), rotation_(*system.rotation) {
+    : stiffness_(system.omega.cwiseAbs2()), rotation_(*system.rotation()) {
   highest_ = system.omega.maxCoeff();
   lowest_ = highest_;
   for (const double w : system.omega)

@@ -20,7 +20,7 @@ struct TurningMotion {
 
 class TurningStructure {
  public:
-  // Requires system.rotation. Keeps copies.
+  // Requires system.rotation(). Keeps copies.
   explicit TurningStructure(const System& system);
 
   // Time counts from `time`, s, on; the torque is that of the piece which begins there.

@@ -8,17 +8,17 @@ namespace graze {
 
 double mechanical_energy(const System& system, const Vector& q, const Vector& qdot) {
   const double energy = 0.5 * (qdot.squaredNorm() + system.omega.cwiseProduct(q).squaredNorm());
-  if (!system.rotation) return energy;
-  const double rate = system.rotation->angle.dot(qdot);
-  return energy + 0.5 * added_inertia(*system.rotation, q) * rate * rate;
+  if (!system.turns()) return energy;
+  const double rate = system.rotation()->angle.dot(qdot);
+  return energy + 0.5 * added_inertia(*system.rotation(), q) * rate * rate;
 }
 
 double kinetic_change(const System& system, const Vector& q, const Vector& before,
                       const Vector& after) {
   const double change = 0.5 * (after - before).dot(after + before);
-  if (!system.rotation) return change;
-  const Vector& row = system.rotation->angle;
-  return change + 0.5 * added_inertia(*system.rotation, q) * row.dot(after - before) *
+  if (!system.turns()) return change;
+  const Vector& row = system.rotation()->angle;
+  return change + 0.5 * added_inertia(*system.rotation(), q) * row.dot(after - before) *
                       row.dot(after + before);
 }
 
@@ -36,9 +36,9 @@ void impact_energy(const System& system, const std::vector<ImpactShare<double>>&
     const double r = s.restitution().at(share.speed);
     const double change =
         !acts(share) ? 0.0
-        : system.rotation
+        : system.turns()
             // An impulse p/mobility along the row, at the mean of the speeds.
-            ? -0.5 * share.impulse / mobility(*system.rotation, s.row, q) *
+            ? -0.5 * share.impulse / mobility(*system.rotation(), s.row, q) *
                   (share.speed + share.speed_after)
             : alone && share.speed_after == -r * share.speed
                   ? impact_energy_change(s.row, s.direction(), before, r)
@@ -63,8 +63,8 @@ double energy_change(const System& system, const State& before, const State& aft
 
 Work work_at_once(const System& system, double theta, const Vector& shift) {
   Work work;
-  if (system.forcing) work.forcing = system.forcing->amplitude.dot(shift) * std::cos(theta);
-  if (system.load) work.load = system.load->dot(shift);
+  if (system.forcing()) work.forcing = system.forcing()->amplitude.dot(shift) * std::cos(theta);
+  if (system.load()) work.load = system.load()->dot(shift);
   return work;
 }
 
@@ -75,7 +75,7 @@ Work operator+(const Work& a, const Work& b) {
 
 double closure_energy_change(const System& system, const std::vector<int>& closed, double theta,
                              const State& before, const State& after, Work& work) {
-  if (system.rotation) return energy_change(system, before, after);
+  if (system.turns()) return energy_change(system, before, after);
   const Stop& only = system.stops[static_cast<std::size_t>(closed.front())];
   if (closed.size() == 1) return impact_energy_change(only.row, only.direction(), before.qdot, 0.0);
   const Work shift = work_at_once(system, theta, after.q - before.q);

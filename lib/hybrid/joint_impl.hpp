@@ -56,7 +56,7 @@ void Motion<Real>::stop_joint() {
     now_.qdot -= (turning_->rate(now_.qdot) / row.dot(along)) * along;
     set_joint(Joint::kHeld);
     const double torque = start_phase().joint_torque_at_start();
-    if (std::abs(torque) > *system_.rotation->friction)
+    if (std::abs(torque) > *system_.rotation()->friction)
       set_joint(torque > 0.0 ? Joint::kForward : Joint::kBackward);
   }
 }

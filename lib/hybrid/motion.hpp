@@ -301,7 +301,7 @@ class Motion {
     bool below = false;
   };
   void watch_springs(ContactPhase<Real>& phase, std::vector<Watched>& list) const;
-  bool has_friction() const { return turning_ && system_.rotation->friction; }
+  bool has_friction() const { return turning_ && system_.rotation()->friction; }
   void set_joint(Joint joint);
   void look_at_joint();
   bool turns_on(const Real& duration) const;

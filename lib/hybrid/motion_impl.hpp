@@ -79,7 +79,7 @@ void Motion<Real>::adopt(const System& system) {
   });
   all_ = order_;
   all_.insert(all_.end(), compliant_.begin(), compliant_.end());
-  if (system.rotation) turning_.emplace(system);
+  if (system.turns()) turning_.emplace(system);
 }
 
 template <class Real>
@@ -115,7 +115,7 @@ ContactPhase<Real>& Motion<Real>::phase_of(const std::vector<int>& closed,
   std::unique_ptr<ContactPhase<Real>>& phase = phases_[{closed, springs, now_.joint}];
   if (phase) return *phase;
   const double angle = now_.joint == Joint::kHeld
-                           ? system_.rotation->angle.dot(now_.q.template cast<double>())
+                           ? system_.rotation()->angle.dot(now_.q.template cast<double>())
                            : 0.0;
   phase = std::make_unique<ContactPhase<Real>>(system_, closed, steps_, springs, now_.joint, angle);
   return *phase;

@@ -41,8 +41,8 @@ ContactsAlone contacts_alone(const SharedChatter& chatter,
   const Matrix directions = basis.transpose() * chatter.directions;
   ContactsAlone alone;
   alone.system.omega = Vector::Zero(k);
-  alone.system.delta = Vector::Zero(k);
-  alone.system.load = directions * factors.solve(chatter.pushes);
+  alone.system.modal().delta = Vector::Zero(k);
+  alone.system.modal().load = directions * factors.solve(chatter.pushes);
   for (Eigen::Index i = 0; i < k; ++i)
     alone.system.stops.push_back(
         {rows.col(i), 0.0,

@@ -20,7 +20,8 @@ namespace {
 
 Instant<double> end_of(const System& system, const SimulationOptions& options) {
   if (!options.duration) return {options.periods, 0.0};
-  const double period = system.forcing ? system.period() : std::numeric_limits<double>::infinity();
+  const double period =
+      system.forcing() ? system.period() : std::numeric_limits<double>::infinity();
   return later<double>({}, *options.duration, period);
 }
 
@@ -93,7 +94,7 @@ class Run {
     // Until the first contact the smallest gap is not known to be zero and has to be looked for.
     const bool untouched =
         state_.totals.impacts == 0 && !motion_.is_closed_anywhere() && !motion_.is_sprung();
-    if (untouched && !options_.steps && !system_.rotation)
+    if (untouched && !options_.steps && !system_.turns())
       for (int i = 0; i < stops(); ++i)
         note_minimum(motion_.gap_ahead(i, flight.until - start.local), state_.totals);
     motion_.tell_depths_beyond(-std::min(state_.totals.smallest_gap.value_or(0.0), 0.0));
@@ -201,7 +202,7 @@ class Run {
   }
 
   bool spent(RunOutcome outcome, const std::string& budget) {
-    result_.crowd = crowd_.sentence(system_.forcing ? system_.period() : longest_flight_);
+    result_.crowd = crowd_.sentence(system_.forcing() ? system_.period() : longest_flight_);
     return stop_run(outcome,
                     fmt::format("the budget of {} was spent at t = {:.9g} s", budget, time()));
   }
@@ -246,7 +247,7 @@ class Run {
     Event event = event_at(EventKind::kImpact, share.stop);
     event.speed = share.speed;
     event.energy_change = energy_change;
-    if (system_.forcing) event.phase = wrapped(motion_.flow().phase(motion_.instant()));
+    if (system_.forcing()) event.phase = wrapped(motion_.flow().phase(motion_.instant()));
     note_gap_at(share.stop);
     ++state_.totals.impacts;
     if (stop(share.stop).restitution().clamps_at(share.speed)) ++state_.totals.clamped_restitutions;
@@ -259,7 +260,7 @@ class Run {
   void book_entry(int i) {
     Event event = event_at(EventKind::kContact, i);
     event.speed = motion_.approach_speed(i);
-    if (system_.forcing) event.phase = wrapped(motion_.flow().phase(motion_.instant()));
+    if (system_.forcing()) event.phase = wrapped(motion_.flow().phase(motion_.instant()));
     note_gap_at(i);
     // One that grips again below the surface, on its way out, is no new impact.
     if (event.speed >= 0.0) ++state_.totals.impacts;

@@ -59,7 +59,7 @@ std::optional<std::vector<Eigenvalue>> multipliers_at_grazing(
   moved.topLeftCorner(n, n) -= slow.jump * stop.direction() * stop.row.transpose();
   moved.block(n, n, n, n) -= slow.jump * stop.direction() * stop.row.transpose();
   moved.block(n, 0, n, n) +=
-      2.0 * slow.jump * system.delta.cwiseProduct(stop.direction()) * stop.row.transpose();
+      2.0 * slow.jump * system.delta().cwiseProduct(stop.direction()) * stop.row.transpose();
   moved.col(2 * n).tail(n) = slow.jump * slow.push * stop.direction();
   const ExactFlow<double> flow(system);
   for (std::size_t passed = 0; passed < points.size(); ++passed) {

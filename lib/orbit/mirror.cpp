@@ -14,7 +14,7 @@ bool are_opposite(const Stop& a, const Stop& b) {
 }  // namespace
 
 std::optional<std::vector<int>> opposite_stops(const System& system) {
-  if (system.load && !system.load->isZero(0.0)) return {};
+  if (system.load() && !system.load()->isZero(0.0)) return {};
   std::vector<int> opposite;
   for (const Stop& stop : system.stops) {
     std::size_t other = 0;

@@ -43,7 +43,7 @@ constexpr double kViolentNorm = 0x1p13;
 // faster of mode and forcing.
 Vector velocity_units(const System& system) {
   return system.omega.unaryExpr([&](double omega) {
-    return std::ldexp(1.0, std::ilogb(std::max(omega, system.forcing->frequency)));
+    return std::ldexp(1.0, std::ilogb(std::max(omega, system.forcing()->frequency)));
   });
 }
 
@@ -53,10 +53,10 @@ Vector velocity_units(const System& system) {
 // units in which the flow is round; those of velocity_units are within their ratio to w of that.
 double rounding_of_flow(const System& system, const Matrix& factor, double t) {
   const Eigen::Index n = system.modes();
-  const double slowest = system.forcing->frequency, size = factor.squaredNorm();
+  const double slowest = system.forcing()->frequency, size = factor.squaredNorm();
   double sum = 0.0;
   for (Eigen::Index j = 0; j < n; ++j) {
-    const double angle = 2.0 * t * (std::max(system.omega[j], slowest) + system.delta[j]);
+    const double angle = 2.0 * t * (std::max(system.omega[j], slowest) + system.delta()[j]);
     sum += angle * angle * (factor.row(j).squaredNorm() + factor.row(n + j).squaredNorm());
   }
   return size > 0.0 ? std::sqrt(sum / size) : 0.0;

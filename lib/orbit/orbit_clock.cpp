@@ -8,7 +8,7 @@ namespace graze {
 
 OrbitClock::OrbitClock(const System& system, int period,
                        const std::vector<Instant<double>>& impacts)
-    : forcing_(*system.forcing), period_(period) {
+    : forcing_(*system.forcing()), period_(period) {
   const Instant<double>* first = nullptr;
   double smallest = 0.0;
   for (const Instant<double>& at : impacts) {

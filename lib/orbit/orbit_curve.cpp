@@ -74,7 +74,7 @@ class FlownCurve {
 
  private:
   void add(const ContactPhase<double>& phase, double s) {
-    const double frequency = system_.forcing->frequency;
+    const double frequency = system_.forcing()->frequency;
     // The hops of a chatter are short and still curves, and so are contacts.
     const int count =
         std::max(12, static_cast<int>(std::ceil(frequency * s / kTurn * per_period_)));

@@ -76,7 +76,7 @@ class Flight {
   OrbitMargin margin_at(const ArcCurve<double>& curve, std::size_t k,
                         const GapMinimum& minimum) const {
     const Stop &stop = system_.stops[k], &stop_rate = direction_.tangent->stops[k];
-    const double p = direction_.parameter, frequency = system_.forcing->frequency;
+    const double p = direction_.parameter, frequency = system_.forcing()->frequency;
     const Transition there = transition(system_, flow_, after_, points_[i_].theta, minimum.s);
     const State by_parameter =
         end_tangent(system_, *direction_.tangent, flow_, after_, points_[i_].theta, minimum.s);
@@ -144,7 +144,7 @@ double gap_drift(const System& system, const ImpactPattern& pattern,
     for (std::size_t k = 0; k < system.stops.size(); ++k) {
       double drift = std::abs(direction.parameter * direction.tangent->stops[k].gap);
       for (int j = 0; j < system.modes(); ++j) {
-        const double turned = rate.qdot[j] / std::max(system.omega[j], system.forcing->frequency);
+        const double turned = rate.qdot[j] / std::max(system.omega[j], system.forcing()->frequency);
         drift +=
             std::abs(system.stops[k].row[j]) * std::sqrt(rate.q[j] * rate.q[j] + turned * turned);
       }

@@ -19,8 +19,8 @@ constexpr double kReach = 2.0;
 State start_at(const System& system, std::span<const double> coordinates) {
   State state{Vector::Zero(system.modes()), Vector::Zero(system.modes())};
   if (const PeriodicResponseAnswer answer = periodic_response(system, 1); answer.response)
-    state = answer.response->forced_state(system.forcing->phase);
-  const double frequency = system.forcing->frequency, length = motion_scale(system).length;
+    state = answer.response->forced_state(system.forcing()->phase);
+  const double frequency = system.forcing()->frequency, length = motion_scale(system).length;
   for (std::size_t i = 0; i < system.stops.size(); ++i) {
     const Stop& stop = system.stops[i];
     Vector shape(system.modes());

@@ -27,8 +27,8 @@ double seconds_between(const System& system, const Instant<double>& from,
 
 // The sum of all sizes that a push is formed from, m/s^2.
 double push_scale(const System& system, const Stop& stop) {
-  double scale = stop.row.cwiseAbs().dot(system.forcing->amplitude.cwiseAbs());
-  if (system.load) scale += stop.row.cwiseAbs().dot(system.load->cwiseAbs());
+  double scale = stop.row.cwiseAbs().dot(system.forcing()->amplitude.cwiseAbs());
+  if (system.load()) scale += stop.row.cwiseAbs().dot(system.load()->cwiseAbs());
   return scale > 0.0 ? scale : 1.0;
 }
 
@@ -49,7 +49,7 @@ ReleaseSection::ReleaseSection(const System& reference, Release release,
   const double displacement = motion_scale(reference).displacement;
   unit_.resize(2 * freedoms());
   unit_ << Vector::Constant(freedoms(), displacement),
-      displacement * phase.reduced().omega.cwiseMax(reference.forcing->frequency);
+      displacement * phase.reduced().omega.cwiseMax(reference.forcing()->frequency);
   push_ = push_scale(reference, reference.stops[static_cast<std::size_t>(release_.released)]);
 }
 
@@ -92,7 +92,8 @@ std::optional<MotionState<double>> ReleaseSection::state_of(const System& system
                             std::vector<int>(system.stops.size(), 0)};
   for (const int i : release_.closed)
     state.contacts[static_cast<std::size_t>(i)] = Contact::kClosed;
-  state.instant.local = wrapped(theta_of(u) - system.forcing->phase) / system.forcing->frequency;
+  state.instant.local =
+      wrapped(theta_of(u) - system.forcing()->phase) / system.forcing()->frequency;
   if (!(state.instant.local < system.period())) state.instant.local = 0.0;
   return state;
 }
@@ -113,22 +114,22 @@ void ReleaseSection::add_force(const System& system, const Vector& u, const Char
   const Vector stiffness = system.omega.cwiseAbs2();
   const Vector &q = chart.state.q, &qdot = chart.state.qdot;
   const double c = std::cos(theta_of(u)), n = std::sin(theta_of(u));
-  Vector acceleration = system.forcing->amplitude * c - 2.0 * system.delta.cwiseProduct(qdot) -
+  Vector acceleration = system.forcing()->amplitude * c - 2.0 * system.delta().cwiseProduct(qdot) -
                         stiffness.cwiseProduct(q);
-  if (system.load) acceleration += *system.load;
+  if (system.load()) acceleration += *system.load();
   equations.residual[0] = share.dot(acceleration) / push_;
-  equations.jacobian(0, 0) = -share.dot(system.forcing->amplitude) * n / push_;
+  equations.jacobian(0, 0) = -share.dot(system.forcing()->amplitude) * n / push_;
   Eigen::RowVectorXd by_state(2 * m);
   by_state << -share.cwiseProduct(stiffness).transpose() * chart.slope,
-      -2.0 * share.cwiseProduct(system.delta).transpose() * chart.slope;
+      -2.0 * share.cwiseProduct(system.delta()).transpose() * chart.slope;
   equations.jacobian.row(0).tail(2 * m) = by_state.cwiseProduct(unit_.transpose()) / push_;
   if (!tangent) return;
   const Vector share_rate = contact_share_rate(system, *tangent, release_.closed).row(place);
   Vector acceleration_rate =
-      tangent->forcing->amplitude * c - 2.0 * tangent->delta.cwiseProduct(qdot) -
+      tangent->forcing()->amplitude * c - 2.0 * tangent->delta().cwiseProduct(qdot) -
       2.0 * system.omega.cwiseProduct(tangent->omega).cwiseProduct(q) -
-      2.0 * system.delta.cwiseProduct(chart_rate.qdot) - stiffness.cwiseProduct(chart_rate.q);
-  if (tangent->load) acceleration_rate += *tangent->load;
+      2.0 * system.delta().cwiseProduct(chart_rate.qdot) - stiffness.cwiseProduct(chart_rate.q);
+  if (tangent->load()) acceleration_rate += *tangent->load();
   equations.parameter_derivative[0] =
       (share_rate.dot(acceleration) + share.dot(acceleration_rate)) / push_;
 }
@@ -167,7 +168,7 @@ Deviations ReleaseSection::start_deviations(const System& system, const Chart& c
   const Eigen::Index n = system.modes(), m = freedoms();
   Deviations deviations{Matrix::Zero(n, 2 * m + 1), Matrix::Zero(n, 2 * m + 1),
                         Eigen::RowVectorXd::Zero(2 * m + 1)};
-  deviations.delay[0] = 1.0 / system.forcing->frequency;
+  deviations.delay[0] = 1.0 / system.forcing()->frequency;
   deviations.q.middleCols(1, m) = chart.slope;
   deviations.qdot.rightCols(m) = chart.slope;
   return deviations;
@@ -190,8 +191,8 @@ bool ReleaseSection::add_return(const System& system, const Vector& u, const Cha
     if (passage.end.contacts[i] == Contact::kClosed) closed.push_back(static_cast<int>(i));
   const State end{passage.end.q, passage.end.qdot};
   const State rate = held_rate(system, closed, end, theta_of(u));
-  deviations.q.col(0) += rate.q / system.forcing->frequency;
-  deviations.qdot.col(0) += rate.qdot / system.forcing->frequency;
+  deviations.q.col(0) += rate.q / system.forcing()->frequency;
+  deviations.qdot.col(0) += rate.qdot / system.forcing()->frequency;
 
   const auto seen = [&](const Matrix& q, const Matrix& qdot) {
     Matrix coordinates(2 * m, q.cols());
@@ -323,7 +324,8 @@ std::vector<OrbitRelease> releases_of(const System& system, const Orbit& orbit,
     for (std::size_t i = 0; i < there.end.contacts.size(); ++i)
       if (static_cast<int>(i) == hold.stop || there.end.contacts[i] == Contact::kClosed)
         one.release.release.closed.push_back(static_cast<int>(i));
-    one.release.theta = wrapped(system.forcing->frequency * hold.to.local + system.forcing->phase);
+    one.release.theta =
+        wrapped(system.forcing()->frequency * hold.to.local + system.forcing()->phase);
     one.release.state = {there.end.q, there.end.qdot};
     one.held = seconds_between(system, hold.from, hold.to);
     for (const PassedHold& before : round.holds)

@@ -57,7 +57,7 @@ double flight_time(const System& system, const ImpactPattern& pattern,
   const bool last = i + 1 == points.size();
   const double turn = last ? kTurn * pattern.period : 0.0;
   // In this order: for k = 1 the turn comes out unrounded.
-  return (points[last ? 0 : i + 1].theta - points[i].theta + turn) / system.forcing->frequency;
+  return (points[last ? 0 : i + 1].theta - points[i].theta + turn) / system.forcing()->frequency;
 }
 
 double jump_slope(const Stop& stop, double v) {
@@ -113,7 +113,7 @@ void ShootingProblem::add_mode(const System& system, const Stop& stop, double ju
                                Matrix& jacobian) const {
   const Eigen::Index n = system.modes(), row = at + 1 + j, row_v = row + n;
   const double unit = scale_.displacement, unit_v = scale_.velocity[j];
-  const double frequency = system.forcing->frequency;
+  const double frequency = system.forcing()->frequency;
   jacobian(row, at) += arc.phase_rate_q / unit - arc.qdot / unit / frequency;
   jacobian(row_v, at) += arc.phase_rate_qdot / unit_v - arc.acceleration / unit_v / frequency;
   jacobian(row, at + 1 + j) += arc.qq;
@@ -132,7 +132,7 @@ void ShootingProblem::add_mode(const System& system, const Stop& stop, double ju
 void ShootingProblem::add_end(const System& system, const ModeTransition& arc, Eigen::Index j,
                               Eigen::Index at, Eigen::Index to, Matrix& jacobian) const {
   const Eigen::Index n = system.modes(), row = at + 1 + j, row_v = row + n;
-  const double frequency = system.forcing->frequency;
+  const double frequency = system.forcing()->frequency;
   jacobian(row, to) += arc.qdot / scale_.displacement / frequency;
   jacobian(row_v, to) += arc.acceleration / scale_.velocity[j] / frequency;
   jacobian(row, to + 1 + j) -= 1.0;
@@ -175,7 +175,7 @@ Vector ShootingProblem::evaluate(const System& system, const Vector& x,
     const double* state = x.data() + at + 1;
     const Impact impact = impact_of(stop, scale_, state);
     const double turn = last ? kTurn * pattern_.period : 0.0;
-    const double theta = x[at], s = (x[to] - theta + turn) / system.forcing->frequency;
+    const double theta = x[at], s = (x[to] - theta + turn) / system.forcing()->frequency;
     const ModalTransitions arcs(system, flow, theta, s);
     r[at] = (impact.reach - stop.gap) / scale_.length;
     if (wanted.jacobian)

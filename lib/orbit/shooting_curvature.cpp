@@ -26,7 +26,7 @@ class Curvature {
         scale_(problem.scale()),
         system_(system),
         flow_(system),
-        frequency_(system.forcing->frequency),
+        frequency_(system.forcing()->frequency),
         tangents_(tangents),
         x_(x),
         w_(w),
@@ -104,11 +104,11 @@ class Curvature {
     const double direction = stop(system_, flight).direction()[j];
     Mode mode;
     mode.omega2 = system_.omega[j] * system_.omega[j];
-    mode.delta = system_.delta[j];
-    mode.force = system_.forcing->amplitude[j];
+    mode.delta = system_.delta()[j];
+    mode.force = system_.forcing()->amplitude[j];
     mode.start << x_[q] * unit, x_[qdot] * unit_v - flight.jump * direction;
     mode.arc = arcs.from(j, mode.start[0], mode.start[1]);
-    const double load = system_.load ? (*system_.load)[j] : 0.0;
+    const double load = system_.load() ? (*system_.load())[j] : 0.0;
     mode.f0 << mode.start[1], -mode.omega2 * mode.start[0] - 2.0 * mode.delta * mode.start[1] +
                                   mode.force * std::cos(flight.theta) + load;
     mode.end << mode.arc.q, mode.arc.qdot;
@@ -178,12 +178,12 @@ class Curvature {
         flight.slope * flight.moved * rate.direction()[j];
     const double stiffness_rate = 2.0 * system_.omega[j] * tangent.omega[j];
     const auto field_rate = [&](const Eigen::Vector2d& state, double theta) {
-      return -stiffness_rate * state[0] - 2.0 * tangent.delta[j] * state[1] +
-             tangent.forcing->amplitude[j] * std::cos(theta) +
-             (tangent.load ? (*tangent.load)[j] : 0.0);
+      return -stiffness_rate * state[0] - 2.0 * tangent.delta()[j] * state[1] +
+             tangent.forcing()->amplitude[j] * std::cos(theta) +
+             (tangent.load() ? (*tangent.load())[j] : 0.0);
     };
     // Phases move by fixed angles, times by those over a frequency that changes.
-    const double stretch = tangent.forcing->frequency / frequency_;
+    const double stretch = tangent.forcing()->frequency / frequency_;
     const Eigen::Vector2d end_rate =
         arcs.tangent(j, mode.start[0], mode.start[1], mode.arc, tangent) +
         Eigen::Vector2d(mode.arc.qv, mode.arc.vv) * start_rate;

@@ -32,7 +32,7 @@ class HeldSection {
     basis_ = phase.basis();
     unit_.resize(2 * freedoms());
     unit_ << Vector::Constant(freedoms(), scale_.displacement),
-        scale_.displacement * phase.reduced().omega.cwiseMax(system.forcing->frequency);
+        scale_.displacement * phase.reduced().omega.cwiseMax(system.forcing()->frequency);
     at_.instant.period = 0;
   }
 

@@ -23,7 +23,7 @@ constexpr int kRounds = 3;
 
 // What one contact of a body with the effective mass of a stop gives back of its speed, m/s.
 double restitution_of(const Stop& stop, double speed) {
-  System body{Vector::Zero(1), Vector::Zero(1), {}, {stop}, {}};
+  System body{Vector::Zero(1), NaturalModes{Vector::Zero(1)}, {stop}};
   body.stops[0].row = Vector::Constant(1, stop.row.norm());
   body.stops[0].gap = 0.0;
   double restitution = 0.0;
@@ -93,7 +93,8 @@ class StrobeFinder {
 
   // From just before an impact, through its contact to the end of the forcing period.
   void start_from(const ImpactPoint& point, int stop, StartCount& count) {
-    const double local = wrapped(point.theta - system_.forcing->phase) / system_.forcing->frequency;
+    const double local =
+        wrapped(point.theta - system_.forcing()->phase) / system_.forcing()->frequency;
     if (!(local < system_.period())) return;
     MotionState<double> before =
         Motion<double>(system_, {0, local}, point.before.q, point.before.qdot).state();

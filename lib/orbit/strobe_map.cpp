@@ -53,7 +53,7 @@ State StrobeMap::unpack(const Vector& x) const {
 
 Instant<double> StrobeMap::first_instant(const System& system) const {
   const double local =
-      wrapped(options_.section - system.forcing->phase) / system.forcing->frequency;
+      wrapped(options_.section - system.forcing()->phase) / system.forcing()->frequency;
   return {0, local < system.period() ? local : 0.0};
 }
 
@@ -132,7 +132,7 @@ std::optional<StrobeMap::Within> StrobeMap::within(const System& system, const V
   const std::optional<MotionState<double>> start = start_of(system, x);
   if (!start) return {};
   const Eigen::Index n = size() / 2;
-  const double frequency = system.forcing->frequency;
+  const double frequency = system.forcing()->frequency;
   const Instant<double> end = later(start->instant, angle / frequency, system.period());
   Within within;
   within.by_state = unit_deviations();

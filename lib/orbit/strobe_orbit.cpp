@@ -262,7 +262,7 @@ std::optional<Orbit> touching_orbit_of(const System& system, const StrobeMap& ma
 
 std::vector<StrobeTouch> touches_near(const System& system, const StrobeMap& map, const Vector& u) {
   const Eigen::Index n = map.size();
-  const double length = motion_scale(system).length, frequency = system.forcing->frequency;
+  const double length = motion_scale(system).length, frequency = system.forcing()->frequency;
   std::vector<std::pair<double, StrobeTouch>> offered;
   const auto offer = [&](double depth, int stop, std::size_t turn, double seconds) {
     offered.push_back({depth, {stop, turn, std::clamp(frequency * seconds, 0.0, kTurn), 0.0}});

@@ -71,9 +71,9 @@ void write_motion(StateLines& lines, const std::string& header, const MotionStat
 
 Instant<double> read_instant(const StateTable& table, const System& system) {
   const Instant<double> instant{table.count("period"), table.size("local")};
-  if (instant.period > kMostPeriods || (!system.forcing && instant.period != 0))
+  if (instant.period > kMostPeriods || (!system.forcing() && instant.period != 0))
     table.fail("period", "the scene has no such forcing period");
-  if (system.forcing && instant.local > system.period())
+  if (system.forcing() && instant.local > system.period())
     table.fail("local", "it must not exceed the scene's forcing period");
   return instant;
 }
@@ -81,7 +81,7 @@ Instant<double> read_instant(const StateTable& table, const System& system) {
 MotionState<double> read_motion(const Node& node, const std::string& path, const System& system) {
   std::vector<std::string> keys = {"period",   "local",          "q",       "qdot",
                                    "contacts", "multiplicities", "unsummed"};
-  const bool has_joint = system.rotation && system.rotation->friction;
+  const bool has_joint = system.rotation() && system.rotation()->friction;
   if (has_joint) keys.emplace_back("joint");
   const StateTable table(node, path, keys);
   const auto modes = static_cast<std::size_t>(system.modes());

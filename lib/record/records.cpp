@@ -8,6 +8,7 @@
 
 #include "graze/base/angle.hpp"
 #include "graze/flow/contact_phase.hpp"
+#include "graze/system/hub_state.hpp"
 #include "graze/system/scale.hpp"
 
 namespace graze {
@@ -24,9 +25,9 @@ constexpr std::size_t kShown = 10;
 // velocities, whose squares may all err to one side.
 double book_rounding(const System& system, const Simulation& run) {
   constexpr double kAmplification = 0x1p16;
-  const double periods = system.forcing ? run.end_time / system.period() : 0.0;
+  const double periods = system.forcing() ? run.end_time / system.period() : 0.0;
   const double flights = 1.0 + periods + static_cast<double>(run.totals.impacts);
-  const double steps = system.rotation ? 4.0 * system.omega.maxCoeff() / kTurn * run.end_time : 0.0;
+  const double steps = system.turns() ? 4.0 * system.omega.maxCoeff() / kTurn * run.end_time : 0.0;
   return (kAmplification * std::numeric_limits<double>::epsilon() * std::sqrt(flights) +
           2.0 * kStepTolerance * steps) *
          run.energy->size();
@@ -63,9 +64,9 @@ long long EventExcerpt::left_out() const {
 EnergyEntries energy_entries(const System& system, const EnergyBook& book) {
   EnergyEntries entries;
   // On a hub the torque and the weight.
-  const Rotation* hub = system.rotation ? &*system.rotation : nullptr;
-  if (system.forcing || (hub && hub->torque)) entries.forcing = book.work.forcing;
-  if (system.load || (hub && hub->weight)) entries.load = book.work.load;
+  const Rotation* hub = system.rotation();
+  if (system.forcing() || (hub && hub->torque)) entries.forcing = book.work.forcing;
+  if (system.load() || (hub && hub->weight)) entries.load = book.work.load;
   const auto compliant = [](const Stop& stop) { return stop.is_compliant(); };
   if (!std::all_of(system.stops.begin(), system.stops.end(), compliant)) {
     entries.constraint = book.work.constraint;
@@ -73,9 +74,8 @@ EnergyEntries energy_entries(const System& system, const EnergyBook& book) {
   }
   if (std::any_of(system.stops.begin(), system.stops.end(), compliant))
     entries.contact = book.work.contact;
-  const bool damped = (system.delta.array() != 0.0).any();
-  if (damped || (hub && (hub->damping.size() > 0 || hub->friction)))
-    entries.dissipation = book.work.dissipation;
+  const bool damped = (decay_rates(system).array() != 0.0).any();
+  if (damped || (hub && hub->friction)) entries.dissipation = book.work.dissipation;
   return entries;
 }
 

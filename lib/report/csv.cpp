@@ -64,8 +64,8 @@ std::string samples_csv_header(const System& system, bool energy,
     for (std::size_t i = 1; i <= count; ++i)
       fmt::format_to(std::back_inserter(text), ",{}{}", name, i);
   };
-  if (system.rotation) text += ",angle,rate";
-  const auto modes = static_cast<std::size_t>(system.modes() - (system.rotation ? 1 : 0));
+  if (system.turns()) text += ",angle,rate";
+  const auto modes = static_cast<std::size_t>(system.modes() - (system.turns() ? 1 : 0));
   columns("q", modes);
   columns("qdot", modes);
   columns("gap", system.stops.size());
@@ -86,8 +86,8 @@ std::string samples_csv_row(const System& system, const Sample& sample,
     for (const double value : state.q) add(value);
     for (const double value : state.qdot) add(value);
   };
-  if (system.rotation) {
-    const HubState hub = hub_state(*system.rotation, sample.state);
+  if (system.turns()) {
+    const HubState hub = hub_state(*system.rotation(), sample.state);
     add(hub.angle);
     add(hub.rate);
     add_state(hub.beam);

@@ -185,8 +185,8 @@ Json final_json(const System& system, const Simulation& run) {
                {"qdot", json_list(run.final.qdot)},
                {"stuck", stuck},
                {"forces", forces}};
-  if (!system.rotation) return json;
-  const HubState hub = hub_state(*system.rotation, run.final);
+  if (!system.turns()) return json;
+  const HubState hub = hub_state(*system.rotation(), run.final);
   json["q"] = json_list(hub.beam.q);
   json["qdot"] = json_list(hub.beam.qdot);
   json["angle"] = json_number(hub.angle);

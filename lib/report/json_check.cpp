@@ -76,11 +76,11 @@ std::string to_json(const CheckRecord& record) {
         {{"mode", j + 1},
          {"frequency", json_number(system.omega[j])},
          {"decay_rate", json_number(decay[j])},
-         {"force", system.forcing ? json_number(system.forcing->amplitude[j]) : Json(nullptr)},
-         {"load", system.load ? json_number((*system.load)[j]) : Json(nullptr)}});
+         {"force", system.forcing() ? json_number(system.forcing()->amplitude[j]) : Json(nullptr)},
+         {"load", system.load() ? json_number((*system.load())[j]) : Json(nullptr)}});
   document["title"] = record.scene.title;
   document["modes"] = modes;
-  document["forcing_period"] = system.forcing ? json_number(system.period()) : Json(nullptr);
+  document["forcing_period"] = system.forcing() ? json_number(system.period()) : Json(nullptr);
   document["gravity"] =
       record.scene.gravity ? json_number(record.scene.gravity->acceleration) : Json(nullptr);
   Json stops = Json::array();

@@ -229,7 +229,7 @@ std::optional<Orbit> settled_orbit(const PageSource& source, const System& syste
 }  // namespace
 
 int page_samples(const System& system, long long periods, int most) {
-  const double turns = std::max(1.0, system.omega.maxCoeff() / system.forcing->frequency);
+  const double turns = std::max(1.0, system.omega.maxCoeff() / system.forcing()->frequency);
   const double wanted = kSamplesPerTurn * turns * static_cast<double>(periods);
   return static_cast<int>(std::clamp<double>(wanted, kFewest, most));
 }

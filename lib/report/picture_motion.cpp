@@ -140,7 +140,7 @@ std::vector<EnergyTerm> energy_terms(const SamplesSeen& samples, const System& s
     std::function<double(const EnergyBook&)> value;
   };
   const EnergyEntries has = energy_entries(system, EnergyBook{});
-  const bool turns = system.rotation.has_value();
+  const bool turns = system.turns();
   // Signed, so that the energy rises by their sum.
   const Entry entries[] = {{turns ? "torque" : "forcing", kBlue, has.forcing.has_value(),
                             [](const EnergyBook& book) { return book.work.forcing; }},

@@ -123,7 +123,7 @@ class OrbitsPicture {
 
   // The displacement of the orbits that stick over their periods, their stuck phases shaded.
   void draw_over_time() {
-    const double frequency = record_.system.forcing->frequency;
+    const double frequency = record_.system.forcing()->frequency;
     int periods = 1;
     for (const Orbit* orbit : orbits_)
       if (orbit->sticking) periods = std::max(periods, orbit->period);
@@ -176,7 +176,7 @@ class OrbitsPicture {
       course.gap();
       for (const OrbitHold& hold : orbit.sticking->holds) {
         const double from = hold.from.phase + kTurn * hold.from.period_index - shift;
-        const double to = from + hold.duration * record_.system.forcing->frequency;
+        const double to = from + hold.duration * record_.system.forcing()->frequency;
         if (to > 0.0 && from < whole)
           stuck.row({unit * std::max(from, 0.0), unit * std::min(to, whole)});
       }

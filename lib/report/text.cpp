@@ -63,7 +63,7 @@ std::string energy_text(const System& system, const EnergyBook& book) {
     if (value) text += fmt::format("{:<24} {:>15.8g} J\n", name, *value);
   };
   add("energy at the start", book.start);
-  const bool turns = system.rotation.has_value();
+  const bool turns = system.turns();
   add(turns ? "+ work of the torque" : "+ work of the forcing", entries.forcing);
   add(turns ? "+ work of the weight" : "+ work of the load", entries.load);
   add("+ work of closed stops", entries.constraint);

@@ -177,7 +177,7 @@ std::string to_text(const CheckRecord& record) {
     modes.add({fmt::format("{}", j + 1), fmt::format("{:.8g}", system.omega[j]),
                fmt::format("{:.6g}", system.omega[j] / kTurn), fmt::format("{:.6g}", decay[j]),
                system.omega[j] > 0.0 ? fmt::format("{:.4g}", decay[j] / system.omega[j]) : "-",
-               system.forcing ? fmt::format("{:.6g}", system.forcing->amplitude[j]) : "-"});
+               system.forcing() ? fmt::format("{:.6g}", system.forcing()->amplitude[j]) : "-"});
   text += modes.text();
   if (!system.stops.empty()) text += "\n";
   for (std::size_t i = 0; i < system.stops.size(); ++i)

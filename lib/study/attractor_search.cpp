@@ -34,7 +34,7 @@ constexpr double kMostForSlowModes = 4.0;
 // The periods asked for, and those that the mode with the least damping takes to forget.
 long long periods_to_forget(const System& system, const AttractorSearchOptions& options) {
   const double asked = static_cast<double>(options.periods);
-  const double slow = std::log(kForgets) / (system.delta.minCoeff() * system.period());
+  const double slow = std::log(kForgets) / (system.delta().minCoeff() * system.period());
   return static_cast<long long>(std::min(asked + slow, kMostForSlowModes * asked));
 }
 
@@ -96,7 +96,7 @@ class AttractorSearch {
   void from_steady_response() {
     const PeriodicResponseAnswer answer = periodic_response(system_, 1);
     if (!answer.response) return;
-    const State steady = answer.response->forced_state(system_.forcing->phase);
+    const State steady = answer.response->forced_state(system_.forcing()->phase);
     if (!is_clear(system_, steady)) return;
     const SettledMotion motion = follow(steady, "the steady response", periods_);
     if (motion.kind == SettledKind::kClear) add({{AttractorKind::kClear, 0, 0}, {}, steady});

@@ -136,7 +136,7 @@ ContactCrossing cross_without_location(const ElasticContact& contact, double ste
 
 ContactCrossing cross_with_location(const ElasticContact& contact, double step) {
   const Vector row = Vector::Constant(1, 1.0 / std::sqrt(contact.mass));
-  System system{Vector::Zero(1), Vector::Zero(1), {}, {}, {}};
+  System system{Vector::Zero(1), NaturalModes{Vector::Zero(1)}, {}};
   ContactForce law;
   law.stiffness = contact.stiffness;
   law.exponent = contact.exponent;

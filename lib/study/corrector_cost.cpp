@@ -38,7 +38,7 @@ class NewtonCosts {
       row.residual = problem_.residual(system_, x).cwiseAbs().maxCoeff();
       if (!(row.residual < last)) return;
       last = row.residual;
-      row.error = phase_error(x) / system_.forcing->frequency;
+      row.error = phase_error(x) / system_.forcing()->frequency;
       row.seconds = steps == 0 ? 0.0 : least_time([&] { run(start, steps); }, kRowSeconds);
       rows.push_back(row);
       if (phase_error(x) < kLastDigits) return;

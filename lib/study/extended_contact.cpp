@@ -105,7 +105,7 @@ class Equations {
         law_(stop_.force()),
         row_(stop_.row.cast<Extended>()),
         stiffness_(system.omega.cast<Extended>().cwiseAbs2()),
-        damping_(2 * system.delta.cast<Extended>()),
+        damping_(2 * system.delta().cast<Extended>()),
         n_(system.omega.size()) {}
 
   Numbers pack(const Numbers& q, const Numbers& qdot, const Extended& theta) const {
@@ -123,12 +123,12 @@ class Equations {
     slope.head(n_) = x.segment(n_, n_);
     auto acceleration = slope.segment(n_, n_);
     acceleration = -damping_.cwiseProduct(x.segment(n_, n_)) - stiffness_.cwiseProduct(x.head(n_));
-    if (system_.load) acceleration += system_.load->cast<Extended>();
+    if (system_.load()) acceleration += system_.load()->cast<Extended>();
     slope.tail(2).setZero();
-    if (system_.forcing) {
-      acceleration += x[2 * n_] * system_.forcing->amplitude.cast<Extended>();
-      slope[2 * n_] = -system_.forcing->frequency * x[2 * n_ + 1];
-      slope[2 * n_ + 1] = system_.forcing->frequency * x[2 * n_];
+    if (system_.forcing()) {
+      acceleration += x[2 * n_] * system_.forcing()->amplitude.cast<Extended>();
+      slope[2 * n_] = -system_.forcing()->frequency * x[2 * n_ + 1];
+      slope[2 * n_ + 1] = system_.forcing()->frequency * x[2 * n_];
     }
     if (loaded) acceleration -= law_.force(depth(x), rate(x)) * row_;
     return slope;

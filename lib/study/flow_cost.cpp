@@ -21,8 +21,8 @@ constexpr int kMostRungs = 14;
 
 ReferenceRun reference_of(const System& system, const State& start,
                           const ReferenceOptions& options) {
-  return system.rotation ? stepped_reference(system, start, options)
-                         : reference_run(system, start, options);
+  return system.turns() ? stepped_reference(system, start, options)
+                        : reference_run(system, start, options);
 }
 
 class CostTable {
@@ -38,10 +38,10 @@ class CostTable {
     const ReferenceRun& reference = comparison_.reference();
     costs_.impacts = comparison_.impacts();
     costs_.end_time = reference.end_time;
-    costs_.forced = system.forcing.has_value();
+    costs_.forced = system.forcing() != nullptr;
     costs_.compliant = has_compliant_stop(system);
-    costs_.turns = system.rotation.has_value();
-    costs_.period = system.forcing ? system.period() : 1.0;
+    costs_.turns = system.turns();
+    costs_.period = system.forcing() ? system.period() : 1.0;
     costs_.tolerance = options.tolerance;
     // A part of a period for impact times; of the amplitude where there are none.
     costs_.allowed = costs_.impacts > 0 ? options.tolerance * costs_.period : options.tolerance;
@@ -50,7 +50,7 @@ class CostTable {
 
   FlowCosts finish() {
     if (!(costs_.end_time > 0.0)) return std::move(costs_);
-    measure(system_.rotation ? FlowChoice::kBulirschStoer : FlowChoice::kExact, "", {});
+    measure(system_.turns() ? FlowChoice::kBulirschStoer : FlowChoice::kExact, "", {});
     for (const FlowChoice flow : {FlowChoice::kRk4, FlowChoice::kDopri5, FlowChoice::kFehlberg78})
       climb(flow);
     return std::move(costs_);

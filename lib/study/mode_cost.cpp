@@ -74,7 +74,7 @@ std::vector<ModeCost> mode_costs(const Scene& scene, const AccuracyCostOptions& 
     if (options.stop.requested()) break;
     const std::optional<Prepared> beam = with_modes(scene, modes);
     if (!beam) continue;
-    const double period = beam->system.forcing ? beam->system.period() : 1.0;
+    const double period = beam->system.forcing() ? beam->system.period() : 1.0;
     ModeCost row;
     row.modes = modes;
     const std::optional<double> time = first_impact(*beam, options);

@@ -37,7 +37,7 @@ class Reference {
         motion_(std::in_place, flying_, Instant<Extended>{}, start.q.cast<Extended>(),
                 start.qdot.cast<Extended>()),
         closure_(kClosure * speed_scale(system, start)),
-        piece_((system.forcing ? std::min(system.period(), options.longest) : options.longest) /
+        piece_((system.forcing() ? std::min(system.period(), options.longest) : options.longest) /
                kSamplesPerPeriod),
         longest_flight_(longest_flight(system)),
         end_(options.longest) {

@@ -26,8 +26,8 @@ std::optional<StepMethod> step_method(FlowChoice flow) {
 
 double modal_speed(const System& system, const State& start) {
   double speed = std::hypot(start.qdot.norm(), system.omega.cwiseProduct(start.q).norm());
-  if (system.forcing)
-    speed = std::max(speed, system.forcing->amplitude.norm() / system.forcing->frequency);
+  if (system.forcing())
+    speed = std::max(speed, system.forcing()->amplitude.norm() / system.forcing()->frequency);
   const double at_stops = speed_scale(system, start);
   for (const Stop& stop : system.stops)
     if (stop.row.norm() > 0.0) speed = std::max(speed, at_stops / stop.row.norm());
@@ -77,7 +77,7 @@ StepSetting stable_steps(const System& system, const State& start, StepMethod me
     if (std::isinf(setting.longest) && speed_scale(system, start) > 0.0 &&
         reach_at(system, stop) > 0.0)
       setting.longest = reach_at(system, stop) / speed_scale(system, start);
-  if (std::isinf(setting.longest)) setting.longest = system.forcing ? system.period() : 1.0;
+  if (std::isinf(setting.longest)) setting.longest = system.forcing() ? system.period() : 1.0;
   return setting;
 }
 

@@ -52,7 +52,7 @@ std::vector<State> stroboscopic_states(const System& system, const Orbit& orbit)
   std::vector<State> states;
   for (int n = 0; n < orbit.period; ++n) {
     // The phase of the instant, counted on from the orbit's first impact.
-    double theta = system.forcing->phase + kTurn * n;
+    double theta = system.forcing()->phase + kTurn * n;
     theta -= whole * std::floor((theta - first) / whole);
     std::size_t i = points.size();
     while (i > 1 && points[i - 1].theta > theta) --i;

@@ -9,8 +9,9 @@ HubState hub_state(const Rotation& rotation, const State& state) {
 }
 
 Vector decay_rates(const System& system) {
-  if (!system.rotation || system.rotation->damping.size() == 0) return system.delta;
-  return 0.5 * system.rotation->damping.diagonal();
+  if (!system.turns()) return system.delta();
+  const Matrix& damping = system.rotation()->damping;
+  return damping.size() > 0 ? Vector(0.5 * damping.diagonal()) : Vector::Zero(system.modes());
 }
 
 }  // namespace graze

@@ -5,15 +5,16 @@
 #include <limits>
 
 #include "graze/base/angle.hpp"
+#include "graze/system/hub_state.hpp"
 
 namespace graze {
 
 double forced_reach_at(const System& system, const Stop& stop) {
   double reach = 0.0;
-  if (!system.forcing) return reach;
-  const double frequency = system.forcing->frequency;
+  if (!system.forcing()) return reach;
+  const double frequency = system.forcing()->frequency;
   for (Eigen::Index j = 0; j < system.omega.size(); ++j)
-    reach = std::max(reach, std::abs(stop.row[j] * system.forcing->amplitude[j]) /
+    reach = std::max(reach, std::abs(stop.row[j] * system.forcing()->amplitude[j]) /
                                 std::max(system.omega[j] * system.omega[j], frequency * frequency));
   return reach;
 }
@@ -39,7 +40,7 @@ double hub_push(const Rotation& rotation, const Vector& row) {
 }  // namespace
 
 MotionScale motion_scale(const System& system) {
-  const double frequency = system.forcing->frequency;
+  const double frequency = system.forcing()->frequency;
   MotionScale scale{0.0, 0.0, 0.0, {}};
   for (const Stop& stop : system.stops) {
     const double reach = reach_at(system, stop);
@@ -68,18 +69,18 @@ double speed_scale(const System& system, const State& start) {
     const double forced = forced_reach_at(system, stop);
     // Over a distance d an acceleration a comes to sqrt(2 a d), however slowly it turns.
     if (forced > 0.0) {
-      const Vector& force = system.forcing->amplitude;
+      const Vector& force = system.forcing()->amplitude;
       const double fall = std::sqrt(2.0 * stop.row.cwiseProduct(force).cwiseAbs().sum() * distance);
-      const double whole = forced * system.forcing->frequency;
+      const double whole = forced * system.forcing()->frequency;
       scale = std::max(scale, distance > 0.0 ? std::min(whole, fall) : whole);
     }
-    if (system.load) {
+    if (system.load()) {
       const double height = distance > 0.0 ? distance : forced;
-      scale = std::max(scale, std::sqrt(2.0 * std::abs(stop.row.dot(*system.load)) * height));
+      scale = std::max(scale, std::sqrt(2.0 * std::abs(stop.row.dot(*system.load())) * height));
     }
-    if (system.rotation) {
+    if (system.turns()) {
       // As if all of the torque and of the weight acted on the way to the stop at once.
-      const double push = hub_push(*system.rotation, stop.row);
+      const double push = hub_push(*system.rotation(), stop.row);
       scale = std::max(scale, std::sqrt(2.0 * push * distance));
     }
     const Vector swing = system.omega.cwiseProduct(start.q).cwiseAbs() + start.qdot.cwiseAbs();
@@ -90,9 +91,10 @@ double speed_scale(const System& system, const State& start) {
 
 double longest_flight(const System& system) {
   constexpr double kOscillations = 64.0;
+  const Vector decay = decay_rates(system);
   double slowest = std::numeric_limits<double>::infinity();
   for (Eigen::Index j = 0; j < system.omega.size(); ++j) {
-    const double rate = system.omega[j] > 0.0 ? system.omega[j] : system.delta[j];
+    const double rate = system.omega[j] > 0.0 ? system.omega[j] : decay[j];
     if (rate > 0.0) slowest = std::min(slowest, rate);
   }
   return std::isfinite(slowest) ? kOscillations * kTurn / slowest : slowest;

@@ -56,20 +56,34 @@ struct State {
   Vector qdot;  // kg^1/2 m/s, N
 };
 
+// A structure that moves in its natural modes, each by itself between impacts.
+struct NaturalModes {
+  Vector delta;  // 1/s, N
+  std::optional<HarmonicForcing> forcing{};
+  std::optional<Vector> load{};  // constant modal force (gravity), kg^1/2 m/s^2, N
+};
+
 struct System {
   Vector omega;  // rad/s, N
-  Vector delta;  // 1/s, N
-  std::optional<HarmonicForcing> forcing;
+  // On a hub that turns (Rotation) the coordinates are those of hub and beam together, N + 1 of
+  // them, and directions those of the structure at rest in its shape.
+  std::variant<NaturalModes, Rotation> structure;
   std::vector<Stop> stops;
-  std::optional<Vector> load;  // constant modal force (gravity), kg^1/2 m/s^2, N
-  // A hub that turns: the coordinates are then those of hub and beam together, N + 1 of them, and
-  // there is no forcing and no load; damping, torque and weight are in here, delta is 0. Directions
-  // are those of the structure at rest in its shape.
-  std::optional<Rotation> rotation{};
 
   int modes() const { return static_cast<int>(omega.size()); }
+  bool turns() const { return std::holds_alternative<Rotation>(structure); }
+  // Requires one that does not turn.
+  const NaturalModes& modal() const { return std::get<NaturalModes>(structure); }
+  NaturalModes& modal() { return std::get<NaturalModes>(structure); }
+  const Vector& delta() const { return modal().delta; }
+  // Null where there is none.
+  const Rotation* rotation() const { return std::get_if<Rotation>(&structure); }
+  const HarmonicForcing* forcing() const {
+    return !turns() && modal().forcing ? &*modal().forcing : nullptr;
+  }
+  const Vector* load() const { return !turns() && modal().load ? &*modal().load : nullptr; }
   // T = 2 pi/frequency, s; requires forcing.
-  double period() const { return kTurn / forcing->frequency; }
+  double period() const { return kTurn / modal().forcing->frequency; }
 };
 
 }  // namespace graze

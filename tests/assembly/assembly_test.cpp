@@ -35,13 +35,13 @@ TEST(System, OfGivenModesHoldsTheirNumbers) {
   EXPECT_EQ(system.modes(), 2);
   EXPECT_EQ(system.omega[0], 2.0);
   EXPECT_EQ(system.omega[1], 5.0);
-  EXPECT_DOUBLE_EQ(system.delta[0], 0.02);
-  EXPECT_DOUBLE_EQ(system.delta[1], 0.1);
-  ASSERT_TRUE(system.forcing);
-  EXPECT_EQ(system.forcing->frequency, 4.0);
-  EXPECT_EQ(system.forcing->phase, 0.5);
-  EXPECT_DOUBLE_EQ(system.forcing->amplitude[0], 3.0);
-  EXPECT_DOUBLE_EQ(system.forcing->amplitude[1], -1.5);
+  EXPECT_DOUBLE_EQ(system.delta()[0], 0.02);
+  EXPECT_DOUBLE_EQ(system.delta()[1], 0.1);
+  ASSERT_TRUE(system.forcing());
+  EXPECT_EQ(system.forcing()->frequency, 4.0);
+  EXPECT_EQ(system.forcing()->phase, 0.5);
+  EXPECT_DOUBLE_EQ(system.forcing()->amplitude[0], 3.0);
+  EXPECT_DOUBLE_EQ(system.forcing()->amplitude[1], -1.5);
   EXPECT_DOUBLE_EQ(system.period(), std::numbers::pi / 2.0);
   ASSERT_EQ(system.stops.size(), 1u);
   EXPECT_EQ(system.stops[0].row[1], -2.0);
@@ -59,7 +59,7 @@ TEST(System, MovingBaseForcesWithTheSquareOfItsFrequency) {
       "unit.toml");
   const System system = assemble(scene);
   const double s = (std::cosh(kB1) + std::cos(kB1)) / (std::sinh(kB1) + std::sin(kB1));
-  EXPECT_NEAR(system.forcing->amplitude[0], 0.01 * 9.0 * 2.0 * s / kB1, 1e-16);
+  EXPECT_NEAR(system.forcing()->amplitude[0], 0.01 * 9.0 * 2.0 * s / kB1, 1e-16);
   EXPECT_NEAR(system.omega[0], kB1 * kB1, 1e-15);
   // The stop below looks the other way: the row points into it.
   EXPECT_NEAR(system.stops[0].row[0], -2.0, 1e-15);
@@ -71,15 +71,15 @@ TEST(System, SidesDifferBySignsOnly) {
   const System below = assemble(support::shipped_scene("01_wagg_2004"));
   EXPECT_EQ(above.stops[0].row, -below.stops[0].row);
   EXPECT_LE((above.stops[0].direction() + below.stops[0].direction()).norm(), 1e-16);
-  EXPECT_EQ(above.forcing->amplitude, below.forcing->amplitude);
+  EXPECT_EQ(above.forcing()->amplitude, below.forcing()->amplitude);
 }
 
 TEST(System, WhatIsNotNamedIsAbsent) {
   const Scene scene = parse_scene("[modal]\nfrequencies = [2.0]\n", "bare.toml");
   const System system = assemble(scene);
-  EXPECT_FALSE(system.forcing);
+  EXPECT_FALSE(system.forcing());
   EXPECT_TRUE(system.stops.empty());
-  EXPECT_EQ(system.delta[0], 0.0);
+  EXPECT_EQ(system.delta()[0], 0.0);
   EXPECT_TRUE(system_warnings(scene, system).empty());
   EXPECT_EQ(collocation_condition(scene), 0.0);
 }

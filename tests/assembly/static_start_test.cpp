@@ -18,7 +18,7 @@ namespace {
 System structure() {
   Vector omega(2);
   omega << 1.5, 4.0;
-  return {omega, Vector::Zero(2), {}, {}, {}};
+  return {omega, NaturalModes{Vector::Zero(2)}, {}};
 }
 
 void add_spring(System& system, double first, double second, double k, double exponent) {
@@ -88,9 +88,9 @@ TEST(StaticStart, SeveralStopsTogether) {
     add_spring(system, 0.9, 0.6, 0.0, 1.0);
     system.stops[3].law = ImpactLaw{system.stops[3].row};
     const std::vector<double> force = {stiff * 2e-3, stiff * 4e-3, 0.0, 0.3};
-    system.load = Vector(2);
-    *system.load << 0.2, -0.1;
-    Vector q = *system.load;
+    system.modal().load = Vector(2);
+    *system.modal().load << 0.2, -0.1;
+    Vector q = *system.load();
     for (std::size_t i = 0; i < 4; ++i) q -= force[i] * system.stops[i].row;
     q[0] /= 2.25;
     q[1] /= 16.0;
@@ -109,8 +109,8 @@ TEST(StaticStart, ClearOfThePreloadedSpring) {
   System system = structure();
   add_spring(system, 1.0, 0.0, 1e6, 1.5);
   system.stops[0].gap = -1.0;
-  system.load = Vector(2);
-  *system.load << -9.0, 0.0;
+  system.modal().load = Vector(2);
+  *system.modal().load << -9.0, 0.0;
   EXPECT_EQ(start_of(system).q[0], -4.0);
 }
 

@@ -17,13 +17,13 @@ Vector numbers(const System& system) {
   std::vector<double> list;
   const auto add = [&](const Vector& v) { list.insert(list.end(), v.begin(), v.end()); };
   add(system.omega);
-  add(system.delta);
-  if (system.forcing) {
-    list.push_back(system.forcing->frequency);
-    list.push_back(system.forcing->phase);
-    add(system.forcing->amplitude);
+  add(system.delta());
+  if (system.forcing()) {
+    list.push_back(system.forcing()->frequency);
+    list.push_back(system.forcing()->phase);
+    add(system.forcing()->amplitude);
   }
-  if (system.load) add(*system.load);
+  if (system.load()) add(*system.load());
   for (const Stop& stop : system.stops) {
     add(stop.row);
     list.push_back(stop.gap);
@@ -108,7 +108,7 @@ TEST(SystemFamily, KnowsItsParameter) {
   const SystemFamily family(scene, "forcing.frequency");
   EXPECT_EQ(family.parameter(), "forcing.frequency");
   EXPECT_EQ(family.value(), 28.3);
-  EXPECT_EQ(family.at(30.0)->forcing->frequency, 30.0);
+  EXPECT_EQ(family.at(30.0)->forcing()->frequency, 30.0);
   EXPECT_THROW(SystemFamily(scene, "forcing.frequenzy"), InputError);
   EXPECT_THROW(SystemFamily(scene, "beam.modes"), InputError);
 }

@@ -56,7 +56,7 @@ class BareBeam {
   static constexpr std::size_t kModes = Modes;
 
   explicit BareBeam(const SteppedBeam& beam)
-      : frequency_(beam.system.forcing->frequency), phase_(beam.system.forcing->phase) {
+      : frequency_(beam.system.forcing()->frequency), phase_(beam.system.forcing()->phase) {
     const System& system = beam.system;
     const Stop& stop = system.stops.front();
     clearance_ = stop.gap;
@@ -66,8 +66,8 @@ class BareBeam {
       const double omega = system.omega[mode];
       scale_[j] = std::max(omega, frequency_);
       stiffness_[j] = omega * omega / scale_[j];
-      damping_[j] = 2.0 * system.delta[mode];
-      force_[j] = system.forcing->amplitude[mode];
+      damping_[j] = 2.0 * system.delta()[mode];
+      force_[j] = system.forcing()->amplitude[mode];
       reach_[j] = stop.row[mode] / scale_[j];
       row_[j] = stop.row[mode];
       direction_[j] = stop.direction()[mode];

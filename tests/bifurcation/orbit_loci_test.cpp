@@ -115,10 +115,10 @@ TEST(OrbitLoci, DoublingsAndToriHaveTheClosedFormsMultipliers) {
 
 double linear_amplitude(const System& system) {
   Complex amplitude = 0.0;
-  const double w = system.forcing->frequency;
+  const double w = system.forcing()->frequency;
   for (int j = 0; j < system.modes(); ++j)
-    amplitude += system.stops[0].row[j] * system.forcing->amplitude[j] /
-                 Complex(system.omega[j] * system.omega[j] - w * w, 2.0 * system.delta[j] * w);
+    amplitude += system.stops[0].row[j] * system.forcing()->amplitude[j] /
+                 Complex(system.omega[j] * system.omega[j] - w * w, 2.0 * system.delta()[j] * w);
   return std::abs(amplitude);
 }
 
@@ -200,7 +200,7 @@ TEST(OrbitLoci, DoublingsMeetGrazingAlongAParabola) {
   EXPECT_EQ(locus.special[0].label, "PDGR");
   const System at_end = system_at(scene, locus.special[0].at.value, 1e-3);
   const double free =
-      std::sqrt(at_end.omega[0] * at_end.omega[0] - at_end.delta[0] * at_end.delta[0]);
+      std::sqrt(at_end.omega[0] * at_end.omega[0] - at_end.delta()[0] * at_end.delta()[0]);
   const double end = 2.0 * free;
   EXPECT_NEAR(locus.special[0].at.value / end, 1.0, 1e-10);
   EXPECT_NEAR(locus.special[0].at.second / linear_amplitude(at_end), 1.0, 1e-10);

@@ -28,8 +28,8 @@ Scene plastic(double frequency) {
 // How far q is from a/b after one period, over a/b, in extended precision.
 long double closure(const System& system, double frequency) {
   using Real = long double;
-  const Real omega = system.omega[0], delta = system.delta[0], big = frequency;
-  const Real force = system.forcing->amplitude[0];
+  const Real omega = system.omega[0], delta = system.delta()[0], big = frequency;
+  const Real force = system.forcing()->amplitude[0];
   const Real q = system.stops[0].gap / static_cast<Real>(system.stops[0].row[0]);
   const Real phi = std::acos(omega * omega * q / force);
   const std::complex<Real> response =

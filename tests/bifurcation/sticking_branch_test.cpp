@@ -88,7 +88,7 @@ TEST(StickingBranch, ChatterPointDoesNotDependOnTheClosureSpeed) {
 
 // Whether a run from the release of an oscillator sticks within one forcing period.
 bool sticks_after_release(const System& system) {
-  const HarmonicForcing& forcing = *system.forcing;
+  const HarmonicForcing& forcing = *system.forcing();
   const double release = std::acos(system.stops[0].gap / forcing.amplitude[0]) - forcing.phase;
   // The rest of the period in which the push ends, and the next one up to its own end.
   MotionState<double> start;

@@ -143,7 +143,7 @@ TEST(StrobeBranches, OrbitsRepeatAndShrinkVolumesByTheirDamping) {
       double loaded = 0.0;
       for (const OrbitContact& contact : point.orbit.strobe->contacts) loaded += contact.duration;
       const double shrinks =
-          2.0 * system.delta[0] * point.orbit.period * system.period() + coefficient * loaded;
+          2.0 * system.delta()[0] * point.orbit.period * system.period() + coefficient * loaded;
       double product = 1.0;
       for (const Eigenvalue& multiplier : point.orbit.multipliers)
         product *= std::abs(multiplier.value);

@@ -71,7 +71,7 @@ void expect_volumes_to_shrink(const SystemFamily& family, const OrbitBranches& r
       const System system = *family.at(point.value);
       double loaded = 0.0;
       for (const OrbitContact& contact : point.orbit.strobe->contacts) loaded += contact.duration;
-      const double shrinks = 2.0 * system.delta.sum() * system.period() * point.orbit.period +
+      const double shrinks = 2.0 * system.delta().sum() * system.period() * point.orbit.period +
                              coefficient * mobility * loaded;
       double product = 1.0;
       for (const Eigenvalue& multiplier : point.orbit.multipliers)

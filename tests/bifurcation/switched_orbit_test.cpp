@@ -38,8 +38,8 @@ State pushed(const System& system, const Orbit& orbit, double push) {
   Arc<double> arc(flow);
   const State after = after_impact(stop, last.before);
   arc.start(last.phase, after.q, after.qdot);
-  const double left =
-      (orbit.period - last.period_index) * system.period() - last.phase / system.forcing->frequency;
+  const double left = (orbit.period - last.period_index) * system.period() -
+                      last.phase / system.forcing()->frequency;
   Vector q(system.modes()), qdot(system.modes());
   arc.state(left, q, qdot);
   return {(1.0 + push) * q, (1.0 + push) * qdot};
@@ -205,23 +205,24 @@ TEST(SwitchedOrbits, DoublingsPartWhatSimulationReachesFromWhatItLeaves) {
 double flight_from(const System& system, const Orbit& orbit) {
   const OrbitImpact& impact = orbit.impacts.front();
   const State after = after_impact(system.stops[0], impact.before);
-  Motion<double> motion(system, {0, impact.phase / system.forcing->frequency}, after.q, after.qdot);
+  Motion<double> motion(system, {0, impact.phase / system.forcing()->frequency}, after.q,
+                        after.qdot);
   const double period = system.period();
   for (int k = 0; k < 4; ++k) {
     const Arrival<double> arrival = motion.fly(period);
     if (arrival.kind == ArrivalKind::kContact)
       return static_cast<double>(motion.instant().period) +
-             (motion.instant().local - impact.phase / system.forcing->frequency) / period;
+             (motion.instant().local - impact.phase / system.forcing()->frequency) / period;
   }
   return std::numeric_limits<double>::infinity();
 }
 
 // Impacts of the motion that is not to touch the stop, over some periods from on it.
 int impacts_of_free_response(const System& system) {
-  const double w = system.forcing->frequency;
+  const double w = system.forcing()->frequency;
   const Complex response =
-      system.forcing->amplitude[0] /
-      Complex(system.omega[0] * system.omega[0] - w * w, 2.0 * system.delta[0] * w);
+      system.forcing()->amplitude[0] /
+      Complex(system.omega[0] * system.omega[0] - w * w, 2.0 * system.delta()[0] * w);
   Motion<double> motion(system, {}, Vector::Constant(1, response.real()),
                         Vector::Constant(1, (Complex(0.0, w) * response).real()));
   int impacts = 0;

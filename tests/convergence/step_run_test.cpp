@@ -20,7 +20,7 @@ void expect_end(const Scene& scene, StepMethod method, double tolerance, double 
   const System system = assemble(scene);
   const State start = initial_state(scene, system);
   SimulationOptions options;
-  options.duration = oscillations * (system.forcing ? system.period() : 1.0);
+  options.duration = oscillations * (system.forcing() ? system.period() : 1.0);
   options.steps = stable_steps(system, start, method);
   options.steps->tolerance = tolerance;
   if (method == StepMethod::kRk4) options.steps->step = 0.5 * options.steps->longest;

@@ -18,7 +18,7 @@ int main(int count, char** words) {
   const System system = assemble(scene);
   const State start = initial_state(scene, system);
   SimulationOptions options;
-  const double period = system.forcing ? system.period() : 1.0;
+  const double period = system.forcing() ? system.period() : 1.0;
   options.duration = std::atof(words[2]) * period;
   options.energy = std::atoi(words[4]) != 0;
   RunListeners listeners;

@@ -22,13 +22,13 @@ std::array<double, 6> derivatives(const System& system, const Observable<double>
   const int n = system.modes();
   std::array<Vector, 7> x{Vector(n), Vector(n)};
   arc.state(s, x[0], x[1]);
-  const double w = system.forcing->frequency, theta = arc.start_phase() + w * s;
-  const Vector w2 = system.omega.cwiseAbs2(), d2 = 2.0 * system.delta;
+  const double w = system.forcing()->frequency, theta = arc.start_phase() + w * s;
+  const Vector w2 = system.omega.cwiseAbs2(), d2 = 2.0 * system.delta();
   for (std::size_t k = 2; k < x.size(); ++k) {
     const double turn = 0.5 * std::numbers::pi * static_cast<double>(k - 2);
-    x[k] = system.forcing->amplitude * (std::pow(w, k - 2) * std::cos(theta + turn)) -
+    x[k] = system.forcing()->amplitude * (std::pow(w, k - 2) * std::cos(theta + turn)) -
            d2.cwiseProduct(x[k - 1]) - w2.cwiseProduct(x[k - 2]);
-    if (k == 2 && system.load) x[k] += *system.load;
+    if (k == 2 && system.load()) x[k] += *system.load();
   }
   std::array<double, 6> result{};
   for (std::size_t m = 0; m < result.size(); ++m) {
@@ -55,7 +55,7 @@ Observable<double> observable_of(const System& system, Dice& dice, bool gap) {
 
 // Every second system carries a constant load.
 void add_load(System& system, Dice& dice, std::uint64_t seed) {
-  if (seed % 2 == 0) system.load = dice.vector(system.modes(), -1.0, 1.0);
+  if (seed % 2 == 0) system.modal().load = dice.vector(system.modes(), -1.0, 1.0);
 }
 
 void expect_bounds(const System& system, const Observable<double>& observable, const Vector& q,
@@ -63,10 +63,10 @@ void expect_bounds(const System& system, const Observable<double>& observable, c
   constexpr int kSamples = 400;
   const ExactFlow<double> flow(system);
   Arc<double> arc(flow);
-  arc.start(system.forcing->phase, q, v);
+  arc.start(system.forcing()->phase, q, v);
   const ArcCurve<double> curve(arc, observable, window, false);
   const double quickest =
-      (system.omega + 2.0 * system.delta).maxCoeff() + system.forcing->frequency;
+      (system.omega + 2.0 * system.delta()).maxCoeff() + system.forcing()->frequency;
   std::array<double, 4> largest{};  // of |derivative m + 2| from the sample on
   for (int i = kSamples; i >= 0; --i) {
     const double s = window * i / kSamples;
@@ -90,7 +90,7 @@ TEST(ArcCurve, BoundsHoldInEveryKindOfMode) {
       SCOPED_TRACE(testing::Message() << "kind " << kind << ", seed " << seed);
       Dice dice(100 * static_cast<std::uint64_t>(kind) + seed);
       System system = support::random_system(dice, 1, 0.5);
-      support::set_mode(system, 0, static_cast<Damped>(kind), system.forcing->frequency, dice);
+      support::set_mode(system, 0, static_cast<Damped>(kind), system.forcing()->frequency, dice);
       add_load(system, dice, seed);
       expect_bounds(system, observable_of(system, dice, seed % 3 == 0), dice.vector(1, -1.0, 1.0),
                     dice.vector(1, -1.0, 1.0), system.period());
@@ -122,7 +122,7 @@ void expect_noise(const System& system, const Observable<double>& observable, co
   const ExactFlow<Extended> wide_flow(system);
   Arc<double> arc(flow);
   Arc<Extended> wide_arc(wide_flow);
-  const double theta = system.forcing->phase, window = system.period();
+  const double theta = system.forcing()->phase, window = system.period();
   arc.start(theta, q, v);
   wide_arc.start(theta, q.cast<Extended>(), v.cast<Extended>());
   const ArcCurve<double> curve(arc, observable, window, on_stop);
@@ -143,7 +143,7 @@ TEST(ArcCurve, NoiseBoundsTheErrorOfEveryKindOfMode) {
       SCOPED_TRACE(testing::Message() << "kind " << kind << ", seed " << seed);
       Dice dice(20'000 + 100 * static_cast<std::uint64_t>(kind) + seed);
       System system = support::random_system(dice, 1, 0.5);
-      support::set_mode(system, 0, static_cast<Damped>(kind), system.forcing->frequency, dice);
+      support::set_mode(system, 0, static_cast<Damped>(kind), system.forcing()->frequency, dice);
       add_load(system, dice, seed);
       const Vector q = dice.vector(1, -1.0, 1.0), v = dice.vector(1, -1.0, 1.0);
       const Observable<double> observable = observable_of(system, dice, seed % 3 == 0);
@@ -172,11 +172,11 @@ TEST(ArcCurve, NoiseCoversTheRoundingOfAStartOnTheForcedResponse) {
     SCOPED_TRACE(testing::Message() << "seed " << seed);
     Dice dice(40'000 + seed);
     System system = support::random_system(dice, 1, 0.5);
-    system.omega[0] = 40.0 * system.forcing->frequency;
-    system.delta[0] = 0.01;
+    system.omega[0] = 40.0 * system.forcing()->frequency;
+    system.modal().delta[0] = 0.01;
     const ExactFlow<double> flow(system);
     const PlanarNumber<double> p = flow.mode(0).forced;
-    const double c = std::cos(system.forcing->phase), s = std::sin(system.forcing->phase);
+    const double c = std::cos(system.forcing()->phase), s = std::sin(system.forcing()->phase);
     const double w = flow.frequency();
     expect_noise(system, observable_of(system, dice, seed % 3 == 0),
                  Vector::Constant(1, p.re * c - p.im * s),

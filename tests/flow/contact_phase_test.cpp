@@ -27,19 +27,19 @@ struct Case {
 };
 
 System random_held_system(Dice& dice, const Case& c, int modes, int stops) {
-  System system{Vector(modes), Vector(modes), {}, {}, {}};
+  System system{Vector(modes), NaturalModes{Vector(modes)}, {}};
   const double equal = dice.uniform(0.02, 0.4);
   for (int j = 0; j < modes; ++j) {
     const double w = system.omega[j] = dice.uniform(0.5, 1.5) * (1.0 + 2.0 * j);
-    system.delta[j] = c.decay == Decay::kNone       ? 0.0
-                      : c.decay == Decay::kEqual    ? equal
-                      : c.decay == Decay::kRayleigh ? 0.01 + 0.004 * w * w
-                      : c.decay == Decay::kRatios   ? dice.uniform(0.0, 0.4) * w
-                                                    : dice.uniform(1.1, 2.0) * w;
+    system.modal().delta[j] = c.decay == Decay::kNone       ? 0.0
+                              : c.decay == Decay::kEqual    ? equal
+                              : c.decay == Decay::kRayleigh ? 0.01 + 0.004 * w * w
+                              : c.decay == Decay::kRatios   ? dice.uniform(0.0, 0.4) * w
+                                                            : dice.uniform(1.1, 2.0) * w;
   }
-  system.forcing =
+  system.modal().forcing =
       HarmonicForcing{dice.uniform(0.4, 3.0), dice.uniform(0.0, 6.0), dice.vector(modes, -1, 1)};
-  if (c.load) system.load = dice.vector(modes, -1.0, 1.0);
+  if (c.load) system.modal().load = dice.vector(modes, -1.0, 1.0);
   for (int k = 0; k < stops; ++k) {
     const Vector row = dice.vector(modes, -1.0, 1.0);
     Vector direction = momentum_direction(row);
@@ -89,7 +89,7 @@ State by_exponential(const System& system, const Constrained& c, const State& st
                      double s) {
   using Longer = Eigen::Matrix<long double, Eigen::Dynamic, Eigen::Dynamic>;
   const Eigen::Index n = system.modes();
-  const double w = system.forcing->frequency;
+  const double w = system.forcing()->frequency;
   const Longer rows = c.rows.cast<long double>(), directions = c.directions.cast<long double>();
   const Longer projector = Longer::Identity(n, n) - directions *
                                                         (rows.transpose() * directions).inverse() *
@@ -97,9 +97,9 @@ State by_exponential(const System& system, const Constrained& c, const State& st
   Longer a = Longer::Zero(2 * n + 3, 2 * n + 3);
   a.block(0, n, n, n).setIdentity();
   a.block(n, 0, n, n) = -projector * system.omega.cast<long double>().cwiseAbs2().asDiagonal();
-  a.block(n, n, n, n) = -2.0 * projector * system.delta.cast<long double>().asDiagonal();
-  a.block(n, 2 * n, n, 1) = projector * system.forcing->amplitude.cast<long double>();
-  if (system.load) a.block(n, 2 * n + 2, n, 1) = projector * system.load->cast<long double>();
+  a.block(n, n, n, n) = -2.0 * projector * system.delta().cast<long double>().asDiagonal();
+  a.block(n, 2 * n, n, 1) = projector * system.forcing()->amplitude.cast<long double>();
+  if (system.load()) a.block(n, 2 * n + 2, n, 1) = projector * system.load()->cast<long double>();
   a(2 * n, 2 * n + 1) = -w;
   a(2 * n + 1, 2 * n) = w;
   Vector x(2 * n + 3);
@@ -111,10 +111,10 @@ State by_exponential(const System& system, const Constrained& c, const State& st
 
 // Without stops, from the equation of motion.
 Vector free_acceleration(const System& system, const State& state, double theta) {
-  Vector free = system.forcing->amplitude * std::cos(theta) -
-                2.0 * system.delta.cwiseProduct(state.qdot) -
+  Vector free = system.forcing()->amplitude * std::cos(theta) -
+                2.0 * system.delta().cwiseProduct(state.qdot) -
                 system.omega.cwiseAbs2().cwiseProduct(state.q);
-  if (system.load) free += *system.load;
+  if (system.load()) free += *system.load();
   return free;
 }
 
@@ -148,7 +148,7 @@ bool expect_motion(const System& system, const std::vector<int>& closed, Dice& d
   const double energy = mechanical_size(system, start);
   const double quickest = 1.0 + system.omega.maxCoeff();
   for (int i = 0; i <= 20; ++i) {
-    const double s = window * i / 20.0, angle = theta + system.forcing->frequency * s;
+    const double s = window * i / 20.0, angle = theta + system.forcing()->frequency * s;
     const State expected = by_exponential(system, c, start, theta, s);
     Vector q(system.modes()), qdot(system.modes());
     phase.state(s, q, qdot);
@@ -222,7 +222,7 @@ TEST(HeldMotion, HoldsAtResonanceUnderAnObliqueLaw) {
     for (const Eigenvalue& l : eigenvalues(c.projector * system.omega.cwiseAbs2().asDiagonal()))
       if (l.value.real() > 1e-6 && l.value.imag() == 0.0)
         smallest = std::min(smallest, l.value.real());
-    system.forcing->frequency = std::sqrt(smallest);
+    system.modal().forcing->frequency = std::sqrt(smallest);
     followed += expect_motion(system, {0}, dice);
   }
   EXPECT_GE(followed, 8);
@@ -236,7 +236,7 @@ TEST(HeldMotion, HoldsWithAFreeDirectionLeft) {
     System system = random_held_system(dice, {Law::kNormal, Decay::kNone, seed % 2 == 0}, 3, 2);
     system.omega[0] = system.omega[1] = 0.0;
     EXPECT_TRUE(expect_motion(system, {0}, dice));
-    system.delta = dice.vector(3, 0.1, 0.5);
+    system.modal().delta = dice.vector(3, 0.1, 0.5);
     EXPECT_TRUE(expect_motion(system, {0}, dice));
   }
 }
@@ -249,10 +249,10 @@ TEST(HeldMotion, HoldsWithSeveralFreeMassesBesideStiffModes) {
     Dice dice(1300 + seed);
     System system = random_held_system(dice, {Law::kNormal, Decay::kRatios, seed % 2 == 0}, 8, 3);
     system.omega.head(3).setZero();
-    system.delta.head(3).setZero();
-    system.delta.segment(3, 3) = system.omega.segment(3, 3);
+    system.modal().delta.head(3).setZero();
+    system.modal().delta.segment(3, 3) = system.omega.segment(3, 3);
     system.omega[7] = 400.0;
-    system.delta[7] = 12.0;
+    system.modal().delta[7] = 12.0;
     EXPECT_TRUE(expect_motion(system, {0}, dice));
     EXPECT_TRUE(expect_motion(system, {0, 1}, dice));
   }
@@ -266,7 +266,7 @@ TEST(HeldMotion, LeavesAStopWithRelativeAccuracy) {
     Dice dice(1500 + seed);
     System system = random_held_system(dice, {Law::kNormal, Decay::kRatios, true}, 4, 2);
     if (seed % 2 == 0) system.omega.head(3).setOnes();
-    if (seed % 2 == 0) system.delta.head(3) << 1.0, 1.0001, 1.0002;
+    if (seed % 2 == 0) system.modal().delta.head(3) << 1.0, 1.0001, 1.0002;
     const Constrained c = constrained(system, {0});
     const State start = held_state(system, c, {0}, dice);
     const double theta = dice.uniform(0.0, 6.0);
@@ -294,7 +294,7 @@ TEST(HeldMotion, RefusesAnObliqueLawThatMakesItGrow) {
   const double w1 = 3.0, w2 = 1.0, limit = w2 * w2 / (w1 * w1 - w2 * w2);
   for (const double part : {0.5, 0.99, 1.01, 2.0}) {
     const double t = limit * part;
-    System system{Vector(2), Vector::Zero(2), {}, {}, {}};
+    System system{Vector(2), NaturalModes{Vector::Zero(2)}, {}};
     system.omega << w1, w2;
     system.stops.push_back(
         {Eigen::Vector2d(1.0, 1.0), 0.0, ImpactLaw{Eigen::Vector2d(1.0 + t, -t), 0.5}});

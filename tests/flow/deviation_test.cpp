@@ -32,7 +32,7 @@ Deviations differenced(const System& system, const std::vector<int>& closed, con
     const auto end = [&](const Real& step) {
       const RealVector<Real> q = start.q.cast<Real>() + step * dq,
                              qdot = start.qdot.cast<Real>() + step * dqdot;
-      phase.start(start.theta + Real(system.forcing->frequency) * step * deviations.delay[i], q,
+      phase.start(start.theta + Real(system.forcing()->frequency) * step * deviations.delay[i], q,
                   qdot);
       RealVector<Real> state(2 * n), end_q(n), end_qdot(n);
       phase.state(Real(s), end_q, end_qdot);
@@ -71,7 +71,7 @@ TEST(Deviation, GrowsAsIn50DigitsOverAnyFlight) {
     const int modes = (held ? 2 : 1) + dice.pick(3);
     System system = support::random_system(dice, modes, 0.3);
     // Real modes while held, so that the extended scalar can follow.
-    if (held) system.delta.setConstant(dice.uniform(0.0, 0.3));
+    if (held) system.modal().delta.setConstant(dice.uniform(0.0, 0.3));
     const std::vector<int> closed = held ? std::vector<int>{0} : std::vector<int>{};
     Start start{dice.uniform(0.0, 6.0), dice.vector(modes, -1.0, 1.0),
                 dice.vector(modes, -1.0, 1.0)};
@@ -98,7 +98,7 @@ TEST(Deviation, GrowsThroughComplexModesInSteps) {
   for (int draw = 0; draw < 10; ++draw) {
     System system = support::random_system(dice, 4, 0.3);
     system.omega = (Vector(4) << 1.0, 2.3, 4.1, 6.0).finished();
-    system.delta = 0.2 * dice.vector(4, 0.0, 1.0).cwiseProduct(system.omega);
+    system.modal().delta = 0.2 * dice.vector(4, 0.0, 1.0).cwiseProduct(system.omega);
     ContactPhase<double> phase(system, {0});
     Deviations start = unit_deviations(dice, 4);
     hold(system, {0}, start);
@@ -108,7 +108,7 @@ TEST(Deviation, GrowsThroughComplexModesInSteps) {
       const Deviations whole = growth(phase, s, start);
       Deviations half = start;
       for (const double begun : {0.0, 0.5 * s}) {
-        phase.start(0.3 + system.forcing->frequency * begun, zero, zero);
+        phase.start(0.3 + system.forcing()->frequency * begun, zero, zero);
         const Deviations change = growth(phase, 0.5 * s, half);
         half.q += change.q;
         half.qdot += change.qdot;
@@ -134,7 +134,7 @@ TEST(Deviation, OfTheInstantIsAlongTheMotion) {
     move_instant(moved, held_rate(system, closed, begin, start.theta), Eigen::RowVectorXd::Ones(1));
     const Deviations change = growth(phase, 1.7, moved);
     const State rate =
-        held_rate(system, closed, end, start.theta + 1.7 * system.forcing->frequency);
+        held_rate(system, closed, end, start.theta + 1.7 * system.forcing()->frequency);
     EXPECT_LE((moved.q + change.q - rate.q).norm(), 1e-12 * (1.0 + rate.q.norm()));
     EXPECT_LE((moved.qdot + change.qdot - rate.qdot).norm(), 1e-12 * (1.0 + rate.qdot.norm()));
   }

@@ -18,7 +18,7 @@ using Wide = RealVector<Extended>;
 // One forced mode of the given kind.
 System one_mode(Damped kind, Dice& dice) {
   System system = support::random_system(dice, 1, 1.0);
-  support::set_mode(system, 0, kind, system.forcing->frequency, dice);
+  support::set_mode(system, 0, kind, system.forcing()->frequency, dice);
   return system;
 }
 
@@ -53,8 +53,9 @@ TEST(ExactFlow, SolvesTheEquationOfMotionInEveryKindOfMode) {
       arc.start(theta, Wide::Constant(1, q0), Wide::Constant(1, v0));
       EXPECT_LE(abs(state_at(arc, 0).q - q0), Extended(1e-45));
       EXPECT_LE(abs(state_at(arc, 0).qdot - v0), Extended(1e-45));
-      const Extended omega = system.omega[0], delta = system.delta[0];
-      const Extended force = system.forcing->amplitude[0], frequency = system.forcing->frequency;
+      const Extended omega = system.omega[0], delta = system.delta()[0];
+      const Extended force = system.forcing()->amplitude[0],
+                     frequency = system.forcing()->frequency;
       for (const double at : {0.3, 1.7, 6.0}) {
         const Extended s = at;
         const WideState here = state_at(arc, s);
@@ -90,12 +91,12 @@ TEST(ExactFlow, DoublePrecisionAgreesWithFiftyDigits) {
     wide_arc.state(s, wide_q, wide_qdot);
     for (int j = 0; j < n; ++j) {
       // Relative to the size of the motion: its start, its response, and their velocities.
-      const double rate = std::max(system.omega[j], system.forcing->frequency);
+      const double rate = std::max(system.omega[j], system.forcing()->frequency);
       const double size = 1.0 + std::abs(q[j]) + std::abs(qdot[j]) / rate;
       EXPECT_NEAR(q[j], static_cast<double>(wide_q[j]), 1e-13 * size)
-          << "seed " << seed << " omega " << system.omega[j] << " delta " << system.delta[j];
+          << "seed " << seed << " omega " << system.omega[j] << " delta " << system.delta()[j];
       EXPECT_NEAR(qdot[j], static_cast<double>(wide_qdot[j]), 1e-13 * size * std::max(rate, 1.0))
-          << "seed " << seed << " omega " << system.omega[j] << " delta " << system.delta[j];
+          << "seed " << seed << " omega " << system.omega[j] << " delta " << system.delta()[j];
     }
   }
 }

@@ -17,7 +17,7 @@ constexpr double kGravity = 9.81;
 
 System loaded(double omega, double delta) {
   System system = oscillator(omega, delta, 1.0, 0.8);
-  system.load = Vector::Constant(1, kGravity);
+  system.modal().load = Vector::Constant(1, kGravity);
   return system;
 }
 
@@ -36,10 +36,10 @@ void expect_as_in_fifty_digits(const System& system, double q0, double v0, doubl
   Wide wide_q(1), wide_v(1);
   arc.state(s, q, v);
   wide_arc.state(s, wide_q, wide_v);
-  const double omega = system.omega[0], delta = system.delta[0];
+  const double omega = system.omega[0], delta = system.delta()[0];
   const double felt = s / (1.0 + s * std::max(omega, delta));
-  const double push =
-      (system.load ? kGravity : 0.0) + (system.forcing ? 1.0 : 0.0) + omega * omega * std::abs(q0);
+  const double push = (system.load() ? kGravity : 0.0) + (system.forcing() ? 1.0 : 0.0) +
+                      omega * omega * std::abs(q0);
   SCOPED_TRACE(testing::Message() << "omega " << omega << ", delta " << delta << ", s " << s);
   EXPECT_NEAR(q[0], static_cast<double>(wide_q[0]),
               allowed * (std::abs(q0) + std::abs(v0) * felt + push * felt * s));

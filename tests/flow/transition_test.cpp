@@ -31,7 +31,7 @@ Vector stacked(const State& state) {
 
 System system_of_kind(Damped kind, Dice& dice) {
   System system = support::random_system(dice, 2, 1.0);
-  for (int j = 0; j < 2; ++j) support::set_mode(system, j, kind, system.forcing->frequency, dice);
+  for (int j = 0; j < 2; ++j) support::set_mode(system, j, kind, system.forcing()->frequency, dice);
   return system;
 }
 
@@ -45,7 +45,7 @@ TEST_P(TransitionOf, StartPhaseAndTimeAreDifferentiated) {
     SCOPED_TRACE(testing::Message() << "seed " << seed);
     Dice dice(seed);
     System system = system_of_kind(kind(), dice);
-    if (seed % 2 == 0) system.load = dice.vector(2, -1.0, 1.0);
+    if (seed % 2 == 0) system.modal().load = dice.vector(2, -1.0, 1.0);
     const Vector y = dice.vector(4, -1.0, 1.0);
     const double theta = dice.uniform(0.0, 6.0), s = dice.uniform(0.1, 1.2) * system.period();
     const ExactFlow<double> flow(system);
@@ -67,19 +67,20 @@ TEST_P(TransitionOf, StartPhaseAndTimeAreDifferentiated) {
 System moved(const System& system, const System& tangent, double h) {
   System there = system;
   there.omega += h * tangent.omega;
-  there.delta += h * tangent.delta;
-  there.forcing->frequency += h * tangent.forcing->frequency;
-  there.forcing->amplitude += h * tangent.forcing->amplitude;
-  if (there.load) *there.load += h * *tangent.load;
+  there.modal().delta += h * tangent.delta();
+  there.modal().forcing->frequency += h * tangent.forcing()->frequency;
+  there.modal().forcing->amplitude += h * tangent.forcing()->amplitude;
+  if (there.load()) *there.modal().load += h * *tangent.load();
   return there;
 }
 
 System random_tangent(Damped kind, Dice& dice) {
-  System tangent{dice.vector(2, -1.0, 1.0), dice.vector(2, -0.5, 0.5), {}, {}, {}};
+  System tangent{dice.vector(2, -1.0, 1.0), NaturalModes{dice.vector(2, -0.5, 0.5)}, {}};
   // A frequency or a damping of zero cannot fall.
   if (kind == Damped::kFreeMass) tangent.omega.setZero();
-  tangent.forcing = HarmonicForcing{dice.uniform(-1.0, 1.0), 0.0, dice.vector(2, -1.0, 1.0)};
-  tangent.load = dice.vector(2, -1.0, 1.0);
+  tangent.modal().forcing =
+      HarmonicForcing{dice.uniform(-1.0, 1.0), 0.0, dice.vector(2, -1.0, 1.0)};
+  tangent.modal().load = dice.vector(2, -1.0, 1.0);
   return tangent;
 }
 
@@ -88,19 +89,19 @@ TEST_P(TransitionOf, CoefficientsAreDifferentiatedAtFixedPhases) {
     SCOPED_TRACE(testing::Message() << "seed " << seed);
     Dice dice(100 + seed);
     System system = system_of_kind(kind(), dice);
-    if (seed % 2 == 0) system.load = dice.vector(2, -1.0, 1.0);
+    if (seed % 2 == 0) system.modal().load = dice.vector(2, -1.0, 1.0);
     System tangent = random_tangent(kind(), dice);
-    if (!system.load) tangent.load.reset();
+    if (!system.load()) tangent.modal().load.reset();
     const Vector y = dice.vector(4, -1.0, 1.0);
     const double theta = dice.uniform(0.0, 6.0), turn = dice.uniform(0.5, 8.0);
-    const double s = turn / system.forcing->frequency;
+    const double s = turn / system.forcing()->frequency;
     const ExactFlow<double> flow(system);
     const Vector rate =
         stacked(end_tangent(system, tangent, flow, {y.head(2), y.tail(2)}, theta, s));
     const Vector difference = support::central_difference(
         [&](double h) {
           const System there = moved(system, tangent, h);
-          return end_of(there, y, theta, turn / there.forcing->frequency);
+          return end_of(there, y, theta, turn / there.forcing()->frequency);
         },
         0.0, 1e-4);
     EXPECT_LE((rate - difference).norm(), 1e-8 * (1.0 + rate.norm()));
@@ -124,7 +125,7 @@ TEST(Transition, RunsBackwards) {
   for (std::uint64_t seed = 1; seed <= 50; ++seed) {
     Dice dice(300 + seed);
     const System system = support::random_system(dice, 3, 1.0);
-    if ((system.delta.array() * system.period() > 2.0).any()) continue;
+    if ((system.delta().array() * system.period() > 2.0).any()) continue;
     const ExactFlow<double> flow(system);
     const State start{dice.vector(3, -1.0, 1.0), dice.vector(3, -1.0, 1.0)};
     const double s = 0.4 * system.period();
@@ -143,7 +144,7 @@ TEST(Transition, DeterminantDecaysWithTheDamping) {
     const FlowMatrix e = transition(system, flow, support::rest(system), 0.0, s).flow;
     const double determinant = e.qq[0] * e.vv[0] - e.qv[0] * e.vq[0];
     const double size = std::abs(e.qq[0] * e.vv[0]) + std::abs(e.qv[0] * e.vq[0]);
-    EXPECT_NEAR(determinant, std::exp(-2.0 * system.delta[0] * s), 4e-15 * size + 1e-16) << seed;
+    EXPECT_NEAR(determinant, std::exp(-2.0 * system.delta()[0] * s), 4e-15 * size + 1e-16) << seed;
   }
 }
 

@@ -66,11 +66,11 @@ TEST(TurningStructure, InverseOfOneDyad) {
   const TurningStructure structure(system);
   std::mt19937_64 random(3);
   const Somewhere s = somewhere(random);
-  const Vector& e = system.rotation->angle;
+  const Vector& e = system.rotation()->angle;
   const Matrix mass = Matrix::Identity(4, 4) + structure.added_inertia(s.y) * e * e.transpose();
   const Vector f = Vector::LinSpaced(4, -1.0, 2.0);
   EXPECT_LT((mass * structure.accelerated(f, s.y) - f).norm(), 1e-14 * f.norm());
-  EXPECT_NEAR(mobility(*system.rotation, f, s.y), f.dot(LuFactors(mass).solve(f)),
+  EXPECT_NEAR(mobility(*system.rotation(), f, s.y), f.dot(LuFactors(mass).solve(f)),
               1e-14 * f.squaredNorm());
 }
 
@@ -113,7 +113,7 @@ TEST(TurningStructure, HoldsHoldWhatTheyHold) {
   const Vector a = turning.acceleration(force, y), f = turning.holds(force, y);
   EXPECT_LT((rows.transpose() * a).norm(), 1e-13 * a.norm());
   const Vector inertial =
-      a + turning.structure.added_inertia(y) * turning.structure.rate(a) * system.rotation->angle;
+      a + turning.structure.added_inertia(y) * turning.structure.rate(a) * system.rotation()->angle;
   EXPECT_LT((inertial - force + rows * f).norm(), 1e-12 * force.norm());
 }
 

@@ -25,7 +25,7 @@ struct Encounter {
 // The first contact of a free body.
 Encounter encounter(const ContactForce& law, double mass, double speed, double gap) {
   const Vector row = Vector::Constant(1, 1.0 / std::sqrt(mass));
-  System system{Vector::Zero(1), Vector::Zero(1), {}, {}, {}};
+  System system{Vector::Zero(1), NaturalModes{Vector::Zero(1)}, {}};
   system.stops.push_back({row, gap, law});
   const double n = law.exponent + 1.0;
   const double deepest = std::pow(0.5 * n * mass * speed * speed / law.stiffness, 1.0 / n);

@@ -220,7 +220,7 @@ TEST(HardCases, G3SaltationDeterminantAndFold) {
       const Matrix m = monodromy_matrix(system, {period, {0}}, {point});
       const double r = system.stops[0].restitution().at_rest();
       const double expected =
-          r * r * std::exp(-2.0 * period * system.period() * system.delta.sum());
+          r * r * std::exp(-2.0 * period * system.period() * system.delta().sum());
       // A determinant loses the products of the matrix's entries to rounding.
       const Matrix size = m.cwiseAbs();
       EXPECT_NEAR(m.determinant() / expected, 1.0,

@@ -46,7 +46,7 @@ double time_of(const RecordedRun& run, EventKind kind, int which = 1) {
 void expect_bouncing_ball(double drop, double gravity, double restitution) {
   SCOPED_TRACE(restitution);
   System system = oscillator(0.0, 0.0, drop, restitution);
-  system.load = Vector::Constant(1, gravity);
+  system.modal().load = Vector::Constant(1, gravity);
   const double rest = std::sqrt(2.0 * drop / gravity) * (1.0 + restitution) / (1.0 - restitution);
   const RecordedRun run = record_run(system, support::rest(system), for_seconds(1.5 * rest));
   EXPECT_EQ(run.result.outcome, RunOutcome::kReachedEnd);
@@ -357,7 +357,7 @@ TEST(HardCases, Z6PreloadLiftsOffAtItsForce) {
 
 // The unit cantilever held by a closed stop: the roots of sum phi_j^2/(w_j^2 - w^2) = 0.
 Vector held_frequencies(int modes, double position) {
-  System system{Vector(modes), Vector::Zero(modes), {}, {}, {}};
+  System system{Vector(modes), NaturalModes{Vector::Zero(modes)}, {}};
   Vector row(modes);
   for (int j = 0; j < modes; ++j) {
     system.omega[j] = std::pow(cantilever_wave_number(j + 1), 2);

@@ -73,7 +73,7 @@ TEST(Chatter, ThatLosesNothingAtLowSpeedNeverCompletes) {
   // A ball with r(v) = 1 - v/2: the speeds fall like 2/k, and the flights 4/(g k) have no finite
   // sum.
   System ball = support::oscillator(0.0, 0.0, 1.0, 0.0);
-  ball.load = Vector::Constant(1, 1.0);
+  ball.modal().load = Vector::Constant(1, 1.0);
   ball.stops[0].impact().restitution = Restitution(std::vector<double>{1.0, 0.5});
   SimulationOptions options = for_seconds(100.0);
   options.max_impacts = 20'000;
@@ -111,7 +111,7 @@ TEST(Chatter, ClampedRestitutionsAreCounted) {
 
 TEST(Chatter, IsReportedAtItsLastImpactAndSticksAtTheAccumulation) {
   System ball = support::oscillator(0.0, 0.0, 1.0, 0.5);
-  ball.load = Vector::Constant(1, 9.81);
+  ball.modal().load = Vector::Constant(1, 9.81);
   SimulationOptions options = for_seconds(3.0);
   options.closure_speed = 0.1;
   const RecordedRun run = record_run(ball, support::rest(ball), options);

@@ -73,7 +73,7 @@ TEST(Clearance, AgreesWithDenseSampling) {
     const System system = support::random_system(dice, 1 + dice.pick(4), 0.5);
     const ExactFlow<double> flow(system);
     Arc<double> arc(flow);
-    arc.start(system.forcing->phase, dice.vector(system.modes(), -0.5, 0.5),
+    arc.start(system.forcing()->phase, dice.vector(system.modes(), -0.5, 0.5),
               dice.vector(system.modes(), -1.0, 1.0));
     const double window = system.period(), h = window / kSamples;
     const ArcCurve<double> curve = curve_of(system, arc, window);

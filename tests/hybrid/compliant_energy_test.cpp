@@ -25,9 +25,9 @@ ContactForce law_of(double exponent, ContactDamping damping, double coefficient,
 System three_modes(const ContactForce& law) {
   System system;
   system.omega = Vector{{10.0, 61.0, 173.0}};
-  system.delta = Vector{{0.3, 0.5, 0.9}};
-  system.forcing = HarmonicForcing{8.0, 0.7, Vector{{1.3, 0.7, 0.2}}};
-  system.load = Vector{{0.2, -0.1, 0.05}};
+  system.modal().delta = Vector{{0.3, 0.5, 0.9}};
+  system.modal().forcing = HarmonicForcing{8.0, 0.7, Vector{{1.3, 0.7, 0.2}}};
+  system.modal().load = Vector{{0.2, -0.1, 0.05}};
   const Vector row{{1.0, -0.9, 0.8}};
   system.stops.push_back({row, 0.003, law});
   return system;
@@ -157,7 +157,7 @@ TEST(CompliantEnergyOfABeam, IsNotAddedByContactsThatPartBelowTheSurface) {
 // A spring that is compressed while an oblique law holds the structure on another stop.
 TEST(CompliantEnergyBesideAnObliqueStop, BookCloses) {
   System system = three_modes(law_of(1.0, ContactDamping::kConstant, 20.0));
-  system.load = Vector{{3.0, 1.0, -2.0}};
+  system.modal().load = Vector{{3.0, 1.0, -2.0}};
   const Vector row{{0.7, 1.0, -0.6}}, along{{0.4, 0.9, 0.3}};
   system.stops.push_back({row, 0.002, ImpactLaw{along / row.dot(along), Restitution{0.2}}});
   const auto run = support::record_run(system, support::rest(system), booked(10.0));

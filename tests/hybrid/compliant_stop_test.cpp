@@ -71,7 +71,8 @@ TEST(CompliantStop, AtRestOnTheSurface) {
   // then moves as x'' + k x = sin(t): x = (sin(t) - sin(w t)/w)/(k - 1).
   for (const double sense : {1.0, -1.0}) {
     system = sprung(0.0, 0.0, linear(100.0));
-    system.forcing = HarmonicForcing{1.0, -std::numbers::pi / 2.0, Vector::Constant(1, sense)};
+    system.modal().forcing =
+        HarmonicForcing{1.0, -std::numbers::pi / 2.0, Vector::Constant(1, sense)};
     run = support::record_run(system, support::state_of({0.0}, {0.0}), support::for_seconds(0.2));
     EXPECT_EQ(run.result.outcome, RunOutcome::kReachedEnd) << run.result.message;
     const double expected =
@@ -109,7 +110,7 @@ TEST(CompliantStop, S5SphereOnABeam) {
   const double line = rho * side * side, stiffness = modulus * std::pow(side, 4) / 12.0;
   const double mass = 4.0 / 3.0 * std::numbers::pi * 1e-6 * rho, v = 0.01;
   const int modes = 25;
-  System system{Vector::Zero(modes + 1), Vector::Zero(modes + 1), {}, {}, {}};
+  System system{Vector::Zero(modes + 1), NaturalModes{Vector::Zero(modes + 1)}, {}};
   Vector row(modes + 1);
   row[0] = 1.0 / std::sqrt(mass);
   for (int j = 1; j <= modes; ++j) {
@@ -165,7 +166,7 @@ TEST(CompliantStop, LongContactsOfABeam) {
 TEST(CompliantStop, ComesToRestCompressed) {
   const double k = 2000.0, g = 9.81;
   System system = sprung(0.0, 0.1, linear(k, 40.0));
-  system.load = Vector::Constant(1, g);
+  system.modal().load = Vector::Constant(1, g);
   const auto run =
       support::record_run(system, support::state_of({0.0}, {0.0}), support::for_seconds(10.0));
   EXPECT_EQ(run.result.outcome, RunOutcome::kReachedEnd) << run.result.message;
@@ -208,7 +209,7 @@ TEST(CompliantStop, GripsAgainOnlyWhenTheForceDoes) {
   for (const double push : {1.0, 5.0, 20.0, 60.0}) {
     SCOPED_TRACE(push);
     System system = support::oscillator(0.0, 0.0, 0.01, 1.0);
-    system.load = Vector::Constant(1, push);
+    system.modal().load = Vector::Constant(1, push);
     ContactForce law;
     law.stiffness = 6.3e7;
     law.exponent = 1.5;
@@ -229,7 +230,7 @@ TEST(CompliantStop, GripsAgainOnlyWhenTheForceDoes) {
 TEST(CompliantStop, AFlightOfAnyLengthCanBeStopped) {
   System system = sprung(
       2.0, 0.0, {1e14, 1.5, ContactDamping::kPower, 1e15, 0.0, 0.0, Separation::kAtZeroForce});
-  system.load = Vector{{5.0}};
+  system.modal().load = Vector{{5.0}};
   const State deep = support::state_of({1e-2}, {0.0});
   SimulationOptions options = support::for_seconds(1.0);
   options.stop.deadline = std::chrono::steady_clock::now() + std::chrono::milliseconds(10);

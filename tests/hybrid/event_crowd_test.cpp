@@ -52,7 +52,7 @@ TEST(EventCrowd, StandsInTheSentenceOfARunOutOfItsBudget) {
   options.max_impacts = 5;
   EXPECT_EQ(simulate(system, support::rest(system), options).crowd.find("events took"),
             std::string::npos);
-  system.load = Vector::Constant(1, 100.0);  // presses it onto the stop
+  system.modal().load = Vector::Constant(1, 100.0);  // presses it onto the stop
   system.stops.front().impact().restitution = Restitution{0.99};
   options.closure_speed = 1e-300;
   options.max_impacts = 2500;

@@ -23,7 +23,7 @@ struct Sampled {
 Sampled sample_reach(const System& system, const State& start, double window) {
   const ExactFlow<double> flow(system);
   Arc<double> arc(flow);
-  arc.start(system.forcing->phase, start.q, start.qdot);
+  arc.start(system.forcing()->phase, start.q, start.qdot);
   Vector q(system.modes()), qdot(system.modes());
   Sampled sampled;
   for (int i = 1; i <= kSamples; ++i) {

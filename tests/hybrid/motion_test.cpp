@@ -56,7 +56,7 @@ TEST(Motion, FreeMassLosesSpeedBetweenTwoWalls) {
 // adding up 300 impacts with 80 digits, is 1.01425259067570478 s.
 TEST(Motion, FreeMassComesToRestInANarrowCorner) {
   const double half = std::numbers::pi / 36.0;
-  System system{Vector::Zero(2), Vector::Zero(2), {}, {}, {}};
+  System system{Vector::Zero(2), NaturalModes{Vector::Zero(2)}, {}};
   for (const double side : {1.0, -1.0}) {
     const Vector row = Eigen::Vector2d(std::sin(half), side * std::cos(half));
     system.stops.push_back({row, 0.0, ImpactLaw{momentum_direction(row), 0.5}});
@@ -83,8 +83,8 @@ TEST(Motion, FreeMassComesToRestInANarrowCorner) {
 TEST(Motion, BarComesToRestOnTwoSupports) {
   for (const double r : {0.1, 0.2, 0.3, 0.4, 0.5, 0.8, 0.9}) {
     SCOPED_TRACE(r);
-    System system{Vector::Zero(2), Vector::Zero(2), {}, {}, {}};
-    system.load = Eigen::Vector2d(9.81, 0.0);
+    System system{Vector::Zero(2), NaturalModes{Vector::Zero(2)}, {}};
+    system.modal().load = Eigen::Vector2d(9.81, 0.0);
     for (const Vector& row :
          {Vector(Eigen::Vector2d(1.0, 1.5)), Vector(Eigen::Vector2d(1.0, -0.9))})
       system.stops.push_back(
@@ -111,7 +111,7 @@ TEST(Motion, ClampedCoordinateStandsImpactsOfAnother) {
   for (std::uint64_t seed = 1; seed <= 200; ++seed) {
     SCOPED_TRACE(seed);
     Dice dice(2200 + seed);
-    System system{dice.vector(2, 10.0, 500.0), Vector::Zero(2), {}, {}, {}};
+    System system{dice.vector(2, 10.0, 500.0), NaturalModes{Vector::Zero(2)}, {}};
     const Vector clamp = Eigen::Vector2d(dice.uniform(-1.0, 1.0), 0.0);
     const Vector struck = dice.vector(2, -1.0, 1.0);
     for (const Vector& row : {struck, clamp, Vector(-clamp)})

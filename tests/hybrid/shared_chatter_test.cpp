@@ -26,8 +26,8 @@ constexpr double kGravity = 9.81;
 // unit mass and moment of inertia. Rows (1, +-s): an impulse on one support that undoes the speed v
 // there throws the bar off the other at D v, D = (1 - s^2)/(1 + s^2).
 System bar(double s, double gap, double restitution) {
-  System system{Vector::Zero(2), Vector::Zero(2), {}, {}, {}};
-  system.load = Vector{{kGravity, 0.0}};
+  System system{Vector::Zero(2), NaturalModes{Vector::Zero(2)}, {}};
+  system.modal().load = Vector{{kGravity, 0.0}};
   for (const double side : {s, -s}) {
     const Vector row{{1.0, side}};
     system.stops.push_back(
@@ -126,7 +126,7 @@ TEST(SharedChatter, OfABeamOnTwoSupportsEnds) {
     const Vector q = rows.transpose().inverse() * gaps;
     EXPECT_LE((run.result.final.q - q).norm(), 1e-14 * q.norm());
     const Vector forces =
-        rows.inverse() * (*system.load - system.omega.cwiseAbs2().cwiseProduct(q));
+        rows.inverse() * (*system.load() - system.omega.cwiseAbs2().cwiseProduct(q));
     for (int i = 0; i < 2; ++i)
       EXPECT_NEAR(run.result.forces[static_cast<std::size_t>(i)], forces[i], 1e-11 * forces.norm());
   }
@@ -156,10 +156,10 @@ TEST(SharedChatter, ErrsBySecondOrderInItsSpeed) {
 // A plucked string that lays itself onto frets without rebound. Whatever meets a fret pushes the
 // string off others that held it, which it comes back to a hundred times more slowly.
 System string_over_frets(int modes, int frets, double restitution) {
-  System system{Vector(modes), Vector(modes), {}, {}, {}};
+  System system{Vector(modes), NaturalModes{Vector(modes)}, {}};
   for (int j = 1; j <= modes; ++j) {
     system.omega[j - 1] = 600.0 * j;
-    system.delta[j - 1] = 2e-4 * system.omega[j - 1];
+    system.modal().delta[j - 1] = 2e-4 * system.omega[j - 1];
   }
   for (int k = 1; k <= frets; ++k) {
     Vector row(modes);

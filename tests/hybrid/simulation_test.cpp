@@ -98,7 +98,7 @@ TEST(Simulation, StopsWhenInterrupted) {
 // The oblique law makes the held structure grow (tests/flow/contact_phase_test.cpp): the run is
 // refused at its start, and hands out no sample there, whether in one piece or resumed.
 TEST(Simulation, ARefusedStartHasNoSamplesHoweverOftenItIsResumed) {
-  System system{Eigen::Vector2d(3.0, 1.0), Vector::Zero(2), {}, {}, {}};
+  System system{Eigen::Vector2d(3.0, 1.0), NaturalModes{Vector::Zero(2)}, {}};
   const Vector row = Eigen::Vector2d(1.0, 1.0);
   system.stops.push_back({row, -1.0, ImpactLaw{Eigen::Vector2d(1.25, -0.25), 0.5}});
   // At rest on the stop: free acceleration into it -(b.w^2 q) = 9.
@@ -118,7 +118,7 @@ TEST(Simulation, ARefusedStartHasNoSamplesHoweverOftenItIsResumed) {
 // and both are left together. The mass never gets beyond either.
 TEST(Simulation, StopsAtOnePlaceAreLeftTogether) {
   System system = forced_oscillator(63.0, 0.0, 0.0, 0.0, 91.0, 72.0);
-  system.forcing->phase = 0.94;
+  system.modal().forcing->phase = 0.94;
   system.stops[0].row[0] = system.stops[0].impact().direction[0] = -1.0;
   system.stops.push_back(system.stops[0]);
   system.stops[1].impact().restitution = Restitution(0.7364336049948917);
@@ -153,8 +153,8 @@ TEST(Simulation, EnergyBookOfASoftModeCloses) {
 // and gets ever nearer. Unequal damping and w = delta leave no modes to the held structure; the
 // quick one makes the norms that bound its motion large.
 TEST(Simulation, AGlideOntoAStopBesideAQuickMotionIsFollowed) {
-  System system{Eigen::Vector4d(178.0, 154.0, 4070.0, 98.0), Vector::Zero(4), {}, {}, {}};
-  system.delta << 178.0, 28.0, 0.0, 25.0;
+  System system{Eigen::Vector4d(178.0, 154.0, 4070.0, 98.0), NaturalModes{Vector::Zero(4)}, {}};
+  system.modal().delta << 178.0, 28.0, 0.0, 25.0;
   system.stops.push_back({-Vector::Unit(4, 1), -0.007, ImpactLaw{-Vector::Unit(4, 1), 0.0}});
   system.stops.push_back({-Vector::Unit(4, 0), 0.0, ImpactLaw{-Vector::Unit(4, 0), 0.0}});
   const RecordedRun run = record_run(
@@ -192,7 +192,7 @@ TEST(Simulation, InelasticImpactRestsWherePushedAndLeavesWherePulled) {
 // Into a corner whose first wall takes all of the speed towards it, and whose second throws back:
 // on the first the structure is at rest (v- = 0) when it is thrown back onto it, and stays.
 TEST(Simulation, AWallThatTakesAllSpeedDoesNotStopTheMotionAlongIt) {
-  System system{Vector::Zero(2), Vector::Zero(2), {}, {}, {}};
+  System system{Vector::Zero(2), NaturalModes{Vector::Zero(2)}, {}};
   const Vector first{{1.0, 0.0}}, second{{-0.6, 0.8}};
   system.stops.push_back({first, 0.0, ImpactLaw{momentum_direction(first), Restitution(0.0)}});
   system.stops.push_back({second, 0.0, ImpactLaw{momentum_direction(second), Restitution(0.7)}});
@@ -208,7 +208,7 @@ TEST(Simulation, ForceDecidesAtAStopAtThePlaceOfRest) {
   // either sign, chosen by the phase.
   for (const double phase : {0.0, std::numbers::pi}) {
     System system = forced_oscillator(1.0, 0.0, 0.0, 0.0, 0.1, 0.01);
-    system.forcing->phase = phase;
+    system.modal().forcing->phase = phase;
     const RecordedRun run = record_run(system, state_of({0.0}, {1.0}), for_seconds(1.0));
     ASSERT_GE(run.events.size(), 1u);
     EXPECT_EQ(run.events[0].time, 0.0);
@@ -238,7 +238,7 @@ TEST(Simulation, CountsTimeOverManyPeriods) {
 TEST(Simulation, PhaseFollowsTheForcing) {
   System system = forced_oscillator(1.0, 0.05, 0.5, 0.8, 1.6, 1.0);
   for (const double phase : {-7.0, 0.0, 2.0, 30.0}) {
-    system.forcing->phase = phase;
+    system.modal().forcing->phase = phase;
     const RecordedRun run = record_run(system, support::rest(system), for_periods(20));
     ASSERT_FALSE(run.events.empty());
     for (const Event& event : run.events) {
@@ -348,8 +348,8 @@ TEST(Simulation, MoreStopsAtOnceThanAnImpactIsSharedAmongAreRefused) {
 TEST(Simulation, TotalsOfARefusedRunAreThoseOfItsEnd) {
   constexpr int kMasses = 13;
   constexpr double kGravity = 9.81;
-  System system{Vector::Zero(kMasses), Vector::Zero(kMasses), {}, {}, {}};
-  system.load = Vector::Constant(kMasses, kGravity);
+  System system{Vector::Zero(kMasses), NaturalModes{Vector::Zero(kMasses)}, {}};
+  system.modal().load = Vector::Constant(kMasses, kGravity);
   for (int k = 0; k < kMasses; ++k) {
     const Vector row = Vector::Unit(kMasses, k);
     system.stops.push_back({row, 0.1 * (k + 1), ImpactLaw{row, Restitution(0.0)}});

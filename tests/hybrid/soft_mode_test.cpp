@@ -17,7 +17,7 @@ constexpr double kGravity = 9.81, kRestitution = 0.8;
 
 System soft_ball(double omega, double delta) {
   System system = support::oscillator(omega, delta, 1.0, kRestitution);
-  system.load = Vector::Constant(1, kGravity);
+  system.modal().load = Vector::Constant(1, kGravity);
   return system;
 }
 
@@ -123,7 +123,7 @@ TEST(SoftBall, UnderASlowForceAsUnderAConstantOne) {
 // however many times the quickest rate goes into a flight.
 TEST(SoftBall, BookOfAHeavilyDampedMassUnderASlowForce) {
   System system = support::forced_oscillator(0.0, 5e3, 1.0, kRestitution, 1e-3, 1.0);
-  system.load = Vector::Constant(1, kGravity);
+  system.modal().load = Vector::Constant(1, kGravity);
   expect_closed_book(system, 1e4);
 }
 

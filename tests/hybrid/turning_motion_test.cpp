@@ -29,11 +29,11 @@ Simulation run(const Scene& scene, double duration, std::vector<Event>* events =
   return simulate(system, initial_state(scene, system), options, listeners);
 }
 
-double angle_of(const System& system, const Vector& y) { return system.rotation->angle.dot(y); }
+double angle_of(const System& system, const Vector& y) { return system.rotation()->angle.dot(y); }
 
 // Of the weight; the energy book counts it as work.
 double potential(const System& system, const Vector& y) {
-  const WeightOnHub& weight = *system.rotation->weight;
+  const WeightOnHub& weight = *system.rotation()->weight;
   const double angle = angle_of(system, y);
   return weight.moment * std::sin(angle) + weight.pull.dot(y) * std::cos(angle);
 }
@@ -119,7 +119,7 @@ TEST(TurningMotion, FollowsEachPairOfEquations) {
     angles.push_back(x[0]);
     EXPECT_NEAR(angle_of(system, end.final.q), x[0], 1e-9);
     EXPECT_NEAR(angle_of(system, end.final.qdot), x[2], 1e-7);
-    EXPECT_NEAR((system.rotation->beam * end.final.q)[0], x[1], 1e-10);
+    EXPECT_NEAR((system.rotation()->beam * end.final.q)[0], x[1], 1e-10);
   }
   // They are three motions.
   EXPECT_GT(std::abs(angles[0] - angles[1]), 1e-4);
@@ -135,8 +135,8 @@ TEST(TurningMotion, KeepsItsAngularMomentum) {
   const auto momentum = [&](const State& state) {
     // The turning of the whole is the first coordinate: dL/dtheta' = (dL/dy_0')/e_0.
     const double rate = angle_of(system, state.qdot);
-    return state.qdot[0] / system.rotation->angle[0] +
-           added_inertia(*system.rotation, state.q) * rate;
+    return state.qdot[0] / system.rotation()->angle[0] +
+           added_inertia(*system.rotation(), state.q) * rate;
   };
   const State start = initial_state(scene, system);
   const double before = momentum(start);
@@ -154,7 +154,7 @@ TEST(TurningMotion, AHeavyHubMakesTheBeamStiffer) {
   const double turning = std::sqrt(w * w - 3600.0 * (1.0 - c));
   EXPECT_GT(turning, 1.05 * w);
   const Simulation end = run(scene, 0.05);
-  const double q = (system.rotation->beam * end.final.q)[0];
+  const double q = (system.rotation()->beam * end.final.q)[0];
   EXPECT_NEAR(q, 0.01 * std::cos(turning * 0.05), 1e-11);
 }
 
@@ -177,7 +177,7 @@ TEST(TurningMotion, AStiffBeamIsARod) {
     scene.gravity = Gravity{9.81};
     const System pendulum = assemble(scene);
     const double swing = 2.0 * std::comp_ellint_1(std::sqrt(0.5)) *
-                         std::sqrt(inertia / pendulum.rotation->weight->moment);
+                         std::sqrt(inertia / pendulum.rotation()->weight->moment);
     misses.push_back(angle_of(pendulum, run(scene, swing).final.q) / (0.5 * kTurn) + 1.0);
   }
   EXPECT_LT(std::abs(misses[0]), 1e-3);
@@ -195,8 +195,8 @@ TEST(TurningMotion, ATorqueTableJumpsAndSlopes) {
   const Simulation end = run(scene, 0.6);
   const double impulse = 0.5 * (0.3 + 0.5) * 0.1 + 0.5 * (-0.2 + 0.4) * 0.15;
   const double rate = angle_of(system, end.final.qdot);
-  const double momentum = end.final.qdot[0] / system.rotation->angle[0] +
-                          added_inertia(*system.rotation, end.final.q) * rate;
+  const double momentum = end.final.qdot[0] / system.rotation()->angle[0] +
+                          added_inertia(*system.rotation(), end.final.q) * rate;
   EXPECT_NEAR(momentum / impulse, 1.0, 1e-11);
   EXPECT_LT(std::abs(end.energy->defect()), 1e-11 * end.energy->size());
 }
@@ -217,8 +217,8 @@ TEST(TurningMotion, ImpactsKeepTheMomentumOffTheContact) {
     motion.impact();
     ++impacts;
     const Vector change = motion.qdot() - before;
-    const double added = added_inertia(*system.rotation, motion.q());
-    const Vector impulse = change + added * angle_of(system, change) * system.rotation->angle;
+    const double added = added_inertia(*system.rotation(), motion.q());
+    const Vector impulse = change + added * angle_of(system, change) * system.rotation()->angle;
     const Vector& row = system.stops[0].row;
     const Vector off = impulse - row * (row.dot(impulse) / row.squaredNorm());
     EXPECT_LT(off.norm(), 1e-13 * impulse.norm());
@@ -314,7 +314,7 @@ TEST(TurningMotion, AHeldHubIsAClamp) {
   const System system = assemble(scene);
   const Vector clamped = modal_model(scene).omega;
   const Simulation end = run(scene, 0.3);
-  const Vector q = system.rotation->beam * end.final.q;
+  const Vector q = system.rotation()->beam * end.final.q;
   EXPECT_NEAR(q[0], 0.01 * std::cos(clamped[0] * 0.3), 1e-13);
   EXPECT_NEAR(q[1], 0.001 * std::cos(clamped[1] * 0.3), 1e-13);
   EXPECT_NEAR(angle_of(system, end.final.q), 0.4, 1e-15);

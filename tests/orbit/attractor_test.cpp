@@ -18,7 +18,7 @@ namespace {
 using Kind = std::pair<int, int>;  // (p, k)
 
 double speed_scale(const System& system) {
-  return motion_scale(system).length * system.forcing->frequency;
+  return motion_scale(system).length * system.forcing()->frequency;
 }
 
 // The orbit that a simulation settles on, made minimal; nothing when it settles on none.
@@ -116,7 +116,7 @@ TEST(Attractors, OfTwoModesWithRestitutionBySpeedAreListed) {
   for (const double frequency : {0.9, 1.15, 1.5, 2.7, 3.3}) {
     SCOPED_TRACE(testing::Message() << "frequency " << frequency);
     System system{
-        (Vector(2) << 1.0, 4.3).finished(), (Vector(2) << 0.05, 0.1).finished(), {}, {}, {}};
+        (Vector(2) << 1.0, 4.3).finished(), NaturalModes{(Vector(2) << 0.05, 0.1).finished()}, {}};
     const Vector row = (Vector(2) << 1.0, -0.6).finished();
     system.stops.push_back(
         {row, 0.1, ImpactLaw{row / row.squaredNorm(), Restitution(std::vector<double>{0.8, 0.1})}});

@@ -144,7 +144,7 @@ TEST(ClosedForm, HoldsUnderAConstantLoad) {
     System system = assemble(support::reference_scene(std::string("orbits/") + name));
     for (const double part : {-0.4, 0.1, 0.5}) {
       SCOPED_TRACE(name);
-      system.load = part * system.forcing->amplitude;
+      system.modal().load = part * system.forcing()->amplitude;
       const ClosedFormAnswer answer = closed_form(system, 0, 1);
       ASSERT_TRUE(answer.form);
       const ShootingProblem problem({1, {0}}, motion_scale(system));
@@ -263,9 +263,9 @@ TEST(ClosedForm, HoldsAtAndBesideConservativeMotion) {
     SCOPED_TRACE(lost);
     System system;
     system.omega = (Vector(3) << 1.0, 6.3, 17.5).finished();
-    system.delta = Vector::Constant(3, lost);
-    system.forcing = HarmonicForcing{1.8, 0.4, (Vector(3) << 1.0, 0.4, -0.2).finished()};
-    system.load = (Vector(3) << 0.03, -0.02, 0.01).finished();
+    system.modal().delta = Vector::Constant(3, lost);
+    system.modal().forcing = HarmonicForcing{1.8, 0.4, (Vector(3) << 1.0, 0.4, -0.2).finished()};
+    system.modal().load = (Vector(3) << 0.03, -0.02, 0.01).finished();
     const Vector row = (Vector(3) << 1.0, -0.8, 0.6).finished();
     system.stops.push_back({row, 0.2, ImpactLaw{row / row.squaredNorm(), 1.0 - lost}});
     const ClosedFormAnswer answer = closed_form(system, 0, 1);

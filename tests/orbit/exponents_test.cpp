@@ -30,7 +30,7 @@ ExponentOptions over(long long periods) {
 double sum_by_identity(const System& system, const Exponents& exponents) {
   const double r = system.stops[0].restitution().at_rest();
   const double time = static_cast<double>(exponents.periods) * system.period();
-  return -2.0 * system.delta.sum() +
+  return -2.0 * system.delta().sum() +
          static_cast<double>(exponents.impacts) * 2.0 * std::log(r) / time;
 }
 
@@ -66,7 +66,7 @@ TEST(Exponents, OfAClearMotionAreRatesOfDecay) {
   const Exponents exponents = lyapunov_exponents(system, initial_state(scene, system), options);
   ASSERT_EQ(exponents.failure, "");
   Vector rates(2 * system.modes());
-  rates << -system.delta, -system.delta;
+  rates << -system.delta(), -system.delta();
   std::sort(rates.begin(), rates.end(), std::greater<>());
   for (Eigen::Index j = 0; j < rates.size(); ++j)
     EXPECT_NEAR(exponents.values[j] / rates[j], 1.0, 1e-9) << j;
@@ -111,9 +111,9 @@ TEST(Exponents, OfABallOnAShakenTable) {
   for (const Case& one : {Case{10.0, 0.9, 2.778, 0.01}, Case{50.0, 0.9, 4.356, 0.01},
                           Case{50.0, 0.99, 4.582, 0.02}}) {
     SCOPED_TRACE(testing::Message() << one.a << " " << one.r);
-    System system{Vector::Zero(1), Vector::Zero(1), {}, {}, {}};
-    system.load = Vector::Constant(1, 1.0);
-    system.forcing = HarmonicForcing{1.0, 0.3, Vector::Constant(1, one.a)};
+    System system{Vector::Zero(1), NaturalModes{Vector::Zero(1)}, {}};
+    system.modal().load = Vector::Constant(1, 1.0);
+    system.modal().forcing = HarmonicForcing{1.0, 0.3, Vector::Constant(1, one.a)};
     system.stops.push_back({Vector::Ones(1), 0.0, ImpactLaw{Vector::Ones(1), one.r}});
     const Exponents exponents =
         lyapunov_exponents(system, support::state_of({-10.0}, {0.0}), over(150'000));

@@ -74,7 +74,7 @@ TEST(Settled, OnADoubledOrbitWhereTheSimpleOneIsUnstable) {
 TEST(Settled, SaysWhenTheMotionComesToRest) {
   // Dropped onto a stop at zero gap by a load that the forcing never overcomes.
   System system = support::forced_oscillator(1.0, 0.0, 0.0, 0.5, 0.3, 0.5);
-  system.load = Vector::Constant(1, 1.0);
+  system.modal().load = Vector::Constant(1, 1.0);
   const SettledMotion settled = settle(system, support::state_of({-0.5}, {0.0}));
   EXPECT_EQ(settled.kind, SettledKind::kAtRest);
   EXPECT_FALSE(settled.pattern);
@@ -115,7 +115,7 @@ TEST(Finder, ListsBothSolutionsOfTheClosedFormOnce) {
     EXPECT_EQ(simple, 2);
     EXPECT_EQ(found.closed_form.converged, 2);
     EXPECT_GT(found.random.converged, 0);
-    const double speed = motion_scale(system).length * system.forcing->frequency;
+    const double speed = motion_scale(system).length * system.forcing()->frequency;
     for (std::size_t i = 0; i < found.orbits.size(); ++i)
       for (std::size_t j = 0; j < i; ++j)
         EXPECT_FALSE(same_orbit(found.orbits[i], found.orbits[j], speed));

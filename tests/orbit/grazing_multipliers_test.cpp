@@ -18,8 +18,8 @@ namespace {
 System two_modes(double second_damping) {
   System system;
   system.omega = Vector{{1.0, 5.038982107768481}};
-  system.delta = Vector{{0.03, second_damping * 5.038982107768481}};
-  system.forcing =
+  system.modal().delta = Vector{{0.03, second_damping * 5.038982107768481}};
+  system.modal().forcing =
       HarmonicForcing{0.638860173981165, -2.6488888828114447, Vector{{1.0, 0.2995833008697377}}};
   const Vector row{{1.0, -0.19389917574482163}};
   system.stops.push_back(
@@ -43,7 +43,7 @@ ImpactPoint peak(const System& system, double speed) {
     const State state = answer.response->forced_state(theta);
     const double rate = system.stops[0].row.dot(state.qdot);
     const double push = system.stops[0].row.dot(vector_field(system, state, theta).qdot);
-    theta -= system.forcing->frequency * rate / push;
+    theta -= system.forcing()->frequency * rate / push;
   }
   State state = answer.response->forced_state(theta);
   const Vector& row = system.stops[0].row;

@@ -51,8 +51,8 @@ TEST(Mirror, ImagesAreListedWhateverTheSearchMet) {
 TEST(Mirror, OrbitsThatStickHaveTheirImagesToo) {
   System system;
   system.omega = (Vector(2) << 1.0, 5.2).finished();
-  system.delta = (Vector(2) << 0.05, 0.03).finished().cwiseProduct(system.omega);
-  system.forcing = HarmonicForcing{1.07, 0.0, (Vector(2) << 1.0, 0.3).finished()};
+  system.modal().delta = (Vector(2) << 0.05, 0.03).finished().cwiseProduct(system.omega);
+  system.modal().forcing = HarmonicForcing{1.07, 0.0, (Vector(2) << 1.0, 0.3).finished()};
   const Vector row = (Vector(2) << 1.0, -0.9).finished();
   system.stops.push_back({row, 0.85, ImpactLaw{row / row.squaredNorm(), 0.3}});
   system.stops.push_back({-row, 0.85, ImpactLaw{-row / row.squaredNorm(), 0.3}});
@@ -61,7 +61,7 @@ TEST(Mirror, OrbitsThatStickHaveTheirImagesToo) {
   std::vector<std::vector<Orbit>> lists;
   for (const double phase : {0.0, std::numbers::pi}) {
     // The same forcing half a period later, from rest as well: the mirrored motion.
-    system.forcing->phase = phase;
+    system.modal().forcing->phase = phase;
     const FoundOrbits found = find_orbits(system, support::rest(system), options);
     ASSERT_EQ(found.orbits.size(), 2u) << found.tried;
     const Orbit &a = found.orbits[0], &b = found.orbits[1];

@@ -183,7 +183,7 @@ TEST(Multipliers, NextToGrazingTheyMultiplyToTheDeterminantWithAnyNumberOfModes)
       const double r = system.stops[0].restitution().at_rest();
       Complex product = 1.0;
       for (const Eigenvalue& value : values) product *= value.value;
-      const double expected = r * r * std::exp(-2.0 * system.period() * system.delta.sum());
+      const double expected = r * r * std::exp(-2.0 * system.period() * system.delta().sum());
       EXPECT_NEAR(product.real() / expected, 1.0, 1e-8);
       EXPECT_GT(std::abs(values.front().value) * speed, 1e-3);  // grows like 1/v
     }

@@ -19,7 +19,7 @@ void expect_same_multipliers(const System& system, const Orbit& orbit, double to
   const OrbitImpact& last = orbit.impacts.back();
   const State after = after_impact(system.stops[static_cast<std::size_t>(last.stop)], last.before);
   const ExactFlow<double> flow(system);
-  const double s = (kTurn + system.forcing->phase - last.phase) / system.forcing->frequency;
+  const double s = (kTurn + system.forcing()->phase - last.phase) / system.forcing()->frequency;
   Arc<double> arc(flow);
   arc.start(last.phase, after.q, after.qdot);
   State start{Vector(n), Vector(n)};
@@ -49,8 +49,8 @@ TEST(Passage, CarriesDeviationsLikeTheMonodromyMatrix) {
       for (const double zeta : {0.02, 0.3}) {
         System system = support::forced_oscillator(1.0, zeta, 0.3, restitution, frequency, 1.0);
         system.omega = (Vector(3) << 1.0, 3.3, 6.1).finished();
-        system.delta = zeta * system.omega;
-        system.forcing->amplitude = (Vector(3) << 1.0, 0.4, 0.2).finished();
+        system.modal().delta = zeta * system.omega;
+        system.modal().forcing->amplitude = (Vector(3) << 1.0, 0.4, 0.2).finished();
         const Vector row = (Vector(3) << 1.0, 0.6, -0.5).finished();
         system.stops[0].row = row;
         system.stops[0].impact().direction = momentum_direction(row);

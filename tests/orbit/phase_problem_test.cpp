@@ -26,9 +26,10 @@ constexpr double kTurn = 2.0 * std::numbers::pi;
 System many_kinds() {
   System system;
   system.omega = (Vector(5) << 1.0, 3.0, 4.0, 2.3, 0.4).finished();
-  system.delta = (Vector(5) << 0.05, 3.5, 4.0, 1e-3, 0.02).finished();
-  system.forcing = HarmonicForcing{2.3, 0.0, (Vector(5) << 1.0, -0.5, 0.3, 0.01, 0.2).finished()};
-  system.load = (Vector(5) << 0.1, 0.2, -0.1, 0.05, 0.02).finished();
+  system.modal().delta = (Vector(5) << 0.05, 3.5, 4.0, 1e-3, 0.02).finished();
+  system.modal().forcing =
+      HarmonicForcing{2.3, 0.0, (Vector(5) << 1.0, -0.5, 0.3, 0.01, 0.2).finished()};
+  system.modal().load = (Vector(5) << 0.1, 0.2, -0.1, 0.05, 0.02).finished();
   const Vector above = (Vector(5) << 1.0, -0.5, 0.7, 0.3, 0.4).finished();
   const Vector below = (Vector(5) << -0.6, 0.9, 0.2, -0.3, -0.5).finished();
   system.stops.push_back({above, 0.3, ImpactLaw{above / above.squaredNorm(), 0.8}});
@@ -79,7 +80,7 @@ TEST(PhaseProblem, TheMotionRepeatsWithRestitutionBySpeed) {
 // Without damping and with r = 1 on two stops.
 System conservative() {
   System system = many_kinds();
-  system.delta.setZero();
+  system.modal().delta.setZero();
   system.omega[3] = 2.1;
   for (Stop& stop : system.stops) stop.impact().restitution = Restitution(1.0);
   return system;
@@ -162,7 +163,7 @@ TEST(PhaseProblem, ForOneImpactItIsTheClosedForm) {
       Vector speeds;
       EXPECT_NEAR(problem.defect(theta, nullptr, &speeds)[0] / scale.length, 0.0, 1e-12);
       EXPECT_NEAR(speeds[0], system.stops[0].row.dot(exact.before.qdot),
-                  1e-11 * scale.length * system.forcing->frequency);
+                  1e-11 * scale.length * system.forcing()->frequency);
     }
   }
 }

@@ -22,7 +22,7 @@ constexpr double kTurn = 2.0 * std::numbers::pi;
 PhaseSearchOptions options_for(const System& system) {
   PhaseSearchOptions options;
   options.length = motion_scale(system).length;
-  options.speed = options.length * system.forcing->frequency;
+  options.speed = options.length * system.forcing()->frequency;
   return options;
 }
 
@@ -170,7 +170,7 @@ bool is_orbit(const PeriodicResponse& response, const PhaseSolution& solution) {
 TEST(PhaseSearch, TheGlobalStageFindsWhatFewLocalSolvesMiss) {
   System system;
   system.omega = (Vector(3) << 1.0, 3.71, 10.9445).finished();
-  system.delta = 0.03 * system.omega;
+  system.modal().delta = 0.03 * system.omega;
   const Vector row = (Vector(3) << 1.0, 0.26, 0.81).finished();
   system.stops.push_back({row, 0.224, ImpactLaw{row / row.squaredNorm(), 0.46}});
   system = support::forced(system, 2.354, 0.0, (Vector(3) << 1.0, 0.3, -0.2).finished());

@@ -28,10 +28,10 @@ Vector stacked(const State& state) {
 // Simulates from forcing phase `theta` over `turn` of phase; counts the impacts.
 Vector simulated(const System& system, const Vector& y, double theta, double turn, int* impacts) {
   const Eigen::Index n = system.modes();
-  const double frequency = system.forcing->frequency;
+  const double frequency = system.forcing()->frequency;
   // The clock starts anew at `theta`, so that the section may stand anywhere in a period.
   System shifted = system;
-  shifted.forcing->phase = theta;
+  shifted.modal().forcing->phase = theta;
   Motion<double> motion(shifted, {}, y.head(n), y.tail(n));
   const double end = turn / frequency, period = motion.flow().period();
   *impacts = 0;
@@ -58,7 +58,7 @@ Vector simulated(const System& system, const Vector& y, double theta, double tur
 // of flow to the impact, saltation and flow, against differences of the simulation.
 void expect_monodromy(const System& system, int period, const ImpactPoint& point) {
   const double lead = 0.25;  // rad before the impact
-  const double frequency = system.forcing->frequency;
+  const double frequency = system.forcing()->frequency;
   const ExactFlow<double> flow(system);
   const Transition back = transition(system, flow, point.before, point.theta, -lead / frequency);
   const Eigen::Index n = system.modes();
@@ -114,8 +114,8 @@ TEST(Saltation, DeterminantIsThatOfTheImpactLaw) {
   support::Dice dice(11);
   for (int i = 0; i < 1000; ++i) {
     const int n = 1 + dice.pick(5);
-    System system{dice.vector(n, 0.5, 9.0), dice.vector(n, 0.0, 1.0), {}, {}, {}};
-    system.forcing = HarmonicForcing{1.7, 0.3, dice.vector(n, -1.0, 1.0)};
+    System system{dice.vector(n, 0.5, 9.0), NaturalModes{dice.vector(n, 0.0, 1.0)}, {}};
+    system.modal().forcing = HarmonicForcing{1.7, 0.3, dice.vector(n, -1.0, 1.0)};
     const Vector row = dice.vector(n, -2.0, 2.0);
     const double r = dice.uniform(0.1, 1.0);
     // Any direction with row.direction = 1, oblique ones included.
@@ -135,8 +135,8 @@ TEST(Saltation, DeterminantOfARestitutionThatDependsOnTheSpeed) {
   support::Dice dice(13);
   for (int i = 0; i < 200; ++i) {
     const int n = 1 + dice.pick(4);
-    System system{dice.vector(n, 0.5, 9.0), dice.vector(n, 0.0, 1.0), {}, {}, {}};
-    system.forcing = HarmonicForcing{1.7, 0.3, dice.vector(n, -1.0, 1.0)};
+    System system{dice.vector(n, 0.5, 9.0), NaturalModes{dice.vector(n, 0.0, 1.0)}, {}};
+    system.modal().forcing = HarmonicForcing{1.7, 0.3, dice.vector(n, -1.0, 1.0)};
     const Vector row = dice.vector(n, -2.0, 2.0);
     const double a0 = dice.uniform(0.7, 1.0), a1 = dice.uniform(0.0, 0.2);
     const State before{dice.vector(n, -1.0, 1.0), dice.vector(n, -1.0, 1.0)};
@@ -154,8 +154,8 @@ TEST(Saltation, CarriesTheVectorFieldAcross) {
   // A shift in time along the motion before becomes the same shift along the motion after.
   support::Dice dice(12);
   const Vector row = dice.vector(3, -2.0, 2.0);
-  System system{dice.vector(3, 0.5, 9.0), dice.vector(3, 0.0, 1.0), {}, {}, {}};
-  system.forcing = HarmonicForcing{1.7, 0.0, dice.vector(3, -1.0, 1.0)};
+  System system{dice.vector(3, 0.5, 9.0), NaturalModes{dice.vector(3, 0.0, 1.0)}, {}};
+  system.modal().forcing = HarmonicForcing{1.7, 0.0, dice.vector(3, -1.0, 1.0)};
   const Stop stop{row, 0.5, ImpactLaw{momentum_direction(row), 0.6}};
   const State before{dice.vector(3, -1.0, 1.0), dice.vector(3, -1.0, 1.0)};
   const Matrix s = saltation_matrix(system, stop, before, 2.1);

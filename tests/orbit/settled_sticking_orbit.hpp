@@ -90,7 +90,7 @@ inline std::vector<Eigenvalue> differenced_multipliers(const Found& found) {
   const MotionState<double>& at = found.orbit.sticking->at_section;
   Vector unit(2 * m);
   unit << Vector::Constant(m, scale.displacement),
-      scale.displacement * phase.reduced().omega.cwiseMax(found.system.forcing->frequency);
+      scale.displacement * phase.reduced().omega.cwiseMax(found.system.forcing()->frequency);
   const auto map = [&](const Vector& z) {
     const Vector x = z.cwiseProduct(unit);
     const State end = simulated(found, {at.q + basis * x.head(m), at.qdot + basis * x.tail(m)});

@@ -39,7 +39,7 @@ State half_way(System& system, const ImpactPoint& exact) {
   arc.start(exact.theta, after.q, after.qdot);
   State state{Vector(system.modes()), Vector(system.modes())};
   arc.state(0.5 * flow.period(), state.q, state.qdot);
-  system.forcing->phase = exact.theta + 0.5 * kTurn;
+  system.modal().forcing->phase = exact.theta + 0.5 * kTurn;
   return state;
 }
 

@@ -37,7 +37,7 @@ double distance_to_closed_form(const System& system, const ImpactPoint& point) {
 // Guesses: twelve phases, speeds of the forced motion's size.
 std::vector<ImpactPoint> grid_of_guesses(const System& system) {
   std::vector<ImpactPoint> guesses;
-  const double unit = motion_scale(system).length * system.forcing->frequency;
+  const double unit = motion_scale(system).length * system.forcing()->frequency;
   for (int i = 0; i < 12; ++i)
     for (const double speed : {0.5 * unit, unit, 2.0 * unit})
       guesses.push_back(rough_guess(system, 0, kTurn * i / 12.0, speed));
@@ -114,7 +114,7 @@ TEST(Solve, SeekSucceedsForTwoImpactsWhereNewtonFails) {
   const System system = assemble(support::shipped_scene("04_impact_oscillator"));
   const MotionScale scale = motion_scale(system);
   const ShootingProblem problem({2, {0, 0}}, scale);
-  const double unit = scale.length * system.forcing->frequency;
+  const double unit = scale.length * system.forcing()->frequency;
   const int guesses[][3] = {{2, 2, 0}, {2, 2, 2}, {3, 2, 0}, {3, 2, 2}, {4, 1, 2},
                             {4, 2, 2}, {5, 1, 2}, {8, 3, 1}, {8, 4, 0}};
   for (const auto& [i, j, k] : guesses) {

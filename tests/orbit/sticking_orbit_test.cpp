@@ -33,7 +33,7 @@ void expect_listed_events(const std::string& name, const std::vector<TableRow>& 
     const double time = number(row, "time");
     if (!(time > end - period)) continue;
     const int stop = static_cast<int>(number(row, "stop")) - 1;
-    const double phase = found.system.forcing->frequency * time + found.system.forcing->phase;
+    const double phase = found.system.forcing()->frequency * time + found.system.forcing()->phase;
     double nearest = kTurn, speed_miss = 0.0;
     const auto consider = [&](int at_stop, double at_phase, double miss) {
       if (at_stop != stop || !(turned(at_phase, phase) < nearest)) return;
@@ -165,7 +165,7 @@ std::vector<Eigenvalue> extended_multipliers(const Found& found, const Real& clo
   }
   // Velocities in units of the frequencies of the held structure, as the orbit has them.
   Vector unit(2 * m);
-  unit << Vector::Ones(m), phase.reduced().omega.cwiseMax(found.system.forcing->frequency);
+  unit << Vector::Ones(m), phase.reduced().omega.cwiseMax(found.system.forcing()->frequency);
   return eigenvalues(unit.cwiseInverse().asDiagonal() * map * unit.asDiagonal());
 }
 

@@ -155,8 +155,8 @@ TEST(StickingOrbitSearch, SaysWhyThereIsNone) {
   // Two equal oscillators, side by side, each with its stop: hit at the same instants.
   System pair = support::forced_oscillator(1.0, 0.0, 0.2, 0.2, 0.5, 1.0);
   pair.omega = Vector::Ones(2);
-  pair.delta = Vector::Zero(2);
-  pair.forcing->amplitude = Vector::Ones(2);
+  pair.modal().delta = Vector::Zero(2);
+  pair.modal().forcing->amplitude = Vector::Ones(2);
   pair.stops[0].row = pair.stops[0].impact().direction = Vector::Unit(2, 0);
   pair.stops.push_back(pair.stops[0]);
   pair.stops[1].row = pair.stops[1].impact().direction = Vector::Unit(2, 1);

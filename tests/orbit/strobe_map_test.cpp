@@ -27,9 +27,9 @@ ContactForce law_of(double exponent, ContactDamping damping, double coefficient,
 System three_modes(const ContactForce& law) {
   System system;
   system.omega = Vector{{10.0, 27.0, 61.0}};
-  system.delta = Vector{{0.6, 0.8, 1.1}};
-  system.forcing = HarmonicForcing{8.0, 0.7, Vector{{2.3, 1.7, 0.9}}};
-  system.load = Vector{{0.2, -0.1, 0.05}};
+  system.modal().delta = Vector{{0.6, 0.8, 1.1}};
+  system.modal().forcing = HarmonicForcing{8.0, 0.7, Vector{{2.3, 1.7, 0.9}}};
+  system.modal().load = Vector{{0.2, -0.1, 0.05}};
   const Vector row{{1.0, -0.9, 0.8}};
   system.stops.push_back({row, 0.01, law});
   return system;
@@ -78,11 +78,11 @@ TEST_P(StrobeMapOf, ParametersMoveItAsDifferencesSay) {
   const Case cases[] = {
       {"gap", [](System& s, double h) { s.stops[0].gap += h; }, 1e-2},
       {"row", [](System& s, double h) { s.stops[0].row[1] += h; }, 1.0},
-      {"load", [](System& s, double h) { (*s.load)[0] += h; }, 0.2},
+      {"load", [](System& s, double h) { (*s.modal().load)[0] += h; }, 0.2},
       {"omega", [](System& s, double h) { s.omega[1] += h; }, 10.0},
-      {"delta", [](System& s, double h) { s.delta[0] += h; }, 1.0},
-      {"amplitude", [](System& s, double h) { s.forcing->amplitude[2] += h; }, 20.0},
-      {"frequency", [](System& s, double h) { s.forcing->frequency += h; }, 8.0},
+      {"delta", [](System& s, double h) { s.modal().delta[0] += h; }, 1.0},
+      {"amplitude", [](System& s, double h) { s.modal().forcing->amplitude[2] += h; }, 20.0},
+      {"frequency", [](System& s, double h) { s.modal().forcing->frequency += h; }, 8.0},
       {"stiffness", [](System& s, double h) { s.stops[0].force().stiffness += h; },
        GetParam().stiffness},
       {"exponent", [](System& s, double h) { s.stops[0].force().exponent += h; }, 1.0},
@@ -96,9 +96,9 @@ TEST_P(StrobeMapOf, ParametersMoveItAsDifferencesSay) {
       continue;
     System tangent = system;
     tangent.omega.setZero();
-    tangent.delta.setZero();
-    tangent.forcing = HarmonicForcing{0.0, 0.0, Vector::Zero(3)};
-    tangent.load = Vector::Zero(3);
+    tangent.modal().delta.setZero();
+    tangent.modal().forcing = HarmonicForcing{0.0, 0.0, Vector::Zero(3)};
+    tangent.modal().load = Vector::Zero(3);
     tangent.stops[0].row.setZero();
     tangent.stops[0].gap = 0.0;
     tangent.stops[0].law =
@@ -134,7 +134,7 @@ TEST_P(StrobeMapOfConstantDamping, VolumesShrinkByTheDampingAlone) {
     const auto periods = static_cast<double>(contact.to.period - contact.from.period);
     loaded += periods * system.period() + contact.to.local - contact.from.local;
   }
-  const double shrinks = 2.0 * system.delta.sum() * system.period() +
+  const double shrinks = 2.0 * system.delta().sum() * system.period() +
                          law.coefficient * system.stops[0].row.squaredNorm() * loaded;
   EXPECT_NEAR(std::log(std::abs(map.image(system, x)->jacobian.determinant())), -shrinks,
               1e-9 * shrinks);

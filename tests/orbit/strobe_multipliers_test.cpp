@@ -16,8 +16,8 @@ namespace {
 System answering_at_half_the_frequency() {
   System system;
   system.omega = Vector{{1.0, 12.0}};
-  system.delta = Vector{{0.02, 9.0}};
-  system.forcing = HarmonicForcing{8.0 / 3.0, 0.0, Vector{{1.0, 0.3}}};
+  system.modal().delta = Vector{{0.02, 9.0}};
+  system.modal().forcing = HarmonicForcing{8.0 / 3.0, 0.0, Vector{{1.0, 0.3}}};
   const Vector row{{1.0, 0.2}};
   system.stops.push_back({row, 0.0, ContactForce{3.0, 1.0, ContactDamping::kNone, 0.0}});
   return system;
@@ -43,7 +43,7 @@ TEST(StrobeMultipliers, SmallOnesOfTwoPeriodsAreKnownToTheRoundingOfOne) {
   ASSERT_EQ(answer.orbit->multipliers.size(), 4u);
   Complex product = 1.0;
   for (const Eigenvalue& multiplier : answer.orbit->multipliers) product *= multiplier.value;
-  const double exact = std::exp(-4.0 * system.period() * system.delta.sum());
+  const double exact = std::exp(-4.0 * system.period() * system.delta().sum());
   EXPECT_NEAR(product.real() / exact, 1.0, 1e-6);
   EXPECT_EQ(answer.orbit->stable, true);
 }

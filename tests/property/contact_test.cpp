@@ -51,9 +51,9 @@ class ClosedStops {
 Vector force_sizes(const System& system, const State& state,
                    const std::vector<std::size_t>& closed) {
   Vector size = system.omega.cwiseAbs2().cwiseProduct(state.q).cwiseAbs() +
-                2.0 * system.delta.cwiseProduct(state.qdot).cwiseAbs();
-  if (system.load) size += system.load->cwiseAbs();
-  if (system.forcing) size += system.forcing->amplitude.cwiseAbs();
+                2.0 * system.delta().cwiseProduct(state.qdot).cwiseAbs();
+  if (system.load()) size += system.load()->cwiseAbs();
+  if (system.forcing()) size += system.forcing()->amplitude.cwiseAbs();
   const auto k = static_cast<Eigen::Index>(closed.size());
   Matrix rows(system.modes(), k), directions(system.modes(), k);
   for (Eigen::Index a = 0; a < k; ++a) {

@@ -23,18 +23,18 @@ bool momentum_law(const Scene& scene) {
 // against them, at first or at a beat's low, the terms of the work are of this size and cancel.
 double energy_scale(const System& system) {
   constexpr double kLargestAmplification = 256.0;  // beyond it a mode counts as resonant
-  const double frequency = system.forcing ? system.forcing->frequency : 0.0;
+  const double frequency = system.forcing() ? system.forcing()->frequency : 0.0;
   double scale = 0.0;
   for (Eigen::Index j = 0; j < system.omega.size(); ++j) {
     const double omega = system.omega[j], quickest = std::max(omega, frequency);
     double speed = 0.0;
-    if (system.forcing) {
-      const double impedance =
-          std::hypot((omega - frequency) * (omega + frequency), 2.0 * system.delta[j] * frequency);
-      speed = std::abs(system.forcing->amplitude[j]) * quickest /
+    if (system.forcing()) {
+      const double impedance = std::hypot((omega - frequency) * (omega + frequency),
+                                          2.0 * system.delta()[j] * frequency);
+      speed = std::abs(system.forcing()->amplitude[j]) * quickest /
               std::max(impedance, quickest * quickest / kLargestAmplification);
     }
-    if (system.load && quickest > 0.0) speed += std::abs((*system.load)[j]) / quickest;
+    if (system.load() && quickest > 0.0) speed += std::abs((*system.load())[j]) / quickest;
     scale += 0.5 * speed * speed;
   }
   return scale;

@@ -63,10 +63,10 @@ inline double relative(double value, double size) {
 // A length that the motion at a stop is rounded at, m: its gap, how far forcing and load move it.
 inline double length_at(const System& system, const Stop& stop) {
   double length = reach_at(system, stop);
-  if (system.load)
+  if (system.load())
     for (Eigen::Index j = 0; j < system.omega.size(); ++j)
       if (system.omega[j] > 0.0)
-        length += std::abs(stop.row[j] * (*system.load)[j]) / (system.omega[j] * system.omega[j]);
+        length += std::abs(stop.row[j] * (*system.load())[j]) / (system.omega[j] * system.omega[j]);
   return length;
 }
 

@@ -19,7 +19,7 @@ CheckRecord record_of(const std::string& hub) {
       "s");
   record.info = run_info("check", "s", record.scene);
   record.outcome = {"checked", ""};
-  record.system.omega = record.system.delta = Vector::Ones(2);
+  record.system.omega = record.system.modal().delta = Vector::Ones(2);
   return record;
 }
 

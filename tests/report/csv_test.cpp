@@ -78,8 +78,8 @@ TEST(SamplesCsv, HoldsTheEntriesOfTheEnergyBookThatTheSystemHas) {
             "time,q1,qdot1,gap1,force1,energy,work_forcing,work_load,work_constraint,work_impacts,"
             "dissipation,work_contact\n");
   EXPECT_EQ(samples_csv_row(system, sample), "0,0.125,-2,0.375,0,2.03125,,,0.125,-1.5,,\n");
-  system.delta[0] = 0.1;
-  system.load = Vector::Ones(1);
+  system.modal().delta[0] = 0.1;
+  system.modal().load = Vector::Ones(1);
   system = support::forced(system, 1.0, 0.0, Vector::Ones(1));
   EXPECT_EQ(samples_csv_row(system, sample),
             "0,0.125,-2,0.375,0,2.03125,0.5,0.25,0.125,-1.5,0.75,\n");

@@ -355,7 +355,7 @@ TEST(DrawSimulation, DrawsWhateverWasRecorded) {
   SimulationRecord two_places = simulated(pressed_oscillator(), 20.0, 100'000);
   two_places.system.stops.push_back(
       {Vector::Constant(1, 2.0), 30.0, ImpactLaw{Vector::Constant(1, 0.5), 0.5}});
-  System free{Vector::Ones(1), Vector::Zero(1), {}, {}, {}};
+  System free{Vector::Ones(1), NaturalModes{Vector::Zero(1)}, {}};
   SimulationRecord not_finite = simulated(pressed_oscillator(), 20.0, 100'000);
   not_finite.samples.back().state.q[0] = kNaN;
   not_finite.samples.back().energy->now = kNaN;

@@ -107,8 +107,8 @@ TEST(SimulationDocument, EnergyIsNullForWhatTheSystemDoesNotHave) {
       "forcing": null, "load": null, "constraint": 0.0, "impacts": -0.25, "dissipation": null,
       "end": 0.75, "defect": 0.0, "relative_defect": 0.0})"));
   record.system.stops.clear();
-  record.system.load = Vector::Ones(1);
-  record.system.delta[0] = 0.1;
+  record.system.modal().load = Vector::Ones(1);
+  record.system.modal().delta[0] = 0.1;
   record.run.energy->work = {0.0, 2.0, 0.0, 0.5};
   record.run.energy->impacts = 0.0;
   // 1 + 2 - 0.5 - 0.75 = 1.75 is missing, of 2.

@@ -18,7 +18,7 @@ const Extended kPi = boost::math::constants::pi<Extended>();
 
 // A free body of 1/4 kg, whose row 2 has no rounding.
 ExtendedContact contact_of(const ContactForce& law, const Extended& speed, double longest = 1.0) {
-  System system{Vector::Zero(1), Vector::Zero(1), {}, {}, {}};
+  System system{Vector::Zero(1), NaturalModes{Vector::Zero(1)}, {}};
   const Vector row = Vector::Constant(1, 2.0);
   system.stops.push_back({row, 1.0, law});
   RealVector<Extended> q(1), qdot(1);

@@ -78,7 +78,7 @@ TEST(FlowCost, ChattersAreComparedUpToTheirTails) {
 // every 2 r^k sqrt(2 h/g).
 TEST(ReferenceRun, BallFallsAsItShould) {
   System system = support::oscillator(0.0, 0.0, 1.0, 0.5);
-  system.load = Vector::Constant(1, 2.0);
+  system.modal().load = Vector::Constant(1, 2.0);
   ReferenceOptions options;
   options.impacts = 5;
   options.longest = 10.0;

@@ -47,7 +47,7 @@ TEST(FlowDecision, MeetsTheToleranceOfEveryRigidSceneForTheLeast) {
     const System system = assemble(scene);
     // At compliant stops nothing of the kind is promised, see below.
     if (has_compliant_stop(system) || scene.hub) continue;
-    const FlowCosts costs = costs_of(scene, system.forcing ? 40.0 * system.period() : 10.0, 0.05);
+    const FlowCosts costs = costs_of(scene, system.forcing() ? 40.0 * system.period() : 10.0, 0.05);
     const std::string taken = flow_name(flow_decision(scene).flow);
     const FlowCost* own = nullptr;
     for (const FlowCost& row : costs.rows)

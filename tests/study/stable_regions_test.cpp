@@ -76,8 +76,8 @@ struct Oscillator {
 
 Oscillator oscillator(const Scene& scene) {
   const System system = assemble(scene);
-  return {system.omega[0], system.delta[0], system.forcing->amplitude[0], system.stops[0].row[0],
-          system.stops[0].restitution().at(1.0)};
+  return {system.omega[0], system.delta()[0], system.forcing()->amplitude[0],
+          system.stops[0].row[0], system.stops[0].restitution().at(1.0)};
 }
 
 // The forcing of a moving clamp grows with the square of its frequency.

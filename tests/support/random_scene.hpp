@@ -45,7 +45,7 @@ inline std::optional<Prepared> prepared(const Scene& scene) {
 // through the widest gap.
 inline double time_unit(const Prepared& prepared) {
   const System& system = prepared.system;
-  if (system.forcing) return system.period();
+  if (system.forcing()) return system.period();
   double slowest = 0.0;
   for (const double omega : system.omega)
     if (omega > 0.0 && (slowest == 0.0 || omega < slowest)) slowest = omega;
@@ -54,7 +54,7 @@ inline double time_unit(const Prepared& prepared) {
   for (const Stop& stop : system.stops) {
     const double gap = std::abs(stop.gap) + std::abs(stop.row.dot(prepared.start.q));
     const double speed = std::abs(stop.row.dot(prepared.start.qdot));
-    const double push = system.load ? std::abs(stop.row.dot(*system.load)) : 0.0;
+    const double push = system.load() ? std::abs(stop.row.dot(*system.load())) : 0.0;
     if (speed > 0.0) unit = std::max(unit, gap / speed);
     if (push > 0.0)
       unit = std::max(unit, std::max(std::sqrt(2.0 * gap / push), 2.0 * speed / push));

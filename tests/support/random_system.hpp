@@ -35,16 +35,16 @@ inline void set_mode(System& system, int j, Damped kind, double frequency, Dice&
       break;
   }
   system.omega[j] = omega;
-  system.delta[j] = zeta * omega;
+  system.modal().delta[j] = zeta * omega;
 }
 
 // Forced, with one stop at the given gap and random rows of entries up to 1.
 inline System random_system(Dice& dice, int modes, double gap) {
-  System system{Vector(modes), Vector(modes), {}, {}, {}};
+  System system{Vector(modes), NaturalModes{Vector(modes)}, {}};
   const double frequency = dice.uniform(0.5, 4.0);
   for (int j = 0; j < modes; ++j)
     set_mode(system, j, static_cast<Damped>(dice.pick(kDampedKinds)), frequency, dice);
-  system.forcing =
+  system.modal().forcing =
       HarmonicForcing{frequency, dice.uniform(0.0, 6.0), dice.vector(modes, -1.0, 1.0)};
   const Vector row = dice.vector(modes, -1.0, 1.0);
   system.stops.push_back({row, gap, ImpactLaw{momentum_direction(row), dice.uniform(0.3, 1.0)}});

@@ -13,13 +13,13 @@ namespace graze::support {
 
 // One mass-normalised mode: x'' + 2 delta x' + omega^2 x, one stop x <= gap. No forcing.
 inline System oscillator(double omega, double delta, double gap, double restitution) {
-  System system{Vector::Constant(1, omega), Vector::Constant(1, delta), {}, {}, {}};
+  System system{Vector::Constant(1, omega), NaturalModes{Vector::Constant(1, delta)}, {}};
   system.stops.push_back({Vector::Ones(1), gap, ImpactLaw{Vector::Ones(1), restitution}});
   return system;
 }
 
 inline System forced(System system, double frequency, double phase, const Vector& amplitude) {
-  system.forcing = HarmonicForcing{frequency, phase, amplitude};
+  system.modal().forcing = HarmonicForcing{frequency, phase, amplitude};
   return system;
 }
 
