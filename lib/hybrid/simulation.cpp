@@ -20,9 +20,7 @@ namespace {
 
 Instant<double> end_of(const System& system, const SimulationOptions& options) {
   if (!options.duration) return {options.periods, 0.0};
-  const double period =
-      system.forcing() ? system.period() : std::numeric_limits<double>::infinity();
-  return later<double>({}, *options.duration, period);
+  return later<double>({}, *options.duration, system.period());
 }
 
 class Run {

@@ -9,6 +9,7 @@
 // the stop, so that row.q' > 0 approaches it on either side.
 #pragma once
 
+#include <limits>
 #include <optional>
 #include <variant>
 #include <vector>
@@ -82,8 +83,10 @@ struct System {
     return !turns() && modal().forcing ? &*modal().forcing : nullptr;
   }
   const Vector* load() const { return !turns() && modal().load ? &*modal().load : nullptr; }
-  // T = 2 pi/frequency, s; requires forcing.
-  double period() const { return kTurn / modal().forcing->frequency; }
+  // T = 2 pi/frequency, s; infinite without forcing.
+  double period() const {
+    return forcing() ? kTurn / forcing()->frequency : std::numeric_limits<double>::infinity();
+  }
 };
 
 }  // namespace graze

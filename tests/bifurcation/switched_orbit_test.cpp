@@ -38,8 +38,7 @@ State pushed(const System& system, const Orbit& orbit, double push) {
   Arc<double> arc(flow);
   const State after = after_impact(stop, last.before);
   arc.start(last.phase, after.q, after.qdot);
-  const double left = (orbit.period - last.period_index) * system.period() -
-                      last.phase / system.forcing()->frequency;
+  const double left = system.period() * (orbit.period - last.period_index - last.phase / kTurn);
   Vector q(system.modes()), qdot(system.modes());
   arc.state(left, q, qdot);
   return {(1.0 + push) * q, (1.0 + push) * qdot};
