@@ -6,8 +6,7 @@
 #include <cmath>
 #include <optional>
 
-#include "graze/hybrid/next_flight.hpp"
-#include "graze/system/scale.hpp"
+#include "graze/hybrid/motion_walk.hpp"
 
 namespace graze {
 namespace {
@@ -24,8 +23,8 @@ class Follower {
       : system_(system),
         observation_(observation),
         motion_(system, {}, start.q, start.qdot),
-        end_(instant_at(system, observation.end)),
-        longest_flight_(longest_flight(system)) {
+        walk_(system, motion_, observation.closure_speed),
+        end_(instant_at(system, observation.end)) {
     motion_.stop_on(observation.stop);
   }
 
@@ -39,55 +38,38 @@ class Follower {
   }
 
  private:
-  // As the run of simulation.cpp goes on, without its books.
   bool proceed() {
-    const Instant<double> start = motion_.instant();
-    if (motion_.has_news()) return receive(motion_.fly(start.local));
-    if (tail_ && not_before(start, tail_->over)) tail_.reset();
-    if (not_before(start, end_)) return false;
-    if (observation_.stop.requested()) return fail("it was stopped");
-    const NextFlight flight = next_flight(motion_, end_, tail_, longest_flight_);
-    const double from = time();
-    const Arrival<double> arrival = motion_.fly(flight.until, flight.horizon);
-    if (arrival.kind == ArrivalKind::kRefused && arrival.flight == 0.0) return receive(arrival);
-    while (next_ < observation_.times.size() && observation_.times[next_] - from <= arrival.flight)
-      hand_out(motion_.flown(), observation_.times[next_] - from);
-    return receive(arrival);
-  }
-
-  bool receive(const Arrival<double>& arrival) {
-    switch (arrival.kind) {
-      case ArrivalKind::kTime:
-      case ArrivalKind::kLeft:
-      case ArrivalKind::kJoint:
-      case ArrivalKind::kTouch:
-      case ArrivalKind::kStick:
-      case ArrivalKind::kRelease:
-      case ArrivalKind::kSeparation:
+    switch (walk_.next(end_)) {
+      case WalkStep::kDeparture:
+        return walk_.is_at_once() || !observation_.stop.requested() || fail("it was stopped");
+      case WalkStep::kFlight:
+        if (!walk_.is_at_once()) hand_out_along(walk_.arrival());
         return true;
-      case ArrivalKind::kContact:
-        return take_impact();
-      case ArrivalKind::kEntry:
-        return report(arrival.stop);
-      case ArrivalKind::kUndecided:
-      case ArrivalKind::kNotFinite:
-      case ArrivalKind::kRefused:
+      case WalkStep::kImpact:
+        return std::all_of(walk_.shares().begin(), walk_.shares().end(),
+                           [&](const auto& share) { return !share.hit || report(share.stop); });
+      case WalkStep::kEntry:
+        return report(walk_.stop());
+      case WalkStep::kChatter:
+      case WalkStep::kStick:
+      case WalkStep::kRelease:
+      case WalkStep::kSeparation:
+      case WalkStep::kLeft:
+      case WalkStep::kTouch:
+        return true;
+      case WalkStep::kFailure:
+        return fail(walk_.failure());
+      case WalkStep::kEnd:
         break;
     }
-    return fail(failure_of(motion_, arrival));
+    return false;
   }
 
-  bool take_impact() {
-    const std::vector<ImpactShare<double>>& shares = motion_.impact();
-    for (const ImpactShare<double>& share : shares)
-      if (share.hit && !report(share.stop)) return false;
-    // Against a single stop only impacts as slow as that are summed.
-    if (system_.stops.size() == 1 && shares.size() == 1 &&
-        shares.front().speed > observation_.closure_speed)
-      return true;
-    if (const auto closed = motion_.close_chatter(shares, observation_.closure_speed))
-      tail_ = tail_of(motion_, *closed);
-    return true;
+  void hand_out_along(const Arrival<double>& arrival) {
+    if (arrival.kind == ArrivalKind::kRefused && arrival.flight == 0.0) return;
+    const double from = seconds_at(walk_.departure(), motion_.flow().period());
+    while (next_ < observation_.times.size() && observation_.times[next_] - from <= arrival.flight)
+      hand_out(motion_.flown(), observation_.times[next_] - from);
   }
 
   bool report(int stop) {
@@ -139,9 +121,8 @@ class Follower {
   const System& system_;
   const Observation& observation_;
   Motion<double> motion_;
+  MotionWalk<double> walk_;
   const Instant<double> end_;
-  double longest_flight_;  // s
-  std::optional<ChatterTail> tail_;
   Observed observed_;
   std::size_t next_ = 0;  // of the instants
   long long impacts_ = 0;

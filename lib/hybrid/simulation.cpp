@@ -31,7 +31,7 @@ class Run {
         options_(options),
         listeners_(listeners),
         motion_(system, state.motion, options.steps),
-        longest_flight_(longest_flight(system)),
+        walk_(system, motion_, state.closure_speed, Tails::kTold, state.tail),
         state_(state),
         end_(end_of(system, options)),
         sampler_(system, listeners.sample, listeners.sample_rate, options.energy) {
@@ -50,7 +50,7 @@ class Run {
     result_.end_time = stopped_in_arc_.value_or(time());
     result_.final = {last.q, last.qdot};
     for (int i = 0; i < stops(); ++i) {
-      if (is_stuck(i)) result_.stuck.push_back(i);
+      if (walk_.is_stuck(i)) result_.stuck.push_back(i);
       // What is refused at an instant leaves the forces as they were before it.
       const bool is_known = !motion_.has_news() || result_.outcome == RunOutcome::kRefused;
       result_.forces.push_back(motion_.is_closed(i) && is_known ? motion_.force(i) : 0.0);
@@ -62,6 +62,7 @@ class Run {
       result_.energy = state_.book;
     }
     // An arc that was cut by the end of the run is flown again, whole, by one that goes on from it.
+    state_.tail = walk_.tail();
     result_.state = is_cut_ ? cut_arc_ : state_;
     result_.state.motion = is_cut_ ? motion_.departure() : motion_.state();
     result_.state.samples = state_.samples;
@@ -71,55 +72,105 @@ class Run {
  private:
   int stops() const { return static_cast<int>(system_.stops.size()); }
   const Stop& stop(int i) const { return system_.stops[static_cast<std::size_t>(i)]; }
-  bool is_stuck(int i) const {
-    return motion_.is_closed(i) && !(state_.tail && state_.tail->holds(i));
+
+  // False when the run is over.
+  bool proceed() {
+    const WalkStep step = walk_.next(end_);
+    switch (step) {
+      case WalkStep::kDeparture:
+        return depart();
+      case WalkStep::kFlight:
+        return walk_.is_at_once() ? decided() : flown();
+      case WalkStep::kImpact:
+        book_impact();
+        return true;
+      case WalkStep::kChatter:
+        book_chatter();
+        return true;
+      case WalkStep::kStick:
+        book_stick(walk_.stop());
+        return true;
+      case WalkStep::kRelease:
+        emit(event_at(EventKind::kRelease, walk_.stop()));
+        return true;
+      case WalkStep::kEntry:
+        book_entry(walk_.stop());
+        return true;
+      case WalkStep::kSeparation:
+        book_separation(walk_.stop(), walk_.arrival().below);
+        return true;
+      case WalkStep::kLeft:
+        book_contacts(walk_.stop());
+        return true;
+      case WalkStep::kTouch:
+        // A spring that is touched is compressed or left next: no impact is passed over.
+        if (!stop(walk_.stop()).is_compliant()) ++state_.totals.undecided_touches;
+        return true;
+      case WalkStep::kFailure:
+        return fail();
+      case WalkStep::kEnd:
+        break;
+    }
+    return false;
   }
 
-  // One arc or one change; false when the run is over.
-  bool proceed() {
-    const Instant<double> start = motion_.instant();
-    // What a cut arc's end would decide is decided when it is flown again, whole.
-    if (is_cut_ && not_before(start, end_)) return false;
+  bool depart() {
     // What changes at one instant may be as many as the stops, and each asks all of them.
     work_ += stops();
-    if (motion_.has_news()) return goes_on() && receive(decide(start));
-    if (state_.tail && not_before(start, state_.tail->over)) announce_tail();
-    if (not_before(start, end_) || !within_budget()) return false;
-    const NextFlight flight = next_flight(motion_, end_, state_.tail, longest_flight_);
-    is_cut_ = flight.cut || listeners_.sample;
-    if (is_cut_) cut_arc_ = state_;
-    const double start_time = time();
+    if (walk_.is_at_once()) {
+      if (options_.energy) before_ = motion_.qdot();
+      return goes_on();
+    }
+    if (!within_budget()) return false;
+    is_cut_ = walk_.is_cut() || listeners_.sample;
+    if (is_cut_) {
+      cut_arc_ = state_;
+      cut_arc_.tail = walk_.tail();
+    }
     // Until the first contact the smallest gap is not known to be zero and has to be looked for.
-    const bool untouched =
+    untouched_ =
         state_.totals.impacts == 0 && !motion_.is_closed_anywhere() && !motion_.is_sprung();
-    if (untouched && !options_.steps && !system_.turns())
+    if (untouched_ && !options_.steps && !system_.turns())
       for (int i = 0; i < stops(); ++i)
-        note_minimum(motion_.gap_ahead(i, flight.until - start.local), state_.totals);
+        note_minimum(motion_.gap_ahead(i, walk_.until() - walk_.departure().local), state_.totals);
     motion_.tell_depths_beyond(-std::min(state_.totals.smallest_gap.value_or(0.0), 0.0));
-    const Arrival<double> arrival = motion_.fly(flight.until, flight.horizon);
+    return true;
+  }
+
+  // What stands still within rounding was put to rest.
+  bool decided() {
+    if (options_.energy)
+      state_.book.impacts += kinetic_change(system_, motion_.q(), before_, motion_.qdot());
+    told_flight();
+    return true;
+  }
+
+  bool flown() {
+    const Arrival<double>& arrival = walk_.arrival();
     work_ += (1 + arrival.evaluations) * system_.modes();
     if (arrival.kind == ArrivalKind::kUndecided && !within_budget(true)) return false;
-    if (untouched && arrival.lowest && std::isfinite(*arrival.lowest))
+    if (untouched_ && arrival.lowest && std::isfinite(*arrival.lowest))
       note_gap(std::max(*arrival.lowest, 0.0), state_.totals);
     if (!options_.steps) result_.evaluations += arrival.evaluations;
     // A motion that cannot be followed has no samples, be it found out now or by an earlier run.
-    if (arrival.kind == ArrivalKind::kRefused && arrival.flight == 0.0) return receive(arrival);
+    if (arrival.kind == ArrivalKind::kRefused && arrival.flight == 0.0) return true;
+    const double start_time = seconds_at(walk_.departure(), motion_.flow().period());
     if (!follow(start_time, arrival.flight)) {
       stopped_in_arc_ = start_time;
       result_.message = fmt::format("stopped at t = {:.9g} s", start_time);
       return false;
     }
-    if (!flight.cut || arrival.kind != ArrivalKind::kTime) is_cut_ = false;
-    return receive(arrival);
+    if (!walk_.is_cut()) is_cut_ = false;
+    told_flight();
+    return true;
   }
 
-  // What stands still within rounding is put to rest.
-  Arrival<double> decide(const Instant<double>& now) {
-    if (options_.energy) before_.qdot = motion_.qdot();
-    const Arrival<double> news = motion_.fly(now.local);
-    if (options_.energy)
-      state_.book.impacts += kinetic_change(system_, motion_.q(), before_.qdot, motion_.qdot());
-    return news;
+  void told_flight() {
+    const ArrivalKind kind = walk_.arrival().kind;
+    if (kind != ArrivalKind::kTime && kind != ArrivalKind::kJoint && kind != ArrivalKind::kLeft)
+      return;
+    if (listeners_.progress) listeners_.progress(fraction());
+    note_gaps();
   }
 
   bool follow(double start_time, double flight) {
@@ -136,50 +187,11 @@ class Run {
     const double deepest = graze::follow(state_.contacts, motion_.flown(), flight);
     if (deepest > 0.0) note_gap(-deepest, state_.totals);
     const std::vector<int>& closed = motion_.flown().closed();
-    const bool stuck = std::any_of(closed.begin(), closed.end(),
-                                   [&](int i) { return !(state_.tail && state_.tail->holds(i)); });
+    const bool stuck = std::any_of(closed.begin(), closed.end(), [&](int i) {
+      return !(walk_.tail() && walk_.tail()->holds(i));
+    });
     if (stuck) state_.totals.stuck_time += flight;
     return true;
-  }
-
-  bool receive(const Arrival<double>& arrival) {
-    switch (arrival.kind) {
-      case ArrivalKind::kLeft:
-        book_contacts(arrival.stop);
-        [[fallthrough]];
-      case ArrivalKind::kTime:
-      case ArrivalKind::kJoint:
-        if (listeners_.progress) listeners_.progress(fraction());
-        note_gaps();
-        return true;
-      case ArrivalKind::kTouch:
-        // A spring that is touched is compressed or left next: no impact is passed over.
-        if (!stop(arrival.stop).is_compliant()) ++state_.totals.undecided_touches;
-        return true;
-      case ArrivalKind::kContact:
-        book_impact();
-        return true;
-      case ArrivalKind::kStick:
-        book_stick(arrival.stop);
-        return true;
-      case ArrivalKind::kRelease:
-        emit(event_at(EventKind::kRelease, arrival.stop));
-        return true;
-      case ArrivalKind::kEntry:
-        book_entry(arrival.stop);
-        return true;
-      case ArrivalKind::kSeparation:
-        book_separation(arrival.stop, arrival.below);
-        return true;
-      case ArrivalKind::kUndecided:
-        return fail(RunOutcome::kEventBudget, arrival);
-      case ArrivalKind::kNotFinite:
-        return fail(RunOutcome::kNotFinite, arrival);
-      case ArrivalKind::kRefused:
-        note_gaps();
-        return fail(RunOutcome::kRefused, arrival);
-    }
-    return false;
   }
 
   // `asked`: whether the clock has been read already.
@@ -200,14 +212,18 @@ class Run {
   }
 
   bool spent(RunOutcome outcome, const std::string& budget) {
-    result_.crowd = crowd_.sentence(system_.forcing() ? system_.period() : longest_flight_);
+    result_.crowd = crowd_.sentence(system_.forcing() ? system_.period() : longest_flight(system_));
     return stop_run(outcome,
                     fmt::format("the budget of {} was spent at t = {:.9g} s", budget, time()));
   }
 
-  bool fail(RunOutcome outcome, const Arrival<double>& arrival) {
-    return stop_run(outcome,
-                    fmt::format("at t = {:.9g} s {}", time(), failure_of(motion_, arrival)));
+  bool fail() {
+    const ArrivalKind kind = walk_.arrival().kind;
+    if (kind == ArrivalKind::kRefused) note_gaps();
+    return stop_run(kind == ArrivalKind::kUndecided   ? RunOutcome::kEventBudget
+                    : kind == ArrivalKind::kNotFinite ? RunOutcome::kNotFinite
+                                                      : RunOutcome::kRefused,
+                    fmt::format("at t = {:.9g} s {}", time(), walk_.failure()));
   }
 
   bool stop_run(RunOutcome outcome, std::string message) {
@@ -233,12 +249,10 @@ class Run {
   }
 
   void book_impact() {
-    before_.qdot = motion_.qdot();
-    const std::vector<ImpactShare<double>>& shares = motion_.impact();
-    impact_energy(system_, shares, motion_.q(), before_.qdot, motion_.qdot(), impact_energy_);
+    impact_energy(system_, walk_.shares(), motion_.q(), walk_.qdot_before(), motion_.qdot(),
+                  impact_energy_);
     book_energy(impact_energy_.total);
     for (const ImpactEnergy::Hit& hit : impact_energy_.hits) book_hit(hit.share, hit.change);
-    close_chatter(shares);
   }
 
   void book_hit(const ImpactShare<double>& share, double energy_change) {
@@ -288,28 +302,21 @@ class Run {
     contact_at(i).change_before = 0.0;
   }
 
-  // Sums the tail of a chatter where it will complete.
-  void close_chatter(const std::vector<ImpactShare<double>>& shares) {
-    // Against a single stop only impacts as slow as that are summed.
-    if (stops() == 1 && shares.size() == 1 && shares.front().speed > state_.closure_speed) return;
-    before_.q = motion_.q();
-    before_.qdot = motion_.qdot();
-    const auto closed = motion_.close_chatter(shares, state_.closure_speed);
-    if (!closed) return;
-    const double change =
-        closure_energy_change(system_, closed->closed, motion_.flow().phase(motion_.instant()),
-                              before_, {motion_.q(), motion_.qdot()}, state_.book.work);
+  void book_chatter() {
+    const std::vector<ImpactShare<double>>& shares = walk_.shares();
+    const double change = closure_energy_change(
+        system_, walk_.closed().closed, motion_.flow().phase(motion_.instant()),
+        {walk_.q_before(), walk_.qdot_before()}, {motion_.q(), motion_.qdot()}, state_.book.work);
     book_energy(change);
     const auto last =
         std::max_element(shares.begin(), shares.end(),
                          [](const auto& a, const auto& b) { return a.speed < b.speed; });
-    for (const int i : closed->stops) {
+    for (const int i : walk_.closed().stops) {
       Event event = chatter_event(i);
       if (i == last->stop) event.energy_change = change;
       ++state_.totals.chatters;
       emit(event);
     }
-    state_.tail = tail_of(motion_, *closed);
   }
 
   Event chatter_event(int i) {
@@ -321,8 +328,7 @@ class Run {
   }
 
   void book_stick(int i) {
-    if (state_.tail && state_.tail->holds(i)) return;  // announced when its tail is over
-    if (!state_.started) return;                       // it starts there
+    if (!state_.started) return;  // it starts there
     // A chatter that could not be summed and was followed down to the rounding of its speeds.
     const RunState::Streak& streak = state_.streaks[static_cast<std::size_t>(i)];
     if (streak.impacts > 1 && streak.speed <= state_.closure_speed &&
@@ -340,13 +346,6 @@ class Run {
     emit(event);
   }
 
-  void announce_tail() {
-    const std::vector<int> stops = state_.tail->stops;
-    state_.tail.reset();
-    for (const int i : stops)
-      if (motion_.is_closed(i)) announce_stick(i);
-  }
-
   void note_gaps() {
     for (int i = 0; i < stops(); ++i) note_gap_at(i);
   }
@@ -362,14 +361,15 @@ class Run {
   const SimulationOptions& options_;
   const RunListeners& listeners_;
   Motion<double> motion_;
-  double longest_flight_;  // s
+  MotionWalk<double> walk_;
   RunState state_;
   std::optional<double> stopped_in_arc_;  // s, where that arc began
   RunState cut_arc_;                      // before the arc that the end of the run cuts
   bool is_cut_ = false;                   // whether there is one
   const Instant<double> end_;
-  State before_;  // an impact or a closure; kept, with what came of it, for the memory
-  ImpactEnergy impact_energy_;
+  bool untouched_ = false;      // before the first contact
+  Vector before_;               // velocities before an instant is decided
+  ImpactEnergy impact_energy_;  // kept for the memory
   Sampler sampler_;
   EventCrowd crowd_;
   StopPoll poll_;

@@ -11,7 +11,7 @@
 #include "graze/base/stop_signal.hpp"
 #include "graze/hybrid/contact_book.hpp"
 #include "graze/hybrid/energy_book.hpp"
-#include "graze/hybrid/next_flight.hpp"
+#include "graze/hybrid/motion_walk.hpp"
 #include "graze/hybrid/run_events.hpp"
 #include "graze/hybrid/sampler.hpp"
 

@@ -10,9 +10,8 @@
 #include "graze/base/stop_poll.hpp"
 #include "graze/hybrid/clearance.hpp"
 #include "graze/hybrid/contact_book.hpp"
-#include "graze/hybrid/next_flight.hpp"
+#include "graze/hybrid/motion_walk.hpp"
 #include "graze/system/gap_value.hpp"
-#include "graze/system/scale.hpp"
 
 namespace graze {
 namespace {
@@ -31,9 +30,9 @@ class Follower {
         end_(end),
         options_(options),
         motion_(system, start),
+        walk_(system, motion_, options.closure_speed),
         carried_(system, motion_, deviations, parameter),
-        book_(system.stops.size()),
-        longest_flight_(longest_flight(system)) {
+        book_(system.stops.size()) {
     motion_.stop_on(options.stop);
     for (std::size_t i = 0; i < start.contacts.size(); ++i) {
       if (start.contacts[i] == Contact::kClosed)
@@ -69,32 +68,67 @@ class Follower {
 
   State state_now() const { return {motion_.q(), motion_.qdot()}; }
 
-  // One flight or one change; false when the passage is over.
+  // False when the passage is over.
   bool proceed() {
-    const Instant<double> start = motion_.instant();
+    switch (walk_.next(end_)) {
+      case WalkStep::kDeparture:
+        return depart();
+      case WalkStep::kFlight:
+        flown();
+        return true;
+      case WalkStep::kImpact:
+        return impact();
+      case WalkStep::kChatter:
+        carried_.close(walk_.closed().closed, {walk_.q_before(), walk_.qdot_before()});
+        return true;
+      case WalkStep::kStick:
+        open_hold(walk_.stop(), motion_.instant(), false);
+        return true;
+      case WalkStep::kEntry:
+        return enter(walk_.stop());
+      case WalkStep::kSeparation:
+        separate(walk_.stop(), walk_.arrival().below);
+        return true;
+      case WalkStep::kLeft:
+        close_contact(walk_.stop());
+        return true;
+      case WalkStep::kRelease:
+        close_hold(walk_.stop());
+        return true;
+      case WalkStep::kTouch:
+        return true;
+      case WalkStep::kFailure:
+        return fail(walk_.arrival().kind == ArrivalKind::kUndecided && options_.stop.requested()
+                        ? kStopped
+                        : walk_.failure());
+      case WalkStep::kEnd:
+        break;
+    }
+    return false;
+  }
+
+  bool depart() {
     // What changes at one instant may be as many as the stops, and each asks all of them.
     work_ += static_cast<long long>(system_.stops.size());
     if (poll_.is_due(std::exchange(work_, 0)) && options_.stop.requested()) return fail(kStopped);
-    if (motion_.has_news()) {
-      const Arrival<double> news = motion_.fly(start.local);
-      if (news.kind == ArrivalKind::kContact) carried_.meet_at_once(news);
-      return receive(news);
+    if (walk_.is_at_once() || !motion_.is_sprung() || !carried_.any()) return true;
+    if (motion_.is_closed_anywhere())
+      return fail(
+          "what a compliant stop does to small deviations while another one holds the structure "
+          "is not followed");
+    carried_.undelay();
+    return true;
+  }
+
+  void flown() {
+    const Arrival<double>& arrival = walk_.arrival();
+    if (walk_.is_at_once()) {
+      if (arrival.kind == ArrivalKind::kContact) carried_.meet_at_once(arrival);
+      return;
     }
-    if (tail_ && not_before(start, tail_->over)) announce_tail();
-    if (not_before(start, end_)) return false;
-    if (motion_.is_sprung() && carried_.any()) {
-      if (motion_.is_closed_anywhere())
-        return fail(
-            "what a compliant stop does to small deviations while another one holds the structure "
-            "is not followed");
-      carried_.undelay();
-    }
-    const NextFlight flight = next_flight(motion_, end_, tail_, longest_flight_);
-    const Arrival<double> arrival = motion_.fly(flight.until, flight.horizon);
     work_ += (1 + arrival.evaluations) * system_.modes();
-    if (arrival.kind == ArrivalKind::kNotFinite || arrival.kind == ArrivalKind::kRefused)
-      return receive(arrival);
-    if (options_.flight) options_.flight(motion_.flown(), start, arrival.flight);
+    if (arrival.kind == ArrivalKind::kNotFinite || arrival.kind == ArrivalKind::kRefused) return;
+    if (options_.flight) options_.flight(motion_.flown(), walk_.departure(), arrival.flight);
     if (!motion_.flown().springs().empty()) {
       graze::follow(book_, motion_.flown(), arrival.flight);
     } else if (arrival.flight > 0.0) {
@@ -102,7 +136,6 @@ class Follower {
       if (options_.along) note_approaches(arrival.flight);
     }
     carried_.carry(arrival);
-    return receive(arrival);
   }
 
   Contact contact_at_departure(int i) const {
@@ -151,40 +184,11 @@ class Follower {
                                        carried_.gap_rate(*options_.along, i, minimum.s)});
   }
 
-  bool receive(const Arrival<double>& arrival) {
-    switch (arrival.kind) {
-      case ArrivalKind::kTime:
-      case ArrivalKind::kTouch:
-        return true;
-      case ArrivalKind::kContact:
-        return impact();
-      case ArrivalKind::kStick:
-        if (!(tail_ && tail_->holds(arrival.stop)))
-          open_hold(arrival.stop, motion_.instant(), false);
-        return true;
-      case ArrivalKind::kEntry:
-        return enter(arrival.stop);
-      case ArrivalKind::kSeparation:
-        if (!arrival.below && stop(arrival.stop).force().separation == Separation::kAtZeroDepth)
-          carried_.cross_surface(arrival.stop, -1.0);
-        part(arrival.stop, -motion_.approach_speed(arrival.stop), false);
-        if (!arrival.below) close_contact(arrival.stop);
-        return true;
-      case ArrivalKind::kLeft:
-        close_contact(arrival.stop);
-        return true;
-      case ArrivalKind::kRelease:
-        close_hold(arrival.stop);
-        return true;
-      case ArrivalKind::kJoint:  // orbits are those of structures that do not turn
-      case ArrivalKind::kUndecided:
-        if (options_.stop.requested()) return fail(kStopped);
-        [[fallthrough]];
-      case ArrivalKind::kNotFinite:
-      case ArrivalKind::kRefused:
-        return fail(failure_of(motion_, arrival));
-    }
-    return false;
+  void separate(int i, bool below) {
+    if (!below && stop(i).force().separation == Separation::kAtZeroDepth)
+      carried_.cross_surface(i, -1.0);
+    part(i, -motion_.approach_speed(i), false);
+    if (!below) close_contact(i);
   }
 
   // A spring that grips again below the surface does so smoothly, in the contact that it is in.
@@ -207,10 +211,9 @@ class Follower {
   }
 
   bool impact() {
-    const State before = state_now();
-    const std::vector<ImpactShare<double>> shares = motion_.impact();
+    const State before{walk_.q_before(), walk_.qdot_before()};
     int hits = 0;
-    for (const ImpactShare<double>& share : shares) {
+    for (const ImpactShare<double>& share : walk_.shares()) {
       if (!share.hit) continue;
       ++hits;
       ++impacts_;
@@ -221,24 +224,8 @@ class Follower {
     if (impacts_ > options_.max_impacts) return out_of_impacts();
     if (carried_.any() && hits > 1)
       return fail("two stops are hit at one instant: the map has no derivative there");
-    carried_.jump(shares, before.qdot);
-    close_chatter(shares);
+    carried_.jump(walk_.shares(), before.qdot);
     return true;
-  }
-
-  void close_chatter(const std::vector<ImpactShare<double>>& shares) {
-    const State before = state_now();
-    const auto closed = motion_.close_chatter(shares, options_.closure_speed);
-    if (!closed) return;
-    carried_.close(closed->closed, before);
-    tail_ = tail_of(motion_, *closed);
-  }
-
-  void announce_tail() {
-    const std::vector<int> stops = tail_->stops;
-    tail_.reset();
-    for (const int i : stops)
-      if (motion_.is_closed(i)) open_hold(i, motion_.instant(), false);
   }
 
   void open_hold(int i, const Instant<double>& from, bool from_start) {
@@ -246,7 +233,6 @@ class Follower {
   }
 
   void close_hold(int i) {
-    if (tail_ && tail_->holds(i)) tail_.reset();
     const auto held = std::find_if(holding_.begin(), holding_.end(),
                                    [i](const PassedHold& hold) { return hold.stop == i; });
     if (held == holding_.end()) return;
@@ -296,12 +282,11 @@ class Follower {
   const Instant<double> end_;
   const PassageOptions& options_;
   Motion<double> motion_;
+  MotionWalk<double> walk_;
   CarriedDeviations carried_;
   std::vector<PassedHold> holding_;
   std::vector<PassedContact> in_contact_;
   ContactBook book_;
-  double longest_flight_;  // s
-  std::optional<ChatterTail> tail_;
   StopPoll poll_;
   long long work_ = 0;  // since it was asked last
   long long impacts_ = 0;

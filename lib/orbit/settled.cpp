@@ -10,7 +10,7 @@
 #include "graze/base/angle.hpp"
 #include "graze/base/stop_poll.hpp"
 #include "graze/hybrid/clearance.hpp"
-#include "graze/hybrid/next_flight.hpp"
+#include "graze/hybrid/motion_walk.hpp"
 #include "graze/hybrid/simulation.hpp"
 #include "graze/orbit/nearby_orbit.hpp"
 #include "graze/orbit/solve.hpp"
@@ -38,15 +38,18 @@ std::string count(long long number, const char* what) {
   return fmt::format("{} {}{}", number, what, number == 1 ? "" : "s");
 }
 
+// Whether it goes on is asked once a period.
+constexpr Instant<double> kNoEnd{std::numeric_limits<long long>::max(), 0.0};
+
 class Settling {
  public:
   Settling(const System& system, const State& start, const SettleOptions& options)
       : system_(system),
         options_(options),
         motion_(system, {}, start.q, start.qdot),
+        walk_(system, motion_, options.closure_speed.value_or(default_closure_speed(system, start)),
+              Tails::kUntold),
         history_(system, start, remembered(options)),
-        closure_speed_(options.closure_speed.value_or(default_closure_speed(system, start))),
-        longest_flight_(longest_flight(system)),
         scale_(motion_scale(system)) {
     motion_.stop_on(options.stop);
   }
@@ -71,77 +74,66 @@ class Settling {
     in_period_ = 0;
     const long long period = history_.periods();
     for (;;) {
-      // A period can hold any number of flights, and an instant as many changes as stops, each of
-      // which asks all of them.
-      work_ += static_cast<long long>(system_.stops.size());
-      if (stop_requested(poll_.is_due(std::exchange(work_, 0)))) return false;
-      const Arrival<double> arrival = pending_ ? *std::exchange(pending_, std::nullopt) : fly();
-      // What happens at the very end of a period belongs to the next one.
-      if (motion_.instant().period > period) {
-        if (arrival.kind != ArrivalKind::kTime) pending_ = arrival;
-        break;
+      const WalkStep step = walk_.next(kNoEnd);
+      if (step == WalkStep::kDeparture) {
+        // A period can hold any number of flights, and an instant as many changes as stops, each of
+        // which asks all of them.
+        work_ += static_cast<long long>(system_.stops.size());
+        if (stop_requested(poll_.is_due(std::exchange(work_, 0)))) return false;
+      } else if (step == WalkStep::kFlight) {
+        work_ += (1 + walk_.arrival().evaluations) * system_.modes();
+        // What happens at the very end of a period belongs to the next one.
+        if (motion_.instant().period > period) break;
+      } else if (!receive(step)) {
+        return false;
       }
-      if (!receive(arrival)) return false;
     }
     history_.end_period(motion_.q(), motion_.qdot(), contacts_);
     return true;
   }
 
-  Arrival<double> fly() {
-    const NextFlight flight = next_flight(motion_, {now(), 0.0}, {}, longest_flight_);
-    const Arrival<double> arrival = motion_.fly(flight.until, flight.horizon);
-    work_ += (1 + arrival.evaluations) * system_.modes();
-    return arrival;
-  }
-
-  bool receive(const Arrival<double>& arrival) {
-    switch (arrival.kind) {
-      case ArrivalKind::kContact:
-        return take_impact(arrival);
-      case ArrivalKind::kStick:
+  bool receive(WalkStep step) {
+    switch (step) {
+      case WalkStep::kImpact:
+        if (!count_impact()) return false;
+        contacts_.held = false;
+        remember_impact(walk_.arrival().stop, walk_.arrival().speed, walk_.q_before(),
+                        walk_.qdot_before());
+        return true;
+      case WalkStep::kStick:
         contacts_.any = contacts_.closed = true;
         return true;
-      case ArrivalKind::kEntry:
+      case WalkStep::kEntry:
         contacts_.any = contacts_.sprung = true;
         contacts_.held = false;
         // One that grips again below the surface, on its way out, is no new impact.
-        if (motion_.approach_speed(arrival.stop) < 0.0) return true;
+        if (motion_.approach_speed(walk_.stop()) < 0.0) return true;
         if (!count_impact()) return false;
-        remember_impact(arrival.stop, motion_.approach_speed(arrival.stop));
+        remember_impact(walk_.stop(), motion_.approach_speed(walk_.stop()), motion_.q(),
+                        motion_.qdot());
         return true;
-      case ArrivalKind::kSeparation:
-      case ArrivalKind::kLeft:
-      case ArrivalKind::kJoint:
-        return true;
-      case ArrivalKind::kRelease:
+      case WalkStep::kRelease:
         contacts_.held = false;
         return true;
-      case ArrivalKind::kTouch:
-      case ArrivalKind::kTime:
-        return true;
-      case ArrivalKind::kUndecided:
-        if (stop_requested(true)) return false;
-        break;
-      case ArrivalKind::kRefused:
-      case ArrivalKind::kNotFinite:
+      case WalkStep::kFailure:
+        if (walk_.arrival().kind == ArrivalKind::kUndecided && stop_requested(true)) return false;
+        return end(SettledKind::kRefused,
+                   fmt::format("ends in forcing period {}: {}", now(), walk_.failure()));
+      case WalkStep::kDeparture:
+      case WalkStep::kFlight:
+      case WalkStep::kChatter:
+      case WalkStep::kSeparation:
+      case WalkStep::kLeft:
+      case WalkStep::kTouch:
+      case WalkStep::kEnd:
         break;
     }
-    return end(SettledKind::kRefused,
-               fmt::format("ends in forcing period {}: {}", now(), failure_of(motion_, arrival)));
-  }
-
-  bool take_impact(const Arrival<double>& arrival) {
-    if (!count_impact()) return false;
-    contacts_.held = false;
-    remember_impact(arrival.stop, arrival.speed);
-    motion_.close_chatter(motion_.impact(), closure_speed_);
     return true;
   }
 
-  void remember_impact(int stop, double speed) {
+  void remember_impact(int stop, double speed, const Vector& q, const Vector& qdot) {
     history_.add_impact(
-        {motion_.instant().period, stop, motion_.flow().phase(motion_.instant()), speed},
-        motion_.q(), motion_.qdot());
+        {motion_.instant().period, stop, motion_.flow().phase(motion_.instant()), speed}, q, qdot);
   }
 
   // False where that was one too many, or it is time to stop.
@@ -345,9 +337,8 @@ class Settling {
   const System& system_;
   const SettleOptions& options_;
   Motion<double> motion_;
+  MotionWalk<double> walk_;
   PeriodHistory history_;
-  double closure_speed_;   // m/s
-  double longest_flight_;  // s
   MotionScale scale_;
   std::optional<NearbyOrbit> approached_;  // stable; solved for when the motion began to repeat
   double left_ = 0.0;                      // distance from it, one repetition ago at most
@@ -355,8 +346,7 @@ class Settling {
   PeriodHistory::Contacts contacts_;
   long long in_period_ = 0;
   StopPoll poll_;
-  long long work_ = 0;                      // since it was asked last
-  std::optional<Arrival<double>> pending_;  // at the end of the last period, not yet dealt with
+  long long work_ = 0;  // since it was asked last
   bool over_ = false;
   SettledMotion result_;
 };

@@ -8,7 +8,7 @@
 
 #include "graze/contact/impulse.hpp"
 #include "graze/flow/extended.hpp"
-#include "graze/hybrid/motion.hpp"
+#include "graze/hybrid/motion_walk.hpp"
 #include "graze/study/extended_contact.hpp"
 #include "graze/system/scale.hpp"
 
@@ -37,10 +37,11 @@ class Reference {
         motion_(std::in_place, flying_, Instant<Extended>{}, start.q.cast<Extended>(),
                 start.qdot.cast<Extended>()),
         closure_(kClosure * speed_scale(system, start)),
+        walk_(std::in_place, flying_, *motion_, closure_),
         piece_((system.forcing() ? std::min(system.period(), options.longest) : options.longest) /
                kSamplesPerPeriod),
-        longest_flight_(longest_flight(system)),
-        end_(options.longest) {
+        end_(options.longest),
+        next_sample_(piece_) {
     motion_->stop_on(options.stop);
     for (const Stop& stop : system.stops)
       if (stop.is_compliant() && stop.row.dot(start.q) > stop.gap)
@@ -49,27 +50,9 @@ class Reference {
 
   ReferenceRun finish() {
     run_.sample_interval = piece_;
-    double next_sample = piece_;
-    while (time() < end_ && run_.message.empty() && !options_.stop.requested()) {
-      const bool enough = met_ >= options_.impacts;
-      const double before = time();
-      while (next_sample <= before) next_sample += piece_;
-      // Never so far that the run could not be stopped meanwhile.
-      const double next = std::min({next_sample, end_, before + longest_flight_});
-      const Extended until = std::min<Extended>(
-          motion_->instant().local + (Extended(next) - exact_time()), motion_->flow().period());
-      const Arrival<Extended> arrival = motion_->fly(until);
-      if (!go_on(arrival)) break;
-      if (enough && time() > before) {
-        fly_back(before);
-        return run_;
-      }
-      if (arrival.kind == ArrivalKind::kContact) take_contact(arrival.stop);
-      if (arrival.kind == ArrivalKind::kTime && time() >= next_sample * (1.0 - 1e-12)) {
-        run_.samples.push_back(state());
-        next_sample = piece_ * static_cast<double>(run_.samples.size() + 1);
-      }
-    }
+    while (time() < end_ && run_.message.empty() && !over_ && !options_.stop.requested())
+      take(walk_->next(next_stop()));
+    if (over_) return run_;
     run_.end_time = time();
     run_.end = state();
     // A run that ends at an impact may count it or not.
@@ -91,23 +74,50 @@ class Reference {
     return {motion_->q().template cast<double>(), motion_->qdot().template cast<double>()};
   }
 
-  bool go_on(const Arrival<Extended>& arrival) {
-    switch (arrival.kind) {
-      case ArrivalKind::kUndecided:
-        if (options_.stop.requested()) return false;
-        run_.message = "the search for the next event used up its evaluations";
-        return false;
-      case ArrivalKind::kNotFinite:
-        run_.message = "the motion left the range of the numbers";
-        return false;
-      case ArrivalKind::kRefused:
-        run_.message = motion_->refusal();
-        return false;
-      case ArrivalKind::kStick:
-        if (is_compliant(arrival.stop)) run_.message = "a compliant stop is reached at rest";
-        return run_.message.empty();
+  // The next sample, or the end of the run, but no later than the end of the forcing period.
+  Instant<Extended> next_stop() {
+    while (next_sample_ <= time()) next_sample_ += piece_;
+    const Instant<Extended>& now = motion_->instant();
+    const Extended left = Extended(std::min(next_sample_, end_)) - exact_time();
+    return {now.period, std::min<Extended>(now.local + left, motion_->flow().period())};
+  }
+
+  void take(WalkStep step) {
+    switch (step) {
+      case WalkStep::kDeparture:
+        enough_ = met_ >= options_.impacts;
+        return;
+      case WalkStep::kFlight:
+        return take_flight(walk_->arrival());
+      case WalkStep::kImpact:
+        return take_impact();
+      case WalkStep::kStick:
+        if (is_compliant(walk_->stop())) run_.message = "a compliant stop is reached at rest";
+        return;
+      case WalkStep::kFailure:
+        // What was stopped has not failed.
+        if (!options_.stop.requested()) run_.message = walk_->failure();
+        return;
       default:
-        return true;
+        return;
+    }
+  }
+
+  void take_flight(const Arrival<Extended>& arrival) {
+    const bool fails = arrival.kind == ArrivalKind::kUndecided ||
+                       arrival.kind == ArrivalKind::kNotFinite ||
+                       arrival.kind == ArrivalKind::kRefused;
+    if (fails) return;
+    const double before =
+        static_cast<double>(seconds_at(walk_->departure(), motion_->flow().period()));
+    if (enough_ && time() > before) {
+      fly_back(before);
+      over_ = true;
+    } else if (arrival.kind == ArrivalKind::kContact && is_compliant(arrival.stop)) {
+      take_contact(arrival.stop);
+    } else if (arrival.kind == ArrivalKind::kTime && time() >= next_sample_ * (1.0 - 1e-12)) {
+      run_.samples.push_back(state());
+      next_sample_ = piece_ * static_cast<double>(run_.samples.size() + 1);
     }
   }
 
@@ -116,7 +126,6 @@ class Reference {
   }
 
   void take_contact(int stop) {
-    if (!is_compliant(stop)) return take_impact();
     ++met_;
     const Extended began = exact_time();
     run_.impacts.push_back(
@@ -141,20 +150,19 @@ class Reference {
         later(motion_->instant(), contact.end, Extended(motion_->flow().period()));
     motion_.emplace(flying_, now, on_it, contact.qdot);
     motion_->stop_on(options_.stop);
+    walk_.emplace(flying_, *motion_, closure_);
     // Somewhat beyond the contact in any case, so that its end is within the run.
     end_ = std::max(end_, time() + 0.5 * piece_);
   }
 
   void take_impact() {
-    const std::vector<ImpactShare<Extended>> shares = motion_->impact();
     const std::size_t before = run_.impacts.size();
-    for (const ImpactShare<Extended>& share : shares)
+    for (const ImpactShare<Extended>& share : walk_->shares())
       if (share.hit && static_cast<double>(share.speed) > options_.slowest)
         run_.impacts.push_back({time(), share.stop, static_cast<double>(share.speed), false});
     met_ += run_.impacts.size() - before;
     std::sort(run_.impacts.begin() + static_cast<std::ptrdiff_t>(before), run_.impacts.end(),
               [](const auto& a, const auto& b) { return a.stop < b.stop; });
-    motion_->close_chatter(shares, closure_);
   }
 
   // Half the way along the arc that was flown last.
@@ -171,8 +179,11 @@ class Reference {
   const ReferenceOptions& options_;
   std::optional<Motion<Extended>> motion_;
   Extended closure_;
-  double piece_, longest_flight_, end_;  // s
-  std::size_t met_ = 0;                  // impacts that are told, and contacts
+  std::optional<MotionWalk<Extended>> walk_;
+  double piece_, end_, next_sample_;  // s
+  std::size_t met_ = 0;               // impacts that are told, and contacts
+  bool enough_ = false;               // of them, as the flight began
+  bool over_ = false;
   ReferenceRun run_;
 };
 

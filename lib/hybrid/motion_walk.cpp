@@ -1,0 +1,155 @@
+#include "graze/hybrid/motion_walk.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <type_traits>
+#include <utility>
+
+#include "graze/flow/extended.hpp"
+#include "graze/system/scale.hpp"
+
+namespace graze {
+
+template <class Real>
+MotionWalk<Real>::MotionWalk(const System& system, Motion<Real>& motion, const Real& closure_speed,
+                             Tails tails, std::optional<ChatterTail> tail)
+    : motion_(motion),
+      closure_speed_(closure_speed),
+      longest_flight_(longest_flight(system)),
+      alone_(system.stops.size() == 1),
+      tails_(tails),
+      tail_(std::move(tail)) {}
+
+template <class Real>
+WalkStep MotionWalk<Real>::next(const Instant<Real>& end) {
+  if (std::exchange(departing_, false)) return fly();
+  if (std::exchange(arrived_, false)) {
+    const WalkStep step = happen();
+    if (step != WalkStep::kEnd) return step;
+  }
+  if (std::exchange(impacted_, false)) {
+    if (const std::optional<WalkStep> step = sum_tail()) return *step;
+  }
+  return depart(end);
+}
+
+// From the present instant on.
+template <class Real>
+WalkStep MotionWalk<Real>::depart(const Instant<Real>& end) {
+  const Instant<Real>& now = motion_.instant();
+  // What lies at the end of an arc that is cut is decided when it is flown again, whole.
+  if (std::exchange(cut_, false) && not_before(now, end)) return WalkStep::kEnd;
+  at_once_ = motion_.has_news();
+  if (!at_once_) {
+    const auto is_over = [&] {
+      return now.period > tail_->over.period ||
+             (now.period == tail_->over.period && now.local >= tail_->over.local);
+    };
+    if (tail_ && is_over()) {
+      told_.assign(tail_->stops.rbegin(), tail_->stops.rend());
+      tail_.reset();
+    }
+    while (!told_.empty()) {
+      stop_ = told_.back();
+      told_.pop_back();
+      if (motion_.is_closed(stop_)) return WalkStep::kStick;
+    }
+    if (not_before(now, end)) return WalkStep::kEnd;
+  }
+  departing_ = true;
+  departure_ = now;
+  horizon_ = until_ = now.local;
+  if (at_once_) return WalkStep::kDeparture;
+  horizon_ = motion_.flow().period();
+  if (tail_ && tail_->over.period == now.period)
+    horizon_ = std::min<Real>(horizon_, tail_->over.local);
+  if (horizon_ - now.local > longest_flight_) horizon_ = now.local + longest_flight_;
+  cut_ = now.period == end.period && end.local <= horizon_;
+  until_ = cut_ ? end.local : horizon_;
+  using std::isfinite;
+  if (!isfinite(horizon_)) horizon_ = until_;
+  return WalkStep::kDeparture;
+}
+
+template <class Real>
+WalkStep MotionWalk<Real>::fly() {
+  arrival_ = motion_.fly(until_, horizon_);
+  if (arrival_.kind != ArrivalKind::kTime) cut_ = false;
+  arrived_ = true;
+  return WalkStep::kFlight;
+}
+
+// What lies at the end of the flight; kEnd where that is nothing.
+template <class Real>
+WalkStep MotionWalk<Real>::happen() {
+  stop_ = arrival_.stop;
+  switch (arrival_.kind) {
+    case ArrivalKind::kTime:
+    case ArrivalKind::kJoint:
+      return WalkStep::kEnd;
+    case ArrivalKind::kContact:
+      q_before_ = motion_.q();
+      qdot_before_ = motion_.qdot();
+      shares_ = &motion_.impact();
+      impacted_ = true;
+      return WalkStep::kImpact;
+    case ArrivalKind::kStick:
+      // Handed out when its tail is over.
+      return tail_ && tail_->holds(stop_) ? WalkStep::kEnd : WalkStep::kStick;
+    case ArrivalKind::kRelease:
+      return WalkStep::kRelease;
+    case ArrivalKind::kEntry:
+      return WalkStep::kEntry;
+    case ArrivalKind::kSeparation:
+      return WalkStep::kSeparation;
+    case ArrivalKind::kLeft:
+      return WalkStep::kLeft;
+    case ArrivalKind::kTouch:
+      return WalkStep::kTouch;
+    case ArrivalKind::kUndecided:
+    case ArrivalKind::kNotFinite:
+    case ArrivalKind::kRefused:
+      break;
+  }
+  return WalkStep::kFailure;
+}
+
+// Of the chatter that the impact belongs to; nothing where it cannot be summed yet.
+template <class Real>
+std::optional<WalkStep> MotionWalk<Real>::sum_tail() {
+  // Against a single stop only impacts as slow as that are summed.
+  if (alone_ && shares_->size() == 1 && shares_->front().speed > closure_speed_) return {};
+  q_before_ = motion_.q();
+  qdot_before_ = motion_.qdot();
+  closed_ = motion_.close_chatter(*shares_, closure_speed_);
+  if (!closed_) return {};
+  if (tails_ == Tails::kTold) {
+    const Instant<Real> over = later(motion_.instant(), closed_->duration, motion_.flow().period());
+    tail_ = {closed_->stops, {over.period, static_cast<double>(over.local)}};
+  }
+  stop_ = closed_->stops.front();
+  return WalkStep::kChatter;
+}
+
+template <class Real>
+std::string MotionWalk<Real>::failure() const {
+  const bool at_stop = arrival_.stop >= 0;
+  switch (arrival_.kind) {
+    case ArrivalKind::kUndecided:
+      return fmt::format("the search for the next event{} used up its evaluations",
+                         at_stop ? fmt::format(" at stop {}", arrival_.stop + 1) : "");
+    case ArrivalKind::kNotFinite:
+      return std::is_same_v<Real, double> ? "the motion left the range of double precision"
+                                          : "the motion left the range of the numbers";
+    default:
+      return fmt::format("the motion{} cannot be followed: {}",
+                         at_stop ? fmt::format(" on stop {}", arrival_.stop + 1) : "",
+                         motion_.refusal());
+  }
+}
+
+template class MotionWalk<double>;
+template class MotionWalk<Extended>;
+
+}  // namespace graze
