@@ -160,7 +160,7 @@ class OrbitTracer {
     if (start) finder.closure_speed = closure_speed(*system, *start);
     FoundOrbits found = find_orbits(*system, start, finder);
     // Those have branches of their own.
-    const auto sticks = [](const Orbit& orbit) { return orbit.sticking.has_value(); };
+    const auto sticks = [](const Orbit& orbit) { return orbit.sticks(); };
     found.orbits.erase(std::remove_if(found.orbits.begin(), found.orbits.end(), sticks),
                        found.orbits.end());
     if (first) result_.notes = found.notes;

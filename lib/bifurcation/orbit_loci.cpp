@@ -146,19 +146,19 @@ class LociTracer {
   std::optional<OrbitLocusStart> start_of(const SystemFamily& family, const SpecialPoint& special,
                                           double fixed) const {
     const std::optional<OrbitLocusKind> kind = locus_kind(special.kind);
-    if (!kind || special.by_push || special.at.orbit.sticking || !wants(*kind)) return {};
+    if (!kind || special.by_push || special.at.orbit.sticks() || !wants(*kind)) return {};
     const double moved = special.at.value;
     const bool over_first = family.parameter() == plane_.first;
     const LocusStartPlace place{over_first ? moved : fixed, over_first ? fixed : moved,
                                 special.multiplier.value_or(1.0)};
     const Orbit& orbit = special.at.orbit;
-    if (orbit.strobe)
+    if (orbit.section)
       return OrbitLocusStart{*kind,
                              {},
                              place.first,
                              place.second,
                              place.multiplier,
-                             {{turns_of(orbit), orbit.strobe->closure_speed}}};
+                             {{turns_of(orbit), orbit.section->closure_speed}}};
     return locus_start(*family.at(moved), *kind, {orbit.pattern(), orbit.points(), 0},
                        special.by_speed, place);
   }

@@ -30,13 +30,13 @@ std::optional<SpecialOrbit::Sticking> sticking_part(const OrbitBranch& branch,
                                                     const SpecialPoint& special) {
   const OrbitBranchPoint& at = is_border(special.kind) ? beside(branch, special) : special.at;
   const Orbit& orbit = at.orbit;
-  if (!orbit.sticking) return {};
-  return SpecialOrbit::Sticking{orbit.period, at.value, orbit.sticking->at_section,
-                                orbit.sticking->closure_speed};
+  if (!orbit.sticks()) return {};
+  return SpecialOrbit::Sticking{orbit.period, at.value, orbit.section->states.front(),
+                                orbit.section->closure_speed};
 }
 
 SpecialOrbit::Strobe strobe_part(const OrbitBranchPoint& at) {
-  return {at.value, turns_of(at.orbit), at.orbit.strobe->closure_speed};
+  return {at.value, turns_of(at.orbit), at.orbit.section->closure_speed};
 }
 
 std::optional<OrbitLocusKind> locus_of(const SpecialOrbit& special) {
@@ -63,7 +63,7 @@ std::vector<SpecialOrbit> special_orbits(const OrbitBranches& traced, const Syst
       one.by_push = special.by_push;
       if (branch.sticks()) {
         one.sticking = sticking_part(branch, special);
-      } else if (special.at.orbit.strobe) {
+      } else if (special.at.orbit.section) {
         one.strobe = strobe_part(special.at);
       } else {
         one.pattern = branch.pattern;

@@ -78,7 +78,6 @@ std::optional<OrbitBranchPoint> StrobeEquations::judge_without(const BranchPoint
   const auto slowest = std::min_element(
       orbit.impacts.begin(), orbit.impacts.end(),
       [](const OrbitImpact& a, const OrbitImpact& b) { return a.speed < b.speed; });
-  orbit.strobe->contacts.erase(orbit.strobe->contacts.begin() + (slowest - orbit.impacts.begin()));
   orbit.impacts.erase(slowest);
   if (orbit.impacts.empty()) return {};
   orbit.clearance = 0.0;
@@ -156,7 +155,7 @@ std::optional<double> StrobeEquations::clearer_section(const BranchPoint& soluti
     phases.push_back(impact.phase);
     if (stop.is_compliant())
       phases.push_back(wrapped(impact.phase + system->forcing()->frequency *
-                                                  at->orbit.strobe->contacts[i].duration));
+                                                  at->orbit.impacts[i].contact->duration));
   }
   if (phases.empty()) return {};
   std::sort(phases.begin(), phases.end());

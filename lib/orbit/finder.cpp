@@ -304,10 +304,10 @@ class Finder {
     if (!opposite) return;
     for (const Orbit& orbit : std::vector<Orbit>(found_.orbits)) {
       if (!(orbit.admissible || options_.keep_virtual)) continue;
-      if (orbit.sticking) {
+      if (orbit.sticks()) {
         const auto image =
             mirrored_sticking(system_, orbit, *opposite,
-                              {orbit.sticking->closure_speed, options_.max_impacts, options_.stop});
+                              {orbit.section->closure_speed, options_.max_impacts, options_.stop});
         if (image) keep(*image);
         continue;
       }

@@ -37,7 +37,7 @@ std::vector<ImpactPoint> mirrored(std::vector<ImpactPoint> impacts) {
 std::optional<Orbit> mirrored_sticking(const System& system, const Orbit& orbit,
                                        const std::vector<int>& opposite,
                                        const StickingOptions& options) {
-  const MotionState<double>& at = orbit.sticking->at_section;
+  const MotionState<double>& at = orbit.section->states.front();
   MotionState<double> image = at;
   image.instant = later(at.instant, 0.5 * system.period(), system.period());
   image.q *= -1.0;

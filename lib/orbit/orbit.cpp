@@ -128,7 +128,7 @@ std::vector<ImpactPoint> Orbit::points() const {
 }
 
 const OrbitImpact& leading_impact(const Orbit& orbit) {
-  if (!orbit.sticking) return orbit.impacts.front();
+  if (!orbit.sticks()) return orbit.impacts.front();
   return *std::max_element(
       orbit.impacts.begin(), orbit.impacts.end(),
       [](const OrbitImpact& a, const OrbitImpact& b) { return a.speed < b.speed; });

@@ -12,18 +12,27 @@
 
 namespace graze {
 
-struct OrbitImpact {
-  int stop = 0;          // index from 0
-  int period_index = 0;  // forcing period within the orbit, 0..p-1
-  double phase = 0.0;    // (frequency t + phase) mod 2 pi, rad
-  double speed = 0.0;    // approach speed, m/s; negative only on virtual orbits
-  State before;          // just before the impact
-};
-
 // A time within an orbit.
 struct OrbitInstant {
   int period_index = 0;  // forcing period within the orbit, 0..p-1
   double phase = 0.0;    // (frequency t + phase) mod 2 pi, rad
+};
+
+// What became of an impact at a compliant stop.
+struct OrbitContact {
+  double duration = 0.0;     // s; 0: a touch, in which nothing happens
+  double speed_after = 0.0;  // away from the stop, m/s
+  double peak_force = 0.0;   // N
+  double taken = 0.0;        // of the structure's energy, J
+};
+
+struct OrbitImpact {
+  int stop = 0;                           // index from 0
+  int period_index = 0;                   // forcing period within the orbit, 0..p-1
+  double phase = 0.0;                     // (frequency t + phase) mod 2 pi, rad
+  double speed = 0.0;                     // approach speed, m/s; negative only on virtual orbits
+  State before;                           // just before the impact
+  std::optional<OrbitContact> contact{};  // at a compliant stop
 };
 
 // A stop closed from the end of its chatter (or an impact with r = 0) to its release.
@@ -36,29 +45,12 @@ struct OrbitHold {
   std::optional<double> smallest_force;
 };
 
-// What an orbit that sticks has beyond its impacts; see sticking_orbit.hpp.
-struct OrbitSticking {
-  std::vector<OrbitHold> holds;  // in time order
-  // The orbit's state at an instant within a stuck phase, from which a motion repeats it.
-  OrbitInstant section;
-  MotionState<double> at_section;
-  double closure_speed = 0.0;  // m/s: the tails of its chatters below it are summed
-};
-
-// What became of an impact at a compliant stop.
-struct OrbitContact {
-  double duration = 0.0;     // s
-  double speed_after = 0.0;  // away from the stop, m/s
-  double peak_force = 0.0;   // N
-  double taken = 0.0;        // of the structure's energy, J
-};
-
-// What an orbit of a structure on compliant stops has beyond its impacts; see strobe_orbit.hpp.
-struct OrbitStrobe {
-  std::vector<OrbitContact> contacts;      // of each impact; at a rigid stop with nothing in it
-  OrbitInstant start;                      // of the first of these
-  std::vector<MotionState<double>> turns;  // at the start of each of its forcing periods
-  double closure_speed = 0.0;              // m/s, as of OrbitSticking
+// Where motions begin that repeat an orbit: a state in each of its forcing periods, or one that
+// leads through all of them.
+struct OrbitSection {
+  OrbitInstant at;  // of the first; the others follow a forcing period apart
+  std::vector<MotionState<double>> states;
+  double closure_speed = 0.0;  // m/s: the tails of chatters below it are summed
 };
 
 struct Orbit {
@@ -66,18 +58,21 @@ struct Orbit {
   // In time order from the smallest (period_index, phase). Where a chatter completes, the impacts
   // that were resolved: their number depends on the closure speed.
   std::vector<OrbitImpact> impacts;
+  std::vector<OrbitHold> holds{};       // in time order; none: it does not stick
   std::vector<Eigenvalue> multipliers;  // of the map over p periods, largest modulus first
   // Nothing when a multiplier sits on the unit circle within its error.
   std::optional<bool> stable;
-  // Clear of every stop between the impacts, every impact speed positive, none sticks.
+  // Clear of every stop between the impacts, every impact speed positive; what sticks is held by
+  // its force.
   bool admissible = false;
   // Smallest interior local minimum of any stop's gap between the impacts, m; nothing when there is
   // none.
   std::optional<double> clearance;
-  double residual = 0.0;                  // of the shooting equations, scaled, largest entry
-  std::optional<OrbitSticking> sticking;  // of an orbit that sticks
-  std::optional<OrbitStrobe> strobe{};    // of an orbit on compliant stops
+  double residual = 0.0;  // of its equations, scaled, largest entry
+  // Of an orbit that was followed; nothing where its impacts and the arcs between them tell it.
+  std::optional<OrbitSection> section{};
 
+  bool sticks() const { return !holds.empty(); }
   // For the shooting equations, which know of no sticking and no compliant stops.
   ImpactPattern pattern() const;
   std::vector<ImpactPoint> points() const;

@@ -96,23 +96,13 @@ class FlownCurve {
   std::vector<bool> begins_at_impact_;
 };
 
-// An orbit that sticks, flown from its section.
-std::vector<std::vector<CurveSample>> sticking_curve(const System& system, const Orbit& orbit,
-                                                     const Vector& row, int per_period) {
-  const OrbitSticking& sticking = *orbit.sticking;
-  FlownCurve curve(system, row, per_period, sticking.section);
-  const Instant<double>& from = sticking.at_section.instant;
-  curve.fly(sticking.at_section, {from.period + orbit.period, from.local}, sticking.closure_speed);
-  return curve.from_impact_to_impact(kTurn * orbit.period);
-}
-
-// One on compliant stops, turn by turn.
-std::vector<std::vector<CurveSample>> strobe_curve(const System& system, const Orbit& orbit,
-                                                   const Vector& row, int per_period) {
-  const OrbitStrobe& strobe = *orbit.strobe;
-  FlownCurve curve(system, row, per_period, strobe.start);
-  for (const MotionState<double>& turn : strobe.turns)
-    curve.fly(turn, {turn.instant.period + 1, turn.instant.local}, strobe.closure_speed);
+std::vector<std::vector<CurveSample>> flown_curve(const System& system, const Orbit& orbit,
+                                                  const Vector& row, int per_period) {
+  const OrbitSection& section = *orbit.section;
+  const long long periods = orbit.period / static_cast<long long>(section.states.size());
+  FlownCurve curve(system, row, per_period, section.at);
+  for (const MotionState<double>& state : section.states)
+    curve.fly(state, {state.instant.period + periods, state.instant.local}, section.closure_speed);
   return curve.from_impact_to_impact(kTurn * orbit.period);
 }
 
@@ -121,8 +111,7 @@ std::vector<std::vector<CurveSample>> strobe_curve(const System& system, const O
 std::vector<std::vector<CurveSample>> orbit_curve(const System& system, const Orbit& orbit,
                                                   int stop, int per_period) {
   const Vector& row = system.stops[static_cast<std::size_t>(stop)].row;
-  if (orbit.sticking) return sticking_curve(system, orbit, row, per_period);
-  if (orbit.strobe) return strobe_curve(system, orbit, row, per_period);
+  if (orbit.section) return flown_curve(system, orbit, row, per_period);
   const ExactFlow<double> flow(system);
   Arc<double> arc(flow);
   const std::vector<ImpactPoint> points = orbit.points();

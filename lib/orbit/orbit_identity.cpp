@@ -38,8 +38,7 @@ int compare(const Orbit& a, const Orbit& b, Number OrbitImpact::*number) {
 }  // namespace
 
 bool same_orbit(const Orbit& a, const Orbit& b, double speed_scale) {
-  if (a.period != b.period || a.impacts.size() != b.impacts.size() ||
-      a.sticking.has_value() != b.sticking.has_value())
+  if (a.period != b.period || a.impacts.size() != b.impacts.size() || a.sticks() != b.sticks())
     return false;
   double largest = speed_scale;
   for (const OrbitImpact& impact : a.impacts) largest = std::max(largest, std::abs(impact.speed));

@@ -310,7 +310,7 @@ std::vector<OrbitRelease> releases_of(const System& system, const Orbit& orbit,
     double held = 0.0;  // s
   };
   std::vector<Found> found;
-  const MotionState<double>& start = orbit.sticking->at_section;
+  const MotionState<double>& start = orbit.section->states.front();
   const Passage round =
       pass(system, start, {start.instant.period + orbit.period, start.instant.local},
            passage_options(options));

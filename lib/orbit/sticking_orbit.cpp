@@ -208,8 +208,8 @@ Orbit orbit_of(const System& system, const HeldSection& section, const HeldSecti
   orbit.admissible = true;
   orbit.clearance = back.passage.clearance();
   orbit.residual = back.residual;
-  orbit.sticking = OrbitSticking{holds_of(system, period, back.passage, clock),
-                                 clock(section.at().instant), section.at(), closure_speed};
+  orbit.holds = holds_of(system, period, back.passage, clock);
+  orbit.section = OrbitSection{clock(section.at().instant), {section.at()}, closure_speed};
   return orbit;
 }
 

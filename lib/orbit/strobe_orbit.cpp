@@ -81,12 +81,6 @@ Vector shortest(const StrobeMap& map, const Vector& u) {
   return u;
 }
 
-// An impact with what became of it.
-struct Met {
-  OrbitImpact impact;
-  OrbitContact contact;
-};
-
 double seconds(const System& system, const Instant<double>& from, const Instant<double>& to) {
   return static_cast<double>(to.period - from.period) * system.period() + to.local - from.local;
 }
@@ -132,42 +126,40 @@ struct MetTouch {
   }
 };
 
-// In time order; `start`: where the first turn begins.
-std::vector<Met> met_on(const System& system, const std::vector<Passage>& turns,
-                        const std::optional<MetTouch>& touch, const Instant<double>& begin,
-                        OrbitInstant& start) {
+// In time order; tells where the first of the section's states lies.
+std::vector<OrbitImpact> met_on(const System& system, const std::vector<Passage>& turns,
+                                const std::optional<MetTouch>& touch, OrbitSection& section) {
   const auto at_turn = [](Instant<double> at, std::size_t turn) {
     at.period += static_cast<long long>(turn);
     return at;
   };
   std::vector<Instant<double>> instants;
-  std::vector<Met> met;
+  std::vector<OrbitImpact> met;
   for (std::size_t turn = 0; turn < turns.size(); ++turn) {
     for (const PassedImpact& impact : turns[turn].impacts) {
       instants.push_back(at_turn(impact.at, turn));
-      met.push_back({{impact.stop, 0, 0.0, impact.speed, impact.before}, {}});
+      met.push_back({impact.stop, 0, 0.0, impact.speed, impact.before});
     }
     for (const PassedContact& contact : turns[turn].contacts) {
       if (contact.from_start || (touch && touch->is(system, turn, contact))) continue;
       instants.push_back(at_turn(contact.from, turn));
-      met.push_back({{contact.stop, 0, 0.0, contact.speed, contact.before},
+      met.push_back({contact.stop, 0, 0.0, contact.speed, contact.before,
                      whole_contact(system, turns, turn, contact)});
     }
   }
   if (touch) {
     instants.push_back(at_turn(touch->at, touch->touch.turn));
-    met.push_back({{touch->touch.stop, 0, 0.0, 0.0, touch->state}, {}});
+    met.push_back({touch->touch.stop, 0, 0.0, 0.0, touch->state, OrbitContact{}});
   }
   const OrbitClock clock(system, static_cast<int>(turns.size()), instants);
-  start = clock(begin);
+  section.at = clock(section.states.front().instant);
   for (std::size_t i = 0; i < met.size(); ++i) {
     const OrbitInstant at = clock(instants[i]);
-    met[i].impact.period_index = at.period_index;
-    met[i].impact.phase = at.phase;
+    met[i].period_index = at.period_index;
+    met[i].phase = at.phase;
   }
-  std::stable_sort(met.begin(), met.end(), [](const Met& a, const Met& b) {
-    return earlier({a.impact.period_index, a.impact.phase},
-                   {b.impact.period_index, b.impact.phase});
+  std::stable_sort(met.begin(), met.end(), [](const OrbitImpact& a, const OrbitImpact& b) {
+    return earlier({a.period_index, a.phase}, {b.period_index, b.phase});
   });
   return met;
 }
@@ -189,8 +181,8 @@ std::optional<Orbit> orbit_along(const System& system, const StrobeMap& map, con
   const Eigen::Index n = map.size();
   Orbit orbit;
   orbit.period = static_cast<int>(u.size() / n);
-  orbit.strobe.emplace();
-  orbit.strobe->closure_speed = map.options().closure_speed;
+  OrbitSection& section = orbit.section.emplace();
+  section.closure_speed = map.options().closure_speed;
   std::vector<Passage> turns;
   for (Eigen::Index i = 0; i < u.size(); i += n) {
     std::optional<Passage> turn = map.follow(system, u.segment(i, n), true);
@@ -201,14 +193,10 @@ std::optional<Orbit> orbit_along(const System& system, const StrobeMap& map, con
       orbit.clearance = clearance;
     const std::optional<MotionState<double>> start = start_of_turn(system, map, u.segment(i, n));
     if (!start) return {};
-    orbit.strobe->turns.push_back(*start);
+    section.states.push_back(*start);
     turns.push_back(std::move(*turn));
   }
-  const Instant<double> begin = orbit.strobe->turns.front().instant;
-  for (const Met& met : met_on(system, turns, touch, begin, orbit.strobe->start)) {
-    orbit.impacts.push_back(met.impact);
-    orbit.strobe->contacts.push_back(met.contact);
-  }
+  orbit.impacts = met_on(system, turns, touch, section);
   orbit.admissible = true;
   orbit.residual = residual;
   return orbit;
@@ -303,7 +291,8 @@ std::optional<StrobeTouch> nearest_touch(const System& system, const StrobeMap& 
 
 std::vector<State> turns_of(const Orbit& orbit) {
   std::vector<State> turns;
-  for (const MotionState<double>& turn : orbit.strobe->turns) turns.push_back({turn.q, turn.qdot});
+  for (const MotionState<double>& turn : orbit.section->states)
+    turns.push_back({turn.q, turn.qdot});
   return turns;
 }
 

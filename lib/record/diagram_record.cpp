@@ -21,11 +21,11 @@ std::vector<double> chatter_heights(const Orbit& orbit) {
 }
 
 std::vector<double> impact_heights(const Orbit& orbit) {
-  if (orbit.sticking && !orbit.impacts.empty()) return chatter_heights(orbit);
+  if (orbit.sticks() && !orbit.impacts.empty()) return chatter_heights(orbit);
   std::vector<double> heights;
   for (const OrbitImpact& impact : orbit.impacts) heights.push_back(impact.speed);
   // At rest on a stop: where impacts slow down until they are none.
-  if (orbit.sticking) heights.push_back(0.0);
+  if (orbit.sticks()) heights.push_back(0.0);
   return heights;
 }
 
@@ -52,7 +52,7 @@ std::vector<std::vector<DiagramCurve>> strobe_curves(const SystemFamily& family,
     const auto add = [&](const OrbitBranchPoint& point, auto part) {
       std::vector<State> states;
       const std::optional<System> system = family.at(point.value);
-      if (system && (point.orbit.sticking || !point.orbit.impacts.empty()))
+      if (system && (point.orbit.sticks() || !point.orbit.impacts.empty()))
         states = stroboscopic_states(*system, point.orbit);
       for (std::size_t stop = 0; stop < by_stop.size(); ++stop) {
         std::vector<double>& heights = (by_stop[stop].back().*part).emplace_back();

@@ -102,7 +102,7 @@ void LineMaker::add_special(const SpecialPoint& special, int index,
   place.kind.reset();
   insert(nodes, place);
   // One mark is enough for all that a chatter shows.
-  if (special.at.orbit.sticking && place.y.size() > 1) place.y.resize(1);
+  if (special.at.orbit.sticks() && place.y.size() > 1) place.y.resize(1);
   made_.marks.push_back({branch_, static_cast<std::size_t>(index), place.x, place.y});
 }
 

@@ -135,7 +135,7 @@ std::string orbits_csv(const OrbitRecord& record) {
                      number, orbit.period, orbit.impacts.size(), ++index, impact.stop + 1,
                      impact.period_index, csv_cell(impact.phase), csv_cell(impact.speed),
                      csv_cell(orbit.stable), orbit.admissible ? 1 : 0, csv_cell(orbit.clearance),
-                     csv_cell(largest), csv_cell(orbit.residual), orbit.sticking ? 1 : 0);
+                     csv_cell(largest), csv_cell(orbit.residual), orbit.sticks() ? 1 : 0);
   }
   return text;
 }
@@ -145,9 +145,7 @@ std::string stuck_csv(const OrbitRecord& record) {
       "orbit,stop,from_period_index,from_phase,to_period_index,to_phase,duration,force,"
       "smallest_force\n";
   for (std::size_t i = 0; i < record.found.orbits.size(); ++i) {
-    const std::optional<OrbitSticking>& sticking = record.found.orbits[i].sticking;
-    if (!sticking) continue;
-    for (const OrbitHold& hold : sticking->holds)
+    for (const OrbitHold& hold : record.found.orbits[i].holds)
       fmt::format_to(std::back_inserter(text), "{},{},{},{},{},{},{},{},{}\n", i + 1, hold.stop + 1,
                      hold.from.period_index, csv_cell(hold.from.phase), hold.to.period_index,
                      csv_cell(hold.to.phase), csv_cell(hold.duration), csv_cell(hold.force),
@@ -160,10 +158,10 @@ std::string contacts_csv(const OrbitRecord& record) {
   std::string text = "orbit,impact,stop,duration,peak_force,effective_restitution,energy_change\n";
   for (std::size_t i = 0; i < record.found.orbits.size(); ++i) {
     const Orbit& orbit = record.found.orbits[i];
-    if (!orbit.strobe) continue;
     for (std::size_t k = 0; k < orbit.impacts.size(); ++k) {
-      const OrbitContact& contact = orbit.strobe->contacts[k];
-      if (!(contact.duration > 0.0)) continue;  // an impact on a rigid stop
+      if (!orbit.impacts[k].contact) continue;
+      const OrbitContact& contact = *orbit.impacts[k].contact;
+      if (!(contact.duration > 0.0)) continue;
       fmt::format_to(
           std::back_inserter(text), "{},{},{},{},{},{},{}\n", i + 1, k + 1,
           orbit.impacts[k].stop + 1, csv_cell(contact.duration), csv_cell(contact.peak_force),

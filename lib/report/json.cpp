@@ -22,14 +22,13 @@ Json multipliers(const Orbit& orbit) {
 
 Json impacts_at(const Orbit& orbit) {
   Json array = Json::array();
-  for (std::size_t i = 0; i < orbit.impacts.size(); ++i) {
-    const OrbitImpact& impact = orbit.impacts[i];
+  for (const OrbitImpact& impact : orbit.impacts) {
     array.push_back({{"stop", impact.stop + 1},
                      {"period_index", impact.period_index},
                      {"phase", json_number(impact.phase)},
                      {"speed", json_number(impact.speed)}});
-    if (!orbit.strobe || !(orbit.strobe->contacts[i].duration > 0.0)) continue;
-    const OrbitContact& contact = orbit.strobe->contacts[i];
+    if (!impact.contact || !(impact.contact->duration > 0.0)) continue;
+    const OrbitContact& contact = *impact.contact;
     array.back().update({{"duration", json_number(contact.duration)},
                          {"peak_force", json_number(contact.peak_force)},
                          {"effective_restitution", json_number(contact.speed_after / impact.speed)},
@@ -42,29 +41,28 @@ Json instant_json(const OrbitInstant& at) {
   return {{"period_index", at.period_index}, {"phase", json_number(at.phase)}};
 }
 
-void add_sticking(const OrbitSticking& sticking, Json& orbit) {
+// The first state of an orbit that was followed: the motion from there repeats it.
+void add_section(const Orbit& orbit, Json& json) {
+  if (!orbit.section) return;
+  Json section = instant_json(orbit.section->at);
+  section["q"] = json_list(orbit.section->states.front().q);
+  section["qdot"] = json_list(orbit.section->states.front().qdot);
+  json["section"] = section;
+}
+
+void add_sticking(const Orbit& orbit, Json& json) {
+  if (!orbit.sticks()) return;
   Json phases = Json::array();
-  for (const OrbitHold& hold : sticking.holds)
+  for (const OrbitHold& hold : orbit.holds)
     phases.push_back({{"stop", hold.stop + 1},
                       {"from", instant_json(hold.from)},
                       {"to", instant_json(hold.to)},
                       {"duration", json_number(hold.duration)},
                       {"force", json_number(hold.force)},
                       {"smallest_force", json_maybe(hold.smallest_force)}});
-  orbit["stuck_phases"] = phases;
-  Json section = instant_json(sticking.section);
-  section["q"] = json_list(sticking.at_section.q);
-  section["qdot"] = json_list(sticking.at_section.qdot);
-  orbit["section"] = section;
-  orbit["closure_speed"] = json_number(sticking.closure_speed);
-}
-
-// The state at the start of its first forcing period, from which the motion repeats the orbit.
-void add_strobe(const OrbitStrobe& strobe, Json& orbit) {
-  Json section = instant_json(strobe.start);
-  section["q"] = json_list(strobe.turns.front().q);
-  section["qdot"] = json_list(strobe.turns.front().qdot);
-  orbit["section"] = section;
+  json["stuck_phases"] = phases;
+  add_section(orbit, json);
+  json["closure_speed"] = json_number(orbit.section->closure_speed);
 }
 
 Json orbit_json(const Orbit& orbit) {
@@ -83,9 +81,8 @@ Json orbit_json(const Orbit& orbit) {
                {"admissible", orbit.admissible},
                {"clearance", json_maybe(orbit.clearance)},
                {"residual", json_number(orbit.residual)},
-               {"stuck", orbit.sticking.has_value()}};
-  if (orbit.sticking) add_sticking(*orbit.sticking, json);
-  if (orbit.strobe) add_strobe(*orbit.strobe, json);
+               {"stuck", orbit.sticks()}};
+  orbit.sticks() ? add_sticking(orbit, json) : add_section(orbit, json);
   return json;
 }
 
@@ -107,11 +104,11 @@ Json point_json(const OrbitBranchPoint& point) {
                {"unstable_multipliers", point.unstable_multipliers},
                {"clearance", json_maybe(point.orbit.clearance)}};
   if (point.orbit.impacts.size() > 1) json["at"] = impacts_at(point.orbit);
-  json["stuck"] = point.orbit.sticking.has_value();
-  if (point.orbit.sticking) {
+  json["stuck"] = point.orbit.sticks();
+  if (point.orbit.sticks()) {
     json["impacts"] = point.orbit.impacts.size();
     json["multipliers"] = multipliers(point.orbit);
-    add_sticking(*point.orbit.sticking, json);
+    add_sticking(point.orbit, json);
   }
   return json;
 }
@@ -133,7 +130,7 @@ Json special_json(const SpecialPoint& special) {
                {"multiplier", special.multiplier ? pair(*special.multiplier) : Json(nullptr)},
                {"admissible", special.at.orbit.admissible}};
   if (special.at.orbit.impacts.size() > 1) json["at"] = impacts_at(special.at.orbit);
-  if (special.at.orbit.sticking) add_sticking(*special.at.orbit.sticking, json);
+  add_sticking(special.at.orbit, json);
   if (special.kind == SpecialKind::kChatterCompletes)
     json["chatter"] =
         special.interrupted ? "a stuck phase is cut in two" : "completes at its release";

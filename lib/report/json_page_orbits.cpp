@@ -71,13 +71,13 @@ std::vector<Place> places_seen(const System& system, int first_stop) {
 
 std::string stability(const Orbit& orbit) {
   if (!orbit.admissible) return "virtual: no orbit of the system";
-  const std::string sticks = orbit.sticking ? "sticks, " : "";
+  const std::string sticks = orbit.sticks() ? "sticks, " : "";
   if (!orbit.stable) return sticks + "stability open";
   return sticks + (*orbit.stable ? "stable" : "unstable");
 }
 
 std::string orbit_name(const Orbit& orbit) {
-  return orbit.sticking ? fmt::format("({},stick) orbit", orbit.period)
+  return orbit.sticks() ? fmt::format("({},stick) orbit", orbit.period)
                         : fmt::format("({},{}) orbit", orbit.period, orbit.impacts.size());
 }
 
@@ -95,13 +95,13 @@ std::string closure_option(const PageSource& source) {
 std::string orbit_command(const PageSource& source, const Orbit& orbit,
                           std::vector<std::string> settings) {
   return page_command(source.info, "orbit", settings) + fmt::format(" --period {}", orbit.period) +
-         (orbit.sticking ? "" : fmt::format(" --impacts {}", orbit.impacts.size())) +
+         (orbit.sticks() ? "" : fmt::format(" --impacts {}", orbit.impacts.size())) +
          (orbit.admissible ? "" : " --virtual") + closure_option(source);
 }
 
-Json stuck_json(const OrbitSticking& sticking, const System& system) {
+Json stuck_json(const Orbit& orbit, const System& system) {
   Json phases = Json::array();
-  for (const OrbitHold& hold : sticking.holds) {
+  for (const OrbitHold& hold : orbit.holds) {
     const double from = in_periods(hold.from);
     phases.push_back(
         {{"stop", hold.stop + 1}, {"from", from}, {"to", from + hold.duration / system.period()}});
@@ -267,7 +267,7 @@ Json page_orbit(const PageSource& source, const System& system, const Orbit& orb
           {"clearance", json_maybe(orbit.clearance)},
           {"multipliers", multipliers},
           {"impacts", impacts},
-          {"stuck", orbit.sticking ? stuck_json(*orbit.sticking, system) : Json::array()},
+          {"stuck", stuck_json(orbit, system)},
           {"places", places},
           {"command", orbit_command(source, orbit, value_setting(source, value))}};
 }

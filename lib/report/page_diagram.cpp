@@ -213,7 +213,7 @@ Json DiagramPage::special_json(std::size_t branch, std::size_t index,
     if (observable.curves.empty()) continue;
     std::vector<double> values = observable.curves[branch].special[index];
     // One mark is enough for all that a chatter shows.
-    if (special.at.orbit.sticking && values.size() > 1) values.resize(1);
+    if (special.at.orbit.sticks() && values.size() > 1) values.resize(1);
     heights[observable.key] = json_list(values);
   }
   return {{"type", special.at.orbit.admissible ? label : "virtual"},

@@ -32,7 +32,7 @@ std::vector<DiagramCurve> curves_of(const OrbitBranches& traced, const Height& h
 
 std::vector<double> phases_of(const Orbit& orbit) {
   std::vector<double> phases;
-  const double least = orbit.sticking && !orbit.impacts.empty()
+  const double least = orbit.sticks() && !orbit.impacts.empty()
                            ? kSlowestShown * leading_impact(orbit).speed
                            : -1e300;
   for (const OrbitImpact& impact : orbit.impacts)

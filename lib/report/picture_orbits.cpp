@@ -22,7 +22,7 @@ using Flights = std::vector<std::vector<CurveSample>>;
 
 std::string stability(const Orbit& orbit) {
   if (!orbit.admissible) return "virtual";
-  const std::string sticks = orbit.sticking ? "sticks, " : "";
+  const std::string sticks = orbit.sticks() ? "sticks, " : "";
   if (!orbit.stable) return sticks + "stability open";
   return sticks + (*orbit.stable ? "stable" : "unstable");
 }
@@ -115,7 +115,7 @@ class OrbitsPicture {
   bool has_stop() const { return !record_.system.stops.empty(); }
   bool sticks() const {
     return std::any_of(orbits_.begin(), orbits_.end(),
-                       [](const Orbit* orbit) { return orbit->sticking.has_value(); });
+                       [](const Orbit* orbit) { return orbit->sticks(); });
   }
   std::string which() const {
     return record_.system.stops.size() > 1 ? fmt::format("stop {}", stop_ + 1) : "stop";
@@ -126,7 +126,7 @@ class OrbitsPicture {
     const double frequency = record_.system.forcing()->frequency;
     int periods = 1;
     for (const Orbit* orbit : orbits_)
-      if (orbit->sticking) periods = std::max(periods, orbit->period);
+      if (orbit->sticks()) periods = std::max(periods, orbit->period);
     const AxisUnit time = axis_unit("s", kTurn * periods / frequency);
     const double unit = time.factor / frequency;  // of phase
     const AxisRange axis{0.0, unit * kTurn * periods};
@@ -145,7 +145,7 @@ class OrbitsPicture {
       names.push_back(fmt::format("NaN with lines lw 1.6 {} lc rgb '{}' title '({},{}) {}'",
                                   dashes(orbit), kColours[i], orbit.period, orbit.impacts.size(),
                                   stability(orbit)));
-      if (!orbit.sticking) continue;
+      if (!orbit.sticks()) continue;
       write_over_time(i, unit);
       shades.push_back(
           fmt::format("$stuck{} using 1:({:.9g}):1:2:({:.9g}):({:.9g}) with boxxyerror fillstyle "
@@ -174,7 +174,7 @@ class OrbitsPicture {
             course.row({unit * theta, length_.factor * sample.displacement});
         }
       course.gap();
-      for (const OrbitHold& hold : orbit.sticking->holds) {
+      for (const OrbitHold& hold : orbit.holds) {
         const double from = hold.from.phase + kTurn * hold.from.period_index - shift;
         const double to = from + hold.duration * record_.system.forcing()->frequency;
         if (to > 0.0 && from < whole)
@@ -200,7 +200,7 @@ class OrbitsPicture {
       const CurveSample& before = flights[k].back();
       const CurveSample& after = flights[(k + 1) % flights.size()].front();
       const double jump = speed_.factor * (after.velocity - before.velocity);
-      const bool hop = orbits_[i]->sticking && std::abs(jump) < kSmallJump * y_.span();
+      const bool hop = orbits_[i]->sticks() && std::abs(jump) < kSmallJump * y_.span();
       (hop ? short_jumps : jumps)
           .row({length_.factor * before.displacement, speed_.factor * before.velocity, 0.0, jump});
     }
@@ -234,7 +234,7 @@ class OrbitsPicture {
       // The head stands alone, because dashes would tear it.
       layers.push_back(fmt::format("$jumps{} with vectors nohead lw 1.6 dt (3,5) lc rgb '{}'",
                                    i + 1, kColours[i]));
-      if (orbits_[i]->sticking)
+      if (orbits_[i]->sticks())
         layers.push_back(fmt::format("$hops{} with vectors nohead lw 1.6 dt (3,5) lc rgb '{}'",
                                      i + 1, kColours[i]));
       layers.push_back(

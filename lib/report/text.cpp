@@ -82,13 +82,12 @@ std::string holds_text(const std::vector<Orbit>& orbits) {
   Table table({"orbit", "stuck on stop", "from phase (rad)", "to phase (rad)", "duration (s)",
                "force (N)", "smallest force (N)"});
   for (std::size_t i = 0; i < orbits.size(); ++i) {
-    if (!orbits[i].sticking) continue;
     const auto at = [&](const OrbitInstant& instant) {
       return orbits[i].period == 1
                  ? fmt::format("{:.12f}", instant.phase)
                  : fmt::format("{:.12f}, period {}", instant.phase, instant.period_index);
     };
-    for (const OrbitHold& hold : orbits[i].sticking->holds)
+    for (const OrbitHold& hold : orbits[i].holds)
       table.add({fmt::format("{}", i + 1), fmt::format("{}", hold.stop + 1), at(hold.from),
                  at(hold.to), fmt::format("{:.9g}", hold.duration),
                  fmt::format("{:.6g}", hold.force),
@@ -102,10 +101,10 @@ std::string contacts_text(const std::vector<Orbit>& orbits) {
   Table table({"orbit", "impact", "stop", "duration (s)", "peak force (N)", "effective restitution",
                "energy change (J)"});
   for (std::size_t i = 0; i < orbits.size(); ++i) {
-    if (!orbits[i].strobe) continue;
     for (std::size_t k = 0; k < orbits[i].impacts.size(); ++k) {
-      const OrbitContact& contact = orbits[i].strobe->contacts[k];
-      if (!(contact.duration > 0.0)) continue;  // an impact on a rigid stop
+      if (!orbits[i].impacts[k].contact) continue;
+      const OrbitContact& contact = *orbits[i].impacts[k].contact;
+      if (!(contact.duration > 0.0)) continue;
       table.add({fmt::format("{}", i + 1), fmt::format("{}", k + 1),
                  fmt::format("{}", orbits[i].impacts[k].stop + 1),
                  fmt::format("{:.9g}", contact.duration), fmt::format("{:.6g}", contact.peak_force),
@@ -152,7 +151,7 @@ std::string to_text(const OrbitRecord& record) {
     bool first = true;
     ++number;
     const std::size_t count = orbit.impacts.size();
-    const bool excerpt = orbit.sticking && count > 2 * kShownImpacts;
+    const bool excerpt = orbit.sticks() && count > 2 * kShownImpacts;
     for (std::size_t i = 0; i < count; ++i) {
       if (excerpt && i == kShownImpacts) {
         table.add({"", ".."});

@@ -11,40 +11,28 @@
 namespace graze {
 namespace {
 
-// Flown from the orbit's section.
-std::vector<State> sticking_states(const System& system, const Orbit& orbit) {
-  const MotionState<double>& section = orbit.sticking->at_section;
+// Flown on from the section's states, to the starts of the periods that follow.
+std::vector<State> flown_states(const System& system, const Orbit& orbit) {
+  const OrbitSection& section = *orbit.section;
+  const int periods = orbit.period / static_cast<int>(section.states.size());
   PassageOptions options;
-  options.closure_speed = orbit.sticking->closure_speed;
+  options.closure_speed = section.closure_speed;
   std::vector<State> states;
-  for (int n = 1; n <= orbit.period; ++n) {
-    const Passage passage = pass(system, section, {section.instant.period + n, 0.0}, options);
-    states.push_back({passage.end.q, passage.end.qdot});
-  }
+  for (const MotionState<double>& from : section.states)
+    for (int n = 1; n <= periods; ++n) {
+      const Passage passage = pass(system, from, {from.instant.period + n, 0.0}, options);
+      states.push_back({passage.end.q, passage.end.qdot});
+    }
   // The first of them starts the period after that of the section.
-  const int first = (orbit.sticking->section.period_index + 1) % orbit.period;
+  const int first = (section.at.period_index + 1) % orbit.period;
   std::rotate(states.begin(), states.begin() + (orbit.period - first) % orbit.period, states.end());
-  return states;
-}
-
-// Flown on from the section of each turn, to the start of the next period.
-std::vector<State> compliant_states(const System& system, const Orbit& orbit) {
-  PassageOptions options;
-  options.closure_speed = orbit.strobe->closure_speed;
-  std::vector<State> states;
-  for (const MotionState<double>& turn : orbit.strobe->turns) {
-    const Passage passage = pass(system, turn, {turn.instant.period + 1, 0.0}, options);
-    states.push_back({passage.end.q, passage.end.qdot});
-  }
-  std::rotate(states.begin(), std::prev(states.end()), states.end());
   return states;
 }
 
 }  // namespace
 
 std::vector<State> stroboscopic_states(const System& system, const Orbit& orbit) {
-  if (orbit.strobe) return compliant_states(system, orbit);
-  if (orbit.sticking) return sticking_states(system, orbit);
+  if (orbit.section) return flown_states(system, orbit);
   const ExactFlow<double> flow(system);
   Arc<double> arc(flow);
   const std::vector<ImpactPoint> points = orbit.points();

@@ -52,19 +52,19 @@ TEST(StickingBranch, EndsWhereTheChatterCompletesAtItsRelease) {
     EXPECT_LE(std::abs(ch.at.value / critical - 1.0), 1e-10);
     EXPECT_EQ(ch.at.value, branch.points.back().value);
     // What is left of the stuck phase, and of the contact force that sets in.
-    const OrbitHold& last = ch.at.orbit.sticking->holds.front();
+    const OrbitHold& last = ch.at.orbit.holds.front();
     const System system = *SystemFamily(oscillator(row), row.at("parameter")).at(ch.at.value);
     EXPECT_LE(last.duration, 1e-6 * system.period());
     EXPECT_LE(last.force, 1e-6);
     for (const OrbitBranchPoint& point : branch.points) {
-      ASSERT_TRUE(point.orbit.sticking);
+      ASSERT_TRUE(point.orbit.sticks());
       EXPECT_TRUE(point.orbit.admissible);
       EXPECT_EQ(point.orbit.stable, true);
       EXPECT_EQ(point.unstable_multipliers, 0);
       ASSERT_EQ(point.orbit.multipliers.size(), 2u);
       for (const Eigenvalue& m : point.orbit.multipliers) EXPECT_EQ(m.value, Complex(0.0));
       // Released where the push ends: cos(phase) = gap.
-      const OrbitHold& hold = point.orbit.sticking->holds.front();
+      const OrbitHold& hold = point.orbit.holds.front();
       const double gap =
           SystemFamily(oscillator(row), row.at("parameter")).at(point.value)->stops[0].gap;
       EXPECT_NEAR(hold.to.phase, std::acos(gap), 1e-10);
@@ -131,12 +131,12 @@ TEST(StickingBranch, ChatterPointPartsRunsThatStickFromRunsThatDoNot) {
 
 // The state at the section after some periods of a run from it, its velocities pushed.
 State pushed_run(const System& system, const Orbit& orbit, double push, int rounds) {
-  const OrbitSticking& sticking = *orbit.sticking;
+  const OrbitSection& section = *orbit.section;
   RunState from;
-  from.motion = sticking.at_section;
+  from.motion = section.states.front();
   from.motion.qdot *= 1.0 + push;  // still b.q' = 0
   from.streaks.resize(system.stops.size());
-  from.closure_speed = sticking.closure_speed;
+  from.closure_speed = section.closure_speed;
   from.started = true;
   from.motion.instant.period = 0;
   SimulationOptions options;
@@ -158,7 +158,8 @@ int expect_stability_of_runs(const Scene& scene, const std::string& parameter,
       // Beside a grazing the basin is as narrow as the way to it.
       if (largest > 20.0 || point.orbit.clearance.value_or(1.0) < 1e-3) continue;
       const System system = *family.at(point.value);
-      const State at{point.orbit.sticking->at_section.q, point.orbit.sticking->at_section.qdot};
+      const State at{point.orbit.section->states.front().q,
+                     point.orbit.section->states.front().qdot};
       const double size = at.qdot.norm();
       const auto miss = [&](int rounds) {
         return (pushed_run(system, point.orbit, 1e-6, rounds).qdot - at.qdot).norm() / size;

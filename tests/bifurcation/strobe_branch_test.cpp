@@ -71,9 +71,8 @@ TEST(StrobeBranches, PassGrazingsOfSmoothForces) {
   const SystemFamily family(scene, "forcing.frequency");
   for (const double side : {-1e-4, 1e-4}) {
     const System system = *family.at(value + side);
-    const OrbitStrobe& at = *grazings[0].at.orbit.strobe;
-    const StrobeAnswer near =
-        strobe_orbit(system, {at.turns[0].q, at.turns[0].qdot}, 2, StrobeOptions{});
+    const MotionState<double>& at = grazings[0].at.orbit.section->states[0];
+    const StrobeAnswer near = strobe_orbit(system, {at.q, at.qdot}, 2, StrobeOptions{});
     ASSERT_TRUE(near.orbit) << near.why_not;
     EXPECT_EQ(near.orbit->impacts.size(), side < 0.0 ? 2u : 1u);
     if (side < 0.0) {
@@ -141,7 +140,7 @@ TEST(StrobeBranches, OrbitsRepeatAndShrinkVolumesByTheirDamping) {
     for (const OrbitBranchPoint& point : branch.points) {
       const System system = *family.at(point.value);
       double loaded = 0.0;
-      for (const OrbitContact& contact : point.orbit.strobe->contacts) loaded += contact.duration;
+      for (const OrbitImpact& impact : point.orbit.impacts) loaded += impact.contact->duration;
       const double shrinks =
           2.0 * system.delta()[0] * point.orbit.period * system.period() + coefficient * loaded;
       double product = 1.0;

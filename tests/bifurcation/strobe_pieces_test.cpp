@@ -70,7 +70,7 @@ void expect_volumes_to_shrink(const SystemFamily& family, const OrbitBranches& r
     for (const OrbitBranchPoint& point : branch.points) {
       const System system = *family.at(point.value);
       double loaded = 0.0;
-      for (const OrbitContact& contact : point.orbit.strobe->contacts) loaded += contact.duration;
+      for (const OrbitImpact& impact : point.orbit.impacts) loaded += impact.contact->duration;
       const double shrinks = 2.0 * system.delta().sum() * system.period() * point.orbit.period +
                              coefficient * mobility * loaded;
       double product = 1.0;
@@ -94,7 +94,7 @@ TEST(StrobePieces, PassContactsAtTheSection) {
     // Stated at the forcing phase 0, wherever it was solved.
     for (const OrbitBranch& branch : result.branches)
       for (const OrbitBranchPoint& point : branch.points)
-        EXPECT_NEAR(std::remainder(point.orbit.strobe->start.phase, 2.0 * std::acos(-1.0)), 0.0,
+        EXPECT_NEAR(std::remainder(point.orbit.section->at.phase, 2.0 * std::acos(-1.0)), 0.0,
                     1e-12);
   }
 }

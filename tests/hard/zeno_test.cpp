@@ -142,11 +142,11 @@ TEST(HardCases, Z2OrbitSticks) {
       const FoundOrbits found = find_orbits(system, start, options);
       ASSERT_EQ(found.orbits.size(), 1u) << found.notes.front();
       const Orbit& orbit = found.orbits.front();
-      ASSERT_TRUE(orbit.sticking);
-      ASSERT_EQ(orbit.sticking->holds.size(), 1u);
+      ASSERT_TRUE(orbit.sticks());
+      ASSERT_EQ(orbit.holds.size(), 1u);
       EXPECT_TRUE(orbit.admissible);
       EXPECT_EQ(orbit.stable, std::optional<bool>(true));
-      const OrbitHold& hold = orbit.sticking->holds.front();
+      const OrbitHold& hold = orbit.holds.front();
       expect_reached("Z2", "orbit that sticks: release, rad",
                      turned(hold.to.phase, std::acos(c.stop)), 1e-10);
       expect_reached("Z2", "orbit that sticks: accumulation, s",

@@ -78,7 +78,7 @@ TEST(Exponents, OfAnOrbitAreThoseOfItsMultipliers) {
   const FoundOrbits found = find_orbits(system, support::rest(system), {});
   int seen = 0;
   for (const Orbit& orbit : found.orbits) {
-    if (orbit.stable != true || !orbit.admissible || orbit.sticking) continue;
+    if (orbit.stable != true || !orbit.admissible || orbit.sticks()) continue;
     ++seen;
     const SettledMotion settled = settle(system, support::rest(system));
     ASSERT_EQ(settled.period, orbit.period);

@@ -12,7 +12,7 @@ namespace graze {
 namespace {
 
 StickingOptions options_of(const Found& found) {
-  return {found.orbit.sticking->closure_speed, 10'000'000, {}};
+  return {found.orbit.section->closure_speed, 10'000'000, {}};
 }
 
 // Chatters closed so late that the differences do not see it.
@@ -86,7 +86,7 @@ TEST(ReleaseSection, HasTheMultipliersOfAnySection) {
     const auto back = section.follow(found.system, u);
     ASSERT_TRUE(back);
     EXPECT_TRUE(back->returns);
-    EXPECT_EQ(back->holds.size(), found.orbit.sticking->holds.size());
+    EXPECT_EQ(back->holds.size(), found.orbit.holds.size());
     const auto orbit = section.orbit(found.system, u);
     ASSERT_TRUE(orbit);
     EXPECT_EQ(orbit->impacts.size(), found.orbit.impacts.size());

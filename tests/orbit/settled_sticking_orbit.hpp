@@ -60,22 +60,23 @@ inline double turned(double a, double b) { return std::abs(std::remainder(a - b,
 
 // The simulated map over the orbit's periods from its section, by a run.
 inline State simulated(const Found& found, const State& start) {
-  const OrbitSticking& sticking = *found.orbit.sticking;
+  const OrbitSection& section = *found.orbit.section;
   RunState from;
-  from.motion = sticking.at_section;
+  from.motion = section.states.front();
   from.motion.q = start.q;
   from.motion.qdot = start.qdot;
   from.streaks.resize(found.system.stops.size());
-  from.closure_speed = sticking.closure_speed;
+  from.closure_speed = section.closure_speed;
   from.started = true;
   SimulationOptions options;
-  options.duration = sticking.at_section.instant.local + found.orbit.period * found.system.period();
+  options.duration =
+      section.states.front().instant.local + found.orbit.period * found.system.period();
   return resume(found.system, from, options).final;
 }
 
 inline std::vector<int> closed_at_section(const Orbit& orbit) {
   std::vector<int> closed;
-  const auto& contacts = orbit.sticking->at_section.contacts;
+  const auto& contacts = orbit.section->states.front().contacts;
   for (std::size_t i = 0; i < contacts.size(); ++i)
     if (contacts[i] == Contact::kClosed) closed.push_back(static_cast<int>(i));
   return closed;
@@ -87,7 +88,7 @@ inline std::vector<Eigenvalue> differenced_multipliers(const Found& found) {
   const Matrix basis = phase.basis();
   const Eigen::Index m = basis.cols();
   const MotionScale scale = motion_scale(found.system);
-  const MotionState<double>& at = found.orbit.sticking->at_section;
+  const MotionState<double>& at = found.orbit.section->states.front();
   Vector unit(2 * m);
   unit << Vector::Constant(m, scale.displacement),
       scale.displacement * phase.reduced().omega.cwiseMax(found.system.forcing()->frequency);

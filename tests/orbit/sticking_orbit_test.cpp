@@ -25,7 +25,7 @@ void expect_listed_events(const std::string& name, const std::vector<TableRow>& 
   SCOPED_TRACE(name);
   const Found found = settled_orbit(sticking_case(name));
   const Orbit& orbit = found.orbit;
-  ASSERT_TRUE(orbit.sticking);
+  ASSERT_TRUE(orbit.sticks());
   ASSERT_EQ(orbit.period, 1);
   const double period = found.system.period(), end = number(rows.back(), "time");
   std::size_t impacts = 0, sticks = 0, releases = 0;
@@ -45,7 +45,7 @@ void expect_listed_events(const std::string& name, const std::vector<TableRow>& 
       for (const OrbitImpact& impact : orbit.impacts)
         consider(impact.stop, impact.phase, impact.speed - number(row, "speed"));
     }
-    for (const OrbitHold& hold : orbit.sticking->holds) {
+    for (const OrbitHold& hold : orbit.holds) {
       if (row.at("kind") == "stick") consider(hold.stop, hold.from.phase, 0.0);
       if (row.at("kind") == "release") consider(hold.stop, hold.to.phase, 0.0);
     }
@@ -54,8 +54,8 @@ void expect_listed_events(const std::string& name, const std::vector<TableRow>& 
     EXPECT_LE(nearest, tolerance) << "row " << row.at("event");
     EXPECT_LE(std::abs(speed_miss), tolerance) << "row " << row.at("event");
   }
-  EXPECT_EQ(sticks, orbit.sticking->holds.size());
-  EXPECT_EQ(releases, orbit.sticking->holds.size());
+  EXPECT_EQ(sticks, orbit.holds.size());
+  EXPECT_EQ(releases, orbit.holds.size());
   EXPECT_LE(impacts, orbit.impacts.size());
   EXPECT_GE(impacts, 3u);
 }
@@ -74,7 +74,7 @@ TEST(StickingOrbit, EventsAreThoseOfSixtyDigits) {
 void expect_multipliers(const Scene& scene, int zeros) {
   SCOPED_TRACE(scene.title);
   const Found found = settled_orbit(scene);
-  ASSERT_TRUE(found.orbit.sticking);
+  ASSERT_TRUE(found.orbit.sticks());
   EXPECT_EQ(static_cast<int>(found.orbit.multipliers.size()), 2 * found.system.modes());
   EXPECT_EQ(exact_zeros(found.orbit), zeros);
   EXPECT_LE(found.orbit.residual, 1e-13);
@@ -143,7 +143,7 @@ RealVector<Real> extended_map(const Found& found, const MotionState<Real>& from,
 // Eigenvalues of the map of the held coordinates: central differences whose error, of the order of
 // the square of their step, is below 1e-20.
 std::vector<Eigenvalue> extended_multipliers(const Found& found, const Real& closure_speed) {
-  const MotionState<double>& at = found.orbit.sticking->at_section;
+  const MotionState<double>& at = found.orbit.section->states.front();
   const MotionState<Real> from{{at.instant.period, Real(at.instant.local)},
                                at.q.cast<Real>(),
                                at.qdot.cast<Real>(),
@@ -190,8 +190,7 @@ TEST(StickingOrbit, ClosingAChatterCostsPowersOfItsSpeed) {
   // Of the accumulation, of the release, of the largest multiplier.
   const auto miss = [&](double speed) {
     const Found coarse = settled_orbit(scene, speed);
-    const OrbitHold &a = coarse.orbit.sticking->holds.front(),
-                    &b = fine.orbit.sticking->holds.front();
+    const OrbitHold &a = coarse.orbit.holds.front(), &b = fine.orbit.holds.front();
     return std::array<double, 3>{
         turned(a.from.phase, b.from.phase), turned(a.to.phase, b.to.phase),
         std::abs(coarse.orbit.multipliers[0].value - fine.orbit.multipliers[0].value)};

@@ -11,18 +11,18 @@ namespace {
 
 // The state of an orbit at the start of a forcing period.
 State at_period_start(const Found& found) {
-  const MotionState<double>& section = found.orbit.sticking->at_section;
+  const MotionState<double>& section = found.orbit.section->states.front();
   RunState from;
   from.motion = section;
   from.streaks.resize(found.system.stops.size());
-  from.closure_speed = found.orbit.sticking->closure_speed;
+  from.closure_speed = found.orbit.section->closure_speed;
   from.started = true;
   return resume(found.system, from, support::for_periods(section.instant.period + 1)).final;
 }
 
 StickingOrbitAnswer search_from(const Found& found, const State& guess, int period) {
   return sticking_orbit(found.system, guess, period,
-                        {found.orbit.sticking->closure_speed, 10'000'000, {}});
+                        {found.orbit.section->closure_speed, 10'000'000, {}});
 }
 
 TEST(StickingOrbitSearch, IsFoundFromARoughGuess) {
@@ -42,9 +42,8 @@ TEST(StickingOrbitSearch, IsFoundFromARoughGuess) {
       const StickingOrbitAnswer answer = search_from(found, guess, found.orbit.period);
       ASSERT_TRUE(answer.orbit) << off << ": " << answer.why_not;
       EXPECT_LE(answer.orbit->residual, 1e-13);
-      ASSERT_FALSE(answer.orbit->sticking->holds.empty());
-      EXPECT_LE(turned(answer.orbit->sticking->holds.front().to.phase,
-                       found.orbit.sticking->holds.front().to.phase),
+      ASSERT_FALSE(answer.orbit->holds.empty());
+      EXPECT_LE(turned(answer.orbit->holds.front().to.phase, found.orbit.holds.front().to.phase),
                 1e-11);
     }
   }
@@ -94,7 +93,7 @@ TEST(StickingOrbitSearch, ThatIsUnstableIsFoundFromItsNeighbour) {
   Found unstable{assemble(beam("momentum", 2, 24.1)), {}};
   const StickingOrbitAnswer answer =
       sticking_orbit(unstable.system, at_period_start(stable), 1,
-                     {stable.orbit.sticking->closure_speed, 10'000'000, {}});
+                     {stable.orbit.section->closure_speed, 10'000'000, {}});
   ASSERT_TRUE(answer.orbit) << answer.why_not;
   unstable.orbit = *answer.orbit;
   EXPECT_EQ(unstable.orbit.stable, std::optional<bool>(false));

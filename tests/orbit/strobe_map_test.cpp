@@ -165,14 +165,13 @@ TEST(StrobeOrbit, SolvesThePiecewiseLinearOscillator) {
   const FoundOrbits found = find_orbits(system, support::rest(system), {});
   ASSERT_FALSE(found.orbits.empty());
   for (const Orbit& orbit : found.orbits) {
-    ASSERT_TRUE(orbit.strobe);
+    ASSERT_TRUE(orbit.section);
     double product = 1.0;
     for (const Eigenvalue& multiplier : orbit.multipliers) product *= std::abs(multiplier.value);
     EXPECT_NEAR(product, std::exp(-2.0 * 0.05 * orbit.period * system.period()), 1e-9);
     EXPECT_LE(orbit.residual, 1e-11);
     // What the spring takes it gives back.
-    for (const OrbitContact& contact : orbit.strobe->contacts)
-      EXPECT_NEAR(contact.taken, 0.0, 1e-11);
+    for (const OrbitImpact& impact : orbit.impacts) EXPECT_NEAR(impact.contact->taken, 0.0, 1e-11);
   }
   // The motion settles on the stable one.
   const SettledMotion settled = settle(system, support::rest(system));
