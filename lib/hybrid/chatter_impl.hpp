@@ -29,9 +29,14 @@ std::optional<ClosedChatter<Real>> Motion<Real>::close_chatter(
     now_.unsummed = 0;
     return {};
   }
-  if (auto closed = close_shared(speed)) return closed;
-  if (hits != 1 || !(fastest->speed <= closure_speed)) return {};
-  return close_chatter(fastest->stop, stop(fastest->stop).restitution().at(fastest->speed));
+  const RealVector<Real> q = now_.q, qdot = now_.qdot;
+  auto closed = close_shared(speed);
+  if (!closed && hits == 1 && fastest->speed <= closure_speed)
+    closed = close_chatter(fastest->stop, stop(fastest->stop).restitution().at(fastest->speed));
+  if (!closed) return {};
+  closed->q_before = q;
+  closed->qdot_before = qdot;
+  return closed;
 }
 
 template <class Real>

@@ -82,9 +82,10 @@ struct ImpactShare {
 // A chatter whose tail was summed.
 template <class Real>
 struct ClosedChatter {
-  std::vector<int> stops;   // that it ends on, ascending
-  std::vector<int> closed;  // these and those that held the structure before
-  Real duration = 0;        // of the tail, s
+  std::vector<int> stops;                      // that it ends on, ascending
+  std::vector<int> closed;                     // these and those that held the structure before
+  Real duration = 0;                           // of the tail, s
+  RealVector<Real> q_before{}, qdot_before{};  // the state that was left for rest
 };
 
 // What a motion needs to go on from an instant as if it had never stopped there.

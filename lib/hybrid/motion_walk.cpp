@@ -89,7 +89,6 @@ WalkStep MotionWalk<Real>::happen() {
     case ArrivalKind::kJoint:
       return WalkStep::kEnd;
     case ArrivalKind::kContact:
-      q_before_ = motion_.q();
       qdot_before_ = motion_.qdot();
       shares_ = &motion_.impact();
       impacted_ = true;
@@ -120,8 +119,6 @@ template <class Real>
 std::optional<WalkStep> MotionWalk<Real>::sum_tail() {
   // Against a single stop only impacts as slow as that are summed.
   if (alone_ && shares_->size() == 1 && shares_->front().speed > closure_speed_) return {};
-  q_before_ = motion_.q();
-  qdot_before_ = motion_.qdot();
   closed_ = motion_.close_chatter(*shares_, closure_speed_);
   if (!closed_) return {};
   if (tails_ == Tails::kTold) {

@@ -64,9 +64,8 @@ class MotionWalk {
   const Real& until() const { return until_; }
   // Flight, and what lies at its end.
   const Arrival<Real>& arrival() const { return arrival_; }
-  // Impact and chatter: the shares of the impact; the state before it, or before the tail.
+  // Impact and chatter: the shares of the impact, and the velocities before it.
   const std::vector<ImpactShare<Real>>& shares() const { return *shares_; }
-  const RealVector<Real>& q_before() const { return q_before_; }
   const RealVector<Real>& qdot_before() const { return qdot_before_; }
   // Chatter.
   const ClosedChatter<Real>& closed() const { return *closed_; }
@@ -102,7 +101,7 @@ class MotionWalk {
   Arrival<Real> arrival_;
   const std::vector<ImpactShare<Real>>* shares_ = nullptr;
   bool impacted_ = false;  // whether a chatter is to be looked for
-  RealVector<Real> q_before_, qdot_before_;
+  RealVector<Real> qdot_before_;
   std::optional<ClosedChatter<Real>> closed_;
 };
 

@@ -306,7 +306,8 @@ class Run {
     const std::vector<ImpactShare<double>>& shares = walk_.shares();
     const double change = closure_energy_change(
         system_, walk_.closed().closed, motion_.flow().phase(motion_.instant()),
-        {walk_.q_before(), walk_.qdot_before()}, {motion_.q(), motion_.qdot()}, state_.book.work);
+        {walk_.closed().q_before, walk_.closed().qdot_before}, {motion_.q(), motion_.qdot()},
+        state_.book.work);
     book_energy(change);
     const auto last =
         std::max_element(shares.begin(), shares.end(),

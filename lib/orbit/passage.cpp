@@ -79,7 +79,8 @@ class Follower {
       case WalkStep::kImpact:
         return impact();
       case WalkStep::kChatter:
-        carried_.close(walk_.closed().closed, {walk_.q_before(), walk_.qdot_before()});
+        carried_.close(walk_.closed().closed,
+                       {walk_.closed().q_before, walk_.closed().qdot_before});
         return true;
       case WalkStep::kStick:
         open_hold(walk_.stop(), motion_.instant(), false);
@@ -211,7 +212,7 @@ class Follower {
   }
 
   bool impact() {
-    const State before{walk_.q_before(), walk_.qdot_before()};
+    const State before{motion_.q(), walk_.qdot_before()};
     int hits = 0;
     for (const ImpactShare<double>& share : walk_.shares()) {
       if (!share.hit) continue;

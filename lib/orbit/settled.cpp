@@ -97,7 +97,7 @@ class Settling {
       case WalkStep::kImpact:
         if (!count_impact()) return false;
         contacts_.held = false;
-        remember_impact(walk_.arrival().stop, walk_.arrival().speed, walk_.q_before(),
+        remember_impact(walk_.arrival().stop, walk_.arrival().speed, motion_.q(),
                         walk_.qdot_before());
         return true;
       case WalkStep::kStick:

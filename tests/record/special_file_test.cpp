@@ -92,7 +92,7 @@ TEST(SpecialFile, EveryDigitComesBack) {
   expect_same(a.impacts, b.impacts);
   expect_same(a.along->impacts, b.along->impacts);
   EXPECT_EQ(b.along->value, a.along->value);
-  EXPECT_FALSE(b.sticks());
+  EXPECT_FALSE(b.sticking);
   const SpecialOrbit::Sticking &c = *written.points[1].sticking, &d = *read.points[1].sticking;
   EXPECT_EQ(d.period, 3);
   EXPECT_EQ(d.value, c.value);
