@@ -97,6 +97,7 @@ WalkStep MotionWalk<Real>::happen() {
       // Handed out when its tail is over.
       return tail_ && tail_->holds(stop_) ? WalkStep::kEnd : WalkStep::kStick;
     case ArrivalKind::kRelease:
+      leave_tail();
       return WalkStep::kRelease;
     case ArrivalKind::kEntry:
       return WalkStep::kEntry;
@@ -112,6 +113,14 @@ WalkStep MotionWalk<Real>::happen() {
       break;
   }
   return WalkStep::kFailure;
+}
+
+// The stop is released before the tail is over.
+template <class Real>
+void MotionWalk<Real>::leave_tail() {
+  if (!tail_) return;
+  std::erase(tail_->stops, stop_);
+  if (tail_->stops.empty()) tail_.reset();
 }
 
 // Of the chatter that the impact belongs to; nothing where it cannot be summed yet.

@@ -83,6 +83,7 @@ class MotionWalk {
   WalkStep depart(const Instant<Real>& end);
   WalkStep fly();
   WalkStep happen();
+  void leave_tail();
   std::optional<WalkStep> sum_tail();
 
   Motion<Real>& motion_;
