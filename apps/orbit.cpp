@@ -4,7 +4,6 @@
 #include "graze/assembly/system_warnings.hpp"
 #include "graze/bifurcation/orbits_over_gap.hpp"
 #include "graze/orbit/spread_starts.hpp"
-#include "graze/orbit/strobe_finder.hpp"
 #include "graze/report/csv.hpp"
 #include "graze/report/json.hpp"
 #include "graze/report/page.hpp"
@@ -39,7 +38,7 @@ int run_orbit(const Command& command) {
   record.found = search_orbits(record.system, start, options);
   if (options.from_simulation && start)
     add_settled_orbits(record.system, options,
-                       has_compliant_stop(record.system) ? kSprungSpreadWork : kSpreadWork,
+                       record.system.has_compliant_stop() ? kSprungSpreadWork : kSpreadWork,
                        record.found);
   record.outcome = orbit_outcome(record.found, options, options.stop.reason());
   return conclude(command, record.info, record.outcome,

@@ -14,7 +14,6 @@
 #include "graze/orbit/closed_form.hpp"
 #include "graze/orbit/settled.hpp"
 #include "graze/orbit/sticking_orbit.hpp"
-#include "graze/orbit/strobe_finder.hpp"
 
 namespace graze {
 namespace {
@@ -226,7 +225,7 @@ class OrbitTracer {
 
 OrbitBranches trace_orbits(const SystemFamily& family, const BranchOptions& options) {
   const std::optional<System> own = family.at(family.value());
-  if (own && has_compliant_stop(*own)) return trace_strobe_orbits(family, options);
+  if (own && own->has_compliant_stop()) return trace_strobe_orbits(family, options);
   return OrbitTracer(family, options).trace();
 }
 

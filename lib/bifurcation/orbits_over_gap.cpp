@@ -14,7 +14,6 @@
 #include "graze/orbit/orbit_identity.hpp"
 #include "graze/orbit/periodic_response.hpp"
 #include "graze/orbit/shooting.hpp"
-#include "graze/orbit/strobe_finder.hpp"
 #include "graze/orbit/strobe_orbit.hpp"
 
 namespace graze {
@@ -156,7 +155,8 @@ void add_orbits_over_gap(const System& system, const StrobeOptions& strobe,
 FoundOrbits search_orbits(const System& system, const std::optional<State>& start,
                           const FinderOptions& options) {
   FoundOrbits found = find_orbits(system, start, options);
-  if (!has_compliant_stop(system) || !options.from_closed_form || options.period != 1) return found;
+  if (!system.has_compliant_stop() || !options.from_closed_form || options.period != 1)
+    return found;
   if (system.modes() > kMostModes) {
     found.notes.push_back(fmt::format(
         "with more than {} modes no orbits are sought over the gaps of the stops", kMostModes));

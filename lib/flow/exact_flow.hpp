@@ -41,16 +41,13 @@ struct LinearSystem {
 
 template <class Real>
 LinearSystem<Real> linear_system(const System& system) {
+  LinearSystem<Real> linear{
+      system.omega.template cast<Real>(), {}, system.forcing() != nullptr, 0, 0, {}, {}, 0};
   // A hub couples the damping of its modes, and their flow is not this one.
-  const Vector delta = system.turns() ? Vector(Vector::Zero(system.modes())) : system.delta();
-  LinearSystem<Real> linear{system.omega.template cast<Real>(),
-                            delta.template cast<Real>(),
-                            system.forcing() != nullptr,
-                            0,
-                            0,
-                            {},
-                            {},
-                            0};
+  if (system.turns())
+    linear.delta.setZero(system.modes());
+  else
+    linear.delta = system.delta().template cast<Real>();
   if (system.forcing()) {
     linear.frequency = system.forcing()->frequency;
     linear.phase = near_zero(Real(system.forcing()->phase));

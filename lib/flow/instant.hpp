@@ -13,8 +13,9 @@ struct Instant {
   Real local = 0;        // s since the start of that period, in [0, T)
 };
 
-template <class Real>
-bool not_before(const Instant<Real>& a, const Instant<Real>& b) {
+// Of instants in whatever scalars.
+template <class A, class B>
+bool not_before(const Instant<A>& a, const Instant<B>& b) {
   return a.period > b.period || (a.period == b.period && a.local >= b.local);
 }
 

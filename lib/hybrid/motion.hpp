@@ -55,6 +55,12 @@ struct Arrival {
   // Separation: the force is gone below the surface of the stop, which is left later.
   bool below = false;
   bool forward = false;  // joint: what has held it is turned forward
+
+  // Whether the motion does not go on.
+  bool fails() const {
+    return kind == ArrivalKind::kUndecided || kind == ArrivalKind::kNotFinite ||
+           kind == ArrivalKind::kRefused;
+  }
 };
 
 // How a stop stands to the structure at one instant.
@@ -184,11 +190,11 @@ class Motion {
     RealVector<Real> row, direction;
     Real gap = 0;
     Real norm2 = 0;  // |row|^2 where the direction is row/|row|^2 to rounding; 0: it is oblique
-    Stop given{};
+    const Stop* given = nullptr;  // of system_
 
-    bool is_compliant() const { return given.is_compliant(); }
-    const Restitution& restitution() const { return given.restitution(); }
-    const ContactForce& force() const { return given.force(); }
+    bool is_compliant() const { return given->is_compliant(); }
+    const Restitution& restitution() const { return given->restitution(); }
+    const ContactForce& force() const { return given->force(); }
   };
   struct Change {
     ArrivalKind kind;
@@ -202,7 +208,7 @@ class Motion {
     auto operator<=>(const PhaseKey&) const = default;
   };
 
-  void adopt(const System& system);
+  void adopt_system();
   const MetStop& stop(int i) const { return stops_[static_cast<std::size_t>(i)]; }
   Contact contact(int i) const { return now_.contacts[static_cast<std::size_t>(i)]; }
   bool is_held(int i) const {

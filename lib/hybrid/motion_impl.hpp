@@ -38,7 +38,7 @@ template <class Real>
 Motion<Real>::Motion(const System& system, const Instant<Real>& instant, const RealVector<Real>& q,
                      const RealVector<Real>& qdot, const std::optional<StepSetting>& steps)
     : system_(system), steps_(steps), clock_(system), linear_(linear_system<Real>(system)) {
-  adopt(system);
+  adopt_system();
   now_ = {instant, q, qdot, std::vector<Contact>(stops_.size(), Contact::kClear),
           std::vector<int>(stops_.size(), 0)};
   turn_directions();
@@ -56,7 +56,7 @@ Motion<Real>::Motion(const System& system, const MotionState<Real>& state,
       clock_(system),
       linear_(linear_system<Real>(system)),
       now_(state) {
-  adopt(system);
+  adopt_system();
   turn_directions();
   if (turning_) turning_->set_joint(now_.joint);
   undecided_ = std::any_of(now_.contacts.begin(), now_.contacts.end(),
@@ -65,21 +65,21 @@ Motion<Real>::Motion(const System& system, const MotionState<Real>& state,
 }
 
 template <class Real>
-void Motion<Real>::adopt(const System& system) {
-  for (const Stop& stop : system.stops) {
+void Motion<Real>::adopt_system() {
+  for (const Stop& stop : system_.stops) {
     (stop.is_compliant() ? compliant_ : order_).push_back(static_cast<int>(stops_.size()));
     const bool is_normal = !stop.is_compliant() && stop.direction() == momentum_direction(stop.row);
     const RealVector<Real> row = stop.row.template cast<Real>();
     stops_.push_back({row, stop.direction().template cast<Real>(), Real(stop.gap),
-                      is_normal ? row.squaredNorm() : Real(0), stop});
+                      is_normal ? row.squaredNorm() : Real(0), &stop});
   }
   std::stable_sort(order_.begin(), order_.end(), [&](int a, int b) {
-    return motion_detail::precedes(system.stops[static_cast<std::size_t>(a)],
-                                   system.stops[static_cast<std::size_t>(b)]);
+    return motion_detail::precedes(system_.stops[static_cast<std::size_t>(a)],
+                                   system_.stops[static_cast<std::size_t>(b)]);
   });
   all_ = order_;
   all_.insert(all_.end(), compliant_.begin(), compliant_.end());
-  if (system.turns()) turning_.emplace(system);
+  if (system_.turns()) turning_.emplace(system_);
 }
 
 template <class Real>

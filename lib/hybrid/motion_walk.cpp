@@ -23,15 +23,20 @@ MotionWalk<Real>::MotionWalk(const System& system, Motion<Real>& motion, const R
 
 template <class Real>
 WalkStep MotionWalk<Real>::next(const Instant<Real>& end) {
-  if (std::exchange(departing_, false)) return fly();
-  if (std::exchange(arrived_, false)) {
-    const WalkStep step = happen();
-    if (step != WalkStep::kEnd) return step;
+  std::optional<WalkStep> step;
+  switch (std::exchange(due_, Due::kDeparture)) {
+    case Due::kDeparture:
+      break;
+    case Due::kFlight:
+      return fly();
+    case Due::kWhatLiesAtItsEnd:
+      step = happen();
+      break;
+    case Due::kTail:
+      step = sum_tail();
+      break;
   }
-  if (std::exchange(impacted_, false)) {
-    if (const std::optional<WalkStep> step = sum_tail()) return *step;
-  }
-  return depart(end);
+  return step ? *step : depart(end);
 }
 
 // From the present instant on.
@@ -42,11 +47,7 @@ WalkStep MotionWalk<Real>::depart(const Instant<Real>& end) {
   if (std::exchange(cut_, false) && not_before(now, end)) return WalkStep::kEnd;
   at_once_ = motion_.has_news();
   if (!at_once_) {
-    const auto is_over = [&] {
-      return now.period > tail_->over.period ||
-             (now.period == tail_->over.period && now.local >= tail_->over.local);
-    };
-    if (tail_ && is_over()) {
+    if (tail_ && not_before(now, tail_->over)) {
       told_.assign(tail_->stops.rbegin(), tail_->stops.rend());
       tail_.reset();
     }
@@ -57,7 +58,7 @@ WalkStep MotionWalk<Real>::depart(const Instant<Real>& end) {
     }
     if (not_before(now, end)) return WalkStep::kEnd;
   }
-  departing_ = true;
+  due_ = Due::kFlight;
   departure_ = now;
   horizon_ = until_ = now.local;
   if (at_once_) return WalkStep::kDeparture;
@@ -76,26 +77,26 @@ template <class Real>
 WalkStep MotionWalk<Real>::fly() {
   arrival_ = motion_.fly(until_, horizon_);
   if (arrival_.kind != ArrivalKind::kTime) cut_ = false;
-  arrived_ = true;
+  due_ = Due::kWhatLiesAtItsEnd;
   return WalkStep::kFlight;
 }
 
-// What lies at the end of the flight; kEnd where that is nothing.
+// What lies at the end of the flight, if anything.
 template <class Real>
-WalkStep MotionWalk<Real>::happen() {
+std::optional<WalkStep> MotionWalk<Real>::happen() {
   stop_ = arrival_.stop;
   switch (arrival_.kind) {
     case ArrivalKind::kTime:
     case ArrivalKind::kJoint:
-      return WalkStep::kEnd;
+      return {};
     case ArrivalKind::kContact:
       qdot_before_ = motion_.qdot();
       shares_ = &motion_.impact();
-      impacted_ = true;
+      due_ = Due::kTail;
       return WalkStep::kImpact;
     case ArrivalKind::kStick:
-      // Handed out when its tail is over.
-      return tail_ && tail_->holds(stop_) ? WalkStep::kEnd : WalkStep::kStick;
+      if (is_in_tail(stop_)) return {};
+      return WalkStep::kStick;
     case ArrivalKind::kRelease:
       leave_tail();
       return WalkStep::kRelease;

@@ -75,14 +75,14 @@ class MotionWalk {
   // Of the chatter that was summed, until it is over.
   const std::optional<ChatterTail>& tail() const { return tail_; }
   // Whether a stop holds the structure, and that was handed out.
-  bool is_stuck(int stop) const {
-    return motion_.is_closed(stop) && !(tail_ && tail_->holds(stop));
-  }
+  bool is_stuck(int stop) const { return motion_.is_closed(stop) && !is_in_tail(stop); }
+  // Whether it does, but that will be handed out when the tail is over.
+  bool is_in_tail(int stop) const { return tail_ && tail_->holds(stop); }
 
  private:
   WalkStep depart(const Instant<Real>& end);
   WalkStep fly();
-  WalkStep happen();
+  std::optional<WalkStep> happen();
   void leave_tail();
   std::optional<WalkStep> sum_tail();
 
@@ -95,13 +95,13 @@ class MotionWalk {
   std::vector<int> told_;  // stops of a tail that is over, still to be handed out
 
   int stop_ = -1;
-  bool departing_ = false, arrived_ = false;  // what was handed out last
+  enum class Due { kDeparture, kFlight, kWhatLiesAtItsEnd, kTail };
+  Due due_ = Due::kDeparture;  // what is looked at next
   bool at_once_ = false, cut_ = false;
   Instant<Real> departure_;
   Real until_ = 0, horizon_ = 0;
   Arrival<Real> arrival_;
   const std::vector<ImpactShare<Real>>* shares_ = nullptr;
-  bool impacted_ = false;  // whether a chatter is to be looked for
   RealVector<Real> qdot_before_;
   std::optional<ClosedChatter<Real>> closed_;
 };

@@ -103,9 +103,7 @@ std::optional<double> time_to_rest(const SharedChatter& chatter, double closure_
   const double flight = 2.0 * closure_speed / chatter.pushes.maxCoeff();
   for (int i = 0; i < kMostArrivals && speed_left(motion, forces) > least; ++i) {
     const Arrival<double> arrival = motion.fly(motion.instant().local + flight);
-    if (arrival.kind == ArrivalKind::kUndecided || arrival.kind == ArrivalKind::kNotFinite ||
-        arrival.kind == ArrivalKind::kRefused)
-      return {};
+    if (arrival.fails()) return {};
     if (arrival.kind != ArrivalKind::kContact) continue;
     if (!(arrival.speed <= closure_speed)) return {};
     const std::vector<ImpactShare<double>> shares = motion.impact();

@@ -141,7 +141,7 @@ class Run {
   bool decided() {
     if (options_.energy)
       state_.book.impacts += kinetic_change(system_, motion_.q(), before_, motion_.qdot());
-    told_flight();
+    note_progress();
     return true;
   }
 
@@ -161,11 +161,11 @@ class Run {
       return false;
     }
     if (!walk_.is_cut()) is_cut_ = false;
-    told_flight();
+    note_progress();
     return true;
   }
 
-  void told_flight() {
+  void note_progress() {
     const ArrivalKind kind = walk_.arrival().kind;
     if (kind != ArrivalKind::kTime && kind != ArrivalKind::kJoint && kind != ArrivalKind::kLeft)
       return;
@@ -187,9 +187,8 @@ class Run {
     const double deepest = graze::follow(state_.contacts, motion_.flown(), flight);
     if (deepest > 0.0) note_gap(-deepest, state_.totals);
     const std::vector<int>& closed = motion_.flown().closed();
-    const bool stuck = std::any_of(closed.begin(), closed.end(), [&](int i) {
-      return !(walk_.tail() && walk_.tail()->holds(i));
-    });
+    const bool stuck =
+        std::any_of(closed.begin(), closed.end(), [&](int i) { return !walk_.is_in_tail(i); });
     if (stuck) state_.totals.stuck_time += flight;
     return true;
   }

@@ -359,7 +359,7 @@ class Finder {
 
 FoundOrbits find_orbits(const System& system, const std::optional<State>& start,
                         const FinderOptions& options) {
-  if (has_compliant_stop(system)) return find_strobe_orbits(system, start, options);
+  if (system.has_compliant_stop()) return find_strobe_orbits(system, start, options);
   return Finder(system, start, options).find();
 }
 

@@ -17,7 +17,6 @@
 #include "graze/orbit/orbit_identity.hpp"
 #include "graze/orbit/random_start.hpp"
 #include "graze/orbit/settled.hpp"
-#include "graze/orbit/strobe_finder.hpp"
 #include "graze/orbit/strobe_orbit.hpp"
 
 namespace graze {
@@ -147,7 +146,7 @@ class Spread {
   }
 
   std::optional<Orbit> solved(const SettledMotion& motion) const {
-    if (has_compliant_stop(system_)) {
+    if (system_.has_compliant_stop()) {
       StrobeOptions strobe;
       strobe.max_impacts = options_.max_impacts;
       strobe.stop = options_.stop;

@@ -171,11 +171,6 @@ class StrobeFinder {
 
 }  // namespace
 
-bool has_compliant_stop(const System& system) {
-  return std::any_of(system.stops.begin(), system.stops.end(),
-                     [](const Stop& stop) { return stop.is_compliant(); });
-}
-
 FoundOrbits find_strobe_orbits(const System& system, const std::optional<State>& start,
                                const FinderOptions& options) {
   FoundOrbits found = StrobeFinder(system, start, options).find();

@@ -14,9 +14,6 @@
 
 namespace graze {
 
-// Whether a stop gives way.
-bool has_compliant_stop(const System& system);
-
 // As find_orbits(), for a system with a compliant stop.
 FoundOrbits find_strobe_orbits(const System& system, const std::optional<State>& start,
                                const FinderOptions& options);

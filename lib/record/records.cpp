@@ -72,8 +72,7 @@ EnergyEntries energy_entries(const System& system, const EnergyBook& book) {
     entries.constraint = book.work.constraint;
     entries.impacts = book.impacts;
   }
-  if (std::any_of(system.stops.begin(), system.stops.end(), compliant))
-    entries.contact = book.work.contact;
+  if (system.has_compliant_stop()) entries.contact = book.work.contact;
   const bool damped = (decay_rates(system).array() != 0.0).any();
   if (damped || (hub && hub->friction)) entries.dissipation = book.work.dissipation;
   return entries;

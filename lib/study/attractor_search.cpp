@@ -13,7 +13,6 @@
 #include "graze/orbit/orbit_identity.hpp"
 #include "graze/orbit/periodic_response.hpp"
 #include "graze/orbit/random_start.hpp"
-#include "graze/orbit/strobe_finder.hpp"
 #include "graze/orbit/strobe_orbit.hpp"
 #include "graze/study/followed_motion.hpp"
 #include "graze/study/strobes.hpp"
@@ -44,7 +43,7 @@ class AttractorSearch {
                   PlaceAttractors known)
       : system_(system),
         options_(options),
-        compliant_(has_compliant_stop(system)),
+        compliant_(system.has_compliant_stop()),
         scale_(motion_scale(system)),
         periods_(periods_to_forget(system, options)),
         found_(std::move(known)) {}

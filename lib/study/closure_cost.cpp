@@ -2,7 +2,6 @@
 
 #include <array>
 
-#include "graze/orbit/strobe_finder.hpp"
 #include "graze/study/accuracy_costs.hpp"
 #include "graze/study/step_choice.hpp"
 #include "graze/study/timed_run.hpp"
@@ -36,7 +35,7 @@ std::optional<std::size_t> impacts_before_chatter(const System& system, const St
 ClosureCosts closure_costs(const System& system, const State& start,
                            const AccuracyCostOptions& options) {
   ClosureCosts costs;
-  if (has_compliant_stop(system)) {
+  if (system.has_compliant_stop()) {
     costs.message = "not measured where a stop is compliant";
     return costs;
   }

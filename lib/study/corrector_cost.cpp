@@ -9,7 +9,6 @@
 #include "graze/base/linear_equations.hpp"
 #include "graze/orbit/finder.hpp"
 #include "graze/orbit/solve.hpp"
-#include "graze/orbit/strobe_finder.hpp"
 #include "graze/study/accuracy_costs.hpp"
 #include "graze/study/processor_time.hpp"
 #include "graze/study/step_choice.hpp"
@@ -77,7 +76,7 @@ CorrectorCosts corrector_costs(const Scene& scene, const AccuracyCostOptions& op
     return costs;
   }
   const System system = assemble(scene);
-  if (has_compliant_stop(system)) {
+  if (system.has_compliant_stop()) {
     costs.message = "not measured where a stop is compliant";
     return costs;
   }

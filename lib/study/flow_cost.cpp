@@ -6,7 +6,6 @@
 #include <utility>
 
 #include "graze/hybrid/simulation.hpp"
-#include "graze/orbit/strobe_finder.hpp"
 #include "graze/study/step_choice.hpp"
 #include "graze/study/stepped_reference.hpp"
 
@@ -39,7 +38,7 @@ class CostTable {
     costs_.impacts = comparison_.impacts();
     costs_.end_time = reference.end_time;
     costs_.forced = system.forcing() != nullptr;
-    costs_.compliant = has_compliant_stop(system);
+    costs_.compliant = system.has_compliant_stop();
     costs_.turns = system.turns();
     costs_.period = system.forcing() ? system.period() : 1.0;
     costs_.tolerance = options.tolerance;

@@ -104,10 +104,7 @@ class Reference {
   }
 
   void take_flight(const Arrival<Extended>& arrival) {
-    const bool fails = arrival.kind == ArrivalKind::kUndecided ||
-                       arrival.kind == ArrivalKind::kNotFinite ||
-                       arrival.kind == ArrivalKind::kRefused;
-    if (fails) return;
+    if (arrival.fails()) return;
     const double before =
         static_cast<double>(seconds_at(walk_->departure(), motion_->flow().period()));
     if (enough_ && time() > before) {

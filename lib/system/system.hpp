@@ -9,6 +9,7 @@
 // the stop, so that row.q' > 0 approaches it on either side.
 #pragma once
 
+#include <algorithm>
 #include <limits>
 #include <optional>
 #include <variant>
@@ -72,6 +73,10 @@ struct System {
   std::vector<Stop> stops;
 
   int modes() const { return static_cast<int>(omega.size()); }
+  bool has_compliant_stop() const {
+    return std::any_of(stops.begin(), stops.end(),
+                       [](const Stop& stop) { return stop.is_compliant(); });
+  }
   bool turns() const { return std::holds_alternative<Rotation>(structure); }
   // Requires one that does not turn.
   const NaturalModes& modal() const { return std::get<NaturalModes>(structure); }

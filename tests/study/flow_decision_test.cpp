@@ -7,7 +7,6 @@
 #include "graze/assembly/assembly.hpp"
 #include "graze/assembly/initial_state.hpp"
 #include "graze/hybrid/simulation.hpp"
-#include "graze/orbit/strobe_finder.hpp"
 #include "graze/scene/reader.hpp"
 #include "graze/study/flow_cost.hpp"
 #include "graze/study/step_choice.hpp"
@@ -46,7 +45,7 @@ TEST(FlowDecision, MeetsTheToleranceOfEveryRigidSceneForTheLeast) {
     const Scene scene = read_scene(path);
     const System system = assemble(scene);
     // At compliant stops nothing of the kind is promised, see below.
-    if (has_compliant_stop(system) || scene.hub) continue;
+    if (system.has_compliant_stop() || scene.hub) continue;
     const FlowCosts costs = costs_of(scene, system.forcing() ? 40.0 * system.period() : 10.0, 0.05);
     const std::string taken = flow_name(flow_decision(scene).flow);
     const FlowCost* own = nullptr;
