@@ -7,7 +7,8 @@ using namespace graze;
 
 int main() {
   ZeroProblem bratu;
-  bratu.evaluate = [](const Vector& u, double p) -> std::optional<ZeroEvaluation> {
+  bratu.evaluate = [](const Vector& u, Parameters parameters) -> std::optional<ZeroEvaluation> {
+    const double p = parameters[0];
     const Eigen::Index n = u.size();
     const double h2 = 1.0 / double((n + 1) * (n + 1));
     const Vector growth = u.array().exp();

@@ -7,7 +7,8 @@ using namespace graze;
 
 int main() {
   ZeroProblem circle;
-  circle.evaluate = [](const Vector& u, double p) -> std::optional<ZeroEvaluation> {
+  circle.evaluate = [](const Vector& u, Parameters parameters) -> std::optional<ZeroEvaluation> {
+    const double p = parameters[0];
     const double residual = u[0] * u[0] + p * p - 1.0;
     return ZeroEvaluation{Vector::Constant(1, residual), Matrix::Constant(1, 1, 2.0 * u[0]),
                           Vector::Constant(1, 2.0 * p)};

@@ -8,7 +8,8 @@ using namespace graze;
 
 int main() {
   ZeroProblem cusp;
-  cusp.evaluate = [](const Vector& u, double p) -> std::optional<ZeroEvaluation> {
+  cusp.evaluate = [](const Vector& u, Parameters parameters) -> std::optional<ZeroEvaluation> {
+    const double p = parameters[0];
     const double square = u[0] * u[0];
     return ZeroEvaluation{Vector::Constant(1, u[0] * (square - 3.0) - p),
                           Matrix::Constant(1, 1, 3.0 * (square - 1.0)), Vector::Constant(1, -1.0)};

@@ -3,19 +3,21 @@
 #include <cstdio>
 
 #include "graze/continuation/locus.hpp"
-#include "graze/continuation/plane_map.hpp"
+#include "graze/continuation/map.hpp"
 
 using namespace graze;
 
 int main() {
-  PlaneMap henon;
-  henon.evaluate = [](const Vector& x, double p, double q) {
-    return std::optional<PlaneMapEvaluation>({Vector{{1.0 - p * x[0] * x[0] + x[1], q * x[0]}},
-                                              Matrix{{-2.0 * p * x[0], 1.0}, {q, 0.0}},
-                                              Vector{{-x[0] * x[0], 0.0}}, Vector{{0.0, x[0]}}});
+  Map henon;
+  henon.evaluate = [](const Vector& x, Parameters parameters) {
+    const double p = parameters[0], q = parameters[1];
+    return std::optional(MapEvaluation{Vector{{1.0 - p * x[0] * x[0] + x[1], q * x[0]}},
+                                       Matrix{{-2.0 * p * x[0], 1.0}, {q, 0.0}},
+                                       Matrix{{-x[0] * x[0], 0.0}, {0.0, x[0]}}});
   };
   // Of w^T df/dx v = w_1 (v_2 - 2 p x_1 v_1) + w_2 q v_1 by x_1, x_2, p, q.
-  henon.curvature = [](const Vector& x, double p, double, const Vector& w, const Vector& v) {
+  henon.curvature = [](const Vector& x, Parameters parameters, const Vector& w, const Vector& v) {
+    const double p = parameters[0];
     const double product = w[0] * v[0];
     return std::optional(Vector{{-2.0 * p * product, 0.0, -2.0 * x[0] * product, w[1] * v[0]}});
   };

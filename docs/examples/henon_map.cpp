@@ -6,13 +6,14 @@
 using namespace graze;
 
 int main() {
-  const Map henon = [](const Vector& x, double p) -> std::optional<MapEvaluation> {
+  const Map henon{[](const Vector& x, Parameters parameters) -> std::optional<MapEvaluation> {
+    const double p = parameters[0];
     MapEvaluation at{Vector(2), Matrix(2, 2), Vector(2)};
     at.image << 1.0 - p * x[0] * x[0] + x[1], 0.3 * x[0];
     at.jacobian << -2.0 * p * x[0], 1.0, 0.3, 0.0;
-    at.parameter_derivative << -x[0] * x[0], 0.0;
+    at.by_parameters << -x[0] * x[0], 0.0;
     return at;
-  };
+  }};
   const ContinuationOptions options{.from = -1.0, .to = 1.0};
   const ZeroProblem problem = periodic_points(henon);
   const auto start = solve_at(problem, options, Vector::Constant(2, 1.0), 0.1);

@@ -7,12 +7,13 @@
 using namespace graze;
 
 int main() {
-  const Map logistic = [](const Vector& x, double p) -> std::optional<MapEvaluation> {
+  const Map logistic{[](const Vector& x, Parameters parameters) -> std::optional<MapEvaluation> {
+    const double p = parameters[0];
     const double growth = x[0] * (1.0 - x[0]);
     return MapEvaluation{Vector::Constant(1, p * growth),
                          Matrix::Constant(1, 1, p * (1.0 - 2.0 * x[0])),
                          Vector::Constant(1, growth)};
-  };
+  }};
   const ContinuationOptions options{.from = 2.0, .to = 3.6};
   auto start = solve_at(periodic_points(logistic), options, Vector::Constant(1, 0.5), 2.0);
   for (int period = 1; start && period <= 4; period *= 2) {

@@ -13,10 +13,10 @@ GrazingCurve::GrazingCurve(const Scene& scene, const std::string& first, const s
       range_(range),
       speed_unit_(scale.speed) {
   ZeroProblem& zero = problem_.problem;
-  zero.evaluate = [this](const Vector& y, double q) { return evaluate(y, q); };
+  zero.evaluate = [this](const Vector& y, Parameters at) { return evaluate(y, at[0]); };
   if (shooting_.pattern().impacts() > 1)
-    zero.multipliers = [this](const Vector& y, double q, ErrorBounds errors) {
-      return multipliers(y, q, errors);
+    zero.multipliers = [this](const Vector& y, Parameters at, ErrorBounds errors) {
+      return multipliers(y, at[0], errors);
     };
   const Vector wrap = shooting_.wrap();
   problem_.first = wrap.size();
@@ -53,9 +53,9 @@ std::optional<ZeroEvaluation> GrazingCurve::evaluate(const Vector& y, double sec
   const ShootingLinearisation of = shooting_.linearise(*system, y.head(n), tangents);
   ZeroEvaluation at{Vector(n + 1), Matrix::Zero(n + 1, n + 1), Vector(n + 1)};
   at.residual.head(n) = of.residual;
-  at.jacobian.topLeftCorner(n, n) = of.jacobian + of.closing;
-  at.jacobian.col(n).head(n) = of.by_parameters[0] * range_;
-  at.parameter_derivative.head(n) = of.by_parameters[1];
+  at.jacobian.topLeftCorner(n, n) = of.jacobian;
+  at.jacobian.col(n).head(n) = of.by_parameters.col(0) * range_;
+  at.by_parameters.col(0).head(n) = of.by_parameters.col(1);
   // The speed of the impact that touches.
   const Eigen::Index modes = system->modes();
   const Eigen::Index first = static_cast<Eigen::Index>(touch_) * (2 * modes + 1) + 1 + modes;
@@ -66,7 +66,7 @@ std::optional<ZeroEvaluation> GrazingCurve::evaluate(const Vector& y, double sec
   at.residual[n] = row.dot(qdot);
   at.jacobian.row(n).segment(first, modes) = row.cwiseProduct(units).transpose();
   at.jacobian(n, n) = tangents[0]->stops[stop].row.dot(qdot) * range_;
-  at.parameter_derivative[n] = tangents[1]->stops[stop].row.dot(qdot);
+  at.by_parameters(n, 0) = tangents[1]->stops[stop].row.dot(qdot);
   return at;
 }
 

@@ -51,13 +51,13 @@ GrazingStations::GrazingStations(const OrbitEquations& equations,
 
 OrbitDirection GrazingStations::direction(const BranchPoint& point) const {
   const Eigen::Index n = point.u.size();
-  const System& system = *equations_.system_at(point.parameter);
+  const System& system = *equations_.system_at(point.parameters());
   return {equations_.shooting().unpack(system, point.tangent.head(n)),
-          point.tangent[n] * corrector_.range(), equations_.tangent_at(point.parameter)};
+          point.tangent[n] * corrector_.range(), equations_.tangent_at(point.parameters())};
 }
 
 SeenSolution GrazingStations::seen(const BranchPoint& point, const OrbitBranchPoint& at) const {
-  const System& system = *equations_.system_at(point.parameter);
+  const System& system = *equations_.system_at(point.parameters());
   const OrbitDirection along = direction(point);
   const std::vector<ImpactPoint> impacts = equations_.points(point);
   return {&point, at.orbit.admissible, at.orbit.clearance,
@@ -67,7 +67,7 @@ SeenSolution GrazingStations::seen(const BranchPoint& point, const OrbitBranchPo
 
 std::vector<OrbitMargin> GrazingStations::approaches(const SeenSolution& solution,
                                                      double level) const {
-  const System& system = *equations_.system_at(solution.point->parameter);
+  const System& system = *equations_.system_at(solution.point->parameters());
   return approach_margins(system, equations_.pattern(), equations_.points(*solution.point),
                           direction(*solution.point), level);
 }
@@ -76,7 +76,7 @@ std::vector<OrbitMargin> GrazingStations::approaches(const SeenSolution& solutio
 std::vector<MarginCourse> GrazingStations::courses(const SeenSolution& a,
                                                    const SeenSolution& b) const {
   const double step = arclength(corrector_, *a.point, *b.point);
-  const double still = still_speed(*equations_.system_at(a.point->parameter));
+  const double still = still_speed(*equations_.system_at(a.point->parameters()));
   std::vector<MarginCourse> list;
   for (std::size_t i = 0; i < a.speeds.size(); ++i) {
     list.push_back(MarginCourse::between(a.speeds[i].value, step * a.speeds[i].rate,
@@ -95,7 +95,7 @@ std::vector<MarginCourse> GrazingStations::courses(const SeenSolution& a,
 
 void GrazingStations::add_approaches(const SeenSolution& a, const SeenSolution& b, double step,
                                      double level, std::vector<MarginCourse>& courses) const {
-  const double rounding = still_gap(*equations_.system_at(a.point->parameter));
+  const double rounding = still_gap(*equations_.system_at(a.point->parameters()));
   const std::vector<OrbitMargin> at_a = approaches(a, level), at_b = approaches(b, level);
   const auto add = [&](MarginCourse course) {
     course.rounding = rounding;
@@ -132,7 +132,7 @@ std::list<GrazingStation> GrazingStations::between(const SeenSolution& a, const 
   const SeenSolution* from = &a;
   for (auto to = stations.begin(); stations.size() < kMostStations;) {
     std::optional<BranchPoint> point = doubtful(*from, to == stations.end() ? b : to->seen);
-    if (point && equations_.system_at(point->parameter)) {
+    if (point && equations_.system_at(point->parameters())) {
       to = stations.insert(to, {std::move(*point), {}, {}});
       to->at = equations_.judge(to->point);
       to->seen = seen(to->point, to->at);

@@ -9,7 +9,7 @@ namespace {
 constexpr double kPenetration = 1e-12;
 
 bool penetrates(const OrbitEquations& equations, const BranchPoint& at) {
-  const double length = motion_scale(*equations.system_at(at.parameter)).length;
+  const double length = motion_scale(*equations.system_at(at.parameters())).length;
   return equations.admissibility_of(at).clearance().value_or(0.0) < -kPenetration * length;
 }
 
@@ -51,7 +51,7 @@ std::optional<BranchPoint> pushed_back(const OrbitEquations& equations,
 std::optional<SpecialPoint> grazing(const OrbitEquations& equations,
                                     const ContinuationOptions& options, const SeenSolution& a,
                                     const SeenSolution& b) {
-  const double still = still_speed(*equations.system_at(a.point->parameter));
+  const double still = still_speed(*equations.system_at(a.point->parameters()));
   bool by_speed = (a.smallest_speed() > still) != (b.smallest_speed() > still);
   std::optional<BranchPoint> point = by_speed ? standstill(equations, options, a, b)
                                               : pushed_back(equations, options, *a.point, *b.point);

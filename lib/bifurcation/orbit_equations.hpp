@@ -1,5 +1,5 @@
-// The orbits of one impact pattern over a parameter of the scene: the shooting equations as a zero
-// problem, and the verdict on each of their solutions.
+// The orbits of one impact pattern over parameters of the scene, one for a branch and two for a
+// locus: the shooting equations as a zero problem, and the verdict on each of their solutions.
 #pragma once
 
 #include <optional>
@@ -11,11 +11,12 @@
 
 namespace graze {
 
-// Remembers the system of the value asked for last: one thread at a time.
+// Remembers the system of the values asked for last: one thread at a time.
 class OrbitEquations {
  public:
-  // `scale` is that of one value for all: the metric of a branch must not change on the way.
-  OrbitEquations(const SystemFamily& family, ImpactPattern pattern, const MotionScale& scale);
+  // `scale` is that of one place for all: the metric must not change on the way.
+  OrbitEquations(const Scene& scene, const std::vector<std::string>& parameters,
+                 ImpactPattern pattern, const MotionScale& scale);
   OrbitEquations(const OrbitEquations&) = delete;
   OrbitEquations& operator=(const OrbitEquations&) = delete;
 
@@ -23,12 +24,14 @@ class OrbitEquations {
   const ShootingProblem& shooting() const { return shooting_; }
   const ImpactPattern& pattern() const { return shooting_.pattern(); }
 
-  // Null where the scene does not allow the value.
-  const System* system_at(double value) const;
-  // Its derivative by the parameter; both hold until another value is asked for.
-  const System* tangent_at(double value) const;
+  // Null where the scene does not allow the values.
+  const System* system_at(Parameters at) const { return systems_.at(at); }
+  // Its derivative by a parameter; both hold until other values are asked for.
+  const System* tangent_at(Parameters at, std::size_t parameter = 0) const {
+    return systems_.tangent_at(at, parameter);
+  }
 
-  // The impacts of a solution; requires its value to be allowed, as do the verdicts.
+  // Of a branch: the impacts of a solution; requires its value to be allowed, as do the verdicts.
   std::vector<ImpactPoint> points(const BranchPoint& solution) const;
   // The verdict without multipliers.
   Admissibility admissibility_of(const BranchPoint& solution) const;
@@ -41,7 +44,11 @@ class OrbitEquations {
   bool passes_half(const BranchPoint& a, const BranchPoint& b) const;
 
  private:
-  std::optional<ZeroEvaluation> evaluate(const Vector& u, double value) const;
+  // By every parameter, of an allowed system.
+  std::vector<const System*> tangents_at(Parameters at) const;
+  std::optional<ZeroEvaluation> evaluate(const Vector& u, Parameters at) const;
+  std::optional<Eigen::MatrixXcd> curvature(const Vector& u, Parameters at,
+                                            const std::vector<CriticalProduct>& products) const;
 
   mutable SystemCursor systems_;
   ShootingProblem shooting_;

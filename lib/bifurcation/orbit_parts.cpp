@@ -94,7 +94,7 @@ class Parts {
       std::vector<Along> special_points;
       for (; critical != branch_.critical.end() && critical->after == i - 1; ++critical)
         // Between allowed values may be none.
-        if (equations_.system_at(critical->point.parameter) &&
+        if (equations_.system_at(critical->point.parameters()) &&
             (is_of_orbits(*critical) ||
              equations_.passes_half(branch_.points[i - 1], branch_.points[i])))
           special_points.push_back(

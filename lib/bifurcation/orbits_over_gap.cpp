@@ -55,7 +55,7 @@ class GapBranch {
         rate_(rate_of_gaps(system, length_)),
         map_(system, strobe) {
     problem_ =
-        periodic_points([this](const Vector& x, double wider) { return evaluate(x, wider); }, 1);
+        periodic_points({[this](const Vector& x, Parameters at) { return evaluate(x, at[0]); }});
     problem_.multipliers = nullptr;
     range_.stop = options.stop;
     range_.max_step = kLongestStep;

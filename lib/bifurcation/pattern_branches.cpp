@@ -8,7 +8,7 @@ namespace graze {
 PatternBranches::PatternBranches(const SystemFamily& family, ImpactPattern pattern,
                                  const MotionScale& scale, ContinuationOptions range,
                                  bool keep_virtual)
-    : equations_(family, std::move(pattern), scale),
+    : equations_(family.scene(), {family.parameter()}, std::move(pattern), scale),
       options_(std::move(range)),
       keep_virtual_(keep_virtual) {
   options_.proceed = [this](const BranchPoint& previous, const BranchPoint& here) {
@@ -19,7 +19,7 @@ PatternBranches::PatternBranches(const SystemFamily& family, ImpactPattern patte
 
 std::optional<BranchPoint> PatternBranches::solve(const std::vector<ImpactPoint>& impacts,
                                                   double value) const {
-  if (!equations_.system_at(value)) return {};
+  if (!equations_.system_at(Parameters(&value, 1))) return {};
   return solve_at(equations_.problem(), options_, equations_.shooting().pack(impacts), value);
 }
 
@@ -33,7 +33,7 @@ Vector PatternBranches::direction(const SpecialOrbit::Direction& along) const {
 std::optional<BranchPoint> PatternBranches::solve_near(
     const std::vector<ImpactPoint>& impacts, double value,
     const std::optional<SpecialOrbit::Direction>& along) const {
-  if (!equations_.system_at(value)) return {};
+  if (!equations_.system_at(Parameters(&value, 1))) return {};
   return graze::solve_near(equations_.problem(), options_, equations_.shooting().pack(impacts),
                            value, along ? direction(*along) : Vector());
 }

@@ -170,7 +170,7 @@ double distance(const OrbitLocusPoint& a, const OrbitLocusPoint& b, const LocusO
 CriticalLoci::CriticalLoci(const LocusPlane& plane, OrbitLocusKind kind,
                            const ImpactPattern& pattern)
     : kind_(kind),
-      orbits_(*plane.scene, plane.first, plane.second, pattern, plane.scale),
+      orbits_(*plane.scene, {plane.first, plane.second}, pattern, plane.scale),
       options_(plane.options),
       speed_unit_(plane.speed_unit()) {
   options_.tests = [this](const LocusPoint& at) { return margins(at); };
@@ -180,19 +180,19 @@ CriticalLoci::CriticalLoci(const LocusPlane& plane, OrbitLocusKind kind,
 }
 
 Vector CriticalLoci::speeds(const LocusPoint& at) const {
-  const System* system = orbits_.system_at(at.first, at.second);
+  const System* system = orbits_.system_at(std::array{at.first, at.second});
   if (!system) return {};
   return approach_speeds(*system, orbits_.pattern(), orbits_.shooting().unpack(*system, at.u));
 }
 
 std::optional<Vector> CriticalLoci::margins(const LocusPoint& at) const {
-  const System* system = orbits_.system_at(at.first, at.second);
+  const System* system = orbits_.system_at(std::array{at.first, at.second});
   if (!system) return {};
   return locus_margins(*system, orbits_.pattern(), orbits_.shooting().unpack(*system, at.u), {});
 }
 
 LocusPlace CriticalLoci::place(const LocusPoint& at, std::optional<LocusMargin> zero) const {
-  const System& system = *orbits_.system_at(at.first, at.second);
+  const System& system = *orbits_.system_at(std::array{at.first, at.second});
   return place_of(system, orbits_.pattern(), orbits_.shooting().unpack(system, at.u), {},
                   {at.first, at.second, at.angle, {}, false}, zero);
 }
@@ -268,7 +268,7 @@ std::optional<Vector> GrazingLoci::tests(const BranchPoint& at) const {
       locus_margins(*system, curve_.shooting().pattern(), curve_.impacts_of(at), curve_.touch());
   if (!problem_.problem.multipliers) return tests;
   const std::vector<Eigenvalue> list =
-      problem_.problem.multipliers(at.u, at.parameter, ErrorBounds::kLeftOut);
+      problem_.problem.multipliers(at.u, at.parameters(), ErrorBounds::kLeftOut);
   if (list.empty()) return {};
   tests[kLocusMargins] = crossing_tests(list)[kFoldTest].value();
   return tests;

@@ -11,7 +11,7 @@
 #include "graze/bifurcation/grazing_curve.hpp"
 #include "graze/bifurcation/locus_leads.hpp"
 #include "graze/bifurcation/locus_parts.hpp"
-#include "graze/bifurcation/orbit_plane.hpp"
+#include "graze/bifurcation/orbit_equations.hpp"
 #include "graze/continuation/locus.hpp"
 
 namespace graze {
@@ -52,7 +52,7 @@ class CriticalLoci {
   Vector speeds(const LocusPoint& at) const;
 
   OrbitLocusKind kind_;
-  OrbitPlane orbits_;
+  OrbitEquations orbits_;
   LocusOptions options_;
   double speed_unit_;  // m/s
   std::vector<Locus> traced_;

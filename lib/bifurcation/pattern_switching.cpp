@@ -28,7 +28,7 @@ PatternSwitch doubled(const OrbitEquations& equations, const SpecialPoint& speci
 std::optional<PatternSwitch> with_touching_impact(const OrbitEquations& equations,
                                                   const SpecialPoint& special) {
   std::optional<TouchingOrbit> orbit =
-      with_touch(*equations.system_at(special.solution.parameter), equations.pattern(),
+      with_touch(*equations.system_at(special.solution.parameters()), equations.pattern(),
                  equations.points(special.solution));
   if (!orbit) return {};
   return PatternSwitch{std::move(orbit->pattern), std::move(orbit->impacts), {}};

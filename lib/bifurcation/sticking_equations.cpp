@@ -11,11 +11,11 @@ StickingEquations::StickingEquations(const SystemFamily& family, ReleaseSection 
     : family_(family), systems_(family), section_(std::move(section)) {
   const int period = section_.release().period;
   if (period % 2 == 0) half_ = section_.over(period / 2);
-  problem_.evaluate = [this](const Vector& u, double value) { return evaluate(u, value); };
+  problem_.evaluate = [this](const Vector& u, Parameters at) { return evaluate(u, at[0]); };
   // The errors of the eigenvalues come with them, whether or not they are asked for.
-  problem_.multipliers = [this](const Vector& u, double value,
+  problem_.multipliers = [this](const Vector& u, Parameters at,
                                 auto&&...) -> std::vector<Eigenvalue> {
-    const System* system = system_at(value);
+    const System* system = system_at(at[0]);
     return system ? section_.multipliers(*system, u) : std::vector<Eigenvalue>();
   };
   problem_.wrap = Vector::Zero(section_.size());

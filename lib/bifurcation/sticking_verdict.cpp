@@ -137,7 +137,7 @@ class StickingJudge {
     Branch step;
     for (BranchPoint* point : {&a, &b}) {
       if (point->tangent.dot(chord) < 0.0) point->turn_round();
-      point->multipliers = problem.multipliers(point->u, point->parameter, ErrorBounds::kGiven);
+      point->multipliers = problem.multipliers(point->u, point->parameters(), ErrorBounds::kGiven);
       step.points.push_back(*point);
     }
     if (const auto fold = fold_between(corrector_, a, b))

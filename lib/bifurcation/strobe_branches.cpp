@@ -109,7 +109,11 @@ class StrobeTracer {
     auto& place = equations_[{period, section}];
     StrobeOptions strobe = strobe_;
     strobe.section = section;
-    if (!place) place = std::make_unique<StrobeEquations>(family_, strobe, period);
+    if (!place) {
+      const double range = result_.range > 0.0 ? result_.range : 1.0;
+      place = std::make_unique<StrobeEquations>(family_.scene(), std::vector{family_.parameter()},
+                                                std::vector{range}, strobe, period);
+    }
     return *place;
   }
 

@@ -1,9 +1,23 @@
 // The equations of orbits on compliant stops, those of the stroboscopic map (strobe_map.hpp), over
-// a parameter of the scene: as a zero problem, and the orbits of their solutions.
+// parameters of the scene, one for a branch and two for a locus: as a zero problem, and the orbits
+// of their solutions.
+//
+// They need first derivatives of the map, which are integrated. The slope of the last equation of a
+// locus of folds, doublings or tori, for a critical multiplier, would need second ones; it is told
+// by differences of the first. Newton's method ends where the equations hold, so that a solution
+// does not depend on that slope, only how quickly it is reached.
+//
+// An orbit touches a stop at no speed where besides
+//
+//   b.q - a = 0,   b.q' = 0   at the forcing angle psi after the start of x_1,
+//
+// regular where the gap has a simple minimum there, or a simple maximum: so a contact parts in two.
 #pragma once
 
 #include <optional>
+#include <string>
 #include <tuple>
+#include <vector>
 
 #include "graze/assembly/system_family.hpp"
 #include "graze/bifurcation/orbit_branch.hpp"
@@ -13,12 +27,18 @@
 
 namespace graze {
 
-// Remembers the system of the value asked for last, and the orbit judged last: one thread at a
+// How deep a solution may lie beyond a touch, in lengths of the forced motion: ten times what the
+// equations are solved to.
+inline constexpr double kTouchDepth = 1e-10;
+
+// Remembers the system of the values asked for last, and the orbit judged last: one thread at a
 // time.
 class StrobeEquations {
  public:
-  // Refers to the family, which must outlive it. `period`: p.
-  StrobeEquations(const SystemFamily& family, const StrobeOptions& options, int period);
+  // Requires that the scene allows its own values. `units`: of the parameters, the lengths of their
+  // ranges. `period`: p.
+  StrobeEquations(const Scene& scene, const std::vector<std::string>& parameters,
+                  std::vector<double> units, const StrobeOptions& options, int period);
   StrobeEquations(const StrobeEquations&) = delete;
   StrobeEquations& operator=(const StrobeEquations&) = delete;
 
@@ -26,15 +46,15 @@ class StrobeEquations {
   const StrobeMap& map() const { return map_; }
   int period() const { return period_; }
   double section() const { return map_.options().section; }  // forcing phase, rad
+  double unit(std::size_t parameter) const { return units_[parameter]; }
+  // To what the test for a critical multiplier vanishes.
+  static double critical_tolerance();
 
-  // Of the forced motion at the family's own value, m.
-  double length() const { return length_; }
-  // Of the forcing there, rad/s; requires the value to be allowed.
-  double frequency_at(const BranchPoint& solution) const {
-    return systems_.at(solution.parameter)->forcing()->frequency;
-  }
-  // Speed of the forced motion there, m/s; requires likewise.
-  double speed_unit(const BranchPoint& solution) const { return length_ * frequency_at(solution); }
+  // Of the forced motion at the family's own values, m, m/s.
+  double length() const { return scale_.length; }
+  double speed_unit() const { return scale_.speed; }
+  // Null where the scene does not allow the values; holds until others are asked for.
+  const System* system_at(Parameters at) const { return systems_.at(at); }
   // How far the second half of a solution is from the first, in units of the map; empty where the
   // period is odd.
   Vector halves_differ(const BranchPoint& solution) const;
@@ -58,13 +78,21 @@ class StrobeEquations {
   // contact is born.
   bool sets_in_smoothly(const BranchPoint& solution, int stop) const;
 
-  // How far the motion from a state is beyond a stop at a forcing angle after it, in lengths of the
-  // forced motion, and how fast it goes on, in its speeds.
-  struct Touching {
-    Eigen::Vector2d value, by_parameter, by_angle;
-    Matrix by_state;    // 2 x 2N
-    double push = 0.0;  // the rate of the speed by the angle
+  // A forcing angle after the start of an orbit, as one within a turn.
+  struct Place {
+    Eigen::Index turn = 0;
+    double angle = 0.0;  // within it, rad
   };
+  Place place_of(double psi) const;
+  // The equations of an orbit that touches a stop at no speed, in y = (x_1, .., x_p, first/unit,
+  // psi) over the parameters behind the first one. Nothing where the motion cannot be followed, or
+  // the values are not allowed.
+  std::optional<ZeroEvaluation> touching(const Vector& y, Parameters behind, int stop) const;
+  // b.q'' on the way there, in speeds of the forced motion per rad; nothing likewise.
+  std::optional<double> push(const Vector& y, Parameters behind, int stop) const;
+  // The touch there, as an orbit has it.
+  std::optional<StrobeTouch> touch_at(const Vector& y, Parameters behind, int stop) const;
+
   // Where the section would lie farthest from all instants at which the derivative of the motion
   // jumps, as a forcing phase, rad; nothing where there are none, or where it lies at least a part
   // of that far from them as it is.
@@ -75,15 +103,19 @@ class StrobeEquations {
                                         const ContinuationOptions& options,
                                         const BranchPoint& solution) const;
 
-  // Nothing where the motion cannot be followed, or the value is not allowed.
-  std::optional<Touching> touching(const Vector& x, double value, double angle, int stop) const;
-
  private:
-  std::optional<MapEvaluation> evaluate(const Vector& x, double value) const;
+  std::optional<MapEvaluation> evaluate(const Vector& x, Parameters at) const;
+  std::optional<double> product(const Vector& x, Parameters at, const Vector& left,
+                                const Vector& right) const;
+  std::optional<Vector> curvature(const Vector& x, Parameters at, const Vector& left,
+                                  const Vector& right) const;
+  // y = (x, first/unit, psi) and the others: where all parameters are.
+  std::vector<double> parameters_of(const Vector& y, Parameters behind) const;
 
   mutable SystemCursor systems_;
+  std::vector<double> units_;
+  MotionScale scale_;
   StrobeMap map_;
-  double length_;
   int period_;
   ZeroProblem problem_;
   mutable Remembered<std::tuple<Vector, double>, std::optional<OrbitBranchPoint>> judged_;

@@ -1,5 +1,6 @@
 #include "graze/bifurcation/strobe_loci.hpp"
 
+#include <array>
 #include <utility>
 
 #include "graze/continuation/branch.hpp"
@@ -49,17 +50,30 @@ void name_pattern(OrbitLocus& locus) {
 
 StrobeLoci::StrobeLoci(const Scene& scene, const std::string& first, const std::string& second,
                        const LocusOptions& options, const StrobeOptions& strobe)
-    : options_(options), plane_(scene, first, second, options, strobe) {
+    : options_(options),
+      scene_(scene),
+      parameters_{first, second},
+      strobe_(strobe),
+      state_size_(equations(1).map().size()) {
   options_.proceed = [this](const LocusPoint&, const LocusPoint& here) {
     return point_of(here).has_value();
   };
+}
+
+const StrobeEquations& StrobeLoci::equations(int period) {
+  const std::vector<double> units{first_range(options_), second_range(options_)};
+  return equations_.try_emplace(period, scene_, parameters_, units, strobe_, period).first->second;
+}
+
+const StrobeEquations& StrobeLoci::equations_of(const Vector& u) {
+  return equations(static_cast<int>(u.size() / state_size_));
 }
 
 OrbitLocus StrobeLoci::frame_of(OrbitLocusKind kind, int period) const {
   OrbitLocus frame;
   frame.kind = kind;
   frame.compliant = true;
-  frame.closure_speed = plane_.map().options().closure_speed;
+  frame.closure_speed = strobe_.closure_speed;
   frame.pattern.period = period;
   return frame;
 }
@@ -69,27 +83,29 @@ OrbitLocusPoint StrobeLoci::as_point(double first, double second, double angle,
   return {first, second, angle, orbit.impacts, true, turns_of(orbit)};
 }
 
-std::optional<OrbitLocusPoint> StrobeLoci::point_of(const LocusPoint& at) const {
-  const System* system = plane_.system_at(at.first, at.second);
+std::optional<OrbitLocusPoint> StrobeLoci::point_of(const LocusPoint& at) {
+  const StrobeEquations& of = equations_of(at.u);
+  const System* system = of.system_at(std::array{at.first, at.second});
   if (!system) return {};
-  const std::optional<Orbit> orbit = orbit_of(*system, plane_.map(), at.u, {}, at.residual);
+  const std::optional<Orbit> orbit = orbit_of(*system, of.map(), at.u, {}, at.residual);
   if (!orbit) return {};
   return as_point(at.first, at.second, at.angle, *orbit);
 }
 
 std::optional<OrbitLocusPoint> StrobeLoci::point_of(const StrobeGrazing& curve,
-                                                    const BranchPoint& at) const {
+                                                    const BranchPoint& at) {
   const double first = curve.first_of(at);
-  const System* system = plane_.system_at(first, at.parameter);
+  const StrobeEquations& of = equations_of(curve.turns_of(at));
+  const System* system = of.system_at(std::array{first, at.parameter});
   if (!system) return {};
   const std::optional<Orbit> orbit =
-      touching_orbit_of(*system, plane_.map(), curve.turns_of(at), curve.touch_of(at), at.residual);
+      touching_orbit_of(*system, of.map(), curve.turns_of(at), curve.touch_of(at), at.residual);
   if (!orbit) return {};
   return as_point(first, at.parameter, 0.0, *orbit);
 }
 
 // In order along it, special points among the others.
-OrbitLocus StrobeLoci::as_orbits(OrbitLocusKind kind, int period, const Locus& locus) const {
+OrbitLocus StrobeLoci::as_orbits(OrbitLocusKind kind, int period, const Locus& locus) {
   OrbitLocus result = frame_of(kind, period);
   result.ends = {as_end(locus.ends[0]), as_end(locus.ends[1])};
   auto special = locus.special.begin();
@@ -111,13 +127,14 @@ StrobeLocusAnswer StrobeLoci::trace(const OrbitLocusStart& start) {
   StrobeLocusAnswer answer;
   const int period = static_cast<int>(start.strobe->turns.size());
   LocusOptions options = options_;
-  options.residual_tolerance = StrobePlane::residual_tolerance();
-  const LocusStart at{as_locus_kind(start.kind), plane_.map().pack(start.strobe->turns),
-                      start.first, start.second, start.multiplier};
+  options.residual_tolerance = StrobeEquations::critical_tolerance();
+  const StrobeEquations& of = equations(period);
+  const LocusStart at{as_locus_kind(start.kind), of.map().pack(start.strobe->turns), start.first,
+                      start.second, start.multiplier};
   std::vector<Locus>& traced = traced_[{period, start.kind}];
-  answer.known = find_locus(plane_.problem(period), options, traced, at).has_value();
+  answer.known = find_locus(of.problem(), options, traced, at).has_value();
   if (answer.known) return answer;
-  std::optional<Locus> locus = trace_locus(plane_.problem(period), options, at);
+  std::optional<Locus> locus = trace_locus(of.problem(), options, at);
   if (!locus) return answer;
   answer.evaluations = locus->evaluations;
   OrbitLocus orbits = as_orbits(start.kind, period, *locus);
@@ -127,15 +144,16 @@ StrobeLocusAnswer StrobeLoci::trace(const OrbitLocusStart& start) {
 }
 
 // A touch alone is that of the motion without contacts, which repeats every period.
-std::optional<StrobeLoci::Touching> StrobeLoci::touching(const OrbitLocusStart& start) const {
-  const System* system = plane_.system_at(start.first, start.second);
+std::optional<StrobeLoci::Touching> StrobeLoci::touching(const OrbitLocusStart& start) {
+  const StrobeEquations& of = equations(static_cast<int>(start.strobe->turns.size()));
+  const System* system = of.system_at(std::array{start.first, start.second});
   if (!system) return {};
-  const Vector u = plane_.map().pack(start.strobe->turns);
-  const std::optional<StrobeTouch> touch = nearest_touch(*system, plane_.map(), u);
+  const Vector u = of.map().pack(start.strobe->turns);
+  const std::optional<StrobeTouch> touch = nearest_touch(*system, of.map(), u);
   if (!touch) return {};
-  const Eigen::Index n = plane_.map().size();
+  const Eigen::Index n = state_size_;
   if (start.strobe->turns.size() > 1) {
-    const std::optional<Orbit> orbit = orbit_of(*system, plane_.map(), u, {}, 0.0);
+    const std::optional<Orbit> orbit = orbit_of(*system, of.map(), u, {}, 0.0);
     if (!orbit || orbit->impacts.size() <= 1)
       return Touching{u.segment(static_cast<Eigen::Index>(touch->turn) * n, n),
                       {touch->stop, 0, touch->angle, 0.0}};
@@ -147,10 +165,10 @@ StrobeLocusAnswer StrobeLoci::trace_grazing(const OrbitLocusStart& start) {
   StrobeLocusAnswer answer;
   const std::optional<Touching> at = touching(start);
   if (!at) return answer;
-  const int period = static_cast<int>(at->u.size() / plane_.map().size());
+  const int period = static_cast<int>(at->u.size() / state_size_);
   Grazing& grazing = grazings_[{period, at->touch.stop}];
   if (!grazing.curve)
-    grazing.curve = std::make_unique<StrobeGrazing>(plane_, period, at->touch.stop);
+    grazing.curve = std::make_unique<StrobeGrazing>(equations(period), at->touch.stop);
   const StrobeGrazing& curve = *grazing.curve;
   const std::optional<BranchPoint> point = point_on_curve(
       curve.problem(), options_, curve.pack(at->u, at->touch, start.first), start.second);

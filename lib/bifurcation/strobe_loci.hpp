@@ -1,5 +1,5 @@
 // All loci of orbits on compliant stops that have been traced so far: of folds, period doublings
-// and tori (strobe_plane.hpp), and of grazing (strobe_grazing.hpp).
+// and tori (strobe_equations.hpp), and of grazing (strobe_grazing.hpp).
 #pragma once
 
 #include <map>
@@ -10,8 +10,8 @@
 
 #include "graze/bifurcation/locus_leads.hpp"
 #include "graze/bifurcation/orbit_locus.hpp"
+#include "graze/bifurcation/strobe_equations.hpp"
 #include "graze/bifurcation/strobe_grazing.hpp"
-#include "graze/bifurcation/strobe_plane.hpp"
 #include "graze/continuation/locus.hpp"
 
 namespace graze {
@@ -47,15 +47,23 @@ class StrobeLoci {
     Vector u;
     StrobeTouch touch;
   };
-  std::optional<Touching> touching(const OrbitLocusStart& start) const;
+  std::optional<Touching> touching(const OrbitLocusStart& start);
+  // Of orbits with this period.
+  const StrobeEquations& equations(int period);
+  const StrobeEquations& equations_of(const Vector& u);
+
   OrbitLocus frame_of(OrbitLocusKind kind, int period) const;
   OrbitLocusPoint as_point(double first, double second, double angle, const Orbit& orbit) const;
-  std::optional<OrbitLocusPoint> point_of(const LocusPoint& at) const;
-  std::optional<OrbitLocusPoint> point_of(const StrobeGrazing& curve, const BranchPoint& at) const;
-  OrbitLocus as_orbits(OrbitLocusKind kind, int period, const Locus& locus) const;
+  std::optional<OrbitLocusPoint> point_of(const LocusPoint& at);
+  std::optional<OrbitLocusPoint> point_of(const StrobeGrazing& curve, const BranchPoint& at);
+  OrbitLocus as_orbits(OrbitLocusKind kind, int period, const Locus& locus);
 
   LocusOptions options_;
-  StrobePlane plane_;
+  const Scene& scene_;
+  std::vector<std::string> parameters_;
+  StrobeOptions strobe_;
+  std::map<int, StrobeEquations> equations_;  // by period
+  Eigen::Index state_size_;                   // 2N
   std::map<std::pair<int, OrbitLocusKind>, std::vector<Locus>> traced_;
   std::map<std::pair<int, int>, Grazing> grazings_;
 };

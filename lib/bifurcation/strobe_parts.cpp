@@ -183,9 +183,9 @@ class Parting {
 
   // A margin that a trace which no step leads on from has come near enough to: 1e-5 of the speed of
   // the forced motion, or 1e-10 of its length.
-  double near_enough(const BranchPoint& point, bool speed) const {
+  double near_enough(bool speed) const {
     constexpr double kPart = 1e-10;
-    const double size = speed ? equations_.length() * equations_.frequency_at(point) : 1.0;
+    const double size = speed ? equations_.speed_unit() : 1.0;
     return kPart * (speed ? size * size : equations_.length());
   }
 
@@ -216,7 +216,7 @@ class Parting {
     std::optional<double> from = margin_of(before, speed, impacts),
                           to = margin_of(last, speed, impacts);
     if (!from || !to) return {};
-    if (*to <= near_enough(last, speed)) return last;
+    if (*to <= near_enough(speed)) return last;
     if (!(*to < *from)) return {};
     const double first = *from;
     for (int round = 0; round < kMostRounds && 1e-12 * first < *to; ++round) {

@@ -33,7 +33,7 @@ class Tracer {
   Branch trace(const BranchPoint& from, Directions directions) {
     BranchPoint start = from;
     if (problem_.multipliers && start.multipliers.empty())
-      start.multipliers = problem_.multipliers(start.u, start.parameter, ErrorBounds::kGiven);
+      start.multipliers = problem_.multipliers(start.u, start.parameters(), ErrorBounds::kGiven);
     Branch branch = follow(start);
     if (branch.closed()) {
       branch.ends[0] = BranchEnd::kClosed;

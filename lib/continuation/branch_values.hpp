@@ -7,6 +7,7 @@
 #include <array>
 #include <functional>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "graze/base/decompositions.hpp"
@@ -26,6 +27,8 @@ struct BranchPoint {
   int orientation = 0;
   std::vector<Eigenvalue> multipliers;  // where the problem has them
 
+  // As equations are asked with.
+  std::span<const double> parameters() const { return {&parameter, 1}; }
   // Of the parameter along the branch, in ranges: zero at a fold.
   double rate() const { return tangent[tangent.size() - 1]; }
   // The same solution on the branch run backwards.

@@ -80,7 +80,7 @@ void CircleCrossings::add_undivided(const BranchPoint& a, const BranchPoint& b) 
 
 std::vector<Eigenvalue> CircleCrossings::multipliers_of(const BranchPoint& point,
                                                         ErrorBounds errors) const {
-  return problem_.multipliers(point.u, point.parameter, errors);
+  return problem_.multipliers(point.u, point.parameters(), errors);
 }
 
 // Divides the piece from a to b until each part holds one crossing at most, and locates that.

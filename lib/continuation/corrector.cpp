@@ -45,13 +45,14 @@ BranchPoint Corrector::unpack(const Vector& x, const Vector& tangent, double res
 std::optional<Corrector::Linearised> Corrector::linearise(const Vector& x, const Vector& normal) {
   const Eigen::Index n = x.size() - 1;
   ++evaluations_;
-  std::optional<ZeroEvaluation> at = problem_.evaluate(x.head(n), x[n] * range_);
+  const double parameter = x[n] * range_;
+  std::optional<ZeroEvaluation> at = problem_.evaluate(x.head(n), Parameters(&parameter, 1));
   if (!at || !at->residual.allFinite() || !at->jacobian.allFinite() ||
-      !at->parameter_derivative.allFinite())
+      !at->by_parameters.allFinite())
     return {};
   Linearised result{std::move(at->residual), Matrix(n + 1, n + 1)};
   result.bordered.topLeftCorner(n, n) = at->jacobian;
-  result.bordered.col(n).head(n) = at->parameter_derivative * range_;
+  result.bordered.col(n).head(n) = at->by_parameters * range_;
   result.bordered.row(n) = normal.transpose();
   return result;
 }

@@ -56,7 +56,7 @@ class CriticalSearch {
 
  private:
   std::vector<Eigenvalue> multipliers_of(const BranchPoint& point) const {
-    return problem_.multipliers(point.u, point.parameter, ErrorBounds::kGiven);
+    return problem_.multipliers(point.u, point.parameters(), ErrorBounds::kGiven);
   }
 
   // What is kept of a branch that was stopped is kept with the crossings that its points show:
@@ -97,7 +97,9 @@ class CriticalSearch {
   // Stations on either side of where a multiplier has a pole within step i.
   void add_beside_poles(std::size_t i) {
     const BranchPoint &a = branch_.points[i], &b = branch_.points[i + 1];
-    const auto poles_at = [this](const BranchPoint& p) { return problem_.poles(p.u, p.parameter); };
+    const auto poles_at = [this](const BranchPoint& p) {
+      return problem_.poles(p.u, p.parameters());
+    };
     const Vector from = poles_at(a), to = poles_at(b);
     if (from.size() != to.size()) return;
     const double length = corrector_.ahead(a, b);
@@ -112,7 +114,7 @@ class CriticalSearch {
         std::optional<BranchPoint> station = point_between(corrector_, a, s, a, b);
         if (!station) continue;
         station->multipliers =
-            problem_.multipliers(station->u, station->parameter, ErrorBounds::kLeftOut);
+            problem_.multipliers(station->u, station->parameters(), ErrorBounds::kLeftOut);
         if (station->multipliers.size() != a.multipliers.size()) continue;
         auto& own = stations_[i];
         const auto behind = std::find_if(own.begin(), own.end(), [&](const BranchPoint& other) {

@@ -235,7 +235,7 @@ class StationSearch {
     std::optional<BranchPoint> point = point_between(
         corrector_, *a.point, part * corrector_.ahead(*a.point, *b.point), *a.point, *b.point);
     if (!point) return false;
-    point->multipliers = problem_.multipliers(point->u, point->parameter, ErrorBounds::kLeftOut);
+    point->multipliers = problem_.multipliers(point->u, point->parameters(), ErrorBounds::kLeftOut);
     if (point->multipliers.size() != from.multipliers.size()) return false;
     const double before = length(*a.point, *point), behind = length(*point, *b.point);
     Node node{a.at + (b.at - a.at) * before / (before + behind), nullptr,

@@ -61,7 +61,7 @@ void GrowingBranch::add(const BranchPoint& next) {
   branch_.points.push_back(next);
   if (problem_.multipliers)
     branch_.points.back().multipliers =
-        problem_.multipliers(next.u, next.parameter, ErrorBounds::kGiven);
+        problem_.multipliers(next.u, next.parameters(), ErrorBounds::kGiven);
 }
 
 void GrowingBranch::keep(std::size_t count) {

@@ -23,7 +23,7 @@ constexpr double kMostBorderTurn = 0.5;
 
 class LocusTracer {
  public:
-  LocusTracer(const PlaneProblem& problem, const LocusOptions& options, LocusKind kind)
+  LocusTracer(const ZeroProblem& problem, const LocusOptions& options, LocusKind kind)
       : problem_(problem),
         options_(options),
         kind_(kind),
@@ -97,10 +97,12 @@ class LocusTracer {
  private:
   void make_curve() {
     ZeroProblem& zero = curve_.problem;
-    zero.evaluate = [this](const Vector& y, double q) { return equations_.evaluate(y, q); };
+    zero.evaluate = [this](const Vector& y, Parameters at) {
+      return equations_.evaluate(y, at[0]);
+    };
     if (problem_.multipliers)
-      zero.multipliers = [this](const Vector& y, double q, ErrorBounds errors) {
-        return equations_.other_multipliers(y, q, errors);
+      zero.multipliers = [this](const Vector& y, Parameters at, ErrorBounds errors) {
+        return equations_.other_multipliers(y, at[0], errors);
       };
     if (problem_.wrap.size() > 0) zero.wrap = equations_.pack(problem_.wrap, 0.0, 0.0);
     curve_.first = n_;
@@ -244,7 +246,7 @@ class LocusTracer {
     return Corrector(curve_.problem, branch_options(curve_, options_)).chord(pack(b), pack(a));
   }
 
-  const PlaneProblem& problem_;
+  const ZeroProblem& problem_;
   const LocusOptions& options_;
   LocusKind kind_;
   LocusEquations equations_;
@@ -254,7 +256,7 @@ class LocusTracer {
 
 }  // namespace
 
-std::optional<LocusPoint> solve_locus(const PlaneProblem& problem, const LocusOptions& options,
+std::optional<LocusPoint> solve_locus(const ZeroProblem& problem, const LocusOptions& options,
                                       const LocusStart& start) {
   LocusTracer tracer(problem, options, start.kind);
   const std::optional<BranchPoint> point = tracer.solve(start);
@@ -262,7 +264,7 @@ std::optional<LocusPoint> solve_locus(const PlaneProblem& problem, const LocusOp
   return tracer.unpack(*point);
 }
 
-std::optional<Locus> trace_locus(const PlaneProblem& problem, const LocusOptions& options,
+std::optional<Locus> trace_locus(const ZeroProblem& problem, const LocusOptions& options,
                                  const LocusStart& start) {
   LocusTracer tracer(problem, options, start.kind);
   const std::optional<BranchPoint> point = tracer.solve(start);
@@ -270,7 +272,7 @@ std::optional<Locus> trace_locus(const PlaneProblem& problem, const LocusOptions
   return tracer.trace(*point);
 }
 
-std::optional<std::size_t> find_locus(const PlaneProblem& problem, const LocusOptions& options,
+std::optional<std::size_t> find_locus(const ZeroProblem& problem, const LocusOptions& options,
                                       const std::vector<Locus>& loci, const LocusStart& start) {
   LocusTracer tracer(problem, options, start.kind);
   const std::optional<BranchPoint> point = tracer.solve(start);

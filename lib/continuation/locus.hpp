@@ -3,8 +3,8 @@
 //
 //   #include "graze/continuation/locus.hpp"
 //
-// is all that a program needs: the problem (plane_problem.hpp; plane_map.hpp makes one of a map),
-// the options and the locus that comes out (locus_values.hpp), and the functions below.
+// is all that a program needs: the problem (zero_problem.hpp over two parameters; map.hpp makes one
+// of a map), the options and the locus that comes out (locus_values.hpp), and the functions below.
 //
 // A locus is traced as a branch over the second parameter, by the equations of locus_equations.hpp:
 // minimally augmented systems, W. Govaerts, Numerical Methods for Bifurcations of Dynamical
@@ -22,7 +22,7 @@
 #include <vector>
 
 #include "graze/continuation/locus_values.hpp"
-#include "graze/continuation/plane_problem.hpp"
+#include "graze/continuation/zero_problem.hpp"
 
 namespace graze {
 
@@ -37,15 +37,15 @@ struct LocusStart {
 // The point of the locus near a start: at its second parameter, where the locus stands upright at
 // its first. Nothing when Newton's method reaches none in the ranges of the options and within a
 // fifth of them.
-std::optional<LocusPoint> solve_locus(const PlaneProblem& problem, const LocusOptions& options,
+std::optional<LocusPoint> solve_locus(const ZeroProblem& problem, const LocusOptions& options,
                                       const LocusStart& start);
 
 // The locus through that point, to its ends, its special points located. Nothing likewise.
-std::optional<Locus> trace_locus(const PlaneProblem& problem, const LocusOptions& options,
+std::optional<Locus> trace_locus(const ZeroProblem& problem, const LocusOptions& options,
                                  const LocusStart& start);
 
 // Which of these traced loci has the point that a start leads to.
-std::optional<std::size_t> find_locus(const PlaneProblem& problem, const LocusOptions& options,
+std::optional<std::size_t> find_locus(const ZeroProblem& problem, const LocusOptions& options,
                                       const std::vector<Locus>& loci, const LocusStart& start);
 
 }  // namespace graze

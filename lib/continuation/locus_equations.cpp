@@ -25,17 +25,17 @@ std::vector<Eigenvalue>::iterator nearest_to(std::vector<Eigenvalue>& list, cons
   });
 }
 
-Matrix critical_matrix(const PlaneEvaluation& at, double mu) {
-  return at.jacobian + mu * at.closing;
+Matrix critical_matrix(const ZeroEvaluation& at, double mu) {
+  return at.jacobian + (mu - 1.0) * at.closing;
 }
 
-Eigen::MatrixXcd critical_matrix(const PlaneEvaluation& at, const Complex& mu) {
-  return at.jacobian.cast<Complex>() + mu * at.closing.cast<Complex>();
+Eigen::MatrixXcd critical_matrix(const ZeroEvaluation& at, const Complex& mu) {
+  return at.jacobian.cast<Complex>() + (mu - 1.0) * at.closing.cast<Complex>();
 }
 
 // Of the entries of A(mu), whatever these add up to.
-double size_of_entries(const PlaneEvaluation& at) {
-  return std::hypot(at.jacobian.norm(), at.closing.norm());
+double size_of_entries(const ZeroEvaluation& at) {
+  return std::hypot((at.jacobian - at.closing).norm(), at.closing.norm());
 }
 
 // Without conjugation.
@@ -63,9 +63,10 @@ Complex LocusEquations::multiplier_of(const Vector& y) const {
   return std::polar(1.0, angle_of(y));
 }
 
-std::optional<PlaneEvaluation> LocusEquations::evaluate_plane(const Vector& y, double second) {
+std::optional<ZeroEvaluation> LocusEquations::evaluate_plane(const Vector& y, double second) {
   ++evaluations_;
-  std::optional<PlaneEvaluation> at = problem_.evaluate(y.head(size_of(y)), first_of(y), second);
+  std::optional<ZeroEvaluation> at =
+      problem_.evaluate(y.head(size_of(y)), parameters_of(y, second));
   if (!at || !at->residual.allFinite() || !at->jacobian.allFinite() || !at->closing.allFinite())
     return {};
   return at;
@@ -138,7 +139,7 @@ void LocusEquations::remember(const Vector& y, double second, Borders borders) {
 }
 
 bool LocusEquations::start_at(const Vector& y, double second) {
-  const std::optional<PlaneEvaluation> at = evaluate_plane(y, second);
+  const std::optional<ZeroEvaluation> at = evaluate_plane(y, second);
   if (!at) return false;
   const Complex mu = multiplier_of(y);
   const double size = size_of_entries(*at);
@@ -184,7 +185,7 @@ double LocusEquations::turn(const BranchPoint& from, const BranchPoint& to) cons
 }
 
 bool LocusEquations::is_on_locus(const BranchPoint& point) {
-  const std::optional<PlaneEvaluation> at = evaluate_plane(point.u, point.parameter);
+  const std::optional<ZeroEvaluation> at = evaluate_plane(point.u, point.parameter);
   if (!at) return false;
   const Complex mu = multiplier_of(point.u);
   const double size = size_of_entries(*at);
@@ -197,13 +198,13 @@ bool LocusEquations::is_on_locus(const BranchPoint& point) {
   return g <= kOnLocus;
 }
 
-std::optional<LocusEquations::TestRows> LocusEquations::real_rows(const PlaneEvaluation& at,
+std::optional<LocusEquations::TestRows> LocusEquations::real_rows(const ZeroEvaluation& at,
                                                                   const Vector& y, double second) {
   const double mu = multiplier_of(y).real();
   const Matrix matrix = critical_matrix(at, mu);
   const BorderedMatrix<double> bordered(matrix, borders_near(y, second));
   if (!bordered.finite()) return {};
-  const auto slope = problem_.curvature(y.head(size_of(y)), first_of(y), second,
+  const auto slope = problem_.curvature(y.head(size_of(y)), parameters_of(y, second),
                                         {{bordered.left(), bordered.right(), mu}});
   if (!slope) return {};
   remember(y, second, bordered.renewed(size_of_entries(at)));
@@ -216,7 +217,7 @@ std::optional<LocusEquations::TestRows> LocusEquations::real_rows(const PlaneEva
 // M the bordered matrix, a d changes by
 //
 //   w^T dA(mu) s + r^T dA(conj mu) v(conj mu) - w^T dclosing v(conj mu).
-std::optional<LocusEquations::TestRows> LocusEquations::torus_rows(const PlaneEvaluation& at,
+std::optional<LocusEquations::TestRows> LocusEquations::torus_rows(const ZeroEvaluation& at,
                                                                    const Vector& y, double second) {
   const Complex mu = multiplier_of(y), i(0.0, 1.0);
   const Eigen::MatrixXcd matrix = critical_matrix(at, mu), closing = at.closing.cast<Complex>();
@@ -227,7 +228,7 @@ std::optional<LocusEquations::TestRows> LocusEquations::torus_rows(const PlaneEv
   const ComplexVector closed = closing * other, s = bordered.solve(closed);
   const ComplexVector r_conjugate = bordered.solve_transposed(closing.transpose() * w.conjugate());
   const auto products = problem_.curvature(
-      y.head(size_of(y)), first_of(y), second,
+      y.head(size_of(y)), parameters_of(y, second),
       {{w, v, mu}, {w, s, mu}, {r_conjugate, v, mu}, {w, other, 1.0}, {w, other, -1.0}});
   if (!products) return {};
   const double scale = bordered.scale();
@@ -247,7 +248,7 @@ std::optional<LocusEquations::TestRows> LocusEquations::torus_rows(const PlaneEv
 }
 
 std::optional<ZeroEvaluation> LocusEquations::evaluate(const Vector& y, double second) {
-  const std::optional<PlaneEvaluation> at = evaluate_plane(y, second);
+  const std::optional<ZeroEvaluation> at = evaluate_plane(y, second);
   if (!at) return {};
   const std::optional<TestRows> rows =
       is_torus() ? torus_rows(*at, y, second) : real_rows(*at, y, second);
@@ -255,19 +256,19 @@ std::optional<ZeroEvaluation> LocusEquations::evaluate(const Vector& y, double s
   const Eigen::Index n = size_of(y), tests = rows->value.size();
   ZeroEvaluation result{Vector(n + tests), Matrix::Zero(n + tests, n + tests), Vector(n + tests)};
   result.residual << at->residual, rows->value;
-  result.jacobian.topLeftCorner(n, n) = at->jacobian + at->closing;
-  result.jacobian.col(n).head(n) = range_ * at->by_first;
+  result.jacobian.topLeftCorner(n, n) = at->jacobian;
+  result.jacobian.col(n).head(n) = range_ * at->by_parameters.col(0);
   result.jacobian.bottomLeftCorner(tests, n) = rows->slope.leftCols(n);
   result.jacobian.col(n).tail(tests) = range_ * rows->slope.col(n);
   if (is_torus()) result.jacobian.col(n + 1).tail(tests) = rows->by_angle;
-  result.parameter_derivative << at->by_second, rows->slope.col(n + 1);
+  result.by_parameters << at->by_parameters.col(1), rows->slope.col(n + 1);
   return result;
 }
 
 std::vector<Eigenvalue> LocusEquations::other_multipliers(const Vector& y, double second,
                                                           ErrorBounds errors) const {
   std::vector<Eigenvalue> list =
-      problem_.multipliers(y.head(size_of(y)), first_of(y), second, errors);
+      problem_.multipliers(y.head(size_of(y)), parameters_of(y, second), errors);
   const Complex mu = multiplier_of(y);
   if (list.size() < (is_torus() ? 2u : 1u)) return {};
   const auto critical = nearest_to(list, mu);
@@ -286,7 +287,7 @@ std::vector<Eigenvalue> LocusEquations::other_multipliers(const Vector& y, doubl
 
 std::optional<std::array<double, 2>> LocusEquations::degeneracies(const BranchPoint& from,
                                                                   const BranchPoint& at) {
-  const std::optional<PlaneEvaluation> plane = evaluate_plane(at.u, at.parameter);
+  const std::optional<ZeroEvaluation> plane = evaluate_plane(at.u, at.parameter);
   if (!plane) return {};
   const double mu = multiplier_of(at.u).real();
   const BorderedMatrix<double> bordered(critical_matrix(*plane, mu),
@@ -294,7 +295,7 @@ std::optional<std::array<double, 2>> LocusEquations::degeneracies(const BranchPo
   if (!bordered.finite()) return {};
   const Vector w = bordered.left().normalized(), v = bordered.right().normalized();
   const auto slope =
-      problem_.curvature(at.u.head(w.size()), first_of(at.u), at.parameter, {{w, v, mu}});
+      problem_.curvature(at.u.head(w.size()), parameters_of(at.u, at.parameter), {{w, v, mu}});
   if (!slope) return {};
   return std::array<double, 2>{slope->real().row(0).head(v.size()).dot(v),
                                w.dot(plane->closing * v)};

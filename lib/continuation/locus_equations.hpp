@@ -1,5 +1,5 @@
 // The equations of a locus: those of the orbits, and that A(mu) is singular at the locus's mu
-// (plane_problem.hpp), by the test function g of bordering.hpp.
+// (zero_problem.hpp), by the test function g of bordering.hpp.
 //
 //   LP, PD   F(u, p, q) = 0, g(mu) = 0 with mu = 1, -1, in (u, p/range);
 //   NS       F(u, p, q) = 0, Re g(mu) = 0, d = 0 with mu = e^{i angle}, in (u, p/range, angle),
@@ -25,7 +25,6 @@
 #include "graze/continuation/bordering.hpp"
 #include "graze/continuation/branch_values.hpp"
 #include "graze/continuation/locus_values.hpp"
-#include "graze/continuation/plane_problem.hpp"
 #include "graze/continuation/zero_problem.hpp"
 
 namespace graze {
@@ -33,7 +32,7 @@ namespace graze {
 class LocusEquations {
  public:
   // Refers to the problem, which must outlive it. Lengths of the parameters' ranges.
-  LocusEquations(const PlaneProblem& problem, LocusKind kind, double first_range,
+  LocusEquations(const ZeroProblem& problem, LocusKind kind, double first_range,
                  double second_range)
       : problem_(problem), kind_(kind), range_(first_range), second_range_(second_range) {}
 
@@ -42,6 +41,9 @@ class LocusEquations {
   // n, for an unknown of the locus.
   Eigen::Index size_of(const Vector& y) const { return y.size() - (is_torus() ? 2 : 1); }
   double first_of(const Vector& y) const { return y[size_of(y)] * range_; }
+  std::array<double, 2> parameters_of(const Vector& y, double second) const {
+    return {first_of(y), second};
+  }
   double angle_of(const Vector& y) const;
   Complex multiplier_of(const Vector& y) const;
 
@@ -87,15 +89,15 @@ class LocusEquations {
   };
 
   bool is_torus() const { return kind_ == LocusKind::kTorus; }
-  std::optional<PlaneEvaluation> evaluate_plane(const Vector& y, double second);
+  std::optional<ZeroEvaluation> evaluate_plane(const Vector& y, double second);
   const Borders& borders_near(const Vector& y, double second) const;
   void add_anchor(Anchor anchor);
   void forget_anchors();
   void remember(const Vector& y, double second, Borders borders);
-  std::optional<TestRows> real_rows(const PlaneEvaluation& at, const Vector& y, double second);
-  std::optional<TestRows> torus_rows(const PlaneEvaluation& at, const Vector& y, double second);
+  std::optional<TestRows> real_rows(const ZeroEvaluation& at, const Vector& y, double second);
+  std::optional<TestRows> torus_rows(const ZeroEvaluation& at, const Vector& y, double second);
 
-  const PlaneProblem& problem_;
+  const ZeroProblem& problem_;
   LocusKind kind_;
   double range_, second_range_;
   std::vector<Anchor> anchors_;

@@ -159,7 +159,7 @@ class TestZeroSearch {
     if (!point) return;
     if (problem_.problem.multipliers)
       point->multipliers =
-          problem_.problem.multipliers(point->u, point->parameter, ErrorBounds::kGiven);
+          problem_.problem.multipliers(point->u, point->parameters(), ErrorBounds::kGiven);
     zeros_.push_back({static_cast<std::size_t>(k), std::move(*point), i});
   }
 

@@ -139,21 +139,15 @@ void ShootingProblem::add_end(const System& system, const ModeTransition& arc, E
   jacobian(row_v, to + 1 + n + j) -= 1.0;
 }
 
-Vector ShootingProblem::residual(const System& system, const Vector& x, Matrix* jacobian,
-                                 const System* tangent, Vector* parameter_derivative) const {
-  Wanted wanted{jacobian, jacobian};
-  if (parameter_derivative) {
-    wanted.tangents = std::span(&tangent, 1);
-    wanted.by_parameters = parameter_derivative;
-  }
-  return evaluate(system, x, wanted);
+Vector ShootingProblem::residual(const System& system, const Vector& x, Matrix* jacobian) const {
+  return evaluate(system, x, {.jacobian = jacobian});
 }
 
 ShootingLinearisation ShootingProblem::linearise(const System& system, const Vector& x,
                                                  std::span<const System* const> tangents) const {
   ShootingLinearisation at;
-  at.by_parameters.resize(tangents.size());
-  at.residual = evaluate(system, x, {&at.jacobian, &at.closing, tangents, at.by_parameters.data()});
+  at.by_parameters.resize(x.size(), static_cast<Eigen::Index>(tangents.size()));
+  at.residual = evaluate(system, x, {&at.jacobian, &at.closing, tangents, &at.by_parameters});
   return at;
 }
 
@@ -164,8 +158,7 @@ Vector ShootingProblem::evaluate(const System& system, const Vector& x,
   const ExactFlow<double> flow(system);
   Vector r(x.size());
   if (wanted.jacobian) wanted.jacobian->setZero(x.size(), x.size());
-  if (wanted.closing != wanted.jacobian) wanted.closing->setZero(x.size(), x.size());
-  for (std::size_t p = 0; p < wanted.tangents.size(); ++p) wanted.by_parameters[p].resize(x.size());
+  if (wanted.closing) wanted.closing->setZero(x.size(), x.size());
   std::vector<ImpactRate> rates(wanted.tangents.size());
   for (int i = 0; i < k; ++i) {
     const bool last = i + 1 == k;
@@ -184,7 +177,8 @@ Vector ShootingProblem::evaluate(const System& system, const Vector& x,
     for (std::size_t p = 0; p < rates.size(); ++p) {
       const Stop& tangent = wanted.tangents[p]->stops[which];
       rates[p] = rate_of(impact, stop, tangent, scale_, state);
-      wanted.by_parameters[p][at] = (rates[p].reach - tangent.gap) / scale_.length;
+      (*wanted.by_parameters)(at, static_cast<Eigen::Index>(p)) =
+          (rates[p].reach - tangent.gap) / scale_.length;
     }
     for (Eigen::Index j = 0; j < n; ++j) {
       const double unit = scale_.displacement, unit_v = scale_.velocity[j];
@@ -195,15 +189,17 @@ Vector ShootingProblem::evaluate(const System& system, const Vector& x,
       r[at + 1 + n + j] = arc.qdot / unit_v - x[to + 1 + n + j];
       if (wanted.jacobian) {
         add_mode(system, stop, impact.slope, arc, j, at, *wanted.jacobian);
-        add_end(system, arc, j, at, to, last ? *wanted.closing : *wanted.jacobian);
+        add_end(system, arc, j, at, to, *wanted.jacobian);
+        if (last && wanted.closing) add_end(system, arc, j, at, to, *wanted.closing);
       }
       for (std::size_t p = 0; p < rates.size(); ++p) {
         const System& tangent = *wanted.tangents[p];
         const Eigen::Vector2d end = arcs.tangent(j, q, qdot, arc, tangent);
         const double qdot_rate = -rates[p].jump * stop.direction()[j] -
                                  impact.jump * tangent.stops[which].direction()[j];
-        wanted.by_parameters[p][at + 1 + j] = (arc.qv * qdot_rate + end[0]) / unit;
-        wanted.by_parameters[p][at + 1 + n + j] = (arc.vv * qdot_rate + end[1]) / unit_v;
+        const auto column = static_cast<Eigen::Index>(p);
+        (*wanted.by_parameters)(at + 1 + j, column) = (arc.qv * qdot_rate + end[0]) / unit;
+        (*wanted.by_parameters)(at + 1 + n + j, column) = (arc.vv * qdot_rate + end[1]) / unit_v;
       }
     }
   }

@@ -39,14 +39,13 @@ const Stop& stop_of(const System& system, const ImpactPattern& pattern, std::siz
 double flight_time(const System& system, const ImpactPattern& pattern,
                    const std::vector<ImpactPoint>& points, std::size_t i);
 
-// The residual and its derivatives. At mu = 1, jacobian + mu closing is its Jacobian by x; it is
-// singular exactly where mu is a multiplier of the orbit: a deviation that comes back mu times as
-// large closes the equations.
+// The residual and its derivatives. jacobian + (mu - 1) closing is singular exactly where mu is a
+// multiplier of the orbit: a deviation that comes back mu times as large closes the equations.
 struct ShootingLinearisation {
   Vector residual;
-  Matrix jacobian;  // but for what the last flight's end depends on by closing on the first impact
-  Matrix closing;   // that
-  std::vector<Vector> by_parameters;  // one for each tangent of the system
+  Matrix jacobian;  // by x
+  Matrix closing;   // what of it the last flight's end depends on by closing on the first impact
+  Matrix by_parameters;  // a column for each tangent of the system
 };
 
 // Unknowns and residuals are scaled: phases by 1 rad, the others as MotionScale tells, gaps by its
@@ -67,12 +66,10 @@ class ShootingProblem {
   Vector pack(const std::vector<ImpactPoint>& impacts) const;
   std::vector<ImpactPoint> unpack(const System& system, const Vector& x) const;
 
-  // Residual at x (scaled). Where asked for: its Jacobian by x, and its derivative by the parameter
-  // that moves the system along `tangent`.
-  Vector residual(const System& system, const Vector& x, Matrix* jacobian = nullptr,
-                  const System* tangent = nullptr, Vector* parameter_derivative = nullptr) const;
+  // Residual at x (scaled), and its Jacobian by x where that is asked for.
+  Vector residual(const System& system, const Vector& x, Matrix* jacobian = nullptr) const;
 
-  // The same at once, for the parameters that move the system along these tangents.
+  // With all derivatives, for the parameters that move the system along these tangents.
   ShootingLinearisation linearise(const System& system, const Vector& x,
                                   std::span<const System* const> tangents) const;
 
@@ -80,9 +77,9 @@ class ShootingProblem {
   // What residual() and linearise() are asked for; null and empty where it is not.
   struct Wanted {
     Matrix* jacobian = nullptr;
-    Matrix* closing = nullptr;  // may be the Jacobian itself
+    Matrix* closing = nullptr;
     std::span<const System* const> tangents{};
-    Vector* by_parameters = nullptr;  // the first of as many
+    Matrix* by_parameters = nullptr;  // a column of each
   };
   Vector evaluate(const System& system, const Vector& x, const Wanted& wanted) const;
   // The derivatives of the two matching equations of mode j from the impact whose unknowns begin at

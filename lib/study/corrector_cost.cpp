@@ -104,12 +104,13 @@ CorrectorCosts corrector_costs(const Scene& scene, const AccuracyCostOptions& op
         fmt::format("its branch does not go on to a frequency lower by {:g}", here - there);
     return costs;
   }
-  Matrix jacobian;
-  Vector slope;
-  problem.residual(*neighbour, solved->x, &jacobian, &*tangent, &slope);
+  const System* tangents[] = {&*tangent};
+  const ShootingLinearisation at = problem.linearise(*neighbour, solved->x, tangents);
   const NewtonCosts newton_costs(system, problem, solution);
   newton_costs.add(solved->x, false, costs.rows);
-  newton_costs.add(solved->x - LuFactors(jacobian).solve(slope) * (here - there), true, costs.rows);
+  newton_costs.add(
+      solved->x - LuFactors(at.jacobian).solve(at.by_parameters.col(0)) * (here - there), true,
+      costs.rows);
   return costs;
 }
 

@@ -145,9 +145,11 @@ TEST(Continuation, EndsWhereTheEquationsCeaseToExist) {
     return Scalar{u - p * p, 1.0, -2.0 * p};
   });
   const auto everywhere = problem.evaluate;
-  problem.evaluate = [everywhere](const Vector& u, double p) -> std::optional<ZeroEvaluation> {
+  problem.evaluate = [everywhere](const Vector& u,
+                                  Parameters parameters) -> std::optional<ZeroEvaluation> {
+    const double p = parameters[0];
     if (p < -0.5) return {};
-    return everywhere(u, p);
+    return everywhere(u, parameters);
   };
   const Branch branch = traced(problem, range(-1.0, 1.0), 0.0, 0.0);
   const bool backward = branch.points.front().parameter < 0.0;

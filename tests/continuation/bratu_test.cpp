@@ -13,7 +13,8 @@ namespace {
 ZeroProblem bratu(int intervals) {
   const double h2 = 1.0 / (static_cast<double>(intervals) * intervals);
   ZeroProblem problem;
-  problem.evaluate = [h2](const Vector& u, double lambda) -> std::optional<ZeroEvaluation> {
+  problem.evaluate = [h2](const Vector& u, Parameters parameters) -> std::optional<ZeroEvaluation> {
+    const double lambda = parameters[0];
     const Eigen::Index n = u.size();
     ZeroEvaluation at{Vector(n), Matrix::Zero(n, n), Vector(n)};
     for (Eigen::Index i = 0; i < n; ++i) {
@@ -23,7 +24,7 @@ ZeroProblem bratu(int intervals) {
       at.jacobian(i, i) = -2.0 + lambda * growth;
       if (i > 0) at.jacobian(i, i - 1) = 1.0;
       if (i + 1 < n) at.jacobian(i, i + 1) = 1.0;
-      at.parameter_derivative[i] = growth;
+      at.by_parameters(i, 0) = growth;
     }
     return at;
   };

@@ -45,7 +45,8 @@ struct Collision {
 // u = p, with these multipliers.
 Branch traced(const Collision& collision) {
   ZeroProblem problem = support::straight_line();
-  problem.multipliers = [&](const Vector&, double p, ErrorBounds) {
+  problem.multipliers = [&](const Vector&, Parameters parameters, ErrorBounds) {
+    const double p = parameters[0];
     return collision.multipliers(p);
   };
   return support::traced(problem, {}, 0.0, 0.0);
@@ -91,11 +92,14 @@ TEST(Collision, BranchPointsThereAndBackWithinAStepAreFound) {
     const double centre = 0.5 + 0.0005 * i;
     const auto distance = [=](double p) { return (p - centre) * (p - centre) - kHalf * kHalf; };
     ZeroProblem problem;
-    problem.evaluate = [&](const Vector& u, double p) -> std::optional<ZeroEvaluation> {
+    problem.evaluate = [&](const Vector& u,
+                           Parameters parameters) -> std::optional<ZeroEvaluation> {
+      const double p = parameters[0];
       return ZeroEvaluation{u * distance(p), Matrix::Identity(1, 1) * distance(p),
                             2.0 * (p - centre) * u};
     };
-    problem.multipliers = [&](const Vector&, double p, ErrorBounds) {
+    problem.multipliers = [&](const Vector&, Parameters parameters, ErrorBounds) {
+      const double p = parameters[0];
       return std::vector<Eigenvalue>{{1.0 + distance(p)}};
     };
     const Branch branch = support::traced(problem, {}, 0.0, 0.0);

@@ -15,7 +15,8 @@ struct Scalar {
 template <class F>
 ZeroProblem scalar_problem(F f) {
   ZeroProblem problem;
-  problem.evaluate = [f](const Vector& u, double p) -> std::optional<ZeroEvaluation> {
+  problem.evaluate = [f](const Vector& u, Parameters parameters) -> std::optional<ZeroEvaluation> {
+    const double p = parameters[0];
     const Scalar at = f(u[0], p);
     return ZeroEvaluation{Vector::Constant(1, at.value), Matrix::Constant(1, 1, at.by_u),
                           Vector::Constant(1, at.by_parameter)};

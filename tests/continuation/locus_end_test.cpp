@@ -21,7 +21,7 @@ using Labels = std::vector<std::string>;
 
 // x -> x + p^2 + q^2 - 1 - x^2: folds on the unit circle.
 TEST(LocusEnds, ClosedLocusOfFolds) {
-  const PlaneProblem problem =
+  const ZeroProblem problem =
       periodic_points(plane_map([](const auto& x, const auto& p, const auto& q) {
         using S = std::decay_t<decltype(p)>;
         return std::vector<S>{x[0] + p * p + q * q - S(1.0) - x[0] * x[0]};
@@ -45,7 +45,7 @@ TEST(LocusEnds, ClosedLocusOfFolds) {
 // x -> S x/2 - x with S = [[1 + p, q], [q, 1 - p]], of eigenvalues 1 +- r: doublings on the unit
 // circle, along which the critical vector turns by half a turn and comes back as its opposite.
 TEST(LocusEnds, ClosedLocusWhoseVectorComesBackTurnedRound) {
-  const PlaneProblem problem =
+  const ZeroProblem problem =
       periodic_points(plane_map([](const auto& x, const auto& p, const auto& q) {
         using S = std::decay_t<decltype(p)>;
         const S half(0.5), one(1.0);
@@ -83,7 +83,7 @@ TEST(LocusEnds, ToriOfADoubledOrbitBeginAtAResonance) {
 
 // A locus may be entered where it is special.
 TEST(LocusEnds, LociLeadOnFromTheirSpecialPoints) {
-  const PlaneProblem henon = periodic_points(henon_plane());
+  const ZeroProblem henon = periodic_points(henon_plane());
   const LocusOptions options = plane(-2.0, 5.0, -1.5, 0.8);
   const Vector meeting{{1.0, -1.0}}, doubling{{1.0 / 3.0, -1.0 / 3.0}};
   const Locus folds = traced(henon, options, {LocusKind::kFold, meeting, -1.0, -1.0, {}});
@@ -98,7 +98,7 @@ TEST(LocusEnds, LociLeadOnFromTheirSpecialPoints) {
     EXPECT_NEAR(only(tori, LocusPointKind::kResonance1).first, -1.0, 1e-12);
     EXPECT_NEAR(only(tori, LocusPointKind::kResonance2).first, 3.0, 1e-12);
   }
-  const PlaneProblem cusp =
+  const ZeroProblem cusp =
       periodic_points(plane_map([](const auto& x, const auto& p, const auto& q) {
         using S = std::decay_t<decltype(p)>;
         return std::vector<S>{x[0] + p + q * x[0] - x[0] * x[0] * x[0]};
@@ -111,7 +111,7 @@ TEST(LocusEnds, LociLeadOnFromTheirSpecialPoints) {
 }
 
 TEST(LocusEnds, AKnownLocusIsRecognised) {
-  const PlaneProblem problem = periodic_points(henon_plane());
+  const ZeroProblem problem = periodic_points(henon_plane());
   const LocusOptions options = plane(-2.0, 5.0, -1.5, 0.8);
   const LocusStart fold{LocusKind::kFold, Vector{{2.1, 0.1}}, -0.2, 0.0, {}};
   const LocusStart other{LocusKind::kFold, Vector{{4.0, 2.0}}, -0.06, 0.5, {}};
@@ -130,7 +130,7 @@ TEST(LocusEnds, AKnownLocusIsRecognised) {
 }
 
 TEST(LocusEnds, StartsThatLeadNowhereAreRefused) {
-  const PlaneProblem problem = periodic_points(henon_plane());
+  const ZeroProblem problem = periodic_points(henon_plane());
   const LocusOptions options = plane(-2.0, 1.0, -1.5, 0.8);
   // Out of the ranges: the fold at q = 0 is at p = -1/4.
   EXPECT_FALSE(trace_locus(problem, plane(0.0, 1.0, -0.1, 0.8),
@@ -139,7 +139,7 @@ TEST(LocusEnds, StartsThatLeadNowhereAreRefused) {
   EXPECT_FALSE(trace_locus(problem, plane(0.0, 5.0, -1.5, 0.8),
                            {LocusKind::kPeriodDoubling, Vector{{0.4, 0.0}}, 3.5, 0.0, {}}));
   // x -> p x/2 with p <= 1 never folds.
-  const PlaneProblem steady =
+  const ZeroProblem steady =
       periodic_points(plane_map([](const auto& x, const auto& p, const auto& q) {
         using S = std::decay_t<decltype(p)>;
         return std::vector<S>{S(0.5) * p * x[0] + S(0.1) * q};
@@ -147,7 +147,7 @@ TEST(LocusEnds, StartsThatLeadNowhereAreRefused) {
   EXPECT_FALSE(trace_locus(steady, plane(-1.0, 1.0, -1.0, 1.0),
                            {LocusKind::kFold, Vector{{0.2}}, 0.3, 0.3, {}}));
   // x -> x + q x - x^3 + (p - p): two branches cross at q = 0 for each p, which no fold does.
-  const PlaneProblem symmetric =
+  const ZeroProblem symmetric =
       periodic_points(plane_map([](const auto& x, const auto& p, const auto& q) {
         using S = std::decay_t<decltype(p)>;
         return std::vector<S>{x[0] + q * x[0] - x[0] * x[0] * x[0] + (p - p)};
@@ -155,21 +155,21 @@ TEST(LocusEnds, StartsThatLeadNowhereAreRefused) {
   EXPECT_FALSE(trace_locus(symmetric, plane(-1.0, 1.0, -1.0, 1.0),
                            {LocusKind::kFold, Vector{{0.1}}, 0.3, 0.02, {}}));
   // Cannot be evaluated there.
-  PlaneProblem blind = problem;
-  blind.evaluate = [](const Vector&, double, double) { return std::optional<PlaneEvaluation>(); };
+  ZeroProblem blind = problem;
+  blind.evaluate = [](const Vector&, Parameters) { return std::optional<ZeroEvaluation>(); };
   EXPECT_FALSE(trace_locus(blind, options, {LocusKind::kFold, Vector{{2.1, 0.1}}, -0.2, 0.0, {}}));
 }
 
 TEST(LocusEnds, TracesStopWhenAsked) {
-  PlaneProblem problem = periodic_points(henon_plane());
+  ZeroProblem problem = periodic_points(henon_plane());
   LocusOptions options = plane(-2.0, 1.0, -1.5, 0.8);
   const LocusStart start{LocusKind::kFold, Vector{{2.1, 0.1}}, -0.2, 0.0, {}};
   std::atomic<bool> interrupted = false;
   options.stop.interrupted = &interrupted;
   int left = 40;
-  problem.evaluate = [&, evaluate = problem.evaluate](const Vector& u, double p, double q) {
+  problem.evaluate = [&, evaluate = problem.evaluate](const Vector& u, Parameters parameters) {
     if (--left == 0) interrupted = true;
-    return evaluate(u, p, q);
+    return evaluate(u, parameters);
   };
   const auto locus = trace_locus(problem, options, start);
   ASSERT_TRUE(locus);
@@ -186,10 +186,11 @@ TEST(LocusEnds, TracesStopWhenAsked) {
 
 // Beyond the limits there may be nothing to evaluate.
 TEST(LocusEnds, NothingIsAskedFarBeyondTheLimits) {
-  PlaneProblem problem = periodic_points(henon_plane());
-  problem.evaluate = [evaluate = problem.evaluate](const Vector& u, double p, double q) {
-    if (p < -0.7 - 1e-12 || q > 0.3 + 1e-12) return std::optional<PlaneEvaluation>();
-    return evaluate(u, p, q);
+  ZeroProblem problem = periodic_points(henon_plane());
+  problem.evaluate = [evaluate = problem.evaluate](const Vector& u, Parameters parameters) {
+    const double p = parameters[0], q = parameters[1];
+    if (p < -0.7 - 1e-12 || q > 0.3 + 1e-12) return std::optional<ZeroEvaluation>();
+    return evaluate(u, parameters);
   };
   const Locus locus = traced(problem, plane(-0.7, 1.0, -2.0, 0.3),
                              {LocusKind::kFold, Vector{{2.1, 0.1}}, -0.2, 0.0, {}});

@@ -25,7 +25,7 @@ using Labels = std::vector<std::string>;
 // into tori where x = -q, p = (1 - c) q^2: all meet at p = q = 0.
 constexpr double kCurving = 0.3;
 
-PlaneMap fold_and_doubling() {
+Map fold_and_doubling() {
   return plane_map([](const auto& x, const auto& p, const auto& q) {
     using S = std::decay_t<decltype(p)>;
     return std::vector<S>{x[0] + p + S(kCurving) * q * q - x[0] * x[0],
@@ -33,7 +33,7 @@ PlaneMap fold_and_doubling() {
   });
 }
 
-PlaneMap fold_and_torus(double angle) {
+Map fold_and_torus(double angle) {
   return plane_map([angle](const auto& x, const auto& p, const auto& q) {
     using S = std::decay_t<decltype(p)>;
     const S stretch = S(1.0) + q + x[0], c(std::cos(angle)), s(std::sin(angle));
@@ -43,7 +43,7 @@ PlaneMap fold_and_torus(double angle) {
 }
 
 TEST(LocusPoints, FoldsAndDoublingsTouch) {
-  const PlaneProblem problem = periodic_points(fold_and_doubling());
+  const ZeroProblem problem = periodic_points(fold_and_doubling());
   const LocusOptions options = plane(-1.0, 1.0, -0.5, 0.6);
   const Locus folds =
       traced(problem, options, {LocusKind::kFold, Vector{{0.01, 0.0}}, -0.03, 0.3, {}});
@@ -62,7 +62,7 @@ TEST(LocusPoints, FoldsAndDoublingsTouch) {
 
 TEST(LocusPoints, FoldsAndToriTouch) {
   const double angle = 1.9;
-  const PlaneProblem problem = periodic_points(fold_and_torus(angle));
+  const ZeroProblem problem = periodic_points(fold_and_torus(angle));
   const LocusOptions options = plane(-1.0, 1.0, -0.5, 0.6);
   const Locus folds =
       traced(problem, options, {LocusKind::kFold, Vector{{0.01, 0.0, 0.0}}, -0.03, 0.3, {}});
@@ -82,7 +82,7 @@ TEST(LocusPoints, FoldsAndToriTouch) {
 
 // Fixed point 0 with the multipliers -(1 + q - p^2), (1 + p + q^2/2) e^{+-i (1.2 + p)} and
 // (1.1 + p - q) e^{+-2 i}: doublings q = p^2, tori p = -q^2/2 and p = q - 0.1.
-PlaneMap doubling_and_tori() {
+Map doubling_and_tori() {
   return plane_map([](const auto& x, const auto& p, const auto& q) {
     using S = std::decay_t<decltype(p)>;
     using std::cos, std::sin;
@@ -95,7 +95,7 @@ PlaneMap doubling_and_tori() {
 }
 
 TEST(LocusPoints, DoublingsAndToriMeet) {
-  const PlaneProblem problem = periodic_points(doubling_and_tori());
+  const ZeroProblem problem = periodic_points(doubling_and_tori());
   const LocusOptions options = plane(-0.7, 0.8, -0.75, 0.9);
   const Vector origin = Vector::Zero(5);
   const Locus doublings =
@@ -147,7 +147,7 @@ TEST(LocusPoints, ClosingMayDependOnTheOrbit) {
     }
     return value;
   };
-  const PlaneProblem problem = support::plane_problem(phi);
+  const ZeroProblem problem = support::plane_problem(phi);
   const LocusOptions options = plane(-3.0, 5.0, -1.7, 0.6);
   const Locus folds =
       traced(problem, options, {LocusKind::kFold, Vector{{2.1, 0.1}}, -0.2, 0.0, {}});
@@ -202,7 +202,7 @@ TEST(LocusPoints, CriticalVectorsMayTurnAsTheyLike) {
     for (std::size_t i = 4; i-- > 0;) turn(i, angles[i]);
     return y;
   });
-  const PlaneProblem problem = periodic_points(map);
+  const ZeroProblem problem = periodic_points(map);
   const Vector origin = Vector::Zero(5);
   const Locus doublings = traced(problem, plane(-3.0, 3.0, -1.0, 1.0),
                                  {LocusKind::kPeriodDoubling, origin, 0.3, 0.29, {}});
@@ -230,8 +230,8 @@ TEST(LocusPoints, CriticalVectorsMayTurnAsTheyLike) {
 // Multipliers -(1 + q - p^2) and -(1 + p - q) of the fixed point 0: the doublings q = p^2 and p = q
 // cross at 0 and 1, each with its vector.
 TEST(LocusPoints, DoublingsCross) {
-  const PlaneProblem problem = periodic_points(plane_map([](const auto& x, const auto& p,
-                                                            const auto& q) {
+  const ZeroProblem problem = periodic_points(plane_map([](const auto& x, const auto& p,
+                                                           const auto& q) {
     using S = std::decay_t<decltype(p)>;
     return std::vector<S>{S(-1.0) * (S(1.0) + q - p * p) * x[0], S(-1.0) * (S(1.0) + p - q) * x[1]};
   }));

@@ -21,7 +21,7 @@ constexpr double kPi = std::numbers::pi;
 
 // Fold at x = 2/(1 - q), p = -(1 - q)^2/4; multipliers 1 and -q, so R1 at q = -1.
 TEST(Loci, HenonFoldsLieOnTheirParabola) {
-  const PlaneProblem problem = periodic_points(henon_plane());
+  const ZeroProblem problem = periodic_points(henon_plane());
   for (const LocusOptions& options :
        {plane(-2.0, 1.0, -1.5, 0.8), plane(1.0, -2.0, 0.8, -1.5), plane(-20.0, 20.0, -3.0, 0.9),
         plane(-1.2, -0.01, -5.0, 0.9)}) {
@@ -42,7 +42,7 @@ TEST(Loci, HenonFoldsLieOnTheirParabola) {
 }
 
 TEST(Loci, EndOnTheLimitsExactly) {
-  const PlaneProblem problem = periodic_points(henon_plane());
+  const ZeroProblem problem = periodic_points(henon_plane());
   const LocusStart start{LocusKind::kFold, Vector{{2.1, 0.1}}, -0.2, 0.0, {}};
   const Locus by_second = traced(problem, plane(-2.0, 1.0, -0.7, 0.3), start);
   for (const LocusEnd end : by_second.ends) EXPECT_EQ(end, LocusEnd::kSecondLimit);
@@ -58,7 +58,7 @@ TEST(Loci, EndOnTheLimitsExactly) {
 
 // Doubling at p = 3 (1 - q)^2/4; multipliers -1 and q, so R2 at q = -1.
 TEST(Loci, HenonDoublingsLieOnTheirParabola) {
-  const PlaneProblem problem = periodic_points(henon_plane());
+  const ZeroProblem problem = periodic_points(henon_plane());
   for (const double max_step : {0.0, 0.1, 0.003}) {
     LocusOptions options = plane(0.0, 5.0, -1.4, 0.7);
     options.max_step = max_step;
@@ -74,7 +74,7 @@ TEST(Loci, HenonDoublingsLieOnTheirParabola) {
 
 // On q = -1 the map keeps areas: with x = -cos(angle)/p, p = cos^2 - 2 cos from R1 to R2.
 TEST(Loci, HenonToriLieUprightBetweenTheirResonances) {
-  const PlaneProblem problem = periodic_points(henon_plane());
+  const ZeroProblem problem = periodic_points(henon_plane());
   for (const double angle : {0.3, 1.2, 2.5}) {
     SCOPED_TRACE(angle);
     const double c = std::cos(angle), p = c * c - 2.0 * c, x = -c / p;
@@ -106,7 +106,7 @@ Vector two_cycle(double p, double q) {
 }
 
 TEST(Loci, HenonTwoCyclesDouble) {
-  const PlaneProblem problem = periodic_points(henon_plane(), 2);
+  const ZeroProblem problem = periodic_points(henon_plane(), 2);
   const Locus locus = traced(problem, plane(0.0, 6.0, -1.3, 0.7),
                              {LocusKind::kPeriodDoubling, two_cycle(1.26, 0.0), 1.26, 0.0, {}});
   for (const LocusPoint& point : locus.points) {
@@ -119,7 +119,7 @@ TEST(Loci, HenonTwoCyclesDouble) {
 }
 
 TEST(Loci, HenonTwoCyclesHaveTheirTori) {
-  const PlaneProblem problem = periodic_points(henon_plane(), 2);
+  const ZeroProblem problem = periodic_points(henon_plane(), 2);
   const double angle = 1.0, p = 0.5 * (7.0 - std::cos(angle));
   const Locus locus =
       traced(problem, plane(3.1, 5.0, -2.0, 1.0),
@@ -137,7 +137,7 @@ TEST(Loci, HenonTwoCyclesHaveTheirTori) {
 // x'^2 can be run backwards: 3-cycles (a, b, b) have a + b = 1/p, p b^2 = 1 - 1/p, so are born at p
 // = 1 from (1, 0, 0); both multipliers are 1 there.
 TEST(Loci, HenonThreeCyclesAreBorn) {
-  const PlaneProblem problem = periodic_points(henon_plane(), 3);
+  const ZeroProblem problem = periodic_points(henon_plane(), 3);
   const LocusStart start{
       LocusKind::kFold, Vector{{0.0314, 0.0, 0.9983, 0.0, -0.744, 0.0}}, 1.75, 0.0, {}};
   const auto at = solve_locus(problem, plane(0.0, 3.0, -1.2, 0.4), start);
@@ -153,7 +153,7 @@ TEST(Loci, HenonThreeCyclesAreBorn) {
 
 // x -> x + p + q x - x^3: folds where q = 3 x^2, p = -2 x^3.
 TEST(Loci, FoldsMeetInACusp) {
-  const PlaneProblem problem =
+  const ZeroProblem problem =
       periodic_points(support::plane_map([](const auto& x, const auto& p, const auto& q) {
         using S = std::decay_t<decltype(p)>;
         return std::vector<S>{x[0] + p + q * x[0] - x[0] * x[0] * x[0]};
@@ -179,7 +179,7 @@ TEST(Loci, FoldsMeetInACusp) {
 // x -> p x (1 - (1 - q) x - q y), y -> x: at x = 1 - 1/p the multipliers have the product q (p - 1)
 // and the sum 1 - (p - 1)(1 - q). With q = 1 it is the delayed logistic map, whose torus at p = 2
 // has the angle pi/3 (Kuznetsov, Elements of Applied Bifurcation Theory, section 4.7).
-PlaneMap delayed_logistic() {
+Map delayed_logistic() {
   return support::plane_map([](const auto& x, const auto& p, const auto& q) {
     using S = std::decay_t<decltype(p)>;
     return std::vector<S>{p * x[0] * (S(1.0) - (S(1.0) - q) * x[0] - q * x[1]), x[0]};
@@ -187,7 +187,7 @@ PlaneMap delayed_logistic() {
 }
 
 TEST(Loci, DelayedLogisticMapHasItsToriAndDoublings) {
-  const PlaneProblem problem = periodic_points(delayed_logistic());
+  const ZeroProblem problem = periodic_points(delayed_logistic());
   const LocusOptions options = plane(1.2, 6.0, -0.5, 2.0);
   const LocusStart start{LocusKind::kTorus, Vector{{0.5, 0.5}}, 2.0, 1.0,
                          std::polar(1.0, kPi / 3.0)};

@@ -1,10 +1,10 @@
 // Multipliers of periodic points of maps, where those of one turn differ widely in size.
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 
 #include "graze/continuation/map.hpp"
-#include "graze/continuation/plane_map.hpp"
 
 namespace graze {
 namespace {
@@ -28,24 +28,25 @@ void expect_powers(const std::vector<Eigenvalue>& list, int turns) {
 }
 
 TEST(MapMultipliers, SmallOnesOfManyTurnsAreKnownToTheRoundingOfOneTurn) {
-  const Map map = [](const Vector& x, double) -> std::optional<MapEvaluation> {
+  const Map map{[](const Vector& x, Parameters) -> std::optional<MapEvaluation> {
     return MapEvaluation{slope() * x, slope(), Vector::Zero(2)};
-  };
+  }};
   for (const int turns : {2, 3, 8})
-    expect_powers(
-        periodic_points(map, turns).multipliers(Vector::Zero(2 * turns), 0.0, ErrorBounds::kGiven),
-        turns);
+    expect_powers(periodic_points(map, turns)
+                      .multipliers(Vector::Zero(2 * turns), std::array{0.0}, ErrorBounds::kGiven),
+                  turns);
 }
 
 TEST(MapMultipliers, SmallOnesOfManyTurnsOverAPlaneLikewise) {
-  PlaneMap map;
-  map.evaluate = [](const Vector& x, double, double) -> std::optional<PlaneMapEvaluation> {
-    return PlaneMapEvaluation{slope() * x, slope(), Vector::Zero(2), Vector::Zero(2)};
+  Map map;
+  map.evaluate = [](const Vector& x, Parameters) -> std::optional<MapEvaluation> {
+    return MapEvaluation{slope() * x, slope(), Matrix::Zero(2, 2)};
   };
   for (const int turns : {2, 3, 8})
-    expect_powers(periodic_points(map, turns)
-                      .multipliers(Vector::Zero(2 * turns), 0.0, 0.0, ErrorBounds::kGiven),
-                  turns);
+    expect_powers(
+        periodic_points(map, turns)
+            .multipliers(Vector::Zero(2 * turns), std::array{0.0, 0.0}, ErrorBounds::kGiven),
+        turns);
 }
 
 }  // namespace

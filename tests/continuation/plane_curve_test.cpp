@@ -13,12 +13,13 @@ namespace {
 PlaneCurveProblem ellipse(double range) {
   PlaneCurveProblem curve;
   curve.first = 1;
-  curve.problem.evaluate = [range](const Vector& y, double q) {
+  curve.problem.evaluate = [range](const Vector& y, Parameters parameters) {
+    const double q = parameters[0];
     const double p = range * y[1];
     ZeroEvaluation at{Vector(2), Matrix(2, 2), Vector(2)};
     at.residual << y[0] - p + q, 0.25 * p * p + q * q - 1.0;
     at.jacobian << 1.0, -range, 0.0, 0.5 * p * range;
-    at.parameter_derivative << 1.0, 2.0 * q;
+    at.by_parameters << 1.0, 2.0 * q;
     return std::optional<ZeroEvaluation>(at);
   };
   curve.tests = [](const BranchPoint&, const BranchPoint& at) {

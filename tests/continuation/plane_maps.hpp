@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "graze/continuation/locus.hpp"
-#include "graze/continuation/plane_map.hpp"
+#include "graze/continuation/map.hpp"
 
 namespace graze::support {
 
@@ -54,13 +54,14 @@ using Second = Dual<First>;
 // f(x, p, q) with x a std::vector<S> and S any of double, First, Second; it counts its calls in
 // `calls` where that is given.
 template <class F>
-PlaneMap plane_map(F f, long long* calls = nullptr) {
-  PlaneMap map;
-  map.evaluate = [f, calls](const Vector& x, double p, double q) {
+Map plane_map(F f, long long* calls = nullptr) {
+  Map map;
+  map.evaluate = [f, calls](const Vector& x, Parameters parameters) {
+    const double p = parameters[0], q = parameters[1];
     if (calls) ++*calls;
     const Eigen::Index n = x.size();
     Matrix slope(n, n + 2);
-    PlaneMapEvaluation at;
+    MapEvaluation at;
     at.image.resize(n);
     for (Eigen::Index k = 0; k < n + 2; ++k) {
       std::vector<First> y;
@@ -72,11 +73,11 @@ PlaneMap plane_map(F f, long long* calls = nullptr) {
       }
     }
     at.jacobian = slope.leftCols(n);
-    at.by_first = slope.col(n);
-    at.by_second = slope.col(n + 1);
-    return std::optional<PlaneMapEvaluation>(at);
+    at.by_parameters = slope.rightCols(2);
+    return std::optional<MapEvaluation>(at);
   };
-  map.curvature = [f](const Vector& x, double p, double q, const Vector& w, const Vector& v) {
+  map.curvature = [f](const Vector& x, Parameters parameters, const Vector& w, const Vector& v) {
+    const double p = parameters[0], q = parameters[1];
     const Eigen::Index n = x.size();
     Vector result = Vector::Zero(n + 2);
     for (Eigen::Index k = 0; k < n + 2; ++k) {
@@ -96,7 +97,7 @@ PlaneMap plane_map(F f, long long* calls = nullptr) {
 
 // x -> 1 - p x^2 + y, y -> q x (Henon 1976). Fixed points p x^2 + (1 - q) x - 1 = 0; the product of
 // the multipliers is -q, their sum -2 p x.
-inline PlaneMap henon_plane() {
+inline Map henon_plane() {
   return plane_map([](const auto& x, const auto& p, const auto& q) {
     using S = std::decay_t<decltype(p)>;
     return std::vector<S>{S(1.0) - p * x[0] * x[0] + x[1], q * x[0]};
@@ -106,12 +107,13 @@ inline PlaneMap henon_plane() {
 // Equations phi(u, c, p, q) = 0 with c = u where they close: phi as f above, its first two
 // arguments vectors of n. The closing changes with u, as that of a map does not.
 template <class Phi>
-PlaneProblem plane_problem(Phi phi) {
+ZeroProblem plane_problem(Phi phi) {
   using Seed = std::function<First(Eigen::Index)>;
-  PlaneProblem problem;
-  problem.evaluate = [phi](const Vector& u, double p, double q) {
+  ZeroProblem problem;
+  problem.evaluate = [phi](const Vector& u, Parameters parameters) {
+    const double p = parameters[0], q = parameters[1];
     const Eigen::Index n = u.size();
-    PlaneEvaluation at;
+    ZeroEvaluation at;
     at.residual.resize(n);
     Matrix slope(n, 2 * n + 2);
     for (Eigen::Index k = 0; k < 2 * n + 2; ++k) {
@@ -125,11 +127,10 @@ PlaneProblem plane_problem(Phi phi) {
         slope(i, k) = value[static_cast<std::size_t>(i)].slope;
       }
     }
-    at.jacobian = slope.leftCols(n);
     at.closing = slope.middleCols(n, n);
-    at.by_first = slope.col(2 * n);
-    at.by_second = slope.col(2 * n + 1);
-    return std::optional<PlaneEvaluation>(at);
+    at.jacobian = slope.leftCols(n) + at.closing;
+    at.by_parameters = slope.rightCols(2);
+    return std::optional<ZeroEvaluation>(at);
   };
   // The gradient of w^T dphi/d(u, c) V, V real, 2 n.
   const auto real_curvature = [phi](const Vector& u, double p, double q, const Vector& w,
@@ -151,11 +152,12 @@ PlaneProblem plane_problem(Phi phi) {
     }
     return result;
   };
-  problem.curvature = [real_curvature](const Vector& u, double p, double q,
-                                       const std::vector<PlaneProduct>& products) {
+  problem.curvature = [real_curvature](const Vector& u, Parameters parameters,
+                                       const std::vector<CriticalProduct>& products) {
+    const double p = parameters[0], q = parameters[1];
     Eigen::MatrixXcd rows(static_cast<Eigen::Index>(products.size()), u.size() + 2);
     Eigen::Index row = 0;
-    for (const PlaneProduct& product : products) {
+    for (const CriticalProduct& product : products) {
       ComplexVector right(2 * u.size());
       right << product.right, product.multiplier * product.right;
       const Vector wr = product.left.real(), wi = product.left.imag();
@@ -181,7 +183,7 @@ inline LocusOptions plane(double p0, double p1, double q0, double q1) {
 }
 
 // The locus from a start; what the residuals of its points may be is the options' default.
-inline Locus traced(const PlaneProblem& problem, const LocusOptions& options,
+inline Locus traced(const ZeroProblem& problem, const LocusOptions& options,
                     const LocusStart& start) {
   const std::optional<Locus> locus = trace_locus(problem, options, start);
   EXPECT_TRUE(locus);

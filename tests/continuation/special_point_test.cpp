@@ -20,35 +20,38 @@ using support::traced;
 // doubled orbit at 1 + sqrt(6), and that at 3.5440903595519 (May 1976; to 14 digits from the
 // polynomial in p(p - 2) of Kotsireas and Karamanos, Int. J. Bifurcation Chaos 14, 2004).
 Map logistic() {
-  return [](const Vector& x, double p) -> std::optional<MapEvaluation> {
+  return Map{[](const Vector& x, Parameters parameters) -> std::optional<MapEvaluation> {
+    const double p = parameters[0];
     return MapEvaluation{p * x.cwiseProduct((1.0 - x.array()).matrix()),
                          Matrix::Constant(1, 1, p * (1.0 - 2.0 * x[0])),
                          x.cwiseProduct((1.0 - x.array()).matrix())};
-  };
+  }};
 }
 
 // x -> 1 - p x^2 + y, y -> b x: fold at p = -(1 - b)^2/4, doubling at 3 (1 - b)^2/4, next doubling
 // at (1 - b)^2 + (1 + b)^2/4 (Henon 1976).
 Map henon(double b) {
-  return [b](const Vector& x, double p) -> std::optional<MapEvaluation> {
+  return Map{[b](const Vector& x, Parameters parameters) -> std::optional<MapEvaluation> {
+    const double p = parameters[0];
     MapEvaluation at{Vector(2), Matrix(2, 2), Vector(2)};
     at.image << 1.0 - p * x[0] * x[0] + x[1], b * x[0];
     at.jacobian << -2.0 * p * x[0], 1.0, b, 0.0;
-    at.parameter_derivative << -x[0] * x[0], 0.0;
+    at.by_parameters << -x[0] * x[0], 0.0;
     return at;
-  };
+  }};
 }
 
 // Delayed logistic map x -> p x (1 - y), y -> x: torus at p = 2, multipliers exp(+-i pi/3) there
 // (Kuznetsov, Elements of Applied Bifurcation Theory, section 4.7).
 Map delayed_logistic() {
-  return [](const Vector& x, double p) -> std::optional<MapEvaluation> {
+  return Map{[](const Vector& x, Parameters parameters) -> std::optional<MapEvaluation> {
+    const double p = parameters[0];
     MapEvaluation at{Vector(2), Matrix(2, 2), Vector(2)};
     at.image << p * x[0] * (1.0 - x[1]), x[0];
     at.jacobian << p * (1.0 - x[1]), -p * x[0], 1.0, 0.0;
-    at.parameter_derivative << x[0] * (1.0 - x[1]), 0.0;
+    at.by_parameters << x[0] * (1.0 - x[1]), 0.0;
     return at;
-  };
+  }};
 }
 
 // The doubled orbits that leave the (only) period doubling of a branch.
@@ -158,7 +161,8 @@ TEST(SpecialPoints, SearchThroughNoiseIsBounded) {
   long long asked = 0, allowed = std::numeric_limits<long long>::max();
   std::atomic<bool> interrupted = false;
   ZeroProblem problem = support::straight_line();
-  problem.multipliers = [&](const Vector&, double p, ErrorBounds) {
+  problem.multipliers = [&](const Vector&, Parameters parameters, ErrorBounds) {
+    const double p = parameters[0];
     interrupted = ++asked >= allowed;
     const double noise = std::sin(1e15 * p) * 4.0;
     return std::vector<Eigenvalue>{{Complex(noise, 0.0), 1e-12}};
@@ -182,7 +186,8 @@ TEST(SpecialPoints, SearchThroughNoiseIsBounded) {
 // Two multipliers enter the circle within one step, between whose ends none can be computed.
 TEST(SpecialPoints, WhatCannotBeComputedIsNotLookedInto) {
   ZeroProblem problem = support::straight_line();
-  problem.multipliers = [&](const Vector&, double p, ErrorBounds errors) {
+  problem.multipliers = [&](const Vector&, Parameters parameters, ErrorBounds errors) {
+    const double p = parameters[0];
     if (errors == ErrorBounds::kLeftOut) return std::vector<Eigenvalue>();
     return std::vector<Eigenvalue>{{Complex(-1.5 + p, 0.0), 1e-15},
                                    {Complex(1.5001 - p, 0.0), 1e-15}};
@@ -211,14 +216,15 @@ TEST(SpecialPoints, DoublingsSideBySideAreBothFound) {
   for (const double apart : {1e-1, 1e-3, 3e-5, 1e-8})
     for (const double second_slope : {1.0, -1.0}) {
       SCOPED_TRACE(testing::Message() << apart << " " << second_slope);
-      const Map map = [=](const Vector& x, double p) -> std::optional<MapEvaluation> {
+      const Map map{[=](const Vector& x, Parameters parameters) -> std::optional<MapEvaluation> {
+        const double p = parameters[0];
         const double first = -1.0 - p, second = -1.0 - second_slope * (p - apart);
         MapEvaluation at{Vector(2), Matrix::Zero(2, 2), Vector(2)};
         at.image << first * x[0], second * x[1];
         at.jacobian.diagonal() << first, second;
-        at.parameter_derivative << -x[0], -second_slope * x[1];
+        at.by_parameters << -x[0], -second_slope * x[1];
         return at;
-      };
+      }};
       const Branch branch = traced(periodic_points(map), range(-0.5, 0.53), Vector::Zero(2), 0.3);
       const auto doublings = branch.critical_of(CriticalKind::kPeriodDoubling);
       ASSERT_EQ(doublings.size(), 2u);
@@ -232,7 +238,8 @@ TEST(SpecialPoints, DoublingsSideBySideAreBothFound) {
 // u (u^2 - p) = 0 with u shifted by s p: a pitchfork whose both branches bend.
 TEST(SpecialPoints, PitchforkOnACurvedBranch) {
   ZeroProblem problem;
-  problem.evaluate = [](const Vector& x, double p) -> std::optional<ZeroEvaluation> {
+  problem.evaluate = [](const Vector& x, Parameters parameters) -> std::optional<ZeroEvaluation> {
+    const double p = parameters[0];
     const double v = x[0] - std::sin(p), q = p - 0.3;
     return ZeroEvaluation{Vector::Constant(1, v * (v * v - q)),
                           Matrix::Constant(1, 1, 3.0 * v * v - q),

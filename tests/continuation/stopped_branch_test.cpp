@@ -12,11 +12,12 @@ namespace {
 // x -> p x (1 - x): its fixed point 1 - 1/p doubles at p = 3, and a 2-cycle at 1 + sqrt(6).
 ZeroProblem logistic_map(int period) {
   return periodic_points(
-      [](const Vector& x, double p) -> std::optional<MapEvaluation> {
+      {[](const Vector& x, Parameters parameters) -> std::optional<MapEvaluation> {
+        const double p = parameters[0];
         return MapEvaluation{Vector::Constant(1, p * x[0] * (1.0 - x[0])),
                              Matrix::Constant(1, 1, p * (1.0 - 2.0 * x[0])),
                              Vector::Constant(1, x[0] * (1.0 - x[0]))};
-      },
+      }},
       period);
 }
 

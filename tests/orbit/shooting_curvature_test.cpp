@@ -35,7 +35,8 @@ ComplexVector arbitrary_complex(Eigen::Index size, support::Dice& dice) {
 // w^T (jacobian + mu closing) v.
 Complex paired(const ShootingLinearisation& at, const ComplexVector& w, const ComplexVector& v,
                Complex mu) {
-  return w.transpose() * ((at.jacobian.cast<Complex>() + mu * at.closing.cast<Complex>()) * v);
+  return w.transpose() *
+         ((at.jacobian.cast<Complex>() + (mu - 1.0) * at.closing.cast<Complex>()) * v);
 }
 
 Vector parts(Complex z) { return Vector{{z.real(), z.imag()}}; }

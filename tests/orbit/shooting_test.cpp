@@ -54,8 +54,8 @@ void expect_derivatives(const Scene& scene, const ImpactPattern& pattern) {
     if (!family.at(value - 2.0 * h) || !family.at(value + 2.0 * h)) continue;
     ++moved;
     const System tangent = *family.tangent_at(value);
-    Vector derivative;
-    problem.residual(system, x, nullptr, &tangent, &derivative);
+    const System* tangents[] = {&tangent};
+    const Vector derivative = problem.linearise(system, x, tangents).by_parameters;
     const Vector difference = support::central_difference(
         [&](double p) { return problem.residual(*family.at(p), x); }, value, h);
     const double scale = std::max(difference.cwiseAbs().maxCoeff(), 1e-3 * r.norm() / h);
