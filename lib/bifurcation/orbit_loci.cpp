@@ -184,7 +184,7 @@ class LociTracer {
   // On compliant stops its locus alone.
   void begin_strobe(const OrbitLocusStart& start) {
     if (!strobe_) {
-      StrobeOptions strobe;
+      PassageOptions strobe;
       strobe.max_impacts = options_.branches.finder.max_impacts;
       strobe.stop = options_.branches.stop;
       strobe.closure_speed = start.strobe->closure_speed;

@@ -48,7 +48,7 @@ System rate_of_gaps(const System& system, double length) {
 
 class GapBranch {
  public:
-  GapBranch(const System& system, const FinderOptions& options, const StrobeOptions& strobe)
+  GapBranch(const System& system, const FinderOptions& options, const PassageOptions& strobe)
       : system_(system),
         widened_(system),
         length_(motion_scale(system).length),
@@ -130,7 +130,7 @@ class GapBranch {
   ContinuationOptions range_;
 };
 
-void add_orbits_over_gap(const System& system, const StrobeOptions& strobe,
+void add_orbits_over_gap(const System& system, const PassageOptions& strobe,
                          const FinderOptions& options, FoundOrbits& found) {
   const double speed_scale = motion_scale(system).speed;
   const StrobeMap map(system, strobe);
@@ -162,7 +162,7 @@ FoundOrbits search_orbits(const System& system, const std::optional<State>& star
         "with more than {} modes no orbits are sought over the gaps of the stops", kMostModes));
     return found;
   }
-  StrobeOptions strobe;
+  PassageOptions strobe;
   strobe.max_impacts = options.max_impacts;
   strobe.stop = options.stop;
   const State at_rest{Vector::Zero(system.modes()), Vector::Zero(system.modes())};

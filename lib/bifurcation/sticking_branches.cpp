@@ -49,7 +49,7 @@ StickingTrace StickingBranches::trace(const Orbit& orbit, double value) {
   StickingTrace result;
   const std::optional<System> system = family_.at(value);
   if (!system || !orbit.sticks()) return result;
-  const StickingOptions options{orbit.section->closure_speed, max_impacts_, range_.stop};
+  const PassageOptions options{orbit.section->closure_speed, max_impacts_, range_.stop};
   const std::vector<OrbitRelease> releases = releases_of(*system, orbit, options);
   if (releases.empty()) {
     result.why_not = "an orbit whose closed stops never let go is not continued";

@@ -20,7 +20,7 @@ class StickingEquations {
  public:
   // Refers to the family, which must outlive it. `reference`: see ReleaseSection.
   StickingEquations(const SystemFamily& family, const System& reference, const Release& release,
-                    const StickingOptions& options)
+                    const PassageOptions& options)
       : StickingEquations(family, ReleaseSection(reference, release, options)) {}
   StickingEquations(const SystemFamily& family, ReleaseSection section);
   StickingEquations(const StickingEquations&) = delete;

@@ -107,12 +107,10 @@ class StrobeTracer {
 
   StrobeEquations& equations_of(int period, double section = 0.0) {
     auto& place = equations_[{period, section}];
-    StrobeOptions strobe = strobe_;
-    strobe.section = section;
     if (!place) {
       const double range = result_.range > 0.0 ? result_.range : 1.0;
       place = std::make_unique<StrobeEquations>(family_.scene(), std::vector{family_.parameter()},
-                                                std::vector{range}, strobe, period);
+                                                std::vector{range}, strobe_, period, section);
     }
     return *place;
   }
@@ -235,7 +233,7 @@ class StrobeTracer {
   const BranchOptions& options_;
   OrbitBranches result_;
   ContinuationOptions range_;
-  StrobeOptions strobe_;
+  PassageOptions strobe_;
   std::map<std::pair<int, double>, std::unique_ptr<StrobeEquations>>
       equations_;  // by period and section
   std::vector<Traced> traced_;

@@ -31,12 +31,12 @@ System own_system(const Scene& scene, const std::string& parameter) {
 }  // namespace
 
 StrobeEquations::StrobeEquations(const Scene& scene, const std::vector<std::string>& parameters,
-                                 std::vector<double> units, const StrobeOptions& options,
-                                 int period)
+                                 std::vector<double> units, const PassageOptions& options,
+                                 int period, double section)
     : systems_(scene, parameters),
       units_(std::move(units)),
       scale_(motion_scale(own_system(scene, parameters.front()))),
-      map_(own_system(scene, parameters.front()), options),
+      map_(own_system(scene, parameters.front()), options, section),
       period_(period) {
   Map map;
   map.evaluate = [this](const Vector& x, Parameters at) { return evaluate(x, at); };

@@ -36,16 +36,17 @@ inline constexpr double kTouchDepth = 1e-10;
 class StrobeEquations {
  public:
   // Requires that the scene allows its own values. `units`: of the parameters, the lengths of their
-  // ranges. `period`: p.
+  // ranges. `period`: p; `section`: see StrobeMap.
   StrobeEquations(const Scene& scene, const std::vector<std::string>& parameters,
-                  std::vector<double> units, const StrobeOptions& options, int period);
+                  std::vector<double> units, const PassageOptions& options, int period,
+                  double section = 0.0);
   StrobeEquations(const StrobeEquations&) = delete;
   StrobeEquations& operator=(const StrobeEquations&) = delete;
 
   const ZeroProblem& problem() const { return problem_; }
   const StrobeMap& map() const { return map_; }
   int period() const { return period_; }
-  double section() const { return map_.options().section; }  // forcing phase, rad
+  double section() const { return map_.section(); }  // forcing phase, rad
   double unit(std::size_t parameter) const { return units_[parameter]; }
   // To what the test for a critical multiplier vanishes.
   static double critical_tolerance();

@@ -49,7 +49,7 @@ void name_pattern(OrbitLocus& locus) {
 }  // namespace
 
 StrobeLoci::StrobeLoci(const Scene& scene, const std::string& first, const std::string& second,
-                       const LocusOptions& options, const StrobeOptions& strobe)
+                       const LocusOptions& options, const PassageOptions& strobe)
     : options_(options),
       scene_(scene),
       parameters_{first, second},

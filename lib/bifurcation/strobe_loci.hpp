@@ -27,7 +27,7 @@ class StrobeLoci {
  public:
   // Requires that the scene allows its own values. Refers to the scene.
   StrobeLoci(const Scene& scene, const std::string& first, const std::string& second,
-             const LocusOptions& options, const StrobeOptions& strobe);
+             const LocusOptions& options, const PassageOptions& strobe);
   StrobeLoci(const StrobeLoci&) = delete;
   StrobeLoci& operator=(const StrobeLoci&) = delete;
 
@@ -61,7 +61,7 @@ class StrobeLoci {
   LocusOptions options_;
   const Scene& scene_;
   std::vector<std::string> parameters_;
-  StrobeOptions strobe_;
+  PassageOptions strobe_;
   std::map<int, StrobeEquations> equations_;  // by period
   Eigen::Index state_size_;                   // 2N
   std::map<std::pair<int, OrbitLocusKind>, std::vector<Locus>> traced_;

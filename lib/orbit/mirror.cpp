@@ -36,7 +36,7 @@ std::vector<ImpactPoint> mirrored(std::vector<ImpactPoint> impacts) {
 
 std::optional<Orbit> mirrored_sticking(const System& system, const Orbit& orbit,
                                        const std::vector<int>& opposite,
-                                       const StickingOptions& options) {
+                                       const PassageOptions& options) {
   const MotionState<double>& at = orbit.section->states.front();
   MotionState<double> image = at;
   image.instant = later(at.instant, 0.5 * system.period(), system.period());

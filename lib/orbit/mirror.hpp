@@ -20,6 +20,6 @@ std::vector<ImpactPoint> mirrored(std::vector<ImpactPoint> impacts);
 // nothing where that does not come back to it. `opposite` as above.
 std::optional<Orbit> mirrored_sticking(const System& system, const Orbit& orbit,
                                        const std::vector<int>& opposite,
-                                       const StickingOptions& options);
+                                       const PassageOptions& options);
 
 }  // namespace graze

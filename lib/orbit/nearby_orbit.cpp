@@ -28,11 +28,7 @@ std::optional<NearbyOrbit> nearby_orbit(const System& system, const ImpactPatter
   if (!solution) return {};
   NearbyOrbit orbit{pattern, problem.unpack(system, solution->x), {}};
   if (!(distance(system, motion_scale(system), orbit, points) <= kNear)) return {};
-  const MultiplierCount count = count_multipliers(orbit_multipliers(system, pattern, orbit.points));
-  if (count.outside > 0)
-    orbit.stable = false;
-  else if (count.undecided == 0)
-    orbit.stable = true;
+  orbit.stable = stability(orbit_multipliers(system, pattern, orbit.points));
   return orbit;
 }
 

@@ -146,6 +146,12 @@ MultiplierCount count_multipliers(const std::vector<Eigenvalue>& multipliers) {
   return count;
 }
 
+std::optional<bool> stability(const std::vector<Eigenvalue>& multipliers) {
+  const MultiplierCount count = count_multipliers(multipliers);
+  if (count.outside > 0) return false;
+  return count.undecided == 0 && !multipliers.empty() ? std::optional(true) : std::nullopt;
+}
+
 std::vector<Matrix> impact_factors(const System& system, const ImpactPattern& pattern,
                                    const std::vector<ImpactPoint>& points) {
   std::vector<Matrix> factors;
@@ -265,11 +271,7 @@ Orbit make_orbit(const System& system, const ShootingProblem& problem, const Vec
   orbit.impacts = ordered_impacts(system, problem.pattern(), points);
   orbit.residual = problem.residual(system, solution).cwiseAbs().maxCoeff();
   orbit.multipliers = std::move(multipliers);
-  const MultiplierCount count = count_multipliers(orbit.multipliers);
-  if (count.outside > 0)
-    orbit.stable = false;
-  else if (count.undecided == 0 && !orbit.multipliers.empty())
-    orbit.stable = true;
+  orbit.stable = stability(orbit.multipliers);
   const Admissibility verdict = admissibility(system, problem.pattern(), points);
   orbit.admissible = verdict.admissible;
   orbit.clearance = verdict.clearance();

@@ -93,6 +93,9 @@ struct MultiplierCount {
   int undecided = 0;
 };
 MultiplierCount count_multipliers(const std::vector<Eigenvalue>& multipliers);
+// Whether an orbit with these multipliers is stable; nothing where one sits on the unit circle
+// within its error, or none is known.
+std::optional<bool> stability(const std::vector<Eigenvalue>& multipliers);
 
 // The linearised map from just before each impact to just before the next one, flow times
 // saltation, 2N x 2N each, in time order from the first impact on.

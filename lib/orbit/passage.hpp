@@ -24,13 +24,13 @@ namespace graze {
 struct PassageOptions {
   double closure_speed = 0.0;  // m/s: below it the tail of a chatter is summed
   long long max_impacts = kDefaultImpactBudget;
+  StopSignal stop{};
   bool minima = false;  // look for the minima of gaps and contact forces
   // Of speeds and approaches, along it, the rates: with deviations and a parameter's deviation
   // only.
-  std::optional<PassageDirection> along;
-  StopSignal stop;
+  std::optional<PassageDirection> along{};
   // Called for every flight: the phase as it was flown, when it began, how long it was, s.
-  std::function<void(const ContactPhase<double>&, const Instant<double>&, double)> flight;
+  std::function<void(const ContactPhase<double>&, const Instant<double>&, double)> flight{};
 };
 
 struct PassedImpact {

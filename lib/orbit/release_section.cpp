@@ -12,14 +12,6 @@
 namespace graze {
 namespace {
 
-PassageOptions passage_options(const StickingOptions& options) {
-  PassageOptions passage;
-  passage.closure_speed = options.closure_speed;
-  passage.max_impacts = options.max_impacts;
-  passage.stop = options.stop;
-  return passage;
-}
-
 double seconds_between(const System& system, const Instant<double>& from,
                        const Instant<double>& to) {
   return static_cast<double>(to.period - from.period) * system.period() + to.local - from.local;
@@ -42,7 +34,7 @@ struct ReleaseSection::Chart {
 };
 
 ReleaseSection::ReleaseSection(const System& reference, Release release,
-                               const StickingOptions& options)
+                               const PassageOptions& options)
     : release_(std::move(release)), options_(options) {
   const ContactPhase<double> phase(reference, release_.closed);
   basis_ = phase.basis();
@@ -183,8 +175,8 @@ bool ReleaseSection::add_return(const System& system, const Vector& u, const Cha
   Deviations deviations = start_deviations(system, chart);
   std::optional<ParameterDeviation> parameter;
   if (tangent) parameter.emplace(system, *tangent, chart_rate);
-  const Passage passage = pass(system, start, end_of(start), passage_options(options_), &deviations,
-                               parameter ? &*parameter : nullptr);
+  const Passage passage =
+      pass(system, start, end_of(start), options_, &deviations, parameter ? &*parameter : nullptr);
   if (!passage.failure.empty()) return false;
   std::vector<int> closed;
   for (std::size_t i = 0; i < passage.end.contacts.size(); ++i)
@@ -229,7 +221,7 @@ std::optional<ReleaseReturn> ReleaseSection::follow(const System& system, const 
   const std::optional<MotionState<double>> start = state_of(system, u);
   if (!start) return {};
   ReleaseReturn result;
-  PassageOptions options = passage_options(options_);
+  PassageOptions options = options_;
   options.minima = minima;
   result.passage = pass(system, *start, end_of(*start), options);
   if (!result.passage.failure.empty()) return {};
@@ -269,7 +261,7 @@ std::optional<std::vector<PassageMargin>> ReleaseSection::margins(const System& 
   const MotionState<double> start = *state_of(system, u);
   Deviations deviations = start_deviations(system, *chart);
   ParameterDeviation parameter(system, tangent, chart_rate(tangent, *chart));
-  PassageOptions options = passage_options(options_);
+  PassageOptions options = options_;
   PassageDirection along{direction, parameter_rate, &tangent};
   along.deviations.tail(2 * freedoms()).array() *= unit_.array();
   options.along = along;
@@ -298,13 +290,13 @@ std::optional<Orbit> ReleaseSection::orbit(const System& system, const Vector& u
     middle.local += system.period();
     --middle.period;
   }
-  const Passage to_middle = pass(system, *start, middle, passage_options(options_));
+  const Passage to_middle = pass(system, *start, middle, options_);
   if (!to_middle.failure.empty()) return {};
   return sticking_orbit_through(system, to_middle.end, release_.period, options_).orbit;
 }
 
 std::vector<OrbitRelease> releases_of(const System& system, const Orbit& orbit,
-                                      const StickingOptions& options) {
+                                      const PassageOptions& options) {
   struct Found {
     OrbitRelease release;
     double held = 0.0;  // s
@@ -312,11 +304,10 @@ std::vector<OrbitRelease> releases_of(const System& system, const Orbit& orbit,
   std::vector<Found> found;
   const MotionState<double>& start = orbit.section->states.front();
   const Passage round =
-      pass(system, start, {start.instant.period + orbit.period, start.instant.local},
-           passage_options(options));
+      pass(system, start, {start.instant.period + orbit.period, start.instant.local}, options);
   for (const PassedHold& hold : round.holds) {
     if (hold.to_end) continue;
-    const Passage there = pass(system, start, hold.to, passage_options(options));
+    const Passage there = pass(system, start, hold.to, options);
     if (!there.failure.empty()) continue;
     Found one;
     one.release.release.period = orbit.period;

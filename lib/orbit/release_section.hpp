@@ -58,7 +58,7 @@ class ReleaseSection {
   };
 
   // `reference`: the system whose rows and units make the coordinates. Requires forcing.
-  ReleaseSection(const System& reference, Release release, const StickingOptions& options);
+  ReleaseSection(const System& reference, Release release, const PassageOptions& options);
 
   const Release& release() const { return release_; }
   // The same section, in the same coordinates, of orbits of another period.
@@ -106,7 +106,7 @@ class ReleaseSection {
   Instant<double> end_of(const MotionState<double>& start) const;
 
   Release release_;
-  StickingOptions options_;
+  PassageOptions options_;
   Matrix basis_;     // U, N x (N - m)
   Vector unit_;      // of (y, y')
   double push_ = 1;  // unit of the force equation, m/s^2
@@ -121,6 +121,6 @@ struct OrbitRelease {
   State state;
 };
 std::vector<OrbitRelease> releases_of(const System& system, const Orbit& orbit,
-                                      const StickingOptions& options);
+                                      const PassageOptions& options);
 
 }  // namespace graze

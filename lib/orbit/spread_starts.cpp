@@ -147,7 +147,7 @@ class Spread {
 
   std::optional<Orbit> solved(const SettledMotion& motion) const {
     if (system_.has_compliant_stop()) {
-      StrobeOptions strobe;
+      PassageOptions strobe;
       strobe.max_impacts = options_.max_impacts;
       strobe.stop = options_.stop;
       strobe.closure_speed =

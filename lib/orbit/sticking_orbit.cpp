@@ -23,11 +23,8 @@ std::vector<int> closed_stops(const MotionState<double>& at) {
 // The stroboscopic map on the section where the stops of a motion's state are closed.
 class HeldSection {
  public:
-  HeldSection(const System& system, const MotionState<double>& at, const StickingOptions& options)
-      : system_(&system), at_(at), scale_(motion_scale(system)) {
-    passage_.closure_speed = options.closure_speed;
-    passage_.max_impacts = options.max_impacts;
-    passage_.stop = options.stop;
+  HeldSection(const System& system, const MotionState<double>& at, const PassageOptions& options)
+      : system_(&system), at_(at), scale_(motion_scale(system)), passage_(options) {
     const ContactPhase<double> phase(system, closed_stops(at));
     basis_ = phase.basis();
     unit_.resize(2 * freedoms());
@@ -200,11 +197,7 @@ Orbit orbit_of(const System& system, const HeldSection& section, const HeldSecti
   if (back.map.rows() > 0) orbit.multipliers = eigenvalues(back.map);
   if (static_cast<Eigen::Index>(orbit.multipliers.size()) == back.map.rows())
     orbit.multipliers.resize(static_cast<std::size_t>(2 * system.modes()), {Complex(0.0), 0.0});
-  const MultiplierCount count = count_multipliers(orbit.multipliers);
-  if (count.outside > 0)
-    orbit.stable = false;
-  else if (count.undecided == 0 && !orbit.multipliers.empty())
-    orbit.stable = true;
+  orbit.stable = stability(orbit.multipliers);
   orbit.admissible = true;
   orbit.clearance = back.passage.clearance();
   orbit.residual = back.residual;
@@ -231,14 +224,10 @@ int shortest_period(HeldSection& section, int period) {
 }  // namespace
 
 StickingOrbitAnswer sticking_orbit(const System& system, const State& at_period_start, int period,
-                                   const StickingOptions& options) {
-  PassageOptions passage;
-  passage.closure_speed = options.closure_speed;
-  passage.max_impacts = options.max_impacts;
-  passage.stop = options.stop;
+                                   const PassageOptions& options) {
   const MotionState<double> start =
       Motion<double>(system, {}, at_period_start.q, at_period_start.qdot).state();
-  const Passage first = pass(system, start, {period, 0.0}, passage);
+  const Passage first = pass(system, start, {period, 0.0}, options);
   if (!first.failure.empty()) return {{}, first.failure};
   if (first.holds.empty())
     return {{}, fmt::format("no stop is closed within {} forcing periods", period)};
@@ -253,7 +242,7 @@ StickingOrbitAnswer sticking_orbit(const System& system, const State& at_period_
       pass(system, start,
            {static_cast<long long>(periods),
             std::clamp(*instant - periods * system.period(), 0.0, system.period())},
-           passage);
+           options);
   if (!to_section.failure.empty()) return {{}, to_section.failure};
   HeldSection section(system, to_section.end, options);
   const std::string failure = solve(section, period);
@@ -265,7 +254,7 @@ StickingOrbitAnswer sticking_orbit(const System& system, const State& at_period_
 
 StickingOrbitAnswer sticking_orbit_through(const System& system,
                                            const MotionState<double>& at_section, int period,
-                                           const StickingOptions& options) {
+                                           const PassageOptions& options) {
   if (std::find(at_section.contacts.begin(), at_section.contacts.end(), Contact::kClosed) ==
       at_section.contacts.end())
     return {{}, "no stop is closed where the orbit is said to stick"};

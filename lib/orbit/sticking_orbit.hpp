@@ -18,17 +18,10 @@
 #include <optional>
 #include <string>
 
-#include "graze/base/default_budget.hpp"
-#include "graze/base/stop_signal.hpp"
 #include "graze/orbit/orbit.hpp"
+#include "graze/orbit/passage.hpp"
 
 namespace graze {
-
-struct StickingOptions {
-  double closure_speed = 0.0;          // m/s
-  long long max_impacts = kDefaultImpactBudget;  // of one passage
-  StopSignal stop;
-};
 
 struct StickingOrbitAnswer {
   std::optional<Orbit> orbit;  // minimal and admissible
@@ -39,13 +32,13 @@ struct StickingOrbitAnswer {
 // forcing periods. Requires forcing. The guess has to lie where Newton's method converges; a
 // simulated motion that repeats to 1e-6 does.
 StickingOrbitAnswer sticking_orbit(const System& system, const State& at_period_start, int period,
-                                   const StickingOptions& options);
+                                   const PassageOptions& options);
 
 // The orbit that repeats, after `period` forcing periods, a motion that is known to do so, from a
 // state within a stuck phase. Nothing is solved; its residual says how nearly it repeats. No orbit
 // where the motion does not come back to that stuck phase.
 StickingOrbitAnswer sticking_orbit_through(const System& system,
                                            const MotionState<double>& at_section, int period,
-                                           const StickingOptions& options);
+                                           const PassageOptions& options);
 
 }  // namespace graze

@@ -100,11 +100,7 @@ class StrobeFinder {
         Motion<double>(system_, {0, local}, point.before.q, point.before.qdot).state();
     // Rounding may have left it beyond the surface.
     before.contacts[static_cast<std::size_t>(stop)] = Contact::kTouching;
-    PassageOptions options;
-    options.closure_speed = strobe_.closure_speed;
-    options.max_impacts = options_.max_impacts;
-    options.stop = options_.stop;
-    const Passage passage = pass(system_, before, {1, 0.0}, options);
+    const Passage passage = pass(system_, before, {1, 0.0}, strobe_);
     if (!passage.failure.empty()) return;
     seek({passage.end.q, passage.end.qdot}, options_.period, count);
   }
@@ -164,7 +160,7 @@ class StrobeFinder {
   const std::optional<State>& start_;
   const FinderOptions& options_;
   MotionScale scale_;
-  StrobeOptions strobe_;
+  PassageOptions strobe_;
   std::string why_not_;
   FoundOrbits found_;
 };

@@ -26,8 +26,8 @@ constexpr double kMostTimeConstants = 1e4;
 
 }  // namespace
 
-StrobeMap::StrobeMap(const System& reference, const StrobeOptions& options)
-    : options_(options), unit_(2 * reference.modes()) {
+StrobeMap::StrobeMap(const System& reference, const PassageOptions& options, double section)
+    : options_(options), section_(section), unit_(2 * reference.modes()) {
   const MotionScale scale = motion_scale(reference);
   unit_ << Vector::Constant(reference.modes(), scale.displacement), scale.velocity;
 }
@@ -52,8 +52,7 @@ State StrobeMap::unpack(const Vector& x) const {
 }
 
 Instant<double> StrobeMap::first_instant(const System& system) const {
-  const double local =
-      wrapped(options_.section - system.forcing()->phase) / system.forcing()->frequency;
+  const double local = wrapped(section_ - system.forcing()->phase) / system.forcing()->frequency;
   return {0, local < system.period() ? local : 0.0};
 }
 
@@ -78,14 +77,6 @@ Instant<double> StrobeMap::end_of(const MotionState<double>& start) const {
   return {1, start.instant.local};
 }
 
-PassageOptions StrobeMap::passage_options() const {
-  PassageOptions passage;
-  passage.closure_speed = options_.closure_speed;
-  passage.max_impacts = options_.max_impacts;
-  passage.stop = options_.stop;
-  return passage;
-}
-
 Deviations StrobeMap::unit_deviations() const {
   const Eigen::Index n = size() / 2;
   Deviations deviations{Matrix::Zero(n, 2 * n), Matrix::Zero(n, 2 * n),
@@ -103,7 +94,7 @@ std::optional<StrobeMap::Image> StrobeMap::image(const System& system, const Vec
   Deviations deviations = unit_deviations();
   std::optional<ParameterDeviation> parameter;
   if (tangent) parameter.emplace(system, *tangent, State{Vector::Zero(n), Vector::Zero(n)});
-  const Passage passage = pass(system, *start, end_of(*start), passage_options(), &deviations,
+  const Passage passage = pass(system, *start, end_of(*start), options_, &deviations,
                                parameter ? &*parameter : nullptr);
   if (!passage.failure.empty()) return {};
   Image image{pack({passage.end.q, passage.end.qdot}), Matrix(2 * n, 2 * n), {}};
@@ -120,8 +111,7 @@ std::optional<Vector> StrobeMap::rate(const System& system, const Vector& x,
   if (!start) return {};
   const Eigen::Index n = size() / 2;
   ParameterDeviation parameter(system, tangent, State{Vector::Zero(n), Vector::Zero(n)});
-  const Passage passage =
-      pass(system, *start, end_of(*start), passage_options(), nullptr, &parameter);
+  const Passage passage = pass(system, *start, end_of(*start), options_, nullptr, &parameter);
   if (!passage.failure.empty()) return {};
   return pack(parameter.value());
 }
@@ -136,14 +126,13 @@ std::optional<StrobeMap::Within> StrobeMap::within(const System& system, const V
   const Instant<double> end = later(start->instant, angle / frequency, system.period());
   Within within;
   within.by_state = unit_deviations();
-  Passage passage = pass(system, *start, end, passage_options(), &within.by_state);
+  Passage passage = pass(system, *start, end, options_, &within.by_state);
   if (!passage.failure.empty()) return {};
   within.at = std::move(passage.end);
   within.state = {within.at.q, within.at.qdot};
   for (const System* tangent : tangents) {
     ParameterDeviation parameter(system, *tangent, State{Vector::Zero(n), Vector::Zero(n)});
-    if (!pass(system, *start, end, passage_options(), nullptr, &parameter).failure.empty())
-      return {};
+    if (!pass(system, *start, end, options_, nullptr, &parameter).failure.empty()) return {};
     within.by_parameters.push_back(parameter.value());
   }
   const Motion<double> motion(system, within.at);
@@ -158,7 +147,7 @@ std::optional<StrobeMap::Within> StrobeMap::within(const System& system, const V
 std::optional<Passage> StrobeMap::follow(const System& system, const Vector& x, bool minima) const {
   const std::optional<MotionState<double>> start = start_of(system, x);
   if (!start) return {};
-  PassageOptions options = passage_options();
+  PassageOptions options = options_;
   options.minima = minima;
   Passage passage = pass(system, *start, end_of(*start), options);
   if (!passage.failure.empty()) return {};

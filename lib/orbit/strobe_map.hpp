@@ -15,22 +15,16 @@
 
 namespace graze {
 
-struct StrobeOptions {
-  double closure_speed = 0.0;                    // m/s, of chatters on rigid stops
-  long long max_impacts = kDefaultImpactBudget;  // of one passage
-  StopSignal stop{};
-  // Forcing phase of the section, rad: 0, where states mean the same to every map, but where a
-  // contact begins or ends nearby. There the map has a corner: an event is at the end of one
-  // period, or at the start of the next.
-  double section = 0.0;
-};
-
 class StrobeMap {
  public:
-  // `reference`: the system whose units are taken. Requires forcing.
-  StrobeMap(const System& reference, const StrobeOptions& options);
+  // `reference`: the system whose units are taken. Requires forcing. `section`: the forcing phase
+  // it lies at, rad; 0, where states mean the same to every map, but where a contact begins or ends
+  // nearby. There the map has a corner: an event is at the end of one period, or at the start of
+  // the next.
+  StrobeMap(const System& reference, const PassageOptions& options, double section = 0.0);
 
-  const StrobeOptions& options() const { return options_; }
+  const PassageOptions& options() const { return options_; }
+  double section() const { return section_; }
   Eigen::Index size() const { return unit_.size(); }  // 2N
   // The state in units of the map, and back.
   Vector pack(const State& state) const;
@@ -71,9 +65,9 @@ class StrobeMap {
  private:
   Instant<double> end_of(const MotionState<double>& start) const;
   Deviations unit_deviations() const;
-  PassageOptions passage_options() const;
 
-  StrobeOptions options_;
+  PassageOptions options_;
+  double section_;
   Vector unit_;  // of (q, q')
 };
 

@@ -168,7 +168,7 @@ std::vector<OrbitImpact> met_on(const System& system, const std::vector<Passage>
 // phase 0, wherever the section of the map lies.
 std::optional<MotionState<double>> start_of_turn(const System& system, const StrobeMap& map,
                                                  const Vector& x) {
-  const double angle = wrapped(-map.options().section);
+  const double angle = wrapped(-map.section());
   if (angle == 0.0) return map.start_of(system, x);
   std::optional<StrobeMap::Within> within = map.within(system, x, angle, {});
   if (!within) return {};
@@ -231,11 +231,7 @@ std::optional<Orbit> orbit_of(const System& system, const StrobeMap& map, const 
                              [&](const OrbitImpact& impact) { return impact.speed > still; }))
     return {};
   orbit->multipliers = std::move(multipliers);
-  const MultiplierCount count = count_multipliers(orbit->multipliers);
-  if (count.outside > 0)
-    orbit->stable = false;
-  else if (count.undecided == 0 && !orbit->multipliers.empty())
-    orbit->stable = true;
+  orbit->stable = stability(orbit->multipliers);
   return orbit;
 }
 
@@ -297,23 +293,19 @@ std::vector<State> turns_of(const Orbit& orbit) {
 }
 
 StrobeAnswer strobe_orbit(const System& system, const std::vector<State>& turns,
-                          const StrobeOptions& options) {
+                          const PassageOptions& options) {
   const StrobeMap map(system, options);
   return solve_from(system, map, map.pack(turns));
 }
 
 StrobeAnswer strobe_orbit(const System& system, const State& at_period_start, int period,
-                          const StrobeOptions& options) {
+                          const PassageOptions& options) {
   const StrobeMap map(system, options);
   const Eigen::Index n = map.size();
   Vector u(period * n);
-  PassageOptions passage;
-  passage.closure_speed = options.closure_speed;
-  passage.max_impacts = options.max_impacts;
-  passage.stop = options.stop;
   const Passage to_section =
       pass(system, Motion<double>(system, {}, at_period_start.q, at_period_start.qdot).state(),
-           map.first_instant(system), passage);
+           map.first_instant(system), options);
   if (!to_section.failure.empty()) return {{}, to_section.failure};
   u.head(n) = map.pack({to_section.end.q, to_section.end.qdot});
   for (Eigen::Index i = n; i < u.size(); i += n) {

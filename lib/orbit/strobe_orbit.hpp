@@ -20,12 +20,12 @@ struct StrobeAnswer {
 // The orbit near the motion that starts at `at_period_start` (t = 0) and repeats after `period`
 // forcing periods. Requires forcing.
 StrobeAnswer strobe_orbit(const System& system, const State& at_period_start, int period,
-                          const StrobeOptions& options);
+                          const PassageOptions& options);
 
 // The orbit near one with these states at the starts of its forcing periods, where the section of
 // the map lies.
 StrobeAnswer strobe_orbit(const System& system, const std::vector<State>& turns,
-                          const StrobeOptions& options);
+                          const PassageOptions& options);
 
 // The orbit of a solution u = (x_1, .., x_p) of the map. No orbit without any impact, where a rigid
 // stop is stuck to, or where the motion cannot be followed. `residual`: of the solution.

@@ -141,7 +141,7 @@ class AttractorSearch {
     return motion.pattern ? solve(*motion.pattern, motion.points) : std::nullopt;
   }
 
-  StrobeOptions strobe_options() const {
+  PassageOptions strobe_options() const {
     return {options_.closure_speed, options_.max_impacts, options_.stop};
   }
 

@@ -181,7 +181,7 @@ TEST(StickingGrazing, PairsBetweenOrbitsWithTheSameEventsAreSeen) {
                                                  {.from = 0.4785, .to = 0.4835, .start_values = 1});
   ASSERT_FALSE(result.branches.empty());
   const OrbitBranchPoint& point = result.branches[0].points.front();
-  const StickingOptions options{point.orbit.section->closure_speed, 10'000'000, {}};
+  const PassageOptions options{point.orbit.section->closure_speed, 10'000'000, {}};
   const System system = *clear.at(point.value);
   const OrbitRelease start = releases_of(system, point.orbit, options).front();
   const StickingEquations without(clear, system, start.release, options),

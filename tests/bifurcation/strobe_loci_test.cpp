@@ -149,7 +149,7 @@ int contacts_at(const Scene& scene, const OrbitLocusPoint& point, double gap) {
                                     "stop.spring.damping.alpha", point.second),
                      "stop.gap", gap));
   const StrobeAnswer answer = strobe_orbit(system, point.turns.front(),
-                                           static_cast<int>(point.turns.size()), StrobeOptions{});
+                                           static_cast<int>(point.turns.size()), PassageOptions{});
   EXPECT_TRUE(answer.orbit) << answer.why_not;
   return answer.orbit ? static_cast<int>(answer.orbit->impacts.size()) : 0;
 }

@@ -11,7 +11,7 @@
 namespace graze {
 namespace {
 
-StickingOptions options_of(const Found& found) {
+PassageOptions options_of(const Found& found) {
   return {found.orbit.section->closure_speed, 10'000'000, {}};
 }
 

@@ -137,7 +137,7 @@ TEST(StickingOrbitSearch, HasACurveFromImpactToImpact) {
 }
 
 TEST(StickingOrbitSearch, SaysWhyThereIsNone) {
-  StickingOptions options;
+  PassageOptions options;
   options.closure_speed = 1e-6;
   // Pressed onto its stop for ever.
   const System held = support::forced_oscillator(1.0, 0.0, -0.2, 0.7, 1.3, 0.1);
