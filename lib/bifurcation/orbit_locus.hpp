@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "graze/continuation/locus_values.hpp"
 #include "graze/orbit/orbit.hpp"
 
 namespace graze {
@@ -70,5 +71,12 @@ struct OrbitLocus {
   bool compliant = false;      // of orbits on compliant stops: impacts do not tell them
   double closure_speed = 0.0;  // m/s, there: of chatters on rigid stops beside them
 };
+
+// A locus of critical orbits as one of equations; requires a kind that multipliers tell, not GR.
+LocusKind as_locus_kind(OrbitLocusKind kind);
+
+// What an end of a traced locus is called where it is one of orbits. One that was asked to halt has
+// come to where its orbits meet no stop any more.
+OrbitLocusEnd as_orbit_end(LocusEnd end);
 
 }  // namespace graze

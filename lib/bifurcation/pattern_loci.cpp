@@ -11,34 +11,6 @@
 namespace graze {
 namespace {
 
-LocusKind as_locus_kind(OrbitLocusKind kind) {
-  if (kind == OrbitLocusKind::kPeriodDoubling) return LocusKind::kPeriodDoubling;
-  return kind == OrbitLocusKind::kTorus ? LocusKind::kTorus : LocusKind::kFold;
-}
-
-OrbitLocusEnd as_orbit_end(LocusEnd end) {
-  switch (end) {
-    case LocusEnd::kFirstLimit:
-      return OrbitLocusEnd::kFirstLimit;
-    case LocusEnd::kSecondLimit:
-      return OrbitLocusEnd::kSecondLimit;
-    case LocusEnd::kClosed:
-      return OrbitLocusEnd::kClosed;
-    case LocusEnd::kResonance:
-      return OrbitLocusEnd::kResonance;
-    case LocusEnd::kStepLimit:
-      return OrbitLocusEnd::kStepLimit;
-    case LocusEnd::kOutOfTime:
-      return OrbitLocusEnd::kOutOfTime;
-    case LocusEnd::kStopped:
-      return OrbitLocusEnd::kStopped;
-    case LocusEnd::kHalted:
-    case LocusEnd::kNotConverged:
-      break;
-  }
-  return OrbitLocusEnd::kNotConverged;
-}
-
 // Beside a grazing multipliers go with the impact speed, and turn where it does nothing more than
 // halve or change its sign; from here on, a part of the forced motion's speed, no longer.
 constexpr double kSlowest = 1e-5;

@@ -9,36 +9,6 @@
 namespace graze {
 namespace {
 
-LocusKind as_locus_kind(OrbitLocusKind kind) {
-  return kind == OrbitLocusKind::kPeriodDoubling ? LocusKind::kPeriodDoubling
-         : kind == OrbitLocusKind::kTorus        ? LocusKind::kTorus
-                                                 : LocusKind::kFold;
-}
-
-OrbitLocusEnd as_end(LocusEnd end) {
-  switch (end) {
-    case LocusEnd::kFirstLimit:
-      return OrbitLocusEnd::kFirstLimit;
-    case LocusEnd::kSecondLimit:
-      return OrbitLocusEnd::kSecondLimit;
-    case LocusEnd::kClosed:
-      return OrbitLocusEnd::kClosed;
-    case LocusEnd::kResonance:
-      return OrbitLocusEnd::kResonance;
-    case LocusEnd::kStepLimit:
-      return OrbitLocusEnd::kStepLimit;
-    case LocusEnd::kOutOfTime:
-      return OrbitLocusEnd::kOutOfTime;
-    case LocusEnd::kStopped:
-      return OrbitLocusEnd::kStopped;
-    case LocusEnd::kHalted:  // the orbits meet no stop any more
-      return OrbitLocusEnd::kGrazing;
-    case LocusEnd::kNotConverged:
-      break;
-  }
-  return OrbitLocusEnd::kNotConverged;
-}
-
 // Contacts may be born and lost along it: those of its first point name it.
 void name_pattern(OrbitLocus& locus) {
   if (locus.points.empty()) return;
@@ -107,7 +77,7 @@ std::optional<OrbitLocusPoint> StrobeLoci::point_of(const StrobeGrazing& curve,
 // In order along it, special points among the others.
 OrbitLocus StrobeLoci::as_orbits(OrbitLocusKind kind, int period, const Locus& locus) {
   OrbitLocus result = frame_of(kind, period);
-  result.ends = {as_end(locus.ends[0]), as_end(locus.ends[1])};
+  result.ends = {as_orbit_end(locus.ends[0]), as_orbit_end(locus.ends[1])};
   auto special = locus.special.begin();
   for (std::size_t i = 0; i < locus.points.size(); ++i) {
     if (auto at = point_of(locus.points[i])) result.points.push_back(std::move(*at));
@@ -182,7 +152,7 @@ StrobeLocusAnswer StrobeLoci::trace_grazing(const OrbitLocusStart& start) {
   answer.evaluations = traced.branch.evaluations;
   OrbitLocus locus = frame_of(OrbitLocusKind::kGrazing, period);
   for (const std::size_t side : {0u, 1u})
-    locus.ends[side] = as_end(as_locus_end(traced.branch.ends[side], true));
+    locus.ends[side] = as_orbit_end(as_locus_end(traced.branch.ends[side], true));
   for (const BranchPoint& here : traced.branch.points)
     if (auto orbit = point_of(curve, here)) locus.points.push_back(std::move(*orbit));
   name_pattern(locus);
