@@ -6,8 +6,7 @@
 #include <glog/logging.h>
 
 #include <mutex>
-
-#include "graze/base/linear_equations.hpp"
+#include <utility>
 
 namespace graze {
 namespace {
@@ -59,28 +58,17 @@ void quiet_glog() {
 
 std::optional<ShootingSolution> newton(const ShootingProblem& problem, const System& system,
                                        const Vector& start) {
-  constexpr int kMostSteps = 12;
-  ShootingSolution solution{start, 0.0, 0};
-  Matrix jacobian;
-  std::optional<ShootingSolution> best;
-  for (int step = 0; step <= kMostSteps; ++step) {
-    const Vector r = problem.residual(system, solution.x, &jacobian);
-    ++solution.evaluations;
-    if (!r.allFinite()) break;
-    solution.residual = r.cwiseAbs().maxCoeff();
-    // Once below the tolerance go on while it pays: the last digits cost one more step.
-    if (best && !(solution.residual < 0.5 * best->residual)) {
-      best->evaluations = solution.evaluations;
-      return best;
-    }
-    const Vector update = LuFactors(jacobian).solve(r);
-    if (!update.allFinite()) break;
-    // Between two solutions that nearly meet the residual is small too, but not Newton's step.
-    if (solution.residual <= kShootingTolerance && update.norm() <= kShootingAccuracy)
-      best = solution;
-    solution.x -= update;
-  }
-  return best;
+  struct Equations {
+    Vector residual;
+    Matrix jacobian;
+  };
+  auto solution = polish(start, [&](const Vector& x) {
+    Equations at;
+    at.residual = problem.residual(system, x, &at.jacobian);
+    return std::optional(std::move(at));
+  });
+  if (!solution) return {};
+  return ShootingSolution{std::move(solution->u), solution->residual, solution->evaluations};
 }
 
 std::optional<ShootingSolution> seek(const ShootingProblem& problem, const System& system,

@@ -6,17 +6,10 @@
 
 #include <optional>
 
+#include "graze/orbit/polish.hpp"
 #include "graze/orbit/shooting.hpp"
 
 namespace graze {
-
-// Largest scaled residual of a solution. Residuals of unit-scaled equations carry some tens of
-// roundings (1e-14); the smallest residual where there is no solution is the distance to the fold.
-inline constexpr double kShootingTolerance = 1e-11;
-
-// Largest Newton step that a solution still asks for: how well it is determined, at worst, beside a
-// fold.
-inline constexpr double kShootingAccuracy = 1e-7;
 
 struct ShootingSolution {
   Vector x;
@@ -24,7 +17,7 @@ struct ShootingSolution {
   int evaluations = 0;
 };
 
-// Newton's method from x. Nothing when it does not reach the tolerance within 12 steps.
+// Newton's method from x. Nothing when it does not reach the tolerance.
 std::optional<ShootingSolution> newton(const ShootingProblem& problem, const System& system,
                                        const Vector& x);
 

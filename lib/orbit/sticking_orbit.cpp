@@ -5,10 +5,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "graze/base/linear_equations.hpp"
 #include "graze/orbit/orbit_clock.hpp"
 #include "graze/orbit/passage.hpp"
-#include "graze/orbit/solve.hpp"
+#include "graze/orbit/polish.hpp"
 
 namespace graze {
 namespace {
@@ -88,33 +87,25 @@ class HeldSection {
 
 // Newton's method on the section; a sentence where it does not converge, else empty.
 std::string solve(HeldSection& section, int period) {
-  constexpr int kMostSteps = 12;
-  std::optional<HeldSection> best;
-  double smallest = 0.0;
+  struct Equations {
+    Vector residual;
+    Matrix jacobian;
+    double whole;  // largest entry of the residual of the whole state
+  };
   std::string failure = "Newton's method does not converge on the stuck section";
-  for (int step = 0; step <= kMostSteps; ++step) {
-    const HeldSection::Return back = section.after(period);
+  const auto equations_at = [&](const Vector& u) -> std::optional<Equations> {
+    HeldSection moved = section;
+    moved.move(u);
+    const HeldSection::Return back = moved.after(period);
     if (!back.passage.failure.empty()) {
       failure = back.passage.failure;
-      break;
+      return {};
     }
-    // Once below the tolerance go on while it pays.
-    if (best && !(back.residual < 0.5 * smallest)) break;
-    const Eigen::Index n = back.defect.size();
-    const Vector update =
-        n == 0 ? Vector(0) : LuFactors(Matrix::Identity(n, n) - back.map).solve(back.defect);
-    if (!update.allFinite()) break;
-    if (back.residual <= kShootingTolerance && update.norm() <= kShootingAccuracy) {
-      best.emplace(section);
-      smallest = back.residual;
-    } else if (n == 0) {
-      break;  // there is nothing to move
-    }
-    if (n == 0) break;
-    section.move(update);
-  }
-  if (!best) return failure;
-  section = *best;
+    return Equations{back.defect, back.map - Matrix::Identity(u.size(), u.size()), back.residual};
+  };
+  const auto solution = polish(Vector(Vector::Zero(2 * section.freedoms())), equations_at);
+  if (!solution || !(solution->at.whole <= kShootingTolerance)) return failure;
+  section.move(solution->u);
   return "";
 }
 

@@ -7,11 +7,10 @@
 #include <limits>
 
 #include "graze/base/angle.hpp"
-#include "graze/base/linear_equations.hpp"
 #include "graze/base/product_eigenvalues.hpp"
 #include "graze/orbit/orbit_clock.hpp"
+#include "graze/orbit/polish.hpp"
 #include "graze/orbit/shooting.hpp"
-#include "graze/orbit/solve.hpp"
 
 namespace graze {
 namespace {
@@ -38,35 +37,9 @@ std::optional<Equations> equations_at(const System& system, const StrobeMap& map
   return equations;
 }
 
-struct Solution {
-  Vector u;
-  double residual = 0.0;
-  std::vector<Matrix> slopes;
-};
-
-// Newton's method; once below the tolerance it goes on while it pays.
-std::optional<Solution> newton(const System& system, const StrobeMap& map, Vector u) {
-  constexpr int kMostSteps = 16;
-  // A start from which the equations get no nearer within some steps leads nowhere.
-  constexpr int kPatience = 4;
-  std::optional<Solution> best;
-  double least = std::numeric_limits<double>::infinity();
-  int since = 0;
-  for (int step = 0; step <= kMostSteps; ++step) {
-    const std::optional<Equations> at = equations_at(system, map, u);
-    if (!at) break;
-    const double residual = at->residual.cwiseAbs().maxCoeff();
-    if (best && !(residual < 0.5 * best->residual)) break;
-    since = residual < 0.5 * least ? 0 : since + 1;
-    if (since > kPatience) break;
-    least = std::fmin(least, residual);
-    const Vector update = LuFactors(at->jacobian).solve(at->residual);
-    if (!update.allFinite()) break;
-    if (residual <= kShootingTolerance && update.norm() <= kShootingAccuracy * (1.0 + u.norm()))
-      best = Solution{u, residual, at->slopes};
-    u -= update;
-  }
-  return best;
+std::optional<Polished<Equations>> newton(const System& system, const StrobeMap& map,
+                                          const Vector& u) {
+  return polish(u, [&](const Vector& at) { return equations_at(system, map, at); });
 }
 
 // The shortest part of a solution that repeats within it.
@@ -203,7 +176,7 @@ std::optional<Orbit> orbit_along(const System& system, const StrobeMap& map, con
 }
 
 StrobeAnswer solve_from(const System& system, const StrobeMap& map, const Vector& u) {
-  std::optional<Solution> solution = newton(system, map, u);
+  auto solution = newton(system, map, u);
   if (!solution) return {{}, "Newton's method does not converge on the stroboscopic map"};
   const Vector least = shortest(map, solution->u);
   if (least.size() < u.size()) {
@@ -211,8 +184,8 @@ StrobeAnswer solve_from(const System& system, const StrobeMap& map, const Vector
     if (!solution) return {{}, "Newton's method does not converge on the shorter period"};
   }
   StrobeAnswer answer;
-  answer.orbit =
-      orbit_of(system, map, solution->u, product_eigenvalues(solution->slopes), solution->residual);
+  answer.orbit = orbit_of(system, map, solution->u, product_eigenvalues(solution->at.slopes),
+                          solution->residual);
   if (!answer.orbit)
     answer.why_not =
         "the periodic motion meets no stop, never leaves one, or comes to rest on one that is "
