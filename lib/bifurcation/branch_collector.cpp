@@ -8,7 +8,7 @@
 #include "graze/bifurcation/special_names.hpp"
 #include "graze/bifurcation/touching_orbit.hpp"
 #include "graze/continuation/switching.hpp"
-#include "graze/orbit/sticking_orbit.hpp"
+#include "graze/orbit/followed_orbit.hpp"
 
 namespace graze {
 namespace {
@@ -84,9 +84,9 @@ void BranchCollector::trace_from_special(const BranchStart& start) {
 
 void BranchCollector::trace_from_section(const SpecialOrbit::Sticking& section) {
   const double value = family_.value();
-  const StickingOrbitAnswer answer =
-      sticking_orbit_through(*family_.at(value), section.at_section, section.period,
-                             {section.closure_speed, options_.finder.max_impacts, options_.stop});
+  const FollowedAnswer answer =
+      orbit_through(*family_.at(value), section.at_section, section.period,
+                    {section.closure_speed, options_.finder.max_impacts, options_.stop});
   if (answer.orbit)
     trace_from_sticking(*answer.orbit, value);
   else

@@ -10,8 +10,8 @@
 #include <tuple>
 #include <vector>
 
+#include "graze/bifurcation/passage_equations.hpp"
 #include "graze/bifurcation/remembered.hpp"
-#include "graze/bifurcation/sticking_equations.hpp"
 #include "graze/continuation/corrector.hpp"
 #include "graze/continuation/margin_course.hpp"
 
@@ -20,7 +20,7 @@ namespace graze {
 class HiddenEvents {
  public:
   // Refers to both, which must outlive it.
-  HiddenEvents(const StickingEquations& equations, Corrector& corrector)
+  HiddenEvents(const PassageEquations& equations, Corrector& corrector)
       : equations_(equations), corrector_(corrector) {}
 
   // A solution between a and b, which both have the events of `at_a`, that has not; or a
@@ -33,7 +33,7 @@ class HiddenEvents {
   std::optional<std::vector<PassageMargin>> margins(const BranchPoint& solution);
   std::vector<MarginCourse> courses(const BranchPoint& a, const BranchPoint& b);
 
-  const StickingEquations& equations_;
+  const PassageEquations& equations_;
   Corrector& corrector_;
   // By unknowns, parameter and tangent.
   Remembered<std::tuple<Vector, double, Vector>, std::optional<std::vector<PassageMargin>>>

@@ -49,6 +49,25 @@ bool is_of_orbits(const CriticalPoint& critical) {
          (critical.multiplier && std::abs(critical.multiplier->value - 1.0) <= kAtOne);
 }
 
+OrbitBranchPoint with_critical(OrbitBranchPoint at, const CriticalPoint& critical) {
+  const bool is_pair = critical.kind == CriticalKind::kTorus;
+  Complex where = critical.kind == CriticalKind::kPeriodDoubling ? -1.0 : 1.0;
+  if (is_pair && critical.multiplier) where = critical.multiplier->value;
+  std::vector<Eigenvalue> multipliers = at.orbit.multipliers;
+  for (const Complex at_circle : {where, std::conj(where)}) {
+    const auto nearest = std::min_element(
+        multipliers.begin(), multipliers.end(), [&](const Eigenvalue& a, const Eigenvalue& b) {
+          return std::abs(a.value - at_circle) < std::abs(b.value - at_circle);
+        });
+    if (nearest == multipliers.end()) return at;
+    nearest->error = std::max(nearest->error, std::abs(std::abs(nearest->value) - 1.0));
+    if (!is_pair) break;
+  }
+  at.unstable_multipliers = count_multipliers(multipliers).outside;
+  at.orbit.stable = stability(multipliers);
+  return at;
+}
+
 SpecialPoint as_special(const CriticalPoint& critical, OrbitBranchPoint at) {
   SpecialPoint special{
       as_special_kind(critical.kind), "", std::move(at), {}, false, critical.point};

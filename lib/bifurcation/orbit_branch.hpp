@@ -89,7 +89,10 @@ OrbitBranchPoint point_of_branch(double value, Orbit orbit);
 // orientation with it; and where an amplitude passes zero, orbits shrink to a point of rest that is
 // a solution at every phase.
 bool is_of_orbits(const CriticalPoint& critical);
-// That special point, unnamed; `at`: the orbit there.
+// The orbit there: its critical multipliers are on the unit circle, to whichever side of it
+// rounding has put them.
+OrbitBranchPoint with_critical(OrbitBranchPoint at, const CriticalPoint& critical);
+// That special point, unnamed; `at`: that orbit.
 SpecialPoint as_special(const CriticalPoint& critical, OrbitBranchPoint at);
 
 // What an end of a traced branch is called where it is one of orbits.

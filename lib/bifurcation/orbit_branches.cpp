@@ -12,8 +12,8 @@
 #include "graze/bifurcation/strobe_branches.hpp"
 #include "graze/hybrid/simulation.hpp"
 #include "graze/orbit/closed_form.hpp"
+#include "graze/orbit/followed_orbit.hpp"
 #include "graze/orbit/settled.hpp"
-#include "graze/orbit/sticking_orbit.hpp"
 
 namespace graze {
 namespace {
@@ -193,8 +193,8 @@ class OrbitTracer {
     settling.stop = options_.stop;
     const SettledMotion settled = settle(*system, *start, settling);
     if (settled.kind != SettledKind::kSticks) return;
-    const StickingOrbitAnswer answer =
-        sticking_orbit(*system, settled.at_start, settled.period,
+    const FollowedAnswer answer =
+        followed_orbit(*system, settled.at_start, settled.period,
                        {*settling.closure_speed, settling.max_impacts, options_.stop});
     if (!answer.orbit || answer.orbit->period != options_.period) return;
     branches_.trace_from_sticking(*answer.orbit, value);

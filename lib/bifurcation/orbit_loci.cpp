@@ -9,7 +9,7 @@
 
 #include "graze/bifurcation/pattern_loci.hpp"
 #include "graze/bifurcation/strobe_loci.hpp"
-#include "graze/orbit/strobe_orbit.hpp"
+#include "graze/orbit/followed_orbit.hpp"
 #include "graze/scene/parameter.hpp"
 
 namespace graze {

@@ -151,6 +151,7 @@ class Parts {
       place.joins_half = true;
       return place;
     }
+    place.at = with_critical(std::move(place.at), critical);
     place.special = as_special(critical, place.at);
     return place;
   }

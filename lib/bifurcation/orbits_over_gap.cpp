@@ -8,13 +8,13 @@
 
 #include "graze/base/angle.hpp"
 #include "graze/continuation/branch.hpp"
-#include "graze/continuation/map.hpp"
+#include "graze/continuation/locate.hpp"
 #include "graze/hybrid/simulation.hpp"
 #include "graze/orbit/finder.hpp"
+#include "graze/orbit/followed_orbit.hpp"
 #include "graze/orbit/orbit_identity.hpp"
 #include "graze/orbit/periodic_response.hpp"
 #include "graze/orbit/shooting.hpp"
-#include "graze/orbit/strobe_orbit.hpp"
 
 namespace graze {
 namespace {
@@ -53,10 +53,8 @@ class GapBranch {
         widened_(system),
         length_(motion_scale(system).length),
         rate_(rate_of_gaps(system, length_)),
-        map_(system, strobe) {
-    problem_ =
-        periodic_points({[this](const Vector& x, Parameters at) { return evaluate(x, at[0]); }});
-    problem_.multipliers = nullptr;
+        shooting_(system, PassageLayout::strobe(1), strobe) {
+    problem_.evaluate = [this](const Vector& x, Parameters at) { return evaluate(x, at[0]); };
     range_.stop = options.stop;
     range_.max_step = kLongestStep;
     range_.max_distance = kMaxDistance;
@@ -70,7 +68,7 @@ class GapBranch {
     range_.from = std::min(*touches, 0.0) - kNarrowest;
     range_.to = std::max(*touches, 0.0) + kWidest;
     const PeriodicResponseAnswer answer = periodic_response(system_, 1);
-    const Vector clear = map_.pack(answer.response->forced_state(0.0));
+    const Vector clear = shooting_.pack({answer.response->forced_state(0.0)});
     std::optional<BranchPoint> start = solve_at(problem_, range_, clear, *touches + kClear);
     if (!start) return {};
     start->turn_round();
@@ -89,13 +87,14 @@ class GapBranch {
   }
 
  private:
-  std::optional<MapEvaluation> evaluate(const Vector& x, double wider) {
+  std::optional<ZeroEvaluation> evaluate(const Vector& x, double wider) {
     for (std::size_t i = 0; i < system_.stops.size(); ++i)
       widened_.stops[i].gap = system_.stops[i].gap + wider * length_;
-    std::optional<StrobeMap::Image> image = map_.image(widened_, x, &rate_);
-    if (!image) return {};
-    return MapEvaluation{std::move(image->image), std::move(image->jacobian),
-                         std::move(image->by_parameter)};
+    const System* const rate = &rate_;
+    auto sum = shooting_.linearise(widened_, x, std::span(&rate, 1));
+    if (!sum) return {};
+    return ZeroEvaluation{std::move(sum->residual), std::move(sum->jacobian),
+                          std::move(sum->by_parameters), std::move(sum->closing)};
   }
 
   // By how much all gaps are widened where the response just reaches the first stop.
@@ -125,7 +124,7 @@ class GapBranch {
   System widened_;
   double length_;  // of the forced motion, m
   System rate_;    // by the widening, in lengths
-  StrobeMap map_;
+  PassageShooting shooting_;
   ZeroProblem problem_;
   ContinuationOptions range_;
 };
@@ -133,10 +132,10 @@ class GapBranch {
 void add_orbits_over_gap(const System& system, const PassageOptions& strobe,
                          const FinderOptions& options, FoundOrbits& found) {
   const double speed_scale = motion_scale(system).speed;
-  const StrobeMap map(system, strobe);
+  const PassageShooting shooting(system, PassageLayout::strobe(1), strobe);
   int joined = 0;
   for (const Vector& u : GapBranch(system, options, strobe).solutions()) {
-    const StrobeAnswer answer = strobe_orbit(system, {map.unpack(u)}, strobe);
+    const FollowedAnswer answer = followed_orbit(system, shooting.unpack(system, u), strobe);
     ++joined;
     if (!answer.orbit) continue;
     const Orbit& orbit = *answer.orbit;

@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "graze/bifurcation/special_names.hpp"
-#include "graze/orbit/strobe_orbit.hpp"
+#include "graze/orbit/followed_orbit.hpp"
 
 namespace graze {
 namespace {

@@ -17,7 +17,8 @@ struct SpecialOrbit {
   std::optional<SpecialKind> kind{};      // on a branch
   std::optional<OrbitLocusKind> locus{};  // that it was found on; nothing: on a branch
   std::vector<double> values;             // of the parameter, on a locus of both
-  // Nothing of an orbit that sticks or is on compliant stops; on a locus of grazing with the touch among the impacts.
+  // Nothing of an orbit that sticks or is on compliant stops; on a locus of grazing with the touch
+  // among the impacts.
   ImpactPattern pattern;
   std::vector<ImpactPoint> impacts;  // in the pattern's order
   // The branch's direction there, however long, in the units of what it moves.

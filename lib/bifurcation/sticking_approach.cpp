@@ -9,7 +9,7 @@ constexpr int kMostSteps = 400;  // of a bisection that may need two for each of
 
 }  // namespace
 
-StickingApproach approach_border(const StickingEquations& equations, Corrector& corrector,
+StickingApproach approach_border(const PassageEquations& equations, Corrector& corrector,
                                  const StopSignal& stop, const BranchPoint& a, const BranchPoint& b,
                                  const ReleaseReturn& at_a, bool impacts) {
   const Vector chord = corrector.chord(a, b);

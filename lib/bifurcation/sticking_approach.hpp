@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "graze/bifurcation/sticking_equations.hpp"
+#include "graze/bifurcation/passage_equations.hpp"
 #include "graze/continuation/corrector.hpp"
 
 namespace graze {
@@ -24,7 +24,7 @@ struct StickingApproach {
 };
 
 // From `a`, whose events are those of `at_a`, towards `b`; `impacts`: see has_same_events().
-StickingApproach approach_border(const StickingEquations& equations, Corrector& corrector,
+StickingApproach approach_border(const PassageEquations& equations, Corrector& corrector,
                                  const StopSignal& stop, const BranchPoint& a, const BranchPoint& b,
                                  const ReleaseReturn& at_a, bool impacts);
 

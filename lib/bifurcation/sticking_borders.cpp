@@ -19,7 +19,7 @@ bool is_solved(const BranchPoint& point) { return point.tangent.size() > 0; }
 
 }  // namespace
 
-StickingBorders::StickingBorders(const StickingEquations& equations,
+StickingBorders::StickingBorders(const PassageEquations& equations,
                                  const ContinuationOptions& options)
     : equations_(equations),
       options_(options),

@@ -16,8 +16,8 @@
 #include <vector>
 
 #include "graze/bifurcation/hidden_events.hpp"
+#include "graze/bifurcation/passage_equations.hpp"
 #include "graze/bifurcation/sticking_approach.hpp"
-#include "graze/bifurcation/sticking_equations.hpp"
 #include "graze/bifurcation/sticking_tip.hpp"
 #include "graze/continuation/corrector.hpp"
 
@@ -26,7 +26,7 @@ namespace graze {
 class StickingBorders {
  public:
   // Refers to both, which must outlive it.
-  StickingBorders(const StickingEquations& equations, const ContinuationOptions& options);
+  StickingBorders(const PassageEquations& equations, const ContinuationOptions& options);
   StickingBorders(const StickingBorders&) = delete;
   StickingBorders& operator=(const StickingBorders&) = delete;
 
@@ -45,7 +45,7 @@ class StickingBorders {
             const std::function<bool(const StickingTip&)>& is_enough);
   StickingTip grazing(const StickingApproach& there, const ReleaseReturn& here);
 
-  const StickingEquations& equations_;
+  const PassageEquations& equations_;
   const ContinuationOptions& options_;
   Corrector corrector_;
   HiddenEvents hidden_;

@@ -34,12 +34,9 @@ void cut_beyond(Branch& trace, const OrbitBranch& judged) {
 bool StickingBranches::knows(const std::vector<OrbitRelease>& releases, double value) const {
   for (const Traced& traced : traced_)
     for (const OrbitRelease& at : releases) {
-      const Release& known = traced.equations->section().release();
-      if (at.release.period != known.period || at.release.closed != known.closed ||
-          at.release.released != known.released)
-        continue;
+      if (!(at.layout == traced.equations->layout())) continue;
       const auto point = solve_at(traced.equations->problem(), range_,
-                                  traced.equations->section().pack(at.theta, at.state), value);
+                                  traced.equations->shooting().pack(at.theta, {at.state}), value);
       if (point && lies_on(traced.equations->problem(), range_, traced.branch, *point)) return true;
     }
   return false;
@@ -58,11 +55,14 @@ StickingTrace StickingBranches::trace(const Orbit& orbit, double value) {
   result.known = knows(releases, value);
   if (result.known) return result;
   const OrbitRelease& release = releases.front();
-  Traced traced{std::make_unique<StickingEquations>(family_, *system, release.release, options),
+  const double range = std::max(std::abs(range_.to - range_.from), 0.0);
+  Traced traced{std::make_unique<PassageEquations>(
+                    family_.scene(), std::vector{family_.parameter()},
+                    std::vector{range > 0.0 ? range : 1.0}, *system, release.layout, options),
                 {}};
-  const StickingEquations& equations = *traced.equations;
+  const PassageEquations& equations = *traced.equations;
   const auto start = solve_at(equations.problem(), range_,
-                              equations.section().pack(release.theta, release.state), value);
+                              equations.shooting().pack(release.theta, {release.state}), value);
   const std::optional<ReleaseReturn> back =
       start ? equations.follow(*start) : std::optional<ReleaseReturn>();
   if (!back || !back->returns) {
@@ -79,7 +79,7 @@ StickingTrace StickingBranches::trace(const Orbit& orbit, double value) {
 }
 
 StickingTrace StickingBranches::trace_through(const BranchPoint& start, Traced traced) {
-  const StickingEquations& equations = *traced.equations;
+  const PassageEquations& equations = *traced.equations;
   ContinuationOptions range = range_;
   StickingBorders borders(equations, range_);
   range.proceed = [&](const BranchPoint& previous, const BranchPoint& here) {

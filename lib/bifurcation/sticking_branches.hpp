@@ -1,6 +1,6 @@
 // Branches of orbits that stick over a parameter of the scene.
 //
-// Continued are the equations of one release (sticking_equations.hpp). A branch consists of the
+// Continued are the equations of one release (passage_equations.hpp). A branch consists of the
 // orbits with the same stuck phases; how many impacts of a chatter are resolved before its tail is
 // summed may change on the way and means nothing. It ends at CH, where one of its stuck phases
 // shrinks to nothing (or one more begins): the chatter completes at the instant of the release, and
@@ -27,7 +27,7 @@
 #include <string>
 #include <vector>
 
-#include "graze/bifurcation/sticking_equations.hpp"
+#include "graze/bifurcation/passage_equations.hpp"
 #include "graze/bifurcation/sticking_verdict.hpp"
 
 namespace graze {
@@ -57,7 +57,7 @@ class StickingBranches {
 
  private:
   struct Traced {
-    std::unique_ptr<StickingEquations> equations;
+    std::unique_ptr<PassageEquations> equations;
     Branch branch;
   };
   bool knows(const std::vector<OrbitRelease>& releases, double value) const;

@@ -52,7 +52,7 @@ bool is_at_rest(const ReleaseReturn& back, int periods, double period) {
 
 // Where the stop is not let go any more, by orbits before that: bisection comes as near as an
 // opening that can be told from none.
-double last_opening(const StickingEquations& equations, const std::vector<BranchPoint>& reached) {
+double last_opening(const PassageEquations& equations, const std::vector<BranchPoint>& reached) {
   std::vector<NearGrazing> near;
   for (const BranchPoint& point : reached)
     if (const auto back = equations.follow(point))
@@ -76,7 +76,7 @@ std::optional<BranchPoint> orbit_beyond(const StickingApproach& approach) {
 
 // The last of the points reached whose orbit is found once more: on the border itself rounding may
 // decide otherwise when it is flown again.
-std::optional<BranchPoint> last_orbit(const StickingEquations& equations,
+std::optional<BranchPoint> last_orbit(const PassageEquations& equations,
                                       const std::vector<BranchPoint>& reached) {
   int back = 0;
   for (auto point = reached.rbegin(); point != reached.rend() && back < kMostBack; ++point, ++back)
@@ -90,7 +90,7 @@ bool has_shrunk(const ReleaseReturn& back, double period) {
   return back.shortest_hold <= kGone * period;
 }
 
-StickingTip completion(const StickingEquations& equations, const StickingApproach& approach) {
+StickingTip completion(const PassageEquations& equations, const StickingApproach& approach) {
   const BranchPoint& inside = approach.reached.back();
   const ReleaseReturn& here = approach.last;
   const std::optional<ReleaseReturn>& beyond = approach.beyond;
@@ -109,18 +109,18 @@ StickingTip completion(const StickingEquations& equations, const StickingApproac
       !changes && cut_here ? last_opening(equations, approach.reached) : inside.parameter;
   const std::optional<BranchPoint> border = last_orbit(equations, approach.reached);
   if (!border) return {};
-  const int periods = equations.section().release().period;
+  const int periods = equations.period();
   const OrbitBranchEnd end = is_at_rest(here, periods, period) ? OrbitBranchEnd::kAtRest
                                                                : OrbitBranchEnd::kChatterCompletes;
   return {end, border, false, !changes, value, orbit_beyond(approach)};
 }
 
-std::optional<std::pair<double, double>> lift_off(const StickingEquations& equations, double range,
+std::optional<std::pair<double, double>> lift_off(const PassageEquations& equations, double range,
                                                   double near) {
-  const Release& release = equations.section().release();
+  const PassageLayout& layout = equations.layout();
   const auto held_at = [&](double value) {
     const System* system = equations.system_at(value);
-    return system ? held_force(*system, release.closed, release.released)
+    return system ? held_force(*system, layout.closed, *layout.released)
                   : std::optional<HeldForce>();
   };
   double before = near - kTold * range, value = near;

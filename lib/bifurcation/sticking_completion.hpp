@@ -9,8 +9,8 @@
 #include <optional>
 #include <utility>
 
+#include "graze/bifurcation/passage_equations.hpp"
 #include "graze/bifurcation/sticking_approach.hpp"
-#include "graze/bifurcation/sticking_equations.hpp"
 #include "graze/bifurcation/sticking_tip.hpp"
 
 namespace graze {
@@ -20,13 +20,13 @@ bool has_shrunk(const ReleaseReturn& back, double period);
 
 // The CH or LO at the border that was approached; none where the border is something else, or
 // cannot be told to the last digits.
-StickingTip completion(const StickingEquations& equations, const StickingApproach& approach);
+StickingTip completion(const PassageEquations& equations, const StickingApproach& approach);
 
 // Where the force that holds the structure at rest touches zero, as the value of the parameter and
 // the phase, rad. Flights near that are too short to tell from none; the force is smooth across it.
 // `near` is a value within what they tell; nothing where the force does not vanish there. `range`:
 // of the parameter.
-std::optional<std::pair<double, double>> lift_off(const StickingEquations& equations, double range,
+std::optional<std::pair<double, double>> lift_off(const PassageEquations& equations, double range,
                                                   double near);
 
 }  // namespace graze

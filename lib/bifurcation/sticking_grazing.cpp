@@ -29,16 +29,16 @@ constexpr int kPolishingSteps = 2;
 // Where on the other side an orbit without the impact is looked for, of the range.
 constexpr double kBeside = 1e-5;
 
-double length_unit(const StickingEquations& equations, const BranchPoint& at) {
+double length_unit(const PassageEquations& equations, const BranchPoint& at) {
   return motion_scale(*equations.system_at(at.parameter)).length;
 }
 
-double speed_unit(const StickingEquations& equations, const BranchPoint& at) {
+double speed_unit(const PassageEquations& equations, const BranchPoint& at) {
   return length_unit(equations, at) * equations.system_at(at.parameter)->forcing()->frequency;
 }
 
 // The orbit that is left where the impact vanishes: it may lie on either side.
-std::optional<BranchPoint> without_impact(const StickingEquations& equations,
+std::optional<BranchPoint> without_impact(const PassageEquations& equations,
                                           const ContinuationOptions& options, const BranchPoint& at,
                                           double grazing) {
   const std::optional<ReleaseReturn> here = equations.follow(at);
@@ -77,7 +77,7 @@ struct SlowImpact {
 
 // Solutions at the speeds asked for, beside `near`, in which the impact is slower than in `far`;
 // the branch runs along `direction` there.
-std::vector<NearGrazing> impacts_near(const StickingEquations& equations, Corrector& corrector,
+std::vector<NearGrazing> impacts_near(const PassageEquations& equations, Corrector& corrector,
                                       const SlowImpact& far, const SlowImpact& near,
                                       const Vector& direction) {
   const std::optional<ReleaseReturn> now = equations.follow(near.solution);
@@ -106,13 +106,13 @@ std::vector<NearGrazing> impacts_near(const StickingEquations& equations, Correc
 
 }  // namespace
 
-bool touches(const StickingEquations& equations, const BranchPoint& at) {
+bool touches(const PassageEquations& equations, const BranchPoint& at) {
   const std::optional<ReleaseReturn> here = equations.follow(at, true);
   return here && here->passage.clearance() &&
          *here->passage.clearance() <= kTouches * length_unit(equations, at);
 }
 
-StickingTip grazing_at(const StickingEquations& equations, Corrector& corrector,
+StickingTip grazing_at(const PassageEquations& equations, Corrector& corrector,
                        const std::vector<BranchPoint>& reached, bool is_lost) {
   const BranchPoint& at = reached.back();
   const std::optional<ReleaseReturn> here = equations.follow(at);
@@ -144,7 +144,7 @@ StickingTip grazing_at(const StickingEquations& equations, Corrector& corrector,
   return tip;
 }
 
-StickingTip grazing_ahead(const StickingEquations& equations, Corrector& corrector,
+StickingTip grazing_ahead(const PassageEquations& equations, Corrector& corrector,
                           const ContinuationOptions& options, const BranchPoint& a,
                           const BranchPoint& b) {
   const std::optional<ReleaseReturn> before = equations.follow(a), now = equations.follow(b);

@@ -11,15 +11,15 @@ constexpr int kStepsAway = 3;
 
 }  // namespace
 
-std::optional<OrbitBranchPoint> orbit_beside(const StickingEquations& equations,
+std::optional<OrbitBranchPoint> orbit_beside(const PassageEquations& equations,
                                              const ContinuationOptions& options,
                                              const CriticalPoint& critical) {
   const bool doubles = critical.kind == CriticalKind::kPeriodDoubling;
   if (!doubles && critical.kind != CriticalKind::kBranchPoint) return {};
-  const std::unique_ptr<StickingEquations> twice =
-      doubles ? equations.doubled() : std::unique_ptr<StickingEquations>();
-  const StickingEquations& next = doubles ? *twice : equations;
-  BranchPoint at = critical.point;
+  const std::unique_ptr<PassageEquations> twice =
+      doubles ? equations.doubled() : std::unique_ptr<PassageEquations>();
+  const PassageEquations& next = doubles ? *twice : equations;
+  BranchPoint at = doubles ? twice_round(next, critical.point) : critical.point;
   at.multipliers.clear();
   const std::optional<BranchPoint> start = other_branch(next.problem(), options, at);
   if (!start) return {};

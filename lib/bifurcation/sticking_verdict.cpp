@@ -16,7 +16,7 @@ namespace {
 
 class StickingJudge {
  public:
-  StickingJudge(const StickingEquations& equations, const ContinuationOptions& options,
+  StickingJudge(const PassageEquations& equations, const ContinuationOptions& options,
                 const Branch& branch, bool switches)
       : equations_(equations),
         options_(options),
@@ -32,7 +32,7 @@ class StickingJudge {
     const std::size_t first = cut_front ? 1 : 0, end = cut_back ? last - 1 : last;
     const std::array<StickingTip, 2> tips = {tip(0, first, 0), tip(1, end, last)};
     OrbitBranch& result = verdict_.branch;
-    result.pattern.period = equations_.section().release().period;
+    result.pattern.period = equations_.period();
     result.ends = {tips[0].end, tips[1].end};
     add_border(tips[0]);
     if (cut_front && leads_on(tips[0]))
@@ -178,8 +178,9 @@ class StickingJudge {
 
   void add_critical(const CriticalPoint& critical) {
     if (!is_of_orbits(critical)) return;
-    const std::optional<OrbitBranchPoint> at = equations_.judge(critical.point);
+    std::optional<OrbitBranchPoint> at = equations_.judge(critical.point);
     if (!at) return;
+    at = with_critical(std::move(*at), critical);
     verdict_.branch.points.push_back(*at);
     verdict_.branch.special.push_back(as_special(critical, *at));
     if (switches_) add_neighbour(orbit_beside(equations_, options_, critical));
@@ -192,7 +193,7 @@ class StickingJudge {
           {verdict_.branch.special.size() - 1, std::move(other->orbit), other->value});
   }
 
-  const StickingEquations& equations_;
+  const PassageEquations& equations_;
   const ContinuationOptions& options_;
   const Branch& branch_;
   bool switches_;
@@ -203,7 +204,7 @@ class StickingJudge {
 
 }  // namespace
 
-std::optional<StickingVerdict> judge_sticking(const StickingEquations& equations,
+std::optional<StickingVerdict> judge_sticking(const PassageEquations& equations,
                                               const ContinuationOptions& options,
                                               const Branch& branch, bool switches) {
   return StickingJudge(equations, options, branch, switches).judge();

@@ -6,7 +6,7 @@
 #include <optional>
 #include <vector>
 
-#include "graze/bifurcation/sticking_equations.hpp"
+#include "graze/bifurcation/passage_equations.hpp"
 
 namespace graze {
 
@@ -24,7 +24,7 @@ struct StickingVerdict {
 
 // The branch that was traced with these equations; `switches`: whether orbits of other branches
 // that leave it at PD and BP are sought. Nothing where a point of it cannot be judged.
-std::optional<StickingVerdict> judge_sticking(const StickingEquations& equations,
+std::optional<StickingVerdict> judge_sticking(const PassageEquations& equations,
                                               const ContinuationOptions& options,
                                               const Branch& branch, bool switches);
 

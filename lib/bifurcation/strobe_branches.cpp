@@ -18,10 +18,9 @@ namespace {
 class StrobeTracer {
  public:
   StrobeTracer(const SystemFamily& family, const BranchOptions& options)
-      : family_(family), options_(options) {
-    const System own = *family.at(family.value());
+      : family_(family), options_(options), own_(*family.at(family.value())) {
     result_.parameter = family.parameter();
-    result_.scale = motion_scale(own);
+    result_.scale = motion_scale(own_);
     result_.range = std::abs(options.to - options.from);
     range_.from = options.from;
     range_.to = options.to;
@@ -29,10 +28,10 @@ class StrobeTracer {
     range_.stop = options.stop;
     strobe_.max_impacts = options.finder.max_impacts;
     strobe_.stop = options.stop;
-    const State at_rest{Vector::Zero(own.modes()), Vector::Zero(own.modes())};
-    const State start = clear_start(family.scene(), own).value_or(at_rest);
+    const State at_rest{Vector::Zero(own_.modes()), Vector::Zero(own_.modes())};
+    const State start = clear_start(family.scene(), own_).value_or(at_rest);
     strobe_.closure_speed = options.finder.closure_speed.value_or(
-        default_closure_speed(own, start, family.scene().solver.tolerance));
+        default_closure_speed(own_, start, family.scene().solver.tolerance));
   }
 
   OrbitBranches trace() {
@@ -50,7 +49,7 @@ class StrobeTracer {
 
  private:
   struct Traced {
-    const StrobeEquations* equations;
+    const PassageEquations* equations;
     Branch branch;
   };
 
@@ -91,8 +90,8 @@ class StrobeTracer {
       return;
     }
     ++result_.starts;
-    StrobeEquations& equations = equations_of(static_cast<int>(start.at.strobe->turns.size()));
-    const Vector u = equations.map().pack(start.at.strobe->turns);
+    PassageEquations& equations = equations_of(static_cast<int>(start.at.strobe->turns.size()));
+    const Vector u = equations.shooting().pack(start.at.strobe->turns);
     const std::optional<BranchPoint> point =
         solve_near(equations.problem(), range_, u, family_.value());
     const bool doubles = start.at.kind == SpecialKind::kPeriodDoubling;
@@ -105,12 +104,13 @@ class StrobeTracer {
       result_.notes.push_back("no other branch was found there");
   }
 
-  StrobeEquations& equations_of(int period, double section = 0.0) {
+  PassageEquations& equations_of(int period, double section = 0.0) {
     auto& place = equations_[{period, section}];
     if (!place) {
       const double range = result_.range > 0.0 ? result_.range : 1.0;
-      place = std::make_unique<StrobeEquations>(family_.scene(), std::vector{family_.parameter()},
-                                                std::vector{range}, strobe_, period, section);
+      place = std::make_unique<PassageEquations>(family_.scene(), std::vector{family_.parameter()},
+                                                 std::vector{range}, own_,
+                                                 PassageLayout::strobe(period, section), strobe_);
     }
     return *place;
   }
@@ -126,15 +126,15 @@ class StrobeTracer {
     if (result_.notes.empty()) result_.notes = found.notes;
     for (const Orbit& orbit : found.orbits) {
       ++result_.starts;
-      StrobeEquations& equations = equations_of(orbit.period);
+      PassageEquations& equations = equations_of(orbit.period);
       const std::optional<BranchPoint> start =
-          solve_at(equations.problem(), range_, equations.map().pack(turns_of(orbit)), value);
+          solve_at(equations.problem(), range_, equations.shooting().pack(turns_of(orbit)), value);
       if (start && !knows(equations, *start)) add(equations, *start, Directions::kBoth, -1, 0);
     }
   }
 
   // A solution begins with any of its turns.
-  bool knows(const StrobeEquations& equations, const BranchPoint& point) const {
+  bool knows(const PassageEquations& equations, const BranchPoint& point) const {
     const Eigen::Index n = equations.map().size(), size = point.u.size();
     for (const Traced& traced : traced_) {
       if (traced.equations->period() != equations.period()) continue;
@@ -155,9 +155,9 @@ class StrobeTracer {
     return false;
   }
 
-  void add(StrobeEquations& equations, const BranchPoint& start, Directions directions,
+  void add(PassageEquations& equations, const BranchPoint& start, Directions directions,
            int origin_branch, std::size_t origin_special) {
-    const AtSection at_section = [&](double section) -> StrobeEquations& {
+    const AtSection at_section = [&](double section) -> PassageEquations& {
       return equations_of(equations.period(), section);
     };
     std::vector<StrobePart> parts;
@@ -208,12 +208,12 @@ class StrobeTracer {
   }
 
   // Whether another branch leads away from there that was not known.
-  bool switch_from(StrobeEquations& known, CriticalPoint critical, int origin_branch,
+  bool switch_from(PassageEquations& known, CriticalPoint critical, int origin_branch,
                    std::size_t origin_special) {
     const bool doubles = critical.kind == CriticalKind::kPeriodDoubling;
-    StrobeEquations& equations =
-        doubles ? equations_of(2 * known.period(), known.section()) : known;
-    const BranchPoint at = doubles ? twice_round(critical.point) : critical.point;
+    PassageEquations& equations =
+        doubles ? equations_of(2 * known.period(), known.layout().theta) : known;
+    const BranchPoint at = doubles ? twice_round(equations, critical.point) : critical.point;
     const std::optional<BranchPoint> start = other_branch(equations.problem(), range_, at);
     if (!start) return false;
     // The special point itself lies on every branch through it.
@@ -231,16 +231,17 @@ class StrobeTracer {
 
   const SystemFamily& family_;
   const BranchOptions& options_;
+  System own_;
   OrbitBranches result_;
   ContinuationOptions range_;
   PassageOptions strobe_;
-  std::map<std::pair<int, double>, std::unique_ptr<StrobeEquations>>
+  std::map<std::pair<int, double>, std::unique_ptr<PassageEquations>>
       equations_;  // by period and section
   std::vector<Traced> traced_;
   // Of each found branch: its special points in the trace, and the equations they solve.
   std::vector<FoundBranch> found_;
   std::vector<std::vector<std::optional<CriticalPoint>>> critical_;
-  std::vector<std::vector<StrobeEquations*>> on_;
+  std::vector<std::vector<PassageEquations*>> on_;
 };
 
 }  // namespace

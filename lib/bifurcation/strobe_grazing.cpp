@@ -4,7 +4,7 @@
 
 namespace graze {
 
-StrobeGrazing::StrobeGrazing(const StrobeEquations& equations, int stop)
+StrobeGrazing::StrobeGrazing(const PassageEquations& equations, int stop)
     : equations_(equations), stop_(stop) {
   const Eigen::Index n = equations.period() * equations.map().size();
   problem_.first = n;
@@ -23,7 +23,7 @@ StrobeGrazing::StrobeGrazing(const StrobeEquations& equations, int stop)
   };
 }
 
-Vector StrobeGrazing::pack(const Vector& turns, const StrobeTouch& touch, double first) const {
+Vector StrobeGrazing::pack(const Vector& turns, const Touch& touch, double first) const {
   Vector y(problem_.first + 2);
   y << turns, first / equations_.unit(0), static_cast<double>(touch.turn) * kTurn + touch.angle;
   return y;

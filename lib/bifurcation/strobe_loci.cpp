@@ -24,18 +24,21 @@ StrobeLoci::StrobeLoci(const Scene& scene, const std::string& first, const std::
       scene_(scene),
       parameters_{first, second},
       strobe_(strobe),
+      own_(*SystemFamily(scene, first).at(SystemFamily(scene, first).value())),
       state_size_(equations(1).map().size()) {
   options_.proceed = [this](const LocusPoint&, const LocusPoint& here) {
     return point_of(here).has_value();
   };
 }
 
-const StrobeEquations& StrobeLoci::equations(int period) {
+const PassageEquations& StrobeLoci::equations(int period) {
   const std::vector<double> units{first_range(options_), second_range(options_)};
-  return equations_.try_emplace(period, scene_, parameters_, units, strobe_, period).first->second;
+  return equations_
+      .try_emplace(period, scene_, parameters_, units, own_, PassageLayout::strobe(period), strobe_)
+      .first->second;
 }
 
-const StrobeEquations& StrobeLoci::equations_of(const Vector& u) {
+const PassageEquations& StrobeLoci::equations_of(const Vector& u) {
   return equations(static_cast<int>(u.size() / state_size_));
 }
 
@@ -54,10 +57,10 @@ OrbitLocusPoint StrobeLoci::as_point(double first, double second, double angle,
 }
 
 std::optional<OrbitLocusPoint> StrobeLoci::point_of(const LocusPoint& at) {
-  const StrobeEquations& of = equations_of(at.u);
+  const PassageEquations& of = equations_of(at.u);
   const System* system = of.system_at(std::array{at.first, at.second});
   if (!system) return {};
-  const std::optional<Orbit> orbit = orbit_of(*system, of.map(), at.u, {}, at.residual);
+  const std::optional<Orbit> orbit = orbit_of(*system, of.shooting(), at.u, {});
   if (!orbit) return {};
   return as_point(at.first, at.second, at.angle, *orbit);
 }
@@ -65,11 +68,11 @@ std::optional<OrbitLocusPoint> StrobeLoci::point_of(const LocusPoint& at) {
 std::optional<OrbitLocusPoint> StrobeLoci::point_of(const StrobeGrazing& curve,
                                                     const BranchPoint& at) {
   const double first = curve.first_of(at);
-  const StrobeEquations& of = equations_of(curve.turns_of(at));
+  const PassageEquations& of = equations_of(curve.turns_of(at));
   const System* system = of.system_at(std::array{first, at.parameter});
   if (!system) return {};
   const std::optional<Orbit> orbit =
-      touching_orbit_of(*system, of.map(), curve.turns_of(at), curve.touch_of(at), at.residual);
+      orbit_of(*system, of.shooting(), curve.turns_of(at), {}, curve.touch_of(at));
   if (!orbit) return {};
   return as_point(first, at.parameter, 0.0, *orbit);
 }
@@ -97,10 +100,10 @@ StrobeLocusAnswer StrobeLoci::trace(const OrbitLocusStart& start) {
   StrobeLocusAnswer answer;
   const int period = static_cast<int>(start.strobe->turns.size());
   LocusOptions options = options_;
-  options.residual_tolerance = StrobeEquations::critical_tolerance();
-  const StrobeEquations& of = equations(period);
-  const LocusStart at{as_locus_kind(start.kind), of.map().pack(start.strobe->turns), start.first,
-                      start.second, start.multiplier};
+  options.residual_tolerance = PassageEquations::critical_tolerance();
+  const PassageEquations& of = equations(period);
+  const LocusStart at{as_locus_kind(start.kind), of.shooting().pack(start.strobe->turns),
+                      start.first, start.second, start.multiplier};
   std::vector<Locus>& traced = traced_[{period, start.kind}];
   answer.known = find_locus(of.problem(), options, traced, at).has_value();
   if (answer.known) return answer;
@@ -115,15 +118,15 @@ StrobeLocusAnswer StrobeLoci::trace(const OrbitLocusStart& start) {
 
 // A touch alone is that of the motion without contacts, which repeats every period.
 std::optional<StrobeLoci::Touching> StrobeLoci::touching(const OrbitLocusStart& start) {
-  const StrobeEquations& of = equations(static_cast<int>(start.strobe->turns.size()));
+  const PassageEquations& of = equations(static_cast<int>(start.strobe->turns.size()));
   const System* system = of.system_at(std::array{start.first, start.second});
   if (!system) return {};
-  const Vector u = of.map().pack(start.strobe->turns);
-  const std::optional<StrobeTouch> touch = nearest_touch(*system, of.map(), u);
+  const Vector u = of.shooting().pack(start.strobe->turns);
+  const std::optional<Touch> touch = nearest_touch(*system, of.shooting(), u);
   if (!touch) return {};
   const Eigen::Index n = state_size_;
   if (start.strobe->turns.size() > 1) {
-    const std::optional<Orbit> orbit = orbit_of(*system, of.map(), u, {}, 0.0);
+    const std::optional<Orbit> orbit = orbit_of(*system, of.shooting(), u, {});
     if (!orbit || orbit->impacts.size() <= 1)
       return Touching{u.segment(static_cast<Eigen::Index>(touch->turn) * n, n),
                       {touch->stop, 0, touch->angle, 0.0}};

@@ -1,5 +1,5 @@
 // All loci of orbits on compliant stops that have been traced so far: of folds, period doublings
-// and tori (strobe_equations.hpp), and of grazing (strobe_grazing.hpp).
+// and tori (passage_equations.hpp), and of grazing (strobe_grazing.hpp).
 #pragma once
 
 #include <map>
@@ -10,7 +10,7 @@
 
 #include "graze/bifurcation/locus_leads.hpp"
 #include "graze/bifurcation/orbit_locus.hpp"
-#include "graze/bifurcation/strobe_equations.hpp"
+#include "graze/bifurcation/passage_equations.hpp"
 #include "graze/bifurcation/strobe_grazing.hpp"
 #include "graze/continuation/locus.hpp"
 
@@ -45,12 +45,12 @@ class StrobeLoci {
   // The touch that a start is at, and the shortest orbit that has it.
   struct Touching {
     Vector u;
-    StrobeTouch touch;
+    Touch touch;
   };
   std::optional<Touching> touching(const OrbitLocusStart& start);
   // Of orbits with this period.
-  const StrobeEquations& equations(int period);
-  const StrobeEquations& equations_of(const Vector& u);
+  const PassageEquations& equations(int period);
+  const PassageEquations& equations_of(const Vector& u);
 
   OrbitLocus frame_of(OrbitLocusKind kind, int period) const;
   OrbitLocusPoint as_point(double first, double second, double angle, const Orbit& orbit) const;
@@ -62,8 +62,9 @@ class StrobeLoci {
   const Scene& scene_;
   std::vector<std::string> parameters_;
   PassageOptions strobe_;
-  std::map<int, StrobeEquations> equations_;  // by period
-  Eigen::Index state_size_;                   // 2N
+  std::map<int, PassageEquations> equations_;  // by period
+  System own_;
+  Eigen::Index state_size_;  // 2N
   std::map<std::pair<int, OrbitLocusKind>, std::vector<Locus>> traced_;
   std::map<std::pair<int, int>, Grazing> grazings_;
 };

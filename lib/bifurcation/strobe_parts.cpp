@@ -20,7 +20,7 @@ std::optional<int> stop_of_difference(const std::vector<int>& a, const std::vect
   return difference.empty() ? std::nullopt : std::optional(difference.front());
 }
 
-std::optional<StrobeBorder> border_between(const StrobeEquations& equations,
+std::optional<StrobeBorder> border_between(const PassageEquations& equations,
                                            const ContinuationOptions& options, const BranchPoint& a,
                                            const BranchPoint& b) {
   const std::optional<int> stop =
@@ -30,7 +30,8 @@ std::optional<StrobeBorder> border_between(const StrobeEquations& equations,
 
 class Parting {
  public:
-  Parting(const StrobeEquations& equations, const ContinuationOptions& options, const Branch& trace)
+  Parting(const PassageEquations& equations, const ContinuationOptions& options,
+          const Branch& trace)
       : equations_(equations), options_(options), trace_(trace) {}
 
   std::vector<StrobePart> cut() {
@@ -120,9 +121,11 @@ class Parting {
   void add_critical(const CriticalPoint& critical) {
     const std::optional<OrbitBranchPoint> at = equations_.judge(critical.point);
     if (!at || !is_of_orbits(critical) || passes_unseen(critical)) return;
-    add(critical.point);
+    const OrbitBranchPoint there = with_critical(*at, critical);
     StrobePart& part = parts_.back();
-    part.branch.special.push_back(as_special(critical, *at));
+    if (part.branch.pattern.stops.empty()) part.branch.pattern = there.orbit.pattern();
+    part.branch.points.push_back(there);
+    part.branch.special.push_back(as_special(critical, there));
     part.critical.push_back(critical);
   }
 
@@ -251,7 +254,7 @@ class Parting {
     return locate(equations_.problem(), options_, a, b, test);
   }
 
-  const StrobeEquations& equations_;
+  const PassageEquations& equations_;
   const ContinuationOptions& options_;
   const Branch& trace_;
   std::vector<StrobePart> parts_;
@@ -259,7 +262,7 @@ class Parting {
 
 }  // namespace
 
-std::vector<StrobePart> parts_of(StrobeEquations& equations, const ContinuationOptions& options,
+std::vector<StrobePart> parts_of(PassageEquations& equations, const ContinuationOptions& options,
                                  const Branch& trace) {
   std::vector<StrobePart> parts = Parting(equations, options, trace).cut();
   for (StrobePart& part : parts) part.on.assign(part.critical.size(), &equations);
@@ -281,7 +284,7 @@ void append_parts(std::vector<StrobePart>& parts, std::vector<StrobePart> more) 
   parts.insert(parts.end(), std::make_move_iterator(from), std::make_move_iterator(more.end()));
 }
 
-bool resolves_contacts(const StrobeEquations& equations, const ContinuationOptions& options,
+bool resolves_contacts(const PassageEquations& equations, const ContinuationOptions& options,
                        const BranchPoint& from, const BranchPoint& to) {
   const std::optional<int> stop =
       stop_of_difference(equations.stops_met(from), equations.stops_met(to));

@@ -16,12 +16,12 @@ class PieceTracer {
   PieceTracer(const AtSection& at_section, const ContinuationOptions& options)
       : at_section_(at_section), options_(options) {}
 
-  std::vector<StrobePiece> trace(StrobeEquations& equations, const BranchPoint& start,
+  std::vector<StrobePiece> trace(PassageEquations& equations, const BranchPoint& start,
                                  Directions directions) {
-    StrobeEquations* first = &equations;
+    PassageEquations* first = &equations;
     BranchPoint from = start;
     if (const std::optional<double> clearer = equations.clearer_section(start)) {
-      StrobeEquations& other = at_section_(*clearer);
+      PassageEquations& other = at_section_(*clearer);
       if (const auto carried = equations.carried_to(other, options_, start)) {
         from = *carried;
         first = &other;
@@ -35,7 +35,7 @@ class PieceTracer {
   }
 
  private:
-  Branch trace_one(const StrobeEquations& equations, const BranchPoint& start,
+  Branch trace_one(const PassageEquations& equations, const BranchPoint& start,
                    Directions directions) const {
     ContinuationOptions range = options_;
     // The response that meets no stop is another matter.
@@ -50,7 +50,7 @@ class PieceTracer {
   }
 
   // Outwards from one side of what is traced.
-  void go_on(std::size_t side, const StrobeEquations& of_start, const BranchPoint& start) {
+  void go_on(std::size_t side, const PassageEquations& of_start, const BranchPoint& start) {
     for (int moves = 0; moves < kMostMoves; ++moves) {
       StrobePiece& outer = side == 0 ? pieces_.front() : pieces_.back();
       const std::optional<double> section = section_beyond(outer, side);
@@ -58,7 +58,7 @@ class PieceTracer {
       outer.branch.ends[side] = BranchEnd::kNotConverged;
       BranchPoint end = side == 0 ? outer.branch.points.front() : outer.branch.points.back();
       if (side == 0) end.turn_round();
-      StrobeEquations& next = at_section_(*section);
+      PassageEquations& next = at_section_(*section);
       const std::optional<BranchPoint> carried = outer.equations->carried_to(next, options_, end);
       if (!carried) return;
       Branch branch = trace_one(next, *carried, Directions::kForward);
@@ -101,7 +101,7 @@ class PieceTracer {
 
 }  // namespace
 
-std::vector<StrobePiece> trace_pieces(const AtSection& at_section, StrobeEquations& equations,
+std::vector<StrobePiece> trace_pieces(const AtSection& at_section, PassageEquations& equations,
                                       const ContinuationOptions& options, const BranchPoint& start,
                                       Directions directions) {
   return PieceTracer(at_section, options).trace(equations, start, directions);

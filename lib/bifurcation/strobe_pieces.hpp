@@ -7,21 +7,21 @@
 #include <functional>
 #include <vector>
 
-#include "graze/bifurcation/strobe_equations.hpp"
+#include "graze/bifurcation/passage_equations.hpp"
 
 namespace graze {
 
 struct StrobePiece {
-  StrobeEquations* equations;
+  PassageEquations* equations;
   Branch branch;
 };
 
 // The equations of the same orbits at a section.
-using AtSection = std::function<StrobeEquations&(double section)>;
+using AtSection = std::function<PassageEquations&(double section)>;
 
 // In order along the branch; each piece but the first begins with the orbit that the one before it
 // ends with. Its orbits meet stops, and its period is not halved, but at the ends.
-std::vector<StrobePiece> trace_pieces(const AtSection& at_section, StrobeEquations& equations,
+std::vector<StrobePiece> trace_pieces(const AtSection& at_section, PassageEquations& equations,
                                       const ContinuationOptions& options, const BranchPoint& start,
                                       Directions directions);
 

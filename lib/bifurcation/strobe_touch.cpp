@@ -20,10 +20,10 @@ constexpr double kSettled = 1e-8;
 constexpr double kContraction = 0.8;
 class TouchSearch {
  public:
-  TouchSearch(const StrobeEquations& equations, const ContinuationOptions& options)
+  TouchSearch(const PassageEquations& equations, const ContinuationOptions& options)
       : equations_(equations), corrector_(equations.problem(), options), options_(options) {}
 
-  std::optional<StrobeBorder> near(const BranchPoint& from, const StrobeTouch& touch) {
+  std::optional<StrobeBorder> near(const BranchPoint& from, const Touch& touch) {
     const Eigen::Index n = from.u.size();
     Vector y(n + 2);
     y << corrector_.pack(from), static_cast<double>(touch.turn) * kTurn + touch.angle;
@@ -58,7 +58,7 @@ class TouchSearch {
  private:
   std::optional<StrobeBorder> border(const Vector& y, const ZeroEvaluation& at, int stop) {
     const Eigen::Index n = y.size() - 2;
-    const std::optional<StrobeTouch> touch = equations_.touch_at(y, {}, stop);
+    const std::optional<Touch> touch = equations_.touch_at(y, {}, stop);
     if (!touch) return {};
     StrobeBorder border;
     border.at.u = y.head(n);
@@ -69,12 +69,12 @@ class TouchSearch {
     return border;
   }
 
-  const StrobeEquations& equations_;
+  const PassageEquations& equations_;
   Corrector corrector_;
   const ContinuationOptions& options_;
 };
 
-int sign_of_orientation(const StrobeEquations& equations, const ContinuationOptions& options,
+int sign_of_orientation(const PassageEquations& equations, const ContinuationOptions& options,
                         const BranchPoint& at) {
   Corrector corrector(equations.problem(), options);
   const auto linearised = corrector.linearise(corrector.pack(at), at.tangent);
@@ -83,14 +83,14 @@ int sign_of_orientation(const StrobeEquations& equations, const ContinuationOpti
 
 }  // namespace
 
-std::optional<StrobeBorder> touch_between(const StrobeEquations& equations,
+std::optional<StrobeBorder> touch_between(const PassageEquations& equations,
                                           const ContinuationOptions& options, const BranchPoint& a,
                                           const BranchPoint& b, int stop) {
   TouchSearch search(equations, options);
   std::optional<StrobeBorder> best;
   double nearest = std::numeric_limits<double>::infinity();
   for (const BranchPoint* from : {&a, &b})
-    for (const StrobeTouch& touch : equations.touches_near(*from)) {
+    for (const Touch& touch : equations.touches_near(*from)) {
       if (touch.stop != stop) continue;
       const std::optional<StrobeBorder> border = search.near(*from, touch);
       const std::optional<double> part =

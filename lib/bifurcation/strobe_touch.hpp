@@ -9,18 +9,18 @@
 
 #include <optional>
 
-#include "graze/bifurcation/strobe_equations.hpp"
+#include "graze/bifurcation/passage_equations.hpp"
 
 namespace graze {
 
 struct StrobeBorder {
-  BranchPoint at;     // on the branch, its tangent turned along it
-  StrobeTouch touch;  // in that orbit
+  BranchPoint at;  // on the branch, its tangent turned along it
+  Touch touch;     // in that orbit
 };
 
 // The grazing of a stop between two neighbours on a branch; the nearer to `a` where there are
 // several. Nothing where Newton's method leads to none that lies between them.
-std::optional<StrobeBorder> touch_between(const StrobeEquations& equations,
+std::optional<StrobeBorder> touch_between(const PassageEquations& equations,
                                           const ContinuationOptions& options, const BranchPoint& a,
                                           const BranchPoint& b, int stop);
 

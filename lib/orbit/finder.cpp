@@ -11,6 +11,7 @@
 #include "graze/base/parallel.hpp"
 #include "graze/hybrid/simulation.hpp"
 #include "graze/orbit/closed_form.hpp"
+#include "graze/orbit/followed_orbit.hpp"
 #include "graze/orbit/impact_sequences.hpp"
 #include "graze/orbit/minimal_orbit.hpp"
 #include "graze/orbit/mirror.hpp"
@@ -20,7 +21,6 @@
 #include "graze/orbit/rough_guess.hpp"
 #include "graze/orbit/settled.hpp"
 #include "graze/orbit/solve.hpp"
-#include "graze/orbit/sticking_orbit.hpp"
 #include "graze/orbit/strobe_finder.hpp"
 
 namespace graze {
@@ -130,8 +130,8 @@ class Finder {
     const double closure_speed =
         options_.closure_speed.value_or(default_closure_speed(system_, *start_));
     ++found_.simulation.tried;
-    const StickingOrbitAnswer answer =
-        sticking_orbit(system_, settled.at_start, settled.period,
+    const FollowedAnswer answer =
+        followed_orbit(system_, settled.at_start, settled.period,
                        {closure_speed, options_.max_impacts, options_.stop});
     if (!answer.orbit) return "; " + answer.why_not;
     ++found_.simulation.converged;

@@ -47,7 +47,7 @@ std::optional<Orbit> mirrored_sticking(const System& system, const Orbit& orbit,
     image.contacts[other] = at.contacts[i];
     image.multiplicities[other] = at.multiplicities[i];
   }
-  return sticking_orbit_through(system, image, orbit.period, options).orbit;
+  return orbit_through(system, image, orbit.period, options).orbit;
 }
 
 }  // namespace graze

@@ -6,7 +6,7 @@
 #include <optional>
 #include <vector>
 
-#include "graze/orbit/sticking_orbit.hpp"
+#include "graze/orbit/followed_orbit.hpp"
 
 namespace graze {
 

@@ -13,11 +13,11 @@
 #include "graze/base/parallel.hpp"
 #include "graze/hybrid/simulation.hpp"
 #include "graze/orbit/clear_state.hpp"
+#include "graze/orbit/followed_orbit.hpp"
 #include "graze/orbit/minimal_orbit.hpp"
 #include "graze/orbit/orbit_identity.hpp"
 #include "graze/orbit/random_start.hpp"
 #include "graze/orbit/settled.hpp"
-#include "graze/orbit/strobe_orbit.hpp"
 
 namespace graze {
 namespace {
@@ -152,7 +152,7 @@ class Spread {
       strobe.stop = options_.stop;
       strobe.closure_speed =
           options_.closure_speed.value_or(default_closure_speed(system_, motion.at_start));
-      return strobe_orbit(system_, motion.at_start, motion.period, strobe).orbit;
+      return followed_orbit(system_, motion.at_start, motion.period, strobe).orbit;
     }
     const ShootingProblem problem(*motion.pattern, scale_);
     const auto solution = newton(problem, system_, problem.pack(motion.points));

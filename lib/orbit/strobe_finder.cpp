@@ -9,10 +9,10 @@
 #include "graze/contact/impulse.hpp"
 #include "graze/hybrid/simulation.hpp"
 #include "graze/orbit/closed_form.hpp"
+#include "graze/orbit/followed_orbit.hpp"
 #include "graze/orbit/orbit_identity.hpp"
 #include "graze/orbit/rough_guess.hpp"
 #include "graze/orbit/settled.hpp"
-#include "graze/orbit/strobe_orbit.hpp"
 
 namespace graze {
 namespace {
@@ -107,7 +107,7 @@ class StrobeFinder {
 
   std::optional<Orbit> seek(const State& at_period_start, int period, StartCount& count) {
     ++count.tried;
-    StrobeAnswer answer = strobe_orbit(system_, at_period_start, period, strobe_);
+    FollowedAnswer answer = followed_orbit(system_, at_period_start, period, strobe_);
     if (!answer.orbit) {
       why_not_ = answer.why_not;
       return {};

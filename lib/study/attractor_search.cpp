@@ -13,7 +13,7 @@
 #include "graze/orbit/orbit_identity.hpp"
 #include "graze/orbit/periodic_response.hpp"
 #include "graze/orbit/random_start.hpp"
-#include "graze/orbit/strobe_orbit.hpp"
+#include "graze/orbit/followed_orbit.hpp"
 #include "graze/study/followed_motion.hpp"
 #include "graze/study/strobes.hpp"
 
@@ -117,7 +117,7 @@ class AttractorSearch {
     };
     if (is_searched(neighbour)) return std::any_of(found_.list.begin(), found_.list.end(), is_like);
     const std::optional<Orbit> orbit =
-        compliant_ ? strobe_orbit(system_, turns_of(neighbour), strobe_options()).orbit
+        compliant_ ? followed_orbit(system_, turns_of(neighbour), strobe_options()).orbit
                    : solve(neighbour.pattern(), neighbour.points());
     if (!orbit || orbit->stable != true || !orbit->admissible) return false;
     if (knows(*orbit)) return true;
@@ -137,7 +137,7 @@ class AttractorSearch {
   // That a motion which repeats has settled on.
   std::optional<Orbit> solve(const SettledMotion& motion) const {
     if (compliant_)
-      return strobe_orbit(system_, motion.at_start, motion.period, strobe_options()).orbit;
+      return followed_orbit(system_, motion.at_start, motion.period, strobe_options()).orbit;
     return motion.pattern ? solve(*motion.pattern, motion.points) : std::nullopt;
   }
 

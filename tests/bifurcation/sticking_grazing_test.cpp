@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 
 #include "branch_checks.hpp"
 #include "graze/bifurcation/sticking_borders.hpp"
@@ -143,9 +144,11 @@ Scene two_modes(double gap) {
 }
 
 // How near the motion of a solution comes to the second stop, sampled and refined, less `gap`.
-double excess(const StickingEquations& equations, const BranchPoint& at, double gap) {
+double excess(const PassageEquations& equations, const BranchPoint& at, double gap) {
   const System& system = *equations.system_at(at.parameter);
-  const MotionState<double> start = *equations.section().state_of(system, at.u);
+  const PassageShooting& shooting = equations.shooting();
+  const MotionState<double> start =
+      *equations.map().start_of(system, shooting.at_section(at.u, 0), shooting.theta_of(at.u));
   PassageOptions options;
   options.closure_speed = 1e-8;
   double farthest = -1.0;
@@ -184,13 +187,17 @@ TEST(StickingGrazing, PairsBetweenOrbitsWithTheSameEventsAreSeen) {
   const PassageOptions options{point.orbit.section->closure_speed, 10'000'000, {}};
   const System system = *clear.at(point.value);
   const OrbitRelease start = releases_of(system, point.orbit, options).front();
-  const StickingEquations without(clear, system, start.release, options),
-      equations(near, system, start.release, options);
+  const auto equations_of = [&](const SystemFamily& family) {
+    return std::make_unique<PassageEquations>(family.scene(), std::vector{family.parameter()},
+                                              std::vector{0.005}, system, start.layout, options);
+  };
+  const auto clear_equations = equations_of(clear), near_equations = equations_of(near);
+  const PassageEquations &without = *clear_equations, &equations = *near_equations;
   ContinuationOptions range;
   range.from = 0.4785;
   range.to = 0.4835;
   // Orbits that the second stop does not touch, at fixed values.
-  Vector u = without.section().pack(start.theta, start.state);
+  Vector u = without.shooting().pack(start.theta, {start.state});
   double value = point.value;
   const auto at = [&](double next) {
     std::optional<BranchPoint> solution;
@@ -222,8 +229,8 @@ TEST(StickingGrazing, PairsBetweenOrbitsWithTheSameEventsAreSeen) {
   }
   // Where the stop is a little farther away there is nothing between.
   const SystemFamily beyond(two_modes(1.5188), "forcing.frequency");
-  const StickingEquations untouched(beyond, system, start.release, options);
-  StickingBorders none(untouched, range);
+  const auto untouched = equations_of(beyond);
+  StickingBorders none(*untouched, range);
   EXPECT_FALSE(none.passes(a, b));
 }
 

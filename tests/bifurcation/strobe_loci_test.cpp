@@ -9,7 +9,7 @@
 #include "branch_checks.hpp"
 #include "graze/bifurcation/orbit_loci.hpp"
 #include "graze/bifurcation/restart.hpp"
-#include "graze/orbit/strobe_orbit.hpp"
+#include "graze/orbit/followed_orbit.hpp"
 #include "graze/scene/parameter.hpp"
 
 namespace graze {
@@ -148,8 +148,8 @@ int contacts_at(const Scene& scene, const OrbitLocusPoint& point, double gap) {
       with_parameter(with_parameter(with_parameter(scene, "forcing.frequency", point.value),
                                     "stop.spring.damping.alpha", point.second),
                      "stop.gap", gap));
-  const StrobeAnswer answer = strobe_orbit(system, point.turns.front(),
-                                           static_cast<int>(point.turns.size()), PassageOptions{});
+  const FollowedAnswer answer = followed_orbit(
+      system, point.turns.front(), static_cast<int>(point.turns.size()), PassageOptions{});
   EXPECT_TRUE(answer.orbit) << answer.why_not;
   return answer.orbit ? static_cast<int>(answer.orbit->impacts.size()) : 0;
 }

@@ -9,8 +9,8 @@
 #include "graze/assembly/assembly.hpp"
 #include "graze/assembly/initial_state.hpp"
 #include "graze/base/angle.hpp"
+#include "graze/orbit/followed_orbit.hpp"
 #include "graze/orbit/settled.hpp"
-#include "graze/orbit/sticking_orbit.hpp"
 #include "support/differences.hpp"
 #include "support/reference.hpp"
 #include "support/systems.hpp"
@@ -31,8 +31,8 @@ inline Found settled_orbit(const Scene& scene, std::optional<double> closure_spe
   options.closure_speed = speed;
   const SettledMotion settled = settle(found.system, start, options);
   EXPECT_EQ(settled.kind, SettledKind::kSticks) << settled.verdict;
-  const StickingOrbitAnswer answer =
-      sticking_orbit(found.system, settled.at_start, settled.period, {speed, 10'000'000, {}});
+  const FollowedAnswer answer =
+      followed_orbit(found.system, settled.at_start, settled.period, {speed, 10'000'000, {}});
   EXPECT_TRUE(answer.orbit) << answer.why_not;
   if (answer.orbit) found.orbit = *answer.orbit;
   return found;

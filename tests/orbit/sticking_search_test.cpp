@@ -20,8 +20,8 @@ State at_period_start(const Found& found) {
   return resume(found.system, from, support::for_periods(section.instant.period + 1)).final;
 }
 
-StickingOrbitAnswer search_from(const Found& found, const State& guess, int period) {
-  return sticking_orbit(found.system, guess, period,
+FollowedAnswer search_from(const Found& found, const State& guess, int period) {
+  return followed_orbit(found.system, guess, period,
                         {found.orbit.section->closure_speed, 10'000'000, {}});
 }
 
@@ -39,7 +39,7 @@ TEST(StickingOrbitSearch, IsFoundFromARoughGuess) {
         guess.q[j] += off * scale.displacement * dice.uniform(-1.0, 1.0);
         guess.qdot[j] += off * scale.velocity[j] * dice.uniform(-1.0, 1.0);
       }
-      const StickingOrbitAnswer answer = search_from(found, guess, found.orbit.period);
+      const FollowedAnswer answer = search_from(found, guess, found.orbit.period);
       ASSERT_TRUE(answer.orbit) << off << ": " << answer.why_not;
       EXPECT_LE(answer.orbit->residual, 1e-13);
       ASSERT_FALSE(answer.orbit->holds.empty());
@@ -51,13 +51,13 @@ TEST(StickingOrbitSearch, IsFoundFromARoughGuess) {
 
 TEST(StickingOrbitSearch, IsListedWithItsShortestPeriod) {
   const Found one = settled_orbit(sticking_case("rayl3"));
-  const StickingOrbitAnswer again = search_from(one, at_period_start(one), 4);
+  const FollowedAnswer again = search_from(one, at_period_start(one), 4);
   ASSERT_TRUE(again.orbit) << again.why_not;
   EXPECT_EQ(again.orbit->period, 1);
   EXPECT_EQ(again.orbit->impacts.size(), one.orbit.impacts.size());
   const Found two = settled_orbit(beam("momentum", 3, 24.0));
   EXPECT_EQ(two.orbit.period, 2);
-  const StickingOrbitAnswer twice = search_from(two, at_period_start(two), 4);
+  const FollowedAnswer twice = search_from(two, at_period_start(two), 4);
   ASSERT_TRUE(twice.orbit) << twice.why_not;
   EXPECT_EQ(twice.orbit->period, 2);
   ASSERT_FALSE(two.orbit.impacts.empty());
@@ -74,7 +74,7 @@ TEST(StickingOrbitSearch, OfOneModeForgetsEveryStart) {
   const Found found = settled_orbit(sticking_case("Z2c"));
   for (const double q : {0.15, 0.1, -0.05})
     for (const double qdot : {0.0, 0.02}) {
-      const StickingOrbitAnswer answer = search_from(found, support::state_of({q}, {qdot}), 2);
+      const FollowedAnswer answer = search_from(found, support::state_of({q}, {qdot}), 2);
       ASSERT_TRUE(answer.orbit) << answer.why_not;
       EXPECT_EQ(answer.orbit->period, 1);
       EXPECT_EQ(answer.orbit->residual, 0.0);
@@ -91,8 +91,8 @@ TEST(StickingOrbitSearch, ThatIsUnstableIsFoundFromItsNeighbour) {
   const Found stable = settled_orbit(beam("momentum", 2, 24.0));
   EXPECT_EQ(stable.orbit.stable, std::optional<bool>(true));
   Found unstable{assemble(beam("momentum", 2, 24.1)), {}};
-  const StickingOrbitAnswer answer =
-      sticking_orbit(unstable.system, at_period_start(stable), 1,
+  const FollowedAnswer answer =
+      followed_orbit(unstable.system, at_period_start(stable), 1,
                      {stable.orbit.section->closure_speed, 10'000'000, {}});
   ASSERT_TRUE(answer.orbit) << answer.why_not;
   unstable.orbit = *answer.orbit;
@@ -141,14 +141,12 @@ TEST(StickingOrbitSearch, SaysWhyThereIsNone) {
   options.closure_speed = 1e-6;
   // Pressed onto its stop for ever.
   const System held = support::forced_oscillator(1.0, 0.0, -0.2, 0.7, 1.3, 0.1);
-  const StickingOrbitAnswer rest =
-      sticking_orbit(held, support::state_of({-0.2}, {0.0}), 1, options);
+  const FollowedAnswer rest = followed_orbit(held, support::state_of({-0.2}, {0.0}), 1, options);
   EXPECT_FALSE(rest.orbit);
   EXPECT_NE(rest.why_not.find("without any impact"), std::string::npos) << rest.why_not;
   // Far from its stop.
   const System free = support::forced_oscillator(1.0, 0.1, 50.0, 0.7, 1.3, 0.1);
-  const StickingOrbitAnswer clear =
-      sticking_orbit(free, support::state_of({0.0}, {0.0}), 3, options);
+  const FollowedAnswer clear = followed_orbit(free, support::state_of({0.0}, {0.0}), 3, options);
   EXPECT_FALSE(clear.orbit);
   EXPECT_NE(clear.why_not.find("no stop is closed within 3"), std::string::npos) << clear.why_not;
   // Two equal oscillators, side by side, each with its stop: hit at the same instants.
@@ -159,8 +157,8 @@ TEST(StickingOrbitSearch, SaysWhyThereIsNone) {
   pair.stops[0].row = pair.stops[0].impact().direction = Vector::Unit(2, 0);
   pair.stops.push_back(pair.stops[0]);
   pair.stops[1].row = pair.stops[1].impact().direction = Vector::Unit(2, 1);
-  const StickingOrbitAnswer both =
-      sticking_orbit(pair, support::state_of({0.2, 0.2}, {0.0, 0.0}), 1, options);
+  const FollowedAnswer both =
+      followed_orbit(pair, support::state_of({0.2, 0.2}, {0.0, 0.0}), 1, options);
   EXPECT_FALSE(both.orbit);
   EXPECT_NE(both.why_not.find("one instant"), std::string::npos) << both.why_not;
 }

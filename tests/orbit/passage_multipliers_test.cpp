@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "graze/orbit/strobe_orbit.hpp"
+#include "graze/orbit/followed_orbit.hpp"
 #include "support/systems.hpp"
 
 namespace graze {
@@ -28,16 +28,16 @@ System answering_at_half_the_frequency() {
 // second mode have 3.8e-19 each, below the rounding of the formed product, 2e-16. From the factors,
 // each with 6.2e-10 beside 1, either is known to about eps / 6.2e-10 = 3.6e-7, the product of both
 // to 7e-7.
-TEST(StrobeMultipliers, SmallOnesOfTwoPeriodsAreKnownToTheRoundingOfOne) {
+TEST(PassageMultipliers, SmallOnesOfTwoPeriodsAreKnownToTheRoundingOfOne) {
   const System system = answering_at_half_the_frequency();
-  const StrobeMap map(system, {});
+  const SectionMap map(system, {}, {});
   State state = support::state_of({0.1, 0.0}, {0.3, 0.0});
   for (int turn = 0; turn < 600; ++turn) {
-    const std::optional<Passage> passage = map.follow(system, map.pack(state));
+    const std::optional<Passage> passage = map.follow(system, map.pack(state), 0.0, 1);
     ASSERT_TRUE(passage);
     state = {passage->end.q, passage->end.qdot};
   }
-  const StrobeAnswer answer = strobe_orbit(system, state, 2, {});
+  const FollowedAnswer answer = followed_orbit(system, state, 2, {});
   ASSERT_TRUE(answer.orbit) << answer.why_not;
   ASSERT_EQ(answer.orbit->period, 2);
   ASSERT_EQ(answer.orbit->multipliers.size(), 4u);

@@ -1,11 +1,12 @@
 // The equations of an orbit that sticks at its release: derivatives against central differences,
 // multipliers against those of a section elsewhere in the stuck phase.
-#include "graze/orbit/release_section.hpp"
-#include "graze/assembly/assembly.hpp"
+#include "graze/orbit/passage_shooting.hpp"
 
 #include <gtest/gtest.h>
 
+#include "graze/assembly/assembly.hpp"
 #include "graze/assembly/system_family.hpp"
+#include "graze/orbit/release.hpp"
 #include "orbit/settled_sticking_orbit.hpp"
 
 namespace graze {
@@ -27,16 +28,17 @@ void expect_derivatives(const Scene& scene, const std::string& parameter) {
   const std::vector<OrbitRelease> releases =
       releases_of(found.system, found.orbit, options_of(found));
   ASSERT_FALSE(releases.empty());
-  const ReleaseSection section(found.system, releases[0].release, options_of(found));
-  const Vector u = section.pack(releases[0].theta, releases[0].state);
+  const PassageShooting section(found.system, releases[0].layout, options_of(found));
+  const Vector u = section.pack(releases[0].theta, {releases[0].state});
   const double value = family.value();
   const System tangent = *family.tangent_at(value);
-  const auto at = section.evaluate(found.system, u, &tangent);
+  const System* const tangents[] = {&tangent};
+  const auto at = section.linearise(found.system, u, tangents);
   ASSERT_TRUE(at);
   EXPECT_EQ(at->residual.size(), section.size());
   EXPECT_LE(at->residual.cwiseAbs().maxCoeff(), 1e-11);
   const auto residual = [&](const System& system, const Vector& x) {
-    return section.evaluate(system, x)->residual;
+    return section.linearise(system, x, {})->residual;
   };
   // Either side of a solution the release comes before or after the section: second derivatives
   // jump there, so the steps are short.
@@ -48,13 +50,13 @@ void expect_derivatives(const Scene& scene, const std::string& parameter) {
       << jacobian;
   const Vector by_parameter = support::central_difference(
       [&](double p) { return residual(*family.at(p), u); }, value, 1e-7 * value);
-  EXPECT_LE((at->parameter_derivative - by_parameter).cwiseAbs().maxCoeff(),
+  EXPECT_LE((at->by_parameters.col(0) - by_parameter).cwiseAbs().maxCoeff(),
             1e-6 * by_parameter.cwiseAbs().maxCoeff())
-      << at->parameter_derivative.transpose() << "\n"
+      << at->by_parameters.transpose() << "\n"
       << by_parameter.transpose();
 }
 
-TEST(ReleaseSection, HasTheDerivativesOfItsEquations) {
+TEST(PassageShooting, HasTheDerivativesOfItsEquations) {
   expect_derivatives(sticking_case("Z2b"), "forcing.frequency");
   for (const char* parameter : {"forcing.frequency", "stop.gap", "stop.restitution"})
     expect_derivatives(sticking_case("rayl3"), parameter);
@@ -69,25 +71,26 @@ TEST(ReleaseSection, HasTheDerivativesOfItsEquations) {
   expect_derivatives(sticking_case("two_stops3"), "stop.2.gap");
 }
 
-// The section of sticking_orbit lies in the middle of the stuck phase, this one at its end.
-TEST(ReleaseSection, HasTheMultipliersOfAnySection) {
+// The section of an orbit that sticks lies in the middle of the stuck phase, this one at its end.
+TEST(PassageShooting, HasTheMultipliersOfAnySection) {
   for (const Scene& scene :
        {sticking_case("Z2b"), sticking_case("rayl3"), sticking_case("gravity2"),
         sticking_case("two_stops3"), beam("momentum", 3, 24.0), beam("collocation", 3, 44.0)}) {
     SCOPED_TRACE(scene.title);
     const Found found = settled_orbit(scene);
     const OrbitRelease at = releases_of(found.system, found.orbit, options_of(found)).at(0);
-    const ReleaseSection section(found.system, at.release, options_of(found));
-    const Vector u = section.pack(at.theta, at.state);
-    const std::vector<Eigenvalue> multipliers = section.multipliers(found.system, u);
+    const PassageShooting section(found.system, at.layout, options_of(found));
+    const Vector u = section.pack(at.theta, {at.state});
+    const std::vector<Eigenvalue> multipliers =
+        section.multipliers(found.system, u, ErrorBounds::kGiven);
     ASSERT_EQ(multipliers.size(), found.orbit.multipliers.size());
     for (std::size_t i = 0; i < multipliers.size(); ++i)
       EXPECT_LE(std::abs(multipliers[i].value - found.orbit.multipliers[i].value), 1e-8);
-    const auto back = section.follow(found.system, u);
+    const auto back = return_of(found.system, section, u);
     ASSERT_TRUE(back);
     EXPECT_TRUE(back->returns);
     EXPECT_EQ(back->holds.size(), found.orbit.holds.size());
-    const auto orbit = section.orbit(found.system, u);
+    const auto orbit = orbit_at_release(found.system, section, u);
     ASSERT_TRUE(orbit);
     EXPECT_EQ(orbit->impacts.size(), found.orbit.impacts.size());
     EXPECT_EQ(exact_zeros(*orbit), exact_zeros(found.orbit));

@@ -1,15 +1,17 @@
-// The stroboscopic map of structures on compliant stops: its derivatives, and its orbits.
+// The map from section to section of structures on compliant stops: its derivatives, and its
+// orbits.
 #include <gtest/gtest.h>
 
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <span>
 
 #include "graze/assembly/assembly.hpp"
 #include "graze/orbit/finder.hpp"
+#include "graze/orbit/section_map.hpp"
 #include "graze/orbit/settled.hpp"
-#include "graze/orbit/strobe_orbit.hpp"
 #include "support/contact_laws.hpp"
 #include "support/reference.hpp"
 #include "support/systems.hpp"
@@ -45,30 +47,36 @@ Vector slope_of(const std::function<Vector(double)>& f, double step) {
 
 State some_state() { return support::state_of({0.013, -0.004, 0.002}, {0.11, 0.05, -0.07}); }
 
-class StrobeMapOf : public ::testing::TestWithParam<ContactForce> {};
+// Over a forcing period.
+std::optional<SectionMap::Image> image_of(const SectionMap& map, const System& system,
+                                          const Vector& x, const System* tangent = nullptr) {
+  return map.image(system, x, 0.0, 1, false, std::span(&tangent, tangent ? 1 : 0));
+}
+
+class SectionMapOf : public ::testing::TestWithParam<ContactForce> {};
 
 // From a state before a contact to one after several, for every entry of it.
-TEST_P(StrobeMapOf, SlopesAreThoseOfDifferences) {
+TEST_P(SectionMapOf, SlopesAreThoseOfDifferences) {
   const System system = three_modes(GetParam());
-  const StrobeMap map(system, {});
+  const SectionMap map(system, {}, {});
   const Vector x = map.pack(some_state());
-  const std::optional<Passage> passage = map.follow(system, x);
+  const std::optional<Passage> passage = map.follow(system, x, 0.0, 1);
   ASSERT_TRUE(passage);
   ASSERT_GE(passage->contacts.size(), 2u);
-  const auto image = map.image(system, x);
+  const auto image = image_of(map, system, x);
   ASSERT_TRUE(image);
   for (Eigen::Index j = 0; j < x.size(); ++j) {
     const Vector slope = slope_of(
-        [&](double h) { return map.image(system, x + h * Vector::Unit(x.size(), j))->image; },
+        [&](double h) { return image_of(map, system, x + h * Vector::Unit(x.size(), j))->image; },
         1e-4);
     EXPECT_LT((slope - image->jacobian.col(j)).norm(), 2e-6 * image->jacobian.norm()) << j;
   }
 }
 
 // And for what a scene may move: gap, row, load, frequencies, decay, forcing, and the spring.
-TEST_P(StrobeMapOf, ParametersMoveItAsDifferencesSay) {
+TEST_P(SectionMapOf, ParametersMoveItAsDifferencesSay) {
   const System system = three_modes(GetParam());
-  const StrobeMap map(system, {});
+  const SectionMap map(system, {}, {});
   const Vector x = map.pack(some_state());
   struct Case {
     const char* name;
@@ -104,30 +112,30 @@ TEST_P(StrobeMapOf, ParametersMoveItAsDifferencesSay) {
     tangent.stops[0].law =
         ContactForce{0.0, 0.0, GetParam().damping, 0.0, 0.0, 0.0, GetParam().separation};
     one.move(tangent, 1.0);
-    const auto image = map.image(system, x, &tangent);
+    const auto image = image_of(map, system, x, &tangent);
     ASSERT_TRUE(image);
     const Vector slope = slope_of(
         [&](double h) {
           System moved = system;
           one.move(moved, h);
-          return map.image(moved, x)->image;
+          return image_of(map, moved, x)->image;
         },
         1e-4 * one.size);
     EXPECT_GT(slope.norm(), 0.0);
-    EXPECT_LT((slope - image->by_parameter).norm(), 2e-6 * slope.norm());
+    EXPECT_LT((slope - image->by_parameters.col(0)).norm(), 2e-6 * slope.norm());
   }
 }
 
-class StrobeMapOfConstantDamping : public ::testing::TestWithParam<ContactForce> {};
+class SectionMapOfConstantDamping : public ::testing::TestWithParam<ContactForce> {};
 
 // Liouville: volumes shrink by the trace of the damping, the spring's own while it is loaded; what
 // jumps at the surface has determinant one.
-TEST_P(StrobeMapOfConstantDamping, VolumesShrinkByTheDampingAlone) {
+TEST_P(SectionMapOfConstantDamping, VolumesShrinkByTheDampingAlone) {
   const ContactForce law = GetParam();
   const System system = three_modes(law);
-  const StrobeMap map(system, {});
+  const SectionMap map(system, {}, {});
   const Vector x = map.pack(some_state());
-  const std::optional<Passage> passage = map.follow(system, x);
+  const std::optional<Passage> passage = map.follow(system, x, 0.0, 1);
   ASSERT_TRUE(passage);
   double loaded = 0.0;
   for (const PassedContact& contact : passage->contacts) {
@@ -136,12 +144,12 @@ TEST_P(StrobeMapOfConstantDamping, VolumesShrinkByTheDampingAlone) {
   }
   const double shrinks = 2.0 * system.delta().sum() * system.period() +
                          law.coefficient * system.stops[0].row.squaredNorm() * loaded;
-  EXPECT_NEAR(std::log(std::abs(map.image(system, x)->jacobian.determinant())), -shrinks,
+  EXPECT_NEAR(std::log(std::abs(image_of(map, system, x)->jacobian.determinant())), -shrinks,
               1e-9 * shrinks);
 }
 
 INSTANTIATE_TEST_SUITE_P(
-    Laws, StrobeMapOf,
+    Laws, SectionMapOf,
     ::testing::Values(law_of(1.0, ContactDamping::kNone, 0.0),
                       law_of(1.0, ContactDamping::kConstant, 10.0),
                       law_of(1.0, ContactDamping::kConstant, 10.0, Separation::kAtZeroDepth),
@@ -150,7 +158,7 @@ INSTANTIATE_TEST_SUITE_P(
                       law_of(1.5, ContactDamping::kOnset, 5.0, Separation::kAtZeroDepth),
                       law_of(2.2, ContactDamping::kPower, 1e4)));
 
-INSTANTIATE_TEST_SUITE_P(Laws, StrobeMapOfConstantDamping,
+INSTANTIATE_TEST_SUITE_P(Laws, SectionMapOfConstantDamping,
                          ::testing::Values(law_of(1.0, ContactDamping::kNone, 0.0),
                                            law_of(1.0, ContactDamping::kConstant, 10.0),
                                            law_of(1.0, ContactDamping::kConstant, 10.0,
@@ -158,7 +166,7 @@ INSTANTIATE_TEST_SUITE_P(Laws, StrobeMapOfConstantDamping,
                                            law_of(1.5, ContactDamping::kNone, 0.0)));
 
 // A forced oscillator whose orbit is known piece by piece: a free one, and one on the spring.
-TEST(StrobeOrbit, SolvesThePiecewiseLinearOscillator) {
+TEST(OrbitOnASpring, SolvesThePiecewiseLinearOscillator) {
   System system = support::forced_oscillator(1.0, 0.05, 0.5, 0.0, 1.3, 1.0);
   const double k = 30.0;
   system.stops[0].law = ContactForce{k};
@@ -184,7 +192,7 @@ TEST(StrobeOrbit, SolvesThePiecewiseLinearOscillator) {
 
 // A body pressed into a stop whose dashpot lets it go below the surface and grips it again, every
 // period: it never leaves, so there is no impact, least of all one of negative speed.
-TEST(StrobeOrbit, CountsNoImpactsWhereASpringGripsAgain) {
+TEST(OrbitOnASpring, CountsNoImpactsWhereASpringGripsAgain) {
   System system = support::forced_oscillator(1.0, 0.05, -0.8, 0.0, 0.7, 0.65);
   system.stops[0].law = ContactForce{2.0, 1.0, ContactDamping::kConstant, 8.0};
   const auto run = support::record_run(system, support::rest(system), support::for_seconds(400.0));
@@ -202,15 +210,15 @@ TEST(StrobeOrbit, CountsNoImpactsWhereASpringGripsAgain) {
 // A spring whose resistance is C x^n lets a mass m out of the depth x at no more than k/C, which
 // takes C^2 x^(n+1)/(m k) times as long as its velocity takes to settle: 1e4 is the most that is
 // followed.
-TEST(StrobeMap, StartsInNoDentThatDampingKeepsItIn) {
+TEST(SectionMap, StartsInNoDentThatDampingKeepsItIn) {
   const double k = 4e4, c = 4e6, n = 1.5;
   const System damped = three_modes(law_of(n, ContactDamping::kPower, c));
   const System free = three_modes(law_of(n, ContactDamping::kNone, 0.0));
   const Stop& stop = damped.stops.front();
   const auto starts = [&](const System& system, double depth) {
     const Vector q = stop.row * ((stop.gap + depth) / stop.row.squaredNorm());
-    const StrobeMap map(system, {});
-    return map.start_of(system, map.pack({q, Vector::Zero(3)})).has_value();
+    const SectionMap map(system, {}, {});
+    return map.start_of(system, map.pack({q, Vector::Zero(3)}), 0.0).has_value();
   };
   const double mass = 1.0 / stop.row.squaredNorm();
   const double deepest = std::pow(1e4 * mass * k / (c * c), 1.0 / (n + 1.0));
@@ -220,7 +228,7 @@ TEST(StrobeMap, StartsInNoDentThatDampingKeepsItIn) {
 }
 
 // Near its resonance an oscillator hits its spring much harder than forcing and gap let expect.
-TEST(StrobeMap, FollowsDeepContactsOfAResonance) {
+TEST(SectionMap, FollowsDeepContactsOfAResonance) {
   const System system = assemble(
       support::shipped_scene("12_spring_dashpot_oscillator",
                              {"modal.damping_ratios=[0.005]",
@@ -233,7 +241,7 @@ TEST(StrobeMap, FollowsDeepContactsOfAResonance) {
 }
 
 // What meets its stop at speeds of 1e-230 m/s does not move.
-TEST(StrobeOrbit, NothingMovesWithoutForcing) {
+TEST(OrbitOnASpring, NothingMovesWithoutForcing) {
   const System system =
       assemble(support::shipped_scene("12_spring_dashpot_oscillator", {"forcing.amplitude=0.0"}));
   const FoundOrbits found = find_orbits(system, support::state_of({0.0}, {0.0}), {});

@@ -1,0 +1,262 @@
+#include "graze/bifurcation/passage_equations.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "graze/base/angle.hpp"
+#include "graze/bifurcation/half_period.hpp"
+#include "graze/continuation/map.hpp"
+#include "graze/flow/sprung_deviation.hpp"
+#include "graze/orbit/solve.hpp"
+
+namespace graze {
+
+namespace {
+
+// Slopes of the map are known to about this, in its units: ten times what a step of the deviations
+// is.
+constexpr double kMapAccuracy = 10.0 * kDeviationTolerance;
+// So differences of slopes err least over steps of its cube root, in units of the unknowns and of
+// the parameters.
+const double kStep = std::cbrt(kMapAccuracy);
+// The test for a multiplier is formed from slopes: it vanishes to what these are known to, times
+// what solving with them costs.
+constexpr double kCritical = 1e3 * kMapAccuracy;
+
+}  // namespace
+
+PassageEquations::PassageEquations(const Scene& scene, const std::vector<std::string>& parameters,
+                                   std::vector<double> units, const System& reference,
+                                   const PassageLayout& layout, const PassageOptions& options)
+    : PassageEquations(scene, parameters, std::move(units), motion_scale(reference),
+                       PassageShooting(reference, layout, options)) {}
+
+PassageEquations::PassageEquations(const Scene& scene, const std::vector<std::string>& parameters,
+                                   std::vector<double> units, const MotionScale& scale,
+                                   PassageShooting shooting)
+    : scene_(scene),
+      parameters_(parameters),
+      systems_(scene, parameters),
+      units_(std::move(units)),
+      scale_(scale),
+      shooting_(std::move(shooting)) {
+  problem_.evaluate = [this](const Vector& u, Parameters at) { return evaluate(u, at); };
+  problem_.multipliers = [this](const Vector& u, Parameters at,
+                                ErrorBounds errors) -> std::vector<Eigenvalue> {
+    const System* system = system_at(at);
+    return system ? shooting_.multipliers(*system, u, errors) : std::vector<Eigenvalue>();
+  };
+  problem_.curvature = [this](const Vector& u, Parameters at,
+                              const std::vector<CriticalProduct>& products) {
+    return curvature(u, at, products);
+  };
+  problem_.wrap = shooting_.wrap();
+}
+
+std::unique_ptr<PassageEquations> PassageEquations::doubled() const {
+  const int sections = (layout().released ? 1 : 2) * layout().sections;
+  return std::unique_ptr<PassageEquations>(new PassageEquations(
+      scene_, parameters_, units_, scale_, shooting_.over(2 * period(), sections)));
+}
+
+double PassageEquations::critical_tolerance() { return kCritical; }
+
+std::vector<const System*> PassageEquations::tangents_at(Parameters at) const {
+  std::vector<const System*> tangents;
+  for (std::size_t k = 0; k < at.size(); ++k) {
+    tangents.push_back(systems_.tangent_at(at, k));
+    if (!tangents.back()) return {};
+  }
+  return tangents;
+}
+
+std::optional<ZeroEvaluation> PassageEquations::evaluate(const Vector& u, Parameters at) const {
+  const System* system = system_at(at);
+  if (!system) return {};
+  const std::vector<const System*> tangents = tangents_at(at);
+  if (tangents.size() < at.size()) return {};
+  auto sum = shooting_.linearise(*system, u, tangents);
+  if (!sum) return {};
+  return ZeroEvaluation{std::move(sum->residual), std::move(sum->jacobian),
+                        std::move(sum->by_parameters), std::move(sum->closing)};
+}
+
+// By central differences, each over the sections that it moves.
+std::optional<Eigen::MatrixXcd> PassageEquations::curvature(
+    const Vector& u, Parameters at, const std::vector<CriticalProduct>& products) const {
+  std::vector<PassageProduct> list;
+  for (const CriticalProduct& one : products) list.push_back({one.left, one.right, one.multiplier});
+  const Eigen::Index n = u.size(), m = static_cast<Eigen::Index>(at.size());
+  const Eigen::Index head = shooting_.head(), size = map().size();
+  Eigen::MatrixXcd rows = Eigen::MatrixXcd::Zero(std::ssize(list), n + m);
+  for (Eigen::Index j = 0; j < n + m; ++j) {
+    const bool is_local = j >= head && j < n;
+    const int first = is_local ? static_cast<int>((j - head) / size) : 0;
+    const int last = is_local ? first : layout().sections - 1;
+    const auto parameter = static_cast<std::size_t>(std::max<Eigen::Index>(j - n, 0));
+    const double step = j < n ? kStep : kStep * units_[parameter];
+    for (const double side : {1.0, -1.0}) {
+      Vector moved = u;
+      std::vector<double> there(at.begin(), at.end());
+      (j < n ? moved[j] : there[parameter]) += side * step;
+      const System* system = system_at(there);
+      for (int i = first; i <= last; ++i) {
+        const auto sums =
+            system ? shooting_.products(*system, moved, i, list) : std::optional<ComplexVector>();
+        if (!sums) return {};
+        rows.col(j) += side / (2.0 * step) * *sums;
+      }
+    }
+  }
+  return rows;
+}
+
+Vector PassageEquations::halves_differ(const BranchPoint& solution) const {
+  if (period() % 2 != 0) return {};
+  if (layout().sections % 2 == 0) {
+    const Eigen::Index half = solution.u.size() / 2;
+    return solution.u.tail(half) - solution.u.head(half);
+  }
+  return halves_.answer({solution.u, solution.parameter}, [&] {
+    const System* system = system_at(solution.parameter);
+    if (!system) return Vector();
+    const PassageShooting half = shooting_.over(period() / 2, layout().sections);
+    const auto at = half.linearise(*system, solution.u, {});
+    return at ? at->residual : Vector();
+  });
+}
+
+bool PassageEquations::is_half(const BranchPoint& solution) const {
+  const Vector difference = halves_differ(solution);
+  return difference.size() > 0 &&
+         difference.norm() <= kShootingAccuracy * (1.0 + solution.u.norm());
+}
+
+bool PassageEquations::passes_half(const BranchPoint& a, const BranchPoint& b) const {
+  return turns_round(halves_differ(a), halves_differ(b), kShootingAccuracy * (1.0 + a.u.norm()));
+}
+
+std::optional<OrbitBranchPoint> PassageEquations::judge(const BranchPoint& solution) const {
+  return judged_.answer({solution.u, solution.parameter}, [&]() -> std::optional<OrbitBranchPoint> {
+    const System* system = system_at(solution.parameters());
+    if (!system) return {};
+    std::optional<Orbit> orbit;
+    if (layout().released) {
+      orbit = orbit_at_release(*system, shooting_, solution.u);
+    } else {
+      std::vector<Eigenvalue> multipliers = solution.multipliers;
+      if (multipliers.empty())
+        multipliers = shooting_.multipliers(*system, solution.u, ErrorBounds::kGiven);
+      orbit = orbit_of(*system, shooting_, solution.u, std::move(multipliers));
+    }
+    if (!orbit) return {};
+    return point_of_branch(solution.parameter, std::move(*orbit));
+  });
+}
+
+std::optional<ReleaseReturn> PassageEquations::follow(const BranchPoint& solution,
+                                                      bool minima) const {
+  return followed_.answer({solution.u, solution.parameter, minima}, [&] {
+    const System* system = system_at(solution.parameter);
+    return system ? return_of(*system, shooting_, solution.u, minima)
+                  : std::optional<ReleaseReturn>();
+  });
+}
+
+std::optional<std::vector<PassageMargin>> PassageEquations::margins(const BranchPoint& solution,
+                                                                    double range) const {
+  const System* system = system_at(solution.parameters());
+  const System* tangent = system ? systems_.tangent_at(solution.parameters(), 0) : nullptr;
+  if (!tangent) return {};
+  const Eigen::Index n = solution.u.size();
+  return shooting_.margins(*system, solution.u, *tangent, solution.tangent.head(n),
+                           solution.rate() * range);
+}
+
+std::vector<int> PassageEquations::stops_met(const BranchPoint& solution) const {
+  const System* system = system_at(solution.parameters());
+  const std::optional<Orbit> orbit =
+      system ? orbit_of(*system, shooting_, solution.u, {}) : std::nullopt;
+  if (!orbit) return {};
+  std::vector<int> stops = orbit->pattern().stops;
+  std::sort(stops.begin(), stops.end());
+  return stops;
+}
+
+bool PassageEquations::sets_in_smoothly(const BranchPoint& solution, int stop) const {
+  const System* system = system_at(solution.parameters());
+  const Stop* met = system ? &system->stops[static_cast<std::size_t>(stop)] : nullptr;
+  return met && met->is_compliant() && met->force().sets_in_smoothly();
+}
+
+std::optional<double> PassageEquations::clearer_section(const BranchPoint& solution) const {
+  // Far enough for a step, near enough for few moves.
+  constexpr double kPart = 0.25;
+  const System* system = system_at(solution.parameters());
+  const auto is_smooth = [](const Stop& stop) {
+    return stop.is_compliant() && stop.force().sets_in_smoothly();
+  };
+  if (!system || std::all_of(system->stops.begin(), system->stops.end(), is_smooth)) return {};
+  const std::optional<OrbitBranchPoint> at = judge(solution);
+  if (!at) return {};
+  std::vector<double> phases;
+  for (const OrbitImpact& impact : at->orbit.impacts) {
+    const Stop& stop = system->stops[static_cast<std::size_t>(impact.stop)];
+    if (is_smooth(stop)) continue;
+    phases.push_back(impact.phase);
+    if (stop.is_compliant())
+      phases.push_back(
+          wrapped(impact.phase + system->forcing()->frequency * impact.contact->duration));
+  }
+  if (phases.empty()) return {};
+  std::sort(phases.begin(), phases.end());
+  double best = 0.0, middle = 0.0, nearest = kTurn;
+  for (std::size_t i = 0; i < phases.size(); ++i) {
+    const double next = i + 1 < phases.size() ? phases[i + 1] : phases.front() + kTurn;
+    const double ahead = wrapped(phases[i] - layout().theta);
+    nearest = std::min({nearest, ahead, kTurn - ahead});
+    if (next - phases[i] <= best) continue;
+    best = next - phases[i];
+    middle = wrapped(0.5 * (phases[i] + next));
+  }
+  return nearest < kPart * 0.5 * best ? std::optional(middle) : std::nullopt;
+}
+
+std::optional<BranchPoint> PassageEquations::carried_to(const PassageEquations& other,
+                                                        const ContinuationOptions& options,
+                                                        const BranchPoint& solution) const {
+  const System* system = system_at(solution.parameters());
+  const System* tangent = system ? systems_.tangent_at(solution.parameters(), 0) : nullptr;
+  if (!tangent) return {};
+  const double angle = wrapped(other.layout().theta - layout().theta);
+  const double range = std::abs(options.to - options.from);
+  const Eigen::Index m = map().size(), n = solution.u.size();
+  BranchPoint carried = solution;
+  for (Eigen::Index i = 0; i < n; i += m) {
+    const auto at = map().within(*system, solution.u.segment(i, m), layout().theta, angle,
+                                 std::span(&tangent, 1));
+    if (!at) return {};
+    carried.u.segment(i, m) = map().pack(at->state);
+    const Vector along = solution.tangent.segment(i, m);
+    const State& moved = at->by_parameters.front();
+    const double rate = solution.rate() * range;
+    carried.tangent.segment(i, m) = map().pack(
+        {at->by_state.q * along + rate * moved.q, at->by_state.qdot * along + rate * moved.qdot});
+  }
+  return solve_near(other.problem(), options, carried.u, carried.parameter, carried.tangent);
+}
+
+bool has_same_events(const ReleaseReturn& back, const ReleaseReturn& other, bool impacts) {
+  return back.returns && back.holds == other.holds &&
+         (!impacts || back.itinerary == other.itinerary);
+}
+
+BranchPoint twice_round(const PassageEquations& doubled, const BranchPoint& point) {
+  if (doubled.shooting().size() > point.u.size()) return twice_round(point);
+  BranchPoint same = point;
+  same.multipliers.clear();
+  return same;
+}
+
+}  // namespace graze
