@@ -61,7 +61,7 @@ namespace {
 bool has_other_branch(const SpecialOrbit& at) {
   const bool found = at.kind == SpecialKind::kPeriodDoubling ||
                      at.kind == SpecialKind::kBranchPoint || at.kind == SpecialKind::kGrazing;
-  return found && !at.sticking && !at.by_push;
+  return found && !at.sticks() && !at.by_push;
 }
 
 // From a special point of an earlier run alone.
@@ -75,13 +75,13 @@ void start_from(const Restart& restart, const Command& command, BranchOptions& o
         restart.at.id));
   if (command.switched && restart.at.by_speed && restart.at.impacts.size() == 1)
     throw InputError(fmt::format("--switch: beyond {} the motion meets no stop", restart.at.id));
-  if (restart.at.kind == SpecialKind::kBranchPoint && !restart.at.sticking && !same)
+  if (restart.at.kind == SpecialKind::kBranchPoint && !restart.at.sticks() && !same)
     throw InputError(
         fmt::format("--label: two branches cross at {}, which over another parameter than {} are "
                     "not told apart; restart over that one, or from another special point",
                     restart.at.id, restart.parameters.front()));
   options.start = BranchStart{restart.at, same, command.switched};
-  options.period = restart.at.sticking ? restart.at.sticking->period : restart.at.pattern.period;
+  options.period = restart.at.followed ? restart.at.followed->period : restart.at.pattern.period;
   options.impacts = restart.at.pattern.impacts();
 }
 

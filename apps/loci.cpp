@@ -31,12 +31,12 @@ void start_from(const Restart& restart, const Command& command, LociOptions& opt
   options.start = locus_start(assemble(restart.scene), restart.at, first, second);
   if (!options.start)
     throw InputError(
-        fmt::format("--label: {} has no locus; LP, PD, NS and GR of orbits that do not stick have",
+        fmt::format("--label: {} has no locus to go on along; LP, PD and NS have, and GR of orbits that do not stick",
                     restart.at.id));
   // Which orbits these are, for what else is asked of the plane; a locus of grazing counts its
   // touch.
-  if (restart.at.strobe) {
-    options.branches.period = static_cast<int>(restart.at.strobe->turns.size());
+  if (restart.at.followed) {
+    options.branches.period = restart.at.followed->period;
   } else {
     const ImpactPattern& pattern = restart.at.pattern;
     options.branches.period = pattern.period;

@@ -228,7 +228,7 @@ namespace {
 
 CLI::Option* add_locus_kinds(CLI::App* app, Command& command, const char* what) {
   return app->add_option("--locus", command.locus, what)
-      ->check(CLI::IsMember({"LP", "PD", "NS", "GR", "all"}))
+      ->check(CLI::IsMember({"LP", "PD", "NS", "GR", "CH", "all"}))
       ->delimiter(',')
       ->allow_extra_args(false)
       ->type_name("KIND");

@@ -58,9 +58,9 @@ std::optional<Restart> read_restart(const Command& command, const Scene& scene) 
   Restart restart{special_called(command.label, command.restart, special.points),
                   special.parameters, scene};
   for (std::size_t i = 0; i < restart.parameters.size(); ++i)
-    restart.scene =
-        with_parameter(restart.scene, restart.parameters[i],
-                       restart.at.sticking ? restart.at.sticking->value : restart.at.values[i]);
+    restart.scene = with_parameter(
+        restart.scene, restart.parameters[i],
+        i == 0 && restart.at.sticks() ? restart.at.followed->value : restart.at.values[i]);
   return restart;
 }
 

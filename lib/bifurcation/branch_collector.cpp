@@ -71,8 +71,8 @@ void BranchCollector::trace_from_sticking(const Orbit& orbit, double value) {
 }
 
 void BranchCollector::trace_from_special(const BranchStart& start) {
-  if (start.at.sticking)
-    trace_from_section(*start.at.sticking);
+  if (start.at.sticks())
+    trace_from_section(*start.at.followed);
   else
     trace_from_impacts(start);
   if (found_.empty() && result_.notes.empty() && sticking_notes_.empty() &&
@@ -82,10 +82,10 @@ void BranchCollector::trace_from_special(const BranchStart& start) {
                                              "the system beyond that point on either side");
 }
 
-void BranchCollector::trace_from_section(const SpecialOrbit::Sticking& section) {
+void BranchCollector::trace_from_section(const SpecialOrbit::Followed& section) {
   const double value = family_.value();
   const FollowedAnswer answer =
-      orbit_through(*family_.at(value), section.at_section, section.period,
+      orbit_through(*family_.at(value), section.states.front(), section.period,
                     {section.closure_speed, options_.finder.max_impacts, options_.stop});
   if (answer.orbit)
     trace_from_sticking(*answer.orbit, value);

@@ -40,7 +40,7 @@ class BranchCollector {
 
  private:
   PatternBranches& pattern_branches(const ImpactPattern& pattern);
-  void trace_from_section(const SpecialOrbit::Sticking& section);
+  void trace_from_section(const SpecialOrbit::Followed& section);
   void trace_from_impacts(const BranchStart& start);
   // What is traced or switched from at a special point.
   std::optional<BranchPoint> solution_at(const PatternBranches& branches,

@@ -14,13 +14,8 @@ struct OrbitLocusStart {
   OrbitLocusKind kind = OrbitLocusKind::kFold;
   TouchingOrbit orbit;  // in its canonical order; on GR from the touch on
   double first = 0.0, second = 0.0;
-  Complex multiplier = 1.0;  // of NS: one of the pair
-  // In place of `orbit` one on compliant stops: its states at the starts of its forcing periods.
-  struct Strobe {
-    std::vector<State> turns;
-    double closure_speed = 0.0;  // m/s, of chatters on rigid stops beside them
-  };
-  std::optional<Strobe> strobe{};
+  Complex multiplier = 1.0;         // of NS: one of the pair
+  std::optional<Orbit> followed{};  // in place of `orbit`: one that is followed
 };
 
 // An orbit at a special point as a start of its locus. For one of grazing it is written from its

@@ -7,9 +7,8 @@
 #include <memory>
 #include <utility>
 
+#include "graze/bifurcation/passage_loci.hpp"
 #include "graze/bifurcation/pattern_loci.hpp"
-#include "graze/bifurcation/strobe_loci.hpp"
-#include "graze/orbit/followed_orbit.hpp"
 #include "graze/scene/parameter.hpp"
 
 namespace graze {
@@ -25,8 +24,9 @@ std::optional<OrbitLocusKind> locus_kind(SpecialKind kind) {
       return OrbitLocusKind::kTorus;
     case SpecialKind::kGrazing:
       return OrbitLocusKind::kGrazing;
-    case SpecialKind::kBranchPoint:
     case SpecialKind::kChatterCompletes:
+      return OrbitLocusKind::kChatterCompletes;
+    case SpecialKind::kBranchPoint:
     case SpecialKind::kLiftOff:
       break;
   }
@@ -37,6 +37,20 @@ std::optional<OrbitLocusKind> locus_kind(SpecialKind kind) {
 // meet their equations are singular, and known to about the square root of rounding.
 constexpr double kOnePlace = 1e-7;
 
+LocusPlane plane_of(const Scene& scene, const std::string& first, const std::string& second,
+                    const LociOptions& options, const System& own) {
+  LocusPlane plane{&scene, first, second, motion_scale(own), {}};
+  LocusOptions& range = plane.options;
+  range.first_from = options.branches.from;
+  range.first_to = options.branches.to;
+  range.second_from = options.second_from;
+  range.second_to = options.second_to;
+  if (options.branches.max_step > 0.0)
+    range.max_step = options.branches.max_step / first_range(range);
+  range.stop = options.branches.stop;
+  return plane;
+}
+
 class LociTracer {
  public:
   LociTracer(const Scene& scene, const std::string& first, const std::string& second,
@@ -45,21 +59,12 @@ class LociTracer {
         options_(options),
         own_(scene, first),
         other_(scene, second),
-        systems_(scene, {first, second}) {
+        systems_(scene, {first, second}),
+        plane_(plane_of(scene, first, second, options, *own_.at(own_.value()))),
+        followed_(scene, first, second, plane_.options,
+                  {0.0, options.branches.finder.max_impacts, options.branches.stop}) {
     if (first == second)
       throw InputError(first + ": a locus takes two parameters that differ from one another");
-    plane_.scene = &scene_;
-    plane_.first = first;
-    plane_.second = second;
-    plane_.scale = motion_scale(*own_.at(own_.value()));
-    LocusOptions& range = plane_.options;
-    range.first_from = options.branches.from;
-    range.first_to = options.branches.to;
-    range.second_from = options.second_from;
-    range.second_to = options.second_to;
-    if (options.branches.max_step > 0.0)
-      range.max_step = options.branches.max_step / first_range(range);
-    range.stop = options.branches.stop;
     result_.first = first;
     result_.second = second;
   }
@@ -129,7 +134,6 @@ class LociTracer {
     branches.from = from;
     branches.to = to;
     if (parameter != plane_.first) branches.max_step = 0.0;
-    branches.sticking = false;
     branches.progress = nullptr;
     // Random guesses cost more than all else: on the first slice only, the scene's own where that
     // is in the ranges.
@@ -146,19 +150,14 @@ class LociTracer {
   std::optional<OrbitLocusStart> start_of(const SystemFamily& family, const SpecialPoint& special,
                                           double fixed) const {
     const std::optional<OrbitLocusKind> kind = locus_kind(special.kind);
-    if (!kind || special.by_push || special.at.orbit.sticks() || !wants(*kind)) return {};
+    if (!kind || special.by_push || special.interrupted || !wants(*kind)) return {};
     const double moved = special.at.value;
     const bool over_first = family.parameter() == plane_.first;
     const LocusStartPlace place{over_first ? moved : fixed, over_first ? fixed : moved,
                                 special.multiplier.value_or(1.0)};
     const Orbit& orbit = special.at.orbit;
     if (orbit.section)
-      return OrbitLocusStart{*kind,
-                             {},
-                             place.first,
-                             place.second,
-                             place.multiplier,
-                             {{turns_of(orbit), orbit.section->closure_speed}}};
+      return OrbitLocusStart{*kind, {}, place.first, place.second, place.multiplier, orbit};
     return locus_start(*family.at(moved), *kind, {orbit.pattern(), orbit.points(), 0},
                        special.by_speed, place);
   }
@@ -169,7 +168,7 @@ class LociTracer {
 
   // Its locus, and those that meet it.
   void begin(const OrbitLocusStart& start) {
-    if (start.strobe) return begin_strobe(start);
+    if (start.followed) return begin_followed(start);
     std::deque<OrbitLocusStart> starts{start};
     while (!starts.empty() && !options_.branches.stop.requested()) {
       const std::size_t known = result_.loci.size();
@@ -181,18 +180,10 @@ class LociTracer {
     }
   }
 
-  // On compliant stops its locus alone.
-  void begin_strobe(const OrbitLocusStart& start) {
-    if (!strobe_) {
-      PassageOptions strobe;
-      strobe.max_impacts = options_.branches.finder.max_impacts;
-      strobe.stop = options_.branches.stop;
-      strobe.closure_speed = start.strobe->closure_speed;
-      strobe_ =
-          std::make_unique<StrobeLoci>(scene_, plane_.first, plane_.second, plane_.options, strobe);
-    }
+  // Of orbits that are followed its locus alone.
+  void begin_followed(const OrbitLocusStart& start) {
     ++result_.starts;
-    StrobeLocusAnswer answer = strobe_->trace(start);
+    PassageLocusAnswer answer = followed_.trace(start);
     result_.shooting_evaluations += answer.evaluations;
     if (answer.known) return;
     if (!answer.locus) {
@@ -258,7 +249,7 @@ class LociTracer {
   LocusPlane plane_;
   std::map<std::pair<OrbitLocusKind, Name>, std::unique_ptr<CriticalLoci>> critical_;
   std::map<Name, std::unique_ptr<GrazingLoci>> grazing_;
-  std::unique_ptr<StrobeLoci> strobe_;
+  PassageLoci followed_;
   OrbitLoci result_;
 };
 

@@ -10,6 +10,8 @@ const char* label_of(OrbitLocusKind kind) {
       return "PD";
     case OrbitLocusKind::kTorus:
       return "NS";
+    case OrbitLocusKind::kChatterCompletes:
+      return "CH";
     case OrbitLocusKind::kGrazing:
       break;
   }

@@ -13,17 +13,18 @@
 namespace graze {
 
 enum class OrbitLocusKind {
-  kFold,            // LP
-  kPeriodDoubling,  // PD
-  kTorus,           // NS
-  kGrazing          // GR: an approach touches a stop, or an impact speed vanishes
+  kFold,             // LP
+  kPeriodDoubling,   // PD
+  kTorus,            // NS
+  kGrazing,          // GR: an approach touches a stop, or an impact speed vanishes
+  kChatterCompletes  // CH: a chatter completes at the instant of its release
 };
 
-inline constexpr std::array<OrbitLocusKind, 4> kOrbitLocusKinds = {
+inline constexpr std::array<OrbitLocusKind, 5> kOrbitLocusKinds = {
     OrbitLocusKind::kFold, OrbitLocusKind::kPeriodDoubling, OrbitLocusKind::kTorus,
-    OrbitLocusKind::kGrazing};
+    OrbitLocusKind::kGrazing, OrbitLocusKind::kChatterCompletes};
 
-// "LP", "PD", "NS", "GR".
+// "LP", "PD", "NS", "GR", "CH".
 const char* label_of(OrbitLocusKind kind);
 
 struct OrbitLocusPoint {
@@ -34,9 +35,9 @@ struct OrbitLocusPoint {
   // Clear of every stop between the impacts, every impact speed positive but for the one that
   // vanishes on GR, none sticks.
   bool admissible = false;
-  // On compliant stops: the orbit's states at the starts of its forcing periods, from which the
-  // motion repeats it. Its impacts do not tell it there.
-  std::vector<State> turns{};
+  // Of an orbit that is followed, whose impacts do not tell it.
+  std::vector<OrbitHold> holds{};
+  std::optional<OrbitSection> section{};
 };
 
 // Where loci meet or change their nature, with MatCont's names: CP, R1 to R4, LPPD, LPNS, PDPD,
@@ -52,9 +53,10 @@ enum class OrbitLocusEnd {
   kFirstLimit,   // of the first parameter
   kSecondLimit,  // of the second
   kClosed,
-  kGrazing,      // beyond it the orbits are none of the system
-  kImpactsMeet,  // a flight from impact to impact shrinks to nothing
-  kResonance,    // of NS: its pair becomes real
+  kGrazing,           // beyond it the orbits are none of the system
+  kImpactsMeet,       // a flight from impact to impact shrinks to nothing
+  kChatterCompletes,  // beyond it the stuck phases are others
+  kResonance,         // of NS: its pair becomes real
   kStepLimit,
   kOutOfTime,
   kStopped,
@@ -64,15 +66,18 @@ enum class OrbitLocusEnd {
 struct OrbitLocus {
   int id = 0;  // from 1
   OrbitLocusKind kind = OrbitLocusKind::kFold;
-  ImpactPattern pattern;                // of the impacts at its points, on GR with the touch
+  // Of the impacts at its points, on GR with the touch; where the orbits stick, whose impacts come
+  // and go, in place of these its stuck phases.
+  ImpactPattern pattern;
   std::vector<OrbitLocusPoint> points;  // in order along the locus, special points among them
   std::vector<OrbitLocusSpecial> special;
   std::array<OrbitLocusEnd, 2> ends{OrbitLocusEnd::kNotConverged, OrbitLocusEnd::kNotConverged};
-  bool compliant = false;      // of orbits on compliant stops: impacts do not tell them
-  double closure_speed = 0.0;  // m/s, there: of chatters on rigid stops beside them
+
+  bool sticks() const { return !points.empty() && !points.front().holds.empty(); }
 };
 
-// A locus of critical orbits as one of equations; requires a kind that multipliers tell, not GR.
+// A locus of critical orbits as one of equations; requires a kind that multipliers tell, LP, PD,
+// NS.
 LocusKind as_locus_kind(OrbitLocusKind kind);
 
 // What an end of a traced locus is called where it is one of orbits. One that was asked to halt has

@@ -141,15 +141,10 @@ std::optional<OrbitBranchPoint> PassageEquations::judge(const BranchPoint& solut
   return judged_.answer({solution.u, solution.parameter}, [&]() -> std::optional<OrbitBranchPoint> {
     const System* system = system_at(solution.parameters());
     if (!system) return {};
-    std::optional<Orbit> orbit;
-    if (layout().released) {
-      orbit = orbit_at_release(*system, shooting_, solution.u);
-    } else {
-      std::vector<Eigenvalue> multipliers = solution.multipliers;
-      if (multipliers.empty())
-        multipliers = shooting_.multipliers(*system, solution.u, ErrorBounds::kGiven);
-      orbit = orbit_of(*system, shooting_, solution.u, std::move(multipliers));
-    }
+    std::vector<Eigenvalue> multipliers = solution.multipliers;
+    if (multipliers.empty() && !layout().released)
+      multipliers = shooting_.multipliers(*system, solution.u, ErrorBounds::kGiven);
+    std::optional<Orbit> orbit = orbit_of(*system, shooting_, solution.u, std::move(multipliers));
     if (!orbit) return {};
     return point_of_branch(solution.parameter, std::move(*orbit));
   });

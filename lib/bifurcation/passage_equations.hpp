@@ -24,6 +24,7 @@
 #include "graze/bifurcation/orbit_branch.hpp"
 #include "graze/bifurcation/remembered.hpp"
 #include "graze/continuation/branch.hpp"
+#include "graze/orbit/followed_orbit.hpp"
 #include "graze/orbit/release.hpp"
 
 namespace graze {

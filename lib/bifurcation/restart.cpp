@@ -26,28 +26,39 @@ const OrbitBranchPoint& beside(const OrbitBranch& branch, const SpecialPoint& sp
   return here == branch.points.begin() ? *std::next(here) : *std::prev(here);
 }
 
-std::optional<SpecialOrbit::Sticking> sticking_part(const OrbitBranch& branch,
-                                                    const SpecialPoint& special) {
-  const OrbitBranchPoint& at = is_border(special.kind) ? beside(branch, special) : special.at;
-  const Orbit& orbit = at.orbit;
-  if (!orbit.sticks()) return {};
-  return SpecialOrbit::Sticking{orbit.period, at.value, orbit.section->states.front(),
-                                orbit.section->closure_speed};
+SpecialOrbit::Followed as_followed(int period, double value, const OrbitSection& section) {
+  return {period, value, section.states, section.closure_speed};
 }
 
-SpecialOrbit::Strobe strobe_part(const OrbitBranchPoint& at) {
-  return {at.value, turns_of(at.orbit), at.orbit.section->closure_speed};
+std::optional<SpecialOrbit::Followed> followed_part(const OrbitBranch& branch,
+                                                    const SpecialPoint& special) {
+  const bool beyond = branch.sticks() && is_border(special.kind);
+  const OrbitBranchPoint& at = beyond ? beside(branch, special) : special.at;
+  if (!at.orbit.section || at.orbit.sticks() != branch.sticks()) return {};
+  return as_followed(at.orbit.period, at.value, *at.orbit.section);
+}
+
+// As much of it as its equations start from.
+Orbit strobed_orbit(const SpecialOrbit::Followed& at) {
+  Orbit orbit;
+  orbit.period = at.period;
+  orbit.section = OrbitSection{{}, at.states, at.closure_speed};
+  return orbit;
 }
 
 std::optional<OrbitLocusKind> locus_of(const SpecialOrbit& special) {
   if (special.locus) return special.locus;
-  if (special.sticking || special.by_push) return {};
+  if (special.by_push || (special.sticks() && special.kind && is_border(*special.kind))) return {};
   for (const OrbitLocusKind kind : kOrbitLocusKinds)
     if (special.label == label_of(kind)) return kind;
   return {};
 }
 
 }  // namespace
+
+bool SpecialOrbit::sticks() const {
+  return followed && !closed_stops(followed->states.front()).empty();
+}
 
 std::vector<SpecialOrbit> special_orbits(const OrbitBranches& traced, const System& system) {
   std::vector<SpecialOrbit> list;
@@ -61,10 +72,8 @@ std::vector<SpecialOrbit> special_orbits(const OrbitBranches& traced, const Syst
       one.multiplier = special.multiplier;
       one.by_speed = special.by_speed;
       one.by_push = special.by_push;
-      if (branch.sticks()) {
-        one.sticking = sticking_part(branch, special);
-      } else if (special.at.orbit.section) {
-        one.strobe = strobe_part(special.at);
+      if (branch.sticks() || special.at.orbit.section) {
+        one.followed = followed_part(branch, special);
       } else {
         one.pattern = branch.pattern;
         const ShootingProblem problem(branch.pattern, traced.scale);
@@ -86,8 +95,8 @@ std::vector<SpecialOrbit> special_orbits(const OrbitLoci& traced) {
       one.id = special.id;
       one.label = special.label;
       one.values = {special.at.value, special.at.second};
-      if (locus.compliant) {
-        one.strobe = {special.at.value, special.at.turns, locus.closure_speed};
+      if (special.at.section) {
+        one.followed = as_followed(locus.pattern.period, special.at.value, *special.at.section);
       } else {
         Orbit orbit;
         orbit.period = locus.pattern.period;
@@ -108,13 +117,17 @@ std::optional<OrbitLocusStart> locus_start(const System& system, const SpecialOr
                                            double first, double second) {
   const std::optional<OrbitLocusKind> kind = locus_of(special);
   if (!kind) return {};
-  if (special.strobe)
-    return OrbitLocusStart{*kind,
-                           {},
-                           first,
-                           second,
-                           special.multiplier.value_or(1.0),
-                           {{special.strobe->turns, special.strobe->closure_speed}}};
+  if (special.followed) {
+    const SpecialOrbit::Followed& at = *special.followed;
+    PassageOptions passage;
+    passage.closure_speed = at.closure_speed;
+    FollowedAnswer answer = special.sticks()
+                                ? orbit_through(system, at.states.front(), at.period, passage)
+                                : FollowedAnswer{strobed_orbit(at), ""};
+    if (!answer.orbit) return {};
+    return OrbitLocusStart{
+        *kind, {}, first, second, special.multiplier.value_or(1.0), std::move(answer.orbit)};
+  }
   return locus_start(system, *kind, {special.pattern, special.impacts, 0}, special.by_speed,
                      {first, second, special.multiplier.value_or(1.0)});
 }

@@ -29,22 +29,17 @@ struct SpecialOrbit {
   std::optional<Direction> along;          // of a branch whose orbits do not stick
   std::optional<Complex> multiplier;       // the critical one
   bool by_speed = false, by_push = false;  // as of SpecialPoint
-  // An orbit that sticks, as a state within a stuck phase from which the motion repeats it. At the
-  // ends of a branch, where it no longer does, that of the point beside.
-  struct Sticking {
+  // An orbit that is followed, as the states from which the motion repeats it: one within a stuck
+  // phase, or those at the starts of its forcing periods. At the ends of a branch that sticks,
+  // where it no longer does, those of the point beside.
+  struct Followed {
     int period = 1;      // p
-    double value = 0.0;  // of the parameter
-    MotionState<double> at_section;
+    double value = 0.0;  // of the parameter, on a locus of the first
+    std::vector<MotionState<double>> states;
     double closure_speed = 0.0;  // m/s
   };
-  std::optional<Sticking> sticking;
-  // An orbit on compliant stops, as its states at the starts of its forcing periods.
-  struct Strobe {
-    double value = 0.0;  // of the parameter
-    std::vector<State> turns;
-    double closure_speed = 0.0;  // m/s
-  };
-  std::optional<Strobe> strobe{};
+  std::optional<Followed> followed{};
+  bool sticks() const;
 };
 
 // Where a branch is to be traced from, without any search: from a special point, at the value that

@@ -31,12 +31,12 @@ void cut_beyond(Branch& trace, const OrbitBranch& judged) {
 
 }  // namespace
 
-bool StickingBranches::knows(const std::vector<OrbitRelease>& releases, double value) const {
+bool StickingBranches::knows(const std::vector<LaidOrbit>& releases, double value) const {
   for (const Traced& traced : traced_)
-    for (const OrbitRelease& at : releases) {
+    for (const LaidOrbit& at : releases) {
       if (!(at.layout == traced.equations->layout())) continue;
       const auto point = solve_at(traced.equations->problem(), range_,
-                                  traced.equations->shooting().pack(at.theta, {at.state}), value);
+                                  traced.equations->shooting().pack(at.theta, at.states), value);
       if (point && lies_on(traced.equations->problem(), range_, traced.branch, *point)) return true;
     }
   return false;
@@ -47,14 +47,14 @@ StickingTrace StickingBranches::trace(const Orbit& orbit, double value) {
   const std::optional<System> system = family_.at(value);
   if (!system || !orbit.sticks()) return result;
   const PassageOptions options{orbit.section->closure_speed, max_impacts_, range_.stop};
-  const std::vector<OrbitRelease> releases = releases_of(*system, orbit, options);
+  const std::vector<LaidOrbit> releases = layouts_of(*system, orbit, options);
   if (releases.empty()) {
     result.why_not = "an orbit whose closed stops never let go is not continued";
     return result;
   }
   result.known = knows(releases, value);
   if (result.known) return result;
-  const OrbitRelease& release = releases.front();
+  const LaidOrbit& release = releases.front();
   const double range = std::max(std::abs(range_.to - range_.from), 0.0);
   Traced traced{std::make_unique<PassageEquations>(
                     family_.scene(), std::vector{family_.parameter()},
@@ -62,7 +62,7 @@ StickingTrace StickingBranches::trace(const Orbit& orbit, double value) {
                 {}};
   const PassageEquations& equations = *traced.equations;
   const auto start = solve_at(equations.problem(), range_,
-                              equations.shooting().pack(release.theta, {release.state}), value);
+                              equations.shooting().pack(release.theta, release.states), value);
   const std::optional<ReleaseReturn> back =
       start ? equations.follow(*start) : std::optional<ReleaseReturn>();
   if (!back || !back->returns) {

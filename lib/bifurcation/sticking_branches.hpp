@@ -29,6 +29,7 @@
 
 #include "graze/bifurcation/passage_equations.hpp"
 #include "graze/bifurcation/sticking_verdict.hpp"
+#include "graze/orbit/laid_orbit.hpp"
 
 namespace graze {
 
@@ -60,7 +61,7 @@ class StickingBranches {
     std::unique_ptr<PassageEquations> equations;
     Branch branch;
   };
-  bool knows(const std::vector<OrbitRelease>& releases, double value) const;
+  bool knows(const std::vector<LaidOrbit>& releases, double value) const;
   StickingTrace trace_through(const BranchPoint& start, Traced traced);
 
   const SystemFamily& family_;

@@ -85,13 +85,16 @@ class StrobeTracer {
 
   // At the family's own value.
   void trace_from_special(const BranchStart& start) {
-    if (!start.at.strobe) {
+    if (!start.at.followed || start.at.sticks()) {
       result_.notes.push_back("the point is of orbits on rigid stops, and these give way");
       return;
     }
     ++result_.starts;
-    PassageEquations& equations = equations_of(static_cast<int>(start.at.strobe->turns.size()));
-    const Vector u = equations.shooting().pack(start.at.strobe->turns);
+    PassageEquations& equations = equations_of(start.at.followed->period);
+    std::vector<State> turns;
+    for (const MotionState<double>& at : start.at.followed->states)
+      turns.push_back({at.q, at.qdot});
+    const Vector u = equations.shooting().pack(turns);
     const std::optional<BranchPoint> point =
         solve_near(equations.problem(), range_, u, family_.value());
     const bool doubles = start.at.kind == SpecialKind::kPeriodDoubling;

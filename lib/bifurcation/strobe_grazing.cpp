@@ -1,5 +1,7 @@
 #include "graze/bifurcation/strobe_grazing.hpp"
 
+#include <array>
+
 #include "graze/base/angle.hpp"
 
 namespace graze {
@@ -45,6 +47,14 @@ std::vector<BranchPoint> StrobeGrazing::rewritings(const BranchPoint& point) con
     list.push_back(std::move(turned));
   }
   return list;
+}
+
+std::optional<Orbit> StrobeGrazing::orbit_at(const BranchPoint& point) const {
+  const System* system = equations_.system_at(std::array{first_of(point), point.parameter});
+  if (!system) return {};
+  const auto touch = equations_.touch_at(point.u, point.parameters(), stop_);
+  return touch ? orbit_of(*system, equations_.shooting(), point.u.head(problem_.first), {}, *touch)
+               : std::nullopt;
 }
 
 double StrobeGrazing::first_of(const BranchPoint& point) const {

@@ -8,6 +8,7 @@
 
 #include <vector>
 
+#include "graze/bifurcation/orbit_locus.hpp"
 #include "graze/bifurcation/passage_equations.hpp"
 #include "graze/continuation/plane_curve.hpp"
 #include "graze/orbit/followed_orbit.hpp"
@@ -25,16 +26,20 @@ class StrobeGrazing {
   // In (x_1, .., x_p, first/range, psi). The orbit has no multipliers here: those of one that
   // touches are those of either side.
   const PlaneCurveProblem& problem() const { return problem_; }
+  static constexpr double kTolerance = 1e-11;  // as of a locus
+  static constexpr int kMostPoints = kMostBranchPoints;
   // The unknown of an orbit that starts with any of its turns.
   Vector pack(const Vector& turns, const Touch& touch, double first) const;
   // All that are one orbit, as written from each of its turns.
   std::vector<BranchPoint> rewritings(const BranchPoint& point) const;
   double first_of(const BranchPoint& point) const;
-  Vector turns_of(const BranchPoint& point) const { return point.u.head(problem_.first); }
-  // Requires that the scene allows its values.
-  Touch touch_of(const BranchPoint& point) const {
-    return *equations_.touch_at(point.u, point.parameters(), stop_);
+  // Where it was halted: a touch from outside and one from within a contact are two things.
+  OrbitLocusEnd end_between(const BranchPoint&, const BranchPoint&) const {
+    return OrbitLocusEnd::kGrazing;
   }
+  OrbitLocusEnd end_at(const BranchPoint&) const { return OrbitLocusEnd::kNotConverged; }
+  // With its touch, without multipliers; nothing where the motion cannot be followed.
+  std::optional<Orbit> orbit_at(const BranchPoint& point) const;
 
  private:
   const PassageEquations& equations_;

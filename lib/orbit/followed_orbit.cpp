@@ -10,6 +10,7 @@
 #include "graze/base/angle.hpp"
 #include "graze/orbit/passage_events.hpp"
 #include "graze/orbit/polish.hpp"
+#include "graze/orbit/release.hpp"
 #include "graze/system/scale.hpp"
 
 namespace graze {
@@ -185,11 +186,41 @@ FollowedAnswer stuck_orbit(const System& system, const MotionState<double>& star
   return solve_from(system, shooting, shooting.pack({{to_section.end.q, to_section.end.qdot}}));
 }
 
+// Of a solution at a release, by a section within the stuck phase before it.
+std::optional<Orbit> orbit_at_release(const System& system, const PassageShooting& shooting,
+                                      const Vector& u) {
+  const std::optional<ReleaseReturn> back = return_of(system, shooting, u);
+  if (!back || !back->returns) return {};
+  const PassageLayout& layout = shooting.layout();
+  // Half-way back to where the last of the stops closed.
+  const Instant<double>& end = back->passage.end.instant;
+  double held = layout.period * system.period();
+  for (const PassedHold& hold : back->passage.holds) {
+    if (hold.from_start) continue;
+    const bool lasts = hold.to_end || hold.stop == layout.released;
+    if (lasts &&
+        std::find(layout.closed.begin(), layout.closed.end(), hold.stop) != layout.closed.end())
+      held = std::min(held, seconds_between(system, hold.from, end));
+  }
+  Instant<double> middle = end;
+  middle.local -= 0.5 * held;
+  while (middle.local < 0.0) {
+    middle.local += system.period();
+    --middle.period;
+  }
+  const auto start =
+      shooting.map().start_of(system, shooting.at_section(u, 0), shooting.theta_of(u));
+  const Passage to_middle = pass(system, *start, middle, shooting.map().options());
+  if (!to_middle.failure.empty()) return {};
+  return orbit_through(system, to_middle.end, layout.period, shooting.map().options()).orbit;
+}
+
 }  // namespace
 
 std::optional<Orbit> orbit_of(const System& system, const PassageShooting& shooting,
                               const Vector& u, std::vector<Eigenvalue> multipliers,
                               const std::optional<Touch>& touch) {
+  if (shooting.layout().released) return orbit_at_release(system, shooting, u);
   const bool stuck = !shooting.layout().closed.empty();
   const std::vector<MotionState<double>> starts = starts_of(system, shooting, u);
   const std::vector<Passage> passages = shooting.follow(system, u, true);

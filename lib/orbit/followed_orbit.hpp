@@ -41,8 +41,9 @@ FollowedAnswer followed_orbit(const System& system, const std::vector<State>& tu
 FollowedAnswer orbit_through(const System& system, const MotionState<double>& at_section,
                              int period, const PassageOptions& options);
 
-// The orbit of a solution with these multipliers, at a section whose phase is known; with `touch`
-// as an impact at speed 0 with a contact in which nothing happens. No orbit without any impact,
+// The orbit of a solution with these multipliers (at a release those of a section within the stuck
+// phase before it are found in place of them); with `touch` as an impact at speed 0 with a contact
+// in which nothing happens. No orbit without any impact,
 // where a rigid stop is stuck to and none is closed at the section, where the motion does not come
 // back to those that are, or cannot be followed.
 std::optional<Orbit> orbit_of(const System& system, const PassageShooting& shooting,

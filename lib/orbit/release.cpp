@@ -4,7 +4,6 @@
 #include <limits>
 #include <utility>
 
-#include "graze/base/angle.hpp"
 #include "graze/orbit/solve.hpp"
 #include "graze/system/scale.hpp"
 
@@ -41,73 +40,6 @@ std::optional<ReleaseReturn> return_of(const System& system, const PassageShooti
         result.passage.end.contacts[static_cast<std::size_t>(i)] != Contact::kClosed)
       result.returns = false;
   return result;
-}
-
-std::optional<Orbit> orbit_at_release(const System& system, const PassageShooting& shooting,
-                                      const Vector& u) {
-  const std::optional<ReleaseReturn> back = return_of(system, shooting, u);
-  if (!back || !back->returns) return {};
-  const PassageLayout& layout = shooting.layout();
-  // Half-way back to where the last of the stops closed.
-  const Instant<double>& end = back->passage.end.instant;
-  double held = layout.period * system.period();
-  for (const PassedHold& hold : back->passage.holds) {
-    if (hold.from_start) continue;
-    const bool lasts = hold.to_end || hold.stop == layout.released;
-    if (lasts &&
-        std::find(layout.closed.begin(), layout.closed.end(), hold.stop) != layout.closed.end())
-      held = std::min(held, seconds_between(system, hold.from, end));
-  }
-  Instant<double> middle = end;
-  middle.local -= 0.5 * held;
-  while (middle.local < 0.0) {
-    middle.local += system.period();
-    --middle.period;
-  }
-  const auto start =
-      shooting.map().start_of(system, shooting.at_section(u, 0), shooting.theta_of(u));
-  const Passage to_middle = pass(system, *start, middle, shooting.map().options());
-  if (!to_middle.failure.empty()) return {};
-  return orbit_through(system, to_middle.end, layout.period, shooting.map().options()).orbit;
-}
-
-std::vector<OrbitRelease> releases_of(const System& system, const Orbit& orbit,
-                                      const PassageOptions& options) {
-  struct Found {
-    OrbitRelease release;
-    double held = 0.0;  // s
-  };
-  std::vector<Found> found;
-  const MotionState<double>& start = orbit.section->states.front();
-  const Passage round =
-      pass(system, start, {start.instant.period + orbit.period, start.instant.local}, options);
-  for (const PassedHold& hold : round.holds) {
-    if (hold.to_end) continue;
-    const Passage there = pass(system, start, hold.to, options);
-    if (!there.failure.empty()) continue;
-    Found one;
-    PassageLayout& layout = one.release.layout;
-    layout.period = orbit.period;
-    layout.released = hold.stop;
-    for (std::size_t i = 0; i < there.end.contacts.size(); ++i)
-      if (static_cast<int>(i) == hold.stop || there.end.contacts[i] == Contact::kClosed)
-        layout.closed.push_back(static_cast<int>(i));
-    one.release.theta =
-        wrapped(system.forcing()->frequency * hold.to.local + system.forcing()->phase);
-    one.release.state = {there.end.q, there.end.qdot};
-    one.held = seconds_between(system, hold.from, hold.to);
-    for (const PassedHold& before : round.holds)
-      if (hold.from_start && before.to_end && before.stop == hold.stop)
-        one.held += seconds_between(system, before.from, before.to);
-    found.push_back(std::move(one));
-  }
-  std::stable_sort(found.begin(), found.end(), [](const Found& a, const Found& b) {
-    const std::size_t at_a = a.release.layout.closed.size(), at_b = b.release.layout.closed.size();
-    return at_a != at_b ? at_a > at_b : a.held > b.held;
-  });
-  std::vector<OrbitRelease> releases;
-  for (Found& one : found) releases.push_back(std::move(one.release));
-  return releases;
 }
 
 }  // namespace graze

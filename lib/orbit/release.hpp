@@ -1,11 +1,11 @@
-// Releases of orbits that stick, at which their branches are continued (passage_shooting.hpp), and
-// what becomes of the motion from one.
+// What becomes of the motion of an orbit that sticks from the release at which it is continued
+// (passage_shooting.hpp).
 #pragma once
 
 #include <optional>
 #include <vector>
 
-#include "graze/orbit/followed_orbit.hpp"
+#include "graze/orbit/passage_shooting.hpp"
 
 namespace graze {
 
@@ -30,19 +30,5 @@ struct ReleaseReturn {
 // `minima`: as in PassageOptions.
 std::optional<ReleaseReturn> return_of(const System& system, const PassageShooting& shooting,
                                        const Vector& u, bool minima = false);
-
-// The orbit of such a solution; nothing where the motion does not return.
-std::optional<Orbit> orbit_at_release(const System& system, const PassageShooting& shooting,
-                                      const Vector& u);
-
-// The releases of an orbit that sticks, that of the most closed stops first, and of these the one
-// after the longest stuck phase. Empty where its stops are never let go.
-struct OrbitRelease {
-  PassageLayout layout;
-  double theta = 0.0;  // rad
-  State state;
-};
-std::vector<OrbitRelease> releases_of(const System& system, const Orbit& orbit,
-                                      const PassageOptions& options);
 
 }  // namespace graze

@@ -8,6 +8,7 @@
 
 #include "graze/assembly/assembly.hpp"
 #include "graze/bifurcation/special_names.hpp"
+#include "graze/orbit/section_map.hpp"
 #include "graze/record/files.hpp"
 #include "graze/record/motion_table.hpp"
 #include "graze/record/run_info.hpp"
@@ -58,24 +59,27 @@ std::vector<ImpactPoint> read_impacts(const StateTable& table, const std::string
   return impacts;
 }
 
-// One turn after the other.
-Vector side_by_side(const std::vector<State>& turns, Vector State::*part) {
+// One state after the other.
+Vector side_by_side(const std::vector<MotionState<double>>& states,
+                    Vector MotionState<double>::*part) {
   Vector list(0);
-  for (const State& turn : turns) {
-    const Vector& more = turn.*part;
+  for (const MotionState<double>& state : states) {
+    const Vector& more = state.*part;
     list.conservativeResize(list.size() + more.size());
     list.tail(more.size()) = more;
   }
   return list;
 }
 
-void write_strobe(StateLines& lines, const SpecialOrbit::Strobe& strobe) {
-  lines.table("[special.strobe]");
-  lines.count("period", static_cast<long long>(strobe.turns.size()));
-  lines.number("value", strobe.value);
-  lines.number("closure_speed", strobe.closure_speed);
-  lines.numbers("q", side_by_side(strobe.turns, &State::q));
-  lines.numbers("qdot", side_by_side(strobe.turns, &State::qdot));
+void write_followed(StateLines& lines, const SpecialOrbit& point) {
+  const SpecialOrbit::Followed& at = *point.followed;
+  lines.table(point.sticks() ? "[special.sticking]" : "[special.strobe]");
+  lines.count("period", at.period);
+  lines.number("value", at.value);
+  lines.number("closure_speed", at.closure_speed);
+  if (point.sticks()) return write_motion(lines, "[special.sticking.motion]", at.states.front());
+  lines.numbers("q", side_by_side(at.states, &MotionState<double>::q));
+  lines.numbers("qdot", side_by_side(at.states, &MotionState<double>::qdot));
 }
 
 void write_point(StateLines& lines, const SpecialOrbit& point) {
@@ -98,13 +102,7 @@ void write_point(StateLines& lines, const SpecialOrbit& point) {
     lines.number("along_value", point.along->value);
     write_impacts(lines, "along_", point.along->impacts);
   }
-  if (point.strobe) write_strobe(lines, *point.strobe);
-  if (!point.sticking) return;
-  lines.table("[special.sticking]");
-  lines.count("period", point.sticking->period);
-  lines.number("value", point.sticking->value);
-  lines.number("closure_speed", point.sticking->closure_speed);
-  write_motion(lines, "[special.sticking.motion]", point.sticking->at_section);
+  if (point.followed) write_followed(lines, point);
 }
 
 int read_period(const StateTable& table) {
@@ -113,33 +111,39 @@ int read_period(const StateTable& table) {
   return static_cast<int>(period);
 }
 
-SpecialOrbit::Sticking read_sticking(const Node& node, const std::string& path, const Scene& scene,
-                                     const std::vector<std::string>& parameters) {
+SpecialOrbit::Followed read_sticking(const Node& node, const Scene& scene,
+                                     const std::vector<std::string>& parameters,
+                                     const std::vector<double>& values) {
+  const std::string path = "special.sticking";
   const StateTable table(node, path, {"period", "value", "closure_speed", "motion"});
   const double value = table.number("value");
-  if (parameters.size() != 1) table.fail("value", "orbits that stick have no loci");
   // Its clock is that of the value, whose forcing period may be another one.
-  const System there = assemble(with_parameter(scene, parameters.front(), value));
-  SpecialOrbit::Sticking sticking{read_period(table), value,
-                                  read_motion(table.at("motion"), path + ".motion", there),
-                                  table.size("closure_speed")};
-  const std::vector<Contact>& contacts = sticking.at_section.contacts;
-  if (std::find(contacts.begin(), contacts.end(), Contact::kClosed) == contacts.end())
+  Scene there = with_parameter(scene, parameters.front(), value);
+  for (std::size_t i = 1; i < parameters.size(); ++i)
+    there = with_parameter(there, parameters[i], values[i]);
+  SpecialOrbit::Followed followed{
+      read_period(table),
+      value,
+      {read_motion(table.at("motion"), path + ".motion", assemble(there))},
+      table.size("closure_speed")};
+  if (closed_stops(followed.states.front()).empty())
     table.fail("motion", "no stop is closed in it");
-  return sticking;
+  return followed;
 }
 
-SpecialOrbit::Strobe read_strobe(const Node& node, const System& system) {
+SpecialOrbit::Followed read_strobe(const Node& node, const System& system) {
   const StateTable table(node, "special.strobe", {"period", "value", "closure_speed", "q", "qdot"});
   const auto modes = static_cast<std::size_t>(system.modes());
-  const auto periods = static_cast<std::size_t>(read_period(table));
-  SpecialOrbit::Strobe strobe{table.number("value"), {}, table.size("closure_speed")};
-  const std::vector<double> q = table.numbers("q", periods * modes),
-                            qdot = table.numbers("qdot", periods * modes);
-  for (std::size_t i = 0; i < periods; ++i)
-    strobe.turns.push_back({Eigen::Map<const Vector>(q.data() + i * modes, system.modes()),
-                            Eigen::Map<const Vector>(qdot.data() + i * modes, system.modes())});
-  return strobe;
+  const int period = read_period(table);
+  const auto count = static_cast<std::size_t>(period) * modes;
+  SpecialOrbit::Followed followed{period, table.number("value"), {}, table.size("closure_speed")};
+  const std::vector<double> q = table.numbers("q", count), qdot = table.numbers("qdot", count);
+  for (std::size_t i = 0; i < count; i += modes)
+    followed.states.push_back(
+        Motion<double>(system, {}, Eigen::Map<const Vector>(q.data() + i, system.modes()),
+                       Eigen::Map<const Vector>(qdot.data() + i, system.modes()))
+            .state());
+  return followed;
 }
 
 void read_names(const StateTable& table, SpecialOrbit& point) {
@@ -189,9 +193,9 @@ SpecialOrbit read_point(const Node& node, const Scene& scene, const System& syst
   point.by_speed = table.flag("by_speed");
   point.by_push = table.flag("by_push");
   if (const Node* sticking = table.find("sticking"))
-    point.sticking = read_sticking(*sticking, "special.sticking", scene, parameters);
+    point.followed = read_sticking(*sticking, scene, parameters, point.values);
   else if (const Node* strobe = table.find("strobe"))
-    point.strobe = read_strobe(*strobe, system);
+    point.followed = read_strobe(*strobe, system);
   else
     read_pattern(table, system, point);
   return point;

@@ -14,7 +14,7 @@ Json point_json(OrbitLocusKind kind, const OrbitLocusPoint& point) {
   json["speed"] = json_number(point.impacts.front().speed);
   if (kind == OrbitLocusKind::kTorus) json["angle"] = json_number(point.angle);
   json["admissible"] = point.admissible;
-  if (point.impacts.size() < 2) return json;
+  if (point.impacts.size() < 2 || !point.holds.empty()) return json;
   Json at = Json::array();
   for (const OrbitImpact& impact : point.impacts)
     at.push_back({{"stop", impact.stop + 1},
@@ -37,8 +37,9 @@ Json locus_json(const OrbitLocus& locus) {
   return {{"id", locus.id},
           {"label", label_of(locus.kind)},
           {"period", locus.pattern.period},
-          {"impacts", locus.pattern.impacts()},
+          {"impacts", locus.sticks() ? Json(nullptr) : Json(locus.pattern.impacts())},
           {"stops", stops},
+          {"stuck", locus.sticks()},
           {"ends", {name_of(locus.ends[0]), name_of(locus.ends[1])}},
           {"points", points},
           {"special", special}};

@@ -58,6 +58,8 @@ std::string name_of(OrbitLocusEnd end) {
       return "closed";
     case OrbitLocusEnd::kGrazing:
       return "GR";
+    case OrbitLocusEnd::kChatterCompletes:
+      return "CH";
     case OrbitLocusEnd::kImpactsMeet:
       return "impacts meet";
     case OrbitLocusEnd::kResonance:

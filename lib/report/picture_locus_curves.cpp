@@ -15,11 +15,12 @@ struct KindStyle {
   OrbitLocusKind kind;
   const char *title, *colour, *dashes;
 };
-constexpr std::array<KindStyle, 4> kStyles = {
+constexpr std::array<KindStyle, 5> kStyles = {
     {{OrbitLocusKind::kFold, "fold (LP)", kBlue, "solid"},
      {OrbitLocusKind::kPeriodDoubling, "period doubling (PD)", kVermillion, "(10,4)"},
      {OrbitLocusKind::kTorus, "torus (NS)", kPurple, "(10,3,2,3)"},
-     {OrbitLocusKind::kGrazing, "grazing (GR)", kGreen, "(2,3)"}}};
+     {OrbitLocusKind::kGrazing, "grazing (GR)", kGreen, "(2,3)"},
+     {OrbitLocusKind::kChatterCompletes, "chatter completes (CH)", kOrange, "(14,3,2,3,2,3)"}}};
 
 // Of each kind its parts that are orbits of the system, and of all kinds those that are not.
 struct LocusLayers {

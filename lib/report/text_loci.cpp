@@ -29,7 +29,8 @@ std::string to_text(const LociRecord& record) {
     const bool closed = locus.ends[0] == OrbitLocusEnd::kClosed;
     loci.add(
         {fmt::format("{}", locus.id), label_of(locus.kind),
-         fmt::format("({}, {})", locus.pattern.period, locus.pattern.impacts()),
+         locus.sticks() ? fmt::format("({}, stick)", locus.pattern.period)
+                        : fmt::format("({}, {})", locus.pattern.period, locus.pattern.impacts()),
          fmt::format("{}", locus.points.size()), span(locus, &OrbitLocusPoint::value),
          span(locus, &OrbitLocusPoint::second),
          closed ? name_of(locus.ends[0]) : name_of(locus.ends[0]) + ", " + name_of(locus.ends[1])});

@@ -14,8 +14,7 @@ namespace graze {
 
 struct RegionBorders {
   int count = 0;  // pairs of places side by side
-  // Those that no locus passes between, by the places' indices. Borders at which an orbit begins to
-  // stick are among them: there are no loci of these.
+  // Those that no locus passes between, by the places' indices.
   std::vector<std::pair<std::size_t, std::size_t>> open;
 };
 

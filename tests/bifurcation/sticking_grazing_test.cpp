@@ -9,6 +9,7 @@
 #include "branch_checks.hpp"
 #include "graze/bifurcation/sticking_borders.hpp"
 #include "graze/flow/exact_flow.hpp"
+#include "graze/orbit/laid_orbit.hpp"
 #include "graze/scene/parameter.hpp"
 
 namespace graze {
@@ -186,7 +187,7 @@ TEST(StickingGrazing, PairsBetweenOrbitsWithTheSameEventsAreSeen) {
   const OrbitBranchPoint& point = result.branches[0].points.front();
   const PassageOptions options{point.orbit.section->closure_speed, 10'000'000, {}};
   const System system = *clear.at(point.value);
-  const OrbitRelease start = releases_of(system, point.orbit, options).front();
+  const LaidOrbit start = layouts_of(system, point.orbit, options).front();
   const auto equations_of = [&](const SystemFamily& family) {
     return std::make_unique<PassageEquations>(family.scene(), std::vector{family.parameter()},
                                               std::vector{0.005}, system, start.layout, options);
@@ -197,7 +198,7 @@ TEST(StickingGrazing, PairsBetweenOrbitsWithTheSameEventsAreSeen) {
   range.from = 0.4785;
   range.to = 0.4835;
   // Orbits that the second stop does not touch, at fixed values.
-  Vector u = without.shooting().pack(start.theta, {start.state});
+  Vector u = without.shooting().pack(start.theta, start.states);
   double value = point.value;
   const auto at = [&](double next) {
     std::optional<BranchPoint> solution;

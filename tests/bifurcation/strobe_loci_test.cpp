@@ -125,12 +125,12 @@ TEST(StrobeLoci, GoOnFromTheirSpecialPoints) {
   const std::vector<SpecialOrbit> special = special_orbits(traced);
   ASSERT_EQ(special.size(), 1u);
   EXPECT_EQ(special[0].locus, OrbitLocusKind::kGrazing);
-  ASSERT_TRUE(special[0].strobe);
-  ASSERT_EQ(special[0].strobe->turns.size(), 1u);
+  ASSERT_TRUE(special[0].followed);
+  ASSERT_EQ(special[0].followed->states.size(), 1u);
   // The response F cos(w t - lag) at the start of its forcing period.
   const double w = at.second, re = 1.0 - w * w, im = 0.1 * w, size = re * re + im * im;
-  EXPECT_NEAR(special[0].strobe->turns[0].q[0], re / size, 1e-9);
-  EXPECT_NEAR(special[0].strobe->turns[0].qdot[0], w * im / size, 1e-9);
+  EXPECT_NEAR(special[0].followed->states[0].q[0], re / size, 1e-9);
+  EXPECT_NEAR(special[0].followed->states[0].qdot[0], w * im / size, 1e-9);
   options.start = locus_start(assemble(scene), special[0], at.value, at.second);
   ASSERT_TRUE(options.start);
   const OrbitLoci again = trace_loci(scene, "stop.gap", "forcing.frequency", options);
@@ -148,8 +148,9 @@ int contacts_at(const Scene& scene, const OrbitLocusPoint& point, double gap) {
       with_parameter(with_parameter(with_parameter(scene, "forcing.frequency", point.value),
                                     "stop.spring.damping.alpha", point.second),
                      "stop.gap", gap));
-  const FollowedAnswer answer = followed_orbit(
-      system, point.turns.front(), static_cast<int>(point.turns.size()), PassageOptions{});
+  const std::vector<MotionState<double>>& turns = point.section->states;
+  const FollowedAnswer answer = followed_orbit(system, {turns.front().q, turns.front().qdot},
+                                               static_cast<int>(turns.size()), PassageOptions{});
   EXPECT_TRUE(answer.orbit) << answer.why_not;
   return answer.orbit ? static_cast<int>(answer.orbit->impacts.size()) : 0;
 }

@@ -6,6 +6,7 @@
 
 #include "graze/assembly/assembly.hpp"
 #include "graze/assembly/system_family.hpp"
+#include "graze/orbit/laid_orbit.hpp"
 #include "graze/orbit/release.hpp"
 #include "orbit/settled_sticking_orbit.hpp"
 
@@ -25,11 +26,10 @@ void expect_derivatives(const Scene& scene, const std::string& parameter) {
   SCOPED_TRACE(scene.title + ", " + parameter);
   const SystemFamily family(scene, parameter);
   const Found found = fine_orbit(scene);
-  const std::vector<OrbitRelease> releases =
-      releases_of(found.system, found.orbit, options_of(found));
+  const std::vector<LaidOrbit> releases = layouts_of(found.system, found.orbit, options_of(found));
   ASSERT_FALSE(releases.empty());
   const PassageShooting section(found.system, releases[0].layout, options_of(found));
-  const Vector u = section.pack(releases[0].theta, {releases[0].state});
+  const Vector u = section.pack(releases[0].theta, releases[0].states);
   const double value = family.value();
   const System tangent = *family.tangent_at(value);
   const System* const tangents[] = {&tangent};
@@ -78,9 +78,9 @@ TEST(PassageShooting, HasTheMultipliersOfAnySection) {
         sticking_case("two_stops3"), beam("momentum", 3, 24.0), beam("collocation", 3, 44.0)}) {
     SCOPED_TRACE(scene.title);
     const Found found = settled_orbit(scene);
-    const OrbitRelease at = releases_of(found.system, found.orbit, options_of(found)).at(0);
+    const LaidOrbit at = layouts_of(found.system, found.orbit, options_of(found)).at(0);
     const PassageShooting section(found.system, at.layout, options_of(found));
-    const Vector u = section.pack(at.theta, {at.state});
+    const Vector u = section.pack(at.theta, at.states);
     const std::vector<Eigenvalue> multipliers =
         section.multipliers(found.system, u, ErrorBounds::kGiven);
     ASSERT_EQ(multipliers.size(), found.orbit.multipliers.size());
@@ -90,7 +90,7 @@ TEST(PassageShooting, HasTheMultipliersOfAnySection) {
     ASSERT_TRUE(back);
     EXPECT_TRUE(back->returns);
     EXPECT_EQ(back->holds.size(), found.orbit.holds.size());
-    const auto orbit = orbit_at_release(found.system, section, u);
+    const auto orbit = orbit_of(found.system, section, u, {});
     ASSERT_TRUE(orbit);
     EXPECT_EQ(orbit->impacts.size(), found.orbit.impacts.size());
     EXPECT_EQ(exact_zeros(*orbit), exact_zeros(found.orbit));

@@ -53,14 +53,14 @@ SpecialPoints points() {
   completes.label = "CH";
   completes.kind = SpecialKind::kChatterCompletes;
   completes.values = {0.7};
-  completes.sticking = SpecialOrbit::Sticking{3,
+  completes.followed = SpecialOrbit::Followed{3,
                                               0.71,
-                                              {{1, 0.2},
-                                               Vector{{0.1, 0.3}},
-                                               Vector::Zero(2),
-                                               {Contact::kClosed, Contact::kClear},
-                                               {0, 0},
-                                               0.0},
+                                              {{{1, 0.2},
+                                                Vector{{0.1, 0.3}},
+                                                Vector::Zero(2),
+                                                {Contact::kClosed, Contact::kClear},
+                                                {0, 0},
+                                                0.0}},
                                               1e-7};
   special.points.push_back(completes);
   return special;
@@ -92,15 +92,18 @@ TEST(SpecialFile, EveryDigitComesBack) {
   expect_same(a.impacts, b.impacts);
   expect_same(a.along->impacts, b.along->impacts);
   EXPECT_EQ(b.along->value, a.along->value);
-  EXPECT_FALSE(b.sticking);
-  const SpecialOrbit::Sticking &c = *written.points[1].sticking, &d = *read.points[1].sticking;
+  EXPECT_FALSE(b.followed);
+  const SpecialOrbit::Followed &c = *written.points[1].followed, &d = *read.points[1].followed;
+  EXPECT_TRUE(read.points[1].sticks());
+  ASSERT_EQ(d.states.size(), 1u);
+  const MotionState<double>&at_c = c.states[0], &at_d = d.states[0];
   EXPECT_EQ(d.period, 3);
   EXPECT_EQ(d.value, c.value);
   EXPECT_EQ(d.closure_speed, c.closure_speed);
-  EXPECT_EQ(d.at_section.instant.period, 1);
-  EXPECT_EQ(d.at_section.instant.local, 0.2);
-  EXPECT_EQ(d.at_section.q, c.at_section.q);
-  EXPECT_EQ(d.at_section.contacts, c.at_section.contacts);
+  EXPECT_EQ(at_d.instant.period, 1);
+  EXPECT_EQ(at_d.instant.local, 0.2);
+  EXPECT_EQ(at_d.q, at_c.q);
+  EXPECT_EQ(at_d.contacts, at_c.contacts);
 }
 
 TEST(SpecialFile, WritesALocusWithItsKindAndBothValues) {
