@@ -4,7 +4,6 @@
 #include <cmath>
 #include <utility>
 
-#include "graze/bifurcation/locus_border.hpp"
 #include "graze/orbit/chatter_completion.hpp"
 #include "graze/orbit/passage_events.hpp"
 #include "graze/system/scale.hpp"

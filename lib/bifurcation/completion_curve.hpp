@@ -5,6 +5,7 @@
 // The slope of that distance is told by differences: Newton's method ends where it is zero.
 #pragma once
 
+#include "graze/bifurcation/locus_border.hpp"
 #include "graze/bifurcation/orbit_locus.hpp"
 #include "graze/bifurcation/passage_equations.hpp"
 #include "graze/continuation/plane_curve.hpp"
@@ -24,8 +25,7 @@ class CompletionCurve {
   // To what its equations can be solved: the distance is told by impacts whose speeds are known to
   // some 1e-5 of their own.
   static constexpr double kTolerance = 1e-9;
-  // In each direction: beside a grazing steps may shrink with the speed of an impact, for ever.
-  static constexpr int kMostPoints = 1000;
+  static constexpr int kMostPoints = kMostLocusPoints;
   Vector pack(const Vector& u, double first) const;
   // The orbit there, without multipliers: whether it still sticks is rounding. Nothing where the
   // motion cannot be followed.

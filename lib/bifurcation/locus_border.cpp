@@ -10,9 +10,9 @@ namespace {
 // An impact is born with the root of the distance to its grazing, at most: what the bracket leaves
 // of it, of a speed, with some room.
 constexpr double kBorn = 1e-2;
-// Where an impact is this slow, of a speed, its square is a thousand times what residuals are
-// solved to.
-constexpr double kSlow = 1e-4;
+// Where an impact is this slow, of a speed, the grazing is some 1e-5 of the range away, and steps
+// have shrunk to less.
+constexpr double kSlow = 5e-3;
 
 std::vector<int> holds_of(const Itinerary& itinerary) {
   std::vector<int> holds;

@@ -13,6 +13,10 @@ namespace graze {
 // any more may be where a locus ends between them.
 inline constexpr double kLocusBracket = 1e-7;
 
+// Points of such a locus in each direction: beside a grazing steps may shrink with the speed of an
+// impact, for ever.
+inline constexpr int kMostLocusPoints = 1000;
+
 // At GR where an impact outside the chatters is born or lost, or has all but lost its speed: the
 // slope of the equations grows like its inverse, and the locus is followed no further. At CH where
 // the stuck phases are others. Nothing where the locus goes on: two impacts at the head of a

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include "graze/base/angle.hpp"
@@ -17,9 +18,8 @@ namespace {
 // Slopes of the map are known to about this, in its units: ten times what a step of the deviations
 // is.
 constexpr double kMapAccuracy = 10.0 * kDeviationTolerance;
-// So differences of slopes err least over steps of its cube root, in units of the unknowns and of
-// the parameters.
-const double kStep = std::cbrt(kMapAccuracy);
+// On rigid stops alone they are the closed forms of flights, to rounding.
+constexpr double kRigidAccuracy = 4.0 * std::numeric_limits<double>::epsilon();
 // The test for a multiplier is formed from slopes: it vanishes to what these are known to, times
 // what solving with them costs.
 constexpr double kCritical = 1e3 * kMapAccuracy;
@@ -89,13 +89,16 @@ std::optional<Eigen::MatrixXcd> PassageEquations::curvature(
   for (const CriticalProduct& one : products) list.push_back({one.left, one.right, one.multiplier});
   const Eigen::Index n = u.size(), m = static_cast<Eigen::Index>(at.size());
   const Eigen::Index head = shooting_.head(), size = map().size();
+  // Differences of slopes err least over steps of the cube root of what these are known to, in
+  // units of the unknowns and of the parameters.
+  const double length = std::cbrt(layout().closed.empty() ? kMapAccuracy : kRigidAccuracy);
   Eigen::MatrixXcd rows = Eigen::MatrixXcd::Zero(std::ssize(list), n + m);
   for (Eigen::Index j = 0; j < n + m; ++j) {
     const bool is_local = j >= head && j < n;
     const int first = is_local ? static_cast<int>((j - head) / size) : 0;
     const int last = is_local ? first : layout().sections - 1;
     const auto parameter = static_cast<std::size_t>(std::max<Eigen::Index>(j - n, 0));
-    const double step = j < n ? kStep : kStep * units_[parameter];
+    const double step = j < n ? length : length * units_[parameter];
     for (const double side : {1.0, -1.0}) {
       Vector moved = u;
       std::vector<double> there(at.begin(), at.end());

@@ -101,6 +101,7 @@ LocusOptions PassageLoci::options_for(const Orbits& orbits) const {
     };
     return options;
   }
+  options.max_points = std::min(options.max_points, kMostLocusPoints);
   const PassageEquations& equations = *orbits.equations;
   options.proceed = [&equations](const LocusPoint& previous, const LocusPoint& here) {
     return !end_between(equations, previous, here);
@@ -181,7 +182,7 @@ PassageLocusAnswer PassageLoci::trace(const OrbitLocusStart& start) {
   if (!locus) return answer;
   answer.evaluations = locus->evaluations;
   OrbitLocus found = as_orbits(orbits, start.kind, *locus);
-  if (!found.points.empty()) answer.locus = std::move(found);
+  if (found.points.size() > 1) answer.locus = std::move(found);
   orbits.traced[start.kind].push_back(std::move(*locus));
   return answer;
 }
@@ -243,7 +244,7 @@ PassageLocusAnswer PassageLoci::trace_curve_near(
     if (const std::optional<Orbit> orbit = curves.curve->orbit_at(here))
       locus.points.push_back(as_point(curves.curve->first_of(here), here.parameter, 0.0, *orbit));
   name_pattern(locus);
-  if (!locus.points.empty()) answer.locus = std::move(locus);
+  if (locus.points.size() > 1) answer.locus = std::move(locus);
   curves.traced.push_back(std::move(traced.branch));
   return answer;
 }

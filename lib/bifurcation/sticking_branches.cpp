@@ -61,8 +61,10 @@ StickingTrace StickingBranches::trace(const Orbit& orbit, double value) {
                     std::vector{range > 0.0 ? range : 1.0}, *system, release.layout, options),
                 {}};
   const PassageEquations& equations = *traced.equations;
-  const auto start = solve_at(equations.problem(), range_,
-                              equations.shooting().pack(release.theta, release.states), value);
+  const Vector u = equations.shooting().pack(release.theta, release.states);
+  std::optional<BranchPoint> start = solve_at(equations.problem(), range_, u, value);
+  // At a fold none is told by its value.
+  if (!start) start = solve_near(equations.problem(), range_, u, value);
   const std::optional<ReleaseReturn> back =
       start ? equations.follow(*start) : std::optional<ReleaseReturn>();
   if (!back || !back->returns) {

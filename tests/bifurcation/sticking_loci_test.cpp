@@ -5,14 +5,47 @@
 #include <algorithm>
 #include <cmath>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "branch_checks.hpp"
 #include "graze/bifurcation/orbit_loci.hpp"
+#include "graze/orbit/chatter_completion.hpp"
 #include "graze/scene/parameter.hpp"
+#include "graze/scene/reader.hpp"
 
 namespace graze {
 namespace {
+
+// Two modes and a stop, drawn by lot.
+Scene drawn(double second_frequency, double damping, double second_damping, double load,
+            double second_load, double shape, double second_shape, double gap, double frequency) {
+  Scene scene = parse_scene(
+      "[modal]\nfrequencies = [1.0, 5.0]\ndamping_ratios = [0.1, 0.1]\n"
+      "participation = [1.0, 1.0]\n"
+      "[forcing]\nkind = \"modal\"\namplitude = 1.0\nfrequency = 0.6\n"
+      "[[stop]]\nshape = [1.0, 1.0]\ngap = 0.3\nrestitution = 0.36\n",
+      "drawn.toml");
+  for (const auto& [key, value] :
+       std::vector<std::pair<const char*, double>>{{"modal.frequencies.2", second_frequency},
+                                                   {"modal.damping_ratios.1", damping},
+                                                   {"modal.damping_ratios.2", second_damping},
+                                                   {"modal.participation.1", load},
+                                                   {"modal.participation.2", second_load},
+                                                   {"stop.shape.1", shape},
+                                                   {"stop.shape.2", second_shape},
+                                                   {"stop.gap", gap},
+                                                   {"forcing.frequency", frequency}})
+    scene = with_parameter(scene, key, value);
+  return scene;
+}
+
+Scene first_drawn(double frequency) {
+  return drawn(5.192, 0.082, 0.065, 0.445, 0.449, 0.908, 0.928, 0.284, frequency);
+}
+Scene second_drawn(double frequency) {
+  return drawn(6.042, 0.072, 0.037, 0.919, 0.592, 0.626, -0.721, 0.256, frequency);
+}
 
 struct Plane {
   const char* name;
@@ -56,7 +89,6 @@ TEST_P(StickingLoci, PassTheSpecialPointsOfTenSlices) {
     const OrbitLocusPoint& point = points[points.size() * static_cast<std::size_t>(2 * i + 1) / 20];
     SCOPED_TRACE(std::to_string(point.value) + ", " + std::to_string(point.second));
     const Scene there = with_parameter(plane.scene, plane.second, point.second);
-    const SystemFamily family(there, plane.first);
     BranchOptions slice;
     const double reach = 0.02 * (plane.to - plane.from);
     slice.from = std::max(plane.from, point.value - reach);
@@ -68,8 +100,16 @@ TEST_P(StickingLoci, PassTheSpecialPointsOfTenSlices) {
     at.followed = SpecialOrbit::Followed{found->pattern.period, point.value, point.section->states,
                                          point.section->closure_speed};
     slice.start = BranchStart{at, false, false};
-    const OrbitBranches traced = trace_orbits(
+    OrbitBranches traced = trace_orbits(
         SystemFamily(with_parameter(there, plane.first, point.value), plane.first), slice);
+    // From a fold itself a branch leads away on both sides of it.
+    if (plane.special == SpecialKind::kFold) {
+      slice.start.reset();
+      slice.start_values = 6;
+      slice.from = plane.from;
+      slice.to = plane.to;
+      traced = support::sticking_branches(there, plane.first, slice);
+    }
     double nearest = 1.0;
     for (const OrbitBranch& branch : traced.branches)
       for (const SpecialPoint& special : branch.special)
@@ -91,11 +131,11 @@ struct CompletionPlane {
 // Names tests.
 void PrintTo(const CompletionPlane& plane, std::ostream* out) { *out << plane.name; }
 
-class CompletionLoci : public ::testing::TestWithParam<CompletionPlane> {};
+class CompletionPlanes : public ::testing::TestWithParam<CompletionPlane> {};
 
 // Where branches over one parameter end with CH, bisected between orbits that stick and solutions
 // that do not.
-TEST_P(CompletionLoci, PassTheEndsOfTenBranches) {
+TEST_P(CompletionPlanes, PassTheEndsOfTenBranches) {
   const CompletionPlane& plane = GetParam();
   LociOptions options;
   options.branches.from = plane.from;
@@ -113,11 +153,11 @@ TEST_P(CompletionLoci, PassTheEndsOfTenBranches) {
   for (int i = 0; i < 10; ++i) {
     const OrbitLocusPoint& point = points[points.size() * static_cast<std::size_t>(2 * i + 1) / 20];
     SCOPED_TRACE(std::to_string(point.value) + ", " + std::to_string(point.second));
-    const double reach = 0.05 * (plane.to - plane.from);
+    const double reach = 0.4 * (plane.to - plane.from);
     const OrbitBranches traced = support::sticking_branches(
         with_parameter(with_parameter(plane.scene, plane.second, point.second), plane.first,
                        point.value - 0.5 * reach),
-        plane.first, {.from = point.value - reach, .to = point.value + reach, .start_values = 2});
+        plane.first, {.from = point.value - reach, .to = point.value + reach, .start_values = 6});
     double nearest = 1.0;
     for (const OrbitBranch& branch : traced.branches)
       for (const SpecialPoint& special : branch.special)
@@ -127,13 +167,74 @@ TEST_P(CompletionLoci, PassTheEndsOfTenBranches) {
   }
 }
 
+// The first parameter where the second is at an end of its range, in 60 digits: chatter_points.csv.
+TEST(CompletionLoci, PassTheCompletionsOfSixtyDigits) {
+  struct Case {
+    double zeta, frequency, gap, restitution;
+    const char *first, *second;
+    double from, to, second_to, critical;
+  };
+  const Case cases[] = {
+      {0.0, 0.5, 0.2, 0.2, "stop.gap", "stop.restitution", 0.6, 0.8, 0.3, 0.6968762770129382},
+      {0.0, 0.5, 0.2, 0.2, "forcing.frequency", "stop.gap", 0.9, 0.95, 0.3, 0.9319447927559966},
+      {0.0, 0.3, 0.1, 0.8, "stop.restitution", "stop.gap", 0.75, 0.85, 0.12, 0.8102844902619205},
+      {0.05, 0.4, 0.15, 0.5, "forcing.frequency", "stop.restitution", 0.5, 0.62, 0.55,
+       0.5861669703142214}};
+  for (const Case& one : cases) {
+    SCOPED_TRACE(std::string(one.first) + " " + std::to_string(one.critical));
+    Scene scene = parse_scene(
+        "[modal]\nfrequencies = [1.0]\ndamping_ratios = [0.0]\nparticipation = [1.0]\n"
+        "[forcing]\nkind = \"modal\"\namplitude = 1.0\nfrequency = 0.5\n"
+        "[[stop]]\nshape = [1.0]\ngap = 0.2\nrestitution = 0.2\n",
+        "oscillator.toml");
+    scene = with_parameter(scene, "modal.damping_ratios.1", one.zeta);
+    scene = with_parameter(scene, "forcing.frequency", one.frequency);
+    scene = with_parameter(scene, "stop.gap", one.gap);
+    scene = with_parameter(scene, "stop.restitution", one.restitution);
+    LociOptions options;
+    options.branches.from = one.from;
+    options.branches.to = one.to;
+    options.branches.start_values = 2;
+    options.branches.finder.from_closed_form = options.branches.finder.from_random = false;
+    options.second_from = *find_parameter(scene, one.second);
+    options.second_to = one.second_to;
+    options.kinds = {OrbitLocusKind::kChatterCompletes};
+    options.slices = 1;
+    const OrbitLoci result = trace_loci(scene, one.first, one.second, options);
+    double nearest = 1.0;
+    for (const OrbitLocus& locus : result.loci)
+      for (const OrbitLocusPoint* end : {&locus.points.front(), &locus.points.back()})
+        if (end->second == options.second_from)
+          nearest = std::min(nearest, std::abs(end->value / one.critical - 1.0));
+    EXPECT_LE(nearest, 1e-11) << result.loci.size();
+  }
+}
+
+// With r = .8 hops shrink by .875 (theory.md); and lambda solves its equation.
+TEST(CompletionLoci, RatioOfTheChatterThatJustCompletes) {
+  EXPECT_NEAR(completing_ratio(0.8), 0.875, 5e-4);
+  for (const double r : {1e-6, 0.1, 0.36, 0.5, 0.9, 0.999}) {
+    const double lambda = completing_ratio(r);
+    EXPECT_NEAR(lambda * lambda * (2.0 + lambda) / (1.0 + 2.0 * lambda), r, 1e-15);
+  }
+}
+
 INSTANTIATE_TEST_SUITE_P(
-    Planes, CompletionLoci,
+    Planes, CompletionPlanes,
     ::testing::Values(
         CompletionPlane{"soft stop, lower end", support::shipped_scene("09_soft_stop_two_modes"),
                         "forcing.frequency", "stop.restitution", 36.8, 37.8, 0.2, 0.4},
         CompletionPlane{"soft stop, upper end", support::shipped_scene("09_soft_stop_two_modes"),
-                        "forcing.frequency", "stop.gap", 41.5, 42.1, 0.00095, 0.0012}));
+                        "forcing.frequency", "stop.gap", 41.5, 42.1, 0.00095, 0.0012},
+        CompletionPlane{
+            "three modes of a beam",
+            support::shipped_scene("02_wagg_momentum", {"beam.modes=3", "stop.restitution=0.4625",
+                                                        "forcing.frequency=43.8"}),
+            "forcing.frequency", "stop.restitution", 43.3, 44.5, 0.45, 0.5},
+        CompletionPlane{"first drawn", first_drawn(0.63), "forcing.frequency", "stop.restitution",
+                        0.6, 0.64, 0.25, 0.4},
+        CompletionPlane{"second drawn", second_drawn(0.68), "forcing.frequency", "stop.restitution",
+                        0.66, 0.7, 0.1, 0.45}));
 
 INSTANTIATE_TEST_SUITE_P(
     Planes, StickingLoci,
@@ -145,7 +246,15 @@ INSTANTIATE_TEST_SUITE_P(
         Plane{"doubling of the soft stop",
               support::shipped_scene("09_soft_stop_two_modes", {"forcing.frequency=40.6"}),
               "forcing.frequency", "stop.restitution", OrbitLocusKind::kPeriodDoubling,
-              SpecialKind::kPeriodDoubling, 40.2, 41.0, 0.15, 0.35, 0.05}));
+              SpecialKind::kPeriodDoubling, 40.2, 41.0, 0.15, 0.35, 0.05},
+        Plane{"fold of the first drawn", first_drawn(0.63), "forcing.frequency", "stop.restitution",
+              OrbitLocusKind::kFold, SpecialKind::kFold, 0.6, 0.65, 0.25, 0.41},
+        Plane{"doubling of the second drawn", second_drawn(0.52), "forcing.frequency",
+              "stop.restitution", OrbitLocusKind::kPeriodDoubling, SpecialKind::kPeriodDoubling,
+              0.51, 0.53, 0.1, 0.45},
+        Plane{"fold of the second drawn", second_drawn(0.69), "forcing.frequency",
+              "stop.restitution", OrbitLocusKind::kFold, SpecialKind::kFold, 0.67, 0.71, 0.3,
+              0.45}));
 
 }  // namespace
 }  // namespace graze
