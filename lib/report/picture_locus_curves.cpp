@@ -20,7 +20,7 @@ constexpr std::array<KindStyle, 5> kStyles = {
      {OrbitLocusKind::kPeriodDoubling, "period doubling (PD)", kVermillion, "(10,4)"},
      {OrbitLocusKind::kTorus, "torus (NS)", kPurple, "(10,3,2,3)"},
      {OrbitLocusKind::kGrazing, "grazing (GR)", kGreen, "(2,3)"},
-     {OrbitLocusKind::kChatterCompletes, "chatter completes (CH)", kOrange, "(14,3,2,3,2,3)"}}};
+     {OrbitLocusKind::kChatterCompletes, "completion (CH)", kOrange, "(14,3,2,3,2,3)"}}};
 
 // Of each kind its parts that are orbits of the system, and of all kinds those that are not.
 struct LocusLayers {

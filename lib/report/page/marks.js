@@ -15,7 +15,7 @@ export const kLocusKinds = [
   { type: 'PD', title: 'period doubling (PD)', colour: 'black', width: 2.2, dash: [9, 4] },
   { type: 'NS', title: 'torus (NS)', colour: 'black', width: 2.2, dash: [9, 3, 2, 3] },
   { type: 'GR', title: 'grazing (GR)', colour: 'black', width: 2.2, dash: [2, 3] },
-  { type: 'CH', title: 'chatter completes (CH)', colour: 'black', width: 2.2, dash: [14, 3, 2, 3, 2, 3] },
+  { type: 'CH', title: 'completion (CH)', colour: 'black', width: 2.2, dash: [14, 3, 2, 3, 2, 3] },
 ];
 export const kCodimensionTwo = { type: 'special', title: 'codimension two', colour: 'black' };
 
