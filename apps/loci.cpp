@@ -31,7 +31,8 @@ void start_from(const Restart& restart, const Command& command, LociOptions& opt
   options.start = locus_start(assemble(restart.scene), restart.at, first, second);
   if (!options.start)
     throw InputError(
-        fmt::format("--label: {} has no locus to go on along; LP, PD and NS have, and GR of orbits that do not stick",
+        fmt::format("--label: {} has no locus to go on along; LP, PD and NS have, and GR of orbits "
+                    "that do not stick",
                     restart.at.id));
   // Which orbits these are, for what else is asked of the plane; a locus of grazing counts its
   // touch.

@@ -85,27 +85,27 @@ std::optional<ZeroEvaluation> CompletionCurve::evaluate(const Vector& y, double 
   return sum;
 }
 
-std::optional<ReleaseReturn> CompletionCurve::return_at(const BranchPoint& point) const {
+std::optional<ReleaseReturn> CompletionCurve::return_at(const BranchPoint& point,
+                                                        bool minima) const {
   const System* system = system_at(point.u, point.parameter);
-  auto back = system ? return_of(*system, equations_.shooting(), point.u.head(problem_.first), true)
-                     : std::optional<ReleaseReturn>();
+  auto back = system
+                  ? return_of(*system, equations_.shooting(), point.u.head(problem_.first), minima)
+                  : std::optional<ReleaseReturn>();
   if (!back || back->returns) return back;
   const Instant<double>& end = back->passage.end.instant;
   back->passage.holds.push_back({*equations_.layout().released, end, end});
-  const Itinerary itinerary = itinerary_of(back->passage, still_speed(*system));
-  back->itinerary = itinerary.events;
-  back->slowest = itinerary.slowest;
+  back->itinerary = itinerary_of(back->passage, still_speed(*system));
   return back;
 }
 
 std::optional<Itinerary> CompletionCurve::itinerary_at(const BranchPoint& point) const {
-  const auto back = return_at(point);
-  return back ? std::optional(Itinerary{back->itinerary, back->slowest}) : std::nullopt;
+  const auto back = return_at(point, false);
+  return back ? std::optional(back->itinerary) : std::nullopt;
 }
 
 OrbitLocusEnd CompletionCurve::end_at(const BranchPoint& last) const {
-  const auto back = return_at(last);
-  return back && grazes_at(back->passage, {back->itinerary, back->slowest},
+  const auto back = return_at(last, true);
+  return back && grazes_at(back->passage, back->itinerary,
                            motion_scale(*system_at(last.u, last.parameter)))
              ? OrbitLocusEnd::kGrazing
              : OrbitLocusEnd::kNotConverged;
@@ -118,7 +118,7 @@ std::optional<Orbit> CompletionCurve::orbit_at(const BranchPoint& point) const {
   const Vector u = point.u.head(problem_.first);
   const auto start =
       shooting.map().start_of(*system, shooting.at_section(u, 0), shooting.theta_of(u));
-  const auto back = return_at(point);
+  const auto back = return_at(point, true);
   if (!start || !back) return {};
   const std::vector<Passage> passages{back->passage};
   Orbit orbit;

@@ -37,8 +37,9 @@ class CompletionCurve {
 
  private:
   std::optional<ZeroEvaluation> evaluate(const Vector& y, double second) const;
-  // What happens, as if the chatter completed: on either side it means the same.
-  std::optional<ReleaseReturn> return_at(const BranchPoint& point) const;
+  // What happens, as if the chatter completed: on either side it means the same. `minima`: as in
+  // PassageOptions.
+  std::optional<ReleaseReturn> return_at(const BranchPoint& point, bool minima) const;
   std::optional<Itinerary> itinerary_at(const BranchPoint& point) const;
   const System* system_at(const Vector& y, double second) const;
 

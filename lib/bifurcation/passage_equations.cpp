@@ -247,7 +247,7 @@ std::optional<BranchPoint> PassageEquations::carried_to(const PassageEquations& 
 
 bool has_same_events(const ReleaseReturn& back, const ReleaseReturn& other, bool impacts) {
   return back.returns && back.holds == other.holds &&
-         (!impacts || back.itinerary == other.itinerary);
+         (!impacts || back.itinerary.events == other.itinerary.events);
 }
 
 BranchPoint twice_round(const PassageEquations& doubled, const BranchPoint& point) {

@@ -32,14 +32,14 @@ std::optional<Itinerary> itinerary_at(const PassageEquations& equations, const L
   const auto back =
       system ? return_of(*system, equations.shooting(), at.u) : std::optional<ReleaseReturn>();
   if (!back || !back->returns) return {};
-  return Itinerary{back->itinerary, back->slowest};
+  return back->itinerary;
 }
 
 bool grazes_at(const PassageEquations& equations, const LocusPoint& at) {
   const System* system = equations.system_at(std::array{at.first, at.second});
   const auto back = system ? return_of(*system, equations.shooting(), at.u, true)
                            : std::optional<ReleaseReturn>();
-  return back && grazes_at(back->passage, {back->itinerary, back->slowest}, motion_scale(*system));
+  return back && grazes_at(back->passage, back->itinerary, motion_scale(*system));
 }
 
 // How the locus ends between neighbours; nothing where it goes on.

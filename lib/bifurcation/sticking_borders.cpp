@@ -102,7 +102,8 @@ void StickingBorders::walk(const BranchPoint& a, const BranchPoint& b, bool impa
 StickingTip StickingBorders::grazing(const StickingApproach& there, const ReleaseReturn& here) {
   const bool solved = is_solved(there.at_beyond);
   // The impact of a grazing is felt down to some speed; what it was before it impacted touches.
-  const bool is_lost = solved && here.itinerary.size() > there.beyond->itinerary.size() &&
+  const bool is_lost = solved &&
+                       here.itinerary.events.size() > there.beyond->itinerary.events.size() &&
                        touches(equations_, there.at_beyond);
   StickingTip tip = grazing_at(equations_, corrector_, there.reached, is_lost);
   if (tip.border && solved) tip.beyond = there.at_beyond;

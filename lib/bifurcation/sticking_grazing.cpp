@@ -50,7 +50,7 @@ std::optional<BranchPoint> without_impact(const PassageEquations& equations,
     if (!other) continue;
     const std::optional<ReleaseReturn> there = equations.follow(*other);
     if (there && there->returns && there->holds == here->holds &&
-        there->itinerary.size() < here->itinerary.size())
+        there->itinerary.events.size() < here->itinerary.events.size())
       return other;
   }
   return {};
@@ -96,8 +96,8 @@ std::vector<NearGrazing> impacts_near(const PassageEquations& equations, Correct
     if (!point) break;
     *point = polished(corrector, *point);
     const std::optional<ReleaseReturn> back = equations.follow(*point);
-    if (!back || back->itinerary != now->itinerary) break;
-    list.insert(list.begin(), {point->parameter, back->slowest});
+    if (!back || back->itinerary.events != now->itinerary.events) break;
+    list.insert(list.begin(), {point->parameter, back->itinerary.slowest});
     last = std::move(*point);
     reached = asked * unit;
   }
@@ -118,7 +118,7 @@ StickingTip grazing_at(const PassageEquations& equations, Corrector& corrector,
   const std::optional<ReleaseReturn> here = equations.follow(at);
   if (!here) return {};
   const double unit = speed_unit(equations, at);
-  const bool by_speed = is_lost || here->slowest <= kStill * unit;
+  const bool by_speed = is_lost || here->itinerary.slowest <= kStill * unit;
   if (!by_speed && !touches(equations, at)) return {};
   StickingTip tip{OrbitBranchEnd::kGrazing, at, by_speed, false, at.parameter, {}};
   // Where the motion does not feel the impact its speed goes as the root of the distance: what is
@@ -129,11 +129,13 @@ StickingTip grazing_at(const PassageEquations& equations, Corrector& corrector,
     const std::optional<ReleaseReturn> back = equations.follow(*point, !by_speed);
     if (!back) return {};
     if (by_speed || back->passage.clearance())
-      near.insert(near.begin(),
-                  {point->parameter, by_speed ? back->slowest : *back->passage.clearance()});
-    if (!by_speed || !(back->slowest > std::max(kReliable * unit, 2.0 * here->slowest))) continue;
-    solved = impacts_near(equations, corrector, {*point, back->slowest}, {at, here->slowest},
-                          corrector.chord(at, *point).normalized());
+      near.insert(near.begin(), {point->parameter,
+                                 by_speed ? back->itinerary.slowest : *back->passage.clearance()});
+    if (!by_speed ||
+        !(back->itinerary.slowest > std::max(kReliable * unit, 2.0 * here->itinerary.slowest)))
+      continue;
+    solved = impacts_near(equations, corrector, {*point, back->itinerary.slowest},
+                          {at, here->itinerary.slowest}, corrector.chord(at, *point).normalized());
     break;
   }
   std::optional<double> value;
@@ -150,9 +152,11 @@ StickingTip grazing_ahead(const PassageEquations& equations, Corrector& correcto
   const std::optional<ReleaseReturn> before = equations.follow(a), now = equations.follow(b);
   if (!before || !now || !now->returns || now->holds != before->holds) return {};
   const double unit = speed_unit(equations, b);
-  if (!(now->slowest <= kSlow * unit && now->slowest < before->slowest)) return {};
-  const std::vector<NearGrazing> near =
-      impacts_near(equations, corrector, {a, before->slowest}, {b, now->slowest}, b.tangent);
+  if (!(now->itinerary.slowest <= kSlow * unit &&
+        now->itinerary.slowest < before->itinerary.slowest))
+    return {};
+  const std::vector<NearGrazing> near = impacts_near(
+      equations, corrector, {a, before->itinerary.slowest}, {b, now->itinerary.slowest}, b.tangent);
   const std::optional<double> value = grazing_value(near, kReliable * unit);
   if (!value) return {};
   StickingTip tip{OrbitBranchEnd::kGrazing, b, true, false, *value, {}};

@@ -5,8 +5,8 @@
 // The chatter that just completes there is similar to itself: with restitution r its impacts, s
 // before the release, have the speeds
 //
-//   v = w a s^2,   w = ((1 - lambda)/2 - (1 - lambda)^2/6)/r,   r = lambda^2 (2 + lambda)/(1 + 2
-//   lambda),
+//   v = w a s^2,   w = ((1 - lambda)/2 - (1 - lambda)^2/6)/r,
+//   r = lambda^2 (2 + lambda)/(1 + 2 lambda),
 //
 // and follow one another in the ratio lambda of their times s, as a flight from speed r v to speed
 // v lambda^2 under that push tells. A motion that is off by d parts from it as
@@ -14,8 +14,8 @@
 //   v/(w a s^2) - 1 = c s + d s^(-k),   k = ln(r^2/lambda^5)/ln(1/lambda),
 //
 // c from what the push does besides; two impacts tell d without c, and those of about one time s,
-// weighted, tell it smoothly. It goes through zero,
-// whereas the stuck phase lasts for d^(1/k) on one side and not at all on the other.
+// weighted, tell it smoothly. It goes through zero, whereas the stuck phase lasts for d^(1/k) on
+// one side and not at all on the other.
 //
 // With r = 0 the one impact that closes the stop comes at the release.
 #pragma once

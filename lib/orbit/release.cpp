@@ -18,9 +18,7 @@ std::optional<ReleaseReturn> return_of(const System& system, const PassageShooti
   result.passage = std::move(passages.front());
   const Instant<double>& end = result.passage.end.instant;
   const std::vector<const PassedHold*> begun = holds_begun(result.passage);
-  const Itinerary itinerary = itinerary_of(result.passage, still_speed(system));
-  result.itinerary = itinerary.events;
-  result.slowest = itinerary.slowest;
+  result.itinerary = itinerary_of(result.passage, still_speed(system));
   result.shortest_hold = std::numeric_limits<double>::infinity();
   // The release is where the force equation has it, to the accuracy of a solution.
   const double together = kShootingAccuracy * system.period();

@@ -5,6 +5,7 @@
 #include <optional>
 #include <vector>
 
+#include "graze/orbit/itinerary.hpp"
 #include "graze/orbit/passage_shooting.hpp"
 
 namespace graze {
@@ -17,13 +18,9 @@ struct ReleaseReturn {
   bool returns = false;  // to the same stops, released at the section
   // The shortest of these stuck phases, s; infinite where there is none.
   double shortest_hold = 0.0;
-  // What happens in time order: the stops of impacts that are not of a chatter, and -1 - stop for a
-  // stuck phase that begins. Changes where such an impact is born or lost, but also where two
-  // impacts at the head of a chatter come to be equally fast.
-  std::vector<int> itinerary;
-  // The slowest impact that is not of a chatter, a run of ever slower impacts on a stop that leads
-  // to a stuck phase on it, m/s; infinite where there is none.
-  double slowest = 0.0;
+  // What happens. Its events change where an impact is born or lost, but also where two impacts at
+  // the head of a chatter come to be equally fast.
+  Itinerary itinerary{};
 };
 
 // Requires a layout with one section, at a release. Nothing where the motion cannot be followed.

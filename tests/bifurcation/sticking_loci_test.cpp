@@ -47,6 +47,21 @@ Scene second_drawn(double frequency) {
   return drawn(6.042, 0.072, 0.037, 0.919, 0.592, 0.626, -0.721, 0.256, frequency);
 }
 
+// Of loci in a plane, from the branches at the scene's own values, which start from simulations.
+template <class InPlane>
+LociOptions options_of(const InPlane& plane, OrbitLocusKind kind, int start_values) {
+  LociOptions options;
+  options.branches.from = plane.from;
+  options.branches.to = plane.to;
+  options.branches.start_values = start_values;
+  options.branches.finder.from_closed_form = options.branches.finder.from_random = false;
+  options.second_from = plane.second_from;
+  options.second_to = plane.second_to;
+  options.kinds = {kind};
+  options.slices = 0;
+  return options;
+}
+
 struct Plane {
   const char* name;
   Scene scene;
@@ -66,21 +81,11 @@ class StickingLoci : public ::testing::TestWithParam<Plane> {};
 // from the orbit of the nearest point.
 TEST_P(StickingLoci, PassTheSpecialPointsOfTenSlices) {
   const Plane& plane = GetParam();
-  LociOptions options;
-  options.branches.from = plane.from;
-  options.branches.to = plane.to;
+  LociOptions options = options_of(plane, plane.kind, 1);
   options.branches.max_step = plane.max_step;
-  options.branches.start_values = 1;
-  options.branches.finder.from_closed_form = options.branches.finder.from_random = false;
-  options.second_from = plane.second_from;
-  options.second_to = plane.second_to;
-  options.kinds = {plane.kind};
-  options.slices = 0;
   const OrbitLoci result = trace_loci(plane.scene, plane.first, plane.second, options);
-  const auto sticks = [](const OrbitLocus& locus) {
-    return !locus.points.empty() && !locus.points.front().holds.empty();
-  };
-  const auto found = std::find_if(result.loci.begin(), result.loci.end(), sticks);
+  const auto found = std::find_if(result.loci.begin(), result.loci.end(),
+                                  [](const OrbitLocus& locus) { return locus.sticks(); });
   ASSERT_NE(found, result.loci.end()) << result.starts << " starts, " << result.lost_starts;
   const std::vector<OrbitLocusPoint>& points = found->points;
   ASSERT_GE(points.size(), 10u);
@@ -137,15 +142,7 @@ class CompletionPlanes : public ::testing::TestWithParam<CompletionPlane> {};
 // that do not.
 TEST_P(CompletionPlanes, PassTheEndsOfTenBranches) {
   const CompletionPlane& plane = GetParam();
-  LociOptions options;
-  options.branches.from = plane.from;
-  options.branches.to = plane.to;
-  options.branches.start_values = 2;
-  options.branches.finder.from_closed_form = options.branches.finder.from_random = false;
-  options.second_from = plane.second_from;
-  options.second_to = plane.second_to;
-  options.kinds = {OrbitLocusKind::kChatterCompletes};
-  options.slices = 0;
+  const LociOptions options = options_of(plane, OrbitLocusKind::kChatterCompletes, 2);
   const OrbitLoci result = trace_loci(plane.scene, plane.first, plane.second, options);
   ASSERT_FALSE(result.loci.empty()) << result.starts << " starts, " << result.lost_starts;
   const std::vector<OrbitLocusPoint>& points = result.loci.front().points;
