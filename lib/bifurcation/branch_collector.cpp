@@ -4,11 +4,12 @@
 #include <cmath>
 #include <utility>
 
-#include "graze/bifurcation/pattern_switching.hpp"
+#include "graze/bifurcation/flight_borders.hpp"
+#include "graze/bifurcation/release_borders.hpp"
 #include "graze/bifurcation/special_names.hpp"
+#include "graze/bifurcation/touch_borders.hpp"
 #include "graze/bifurcation/touching_orbit.hpp"
 #include "graze/continuation/switching.hpp"
-#include "graze/orbit/followed_orbit.hpp"
 
 namespace graze {
 namespace {
@@ -31,6 +32,18 @@ ContinuationOptions range_of(const BranchOptions& options) {
   return range;
 }
 
+PassageOptions passage_of(const BranchOptions& options) {
+  PassageOptions passage;
+  passage.max_impacts = options.finder.max_impacts;
+  passage.stop = options.stop;
+  return passage;
+}
+
+// Where the branch goes two ways of which one is known.
+bool crosses(SpecialKind kind) {
+  return kind == SpecialKind::kPeriodDoubling || kind == SpecialKind::kBranchPoint;
+}
+
 }  // namespace
 
 BranchCollector::BranchCollector(const SystemFamily& family, const BranchOptions& options,
@@ -39,70 +52,110 @@ BranchCollector::BranchCollector(const SystemFamily& family, const BranchOptions
       options_(options),
       result_(result),
       continuation_(range_of(options)),
-      sticking_(family, continuation_, options.follow_depth > 0, options.finder.max_impacts) {
+      problems_(family.scene(), {family.parameter()},
+                {options.from != options.to ? std::abs(options.to - options.from) : 1.0},
+                motion_scale(*family.at(family.value())), passage_of(options)) {
+  problems_.set_borders([this](const OrbitProblem& problem) { return borders_of(problem); });
   result_.scale = motion_scale(*family.at(family.value()));
   result_.range = std::abs(options.to - options.from);
 }
 
-PatternBranches& BranchCollector::pattern_branches(const ImpactPattern& pattern) {
-  auto& place = patterns_[{pattern.period, pattern.stops}];
-  if (!place)
-    place = std::make_unique<PatternBranches>(family_, pattern, result_.scale, continuation_,
-                                              options_.keep_virtual);
-  return *place;
+std::unique_ptr<BranchBorders> BranchCollector::borders_of(const OrbitProblem& problem) const {
+  if (const auto* flights = dynamic_cast<const FlightEquations*>(&problem))
+    return std::make_unique<FlightBorders>(*flights, continuation_, options_.keep_virtual);
+  const auto& passages = dynamic_cast<const PassageEquations&>(problem);
+  if (passages.layout().released) return std::make_unique<ReleaseBorders>(passages, continuation_);
+  return std::make_unique<TouchBorders>(passages, continuation_);
 }
 
 bool BranchCollector::trace_from(const ImpactPattern& pattern,
                                  const std::vector<ImpactPoint>& impacts, double value) {
   ++result_.starts;
-  PatternBranches& branches = pattern_branches(canonical(pattern));
-  const auto start = branches.solve(in_canonical_order(pattern, impacts), value);
-  if (!start) return false;
-  if (!branches.lists(*start))
+  return trace_written(problems_.written(pattern, impacts), value, {});
+}
+
+bool BranchCollector::trace_from(const Orbit& orbit, double value) {
+  ++result_.starts;
+  const std::vector<Written> ways = problems_.written(orbit, std::span(&value, 1));
+  if (ways.empty()) notes_.insert("an orbit whose closed stops never let go is not continued");
+  return !ways.empty() && trace_written(ways.front(), value, {});
+}
+
+bool BranchCollector::trace_written(const Written& start, double value, Origin origin) {
+  LaidOrbits& orbits = *start.orbits;
+  std::optional<BranchPoint> point = solve_at(orbits->problem(), continuation_, start.u, value);
+  // At a fold none is told by its value.
+  if (!point) point = solve_near(orbits->problem(), continuation_, start.u, value);
+  if (!point) return false;
+  const std::string why = orbits->why_not_continued(*point);
+  if (!why.empty()) {
+    notes_.insert(why);
+    // At a grazing that was switched at rounding decides.
+  } else if (origin.branch < 0 && !orbits.borders->lists(*point)) {
     ++result_.virtual_starts;
-  else if (!branches.knows(*start))
-    add_trace(branches, *start, Directions::kBoth, -1, 0);
+  } else if (!knows(orbits, *point)) {
+    add(trace(orbits, *point, Directions::kBoth), origin);
+  }
   return true;
 }
 
-void BranchCollector::trace_from_sticking(const Orbit& orbit, double value) {
-  ++result_.starts;
-  add_sticking(orbit, value, 0, -1, 0);
-}
-
 void BranchCollector::trace_from_special(const BranchStart& start) {
-  if (start.at.sticks())
-    trace_from_section(*start.at.followed);
-  else
-    trace_from_impacts(start);
-  if (found_.empty() && result_.notes.empty() && sticking_notes_.empty() &&
-      !options_.stop.requested())
+  ++result_.starts;
+  for (const Written& one : written(start.at))
+    if (const std::optional<BranchPoint> point = solution_at(one, start)) {
+      trace_restarted(*one.orbits, *point, start);
+      break;
+    }
+  if (found_.empty() && result_.notes.empty() && notes_.empty() && !options_.stop.requested())
     result_.notes.push_back(start.switched ? "no other branch was found there"
                                            : "the orbit there was not found again, or is none of "
                                              "the system beyond that point on either side");
 }
 
-void BranchCollector::trace_from_section(const SpecialOrbit::Followed& section) {
+std::vector<BranchCollector::Written> BranchCollector::written(const SpecialOrbit& at) {
   const double value = family_.value();
-  const FollowedAnswer answer =
-      orbit_through(*family_.at(value), section.states.front(), section.period,
-                    {section.closure_speed, options_.finder.max_impacts, options_.stop});
-  if (answer.orbit)
-    trace_from_sticking(*answer.orbit, value);
-  else
-    sticking_notes_.insert(answer.why_not);
+  const std::optional<System> system = family_.at(value);
+  if (!system) return {};
+  if (system->has_compliant_stop() && (!at.followed || at.sticks())) {
+    notes_.insert("the point is of orbits on rigid stops, and these give way");
+    return {};
+  }
+  if (!at.followed) {
+    const TouchingOrbit orbit = orbit_at(*system, at);
+    return {problems_.written(orbit.pattern, orbit.impacts)};
+  }
+  const FollowedAnswer answer = orbit_again(*system, at, passage_of(options_));
+  if (!answer.orbit) notes_.insert(answer.why_not);
+  return answer.orbit ? problems_.written(*answer.orbit, std::span(&value, 1))
+                      : std::vector<Written>();
 }
 
-void BranchCollector::trace_from_impacts(const BranchStart& start) {
-  ++result_.starts;
+std::optional<BranchPoint> BranchCollector::solution_at(const Written& written,
+                                                        const BranchStart& start) const {
   const double value = family_.value();
-  const TouchingOrbit orbit = orbit_at(*family_.at(value), start.at);
-  PatternBranches& branches = pattern_branches(canonical(orbit.pattern));
-  const std::vector<ImpactPoint> impacts = in_canonical_order(orbit.pattern, orbit.impacts);
-  const std::optional<BranchPoint> point = solution_at(branches, impacts, start);
-  if (!point) return;
+  Vector along;
+  if (start.same_parameter && start.at.along) {
+    const Vector rate =
+        ShootingProblem(start.at.pattern, result_.scale).pack(start.at.along->impacts);
+    along.resize(rate.size() + 1);
+    along << rate, start.at.along->value / std::abs(options_.to - options_.from);
+    along.normalize();
+  }
+  // A branch point as it stands, where no equations are regular.
+  if (start.at.kind == SpecialKind::kBranchPoint && along.size() > 0) {
+    BranchPoint point;
+    point.u = written.u;
+    point.parameter = value;
+    point.tangent = along;
+    return point;
+  }
+  return solve_near((*written.orbits)->problem(), continuation_, written.u, value, along);
+}
+
+void BranchCollector::trace_restarted(LaidOrbits& orbits, const BranchPoint& point,
+                                      const BranchStart& start) {
   // At a grazing rounding decides.
-  if (start.at.label != label_of(SpecialKind::kGrazing) && !branches.lists(*point)) {
+  if (start.at.label != label_of(SpecialKind::kGrazing) && !orbits.borders->lists(point)) {
     ++result_.virtual_starts;
     result_.notes.push_back(
         "the solution there is no orbit of the system (penetrating or impacting at negative "
@@ -110,80 +163,65 @@ void BranchCollector::trace_from_impacts(const BranchStart& start) {
     return;
   }
   if (!start.switched) {
-    add_parts(branches,
-              start.at.kind == SpecialKind::kBranchPoint
-                  ? branches.trace_across(*point)
-                  : branches.trace(*point, Directions::kBoth),
-              Directions::kBoth, -1, 0);
-    return;
+    std::vector<BranchPiece> pieces = trace(orbits, point, Directions::kBoth);
+    if (start.at.kind == SpecialKind::kBranchPoint) list_crossing(pieces.front().branch);
+    return add(std::move(pieces), {});
   }
   SpecialPoint special;
   special.kind = start.at.kind.value_or(SpecialKind::kFold);
   special.by_speed = start.at.by_speed;
   special.by_push = start.at.by_push;
-  special.solution = *point;
-  switch_from(branches.equations(), special, -1, 0);
+  special.solution = point;
+  switch_from(special, {&orbits, {}}, {});
 }
 
-std::optional<BranchPoint> BranchCollector::solution_at(const PatternBranches& branches,
-                                                        const std::vector<ImpactPoint>& impacts,
-                                                        const BranchStart& start) const {
-  const double value = family_.value();
-  const auto along = start.same_parameter ? start.at.along : std::nullopt;
-  if (start.at.kind != SpecialKind::kBranchPoint) return branches.solve_near(impacts, value, along);
-  if (!along) return {};
-  return branches.crossing(impacts, value, *along);
+bool BranchCollector::knows(const LaidOrbits& orbits, const BranchPoint& solution) const {
+  return std::any_of(traced_.begin(), traced_.end(), [&](const Traced& traced) {
+    const OrbitProblem& problem = *traced.orbits->problem;
+    for (const BranchPoint& same : problem.rewritings(*orbits.problem, continuation_, solution))
+      if (lies_on(problem.problem(), continuation_, traced.branch, same)) return true;
+    return false;
+  });
 }
 
-void BranchCollector::add_sticking(const Orbit& orbit, double value, int depth, int origin_branch,
-                                   std::size_t origin_special) {
-  StickingTrace trace = sticking_.trace(orbit, value);
-  if (trace.known) return;
-  result_.shooting_evaluations += trace.evaluations;
-  result_.rejected_steps += trace.rejected;
-  if (!trace.branch) {
-    if (options_.stop.requested()) return;
-    sticking_notes_.insert(trace.why_not);
-    return;
-  }
-  const int index = static_cast<int>(found_.size());
-  found_.push_back(
-      {std::move(*trace.branch), nullptr, result_.traced++, origin_branch, origin_special});
-  if (trace.cut_short) ++result_.cut_short;
-  if (origin_branch >= 0) ++result_.switched;
-  for (const StickingNeighbour& other : trace.neighbours) {
-    if (depth < options_.follow_depth)
-      add_sticking(other.orbit, other.value, depth + 1, index, other.special);
-    else
-      result_.left_open += options_.follow_depth > 0 ? 1 : 0;
-  }
+// The special point itself lies on every branch through it.
+bool BranchCollector::knows_beyond(const LaidOrbits& orbits, const BranchPoint& start) const {
+  ContinuationOptions some = continuation_;
+  some.max_points = 2;
+  ZeroProblem bare = orbits->problem();
+  bare.multipliers = nullptr;
+  const Branch away = trace_branch(bare, some, start, Directions::kForward);
+  return away.points.size() > 1 && knows(orbits, away.points.back());
 }
 
-void BranchCollector::add_trace(PatternBranches& branches, const BranchPoint& start,
-                                Directions directions, int origin_branch,
-                                std::size_t origin_special) {
-  add_parts(branches, branches.trace(start, directions), directions, origin_branch, origin_special);
-}
-
-void BranchCollector::add_parts(PatternBranches& branches, const Branch& branch,
-                                Directions directions, int origin_branch,
-                                std::size_t origin_special) {
-  const auto is_cut = [](BranchEnd end) {
-    return end == BranchEnd::kStepLimit || end == BranchEnd::kNotConverged;
+std::vector<BranchPiece> BranchCollector::trace(LaidOrbits& orbits, const BranchPoint& start,
+                                                Directions directions) {
+  const Clearer clearer = [this](const LaidOrbits& known, const BranchPoint& solution) {
+    return problems_.clearer(known, solution);
   };
-  // Where a trace goes one way only, it has no other end.
-  bool cut = is_cut(branch.ends[1]) || (directions == Directions::kBoth && is_cut(branch.ends[0]));
-  result_.shooting_evaluations += branch.evaluations;
-  result_.rejected_steps += branch.rejected;
-  for (OrbitBranch& part : branches.parts(branch)) {
-    cut = cut || part.ends[0] == OrbitBranchEnd::kNotConverged ||
-          part.ends[1] == OrbitBranchEnd::kNotConverged;
-    result_.meetings += static_cast<int>(
-        std::count(part.ends.begin(), part.ends.end(), OrbitBranchEnd::kImpactsMeet));
-    found_.push_back({std::move(part), &branches, result_.traced, origin_branch, origin_special});
+  return trace_pieces(clearer, orbits, continuation_, start, directions);
+}
+
+void BranchCollector::add(std::vector<BranchPiece> pieces, Origin origin) {
+  const auto cuts = [](OrbitBranchEnd end) {
+    return end == OrbitBranchEnd::kNotConverged || end == OrbitBranchEnd::kStepLimit;
+  };
+  bool cut = false;
+  for (BranchPart& part : parts_of(pieces)) {
+    for (const OrbitBranchEnd end : part.branch.ends) {
+      cut = cut || cuts(end);
+      result_.meetings += end == OrbitBranchEnd::kImpactsMeet ? 1 : 0;
+    }
+    found_.push_back({std::move(part), result_.traced, origin.branch, origin.special});
+  }
+  for (BranchPiece& piece : pieces) {
+    result_.shooting_evaluations += piece.branch.evaluations;
+    result_.rejected_steps += piece.branch.rejected;
+    traced_.push_back({piece.orbits, std::move(piece.branch)});
   }
   ++result_.traced;
   if (cut) ++result_.cut_short;
+  if (origin.branch >= 0) ++result_.switched;
 }
 
 void BranchCollector::follow() {
@@ -191,58 +229,51 @@ void BranchCollector::follow() {
   for (int depth = 0; depth < options_.follow_depth; ++depth) {
     const std::size_t last = found_.size();
     for (std::size_t i = first; i < last; ++i)
-      for (std::size_t k = 0; k < found_[i].branch.special.size() && found_[i].pattern; ++k) {
+      for (std::size_t k = 0; k < found_[i].branch().special.size(); ++k) {
         if (options_.stop.requested()) return;
-        switch_at(i, k);
+        const SpecialPoint special = found_[i].branch().special[k];
+        const SpecialLead lead = found_[i].part.leads[k];
+        switch_from(special, lead, {static_cast<int>(i), k});
       }
     first = last;
   }
   for (std::size_t i = first; i < found_.size() && options_.follow_depth > 0; ++i)
-    for (const SpecialPoint& special : found_[i].branch.special)
-      result_.left_open +=
-          found_[i].pattern && pattern_switch(found_[i].pattern->equations(), special) ? 1 : 0;
+    for (std::size_t k = 0; k < found_[i].branch().special.size(); ++k) {
+      const SpecialPoint& special = found_[i].branch().special[k];
+      const SpecialLead& lead = found_[i].part.leads[k];
+      const bool leads_on =
+          crosses(special.kind) || lead.other || lead.orbits->borders->across(special).has_value();
+      result_.left_open += leads_on ? 1 : 0;
+    }
 }
 
-void BranchCollector::switch_at(std::size_t index, std::size_t which) {
-  const SpecialPoint special = found_[index].branch.special[which];
-  switch_from(found_[index].pattern->equations(), special, static_cast<int>(index), which);
+bool BranchCollector::switch_from(const SpecialPoint& special, const SpecialLead& lead,
+                                  Origin origin) {
+  if (crosses(special.kind)) return switch_across(*lead.orbits, special, origin);
+  const std::optional<Orbit> other =
+      lead.other ? lead.other->orbit : lead.orbits->borders->across(special);
+  if (!other) return false;
+  const double value = lead.other ? lead.other->value : special.solution.parameter;
+  const std::size_t known = found_.size();
+  for (const Written& one : problems_.written(*other, std::span(&value, 1)))
+    if (trace_written(one, value, origin)) break;
+  return found_.size() > known;
 }
 
-void BranchCollector::switch_from(const OrbitEquations& known, const SpecialPoint& special,
-                                  int origin_branch, std::size_t origin_special) {
-  const std::optional<PatternSwitch> next = pattern_switch(known, special);
-  if (!next) return;
-  PatternBranches& branches = pattern_branches(canonical(next->pattern));
-  const OrbitEquations& equations = branches.equations();
-  const std::vector<ImpactPoint> impacts = in_canonical_order(next->pattern, next->impacts);
-  std::optional<BranchPoint> start;
-  if (next->known_tangent.size() == 0) {
-    start = solve_at(equations.problem(), branches.options(), equations.shooting().pack(impacts),
-                     special.solution.parameter);
-  } else {
-    BranchPoint at = special.solution;
-    at.u = equations.shooting().pack(impacts);
-    at.tangent = next->known_tangent;
-    at.multipliers.clear();
-    start = other_branch(equations.problem(), branches.options(), at);
-  }
-  if (!start) return;
-  // At a branch point the known branch passes too.
-  const bool crossing = special.kind == SpecialKind::kBranchPoint;
-  const bool doubling = special.kind == SpecialKind::kPeriodDoubling;
-  if (crossing   ? branches.knows_crossing(*start)
-      : doubling ? branches.knows_doubling(*start)
-                 : branches.knows(*start))
-    return;
-  result_.switched += origin_branch >= 0 ? 1 : 0;
-  // Of a start that is given nothing else is known; its own branch has it among its points.
-  if (crossing && origin_branch < 0) {
-    add_parts(branches, branches.trace_across(*start), Directions::kBoth, -1, 0);
-    return;
-  }
+bool BranchCollector::switch_across(LaidOrbits& known, const SpecialPoint& special, Origin origin) {
+  const bool doubles = special.kind == SpecialKind::kPeriodDoubling;
+  LaidOrbits& orbits = doubles ? problems_.doubled(known) : known;
+  BranchPoint at = doubles ? known->twice_round(special.solution) : special.solution;
+  at.multipliers.clear();
+  const std::optional<BranchPoint> start = other_branch(orbits->problem(), continuation_, at);
+  if (!start || knows_beyond(orbits, *start)) return false;
   // Either way from a doubling lead the same orbits, half a period apart.
-  add_trace(branches, *start, doubling ? Directions::kForward : Directions::kBoth, origin_branch,
-            origin_special);
+  std::vector<BranchPiece> pieces =
+      trace(orbits, *start, doubles ? Directions::kForward : Directions::kBoth);
+  // Of a start that is given nothing else is known; its own branch has it among its points.
+  if (!doubles && origin.branch < 0) list_crossing(pieces.front().branch);
+  add(std::move(pieces), origin);
+  return true;
 }
 
 }  // namespace graze

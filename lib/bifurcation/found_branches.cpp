@@ -31,8 +31,7 @@ std::pair<int, int> component_of(const std::vector<FoundBranch>& found, std::siz
   while (found[index].origin_branch >= 0)
     index = static_cast<std::size_t>(found[index].origin_branch);
   const FoundBranch& first = found[index];
-  if (!first.pattern) return {-2, first.trace};
-  return set_of(first.branch).value_or(std::pair(-1, first.trace));
+  return set_of(first.branch()).value_or(std::pair(-1, first.trace));
 }
 
 }  // namespace
@@ -42,23 +41,26 @@ std::vector<OrbitBranch> put_in_order(std::vector<FoundBranch> found, Components
   std::vector<std::size_t> order(found.size());
   for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
   std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
-    return comes_before(found[a].branch, found[b].branch);
+    return comes_before(found[a].branch(), found[b].branch());
   });
-  for (const std::size_t i : order) components.add(found[i].branch, component_of(found, i, set_of));
+  for (const std::size_t i : order)
+    components.add(found[i].branch(), component_of(found, i, set_of));
   const std::vector<int> numbers = components.numbers();
   SpecialNames names;
   for (std::size_t k = 0; k < order.size(); ++k) {
-    OrbitBranch& branch = found[order[k]].branch;
+    OrbitBranch& branch = found[order[k]].branch();
     branch.id = static_cast<int>(k) + 1;
     branch.component = numbers[k];
     for (SpecialPoint& special : branch.special) special.id = names.next(special.kind);
   }
   for (FoundBranch& one : found)
     if (one.origin_branch >= 0)
-      one.branch.origin =
-          found[static_cast<std::size_t>(one.origin_branch)].branch.special[one.origin_special].id;
+      one.branch().origin = found[static_cast<std::size_t>(one.origin_branch)]
+                                .branch()
+                                .special[one.origin_special]
+                                .id;
   std::vector<OrbitBranch> branches;
-  for (const std::size_t i : order) branches.push_back(std::move(found[i].branch));
+  for (const std::size_t i : order) branches.push_back(std::move(found[i].branch()));
   return branches;
 }
 

@@ -8,19 +8,20 @@
 #include <utility>
 #include <vector>
 
+#include "graze/bifurcation/branch_parts.hpp"
 #include "graze/bifurcation/components.hpp"
-#include "graze/bifurcation/orbit_branch.hpp"
-#include "graze/bifurcation/pattern_branches.hpp"
 
 namespace graze {
 
 // A part of a trace that is listed.
 struct FoundBranch {
-  OrbitBranch branch;
-  PatternBranches* pattern = nullptr;  // that it was traced with; null where the orbits stick
-  int trace = 0;                       // its number
-  int origin_branch = -1;              // index of the found branch it was switched onto from
-  std::size_t origin_special = 0;      // and of the special point there
+  BranchPart part;
+  int trace = 0;                   // its number
+  int origin_branch = -1;          // index of the found branch it was switched onto from
+  std::size_t origin_special = 0;  // and of the special point there
+
+  OrbitBranch& branch() { return part.branch; }
+  const OrbitBranch& branch() const { return part.branch; }
 };
 
 // What tells the connected set of solutions that a branch is of, a name for it; nothing where it is

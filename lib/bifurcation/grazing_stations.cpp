@@ -45,7 +45,7 @@ double SeenSolution::smallest_speed() const {
   return smallest;
 }
 
-GrazingStations::GrazingStations(const OrbitEquations& equations,
+GrazingStations::GrazingStations(const FlightEquations& equations,
                                  const ContinuationOptions& options)
     : equations_(equations), corrector_(equations.problem(), options) {}
 
@@ -134,7 +134,7 @@ std::list<GrazingStation> GrazingStations::between(const SeenSolution& a, const 
     std::optional<BranchPoint> point = doubtful(*from, to == stations.end() ? b : to->seen);
     if (point && equations_.system_at(point->parameters())) {
       to = stations.insert(to, {std::move(*point), {}, {}});
-      to->at = equations_.judge(to->point);
+      to->at = equations_.orbit_at(to->point);
       to->seen = seen(to->point, to->at);
       continue;
     }

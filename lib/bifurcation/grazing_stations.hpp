@@ -15,7 +15,7 @@
 #include <optional>
 #include <vector>
 
-#include "graze/bifurcation/orbit_equations.hpp"
+#include "graze/bifurcation/flight_equations.hpp"
 #include "graze/continuation/corrector.hpp"
 #include "graze/continuation/margin_course.hpp"
 #include "graze/orbit/orbit_margins.hpp"
@@ -43,7 +43,7 @@ struct GrazingStation {
 class GrazingStations {
  public:
   // Refers to both, which must outlive it.
-  GrazingStations(const OrbitEquations& equations, const ContinuationOptions& options);
+  GrazingStations(const FlightEquations& equations, const ContinuationOptions& options);
 
   // Refers to the point.
   SeenSolution seen(const BranchPoint& point, const OrbitBranchPoint& at) const;
@@ -60,7 +60,7 @@ class GrazingStations {
   // The solution between a and b to be looked at next; nothing where none is in doubt.
   std::optional<BranchPoint> doubtful(const SeenSolution& a, const SeenSolution& b);
 
-  const OrbitEquations& equations_;
+  const FlightEquations& equations_;
   Corrector corrector_;
 };
 

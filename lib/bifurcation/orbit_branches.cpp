@@ -9,7 +9,6 @@
 #include "graze/bifurcation/branch_collector.hpp"
 #include "graze/bifurcation/closed_form_survey.hpp"
 #include "graze/bifurcation/speed_survey.hpp"
-#include "graze/bifurcation/strobe_branches.hpp"
 #include "graze/hybrid/simulation.hpp"
 #include "graze/orbit/closed_form.hpp"
 #include "graze/orbit/followed_orbit.hpp"
@@ -31,6 +30,11 @@ class OrbitTracer {
         highest_(std::max(options.from, options.to)),
         branches_(family, options, result_) {
     result_.parameter = family.parameter();
+    const System own = *family.at(family.value());
+    compliant_ = own.has_compliant_stop();
+    const State at_rest{Vector::Zero(own.modes()), Vector::Zero(own.modes())};
+    closure_speed_ = options.finder.closure_speed.value_or(default_closure_speed(
+        own, clear_start(family.scene(), own).value_or(at_rest), family.scene().solver.tolerance));
   }
 
   OrbitBranches trace() {
@@ -44,24 +48,34 @@ class OrbitTracer {
         put_in_order(branches_.take(), Components(highest_ - lowest_, speed_scale),
                      [this](const OrbitBranch& branch) { return connected_set(branch); });
     // What the simulation does is worth a line only where it explains that there is nothing else.
-    if (!result_.branches.empty()) result_.notes.clear();
-    if (options_.impacts == 1 && !options_.start)
+    if (!result_.branches.empty() && !compliant_) result_.notes.clear();
+    if (options_.impacts == 1 && !options_.start && !compliant_)
       result_.notes.push_back(in_words(result_.sought, family_.parameter(), options_.period));
-    for (const std::string& note : branches_.sticking_notes()) result_.notes.push_back(note);
+    for (const std::string& note : branches_.notes()) result_.notes.push_back(note);
     result_.stopped = options_.stop.reason();
     return std::move(result_);
   }
 
  private:
+  // Where closed forms are only starts for a search, first what that gives, which costs next to
+  // nothing, then simulations, which may never settle: whoever stops them has the branches of the
+  // former.
   void trace_from_search() {
-    trace_from_values();
-    if (options_.start_values > 0 && options_.finder.from_closed_form && options_.impacts == 1)
+    FinderOptions all = options_.finder, quick = all, slow = all;
+    quick.from_simulation = quick.from_random = false;
+    slow.from_closed_form = false;
+    const std::vector<FinderOptions> rounds =
+        compliant_ ? std::vector{quick, slow} : std::vector{all};
+    for (std::size_t i = 0; i < rounds.size(); ++i)
+      trace_from_values(rounds[i], static_cast<double>(i), static_cast<double>(rounds.size()));
+    if (options_.start_values > 0 && options_.finder.from_closed_form && options_.impacts == 1 &&
+        !compliant_)
       trace_from_surveys();
     result_.sought.stopped = options_.stop.requested();
   }
 
-  // The scene's own value, and values spread over the range.
-  void trace_from_values() {
+  // The scene's own value, and values spread over the range; in one round of several.
+  void trace_from_values(const FinderOptions& finder, double round, double rounds) {
     std::vector<double> values;
     if (family_.value() >= lowest_ && family_.value() <= highest_)
       values.push_back(family_.value());
@@ -70,14 +84,14 @@ class OrbitTracer {
     result_.sought.start_values = static_cast<int>(values.size());
     if (options_.start_values > 1)
       result_.sought.start_spacing = (highest_ - lowest_) / (options_.start_values - 1);
-    if (options_.finder.from_random) result_.sought.random_starts = kStartsOfOneImpact;
+    if (finder.from_random) result_.sought.random_starts = kStartsOfOneImpact;
     for (std::size_t i = 0; i < values.size() && !options_.stop.requested(); ++i) {
       if (options_.progress)
-        options_.progress(static_cast<double>(i) / static_cast<double>(values.size() + 1));
-      for (const Orbit& orbit : orbits_at(values[i], i == 0))
-        if (!options_.stop.requested())
-          branches_.trace_from(orbit.pattern(), orbit.points(), values[i]);
-      if (options_.sticking && options_.finder.from_simulation) trace_sticking(values[i]);
+        options_.progress(
+            (round + static_cast<double>(i) / static_cast<double>(values.size() + 1)) / rounds);
+      for (const Orbit& orbit : orbits_at(values[i], finder, i == 0))
+        if (!options_.stop.requested()) branches_.trace_from(orbit, values[i]);
+      if (options_.sticking && finder.from_simulation && !compliant_) trace_sticking(values[i]);
     }
   }
 
@@ -129,40 +143,34 @@ class OrbitTracer {
     };
     tracer.news = [this, pattern, next = std::size_t{0}](const auto& hand_over) mutable {
       for (; next < branches_.found().size(); ++next) {
-        const ImpactPattern& other = branches_.found()[next].branch.pattern;
-        if (branches_.found()[next].pattern && other.period == pattern.period &&
-            other.stops == pattern.stops)
-          hand_over(branches_.found()[next].branch);
+        const OrbitBranch& branch = branches_.found()[next].branch();
+        if (branch.pattern == pattern) hand_over(branch);
       }
     };
     tracer.stopped = [this] { return options_.stop.requested(); };
     return tracer;
   }
 
-  // Orbits at one value; the simulation and the random guesses join in at the first one only.
-  std::vector<Orbit> orbits_at(double value, bool first) {
+  // Orbits at one value; the random guesses, and on rigid stops the simulation for orbits of one
+  // impact, join in at the first one only.
+  std::vector<Orbit> orbits_at(double value, FinderOptions finder, bool first) {
     const std::optional<System> system = family_.at(value);
     if (!system) return {};
-    FinderOptions finder = options_.finder;
     finder.period = options_.period;
     finder.impacts = options_.impacts;
-    finder.keep_virtual = true;
+    finder.keep_virtual = !compliant_;
     finder.stop = options_.stop;
-    if (!first && options_.impacts == 1) {
-      // Random guesses cost more than all else; elsewhere they stand in where the closed form
-      // cannot.
-      finder.from_random =
-          finder.from_random && !(finder.from_closed_form && has_closed_forms(*system));
-    }
+    // Random guesses cost more than all else; elsewhere they stand in where the closed form cannot.
+    if (!first && (compliant_ ||
+                   (options_.impacts == 1 && finder.from_closed_form && has_closed_forms(*system))))
+      finder.from_random = false;
     std::optional<State> start;
-    if (first || options_.impacts > 1) start = clear_start(family_.scene(), *system);
-    if (start) finder.closure_speed = closure_speed(*system, *start);
+    if (first || options_.impacts > 1 || compliant_) start = clear_start(family_.scene(), *system);
+    finder.closure_speed = closure_speed_;
     FoundOrbits found = find_orbits(*system, start, finder);
     // Those have branches of their own.
-    const auto sticks = [](const Orbit& orbit) { return orbit.sticks(); };
-    found.orbits.erase(std::remove_if(found.orbits.begin(), found.orbits.end(), sticks),
-                       found.orbits.end());
-    if (first) result_.notes = found.notes;
+    std::erase_if(found.orbits, [](const Orbit& orbit) { return orbit.sticks(); });
+    if (result_.notes.empty()) result_.notes = found.notes;
     return std::move(found.orbits);
   }
 
@@ -171,12 +179,6 @@ class OrbitTracer {
     for (std::size_t stop = 0; stop < system.stops.size(); ++stop)
       if (!closed_form(system, static_cast<int>(stop), options_.period).form) return false;
     return true;
-  }
-
-  // As asked for, or by the scene's tolerance.
-  double closure_speed(const System& system, const State& start) const {
-    return options_.finder.closure_speed.value_or(
-        default_closure_speed(system, start, family_.scene().solver.tolerance));
   }
 
   // Traces the branch of the orbit that sticks, where the motion from the scene's initial state
@@ -189,20 +191,21 @@ class OrbitTracer {
     SettleOptions settling;
     settling.periods = kPeriodsToStick;
     settling.max_impacts = options_.finder.max_impacts;
-    settling.closure_speed = closure_speed(*system, *start);
+    settling.closure_speed = closure_speed_;
     settling.stop = options_.stop;
     const SettledMotion settled = settle(*system, *start, settling);
     if (settled.kind != SettledKind::kSticks) return;
     const FollowedAnswer answer =
         followed_orbit(*system, settled.at_start, settled.period,
-                       {*settling.closure_speed, settling.max_impacts, options_.stop});
+                       {closure_speed_, settling.max_impacts, options_.stop});
     if (!answer.orbit || answer.orbit->period != options_.period) return;
-    branches_.trace_from_sticking(*answer.orbit, value);
+    branches_.trace_from(*answer.orbit, value);
   }
 
   // Branches that were traced apart may be connected where the solutions are no orbits; the closed
   // form knows.
   std::optional<std::pair<int, int>> connected_set(const OrbitBranch& branch) const {
+    if (branch.pattern.stops.empty()) return {};
     const int stop = branch.pattern.stops.front();
     const OrbitBranchPoint& middle = branch.points[branch.points.size() / 2];
     const auto survey = surveys_.find(stop);
@@ -216,6 +219,8 @@ class OrbitTracer {
   const SystemFamily& family_;
   const BranchOptions& options_;
   double lowest_, highest_;
+  bool compliant_ = false;      // a stop is
+  double closure_speed_ = 0.0;  // m/s; as asked for, or by the scene's tolerance
   OrbitBranches result_;
   BranchCollector branches_;
   std::map<int, ClosedFormSurvey> surveys_;  // by stop
@@ -224,8 +229,6 @@ class OrbitTracer {
 }  // namespace
 
 OrbitBranches trace_orbits(const SystemFamily& family, const BranchOptions& options) {
-  const std::optional<System> own = family.at(family.value());
-  if (own && own->has_compliant_stop()) return trace_strobe_orbits(family, options);
   return OrbitTracer(family, options).trace();
 }
 

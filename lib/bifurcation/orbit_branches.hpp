@@ -1,7 +1,6 @@
 // All branches of periodic orbits over a parameter of the scene: starts are sought, each is traced
 // to its ends, with the stability and admissibility of every point, and special points are switched
-// at. Orbits with a fixed sequence of impacts solve the shooting equations (orbit_equations.hpp),
-// those that stick the equations of a release (sticking_equations.hpp).
+// at. What orbits solve is a matter of their layout (orbit_problem.hpp).
 #pragma once
 
 #include "graze/assembly/system_family.hpp"

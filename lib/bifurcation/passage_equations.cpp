@@ -6,9 +6,9 @@
 #include <utility>
 
 #include "graze/base/angle.hpp"
-#include "graze/bifurcation/half_period.hpp"
 #include "graze/continuation/map.hpp"
 #include "graze/flow/sprung_deviation.hpp"
+#include "graze/orbit/laid_orbit.hpp"
 #include "graze/orbit/solve.hpp"
 
 namespace graze {
@@ -35,51 +35,33 @@ PassageEquations::PassageEquations(const Scene& scene, const std::vector<std::st
 PassageEquations::PassageEquations(const Scene& scene, const std::vector<std::string>& parameters,
                                    std::vector<double> units, const MotionScale& scale,
                                    PassageShooting shooting)
-    : scene_(scene),
+    : OrbitProblem(scene, parameters),
+      scene_(scene),
       parameters_(parameters),
-      systems_(scene, parameters),
       units_(std::move(units)),
       scale_(scale),
       shooting_(std::move(shooting)) {
-  problem_.evaluate = [this](const Vector& u, Parameters at) { return evaluate(u, at); };
-  problem_.multipliers = [this](const Vector& u, Parameters at,
-                                ErrorBounds errors) -> std::vector<Eigenvalue> {
-    const System* system = system_at(at);
-    return system ? shooting_.multipliers(*system, u, errors) : std::vector<Eigenvalue>();
-  };
-  problem_.curvature = [this](const Vector& u, Parameters at,
-                              const std::vector<CriticalProduct>& products) {
-    return curvature(u, at, products);
-  };
   problem_.wrap = shooting_.wrap();
 }
 
-std::unique_ptr<PassageEquations> PassageEquations::doubled() const {
-  const int sections = (layout().released ? 1 : 2) * layout().sections;
-  return std::unique_ptr<PassageEquations>(new PassageEquations(
-      scene_, parameters_, units_, scale_, shooting_.over(2 * period(), sections)));
+std::unique_ptr<OrbitProblem> PassageEquations::doubled() const {
+  PassageLayout twice = layout();
+  twice.period *= 2;
+  if (!twice.released) twice.sections *= 2;
+  return std::unique_ptr<OrbitProblem>(
+      new PassageEquations(scene_, parameters_, units_, scale_, shooting_.over(std::move(twice))));
 }
 
 double PassageEquations::critical_tolerance() { return kCritical; }
 
-std::vector<const System*> PassageEquations::tangents_at(Parameters at) const {
-  std::vector<const System*> tangents;
-  for (std::size_t k = 0; k < at.size(); ++k) {
-    tangents.push_back(systems_.tangent_at(at, k));
-    if (!tangents.back()) return {};
-  }
-  return tangents;
+std::optional<ShootingLinearisation> PassageEquations::linearise(
+    const System& system, const Vector& u, std::span<const System* const> tangents) const {
+  return shooting_.linearise(system, u, tangents);
 }
 
-std::optional<ZeroEvaluation> PassageEquations::evaluate(const Vector& u, Parameters at) const {
-  const System* system = system_at(at);
-  if (!system) return {};
-  const std::vector<const System*> tangents = tangents_at(at);
-  if (tangents.size() < at.size()) return {};
-  auto sum = shooting_.linearise(*system, u, tangents);
-  if (!sum) return {};
-  return ZeroEvaluation{std::move(sum->residual), std::move(sum->jacobian),
-                        std::move(sum->by_parameters), std::move(sum->closing)};
+std::vector<Eigenvalue> PassageEquations::multipliers(const System& system, const Vector& u,
+                                                      ErrorBounds errors) const {
+  return shooting_.multipliers(system, u, errors);
 }
 
 // By central differences, each over the sections that it moves.
@@ -124,20 +106,12 @@ Vector PassageEquations::halves_differ(const BranchPoint& solution) const {
   return halves_.answer({solution.u, solution.parameter}, [&] {
     const System* system = system_at(solution.parameter);
     if (!system) return Vector();
-    const PassageShooting half = shooting_.over(period() / 2, layout().sections);
+    PassageLayout half_layout = layout();
+    half_layout.period /= 2;
+    const PassageShooting half = shooting_.over(std::move(half_layout));
     const auto at = half.linearise(*system, solution.u, {});
     return at ? at->residual : Vector();
   });
-}
-
-bool PassageEquations::is_half(const BranchPoint& solution) const {
-  const Vector difference = halves_differ(solution);
-  return difference.size() > 0 &&
-         difference.norm() <= kShootingAccuracy * (1.0 + solution.u.norm());
-}
-
-bool PassageEquations::passes_half(const BranchPoint& a, const BranchPoint& b) const {
-  return turns_round(halves_differ(a), halves_differ(b), kShootingAccuracy * (1.0 + a.u.norm()));
 }
 
 std::optional<OrbitBranchPoint> PassageEquations::judge(const BranchPoint& solution) const {
@@ -151,6 +125,26 @@ std::optional<OrbitBranchPoint> PassageEquations::judge(const BranchPoint& solut
     if (!orbit) return {};
     return point_of_branch(solution.parameter, std::move(*orbit));
   });
+}
+
+void PassageEquations::name(OrbitBranch& branch) const {
+  branch.pattern.period = period();
+  if (branch.points.empty()) return;
+  // At its ends an impact or a stuck phase may be lost.
+  const Orbit& orbit = branch.points[branch.points.size() / 2].orbit;
+  if (orbit.sticks())
+    for (const OrbitHold& hold : orbit.holds) branch.holds.push_back(hold.stop);
+  else
+    branch.pattern = orbit.pattern();
+}
+
+std::string PassageEquations::why_not_continued(const BranchPoint& solution) const {
+  if (!layout().released) return {};
+  const std::optional<ReleaseReturn> back = follow(solution);
+  if (!back || !back->returns) return "the orbit that sticks was not found again at its release";
+  if (!has_shrunk(*back, period_at(solution))) return {};
+  return "an orbit with stuck phases without end (a chatter on one stop throws the structure off "
+         "another) is not continued";
 }
 
 std::optional<ReleaseReturn> PassageEquations::follow(const BranchPoint& solution,
@@ -221,13 +215,14 @@ std::optional<double> PassageEquations::clearer_section(const BranchPoint& solut
   return nearest < kPart * 0.5 * best ? std::optional(middle) : std::nullopt;
 }
 
-std::optional<BranchPoint> PassageEquations::carried_to(const PassageEquations& other,
+std::optional<BranchPoint> PassageEquations::carried_to(const OrbitProblem& other,
                                                         const ContinuationOptions& options,
                                                         const BranchPoint& solution) const {
   const System* system = system_at(solution.parameters());
   const System* tangent = system ? systems_.tangent_at(solution.parameters(), 0) : nullptr;
   if (!tangent) return {};
-  const double angle = wrapped(other.layout().theta - layout().theta);
+  const double there = std::get<PassageLayout>(other.orbit_layout()).theta;
+  const double angle = wrapped(there - layout().theta);
   const double range = std::abs(options.to - options.from);
   const Eigen::Index m = map().size(), n = solution.u.size();
   BranchPoint carried = solution;
@@ -250,11 +245,53 @@ bool has_same_events(const ReleaseReturn& back, const ReleaseReturn& other, bool
          (!impacts || back.itinerary.events == other.itinerary.events);
 }
 
-BranchPoint twice_round(const PassageEquations& doubled, const BranchPoint& point) {
-  if (doubled.shooting().size() > point.u.size()) return twice_round(point);
-  BranchPoint same = point;
+BranchPoint PassageEquations::twice_round(const BranchPoint& solution) const {
+  if (!layout().released) return graze::twice_round(solution);
+  BranchPoint same = solution;
   same.multipliers.clear();
   return same;
+}
+
+std::unique_ptr<OrbitProblem> PassageEquations::clearer(const BranchPoint& solution) const {
+  // A release lies where it lies.
+  const std::optional<double> section =
+      layout().released ? std::nullopt : clearer_section(solution);
+  if (!section) return {};
+  PassageLayout moved = layout();
+  moved.theta = *section;
+  return std::unique_ptr<OrbitProblem>(
+      new PassageEquations(scene_, parameters_, units_, scale_, shooting_.over(std::move(moved))));
+}
+
+std::vector<BranchPoint> PassageEquations::rewritings(const OrbitProblem& of,
+                                                      const ContinuationOptions& options,
+                                                      const BranchPoint& solution) const {
+  std::vector<BranchPoint> list;
+  const auto* other = dynamic_cast<const PassageEquations*>(&of);
+  if (!other || other->period() != period() ||
+      other->layout().released.has_value() != layout().released.has_value())
+    return list;
+  if (layout().released) {
+    const std::optional<OrbitBranchPoint> at = other->judge(solution);
+    const System* system = system_at(solution.parameter);
+    if (!at || !system) return list;
+    for (const LaidOrbit& laid : layouts_of(*system, at->orbit, map().options())) {
+      if (!(laid.layout == layout())) continue;
+      list.push_back(solution);
+      list.back().u = shooting_.pack(laid.theta, laid.states);
+    }
+    return list;
+  }
+  const std::optional<BranchPoint> there =
+      other == this ? solution : other->carried_to(*this, options, solution);
+  const Eigen::Index n = map().size(), size = solution.u.size();
+  for (Eigen::Index first = 0; there && first < size; first += n) {
+    list.push_back(*there);
+    list.back().u << there->u.tail(size - first), there->u.head(first);
+    list.back().tangent.head(size) << there->tangent.segment(first, size - first),
+        there->tangent.head(first);
+  }
+  return list;
 }
 
 }  // namespace graze

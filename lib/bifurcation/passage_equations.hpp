@@ -20,10 +20,8 @@
 #include <tuple>
 #include <vector>
 
-#include "graze/assembly/system_family.hpp"
-#include "graze/bifurcation/orbit_branch.hpp"
+#include "graze/bifurcation/orbit_problem.hpp"
 #include "graze/bifurcation/remembered.hpp"
-#include "graze/continuation/branch.hpp"
 #include "graze/orbit/followed_orbit.hpp"
 #include "graze/orbit/release.hpp"
 
@@ -35,25 +33,19 @@ inline constexpr double kTouchDepth = 1e-10;
 
 // Remembers the system of the values asked for last, and what was followed and judged last: one
 // thread at a time.
-class PassageEquations {
+class PassageEquations : public OrbitProblem {
  public:
   // Refers to the scene. `units`: of the parameters, the lengths of their ranges. `reference`: see
   // SectionMap.
   PassageEquations(const Scene& scene, const std::vector<std::string>& parameters,
                    std::vector<double> units, const System& reference, const PassageLayout& layout,
                    const PassageOptions& options);
-  PassageEquations(const PassageEquations&) = delete;
-  PassageEquations& operator=(const PassageEquations&) = delete;
 
-  // The same of orbits of twice the period; where a stop is released at the section, which is the
-  // only one then, on that.
-  std::unique_ptr<PassageEquations> doubled() const;
-
-  const ZeroProblem& problem() const { return problem_; }
   const PassageShooting& shooting() const { return shooting_; }
   const SectionMap& map() const { return shooting_.map(); }
   const PassageLayout& layout() const { return shooting_.layout(); }
-  int period() const { return layout().period; }
+  OrbitLayout orbit_layout() const override { return layout(); }
+  int period() const override { return layout().period; }
   double unit(std::size_t parameter) const { return units_[parameter]; }
   // Whether the impacts are part of the equations: not where all directions are held, N = m.
   bool see_impacts() const { return map().size() > 0; }
@@ -63,25 +55,23 @@ class PassageEquations {
   // Of the forced motion of the reference, m, m/s.
   double length() const { return scale_.length; }
   double speed_unit() const { return scale_.speed; }
-  // Null where the scene does not allow the values; holds until others are asked for.
-  const System* system_at(Parameters at) const { return systems_.at(at); }
-  const System* system_at(double value) const { return systems_.at(std::span(&value, 1)); }
   // Forcing period there, s; requires the value to be allowed.
   double period_at(const BranchPoint& solution) const {
     return system_at(solution.parameter)->period();
   }
 
-  // What the second half of a solution differs from the first by, or how far the motion is from
-  // coming back after half the period where the halves are no unknowns: zero where the orbit has
-  // half the period. Empty where that is not whole, or cannot be followed.
-  Vector halves_differ(const BranchPoint& solution) const;
-  // Whether it has half the period.
-  bool is_half(const BranchPoint& solution) const;
-  // Whether the branch passes an orbit of half the period between two neighbours.
-  bool passes_half(const BranchPoint& a, const BranchPoint& b) const;
-  // The orbit of a solution; nothing where the motion cannot be followed, meets no stop, or does
-  // not return to its release.
-  std::optional<OrbitBranchPoint> judge(const BranchPoint& solution) const;
+  // Nothing where the motion cannot be followed, meets no stop, or does not return to its release.
+  std::optional<OrbitBranchPoint> judge(const BranchPoint& solution) const override;
+  void name(OrbitBranch& branch) const override;
+  std::string why_not_continued(const BranchPoint& solution) const override;
+  // Where the halves are no unknowns: how far the motion is from coming back after half the period.
+  Vector halves_differ(const BranchPoint& solution) const override;
+  // Where a stop is released at the section, which is the only one then, on that.
+  std::unique_ptr<OrbitProblem> doubled() const override;
+  BranchPoint twice_round(const BranchPoint& solution) const override;
+  std::unique_ptr<OrbitProblem> clearer(const BranchPoint& solution) const override;
+  std::vector<BranchPoint> rewritings(const OrbitProblem& of, const ContinuationOptions& options,
+                                      const BranchPoint& solution) const override;
 
   // At a release: what becomes of the motion of a solution; nothing where it cannot be followed.
   // `minima`: as in PassageOptions.
@@ -120,24 +110,24 @@ class PassageEquations {
   // The touch there, as an orbit has it.
   std::optional<Touch> touch_at(const Vector& y, Parameters behind, int stop) const;
 
+  std::optional<BranchPoint> carried_to(const OrbitProblem& other,
+                                        const ContinuationOptions& options,
+                                        const BranchPoint& solution) const override;
+
+ private:
   // Where a stroboscopic section would lie farthest from all instants at which the derivative of
   // the motion jumps, as a forcing phase, rad; nothing where there are none, or where it lies at
   // least a part of that far from them as it is.
   std::optional<double> clearer_section(const BranchPoint& solution) const;
-  // The solution, and its tangent, in the equations of another section; nothing where it cannot be
-  // solved for there.
-  std::optional<BranchPoint> carried_to(const PassageEquations& other,
-                                        const ContinuationOptions& options,
-                                        const BranchPoint& solution) const;
-
- private:
   PassageEquations(const Scene& scene, const std::vector<std::string>& parameters,
                    std::vector<double> units, const MotionScale& scale, PassageShooting shooting);
-  std::optional<ZeroEvaluation> evaluate(const Vector& u, Parameters at) const;
-  std::optional<Eigen::MatrixXcd> curvature(const Vector& u, Parameters at,
-                                            const std::vector<CriticalProduct>& products) const;
-  // By every parameter, of an allowed system; empty where one is none.
-  std::vector<const System*> tangents_at(Parameters at) const;
+  std::optional<ShootingLinearisation> linearise(
+      const System& system, const Vector& u,
+      std::span<const System* const> tangents) const override;
+  std::vector<Eigenvalue> multipliers(const System& system, const Vector& u,
+                                      ErrorBounds errors) const override;
+  std::optional<Eigen::MatrixXcd> curvature(
+      const Vector& u, Parameters at, const std::vector<CriticalProduct>& products) const override;
   // y = (x, first/unit, psi) and the others: where all parameters are.
   std::vector<double> parameters_of(const Vector& y, Parameters behind) const;
   std::optional<SectionMap::Within> within(const Vector& y, Parameters all,
@@ -145,11 +135,9 @@ class PassageEquations {
 
   const Scene& scene_;
   std::vector<std::string> parameters_;
-  mutable SystemCursor systems_;
   std::vector<double> units_;
   MotionScale scale_;
   PassageShooting shooting_;
-  ZeroProblem problem_;
   mutable Remembered<std::tuple<Vector, double>, std::optional<OrbitBranchPoint>> judged_;
   // By unknowns, parameter and `minima`; by unknowns and parameter.
   mutable Remembered<std::tuple<Vector, double, bool>, std::optional<ReleaseReturn>> followed_;
@@ -159,9 +147,5 @@ class PassageEquations {
 // Whether a motion returns through the same events as another: the same stuck phases and, where
 // they are asked for, the same impacts outside the chatters.
 bool has_same_events(const ReleaseReturn& back, const ReleaseReturn& other, bool impacts);
-
-// A solution seen as one of the doubled period on twice as many sections, where it is a branch
-// point if it doubles there; unchanged where a section is all there is.
-BranchPoint twice_round(const PassageEquations& doubled, const BranchPoint& point);
 
 }  // namespace graze

@@ -8,10 +8,10 @@
 #include <vector>
 
 #include "graze/bifurcation/canonical_pattern.hpp"
+#include "graze/bifurcation/flight_equations.hpp"
 #include "graze/bifurcation/grazing_curve.hpp"
 #include "graze/bifurcation/locus_leads.hpp"
 #include "graze/bifurcation/locus_parts.hpp"
-#include "graze/bifurcation/orbit_equations.hpp"
 #include "graze/continuation/locus.hpp"
 
 namespace graze {
@@ -52,7 +52,7 @@ class CriticalLoci {
   Vector speeds(const LocusPoint& at) const;
 
   OrbitLocusKind kind_;
-  OrbitEquations orbits_;
+  FlightEquations orbits_;
   LocusOptions options_;
   double speed_unit_;  // m/s
   std::vector<Locus> traced_;

@@ -38,14 +38,6 @@ std::optional<SpecialOrbit::Followed> followed_part(const OrbitBranch& branch,
   return as_followed(at.orbit.period, at.value, *at.orbit.section);
 }
 
-// As much of it as its equations start from.
-Orbit strobed_orbit(const SpecialOrbit::Followed& at) {
-  Orbit orbit;
-  orbit.period = at.period;
-  orbit.section = OrbitSection{{}, at.states, at.closure_speed};
-  return orbit;
-}
-
 std::optional<OrbitLocusKind> locus_of(const SpecialOrbit& special) {
   if (special.locus) return special.locus;
   if (special.by_push || (special.sticks() && special.kind && is_border(*special.kind))) return {};
@@ -58,6 +50,17 @@ std::optional<OrbitLocusKind> locus_of(const SpecialOrbit& special) {
 
 bool SpecialOrbit::sticks() const {
   return followed && !closed_stops(followed->states.front()).empty();
+}
+
+FollowedAnswer orbit_again(const System& system, const SpecialOrbit& special,
+                           PassageOptions passage) {
+  const SpecialOrbit::Followed& at = *special.followed;
+  passage.closure_speed = at.closure_speed;
+  if (special.sticks()) return orbit_through(system, at.states.front(), at.period, passage);
+  Orbit orbit;
+  orbit.period = at.period;
+  orbit.section = OrbitSection{{}, at.states, at.closure_speed};
+  return {orbit, ""};
 }
 
 std::vector<SpecialOrbit> special_orbits(const OrbitBranches& traced, const System& system) {
@@ -118,12 +121,7 @@ std::optional<OrbitLocusStart> locus_start(const System& system, const SpecialOr
   const std::optional<OrbitLocusKind> kind = locus_of(special);
   if (!kind) return {};
   if (special.followed) {
-    const SpecialOrbit::Followed& at = *special.followed;
-    PassageOptions passage;
-    passage.closure_speed = at.closure_speed;
-    FollowedAnswer answer = special.sticks()
-                                ? orbit_through(system, at.states.front(), at.period, passage)
-                                : FollowedAnswer{strobed_orbit(at), ""};
+    FollowedAnswer answer = orbit_again(system, special, {});
     if (!answer.orbit) return {};
     return OrbitLocusStart{
         *kind, {}, first, second, special.multiplier.value_or(1.0), std::move(answer.orbit)};

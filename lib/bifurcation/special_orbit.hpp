@@ -9,6 +9,7 @@
 #include "graze/bifurcation/orbit_branch.hpp"
 #include "graze/bifurcation/orbit_locus.hpp"
 #include "graze/hybrid/motion.hpp"
+#include "graze/orbit/followed_orbit.hpp"
 
 namespace graze {
 
@@ -41,6 +42,11 @@ struct SpecialOrbit {
   std::optional<Followed> followed{};
   bool sticks() const;
 };
+
+// Of a special point that is followed: the orbit, as much of it as its equations start from.
+// `system`: at its values.
+FollowedAnswer orbit_again(const System& system, const SpecialOrbit& special,
+                           PassageOptions passage);
 
 // Where a branch is to be traced from, without any search: from a special point, at the value that
 // the family's own scene has.

@@ -1,5 +1,6 @@
 #include "graze/continuation/switching.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -39,6 +40,27 @@ std::optional<BranchPoint> other_branch(const ZeroProblem& problem,
   start.tangent = tangent;
   start.orientation = 0;
   return start;
+}
+
+void list_crossing(Branch& branch) {
+  // No sign changes from it to the next.
+  const auto here = std::find_if(branch.points.begin(), branch.points.end(),
+                                 [&](const BranchPoint& point) { return point.orientation == 0; });
+  if (here == branch.points.begin() || here >= branch.points.end() - 1) return;
+  const auto index = static_cast<std::size_t>(here - branch.points.begin());
+  CriticalPoint critical{CriticalKind::kBranchPoint, *here, index - 1, {}};
+  if (!here->multipliers.empty())
+    critical.multiplier =
+        *std::min_element(here->multipliers.begin(), here->multipliers.end(),
+                          [](const Eigenvalue& a, const Eigenvalue& b) {
+                            return std::abs(a.value - 1.0) < std::abs(b.value - 1.0);
+                          });
+  branch.points.erase(here);
+  for (CriticalPoint& other : branch.critical)
+    if (other.after >= index) --other.after;
+  const auto after = std::find_if(branch.critical.begin(), branch.critical.end(),
+                                  [&](const CriticalPoint& other) { return other.after >= index; });
+  branch.critical.insert(after, std::move(critical));
 }
 
 }  // namespace graze

@@ -24,4 +24,8 @@ namespace graze {
 std::optional<BranchPoint> other_branch(const ZeroProblem& problem,
                                         const ContinuationOptions& options, const BranchPoint& at);
 
+// A branch that was traced both ways from a branch point has that among its points: makes it one of
+// its special points.
+void list_crossing(Branch& branch);
+
 }  // namespace graze

@@ -82,8 +82,10 @@ std::optional<std::pair<PassageShooting, Polished<Equations>>> shorter(
   const PassageLayout& whole = shooting.layout();
   for (int p = 1; p < whole.period; ++p) {
     if (whole.period % p != 0) continue;
-    const int sections = std::max(1, whole.sections * p / whole.period);
-    const PassageShooting part = shooting.over(p, sections);
+    PassageLayout less = whole;
+    less.period = p;
+    less.sections = std::max(1, whole.sections * p / whole.period);
+    const PassageShooting part = shooting.over(std::move(less));
     const Vector first = u.head(part.size());
     if (u.size() > part.size() &&
         (u.tail(u.size() - part.size()) - u.head(u.size() - part.size())).norm() >

@@ -29,10 +29,9 @@ PassageShooting::PassageShooting(const System& reference, PassageLayout layout,
     push_ = push_scale(reference, reference.stops[static_cast<std::size_t>(*layout_.released)]);
 }
 
-PassageShooting PassageShooting::over(int period, int sections) const {
+PassageShooting PassageShooting::over(PassageLayout layout) const {
   PassageShooting other = *this;
-  other.layout_.period = period;
-  other.layout_.sections = sections;
+  other.layout_ = std::move(layout);
   return other;
 }
 

@@ -56,8 +56,8 @@ class PassageShooting {
 
   const PassageLayout& layout() const { return layout_; }
   const SectionMap& map() const { return map_; }
-  // The same sections of orbits of another period, in the same coordinates.
-  PassageShooting over(int period, int sections) const;
+  // Orbits of another layout with the same stops closed, in the same coordinates.
+  PassageShooting over(PassageLayout layout) const;
 
   Eigen::Index size() const { return head() + layout_.sections * map_.size(); }
   Eigen::Index head() const { return layout_.released ? 1 : 0; }  // where x_1 begins

@@ -8,6 +8,12 @@
 #include "graze/system/scale.hpp"
 
 namespace graze {
+namespace {
+
+// A stuck phase that lasts less than this part of a forcing period has shrunk to nothing: what
+// 1e-10 of the parameter leaves of it beside CH, (1e-10)^(3/5).
+constexpr double kGone = 1e-6;
+}  // namespace
 
 std::optional<ReleaseReturn> return_of(const System& system, const PassageShooting& shooting,
                                        const Vector& u, bool minima) {
@@ -38,6 +44,10 @@ std::optional<ReleaseReturn> return_of(const System& system, const PassageShooti
         result.passage.end.contacts[static_cast<std::size_t>(i)] != Contact::kClosed)
       result.returns = false;
   return result;
+}
+
+bool has_shrunk(const ReleaseReturn& back, double period) {
+  return back.shortest_hold <= kGone * period;
 }
 
 }  // namespace graze

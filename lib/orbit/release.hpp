@@ -28,4 +28,7 @@ struct ReleaseReturn {
 std::optional<ReleaseReturn> return_of(const System& system, const PassageShooting& shooting,
                                        const Vector& u, bool minima = false);
 
+// Whether a stuck phase of the motion has shrunk to nothing. `period` of the forcing, s.
+bool has_shrunk(const ReleaseReturn& back, double period);
+
 }  // namespace graze

@@ -24,6 +24,7 @@ struct ImpactPattern {
   std::vector<int> stops;  // the stop of each impact, in time order (index from 0)
 
   int impacts() const { return static_cast<int>(stops.size()); }
+  bool operator==(const ImpactPattern&) const = default;
 };
 
 // One impact: where the motion is just before it.

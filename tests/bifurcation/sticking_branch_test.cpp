@@ -1,6 +1,5 @@
 // Branches of orbits that stick: chatters that complete at their release against a bisection in 60
 // digits, points against what simulations settle on.
-#include "graze/bifurcation/sticking_branches.hpp"
 
 #include <gtest/gtest.h>
 

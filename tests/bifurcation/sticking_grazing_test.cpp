@@ -7,7 +7,7 @@
 #include <memory>
 
 #include "branch_checks.hpp"
-#include "graze/bifurcation/sticking_borders.hpp"
+#include "graze/bifurcation/release_borders.hpp"
 #include "graze/flow/exact_flow.hpp"
 #include "graze/orbit/laid_orbit.hpp"
 #include "graze/scene/parameter.hpp"
@@ -214,25 +214,28 @@ TEST(StickingGrazing, PairsBetweenOrbitsWithTheSameEventsAreSeen) {
   ASSERT_LT(excess(without, a, gap), 0.0);
   ASSERT_LT(excess(without, b, gap), 0.0);
   ASSERT_GT(excess(without, at(middle), gap), 0.0);
-  StickingBorders borders(equations, range);
-  EXPECT_TRUE(borders.passes(a, b));
+  ReleaseBorders borders(equations, range);
+  EXPECT_FALSE(borders.goes_on(a, b));
   for (const bool from_left : {true, false}) {
     double outside = from_left ? low : high, inside = middle;
     for (int i = 0; i < 45; ++i) {
       const double half = 0.5 * (outside + inside);
       (excess(without, at(half), gap) > 0.0 ? inside : outside) = half;
     }
-    const StickingTip tip = from_left ? borders.between(a, b) : borders.between(b, a);
-    ASSERT_TRUE(tip.border);
-    EXPECT_EQ(tip.end, OrbitBranchEnd::kGrazing);
-    EXPECT_FALSE(tip.by_speed);
-    EXPECT_NEAR(tip.value / outside, 1.0, 1e-9);
+    Branch step;
+    step.points = {a, b};
+    step.ends = {BranchEnd::kHalted, BranchEnd::kHalted};
+    const std::optional<BranchTip> tip = borders.close(step, from_left ? 1 : 0);
+    ASSERT_TRUE(tip && tip->place && tip->place->special);
+    EXPECT_EQ(tip->end, OrbitBranchEnd::kGrazing);
+    EXPECT_FALSE(tip->place->special->by_speed);
+    EXPECT_NEAR(tip->place->at.value / outside, 1.0, 1e-9);
   }
   // Where the stop is a little farther away there is nothing between.
   const SystemFamily beyond(two_modes(1.5188), "forcing.frequency");
   const auto untouched = equations_of(beyond);
-  StickingBorders none(*untouched, range);
-  EXPECT_FALSE(none.passes(a, b));
+  ReleaseBorders none(*untouched, range);
+  EXPECT_TRUE(none.goes_on(a, b));
 }
 
 }  // namespace

@@ -17,10 +17,14 @@
 namespace graze {
 namespace {
 
-OrbitBranches followed(const Scene& scene, double from, double to, double max_step) {
-  return support::trace_from_runs(
-      scene, "forcing.frequency",
-      {.from = from, .to = to, .max_step = max_step, .start_values = 8, .follow_depth = 1});
+OrbitBranches followed(const Scene& scene, double from, double to, double max_step,
+                       int start_values) {
+  return support::trace_from_runs(scene, "forcing.frequency",
+                                  {.from = from,
+                                   .to = to,
+                                   .max_step = max_step,
+                                   .start_values = start_values,
+                                   .follow_depth = 1});
 }
 
 double fastest(const Orbit& orbit, int stop) {
@@ -34,7 +38,7 @@ double fastest(const Orbit& orbit, int stop) {
 // motion settles on.
 TEST(StickingSwitch, DoubledOrbitsLeadFromDoublingToDoubling) {
   const Scene scene = support::shipped_scene("09_soft_stop_two_modes");
-  const OrbitBranches result = followed(scene, 40.0, 40.6, 0.05);
+  const OrbitBranches result = followed(scene, 40.0, 40.6, 0.05, 8);
   ASSERT_EQ(result.branches.size(), 2u);
   const OrbitBranch& doubled = result.branches[1];
   EXPECT_EQ(doubled.pattern.period, 2);
@@ -77,12 +81,11 @@ TEST(StickingSwitch, BranchesThatCrossAreFoundFromEachOther) {
       "[[stop]]\nshape = [1.0, 1.33]\ngap = 0.05\nrestitution = 0.2\n"
       "[[stop]]\nshape = [1.0, 1.33]\ngap = 0.05\nside = \"below\"\nrestitution = 0.2\n",
       "between_stops.toml");
-  const OrbitBranches result = followed(scene, 0.64, 0.75, 0.01);
+  const OrbitBranches result = followed(scene, 0.64, 0.75, 0.01, 8);
   ASSERT_EQ(result.branches.size(), 2u);
   const auto points = support::special_points(result, SpecialKind::kBranchPoint);
   ASSERT_EQ(points.size(), 2u);
   EXPECT_NEAR(points[0]->at.value / points[1]->at.value, 1.0, 1e-10);
-  EXPECT_EQ(result.branches[0].origin.empty(), !result.branches[1].origin.empty());
   EXPECT_EQ(result.branches[0].component, result.branches[1].component);
   int symmetric = 0;
   for (const OrbitBranch& branch : result.branches) {
@@ -95,6 +98,16 @@ TEST(StickingSwitch, BranchesThatCrossAreFoundFromEachOther) {
     EXPECT_TRUE(most < 1e-6 || most > 1e-2) << most;
   }
   EXPECT_EQ(symmetric, 1);
+  // From one start the second branch is found by the first.
+  const OrbitBranches switched = followed(scene, 0.64, 0.75, 0.01, 0);
+  ASSERT_EQ(switched.branches.size(), 2u);
+  const auto named = [](const OrbitBranch& branch) { return branch.origin == "BP1"; };
+  EXPECT_EQ(std::count_if(switched.branches.begin(), switched.branches.end(), named), 1);
+  for (const OrbitBranch& branch : switched.branches)
+    EXPECT_TRUE(std::any_of(branch.points.begin(), branch.points.end(),
+                            [&](const OrbitBranchPoint& point) {
+                              return std::abs(point.value / points[0]->at.value - 1.0) < 1e-10;
+                            }));
 }
 
 // The scene asks for less than the default: so does what a search along the way says of itself.

@@ -1,4 +1,4 @@
-#include "graze/bifurcation/strobe_touch.hpp"
+#include "graze/bifurcation/touch_search.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -23,7 +23,7 @@ class TouchSearch {
   TouchSearch(const PassageEquations& equations, const ContinuationOptions& options)
       : equations_(equations), corrector_(equations.problem(), options), options_(options) {}
 
-  std::optional<StrobeBorder> near(const BranchPoint& from, const Touch& touch) {
+  std::optional<FoundTouch> near(const BranchPoint& from, const Touch& touch) {
     const Eigen::Index n = from.u.size();
     Vector y(n + 2);
     y << corrector_.pack(from), static_cast<double>(touch.turn) * kTurn + touch.angle;
@@ -56,11 +56,11 @@ class TouchSearch {
   }
 
  private:
-  std::optional<StrobeBorder> border(const Vector& y, const ZeroEvaluation& at, int stop) {
+  std::optional<FoundTouch> border(const Vector& y, const ZeroEvaluation& at, int stop) {
     const Eigen::Index n = y.size() - 2;
     const std::optional<Touch> touch = equations_.touch_at(y, {}, stop);
     if (!touch) return {};
-    StrobeBorder border;
+    FoundTouch border;
     border.at.u = y.head(n);
     border.at.parameter = y[n] * corrector_.range();
     border.at.residual = at.residual.head(n).cwiseAbs().maxCoeff();
@@ -83,16 +83,16 @@ int sign_of_orientation(const PassageEquations& equations, const ContinuationOpt
 
 }  // namespace
 
-std::optional<StrobeBorder> touch_between(const PassageEquations& equations,
-                                          const ContinuationOptions& options, const BranchPoint& a,
-                                          const BranchPoint& b, int stop) {
+std::optional<FoundTouch> touch_between(const PassageEquations& equations,
+                                        const ContinuationOptions& options, const BranchPoint& a,
+                                        const BranchPoint& b, int stop) {
   TouchSearch search(equations, options);
-  std::optional<StrobeBorder> best;
+  std::optional<FoundTouch> best;
   double nearest = std::numeric_limits<double>::infinity();
   for (const BranchPoint* from : {&a, &b})
     for (const Touch& touch : equations.touches_near(*from)) {
       if (touch.stop != stop) continue;
-      const std::optional<StrobeBorder> border = search.near(*from, touch);
+      const std::optional<FoundTouch> border = search.near(*from, touch);
       const std::optional<double> part =
           border ? search.part_between(a, b, border->at) : std::nullopt;
       if (!part || !(*part < nearest)) continue;

@@ -1,4 +1,4 @@
-#include "graze/bifurcation/sticking_completion.hpp"
+#include "graze/bifurcation/release_completion.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -11,9 +11,6 @@
 namespace graze {
 namespace {
 
-// A stuck phase that lasts less than this part of a forcing period has shrunk to nothing: what
-// 1e-10 of the parameter leaves of it beside CH, (1e-10)^(3/5).
-constexpr double kGone = 1e-6;
 // Where the contact force touches zero the stop is open for a time that goes as the square root of
 // the distance: what 1e-10 of the parameter leaves of it, of a forcing period.
 constexpr double kInterrupted = 1e-5;
@@ -63,7 +60,7 @@ double last_opening(const PassageEquations& equations, const std::vector<BranchP
 
 // The orbit met beyond, where its stuck phases are others: of those next to the border that have
 // the same ones the farthest.
-std::optional<BranchPoint> orbit_beyond(const StickingApproach& approach) {
+std::optional<BranchPoint> orbit_beyond(const ReleaseApproach& approach) {
   std::optional<BranchPoint> other;
   const auto& others = approach.others;
   for (auto known = others.rbegin(); known != others.rend(); ++known) {
@@ -86,11 +83,7 @@ std::optional<BranchPoint> last_orbit(const PassageEquations& equations,
 
 }  // namespace
 
-bool has_shrunk(const ReleaseReturn& back, double period) {
-  return back.shortest_hold <= kGone * period;
-}
-
-StickingTip completion(const PassageEquations& equations, const StickingApproach& approach) {
+ReleaseTip completion(const PassageEquations& equations, const ReleaseApproach& approach) {
   const BranchPoint& inside = approach.reached.back();
   const ReleaseReturn& here = approach.last;
   const std::optional<ReleaseReturn>& beyond = approach.beyond;

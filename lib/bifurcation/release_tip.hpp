@@ -8,7 +8,7 @@
 
 namespace graze {
 
-struct StickingTip {
+struct ReleaseTip {
   // CH, LO, GR or PD at a border; "not converged" where what is there cannot be told.
   OrbitBranchEnd end = OrbitBranchEnd::kNotConverged;
   std::optional<BranchPoint> border;  // the special point there, where there is one

@@ -1,4 +1,4 @@
-#include "graze/bifurcation/sticking_grazing.hpp"
+#include "graze/bifurcation/release_grazing.hpp"
 
 #include <algorithm>
 #include <array>
@@ -112,15 +112,15 @@ bool touches(const PassageEquations& equations, const BranchPoint& at) {
          *here->passage.clearance() <= kTouches * length_unit(equations, at);
 }
 
-StickingTip grazing_at(const PassageEquations& equations, Corrector& corrector,
-                       const std::vector<BranchPoint>& reached, bool is_lost) {
+ReleaseTip grazing_at(const PassageEquations& equations, Corrector& corrector,
+                      const std::vector<BranchPoint>& reached, bool is_lost) {
   const BranchPoint& at = reached.back();
   const std::optional<ReleaseReturn> here = equations.follow(at);
   if (!here) return {};
   const double unit = speed_unit(equations, at);
   const bool by_speed = is_lost || here->itinerary.slowest <= kStill * unit;
   if (!by_speed && !touches(equations, at)) return {};
-  StickingTip tip{OrbitBranchEnd::kGrazing, at, by_speed, false, at.parameter, {}};
+  ReleaseTip tip{OrbitBranchEnd::kGrazing, at, by_speed, false, at.parameter, {}};
   // Where the motion does not feel the impact its speed goes as the root of the distance: what is
   // left of that is nothing.
   if (by_speed && !equations.see_impacts()) return tip;
@@ -146,9 +146,9 @@ StickingTip grazing_at(const PassageEquations& equations, Corrector& corrector,
   return tip;
 }
 
-StickingTip grazing_ahead(const PassageEquations& equations, Corrector& corrector,
-                          const ContinuationOptions& options, const BranchPoint& a,
-                          const BranchPoint& b) {
+ReleaseTip grazing_ahead(const PassageEquations& equations, Corrector& corrector,
+                         const ContinuationOptions& options, const BranchPoint& a,
+                         const BranchPoint& b) {
   const std::optional<ReleaseReturn> before = equations.follow(a), now = equations.follow(b);
   if (!before || !now || !now->returns || now->holds != before->holds) return {};
   const double unit = speed_unit(equations, b);
@@ -159,7 +159,7 @@ StickingTip grazing_ahead(const PassageEquations& equations, Corrector& correcto
       equations, corrector, {a, before->itinerary.slowest}, {b, now->itinerary.slowest}, b.tangent);
   const std::optional<double> value = grazing_value(near, kReliable * unit);
   if (!value) return {};
-  StickingTip tip{OrbitBranchEnd::kGrazing, b, true, false, *value, {}};
+  ReleaseTip tip{OrbitBranchEnd::kGrazing, b, true, false, *value, {}};
   tip.beyond = without_impact(equations, options, b, *value);
   return tip;
 }

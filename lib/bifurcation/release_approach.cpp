@@ -1,4 +1,4 @@
-#include "graze/bifurcation/sticking_approach.hpp"
+#include "graze/bifurcation/release_approach.hpp"
 
 #include <limits>
 
@@ -9,11 +9,11 @@ constexpr int kMostSteps = 400;  // of a bisection that may need two for each of
 
 }  // namespace
 
-StickingApproach approach_border(const PassageEquations& equations, Corrector& corrector,
-                                 const StopSignal& stop, const BranchPoint& a, const BranchPoint& b,
-                                 const ReleaseReturn& at_a, bool impacts) {
+ReleaseApproach approach_border(const PassageEquations& equations, Corrector& corrector,
+                                const StopSignal& stop, const BranchPoint& a, const BranchPoint& b,
+                                const ReleaseReturn& at_a, bool impacts) {
   const Vector chord = corrector.chord(a, b);
-  StickingApproach result;
+  ReleaseApproach result;
   BranchPoint inside = a;
   if (inside.tangent.dot(chord) < 0.0) inside.tangent *= -1.0;
   result.reached = {inside};

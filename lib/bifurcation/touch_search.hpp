@@ -13,15 +13,15 @@
 
 namespace graze {
 
-struct StrobeBorder {
+struct FoundTouch {
   BranchPoint at;  // on the branch, its tangent turned along it
   Touch touch;     // in that orbit
 };
 
 // The grazing of a stop between two neighbours on a branch; the nearer to `a` where there are
 // several. Nothing where Newton's method leads to none that lies between them.
-std::optional<StrobeBorder> touch_between(const PassageEquations& equations,
-                                          const ContinuationOptions& options, const BranchPoint& a,
-                                          const BranchPoint& b, int stop);
+std::optional<FoundTouch> touch_between(const PassageEquations& equations,
+                                        const ContinuationOptions& options, const BranchPoint& a,
+                                        const BranchPoint& b, int stop);
 
 }  // namespace graze

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "graze/bifurcation/passage_equations.hpp"
-#include "graze/bifurcation/sticking_tip.hpp"
+#include "graze/bifurcation/release_tip.hpp"
 #include "graze/continuation/corrector.hpp"
 
 namespace graze {
@@ -19,13 +19,13 @@ bool touches(const PassageEquations& equations, const BranchPoint& at);
 
 // The grazing at the last of these points, where an impact or an approach touches there; else no
 // border. `is_lost`: an impact is, by what is known of the other side.
-StickingTip grazing_at(const PassageEquations& equations, Corrector& corrector,
-                       const std::vector<BranchPoint>& reached, bool is_lost);
+ReleaseTip grazing_at(const PassageEquations& equations, Corrector& corrector,
+                      const std::vector<BranchPoint>& reached, bool is_lost);
 
 // The grazing that lies ahead of b as seen from a, where an impact has become slow on the way to b;
 // and an orbit without that impact, if there is one near. No border where none has.
-StickingTip grazing_ahead(const PassageEquations& equations, Corrector& corrector,
-                          const ContinuationOptions& options, const BranchPoint& a,
-                          const BranchPoint& b);
+ReleaseTip grazing_ahead(const PassageEquations& equations, Corrector& corrector,
+                         const ContinuationOptions& options, const BranchPoint& a,
+                         const BranchPoint& b);
 
 }  // namespace graze

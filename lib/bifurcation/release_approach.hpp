@@ -11,7 +11,7 @@
 
 namespace graze {
 
-struct StickingApproach {
+struct ReleaseApproach {
   // The solutions on this side, the orbit it started from first; never empty.
   std::vector<BranchPoint> reached;
   ReleaseReturn last;  // of the last of these
@@ -24,8 +24,8 @@ struct StickingApproach {
 };
 
 // From `a`, whose events are those of `at_a`, towards `b`; `impacts`: see has_same_events().
-StickingApproach approach_border(const PassageEquations& equations, Corrector& corrector,
-                                 const StopSignal& stop, const BranchPoint& a, const BranchPoint& b,
-                                 const ReleaseReturn& at_a, bool impacts);
+ReleaseApproach approach_border(const PassageEquations& equations, Corrector& corrector,
+                                const StopSignal& stop, const BranchPoint& a, const BranchPoint& b,
+                                const ReleaseReturn& at_a, bool impacts);
 
 }  // namespace graze

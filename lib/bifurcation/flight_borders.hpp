@@ -1,0 +1,44 @@
+// Borders of orbits whose flights are prescribed: where a stop is touched between two impacts, an
+// impact loses its speed, or one that leaves its stop at rest is pushed back (GR), and where two
+// impacts come together. Solutions go on beyond, as none of the system; between neighbours where
+// that may happen unseen solutions are looked at (grazing_stations.hpp).
+#pragma once
+
+#include "graze/bifurcation/branch_borders.hpp"
+#include "graze/bifurcation/grazing_stations.hpp"
+#include "graze/bifurcation/remembered.hpp"
+
+namespace graze {
+
+class FlightBorders : public BranchBorders {
+ public:
+  // Refers to both, which must outlive it. `keep_virtual`: whether solutions that are no orbits of
+  // the system are listed too.
+  FlightBorders(const FlightEquations& equations, const ContinuationOptions& options,
+                bool keep_virtual)
+      : equations_(equations),
+        options_(options),
+        keep_virtual_(keep_virtual),
+        stations_(equations, options) {}
+
+  bool lists(const BranchPoint& solution) const override;
+  bool goes_on(const BranchPoint& /*previous*/, const BranchPoint& here) override {
+    return lists(here);
+  }
+  void pass(const JudgedPoint& a, const JudgedPoint& b, std::vector<BranchPlace>& places) override;
+  std::optional<Orbit> across(const SpecialPoint& special) const override;
+
+ private:
+  const SeenSolution& seen(const JudgedPoint& at);
+  BranchPlace place_of(const OrbitBranchPoint& at) const;
+  std::optional<BranchPlace> between(const SeenSolution& a, const SeenSolution& b) const;
+  std::optional<BranchPlace> grazing(const SeenSolution& a, const SeenSolution& b) const;
+
+  const FlightEquations& equations_;
+  const ContinuationOptions& options_;
+  bool keep_virtual_;
+  GrazingStations stations_;
+  Remembered<std::tuple<Vector, double, Vector>, SeenSolution> seen_;
+};
+
+}  // namespace graze
