@@ -17,8 +17,9 @@ struct BranchPlace {
   bool listed = true;  // is an orbit, or is wanted all the same
   // Of a branch that ends here.
   OrbitBranchEnd end = OrbitBranchEnd::kNotConverged;
-  bool begins = false;                      // a part of other orbits begins here
-  std::optional<OrbitBranchPoint> other{};  // an orbit that the special point leads to
+  bool begins = false;  // a part of other orbits begins here
+  // Orbits that the special point leads to, or what leads to these.
+  std::vector<OrbitBranchPoint> others{};
 };
 
 // A solution and what it is.

@@ -91,8 +91,8 @@ bool BranchCollector::trace_written(const Written& start, double value, Origin o
   if (!why.empty()) {
     notes_.insert(why);
     // At a grazing that was switched at rounding decides.
-  } else if (origin.branch < 0 && !orbits.borders->lists(*point)) {
-    ++result_.virtual_starts;
+  } else if (!origin.at_grazing && !orbits.borders->lists(*point)) {
+    result_.virtual_starts += origin.branch < 0 ? 1 : 0;
   } else if (!knows(orbits, *point)) {
     add(trace(orbits, *point, Directions::kBoth), origin);
   }
@@ -172,7 +172,7 @@ void BranchCollector::trace_restarted(LaidOrbits& orbits, const BranchPoint& poi
   special.by_speed = start.at.by_speed;
   special.by_push = start.at.by_push;
   special.solution = point;
-  switch_from(special, {&orbits, {}}, {});
+  switch_from(special, {&orbits, {}}, {-1, 0, special.kind == SpecialKind::kGrazing});
 }
 
 bool BranchCollector::knows(const LaidOrbits& orbits, const BranchPoint& solution) const {
@@ -233,7 +233,7 @@ void BranchCollector::follow() {
         if (options_.stop.requested()) return;
         const SpecialPoint special = found_[i].branch().special[k];
         const SpecialLead lead = found_[i].part.leads[k];
-        switch_from(special, lead, {static_cast<int>(i), k});
+        switch_from(special, lead, {static_cast<int>(i), k, special.kind == SpecialKind::kGrazing});
       }
     first = last;
   }
@@ -241,8 +241,8 @@ void BranchCollector::follow() {
     for (std::size_t k = 0; k < found_[i].branch().special.size(); ++k) {
       const SpecialPoint& special = found_[i].branch().special[k];
       const SpecialLead& lead = found_[i].part.leads[k];
-      const bool leads_on =
-          crosses(special.kind) || lead.other || lead.orbits->borders->across(special).has_value();
+      const bool leads_on = crosses(special.kind) || !lead.others.empty() ||
+                            lead.orbits->borders->across(special).has_value();
       result_.left_open += leads_on ? 1 : 0;
     }
 }
@@ -250,13 +250,18 @@ void BranchCollector::follow() {
 bool BranchCollector::switch_from(const SpecialPoint& special, const SpecialLead& lead,
                                   Origin origin) {
   if (crosses(special.kind)) return switch_across(*lead.orbits, special, origin);
-  const std::optional<Orbit> other =
-      lead.other ? lead.other->orbit : lead.orbits->borders->across(special);
-  if (!other) return false;
-  const double value = lead.other ? lead.other->value : special.solution.parameter;
   const std::size_t known = found_.size();
-  for (const Written& one : problems_.written(*other, std::span(&value, 1)))
-    if (trace_written(one, value, origin)) break;
+  std::vector<OrbitBranchPoint> others = lead.others;
+  if (const auto across = lead.orbits->borders->across(special))
+    others.push_back(point_of_branch(special.solution.parameter, *across));
+  for (const OrbitBranchPoint& other : others)
+    for (const Written& one : problems_.written(other.orbit, std::span(&other.value, 1)))
+      if (trace_written(one, other.value, origin)) break;
+  if (special.kind == SpecialKind::kChatterCompletes && !others.empty() &&
+      !others.front().orbit.sticks())
+    notes_.insert(
+        "beyond a CH no single branch goes on: one more impact fits in each of infinitely many "
+        "windows that crowd up to it, and the orbits of the first ones were sought");
   return found_.size() > known;
 }
 

@@ -40,6 +40,7 @@ class BranchCollector {
   struct Origin {
     int branch = -1;
     std::size_t special = 0;
+    bool at_grazing = false;
   };
   struct Traced {
     LaidOrbits* orbits;

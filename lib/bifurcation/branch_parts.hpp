@@ -10,8 +10,8 @@ namespace graze {
 
 // Where a special point of a branch leads.
 struct SpecialLead {
-  LaidOrbits* orbits = nullptr;             // whose equations it solves
-  std::optional<OrbitBranchPoint> other{};  // as of BranchPlace
+  LaidOrbits* orbits = nullptr;            // whose equations it solves
+  std::vector<OrbitBranchPoint> others{};  // as of BranchPlace
 };
 
 struct BranchPart {

@@ -6,6 +6,7 @@
 
 #include "graze/bifurcation/release_completion.hpp"
 #include "graze/bifurcation/release_grazing.hpp"
+#include "graze/bifurcation/release_windows.hpp"
 #include "graze/continuation/critical.hpp"
 #include "graze/continuation/locate.hpp"
 
@@ -76,7 +77,7 @@ void ReleaseBorders::pass(const JudgedPoint& a, const JudgedPoint& b,
     if (!tip.border || tip.end != OrbitBranchEnd::kGrazing) return false;
     if (std::optional<BranchPlace> place = place_of(tip)) {
       place->end = OrbitBranchEnd::kNotConverged;
-      place->other.reset();
+      place->others.clear();
       places.push_back(std::move(*place));
     }
     return false;
@@ -101,7 +102,8 @@ std::optional<BranchPlace> ReleaseBorders::place_of(const ReleaseTip& tip) const
     }
   }
   place.special = SpecialPoint{kind, "", place.at, {}, tip.by_speed, solution, tip.interrupted};
-  if (tip.beyond) place.other = equations_.judge(*tip.beyond);
+  if (tip.beyond)
+    if (const auto other = equations_.judge(*tip.beyond)) place.others = {*other};
   return place;
 }
 
@@ -119,10 +121,14 @@ std::optional<BranchTip> ReleaseBorders::close(Branch& trace, std::size_t side) 
   }
   tip = side == 0 ? between(points[1], points[0]) : between(points.end()[-2], points.back());
   std::optional<BranchPlace> place = place_of(tip);
-  if (place)
-    end_at(*tip.border, trace, side);
-  else
+  if (!place) {
     drop_last(trace, side);
+    return BranchTip{tip.end, {}};
+  }
+  if (tip.end == OrbitBranchEnd::kChatterCompletes && place->others.empty())
+    place->others = windows_beyond(equations_, options_, *tip.border,
+                                   side == 0 ? points.front() : points.back());
+  end_at(*tip.border, trace, side);
   return BranchTip{tip.end, std::move(place)};
 }
 
