@@ -25,8 +25,8 @@ struct BranchOptions {
   // Orbits that stick too, whatever their number of impacts, with period p; sought by simulation.
   bool sticking = true;
   // How many special points in a row are switched at, onto doubled orbits (PD), crossing branches
-  // (BP), rewritten impact sequences (GR), and where they stick onto orbits with an impact (GR) or a
-  // stuck phase (CH) more or less, or those of the first windows beyond CH; 0: none.
+  // (BP), rewritten impact sequences (GR), and where they stick onto orbits with an impact (GR) or
+  // a stuck phase (CH) more or less, or those of the first windows beyond CH; 0: none.
   int follow_depth = 0;
   // In place of all starts: only the branch through it, and those that `follow_depth` leads to.
   std::optional<BranchStart> start{};

@@ -7,8 +7,7 @@
 #include <memory>
 #include <utility>
 
-#include "graze/bifurcation/passage_loci.hpp"
-#include "graze/bifurcation/pattern_loci.hpp"
+#include "graze/bifurcation/locus_tracer.hpp"
 #include "graze/scene/parameter.hpp"
 
 namespace graze {
@@ -37,10 +36,8 @@ std::optional<OrbitLocusKind> locus_kind(SpecialKind kind) {
 // meet their equations are singular, and known to about the square root of rounding.
 constexpr double kOnePlace = 1e-7;
 
-LocusPlane plane_of(const Scene& scene, const std::string& first, const std::string& second,
-                    const LociOptions& options, const System& own) {
-  LocusPlane plane{&scene, first, second, motion_scale(own), {}};
-  LocusOptions& range = plane.options;
+LocusOptions options_of(const LociOptions& options) {
+  LocusOptions range;
   range.first_from = options.branches.from;
   range.first_to = options.branches.to;
   range.second_from = options.second_from;
@@ -48,7 +45,7 @@ LocusPlane plane_of(const Scene& scene, const std::string& first, const std::str
   if (options.branches.max_step > 0.0)
     range.max_step = options.branches.max_step / first_range(range);
   range.stop = options.branches.stop;
-  return plane;
+  return range;
 }
 
 class LociTracer {
@@ -60,9 +57,9 @@ class LociTracer {
         own_(scene, first),
         other_(scene, second),
         systems_(scene, {first, second}),
-        plane_(plane_of(scene, first, second, options, *own_.at(own_.value()))),
-        followed_(scene, first, second, plane_.options,
-                  {0.0, options.branches.finder.max_impacts, options.branches.stop}) {
+        range_(options_of(options)),
+        tracer_(scene, first, second, range_,
+                {0.0, options.branches.finder.max_impacts, options.branches.stop}) {
     if (first == second)
       throw InputError(first + ": a locus takes two parameters that differ from one another");
     result_.first = first;
@@ -88,11 +85,11 @@ class LociTracer {
     const double all = static_cast<double>(seconds.size() + firsts.size());
     for (const double second : seconds) {
       tell(all);
-      slice(plane_.second, second, plane_.first, options_.branches.from, options_.branches.to);
+      slice(result_.second, second, result_.first, options_.branches.from, options_.branches.to);
     }
     for (const double first : firsts) {
       tell(all);
-      slice(plane_.first, first, plane_.second, options_.second_from, options_.second_to);
+      slice(result_.first, first, result_.second, options_.second_from, options_.second_to);
     }
   }
 
@@ -133,7 +130,7 @@ class LociTracer {
     BranchOptions branches = options_.branches;
     branches.from = from;
     branches.to = to;
-    if (parameter != plane_.first) branches.max_step = 0.0;
+    if (parameter != result_.first) branches.max_step = 0.0;
     branches.progress = nullptr;
     // Random guesses cost more than all else: on the first slice only, the scene's own where that
     // is in the ranges.
@@ -153,7 +150,7 @@ class LociTracer {
     if (!kind || special.by_push || special.interrupted || !wants(*kind)) return {};
     if (*kind == OrbitLocusKind::kGrazing && special.at.orbit.sticks()) return {};
     const double moved = special.at.value;
-    const bool over_first = family.parameter() == plane_.first;
+    const bool over_first = family.parameter() == result_.first;
     const LocusStartPlace place{over_first ? moved : fixed, over_first ? fixed : moved,
                                 special.multiplier.value_or(1.0)};
     const Orbit& orbit = special.at.orbit;
@@ -169,7 +166,6 @@ class LociTracer {
 
   // Its locus, and those that meet it.
   void begin(const OrbitLocusStart& start) {
-    if (start.followed) return begin_followed(start);
     std::deque<OrbitLocusStart> starts{start};
     while (!starts.empty() && !options_.branches.stop.requested()) {
       const std::size_t known = result_.loci.size();
@@ -181,35 +177,22 @@ class LociTracer {
     }
   }
 
-  // Of orbits that are followed its locus alone.
-  void begin_followed(const OrbitLocusStart& start) {
-    ++result_.starts;
-    PassageLocusAnswer answer = followed_.trace(start);
-    result_.shooting_evaluations += answer.evaluations;
-    if (answer.known) return;
-    if (!answer.locus) {
-      ++result_.lost_starts;
-      return;
-    }
-    if (is_cut_short(*answer.locus)) ++result_.cut_short;
-    result_.loci.push_back(std::move(*answer.locus));
-  }
-
   void add_leads(const OrbitLocus& locus, const OrbitLocusSpecial& special,
                  std::deque<OrbitLocusStart>& starts) {
-    if (!special.at.admissible && !options_.branches.keep_virtual) return;
+    // Of orbits that are followed no leads are known.
+    if (special.at.section || (!special.at.admissible && !options_.branches.keep_virtual)) return;
     const System* system = systems_.at(std::array{special.at.value, special.at.second});
     if (!system) return;
-    for (OrbitLocusStart& lead : leads_from(*system, locus, special, plane_.speed_unit()))
+    for (OrbitLocusStart& lead : leads_from(*system, locus, special, tracer_.speed_unit()))
       if (wants(lead.kind)) starts.push_back(std::move(lead));
   }
 
   void begin_one(const OrbitLocusStart& start) {
     ++result_.starts;
-    const LocusAnswer answer = trace_from(start);
+    const LocusAnswer answer = tracer_.trace(start);
     result_.shooting_evaluations += answer.evaluations;
     if (answer.known) return;
-    if (!answer.trace) {
+    if (!answer.trace || answer.trace->places.empty()) {
       ++result_.lost_starts;
       return;
     }
@@ -224,33 +207,16 @@ class LociTracer {
   bool is_a_point(const OrbitLocus& locus) const {
     const OrbitLocusPoint& first = locus.points.front();
     return std::all_of(locus.points.begin(), locus.points.end(), [&](const OrbitLocusPoint& point) {
-      return distance(point, first, plane_.options) <= kOnePlace;
+      return distance(point, first, range_) <= kOnePlace;
     });
   }
-
-  LocusAnswer trace_from(const OrbitLocusStart& start) {
-    const ImpactPattern& pattern = start.orbit.pattern;
-    const std::pair name(pattern.period, pattern.stops);
-    if (start.kind == OrbitLocusKind::kGrazing) {
-      auto& loci = grazing_[name];
-      if (!loci) loci = std::make_unique<GrazingLoci>(plane_, pattern);
-      return loci->trace(start);
-    }
-    auto& loci = critical_[{start.kind, name}];
-    if (!loci) loci = std::make_unique<CriticalLoci>(plane_, start.kind, pattern);
-    return loci->trace(start);
-  }
-
-  using Name = std::pair<int, std::vector<int>>;  // period, stops
 
   const Scene& scene_;
   const LociOptions& options_;
   SystemFamily own_, other_;
   SystemCursor systems_;
-  LocusPlane plane_;
-  std::map<std::pair<OrbitLocusKind, Name>, std::unique_ptr<CriticalLoci>> critical_;
-  std::map<Name, std::unique_ptr<GrazingLoci>> grazing_;
-  PassageLoci followed_;
+  LocusOptions range_;
+  LocusTracer tracer_;
   OrbitLoci result_;
 };
 

@@ -32,6 +32,8 @@ class OrbitProblem {
   const ZeroProblem& problem() const { return problem_; }
   virtual OrbitLayout orbit_layout() const = 0;
   virtual int period() const = 0;
+  // Not where as many stops are closed as there are modes: all are zero.
+  virtual bool has_multipliers() const { return true; }
 
   // Null where the scene does not allow the values.
   const System* system_at(Parameters at) const { return systems_.at(at); }

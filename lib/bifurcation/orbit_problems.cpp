@@ -28,13 +28,28 @@ LaidOrbits& OrbitProblems::keep(const OrbitLayout& layout, double closure_speed,
   return orbits_.back();
 }
 
+LaidOrbits& OrbitProblems::flights(const ImpactPattern& pattern) {
+  return keep(pattern, 0.0, [&] {
+    return std::make_unique<FlightEquations>(scene_, parameters_, pattern, scale_);
+  });
+}
+
 OrbitProblems::Written OrbitProblems::written(const ImpactPattern& pattern,
                                               const std::vector<ImpactPoint>& impacts) {
   const ImpactPattern order = canonical(pattern);
-  LaidOrbits& orbits = keep(order, 0.0, [&] {
-    return std::make_unique<FlightEquations>(scene_, parameters_, order, scale_);
-  });
-  return {&orbits, ShootingProblem(order, scale_).pack(in_canonical_order(pattern, impacts))};
+  return {&flights(order),
+          ShootingProblem(order, scale_).pack(in_canonical_order(pattern, impacts))};
+}
+
+std::vector<OrbitProblems::Written> OrbitProblems::rewritings(
+    const ImpactPattern& pattern, const std::vector<ImpactPoint>& impacts) {
+  const ImpactPattern order = canonical(pattern);
+  LaidOrbits& orbits = flights(order);
+  std::vector<Written> list;
+  for (const std::vector<ImpactPoint>& same :
+       graze::rewritings(order, in_canonical_order(pattern, impacts)))
+    list.push_back({&orbits, ShootingProblem(order, scale_).pack(same)});
+  return list;
 }
 
 std::vector<OrbitProblems::Written> OrbitProblems::written(const Orbit& orbit, Parameters at) {
@@ -50,7 +65,7 @@ std::vector<OrbitProblems::Written> OrbitProblems::written(const Orbit& orbit, P
                                                 passage);
     });
     const auto& equations = dynamic_cast<const PassageEquations&>(*orbits.problem);
-    list.push_back({&orbits, equations.shooting().pack(laid.theta, laid.states)});
+    list.push_back({&orbits, equations.shooting().pack(laid.theta, laid.states), laid.held});
   }
   return list;
 }
@@ -59,6 +74,12 @@ LaidOrbits& OrbitProblems::doubled(const LaidOrbits& orbits) {
   std::unique_ptr<OrbitProblem> twice = orbits->doubled();
   const OrbitLayout layout = twice->orbit_layout();
   return keep(layout, orbits.closure_speed, [&] { return std::move(twice); });
+}
+
+LaidOrbits& OrbitProblems::strobe_once(const LaidOrbits& orbits) {
+  const auto& passages = dynamic_cast<const PassageEquations&>(*orbits.problem);
+  const PassageLayout once = PassageLayout::strobe(1, passages.layout().theta);
+  return keep(once, orbits.closure_speed, [&] { return passages.laid(once); });
 }
 
 LaidOrbits* OrbitProblems::clearer(const LaidOrbits& orbits, const BranchPoint& solution) {

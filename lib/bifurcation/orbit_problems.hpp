@@ -29,12 +29,20 @@ class OrbitProblems {
   struct Written {
     LaidOrbits* orbits = nullptr;
     Vector u;
+    double held = 0.0;  // how long the stop that is released there was closed, s
   };
+  // Of one pattern, its impacts in this order.
+  LaidOrbits& flights(const ImpactPattern& pattern);
+  // In the pattern's canonical order, and from every impact that it may begin with.
   Written written(const ImpactPattern& pattern, const std::vector<ImpactPoint>& impacts);
+  std::vector<Written> rewritings(const ImpactPattern& pattern,
+                                  const std::vector<ImpactPoint>& impacts);
   // Every way in which it can be continued, the one to choose first; none where its stops are never
   // let go.
   std::vector<Written> written(const Orbit& orbit, Parameters at);
   LaidOrbits& doubled(const LaidOrbits& orbits);
+  // Those of period 1 on the same stroboscopic section.
+  LaidOrbits& strobe_once(const LaidOrbits& orbits);
   // As OrbitProblem::clearer; null where that is.
   LaidOrbits* clearer(const LaidOrbits& orbits, const BranchPoint& solution);
 

@@ -44,12 +44,16 @@ PassageEquations::PassageEquations(const Scene& scene, const std::vector<std::st
   problem_.wrap = shooting_.wrap();
 }
 
+std::unique_ptr<OrbitProblem> PassageEquations::laid(PassageLayout layout) const {
+  return std::unique_ptr<OrbitProblem>(
+      new PassageEquations(scene_, parameters_, units_, scale_, shooting_.over(std::move(layout))));
+}
+
 std::unique_ptr<OrbitProblem> PassageEquations::doubled() const {
   PassageLayout twice = layout();
   twice.period *= 2;
   if (!twice.released) twice.sections *= 2;
-  return std::unique_ptr<OrbitProblem>(
-      new PassageEquations(scene_, parameters_, units_, scale_, shooting_.over(std::move(twice))));
+  return laid(std::move(twice));
 }
 
 double PassageEquations::critical_tolerance() { return kCritical; }

@@ -46,6 +46,7 @@ class PassageEquations : public OrbitProblem {
   const PassageLayout& layout() const { return shooting_.layout(); }
   OrbitLayout orbit_layout() const override { return layout(); }
   int period() const override { return layout().period; }
+  bool has_multipliers() const override { return see_impacts(); }
   double unit(std::size_t parameter) const { return units_[parameter]; }
   // Whether the impacts are part of the equations: not where all directions are held, N = m.
   bool see_impacts() const { return map().size() > 0; }
@@ -66,6 +67,8 @@ class PassageEquations : public OrbitProblem {
   std::string why_not_continued(const BranchPoint& solution) const override;
   // Where the halves are no unknowns: how far the motion is from coming back after half the period.
   Vector halves_differ(const BranchPoint& solution) const override;
+  // Of orbits of another layout with the same stops closed, in the same coordinates.
+  std::unique_ptr<OrbitProblem> laid(PassageLayout layout) const;
   // Where a stop is released at the section, which is the only one then, on that.
   std::unique_ptr<OrbitProblem> doubled() const override;
   BranchPoint twice_round(const BranchPoint& solution) const override;

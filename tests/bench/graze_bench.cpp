@@ -3,8 +3,8 @@
 
 #include "graze/assembly/assembly.hpp"
 #include "graze/assembly/initial_state.hpp"
+#include "graze/bifurcation/locus_tracer.hpp"
 #include "graze/bifurcation/orbit_branches.hpp"
-#include "graze/bifurcation/pattern_loci.hpp"
 #include "graze/hybrid/simulation.hpp"
 #include "graze/orbit/closed_form.hpp"
 #include "graze/orbit/finder.hpp"
@@ -49,23 +49,19 @@ BENCHMARK(TraceBranch)->Arg(1)->Arg(2)->Arg(4)->Arg(8)->Unit(benchmark::kMillise
 void TraceLocus(benchmark::State& state) {
   const Scene scene =
       one_mode_scene({"beam.modes=" + std::to_string(state.range(0)), "forcing.frequency=47"});
-  LocusPlane plane;
-  plane.scene = &scene;
-  plane.first = "forcing.frequency";
-  plane.second = "stop.gap";
-  plane.scale = motion_scale(assemble(scene));
-  plane.options.first_from = 46.0;
-  plane.options.first_to = 52.0;
-  plane.options.second_from = 1e-3;
-  plane.options.second_to = 0.01;
-  plane.options.max_step = 0.01;
+  LocusOptions range;
+  range.first_from = 46.0;
+  range.first_to = 52.0;
+  range.second_from = 1e-3;
+  range.second_to = 0.01;
+  range.max_step = 0.01;
   const ClosedForm form = *closed_form(assemble(scene), 0, 1).form;
   const double gap = std::abs(form.kappa) * (1.0 - 1e-9);
   const OrbitLocusStart start{
       OrbitLocusKind::kFold, {{1, {0}}, {form.solutions(gap).front()}, 0}, 47.0, gap, 1.0};
   std::size_t points = 0;
   for (auto _ : state) {
-    CriticalLoci loci(plane, OrbitLocusKind::kFold, {1, {0}});
+    LocusTracer loci(scene, "forcing.frequency", "stop.gap", range, {});
     points += loci.trace(start).trace->places.size();
   }
   state.counters["points"] = static_cast<double>(points) / static_cast<double>(state.iterations());
