@@ -116,7 +116,13 @@ std::vector<BranchCollector::Written> BranchCollector::written(const SpecialOrbi
   const double value = family_.value();
   const std::optional<System> system = family_.at(value);
   if (!system) return {};
-  if (system->has_compliant_stop() && (!at.followed || at.sticks())) {
+  const auto gives_way = [&](int stop) {
+    return system->stops[static_cast<std::size_t>(stop)].is_compliant();
+  };
+  const std::vector<int> closed =
+      at.followed ? closed_stops(at.followed->states.front()) : std::vector<int>();
+  if (at.followed ? std::any_of(closed.begin(), closed.end(), gives_way)
+                  : system->has_compliant_stop()) {
     notes_.insert("the point is of orbits on rigid stops, and these give way");
     return {};
   }

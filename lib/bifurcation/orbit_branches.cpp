@@ -159,6 +159,7 @@ class OrbitTracer {
     finder.period = options_.period;
     finder.impacts = options_.impacts;
     finder.keep_virtual = !compliant_;
+    finder.sticking = options_.sticking;
     finder.stop = options_.stop;
     // Random guesses cost more than all else; elsewhere they stand in where the closed form cannot.
     if (!first && (compliant_ ||
@@ -168,8 +169,8 @@ class OrbitTracer {
     if (first || options_.impacts > 1 || compliant_) start = clear_start(family_.scene(), *system);
     finder.closure_speed = closure_speed_;
     FoundOrbits found = find_orbits(*system, start, finder);
-    // Those have branches of their own.
-    std::erase_if(found.orbits, [](const Orbit& orbit) { return orbit.sticks(); });
+    // On rigid stops alone those have a search of their own.
+    if (!compliant_) std::erase_if(found.orbits, [](const Orbit& orbit) { return orbit.sticks(); });
     if (result_.notes.empty()) result_.notes = found.notes;
     return std::move(found.orbits);
   }

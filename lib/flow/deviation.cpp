@@ -106,11 +106,17 @@ void move_instant(Deviations& deviations, const State& rate, const Eigen::RowVec
 }
 
 State held_rate(const System& system, const std::vector<int>& closed, const State& state,
-                double theta) {
+                double theta, const Vector& push) {
   State rate = vector_field(system, state, theta);
-  if (closed.empty()) return rate;
-  rate.qdot -= directions_of(system, closed) * (contact_share(system, closed) * rate.qdot);
+  if (push.size() > 0) rate.qdot += push;
+  rate.qdot = held(system, closed, rate.qdot);
   return rate;
+}
+
+Vector held(const System& system, const std::vector<int>& closed, const Vector& acceleration) {
+  if (closed.empty()) return acceleration;
+  return acceleration -
+         directions_of(system, closed) * (contact_share(system, closed) * acceleration);
 }
 
 void hold(const System& system, const std::vector<int>& closed, Deviations& deviations) {

@@ -35,8 +35,12 @@ Deviations growth(const ContactPhase<double>& phase, double s, const Deviations&
 void move_instant(Deviations& deviations, const State& rate, const Eigen::RowVectorXd& shift);
 
 // (q', q'') at forcing phase theta while the stops `closed` (with independent rows) hold.
+// `push`: an acceleration besides, as by springs; empty where there is none.
 State held_rate(const System& system, const std::vector<int>& closed, const State& state,
-                double theta);
+                double theta, const Vector& push = {});
+
+// What closed stops leave of an acceleration: P a = a - D (B^T D)^-1 B^T a.
+Vector held(const System& system, const std::vector<int>& closed, const Vector& acceleration);
 
 // Takes out what closed stops do not allow: displacements along the rows, velocities along the
 // directions of the contact forces. A displacement that is still there is rounding; velocities lose

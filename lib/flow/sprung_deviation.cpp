@@ -4,8 +4,10 @@
 #include <cmath>
 #include <functional>
 #include <limits>
+#include <optional>
 #include <vector>
 
+#include "graze/flow/contact_share.hpp"
 #include "graze/flow/sprung_rates_turning_impl.hpp"
 
 namespace graze {
@@ -14,11 +16,54 @@ namespace {
 namespace odeint = boost::numeric::odeint;
 using step_walk::Sprung;
 
+// P = 1 - D (B^T D)^-1 B^T.
+Matrix projection(const System& system, const std::vector<int>& closed) {
+  const Eigen::Index n = system.modes();
+  return Matrix::Identity(n, n) - directions_of(system, closed) * contact_share(system, closed);
+}
+
+// Its derivative along the tangent.
+Matrix projection_rate(const System& system, const System& tangent,
+                       const std::vector<int>& closed) {
+  return -directions_of(tangent, closed) * contact_share(system, closed) -
+         directions_of(system, closed) * contact_share_rate(system, tangent, closed);
+}
+
+std::vector<int> springs_of(const ContactPhase<double>& phase) {
+  std::vector<int> springs = phase.springs().loaded;
+  springs.insert(springs.end(), phase.springs().parted.begin(), phase.springs().parted.end());
+  return springs;
+}
+
+// What the phase integrates, in all coordinates though stops hold the structure: q'' = P f. Nothing
+// where none does.
+std::optional<SprungSystem> held_system(const System& system, const ContactPhase<double>& phase) {
+  if (phase.closed().empty()) return {};
+  SprungSystem sprung = phase.sprung();
+  const Matrix held = projection(system, phase.closed());
+  const Vector none = Vector::Zero(system.modes());
+  sprung.stiffness = held * system.omega.cwiseAbs2().asDiagonal();
+  sprung.damping = held * (2.0 * system.delta()).asDiagonal();
+  sprung.load = system.load() ? Vector(held * *system.load()) : none;
+  sprung.force = system.forcing() ? Vector(held * system.forcing()->amplitude) : none;
+  sprung.frequency = system.forcing() ? system.forcing()->frequency : 0.0;
+  sprung.powers.reset();
+  const std::vector<int> springs = springs_of(phase);
+  for (std::size_t i = 0; i < springs.size(); ++i) {
+    const Vector& row = system.stops[static_cast<std::size_t>(springs[i])].row;
+    sprung.springs[i].row = row;
+    sprung.springs[i].acting = held * row;
+  }
+  return sprung;
+}
+
 // What moves a deviation by a parameter besides itself.
 struct Source {
   const System& system;
   const System& tangent;
-  const std::vector<int>& springs;  // the stops that the springs are of
+  const std::vector<int> springs;  // the stops that the springs are of
+  // P and how it moves with the parameter; empty where no stop is closed.
+  Matrix held{}, held_rate{};
 
   // At displacements q, velocities v, accelerations a, and cos(theta): of the velocities and of the
   // accelerations, per unit of the parameter.
@@ -28,20 +73,41 @@ struct Source {
     // Times stretch where the frequency moves: instants are compared at equal phases.
     const double stretch = -tangent.forcing()->frequency / system.forcing()->frequency;
     velocity = stretch * v;
-    acceleration = stretch * a + tangent.forcing()->amplitude * cosine -
-                   2.0 * (tangent.delta().cwiseProduct(v) +
-                          system.omega.cwiseProduct(tangent.omega).cwiseProduct(q));
-    if (tangent.load()) acceleration += *tangent.load();
+    Vector push = tangent.forcing()->amplitude * cosine -
+                  2.0 * (tangent.delta().cwiseProduct(v) +
+                         system.omega.cwiseProduct(tangent.omega).cwiseProduct(q));
+    if (tangent.load()) push += *tangent.load();
     for (std::size_t i = 0; i < contacts.size(); ++i) {
       if (!own.springs[i].loaded) continue;
       const ContactForce& law = own.springs[i].law;
-      const Stop& rate = tangent.stops[static_cast<std::size_t>(springs[i])];
+      const Stop& rate = stop_rate(i);
       const double x = contacts[i].depth, u = contacts[i].rate;
       double force =
           law.by_depth(x, u) * (rate.row.dot(q) - rate.gap) + law.resistance(x) * rate.row.dot(v);
       if (rate.is_compliant()) force += law.rate_at(x, u, rate.force());
-      acceleration -= force * own.springs[i].acting + law.at(x, u) * rate.row;
+      push -= force * own.springs[i].row + law.at(x, u) * rate.row;
     }
+    acceleration = stretch * a;
+    if (held.size() == 0)
+      acceleration += push;
+    else
+      acceleration += held * push + held_rate * unheld(q, v, cosine, own, contacts);
+  }
+
+ private:
+  const Stop& stop_rate(std::size_t i) const {
+    return tangent.stops[static_cast<std::size_t>(springs[i])];
+  }
+  // What acts on the structure but for its closed stops.
+  Vector unheld(const Vector& q, const Vector& v, double cosine, const SprungSystem& own,
+                const std::vector<Sprung::Compression>& contacts) const {
+    Vector push = system.forcing()->amplitude * cosine - 2.0 * system.delta().cwiseProduct(v) -
+                  system.omega.cwiseAbs2().cwiseProduct(q);
+    if (system.load()) push += *system.load();
+    for (std::size_t i = 0; i < contacts.size(); ++i)
+      if (own.springs[i].loaded)
+        push -= own.springs[i].law.at(contacts[i].depth, contacts[i].rate) * own.springs[i].row;
+    return push;
   }
 };
 
@@ -190,9 +256,11 @@ Vector sizes_of(const Deviations& deviations, const Vector& scale) {
 
 }  // namespace
 
-Deviations sprung_deviations(const ContactPhase<double>& phase, const State& start, double theta,
-                             double s, const Deviations& deviations) {
-  Varied varied(phase.sprung(), nullptr);
+Deviations sprung_deviations(const System& system, const ContactPhase<double>& phase,
+                             const State& start, double theta, double s,
+                             const Deviations& deviations) {
+  const std::optional<SprungSystem> held = held_system(system, phase);
+  Varied varied(held ? *held : phase.sprung(), nullptr);
   const Deviations none{Matrix(start.q.size(), 0), Matrix(start.q.size(), 0), {}};
   varied.begin(start, theta, phase.depths(), none, Vector(0));
   const Vector sizes = sizes_of(deviations, varied.scale());
@@ -203,10 +271,13 @@ Deviations sprung_deviations(const ContactPhase<double>& phase, const State& sta
 Deviations sprung_parameter_deviation(const System& system, const System& tangent,
                                       const ContactPhase<double>& phase, const State& start,
                                       double theta, double s, const Deviations& column) {
-  std::vector<int> springs = phase.springs().loaded;
-  springs.insert(springs.end(), phase.springs().parted.begin(), phase.springs().parted.end());
-  const Source source{system, tangent, springs};
-  Varied varied(phase.sprung(), &source);
+  Source source{system, tangent, springs_of(phase)};
+  if (!phase.closed().empty()) {
+    source.held = projection(system, phase.closed());
+    source.held_rate = projection_rate(system, tangent, phase.closed());
+  }
+  const std::optional<SprungSystem> held = held_system(system, phase);
+  Varied varied(held ? *held : phase.sprung(), &source);
   const auto follow = [&](const Vector& sizes) {
     return varied.end(
         integrate(varied, varied.begin(start, theta, phase.depths(), column, sizes), s));

@@ -17,9 +17,11 @@ namespace graze {
 inline constexpr double kDeviationTolerance = 1e-13;
 
 // Deviations at the end of the arc of s seconds that `phase` was started on, from `start` at
-// forcing phase theta. Requires springs in the phase, no closed stops, and zero delays.
-Deviations sprung_deviations(const ContactPhase<double>& phase, const State& start, double theta,
-                             double s, const Deviations& deviations);
+// forcing phase theta. Requires springs in the phase, zero delays, and deviations that fit its
+// closed stops (see `hold`): what holds the structure projects all that acts, in all coordinates.
+Deviations sprung_deviations(const System& system, const ContactPhase<double>& phase,
+                             const State& start, double theta, double s,
+                             const Deviations& deviations);
 
 // The same for the one deviation by a parameter that moves the system along `tangent`, with the
 // forcing phase as the clock (parameter_growth.hpp).

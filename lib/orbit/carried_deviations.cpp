@@ -15,15 +15,20 @@ std::vector<int> CarriedDeviations::closed_now() const {
 }
 
 State CarriedDeviations::rate_now(const std::vector<int>& closed, int without) const {
-  State rate = held_rate(system_, closed, state_now(), motion_.flow().phase(motion_.instant()));
-  if (motion_.is_sprung())
+  Vector push;
+  if (motion_.is_sprung()) {
+    push = Vector::Zero(system_.modes());
     for (int i = 0; i < static_cast<int>(system_.stops.size()); ++i)
-      if (i != without) rate.qdot -= motion_.spring_force(i) * stop(i).row;
-  return rate;
+      if (i != without) push -= motion_.spring_force(i) * stop(i).row;
+  }
+  return held_rate(system_, closed, state_now(), motion_.flow().phase(motion_.instant()), push);
 }
 
+// With b.dq = 0 there, as an identity: on springs a deviation is taken back to the instant of the
+// undisturbed departure, where it has not left yet, or is away already.
 bool CarriedDeviations::departed_from(int i) const {
-  return motion_.departure().contacts[static_cast<std::size_t>(i)] != Contact::kClear;
+  return motion_.departure().contacts[static_cast<std::size_t>(i)] != Contact::kClear &&
+         motion_.flown().springs().empty();
 }
 
 void CarriedDeviations::undelay(int without) {
@@ -50,14 +55,12 @@ void CarriedDeviations::carry(const Arrival<double>& arrival) {
 }
 
 Deviations CarriedDeviations::change_along(double flight, const std::vector<int>& closed) {
-  if (motion_.flown().springs().empty()) {
-    hold(system_, closed, *deviations_);
-    return growth(motion_.flown(), flight, *deviations_);
-  }
+  hold(system_, closed, *deviations_);
+  if (motion_.flown().springs().empty()) return growth(motion_.flown(), flight, *deviations_);
   const MotionState<double>& start = motion_.departure();
   const Deviations end =
-      sprung_deviations(motion_.flown(), {start.q, start.qdot}, motion_.flow().phase(start.instant),
-                        flight, *deviations_);
+      sprung_deviations(system_, motion_.flown(), {start.q, start.qdot},
+                        motion_.flow().phase(start.instant), flight, *deviations_);
   return {end.q - deviations_->q, end.qdot - deviations_->qdot, end.delay};
 }
 
@@ -129,8 +132,9 @@ void CarriedDeviations::cross_surface(int i, double sign) {
   const double resistance = sign * surface_resistance(s.force());
   if (resistance == 0.0 || !any()) return;
   undelay(i);
-  if (deviations_) deviations_->qdot -= resistance * s.row * (s.row.transpose() * deviations_->q);
-  if (parameter_) parameter_->cross(i, state_now(), resistance);
+  const Vector change = resistance * held(system_, closed_now(), s.row);
+  if (deviations_) deviations_->qdot -= change * (s.row.transpose() * deviations_->q);
+  if (parameter_) parameter_->cross(i, state_now(), change);
 }
 
 double CarriedDeviations::gap_rate(const PassageDirection& along, int i, double s) const {

@@ -38,6 +38,9 @@ struct FinderOptions {
   // Below it the tail of a chatter is summed, m/s; default_closure_speed where absent.
   std::optional<double> closure_speed;
   StopSignal stop;
+  // On compliant and rigid stops: those that stick on the latter too, whatever their number of
+  // impacts.
+  bool sticking = false;
 
   // Whether an orbit that the simulation settles on, in so many periods with so many impacts, is
   // one of those asked for.

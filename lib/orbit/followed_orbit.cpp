@@ -282,10 +282,11 @@ FollowedAnswer followed_orbit(const System& system, const State& at_period_start
                               const PassageOptions& options) {
   const MotionState<double> start =
       Motion<double>(system, {}, at_period_start.q, at_period_start.qdot).state();
-  if (!system.has_compliant_stop()) {
+  if (system.has_rigid_stop()) {
     const Passage first = pass(system, start, {period, 0.0}, options);
     if (!first.failure.empty()) return {{}, first.failure};
-    return stuck_orbit(system, start, first, period, options);
+    if (!first.holds.empty() || !system.has_compliant_stop())
+      return stuck_orbit(system, start, first, period, options);
   }
   const PassageShooting shooting(system, PassageLayout::strobe(period), options);
   const double local = wrapped(-system.forcing()->phase) / system.forcing()->frequency;

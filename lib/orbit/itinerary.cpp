@@ -27,6 +27,13 @@ std::vector<bool> no_events(const std::vector<PassedImpact>& impacts,
   return none;
 }
 
+// An impact, or a contact with a compliant stop that begins.
+struct Met {
+  int stop = 0;
+  Instant<double> at;
+  double speed = 0.0;  // m/s
+};
+
 }  // namespace
 
 std::vector<const PassedHold*> holds_begun(const Passage& passage) {
@@ -39,18 +46,26 @@ std::vector<const PassedHold*> holds_begun(const Passage& passage) {
 }
 
 Itinerary itinerary_of(const Passage& passage, double still) {
-  const std::vector<PassedImpact>& impacts = passage.impacts;
   const std::vector<const PassedHold*> holds = holds_begun(passage);
-  const std::vector<bool> none = no_events(impacts, holds, still);
+  const std::vector<bool> none = no_events(passage.impacts, holds, still);
+  std::vector<Met> met;
+  for (std::size_t i = 0; i < passage.impacts.size(); ++i) {
+    const PassedImpact& impact = passage.impacts[i];
+    if (!none[i]) met.push_back({impact.stop, impact.at, impact.speed});
+  }
+  for (const PassedContact& contact : passage.contacts)
+    if (!contact.from_start && contact.speed > still)
+      met.push_back({contact.stop, contact.from, contact.speed});
+  std::stable_sort(met.begin(), met.end(),
+                   [](const Met& one, const Met& other) { return before(one.at, other.at); });
   Itinerary result;
   result.slowest = std::numeric_limits<double>::infinity();
   auto hold = holds.begin();
-  for (std::size_t i = 0; i < impacts.size(); ++i) {
-    if (none[i]) continue;
-    for (; hold != holds.end() && before((*hold)->from, impacts[i].at); ++hold)
+  for (const Met& one : met) {
+    for (; hold != holds.end() && before((*hold)->from, one.at); ++hold)
       result.events.push_back(-1 - (*hold)->stop);
-    result.events.push_back(impacts[i].stop);
-    result.slowest = std::min(result.slowest, impacts[i].speed);
+    result.events.push_back(one.stop);
+    result.slowest = std::min(result.slowest, one.speed);
   }
   for (; hold != holds.end(); ++hold) result.events.push_back(-1 - (*hold)->stop);
   return result;

@@ -25,6 +25,7 @@ void ParameterDeviation::carry(const ContactPhase<double>& phase, const State& s
 
 void ParameterDeviation::carry_on_springs(const ContactPhase<double>& phase, const State& start,
                                           double theta, double s) {
+  hold(*system_, *tangent_, phase.closed(), start, column_);
   Deviations end = sprung_parameter_deviation(*system_, *tangent_, phase, start, theta, s, column_);
   last_ = {end.q - column_.q, end.qdot - column_.qdot, column_.delay};
   State there{Vector(start.q.size()), Vector(start.q.size())};
@@ -33,10 +34,10 @@ void ParameterDeviation::carry_on_springs(const ContactPhase<double>& phase, con
   column_ = std::move(end);
 }
 
-void ParameterDeviation::cross(int i, const State& at, double resistance) {
+void ParameterDeviation::cross(int i, const State& at, const Vector& change) {
   const double reach =
       stop(i).row.dot(column_.q.col(0)) + stop_rate(i).row.dot(at.q) - stop_rate(i).gap;
-  column_.qdot.col(0) -= resistance * reach * stop(i).row;
+  column_.qdot.col(0) -= reach * change;
 }
 
 void ParameterDeviation::meet(int i, const State& at, const State& rate, double v, bool departed) {

@@ -33,9 +33,10 @@ class ParameterDeviation {
   // The same on compressed springs, at no delay.
   void carry_on_springs(const ContactPhase<double>& phase, const State& start, double theta,
                         double s);
-  // A contact with a compliant stop begins at its surface, or with a negative resistance ends there
-  // (sprung_deviation.hpp); at no delay.
-  void cross(int stop, const State& at, double resistance);
+  // A contact with a compliant stop begins at its surface, or ends there with the opposite sign
+  // (sprung_deviation.hpp), which changes velocities by `change` times what reaches in; at no
+  // delay.
+  void cross(int stop, const State& at, const Vector& change);
   // On from a contact of the undisturbed motion to its own: `at` is the state before the impact,
   // `rate` how it moves with time, v the approach speed, `departed`: the flight left this stop.
   void meet(int stop, const State& at, const State& rate, double v, bool departed);

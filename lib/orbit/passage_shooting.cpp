@@ -20,6 +20,36 @@ double push_scale(const System& system, const Stop& stop) {
   return scale > 0.0 ? scale : 1.0;
 }
 
+// A spring that the structure compresses, and how its force moves with the state.
+struct PressedSpring {
+  std::size_t place = 0;
+  const Stop* stop = nullptr;
+  double depth = 0.0, speed = 0.0, force = 0.0, by_depth = 0.0, by_rate = 0.0;
+
+  // Of its push, force times row, where the state moves at `moved` and the system along `tangent`.
+  Vector rate(const System& tangent, const State& at, const State& moved) const {
+    const Stop& with = tangent.stops[place];
+    double change = by_depth * (stop->row.dot(moved.q) + with.row.dot(at.q) - with.gap) +
+                    by_rate * (stop->row.dot(moved.qdot) + with.row.dot(at.qdot));
+    if (with.is_compliant()) change += stop->force().rate_at(depth, speed, with.force());
+    return change * stop->row + force * with.row;
+  }
+};
+
+std::vector<PressedSpring> springs_at(const System& system, const State& at) {
+  std::vector<PressedSpring> list;
+  for (std::size_t i = 0; i < system.stops.size(); ++i) {
+    const Stop& stop = system.stops[i];
+    if (!stop.is_compliant()) continue;
+    const double x = stop.row.dot(at.q) - stop.gap, v = stop.row.dot(at.qdot);
+    const double force = x > 0.0 ? stop.force().at(x, v) : 0.0;
+    if (force > 0.0)
+      list.push_back(
+          {i, &stop, x, v, force, stop.force().by_depth(x, v), stop.force().resistance(x)});
+  }
+  return list;
+}
+
 }  // namespace
 
 PassageShooting::PassageShooting(const System& reference, PassageLayout layout,
@@ -59,7 +89,8 @@ std::vector<State> PassageShooting::unpack(const System& system, const Vector& u
   return states;
 }
 
-// lambda = share.(load + amplitude cos theta - 2 delta q' - w^2 q).
+// lambda = share.(load + amplitude cos theta - 2 delta q' - w^2 q - sum F b), F of the springs that
+// are compressed.
 PassageShooting::Force PassageShooting::force(const System& system, const Vector& u,
                                               const SectionMap::Chart& chart,
                                               std::span<const System* const> tangents) const {
@@ -72,12 +103,20 @@ PassageShooting::Force PassageShooting::force(const System& system, const Vector
   Vector acceleration = system.forcing()->amplitude * c - 2.0 * system.delta().cwiseProduct(qdot) -
                         stiffness.cwiseProduct(q);
   if (system.load()) acceleration += *system.load();
+  const std::vector<PressedSpring> springs = springs_at(system, chart.state);
+  for (const PressedSpring& spring : springs) acceleration -= spring.force * spring.stop->row;
   Force result;
   result.value = share.dot(acceleration) / push_;
   result.by_theta = -share.dot(system.forcing()->amplitude) * n / push_;
   result.by_x.resize(map_.size());
   result.by_x << -share.cwiseProduct(stiffness).transpose() * chart.slope,
       -2.0 * share.cwiseProduct(system.delta()).transpose() * chart.slope;
+  for (const PressedSpring& spring : springs) {
+    const double part = share.dot(spring.stop->row);
+    const Eigen::RowVectorXd seen = spring.stop->row.transpose() * chart.slope;
+    result.by_x.head(seen.size()) -= part * spring.by_depth * seen;
+    result.by_x.tail(seen.size()) -= part * spring.by_rate * seen;
+  }
   result.by_x = result.by_x.cwiseProduct(map_.unit().transpose()) / push_;
   result.by_parameters.resize(static_cast<Eigen::Index>(tangents.size()));
   for (std::size_t k = 0; k < tangents.size(); ++k) {
@@ -89,6 +128,8 @@ PassageShooting::Force PassageShooting::force(const System& system, const Vector
         2.0 * system.omega.cwiseProduct(tangent.omega).cwiseProduct(q) -
         2.0 * system.delta().cwiseProduct(rate.qdot) - stiffness.cwiseProduct(rate.q);
     if (tangent.load()) acceleration_rate += *tangent.load();
+    for (const PressedSpring& spring : springs)
+      acceleration_rate -= spring.rate(tangent, chart.state, rate);
     result.by_parameters[static_cast<Eigen::Index>(k)] =
         (share_rate.dot(acceleration) + share.dot(acceleration_rate)) / push_;
   }

@@ -113,7 +113,10 @@ class StrobeFinder {
       return {};
     }
     ++count.converged;
-    if (options_.asks_for(answer.orbit->period, answer.orbit->impacts.size())) keep(*answer.orbit);
+    const bool any_number = options_.sticking && answer.orbit->sticks();
+    if (any_number ? answer.orbit->period == options_.period
+                   : options_.asks_for(answer.orbit->period, answer.orbit->impacts.size()))
+      keep(*answer.orbit);
     return answer.orbit;
   }
 
@@ -130,7 +133,7 @@ class StrobeFinder {
     settling.stop = options_.stop;
     settling.closure_speed = options_.closure_speed;
     const SettledMotion settled = settle(system_, *start_, settling);
-    if (settled.kind != SettledKind::kImpacts) {
+    if (settled.kind != SettledKind::kImpacts && settled.kind != SettledKind::kSticks) {
       found_.notes.push_back(settled.verdict);
       return;
     }

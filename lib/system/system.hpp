@@ -77,6 +77,10 @@ struct System {
     return std::any_of(stops.begin(), stops.end(),
                        [](const Stop& stop) { return stop.is_compliant(); });
   }
+  bool has_rigid_stop() const {
+    return std::any_of(stops.begin(), stops.end(),
+                       [](const Stop& stop) { return !stop.is_compliant(); });
+  }
   bool turns() const { return std::holds_alternative<Rotation>(structure); }
   // Requires one that does not turn.
   const NaturalModes& modal() const { return std::get<NaturalModes>(structure); }

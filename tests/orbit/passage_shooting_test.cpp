@@ -8,6 +8,7 @@
 #include "graze/assembly/system_family.hpp"
 #include "graze/orbit/laid_orbit.hpp"
 #include "graze/orbit/release.hpp"
+#include "orbit/mixed_scenes.hpp"
 #include "orbit/settled_sticking_orbit.hpp"
 
 namespace graze {
@@ -22,7 +23,9 @@ Found fine_orbit(const Scene& scene) {
   return settled_orbit(scene, 1e-8 * motion_scale(assemble(scene)).length);
 }
 
-void expect_derivatives(const Scene& scene, const std::string& parameter) {
+// `step` of the differences and what they err by, where the motion itself is followed to 1e-13.
+void expect_derivatives(const Scene& scene, const std::string& parameter, double step = 1e-7,
+                        double error = 1e-6) {
   SCOPED_TRACE(scene.title + ", " + parameter);
   const SystemFamily family(scene, parameter);
   const Found found = fine_orbit(scene);
@@ -44,14 +47,14 @@ void expect_derivatives(const Scene& scene, const std::string& parameter) {
   // jump there, so the steps are short.
   const Matrix jacobian =
       support::central_jacobian([&](const Vector& x) { return residual(found.system, x); }, u,
-                                Vector::Constant(u.size(), 1e-7));
-  EXPECT_LE((at->jacobian - jacobian).cwiseAbs().maxCoeff(), 1e-6 * jacobian.cwiseAbs().maxCoeff())
+                                Vector::Constant(u.size(), step));
+  EXPECT_LE((at->jacobian - jacobian).cwiseAbs().maxCoeff(), error * jacobian.cwiseAbs().maxCoeff())
       << at->jacobian << "\n\n"
       << jacobian;
   const Vector by_parameter = support::central_difference(
-      [&](double p) { return residual(*family.at(p), u); }, value, 1e-7 * value);
+      [&](double p) { return residual(*family.at(p), u); }, value, step * value);
   EXPECT_LE((at->by_parameters.col(0) - by_parameter).cwiseAbs().maxCoeff(),
-            1e-6 * by_parameter.cwiseAbs().maxCoeff())
+            error * by_parameter.cwiseAbs().maxCoeff())
       << at->by_parameters.transpose() << "\n"
       << by_parameter.transpose();
 }
@@ -69,6 +72,35 @@ TEST(PassageShooting, HasTheDerivativesOfItsEquations) {
   // Two stops closed, one of them let go.
   expect_derivatives(sticking_case("two_stops3"), "stop.1.gap");
   expect_derivatives(sticking_case("two_stops3"), "stop.2.gap");
+}
+
+// Whether the structure meets a compliant stop while another one holds it.
+bool is_mixed(const Found& found) {
+  const double turn = kTurn * found.orbit.period;
+  const auto angle = [](const OrbitInstant& at) { return kTurn * at.period_index + at.phase; };
+  for (const OrbitHold& hold : found.orbit.holds)
+    for (const OrbitImpact& impact : found.orbit.impacts) {
+      if (!impact.contact) continue;
+      const double frequency = found.system.forcing()->frequency;
+      const double begins = angle({impact.period_index, impact.phase}) - angle(hold.from);
+      const double since = begins - turn * std::floor(begins / turn);
+      if (since < frequency * hold.duration || since + frequency * impact.contact->duration > turn)
+        return true;
+    }
+  return false;
+}
+
+TEST(PassageShooting, HasItsDerivativesWhereSpringsAreCompressedWhileAStopHolds) {
+  const Scene dashpot = support::held_against_dashpot(), ball = support::held_against_ball(),
+              beam = support::held_beam();
+  for (const Scene& scene : {dashpot, ball, beam})
+    EXPECT_TRUE(is_mixed(settled_orbit(scene))) << scene.title;
+  for (const char* parameter : {"stop.1.gap", "stop.2.gap", "stop.2.spring.stiffness"})
+    expect_derivatives(dashpot, parameter, 1e-6, 1e-5);
+  for (const char* parameter : {"forcing.frequency", "stop.1.restitution"})
+    expect_derivatives(ball, parameter, 1e-6, 1e-5);
+  // Rows and directions that move, and what projects with them.
+  expect_derivatives(beam, "stop.2.position", 1e-6, 1e-5);
 }
 
 // The section of an orbit that sticks lies in the middle of the stuck phase, this one at its end.
