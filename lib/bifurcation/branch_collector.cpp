@@ -64,7 +64,8 @@ std::unique_ptr<BranchBorders> BranchCollector::borders_of(const OrbitProblem& p
   if (const auto* flights = dynamic_cast<const FlightEquations*>(&problem))
     return std::make_unique<FlightBorders>(*flights, continuation_, options_.keep_virtual);
   const auto& passages = dynamic_cast<const PassageEquations&>(problem);
-  if (passages.layout().released) return std::make_unique<ReleaseBorders>(passages, continuation_);
+  if (passages.layout().released)
+    return std::make_unique<ReleaseBorders>(passages, continuation_, options_.follow_depth > 0);
   return std::make_unique<TouchBorders>(passages, continuation_);
 }
 

@@ -37,9 +37,10 @@ void drop_last(Branch& trace, std::size_t side) {
 }  // namespace
 
 ReleaseBorders::ReleaseBorders(const PassageEquations& equations,
-                               const ContinuationOptions& options)
+                               const ContinuationOptions& options, bool switches)
     : equations_(equations),
       options_(options),
+      switches_(switches),
       corrector_(equations.problem(), options_),
       hidden_(equations, corrector_) {}
 
@@ -125,7 +126,7 @@ std::optional<BranchTip> ReleaseBorders::close(Branch& trace, std::size_t side) 
     drop_last(trace, side);
     return BranchTip{tip.end, {}};
   }
-  if (tip.end == OrbitBranchEnd::kChatterCompletes && place->others.empty())
+  if (switches_ && tip.end == OrbitBranchEnd::kChatterCompletes && place->others.empty())
     place->others = windows_beyond(equations_, options_, *tip.border,
                                    side == 0 ? points.front() : points.back());
   end_at(*tip.border, trace, side);

@@ -28,8 +28,9 @@ namespace graze {
 
 class ReleaseBorders : public BranchBorders {
  public:
-  // Refers to both, which must outlive it.
-  ReleaseBorders(const PassageEquations& equations, const ContinuationOptions& options);
+  // Refers to both, which must outlive it. `switches`: whether what lies beyond CH is asked for.
+  ReleaseBorders(const PassageEquations& equations, const ContinuationOptions& options,
+                 bool switches = false);
 
   bool lists(const BranchPoint& solution) const override {
     return equations_.judge(solution).has_value();
@@ -54,6 +55,7 @@ class ReleaseBorders : public BranchBorders {
 
   const PassageEquations& equations_;
   const ContinuationOptions& options_;
+  bool switches_;
   Corrector corrector_;
   HiddenEvents hidden_;
 };
