@@ -137,17 +137,6 @@ std::optional<BranchPoint> locate(const ZeroProblem& problem, const Continuation
   return locate(corrector, a, b, test);
 }
 
-bool crosses_at(const ZeroProblem& problem, const ContinuationOptions& options,
-                const Branch& branch, const BranchPoint& point) {
-  const Corrector corrector(problem, options);
-  const double reach = kOneCrossing * (1.0 + corrector.pack(point).norm());
-  return std::any_of(branch.critical.begin(), branch.critical.end(),
-                     [&](const CriticalPoint& critical) {
-                       return critical.kind == CriticalKind::kBranchPoint &&
-                              corrector.chord(point, critical.point).norm() <= reach;
-                     });
-}
-
 bool lies_on(const ZeroProblem& problem, const ContinuationOptions& options, const Branch& branch,
              const BranchPoint& point) {
   Corrector corrector(problem, options);

@@ -49,10 +49,6 @@ std::optional<BranchPoint> locate(const ZeroProblem& problem, const Continuation
                                   const BranchPoint& a, const BranchPoint& b,
                                   const std::function<double(const BranchPoint&)>& test);
 
-// Whether the branch passes a branch point at this solution.
-bool crosses_at(const ZeroProblem& problem, const ContinuationOptions& options,
-                const Branch& branch, const BranchPoint& point);
-
 // Whether a solution lies on a traced branch.
 bool lies_on(const ZeroProblem& problem, const ContinuationOptions& options, const Branch& branch,
              const BranchPoint& point);
