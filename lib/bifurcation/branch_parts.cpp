@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <iterator>
 #include <utility>
 
 #include "graze/bifurcation/open_sequence.hpp"
@@ -119,9 +118,9 @@ class Parting {
 
   static void add_critical(const LaidOrbits& orbits, const CriticalPoint& critical,
                            std::vector<Waypoint>& way) {
-    Waypoint here{&critical.point, place_of(orbits, critical.point)};
     // Between allowed values may be none.
     if (!orbits->system_at(critical.point.parameters())) return;
+    Waypoint here{&critical.point, place_of(orbits, critical.point)};
     here.kept = is_of_orbits(critical) && !passes_unseen(critical);
     if (here.kept && !here.place.at.orbit.impacts.empty()) {
       here.place.at = with_critical(std::move(here.place.at), critical);

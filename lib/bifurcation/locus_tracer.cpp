@@ -223,8 +223,7 @@ LocusTrace LocusTracer::assembled(OrbitLocus frame, const LocusOrbits& orbits,
   }
   const auto from_start = [&](const Within& item) {
     const LocusSite& site = sites[item.after];
-    return std::hypot((site.first - item.place.at.value) / first_range(options_),
-                      (site.second - item.place.at.second) / second_range(options_));
+    return distance({site.first, site.second, site.angle, {}, false}, item.place.at, options_);
   };
   std::stable_sort(within.begin(), within.end(), [&](const Within& a, const Within& b) {
     return a.after != b.after ? a.after < b.after : from_start(a) < from_start(b);

@@ -263,8 +263,7 @@ std::unique_ptr<OrbitProblem> PassageEquations::clearer(const BranchPoint& solut
   if (!section) return {};
   PassageLayout moved = layout();
   moved.theta = *section;
-  return std::unique_ptr<OrbitProblem>(
-      new PassageEquations(scene_, parameters_, units_, scale_, shooting_.over(std::move(moved))));
+  return laid(std::move(moved));
 }
 
 std::vector<BranchPoint> PassageEquations::rewritings(const OrbitProblem& of,

@@ -70,7 +70,7 @@ std::optional<ReleaseReturn> ReleaseLocus::return_at(const LocusSite& at, bool m
       system ? return_of(*system, equations_.shooting(), at.u, minima) : std::nullopt;
   if (!back || back->returns || !completing_) return back;
   const Instant<double>& end = back->passage.end.instant;
-  back->passage.holds.push_back({*equations_.layout().released, end, end});
+  back->passage.holds.push_back({*equations_.layout().released, end, end, false, false, 0.0, {}});
   back->itinerary = itinerary_of(back->passage, still_speed(*system));
   back->returns = true;
   return back;

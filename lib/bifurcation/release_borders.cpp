@@ -75,12 +75,11 @@ void ReleaseBorders::pass(const JudgedPoint& a, const JudgedPoint& b,
                           std::vector<BranchPlace>& places) {
   if (equations_.see_impacts()) return;
   walk(a.point, b.point, true, [&](const ReleaseTip& tip) {
-    if (!tip.border || tip.end != OrbitBranchEnd::kGrazing) return false;
-    if (std::optional<BranchPlace> place = place_of(tip)) {
-      place->end = OrbitBranchEnd::kNotConverged;
-      place->others.clear();
-      places.push_back(std::move(*place));
-    }
+    if (tip.end != OrbitBranchEnd::kGrazing) return false;
+    // The branch goes on to what lies beyond.
+    ReleaseTip passed = tip;
+    passed.beyond.reset();
+    if (std::optional<BranchPlace> place = place_of(passed)) places.push_back(std::move(*place));
     return false;
   });
 }
@@ -103,7 +102,7 @@ std::optional<BranchPlace> ReleaseBorders::place_of(const ReleaseTip& tip) const
     }
   }
   place.special = SpecialPoint{kind, "", place.at, {}, tip.by_speed, solution, tip.interrupted};
-  if (tip.beyond)
+  if (switches_ && tip.beyond)
     if (const auto other = equations_.judge(*tip.beyond)) place.others = {*other};
   return place;
 }

@@ -28,7 +28,8 @@ namespace graze {
 
 class ReleaseBorders : public BranchBorders {
  public:
-  // Refers to both, which must outlive it. `switches`: whether what lies beyond CH is asked for.
+  // Refers to both, which must outlive it. `switches`: whether what lies beyond a border is asked
+  // for.
   ReleaseBorders(const PassageEquations& equations, const ContinuationOptions& options,
                  bool switches = false);
 

@@ -9,7 +9,7 @@
 namespace graze {
 
 struct ReleaseTip {
-  // CH, LO, GR or PD at a border; "not converged" where what is there cannot be told.
+  // CH, LO or GR at a border; "not converged" where what is there cannot be told.
   OrbitBranchEnd end = OrbitBranchEnd::kNotConverged;
   std::optional<BranchPoint> border;  // the special point there, where there is one
   bool by_speed = false;              // of a grazing: an impact loses its speed

@@ -30,23 +30,17 @@ std::optional<Orbit> impacts_of(const System& system, const PassageEquations& eq
   return orbit.impacts.empty() ? std::nullopt : std::optional(std::move(orbit));
 }
 
-// By what part a window is narrower than the one before it: what parts a motion from the one that
-// just completes grows from impact to impact by this (chatter_completion.hpp).
-double crowding_of(const PassageEquations& equations, const BranchPoint& at) {
-  const auto released = static_cast<std::size_t>(*equations.layout().released);
-  const Stop& stop = equations.system_at(at.parameter)->stops[released];
-  const double r = stop.restitution().at_rest(), lambda = completing_ratio(r);
-  return r * r / std::pow(lambda, 5);
-}
-
 }  // namespace
 
 std::vector<OrbitBranchPoint> windows_beyond(const PassageEquations& equations,
                                              const ContinuationOptions& options,
                                              const BranchPoint& border, const BranchPoint& outer) {
   std::vector<OrbitBranchPoint> list;
-  // Without restitution the impact that ends a flight is the only one.
-  const double crowding = crowding_of(equations, border);
+  const auto released = static_cast<std::size_t>(*equations.layout().released);
+  const Stop& stop = equations.system_at(border.parameter)->stops[released];
+  // By what part a window is narrower than the one before it. Without restitution the impact that
+  // ends a flight is the only one.
+  const double crowding = parting_ratio(stop.restitution().at_rest());
   if (!std::isfinite(crowding)) return list;
   const double closer = std::pow(crowding, 1.0 / kLooks);
   const double step = outer.parameter - border.parameter;

@@ -7,6 +7,15 @@
 
 namespace graze {
 
+Vector spring_push(const System& system, const Motion<double>& motion, int without) {
+  if (!motion.is_sprung()) return {};
+  Vector push = Vector::Zero(system.modes());
+  for (std::size_t i = 0; i < system.stops.size(); ++i)
+    if (static_cast<int>(i) != without)
+      push -= motion.spring_force(static_cast<int>(i)) * system.stops[i].row;
+  return push;
+}
+
 std::vector<int> CarriedDeviations::closed_now() const {
   std::vector<int> closed;
   for (std::size_t i = 0; i < system_.stops.size(); ++i)
@@ -15,13 +24,8 @@ std::vector<int> CarriedDeviations::closed_now() const {
 }
 
 State CarriedDeviations::rate_now(const std::vector<int>& closed, int without) const {
-  Vector push;
-  if (motion_.is_sprung()) {
-    push = Vector::Zero(system_.modes());
-    for (int i = 0; i < static_cast<int>(system_.stops.size()); ++i)
-      if (i != without) push -= motion_.spring_force(i) * stop(i).row;
-  }
-  return held_rate(system_, closed, state_now(), motion_.flow().phase(motion_.instant()), push);
+  return held_rate(system_, closed, state_now(), motion_.flow().phase(motion_.instant()),
+                   spring_push(system_, motion_, without));
 }
 
 // With b.dq = 0 there, as an identity: on springs a deviation is taken back to the instant of the

@@ -18,6 +18,9 @@ struct PassageDirection {
   const System* tangent = nullptr;  // derivative of the system by the parameter
 };
 
+// What compressed springs push the structure with, but for one of them; empty where there are none.
+Vector spring_push(const System& system, const Motion<double>& motion, int without = -1);
+
 class CarriedDeviations {
  public:
   // Refers to all of them; null: not asked for.

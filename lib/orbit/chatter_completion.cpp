@@ -85,6 +85,10 @@ double completing_ratio(double restitution) {
   return restitution > 0.0 ? low : 0.0;
 }
 
+double parting_ratio(double restitution) {
+  return restitution * restitution / std::pow(completing_ratio(restitution), 5);
+}
+
 std::optional<double> completion_distance(const System& system, const PassageShooting& shooting,
                                           const Vector& u) {
   const PassageLayout& layout = shooting.layout();
@@ -113,7 +117,7 @@ std::optional<double> completion_distance(const System& system, const PassageSho
   if (r == 0.0)
     return std::ranges::min(impacts, {}, [](const Similar& one) { return std::abs(one.before); })
         .before;
-  const double k = std::log(r * r / std::pow(lambda, 5)) / std::log(1.0 / lambda);
+  const double k = std::log(parting_ratio(r)) / std::log(1.0 / lambda);
   const double nearest =
       frequency * std::max(kNearest / std::max(system.omega.maxCoeff(), frequency),
                            std::sqrt(kKnown * still_speed(system) / (w * push)));

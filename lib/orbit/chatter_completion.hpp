@@ -28,6 +28,9 @@ namespace graze {
 
 // lambda; 0 <= r < 1.
 double completing_ratio(double restitution);
+// r^2/lambda^5, by which what parts a motion from the one that just completes grows from impact to
+// impact; no number where r = 0.
+double parting_ratio(double restitution);
 
 // d, in units of the longest time constant that the forcing leaves, 1/Omega; of a motion from a
 // release, on the stop that is released. Requires a layout with one section there. Smooth; nothing

@@ -13,6 +13,7 @@ namespace {
 // A stuck phase that lasts less than this part of a forcing period has shrunk to nothing: what
 // 1e-10 of the parameter leaves of it beside CH, (1e-10)^(3/5).
 constexpr double kGone = 1e-6;
+
 }  // namespace
 
 std::optional<ReleaseReturn> return_of(const System& system, const PassageShooting& shooting,

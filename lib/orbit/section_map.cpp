@@ -65,14 +65,8 @@ std::vector<int> closed_stops(const MotionState<double>& at) {
 
 State rate_of(const System& system, const MotionState<double>& at) {
   const Motion<double> motion(system, at);
-  Vector push;
-  if (motion.is_sprung()) {
-    push = Vector::Zero(system.modes());
-    for (std::size_t i = 0; i < system.stops.size(); ++i)
-      push -= motion.spring_force(static_cast<int>(i)) * system.stops[i].row;
-  }
   return held_rate(system, closed_stops(at), {at.q, at.qdot}, motion.flow().phase(at.instant),
-                   push);
+                   spring_push(system, motion));
 }
 
 SectionMap::SectionMap(const System& reference, std::vector<int> closed,
