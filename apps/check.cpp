@@ -4,7 +4,7 @@
 #include "graze/assembly/assembly.hpp"
 #include "graze/assembly/initial_state.hpp"
 #include "graze/assembly/system_warnings.hpp"
-#include "graze/flow/contact_phase.hpp"
+#include "graze/flow/phase_choice.hpp"
 #include "graze/report/json.hpp"
 #include "graze/report/text.hpp"
 #include "graze/study/step_choice.hpp"
@@ -22,10 +22,10 @@ std::vector<std::string> unstable_stops(const System& system) {
   for (std::size_t i = 0; i < system.stops.size(); ++i) {
     if (system.stops[i].is_compliant()) continue;  // it gives way, and holds nothing
     alone.stops.assign(1, system.stops[i]);
-    const ContactPhase<double> held(alone, {0});
-    if (!held.refusal().empty())
+    const std::string refusal = make_contact_phase<double>(alone, {{0}})->refusal();
+    if (!refusal.empty())
       warnings.push_back(
-          fmt::format("motion held by stop {} cannot be followed: {}", i + 1, held.refusal()));
+          fmt::format("motion held by stop {} cannot be followed: {}", i + 1, refusal));
   }
   return warnings;
 }

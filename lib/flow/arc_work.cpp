@@ -1,5 +1,8 @@
 #include "graze/flow/arc_work.hpp"
 
+#include "graze/flow/exact_phase.hpp"
+#include "graze/flow/sprung_phase.hpp"
+
 #include <algorithm>
 #include <boost/math/quadrature/gauss.hpp>
 #include <cmath>
@@ -134,8 +137,7 @@ void add_by_panels(const Arc<double>& arc, int j, double s, Work& work) {
   work.forcing += mode.force * product_integral(force, left, s - settled);
 }
 
-void add_real_modes(const ContactPhase<double>& phase, double s, Work& work) {
-  const Arc<double>& arc = phase.arc();
+void add_real_modes(const Arc<double>& arc, double s, Work& work) {
   const ExactFlow<double>& flow = arc.flow();
   const Signal force{{std::polar(1.0, arc.start_phase()), Complex(0.0, flow.frequency())}};
   for (int j = 0; j < flow.modes(); ++j) {
@@ -198,10 +200,10 @@ bool acts_along_row(const Stop& stop) {
 }
 
 // While an oblique law or unequal damping couples the modes.
-void add_coupled(const System& system, const ContactPhase<double>& phase, double s, Work& work) {
-  const CoupledArc& arc = phase.coupled_arc();
+void add_coupled(const System& system, const ExactPhase<double>& phase, double s, Work& work) {
+  const CoupledArc& arc = *phase.coupled_arc();
   const Moments moments = moments_along(arc, s);
-  const Matrix& basis = phase.basis();
+  const Matrix& basis = phase.structure().basis;
   const Eigen::Index m = basis.cols();
   // Moments of the modal velocities with z, N x (2m + 3).
   const Matrix velocity = basis * moments.integral.middleRows(m, m);
@@ -212,7 +214,7 @@ void add_coupled(const System& system, const ContactPhase<double>& phase, double
   for (const int i : phase.closed()) {
     const Stop& stop = system.stops[static_cast<std::size_t>(i)];
     if (acts_along_row(stop)) continue;
-    const Observable<double>& force = phase.observable(i);
+    const Observable<double>& force = phase.observables()[static_cast<std::size_t>(i)];
     Vector weight = Vector::Zero(2 * m + 3);
     weight.head(m) = force.displacement.cwiseQuotient(arc.flow().scale());
     if (force.velocity.size() > 0) weight.segment(m, m) = force.velocity;
@@ -223,13 +225,11 @@ void add_coupled(const System& system, const ContactPhase<double>& phase, double
   }
 }
 
-Work work_on_springs(const System& system, const ContactPhase<double>& phase, double s) {
-  const SprungWorks works = phase.step_flow()->works(s);
+Work work_on_springs(const System& system, const SprungPhase& phase, double s) {
+  const SprungWorks works = phase.steps().works(s);
   Work work;
-  if (system.load())
-    work.load = system.load()->dot(phase.closed().empty() ? works.moved
-                                                          : Vector(phase.basis() * works.moved));
-  if (phase.turns()) work.load = works.weight;
+  if (system.load()) work.load = system.load()->dot(phase.structure().velocities(works.moved));
+  if (system.turns()) work.load = works.weight;
   work.forcing = works.forcing;
   work.constraint = works.constraint;
   work.dissipation = works.dissipation;
@@ -240,7 +240,7 @@ Work work_on_springs(const System& system, const ContactPhase<double>& phase, do
 }  // namespace
 
 Work work_along(const System& system, const ContactPhase<double>& phase, double s) {
-  if (!phase.springs().empty() || phase.turns()) return work_on_springs(system, phase, s);
+  if (const SprungPhase* sprung = phase.sprung()) return work_on_springs(system, *sprung, s);
   Work work;
   if (system.load()) {
     const Eigen::Index n = system.modes();
@@ -249,10 +249,10 @@ Work work_along(const System& system, const ContactPhase<double>& phase, double 
     phase.state(s, q1, qdot);
     work.load = system.load()->dot(q1 - q0);
   }
-  if (phase.has_real_modes())
-    add_real_modes(phase, s, work);
+  if (const Arc<double>* arc = phase.exact()->arc())
+    add_real_modes(*arc, s, work);
   else
-    add_coupled(system, phase, s, work);
+    add_coupled(system, *phase.exact(), s, work);
   return work;
 }
 

@@ -83,17 +83,17 @@ Deviations modal_growth(const Arc<double>& arc, double s, const Deviations& star
 
 }  // namespace
 
-Deviations growth(const ContactPhase<double>& phase, double s, const Deviations& start) {
-  if (phase.closed().empty()) return modal_growth(phase.arc(), s, start);
-  const Matrix& basis = phase.basis();
+Deviations growth(const ExactPhase<double>& phase, double s, const Deviations& start) {
+  if (phase.closed().empty()) return modal_growth(*phase.arc(), s, start);
+  const Matrix& basis = phase.structure().basis;
   Deviations reduced{basis.transpose() * start.q, basis.transpose() * start.qdot, start.delay};
-  if (phase.has_real_modes()) {
-    reduced = modal_growth(phase.arc(), s, reduced);
+  if (phase.arc()) {
+    reduced = modal_growth(*phase.arc(), s, reduced);
   } else {
     const Eigen::Index m = basis.cols();
     Matrix both(2 * m, start.count());
     both << reduced.q, reduced.qdot;
-    both = phase.coupled_arc().growth(s, both, start.delay);
+    both = phase.coupled_arc()->growth(s, both, start.delay);
     reduced = {both.topRows(m), both.bottomRows(m), Eigen::RowVectorXd::Zero(start.count())};
   }
   return {basis * reduced.q, basis * reduced.qdot, reduced.delay};

@@ -13,7 +13,7 @@
 
 #include <vector>
 
-#include "graze/flow/contact_phase.hpp"
+#include "graze/flow/exact_phase.hpp"
 
 namespace graze {
 
@@ -28,7 +28,7 @@ struct Deviations {
 // What is added to the deviations `start` of the arc that `phase` was started on, in s seconds and
 // at unchanged delay: (Phi - 1) x + (d end/d start instant) dt. Accurate relative to itself,
 // however short the flight. Deviations of a held phase have to fit its closed stops (see `hold`).
-Deviations growth(const ContactPhase<double>& phase, double s, const Deviations& start);
+Deviations growth(const ExactPhase<double>& phase, double s, const Deviations& start);
 
 // Deviations after the instant is moved by `shift` (s, one per column) along the motion, whose rate
 // is (q', q'').

@@ -57,7 +57,7 @@ ModeEnd end_by_series(double omega, double delta, double force, double load, dou
 }
 
 ParameterGrowth free_growth(const System& system, const System& tangent,
-                            const ContactPhase<double>& phase, const State& start, double theta,
+                            const ExactPhase<double>& phase, const State& start, double theta,
                             double s, const Deviations& column) {
   const Eigen::Index n = system.modes();
   ParameterGrowth growth{graze::growth(phase, s, column), Vector(n)};
@@ -79,7 +79,7 @@ ParameterGrowth free_growth(const System& system, const System& tangent,
       continue;
     }
     if (!by_closed_form) {
-      by_closed_form = end_tangent(system, tangent, phase.arc().flow(), start, theta, s);
+      by_closed_form = end_tangent(system, tangent, phase.arc()->flow(), start, theta, s);
       Vector q(n), qdot(n);
       phase.state(s, q, qdot);
       end = q;
@@ -181,8 +181,8 @@ class HeldGenerator {
 }  // namespace
 
 ParameterGrowth parameter_growth(const System& system, const System& tangent,
-                                 const ContactPhase<double>& phase, const State& start,
-                                 double theta, double s, const Deviations& column) {
+                                 const ExactPhase<double>& phase, const State& start, double theta,
+                                 double s, const Deviations& column) {
   if (phase.closed().empty()) return free_growth(system, tangent, phase, start, theta, s, column);
   return HeldGenerator(system, tangent, phase.closed()).growth(start, theta, s, column);
 }

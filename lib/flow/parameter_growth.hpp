@@ -21,8 +21,8 @@ struct ParameterGrowth {
 // on which `phase` was started from `start` at forcing phase theta. Requires forcing. The deviation
 // of a held phase has to fit its closed stops (see `hold`).
 ParameterGrowth parameter_growth(const System& system, const System& tangent,
-                                 const ContactPhase<double>& phase, const State& start,
-                                 double theta, double s, const Deviations& column);
+                                 const ExactPhase<double>& phase, const State& start, double theta,
+                                 double s, const Deviations& column);
 
 // As `hold` of deviation.hpp for the deviation by a parameter: closed stops move with their rows
 // and gaps, b.dq = da - db.q and b.dq' = -db.q'.

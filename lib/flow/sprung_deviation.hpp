@@ -10,6 +10,7 @@
 #pragma once
 
 #include "graze/flow/deviation.hpp"
+#include "graze/flow/sprung_phase.hpp"
 
 namespace graze {
 
@@ -17,17 +18,16 @@ namespace graze {
 inline constexpr double kDeviationTolerance = 1e-13;
 
 // Deviations at the end of the arc of s seconds that `phase` was started on, from `start` at
-// forcing phase theta. Requires springs in the phase, zero delays, and deviations that fit its
+// forcing phase theta. Requires modes that do not turn, zero delays, and deviations that fit its
 // closed stops (see `hold`): what holds the structure projects all that acts, in all coordinates.
-Deviations sprung_deviations(const System& system, const ContactPhase<double>& phase,
-                             const State& start, double theta, double s,
-                             const Deviations& deviations);
+Deviations sprung_deviations(const System& system, const SprungPhase& phase, const State& start,
+                             double theta, double s, const Deviations& deviations);
 
 // The same for the one deviation by a parameter that moves the system along `tangent`, with the
 // forcing phase as the clock (parameter_growth.hpp).
 Deviations sprung_parameter_deviation(const System& system, const System& tangent,
-                                      const ContactPhase<double>& phase, const State& start,
-                                      double theta, double s, const Deviations& column);
+                                      const SprungPhase& phase, const State& start, double theta,
+                                      double s, const Deviations& column);
 
 // N s/m: by what times b.dq the velocities deviate less along the row of a stop once its contact
 // has begun at the surface, and more once it has ended there.

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <limits>
 
+#include "graze/system/gap_value.hpp"
+
 namespace graze {
 
 TurningStructure::TurningStructure(const System& system)
@@ -117,6 +119,10 @@ Vector TurningStructure::accelerated(const Vector& force, const Vector& y) const
   const Vector& e = rotation_.angle;
   const double m = added_inertia(y);
   return force - (m * e.dot(force) / (1.0 + m * e.squaredNorm())) * e;
+}
+
+bool TurningStructure::stands_still(const Vector& velocity) const {
+  return std::abs(rate(velocity)) <= speed_rounding<double>(rotation_.angle, velocity);
 }
 
 double TurningStructure::torque_power(const TurningMotion& at, double s) const {

@@ -47,6 +47,8 @@ class TurningStructure {
 
   // Rate of the hub, rad/s.
   double rate(const Vector& velocity) const { return rotation_.angle.dot(velocity); }
+  // No rate but the rounding of what it is made of.
+  bool stands_still(const Vector& velocity) const;
   // Powers, W: of the torque, of the weight, and what damping and friction take.
   double torque_power(const TurningMotion& at, double s) const;
   double weight_power(const TurningMotion& at) const;

@@ -6,7 +6,7 @@
 #include <tuple>
 
 #include "graze/contact/complementarity.hpp"
-#include "graze/hybrid/first_zero.hpp"
+#include "graze/flow/first_zero.hpp"
 #include "graze/hybrid/motion.hpp"
 #include "graze/hybrid/shared_chatter.hpp"
 #include "graze/system/gap_value.hpp"
@@ -51,7 +51,8 @@ std::optional<ClosedChatter<Real>> Motion<Real>::close_chatter(int i, const Real
   if (!(push > now.noise)) return {};
   const Real duration = 2 * leaving / (push * (1 - restitution));
   // Of a structure that turns no more is known ahead than how the push changes now.
-  const CurvePoint<Real> ahead = turning_ ? now : phase_->gap(i, duration, true).at(Real(0), 2);
+  const ExactPhase<Real>* exact = phase_->exact();
+  const CurvePoint<Real> ahead = exact ? exact->gap(i, duration, true).at(Real(0), 2) : now;
   if (!(duration * (abs(ahead.slope) + ahead.bound * duration) <= push / 2)) return {};
   if (!is_quiet(*phase_, {i}, duration)) return {};
   if (has_friction() && !turns_on(duration)) return {};
@@ -71,13 +72,13 @@ bool Motion<Real>::is_quiet(const ContactPhase<Real>& phase, const std::vector<i
                             const Real& duration) {
   for (const int j : order_) {
     if (std::find(chattering.begin(), chattering.end(), j) != chattering.end()) continue;
-    if (turning_) {
+    if (!phase.exact()) {
       if (!is_quiet_meanwhile(j, duration)) return false;
       continue;
     }
     const FirstZero<Real> zero = contact(j) == Contact::kClosed
-                                     ? first_release(phase.force(j, duration))
-                                     : first_contact(phase.gap(j, duration, false), 0);
+                                     ? first_release(phase.exact()->force(j, duration))
+                                     : first_contact(phase.exact()->gap(j, duration, false), 0);
     if (zero.kind != ZeroKind::kNone) return false;
   }
   return true;
@@ -87,21 +88,15 @@ bool Motion<Real>::is_quiet(const ContactPhase<Real>& phase, const std::vector<i
 template <class Real>
 bool Motion<Real>::is_quiet_meanwhile(int j, const Real& duration) {
   using std::abs;
-  if (contact(j) == Contact::kClosed) {
-    if constexpr (std::is_same_v<Real, double>)
-      return force(j) > 2 * duration * abs(phase_->force_rate_at_start(j));
-  }
+  if (contact(j) == Contact::kClosed) return force(j) > 2 * duration * abs(phase_->force_rate(j));
   return gap(j) > 2 * duration * (abs(approach_speed(j)) + duration * abs(free_push(j)));
 }
 
 // Whether a hub with friction goes on turning as it does, impacts or no.
 template <class Real>
 bool Motion<Real>::turns_on(const Real& duration) const {
-  if constexpr (std::is_same_v<Real, double>) {
-    const double rate = std::abs(turning_->rate(now_.qdot));
-    return rate > 2.0 * duration * std::abs(turning_->rate(free_acceleration()));
-  }
-  return true;
+  using std::abs;
+  return abs(hub_rate(now_.qdot)) > 2 * duration * abs(hub_rate(free_acceleration()));
 }
 
 // Falls onto a stop from within the rounding of its gap cannot be told from rest on it.
@@ -195,7 +190,7 @@ std::optional<ClosedChatter<Real>> Motion<Real>::close_shared(const Real& closur
   const auto [q, qdot] = at_rest_on(stops);
   held.start(clock_.phase(now_.instant), q, qdot);
   for (const int i : stops) {
-    const CurvePoint<Real> force = held.force(i, duration).at(Real(0), 0);
+    const CurvePoint<Real> force = held.exact()->force(i, duration).at(Real(0), 0);
     if (!(force.value > force.noise &&
           duration * (abs(force.slope) + force.bound * duration) <= force.value / 2))
       return {};

@@ -5,7 +5,7 @@
 #include <limits>
 
 #include "graze/base/stop_scope.hpp"
-#include "graze/hybrid/first_zero.hpp"
+#include "graze/flow/first_zero.hpp"
 
 namespace graze {
 namespace {

@@ -2,13 +2,15 @@
 
 #include <algorithm>
 
+#include "graze/flow/sprung_phase.hpp"
+
 namespace graze {
 
 double follow(ContactBook& book, const ContactPhase<double>& phase, double flight) {
   const std::vector<int>& loaded = phase.springs().loaded;
   if (loaded.empty()) return 0.0;
   double deepest = 0.0;
-  StepFlow& flow = *phase.step_flow();
+  StepFlow& flow = phase.sprung()->steps();
   const SprungWorks works = flow.works(flight);
   for (std::size_t k = 0; k < loaded.size(); ++k) {
     SpringContact& contact = book[static_cast<std::size_t>(loaded[k])];

@@ -62,10 +62,11 @@ std::optional<Arrival<Real>> Motion<Real>::decide() {
   phase_ = nullptr;
   undecided_ = false;
   if (!decided) return Arrival<Real>{ArrivalKind::kUndecided, order_.front()};
-  refusal_ = phase_of(closed(), springs()).refusal();
+  const ContactPhase<Real>& next = phase_of(closed());
+  refusal_ = next.refusal();
   if (!refusal_.empty()) {
     changes_.clear();
-    return Arrival<Real>{ArrivalKind::kRefused, first_of(phase_of(closed(), springs()))};
+    return Arrival<Real>{ArrivalKind::kRefused, first_of(next)};
   }
   return {};
 }
@@ -85,9 +86,7 @@ Real Motion<Real>::unseen_speed(int i) const {
 // Without any rigid stop. `size`: of the terms that are summed.
 template <class Real>
 RealVector<Real> Motion<Real>::free_acceleration(RealVector<Real>* size) const {
-  if constexpr (std::is_same_v<Real, double>) {
-    if (turning_) return turning_acceleration(size);
-  }
+  if (turning_) return turning_acceleration(size);
   const Eigen::Index n = now_.q.size();
   RealVector<Real> acceleration(n);
   if (size) size->resize(n);
@@ -99,28 +98,32 @@ RealVector<Real> Motion<Real>::free_acceleration(RealVector<Real>* size) const {
 }
 
 template <class Real>
-Vector Motion<Real>::turning_acceleration(Vector* size) const {
-  Vector acceleration;
-  if constexpr (std::is_same_v<Real, double>) {
-    turning_->begin(now_.instant.local);
-    const TurningMotion at{now_.q, now_.qdot};
-    Vector force = turning_->force(at, 0.0);
-    if (size) *size = turning_->force_size(at, 0.0);
-    if (!compliant_.empty()) add_spring_forces(force, size);
-    acceleration = turning_->accelerated(force, now_.q);
-    if (now_.joint == Joint::kHeld) hold_joint(acceleration);
-  }
+RealVector<Real> Motion<Real>::turning_acceleration(RealVector<Real>* size) const {
+  turning_->begin(static_cast<double>(now_.instant.local));
+  const Vector q = now_.q.template cast<double>(), qdot = now_.qdot.template cast<double>();
+  const TurningMotion at{q, qdot};
+  RealVector<Real> force = turning_->force(at, 0.0).template cast<Real>();
+  if (size) *size = turning_->force_size(at, 0.0).template cast<Real>();
+  if (!compliant_.empty()) add_spring_forces(force, size);
+  RealVector<Real> acceleration = accelerated(force);
+  if (now_.joint == Joint::kHeld) hold_joint(acceleration);
   return acceleration;
+}
+
+// M^-1 f at the present shape.
+template <class Real>
+RealVector<Real> Motion<Real>::accelerated(const RealVector<Real>& force) const {
+  return turning_
+      ->accelerated(Vector(force.template cast<double>()), Vector(now_.q.template cast<double>()))
+      .template cast<Real>();
 }
 
 // What of an acceleration a joint leaves that does not turn.
 template <class Real>
-void Motion<Real>::hold_joint(Vector& acceleration) const {
-  const Vector& row = turning_->angle_row();
-  if constexpr (std::is_same_v<Real, double>) {
-    const Vector along = turning_->accelerated(row, now_.q);
-    acceleration -= (row.dot(acceleration) / row.dot(along)) * along;
-  }
+void Motion<Real>::hold_joint(RealVector<Real>& acceleration) const {
+  const RealVector<Real> row = turning_->angle_row().template cast<Real>();
+  const RealVector<Real> along = accelerated(row);
+  acceleration -= (row.dot(acceleration) / row.dot(along)) * along;
 }
 
 // How a force at each of these stops acts on the push at each; unlike an impulse it does not turn a
@@ -128,15 +131,13 @@ void Motion<Real>::hold_joint(Vector& acceleration) const {
 template <class Real>
 RealMatrix<Real> Motion<Real>::pressing(const std::vector<int>& stops) const {
   Matrix_ matrix = delassus(stops);
-  if constexpr (std::is_same_v<Real, double>) {
-    if (!turning_ || now_.joint != Joint::kHeld) return matrix;
-    for (std::size_t b = 0; b < stops.size(); ++b) {
-      Vector direction = stop(stops[b]).direction;
-      hold_joint(direction);
-      for (std::size_t a = 0; a < stops.size(); ++a)
-        matrix(static_cast<Eigen::Index>(a), static_cast<Eigen::Index>(b)) =
-            stop(stops[a]).row.dot(direction);
-    }
+  if (!turning_ || now_.joint != Joint::kHeld) return matrix;
+  for (std::size_t b = 0; b < stops.size(); ++b) {
+    RealVector<Real> direction = stop(stops[b]).direction;
+    hold_joint(direction);
+    for (std::size_t a = 0; a < stops.size(); ++a)
+      matrix(static_cast<Eigen::Index>(a), static_cast<Eigen::Index>(b)) =
+          stop(stops[a]).row.dot(direction);
   }
   return matrix;
 }
@@ -144,14 +145,12 @@ RealMatrix<Real> Motion<Real>::pressing(const std::vector<int>& stops) const {
 // d = M^-1 b/(b.M^-1 b): an impulse along b, which at this shape changes the approach speed by 1.
 template <class Real>
 void Motion<Real>::turn_directions() {
-  if constexpr (std::is_same_v<Real, double>) {
-    if (!turning_) return;
-    for (MetStop& stop : stops_) {
-      if (stop.is_compliant()) continue;
-      stop.direction = turning_->accelerated(stop.row, now_.q);
-      stop.direction /= stop.row.dot(stop.direction);
-      stop.norm2 = 0.0;
-    }
+  if (!turning_) return;
+  for (MetStop& stop : stops_) {
+    if (stop.is_compliant()) continue;
+    stop.direction = accelerated(stop.row);
+    stop.direction /= stop.row.dot(stop.direction);
+    stop.norm2 = 0;
   }
 }
 
@@ -256,7 +255,7 @@ std::vector<int> Motion<Real>::decide_degenerate(std::vector<int> held, std::vec
     const CurvePoint<Real> jerk = phase.gap_rate(i, 3);
     if (jerk.value > jerk.noise) return 3;
     // Where nothing has a closed form no further rate is known.
-    if (jerk.value < -jerk.noise || turning_ || is_sprung()) return 0;
+    if (jerk.value < -jerk.noise || !phase.exact()) return 0;
     return jerk.slope > quickest_rate() * jerk.noise ? 4 : 0;
   };
   const auto stays = [&](int i) { return leaves(i) == 0; };

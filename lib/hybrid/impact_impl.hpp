@@ -98,8 +98,7 @@ const std::vector<ImpactShare<Real>>& Motion<Real>::impact() {
 
 template <class Real>
 Real Motion<Real>::speed_rounding(int i) const {
-  return impact_detail::kRoundings * std::numeric_limits<Real>::epsilon() *
-         stop(i).row.cwiseAbs().dot(now_.qdot.cwiseAbs());
+  return graze::speed_rounding(stop(i).row, now_.qdot);
 }
 
 template <class Real>

@@ -16,6 +16,7 @@
 // Nothing depends on the order in which the stops are listed.
 #pragma once
 
+#include <limits>
 #include <map>
 #include <memory>
 #include <optional>
@@ -24,56 +25,10 @@
 #include <vector>
 
 #include "graze/flow/contact_phase.hpp"
-#include "graze/flow/instant.hpp"
+#include "graze/flow/exact_phase.hpp"
+#include "graze/flow/step_setting.hpp"
 
 namespace graze {
-
-enum class ArrivalKind {
-  kTime,        // the end of the flight was reached
-  kContact,     // at a stop, approaching: `impact` is due
-  kTouch,       // at a stop within rounding, not approaching: no impact; fly on
-  kStick,       // at rest on a stop and pushed: it is closed from now on
-  kRelease,     // the contact force of a closed stop is gone: it is open from now on
-  kEntry,       // a spring is compressed from now on
-  kSeparation,  // the force of a compressed spring is gone
-  kLeft,        // the surface of a stop whose force was gone before
-  kJoint,       // a hub's joint with friction stands still, or is turned again
-  kUndecided,   // the search for an event used up its evaluations
-  kNotFinite,   // the state left the range of the scalar
-  kRefused      // the motion on the stop cannot be followed; see refusal()
-};
-
-template <class Real>
-struct Arrival {
-  ArrivalKind kind = ArrivalKind::kTime;
-  int stop = -1;              // -1: the event, or what is refused, is at none
-  Real flight = 0;            // s, length of the arc
-  Real speed = 0;             // m/s, approach speed at a contact
-  long long evaluations = 0;  // of gaps and contact forces, in search of the event
-  // Least of these at the ends of the steps of a motion that is integrated step by step.
-  std::optional<Real> lowest{};
-  // Separation: the force is gone below the surface of the stop, which is left later.
-  bool below = false;
-  bool forward = false;  // joint: what has held it is turned forward
-
-  // Whether the motion does not go on.
-  bool fails() const {
-    return kind == ArrivalKind::kUndecided || kind == ArrivalKind::kNotFinite ||
-           kind == ArrivalKind::kRefused;
-  }
-};
-
-// How a stop stands to the structure at one instant.
-enum class Contact {
-  kClear,       // gap > 0
-  kTouching,    // on the stop, and what follows is still to be decided
-  kDeparting,   // on the stop, leaving
-  kClosed,      // held on the stop by its contact force
-  kLocked,      // on the stop because other, closed stops keep it there; on a compliant one
-                // because nothing moves it
-  kCompressed,  // beyond the surface of a compliant stop, against its force
-  kParted       // beyond it, but its force is gone
-};
 
 // One stop's share in an impact.
 template <class Real>
@@ -92,20 +47,6 @@ struct ClosedChatter {
   std::vector<int> closed;                     // these and those that held the structure before
   Real duration = 0;                           // of the tail, s
   RealVector<Real> q_before{}, qdot_before{};  // the state that was left for rest
-};
-
-// What a motion needs to go on from an instant as if it had never stopped there.
-template <class Real>
-struct MotionState {
-  Instant<Real> instant;
-  RealVector<Real> q, qdot;
-  std::vector<Contact> contacts;  // one per stop
-  // Of the zero at the instant, one per stop: of the gap, or beyond a surface of the force's grip.
-  std::vector<int> multiplicities;
-  // The speed left in a shared chatter that could not be summed, m/s; 0: there was none. It is
-  // looked at again at half of it.
-  Real unsummed = 0;
-  Joint joint = Joint::kFree;  // of a hub with friction
 };
 
 template <class Real>
@@ -200,14 +141,6 @@ class Motion {
     ArrivalKind kind;
     int stop;
   };
-  static constexpr int kJoint = -1;  // in place of a stop
-  struct PhaseKey {
-    std::vector<int> closed;
-    PhaseSprings springs;
-    Joint joint = Joint::kFree;
-    auto operator<=>(const PhaseKey&) const = default;
-  };
-
   void adopt_system();
   const MetStop& stop(int i) const { return stops_[static_cast<std::size_t>(i)]; }
   Contact contact(int i) const { return now_.contacts[static_cast<std::size_t>(i)]; }
@@ -219,8 +152,10 @@ class Motion {
   Real speed_rounding(int i) const;
   RealVector<Real> free_acceleration(RealVector<Real>* size = nullptr) const;
   // Of a structure that turns; its torque is that of the present instant.
-  Vector turning_acceleration(Vector* size) const;
-  void hold_joint(Vector& acceleration) const;
+  RealVector<Real> turning_acceleration(RealVector<Real>* size) const;
+  RealVector<Real> accelerated(const RealVector<Real>& force) const;
+  void hold_joint(RealVector<Real>& acceleration) const;
+  Real hub_rate(const RealVector<Real>& rates) const;
   Matrix_ pressing(const std::vector<int>& stops) const;
   // Directions of impulses at the present shape of a structure that turns.
   void turn_directions();
@@ -234,7 +169,7 @@ class Motion {
   Real push_rounding(int i, const RealVector<Real>& size) const;
   bool touches(int i) const;
   std::vector<int> closed() const;
-  ContactPhase<Real>& phase_of(const std::vector<int>& closed, const PhaseSprings& springs = {});
+  ContactPhase<Real>& phase_of(const std::vector<int>& closed);
   PhaseSprings springs() const;
   Real depth(int stop) const;
   void begin_springs();
@@ -300,20 +235,11 @@ class Motion {
   static int first_of(const ContactPhase<Real>& phase);
   Arrival<Real> stay();
   Arrival<Real> search(const Real& until, const Real& horizon);
-  void search_by_steps(ContactPhase<Real>& phase, const Real& until, Arrival<Real>& arrival);
-  struct Watched {
-    int stop = -1;
-    const Watch* watch = nullptr;
-    ArrivalKind kind = ArrivalKind::kContact;
-    bool below = false;
-  };
-  void watch_springs(ContactPhase<Real>& phase, std::vector<Watched>& list) const;
   bool has_friction() const { return turning_ && system_.rotation()->friction; }
   void set_joint(Joint joint);
   void look_at_joint();
   bool turns_on(const Real& duration) const;
   void stop_joint();
-  void watch_joint(ContactPhase<Real>& phase, std::vector<Watched>& list) const;
   void arrive_at_joint(bool forward);
   Arrival<Real> arrive(Arrival<Real> arrival, const Real& until);
   void settle_on(int stop, const Real& flight);
@@ -322,7 +248,7 @@ class Motion {
   const System system_;
   const std::optional<StepSetting> steps_;
   StopSignal stop_;
-  double told_depth_ = StepFlow::kNoDepth;
+  double told_depth_ = std::numeric_limits<double>::infinity();
   ExactFlow<Real> clock_;
   LinearSystem<Real> linear_;
   mutable std::optional<TurningStructure> turning_;

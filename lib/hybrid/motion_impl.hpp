@@ -7,14 +7,13 @@
 #include <string>
 
 #include "graze/contact/impulse.hpp"
+#include "graze/flow/phase_choice.hpp"
 #include "graze/hybrid/chatter_impl.hpp"
 #include "graze/hybrid/contact_decision_impl.hpp"
-#include "graze/hybrid/first_zero.hpp"
 #include "graze/hybrid/impact_impl.hpp"
 #include "graze/hybrid/joint_impl.hpp"
 #include "graze/hybrid/motion.hpp"
 #include "graze/hybrid/spring_contact_impl.hpp"
-#include "graze/hybrid/step_search_impl.hpp"
 #include "graze/system/gap_value.hpp"
 
 namespace graze {
@@ -110,34 +109,27 @@ bool Motion<Real>::is_closed_anywhere() const {
 }
 
 template <class Real>
-ContactPhase<Real>& Motion<Real>::phase_of(const std::vector<int>& closed,
-                                           const PhaseSprings& springs) {
-  std::unique_ptr<ContactPhase<Real>>& phase = phases_[{closed, springs, now_.joint}];
+ContactPhase<Real>& Motion<Real>::phase_of(const std::vector<int>& closed) {
+  const PhaseKey key{closed, springs(), now_.joint};
+  std::unique_ptr<ContactPhase<Real>>& phase = phases_[key];
   if (phase) return *phase;
   const double angle = now_.joint == Joint::kHeld
                            ? system_.rotation()->angle.dot(now_.q.template cast<double>())
                            : 0.0;
-  phase = std::make_unique<ContactPhase<Real>>(system_, closed, steps_, springs, now_.joint, angle);
+  phase = make_contact_phase<Real>(system_, key, steps_, angle);
   return *phase;
 }
 
 template <class Real>
 ContactPhase<Real>& Motion<Real>::start_phase() {
-  if (!phase_) phase_ = &phase_of(closed(), springs());
-  if (!phase_->springs().empty()) {
-    std::vector<double> depths;
-    for (const int i : phase_->springs().loaded) depths.push_back(static_cast<double>(depth(i)));
-    for (const int i : phase_->springs().parted) depths.push_back(static_cast<double>(depth(i)));
-    phase_->set_depths(depths);
-  }
+  if (!phase_) phase_ = &phase_of(closed());
   start_at_now(*phase_);
   return *phase_;
 }
 
 template <class Real>
 void Motion<Real>::start_at_now(ContactPhase<Real>& phase) const {
-  if (turning_) phase.set_time(static_cast<double>(now_.instant.local));
-  phase.start(clock_.phase(now_.instant), now_.q, now_.qdot);
+  phase.start(clock_.phase(now_.instant), now_.q, now_.qdot, now_.instant.local);
 }
 
 template <class Real>
@@ -152,7 +144,7 @@ Real Motion<Real>::approach_speed(int i) const {
 
 template <class Real>
 const ArcCurve<Real>& Motion<Real>::gap_ahead(int i, const Real& window) {
-  return start_phase().gap_along(i, window, contact(i) != Contact::kClear);
+  return start_phase().exact()->gap(i, window, contact(i) != Contact::kClear);
 }
 
 template <class Real>
@@ -218,44 +210,18 @@ Arrival<Real> Motion<Real>::search(const Real& until, const Real& horizon) {
     refusal_ = phase.refusal();
     return {ArrivalKind::kRefused, first_of(phase)};
   }
-  Arrival<Real> arrival;
-  arrival.flight = std::min<Real>(horizon - now_.instant.local, phase.longest_flight());
-  const bool steps = phase.step_flow() != nullptr;
-  if (steps) {
-    search_by_steps(phase, until, arrival);
-    if (arrival.kind == ArrivalKind::kNotFinite || arrival.kind == ArrivalKind::kUndecided)
-      return arrival;
-  }
-  for (const int i : all_) {
-    if (steps || contact(i) == Contact::kLocked) continue;
-    const bool is_closed = contact(i) == Contact::kClosed;
-    const int multiplicity = now_.multiplicities[static_cast<std::size_t>(i)];
-    const FirstZero<Real> zero =
-        is_closed ? first_release(phase.force(i, arrival.flight), stop_)
-                  : first_contact(phase.gap_along(i, arrival.flight, multiplicity > 0),
-                                  multiplicity, stop_);
-    arrival.evaluations += zero.evaluations;
-    if (zero.kind == ZeroKind::kNone) continue;
-    arrival.stop = i;
-    arrival.flight = zero.s;
-    arrival.kind = zero.kind == ZeroKind::kBudget      ? ArrivalKind::kUndecided
-                   : zero.kind == ZeroKind::kNotFinite ? ArrivalKind::kNotFinite
-                   : zero.kind == ZeroKind::kBlocked   ? ArrivalKind::kTouch
-                   : is_closed                         ? ArrivalKind::kRelease
-                                                       : ArrivalKind::kContact;
-    if (arrival.kind == ArrivalKind::kNotFinite) return arrival;
-  }
-  if (arrival.flight > until - now_.instant.local)
-    return {ArrivalKind::kTime, -1, until - now_.instant.local, Real(0), arrival.evaluations,
-            arrival.lowest};
+  const Real left = until - now_.instant.local;
+  const Arrival<Real> arrival =
+      phase.first_event(now_, {left, horizon - now_.instant.local, all_, stop_, told_depth_});
+  if (arrival.kind != ArrivalKind::kNotFinite && arrival.flight > left)
+    return {ArrivalKind::kTime, -1, left, Real(0), arrival.evaluations, arrival.lowest};
   return arrival;
 }
 
 template <class Real>
 long long Motion<Real>::step_evaluations() const {
   long long sum = 0;
-  for (const auto& [key, phase] : phases_)
-    if (phase->step_flow() != nullptr) sum += phase->step_flow()->evaluations();
+  for (const auto& [key, phase] : phases_) sum += phase->evaluations();
   return sum;
 }
 

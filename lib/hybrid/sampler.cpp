@@ -9,7 +9,6 @@ bool Sampler::hand_out(Motion<double>& motion, double start_time, double flight,
                        const std::function<bool()>& goes_on) {
   Sample& sample = sample_;
   const ContactPhase<double>& phase = motion.flown();
-  const bool steps = phase.step_flow() != nullptr;
   sample.state.q.resize(system_.modes());
   sample.state.qdot.resize(system_.modes());
   for (;;) {
@@ -21,8 +20,7 @@ bool Sampler::hand_out(Motion<double>& motion, double start_time, double flight,
     sample.forces.assign(system_.stops.size(), 0.0);
     for (const int i : phase.closed())
       sample.forces[static_cast<std::size_t>(i)] =
-          steps ? phase.force_at(i, s, sample.state.q, sample.state.qdot)
-                : phase.force(i, flight).at(s, 0).value;
+          phase.force_at(i, s, sample.state.q, sample.state.qdot);
     for (const int i : phase.springs().loaded) {
       const Stop& stop = system_.stops[static_cast<std::size_t>(i)];
       sample.forces[static_cast<std::size_t>(i)] =

@@ -9,7 +9,6 @@
 #pragma once
 
 #include <cmath>
-#include <type_traits>
 
 #include "graze/hybrid/motion.hpp"
 #include "graze/system/gap_value.hpp"
@@ -29,9 +28,7 @@ PhaseSprings Motion<Real>::springs() const {
 // Beyond the surface, m; zero within the rounding of the gap.
 template <class Real>
 Real Motion<Real>::depth(int i) const {
-  using std::abs;
-  const GapValue<Real> gap = gap_value(stop(i).row, now_.q, stop(i).gap);
-  return abs(gap.value) <= gap.rounding ? Real(0) : Real(-gap.value);
+  return depth_value(stop(i).row, now_.q, stop(i).gap);
 }
 
 template <class Real>
@@ -112,34 +109,6 @@ std::optional<int> Motion<Real>::departure_from_rest(int i) {
   const CurvePoint<Real> jerk = start_phase().gap_rate(i, 3);
   if (!(abs(jerk.value) > jerk.noise)) return {};
   return jerk.value < 0 ? 0 : 3;
-}
-
-// The depth begins at zero where the spring has just been entered: at a speed, or pushed.
-template <class Real>
-void Motion<Real>::watch_springs(ContactPhase<Real>& phase, std::vector<Watched>& list) const {
-  if constexpr (std::is_same_v<Real, double>) {
-    std::size_t k = 0;
-    const auto add = [&](int i, bool loaded) {
-      const double speed = approach_speed(i);
-      int multiplicity = 0;
-      double departure = 0.0;
-      if (depth(i) == 0.0) {
-        const double push = free_push(i);
-        multiplicity = speed > speed_rounding(i) ? 1 : push > 0.0 ? 2 : 3;
-        departure = multiplicity == 1   ? speed
-                    : multiplicity == 2 ? 0.5 * push
-                                        : -phase.gap_rate(i, 3).value / 6.0;
-      }
-      list.push_back({i, &phase.depth_watch(k, multiplicity, departure),
-                      loaded ? ArrivalKind::kSeparation : ArrivalKind::kLeft});
-      if (stop(i).force().parts_early())
-        list.push_back({i, &phase.grip_watch(k, now_.multiplicities[static_cast<std::size_t>(i)]),
-                        loaded ? ArrivalKind::kSeparation : ArrivalKind::kEntry, true});
-      ++k;
-    };
-    for (const int i : phase.springs().loaded) add(i, true);
-    for (const int i : phase.springs().parted) add(i, false);
-  }
 }
 
 // The located instant is rounded; what was reached there is not.

@@ -60,10 +60,11 @@ void CarriedDeviations::carry(const Arrival<double>& arrival) {
 
 Deviations CarriedDeviations::change_along(double flight, const std::vector<int>& closed) {
   hold(system_, closed, *deviations_);
-  if (motion_.flown().springs().empty()) return growth(motion_.flown(), flight, *deviations_);
+  const SprungPhase* sprung = motion_.flown().sprung();
+  if (!sprung) return growth(*motion_.flown().exact(), flight, *deviations_);
   const MotionState<double>& start = motion_.departure();
   const Deviations end =
-      sprung_deviations(system_, motion_.flown(), {start.q, start.qdot},
+      sprung_deviations(system_, *sprung, {start.q, start.qdot},
                         motion_.flow().phase(start.instant), flight, *deviations_);
   return {end.q - deviations_->q, end.qdot - deviations_->qdot, end.delay};
 }
@@ -73,10 +74,10 @@ void CarriedDeviations::carry_parameter(const Arrival<double>& arrival,
   const MotionState<double>& start = motion_.departure();
   const State from{start.q, start.qdot};
   const double theta = motion_.flow().phase(start.instant);
-  if (motion_.flown().springs().empty())
-    parameter_->carry(motion_.flown(), from, theta, arrival.flight);
+  if (const SprungPhase* sprung = motion_.flown().sprung())
+    parameter_->carry_on_springs(*sprung, from, theta, arrival.flight);
   else
-    parameter_->carry_on_springs(motion_.flown(), from, theta, arrival.flight);
+    parameter_->carry(*motion_.flown().exact(), from, theta, arrival.flight);
   if (arrival.kind == ArrivalKind::kContact)
     parameter_->meet(arrival.stop, state_now(), rate_now(closed), arrival.speed,
                      departed_from(arrival.stop));
@@ -147,12 +148,12 @@ double CarriedDeviations::gap_rate(const PassageDirection& along, int i, double 
                  deviations_->delay * along.deviations};
   hold(system_, motion_.flown().closed(), one);
   ParameterDeviation by_parameter = *parameter_;
-  by_parameter.carry(motion_.flown(), {departure.q, departure.qdot},
-                     motion_.flow().phase(departure.instant), s);
-  const Vector q =
-      one.q + growth(motion_.flown(), s, one).q + along.parameter * by_parameter.value().q;
+  const ExactPhase<double>& phase = *motion_.flown().exact();
+  by_parameter.carry(phase, {departure.q, departure.qdot}, motion_.flow().phase(departure.instant),
+                     s);
+  const Vector q = one.q + growth(phase, s, one).q + along.parameter * by_parameter.value().q;
   State there{Vector(system_.modes()), Vector(system_.modes())};
-  motion_.flown().state(s, there.q, there.qdot);
+  phase.state(s, there.q, there.qdot);
   const Stop& rate = along.tangent->stops[static_cast<std::size_t>(i)];
   return along.parameter * (rate.gap - rate.row.dot(there.q)) - stop(i).row.dot(q);
 }

@@ -13,7 +13,7 @@ ParameterDeviation::ParameterDeviation(const System& system, const System& tange
       tangent_(&tangent),
       column_{start.q, start.qdot, Eigen::RowVectorXd::Zero(1)} {}
 
-void ParameterDeviation::carry(const ContactPhase<double>& phase, const State& start, double theta,
+void ParameterDeviation::carry(const ExactPhase<double>& phase, const State& start, double theta,
                                double s) {
   hold(*system_, *tangent_, phase.closed(), start, column_);
   ParameterGrowth growth = parameter_growth(*system_, *tangent_, phase, start, theta, s, column_);
@@ -23,7 +23,7 @@ void ParameterDeviation::carry(const ContactPhase<double>& phase, const State& s
   moved_ = std::move(growth.moved);
 }
 
-void ParameterDeviation::carry_on_springs(const ContactPhase<double>& phase, const State& start,
+void ParameterDeviation::carry_on_springs(const SprungPhase& phase, const State& start,
                                           double theta, double s) {
   hold(*system_, *tangent_, phase.closed(), start, column_);
   Deviations end = sprung_parameter_deviation(*system_, *tangent_, phase, start, theta, s, column_);

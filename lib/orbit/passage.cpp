@@ -160,7 +160,7 @@ class Follower {
   }
 
   void note_minima(double flight) {
-    const ContactPhase<double>& phase = motion_.flown();
+    const ExactPhase<double>& phase = *motion_.flown().exact();
     for (const int i : open_stops()) {
       const std::optional<GapMinimum> least =
           lowest_minimum(phase.gap(i, flight, departed_from(i)), multiplicity(i));
@@ -176,7 +176,7 @@ class Follower {
   // The approaches of a flight to the open stops. The time of a minimum does not matter to its gap
   // to first order, so neither do the delays of the deviations there.
   void note_approaches(double flight) {
-    const ContactPhase<double>& phase = motion_.flown();
+    const ExactPhase<double>& phase = *motion_.flown().exact();
     for (const int i : open_stops())
       for (const GapMinimum& minimum :
            minima_below(phase.gap(i, flight, departed_from(i)), multiplicity(i),

@@ -77,9 +77,9 @@ SectionMap::SectionMap(const System& reference, std::vector<int> closed,
   basis_ = Matrix::Identity(n, n);
   Vector speeds = scale.velocity;
   if (!closed_.empty()) {
-    const ContactPhase<double> phase(reference, closed_);
-    basis_ = phase.basis();
-    speeds = scale.displacement * phase.reduced().omega.cwiseMax(reference.forcing()->frequency);
+    const HeldStructure<double> held(reference, closed_);
+    basis_ = held.basis;
+    speeds = scale.displacement * held.reduced.omega.cwiseMax(reference.forcing()->frequency);
   }
   unit_.resize(2 * basis_.cols());
   unit_ << Vector::Constant(basis_.cols(), scale.displacement), speeds;

@@ -7,7 +7,7 @@
 #include <limits>
 
 #include "graze/base/angle.hpp"
-#include "graze/flow/contact_phase.hpp"
+#include "graze/flow/sprung_phase.hpp"
 #include "graze/system/hub_state.hpp"
 #include "graze/system/scale.hpp"
 

@@ -188,6 +188,11 @@ class Reference {
 
 ReferenceRun reference_run(const System& system, const State& start,
                            const ReferenceOptions& options) {
+  if (system.turns()) {
+    ReferenceRun run;
+    run.message = "a structure on a hub is followed in double precision only";
+    return run;
+  }
   return Reference(system, start, options).finish();
 }
 

@@ -27,4 +27,23 @@ GapValue<Real> gap_value(const Eigen::Matrix<Real, Eigen::Dynamic, 1>& row,
   return {gap - reach, Real(static_cast<int>(q.size()) + 2) * eps * size};
 }
 
+// Beyond the surface of a stop, m; zero within the rounding of the gap.
+template <class Real>
+Real depth_value(const Eigen::Matrix<Real, Eigen::Dynamic, 1>& row,
+                 const Eigen::Matrix<Real, Eigen::Dynamic, 1>& q, const Real& gap) {
+  using std::abs;
+  const GapValue<Real> at = gap_value(row, q, gap);
+  return abs(at.value) <= at.rounding ? Real(0) : Real(-at.value);
+}
+
+// What of the approach speed row.q' may be rounding, m/s: so many roundings of its terms.
+inline constexpr int kSpeedRoundings = 8;
+
+template <class Real>
+Real speed_rounding(const Eigen::Matrix<Real, Eigen::Dynamic, 1>& row,
+                    const Eigen::Matrix<Real, Eigen::Dynamic, 1>& qdot) {
+  return kSpeedRoundings * std::numeric_limits<Real>::epsilon() *
+         row.cwiseAbs().dot(qdot.cwiseAbs());
+}
+
 }  // namespace graze

@@ -1,6 +1,7 @@
 // Motion with closed stops against the matrix exponential of the constrained equations of motion,
 //   q'' = P (f cos(theta) + load - 2 delta q' - w^2 q),   P = I - D (B^T D)^-1 B^T.
 #include "graze/flow/contact_phase.hpp"
+#include "graze/flow/phase_choice.hpp"
 
 #include <gtest/gtest.h>
 
@@ -10,6 +11,7 @@
 #include <unsupported/Eigen/MatrixFunctions>
 
 #include "graze/flow/arc_work.hpp"
+#include "graze/flow/exact_phase.hpp"
 #include "support/random_system.hpp"
 
 namespace graze {
@@ -140,7 +142,8 @@ bool expect_motion(const System& system, const std::vector<int>& closed, Dice& d
   const Constrained c = constrained(system, closed);
   const State start = held_state(system, c, closed, dice);
   const double theta = dice.uniform(0.0, 6.0), window = 5.0;
-  ContactPhase<double> phase(system, closed);
+  const auto made = make_contact_phase<double>(system, {closed});
+  ContactPhase<double>& phase = *made;
   if (!phase.refusal().empty()) return false;
   phase.start(theta, start.q, start.qdot);
   const int open = static_cast<int>(system.stops.size()) - 1;
@@ -159,13 +162,13 @@ bool expect_motion(const System& system, const std::vector<int>& closed, Dice& d
     EXPECT_LE((q - expected.q).norm(), (1e-12 + drift) * unit) << s;
     EXPECT_LE((qdot - expected.qdot).norm(), 1e-11 * unit) << s;
     for (std::size_t k = 0; k < closed.size(); ++k) {
-      const CurvePoint<double> force = phase.force(closed[k], window).at(s, 0);
+      const CurvePoint<double> force = phase.exact()->force(closed[k], window).at(s, 0);
       const double exact = force_of(system, c, expected, angle, static_cast<Eigen::Index>(k));
       EXPECT_NEAR(force.value, exact, 1e-12 * unit * quickest) << s;
     }
     if (!is_open) continue;
     const Stop& stop = system.stops[static_cast<std::size_t>(open)];
-    const ArcCurve<double> gap = phase.gap(open, window, false);
+    const ArcCurve<double> gap = phase.exact()->gap(open, window, false);
     const CurvePoint<double> distance = gap.at(s, 0), closing = gap.at(s, 1);
     EXPECT_NEAR(distance.value, stop.gap - stop.row.dot(expected.q), 2e-12 * unit);
     EXPECT_NEAR(closing.value, -stop.row.dot(expected.qdot), 1e-11 * unit);
@@ -270,9 +273,9 @@ TEST(HeldMotion, LeavesAStopWithRelativeAccuracy) {
     const Constrained c = constrained(system, {0});
     const State start = held_state(system, c, {0}, dice);
     const double theta = dice.uniform(0.0, 6.0);
-    ContactPhase<double> phase(system, {0});
-    phase.start(theta, start.q, start.qdot);
-    const ArcCurve<double> gap = phase.gap(1, 1.0, true);
+    const auto phase = make_contact_phase<double>(system, {{0}});
+    phase->start(theta, start.q, start.qdot);
+    const ArcCurve<double> gap = phase->exact()->gap(1, 1.0, true);
     const Vector& row = system.stops[1].row;
     const double speed = -row.dot(start.qdot),
                  push = -row.dot(acceleration_of(system, c, start, theta));
@@ -298,7 +301,7 @@ TEST(HeldMotion, RefusesAnObliqueLawThatMakesItGrow) {
     system.omega << w1, w2;
     system.stops.push_back(
         {Eigen::Vector2d(1.0, 1.0), 0.0, ImpactLaw{Eigen::Vector2d(1.0 + t, -t), 0.5}});
-    EXPECT_EQ(ContactPhase<double>(system, {0}).refusal().empty(), part < 1.0) << part;
+    EXPECT_EQ(make_contact_phase<double>(system, {{0}})->refusal().empty(), part < 1.0) << part;
   }
 }
 

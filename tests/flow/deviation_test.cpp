@@ -1,6 +1,7 @@
 // Growth of deviations along free and held arcs, against central differences in 50 digits; they are
 // accurate relative to themselves, however short the flight.
 #include "graze/flow/deviation.hpp"
+#include "graze/flow/phase_choice.hpp"
 
 #include <gtest/gtest.h>
 
@@ -22,7 +23,7 @@ struct Start {
 Deviations differenced(const System& system, const std::vector<int>& closed, const Start& start,
                        double s, const Deviations& deviations) {
   const Eigen::Index n = system.modes();
-  ContactPhase<Real> phase(system, closed);
+  const auto phase = make_contact_phase<Real>(system, {closed});
   Deviations change{Matrix(n, deviations.count()), Matrix(n, deviations.count()),
                     Eigen::RowVectorXd::Zero(deviations.count())};
   const Real h = 1e-12;
@@ -32,10 +33,10 @@ Deviations differenced(const System& system, const std::vector<int>& closed, con
     const auto end = [&](const Real& step) {
       const RealVector<Real> q = start.q.cast<Real>() + step * dq,
                              qdot = start.qdot.cast<Real>() + step * dqdot;
-      phase.start(start.theta + Real(system.forcing()->frequency) * step * deviations.delay[i], q,
-                  qdot);
+      phase->start(start.theta + Real(system.forcing()->frequency) * step * deviations.delay[i], q,
+                   qdot);
       RealVector<Real> state(2 * n), end_q(n), end_qdot(n);
-      phase.state(Real(s), end_q, end_qdot);
+      phase->state(Real(s), end_q, end_qdot);
       state << end_q, end_qdot;
       return state;
     };
@@ -77,8 +78,9 @@ TEST(Deviation, GrowsAsIn50DigitsOverAnyFlight) {
                 dice.vector(modes, -1.0, 1.0)};
     Deviations deviations = unit_deviations(dice, modes);
     hold(system, closed, deviations);
-    ContactPhase<double> phase(system, closed);
-    phase.start(start.theta, start.q, start.qdot);
+    const auto made = make_contact_phase<double>(system, {closed});
+    made->start(start.theta, start.q, start.qdot);
+    const ExactPhase<double>& phase = *made->exact();
     for (const double s : {1e-9, 1e-6, 1e-3, 0.1, 0.7, 3.0}) {
       const Deviations found = growth(phase, s, deviations);
       Deviations expected = differenced(system, closed, start, s, deviations);
@@ -99,16 +101,17 @@ TEST(Deviation, GrowsThroughComplexModesInSteps) {
     System system = support::random_system(dice, 4, 0.3);
     system.omega = (Vector(4) << 1.0, 2.3, 4.1, 6.0).finished();
     system.modal().delta = 0.2 * dice.vector(4, 0.0, 1.0).cwiseProduct(system.omega);
-    ContactPhase<double> phase(system, {0});
+    const auto made = make_contact_phase<double>(system, {{0}});
+    const ExactPhase<double>& phase = *made->exact();
     Deviations start = unit_deviations(dice, 4);
     hold(system, {0}, start);
     const Vector zero = Vector::Zero(4);
     for (const double s : {1e-6, 0.4, 2.0}) {
-      phase.start(0.3, zero, zero);
+      made->start(0.3, zero, zero);
       const Deviations whole = growth(phase, s, start);
       Deviations half = start;
       for (const double begun : {0.0, 0.5 * s}) {
-        phase.start(0.3 + system.forcing()->frequency * begun, zero, zero);
+        made->start(0.3 + system.forcing()->frequency * begun, zero, zero);
         const Deviations change = growth(phase, 0.5 * s, half);
         half.q += change.q;
         half.qdot += change.qdot;
@@ -125,8 +128,9 @@ TEST(Deviation, OfTheInstantIsAlongTheMotion) {
   const System system = support::random_system(dice, 3, 0.3);
   const Start start{0.4, dice.vector(3, -1.0, 1.0), dice.vector(3, -1.0, 1.0)};
   for (const std::vector<int>& closed : {std::vector<int>{}, std::vector<int>{0}}) {
-    ContactPhase<double> phase(system, closed);
-    phase.start(start.theta, start.q, start.qdot);
+    const auto made = make_contact_phase<double>(system, {closed});
+    made->start(start.theta, start.q, start.qdot);
+    const ExactPhase<double>& phase = *made->exact();
     State begin{Vector(3), Vector(3)}, end = begin;
     phase.state(0.0, begin.q, begin.qdot);
     phase.state(1.7, end.q, end.qdot);

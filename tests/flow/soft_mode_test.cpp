@@ -5,6 +5,7 @@
 
 #include "graze/flow/arc_work.hpp"
 #include "graze/flow/extended.hpp"
+#include "graze/flow/phase_choice.hpp"
 #include "support/systems.hpp"
 
 namespace graze {
@@ -74,9 +75,9 @@ TEST(SoftMode, HeavilyDampedFreeMassDissipatesAsInClosedForm) {
   for (const double delta : {5e-4, 0.5, 5e3, 5e7}) {
     for (const double s : {1e-3, 1.0, 7e3, 1e9}) {
       const System system = loaded(0.0, delta);
-      ContactPhase<double> phase(system, {});
-      phase.start(0.0, Vector::Zero(1), Vector::Zero(1));
-      const Work work = work_along(system, phase, s);
+      const auto phase = make_contact_phase<double>(system, {});
+      phase->start(0.0, Vector::Zero(1), Vector::Zero(1));
+      const Work work = work_along(system, *phase, s);
       const Extended d = delta, t = s, c = kGravity;
       const Extended expected =
           c * c / (2 * d) *

@@ -364,7 +364,7 @@ Vector held_frequencies(int modes, double position) {
     row[j] = cantilever_shape(j + 1, position);
   }
   system.stops.push_back({row, 0.0, ImpactLaw{momentum_direction(row), 0.5}});
-  return ContactPhase<double>(system, {0}).reduced().omega;
+  return HeldStructure<double>(system, {0}).reduced.omega;
 }
 
 TEST(HardCases, Z7FrequenciesOfTheHeldBeam) {

@@ -6,7 +6,7 @@
 #include "graze/assembly/assembly.hpp"
 #include "graze/assembly/initial_state.hpp"
 #include "graze/contact/restitution_damping.hpp"
-#include "graze/flow/contact_phase.hpp"
+#include "graze/flow/sprung_phase.hpp"
 #include "graze/hybrid/simulation.hpp"
 #include "support/contact_laws.hpp"
 #include "support/reference.hpp"

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "graze/flow/extended.hpp"
-#include "graze/hybrid/first_zero.hpp"
+#include "graze/flow/first_zero.hpp"
 #include "graze/hybrid/motion.hpp"
 #include "support/random_system.hpp"
 

@@ -84,14 +84,14 @@ inline std::vector<int> closed_at_section(const Orbit& orbit) {
 
 // Eigenvalues of the map on the held motion's coordinates, by central differences.
 inline std::vector<Eigenvalue> differenced_multipliers(const Found& found) {
-  const ContactPhase<double> phase(found.system, closed_at_section(found.orbit));
-  const Matrix basis = phase.basis();
+  const HeldStructure<double> held(found.system, closed_at_section(found.orbit));
+  const Matrix basis = held.basis;
   const Eigen::Index m = basis.cols();
   const MotionScale scale = motion_scale(found.system);
   const MotionState<double>& at = found.orbit.section->states.front();
   Vector unit(2 * m);
   unit << Vector::Constant(m, scale.displacement),
-      scale.displacement * phase.reduced().omega.cwiseMax(found.system.forcing()->frequency);
+      scale.displacement * held.reduced.omega.cwiseMax(found.system.forcing()->frequency);
   const auto map = [&](const Vector& z) {
     const Vector x = z.cwiseProduct(unit);
     const State end = simulated(found, {at.q + basis * x.head(m), at.qdot + basis * x.tail(m)});

@@ -149,8 +149,8 @@ std::vector<Eigenvalue> extended_multipliers(const Found& found, const Real& clo
                                at.qdot.cast<Real>(),
                                at.contacts,
                                at.multiplicities};
-  const ContactPhase<double> phase(found.system, closed_at_section(found.orbit));
-  const RealMatrix<Real> basis = phase.basis().cast<Real>();
+  const HeldStructure<double> held(found.system, closed_at_section(found.orbit));
+  const RealMatrix<Real> basis = held.basis.cast<Real>();
   const Eigen::Index n = basis.rows(), m = basis.cols();
   const Real step = 1e-12 * motion_scale(found.system).displacement;
   Matrix map(2 * m, 2 * m);
@@ -165,7 +165,7 @@ std::vector<Eigenvalue> extended_multipliers(const Found& found, const Real& clo
   }
   // Velocities in units of the frequencies of the held structure, as the orbit has them.
   Vector unit(2 * m);
-  unit << Vector::Ones(m), phase.reduced().omega.cwiseMax(found.system.forcing()->frequency);
+  unit << Vector::Ones(m), held.reduced.omega.cwiseMax(found.system.forcing()->frequency);
   return eigenvalues(unit.cwiseInverse().asDiagonal() * map * unit.asDiagonal());
 }
 
