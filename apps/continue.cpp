@@ -59,8 +59,8 @@ namespace {
 
 // Whether a point of that kind has another branch to go onto.
 bool has_other_branch(const SpecialOrbit& at) {
-  const bool found = at.kind == SpecialKind::kPeriodDoubling ||
-                     at.kind == SpecialKind::kBranchPoint || at.kind == SpecialKind::kGrazing;
+  if (at.kind == SpecialKind::kPeriodDoubling) return true;
+  const bool found = at.kind == SpecialKind::kBranchPoint || at.kind == SpecialKind::kGrazing;
   return found && !at.sticks() && !at.by_push;
 }
 
@@ -70,8 +70,8 @@ void start_from(const Restart& restart, const Command& command, BranchOptions& o
   const bool same = restart.parameters == std::vector<std::string>{command.parameter};
   if (command.switched && !has_other_branch(restart.at))
     throw InputError(fmt::format(
-        "--switch: no other branch begins or crosses at {}; one does at PD, BP and GR of orbits "
-        "that do not stick",
+        "--switch: no other branch begins or crosses at {}; one does at PD, and at BP and GR of "
+        "orbits that do not stick",
         restart.at.id));
   if (command.switched && restart.at.by_speed && restart.at.impacts.size() == 1)
     throw InputError(fmt::format("--switch: beyond {} the motion meets no stop", restart.at.id));

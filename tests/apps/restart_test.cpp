@@ -169,5 +169,33 @@ TEST(RestartOfOrbitsThatStick, GoesOnFromWhereAChatterCompletes) {
               0.5e-10);
 }
 
+// Between two doublings of orbits that stick: each of them is told by a multiplier there, and by
+// the halves of the doubled orbits here.
+TEST(RestartOfOrbitsThatStick, SwitchesOntoTheDoubledOrbits) {
+  const ScratchFolder scratch;
+  const std::string folder = (scratch / "first").string();
+  const std::string range = " --parameter forcing.frequency --from 39.5 --to 41 --max-step 0.05 ";
+  const Finished first =
+      run_graze("continue --json --out " + folder + range + scene("09_soft_stop_two_modes.toml"));
+  ASSERT_EQ(first.code, 0) << first.err;
+  std::vector<double> doublings;
+  const json traced = json::parse(first.out);
+  for (const json& branch : traced["branches"])
+    for (const json& special : branch["special"])
+      if (special["label"] == "PD") doublings.push_back(special["value"].get<double>());
+  ASSERT_EQ(doublings.size(), 2u);
+  const Finished run = run_graze("continue --json --switch --label PD1 " + folder +
+                                 "/scene.toml --restart " + folder + range);
+  ASSERT_EQ(run.code, 0) << run.err;
+  const json document = json::parse(run.out);
+  ASSERT_EQ(document["branches"].size(), 1u);
+  const json& doubled = document["branches"][0];
+  EXPECT_EQ(doubled["period"], 2);
+  EXPECT_EQ(doubled["stuck"], true);
+  EXPECT_EQ(doubled["ends"], json({"PD", "PD"}));
+  EXPECT_NEAR(doubled["points"].front()["value"].get<double>(), doublings[0], 1e-8);
+  EXPECT_NEAR(doubled["points"].back()["value"].get<double>(), doublings[1], 1e-8);
+}
+
 }  // namespace
 }  // namespace graze
