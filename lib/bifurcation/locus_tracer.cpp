@@ -127,8 +127,13 @@ LocusAnswer LocusTracer::trace(const OrbitLocusStart& start) {
 }
 
 std::vector<OrbitProblems::Written> LocusTracer::written(const OrbitLocusStart& start) {
-  if (start.followed)
-    return problems_.written(*start.followed, std::array{start.first, start.second});
+  if (start.followed) {
+    Orbit orbit = *start.followed;
+    // Slices have closure speeds of their own, but what lies in one plane is to be told apart.
+    if (!closure_speed_) closure_speed_ = orbit.section->closure_speed;
+    orbit.section->closure_speed = *closure_speed_;
+    return problems_.written(orbit, std::array{start.first, start.second});
+  }
   return problems_.rewritings(start.orbit.pattern, start.orbit.impacts);
 }
 
@@ -270,23 +275,25 @@ LocusTracer::CurveStart LocusTracer::passage_touch(const OrbitLocusStart& start)
   const auto* passages = dynamic_cast<const PassageEquations*>(list.front().orbits->problem.get());
   const System* system =
       passages ? passages->system_at(std::array{start.first, start.second}) : nullptr;
-  if (!system || passages->layout().released) return {};
+  if (!system) return {};
   Vector u = list.front().u;
-  std::optional<Touch> touch = nearest_touch(*system, passages->shooting(), u);
-  if (!touch) return {};
-  if (passages->layout().sections > 1) {
+  const std::vector<Touch> touches = touches_near(*system, passages->shooting(), u);
+  if (touches.empty()) return {};
+  Touch touch = touches.front();
+  if (!passages->layout().released) {
+    if (!system->stops[static_cast<std::size_t>(touch.stop)].is_compliant()) return {};
     const std::optional<Orbit> orbit = orbit_of(*system, passages->shooting(), u, {});
-    if (!orbit || orbit->impacts.size() <= 1) {
-      u = passages->shooting().at_section(u, static_cast<int>(touch->turn));
-      touch = Touch{touch->stop, 0, touch->angle, 0.0};
+    if (passages->layout().sections > 1 && (!orbit || orbit->impacts.size() <= 1)) {
+      u = passages->shooting().at_section(u, static_cast<int>(touch.turn));
+      touch.turn = 0;
       LaidOrbits& once = problems_.strobe_once(*list.front().orbits);
       passages = dynamic_cast<const PassageEquations*>(once.problem.get());
     }
   }
-  Curves& curves = curves_[{passages, touch->stop}];
-  if (!curves.curve) curves.curve = std::make_unique<TouchCurve>(*passages, touch->stop);
+  Curves& curves = curves_[{passages, touch.stop}];
+  if (!curves.curve) curves.curve = std::make_unique<TouchCurve>(*passages, touch.stop);
   Vector y(u.size() + 2);
-  y << u, start.first / passages->unit(0), static_cast<double>(touch->turn) * kTurn + touch->angle;
+  y << u, start.first / passages->unit(0), passages->psi_of(u, touch);
   return {&curves, y};
 }
 

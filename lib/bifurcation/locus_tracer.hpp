@@ -77,6 +77,7 @@ class LocusTracer {
   LocusOptions options_;
   MotionScale scale_;
   OrbitProblems problems_;
+  std::optional<double> closure_speed_;  // m/s, that of the first orbit that is followed
   std::map<const OrbitProblem*, Critical> critical_;
   std::map<std::pair<const OrbitProblem*, int>, Curves> curves_;  // by stop; -1: of CH
 };

@@ -148,7 +148,6 @@ class LociTracer {
                                           double fixed) const {
     const std::optional<OrbitLocusKind> kind = locus_kind(special.kind);
     if (!kind || special.by_push || special.interrupted || !wants(*kind)) return {};
-    if (*kind == OrbitLocusKind::kGrazing && special.at.orbit.sticks()) return {};
     const double moved = special.at.value;
     const bool over_first = family.parameter() == result_.first;
     const LocusStartPlace place{over_first ? moved : fixed, over_first ? fixed : moved,

@@ -231,7 +231,7 @@ std::optional<BranchPoint> PassageEquations::carried_to(const OrbitProblem& othe
   const Eigen::Index m = map().size(), n = solution.u.size();
   BranchPoint carried = solution;
   for (Eigen::Index i = 0; i < n; i += m) {
-    const auto at = map().within(*system, solution.u.segment(i, m), layout().theta, angle,
+    const auto at = map().within(*system, solution.u.segment(i, m), layout().theta, angle, false,
                                  std::span(&tangent, 1));
     if (!at) return {};
     carried.u.segment(i, m) = map().pack(at->state);

@@ -7,11 +7,13 @@
 // ones; it is told by differences of the first. Newton's method ends where the equations hold, so
 // that a solution does not depend on that slope, only how quickly it is reached.
 //
-// An orbit touches a compliant stop at no speed where besides
+// An orbit touches a stop at no speed where besides
 //
 //   b.q - a = 0,   b.q' = 0   at the forcing angle psi after the start of x_1,
 //
 // regular where the gap has a simple minimum there, or a simple maximum: so a contact parts in two.
+// Of orbits on sections at a release psi is a forcing phase, and the motion is that without the
+// impact that the touch of a rigid stop would be: it does not feel on which side it is.
 #pragma once
 
 #include <memory>
@@ -103,10 +105,15 @@ class PassageEquations : public OrbitProblem {
     Eigen::Index turn = 0;
     double angle = 0.0;  // within it, rad
   };
-  Place place_of(double psi) const;
-  // The equations of an orbit that touches a stop at no speed, in y = (x_1, .., x_p, first/unit,
-  // psi) over the parameters behind the first one. Nothing where the motion cannot be followed, or
-  // the values are not allowed.
+  // Of y as touching() has it.
+  Place place_of(const Vector& y) const;
+  // psi of a touch of the orbit u.
+  double psi_of(const Vector& u, const Touch& touch) const;
+  // The motions of y without the impact that the touch would be (touch.hpp), over all parameters.
+  std::optional<PassageShooting> without_touch(const Vector& y, Parameters all, int stop) const;
+  // The equations of an orbit that touches a stop at no speed, in y = (u, first/unit, psi) over the
+  // parameters behind the first one. Nothing where the motion cannot be followed, or the values are
+  // not allowed.
   std::optional<ZeroEvaluation> touching(const Vector& y, Parameters behind, int stop) const;
   // b.q'' on the way there, in speeds of the forced motion per rad; nothing likewise.
   std::optional<double> push(const Vector& y, Parameters behind, int stop) const;
@@ -133,7 +140,8 @@ class PassageEquations : public OrbitProblem {
       const Vector& u, Parameters at, const std::vector<CriticalProduct>& products) const override;
   // y = (x, first/unit, psi) and the others: where all parameters are.
   std::vector<double> parameters_of(const Vector& y, Parameters behind) const;
-  std::optional<SectionMap::Within> within(const Vector& y, Parameters all,
+  std::optional<SectionMap::Within> within(const PassageShooting& shooting, const Vector& y,
+                                           const System& system,
                                            std::span<const System* const> tangents) const;
 
   const Scene& scene_;

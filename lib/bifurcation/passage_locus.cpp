@@ -66,8 +66,9 @@ ReleaseLocus::ReleaseLocus(const PassageEquations& equations, bool completing)
 
 std::optional<ReleaseReturn> ReleaseLocus::return_at(const LocusSite& at, bool minima) const {
   const System* system = system_at(at);
+  const auto shooting = system ? shooting_at(at) : std::nullopt;
   std::optional<ReleaseReturn> back =
-      system ? return_of(*system, equations_.shooting(), at.u, minima) : std::nullopt;
+      shooting ? return_of(*system, *shooting, at.u, minima) : std::nullopt;
   if (!back || back->returns || !completing_) return back;
   const Instant<double>& end = back->passage.end.instant;
   back->passage.holds.push_back({*equations_.layout().released, end, end, false, false, 0.0, {}});
@@ -124,19 +125,31 @@ OrbitLocusEnd ReleaseLocus::end_at(const LocusSite& last) const {
 
 std::optional<LocusPlace> ReleaseLocus::place(const LocusSite& at,
                                               std::optional<LocusMargin> zero) const {
-  if (!completing_) return StrobeLocus::place(at, zero);
+  return completing_ ? place_at_release(at, {}) : StrobeLocus::place(at, zero);
+}
+
+std::optional<LocusPlace> ReleaseLocus::place_at_release(const LocusSite& at,
+                                                         const std::optional<Touch>& touch) const {
   const System* system = system_at(at);
-  if (!system) return {};
-  const PassageShooting& shooting = equations_.shooting();
-  const auto start =
-      shooting.map().start_of(*system, shooting.at_section(at.u, 0), shooting.theta_of(at.u));
+  const auto shooting = system ? shooting_at(at) : std::nullopt;
+  if (!shooting) return {};
+  const SectionMap& map = shooting->map();
+  const Vector x = shooting->at_section(at.u, 0);
+  const double theta = shooting->theta_of(at.u);
+  const auto start = map.start_of(*system, x, theta);
   const std::optional<ReleaseReturn> back = return_at(at, true);
   if (!start || !back) return {};
+  std::optional<MetTouch> met;
+  if (touch) {
+    const auto there = map.within(*system, x, theta, touch->angle, false, {});
+    if (!there) return {};
+    met = MetTouch{*touch, there->at.instant, there->state};
+  }
   const std::vector<Passage> passages{back->passage};
   Orbit orbit;
   orbit.period = equations_.period();
-  orbit.section = OrbitSection{{}, {*start}, shooting.map().options().closure_speed};
-  add_events(*system, passages, orbit.period, {}, orbit);
+  orbit.section = OrbitSection{{}, {*start}, map.options().closure_speed};
+  add_events(*system, passages, orbit.period, met, orbit);
   return orbit.impacts.empty() ? std::nullopt : std::optional(as_place(at, orbit));
 }
 

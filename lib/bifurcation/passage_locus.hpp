@@ -45,6 +45,15 @@ class ReleaseLocus : public StrobeLocus {
   OrbitLocusEnd end_between(const LocusSite& inner, const LocusSite& outer) const override;
   OrbitLocusEnd end_at(const LocusSite& last) const override;
 
+ protected:
+  // Whose passages are those of its orbits.
+  virtual std::optional<PassageShooting> shooting_at(const LocusSite& /*at*/) const {
+    return equations_.shooting();
+  }
+  // With its section at the release itself, where no stuck phase may be left.
+  std::optional<LocusPlace> place_at_release(const LocusSite& at,
+                                             const std::optional<Touch>& touch) const;
+
  private:
   // `minima`: as in PassageOptions.
   std::optional<ReleaseReturn> return_at(const LocusSite& at, bool minima) const;

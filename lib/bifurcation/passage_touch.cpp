@@ -1,4 +1,4 @@
-// Touches of compliant stops in the equations of followed orbits.
+// Touches in the equations of followed orbits.
 #include <algorithm>
 #include <cmath>
 
@@ -42,10 +42,20 @@ std::vector<Touch> PassageEquations::touches_near(const BranchPoint& solution) c
   return touches;
 }
 
-PassageEquations::Place PassageEquations::place_of(double psi) const {
+// A section at a release lies at the phase u[0], and one passage goes all the way round.
+PassageEquations::Place PassageEquations::place_of(const Vector& y) const {
+  const double psi = y[y.size() - 1];
+  if (layout().released) {
+    const double all = kTurn * period(), angle = psi - y[0];
+    return {0, angle - all * std::floor(angle / all)};
+  }
   const double whole = std::floor(psi / kTurn);
   const Eigen::Index turn = static_cast<Eigen::Index>(whole) % period();
   return {turn < 0 ? turn + period() : turn, std::clamp(psi - whole * kTurn, 0.0, kTurn)};
+}
+
+double PassageEquations::psi_of(const Vector& u, const Touch& touch) const {
+  return (layout().released ? u[0] : 0.0) + static_cast<double>(touch.turn) * kTurn + touch.angle;
 }
 
 std::vector<double> PassageEquations::parameters_of(const Vector& y, Parameters behind) const {
@@ -54,26 +64,36 @@ std::vector<double> PassageEquations::parameters_of(const Vector& y, Parameters 
   return all;
 }
 
-std::optional<SectionMap::Within> PassageEquations::within(
-    const Vector& y, Parameters all, std::span<const System* const> tangents) const {
+std::optional<PassageShooting> PassageEquations::without_touch(const Vector& y, Parameters all,
+                                                               int stop) const {
   const System* system = system_at(all);
-  if (!system) return {};
-  const Place place = place_of(y[y.size() - 1]);
-  return map().within(*system, y.segment(place.turn * map().size(), map().size()), layout().theta,
-                      place.angle, tangents);
+  const Place place = place_of(y);
+  const Touch touch{stop, static_cast<std::size_t>(place.turn), place.angle, 0.0};
+  return system ? graze::without_touch(*system, shooting_, y.head(y.size() - 2), touch)
+                : std::nullopt;
+}
+
+std::optional<SectionMap::Within> PassageEquations::within(
+    const PassageShooting& shooting, const Vector& y, const System& system,
+    std::span<const System* const> tangents) const {
+  const Place place = place_of(y);
+  return shooting.map().within(system, shooting.at_section(y, static_cast<int>(place.turn)),
+                               shooting.theta_of(y), place.angle, layout().released.has_value(),
+                               tangents);
 }
 
 std::optional<ZeroEvaluation> PassageEquations::touching(const Vector& y, Parameters behind,
                                                          int stop) const {
   const Eigen::Index n = y.size() - 2, size = map().size();
   const std::vector<double> parameters = parameters_of(y, behind);
-  const std::optional<ZeroEvaluation> orbit = problem_.evaluate(y.head(n), parameters);
-  if (!orbit) return {};
-  const System& system = *system_at(parameters);
+  const std::optional<PassageShooting> shooting = without_touch(y, parameters, stop);
   const std::vector<const System*> tangents = tangents_at(parameters);
-  const auto at = within(y, parameters, tangents);
+  if (!shooting || tangents.empty()) return {};
+  const System& system = *system_at(parameters);
+  const std::optional<ShootingLinearisation> orbit =
+      shooting->linearise(system, y.head(n), tangents);
+  const auto at = orbit ? within(*shooting, y, system, tangents) : std::nullopt;
   if (!at) return {};
-  const Place place = place_of(y[n + 1]);
   const auto index = static_cast<std::size_t>(stop);
   const Stop& met = system.stops[index];
   // Of a state's rate, by the unit of depths and that of speeds.
@@ -93,9 +113,10 @@ std::optional<ZeroEvaluation> PassageEquations::touching(const Vector& y, Parame
   result.residual << orbit->residual, (met.row.dot(at->state.q) - met.gap) / length(),
       met.row.dot(at->state.qdot) / speed_unit();
   result.jacobian.topLeftCorner(n, n) = orbit->jacobian;
-  result.jacobian.row(n).segment(place.turn * size, size) =
-      met.row.transpose() * at->by_state.q / length();
-  result.jacobian.row(n + 1).segment(place.turn * size, size) =
+  if (shooting->head() > 0) result.jacobian.col(0).tail(2) = seen(at->by_start);
+  const Eigen::Index first = shooting->head() + place_of(y).turn * size;
+  result.jacobian.row(n).segment(first, size) = met.row.transpose() * at->by_state.q / length();
+  result.jacobian.row(n + 1).segment(first, size) =
       met.row.transpose() * at->by_state.qdot / speed_unit();
   result.jacobian.col(n) = units_[0] * by_parameters.col(0);
   result.jacobian.col(n + 1).tail(2) = seen(at->by_angle);
@@ -105,7 +126,8 @@ std::optional<ZeroEvaluation> PassageEquations::touching(const Vector& y, Parame
 
 std::optional<double> PassageEquations::push(const Vector& y, Parameters behind, int stop) const {
   const std::vector<double> all = parameters_of(y, behind);
-  const auto at = within(y, all, {});
+  const std::optional<PassageShooting> shooting = without_touch(y, all, stop);
+  const auto at = shooting ? within(*shooting, y, *system_at(all), {}) : std::nullopt;
   if (!at) return {};
   return system_at(all)->stops[static_cast<std::size_t>(stop)].row.dot(at->by_angle.qdot) /
          speed_unit();
@@ -115,7 +137,7 @@ std::optional<Touch> PassageEquations::touch_at(const Vector& y, Parameters behi
                                                 int stop) const {
   const std::optional<double> pushed = push(y, behind, stop);
   if (!pushed) return {};
-  const Place place = place_of(y[y.size() - 1]);
+  const Place place = place_of(y);
   return Touch{stop, static_cast<std::size_t>(place.turn), place.angle,
                speed_unit() * std::sqrt(2.0 * kTouchDepth * std::abs(*pushed))};
 }

@@ -63,6 +63,8 @@ class Motion {
   void stop_on(const StopSignal& stop) { stop_ = stop; }
   // From now on depths of springs beyond this one, m, are located (StepFlow::deepest).
   void tell_depths_beyond(double depth) { told_depth_ = depth; }
+  // From now on this stop is not looked at, as if it were not there; none: all are.
+  void leave_out(std::optional<int> stop);
   Motion(const Motion&) = delete;
   Motion& operator=(const Motion&) = delete;
 
@@ -255,6 +257,8 @@ class Motion {
   std::vector<MetStop> stops_;
   // In which rigid stops are looked at: the same however they are listed; then the compliant ones.
   std::vector<int> order_, compliant_, all_;
+  std::optional<int> left_out_;
+  std::vector<int> looked_at_;  // all but that
   MotionState<Real> now_, departure_;
   std::map<PhaseKey, std::unique_ptr<ContactPhase<Real>>> phases_;
   ContactPhase<Real>* phase_ = nullptr;  // of the closed stops; null until it is looked up

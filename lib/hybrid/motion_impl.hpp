@@ -78,7 +78,15 @@ void Motion<Real>::adopt_system() {
   });
   all_ = order_;
   all_.insert(all_.end(), compliant_.begin(), compliant_.end());
+  looked_at_ = all_;
   if (system_.turns()) turning_.emplace(system_);
+}
+
+template <class Real>
+void Motion<Real>::leave_out(std::optional<int> stop) {
+  left_out_ = stop;
+  looked_at_ = all_;
+  if (stop) std::erase(looked_at_, *stop);
 }
 
 template <class Real>
@@ -212,7 +220,7 @@ Arrival<Real> Motion<Real>::search(const Real& until, const Real& horizon) {
   }
   const Real left = until - now_.instant.local;
   const Arrival<Real> arrival =
-      phase.first_event(now_, {left, horizon - now_.instant.local, all_, stop_, told_depth_});
+      phase.first_event(now_, {left, horizon - now_.instant.local, looked_at_, stop_, told_depth_});
   if (arrival.kind != ArrivalKind::kNotFinite && arrival.flight > left)
     return {ArrivalKind::kTime, -1, left, Real(0), arrival.evaluations, arrival.lowest};
   return arrival;
@@ -298,7 +306,7 @@ void Motion<Real>::touch_simultaneous(const Real& flight) {
   using std::abs;
   const Real eps = std::numeric_limits<Real>::epsilon();
   for (const int i : order_) {
-    if (contact(i) != Contact::kClear) continue;
+    if (contact(i) != Contact::kClear || i == left_out_) continue;
     const GapValue<Real> gap = gap_value(stop(i).row, now_.q, stop(i).gap);
     const Real moved = eps * (now_.instant.local + flight) * abs(approach_speed(i));
     if (!(gap.value <= gap.rounding + moved)) continue;

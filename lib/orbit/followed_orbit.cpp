@@ -40,7 +40,7 @@ std::vector<MotionState<double>> section_states(const System& system,
   if (!shooting.layout().closed.empty() || angle == 0.0) return starts;
   std::vector<MotionState<double>> states;
   for (int i = 0; i < shooting.layout().sections; ++i) {
-    auto within = shooting.map().within(system, shooting.at_section(u, i), theta, angle, {});
+    auto within = shooting.map().within(system, shooting.at_section(u, i), theta, angle, false, {});
     if (!within) return {};
     states.push_back(std::move(within->at));
   }
@@ -247,7 +247,7 @@ std::optional<Orbit> orbit_of(const System& system, const PassageShooting& shoot
   std::optional<MetTouch> met;
   if (touch) {
     const Vector x = shooting.at_section(u, static_cast<int>(touch->turn));
-    const auto at = shooting.map().within(system, x, shooting.theta_of(u), touch->angle, {});
+    const auto at = shooting.map().within(system, x, shooting.theta_of(u), touch->angle, false, {});
     if (!at) return {};
     met = MetTouch{*touch, at->at.instant, at->state};
   }

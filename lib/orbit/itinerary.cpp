@@ -65,7 +65,10 @@ Itinerary itinerary_of(const Passage& passage, double still) {
     for (; hold != holds.end() && before((*hold)->from, one.at); ++hold)
       result.events.push_back(-1 - (*hold)->stop);
     result.events.push_back(one.stop);
-    result.slowest = std::min(result.slowest, one.speed);
+    if (!(one.speed < result.slowest)) continue;
+    result.slowest = one.speed;
+    result.slowest_stop = one.stop;
+    result.slowest_at = one.at;
   }
   for (; hold != holds.end(); ++hold) result.events.push_back(-1 - (*hold)->stop);
   return result;

@@ -14,6 +14,8 @@ struct Itinerary {
   // The slowest impact that is not of a chatter, a run of ever slower impacts on a stop that leads
   // to a stuck phase on it, m/s; infinite where there is none.
   double slowest = 0.0;
+  int slowest_stop = -1;  // that it is with
+  Instant<double> slowest_at{};
 };
 
 // The stuck phases that begin within the passage, in time order.

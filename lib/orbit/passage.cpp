@@ -42,8 +42,8 @@ class Follower {
   }
 
   Passage follow() {
-    while (proceed()) {
-    }
+    if (options_.left_out) follow_without(*options_.left_out);
+    if (passage_.failure.empty()) reach(end_);
     for (PassedHold& hold : holding_) {
       hold.to = motion_.instant();
       hold.to_end = true;
@@ -68,9 +68,36 @@ class Follower {
 
   State state_now() const { return {motion_.q(), motion_.qdot()}; }
 
-  // False when the passage is over.
-  bool proceed() {
-    switch (walk_.next(end_)) {
+  bool reach(const Instant<double>& end) {
+    while (proceed(end)) {
+    }
+    return passage_.failure.empty();
+  }
+
+  // As far as the end of that, or of the passage.
+  bool follow_without(const LeftOut& one) {
+    const Instant<double> start = motion_.instant();
+    const auto within = [&](double seconds) {
+      const Instant<double> at = later(start, seconds, system_.period());
+      return not_before(at, end_) ? end_ : at;
+    };
+    const auto is_open = [&] {
+      return motion_.state().contacts[static_cast<std::size_t>(one.stop)] == Contact::kClear &&
+             motion_.gap(one.stop) > 0.0;
+    };
+    const Instant<double> to = within(one.to);
+    if (!reach(within(one.from))) return false;
+    if (!is_open()) return fail("the structure is on the stop that is left out");
+    motion_.leave_out(one.stop);
+    if (!reach(to)) return false;
+    motion_.leave_out({});
+    return not_before(to, end_) || is_open() ||
+           fail("the structure has not come back from beyond the stop that was left out");
+  }
+
+  // False when that is reached.
+  bool proceed(const Instant<double>& end) {
+    switch (walk_.next(end)) {
       case WalkStep::kDeparture:
         return depart();
       case WalkStep::kFlight:

@@ -21,6 +21,15 @@
 
 namespace graze {
 
+// A stop that is as if it were not there for a while, s after the start, around an approach that
+// just touches it. So a passage that grazes is followed on either side of the grazing, where the
+// approach stays away or would be an impact, by one motion that is smooth. The gap is open when
+// that while begins and when it ends.
+struct LeftOut {
+  int stop = 0;
+  double from = 0.0, to = 0.0;
+};
+
 struct PassageOptions {
   double closure_speed = 0.0;  // m/s: below it the tail of a chatter is summed
   long long max_impacts = kDefaultImpactBudget;
@@ -29,6 +38,7 @@ struct PassageOptions {
   // Of speeds and approaches, along it, the rates: with deviations and a parameter's deviation
   // only.
   std::optional<PassageDirection> along{};
+  std::optional<LeftOut> left_out{};
   // Called for every flight: the phase as it was flown, when it began, how long it was, s.
   std::function<void(const ContactPhase<double>&, const Instant<double>&, double)> flight{};
 };

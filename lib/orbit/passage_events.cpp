@@ -75,7 +75,9 @@ class EventsOfOrbit {
     }
     if (touch) {
       instants.push_back(counted(touch->at, touch->touch.turn));
-      met.push_back({touch->touch.stop, 0, 0.0, 0.0, touch->state, OrbitContact{}});
+      met.push_back({touch->touch.stop, 0, 0.0, 0.0, touch->state});
+      if (system_.stops[static_cast<std::size_t>(touch->touch.stop)].is_compliant())
+        met.back().contact = OrbitContact{};
     }
     const OrbitClock clock(system_, static_cast<int>(passages_.size()) * periods_, instants);
     for (std::size_t i = 0; i < met.size(); ++i) {

@@ -65,6 +65,12 @@ PassageShooting PassageShooting::over(PassageLayout layout) const {
   return other;
 }
 
+PassageShooting PassageShooting::leaving_out(const LeftOut& one) const {
+  PassageShooting other = *this;
+  other.map_ = map_.leaving_out(one);
+  return other;
+}
+
 Vector PassageShooting::wrap() const {
   if (!layout_.released) return {};
   Vector wrap = Vector::Zero(size());

@@ -58,6 +58,7 @@ class PassageShooting {
   const SectionMap& map() const { return map_; }
   // Orbits of another layout with the same stops closed, in the same coordinates.
   PassageShooting over(PassageLayout layout) const;
+  PassageShooting leaving_out(const LeftOut& one) const;
 
   Eigen::Index size() const { return head() + layout_.sections * map_.size(); }
   Eigen::Index head() const { return layout_.released ? 1 : 0; }  // where x_1 begins

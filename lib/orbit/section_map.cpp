@@ -233,7 +233,7 @@ std::optional<Passage> SectionMap::follow_along(const System& system, const Vect
 }
 
 std::optional<SectionMap::Within> SectionMap::within(
-    const System& system, const Vector& x, double theta, double angle,
+    const System& system, const Vector& x, double theta, double angle, bool moves,
     std::span<const System* const> tangents) const {
   const std::optional<Chart> chart = chart_at(system, x);
   const std::optional<MotionState<double>> start = start_of(system, x, theta);
@@ -241,9 +241,11 @@ std::optional<SectionMap::Within> SectionMap::within(
   const double frequency = system.forcing()->frequency;
   const Instant<double> end = later(start->instant, angle / frequency, system.period());
   Within within;
-  within.by_state = start_deviations(system, *start, *chart, false);
-  Passage passage = pass(system, *start, end, options_, &within.by_state);
+  Deviations deviations = start_deviations(system, *start, *chart, moves);
+  Passage passage = pass(system, *start, end, options_, &deviations);
   if (!passage.failure.empty()) return {};
+  within.by_state = {deviations.q.rightCols(size()), deviations.qdot.rightCols(size()), {}};
+  if (moves) within.by_start = {deviations.q.col(0), deviations.qdot.col(0)};
   within.at = std::move(passage.end);
   within.state = {within.at.q, within.at.qdot};
   for (const System* tangent : tangents) {
@@ -255,6 +257,12 @@ std::optional<SectionMap::Within> SectionMap::within(
   within.by_angle.q /= frequency;
   within.by_angle.qdot /= frequency;
   return within;
+}
+
+SectionMap SectionMap::leaving_out(const LeftOut& one) const {
+  SectionMap other = *this;
+  other.options_.left_out = one;
+  return other;
 }
 
 }  // namespace graze

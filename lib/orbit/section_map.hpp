@@ -77,11 +77,14 @@ class SectionMap {
     State state;
     MotionState<double> at;  // that motion goes on from
     Deviations by_state;     // by x
+    State by_start;          // by the phase at which it starts, per rad, where that moves
     State by_angle;          // per rad
     std::vector<State> by_parameters;
   };
   std::optional<Within> within(const System& system, const Vector& x, double theta, double angle,
-                               std::span<const System* const> tangents) const;
+                               bool moves, std::span<const System* const> tangents) const;
+  // The same section, of motions that do not see a stop for a while.
+  SectionMap leaving_out(const LeftOut& one) const;
 
  private:
   Deviations start_deviations(const System& system, const MotionState<double>& start,

@@ -7,6 +7,7 @@
 #include <memory>
 
 #include "branch_checks.hpp"
+#include "graze/bifurcation/orbit_loci.hpp"
 #include "graze/bifurcation/release_borders.hpp"
 #include "graze/flow/exact_flow.hpp"
 #include "graze/orbit/laid_orbit.hpp"
@@ -70,6 +71,30 @@ TEST(StickingGrazing, IsASpecialPointWhereAllDirectionsAreHeld) {
     ASSERT_EQ(grazings.size(), 1u) << gap;
     EXPECT_NEAR(grazings[0]->at.value / touching, 1.0, 1e-12);
     EXPECT_EQ(grazings[0]->id, "GR1");
+  }
+}
+
+// In the plane of two parameters, by the same closed form at every point: N = m, and the impact
+// that just touches is on another stop than the chatter.
+TEST(StickingGrazing, HasALocusOverTwoParameters) {
+  const Scene scene = two_sided(1.6);
+  LociOptions options;
+  options.branches.from = 0.3;
+  options.branches.to = 0.58;
+  options.branches.start_values = 8;
+  options.second_from = 1.3;
+  options.second_to = 1.8;
+  options.kinds = {OrbitLocusKind::kGrazing};
+  options.slices = 1;
+  const OrbitLoci result = trace_loci(scene, "forcing.frequency", "stop.2.gap", options);
+  ASSERT_EQ(result.loci.size(), 1u);
+  const OrbitLocus& locus = result.loci[0];
+  EXPECT_TRUE(locus.sticks());
+  ASSERT_GE(locus.points.size(), 50u);
+  const SystemFamily family(scene, "forcing.frequency");
+  for (const OrbitLocusPoint& point : locus.points) {
+    EXPECT_NEAR(reach(*family.at(point.value)) / point.second, 1.0, 1e-12) << point.value;
+    EXPECT_EQ(std::ranges::count(point.impacts, 1, &OrbitImpact::stop), 1);
   }
 }
 

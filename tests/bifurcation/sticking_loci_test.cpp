@@ -47,6 +47,15 @@ Scene second_drawn(double frequency) {
   return drawn(6.042, 0.072, 0.037, 0.919, 0.592, 0.626, -0.721, 0.256, frequency);
 }
 
+Scene two_modes() {
+  return parse_scene(
+      "[modal]\nfrequencies = [1.0, 3.3]\ndamping_ratios = [0.02, 0.02]\n"
+      "participation = [1.0, 0.4]\n"
+      "[forcing]\nkind = \"modal\"\namplitude = 1.0\nfrequency = 0.45\n"
+      "[[stop]]\nshape = [1.0, 0.8]\ngap = 0.1\nrestitution = 0.4\n",
+      "two_modes.toml");
+}
+
 // Of loci in a plane, from the branches at the scene's own values, which start from simulations.
 template <class InPlane>
 LociOptions options_of(const InPlane& plane, OrbitLocusKind kind, int start_values) {
@@ -107,12 +116,13 @@ TEST_P(StickingLoci, PassTheSpecialPointsOfTenSlices) {
     slice.start = BranchStart{at, false, false};
     OrbitBranches traced = trace_orbits(
         SystemFamily(with_parameter(there, plane.first, point.value), plane.first), slice);
-    // From a fold itself a branch leads away on both sides of it.
-    if (plane.special == SpecialKind::kFold) {
+    // From a fold itself a branch leads away on both sides of it, and at a grazing it has a corner.
+    if (plane.special != SpecialKind::kPeriodDoubling && plane.special != SpecialKind::kTorus) {
+      const double wide = plane.special == SpecialKind::kFold ? 1.0 : 0.1;
       slice.start.reset();
       slice.start_values = 6;
-      slice.from = plane.from;
-      slice.to = plane.to;
+      slice.from = std::max(plane.from, point.value - wide * (plane.to - plane.from));
+      slice.to = std::min(plane.to, point.value + wide * (plane.to - plane.from));
       traced = support::sticking_branches(there, plane.first, slice);
     }
     double nearest = 1.0;
@@ -250,8 +260,15 @@ INSTANTIATE_TEST_SUITE_P(
               "stop.restitution", OrbitLocusKind::kPeriodDoubling, SpecialKind::kPeriodDoubling,
               0.51, 0.53, 0.1, 0.45},
         Plane{"fold of the second drawn", second_drawn(0.69), "forcing.frequency",
-              "stop.restitution", OrbitLocusKind::kFold, SpecialKind::kFold, 0.67, 0.71, 0.3,
-              0.45}));
+              "stop.restitution", OrbitLocusKind::kFold, SpecialKind::kFold, 0.67, 0.71, 0.3, 0.45},
+        Plane{"grazing of two modes", two_modes(), "forcing.frequency", "stop.gap",
+              OrbitLocusKind::kGrazing, SpecialKind::kGrazing, 0.43, 0.49, 0.08, 0.12},
+        Plane{"grazing of three modes", support::reference_scene("sticking/rayl3"),
+              "forcing.frequency", "stop.restitution", OrbitLocusKind::kGrazing,
+              SpecialKind::kGrazing, 0.165, 0.185, 0.63, 0.67},
+        Plane{"grazing of the first drawn", first_drawn(0.63), "forcing.frequency",
+              "stop.restitution", OrbitLocusKind::kGrazing, SpecialKind::kGrazing, 0.6, 0.65, 0.25,
+              0.41}));
 
 }  // namespace
 }  // namespace graze

@@ -104,10 +104,10 @@ TEST(StickingSwitch, BranchesThatCrossAreFoundFromEachOther) {
   const auto named = [](const OrbitBranch& branch) { return branch.origin == "BP1"; };
   EXPECT_EQ(std::count_if(switched.branches.begin(), switched.branches.end(), named), 1);
   for (const OrbitBranch& branch : switched.branches)
-    EXPECT_TRUE(std::any_of(branch.points.begin(), branch.points.end(),
-                            [&](const OrbitBranchPoint& point) {
-                              return std::abs(point.value / points[0]->at.value - 1.0) < 1e-10;
-                            }));
+    EXPECT_TRUE(
+        std::any_of(branch.points.begin(), branch.points.end(), [&](const OrbitBranchPoint& point) {
+          return std::abs(point.value / points[0]->at.value - 1.0) < 1e-10;
+        }));
 }
 
 // The scene asks for less than the default: so does what a search along the way says of itself.
