@@ -53,7 +53,7 @@ bool ReleaseBorders::goes_on(const BranchPoint& previous, const BranchPoint& her
 
 ReleaseTip ReleaseBorders::between(const BranchPoint& a, const BranchPoint& b) {
   ReleaseTip first;
-  if (equations_.see_impacts()) first = grazing_ahead(equations_, corrector_, options_, a, b);
+  if (equations_.see_impacts()) first = grazing_ahead(equations_, options_, a, b);
   if (first.border) return first;
   walk(a, b, equations_.see_impacts(), [&](const ReleaseTip& tip) {
     first = tip;
@@ -62,13 +62,12 @@ ReleaseTip ReleaseBorders::between(const BranchPoint& a, const BranchPoint& b) {
   return first;
 }
 
-ReleaseTip ReleaseBorders::at_last(const std::vector<BranchPoint>& reached) {
-  const BranchPoint& at = reached.back();
+ReleaseTip ReleaseBorders::at_last(const BranchPoint& at) {
   const std::optional<ReleaseReturn> here = equations_.follow(at);
   // Where the equations are solved no further the trace has come as near as it gets.
   if (here && has_shrunk(*here, equations_.period_at(at)))
     return {OrbitBranchEnd::kChatterCompletes, at, false, false, at.parameter, {}};
-  return grazing_at(equations_, corrector_, reached, false);
+  return grazing_at(equations_, options_, at, false);
 }
 
 void ReleaseBorders::pass(const JudgedPoint& a, const JudgedPoint& b,
@@ -114,9 +113,7 @@ std::optional<BranchTip> ReleaseBorders::close(Branch& trace, std::size_t side) 
   if (!halted && trace.ends[side] != BranchEnd::kNotConverged) return {};
   ReleaseTip tip;
   if (!halted) {
-    std::vector<BranchPoint> reached(points.begin(), points.end());
-    if (side == 0) std::reverse(reached.begin(), reached.end());
-    tip = at_last(reached);
+    tip = at_last(side == 0 ? points.front() : points.back());
     return BranchTip{tip.end, place_of(tip)};
   }
   tip = side == 0 ? between(points[1], points[0]) : between(points.end()[-2], points.back());
@@ -203,7 +200,7 @@ ReleaseTip ReleaseBorders::grazing(const ReleaseApproach& there, const ReleaseRe
   const bool is_lost = solved &&
                        here.itinerary.events.size() > there.beyond->itinerary.events.size() &&
                        touches(equations_, there.at_beyond);
-  ReleaseTip tip = grazing_at(equations_, corrector_, there.reached, is_lost);
+  ReleaseTip tip = grazing_at(equations_, options_, there.reached.back(), is_lost);
   if (tip.border && solved) tip.beyond = there.at_beyond;
   return tip;
 }

@@ -46,7 +46,7 @@ class ReleaseBorders : public BranchBorders {
   // cannot be told.
   ReleaseTip between(const BranchPoint& a, const BranchPoint& b);
   // What ends it at the last of these points, where it was followed no further.
-  ReleaseTip at_last(const std::vector<BranchPoint>& reached);
+  ReleaseTip at_last(const BranchPoint& at);
   // The special point there; nothing where it is none.
   std::optional<BranchPlace> place_of(const ReleaseTip& tip) const;
   void end_at(const BranchPoint& border, Branch& trace, std::size_t side);

@@ -5,7 +5,6 @@
 #include <limits>
 #include <vector>
 
-#include "graze/base/angle.hpp"
 #include "graze/base/linear_equations.hpp"
 #include "graze/continuation/corrector.hpp"
 
@@ -18,6 +17,9 @@ constexpr int kMostIterations = 16;
 constexpr double kSettled = 1e-8;
 // Steps that shrink less lead nowhere near.
 constexpr double kContraction = 0.8;
+// Nor does what lies further than this from where it began, in units of the unknowns and the range.
+constexpr double kBeside = 1e-2;
+
 class TouchSearch {
  public:
   TouchSearch(const PassageEquations& equations, const ContinuationOptions& options)
@@ -26,7 +28,7 @@ class TouchSearch {
   std::optional<FoundTouch> near(const BranchPoint& from, const Touch& touch) {
     const Eigen::Index n = from.u.size();
     Vector y(n + 2);
-    y << corrector_.pack(from), static_cast<double>(touch.turn) * kTurn + touch.angle;
+    y << corrector_.pack(from), equations_.psi_of(from.u, touch);
     double last = std::numeric_limits<double>::infinity();
     for (int i = 0; i < kMostIterations; ++i) {
       const std::optional<ZeroEvaluation> at = equations_.touching(y, {}, touch.stop);
@@ -107,6 +109,18 @@ std::optional<FoundTouch> touch_between(const PassageEquations& equations,
                                             : best->at.tangent.dot(a.tangent) < 0.0;
   if (runs_back) best->at.turn_round();
   return best;
+}
+
+std::optional<FoundTouch> touch_from(const PassageEquations& equations,
+                                     const ContinuationOptions& options, const BranchPoint& from) {
+  const System* system = equations.system_at(from.parameters());
+  if (!system) return {};
+  const std::vector<Touch> touches = touches_near(*system, equations.shooting(), from.u);
+  if (touches.empty()) return {};
+  std::optional<FoundTouch> found = TouchSearch(equations, options).near(from, touches.front());
+  const Corrector corrector(equations.problem(), options);
+  if (found && !(corrector.chord(from, found->at).norm() <= kBeside)) return {};
+  return found;
 }
 
 }  // namespace graze

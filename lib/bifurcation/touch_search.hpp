@@ -1,4 +1,4 @@
-// Where a branch of orbits on compliant stops grazes: the orbit that touches a stop at no speed,
+// Where a branch of orbits that are followed grazes: the orbit that touches a stop at no speed,
 //
 //   f(x_i) = x_{i+1},   b.q - a = 0,   b.q' = 0   at the forcing angle psi after the start of x_1,
 //
@@ -23,5 +23,10 @@ struct FoundTouch {
 std::optional<FoundTouch> touch_between(const PassageEquations& equations,
                                         const ContinuationOptions& options, const BranchPoint& a,
                                         const BranchPoint& b, int stop);
+
+// The nearest touch of an orbit beside a solution: an impact or an approach of it that would be
+// one. Its tangent is turned as it may be. Nothing where Newton's method leads to none near that.
+std::optional<FoundTouch> touch_from(const PassageEquations& equations,
+                                     const ContinuationOptions& options, const BranchPoint& from);
 
 }  // namespace graze
