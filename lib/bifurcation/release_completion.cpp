@@ -5,7 +5,8 @@
 #include <limits>
 #include <vector>
 
-#include "graze/bifurcation/grazing_value.hpp"
+#include "graze/base/linear_equations.hpp"
+#include "graze/base/vector.hpp"
 #include "graze/orbit/held_force.hpp"
 
 namespace graze {
@@ -47,14 +48,69 @@ bool is_at_rest(const ReleaseReturn& back, int periods, double period) {
   return back.holds.size() == 1 && back.shortest_hold >= (periods - kInterrupted) * period;
 }
 
+// A solution before a border: its parameter, and what vanishes there.
+struct NearBorder {
+  double parameter = 0.0, margin = 0.0;
+};
+
+constexpr Eigen::Index kMostSolutions = 5;
+constexpr double kApart = 1.3;
+
+// How much the slope of the parameter over this power of the margin changes over the three nearest,
+// as a factor.
+double bend(const std::vector<NearBorder>& used, int power) {
+  const auto slope = [&](std::size_t k) {
+    return (used[k + 1].parameter - used[k].parameter) /
+           (std::pow(used[k + 1].margin, power) - std::pow(used[k].margin, power));
+  };
+  return std::abs(std::log(std::abs(slope(1) / slope(0))));
+}
+
+// Of the nearest `count`: p_0 of p = p_0 + p_1 m^lowest + p_2 m^(lowest + 1) + ...
+double by_polynomial(const std::vector<NearBorder>& used, Eigen::Index count, int lowest) {
+  Matrix powers(count, count);
+  Vector ahead(count);
+  const NearBorder& nearest = used.front();
+  const double unit = used[static_cast<std::size_t>(count - 1)].margin;
+  for (Eigen::Index i = 0; i < count; ++i) {
+    const NearBorder& at = used[static_cast<std::size_t>(i)];
+    ahead[i] = at.parameter - nearest.parameter;
+    powers(i, 0) = 1.0;
+    for (int k = 1; k < count; ++k) powers(i, k) = std::pow(at.margin / unit, lowest + k - 1);
+  }
+  return nearest.parameter + solve_with_full_pivoting(powers, ahead)[0];
+}
+
+// The parameter where the margin is zero, by the polynomial through solutions at margins that grow
+// by kApart at least, from `reliable` on (two or more). Seen from the side on which the margin is
+// positive the parameter is a smooth function of it, with or without a linear term. `solutions`:
+// the nearest to the border last. Nothing where fewer are at hand.
+std::optional<double> vanishing_at(const std::vector<NearBorder>& solutions, double reliable) {
+  std::vector<NearBorder> used;
+  for (auto at = solutions.rbegin(); at != solutions.rend() && std::ssize(used) < kMostSolutions;
+       ++at)
+    if (at->margin >= (used.empty() ? reliable : kApart * used.back().margin)) used.push_back(*at);
+  if (used.size() < 2) return {};
+  const int lowest = used.size() > 2 && bend(used, 2) < bend(used, 1) ? 2 : 1;
+  // As far as a solution more brings it on: farther ones need not lie where the margin is smooth.
+  double best = used.front().parameter, change = std::numeric_limits<double>::infinity();
+  for (Eigen::Index count = 2; count <= std::ssize(used); ++count) {
+    const double value = by_polynomial(used, count, lowest);
+    if (!(std::abs(value - best) < change)) break;
+    change = std::abs(value - best);
+    best = value;
+  }
+  return best;
+}
+
 // Where the stop is not let go any more, by orbits before that: bisection comes as near as an
 // opening that can be told from none.
 double last_opening(const PassageEquations& equations, const std::vector<BranchPoint>& reached) {
-  std::vector<NearGrazing> near;
+  std::vector<NearBorder> near;
   for (const BranchPoint& point : reached)
     if (const auto back = equations.follow(point))
       near.push_back({point.parameter, shortest_opening(*back, equations.period_at(point))});
-  return grazing_value(near, kOpened * equations.period_at(reached.back()))
+  return vanishing_at(near, kOpened * equations.period_at(reached.back()))
       .value_or(reached.back().parameter);
 }
 
