@@ -31,6 +31,7 @@ struct ContactForce {
   double onset_depth = 0.0;      // h, m
   double onset_sharpness = 0.0;  // Q
   Separation separation = Separation::kAtZeroForce;
+  bool operator==(const ContactForce&) const = default;
 
   // x^n; below the surface of the stop its odd continuation, which a step that ends there sees.
   double power(double x) const {

@@ -3,14 +3,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 #include <iterator>
-#include <limits>
 
-#include "graze/base/angle.hpp"
 #include "graze/base/parallel.hpp"
 #include "graze/hybrid/simulation.hpp"
 #include "graze/orbit/closed_form.hpp"
+#include "graze/orbit/contact_starts.hpp"
 #include "graze/orbit/followed_orbit.hpp"
 #include "graze/orbit/impact_sequences.hpp"
 #include "graze/orbit/minimal_orbit.hpp"
@@ -21,7 +19,6 @@
 #include "graze/orbit/rough_guess.hpp"
 #include "graze/orbit/settled.hpp"
 #include "graze/orbit/solve.hpp"
-#include "graze/orbit/strobe_finder.hpp"
 
 namespace graze {
 namespace {
@@ -54,32 +51,27 @@ PhaseSearchOptions search_budget(int impacts, bool explicitly) {
   return budget;
 }
 
-// The orbit that a solution of the phase problem is, without states and multipliers.
-Orbit outline(const PhaseSolution& solution) {
-  Orbit orbit;
-  orbit.period = solution.pattern.period;
-  orbit.residual = std::numeric_limits<double>::infinity();  // not known
-  for (Eigen::Index i = 0; i < solution.phases.size(); ++i) {
-    const double phase = wrapped(solution.phases[i]);
-    orbit.impacts.push_back({solution.pattern.stops[static_cast<std::size_t>(i)],
-                             static_cast<int>(std::lround((solution.phases[i] - phase) / kTurn)),
-                             phase,
-                             solution.speeds[i],
-                             {}});
-  }
-  return orbit;
-}
-
 class Finder {
  public:
   Finder(const System& system, const std::optional<State>& start, const FinderOptions& options)
-      : system_(system), start_(start), options_(options), scale_(motion_scale(system)) {}
+      : system_(system),
+        start_(start),
+        options_(options),
+        scale_(motion_scale(system)),
+        compliant_(system.has_compliant_stop()) {
+    const State at_rest{Vector::Zero(system.modes()), Vector::Zero(system.modes())};
+    passage_.closure_speed =
+        options.closure_speed.value_or(default_closure_speed(system, start.value_or(at_rest)));
+    passage_.max_impacts = options.max_impacts;
+    passage_.stop = options.stop;
+  }
 
   FoundOrbits find() {
     const bool one_impact = !options_.impacts || *options_.impacts == 1;
-    if (options_.from_closed_form && one_impact) from_closed_form();
+    if (options_.from_closed_form && one_impact)
+      compliant_ ? from_closed_form_contacts() : from_closed_form();
     if (options_.from_simulation && start_) from_simulation();
-    if (options_.from_random) from_random();
+    if (options_.from_random) compliant_ ? from_rough_contacts() : from_random();
     add_mirror_images();
     return conclude();
   }
@@ -107,9 +99,11 @@ class Finder {
     settle_options.stop = options_.stop;
     settle_options.closure_speed = options_.closure_speed;
     const SettledMotion settled = settle(system_, *start_, settle_options);
+    if (settled.kind == SettledKind::kSticks ||
+        (compliant_ && settled.kind == SettledKind::kImpacts))
+      return from_settled(settled);
     if (!settled.pattern) {
-      const bool sticks = settled.kind == SettledKind::kSticks;
-      found_.notes.push_back(settled.verdict + (sticks ? from_sticking(settled) : ""));
+      found_.notes.push_back(settled.verdict);
       return;
     }
     const ShootingProblem problem(*settled.pattern, scale_);
@@ -119,28 +113,63 @@ class Finder {
       found_.notes.push_back(settled.verdict + ", but no orbit was confirmed there");
       return;
     }
-    const int k = static_cast<int>(orbit->impacts.size());
-    found_.notes.push_back(fmt::format(
-        "from the scene's initial state the motion settles on a ({}, {}) orbit", orbit->period, k));
+    note_settled(*orbit);
     if (options_.asks_for(orbit->period, orbit->impacts.size())) keep(*orbit);
   }
 
-  // What comes of a motion that repeats and sticks: the rest of a sentence.
-  std::string from_sticking(const SettledMotion& settled) {
-    const double closure_speed =
-        options_.closure_speed.value_or(default_closure_speed(system_, *start_));
-    ++found_.simulation.tried;
-    const FollowedAnswer answer =
-        followed_orbit(system_, settled.at_start, settled.period,
-                       {closure_speed, options_.max_impacts, options_.stop});
-    if (!answer.orbit) return "; " + answer.why_not;
-    ++found_.simulation.converged;
+  void note_settled(const Orbit& orbit) {
+    found_.notes.push_back(
+        fmt::format("from the scene's initial state the motion settles on a ({}, {}) orbit",
+                    orbit.period, orbit.impacts.size()));
+  }
+
+  // Of orbits that are followed: those that stick, and all on compliant stops.
+  void from_settled(const SettledMotion& settled) {
+    const bool sticks = settled.kind == SettledKind::kSticks;
+    const FollowedAnswer answer = follow(settled.at_start, settled.period, found_.simulation);
+    if (!answer.orbit)
+      found_.notes.push_back(settled.verdict + (sticks ? "; " : ", but ") + answer.why_not);
+    else if (answer.orbit->sticks())
+      found_.notes.push_back(
+          fmt::format("{}; solved for, it is a ({}, {}) orbit that sticks, its chatters summed "
+                      "below {:.4g} m/s",
+                      settled.verdict, answer.orbit->period, answer.orbit->impacts.size(),
+                      passage_.closure_speed));
+    else
+      note_settled(*answer.orbit);
+  }
+
+  // Keeps the orbit that a state at the start of a forcing period leads to, where it is asked for.
+  FollowedAnswer follow(const State& at_period_start, int period, StartCount& count) {
+    ++count.tried;
+    FollowedAnswer answer = followed_orbit(system_, at_period_start, period, passage_);
+    if (!answer.orbit) return answer;
+    ++count.converged;
     const Orbit& orbit = *answer.orbit;
-    const int k = static_cast<int>(orbit.impacts.size());
-    if (options_.asks_for(orbit.period, orbit.impacts.size())) keep(orbit);
-    return fmt::format(
-        "; solved for, it is a ({}, {}) orbit that sticks, its chatters summed below {:.4g} m/s",
-        orbit.period, k, closure_speed);
+    const bool any_number = options_.sticking && orbit.sticks();
+    if (any_number ? orbit.period == options_.period
+                   : options_.asks_for(orbit.period, orbit.impacts.size()))
+      keep(orbit);
+    return answer;
+  }
+
+  void from_closed_form_contacts() {
+    for (const State& start : closed_form_contacts(system_, options_.period, passage_))
+      if (!options_.stop.requested()) follow(start, options_.period, found_.closed_form);
+  }
+
+  void from_rough_contacts() {
+    // A map with its derivatives costs as N^3.
+    const int modes = system_.modes();
+    const int guesses = std::min(options_.random_guesses, std::max(4, 64 / (modes * modes)));
+    for (int stop = 0; stop < static_cast<int>(system_.stops.size()); ++stop) {
+      ++found_.patterns;
+      for (const State& start : rough_contacts(system_, stop, options_.period, guesses,
+                                               speed_scale(), options_.random_seed, passage_)) {
+        if (options_.stop.requested()) return;
+        follow(start, options_.period, found_.random);
+      }
+    }
   }
 
   void from_random() {
@@ -304,11 +333,8 @@ class Finder {
     if (!opposite) return;
     for (const Orbit& orbit : std::vector<Orbit>(found_.orbits)) {
       if (!(orbit.admissible || options_.keep_virtual)) continue;
-      if (orbit.sticks()) {
-        const auto image =
-            mirrored_sticking(system_, orbit, *opposite,
-                              {orbit.section->closure_speed, options_.max_impacts, options_.stop});
-        if (image) keep(*image);
+      if (orbit.section) {
+        if (const auto image = mirrored_orbit(system_, orbit, *opposite, passage_)) keep(*image);
         continue;
       }
       ImpactPattern pattern = orbit.pattern();
@@ -333,6 +359,10 @@ class Finder {
   }
 
   std::string what_was_tried() const {
+    if (compliant_)
+      return fmt::format("{} rigid orbits, {} simulation, {} rough guesses",
+                         found_.closed_form.tried, found_.simulated ? "the" : "no",
+                         found_.random.tried);
     std::vector<std::string> parts;
     if (found_.closed_form.tried > 0)
       parts.push_back(fmt::format("{} solutions of the closed form", found_.closed_form.tried));
@@ -352,6 +382,8 @@ class Finder {
   const std::optional<State>& start_;
   const FinderOptions& options_;
   MotionScale scale_;
+  bool compliant_;  // a stop is, and every orbit is followed
+  PassageOptions passage_;
   FoundOrbits found_;
 };
 
@@ -359,7 +391,6 @@ class Finder {
 
 FoundOrbits find_orbits(const System& system, const std::optional<State>& start,
                         const FinderOptions& options) {
-  if (system.has_compliant_stop()) return find_strobe_orbits(system, start, options);
   return Finder(system, start, options).find();
 }
 

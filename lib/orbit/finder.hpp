@@ -8,7 +8,8 @@
 //                 free motion repeats by itself), Levenberg-Marquardt on the shooting equations
 //                 from rough guesses.
 //
-// With compliant stops: strobe_finder.hpp.
+// With compliant stops the first and the last are those of contact_starts.hpp, and every orbit is
+// followed through its contacts (followed_orbit.hpp).
 //
 // Newton's method on the shooting equations polishes each solution, and the recomputed residual is
 // the judge. A list is what the budgets have found, never proved to be all there is.

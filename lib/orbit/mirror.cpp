@@ -7,7 +7,9 @@ namespace {
 
 // Exactly: rows on either side of a structure come from the same shapes.
 bool are_opposite(const Stop& a, const Stop& b) {
-  return a.row == -b.row && a.gap == b.gap && a.direction() == -b.direction() &&
+  if (a.row != -b.row || a.gap != b.gap || a.is_compliant() != b.is_compliant()) return false;
+  if (a.is_compliant()) return a.force() == b.force();
+  return a.direction() == -b.direction() &&
          a.restitution().coefficients() == b.restitution().coefficients();
 }
 
@@ -34,9 +36,9 @@ std::vector<ImpactPoint> mirrored(std::vector<ImpactPoint> impacts) {
   return impacts;
 }
 
-std::optional<Orbit> mirrored_sticking(const System& system, const Orbit& orbit,
-                                       const std::vector<int>& opposite,
-                                       const PassageOptions& options) {
+std::optional<Orbit> mirrored_orbit(const System& system, const Orbit& orbit,
+                                    const std::vector<int>& opposite,
+                                    const PassageOptions& options) {
   const MotionState<double>& at = orbit.section->states.front();
   MotionState<double> image = at;
   image.instant = later(at.instant, 0.5 * system.period(), system.period());
@@ -47,7 +49,13 @@ std::optional<Orbit> mirrored_sticking(const System& system, const Orbit& orbit,
     image.contacts[other] = at.contacts[i];
     image.multiplicities[other] = at.multiplicities[i];
   }
-  return orbit_through(system, image, orbit.period, options).orbit;
+  PassageOptions closing = options;
+  closing.closure_speed = orbit.section->closure_speed;
+  if (!closed_stops(image).empty())
+    return orbit_through(system, image, orbit.period, closing).orbit;
+  const Passage passage = pass(system, image, {image.instant.period + 1, 0.0}, closing);
+  if (!passage.failure.empty()) return {};
+  return followed_orbit(system, {passage.end.q, passage.end.qdot}, orbit.period, closing).orbit;
 }
 
 }  // namespace graze

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <boost/random/sobol.hpp>
 #include <cmath>
+#include <limits>
 #include <memory>
 #include <random>
 
@@ -127,6 +128,21 @@ PhaseSolution in_order(const PhaseProblem& problem, const Vector& phases) {
 }
 
 }  // namespace
+
+Orbit outline(const PhaseSolution& solution) {
+  Orbit orbit;
+  orbit.period = solution.pattern.period;
+  orbit.residual = std::numeric_limits<double>::infinity();  // not known
+  for (Eigen::Index i = 0; i < solution.phases.size(); ++i) {
+    const double phase = wrapped(solution.phases[i]);
+    orbit.impacts.push_back({solution.pattern.stops[static_cast<std::size_t>(i)],
+                             static_cast<int>(std::lround((solution.phases[i] - phase) / kTurn)),
+                             phase,
+                             solution.speeds[i],
+                             {}});
+  }
+  return orbit;
+}
 
 std::optional<PhaseSolution> solve_phases(const PeriodicResponse& response,
                                           const PhaseDeflation& deflation, const Vector& start,

@@ -15,6 +15,7 @@
 #include <optional>
 #include <vector>
 
+#include "graze/orbit/orbit.hpp"
 #include "graze/orbit/phase_deflation.hpp"
 #include "graze/orbit/phase_problem.hpp"
 #include "graze/orbit/phase_search_options.hpp"
@@ -28,6 +29,9 @@ struct PhaseSolution {
   Vector phases;  // rad
   Vector speeds;  // m/s
 };
+
+// The orbit that it is, without states and multipliers.
+Orbit outline(const PhaseSolution& solution);
 
 // Start phases: points of the Sobol sequence, each coordinate moved by exclusive or with a number
 // drawn by the seed, on the first phase and the ordered others.

@@ -124,7 +124,7 @@ TEST_P(Layouts, HaveTheDerivativesOfTheirEquations) {
 // The equations of a motion that comes back multiplied by mu, A(mu) = dF/du + (mu - 1) closing,
 // have a solution where mu is a multiplier and nowhere else.
 TEST_P(Layouts, HaveTheMultipliersThatCloseTheirEquations) {
-  if (!problem().has_multipliers()) GTEST_SKIP() << "all of them are zero";
+  if (!problem().has_multipliers()) return;  // all of them are zero
   const auto at = problem().problem().evaluate(u(), std::array{value_});
   ASSERT_TRUE(at);
   const std::vector<Eigenvalue> multipliers =

@@ -102,5 +102,32 @@ TEST(Mirror, NeedsStopsThatAreOpposite) {
   EXPECT_FALSE(opposite_stops(assemble(support::shipped_scene("05_wagg_one_mode"))));
 }
 
+// Between two springs as between two rigid stops.
+TEST(Mirror, OrbitsOnSpringsHaveTheirImagesToo) {
+  const ContactForce spring{400.0, 1.5, ContactDamping::kPower, 60.0};
+  int compared = 0;
+  for (const double frequency : {0.8, 1.2, 1.6, 2.0}) {
+    SCOPED_TRACE(frequency);
+    System system = support::forced_oscillator(1.0, 0.05, 0.0, 1.0, frequency, 1.0);
+    system.stops = {{Vector::Constant(1, 1.0), 0.1, spring},
+                    {Vector::Constant(1, -1.0), 0.1, spring}};
+    const auto opposite = opposite_stops(system);
+    ASSERT_TRUE(opposite);
+    FinderOptions options;
+    options.from_closed_form = options.from_random = false;
+    for (const Orbit& orbit :
+         find_orbits(system, support::state_of({0.0}, {0.1}), options).orbits) {
+      const auto image =
+          mirrored_orbit(system, orbit, *opposite, {orbit.section->closure_speed, 10'000, {}});
+      ASSERT_TRUE(image);
+      EXPECT_TRUE(is_image(orbit, *image));
+      ++compared;
+    }
+    system.stops[1].law = ContactForce{401.0, 1.5, ContactDamping::kPower, 60.0};
+    EXPECT_FALSE(opposite_stops(system));
+  }
+  EXPECT_GE(compared, 2);
+}
+
 }  // namespace
 }  // namespace graze
