@@ -143,6 +143,10 @@ struct ContactForce {
   }
   // Energy stored in the spring, J.
   double stored(double x) const { return stiffness * power(x) * x / (exponent + 1.0); }
+  // The depth that stores as much, m: an impact with that kinetic energy presses no deeper.
+  double depth_storing(double energy) const {
+    return std::pow((exponent + 1.0) * energy / stiffness, 1.0 / (exponent + 1.0));
+  }
   // Whether F is zero at the onset of a contact at speed v > 0: else the force jumps there.
   bool sets_in_smoothly() const {
     return damping != ContactDamping::kConstant && damping != ContactDamping::kOnset;

@@ -30,29 +30,29 @@ double restitution_of(const Stop& stop, double speed) {
   };
   SimulationOptions options;
   // Depths take no longer than this at any exponent: 2 depth/speed is exceeded by none.
-  const double mobility = body.stops[0].row.squaredNorm(), n = stop.force().exponent;
-  const double depth = std::pow(
-      0.5 * (n + 1.0) * speed * speed / (stop.force().stiffness * mobility), 1.0 / (n + 1.0));
+  const double depth =
+      stop.force().depth_storing(0.5 * speed * speed / body.stops[0].row.squaredNorm());
   options.duration = 100.0 * depth / speed;
   simulate(body, {Vector::Zero(1), Vector::Constant(1, speed / stop.row.norm())}, options,
            listeners);
   return restitution;
 }
 
-// From just before an impact, through its contact to the end of the forcing period.
-void add_start(const System& system, const ImpactPoint& point, int stop,
-               const PassageOptions& passage, std::vector<State>& starts) {
-  const double local = wrapped(point.theta - system.forcing()->phase) / system.forcing()->frequency;
-  if (!(local < system.period())) return;
+}  // namespace
+
+std::optional<State> period_end_after(const System& system, const ImpactPoint& impact, int stop,
+                                      const PassageOptions& passage) {
+  const double local =
+      wrapped(impact.theta - system.forcing()->phase) / system.forcing()->frequency;
+  if (!(local < system.period())) return {};
   MotionState<double> before =
-      Motion<double>(system, {0, local}, point.before.q, point.before.qdot).state();
+      Motion<double>(system, {0, local}, impact.before.q, impact.before.qdot).state();
   // Rounding may have left it beyond the surface.
   before.contacts[static_cast<std::size_t>(stop)] = Contact::kTouching;
   const Passage passed = pass(system, before, {1, 0.0}, passage);
-  if (passed.failure.empty()) starts.push_back({passed.end.q, passed.end.qdot});
+  if (!passed.failure.empty()) return {};
+  return State{passed.end.q, passed.end.qdot};
 }
-
-}  // namespace
 
 std::vector<State> closed_form_contacts(const System& system, int period,
                                         const PassageOptions& passage) {
@@ -75,7 +75,9 @@ std::vector<State> closed_form_contacts(const System& system, int period,
         point = points[which];
         speed = stop.row.dot(point->before.qdot);
       }
-      if (point && speed > 0.0) add_start(system, *point, static_cast<int>(i), passage, starts);
+      if (!point || !(speed > 0.0)) continue;
+      if (const auto start = period_end_after(system, *point, static_cast<int>(i), passage))
+        starts.push_back(*start);
     }
   }
   return starts;
@@ -87,7 +89,8 @@ std::vector<State> rough_contacts(const System& system, int stop, int period, in
   for (const std::vector<ImpactPoint>& guess :
        rough_guesses(system, {period, {stop}}, count, speed, seed)) {
     if (passage.stop.requested()) break;
-    add_start(system, guess.front(), stop, passage, starts);
+    if (const auto start = period_end_after(system, guess.front(), stop, passage))
+      starts.push_back(*start);
   }
   return starts;
 }

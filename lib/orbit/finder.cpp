@@ -11,7 +11,6 @@
 #include "graze/orbit/contact_starts.hpp"
 #include "graze/orbit/followed_orbit.hpp"
 #include "graze/orbit/impact_sequences.hpp"
-#include "graze/orbit/minimal_orbit.hpp"
 #include "graze/orbit/mirror.hpp"
 #include "graze/orbit/orbit_identity.hpp"
 #include "graze/orbit/periodic_response.hpp"
@@ -19,6 +18,7 @@
 #include "graze/orbit/rough_guess.hpp"
 #include "graze/orbit/settled.hpp"
 #include "graze/orbit/solve.hpp"
+#include "graze/orbit/solved_orbit.hpp"
 
 namespace graze {
 namespace {
@@ -99,50 +99,30 @@ class Finder {
     settle_options.stop = options_.stop;
     settle_options.closure_speed = options_.closure_speed;
     const SettledMotion settled = settle(system_, *start_, settle_options);
-    if (settled.kind == SettledKind::kSticks ||
-        (compliant_ && settled.kind == SettledKind::kImpacts))
-      return from_settled(settled);
-    if (!settled.pattern) {
+    const bool sticks = settled.kind == SettledKind::kSticks;
+    if (!sticks && settled.kind != SettledKind::kImpacts) {
       found_.notes.push_back(settled.verdict);
       return;
     }
-    const ShootingProblem problem(*settled.pattern, scale_);
-    const auto solution = newton(problem, system_, problem.pack(settled.points));
-    const std::optional<Orbit> orbit = judge(problem, solution, found_.simulation);
-    if (!orbit) {
-      found_.notes.push_back(settled.verdict + ", but no orbit was confirmed there");
+    const FollowedAnswer answer = keep(orbit_near(system_, settled, passage_), found_.simulation);
+    if (!answer.orbit) {
+      found_.notes.push_back(settled.verdict + (sticks ? "; " : ", but ") + answer.why_not);
       return;
     }
-    note_settled(*orbit);
-    if (options_.asks_for(orbit->period, orbit->impacts.size())) keep(*orbit);
-  }
-
-  void note_settled(const Orbit& orbit) {
+    const Orbit& orbit = *answer.orbit;
     found_.notes.push_back(
-        fmt::format("from the scene's initial state the motion settles on a ({}, {}) orbit",
-                    orbit.period, orbit.impacts.size()));
+        orbit.sticks()
+            ? fmt::format("{}; solved for, it is a ({}, {}) orbit that sticks, its chatters summed "
+                          "below {:.4g} m/s",
+                          settled.verdict, orbit.period, orbit.impacts.size(),
+                          passage_.closure_speed)
+            : fmt::format("from the scene's initial state the motion settles on a ({}, {}) orbit",
+                          orbit.period, orbit.impacts.size()));
   }
 
-  // Of orbits that are followed: those that stick, and all on compliant stops.
-  void from_settled(const SettledMotion& settled) {
-    const bool sticks = settled.kind == SettledKind::kSticks;
-    const FollowedAnswer answer = follow(settled.at_start, settled.period, found_.simulation);
-    if (!answer.orbit)
-      found_.notes.push_back(settled.verdict + (sticks ? "; " : ", but ") + answer.why_not);
-    else if (answer.orbit->sticks())
-      found_.notes.push_back(
-          fmt::format("{}; solved for, it is a ({}, {}) orbit that sticks, its chatters summed "
-                      "below {:.4g} m/s",
-                      settled.verdict, answer.orbit->period, answer.orbit->impacts.size(),
-                      passage_.closure_speed));
-    else
-      note_settled(*answer.orbit);
-  }
-
-  // Keeps the orbit that a state at the start of a forcing period leads to, where it is asked for.
-  FollowedAnswer follow(const State& at_period_start, int period, StartCount& count) {
+  // Keeps the orbit that a start led to, where it is asked for.
+  FollowedAnswer keep(FollowedAnswer answer, StartCount& count) {
     ++count.tried;
-    FollowedAnswer answer = followed_orbit(system_, at_period_start, period, passage_);
     if (!answer.orbit) return answer;
     ++count.converged;
     const Orbit& orbit = *answer.orbit;
@@ -155,7 +135,8 @@ class Finder {
 
   void from_closed_form_contacts() {
     for (const State& start : closed_form_contacts(system_, options_.period, passage_))
-      if (!options_.stop.requested()) follow(start, options_.period, found_.closed_form);
+      if (!options_.stop.requested())
+        keep(followed_orbit(system_, start, options_.period, passage_), found_.closed_form);
   }
 
   void from_rough_contacts() {
@@ -167,7 +148,7 @@ class Finder {
       for (const State& start : rough_contacts(system_, stop, options_.period, guesses,
                                                speed_scale(), options_.random_seed, passage_)) {
         if (options_.stop.requested()) return;
-        follow(start, options_.period, found_.random);
+        keep(followed_orbit(system_, start, options_.period, passage_), found_.random);
       }
     }
   }
@@ -333,15 +314,7 @@ class Finder {
     if (!opposite) return;
     for (const Orbit& orbit : std::vector<Orbit>(found_.orbits)) {
       if (!(orbit.admissible || options_.keep_virtual)) continue;
-      if (orbit.section) {
-        if (const auto image = mirrored_orbit(system_, orbit, *opposite, passage_)) keep(*image);
-        continue;
-      }
-      ImpactPattern pattern = orbit.pattern();
-      for (int& stop : pattern.stops) stop = (*opposite)[static_cast<std::size_t>(stop)];
-      const ShootingProblem problem(pattern, scale_);
-      const auto image = newton(problem, system_, problem.pack(mirrored(orbit.points())));
-      if (image) keep(make_orbit(system_, problem, image->x));
+      if (const auto image = mirrored_orbit(system_, orbit, *opposite, passage_)) keep(*image);
     }
   }
 

@@ -1,6 +1,7 @@
 #include "graze/orbit/mirror.hpp"
 
 #include "graze/base/angle.hpp"
+#include "graze/orbit/solved_orbit.hpp"
 
 namespace graze {
 namespace {
@@ -11,6 +12,20 @@ bool are_opposite(const Stop& a, const Stop& b) {
   if (a.is_compliant()) return a.force() == b.force();
   return a.direction() == -b.direction() &&
          a.restitution().coefficients() == b.restitution().coefficients();
+}
+
+// Half a forcing period later, everything the other way round.
+std::optional<Orbit> mirrored_impacts(const System& system, const Orbit& orbit,
+                                      const std::vector<int>& opposite) {
+  ImpactPattern pattern = orbit.pattern();
+  for (int& stop : pattern.stops) stop = opposite[static_cast<std::size_t>(stop)];
+  std::vector<ImpactPoint> impacts = orbit.points();
+  for (ImpactPoint& impact : impacts) {
+    impact.theta += 0.5 * kTurn;
+    impact.before.q *= -1.0;
+    impact.before.qdot *= -1.0;
+  }
+  return orbit_near(system, pattern, impacts);
 }
 
 }  // namespace
@@ -27,18 +42,10 @@ std::optional<std::vector<int>> opposite_stops(const System& system) {
   return opposite;
 }
 
-std::vector<ImpactPoint> mirrored(std::vector<ImpactPoint> impacts) {
-  for (ImpactPoint& impact : impacts) {
-    impact.theta += 0.5 * kTurn;
-    impact.before.q *= -1.0;
-    impact.before.qdot *= -1.0;
-  }
-  return impacts;
-}
-
 std::optional<Orbit> mirrored_orbit(const System& system, const Orbit& orbit,
                                     const std::vector<int>& opposite,
                                     const PassageOptions& options) {
+  if (!orbit.section) return mirrored_impacts(system, orbit, opposite);
   const MotionState<double>& at = orbit.section->states.front();
   MotionState<double> image = at;
   image.instant = later(at.instant, 0.5 * system.period(), system.period());

@@ -13,11 +13,8 @@ namespace graze {
 // For each stop its opposite; nothing where one has none, or a constant load tells the sides apart.
 std::optional<std::vector<int>> opposite_stops(const System& system);
 
-// The impacts of the mirrored orbit, in the same order; their stops are the opposite ones.
-std::vector<ImpactPoint> mirrored(std::vector<ImpactPoint> impacts);
-
-// The mirror image of an orbit that is followed, as the motion that repeats from its mirrored
-// section; nothing where that does not come back to it. `opposite` as above.
+// The mirror image of an orbit; nothing where its motion cannot be solved for or does not come back
+// to its section. `opposite` as above.
 std::optional<Orbit> mirrored_orbit(const System& system, const Orbit& orbit,
                                     const std::vector<int>& opposite,
                                     const PassageOptions& options);

@@ -14,6 +14,20 @@ namespace {
 // Twice as far and as fast as the motion's scale reaches motions that keep to it, and some above.
 constexpr double kReach = 2.0;
 
+// Moves a state along the direction of a spring's force, to where an impact of that speed, m/s, at
+// most takes it.
+void bring_within_reach(const System& system, double speed, State& state) {
+  for (const Stop& stop : system.stops) {
+    if (!stop.is_compliant()) continue;
+    const double mobility = stop.row.squaredNorm();
+    // Where the stop preloads the structure it is in the way of the undeflected one.
+    const double deepest =
+        std::max(stop.force().depth_storing(0.5 * speed * speed / mobility), -stop.gap);
+    const double beyond = stop.row.dot(state.q) - stop.gap - deepest;
+    if (beyond > 0.0) state.q -= beyond / mobility * stop.row;
+  }
+}
+
 }  // namespace
 
 State start_at(const System& system, std::span<const double> coordinates) {
@@ -32,6 +46,7 @@ State start_at(const System& system, std::span<const double> coordinates) {
     state.q += coordinates[2 * i] * shape;
     state.qdot += coordinates[2 * i + 1] * frequency * shape;
   }
+  bring_within_reach(system, kReach * motion_scale(system).speed, state);
   bring_clear(system, state);
   return state;
 }

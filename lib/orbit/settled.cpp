@@ -269,7 +269,7 @@ class Settling {
           fmt::format("settles on {} that {} {}",
                       count(static_cast<long long>(result_.impacts.size()), "impact"),
                       result_.impacts.size() == 1 ? "repeats" : "repeat", every));
-      if (contacts.sprung) return;
+      if (system_.has_compliant_stop()) return;  // a motion on these is followed
       Pattern last = pattern_of_last(p);
       result_.pattern = std::move(last.pattern);
       result_.points = std::move(last.points);

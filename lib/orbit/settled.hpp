@@ -42,7 +42,7 @@ struct SettledMotion {
   std::vector<MetImpact> impacts;
   std::vector<State> strobes;  // the states at the starts of these periods
   // The repeating pattern, with the points of its last repetition; nothing when none was found,
-  // when it sticks, or with contacts at compliant stops. Where no nearness was asked for it need
+  // when it sticks, or where a stop is compliant. Where no nearness was asked for it need
   // not be minimal: where deviations alternate in sign, two periods agree before one does.
   std::optional<ImpactPattern> pattern;
   std::vector<ImpactPoint> points;

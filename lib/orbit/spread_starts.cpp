@@ -13,11 +13,10 @@
 #include "graze/base/parallel.hpp"
 #include "graze/hybrid/simulation.hpp"
 #include "graze/orbit/clear_state.hpp"
-#include "graze/orbit/followed_orbit.hpp"
-#include "graze/orbit/minimal_orbit.hpp"
 #include "graze/orbit/orbit_identity.hpp"
 #include "graze/orbit/random_start.hpp"
 #include "graze/orbit/settled.hpp"
+#include "graze/orbit/solved_orbit.hpp"
 
 namespace graze {
 namespace {
@@ -146,17 +145,9 @@ class Spread {
   }
 
   std::optional<Orbit> solved(const SettledMotion& motion) const {
-    if (system_.has_compliant_stop()) {
-      PassageOptions strobe;
-      strobe.max_impacts = options_.max_impacts;
-      strobe.stop = options_.stop;
-      strobe.closure_speed =
-          options_.closure_speed.value_or(default_closure_speed(system_, motion.at_start));
-      return followed_orbit(system_, motion.at_start, motion.period, strobe).orbit;
-    }
-    const ShootingProblem problem(*motion.pattern, scale_);
-    const auto solution = newton(problem, system_, problem.pack(motion.points));
-    return solution ? minimal_orbit(system_, problem, *solution) : std::nullopt;
+    const double closure_speed =
+        options_.closure_speed.value_or(default_closure_speed(system_, motion.at_start));
+    return orbit_near(system_, motion, {closure_speed, options_.max_impacts, options_.stop}).orbit;
   }
 
   void take(const Followed& end) {

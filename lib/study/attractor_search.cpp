@@ -9,11 +9,10 @@
 #include "graze/orbit/clear_state.hpp"
 #include "graze/orbit/closed_form.hpp"
 #include "graze/orbit/finder.hpp"
-#include "graze/orbit/minimal_orbit.hpp"
 #include "graze/orbit/orbit_identity.hpp"
 #include "graze/orbit/periodic_response.hpp"
 #include "graze/orbit/random_start.hpp"
-#include "graze/orbit/followed_orbit.hpp"
+#include "graze/orbit/solved_orbit.hpp"
 #include "graze/study/followed_motion.hpp"
 #include "graze/study/strobes.hpp"
 
@@ -69,7 +68,6 @@ class AttractorSearch {
   void from_closed_form() {
     for (std::size_t i = 0; i < system_.stops.size(); ++i)
       found_.searched += holds_closed_form(static_cast<int>(i)) ? 1 : 0;
-    if (found_.searched == 0 && !compliant_) return;
     FinderOptions finder;
     finder.period = options_.period;
     finder.impacts = 1;
@@ -116,9 +114,7 @@ class AttractorSearch {
              known.orbit->period == neighbour.period;
     };
     if (is_searched(neighbour)) return std::any_of(found_.list.begin(), found_.list.end(), is_like);
-    const std::optional<Orbit> orbit =
-        compliant_ ? followed_orbit(system_, turns_of(neighbour), strobe_options()).orbit
-                   : solve(neighbour.pattern(), neighbour.points());
+    const std::optional<Orbit> orbit = orbit_near(system_, neighbour, passage_options());
     if (!orbit || orbit->stable != true || !orbit->admissible) return false;
     if (knows(*orbit)) return true;
     if (is_searched(*orbit)) found_.missed.push_back(*orbit);
@@ -126,22 +122,12 @@ class AttractorSearch {
     return true;
   }
 
-  std::optional<Orbit> solve(const ImpactPattern& pattern,
-                             const std::vector<ImpactPoint>& points) const {
-    const ShootingProblem problem(pattern, scale_);
-    const auto solution = newton(problem, system_, problem.pack(points));
-    if (!solution) return {};
-    return minimal_orbit(system_, problem, *solution);
-  }
-
   // That a motion which repeats has settled on.
   std::optional<Orbit> solve(const SettledMotion& motion) const {
-    if (compliant_)
-      return followed_orbit(system_, motion.at_start, motion.period, strobe_options()).orbit;
-    return motion.pattern ? solve(*motion.pattern, motion.points) : std::nullopt;
+    return orbit_near(system_, motion, passage_options()).orbit;
   }
 
-  PassageOptions strobe_options() const {
+  PassageOptions passage_options() const {
     return {options_.closure_speed, options_.max_impacts, options_.stop};
   }
 
@@ -210,7 +196,7 @@ class AttractorSearch {
   AttractorKind kind_of(const SettledMotion& motion) const {
     switch (motion.kind) {
       case SettledKind::kImpacts:
-        return (motion.pattern || compliant_) && motion.period <= 2 * options_.period &&
+        return motion.period <= 2 * options_.period &&
                        static_cast<int>(motion.impacts.size()) <= 2 * options_.impacts
                    ? AttractorKind::kOrbit
                    : AttractorKind::kOther;
