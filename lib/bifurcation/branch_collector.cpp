@@ -4,10 +4,8 @@
 #include <cmath>
 #include <utility>
 
-#include "graze/bifurcation/flight_borders.hpp"
-#include "graze/bifurcation/release_borders.hpp"
+#include "graze/bifurcation/orbit_kinds.hpp"
 #include "graze/bifurcation/special_names.hpp"
-#include "graze/bifurcation/touch_borders.hpp"
 #include "graze/bifurcation/touching_orbit.hpp"
 #include "graze/continuation/switching.hpp"
 
@@ -55,18 +53,10 @@ BranchCollector::BranchCollector(const SystemFamily& family, const BranchOptions
       problems_(family.scene(), {family.parameter()},
                 {options.from != options.to ? std::abs(options.to - options.from) : 1.0},
                 motion_scale(*family.at(family.value())), passage_of(options)) {
-  problems_.set_borders([this](const OrbitProblem& problem) { return borders_of(problem); });
+  problems_.set_borders(
+      [this](const OrbitProblem& problem) { return borders_of(problem, continuation_, options_); });
   result_.scale = motion_scale(*family.at(family.value()));
   result_.range = std::abs(options.to - options.from);
-}
-
-std::unique_ptr<BranchBorders> BranchCollector::borders_of(const OrbitProblem& problem) const {
-  if (const auto* flights = dynamic_cast<const FlightEquations*>(&problem))
-    return std::make_unique<FlightBorders>(*flights, continuation_, options_.keep_virtual);
-  const auto& passages = dynamic_cast<const PassageEquations&>(problem);
-  if (passages.layout().released)
-    return std::make_unique<ReleaseBorders>(passages, continuation_, options_.follow_depth > 0);
-  return std::make_unique<TouchBorders>(passages, continuation_);
 }
 
 bool BranchCollector::trace_from(const ImpactPattern& pattern,

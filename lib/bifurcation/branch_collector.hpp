@@ -47,7 +47,6 @@ class BranchCollector {
     Branch branch;
   };
 
-  std::unique_ptr<BranchBorders> borders_of(const OrbitProblem& problem) const;
   bool trace_written(const Written& start, double value, Origin origin);
   // What is restarted from, and where it is; nothing where that is not found again.
   std::vector<Written> written(const SpecialOrbit& at);

@@ -1,8 +1,12 @@
 #include "graze/bifurcation/flight_borders.hpp"
 
+#include <cmath>
 #include <utility>
 
 #include "graze/bifurcation/touching_orbit.hpp"
+#include "graze/hybrid/simulation.hpp"
+#include "graze/orbit/contact_starts.hpp"
+#include "graze/orbit/followed_orbit.hpp"
 
 namespace graze {
 namespace {
@@ -34,7 +38,11 @@ std::optional<BranchPoint> standstill(const FlightEquations& equations,
                                       const SeenSolution& b) {
   // One of them is on the grazing within rounding.
   const double at_a = a.smallest_speed(), at_b = b.smallest_speed();
-  if (at_a > 0.0 && at_b > 0.0) return at_a < at_b ? *a.point : *b.point;
+  if (at_a > 0.0 && at_b > 0.0) {
+    BranchPoint nearer = at_a < at_b ? *a.point : *b.point;
+    nearer.bracket = bracket_around({nearer.parameter}, true);
+    return nearer;
+  }
   return locate(equations.problem(), options, *a.point, *b.point,
                 [&](const BranchPoint& p) { return equations.admissibility_of(p).smallest_speed; });
 }
@@ -65,7 +73,7 @@ std::optional<TouchingOrbit> impacts_across(const FlightEquations& equations,
 }  // namespace
 
 bool FlightBorders::lists(const BranchPoint& solution) const {
-  return keep_virtual_ || equations_.admissibility_of(solution).admissible;
+  return branches_.keep_virtual || equations_.admissibility_of(solution).admissible;
 }
 
 const SeenSolution& FlightBorders::seen(const JudgedPoint& at) {
@@ -74,7 +82,7 @@ const SeenSolution& FlightBorders::seen(const JudgedPoint& at) {
 }
 
 BranchPlace FlightBorders::place_of(const OrbitBranchPoint& at) const {
-  return {at, {}, keep_virtual_ || at.orbit.admissible};
+  return {at, {}, branches_.keep_virtual || at.orbit.admissible};
 }
 
 void FlightBorders::pass(const JudgedPoint& a, const JudgedPoint& b,
@@ -136,11 +144,40 @@ std::optional<BranchPlace> FlightBorders::grazing(const SeenSolution& a,
   special.by_push = by_push;
   // It touches and does not cross; which side of that the last bit falls on says nothing.
   special.at.orbit.admissible = true;
-  const OrbitBranchPoint at = special.at;
-  return BranchPlace{at, std::move(special), true, OrbitBranchEnd::kGrazing};
+  BranchPlace place{special.at, {}, true, OrbitBranchEnd::kGrazing};
+  if (by_push && branches_.follow_depth > 0)
+    place.others = held_beyond(*point, (a.admissible ? b : a).point->parameter);
+  place.special = std::move(special);
+  return place;
 }
 
-// Beyond a push the orbits stick.
+// Beyond a push the structure is held for a while, the longer the farther. The nearest orbit that
+// does so, as the motion from the first impact finds it; none where orbits that stick
+// are not asked for.
+std::vector<OrbitBranchPoint> FlightBorders::held_beyond(const BranchPoint& push,
+                                                         double towards) const {
+  if (!branches_.sticking) return {};
+  const double range = std::abs(options_.to - options_.from);
+  const ImpactPoint impact = equations_.points(push).front();
+  for (const double part : {1e-4, 1e-3, 1e-2}) {
+    const double value = push.parameter + std::copysign(part * range, towards - push.parameter);
+    const System* system = equations_.system_at(value);
+    if (!system) continue;
+    PassageOptions passage;
+    passage.closure_speed =
+        branches_.finder.closure_speed.value_or(default_closure_speed(*system, impact.before));
+    passage.max_impacts = branches_.finder.max_impacts;
+    passage.stop = options_.stop;
+    const auto start =
+        period_end_after(*system, impact, equations_.pattern().stops.front(), passage);
+    if (!start) continue;
+    FollowedAnswer answer = followed_orbit(*system, *start, equations_.period(), passage);
+    if (answer.orbit) return {point_of_branch(value, std::move(*answer.orbit))};
+  }
+  return {};
+}
+
+// What lies beyond a push is no orbit at the grazing itself.
 std::optional<Orbit> FlightBorders::across(const SpecialPoint& special) const {
   if (special.kind != SpecialKind::kGrazing || special.by_push) return {};
   const std::optional<TouchingOrbit> impacts = impacts_across(equations_, special);

@@ -5,6 +5,7 @@
 #pragma once
 
 #include "graze/bifurcation/branch_borders.hpp"
+#include "graze/bifurcation/branch_options.hpp"
 #include "graze/bifurcation/grazing_stations.hpp"
 #include "graze/bifurcation/remembered.hpp"
 
@@ -12,13 +13,12 @@ namespace graze {
 
 class FlightBorders : public BranchBorders {
  public:
-  // Refers to both, which must outlive it. `keep_virtual`: whether solutions that are no orbits of
-  // the system are listed too.
+  // Refers to all of them, which must outlive it.
   FlightBorders(const FlightEquations& equations, const ContinuationOptions& options,
-                bool keep_virtual)
+                const BranchOptions& branches)
       : equations_(equations),
         options_(options),
-        keep_virtual_(keep_virtual),
+        branches_(branches),
         stations_(equations, options) {}
 
   bool lists(const BranchPoint& solution) const override;
@@ -33,10 +33,11 @@ class FlightBorders : public BranchBorders {
   BranchPlace place_of(const OrbitBranchPoint& at) const;
   std::optional<BranchPlace> between(const SeenSolution& a, const SeenSolution& b) const;
   std::optional<BranchPlace> grazing(const SeenSolution& a, const SeenSolution& b) const;
+  std::vector<OrbitBranchPoint> held_beyond(const BranchPoint& push, double towards) const;
 
   const FlightEquations& equations_;
   const ContinuationOptions& options_;
-  bool keep_virtual_;
+  const BranchOptions& branches_;
   GrazingStations stations_;
   Remembered<std::tuple<Vector, double, Vector>, SeenSolution> seen_;
 };

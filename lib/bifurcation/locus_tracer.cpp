@@ -7,9 +7,8 @@
 #include <utility>
 
 #include "graze/bifurcation/completion_curve.hpp"
-#include "graze/bifurcation/flight_locus.hpp"
 #include "graze/bifurcation/flight_touch.hpp"
-#include "graze/bifurcation/passage_locus.hpp"
+#include "graze/bifurcation/orbit_kinds.hpp"
 #include "graze/bifurcation/touch_curve.hpp"
 #include "graze/continuation/branch.hpp"
 #include "graze/continuation/crossing_tests.hpp"
@@ -139,16 +138,7 @@ std::vector<OrbitProblems::Written> LocusTracer::written(const OrbitLocusStart& 
 
 LocusTracer::Critical& LocusTracer::critical_of(const LaidOrbits& orbits) {
   Critical& critical = critical_[orbits.problem.get()];
-  if (critical.orbits) return critical;
-  if (const auto* flights = dynamic_cast<const FlightEquations*>(orbits.problem.get())) {
-    critical.orbits = std::make_unique<FlightLocus>(*flights);
-    return critical;
-  }
-  const auto& passages = dynamic_cast<const PassageEquations&>(*orbits.problem);
-  if (passages.layout().released)
-    critical.orbits = std::make_unique<ReleaseLocus>(passages);
-  else
-    critical.orbits = std::make_unique<StrobeLocus>(passages);
+  if (!critical.orbits) critical.orbits = orbits_along(*orbits.problem);
   return critical;
 }
 

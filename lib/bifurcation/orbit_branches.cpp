@@ -11,6 +11,7 @@
 #include "graze/bifurcation/speed_survey.hpp"
 #include "graze/hybrid/simulation.hpp"
 #include "graze/orbit/closed_form.hpp"
+#include "graze/orbit/finder.hpp"
 #include "graze/orbit/followed_orbit.hpp"
 #include "graze/orbit/settled.hpp"
 

@@ -66,7 +66,8 @@ ReleaseTip ReleaseBorders::at_last(const BranchPoint& at) {
   const std::optional<ReleaseReturn> here = equations_.follow(at);
   // Where the equations are solved no further the trace has come as near as it gets.
   if (here && has_shrunk(*here, equations_.period_at(at)))
-    return {OrbitBranchEnd::kChatterCompletes, at, false, false, at.parameter, {}};
+    return {OrbitBranchEnd::kChatterCompletes,    at, false, false, at.parameter, {},
+            bracket_around({at.parameter}, false)};
   return grazing_at(equations_, options_, at, false);
 }
 
@@ -90,6 +91,7 @@ std::optional<BranchPlace> ReleaseBorders::place_of(const ReleaseTip& tip) const
   BranchPlace place{std::move(*at), {}, true, tip.end};
   place.at.value = tip.value;
   BranchPoint solution = *tip.border;
+  solution.bracket = tip.bracket;
   SpecialKind kind = SpecialKind::kChatterCompletes;
   if (tip.end == OrbitBranchEnd::kGrazing) kind = SpecialKind::kGrazing;
   if (tip.end == OrbitBranchEnd::kAtRest) {
@@ -98,6 +100,7 @@ std::optional<BranchPlace> ReleaseBorders::place_of(const ReleaseTip& tip) const
     if (const auto there = lift_off(equations_, range, tip.value)) {
       place.at.value = solution.parameter = there->first;
       solution.u[0] = there->second;
+      solution.bracket = bracket_around({tip.bracket.from, tip.bracket.to, there->first}, true);
     }
   }
   place.special = SpecialPoint{kind, "", place.at, {}, tip.by_speed, solution, tip.interrupted};
@@ -201,7 +204,11 @@ ReleaseTip ReleaseBorders::grazing(const ReleaseApproach& there, const ReleaseRe
                        here.itinerary.events.size() > there.beyond->itinerary.events.size() &&
                        touches(equations_, there.at_beyond);
   ReleaseTip tip = grazing_at(equations_, options_, there.reached.back(), is_lost);
-  if (tip.border && solved) tip.beyond = there.at_beyond;
+  if (tip.border && solved) {
+    tip.beyond = there.at_beyond;
+    tip.bracket = bracket_around({tip.bracket.from, tip.bracket.to, there.at_beyond.parameter},
+                                 tip.bracket.converged);
+  }
   return tip;
 }
 

@@ -154,14 +154,20 @@ ReleaseTip completion(const PassageEquations& equations, const ReleaseApproach& 
   }
   const bool changes = one_less || one_more;
   if ((!changes && !cut) || !approach.settled) return {};
-  const double value =
-      !changes && cut_here ? last_opening(equations, approach.reached) : inside.parameter;
+  const bool extrapolated = !changes && cut_here;
+  const double value = extrapolated ? last_opening(equations, approach.reached) : inside.parameter;
   const std::optional<BranchPoint> border = last_orbit(equations, approach.reached);
   if (!border) return {};
   const int periods = equations.period();
   const OrbitBranchEnd end = is_at_rest(here, periods, period) ? OrbitBranchEnd::kAtRest
                                                                : OrbitBranchEnd::kChatterCompletes;
-  return {end, border, false, !changes, value, orbit_beyond(approach)};
+  return {end,
+          border,
+          false,
+          !changes,
+          value,
+          orbit_beyond(approach),
+          bracket_around({inside.parameter, approach.at_beyond.parameter, value}, !extrapolated)};
 }
 
 std::optional<std::pair<double, double>> lift_off(const PassageEquations& equations, double range,

@@ -63,7 +63,9 @@ ReleaseTip grazing_at(const PassageEquations& equations, const ContinuationOptio
   if (!by_speed && !touches(equations, at)) return {};
   ReleaseTip tip{OrbitBranchEnd::kGrazing, at, by_speed, false, at.parameter, {}};
   // As near as solutions were met, if the touch itself is not to be had.
-  if (const auto touch = touch_from(equations, options, at)) tip.value = touch->at.parameter;
+  const auto touch = touch_from(equations, options, at);
+  if (touch) tip.value = touch->at.parameter;
+  tip.bracket = bracket_around({at.parameter, tip.value}, touch.has_value());
   return tip;
 }
 
@@ -79,6 +81,7 @@ ReleaseTip grazing_ahead(const PassageEquations& equations, const ContinuationOp
   if (!touch) return {};
   ReleaseTip tip{OrbitBranchEnd::kGrazing, b, true, false, touch->at.parameter, {}};
   tip.beyond = without_impact(equations, options, b, tip.value);
+  tip.bracket = bracket_around({b.parameter, tip.value}, true);
   return tip;
 }
 

@@ -16,6 +16,7 @@ struct ReleaseTip {
   bool interrupted = false;           // of CH and LO: a stuck phase is cut in two
   double value = 0.0;                 // of the parameter there
   std::optional<BranchPoint> beyond;  // an orbit on the other side, where one was met
+  Bracket bracket{};                  // of the border
 };
 
 }  // namespace graze

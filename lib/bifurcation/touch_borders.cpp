@@ -58,7 +58,9 @@ void TouchBorders::pass(const JudgedPoint& a, const JudgedPoint& b,
   const std::optional<int> stop = stop_of_difference(before, after);
   if (!stop) return;
   const bool born = before.size() < after.size();
-  if (const auto touch = touch_between(equations_, options_, a.point, b.point, *stop)) {
+  if (auto touch = touch_between(equations_, options_, a.point, b.point, *stop)) {
+    touch->at.bracket =
+        bracket_around({a.point.parameter, b.point.parameter, touch->at.parameter}, true);
     for (const bool approach : {born, !born})
       places.push_back(border(touch->at,
                               approach ? equations_.judge_without(touch->at, touch->touch)
@@ -122,7 +124,10 @@ std::optional<BranchPoint> TouchBorders::corner_beyond(BranchPoint before, Branc
   std::optional<double> from = margin_of(before, speed, impacts),
                         to = margin_of(last, speed, impacts);
   if (!from || !to) return {};
-  if (*to <= near_enough(speed)) return last;
+  if (*to <= near_enough(speed)) {
+    last.bracket = bracket_around({last.parameter}, true);
+    return last;
+  }
   if (!(*to < *from)) return {};
   const double first = *from;
   for (int round = 0; round < kMostRounds && 1e-12 * first < *to; ++round) {
@@ -139,7 +144,12 @@ std::optional<BranchPoint> TouchBorders::corner_beyond(BranchPoint before, Branc
     before = std::exchange(last, *next);
     from = std::exchange(to, left);
   }
-  return *to <= 1e-3 * first ? std::optional(last) : std::nullopt;
+  if (!(*to <= 1e-3 * first)) return {};
+  // Seen from one side alone: as far beyond as the last secant says.
+  const double ahead = *to / (*from - *to) * (last.parameter - before.parameter);
+  last.bracket =
+      bracket_around({last.parameter, last.parameter + ahead}, *to <= near_enough(speed));
+  return last;
 }
 
 // The gap of an approach falls through zero in proportion to the distance; beyond, the square of

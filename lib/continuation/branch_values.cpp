@@ -1,6 +1,12 @@
 #include "graze/continuation/branch_values.hpp"
 
+#include <algorithm>
+
 namespace graze {
+
+Bracket bracket_around(std::initializer_list<double> values, bool converged) {
+  return {std::min(values), std::max(values), converged};
+}
 
 const char* label_of(CriticalKind kind) {
   switch (kind) {

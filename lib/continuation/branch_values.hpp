@@ -6,6 +6,7 @@
 
 #include <array>
 #include <functional>
+#include <initializer_list>
 #include <optional>
 #include <span>
 #include <vector>
@@ -15,6 +16,17 @@
 #include "graze/base/vector.hpp"
 
 namespace graze {
+
+// How a special point was located: between which values of the parameter it lies, as far as the
+// branch was seen from both sides, and whether it was solved for, or enclosed, to the last digits
+// that its equations carry. Of a fold the value itself is an end.
+struct Bracket {
+  double from = 0.0, to = 0.0;  // from <= to
+  bool converged = false;
+};
+
+// Around all of these values.
+Bracket bracket_around(std::initializer_list<double> values, bool converged);
 
 // A solution on a branch; not what is called a branch point (CriticalKind::kBranchPoint).
 struct BranchPoint {
@@ -26,6 +38,7 @@ struct BranchPoint {
   // on a branch point.
   int orientation = 0;
   std::vector<Eigenvalue> multipliers;  // where the problem has them
+  std::optional<Bracket> bracket{};     // of one that was located between others
 
   // As equations are asked with.
   std::span<const double> parameters() const { return {&parameter, 1}; }

@@ -155,7 +155,8 @@ class CriticalSearch {
     const double part = 1.0 / (1.0 + ratio), rest = 1.0 - part;
     Vector at = cubic_between(corrector_, a, part * corrector_.ahead(a, b), a, b);
     const std::optional<Vector> crossing = crossing_near(corrector_, at);
-    if (crossing && (*crossing - at).norm() <= kOneCrossing * (1.0 + at.norm())) at = *crossing;
+    const bool solved = crossing && (*crossing - at).norm() <= kOneCrossing * (1.0 + at.norm());
+    if (solved) at = *crossing;
     const Eigen::Index n = a.u.size();
     CriticalPoint found{CriticalKind::kBranchPoint, {}, i, {}};
     found.point = {at.head(n),
@@ -163,7 +164,8 @@ class CriticalSearch {
                    (rest * a.tangent + part * b.tangent).normalized(),
                    corrector_.residual_at(at).value_or(std::max(a.residual, b.residual)),
                    0,
-                   {}};
+                   {},
+                   bracket_around({a.parameter, b.parameter, at[n] * corrector_.range()}, solved)};
     if (problem_.multipliers) {
       found.point.multipliers = multipliers_of(found.point);
       found.multiplier = nearest_to_one(found.point.multipliers);

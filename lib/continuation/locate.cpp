@@ -53,8 +53,12 @@ std::optional<BranchPoint> locate(Corrector& corrector, const BranchPoint& a, co
   const Vector chord = corrector.chord(a, b);
   const double length = chord.dot(a.tangent);
   const double at_a = test(a), at_b = test(b);
-  if (at_a == 0.0) return a;
-  if (at_b == 0.0) return b;
+  for (const BranchPoint* end : {&a, &b})
+    if ((end == &a ? at_a : at_b) == 0.0) {
+      BranchPoint there = *end;
+      there.bracket = bracket_around({there.parameter}, true);
+      return there;
+    }
   if (!(at_a * at_b < 0.0) || !(length > 0.0)) return {};
   // Of the two last bits that enclose the zero, the one on the side where the test is positive.
   std::optional<BranchPoint> best = at_a > 0.0 ? a : b;
@@ -82,8 +86,12 @@ std::optional<BranchPoint> locate(Corrector& corrector, const BranchPoint& a, co
   const double resolution = std::numeric_limits<double>::epsilon() * (1.0 + x.norm());
   const auto settled = [&](double from, double to) { return to - from <= resolution; };
   std::uintmax_t iterations = 100;
-  boost::math::tools::toms748_solve(value, 0.0, length, at_a, at_b, settled, iterations);
-  return failed ? std::nullopt : best;
+  const auto last =
+      boost::math::tools::toms748_solve(value, 0.0, length, at_a, at_b, settled, iterations);
+  if (failed) return {};
+  best->bracket = bracket_around({low.parameter, high.parameter, best->parameter},
+                                 smallest == 0.0 || settled(last.first, last.second));
+  return best;
 }
 
 std::optional<BranchPoint> fold_between(Corrector& corrector, const BranchPoint& a,

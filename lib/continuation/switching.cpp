@@ -49,6 +49,7 @@ void list_crossing(Branch& branch) {
   if (here == branch.points.begin() || here >= branch.points.end() - 1) return;
   const auto index = static_cast<std::size_t>(here - branch.points.begin());
   CriticalPoint critical{CriticalKind::kBranchPoint, *here, index - 1, {}};
+  critical.point.bracket = bracket_around({here->parameter}, true);
   if (!here->multipliers.empty())
     critical.multiplier =
         *std::min_element(here->multipliers.begin(), here->multipliers.end(),

@@ -188,15 +188,20 @@ std::string branches_csv(const BranchRecord& record) {
 }
 
 std::string special_csv(const BranchRecord& record) {
-  std::string text = "id,label,branch,value,phase,speed,multiplier_re,multiplier_im\n";
+  std::string text =
+      "id,label,branch,value,phase,speed,multiplier_re,multiplier_im,bracket_from,bracket_to,"
+      "converged\n";
   for (const OrbitBranch& branch : record.traced.branches)
     for (const SpecialPoint& s : branch.special) {
       const std::optional<SpecialPoint::Impact> impact = s.impact();
-      fmt::format_to(std::back_inserter(text), "{},{},{},{},{},{},{},{}\n", s.id, label_of(s.kind),
-                     branch.id, csv_cell(s.at.value), impact ? csv_cell(impact->phase) : "",
-                     impact ? csv_cell(impact->speed) : "",
+      const std::optional<Bracket>& bracket = s.solution.bracket;
+      fmt::format_to(std::back_inserter(text), "{},{},{},{},{},{},{},{},{},{},{}\n", s.id,
+                     label_of(s.kind), branch.id, csv_cell(s.at.value),
+                     impact ? csv_cell(impact->phase) : "", impact ? csv_cell(impact->speed) : "",
                      s.multiplier ? csv_cell(s.multiplier->real()) : "",
-                     s.multiplier ? csv_cell(s.multiplier->imag()) : "");
+                     s.multiplier ? csv_cell(s.multiplier->imag()) : "",
+                     bracket ? csv_cell(bracket->from) : "", bracket ? csv_cell(bracket->to) : "",
+                     bracket ? (bracket->converged ? "1" : "0") : "");
     }
   return text;
 }

@@ -129,6 +129,10 @@ Json special_json(const SpecialPoint& special) {
                {"speed", impact ? json_number(impact->speed) : Json(nullptr)},
                {"multiplier", special.multiplier ? pair(*special.multiplier) : Json(nullptr)},
                {"admissible", special.at.orbit.admissible}};
+  if (const std::optional<Bracket>& bracket = special.solution.bracket) {
+    json["bracket"] = {json_number(bracket->from), json_number(bracket->to)};
+    json["converged"] = bracket->converged;
+  }
   if (special.at.orbit.impacts.size() > 1) json["at"] = impacts_at(special.at.orbit);
   add_sticking(special.at.orbit, json);
   if (special.kind == SpecialKind::kChatterCompletes)

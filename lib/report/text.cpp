@@ -117,6 +117,17 @@ std::string contacts_text(const std::vector<Orbit>& orbits) {
   return table.empty() ? "" : table.text() + "\n";
 }
 
+// Special points that nothing more than a bracket is known of.
+std::string bracketed_only(const std::vector<OrbitBranch>& branches) {
+  std::string text;
+  for (const OrbitBranch& branch : branches)
+    for (const SpecialPoint& s : branch.special)
+      if (s.solution.bracket && !s.solution.bracket->converged)
+        text += fmt::format("{} was not solved for: it lies between {:.9g} and {:.9g}\n", s.id,
+                            s.solution.bracket->from, s.solution.bracket->to);
+  return text;
+}
+
 }  // namespace
 
 std::string to_text(const SimulationRecord& record) {
@@ -231,6 +242,7 @@ std::string to_text(const BranchRecord& record) {
   std::string text;
   if (!branches.empty()) text += branches.text() + "\n";
   if (!special.empty()) text += special.text() + "\n";
+  text += bracketed_only(record.traced.branches);
   text += fmt::format("{} start{}, ", record.traced.starts, record.traced.starts == 1 ? "" : "s");
   text += record.traced.traced == 0 ? "none traced\n"
                                     : fmt::format("{} evaluations of the shooting equations\n",

@@ -22,6 +22,16 @@ struct Traced {
 // Names tests.
 void PrintTo(const Traced& traced, std::ostream* out) { *out << traced.scene; }
 
+// A special point says between which values it lies, and that it was met to the last digits.
+void expect_enclosed(const SpecialPoint& special, double width) {
+  const std::optional<Bracket>& bracket = special.solution.bracket;
+  ASSERT_TRUE(bracket);
+  EXPECT_TRUE(bracket->converged);
+  EXPECT_LE(bracket->from, special.at.value);
+  EXPECT_GE(bracket->to, special.at.value);
+  EXPECT_LE(bracket->to - bracket->from, width);
+}
+
 class CriticalStability : public ::testing::TestWithParam<Traced> {};
 
 // As many multipliers lie outside as on the side that has fewer of them: neighbours with no other
@@ -46,6 +56,7 @@ TEST_P(CriticalStability, IsUndecidedOrThatOfTheOtherMultipliers) {
           std::find(kinds.begin(), kinds.end(), special->kind) == kinds.end())
         continue;
       SCOPED_TRACE(special->id + " at " + std::to_string(special->at.value));
+      expect_enclosed(*special, 1e-9 * std::abs(options.to - options.from));
       met.push_back(special->kind);
       EXPECT_NE(branch.points[i].orbit.stable, true);
       EXPECT_EQ(branch.points[i].orbit.stable, special->at.orbit.stable);

@@ -7,6 +7,7 @@
 // forced response, 0 = x0 (e^{-d T} cos(wd T) - 1) + (x0' + d x0) e^{-d T} sin(wd T)/wd.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <complex>
 #include <numbers>
@@ -79,6 +80,46 @@ TEST(PlasticImpact, IsNoOrbitWhereTheStopPushesBack) {
       const FoundOrbits found = find_orbits(system, {}, options);
       EXPECT_EQ(found.orbits.size(), side < 0.0 ? 1u : 0u) << side * offset;
     }
+}
+
+// With one mode a motion that sticks forgets everything: it is released where the pull of the stop
+// is zero, at the phase phi of above, whatever came before.
+TEST(PlasticImpact, OrbitsThatStickGoOnFromWhereTheStopPushesBack) {
+  const Scene scene = plastic(28.3);
+  const SystemFamily family(scene, "forcing.frequency");
+  const double push = zero_of_closure(family, 28.6, 29.0);
+  BranchOptions options;
+  options.from = 28.0;
+  options.to = 29.5;
+  options.start_values = 2;
+  options.finder.from_simulation = false;  // which would find them without the grazing
+  options.follow_depth = 1;
+  const OrbitBranches result = trace_orbits(family, options);
+  const auto sticks = std::find_if(result.branches.begin(), result.branches.end(),
+                                   [](const OrbitBranch& branch) { return branch.sticks(); });
+  ASSERT_NE(sticks, result.branches.end());
+  const auto grazing = std::find_if(
+      result.branches.begin(), result.branches.end(),
+      [&](const OrbitBranch& branch) { return !branch.special.empty() && !branch.sticks(); });
+  ASSERT_NE(grazing, result.branches.end());
+  EXPECT_EQ(sticks->origin, grazing->special.back().id);
+  double nearest = options.to;
+  for (const OrbitBranchPoint& point : sticks->points) {
+    nearest = std::min(nearest, point.value);
+    if (point.orbit.holds.empty()) continue;
+    const System system = *family.at(point.value);
+    const double q = system.stops[0].gap / system.stops[0].row[0];
+    const double release =
+        std::acos(system.omega[0] * system.omega[0] * q / system.forcing()->amplitude[0]);
+    const double phase = point.orbit.holds.back().to.phase;
+    EXPECT_LT(
+        std::abs(std::remainder(std::abs(std::remainder(phase, 2.0 * std::numbers::pi)) - release,
+                                2.0 * std::numbers::pi)),
+        1e-9)
+        << point.value;
+  }
+  // The stuck phase shrinks to nothing where the bare impact began to be pushed back.
+  EXPECT_NEAR(nearest, push, 1e-6);
 }
 
 }  // namespace

@@ -9,6 +9,7 @@
 #include "branch_checks.hpp"
 #include "graze/bifurcation/orbit_loci.hpp"
 #include "graze/bifurcation/restart.hpp"
+#include "graze/orbit/finder.hpp"
 #include "graze/orbit/followed_orbit.hpp"
 #include "graze/scene/parameter.hpp"
 
