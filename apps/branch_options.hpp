@@ -2,7 +2,7 @@
 #pragma once
 
 #include "command.hpp"
-#include "graze/bifurcation/orbit_branches.hpp"
+#include "graze/bifurcation/trace/orbit_branches.hpp"
 
 namespace graze {
 

@@ -2,12 +2,13 @@
 #include <fmt/format.h>
 
 #include "graze/assembly/assembly.hpp"
+#include "graze/assembly/detail/system_warnings.hpp"
 #include "graze/assembly/initial_state.hpp"
-#include "graze/assembly/system_warnings.hpp"
-#include "graze/flow/phase_choice.hpp"
-#include "graze/report/json.hpp"
-#include "graze/report/text.hpp"
-#include "graze/study/step_choice.hpp"
+#include "graze/flow/detail/phase_choice.hpp"
+#include "graze/record/records.hpp"
+#include "graze/report/json/json.hpp"
+#include "graze/report/text/text.hpp"
+#include "graze/study/cost/detail/step_choice.hpp"
 #include "session.hpp"
 
 namespace graze {

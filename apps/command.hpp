@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "graze/base/default_budget.hpp"
-#include "graze/study/shared_work.hpp"
+#include "graze/study/sweep/shared_work.hpp"
 
 namespace graze {
 

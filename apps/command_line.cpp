@@ -6,10 +6,10 @@
 
 #include "command.hpp"
 #include "compare_options.hpp"
+#include "graze/base/detail/terminal_text.hpp"
 #include "graze/base/errors.hpp"
-#include "graze/base/terminal_text.hpp"
-#include "graze/record/run_info.hpp"
-#include "graze/scene/suggestion.hpp"
+#include "graze/record/file/run_info.hpp"
+#include "graze/scene/detail/suggestion.hpp"
 #include "option_groups.hpp"
 #include "option_values.hpp"
 

@@ -3,13 +3,14 @@
 #include <functional>
 
 #include "graze/assembly/assembly.hpp"
+#include "graze/assembly/detail/system_warnings.hpp"
 #include "graze/assembly/initial_state.hpp"
-#include "graze/assembly/system_warnings.hpp"
-#include "graze/report/csv.hpp"
-#include "graze/report/json.hpp"
-#include "graze/report/pictures.hpp"
-#include "graze/report/text.hpp"
-#include "graze/study/step_choice.hpp"
+#include "graze/record/detail/cost_record.hpp"
+#include "graze/report/csv/csv.hpp"
+#include "graze/report/json/json.hpp"
+#include "graze/report/picture/pictures.hpp"
+#include "graze/report/text/text.hpp"
+#include "graze/study/cost/detail/step_choice.hpp"
 #include "graze/system/scale.hpp"
 #include "session.hpp"
 

@@ -5,12 +5,13 @@
 
 #include "fit_options.hpp"
 #include "graze/assembly/assembly.hpp"
-#include "graze/assembly/system_warnings.hpp"
+#include "graze/assembly/detail/system_warnings.hpp"
 #include "graze/base/errors.hpp"
-#include "graze/report/csv.hpp"
-#include "graze/report/json.hpp"
-#include "graze/report/pictures.hpp"
-#include "graze/report/text.hpp"
+#include "graze/record/detail/fit_record.hpp"
+#include "graze/report/csv/csv.hpp"
+#include "graze/report/json/json.hpp"
+#include "graze/report/picture/pictures.hpp"
+#include "graze/report/text/text.hpp"
 #include "session.hpp"
 
 namespace graze {

@@ -3,9 +3,9 @@
 #include <fmt/format.h>
 
 #include "graze/base/errors.hpp"
-#include "graze/record/share_record.hpp"
-#include "graze/report/json.hpp"
-#include "graze/report/text.hpp"
+#include "graze/record/detail/share_record.hpp"
+#include "graze/report/json/json.hpp"
+#include "graze/report/text/text.hpp"
 #include "session.hpp"
 
 namespace graze {

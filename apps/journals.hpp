@@ -7,7 +7,7 @@
 #include <string>
 
 #include "command.hpp"
-#include "graze/record/journal.hpp"
+#include "graze/record/file/detail/journal.hpp"
 
 namespace graze {
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "command.hpp"
-#include "graze/bifurcation/orbit_loci.hpp"
+#include "graze/bifurcation/loci/orbit_loci.hpp"
 
 namespace graze {
 

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <string>
 
-#include "graze/scene/value_checker.hpp"
+#include "graze/scene/detail/value_checker.hpp"
 
 namespace graze {
 

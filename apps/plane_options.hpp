@@ -5,8 +5,8 @@
 #include <utility>
 
 #include "command.hpp"
-#include "graze/record/run_info.hpp"
-#include "graze/study/plane.hpp"
+#include "graze/record/file/run_info.hpp"
+#include "graze/study/plane/detail/plane.hpp"
 
 namespace graze {
 

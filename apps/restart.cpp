@@ -6,8 +6,8 @@
 #include <algorithm>
 
 #include "graze/base/errors.hpp"
-#include "graze/record/special_file.hpp"
-#include "graze/scene/difference.hpp"
+#include "graze/record/file/detail/special_file.hpp"
+#include "graze/scene/detail/difference.hpp"
 #include "graze/scene/parameter.hpp"
 #include "graze/scene/reader.hpp"
 #include "run_folder.hpp"

@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "command.hpp"
-#include "graze/bifurcation/special_orbit.hpp"
-#include "graze/record/run_info.hpp"
+#include "graze/bifurcation/problem/special_orbit.hpp"
+#include "graze/record/file/run_info.hpp"
 #include "graze/scene/scene.hpp"
 
 namespace graze {

@@ -2,8 +2,8 @@
 #pragma once
 
 #include "command.hpp"
-#include "graze/record/run_info.hpp"
-#include "graze/record/run_state.hpp"
+#include "graze/record/file/detail/run_state.hpp"
+#include "graze/record/file/run_info.hpp"
 
 namespace graze {
 

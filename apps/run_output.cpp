@@ -4,8 +4,10 @@
 #include <system_error>
 
 #include "graze/base/errors.hpp"
-#include "graze/report/csv.hpp"
-#include "graze/report/json.hpp"
+#include "graze/record/records.hpp"
+#include "graze/record/section.hpp"
+#include "graze/report/csv/csv.hpp"
+#include "graze/report/json/json.hpp"
 
 namespace graze {
 namespace {

@@ -6,9 +6,9 @@
 #include <vector>
 
 #include "command.hpp"
-#include "graze/record/files.hpp"
+#include "graze/record/file/detail/files.hpp"
+#include "graze/record/file/spool.hpp"
 #include "graze/record/records.hpp"
-#include "graze/record/spool.hpp"
 
 namespace graze {
 

@@ -4,8 +4,8 @@
 #include <algorithm>
 
 #include "command.hpp"
-#include "graze/orbit/finder.hpp"
-#include "graze/record/run_info.hpp"
+#include "graze/orbit/search/finder.hpp"
+#include "graze/record/file/run_info.hpp"
 #include "session.hpp"
 
 namespace graze {

@@ -2,8 +2,8 @@
 #pragma once
 
 #include "command.hpp"
-#include "graze/base/even_values.hpp"
-#include "graze/study/run_series.hpp"
+#include "graze/base/detail/even_values.hpp"
+#include "graze/study/sweep/detail/run_series.hpp"
 #include "session.hpp"
 
 namespace graze {

@@ -7,8 +7,9 @@
 #include <cstdio>
 #include <memory>
 
+#include "graze/base/detail/terminal_text.hpp"
 #include "graze/base/errors.hpp"
-#include "graze/base/terminal_text.hpp"
+#include "graze/record/file/spool.hpp"
 #include "graze/scene/reader.hpp"
 
 namespace graze {

@@ -8,9 +8,9 @@
 #include <vector>
 
 #include "command.hpp"
-#include "graze/record/files.hpp"
+#include "graze/record/file/detail/files.hpp"
+#include "graze/record/file/spool.hpp"
 #include "graze/record/records.hpp"
-#include "graze/record/spool.hpp"
 #include "graze/scene/scene.hpp"
 
 namespace graze {

@@ -2,8 +2,8 @@
 #pragma once
 
 #include "command.hpp"
-#include "graze/record/run_info.hpp"
-#include "graze/study/settled_row.hpp"
+#include "graze/record/file/run_info.hpp"
+#include "graze/study/sweep/settled_row.hpp"
 
 namespace graze {
 

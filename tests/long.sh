@@ -36,7 +36,7 @@ build-dev/tests/fuzz_program "$root/build-dev/graze" "$root/data" "$logs/fuzz" 1
 echo "== valgrind"
 cat > "$logs/graze_watched" << END
 #!/usr/bin/env bash
-exec valgrind -q --error-exitcode=99 "$root/build/graze" "\$@"
+LD_PRELOAD="$root/build/tests/libgraze_under_valgrind.so" exec valgrind -q --error-exitcode=99 "$root/build/graze" "\$@"
 END
 chmod +x "$logs/graze_watched"
 bash tests/results/write.sh "$logs/graze_watched" "$logs/valgrind" check_hub simulate_sphere \

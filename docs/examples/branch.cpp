@@ -4,7 +4,7 @@
 #include <cstdio>
 #include <exception>
 
-#include "graze/bifurcation/orbit_branches.hpp"
+#include "graze/bifurcation/trace/orbit_branches.hpp"
 #include "graze/scene/reader.hpp"
 
 using namespace graze;

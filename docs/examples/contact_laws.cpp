@@ -15,10 +15,10 @@
 
 #include "graze/assembly/assembly.hpp"
 #include "graze/assembly/initial_state.hpp"
-#include "graze/hybrid/motion.hpp"
-#include "graze/hybrid/simulation.hpp"
-#include "graze/report/gnuplot.hpp"
-#include "graze/report/picture_style.hpp"
+#include "graze/motion/detail/motion.hpp"
+#include "graze/motion/simulation.hpp"
+#include "graze/report/picture/gnuplot.hpp"
+#include "graze/report/picture/picture_style.hpp"
 #include "graze/scene/reader.hpp"
 
 using namespace graze;

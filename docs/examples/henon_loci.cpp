@@ -2,7 +2,7 @@
 // 1:1 at p = -1, the period doublings p = 3 (1 - q)^2/4 with one of 1:2 at p = 3.
 #include <cstdio>
 
-#include "graze/continuation/locus.hpp"
+#include "graze/continuation/locus/locus.hpp"
 #include "graze/continuation/map.hpp"
 
 using namespace graze;

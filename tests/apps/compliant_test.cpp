@@ -7,7 +7,7 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
-#include "graze/contact/restitution_damping.hpp"
+#include "graze/contact/detail/restitution_damping.hpp"
 #include "program.hpp"
 
 namespace graze {

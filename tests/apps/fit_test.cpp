@@ -96,7 +96,8 @@ TEST(FitCommand, WritesItsFiles) {
             "series,time,measured,predicted,residual,uncertainty");
   EXPECT_EQ(lines_of(scratch / "run" / "parameters.csv").size(), 3u);
   const std::string picture = read_text(scratch / "fit.svg");
-  for (const char* word : {"displacement u (mm)", "residual (mm)", "time (s)", "fitted", "measured"})
+  for (const char* word :
+       {"displacement u (mm)", "residual (mm)", "time (s)", "fitted", "measured"})
     EXPECT_NE(picture.find(word), std::string::npos) << word;
   // The fitted scene is one, with these values.
   const Finished again =

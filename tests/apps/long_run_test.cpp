@@ -71,8 +71,7 @@ TEST(LongRun, RangesWhoseSquaresOverflowAreRefused) {
   const Finished run = run_graze("continue --parameter stop.gap --from 0 --to 1e160 " + kOneMode,
                                  "timeout -s KILL 60 ");
   EXPECT_EQ(run.code, 2);
-  EXPECT_NE(run.err.find("--to: '1e160' is not a number of at most 6.7e+153"),
-            std::string::npos)
+  EXPECT_NE(run.err.find("--to: '1e160' is not a number of at most 6.7e+153"), std::string::npos)
       << run.err;
 }
 

@@ -14,7 +14,8 @@ TEST(Memory, IsReadOnlyAfterItWasWritten) {
   for (const std::string& arguments :
        {"simulate --duration 0.352 --record none " + scene("19_yigit_momentum.toml"),
         "orbit --impacts 1 --start closed-form " + scene("12_spring_dashpot_oscillator.toml")}) {
-    const Finished run = run_graze(arguments, "valgrind -q --error-exitcode=9 ");
+    const Finished run =
+        run_graze(arguments, "LD_PRELOAD='" GRAZE_PRELOADED "' valgrind -q --error-exitcode=9 ");
     EXPECT_TRUE(run.code == 0 || run.code == 3) << arguments << "\n" << run.err.substr(0, 2000);
   }
 }

@@ -54,18 +54,32 @@ TEST(Documentation, LinksLeadToFiles) {
 
 TEST(Documentation, NamesSourceFilesThatAreThere) {
   std::set<std::string> rooms;
-  for (const fs::directory_entry& entry : fs::directory_iterator(kRoot / "lib"))
+  for (const fs::directory_entry& entry : fs::directory_iterator(kRoot / "lib" / "graze"))
     rooms.insert(entry.path().filename().string());
   std::size_t checked = 0;
   for (const fs::path& page : pages()) {
     if (is_sketch(page)) continue;
-    for (const std::string& name : found(text_of(page), R"(`(?:lib/|graze/)?(\w+/\w+\.[hc]pp)`)")) {
+    for (const std::string& name :
+         found(text_of(page), R"(`(?:lib/graze/|graze/)?((?:\w+/)+\w+\.[hc]pp)`)")) {
       if (!rooms.count(name.substr(0, name.find('/')))) continue;
       ++checked;
-      EXPECT_TRUE(fs::exists(kRoot / "lib" / name)) << page << " names " << name;
+      EXPECT_TRUE(fs::exists(kRoot / "lib" / "graze" / name)) << page << " names " << name;
     }
   }
   EXPECT_GT(checked, 50u);
+}
+
+// Whoever uses the library finds every header that is installed, and none that is not.
+TEST(Documentation, ListsThePublicHeaders) {
+  std::set<std::string> there;
+  for (const fs::directory_entry& entry : fs::recursive_directory_iterator(kRoot / "lib" / "graze"))
+    if (entry.path().extension() == ".hpp" && entry.path().parent_path().filename() != "detail")
+      there.insert(fs::relative(entry.path(), kRoot / "lib").generic_string());
+  std::set<std::string> listed;
+  for (const std::string& name :
+       found(text_of(kRoot / "docs" / "library.md"), R"(`(graze/(?:\w+/)+\w+\.hpp)`)"))
+    listed.insert(name);
+  EXPECT_EQ(listed, there);
 }
 
 TEST(Documentation, GalleryShowsWhatItsCommandsDraw) {

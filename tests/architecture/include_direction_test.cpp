@@ -26,12 +26,12 @@ const std::map<std::string, std::set<std::string>> kAbove = {
     {"system", {"contact"}},
     {"assembly", {"structure", "system"}},
     {"flow", {"system"}},
-    {"hybrid", {"flow"}},
-    {"orbit", {"hybrid"}},
+    {"motion", {"flow"}},
+    {"orbit", {"motion"}},
     {"continuation", {"base"}},
     {"bifurcation", {"orbit", "continuation", "assembly"}},
     {"study", {"bifurcation"}},
-    {"fit", {"hybrid", "assembly"}},
+    {"fit", {"motion", "assembly"}},
     {"record", {"study", "fit"}},
     {"report", {"record"}},
 };
@@ -77,37 +77,48 @@ std::vector<std::string> includes(const fs::path& file) {
 
 std::string name_of(const fs::path& file) { return fs::relative(file, kRoot).generic_string(); }
 
+// Headers that are not installed lie in a folder of this name beside what they belong to.
+bool is_internal(const fs::path& file) { return file.parent_path().filename() == "detail"; }
+
+// Below lib/graze, as in an include: "flow/exact".
+std::string folder_of(const fs::path& file) {
+  const fs::path folder = is_internal(file) ? file.parent_path().parent_path() : file.parent_path();
+  return fs::relative(folder, kRoot / "lib" / "graze").generic_string();
+}
+
 std::string room_of(const fs::path& file) {
-  return (++fs::relative(file, kRoot).begin())->string();
+  return fs::relative(file, kRoot / "lib" / "graze").begin()->string();
 }
 
 bool starts_with(const std::string& text, const std::string& start) {
   return text.compare(0, start.size(), start) == 0;
 }
 
-// A header and what it is written in: exact_flow.hpp and exact_flow.cpp are flow/exact_flow, and so
-// is whatever *_impl.hpp says in its first line that it holds the definitions of exact_flow.hpp.
+// A header and what it is written in: exact_flow.hpp and exact_flow.cpp are
+// flow/exact/detail/exact_flow, and so is whatever *_impl.hpp says in its first line that it holds
+// the definitions of exact_flow.hpp.
 std::string module_of(const fs::path& file) {
   std::string name = file.stem().string();
   const auto ends_with = [&](const std::string& ending) {
     return name.size() > ending.size() &&
            name.compare(name.size() - ending.size(), ending.size(), ending) == 0;
   };
-  const std::string room = file.parent_path().filename().string();
+  // A file here, or as an include names it.
+  const fs::path here = file.is_absolute() ? file : kRoot / "lib" / file;
   if (ends_with("_impl")) {
-    const std::string first = lines(kRoot / "lib" / room / (name + ".hpp")).at(0);
+    const std::string first = lines(here.parent_path() / (name + ".hpp")).at(0);
     const std::string says = "// Definitions of ";
     EXPECT_TRUE(starts_with(first, says)) << name;
     name = first.substr(says.size(), first.find(".hpp") - says.size());
   } else if (ends_with("_extended")) {
     name.resize(name.size() - std::string("_extended").size());
   }
-  return room + "/" + name;
+  return folder_of(here) + "/" + name;
 }
 
 TEST(Architecture, EveryRoomIsInTheTable) {
-  for (const fs::directory_entry& entry : fs::directory_iterator(kRoot / "lib")) {
-    if (!entry.is_directory()) continue;
+  for (const fs::directory_entry& entry : fs::directory_iterator(kRoot / "lib" / "graze")) {
+    EXPECT_TRUE(entry.is_directory()) << entry.path();
     EXPECT_TRUE(kAbove.count(entry.path().filename().string())) << entry.path();
   }
 }
@@ -137,10 +148,12 @@ TEST(Architecture, HeadersOfTheProjectAreIncludedByTheirFullName) {
 TEST(Architecture, EverySourceIncludesItsOwnHeaderFirst) {
   for (const fs::path folder : {"lib", "apps"}) {
     for (const fs::path& file : sources(folder)) {
-      const fs::path own = fs::path(file).replace_extension(".hpp");
-      if (file.extension() != ".cpp" || !fs::exists(own)) continue;
-      const fs::path name =
-          folder == "lib" ? "graze" / fs::relative(own, kRoot / folder) : own.filename();
+      if (file.extension() != ".cpp") continue;
+      const fs::path header = fs::path(file).filename().replace_extension(".hpp");
+      fs::path own = file.parent_path() / header;
+      if (!fs::exists(own)) own = file.parent_path() / "detail" / header;
+      if (!fs::exists(own)) continue;
+      const fs::path name = folder == "lib" ? fs::relative(own, kRoot / folder) : own.filename();
       ASSERT_FALSE(includes(file).empty()) << name_of(file);
       EXPECT_EQ(includes(file).front(), name.generic_string()) << name_of(file);
     }
@@ -149,7 +162,7 @@ TEST(Architecture, EverySourceIncludesItsOwnHeaderFirst) {
 
 // The tail of a chatter that stops share is a motion itself: the one thing that needs what it is
 // part of.
-const std::set<std::string> kPartOfAMotion = {"hybrid/shared_chatter"};
+const std::set<std::string> kPartOfAMotion = {"motion/shared_chatter"};
 
 // What each module of lib includes of the others.
 std::map<std::string, std::set<std::string>> module_includes() {
@@ -183,11 +196,26 @@ std::set<std::string> foundation(const std::map<std::string, std::set<std::strin
 // So that a room can be read from the bottom up.
 TEST(Architecture, ModulesDoNotIncludeEachOtherInCircles) {
   const std::map<std::string, std::set<std::string>> graph = module_includes();
-  EXPECT_TRUE(foundation(graph, "continuation/branch").count("continuation/zero_problem"));
+  EXPECT_TRUE(foundation(graph, "continuation/branch").count("continuation/branch/zero_problem"));
   for (const auto& [module, known] : graph) {
     for (const std::string& name : known)
       EXPECT_FALSE(foundation(graph, name).count(module)) << module << " includes " << name;
   }
+}
+
+// The same of folders: whoever reads one has to know only those that it stands on.
+TEST(Architecture, FoldersDoNotIncludeEachOtherInCircles) {
+  std::map<std::string, std::set<std::string>> graph;
+  for (const fs::path& file : sources("lib"))
+    for (const std::string& header : includes(file)) {
+      if (!starts_with(header, "graze/")) continue;
+      const std::string folder = folder_of(kRoot / "lib" / header);
+      if (folder != folder_of(file)) graph[folder_of(file)].insert(folder);
+    }
+  EXPECT_TRUE(foundation(graph, "orbit/search").count("flow/exact"));
+  for (const auto& [folder, known] : graph)
+    for (const std::string& name : known)
+      EXPECT_FALSE(foundation(graph, name).count(folder)) << folder << " includes " << name;
 }
 
 // A third party and the only places that may include it: a folder, and there .cpp files alone
@@ -198,19 +226,16 @@ struct Fence {
   bool headers_too = false;
 };
 
-// Headers that report keeps to itself: they are not installed.
-bool is_private(const fs::path& file) { return starts_with(name_of(file), "lib/report/json_"); }
-
 TEST(Architecture, ThirdPartiesAreFenced) {
   const std::vector<Fence> fences = {
-      {"toml++", {"lib/scene/"}},
-      {"ceres/", {"lib/orbit/"}},
-      {"glog/", {"lib/orbit/"}},
-      {"nlohmann/", {"lib/record/", "lib/report/"}},
+      {"toml++", {"lib/graze/scene/"}},
+      {"ceres/", {"lib/graze/orbit/"}},
+      {"glog/", {"lib/graze/orbit/"}},
+      {"nlohmann/", {"lib/graze/record/", "lib/graze/report/"}},
       {"CLI/", {"apps/"}, true},
-      {"nettle/", {"lib/record/"}},
-      {"nlopt", {"lib/orbit/", "lib/fit/"}},
-      {"tbb/", {"lib/base/"}},
+      {"nettle/", {"lib/graze/record/"}},
+      {"nlopt", {"lib/graze/orbit/", "lib/graze/fit/"}},
+      {"tbb/", {"lib/graze/base/"}},
   };
   for (const char* folder : {"lib", "apps"}) {
     for (const fs::path& file : sources(folder)) {
@@ -220,7 +245,7 @@ TEST(Architecture, ThirdPartiesAreFenced) {
           const bool there = std::any_of(
               fence.folders.begin(), fence.folders.end(),
               [&](const std::string& name) { return starts_with(name_of(file), name); });
-          const bool shown = file.extension() != ".cpp" && !is_private(file);
+          const bool shown = file.extension() != ".cpp" && !is_internal(file);
           const bool inside = there && (fence.headers_too || !shown);
           EXPECT_TRUE(inside) << name_of(file) << " includes " << header;
         }
@@ -236,7 +261,8 @@ bool is_standard(const std::string& header) {
 
 TEST(Architecture, PublicHeadersShowOnlyEigen) {
   for (const fs::path& file : sources("lib")) {
-    if (file.extension() != ".hpp" || is_private(file) || name_of(file) == "lib/flow/extended.hpp")
+    if (file.extension() != ".hpp" || is_internal(file) ||
+        name_of(file) == "lib/graze/flow/exact/extended.hpp")
       continue;
     for (const std::string& header : includes(file)) {
       const bool fine =
@@ -244,6 +270,32 @@ TEST(Architecture, PublicHeadersShowOnlyEigen) {
       EXPECT_TRUE(fine) << name_of(file) << " includes " << header;
     }
   }
+}
+
+// Else an installed header would ask for one that is not.
+TEST(Architecture, PublicHeadersIncludePublicHeaders) {
+  for (const fs::path& file : sources("lib")) {
+    if (file.extension() != ".hpp" || is_internal(file)) continue;
+    for (const std::string& header : includes(file))
+      EXPECT_EQ(header.find("/detail/"), std::string::npos)
+          << name_of(file) << " includes " << header;
+  }
+}
+
+// Else two headers could not be included in one file.
+TEST(Architecture, NoTwoTypesHaveOneName) {
+  const std::regex type(R"(^(?:struct|class|enum class) (\w+)(?: final)?(?: : [^;{]*)? ?\{.*)");
+  std::map<std::string, std::string> known;
+  for (const fs::path& file : sources("lib")) {
+    if (file.extension() != ".hpp") continue;
+    for (const std::string& line : lines(file)) {
+      std::smatch match;
+      if (!std::regex_match(line, match, type)) continue;
+      const auto [first, is_new] = known.emplace(match[1], name_of(file));
+      EXPECT_TRUE(is_new) << match[1] << " of " << name_of(file) << " and " << first->second;
+    }
+  }
+  EXPECT_GT(known.size(), 400u);
 }
 
 TEST(Architecture, NoFileIsLongerThanFourHundredLines) {
@@ -277,12 +329,12 @@ TEST(Architecture, HeadersOpenWithWhatTheyHoldAndGuardThemselves) {
 // a product is not seen by its type. So rooms beside base take those of factors, but for files
 // whose matrix comes as one: a generator, or what a motion followed once round gives.
 TEST(Architecture, OutsideBaseEigenvaluesAreTakenOfFactors) {
-  const std::set<std::string> whole = {"lib/flow/coupled_flow.cpp",
-                                       "lib/orbit/grazing_multipliers.cpp"};
+  const std::set<std::string> whole = {"lib/graze/flow/held/coupled_flow.cpp",
+                                       "lib/graze/orbit/problem/grazing_multipliers.cpp"};
   const std::regex call(R"((^|[^_[:alnum:]])eigenvalues\([^)])");
   std::set<std::string> found;
   for (const fs::path& file : sources("lib")) {
-    if (starts_with(name_of(file), "lib/base/")) continue;
+    if (starts_with(name_of(file), "lib/graze/base/")) continue;
     for (const std::string& line : lines(file)) {
       const std::string code = line.substr(0, line.find("//"));
       if (std::regex_search(code, call)) found.insert(name_of(file));

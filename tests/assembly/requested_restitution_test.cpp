@@ -1,5 +1,5 @@
 // Restitution asked for and given: closed forms; published numbers where the models ask for 0.5.
-#include "graze/assembly/requested_restitution.hpp"
+#include "graze/assembly/detail/requested_restitution.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "graze/assembly/spring_law.hpp"
+#include "graze/assembly/detail/spring_law.hpp"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 #include <limits>
 
 #include "graze/assembly/assembly.hpp"
-#include "graze/contact/restitution_damping.hpp"
+#include "graze/contact/detail/restitution_damping.hpp"
 #include "graze/scene/parameter.hpp"
 #include "graze/scene/reader.hpp"
 

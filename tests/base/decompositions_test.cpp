@@ -1,4 +1,4 @@
-#include "graze/base/decompositions.hpp"
+#include "graze/base/linalg/decompositions.hpp"
 
 #include <gtest/gtest.h>
 

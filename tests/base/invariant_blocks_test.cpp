@@ -1,4 +1,4 @@
-#include "graze/base/invariant_blocks.hpp"
+#include "graze/base/linalg/detail/invariant_blocks.hpp"
 
 #include <gtest/gtest.h>
 

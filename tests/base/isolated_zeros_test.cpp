@@ -1,5 +1,5 @@
 // Bounds that hold, and zeros that none is missed of.
-#include "graze/base/isolated_zeros.hpp"
+#include "graze/base/interval/detail/isolated_zeros.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // Eigenvalues of products against 50-digit arithmetic and closed forms: no true error may exceed
 // the error that is given.
-#include "graze/base/product_eigenvalues.hpp"
+#include "graze/base/linalg/detail/product_eigenvalues.hpp"
 
 #include <gtest/gtest.h>
 

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-#include "graze/base/product_eigenvalues.hpp"
+#include "graze/base/linalg/detail/product_eigenvalues.hpp"
 #include "support/product_reference.hpp"
 
 namespace graze {

@@ -1,15 +1,15 @@
 // Long computations end once they are asked to, and say that less is known; short ones are
 // finished.
-#include "graze/base/stop_scope.hpp"
+#include "graze/base/detail/stop_scope.hpp"
 
 #include <gtest/gtest.h>
 
 #include <atomic>
 #include <vector>
 
-#include "graze/base/isolated_zeros.hpp"
+#include "graze/base/interval/detail/isolated_zeros.hpp"
+#include "graze/base/linalg/detail/product_eigenvalues.hpp"
 #include "graze/base/parallel.hpp"
-#include "graze/base/product_eigenvalues.hpp"
 
 namespace graze {
 namespace {

@@ -17,9 +17,9 @@
 
 #include "graze/assembly/assembly.hpp"
 #include "graze/assembly/initial_state.hpp"
-#include "graze/hybrid/simulation.hpp"
+#include "graze/motion/simulation.hpp"
 #include "graze/scene/reader.hpp"
-#include "graze/study/step_choice.hpp"
+#include "graze/study/cost/detail/step_choice.hpp"
 
 namespace graze {
 namespace {

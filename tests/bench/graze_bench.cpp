@@ -3,14 +3,14 @@
 
 #include "graze/assembly/assembly.hpp"
 #include "graze/assembly/initial_state.hpp"
-#include "graze/bifurcation/locus_tracer.hpp"
-#include "graze/bifurcation/orbit_branches.hpp"
-#include "graze/hybrid/simulation.hpp"
-#include "graze/orbit/closed_form.hpp"
-#include "graze/orbit/finder.hpp"
+#include "graze/bifurcation/loci/detail/locus_tracer.hpp"
+#include "graze/bifurcation/trace/orbit_branches.hpp"
+#include "graze/motion/simulation.hpp"
+#include "graze/orbit/closed_form/closed_form.hpp"
+#include "graze/orbit/search/finder.hpp"
 #include "graze/scene/reader.hpp"
-#include "graze/study/step_choice.hpp"
-#include "graze/study/sweep.hpp"
+#include "graze/study/cost/detail/step_choice.hpp"
+#include "graze/study/sweep/sweep.hpp"
 
 namespace graze {
 namespace {

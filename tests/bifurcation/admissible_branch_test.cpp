@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "branch_checks.hpp"
-#include "graze/orbit/solve.hpp"
+#include "graze/orbit/problem/detail/solve.hpp"
 
 namespace graze {
 namespace {

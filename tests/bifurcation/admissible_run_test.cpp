@@ -1,6 +1,6 @@
 // Runs of orbits among the (1, 1) solutions: none is missed. The referee judges the closed form at
 // many more values than were ever sampled.
-#include "graze/bifurcation/admissible_runs.hpp"
+#include "graze/bifurcation/bounds/detail/admissible_runs.hpp"
 
 #include <gtest/gtest.h>
 

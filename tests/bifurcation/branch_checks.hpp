@@ -12,9 +12,9 @@
 #include <vector>
 
 #include "graze/assembly/initial_state.hpp"
-#include "graze/bifurcation/orbit_branches.hpp"
-#include "graze/hybrid/simulation.hpp"
-#include "graze/orbit/closed_form.hpp"
+#include "graze/bifurcation/trace/orbit_branches.hpp"
+#include "graze/motion/simulation.hpp"
+#include "graze/orbit/closed_form/closed_form.hpp"
 #include "graze/scene/parameter.hpp"
 #include "support/reference.hpp"
 

@@ -9,7 +9,7 @@
 #include "branch_checks.hpp"
 #include "graze/assembly/assembly.hpp"
 #include "graze/assembly/initial_state.hpp"
-#include "graze/hybrid/simulation.hpp"
+#include "graze/motion/simulation.hpp"
 #include "graze/scene/parameter.hpp"
 #include "graze/scene/reader.hpp"
 

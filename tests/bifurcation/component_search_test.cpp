@@ -1,5 +1,5 @@
 // What is said of how thoroughly components were sought.
-#include "graze/bifurcation/component_search.hpp"
+#include "graze/bifurcation/bounds/component_search.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // Numbers of components: branches that cross are connected.
-#include "graze/bifurcation/components.hpp"
+#include "graze/bifurcation/trace/detail/components.hpp"
 
 #include <gtest/gtest.h>
 

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "branch_checks.hpp"
-#include "graze/bifurcation/special_names.hpp"
+#include "graze/bifurcation/problem/detail/special_names.hpp"
 
 namespace graze {
 namespace {

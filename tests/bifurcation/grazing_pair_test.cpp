@@ -11,7 +11,9 @@
 #include <sstream>
 
 #include "branch_checks.hpp"
-#include "graze/flow/exact_flow.hpp"
+#include "graze/flow/exact/detail/exact_flow.hpp"
+#include "graze/flow/variation/detail/transition.hpp"
+#include "graze/orbit/problem/detail/shooting.hpp"
 
 namespace graze {
 namespace {

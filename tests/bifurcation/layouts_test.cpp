@@ -10,10 +10,10 @@
 #include <limits>
 
 #include "branch_checks.hpp"
-#include "graze/bifurcation/branch_borders.hpp"
-#include "graze/bifurcation/orbit_problems.hpp"
-#include "graze/orbit/finder.hpp"
-#include "graze/orbit/solve.hpp"
+#include "graze/bifurcation/cut/detail/branch_borders.hpp"
+#include "graze/bifurcation/trace/detail/orbit_problems.hpp"
+#include "graze/orbit/problem/detail/solve.hpp"
+#include "graze/orbit/search/finder.hpp"
 #include "orbit/mixed_scenes.hpp"
 #include "orbit/settled_sticking_orbit.hpp"
 

@@ -12,7 +12,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "graze/bifurcation/orbit_branches.hpp"
+#include "graze/bifurcation/trace/orbit_branches.hpp"
 #include "graze/scene/reader.hpp"
 #include "impacting_oscillator.hpp"
 

@@ -1,5 +1,5 @@
 // Loci of (1,1) orbits in two parameters against the closed form.
-#include "graze/bifurcation/orbit_loci.hpp"
+#include "graze/bifurcation/loci/orbit_loci.hpp"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 #include <cmath>
 
 #include "branch_checks.hpp"
-#include "graze/orbit/closed_form.hpp"
+#include "graze/orbit/closed_form/closed_form.hpp"
 #include "graze/scene/parameter.hpp"
 
 namespace graze {

@@ -13,8 +13,8 @@
 #include <numbers>
 
 #include "branch_checks.hpp"
-#include "graze/orbit/finder.hpp"
-#include "graze/orbit/orbit.hpp"
+#include "graze/orbit/problem/orbit.hpp"
+#include "graze/orbit/search/finder.hpp"
 
 namespace graze {
 namespace {

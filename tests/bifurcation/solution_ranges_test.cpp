@@ -1,12 +1,12 @@
 // Intervals of values with (p, 1) solutions: the closed form, value by value, is the referee.
-#include "graze/bifurcation/solution_ranges.hpp"
+#include "graze/bifurcation/bounds/detail/solution_ranges.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
 #include "branch_checks.hpp"
-#include "graze/bifurcation/one_impact_form.hpp"
+#include "graze/bifurcation/bounds/detail/one_impact_form.hpp"
 
 namespace graze {
 namespace {

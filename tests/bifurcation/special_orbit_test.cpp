@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "branch_checks.hpp"
-#include "graze/orbit/orbit.hpp"
+#include "graze/orbit/problem/orbit.hpp"
 
 namespace graze {
 namespace {

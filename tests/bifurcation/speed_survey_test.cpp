@@ -2,7 +2,7 @@
 // referee is a scalar equation of its own: for a constant r the two solutions at a value have the
 // speeds V1(r) and V2(r), by the formulas of an oscillator solved by hand; with r(v) the speeds are
 // the fixed points v = V1(r(v)) and v = V2(r(v)), found by a scan.
-#include "graze/bifurcation/speed_survey.hpp"
+#include "graze/bifurcation/bounds/detail/speed_survey.hpp"
 
 #include <gtest/gtest.h>
 

@@ -8,8 +8,8 @@
 
 #include "branch_checks.hpp"
 #include "graze/base/angle.hpp"
-#include "graze/hybrid/simulation.hpp"
-#include "graze/orbit/settled.hpp"
+#include "graze/motion/simulation.hpp"
+#include "graze/orbit/search/settled.hpp"
 #include "graze/scene/parameter.hpp"
 #include "support/systems.hpp"
 

@@ -7,10 +7,10 @@
 #include <memory>
 
 #include "branch_checks.hpp"
-#include "graze/bifurcation/orbit_loci.hpp"
-#include "graze/bifurcation/release_borders.hpp"
-#include "graze/flow/exact_flow.hpp"
-#include "graze/orbit/laid_orbit.hpp"
+#include "graze/bifurcation/cut/detail/release_borders.hpp"
+#include "graze/bifurcation/loci/orbit_loci.hpp"
+#include "graze/flow/exact/detail/exact_flow.hpp"
+#include "graze/orbit/problem/detail/laid_orbit.hpp"
 #include "graze/scene/parameter.hpp"
 
 namespace graze {

@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "branch_checks.hpp"
-#include "graze/bifurcation/orbit_loci.hpp"
-#include "graze/orbit/chatter_completion.hpp"
+#include "graze/bifurcation/loci/orbit_loci.hpp"
+#include "graze/orbit/problem/detail/chatter_completion.hpp"
 #include "graze/scene/parameter.hpp"
 #include "graze/scene/reader.hpp"
 

@@ -6,8 +6,8 @@
 #include <string>
 
 #include "branch_checks.hpp"
-#include "graze/orbit/finder.hpp"
-#include "graze/orbit/followed_orbit.hpp"
+#include "graze/orbit/problem/detail/followed_orbit.hpp"
+#include "graze/orbit/search/finder.hpp"
 #include "graze/scene/reader.hpp"
 
 namespace graze {

@@ -7,10 +7,10 @@
 #include <vector>
 
 #include "branch_checks.hpp"
-#include "graze/bifurcation/orbit_loci.hpp"
-#include "graze/bifurcation/restart.hpp"
-#include "graze/orbit/finder.hpp"
-#include "graze/orbit/followed_orbit.hpp"
+#include "graze/bifurcation/loci/detail/restart.hpp"
+#include "graze/bifurcation/loci/orbit_loci.hpp"
+#include "graze/orbit/problem/detail/followed_orbit.hpp"
+#include "graze/orbit/search/finder.hpp"
 #include "graze/scene/parameter.hpp"
 
 namespace graze {

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "graze/bifurcation/orbit_branches.hpp"
+#include "graze/bifurcation/trace/orbit_branches.hpp"
 #include "graze/scene/reader.hpp"
 
 namespace graze {

@@ -9,8 +9,10 @@
 #include "branch_checks.hpp"
 #include "graze/assembly/assembly.hpp"
 #include "graze/base/angle.hpp"
-#include "graze/hybrid/motion.hpp"
-#include "graze/orbit/settled.hpp"
+#include "graze/motion/detail/motion.hpp"
+#include "graze/orbit/problem/detail/shooting.hpp"
+#include "graze/orbit/search/settled.hpp"
+#include "graze/system/scale.hpp"
 
 namespace graze {
 namespace {
@@ -33,15 +35,13 @@ OrbitBranches followed(const Scene& scene, const std::string& parameter, double 
 State pushed(const System& system, const Orbit& orbit, double push) {
   // From the last impact on to the end of its period the motion is one arc.
   const OrbitImpact& last = orbit.impacts.back();
-  const Stop& stop = system.stops[static_cast<std::size_t>(last.stop)];
   const ExactFlow<double> flow(system);
   Arc<double> arc(flow);
-  const State after = after_impact(stop, last.before);
-  arc.start(last.phase, after.q, after.qdot);
+  State state = after_impact(system.stops.at(static_cast<std::size_t>(last.stop)), last.before);
+  arc.start(last.phase, state.q, state.qdot);
   const double left = system.period() * (orbit.period - last.period_index - last.phase / kTurn);
-  Vector q(system.modes()), qdot(system.modes());
-  arc.state(left, q, qdot);
-  return {(1.0 + push) * q, (1.0 + push) * qdot};
+  arc.state(left, state.q, state.qdot);
+  return {(1.0 + push) * state.q, (1.0 + push) * state.qdot};
 }
 
 // Whether a motion that starts near the orbit, within a relative push, settles on it.

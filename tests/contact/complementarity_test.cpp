@@ -1,5 +1,5 @@
 // Several contacts at once, against a search of all sets of contacts.
-#include "graze/contact/complementarity.hpp"
+#include "graze/contact/detail/complementarity.hpp"
 
 #include <gtest/gtest.h>
 

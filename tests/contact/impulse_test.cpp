@@ -1,5 +1,5 @@
 // The impulse laws: their identities, their energy, and what they do to the collocation points.
-#include "graze/contact/impulse.hpp"
+#include "graze/contact/detail/impulse.hpp"
 #include "graze/assembly/assembly.hpp"
 
 #include <gtest/gtest.h>

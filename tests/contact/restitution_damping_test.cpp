@@ -1,6 +1,6 @@
 // Damping and restitution against closed forms; the numbers with many digits were computed with 40
 // digits from the same equations (hard cases S2, S3).
-#include "graze/contact/restitution_damping.hpp"
+#include "graze/contact/detail/restitution_damping.hpp"
 
 #include <gtest/gtest.h>
 

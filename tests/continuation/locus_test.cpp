@@ -1,5 +1,5 @@
 // Loci of maps for which they are known in closed form.
-#include "graze/continuation/locus.hpp"
+#include "graze/continuation/locus/locus.hpp"
 
 #include <gtest/gtest.h>
 

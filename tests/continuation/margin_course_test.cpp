@@ -1,5 +1,5 @@
 // Where the smallest of several quantities may change sign between two points of a branch.
-#include "graze/continuation/margin_course.hpp"
+#include "graze/continuation/special/detail/margin_course.hpp"
 
 #include <gtest/gtest.h>
 

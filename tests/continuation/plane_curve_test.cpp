@@ -1,5 +1,5 @@
 // Curves in a plane of two parameters that have nothing to do with multipliers.
-#include "graze/continuation/plane_curve.hpp"
+#include "graze/continuation/locus/detail/plane_curve.hpp"
 
 #include <gtest/gtest.h>
 

@@ -10,7 +10,7 @@
 #include <type_traits>
 #include <vector>
 
-#include "graze/continuation/locus.hpp"
+#include "graze/continuation/locus/locus.hpp"
 #include "graze/continuation/map.hpp"
 
 namespace graze::support {

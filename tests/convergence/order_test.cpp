@@ -6,9 +6,9 @@
 
 #include "graze/assembly/assembly.hpp"
 #include "graze/assembly/initial_state.hpp"
-#include "graze/hybrid/simulation.hpp"
-#include "graze/study/reference_run.hpp"
-#include "graze/study/step_choice.hpp"
+#include "graze/motion/simulation.hpp"
+#include "graze/study/cost/detail/reference_run.hpp"
+#include "graze/study/cost/detail/step_choice.hpp"
 #include "support/reference.hpp"
 #include "support/systems.hpp"
 

@@ -4,7 +4,7 @@
 #include "counted_allocations.hpp"
 #include "graze/assembly/assembly.hpp"
 #include "graze/assembly/initial_state.hpp"
-#include "graze/hybrid/simulation.hpp"
+#include "graze/motion/simulation.hpp"
 #include "noted_cost.hpp"
 #include "support/reference.hpp"
 

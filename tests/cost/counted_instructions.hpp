@@ -44,11 +44,12 @@ inline Counted count(const CountedRun& run) {
   const fs::path scene = fs::exists(run.scene)
                              ? fs::path(run.scene)
                              : fs::path(GRAZE_SOURCE_DIR) / "data/scenes" / (run.scene + ".toml");
-  std::string command =
-      "valgrind --tool=callgrind --toggle-collect='graze::simulate(*' "
-      "--callgrind-out-file='" +
-      file.string() + "' '" + GRAZE_SIMULATED_RUN + "' '" + scene.string() + "' " +
-      std::to_string(run.periods) + " " + std::to_string(run.samples) + (run.energy ? " 1" : " 0");
+  std::string command = "LD_PRELOAD='" GRAZE_PRELOADED
+                        "' valgrind --tool=callgrind --toggle-collect='graze::simulate(*' "
+                        "--callgrind-out-file='" +
+                        file.string() + "' '" + GRAZE_SIMULATED_RUN + "' '" + scene.string() +
+                        "' " + std::to_string(run.periods) + " " + std::to_string(run.samples) +
+                        (run.energy ? " 1" : " 0");
   for (const std::string& setting : run.settings) command += " '" + setting + "'";
   Counted counted;
   FILE* pipe = popen((command + " 2>/dev/null").c_str(), "r");

@@ -1,12 +1,12 @@
 // Least squares against what is known in closed form.
-#include "graze/fit/least_squares.hpp"
+#include "graze/fit/detail/least_squares.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "graze/fit/jacobian_factors.hpp"
-#include "graze/fit/parameter_uncertainty.hpp"
+#include "graze/fit/detail/jacobian_factors.hpp"
+#include "graze/fit/detail/parameter_uncertainty.hpp"
 #include "noisy.hpp"
 
 namespace graze {

@@ -1,5 +1,5 @@
 // What is observed of a motion is what `simulate` says of it.
-#include "graze/fit/observed_motion.hpp"
+#include "graze/fit/detail/observed_motion.hpp"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 
 #include "graze/assembly/assembly.hpp"
 #include "graze/assembly/initial_state.hpp"
-#include "graze/hybrid/simulation.hpp"
+#include "graze/motion/simulation.hpp"
 #include "graze/scene/reader.hpp"
 
 namespace graze {

@@ -1,5 +1,5 @@
 // The gap along an arc: its bounds against dense sampling, its noise against 50 digits.
-#include "graze/flow/arc_curve.hpp"
+#include "graze/flow/exact/detail/arc_curve.hpp"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "graze/flow/extended.hpp"
+#include "graze/flow/exact/extended.hpp"
 #include "support/random_system.hpp"
 
 namespace graze {

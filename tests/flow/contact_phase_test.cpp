@@ -1,7 +1,7 @@
 // Motion with closed stops against the matrix exponential of the constrained equations of motion,
 //   q'' = P (f cos(theta) + load - 2 delta q' - w^2 q),   P = I - D (B^T D)^-1 B^T.
-#include "graze/flow/contact_phase.hpp"
-#include "graze/flow/phase_choice.hpp"
+#include "graze/flow/exact/detail/contact_phase.hpp"
+#include "graze/flow/detail/phase_choice.hpp"
 
 #include <gtest/gtest.h>
 
@@ -10,8 +10,8 @@
 #include <limits>
 #include <unsupported/Eigen/MatrixFunctions>
 
-#include "graze/flow/arc_work.hpp"
-#include "graze/flow/exact_phase.hpp"
+#include "graze/flow/held/detail/exact_phase.hpp"
+#include "graze/flow/variation/arc_work.hpp"
 #include "support/random_system.hpp"
 
 namespace graze {

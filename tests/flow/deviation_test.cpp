@@ -1,11 +1,11 @@
 // Growth of deviations along free and held arcs, against central differences in 50 digits; they are
 // accurate relative to themselves, however short the flight.
-#include "graze/flow/deviation.hpp"
-#include "graze/flow/phase_choice.hpp"
+#include "graze/flow/variation/detail/deviation.hpp"
+#include "graze/flow/detail/phase_choice.hpp"
 
 #include <gtest/gtest.h>
 
-#include "graze/flow/extended.hpp"
+#include "graze/flow/exact/extended.hpp"
 #include "support/random_system.hpp"
 
 namespace graze {

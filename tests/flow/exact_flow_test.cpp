@@ -1,11 +1,11 @@
 // The exact flow: its 50-digit form against the equations of motion, double precision against it.
-#include "graze/flow/exact_flow.hpp"
+#include "graze/flow/exact/detail/exact_flow.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "graze/flow/extended.hpp"
+#include "graze/flow/exact/extended.hpp"
 #include "support/random_system.hpp"
 
 namespace graze {

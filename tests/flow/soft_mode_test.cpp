@@ -3,9 +3,9 @@
 
 #include <cmath>
 
-#include "graze/flow/arc_work.hpp"
-#include "graze/flow/extended.hpp"
-#include "graze/flow/phase_choice.hpp"
+#include "graze/flow/detail/phase_choice.hpp"
+#include "graze/flow/exact/extended.hpp"
+#include "graze/flow/variation/arc_work.hpp"
 #include "support/systems.hpp"
 
 namespace graze {

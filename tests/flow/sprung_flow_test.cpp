@@ -5,8 +5,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "graze/contact/restitution_damping.hpp"
-#include "graze/flow/step_methods.hpp"
+#include "graze/contact/detail/restitution_damping.hpp"
+#include "graze/flow/stepped/detail/step_methods.hpp"
 
 namespace graze {
 namespace {

@@ -1,5 +1,5 @@
 // Exponentials on the vector unit against long double, on every unit that this processor has.
-#include "graze/flow/term_kernels.hpp"
+#include "graze/flow/exact/detail/term_kernels.hpp"
 
 #include <gtest/gtest.h>
 #include <hwy/targets.h>
@@ -13,8 +13,8 @@
 #include <string>
 #include <vector>
 
-#include "graze/flow/curve_terms_impl.hpp"
-#include "graze/flow/extended.hpp"
+#include "graze/flow/exact/detail/curve_terms_impl.hpp"
+#include "graze/flow/exact/extended.hpp"
 
 namespace graze {
 namespace {

@@ -1,5 +1,5 @@
 // Derivatives of the exact flow against central differences, in every kind of mode.
-#include "graze/flow/transition.hpp"
+#include "graze/flow/variation/detail/transition.hpp"
 
 #include <gtest/gtest.h>
 

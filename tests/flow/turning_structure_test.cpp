@@ -1,5 +1,5 @@
 // Forces, inertia and powers of a structure on a hub, against each other and against differences.
-#include "graze/flow/turning.hpp"
+#include "graze/flow/turning/detail/turning.hpp"
 
 #include <gtest/gtest.h>
 
@@ -8,7 +8,7 @@
 #include <cmath>
 #include <random>
 
-#include "graze/base/linear_equations.hpp"
+#include "graze/base/linalg/detail/linear_equations.hpp"
 #include "support/hub_scene.hpp"
 
 namespace graze {

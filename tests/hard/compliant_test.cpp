@@ -5,8 +5,8 @@
 #include <numbers>
 
 #include "graze/assembly/assembly.hpp"
+#include "graze/assembly/detail/spring_law.hpp"
 #include "graze/assembly/initial_state.hpp"
-#include "graze/assembly/spring_law.hpp"
 #include "support/reached.hpp"
 #include "support/reference.hpp"
 #include "support/systems.hpp"

@@ -8,6 +8,8 @@
 
 #include "graze/assembly/assembly.hpp"
 #include "graze/assembly/initial_state.hpp"
+#include "graze/motion/detail/energy_changes.hpp"
+#include "graze/motion/detail/motion.hpp"
 #include "support/reached.hpp"
 #include "support/reference.hpp"
 #include "support/systems.hpp"

@@ -8,8 +8,8 @@
 #include <cmath>
 
 #include "graze/assembly/assembly.hpp"
-#include "graze/bifurcation/orbit_branches.hpp"
-#include "graze/orbit/closed_form.hpp"
+#include "graze/bifurcation/trace/orbit_branches.hpp"
+#include "graze/orbit/closed_form/closed_form.hpp"
 #include "graze/scene/reader.hpp"
 #include "support/reached.hpp"
 

@@ -5,10 +5,10 @@
 #include <cmath>
 
 #include "graze/assembly/assembly.hpp"
-#include "graze/assembly/system_warnings.hpp"
-#include "graze/base/decompositions.hpp"
-#include "graze/flow/exact_flow.hpp"
-#include "graze/structure/cantilever.hpp"
+#include "graze/assembly/detail/system_warnings.hpp"
+#include "graze/base/linalg/decompositions.hpp"
+#include "graze/flow/exact/detail/exact_flow.hpp"
+#include "graze/structure/detail/cantilever.hpp"
 #include "support/reached.hpp"
 #include "support/reference.hpp"
 #include "support/systems.hpp"

@@ -6,7 +6,7 @@
 
 #include "graze/assembly/assembly.hpp"
 #include "graze/assembly/initial_state.hpp"
-#include "graze/hybrid/motion.hpp"
+#include "graze/motion/detail/motion.hpp"
 #include "support/reached.hpp"
 #include "support/reference.hpp"
 #include "support/systems.hpp"

@@ -8,10 +8,10 @@
 
 #include "graze/assembly/assembly.hpp"
 #include "graze/assembly/initial_state.hpp"
-#include "graze/bifurcation/orbit_branches.hpp"
-#include "graze/orbit/closed_form.hpp"
-#include "graze/orbit/finder.hpp"
-#include "graze/orbit/solve.hpp"
+#include "graze/bifurcation/trace/orbit_branches.hpp"
+#include "graze/orbit/closed_form/closed_form.hpp"
+#include "graze/orbit/problem/detail/solve.hpp"
+#include "graze/orbit/search/finder.hpp"
 #include "support/reference.hpp"
 #include "support/systems.hpp"
 

@@ -7,9 +7,9 @@
 #include <set>
 #include <utility>
 
-#include "graze/orbit/finder.hpp"
-#include "graze/orbit/settled.hpp"
-#include "graze/orbit/solve.hpp"
+#include "graze/orbit/problem/detail/solve.hpp"
+#include "graze/orbit/search/finder.hpp"
+#include "graze/orbit/search/settled.hpp"
 #include "support/systems.hpp"
 
 namespace graze {

@@ -1,5 +1,5 @@
 // The closed form of (p, 1) orbits and what is made of it, against tests/reference (50 digits).
-#include "graze/orbit/closed_form.hpp"
+#include "graze/orbit/closed_form/closed_form.hpp"
 #include "graze/assembly/assembly.hpp"
 
 #include <gtest/gtest.h>
@@ -7,9 +7,9 @@
 #include <cmath>
 #include <numbers>
 
-#include "graze/flow/extended.hpp"
-#include "graze/orbit/orbit.hpp"
-#include "graze/orbit/solve.hpp"
+#include "graze/flow/exact/extended.hpp"
+#include "graze/orbit/problem/detail/solve.hpp"
+#include "graze/orbit/problem/orbit.hpp"
 #include "support/reference.hpp"
 #include "support/systems.hpp"
 

@@ -9,8 +9,8 @@
 #include "graze/assembly/assembly.hpp"
 #include "graze/assembly/initial_state.hpp"
 #include "graze/base/angle.hpp"
-#include "graze/orbit/finder.hpp"
-#include "graze/orbit/settled.hpp"
+#include "graze/orbit/search/finder.hpp"
+#include "graze/orbit/search/settled.hpp"
 #include "support/reference.hpp"
 #include "support/systems.hpp"
 

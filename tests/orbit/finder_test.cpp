@@ -1,5 +1,5 @@
 // What a simulation settles on, and the list of orbits of a scene.
-#include "graze/orbit/finder.hpp"
+#include "graze/orbit/search/finder.hpp"
 #include "graze/assembly/assembly.hpp"
 #include "graze/assembly/initial_state.hpp"
 
@@ -10,9 +10,9 @@
 #include <cmath>
 #include <numbers>
 
-#include "graze/orbit/closed_form.hpp"
-#include "graze/orbit/settled.hpp"
-#include "graze/orbit/solve.hpp"
+#include "graze/orbit/closed_form/closed_form.hpp"
+#include "graze/orbit/problem/detail/solve.hpp"
+#include "graze/orbit/search/settled.hpp"
 #include "support/reference.hpp"
 #include "support/systems.hpp"
 

@@ -1,5 +1,5 @@
 // Multipliers of orbits that graze, as limits of those that impact ever more slowly.
-#include "graze/orbit/grazing_multipliers.hpp"
+#include "graze/orbit/problem/detail/grazing_multipliers.hpp"
 
 #include <gtest/gtest.h>
 
@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "graze/base/angle.hpp"
-#include "graze/orbit/orbit.hpp"
-#include "graze/orbit/periodic_response.hpp"
+#include "graze/orbit/closed_form/detail/periodic_response.hpp"
+#include "graze/orbit/problem/orbit.hpp"
 #include "support/systems.hpp"
 
 namespace graze {

@@ -1,5 +1,5 @@
 // Sequences of stops up to rotation.
-#include "graze/orbit/impact_sequences.hpp"
+#include "graze/orbit/search/detail/impact_sequences.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // Between mirrored stops every orbit has its image, u(t) -> -u(t + T/2), among those that are
 // found.
-#include "graze/orbit/mirror.hpp"
+#include "graze/orbit/search/detail/mirror.hpp"
 #include "graze/assembly/assembly.hpp"
 
 #include <gtest/gtest.h>
@@ -9,7 +9,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "graze/orbit/finder.hpp"
+#include "graze/orbit/search/finder.hpp"
 #include "support/reference.hpp"
 #include "support/systems.hpp"
 

@@ -1,5 +1,5 @@
 // Rates of impact speeds and of smallest gaps along the closed form's orbits, against differences.
-#include "graze/orbit/orbit_margins.hpp"
+#include "graze/orbit/problem/detail/orbit_margins.hpp"
 
 #include <gtest/gtest.h>
 
@@ -7,8 +7,8 @@
 #include <optional>
 
 #include "graze/assembly/system_family.hpp"
-#include "graze/orbit/closed_form.hpp"
-#include "graze/orbit/orbit.hpp"
+#include "graze/orbit/closed_form/closed_form.hpp"
+#include "graze/orbit/problem/orbit.hpp"
 #include "support/reference.hpp"
 
 namespace graze {

@@ -1,12 +1,12 @@
 // The derivative of a passage by a parameter of the scene, through chatter, sticking and release,
 // against central differences of the motion.
-#include "graze/orbit/parameter_deviation.hpp"
+#include "graze/orbit/problem/detail/parameter_deviation.hpp"
 #include "graze/assembly/initial_state.hpp"
 
 #include <gtest/gtest.h>
 
 #include "graze/assembly/system_family.hpp"
-#include "graze/orbit/passage.hpp"
+#include "graze/orbit/problem/detail/passage.hpp"
 #include "graze/system/scale.hpp"
 #include "support/differences.hpp"
 #include "support/reference.hpp"

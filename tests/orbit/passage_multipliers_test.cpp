@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "graze/orbit/followed_orbit.hpp"
+#include "graze/orbit/problem/detail/followed_orbit.hpp"
 #include "support/systems.hpp"
 
 namespace graze {

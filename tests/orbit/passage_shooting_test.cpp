@@ -1,13 +1,13 @@
 // The equations of an orbit that sticks at its release: derivatives against central differences,
 // multipliers against those of a section elsewhere in the stuck phase.
-#include "graze/orbit/passage_shooting.hpp"
+#include "graze/orbit/problem/detail/passage_shooting.hpp"
 
 #include <gtest/gtest.h>
 
 #include "graze/assembly/assembly.hpp"
 #include "graze/assembly/system_family.hpp"
-#include "graze/orbit/laid_orbit.hpp"
-#include "graze/orbit/release.hpp"
+#include "graze/orbit/problem/detail/laid_orbit.hpp"
+#include "graze/orbit/problem/detail/release.hpp"
 #include "orbit/mixed_scenes.hpp"
 #include "orbit/settled_sticking_orbit.hpp"
 

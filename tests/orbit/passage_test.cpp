@@ -1,10 +1,12 @@
 // The passage of a motion with its deviations where nothing sticks: the monodromy matrix.
-#include "graze/orbit/passage.hpp"
+#include "graze/orbit/problem/detail/passage.hpp"
+#include "graze/orbit/problem/detail/shooting.hpp"
 
 #include <gtest/gtest.h>
 
 #include "graze/base/angle.hpp"
-#include "graze/orbit/finder.hpp"
+#include "graze/flow/variation/detail/transition.hpp"
+#include "graze/orbit/search/finder.hpp"
 #include "support/reference.hpp"
 #include "support/systems.hpp"
 

@@ -8,7 +8,7 @@
 #include <numbers>
 
 #include "graze/assembly/assembly.hpp"
-#include "graze/orbit/finder.hpp"
+#include "graze/orbit/search/finder.hpp"
 #include "support/reference.hpp"
 #include "support/systems.hpp"
 

@@ -1,6 +1,6 @@
 // The phase problem: its solutions solve the shooting equations, its derivatives are right, for one
 // impact it is the closed form, and it says where it does not hold.
-#include "graze/orbit/phase_problem.hpp"
+#include "graze/orbit/closed_form/detail/phase_problem.hpp"
 #include "graze/assembly/assembly.hpp"
 
 #include <gtest/gtest.h>
@@ -8,11 +8,11 @@
 #include <cmath>
 #include <numbers>
 
-#include "graze/contact/impulse.hpp"
-#include "graze/flow/exact_flow.hpp"
-#include "graze/flow/transition.hpp"
-#include "graze/orbit/closed_form.hpp"
-#include "graze/orbit/solve.hpp"
+#include "graze/contact/detail/impulse.hpp"
+#include "graze/flow/exact/detail/exact_flow.hpp"
+#include "graze/flow/variation/detail/transition.hpp"
+#include "graze/orbit/closed_form/closed_form.hpp"
+#include "graze/orbit/problem/detail/solve.hpp"
 #include "support/reference.hpp"
 #include "support/systems.hpp"
 

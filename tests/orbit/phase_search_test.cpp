@@ -1,5 +1,5 @@
 // Searching the torus of impact phases: starts, deflation, rounds, the global stage.
-#include "graze/orbit/phase_search.hpp"
+#include "graze/orbit/search/detail/phase_search.hpp"
 #include "graze/assembly/assembly.hpp"
 
 #include <gtest/gtest.h>
@@ -8,9 +8,9 @@
 #include <cmath>
 #include <numbers>
 
-#include "graze/orbit/closed_form.hpp"
-#include "graze/orbit/orbit.hpp"
-#include "graze/orbit/solve.hpp"
+#include "graze/orbit/closed_form/closed_form.hpp"
+#include "graze/orbit/problem/detail/solve.hpp"
+#include "graze/orbit/problem/orbit.hpp"
 #include "support/reference.hpp"
 #include "support/systems.hpp"
 

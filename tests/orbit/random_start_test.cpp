@@ -1,12 +1,12 @@
 // Starts at random press no spring deeper than motions at their speed can.
-#include "graze/orbit/random_start.hpp"
+#include "graze/orbit/search/detail/random_start.hpp"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 
 #include "graze/assembly/assembly.hpp"
-#include "graze/orbit/shooting.hpp"
+#include "graze/orbit/problem/detail/shooting.hpp"
 #include "graze/scene/reader.hpp"
 
 namespace graze {

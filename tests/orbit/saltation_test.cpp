@@ -6,10 +6,13 @@
 #include <numbers>
 
 #include "graze/assembly/assembly.hpp"
-#include "graze/flow/transition.hpp"
-#include "graze/hybrid/motion.hpp"
-#include "graze/orbit/closed_form.hpp"
-#include "graze/orbit/orbit.hpp"
+#include "graze/flow/variation/detail/transition.hpp"
+#include "graze/motion/detail/motion.hpp"
+#include "graze/orbit/closed_form/closed_form.hpp"
+#include "graze/orbit/problem/detail/saltation.hpp"
+#include "graze/orbit/problem/detail/shooting.hpp"
+#include "graze/orbit/problem/orbit.hpp"
+#include "graze/system/scale.hpp"
 #include "support/differences.hpp"
 #include "support/reference.hpp"
 #include "support/systems.hpp"

@@ -9,9 +9,9 @@
 #include <span>
 
 #include "graze/assembly/assembly.hpp"
-#include "graze/orbit/finder.hpp"
-#include "graze/orbit/section_map.hpp"
-#include "graze/orbit/settled.hpp"
+#include "graze/orbit/problem/detail/section_map.hpp"
+#include "graze/orbit/search/finder.hpp"
+#include "graze/orbit/search/settled.hpp"
 #include "support/contact_laws.hpp"
 #include "support/reference.hpp"
 #include "support/systems.hpp"

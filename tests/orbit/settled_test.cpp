@@ -1,5 +1,5 @@
 // When a motion counts as settled: near its orbit by the closed form, not only slow.
-#include "graze/orbit/settled.hpp"
+#include "graze/orbit/search/settled.hpp"
 #include "graze/assembly/assembly.hpp"
 #include "graze/assembly/initial_state.hpp"
 
@@ -8,10 +8,13 @@
 #include <cmath>
 
 #include "graze/base/angle.hpp"
-#include "graze/flow/exact_flow.hpp"
-#include "graze/orbit/closed_form.hpp"
-#include "graze/orbit/orbit.hpp"
+#include "graze/flow/exact/detail/exact_flow.hpp"
+#include "graze/flow/variation/detail/transition.hpp"
+#include "graze/orbit/closed_form/closed_form.hpp"
+#include "graze/orbit/problem/detail/shooting.hpp"
+#include "graze/orbit/problem/orbit.hpp"
 #include "graze/scene/reader.hpp"
+#include "graze/system/scale.hpp"
 #include "support/reference.hpp"
 #include "support/systems.hpp"
 

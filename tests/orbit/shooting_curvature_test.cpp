@@ -1,5 +1,5 @@
 // Second derivatives of the shooting equations against central differences of the first ones.
-#include "graze/orbit/shooting_curvature.hpp"
+#include "graze/orbit/problem/detail/shooting_curvature.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // The shooting equations: analytic derivatives against central differences.
-#include "graze/orbit/shooting.hpp"
+#include "graze/orbit/problem/detail/shooting.hpp"
 #include "graze/assembly/assembly.hpp"
 
 #include <gtest/gtest.h>
@@ -8,7 +8,7 @@
 #include <numbers>
 
 #include "graze/assembly/system_family.hpp"
-#include "graze/orbit/closed_form.hpp"
+#include "graze/orbit/closed_form/closed_form.hpp"
 #include "graze/scene/parameter.hpp"
 #include "support/differences.hpp"
 #include "support/reference.hpp"

@@ -1,5 +1,5 @@
 // Newton for good guesses, Levenberg-Marquardt (Ceres) for poor ones; the closed form is the judge.
-#include "graze/orbit/solve.hpp"
+#include "graze/orbit/problem/detail/solve.hpp"
 #include "graze/assembly/assembly.hpp"
 
 #include <gtest/gtest.h>
@@ -7,8 +7,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "graze/orbit/closed_form.hpp"
-#include "graze/orbit/rough_guess.hpp"
+#include "graze/orbit/closed_form/closed_form.hpp"
+#include "graze/orbit/search/detail/rough_guess.hpp"
 #include "support/reference.hpp"
 #include "support/systems.hpp"
 

@@ -8,7 +8,7 @@
 
 #include "graze/assembly/assembly.hpp"
 #include "graze/base/angle.hpp"
-#include "graze/orbit/finder.hpp"
+#include "graze/orbit/search/finder.hpp"
 #include "graze/scene/reader.hpp"
 
 namespace graze {

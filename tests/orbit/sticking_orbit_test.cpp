@@ -6,7 +6,9 @@
 #include <map>
 
 #include "graze/assembly/assembly.hpp"
-#include "graze/flow/extended.hpp"
+#include "graze/flow/exact/extended.hpp"
+#include "graze/motion/detail/motion.hpp"
+#include "graze/system/scale.hpp"
 #include "orbit/settled_sticking_orbit.hpp"
 
 namespace graze {

@@ -3,7 +3,9 @@
 #include <gtest/gtest.h>
 
 #include "graze/assembly/assembly.hpp"
-#include "graze/orbit/orbit_curve.hpp"
+#include "graze/orbit/detail/orbit_curve.hpp"
+#include "graze/orbit/problem/detail/followed_orbit.hpp"
+#include "graze/system/scale.hpp"
 #include "orbit/settled_sticking_orbit.hpp"
 
 namespace graze {

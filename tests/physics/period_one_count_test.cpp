@@ -5,10 +5,12 @@
 #include <gtest/gtest.h>
 
 #include "graze/assembly/assembly.hpp"
-#include "graze/orbit/closed_form.hpp"
-#include "graze/orbit/orbit.hpp"
+#include "graze/orbit/closed_form/closed_form.hpp"
+#include "graze/orbit/problem/detail/shooting.hpp"
+#include "graze/orbit/problem/orbit.hpp"
 #include "graze/scene/parameter.hpp"
 #include "graze/scene/reader.hpp"
+#include "graze/system/scale.hpp"
 
 namespace graze {
 namespace {

@@ -3,7 +3,7 @@
 // run ends for a reason that it states.
 #include <Eigen/LU>
 
-#include "graze/hybrid/simulation.hpp"
+#include "graze/motion/simulation.hpp"
 #include "property/scene_property.hpp"
 
 namespace graze {

@@ -1,5 +1,5 @@
 // The energy book closes along every run, and what each entry may be.
-#include "graze/hybrid/simulation.hpp"
+#include "graze/motion/simulation.hpp"
 #include "property/scene_property.hpp"
 
 namespace graze {

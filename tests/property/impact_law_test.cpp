@@ -1,7 +1,7 @@
 // Every impact obeys its law: v+ = -r(v) v- on a single stop, along its direction and without
 // moving the structure; complementarity where several stops are touched.
-#include "graze/contact/impulse.hpp"
-#include "graze/hybrid/motion.hpp"
+#include "graze/contact/detail/impulse.hpp"
+#include "graze/motion/detail/motion.hpp"
 #include "property/scene_property.hpp"
 
 namespace graze {

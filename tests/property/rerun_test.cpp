@@ -3,7 +3,7 @@
 #include <cstring>
 #include <numeric>
 
-#include "graze/hybrid/simulation.hpp"
+#include "graze/motion/simulation.hpp"
 #include "property/scene_property.hpp"
 
 namespace graze {

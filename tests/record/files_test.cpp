@@ -1,4 +1,4 @@
-#include "graze/record/files.hpp"
+#include "graze/record/file/detail/files.hpp"
 
 #include <fcntl.h>
 #include <gtest/gtest.h>
@@ -13,7 +13,7 @@
 
 #include "apps/program.hpp"
 #include "graze/base/errors.hpp"
-#include "graze/record/run_info.hpp"
+#include "graze/record/file/run_info.hpp"
 
 namespace graze {
 namespace {

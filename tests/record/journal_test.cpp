@@ -1,4 +1,4 @@
-#include "graze/record/journal.hpp"
+#include "graze/record/file/detail/journal.hpp"
 
 #include <gtest/gtest.h>
 

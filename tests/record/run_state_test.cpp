@@ -1,6 +1,6 @@
 // The state of a run as a file: every digit comes back, and nothing is taken for a state that is
 // none.
-#include "graze/record/run_state.hpp"
+#include "graze/record/file/detail/run_state.hpp"
 
 #include <gtest/gtest.h>
 
@@ -162,9 +162,8 @@ TEST(RunStateFile, SaysWhatIsWrongAndWhere) {
             at("contacts") + "motion.contacts: there is no contact called \"gone\"");
   EXPECT_EQ(complaint("started = true", "began = true"),
             at("started") + "began: there is no such key in this file");
-  EXPECT_EQ(
-      complaint("started = true\n", ""),
-      "run/state.toml:1:1: started: the key is missing, the file is not whole");
+  EXPECT_EQ(complaint("started = true\n", ""),
+            "run/state.toml:1:1: started: the key is missing, the file is not whole");
   EXPECT_EQ(complaint("stops = [1, 2]", "stops = [1, 3]"),
             at("stops = ") + "chatter.stops: the scene has no such stop");
 }

@@ -5,7 +5,7 @@
 
 #include "graze/assembly/assembly.hpp"
 #include "graze/assembly/initial_state.hpp"
-#include "graze/hybrid/simulation.hpp"
+#include "graze/motion/simulation.hpp"
 #include "graze/record/records.hpp"
 #include "support/reference.hpp"
 #include "support/systems.hpp"

@@ -1,11 +1,11 @@
 // Special points with their orbits as a file: every digit comes back, and nothing is taken for a
 // special point that is none.
-#include "graze/record/special_file.hpp"
+#include "graze/record/file/detail/special_file.hpp"
 
 #include <gtest/gtest.h>
 
 #include "graze/base/errors.hpp"
-#include "graze/record/run_info.hpp"
+#include "graze/record/file/run_info.hpp"
 #include "graze/scene/reader.hpp"
 
 namespace graze {

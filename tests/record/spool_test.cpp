@@ -1,4 +1,4 @@
-#include "graze/record/spool.hpp"
+#include "graze/record/file/spool.hpp"
 
 #include <gtest/gtest.h>
 

@@ -3,8 +3,9 @@
 
 #include <nlohmann/json.hpp>
 
-#include "graze/report/json.hpp"
-#include "graze/report/text.hpp"
+#include "graze/record/records.hpp"
+#include "graze/report/json/json.hpp"
+#include "graze/report/text/text.hpp"
 #include "graze/scene/reader.hpp"
 
 namespace graze {

@@ -1,10 +1,10 @@
-#include "graze/report/csv.hpp"
+#include "graze/report/csv/csv.hpp"
 
 #include <gtest/gtest.h>
 
 #include <limits>
 
-#include "graze/report/table.hpp"
+#include "graze/report/text/detail/table.hpp"
 #include "support/reference.hpp"
 #include "support/systems.hpp"
 

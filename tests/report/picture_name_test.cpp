@@ -3,8 +3,8 @@
 
 #include "apps/program.hpp"
 #include "graze/base/errors.hpp"
-#include "graze/report/gnuplot.hpp"
-#include "graze/report/pictures.hpp"
+#include "graze/report/picture/gnuplot.hpp"
+#include "graze/report/picture/pictures.hpp"
 
 namespace graze {
 namespace {

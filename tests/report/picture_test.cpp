@@ -1,4 +1,4 @@
-#include "graze/report/pictures.hpp"
+#include "graze/report/picture/pictures.hpp"
 
 #include <gtest/gtest.h>
 
@@ -10,8 +10,8 @@
 
 #include "apps/program.hpp"
 #include "graze/base/errors.hpp"
-#include "graze/report/picture_motion.hpp"
-#include "graze/report/special_marks.hpp"
+#include "graze/report/picture/detail/picture_motion.hpp"
+#include "graze/report/picture/detail/special_marks.hpp"
 #include "support/systems.hpp"
 
 namespace graze {

@@ -6,8 +6,9 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
-#include "graze/report/json.hpp"
-#include "graze/report/text.hpp"
+#include "graze/record/records.hpp"
+#include "graze/report/json/json.hpp"
+#include "graze/report/text/text.hpp"
 #include "support/systems.hpp"
 
 namespace graze {

@@ -5,10 +5,10 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
-#include "graze/report/csv.hpp"
-#include "graze/report/json.hpp"
-#include "graze/report/sweep_names.hpp"
-#include "graze/report/text.hpp"
+#include "graze/report/csv/csv.hpp"
+#include "graze/report/json/json.hpp"
+#include "graze/report/names/detail/sweep_names.hpp"
+#include "graze/report/text/text.hpp"
 
 namespace graze {
 namespace {

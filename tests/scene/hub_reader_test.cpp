@@ -1,4 +1,4 @@
-#include "graze/scene/hub_reader.hpp"
+#include "graze/scene/detail/hub_reader.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,11 +1,11 @@
-#include "graze/scene/probe_reader.hpp"
+#include "graze/scene/detail/probe_reader.hpp"
 
 #include <gtest/gtest.h>
 
 #include <string>
 #include <vector>
 
-#include "graze/scene/difference.hpp"
+#include "graze/scene/detail/difference.hpp"
 #include "graze/scene/parameter.hpp"
 #include "graze/scene/reader.hpp"
 

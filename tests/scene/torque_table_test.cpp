@@ -1,4 +1,4 @@
-#include "graze/scene/torque_table.hpp"
+#include "graze/scene/detail/torque_table.hpp"
 
 #include <gtest/gtest.h>
 

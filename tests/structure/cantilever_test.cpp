@@ -1,5 +1,5 @@
 // Cantilever modes against 50-digit tables, quadrature and closed sums.
-#include "graze/structure/cantilever.hpp"
+#include "graze/structure/detail/cantilever.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,11 +1,11 @@
 // A beam on a hub: inertia, coupling, stiffening, and the modes of both together.
-#include "graze/structure/hub_beam.hpp"
+#include "graze/structure/detail/hub_beam.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "graze/structure/cantilever.hpp"
+#include "graze/structure/detail/cantilever.hpp"
 #include "graze/structure/modal_model.hpp"
 #include "support/hub_scene.hpp"
 

@@ -7,7 +7,7 @@
 #include <cmath>
 
 #include "graze/scene/parameter.hpp"
-#include "graze/structure/cantilever.hpp"
+#include "graze/structure/detail/cantilever.hpp"
 #include "support/differences.hpp"
 #include "support/reference.hpp"
 

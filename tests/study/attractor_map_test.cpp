@@ -1,6 +1,6 @@
 // Maps of what the motion settles on: basins against closed forms and single runs, planes of
 // parameters against sweeps.
-#include "graze/study/attractor_map.hpp"
+#include "graze/study/plane/detail/attractor_map.hpp"
 
 #include <gtest/gtest.h>
 
@@ -11,8 +11,8 @@
 #include "graze/assembly/assembly.hpp"
 #include "graze/assembly/initial_state.hpp"
 #include "graze/base/errors.hpp"
-#include "graze/orbit/shooting.hpp"
-#include "graze/study/sweep.hpp"
+#include "graze/orbit/problem/detail/shooting.hpp"
+#include "graze/study/sweep/sweep.hpp"
 #include "support/reference.hpp"
 #include "support/systems.hpp"
 

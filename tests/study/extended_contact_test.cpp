@@ -1,5 +1,5 @@
 // Contacts in 50 digits against closed forms, written down in that scalar.
-#include "graze/study/extended_contact.hpp"
+#include "graze/study/cost/detail/extended_contact.hpp"
 
 #include <gtest/gtest.h>
 

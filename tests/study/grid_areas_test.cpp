@@ -1,5 +1,5 @@
 // Connected areas of a grid, on grids small enough to be told by eye.
-#include "graze/study/grid_areas.hpp"
+#include "graze/study/plane/detail/grid_areas.hpp"
 
 #include <gtest/gtest.h>
 

@@ -5,10 +5,10 @@
 
 #include "graze/assembly/assembly.hpp"
 #include "graze/assembly/initial_state.hpp"
-#include "graze/hybrid/simulation.hpp"
-#include "graze/study/flow_cost.hpp"
-#include "graze/study/step_choice.hpp"
-#include "graze/study/stepped_reference.hpp"
+#include "graze/motion/simulation.hpp"
+#include "graze/study/cost/detail/flow_cost.hpp"
+#include "graze/study/cost/detail/step_choice.hpp"
+#include "graze/study/cost/detail/stepped_reference.hpp"
 #include "support/hub_scene.hpp"
 
 namespace graze {

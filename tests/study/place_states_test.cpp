@@ -4,10 +4,10 @@
 #include <cmath>
 
 #include "graze/assembly/assembly.hpp"
-#include "graze/orbit/clear_state.hpp"
-#include "graze/orbit/random_start.hpp"
+#include "graze/orbit/search/detail/clear_state.hpp"
+#include "graze/orbit/search/detail/random_start.hpp"
 #include "graze/scene/reader.hpp"
-#include "graze/study/followed_motion.hpp"
+#include "graze/study/sweep/detail/followed_motion.hpp"
 
 namespace graze {
 namespace {

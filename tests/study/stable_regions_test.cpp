@@ -1,6 +1,6 @@
 // What is stable in a plane of two parameters, against formulas of the one-mode beam that stand
 // here: the amplitude of its linear response and the fold of its (1, 1) orbit.
-#include "graze/study/stable_regions.hpp"
+#include "graze/study/plane/stable_regions.hpp"
 
 #include <gtest/gtest.h>
 
@@ -14,10 +14,10 @@
 #include <vector>
 
 #include "graze/assembly/assembly.hpp"
-#include "graze/bifurcation/orbit_loci.hpp"
+#include "graze/bifurcation/loci/orbit_loci.hpp"
 #include "graze/scene/parameter.hpp"
 #include "graze/scene/reader.hpp"
-#include "graze/study/region_borders.hpp"
+#include "graze/study/plane/detail/region_borders.hpp"
 
 namespace graze {
 namespace {

@@ -1,12 +1,14 @@
 // An orbit once a forcing period: what a simulation of it shows there.
-#include "graze/study/strobes.hpp"
+#include "graze/study/sweep/detail/strobes.hpp"
 #include "graze/assembly/assembly.hpp"
 #include "graze/assembly/initial_state.hpp"
 
 #include <gtest/gtest.h>
 
+#include "graze/orbit/problem/detail/shooting.hpp"
 #include "graze/scene/reader.hpp"
-#include "graze/study/sweep.hpp"
+#include "graze/study/sweep/sweep.hpp"
+#include "graze/system/scale.hpp"
 
 namespace graze {
 namespace {

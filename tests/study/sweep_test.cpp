@@ -1,6 +1,6 @@
 // What the motion settles on over a parameter: against the closed form, and the same however many
 // threads share the work.
-#include "graze/study/sweep.hpp"
+#include "graze/study/sweep/sweep.hpp"
 
 #include <gtest/gtest.h>
 
@@ -13,10 +13,12 @@
 #include "graze/assembly/assembly.hpp"
 #include "graze/assembly/initial_state.hpp"
 #include "graze/base/angle.hpp"
-#include "graze/orbit/closed_form.hpp"
-#include "graze/orbit/orbit.hpp"
+#include "graze/orbit/closed_form/closed_form.hpp"
+#include "graze/orbit/problem/detail/shooting.hpp"
+#include "graze/orbit/problem/orbit.hpp"
 #include "graze/scene/parameter.hpp"
 #include "graze/scene/reader.hpp"
+#include "graze/system/scale.hpp"
 
 namespace graze {
 namespace {

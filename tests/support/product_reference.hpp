@@ -2,56 +2,30 @@
 // are from these.
 #pragma once
 
-#include <gtest/gtest.h>
+#include <Eigen/Core>
+#include <vector>
 
-#include <Eigen/Eigenvalues>
-#include <Eigen/QR>
-#include <algorithm>
-#include <limits>
-
-#include "graze/base/product_eigenvalues.hpp"
-#include "graze/flow/extended.hpp"
+#include "graze/base/linalg/eigenvalue.hpp"
+#include "graze/base/vector.hpp"
+#include "graze/flow/exact/extended.hpp"
 #include "support/systems.hpp"
 
 namespace graze::support {
 
 using ExtendedMatrix = Eigen::Matrix<Extended, Eigen::Dynamic, Eigen::Dynamic>;
 
-inline Matrix random_matrix(Dice& dice, int n) {
-  Matrix matrix(n, n);
-  for (double& entry : matrix.reshaped()) entry = dice.uniform(-1.0, 1.0);
-  return matrix;
-}
-
-inline Matrix random_rotation(Dice& dice, int n) {
-  return Eigen::HouseholderQR<Matrix>(random_matrix(dice, n)).householderQ();
-}
+Matrix random_matrix(Dice& dice, int n);
+Matrix random_rotation(Dice& dice, int n);
 
 struct ExtendedComplex {
   Extended re, im;
-  Extended distance(Complex z) const {
-    const Extended x = re - Extended(z.real()), y = im - Extended(z.imag());
-    return sqrt(x * x + y * y);
-  }
-  Extended modulus() const { return sqrt(re * re + im * im); }
+  Extended distance(Complex z) const;
+  Extended modulus() const;
 };
 
-inline std::vector<ExtendedComplex> extended_eigenvalues(const ExtendedMatrix& product) {
-  const Eigen::Index n = product.rows();
-  const Eigen::EigenSolver<ExtendedMatrix> solver(product, false);
-  std::vector<ExtendedComplex> list;
-  for (Eigen::Index i = 0; i < n; ++i)
-    list.push_back({solver.eigenvalues()[i].real(), solver.eigenvalues()[i].imag()});
-  return list;
-}
-
+std::vector<ExtendedComplex> extended_eigenvalues(const ExtendedMatrix& product);
 // Of the product formed with 50 digits.
-inline std::vector<ExtendedComplex> extended_eigenvalues(const std::vector<Matrix>& factors) {
-  const Eigen::Index n = factors[0].rows();
-  ExtendedMatrix product = ExtendedMatrix::Identity(n, n);
-  for (const Matrix& factor : factors) product = (factor.cast<Extended>() * product).eval();
-  return extended_eigenvalues(product);
-}
+std::vector<ExtendedComplex> extended_eigenvalues(const std::vector<Matrix>& factors);
 
 // Largest relative errors over the eigenvalues, each compared with the nearest one not yet taken.
 struct Comparison {
@@ -59,29 +33,7 @@ struct Comparison {
   double of_error = 0.0;  // true error over the error given
   double given = 0.0;     // error given over modulus
 };
-
-inline Comparison compare(const std::vector<Eigenvalue>& values,
-                          std::vector<ExtendedComplex> expected) {
-  Comparison worst;
-  EXPECT_EQ(values.size(), expected.size());
-  if (values.size() != expected.size()) return worst;
-  for (const Eigenvalue& value : values) {
-    const auto nearest =
-        std::min_element(expected.begin(), expected.end(), [&](const auto& a, const auto& b) {
-          return a.distance(value.value) < b.distance(value.value);
-        });
-    const double error = static_cast<double>(nearest->distance(value.value));
-    const double modulus = static_cast<double>(nearest->modulus());
-    worst.of_value = std::max(worst.of_value, error / modulus);
-    worst.of_error = std::max(worst.of_error, error / value.error);
-    worst.given = std::max(worst.given, value.error / modulus);
-    expected.erase(nearest);
-  }
-  return worst;
-}
-
-inline Comparison compare(const std::vector<Matrix>& factors) {
-  return compare(product_eigenvalues(factors), extended_eigenvalues(factors));
-}
+Comparison compare(const std::vector<Eigenvalue>& values, std::vector<ExtendedComplex> expected);
+Comparison compare(const std::vector<Matrix>& factors);
 
 }  // namespace graze::support

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "graze/contact/impulse.hpp"
-#include "graze/hybrid/simulation.hpp"
+#include "graze/contact/detail/impulse.hpp"
+#include "graze/motion/simulation.hpp"
 #include "graze/system/system.hpp"
 
 namespace graze::support {

@@ -4,7 +4,7 @@
 
 #include "graze/assembly/assembly.hpp"
 #include "graze/assembly/initial_state.hpp"
-#include "graze/orbit/finder.hpp"
+#include "graze/orbit/search/finder.hpp"
 #include "graze/scene/reader.hpp"
 
 int main(int, char** argv) {

@@ -1,0 +1,95 @@
+#include "graze/assembly/assembly.hpp"
+
+#include "graze/assembly/detail/hub_system.hpp"
+#include "graze/assembly/detail/spring_law.hpp"
+#include "graze/contact/detail/impulse.hpp"
+#include "graze/scene/check.hpp"
+#include "graze/scene/parameter.hpp"
+
+namespace graze {
+namespace {
+
+double sign_of(Side side) { return side == Side::kAbove ? 1.0 : -1.0; }
+
+// Load per unit of forcing amplitude: the moving clamp accelerates by frequency^2 * amplitude.
+double load_factor(const Forcing& forcing) {
+  return forcing.kind == ForcingKind::kBase ? forcing.frequency * forcing.frequency : 1.0;
+}
+
+HarmonicForcing assemble_forcing(const Forcing& forcing, const Vector& participation) {
+  return {forcing.frequency, forcing.phase,
+          forcing.amplitude * load_factor(forcing) * participation};
+}
+
+HarmonicForcing forcing_tangent(const Forcing& forcing, const Forcing& rate,
+                                const ModalModel& model, const ModalModel& model_rate) {
+  const double factor_rate = forcing.kind == ForcingKind::kBase
+                                 ? 2.0 * forcing.frequency * rate.frequency * forcing.amplitude
+                                 : 0.0;
+  return {rate.frequency, rate.phase,
+          (rate.amplitude * load_factor(forcing) + factor_rate) * model.participation +
+              forcing.amplitude * load_factor(forcing) * model_rate.participation};
+}
+
+Stop assemble_stop(const Scene& scene, const SceneStop& stop, const Vector& shape,
+                   const Matrix& phi) {
+  const double sign = sign_of(stop.side);
+  const Vector row = sign * shape;
+  if (stop.spring) return {row, stop.gap, spring_law(*stop.spring)};
+  const Vector direction =
+      stop.impulse == Impulse::kMomentum
+          ? momentum_direction(row)
+          : collocation_direction(phi, collocation_index(*scene.beam(), stop.position), sign);
+  return {row, stop.gap, ImpactLaw{direction, Restitution(stop.restitution)}};
+}
+
+Stop stop_tangent(const SceneStop& stop, const SceneStop& rate, const Stop& assembled,
+                  const Vector& shape_rate, const Matrix& phi, const Matrix& phi_rate) {
+  const Vector row_rate = sign_of(stop.side) * shape_rate;
+  if (stop.spring) return {row_rate, rate.gap, spring_law_rate(*stop.spring, *rate.spring)};
+  const Vector direction_rate =
+      stop.impulse == Impulse::kMomentum
+          ? momentum_direction_rate(assembled.row, row_rate)
+          : collocation_direction_rate(phi, phi_rate, assembled.direction());
+  return {row_rate, rate.gap, ImpactLaw{direction_rate, Restitution(rate.restitution)}};
+}
+
+}  // namespace
+
+System assemble(const Scene& scene) { return assemble(scene, modal_model(scene)); }
+
+System assemble(const Scene& scene, const ModalModel& model) {
+  if (scene.hub) return assemble_on_hub(scene, model);
+  System system{model.omega, NaturalModes{model.delta}, {}};
+  if (scene.forcing) system.modal().forcing = assemble_forcing(*scene.forcing, model.participation);
+  if (scene.gravity) system.modal().load = scene.gravity->acceleration * model.inertia;
+  system.stops.reserve(scene.stops.size());
+  for (std::size_t i = 0; i < scene.stops.size(); ++i)
+    system.stops.push_back(
+        assemble_stop(scene, scene.stops[i], model.shapes[i], model.collocation));
+  return system;
+}
+
+System system_tangent(const Scene& scene, const std::string& parameter) {
+  const Scene direction = parameter_direction(scene, parameter);
+  const ModalModel model = modal_model(scene);
+  return system_tangent(scene, direction, model, modal_tangent(scene, model, direction),
+                        assemble(scene, model));
+}
+
+System system_tangent(const Scene& scene, const Scene& direction, const ModalModel& model,
+                      const ModalModel& rate, const System& system) {
+  System tangent{rate.omega, NaturalModes{rate.delta}, {}};
+  if (scene.forcing)
+    tangent.modal().forcing = forcing_tangent(*scene.forcing, *direction.forcing, model, rate);
+  if (scene.gravity)
+    tangent.modal().load = direction.gravity->acceleration * model.inertia +
+                           scene.gravity->acceleration * rate.inertia;
+  tangent.stops.reserve(scene.stops.size());
+  for (std::size_t i = 0; i < scene.stops.size(); ++i)
+    tangent.stops.push_back(stop_tangent(scene.stops[i], direction.stops[i], system.stops[i],
+                                         rate.shapes[i], model.collocation, rate.collocation));
+  return tangent;
+}
+
+}  // namespace graze

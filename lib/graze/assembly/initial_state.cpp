@@ -1,0 +1,173 @@
+#include "graze/assembly/initial_state.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <limits>
+#include <vector>
+
+#include "graze/assembly/detail/hub_system.hpp"
+#include "graze/base/linalg/detail/linear_equations.hpp"
+#include "graze/contact/detail/complementarity.hpp"
+#include "graze/system/detail/gap_value.hpp"
+
+namespace graze {
+namespace {
+
+bool is_preloaded(const System& system) {
+  return std::any_of(system.stops.begin(), system.stops.end(),
+                     [](const Stop& stop) { return stop.gap < 0.0; });
+}
+
+// The structure pressed by forces at its stops, as far as they are concerned: a unit force at one
+// moves it off the others by `delassus`; without any it lies `beyond` them.
+struct Pressed {
+  Vector compliance, free;  // of the modes; rest without stops
+  Matrix rows, directions;
+  Matrix delassus;
+  Vector beyond, rounding;
+};
+
+Pressed pressed_against(const System& system) {
+  const Eigen::Index n = system.modes(), k = static_cast<Eigen::Index>(system.stops.size());
+  Pressed at{system.omega.cwiseAbs2().cwiseInverse(),
+             Vector::Zero(n),
+             Matrix(n, k),
+             Matrix(n, k),
+             {},
+             Vector(k),
+             Vector(k)};
+  if (system.load()) at.free = at.compliance.cwiseProduct(*system.load());
+  for (Eigen::Index i = 0; i < k; ++i) {
+    const Stop& stop = system.stops[static_cast<std::size_t>(i)];
+    at.rows.col(i) = stop.row;
+    at.directions.col(i) = stop.direction();
+    const GapValue<double> gap = gap_value<double>(stop.row, at.free, stop.gap);
+    at.beyond[i] = -gap.value;
+    at.rounding[i] = gap.rounding;
+  }
+  at.delassus = at.rows.transpose() * at.compliance.asDiagonal() * at.directions;
+  return at;
+}
+
+// The forces of springs F(x) and rigid stops (x <= 0) together, x = beyond - D F, by Newton's
+// method: each spring is replaced by its tangent at the depth reached so far, which is a contact
+// with the compliance 1/F'(x). One that is clear of its spring has no tangent and takes no part
+// until it is reached. Nothing where that does not settle.
+std::optional<Vector> static_forces(const System& system, const Pressed& at) {
+  constexpr int kMostSteps = 200;
+  const Eigen::Index k = at.beyond.size();
+  Vector depth = at.beyond, force = Vector::Zero(k);
+  for (int step = 0; step < kMostSteps; ++step) {
+    std::vector<Eigen::Index> near;
+    Matrix acting = at.delassus;
+    Vector beyond = at.beyond;
+    for (Eigen::Index i = 0; i < k; ++i) {
+      const auto* law = std::get_if<ContactForce>(&system.stops[static_cast<std::size_t>(i)].law);
+      if (law && !(depth[i] > 0.0)) continue;
+      near.push_back(i);
+      if (!law) continue;
+      const double slope = law->by_depth(depth[i], 0.0);
+      acting(i, i) += 1.0 / slope;
+      beyond[i] += law->at(depth[i], 0.0) / slope - depth[i];
+    }
+    const std::optional<Vector> found =
+        solve_contacts<double>(acting(near, near), beyond(near).eval(), at.rounding(near).eval());
+    if (!found || !found->allFinite()) return {};
+    Vector next = Vector::Zero(k);
+    next(near) = *found;
+    const double change = (next - force).cwiseAbs().maxCoeff();
+    force = next;
+    depth = at.beyond - at.delassus * force;
+    if (change <= 16.0 * std::numeric_limits<double>::epsilon() * force.cwiseAbs().maxCoeff())
+      return force;
+  }
+  return {};
+}
+
+// Rest under the constant load with every stop's force >= 0 and gap >= 0, or its spring's force:
+//   q = W^-1 (load - D lambda),   lambda >= 0,   b.q <= a,   lambda (a - b.q) = 0,
+//   at a spring lambda = F(b.q - a).
+std::optional<Vector> static_equilibrium(const System& system) {
+  if (system.omega.minCoeff() <= 0.0) return {};
+  const Pressed at = pressed_against(system);
+  const std::optional<Vector> force = static_forces(system, at);
+  if (!force) return {};
+  Vector q = at.free - at.compliance.cwiseProduct(at.directions * *force);
+  // What is pressed is on its rigid stop to the rounding of the gap itself, not only to that of the
+  // solution.
+  std::vector<Eigen::Index> pressed;
+  for (Eigen::Index i = 0; i < force->size(); ++i)
+    if ((*force)[i] > 0.0 && !system.stops[static_cast<std::size_t>(i)].is_compliant())
+      pressed.push_back(i);
+  if (pressed.empty()) return q;
+  const Matrix acting = at.delassus(pressed, pressed);
+  for (int pass = 0; pass < 2; ++pass) {
+    Vector left(static_cast<Eigen::Index>(pressed.size()));
+    for (std::size_t a = 0; a < pressed.size(); ++a) {
+      const Stop& stop = system.stops[static_cast<std::size_t>(pressed[a])];
+      left[static_cast<Eigen::Index>(a)] = -gap_value<double>(stop.row, q, stop.gap).value;
+    }
+    q -= at.compliance.cwiseProduct(at.directions(Eigen::all, pressed) *
+                                    solve_with_full_pivoting(acting, left));
+  }
+  return q;
+}
+
+Vector as_vector(const std::vector<double>& list) {
+  return Eigen::Map<const Vector>(list.data(), static_cast<Eigen::Index>(list.size()));
+}
+
+// What of the start puts the structure where it is.
+std::string start_key(const Initial& initial) {
+  const bool bent =
+      std::any_of(initial.q.begin(), initial.q.end(), [](double q) { return q != 0.0; });
+  return !bent && initial.angle != 0.0 ? "initial.angle" : "initial.q";
+}
+
+}  // namespace
+
+State initial_state(const Scene& scene, const System& system) {
+  const Eigen::Index n = system.modes();
+  State state{Vector::Zero(n), Vector::Zero(n)};
+  if (scene.initial && system.turns()) {
+    const Vector q = as_vector(scene.initial->q), qdot = as_vector(scene.initial->qdot);
+    state.q = turning_coordinates(*system.rotation(), scene.initial->angle, q);
+    state.qdot = turning_coordinates(*system.rotation(), scene.initial->rate, qdot);
+  } else if (scene.initial) {
+    state.q = as_vector(scene.initial->q);
+    state.qdot = as_vector(scene.initial->qdot);
+  } else if (is_preloaded(system)) {
+    const std::optional<Vector> q = static_equilibrium(system);
+    if (!q)
+      throw scene_error(scene, "stop.gap",
+                        "a preloaded stop (negative gap) without [initial] starts in static "
+                        "equilibrium, which this structure does not have (a mode of frequency 0, "
+                        "or stops that contradict each other); give [initial] a state clear of "
+                        "the stops");
+    state.q = *q;
+  }
+  for (std::size_t i = 0; i < system.stops.size(); ++i) {
+    const Stop& stop = system.stops[i];
+    const GapValue<double> gap = gap_value<double>(stop.row, state.q, stop.gap);
+    if (!stop.is_compliant() && gap.value < -gap.rounding) {
+      const std::string key =
+          system.stops.size() == 1 ? "stop.gap" : fmt::format("stop.{}.gap", i + 1);
+      throw scene_error(scene, scene.initial ? start_key(*scene.initial) : key,
+                        fmt::format("the motion starts {:.6g} m beyond stop {}; the displacement "
+                                    "at the stop must not exceed its gap",
+                                    -gap.value, i + 1));
+    }
+  }
+  return state;
+}
+
+std::optional<State> clear_start(const Scene& scene, const System& system) {
+  try {
+    return initial_state(scene, system);
+  } catch (const InputError&) {
+    return {};
+  }
+}
+
+}  // namespace graze

@@ -1,0 +1,77 @@
+#include "graze/assembly/probes.hpp"
+
+#include <cmath>
+
+#include "graze/structure/detail/cantilever.hpp"
+
+namespace graze {
+namespace {
+
+// phi_j(x) = shape(x/L)/sqrt(rho A L)
+Vector beam_row(const Beam& beam, const Probe& probe) {
+  const double scale = 1.0 / std::sqrt(beam.density * beam.area * beam.length);
+  const double xi = probe.position / beam.length;
+  Vector row(beam.modes);
+  if (probe.quantity == ProbeQuantity::kStrain) {
+    const double factor = -0.5 * *beam.thickness * scale / (beam.length * beam.length);
+    for (int j = 0; j < beam.modes; ++j) row[j] = factor * cantilever_curvature(j + 1, xi);
+  } else {
+    for (int j = 0; j < beam.modes; ++j) row[j] = scale * cantilever_shape(j + 1, xi);
+  }
+  return row;
+}
+
+}  // namespace
+
+std::vector<ProbeRow> probe_rows(const Scene& scene) {
+  std::vector<ProbeRow> rows;
+  for (const Probe& probe : scene.probes) {
+    ProbeRow row;
+    row.quantity = probe.quantity;
+    row.of_velocity = probe.quantity == ProbeQuantity::kVelocity;
+    if (const Beam* beam = scene.beam())
+      row.row = beam_row(*beam, probe);
+    else
+      row.row = Eigen::Map<const Vector>(probe.shape.data(),
+                                         static_cast<Eigen::Index>(probe.shape.size()));
+    if (is_of_hub(probe.quantity)) {
+      row.of_velocity = probe.quantity == ProbeQuantity::kRate;
+      row.angle = 1.0;
+      row.row = Vector::Zero(scene.modes());
+      rows.push_back(row);
+      continue;
+    }
+    const bool of_the_point = probe.quantity == ProbeQuantity::kDisplacement ||
+                              probe.quantity == ProbeQuantity::kVelocity;
+    if (scene.hub && of_the_point) row.angle = scene.hub->radius + probe.position;
+    rows.push_back(row);
+  }
+  return rows;
+}
+
+std::vector<ProbeRow> probe_rows(const Scene& scene, const System& system) {
+  std::vector<ProbeRow> rows = probe_rows(scene);
+  if (!system.turns()) return rows;
+  for (ProbeRow& row : rows)
+    row.row = row.angle * system.rotation()->angle + system.rotation()->beam.transpose() * row.row;
+  return rows;
+}
+
+std::string probe_unit(ProbeQuantity quantity) {
+  switch (quantity) {
+    case ProbeQuantity::kDisplacement:
+    case ProbeQuantity::kDeflection:
+      return "m";
+    case ProbeQuantity::kVelocity:
+      return "m/s";
+    case ProbeQuantity::kAngle:
+      return "rad";
+    case ProbeQuantity::kRate:
+      return "rad/s";
+    case ProbeQuantity::kStrain:
+      break;
+  }
+  return "";
+}
+
+}  // namespace graze

@@ -1,0 +1,53 @@
+// How directions grow along a product of matrices: Lyapunov exponents.
+//
+// k orthonormal directions are carried through the next factors, and made orthonormal again in
+// their order, A Q = Q' R. The means of ln |R_ii| tend to the exponents, largest first, for almost
+// every start: the first i directions span the volume that grows most (G. Benettin, L. Galgani,
+// A. Giorgilli, J.-M. Strelcyn, Meccanica 15 (1980) 9-20 and 21-30; I. Shimada, T. Nagashima, Prog.
+// Theor. Phys. 61 (1979) 1605-1616).
+//
+// A factor may lose directions: an impact without rebound, or rest on a stop, ends what was between
+// neighbours in them, for good. Their exponents are minus infinity, and they are carried no
+// further.
+#pragma once
+
+#include "graze/base/vector.hpp"
+
+namespace graze {
+
+class GrowingDirections {
+ public:
+  explicit GrowingDirections(Eigen::Index size);  // all of them
+
+  // n x k: what the next factor is to be applied to.
+  const Matrix& now() const { return directions_; }
+  // `image`: what became of them under a factor of this rank at most. Where it is deficient, those
+  // are lost whose image is zero or lies in the span of the ones before them, to rounding, and
+  // those that come after as many as the rank; where it is not, none. Returns ln |R_ii|, n, minus
+  // infinity for what is lost.
+  Vector carry(const Matrix& image, Eigen::Index rank);
+  Vector carry(const Matrix& image) { return carry(image, image.rows()); }
+  Eigen::Index lost() const { return directions_.rows() - directions_.cols(); }
+
+ private:
+  Matrix directions_;
+};
+
+// A mean of values in sequence, and the standard error of it: from means of blocks, which are long
+// enough to know nothing of each other where the sequence forgets.
+class BlockMean {
+ public:
+  // `expected`: number of values; they are cut into 32 blocks.
+  explicit BlockMean(long long expected);
+  void add(const Vector& value);
+  long long count() const { return count_; }
+  Vector mean() const;
+  Vector standard_error() const;  // not finite with fewer than two blocks
+
+ private:
+  static constexpr long long kBlocks = 32;
+  long long length_, count_ = 0, blocks_ = 0;
+  Vector sum_, block_, block_sum_, block_squares_;
+};
+
+}  // namespace graze

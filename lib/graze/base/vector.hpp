@@ -1,0 +1,17 @@
+// The dense vector and matrix types that all rooms share.
+#pragma once
+
+#include <Eigen/Core>
+#include <complex>
+
+namespace graze {
+
+using Vector = Eigen::VectorXd;
+using Matrix = Eigen::MatrixXd;
+using Complex = std::complex<double>;
+using ComplexVector = Eigen::VectorXcd;
+// Of whatever scalar a motion is followed in.
+template <class Real>
+using RealVector = Eigen::Matrix<Real, Eigen::Dynamic, 1>;
+
+}  // namespace graze

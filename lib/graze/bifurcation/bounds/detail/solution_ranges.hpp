@@ -1,0 +1,63 @@
+// Where along a parameter's range there are (p, 1) solutions on a stop: every interval of values
+// with its exact ends, folds or the ends of the range, and proof that there are no others.
+//
+// The proof is a bound: F of one_impact_form.hpp is taken apart into cells over each of which it
+// keeps its sign or falls or rises throughout, in outward rounded intervals. What it rests on is
+// the course of the system's numbers (system_course.hpp): exact over parameters of which these are
+// polynomials up to the third degree, such as the forcing frequency, and an interpolation to 1e-12
+// over others. It is no proof where cells are left undecided: two folds that agree to half of all
+// digits, or more oscillations than the budget of cells resolves. Those are counted, and the widest
+// one says what width of interval may have been passed over.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "graze/assembly/detail/system_course.hpp"
+
+namespace graze {
+
+class SolutionRanges {
+ public:
+  struct Range {
+    double from = 0.0, to = 0.0;
+    bool folds_at_start = false, folds_at_end = false;
+    bool folds() const { return folds_at_start || folds_at_end; }
+  };
+
+  // For impacts on a stop (index from 0) every `period` forcing periods. Requires lowest < highest,
+  // forcing, and a constant restitution.
+  SolutionRanges(const SystemFamily& family, int stop, int period, double lowest, double highest);
+
+  const std::vector<Range>& ranges() const { return ranges_; }  // ascending
+  long long evaluations() const { return evaluations_; }        // of F, over cells and at values
+  int undecided() const { return undecided_; }                  // cells
+  double widest_undecided() const { return widest_; }
+
+  const SystemCourse& course() const { return course_; }
+  int stop() const { return stop_; }
+  int period() const { return period_; }
+  double length() const { return length_; }  // of the range that was looked through
+
+  // The place in the list of the interval that a value lies in, or beyond by its rounding.
+  std::optional<std::size_t> range_of(double value) const;
+  // Which of the two solutions at a value has this impact phase: see sheet_of.
+  int sheet(double value, double theta) const;
+  // The system over a cell, or at a value; nothing where the scene does not allow it throughout.
+  std::optional<SystemForms> system_over(double low, double high) const;
+
+  // Names the connected set of the solution with this impact phase (rad): equal numbers for
+  // solutions that are connected within the range. Nothing where there are no solutions.
+  std::optional<int> component(double value, double phase) const;
+
+ private:
+  SystemCourse course_;
+  int stop_, period_;
+  double length_;
+  std::vector<Range> ranges_;
+  long long evaluations_ = 0;
+  int undecided_ = 0;
+  double widest_ = 0.0;
+};
+
+}  // namespace graze

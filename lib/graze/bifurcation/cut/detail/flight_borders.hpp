@@ -1,0 +1,45 @@
+// Borders of orbits whose flights are prescribed: where a stop is touched between two impacts, an
+// impact loses its speed, or one that leaves its stop at rest is pushed back (GR), and where two
+// impacts come together. Solutions go on beyond, as none of the system; between neighbours where
+// that may happen unseen solutions are looked at (grazing_stations.hpp).
+#pragma once
+
+#include "graze/bifurcation/cut/detail/branch_borders.hpp"
+#include "graze/bifurcation/cut/detail/grazing_stations.hpp"
+#include "graze/bifurcation/problem/branch_options.hpp"
+#include "graze/bifurcation/problem/detail/remembered.hpp"
+
+namespace graze {
+
+class FlightBorders : public BranchBorders {
+ public:
+  // Refers to all of them, which must outlive it.
+  FlightBorders(const FlightEquations& equations, const ContinuationOptions& options,
+                const BranchOptions& branches)
+      : equations_(equations),
+        options_(options),
+        branches_(branches),
+        stations_(equations, options) {}
+
+  bool lists(const BranchPoint& solution) const override;
+  bool goes_on(const BranchPoint& /*previous*/, const BranchPoint& here) override {
+    return lists(here);
+  }
+  void pass(const JudgedPoint& a, const JudgedPoint& b, std::vector<BranchPlace>& places) override;
+  std::optional<Orbit> across(const SpecialPoint& special) const override;
+
+ private:
+  const SeenSolution& seen(const JudgedPoint& at);
+  BranchPlace place_of(const OrbitBranchPoint& at) const;
+  std::optional<BranchPlace> between(const SeenSolution& a, const SeenSolution& b) const;
+  std::optional<BranchPlace> grazing(const SeenSolution& a, const SeenSolution& b) const;
+  std::vector<OrbitBranchPoint> held_beyond(const BranchPoint& push, double towards) const;
+
+  const FlightEquations& equations_;
+  const ContinuationOptions& options_;
+  const BranchOptions& branches_;
+  GrazingStations stations_;
+  Remembered<std::tuple<Vector, double, Vector>, SeenSolution> seen_;
+};
+
+}  // namespace graze

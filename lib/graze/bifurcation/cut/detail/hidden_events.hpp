@@ -1,0 +1,43 @@
+// Solutions with other events between two orbits that stick with the same ones: an impact is born
+// and lost again, an approach touches and is clear again, or the two orbits are of two branches.
+//
+// The speeds of the impacts and the gaps of the approaches outside the chatters come with their
+// rates at both ends; the cubic through them tells where to look (margin_course.hpp). What is found
+// there is decided by the motion itself.
+#pragma once
+
+#include <optional>
+#include <tuple>
+#include <vector>
+
+#include "graze/bifurcation/problem/detail/passage_equations.hpp"
+#include "graze/bifurcation/problem/detail/remembered.hpp"
+#include "graze/continuation/branch/detail/corrector.hpp"
+#include "graze/continuation/special/detail/margin_course.hpp"
+
+namespace graze {
+
+class HiddenEvents {
+ public:
+  // Refers to both, which must outlive it.
+  HiddenEvents(const PassageEquations& equations, Corrector& corrector)
+      : equations_(equations), corrector_(corrector) {}
+
+  // A solution between a and b, which both have the events of `at_a`, that has not; or a
+  // prediction, without a tangent, where none can be solved for. Nothing where all have them, or
+  // after as many looks; the latter are counted down.
+  std::optional<BranchPoint> between(const BranchPoint& a, const BranchPoint& b,
+                                     const ReleaseReturn& at_a, int& looks);
+
+ private:
+  std::optional<std::vector<PassageMargin>> margins(const BranchPoint& solution);
+  std::vector<MarginCourse> courses(const BranchPoint& a, const BranchPoint& b);
+
+  const PassageEquations& equations_;
+  Corrector& corrector_;
+  // By unknowns, parameter and tangent.
+  Remembered<std::tuple<Vector, double, Vector>, std::optional<std::vector<PassageMargin>>>
+      margins_;
+};
+
+}  // namespace graze

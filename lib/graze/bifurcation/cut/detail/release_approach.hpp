@@ -1,0 +1,31 @@
+// The way from an orbit that sticks towards a solution with other events, as far as the events stay
+// what they are: the border between the two is bisected to the last digits of arclength.
+#pragma once
+
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "graze/bifurcation/problem/detail/passage_equations.hpp"
+#include "graze/continuation/branch/detail/corrector.hpp"
+
+namespace graze {
+
+struct ReleaseApproach {
+  // The solutions on this side, the orbit it started from first; never empty.
+  std::vector<BranchPoint> reached;
+  ReleaseReturn last;  // of the last of these
+  // Of the nearest solution met beyond, if its motion could be followed.
+  std::optional<ReleaseReturn> beyond;
+  BranchPoint at_beyond;
+  // Orbits met beyond with the stops that they stick to, those nearest to the border last.
+  std::vector<std::pair<BranchPoint, std::vector<int>>> others;
+  bool settled = false;  // to the last digits
+};
+
+// From `a`, whose events are those of `at_a`, towards `b`; `impacts`: see has_same_events().
+ReleaseApproach approach_border(const PassageEquations& equations, Corrector& corrector,
+                                const StopSignal& stop, const BranchPoint& a, const BranchPoint& b,
+                                const ReleaseReturn& at_a, bool impacts);
+
+}  // namespace graze

@@ -1,0 +1,45 @@
+// Borders of orbits that are followed from stroboscopic section to section, on compliant stops:
+// where a contact is born or lost (GR). Where the force of its stop sets in continuously the branch
+// goes on smoothly, with orbits of other contacts; where it sets in with a jump the map has a
+// corner there and the trace ends as it may. Solutions whose motion meets no stop are another
+// matter.
+#pragma once
+
+#include "graze/bifurcation/cut/detail/branch_borders.hpp"
+#include "graze/bifurcation/problem/detail/passage_equations.hpp"
+
+namespace graze {
+
+class TouchBorders : public BranchBorders {
+ public:
+  // Refers to both, which must outlive it.
+  TouchBorders(const PassageEquations& equations, const ContinuationOptions& options)
+      : equations_(equations), options_(options) {}
+
+  bool lists(const BranchPoint& solution) const override {
+    return equations_.judge(solution).has_value();
+  }
+  bool goes_on(const BranchPoint& /*previous*/, const BranchPoint& here) override {
+    return lists(here);
+  }
+  // Where a contact is born or lost within the step its grazing lies there too, and the branch has
+  // not turned too far up to that.
+  bool resolves(const BranchPoint& from, const BranchPoint& to) override;
+  void pass(const JudgedPoint& a, const JudgedPoint& b, std::vector<BranchPlace>& places) override;
+  std::optional<BranchTip> close(Branch& trace, std::size_t side) override;
+
+ private:
+  BranchPlace border(const BranchPoint& at, std::optional<OrbitBranchPoint> orbit,
+                     bool approach) const;
+  std::optional<double> margin_of(const BranchPoint& point, bool speed, std::size_t impacts) const;
+  double near_enough(bool speed) const;
+  std::optional<BranchPoint> corner_beyond(BranchPoint before, BranchPoint last, bool speed,
+                                           std::size_t impacts) const;
+  std::optional<BranchPoint> grazing_between(const BranchPoint& a, const BranchPoint& b,
+                                             std::size_t before, std::size_t after) const;
+
+  const PassageEquations& equations_;
+  const ContinuationOptions& options_;
+};
+
+}  // namespace graze

@@ -1,0 +1,215 @@
+#include "graze/bifurcation/cut/detail/release_borders.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "graze/bifurcation/cut/detail/release_completion.hpp"
+#include "graze/bifurcation/cut/detail/release_grazing.hpp"
+#include "graze/bifurcation/cut/detail/release_windows.hpp"
+#include "graze/continuation/branch/detail/locate.hpp"
+#include "graze/continuation/special/detail/critical.hpp"
+
+namespace graze {
+namespace {
+
+// Changes of the itinerary within one step that are looked through. Beside CH the impacts of the
+// chatter that does not complete any more vanish one after the other, some thirty in double
+// precision.
+constexpr int kMostChanges = 64;
+
+// Solutions looked at between two with the same events.
+constexpr int kMostLooks = 40;
+
+// What was met beyond may be a prediction only; that is no solution, and does not return.
+bool is_solved(const BranchPoint& point) { return point.tangent.size() > 0; }
+
+void drop_last(Branch& trace, std::size_t side) {
+  trace.points.erase(side == 0 ? trace.points.begin() : trace.points.end() - 1);
+  const std::size_t size = trace.points.size();
+  std::erase_if(trace.critical, [&](const CriticalPoint& critical) {
+    return side == 0 ? critical.after == 0 : critical.after + 1 >= size;
+  });
+  if (side == 1) return;
+  for (CriticalPoint& critical : trace.critical) --critical.after;
+}
+
+}  // namespace
+
+ReleaseBorders::ReleaseBorders(const PassageEquations& equations,
+                               const ContinuationOptions& options, bool switches)
+    : equations_(equations),
+      options_(options),
+      switches_(switches),
+      corrector_(equations.problem(), options_),
+      hidden_(equations, corrector_) {}
+
+bool ReleaseBorders::goes_on(const BranchPoint& previous, const BranchPoint& here) {
+  const auto before = equations_.follow(previous), now = equations_.follow(here);
+  if (!before || !now || !now->returns || now->holds != before->holds) return false;
+  // Where the impacts are felt, between() knows.
+  return !equations_.see_impacts() || !between(previous, here).border;
+}
+
+ReleaseTip ReleaseBorders::between(const BranchPoint& a, const BranchPoint& b) {
+  ReleaseTip first;
+  if (equations_.see_impacts()) first = grazing_ahead(equations_, options_, a, b);
+  if (first.border) return first;
+  walk(a, b, equations_.see_impacts(), [&](const ReleaseTip& tip) {
+    first = tip;
+    return true;
+  });
+  return first;
+}
+
+ReleaseTip ReleaseBorders::at_last(const BranchPoint& at) {
+  const std::optional<ReleaseReturn> here = equations_.follow(at);
+  // Where the equations are solved no further the trace has come as near as it gets.
+  if (here && has_shrunk(*here, equations_.period_at(at)))
+    return {OrbitBranchEnd::kChatterCompletes,    at, false, false, at.parameter, {},
+            bracket_around({at.parameter}, false)};
+  return grazing_at(equations_, options_, at, false);
+}
+
+void ReleaseBorders::pass(const JudgedPoint& a, const JudgedPoint& b,
+                          std::vector<BranchPlace>& places) {
+  if (equations_.see_impacts()) return;
+  walk(a.point, b.point, true, [&](const ReleaseTip& tip) {
+    if (tip.end != OrbitBranchEnd::kGrazing) return false;
+    // The branch goes on to what lies beyond.
+    ReleaseTip passed = tip;
+    passed.beyond.reset();
+    if (std::optional<BranchPlace> place = place_of(passed)) places.push_back(std::move(*place));
+    return false;
+  });
+}
+
+std::optional<BranchPlace> ReleaseBorders::place_of(const ReleaseTip& tip) const {
+  if (!tip.border) return {};
+  std::optional<OrbitBranchPoint> at = equations_.judge(*tip.border);
+  if (!at) return {};
+  BranchPlace place{std::move(*at), {}, true, tip.end};
+  place.at.value = tip.value;
+  BranchPoint solution = *tip.border;
+  solution.bracket = tip.bracket;
+  SpecialKind kind = SpecialKind::kChatterCompletes;
+  if (tip.end == OrbitBranchEnd::kGrazing) kind = SpecialKind::kGrazing;
+  if (tip.end == OrbitBranchEnd::kAtRest) {
+    kind = SpecialKind::kLiftOff;
+    const double range = std::abs(options_.to - options_.from);
+    if (const auto there = lift_off(equations_, range, tip.value)) {
+      place.at.value = solution.parameter = there->first;
+      solution.u[0] = there->second;
+      solution.bracket = bracket_around({tip.bracket.from, tip.bracket.to, there->first}, true);
+    }
+  }
+  place.special = SpecialPoint{kind, "", place.at, {}, tip.by_speed, solution, tip.interrupted};
+  if (switches_ && tip.beyond)
+    if (const auto other = equations_.judge(*tip.beyond)) place.others = {*other};
+  return place;
+}
+
+// Where the trace was halted its last point lies beyond the border.
+std::optional<BranchTip> ReleaseBorders::close(Branch& trace, std::size_t side) {
+  std::vector<BranchPoint>& points = trace.points;
+  const bool halted = trace.ends[side] == BranchEnd::kHalted;
+  if (!halted && trace.ends[side] != BranchEnd::kNotConverged) return {};
+  ReleaseTip tip;
+  if (!halted) {
+    tip = at_last(side == 0 ? points.front() : points.back());
+    return BranchTip{tip.end, place_of(tip)};
+  }
+  tip = side == 0 ? between(points[1], points[0]) : between(points.end()[-2], points.back());
+  std::optional<BranchPlace> place = place_of(tip);
+  if (!place) {
+    drop_last(trace, side);
+    return BranchTip{tip.end, {}};
+  }
+  if (switches_ && tip.end == OrbitBranchEnd::kChatterCompletes && place->others.empty())
+    place->others = windows_beyond(equations_, options_, *tip.border,
+                                   side == 0 ? points.front() : points.back());
+  end_at(*tip.border, trace, side);
+  return BranchTip{tip.end, std::move(place)};
+}
+
+// Of the last step only what leads up to the border is left, with the special points in that.
+void ReleaseBorders::end_at(const BranchPoint& border, Branch& trace, std::size_t side) {
+  const std::size_t first = side == 0 ? 0 : trace.points.size() - 2;
+  trace.points[side == 0 ? 0 : first + 1] = border;
+  const ZeroProblem& problem = equations_.problem();
+  Branch step;
+  step.points = {trace.points[first], trace.points[first + 1]};
+  const Vector chord = corrector_.chord(step.points[0], step.points[1]);
+  for (BranchPoint& point : step.points) {
+    if (point.tangent.dot(chord) < 0.0) point.turn_round();
+    point.multipliers = problem.multipliers(point.u, point.parameters(), ErrorBounds::kGiven);
+  }
+  if (const auto fold = fold_between(corrector_, step.points[0], step.points[1]))
+    step.critical.push_back({CriticalKind::kFold, *fold, 0, {}});
+  add_critical_points(step, problem, corrector_, options_.stop);
+  // Where the border is a fold of the equations (a flight that goes as the root of the distance)
+  // solutions beside it may lie beyond.
+  const auto here = equations_.follow(trace.points[side == 0 ? 1 : first]);
+  std::erase_if(step.critical, [&](const CriticalPoint& critical) {
+    const std::optional<ReleaseReturn> there = equations_.follow(critical.point);
+    return !here || !there || there->holds != here->holds;
+  });
+  std::erase_if(trace.critical,
+                [&](const CriticalPoint& critical) { return critical.after == first; });
+  for (CriticalPoint& critical : step.critical) critical.after = first;
+  trace.critical.insert(side == 0 ? trace.critical.begin() : trace.critical.end(),
+                        step.critical.begin(), step.critical.end());
+}
+
+// From a to b along the changes of the events, and what is there at each, until that is enough.
+// `impacts`: see has_same_events().
+void ReleaseBorders::walk(const BranchPoint& a, const BranchPoint& b, bool impacts,
+                          const std::function<bool(const ReleaseTip&)>& is_enough) {
+  BranchPoint from = a;
+  std::optional<ReleaseReturn> here = equations_.follow(a);
+  const std::optional<ReleaseReturn> at_b = equations_.follow(b);
+  int looks = kMostLooks;
+  for (int change = 0; here && change < kMostChanges && !options_.stop.requested(); ++change) {
+    BranchPoint target = b;
+    // Changes that end nothing may be all there is up to `b`.
+    if (at_b && has_same_events(*at_b, *here, impacts)) {
+      const std::optional<BranchPoint> other = hidden_.between(from, b, *here, looks);
+      if (!other) return;
+      target = *other;
+    }
+    const ReleaseApproach there =
+        approach_border(equations_, corrector_, options_.stop, from, target, *here, impacts);
+    const bool solved = is_solved(there.at_beyond);
+    const bool same_holds =
+        there.beyond && (there.beyond->returns || !solved) && there.beyond->holds == here->holds;
+    if (!same_holds) {
+      is_enough(completion(equations_, there));
+      return;
+    }
+    const ReleaseTip touch = grazing(there, *here);
+    if (touch.border && is_enough(touch)) return;
+    if (!solved) return;
+    // Nothing ends here; go on from the other side.
+    from = there.at_beyond;
+    here = there.beyond;
+  }
+}
+
+// The grazing at the border that was approached from `here`, across which the stuck phases are the
+// same.
+ReleaseTip ReleaseBorders::grazing(const ReleaseApproach& there, const ReleaseReturn& here) {
+  const bool solved = is_solved(there.at_beyond);
+  // The impact of a grazing is felt down to some speed; what it was before it impacted touches.
+  const bool is_lost = solved &&
+                       here.itinerary.events.size() > there.beyond->itinerary.events.size() &&
+                       touches(equations_, there.at_beyond);
+  ReleaseTip tip = grazing_at(equations_, options_, there.reached.back(), is_lost);
+  if (tip.border && solved) {
+    tip.beyond = there.at_beyond;
+    tip.bracket = bracket_around({tip.bracket.from, tip.bracket.to, there.at_beyond.parameter},
+                                 tip.bracket.converged);
+  }
+  return tip;
+}
+
+}  // namespace graze

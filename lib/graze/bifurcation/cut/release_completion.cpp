@@ -1,0 +1,197 @@
+#include "graze/bifurcation/cut/detail/release_completion.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+#include "graze/base/linalg/detail/linear_equations.hpp"
+#include "graze/base/vector.hpp"
+#include "graze/orbit/problem/detail/held_force.hpp"
+
+namespace graze {
+namespace {
+
+// Where the contact force touches zero the stop is open for a time that goes as the square root of
+// the distance: what 1e-10 of the parameter leaves of it, of a forcing period.
+constexpr double kInterrupted = 1e-5;
+// An opening as long as this is known to some 1e-6 of its own, of a forcing period.
+constexpr double kOpened = 1e-4;
+// Points before a border that may be flown once more instead of it, each at least half as far from
+// it as the one before.
+constexpr int kMostBack = 8;
+// A flight whose excursion, as its duration to the power 4, is within rounding is none: what that
+// leaves of the parameter, as its duration to the power 2, is some 1e-8 of the range.
+constexpr double kTold = 1e-6;
+constexpr int kMostSecants = 16;  // each doubles the digits, nearly
+
+// The shortest time for which a stop is let go, s; infinite where none is closed again.
+double shortest_opening(const ReleaseReturn& back, double period) {
+  double shortest = std::numeric_limits<double>::infinity();
+  for (const PassedHold& first : back.passage.holds)
+    for (const PassedHold& next : back.passage.holds) {
+      if (next.from_start || next.stop != first.stop) continue;
+      const double open = static_cast<double>(next.from.period - first.to.period) * period +
+                          next.from.local - first.to.local;
+      if (open >= 0.0) shortest = std::min(shortest, open);
+    }
+  return shortest;
+}
+
+// Whether a stop is let go and closed again at once.
+bool is_interrupted(const ReleaseReturn& back, double period) {
+  return shortest_opening(back, period) <= kInterrupted * period;
+}
+
+// Whether the structure is let go once in all periods and held again at once.
+bool is_at_rest(const ReleaseReturn& back, int periods, double period) {
+  return back.holds.size() == 1 && back.shortest_hold >= (periods - kInterrupted) * period;
+}
+
+// A solution before a border: its parameter, and what vanishes there.
+struct NearBorder {
+  double parameter = 0.0, margin = 0.0;
+};
+
+constexpr Eigen::Index kMostSolutions = 5;
+constexpr double kApart = 1.3;
+
+// How much the slope of the parameter over this power of the margin changes over the three nearest,
+// as a factor.
+double bend(const std::vector<NearBorder>& used, int power) {
+  const auto slope = [&](std::size_t k) {
+    return (used[k + 1].parameter - used[k].parameter) /
+           (std::pow(used[k + 1].margin, power) - std::pow(used[k].margin, power));
+  };
+  return std::abs(std::log(std::abs(slope(1) / slope(0))));
+}
+
+// Of the nearest `count`: p_0 of p = p_0 + p_1 m^lowest + p_2 m^(lowest + 1) + ...
+double by_polynomial(const std::vector<NearBorder>& used, Eigen::Index count, int lowest) {
+  Matrix powers(count, count);
+  Vector ahead(count);
+  const NearBorder& nearest = used.front();
+  const double unit = used[static_cast<std::size_t>(count - 1)].margin;
+  for (Eigen::Index i = 0; i < count; ++i) {
+    const NearBorder& at = used[static_cast<std::size_t>(i)];
+    ahead[i] = at.parameter - nearest.parameter;
+    powers(i, 0) = 1.0;
+    for (int k = 1; k < count; ++k) powers(i, k) = std::pow(at.margin / unit, lowest + k - 1);
+  }
+  return nearest.parameter + solve_with_full_pivoting(powers, ahead)[0];
+}
+
+// The parameter where the margin is zero, by the polynomial through solutions at margins that grow
+// by kApart at least, from `reliable` on (two or more). Seen from the side on which the margin is
+// positive the parameter is a smooth function of it, with or without a linear term. `solutions`:
+// the nearest to the border last. Nothing where fewer are at hand.
+std::optional<double> vanishing_at(const std::vector<NearBorder>& solutions, double reliable) {
+  std::vector<NearBorder> used;
+  for (auto at = solutions.rbegin(); at != solutions.rend() && std::ssize(used) < kMostSolutions;
+       ++at)
+    if (at->margin >= (used.empty() ? reliable : kApart * used.back().margin)) used.push_back(*at);
+  if (used.size() < 2) return {};
+  const int lowest = used.size() > 2 && bend(used, 2) < bend(used, 1) ? 2 : 1;
+  // As far as a solution more brings it on: farther ones need not lie where the margin is smooth.
+  double best = used.front().parameter, change = std::numeric_limits<double>::infinity();
+  for (Eigen::Index count = 2; count <= std::ssize(used); ++count) {
+    const double value = by_polynomial(used, count, lowest);
+    if (!(std::abs(value - best) < change)) break;
+    change = std::abs(value - best);
+    best = value;
+  }
+  return best;
+}
+
+// Where the stop is not let go any more, by orbits before that: bisection comes as near as an
+// opening that can be told from none.
+double last_opening(const PassageEquations& equations, const std::vector<BranchPoint>& reached) {
+  std::vector<NearBorder> near;
+  for (const BranchPoint& point : reached)
+    if (const auto back = equations.follow(point))
+      near.push_back({point.parameter, shortest_opening(*back, equations.period_at(point))});
+  return vanishing_at(near, kOpened * equations.period_at(reached.back()))
+      .value_or(reached.back().parameter);
+}
+
+// The orbit met beyond, where its stuck phases are others: of those next to the border that have
+// the same ones the farthest.
+std::optional<BranchPoint> orbit_beyond(const ReleaseApproach& approach) {
+  std::optional<BranchPoint> other;
+  const auto& others = approach.others;
+  for (auto known = others.rbegin(); known != others.rend(); ++known) {
+    if (known->second.size() == approach.last.holds.size() || known->second != others.back().second)
+      break;
+    other = known->first;
+  }
+  return other;
+}
+
+// The last of the points reached whose orbit is found once more: on the border itself rounding may
+// decide otherwise when it is flown again.
+std::optional<BranchPoint> last_orbit(const PassageEquations& equations,
+                                      const std::vector<BranchPoint>& reached) {
+  int back = 0;
+  for (auto point = reached.rbegin(); point != reached.rend() && back < kMostBack; ++point, ++back)
+    if (equations.judge(*point)) return *point;
+  return {};
+}
+
+}  // namespace
+
+ReleaseTip completion(const PassageEquations& equations, const ReleaseApproach& approach) {
+  const BranchPoint& inside = approach.reached.back();
+  const ReleaseReturn& here = approach.last;
+  const std::optional<ReleaseReturn>& beyond = approach.beyond;
+  const double period = equations.period_at(inside);
+  const bool one_less = has_shrunk(here, period);
+  bool one_more = false, cut_here = is_interrupted(here, period), cut = cut_here;
+  if (beyond) {
+    const double period_beyond = equations.period_at(approach.at_beyond);
+    one_more = beyond->returns && beyond->holds.size() > here.holds.size() &&
+               has_shrunk(*beyond, period_beyond);
+    cut = cut || is_interrupted(*beyond, period_beyond);
+  }
+  const bool changes = one_less || one_more;
+  if ((!changes && !cut) || !approach.settled) return {};
+  const bool extrapolated = !changes && cut_here;
+  const double value = extrapolated ? last_opening(equations, approach.reached) : inside.parameter;
+  const std::optional<BranchPoint> border = last_orbit(equations, approach.reached);
+  if (!border) return {};
+  const int periods = equations.period();
+  const OrbitBranchEnd end = is_at_rest(here, periods, period) ? OrbitBranchEnd::kAtRest
+                                                               : OrbitBranchEnd::kChatterCompletes;
+  return {end,
+          border,
+          false,
+          !changes,
+          value,
+          orbit_beyond(approach),
+          bracket_around({inside.parameter, approach.at_beyond.parameter, value}, !extrapolated)};
+}
+
+std::optional<std::pair<double, double>> lift_off(const PassageEquations& equations, double range,
+                                                  double near) {
+  const PassageLayout& layout = equations.layout();
+  const auto held_at = [&](double value) {
+    const System* system = equations.system_at(value);
+    return system ? held_force(*system, layout.closed, *layout.released)
+                  : std::optional<HeldForce>();
+  };
+  double before = near - kTold * range, value = near;
+  for (int step = 0; step < kMostSecants; ++step) {
+    const std::optional<HeldForce> a = held_at(before), b = held_at(value);
+    if (!a || !b) return {};
+    if (a->least() == b->least()) break;
+    const double next = value - b->least() * (value - before) / (b->least() - a->least());
+    if (!(std::abs(next - near) <= kTold * range)) return {};
+    before = value;
+    value = next;
+    if (value == before) break;
+  }
+  const std::optional<HeldForce> there = held_at(value);
+  if (!there) return {};
+  return std::pair(value, there->phase_of_least());
+}
+
+}  // namespace graze

@@ -1,0 +1,88 @@
+#include "graze/bifurcation/cut/detail/release_grazing.hpp"
+
+#include <cmath>
+
+#include "graze/bifurcation/cut/detail/touch_search.hpp"
+#include "graze/continuation/branch/detail/corrector.hpp"
+
+namespace graze {
+namespace {
+
+// An approach nearer than this part of a length touches: a trace that comes to its end there is
+// within its shortest step, some 1e-12, of the grazing.
+constexpr double kTouches = 1e-9;
+// An impact this slow, of a speed, at a point that was bisected to is one that vanishes there.
+constexpr double kStill = 1e-5;
+// Where an impact is this slow, of a speed, the trace ends: its square is a thousand times what
+// residuals are solved to.
+constexpr double kSlow = 1e-4;
+// Where on the other side an orbit without the impact is looked for, of the range.
+constexpr double kBeside = 1e-5;
+
+double length_unit(const PassageEquations& equations, const BranchPoint& at) {
+  return motion_scale(*equations.system_at(at.parameter)).length;
+}
+
+double speed_unit(const PassageEquations& equations, const BranchPoint& at) {
+  return length_unit(equations, at) * equations.system_at(at.parameter)->forcing()->frequency;
+}
+
+// The orbit that is left where the impact vanishes: it may lie on either side.
+std::optional<BranchPoint> without_impact(const PassageEquations& equations,
+                                          const ContinuationOptions& options, const BranchPoint& at,
+                                          double grazing) {
+  const std::optional<ReleaseReturn> here = equations.follow(at);
+  if (!here) return {};
+  const double beside = kBeside * std::abs(options.to - options.from);
+  for (const double side : {1.0, -1.0}) {
+    std::optional<BranchPoint> other =
+        solve_at(equations.problem(), options, at.u, grazing + side * beside);
+    if (!other) continue;
+    const std::optional<ReleaseReturn> there = equations.follow(*other);
+    if (there && there->returns && there->holds == here->holds &&
+        there->itinerary.events.size() < here->itinerary.events.size())
+      return other;
+  }
+  return {};
+}
+
+}  // namespace
+
+bool touches(const PassageEquations& equations, const BranchPoint& at) {
+  const std::optional<ReleaseReturn> here = equations.follow(at, true);
+  return here && here->passage.clearance() &&
+         *here->passage.clearance() <= kTouches * length_unit(equations, at);
+}
+
+ReleaseTip grazing_at(const PassageEquations& equations, const ContinuationOptions& options,
+                      const BranchPoint& at, bool is_lost) {
+  const std::optional<ReleaseReturn> here = equations.follow(at);
+  if (!here) return {};
+  const double unit = speed_unit(equations, at);
+  const bool by_speed = is_lost || here->itinerary.slowest <= kStill * unit;
+  if (!by_speed && !touches(equations, at)) return {};
+  ReleaseTip tip{OrbitBranchEnd::kGrazing, at, by_speed, false, at.parameter, {}};
+  // As near as solutions were met, if the touch itself is not to be had.
+  const auto touch = touch_from(equations, options, at);
+  if (touch) tip.value = touch->at.parameter;
+  tip.bracket = bracket_around({at.parameter, tip.value}, touch.has_value());
+  return tip;
+}
+
+ReleaseTip grazing_ahead(const PassageEquations& equations, const ContinuationOptions& options,
+                         const BranchPoint& a, const BranchPoint& b) {
+  const std::optional<ReleaseReturn> before = equations.follow(a), now = equations.follow(b);
+  if (!before || !now || !now->returns || now->holds != before->holds) return {};
+  const double unit = speed_unit(equations, b);
+  if (!(now->itinerary.slowest <= kSlow * unit &&
+        now->itinerary.slowest < before->itinerary.slowest))
+    return {};
+  const std::optional<FoundTouch> touch = touch_from(equations, options, b);
+  if (!touch) return {};
+  ReleaseTip tip{OrbitBranchEnd::kGrazing, b, true, false, touch->at.parameter, {}};
+  tip.beyond = without_impact(equations, options, b, tip.value);
+  tip.bracket = bracket_around({b.parameter, tip.value}, true);
+  return tip;
+}
+
+}  // namespace graze

@@ -1,0 +1,126 @@
+#include "graze/bifurcation/cut/detail/touch_search.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+#include "graze/base/linalg/detail/linear_equations.hpp"
+#include "graze/continuation/branch/detail/corrector.hpp"
+
+namespace graze {
+namespace {
+
+// The slope of the map changes as the root of the depth, so that the order of convergence is 3/2.
+constexpr int kMostIterations = 16;
+// A step this small leaves an error of its power 3/2, below 1e-12.
+constexpr double kSettled = 1e-8;
+// Steps that shrink less lead nowhere near.
+constexpr double kContraction = 0.8;
+// Nor does what lies further than this from where it began, in units of the unknowns and the range.
+constexpr double kBeside = 1e-2;
+
+class TouchSearch {
+ public:
+  TouchSearch(const PassageEquations& equations, const ContinuationOptions& options)
+      : equations_(equations), corrector_(equations.problem(), options), options_(options) {}
+
+  std::optional<FoundTouch> near(const BranchPoint& from, const Touch& touch) {
+    const Eigen::Index n = from.u.size();
+    Vector y(n + 2);
+    y << corrector_.pack(from), equations_.psi_of(from.u, touch);
+    double last = std::numeric_limits<double>::infinity();
+    for (int i = 0; i < kMostIterations; ++i) {
+      const std::optional<ZeroEvaluation> at = equations_.touching(y, {}, touch.stop);
+      if (!at || !at->jacobian.allFinite()) return {};
+      if (at->residual.cwiseAbs().maxCoeff() <= options_.residual_tolerance && last <= kSettled)
+        return border(y, *at, touch.stop);
+      const Vector step = LuFactors(at->jacobian).solve(at->residual);
+      const double size = step.norm();
+      if (!std::isfinite(size) || (size > kContraction * last && size > kSettled)) return {};
+      y -= step;
+      last = size;
+    }
+    return {};
+  }
+
+  // How far along the chord from a to b, as a part of it; nothing beside it.
+  std::optional<double> part_between(const BranchPoint& a, const BranchPoint& b,
+                                     const BranchPoint& point) const {
+    const Vector chord = corrector_.chord(a, b), offset = corrector_.chord(a, point);
+    const double length = chord.norm(), along = offset.dot(chord) / length;
+    // Known to the accuracy of the equations.
+    const double rounding = kTouchDepth * (1.0 + corrector_.pack(point).norm());
+    if (along < -rounding || along > length + rounding) return {};
+    if ((offset - along * chord / length).norm() > 0.5 * options_.max_turn * length + rounding)
+      return {};
+    return along / length;
+  }
+
+ private:
+  std::optional<FoundTouch> border(const Vector& y, const ZeroEvaluation& at, int stop) {
+    const Eigen::Index n = y.size() - 2;
+    const std::optional<Touch> touch = equations_.touch_at(y, {}, stop);
+    if (!touch) return {};
+    FoundTouch border;
+    border.at.u = y.head(n);
+    border.at.parameter = y[n] * corrector_.range();
+    border.at.residual = at.residual.head(n).cwiseAbs().maxCoeff();
+    border.at.tangent = null_vector(Matrix(at.jacobian.topLeftCorner(n, n + 1)));
+    border.touch = *touch;
+    return border;
+  }
+
+  const PassageEquations& equations_;
+  Corrector corrector_;
+  const ContinuationOptions& options_;
+};
+
+int sign_of_orientation(const PassageEquations& equations, const ContinuationOptions& options,
+                        const BranchPoint& at) {
+  Corrector corrector(equations.problem(), options);
+  const auto linearised = corrector.linearise(corrector.pack(at), at.tangent);
+  return linearised ? LuFactors(linearised->bordered).determinant_sign() : 0;
+}
+
+}  // namespace
+
+std::optional<FoundTouch> touch_between(const PassageEquations& equations,
+                                        const ContinuationOptions& options, const BranchPoint& a,
+                                        const BranchPoint& b, int stop) {
+  TouchSearch search(equations, options);
+  std::optional<FoundTouch> best;
+  double nearest = std::numeric_limits<double>::infinity();
+  for (const BranchPoint* from : {&a, &b})
+    for (const Touch& touch : equations.touches_near(*from)) {
+      if (touch.stop != stop) continue;
+      const std::optional<FoundTouch> border = search.near(*from, touch);
+      const std::optional<double> part =
+          border ? search.part_between(a, b, border->at) : std::nullopt;
+      if (!part || !(*part < nearest)) continue;
+      nearest = *part;
+      best = border;
+    }
+  if (!best) return {};
+  // The orientation is constant along a branch, whereas where it turns back the tangents may be
+  // more than a right angle apart.
+  best->at.orientation = sign_of_orientation(equations, options, best->at);
+  const bool runs_back = a.orientation != 0 ? best->at.orientation * a.orientation < 0
+                                            : best->at.tangent.dot(a.tangent) < 0.0;
+  if (runs_back) best->at.turn_round();
+  return best;
+}
+
+std::optional<FoundTouch> touch_from(const PassageEquations& equations,
+                                     const ContinuationOptions& options, const BranchPoint& from) {
+  const System* system = equations.system_at(from.parameters());
+  if (!system) return {};
+  const std::vector<Touch> touches = touches_near(*system, equations.shooting(), from.u);
+  if (touches.empty()) return {};
+  std::optional<FoundTouch> found = TouchSearch(equations, options).near(from, touches.front());
+  const Corrector corrector(equations.problem(), options);
+  if (found && !(corrector.chord(from, found->at).norm() <= kBeside)) return {};
+  return found;
+}
+
+}  // namespace graze

@@ -1,0 +1,373 @@
+#include "graze/bifurcation/loci/detail/locus_tracer.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "graze/bifurcation/loci/detail/completion_curve.hpp"
+#include "graze/bifurcation/loci/detail/flight_touch.hpp"
+#include "graze/bifurcation/loci/detail/touch_curve.hpp"
+#include "graze/bifurcation/trace/detail/orbit_kinds.hpp"
+#include "graze/continuation/branch.hpp"
+#include "graze/continuation/special/detail/crossing_tests.hpp"
+#include "graze/orbit/problem/detail/laid_orbit.hpp"
+
+namespace graze {
+namespace {
+
+// Where an impact speed vanishes as the flow over a period has a singular block, multipliers of
+// every size meet: LP, PD and NS loci end on the grazing there, their equations singular, and creep
+// up to it. Speeds below this part of the forced motion's are on it; nothing is said there of
+// multipliers.
+constexpr double kOnGrazing = 1e-9;
+
+void end_on_grazing(std::vector<LocusPlace>& places, std::array<OrbitLocusEnd, 2> ends,
+                    double unit) {
+  const auto is_on_it = [&](const LocusPlace& place) {
+    return place.margins.size() > 0 &&
+           std::any_of(place.at.impacts.begin(), place.at.impacts.end(),
+                       [&](const OrbitImpact& impact) {
+                         return std::abs(impact.speed) <= kOnGrazing * unit;
+                       });
+  };
+  std::erase_if(places,
+                [&](const LocusPlace& place) { return !place.label.empty() && is_on_it(place); });
+  for (const std::size_t end : {0u, 1u}) {
+    LocusPlace& last = end == 0 ? places.front() : places.back();
+    if (ends[end] == OrbitLocusEnd::kNotConverged && is_on_it(last))
+      last.border = LocusMargin::kSpeed;
+  }
+}
+
+// Grazings nearer than this, in ranges of the parameters, are one.
+constexpr double kOneGrazing = 1e-9;
+
+// Of the pair nearest to the unit circle but for the critical one; nothing where there is no pair.
+std::optional<double> other_angle(const std::vector<Eigenvalue>& multipliers, double critical) {
+  constexpr double kSame = 1e-6;  // rad; the critical multiplier is exact
+  std::optional<double> angle;
+  double least = std::numeric_limits<double>::infinity();
+  for (const Eigenvalue& m : multipliers) {
+    const double at = std::abs(std::arg(m.value)), off = std::abs(std::abs(m.value) - 1.0);
+    if (m.value.imag() == 0.0 || std::abs(at - critical) <= kSame || !(off < least)) continue;
+    least = off;
+    angle = at;
+  }
+  return angle;
+}
+
+// An approach beside the impact that vanishes touches to v^2/2a, which is zero within what gaps are
+// known to (still_gap, 1e-12 of the motion's length) up to this part of its speed.
+constexpr double kTouching = 1.5e-6;
+
+// Whether an approach touches because an impact beside it has all but vanished: then where its gap
+// passes zero is rounding.
+bool is_one_touch(const LocusPlace& a, const LocusPlace& b, double unit) {
+  const auto has = [](const LocusPlace& place, LocusMargin margin) {
+    return place.border == margin;
+  };
+  const auto slow = [unit](const LocusPlace& place) {
+    return place.margins[static_cast<Eigen::Index>(LocusMargin::kSpeed)] <= kTouching * unit;
+  };
+  return (has(a, LocusMargin::kSpeed) && has(b, LocusMargin::kClearance) && slow(b)) ||
+         (has(b, LocusMargin::kSpeed) && has(a, LocusMargin::kClearance) && slow(a));
+}
+
+// As an impact speed vanishes an approach touches too: one grazing, not two. A locus that was
+// started there has it among its points as well, on whatever side the last bit puts it. `unit`: of
+// speeds, m/s.
+void merge_borders(std::vector<LocusPlace>& places, const LocusOptions& options, double unit) {
+  std::vector<LocusPlace> merged;
+  for (LocusPlace& place : places) {
+    const bool same = !merged.empty() && (merged.back().border || place.border) &&
+                      (distance(merged.back().at, place.at, options) <= kOneGrazing ||
+                       is_one_touch(merged.back(), place, unit));
+    if (!same)
+      merged.push_back(std::move(place));
+    else if (!merged.back().border || place.border == LocusMargin::kSpeed)
+      merged.back() = std::move(place);
+  }
+  places = std::move(merged);
+}
+
+LocusSite site_of(const LocusPoint& at) { return {at.u, at.first, at.second, at.angle}; }
+
+MotionScale own_scale(const Scene& scene, const std::string& parameter) {
+  const SystemFamily own(scene, parameter);
+  return motion_scale(*own.at(own.value()));
+}
+
+}  // namespace
+
+double distance(const OrbitLocusPoint& a, const OrbitLocusPoint& b, const LocusOptions& options) {
+  return std::hypot((a.value - b.value) / first_range(options),
+                    (a.second - b.second) / second_range(options));
+}
+
+// A place within the step after a point.
+struct LocusTracer::Within {
+  std::size_t after = 0;
+  LocusPlace place;
+};
+
+LocusTracer::LocusTracer(const Scene& scene, const std::string& first, const std::string& second,
+                         const LocusOptions& options, const PassageOptions& passage)
+    : options_(options),
+      scale_(own_scale(scene, first)),
+      problems_(scene, {first, second}, {first_range(options), second_range(options)}, scale_,
+                passage) {}
+
+LocusAnswer LocusTracer::trace(const OrbitLocusStart& start) {
+  const bool along =
+      start.kind == OrbitLocusKind::kGrazing || start.kind == OrbitLocusKind::kChatterCompletes;
+  return along ? trace_along(start) : trace_critical(start);
+}
+
+std::vector<OrbitProblems::Written> LocusTracer::written(const OrbitLocusStart& start) {
+  if (start.followed) {
+    Orbit orbit = *start.followed;
+    // Slices have closure speeds of their own, but what lies in one plane is to be told apart.
+    if (!closure_speed_) closure_speed_ = orbit.section->closure_speed;
+    orbit.section->closure_speed = *closure_speed_;
+    return problems_.written(orbit, std::array{start.first, start.second});
+  }
+  return problems_.rewritings(start.orbit.pattern, start.orbit.impacts);
+}
+
+LocusTracer::Critical& LocusTracer::critical_of(const LaidOrbits& orbits) {
+  Critical& critical = critical_[orbits.problem.get()];
+  if (!critical.orbits) critical.orbits = orbits_along(*orbits.problem);
+  return critical;
+}
+
+LocusAnswer LocusTracer::trace_critical(const OrbitLocusStart& start) {
+  LocusAnswer answer;
+  const std::vector<Written> list = written(start);
+  const auto options_for = [&](const LocusOrbits& orbits) {
+    LocusOptions options = options_;
+    orbits.limit(options);
+    options.tests = [&orbits](const LocusPoint& at) { return orbits.margins(site_of(at)); };
+    options.resolves = [&orbits](const LocusPoint& from, const LocusPoint& to) {
+      return orbits.resolves(site_of(from), site_of(to));
+    };
+    options.proceed = [&orbits](const LocusPoint& previous, const LocusPoint& here) {
+      return orbits.goes_on(site_of(previous), site_of(here));
+    };
+    return options;
+  };
+  const auto start_at = [&](const Written& one) {
+    return LocusStart{as_locus_kind(start.kind), one.u, start.first, start.second,
+                      start.multiplier};
+  };
+  for (const Written& one : list) {
+    Critical& critical = critical_of(*one.orbits);
+    if (critical.traced[start.kind].empty()) continue;
+    answer.known =
+        answer.known || find_locus((*one.orbits)->problem(), options_for(*critical.orbits),
+                                   critical.traced[start.kind], start_at(one))
+                            .has_value();
+  }
+  // While as many stops are closed as there are modes all multipliers are zero.
+  if (answer.known || list.empty() || !(*list.front().orbits)->has_multipliers()) return answer;
+  Critical& critical = critical_of(*list.front().orbits);
+  std::optional<Locus> locus = trace_locus((*list.front().orbits)->problem(),
+                                           options_for(*critical.orbits), start_at(list.front()));
+  if (!locus) return answer;
+  answer.evaluations = locus->evaluations;
+  answer.trace = as_trace(start.kind, *critical.orbits, *locus);
+  critical.traced[start.kind].push_back(std::move(*locus));
+  return answer;
+}
+
+LocusTrace LocusTracer::as_trace(OrbitLocusKind kind, const LocusOrbits& orbits,
+                                 const Locus& locus) const {
+  std::vector<LocusSite> sites;
+  for (const LocusPoint& point : locus.points) sites.push_back(site_of(point));
+  std::vector<Within> within;
+  for (const LocusSpecialPoint& special : locus.special)
+    if (auto place = orbits.place(site_of(special.point), {})) {
+      place->label = label_of(special.kind);
+      place->other_angle = other_angle(special.point.multipliers, special.point.angle);
+      within.push_back({special.after, std::move(*place)});
+    }
+  for (const LocusZero& zero : locus.zeros)
+    if (auto place = orbits.place(site_of(zero.point), static_cast<LocusMargin>(zero.test)))
+      within.push_back({zero.after, std::move(*place)});
+  OrbitLocus frame;
+  frame.kind = kind;
+  return assembled(std::move(frame), orbits, sites, locus.ends, std::move(within));
+}
+
+// The points of a locus, and between them what lies within its steps, in order.
+LocusTrace LocusTracer::assembled(OrbitLocus frame, const LocusOrbits& orbits,
+                                  const std::vector<LocusSite>& sites, std::array<LocusEnd, 2> ends,
+                                  std::vector<Within> within) const {
+  std::size_t begin = 0, end = sites.size();
+  for (const std::size_t side : {0u, 1u}) {
+    frame.ends[side] = as_orbit_end(ends[side]);
+    if (ends[side] == LocusEnd::kNotConverged)
+      frame.ends[side] = orbits.end_at(side == 0 ? sites.front() : sites.back());
+    if (ends[side] != LocusEnd::kHalted || sites.size() < 2) continue;
+    // The last point is beyond the end.
+    const std::size_t outer = side == 0 ? 0 : sites.size() - 1;
+    const std::size_t inner = side == 0 ? 1 : sites.size() - 2;
+    frame.ends[side] = orbits.end_between(sites[inner], sites[outer]);
+    (side == 0 ? begin : end) = side == 0 ? 1 : sites.size() - 1;
+  }
+  const auto from_start = [&](const Within& item) {
+    const LocusSite& site = sites[item.after];
+    return distance({site.first, site.second, site.angle, {}, false}, item.place.at, options_);
+  };
+  std::stable_sort(within.begin(), within.end(), [&](const Within& a, const Within& b) {
+    return a.after != b.after ? a.after < b.after : from_start(a) < from_start(b);
+  });
+  std::vector<LocusPlace> all;
+  auto next = within.begin();
+  for (std::size_t i = 0; i < end; ++i) {
+    if (i >= begin)
+      if (auto place = orbits.place(sites[i], {})) all.push_back(std::move(*place));
+    for (; next != within.end() && next->after == i; ++next)
+      if (i >= begin && i + 1 < end) all.push_back(std::move(next->place));
+  }
+  frame.pattern = orbits.pattern(all);
+  LocusTrace trace{std::move(frame), std::move(all)};
+  if (trace.places.empty()) return trace;
+  if (trace.frame.kind != OrbitLocusKind::kGrazing)
+    end_on_grazing(trace.places, trace.frame.ends, scale_.speed);
+  merge_borders(trace.places, options_, scale_.speed);
+  return trace;
+}
+
+LocusTracer::CurveStart LocusTracer::curve_at(const OrbitLocusStart& start) {
+  if (start.kind == OrbitLocusKind::kChatterCompletes) return completion(start);
+  return start.followed ? passage_touch(start) : flight_touch(start);
+}
+
+// From the touch on.
+LocusTracer::CurveStart LocusTracer::flight_touch(const OrbitLocusStart& start) {
+  LaidOrbits& orbits = problems_.flights(start.orbit.pattern);
+  const auto& flights = dynamic_cast<const FlightEquations&>(*orbits.problem);
+  Curves& curves = curves_[{orbits.problem.get(), 0}];
+  if (!curves.curve)
+    curves.curve = std::make_unique<FlightTouch>(flights, 0, first_range(options_));
+  const Vector u = flights.shooting().pack(start.orbit.impacts);
+  Vector y(u.size() + 1);
+  y << u, start.first / first_range(options_);
+  return {&curves, y};
+}
+
+// A touch alone is that of the motion without contacts, which repeats every period.
+LocusTracer::CurveStart LocusTracer::passage_touch(const OrbitLocusStart& start) {
+  const std::vector<Written> list = written(start);
+  if (list.empty()) return {};
+  const auto* passages = dynamic_cast<const PassageEquations*>(list.front().orbits->problem.get());
+  const System* system =
+      passages ? passages->system_at(std::array{start.first, start.second}) : nullptr;
+  if (!system) return {};
+  Vector u = list.front().u;
+  const std::vector<Touch> touches = touches_near(*system, passages->shooting(), u);
+  if (touches.empty()) return {};
+  Touch touch = touches.front();
+  if (!passages->layout().released) {
+    if (!system->stops[static_cast<std::size_t>(touch.stop)].is_compliant()) return {};
+    const std::optional<Orbit> orbit = orbit_of(*system, passages->shooting(), u, {});
+    if (passages->layout().sections > 1 && (!orbit || orbit->impacts.size() <= 1)) {
+      u = passages->shooting().at_section(u, static_cast<int>(touch.turn));
+      touch.turn = 0;
+      LaidOrbits& once = problems_.strobe_once(*list.front().orbits);
+      passages = dynamic_cast<const PassageEquations*>(once.problem.get());
+    }
+  }
+  Curves& curves = curves_[{passages, touch.stop}];
+  if (!curves.curve) curves.curve = std::make_unique<TouchCurve>(*passages, touch.stop);
+  Vector y(u.size() + 2);
+  y << u, start.first / passages->unit(0), passages->psi_of(u, touch);
+  return {&curves, y};
+}
+
+// At the release of the stuck phase that shrinks to nothing.
+LocusTracer::CurveStart LocusTracer::completion(const OrbitLocusStart& start) {
+  if (!start.followed) return {};
+  const std::vector<Written> list = written(start);
+  const auto shortest = std::min_element(
+      list.begin(), list.end(), [](const Written& a, const Written& b) { return a.held < b.held; });
+  if (shortest == list.end()) return {};
+  const auto& passages = dynamic_cast<const PassageEquations&>(*shortest->orbits->problem);
+  if (!passages.layout().released) return {};
+  Curves& curves = curves_[{&passages, -1}];
+  if (!curves.curve) curves.curve = std::make_unique<CompletionCurve>(passages);
+  Vector y(shortest->u.size() + 1);
+  y << shortest->u, start.first / passages.unit(0);
+  return {&curves, y};
+}
+
+LocusAnswer LocusTracer::trace_along(const OrbitLocusStart& start) {
+  LocusAnswer answer;
+  const CurveStart at = curve_at(start);
+  if (!at.curves) return answer;
+  const OrbitCurve& curve = *at.curves->curve;
+  PlaneCurveProblem problem = curve.problem();
+  // The margins of its orbits, and after them a function that changes sign where a multiplier
+  // passes 1.
+  problem.tests = [&](const BranchPoint&, const BranchPoint& here) -> std::optional<Vector> {
+    std::optional<Vector> tests = curve.orbits().margins(curve.site_of(here));
+    if (!tests || !problem.problem.multipliers) return tests;
+    const std::vector<Eigenvalue> list =
+        problem.problem.multipliers(here.u, here.parameters(), ErrorBounds::kLeftOut);
+    if (list.empty()) return {};
+    tests->conservativeResize(tests->size() + 1);
+    (*tests)[tests->size() - 1] = crossing_tests(list)[kFoldTest].value();
+    return tests;
+  };
+  LocusOptions options = options_;
+  curve.orbits().limit(options);
+  const std::optional<BranchPoint> point =
+      point_on_curve(problem, options, at.unknown, start.second);
+  if (!point) return answer;
+  const ContinuationOptions along = branch_options(problem, options);
+  for (const BranchPoint& same : curve.rewritings(*point))
+    for (const Branch& branch : at.curves->traced)
+      answer.known = answer.known || lies_on(problem.problem, along, branch, same);
+  if (answer.known) return answer;
+  PlaneCurve traced = trace_curve(problem, options, *point);
+  answer.evaluations = traced.branch.evaluations;
+  answer.trace = as_trace(start.kind, curve, traced);
+  at.curves->traced.push_back(std::move(traced.branch));
+  return answer;
+}
+
+LocusTrace LocusTracer::as_trace(OrbitLocusKind kind, const OrbitCurve& curve,
+                                 const PlaneCurve& traced) const {
+  const LocusOrbits& orbits = curve.orbits();
+  std::vector<LocusSite> sites;
+  for (const BranchPoint& at : traced.branch.points) sites.push_back(curve.site_of(at));
+  std::vector<Within> within;
+  const auto add = [&](std::size_t after, const BranchPoint& at, std::optional<LocusMargin> zero,
+                       const char* met, std::optional<double> angle) {
+    std::optional<LocusPlace> place = orbits.place(curve.site_of(at), zero);
+    if (!place) return;
+    if (met) place->label = std::string(met) + label_of(kind);
+    place->other_angle = angle;
+    within.push_back({after, std::move(*place)});
+  };
+  for (const TestZero& zero : traced.zeros) {
+    if (zero.test < kLocusMargins)
+      add(zero.after, zero.point, static_cast<LocusMargin>(zero.test), nullptr, {});
+    else
+      add(zero.after, zero.point, {}, label_of(CriticalKind::kFold), {});
+  }
+  for (const CriticalPoint& critical : traced.branch.critical)
+    if (critical.kind == CriticalKind::kPeriodDoubling || critical.kind == CriticalKind::kTorus)
+      add(critical.after, critical.point, {}, label_of(critical.kind),
+          critical.multiplier ? std::optional(std::abs(std::arg(critical.multiplier->value)))
+                              : std::nullopt);
+  OrbitLocus frame;
+  frame.kind = kind;
+  std::array<LocusEnd, 2> ends;
+  for (const std::size_t side : {0u, 1u}) ends[side] = as_locus_end(traced.branch.ends[side], true);
+  return assembled(std::move(frame), orbits, sites, ends, std::move(within));
+}
+
+}  // namespace graze

@@ -1,0 +1,229 @@
+#include "graze/bifurcation/loci/orbit_loci.hpp"
+
+#include <algorithm>
+#include <array>
+#include <deque>
+#include <map>
+#include <memory>
+#include <utility>
+
+#include "graze/bifurcation/loci/detail/locus_tracer.hpp"
+#include "graze/scene/parameter.hpp"
+
+namespace graze {
+namespace {
+
+std::optional<OrbitLocusKind> locus_kind(SpecialKind kind) {
+  switch (kind) {
+    case SpecialKind::kFold:
+      return OrbitLocusKind::kFold;
+    case SpecialKind::kPeriodDoubling:
+      return OrbitLocusKind::kPeriodDoubling;
+    case SpecialKind::kTorus:
+      return OrbitLocusKind::kTorus;
+    case SpecialKind::kGrazing:
+      return OrbitLocusKind::kGrazing;
+    case SpecialKind::kChatterCompletes:
+      return OrbitLocusKind::kChatterCompletes;
+    case SpecialKind::kBranchPoint:
+    case SpecialKind::kLiftOff:
+      break;
+  }
+  return {};
+}
+
+// Places in the plane nearer than this, in ranges of the parameters, are one: next to where loci
+// meet their equations are singular, and known to about the square root of rounding.
+constexpr double kOnePlace = 1e-7;
+
+LocusOptions options_of(const LociOptions& options) {
+  LocusOptions range;
+  range.first_from = options.branches.from;
+  range.first_to = options.branches.to;
+  range.second_from = options.second_from;
+  range.second_to = options.second_to;
+  if (options.branches.max_step > 0.0)
+    range.max_step = options.branches.max_step / first_range(range);
+  range.stop = options.branches.stop;
+  return range;
+}
+
+class LociTracer {
+ public:
+  LociTracer(const Scene& scene, const std::string& first, const std::string& second,
+             const LociOptions& options)
+      : scene_(scene),
+        options_(options),
+        own_(scene, first),
+        other_(scene, second),
+        systems_(scene, {first, second}),
+        range_(options_of(options)),
+        tracer_(scene, first, second, range_,
+                {0.0, options.branches.finder.max_impacts, options.branches.stop}) {
+    if (first == second)
+      throw InputError(first + ": a locus takes two parameters that differ from one another");
+    result_.first = first;
+    result_.second = second;
+  }
+
+  OrbitLoci trace() {
+    if (options_.start)
+      begin(*options_.start);
+    else
+      trace_slices();
+    number();
+    result_.stopped = options_.branches.stop.reason();
+    return std::move(result_);
+  }
+
+ private:
+  void trace_slices() {
+    const std::vector<double> seconds =
+        values(other_.value(), options_.second_from, options_.second_to);
+    const std::vector<double> firsts =
+        values(own_.value(), options_.branches.from, options_.branches.to);
+    const double all = static_cast<double>(seconds.size() + firsts.size());
+    for (const double second : seconds) {
+      tell(all);
+      slice(result_.second, second, result_.first, options_.branches.from, options_.branches.to);
+    }
+    for (const double first : firsts) {
+      tell(all);
+      slice(result_.first, first, result_.second, options_.second_from, options_.second_to);
+    }
+  }
+
+  // The scene's own where it is in the range, and values in the middle of equal parts of that.
+  std::vector<double> values(double own, double from, double to) const {
+    std::vector<double> list;
+    if (own >= std::min(from, to) && own <= std::max(from, to)) list.push_back(own);
+    for (int i = 0; i < options_.slices; ++i)
+      list.push_back(from + (to - from) * (i + 0.5) / options_.slices);
+    return list;
+  }
+
+  // Loci, and of each kind their special points, from 1.
+  void number() {
+    std::map<std::string, int> counts;
+    int id = 0;
+    for (OrbitLocus& locus : result_.loci) {
+      locus.id = ++id;
+      for (OrbitLocusSpecial& special : locus.special)
+        special.id = special.label + "-" + std::to_string(++counts[special.label]);
+    }
+  }
+
+  void tell(double all) {
+    if (options_.branches.progress) options_.branches.progress(result_.slices / all);
+  }
+
+  // Loci from the branches over one parameter, where the other one has a value.
+  void slice(const std::string& fixed, double value, const std::string& parameter, double from,
+             double to) {
+    if (options_.branches.stop.requested()) return;
+    std::optional<SystemFamily> family;
+    try {
+      family.emplace(with_parameter(scene_, fixed, value), parameter);
+    } catch (const InputError&) {
+      return;  // the scene does not allow it
+    }
+    BranchOptions branches = options_.branches;
+    branches.from = from;
+    branches.to = to;
+    if (parameter != result_.first) branches.max_step = 0.0;
+    branches.progress = nullptr;
+    // Random guesses cost more than all else: on the first slice only, the scene's own where that
+    // is in the ranges.
+    branches.finder.from_random = branches.finder.from_random && result_.slices == 0;
+    ++result_.slices;
+    const OrbitBranches traced = trace_orbits(*family, branches);
+    result_.shooting_evaluations += traced.shooting_evaluations;
+    result_.traces_cut_short += traced.cut_short;
+    for (const OrbitBranch& branch : traced.branches)
+      for (const SpecialPoint& special : branch.special)
+        if (const auto start = start_of(*family, special, value)) begin(*start);
+  }
+
+  std::optional<OrbitLocusStart> start_of(const SystemFamily& family, const SpecialPoint& special,
+                                          double fixed) const {
+    const std::optional<OrbitLocusKind> kind = locus_kind(special.kind);
+    if (!kind || special.by_push || special.interrupted || !wants(*kind)) return {};
+    const double moved = special.at.value;
+    const bool over_first = family.parameter() == result_.first;
+    const LocusStartPlace place{over_first ? moved : fixed, over_first ? fixed : moved,
+                                special.multiplier.value_or(1.0)};
+    const Orbit& orbit = special.at.orbit;
+    if (orbit.section)
+      return OrbitLocusStart{*kind, {}, place.first, place.second, place.multiplier, orbit};
+    return locus_start(*family.at(moved), *kind, {orbit.pattern(), orbit.points(), 0},
+                       special.by_speed, place);
+  }
+
+  bool wants(OrbitLocusKind kind) const {
+    return std::find(options_.kinds.begin(), options_.kinds.end(), kind) != options_.kinds.end();
+  }
+
+  // Its locus, and those that meet it.
+  void begin(const OrbitLocusStart& start) {
+    std::deque<OrbitLocusStart> starts{start};
+    while (!starts.empty() && !options_.branches.stop.requested()) {
+      const std::size_t known = result_.loci.size();
+      begin_one(starts.front());
+      starts.pop_front();
+      for (std::size_t i = known; i < result_.loci.size(); ++i)
+        for (const OrbitLocusSpecial& special : result_.loci[i].special)
+          add_leads(result_.loci[i], special, starts);
+    }
+  }
+
+  void add_leads(const OrbitLocus& locus, const OrbitLocusSpecial& special,
+                 std::deque<OrbitLocusStart>& starts) {
+    // Of orbits that are followed no leads are known.
+    if (special.at.section || (!special.at.admissible && !options_.branches.keep_virtual)) return;
+    const System* system = systems_.at(std::array{special.at.value, special.at.second});
+    if (!system) return;
+    for (OrbitLocusStart& lead : leads_from(*system, locus, special, tracer_.speed_unit()))
+      if (wants(lead.kind)) starts.push_back(std::move(lead));
+  }
+
+  void begin_one(const OrbitLocusStart& start) {
+    ++result_.starts;
+    const LocusAnswer answer = tracer_.trace(start);
+    result_.shooting_evaluations += answer.evaluations;
+    if (answer.known) return;
+    if (!answer.trace || answer.trace->places.empty()) {
+      ++result_.lost_starts;
+      return;
+    }
+    for (OrbitLocus& part : locus_parts(*answer.trace, options_.branches.keep_virtual)) {
+      if (is_a_point(part)) continue;
+      if (is_cut_short(part)) ++result_.cut_short;
+      result_.loci.push_back(std::move(part));
+    }
+  }
+
+  // What was started where several loci meet may creep about there.
+  bool is_a_point(const OrbitLocus& locus) const {
+    const OrbitLocusPoint& first = locus.points.front();
+    return std::all_of(locus.points.begin(), locus.points.end(), [&](const OrbitLocusPoint& point) {
+      return distance(point, first, range_) <= kOnePlace;
+    });
+  }
+
+  const Scene& scene_;
+  const LociOptions& options_;
+  SystemFamily own_, other_;
+  SystemCursor systems_;
+  LocusOptions range_;
+  LocusTracer tracer_;
+  OrbitLoci result_;
+};
+
+}  // namespace
+
+OrbitLoci trace_loci(const Scene& scene, const std::string& first, const std::string& second,
+                     const LociOptions& options) {
+  return LociTracer(scene, first, second, options).trace();
+}
+
+}  // namespace graze

@@ -1,0 +1,35 @@
+// What branches of orbits (orbit_branches.hpp) are asked for with.
+#pragma once
+
+#include <functional>
+#include <optional>
+
+#include "graze/base/stop_signal.hpp"
+#include "graze/bifurcation/problem/special_orbit.hpp"
+#include "graze/orbit/search/finder_values.hpp"
+
+namespace graze {
+
+struct BranchOptions {
+  int period = 1;   // p
+  int impacts = 1;  // k, on all stops together
+  double from = 0.0, to = 0.0;
+  double max_step = 0.0;  // of the parameter; 0: a fiftieth of the range
+  // Start values across the range, besides the scene's own; with any, also the starts that a survey
+  // of the closed form offers.
+  int start_values = 32;
+  bool keep_virtual = false;
+  // Orbits that stick too, whatever their number of impacts, with period p; sought by simulation.
+  bool sticking = true;
+  // How many special points in a row are switched at, onto doubled orbits (PD), crossing branches
+  // (BP), rewritten impact sequences (GR), and where they stick onto orbits with an impact (GR) or
+  // a stuck phase (CH) more or less, or those of the first windows beyond CH; 0: none.
+  int follow_depth = 0;
+  // In place of all starts: only the branch through it, and those that `follow_depth` leads to.
+  std::optional<BranchStart> start{};
+  FinderOptions finder{};  // starts, at the scene's own value
+  StopSignal stop{};
+  std::function<void(double fraction)> progress{};
+};
+
+}  // namespace graze

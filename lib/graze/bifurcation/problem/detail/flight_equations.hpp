@@ -1,0 +1,50 @@
+// The orbits of one impact pattern, by flights from impact to impact that are prescribed: the
+// shooting equations as an orbit problem. Their solutions go on beyond the grazings at which they
+// stop being orbits of the system.
+#pragma once
+
+#include "graze/bifurcation/problem/detail/orbit_problem.hpp"
+
+namespace graze {
+
+class FlightEquations : public OrbitProblem {
+ public:
+  // `scale` is that of one place for all: the metric must not change on the way.
+  FlightEquations(const Scene& scene, const std::vector<std::string>& parameters,
+                  ImpactPattern pattern, const MotionScale& scale);
+
+  const ShootingProblem& shooting() const { return shooting_; }
+  const ImpactPattern& pattern() const { return shooting_.pattern(); }
+  OrbitLayout orbit_layout() const override { return pattern(); }
+  int period() const override { return pattern().period; }
+
+  // Of a branch: the impacts of a solution; requires its value to be allowed, as do the verdicts.
+  std::vector<ImpactPoint> points(const BranchPoint& solution) const;
+  // The verdict without multipliers.
+  Admissibility admissibility_of(const BranchPoint& solution) const;
+  OrbitBranchPoint orbit_at(const BranchPoint& solution) const;
+
+  // Nothing where the scene does not allow the value.
+  std::optional<OrbitBranchPoint> judge(const BranchPoint& solution) const override;
+  void name(OrbitBranch& branch) const override { branch.pattern = pattern(); }
+  Vector halves_differ(const BranchPoint& solution) const override;
+  std::unique_ptr<OrbitProblem> doubled() const override;
+  BranchPoint twice_round(const BranchPoint& solution) const override;
+  std::vector<BranchPoint> rewritings(const OrbitProblem& of, const ContinuationOptions& options,
+                                      const BranchPoint& solution) const override;
+
+ private:
+  std::optional<ShootingLinearisation> linearise(
+      const System& system, const Vector& u,
+      std::span<const System* const> tangents) const override;
+  std::vector<Eigenvalue> multipliers(const System& system, const Vector& u,
+                                      ErrorBounds errors) const override;
+  std::optional<Eigen::MatrixXcd> curvature(
+      const Vector& u, Parameters at, const std::vector<CriticalProduct>& products) const override;
+
+  const Scene& scene_;
+  std::vector<std::string> parameters_;
+  ShootingProblem shooting_;
+};
+
+}  // namespace graze

@@ -1,0 +1,60 @@
+// A special point with its full orbit, apart from the branch or the locus it was found on: what it
+// takes to go on from there, in the same parameter or in another.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "graze/bifurcation/problem/orbit_branch.hpp"
+#include "graze/bifurcation/problem/orbit_locus.hpp"
+
+namespace graze {
+
+struct FollowedAnswer;
+struct PassageOptions;
+
+struct SpecialOrbit {
+  std::string id, label;                  // "PD1", "PD"; on a locus "CP-1", "CP"
+  std::optional<SpecialKind> kind{};      // on a branch
+  std::optional<OrbitLocusKind> locus{};  // that it was found on; nothing: on a branch
+  std::vector<double> values;             // of the parameter, on a locus of both
+  // Nothing of an orbit that sticks or is on compliant stops; on a locus of grazing with the touch
+  // among the impacts.
+  ImpactPattern pattern;
+  std::vector<ImpactPoint> impacts;  // in the pattern's order
+  // The branch's direction there, however long, in the units of what it moves.
+  struct Direction {
+    std::vector<ImpactPoint> impacts;
+    double value = 0.0;
+  };
+  std::optional<Direction> along;          // of a branch whose orbits do not stick
+  std::optional<Complex> multiplier;       // the critical one
+  bool by_speed = false, by_push = false;  // as of SpecialPoint
+  // An orbit that is followed, as the states from which the motion repeats it: one within a stuck
+  // phase, or those at the starts of its forcing periods. At the ends of a branch that sticks,
+  // where it no longer does, those of the point beside.
+  struct Followed {
+    int period = 1;      // p
+    double value = 0.0;  // of the parameter, on a locus of the first
+    std::vector<MotionState<double>> states;
+    double closure_speed = 0.0;  // m/s
+  };
+  std::optional<Followed> followed{};
+  bool sticks() const;
+};
+
+// Of a special point that is followed: the orbit, as much of it as its equations start from.
+// `system`: at its values.
+FollowedAnswer orbit_again(const System& system, const SpecialOrbit& special,
+                           PassageOptions passage);
+
+// Where a branch is to be traced from, without any search: from a special point, at the value that
+// the family's own scene has.
+struct BranchStart {
+  SpecialOrbit at;
+  bool same_parameter = false;  // as of the branch it was found on, whose direction is then known
+  bool switched = false;        // onto the branch that begins or crosses there
+};
+
+}  // namespace graze

@@ -1,0 +1,107 @@
+#include "graze/bifurcation/trace/detail/branch_pieces.hpp"
+
+#include <utility>
+
+#include "graze/continuation/branch/detail/growing_branch.hpp"
+
+namespace graze {
+namespace {
+
+// Contacts go round once or twice over a branch, each past every place of the section.
+constexpr int kMostMoves = 200;
+
+class PieceTracer {
+ public:
+  PieceTracer(const Clearer& clearer, const ContinuationOptions& options)
+      : clearer_(clearer), options_(options) {}
+
+  std::vector<BranchPiece> trace(LaidOrbits& orbits, const BranchPoint& start,
+                                 Directions directions) {
+    LaidOrbits* first = &orbits;
+    BranchPoint from = start;
+    if (LaidOrbits* other = clearer_(orbits, start))
+      if (const auto carried = orbits->carried_to(*other->problem, options_, start)) {
+        from = *carried;
+        first = other;
+      }
+    pieces_.push_back({first, trace_one(*first, from, directions)});
+    if (pieces_.front().branch.closed()) return std::move(pieces_);
+    go_on(1, *first, from);
+    if (directions == Directions::kBoth) go_on(0, *first, from);
+    return std::move(pieces_);
+  }
+
+ private:
+  Branch trace_one(const LaidOrbits& orbits, const BranchPoint& start,
+                   Directions directions) const {
+    ContinuationOptions range = options_;
+    range.proceed = [&](const BranchPoint& previous, const BranchPoint& here) {
+      return !orbits->passes_half(previous, here) && orbits.borders->goes_on(previous, here) &&
+             !clearer_(orbits, here);
+    };
+    range.resolves = [&](const BranchPoint& from, const BranchPoint& to) {
+      return orbits.borders->resolves(from, to);
+    };
+    return trace_branch(orbits->problem(), range, start, directions);
+  }
+
+  // Outwards from one side of what is traced.
+  void go_on(std::size_t side, const LaidOrbits& of_start, const BranchPoint& start) {
+    for (int moves = 0; moves < kMostMoves; ++moves) {
+      BranchPiece& outer = side == 0 ? pieces_.front() : pieces_.back();
+      LaidOrbits* next = clearer_beyond(outer, side);
+      if (!next) return;
+      outer.branch.ends[side] = BranchEnd::kNotConverged;
+      BranchPoint end = side == 0 ? outer.branch.points.front() : outer.branch.points.back();
+      if (side == 0) end.turn_round();
+      const std::optional<BranchPoint> carried =
+          (*outer.orbits)->carried_to(*next->problem, options_, end);
+      if (!carried) return;
+      Branch branch = trace_one(*next, *carried, Directions::kForward);
+      if (branch.points.size() < 2) return;
+      const std::optional<BranchPoint> passed =
+          of_start->carried_to(*next->problem, options_, start);
+      if (passed && lies_on((*next)->problem(), options_, branch, *passed)) {
+        branch.ends[1] = BranchEnd::kClosed;
+        pieces_.front().branch.ends[0] = pieces_.back().branch.ends[1] = BranchEnd::kClosed;
+      }
+      if (side == 0)
+        pieces_.insert(pieces_.begin(), {next, backwards(branch)});
+      else
+        pieces_.push_back({next, std::move(branch)});
+    }
+  }
+
+  // The equations in which it goes on from this end of a piece; null where the branch ends there.
+  LaidOrbits* clearer_beyond(const BranchPiece& piece, std::size_t side) const {
+    const std::vector<BranchPoint>& points = piece.branch.points;
+    if (piece.branch.ends[side] != BranchEnd::kHalted || points.size() < 2) return nullptr;
+    const BranchPoint& end = side == 0 ? points[0] : points.back();
+    const BranchPoint& before = side == 0 ? points[1] : points[points.size() - 2];
+    if ((*piece.orbits)->passes_half(before, end)) return nullptr;
+    return clearer_(*piece.orbits, end);
+  }
+
+  static Branch backwards(const Branch& branch) {
+    Branch start;
+    start.points.push_back(branch.points.front());
+    start.ends = {branch.ends[0], branch.ends[0]};
+    Branch turned = joined(branch, start);
+    turned.evaluations = branch.evaluations;
+    return turned;
+  }
+
+  const Clearer& clearer_;
+  const ContinuationOptions& options_;
+  std::vector<BranchPiece> pieces_;
+};
+
+}  // namespace
+
+std::vector<BranchPiece> trace_pieces(const Clearer& clearer, LaidOrbits& orbits,
+                                      const ContinuationOptions& options, const BranchPoint& start,
+                                      Directions directions) {
+  return PieceTracer(clearer, options).trace(orbits, start, directions);
+}
+
+}  // namespace graze

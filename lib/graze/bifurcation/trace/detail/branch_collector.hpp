@@ -1,0 +1,77 @@
+// Traces branches of orbits from starts, whoever offers them, and switches at their special points;
+// keeps what was found, and knows what has been traced already.
+#pragma once
+
+#include <deque>
+#include <set>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "graze/bifurcation/trace/detail/found_branches.hpp"
+#include "graze/bifurcation/trace/detail/orbit_problems.hpp"
+#include "graze/bifurcation/trace/orbit_branches_values.hpp"
+
+namespace graze {
+
+class BranchCollector {
+ public:
+  // Refers to all of them; counts in `result`.
+  BranchCollector(const SystemFamily& family, const BranchOptions& options, OrbitBranches& result);
+
+  // Traces the branch through the orbit, or the solution near these impacts, unless it is known
+  // already or is none. Whether there is a solution.
+  bool trace_from(const Orbit& orbit, double value);
+  bool trace_from(const ImpactPattern& pattern, const std::vector<ImpactPoint>& impacts,
+                  double value);
+  // From a special point, at the family's own value.
+  void trace_from_special(const BranchStart& start);
+  // Switches at the special points, those of one depth after the other.
+  void follow();
+
+  const std::vector<FoundBranch>& found() const { return found_; }
+  std::vector<FoundBranch> take() { return std::move(found_); }
+  // Sentences: why orbits were not continued.
+  const std::set<std::string>& notes() const { return notes_; }
+
+ private:
+  using Written = OrbitProblems::Written;
+  // A special point of a found branch, or none.
+  struct Origin {
+    int branch = -1;
+    std::size_t special = 0;
+    bool at_grazing = false;
+  };
+  struct Traced {
+    LaidOrbits* orbits;
+    Branch branch;
+  };
+
+  bool trace_written(const Written& start, double value, Origin origin);
+  // What is restarted from, and where it is; nothing where that is not found again.
+  std::vector<Written> written(const SpecialOrbit& at);
+  std::optional<BranchPoint> solution_at(const Written& written, const BranchStart& start) const;
+  void trace_restarted(LaidOrbits& orbits, const BranchPoint& point, const BranchStart& start);
+  // Whether the solution lies on a branch that has been traced.
+  bool knows(const LaidOrbits& orbits, const BranchPoint& solution) const;
+  // Whether the branch that leaves a special point does.
+  bool knows_beyond(const LaidOrbits& orbits, const BranchPoint& start) const;
+  std::vector<BranchPiece> trace(LaidOrbits& orbits, const BranchPoint& start,
+                                 Directions directions);
+  // Keeps the parts of a trace.
+  void add(std::vector<BranchPiece> pieces, Origin origin);
+  // Whether another branch leads away from there that was not known.
+  bool switch_from(const SpecialPoint& special, const SpecialLead& lead, Origin origin);
+  bool switch_across(LaidOrbits& known, const SpecialPoint& special, Origin origin);
+
+  const SystemFamily& family_;
+  const BranchOptions& options_;
+  OrbitBranches& result_;
+  ContinuationOptions continuation_;
+  OrbitProblems problems_;
+  std::deque<Traced> traced_;
+  std::set<std::string> notes_;
+  std::vector<FoundBranch> found_;
+};
+
+}  // namespace graze

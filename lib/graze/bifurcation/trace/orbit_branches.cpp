@@ -1,0 +1,237 @@
+#include "graze/bifurcation/trace/orbit_branches.hpp"
+
+#include <algorithm>
+#include <map>
+#include <utility>
+
+#include "graze/assembly/initial_state.hpp"
+#include "graze/bifurcation/bounds/detail/admissible_runs.hpp"
+#include "graze/bifurcation/bounds/detail/closed_form_survey.hpp"
+#include "graze/bifurcation/bounds/detail/speed_survey.hpp"
+#include "graze/bifurcation/trace/detail/branch_collector.hpp"
+#include "graze/motion/simulation.hpp"
+#include "graze/orbit/closed_form/closed_form.hpp"
+#include "graze/orbit/problem/detail/followed_orbit.hpp"
+#include "graze/orbit/search/finder.hpp"
+#include "graze/orbit/search/settled.hpp"
+
+namespace graze {
+namespace {
+
+// Forcing periods within which a motion has to repeat to count as one that sticks: each time it
+// comes to rest it forgets what came before.
+constexpr long long kPeriodsToStick = 300;
+
+class OrbitTracer {
+ public:
+  OrbitTracer(const SystemFamily& family, const BranchOptions& options)
+      : family_(family),
+        options_(options),
+        lowest_(std::min(options.from, options.to)),
+        highest_(std::max(options.from, options.to)),
+        branches_(family, options, result_) {
+    result_.parameter = family.parameter();
+    const System own = *family.at(family.value());
+    compliant_ = own.has_compliant_stop();
+    const State at_rest{Vector::Zero(own.modes()), Vector::Zero(own.modes())};
+    closure_speed_ = options.finder.closure_speed.value_or(default_closure_speed(
+        own, clear_start(family.scene(), own).value_or(at_rest), family.scene().solver.tolerance));
+  }
+
+  OrbitBranches trace() {
+    if (options_.start)
+      branches_.trace_from_special(*options_.start);
+    else
+      trace_from_search();
+    branches_.follow();
+    const double speed_scale = result_.scale.speed;
+    result_.branches =
+        put_in_order(branches_.take(), Components(highest_ - lowest_, speed_scale),
+                     [this](const OrbitBranch& branch) { return connected_set(branch); });
+    // What the simulation does is worth a line only where it explains that there is nothing else.
+    if (!result_.branches.empty() && !compliant_) result_.notes.clear();
+    if (options_.impacts == 1 && !options_.start && !compliant_)
+      result_.notes.push_back(in_words(result_.sought, family_.parameter(), options_.period));
+    for (const std::string& note : branches_.notes()) result_.notes.push_back(note);
+    result_.stopped = options_.stop.reason();
+    return std::move(result_);
+  }
+
+ private:
+  // Where closed forms are only starts for a search, first what that gives, which costs next to
+  // nothing, then simulations, which may never settle: whoever stops them has the branches of the
+  // former.
+  void trace_from_search() {
+    FinderOptions all = options_.finder, quick = all, slow = all;
+    quick.from_simulation = quick.from_random = false;
+    slow.from_closed_form = false;
+    const std::vector<FinderOptions> rounds =
+        compliant_ ? std::vector{quick, slow} : std::vector{all};
+    for (std::size_t i = 0; i < rounds.size(); ++i)
+      trace_from_values(rounds[i], static_cast<double>(i), static_cast<double>(rounds.size()));
+    if (options_.start_values > 0 && options_.finder.from_closed_form && options_.impacts == 1 &&
+        !compliant_)
+      trace_from_surveys();
+    result_.sought.stopped = options_.stop.requested();
+  }
+
+  // The scene's own value, and values spread over the range; in one round of several.
+  void trace_from_values(const FinderOptions& finder, double round, double rounds) {
+    std::vector<double> values;
+    if (family_.value() >= lowest_ && family_.value() <= highest_)
+      values.push_back(family_.value());
+    for (int i = 0; i < options_.start_values; ++i)
+      values.push_back(lowest_ + (highest_ - lowest_) * i / std::max(options_.start_values - 1, 1));
+    result_.sought.start_values = static_cast<int>(values.size());
+    if (options_.start_values > 1)
+      result_.sought.start_spacing = (highest_ - lowest_) / (options_.start_values - 1);
+    if (finder.from_random) result_.sought.random_starts = kStartsOfOneImpact;
+    for (std::size_t i = 0; i < values.size() && !options_.stop.requested(); ++i) {
+      if (options_.progress)
+        options_.progress(
+            (round + static_cast<double>(i) / static_cast<double>(values.size() + 1)) / rounds);
+      for (const Orbit& orbit : orbits_at(values[i], finder, i == 0))
+        if (!options_.stop.requested()) branches_.trace_from(orbit, values[i]);
+      if (options_.sticking && finder.from_simulation && !compliant_) trace_sticking(values[i]);
+    }
+  }
+
+  void trace_from_surveys() {
+    for (std::size_t stop = 0; stop < family_.scene().stops.size(); ++stop) {
+      if (options_.stop.requested()) return;
+      const int index = static_cast<int>(stop);
+      if (!family_.at(family_.value())->stops[stop].restitution().is_constant()) {
+        trace_from_speeds(index);
+        continue;
+      }
+      ClosedFormSurvey& survey =
+          surveys_
+              .emplace(std::piecewise_construct, std::forward_as_tuple(index),
+                       std::forward_as_tuple(family_, index, options_.period, lowest_, highest_))
+              .first->second;
+      if (options_.keep_virtual)
+        survey.start_in_every_range();
+      else if (bounded_runs(*family_.at(family_.value()), index))
+        result_.sought.add(search_runs(family_, survey.ranges(), run_tracer(index)));
+      else
+        survey.start_in_every_run();
+      result_.sought.add(survey);
+      for (const ClosedFormSurvey::Start& start : survey.starts()) {
+        if (options_.stop.requested()) return;
+        if (!branches_.trace_from({options_.period, {index}}, {start.point}, start.value))
+          ++result_.sought.lost;
+      }
+    }
+  }
+
+  void trace_from_speeds(int stop) {
+    const SpeedSurvey survey =
+        survey_speeds(family_, stop, options_.period, lowest_, highest_, options_.keep_virtual);
+    result_.sought.add(survey);
+    for (const SpeedSurvey::Start& start : survey.starts) {
+      if (options_.stop.requested()) return;
+      if (!branches_.trace_from({options_.period, {stop}}, {start.point}, start.value))
+        ++result_.sought.lost;
+    }
+  }
+
+  // Traces orbits on one stop and says what branches of them there are.
+  RunTracer run_tracer(int stop) {
+    const ImpactPattern pattern{options_.period, {stop}};
+    RunTracer tracer;
+    tracer.trace = [this, pattern](const ImpactPoint& point, double value) {
+      branches_.trace_from(pattern, {point}, value);
+    };
+    tracer.news = [this, pattern, next = std::size_t{0}](const auto& hand_over) mutable {
+      for (; next < branches_.found().size(); ++next) {
+        const OrbitBranch& branch = branches_.found()[next].branch();
+        if (branch.pattern == pattern) hand_over(branch);
+      }
+    };
+    tracer.stopped = [this] { return options_.stop.requested(); };
+    return tracer;
+  }
+
+  // Orbits at one value; the random guesses, and on rigid stops the simulation for orbits of one
+  // impact, join in at the first one only.
+  std::vector<Orbit> orbits_at(double value, FinderOptions finder, bool first) {
+    const std::optional<System> system = family_.at(value);
+    if (!system) return {};
+    finder.period = options_.period;
+    finder.impacts = options_.impacts;
+    finder.keep_virtual = !compliant_;
+    finder.sticking = options_.sticking;
+    finder.stop = options_.stop;
+    // Random guesses cost more than all else; elsewhere they stand in where the closed form cannot.
+    if (!first && (compliant_ ||
+                   (options_.impacts == 1 && finder.from_closed_form && has_closed_forms(*system))))
+      finder.from_random = false;
+    std::optional<State> start;
+    if (first || options_.impacts > 1 || compliant_) start = clear_start(family_.scene(), *system);
+    finder.closure_speed = closure_speed_;
+    FoundOrbits found = find_orbits(*system, start, finder);
+    // On rigid stops alone those have a search of their own.
+    if (!compliant_) std::erase_if(found.orbits, [](const Orbit& orbit) { return orbit.sticks(); });
+    if (result_.notes.empty()) result_.notes = found.notes;
+    return std::move(found.orbits);
+  }
+
+  // Whether the closed form holds at every stop.
+  bool has_closed_forms(const System& system) const {
+    for (std::size_t stop = 0; stop < system.stops.size(); ++stop)
+      if (!closed_form(system, static_cast<int>(stop), options_.period).form) return false;
+    return true;
+  }
+
+  // Traces the branch of the orbit that sticks, where the motion from the scene's initial state
+  // settles on one.
+  void trace_sticking(double value) {
+    const std::optional<System> system = family_.at(value);
+    if (!system) return;
+    const std::optional<State> start = clear_start(family_.scene(), *system);
+    if (!start) return;
+    SettleOptions settling;
+    settling.periods = kPeriodsToStick;
+    settling.max_impacts = options_.finder.max_impacts;
+    settling.closure_speed = closure_speed_;
+    settling.stop = options_.stop;
+    const SettledMotion settled = settle(*system, *start, settling);
+    if (settled.kind != SettledKind::kSticks) return;
+    const FollowedAnswer answer =
+        followed_orbit(*system, settled.at_start, settled.period,
+                       {closure_speed_, settling.max_impacts, options_.stop});
+    if (!answer.orbit || answer.orbit->period != options_.period) return;
+    branches_.trace_from(*answer.orbit, value);
+  }
+
+  // Branches that were traced apart may be connected where the solutions are no orbits; the closed
+  // form knows.
+  std::optional<std::pair<int, int>> connected_set(const OrbitBranch& branch) const {
+    if (branch.pattern.stops.empty()) return {};
+    const int stop = branch.pattern.stops.front();
+    const OrbitBranchPoint& middle = branch.points[branch.points.size() / 2];
+    const auto survey = surveys_.find(stop);
+    if (survey == surveys_.end() || options_.keep_virtual) return {};
+    const std::optional<int> name =
+        survey->second.ranges().component(middle.value, middle.orbit.impacts.front().phase);
+    if (!name) return {};
+    return std::pair(stop, *name);
+  }
+
+  const SystemFamily& family_;
+  const BranchOptions& options_;
+  double lowest_, highest_;
+  bool compliant_ = false;      // a stop is
+  double closure_speed_ = 0.0;  // m/s; as asked for, or by the scene's tolerance
+  OrbitBranches result_;
+  BranchCollector branches_;
+  std::map<int, ClosedFormSurvey> surveys_;  // by stop
+};
+
+}  // namespace
+
+OrbitBranches trace_orbits(const SystemFamily& family, const BranchOptions& options) {
+  return OrbitTracer(family, options).trace();
+}
+
+}  // namespace graze

@@ -1,0 +1,35 @@
+// Branches of orbits over a parameter, and how they were found; orbit_branches.hpp traces them.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "graze/bifurcation/bounds/component_search.hpp"
+#include "graze/bifurcation/problem/branch_options.hpp"
+#include "graze/bifurcation/problem/orbit_branch.hpp"
+#include "graze/system/scale.hpp"
+
+namespace graze {
+
+struct OrbitBranches {
+  std::string parameter;
+  std::vector<OrbitBranch> branches;
+  // Units of the unknowns in the solutions at special points, and the range of the parameter that
+  // their tangents are given in.
+  MotionScale scale;
+  double range = 1.0;
+  std::vector<std::string> notes;      // sentences
+  long long shooting_evaluations = 0;  // of the shooting equations, all points together
+  long long rejected_steps = 0;
+  int starts = 0;          // solutions offered as starts
+  int virtual_starts = 0;  // those that solve the equations and are no orbits, so are not traced
+  ComponentSearch sought;  // how the components of (p, 1) solutions were
+  int traced = 0;          // traces begun, one for each start that no earlier one had passed
+  int cut_short = 0;       // traces that could not be followed to an end
+  int meetings = 0;        // branches ended by impacts that meet
+  int switched = 0;        // special points switched at
+  int left_open = 0;       // special points at the stated depth that were not switched at
+  StopReason stopped = StopReason::kNone;
+};
+
+}  // namespace graze

@@ -1,0 +1,92 @@
+#include "graze/bifurcation/trace/detail/orbit_problems.hpp"
+
+#include <utility>
+
+#include "graze/bifurcation/problem/detail/canonical_pattern.hpp"
+#include "graze/bifurcation/problem/detail/flight_equations.hpp"
+#include "graze/bifurcation/problem/detail/passage_equations.hpp"
+#include "graze/orbit/problem/detail/laid_orbit.hpp"
+
+namespace graze {
+
+OrbitProblems::OrbitProblems(const Scene& scene, std::vector<std::string> parameters,
+                             std::vector<double> units, const MotionScale& scale,
+                             const PassageOptions& passage)
+    : scene_(scene),
+      parameters_(std::move(parameters)),
+      units_(std::move(units)),
+      scale_(scale),
+      passage_(passage),
+      systems_(scene, parameters_) {}
+
+LaidOrbits& OrbitProblems::keep(const OrbitLayout& layout, double closure_speed,
+                                const std::function<std::unique_ptr<OrbitProblem>()>& make) {
+  for (LaidOrbits& known : orbits_)
+    if (known.closure_speed == closure_speed && known->orbit_layout() == layout) return known;
+  orbits_.push_back({make(), {}, closure_speed});
+  if (make_borders_) orbits_.back().borders = make_borders_(*orbits_.back().problem);
+  return orbits_.back();
+}
+
+LaidOrbits& OrbitProblems::flights(const ImpactPattern& pattern) {
+  return keep(pattern, 0.0, [&] {
+    return std::make_unique<FlightEquations>(scene_, parameters_, pattern, scale_);
+  });
+}
+
+OrbitProblems::Written OrbitProblems::written(const ImpactPattern& pattern,
+                                              const std::vector<ImpactPoint>& impacts) {
+  const ImpactPattern order = canonical(pattern);
+  return {&flights(order),
+          ShootingProblem(order, scale_).pack(in_canonical_order(pattern, impacts))};
+}
+
+std::vector<OrbitProblems::Written> OrbitProblems::rewritings(
+    const ImpactPattern& pattern, const std::vector<ImpactPoint>& impacts) {
+  const ImpactPattern order = canonical(pattern);
+  LaidOrbits& orbits = flights(order);
+  std::vector<Written> list;
+  for (const std::vector<ImpactPoint>& same :
+       graze::rewritings(order, in_canonical_order(pattern, impacts)))
+    list.push_back({&orbits, ShootingProblem(order, scale_).pack(same)});
+  return list;
+}
+
+std::vector<OrbitProblems::Written> OrbitProblems::written(const Orbit& orbit, Parameters at) {
+  if (!orbit.section) return {written(orbit.pattern(), orbit.points())};
+  const System* system = systems_.at(at);
+  if (!system) return {};
+  PassageOptions passage = passage_;
+  passage.closure_speed = orbit.section->closure_speed;
+  std::vector<Written> list;
+  for (const LaidOrbit& laid : layouts_of(*system, orbit, passage)) {
+    LaidOrbits& orbits = keep(laid.layout, passage.closure_speed, [&] {
+      return std::make_unique<PassageEquations>(scene_, parameters_, units_, *system, laid.layout,
+                                                passage);
+    });
+    const auto& equations = dynamic_cast<const PassageEquations&>(*orbits.problem);
+    list.push_back({&orbits, equations.shooting().pack(laid.theta, laid.states), laid.held});
+  }
+  return list;
+}
+
+LaidOrbits& OrbitProblems::doubled(const LaidOrbits& orbits) {
+  std::unique_ptr<OrbitProblem> twice = orbits->doubled();
+  const OrbitLayout layout = twice->orbit_layout();
+  return keep(layout, orbits.closure_speed, [&] { return std::move(twice); });
+}
+
+LaidOrbits& OrbitProblems::strobe_once(const LaidOrbits& orbits) {
+  const auto& passages = dynamic_cast<const PassageEquations&>(*orbits.problem);
+  const PassageLayout once = PassageLayout::strobe(1, passages.layout().theta);
+  return keep(once, orbits.closure_speed, [&] { return passages.laid(once); });
+}
+
+LaidOrbits* OrbitProblems::clearer(const LaidOrbits& orbits, const BranchPoint& solution) {
+  std::unique_ptr<OrbitProblem> other = orbits->clearer(solution);
+  if (!other) return nullptr;
+  const OrbitLayout layout = other->orbit_layout();
+  return &keep(layout, orbits.closure_speed, [&] { return std::move(other); });
+}
+
+}  // namespace graze

@@ -1,0 +1,149 @@
+#include "graze/continuation/branch.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "graze/base/linalg/decompositions.hpp"
+#include "graze/continuation/branch/detail/growing_branch.hpp"
+#include "graze/continuation/branch/detail/locate.hpp"
+#include "graze/continuation/branch/detail/stepper.hpp"
+#include "graze/continuation/branch/detail/unknown_limits.hpp"
+#include "graze/continuation/special/detail/critical.hpp"
+#include "graze/continuation/special/detail/crossing_passage.hpp"
+
+namespace graze {
+namespace {
+
+// Growth of the step after an easy one, and the turn (as a part of the largest) it aims at.
+constexpr double kGrowth = 1.5;
+constexpr double kAimedTurn = 0.5;
+// Of the longest step; the first one has no points before it to be predicted from.
+constexpr double kFirstStep = 0.1;
+
+class Tracer {
+ public:
+  Tracer(const ZeroProblem& problem, const ContinuationOptions& options)
+      : problem_(problem),
+        options_(options),
+        corrector_(problem, options),
+        stepper_(options, corrector_),
+        passage_(corrector_, stepper_) {}
+
+  Branch trace(const BranchPoint& from, Directions directions) {
+    BranchPoint start = from;
+    if (problem_.multipliers && start.multipliers.empty())
+      start.multipliers = problem_.multipliers(start.u, start.parameters(), ErrorBounds::kGiven);
+    Branch branch = follow(start);
+    if (branch.closed()) {
+      branch.ends[0] = BranchEnd::kClosed;
+    } else if (directions == Directions::kBoth) {
+      start.turn_round();
+      branch = joined(follow(start), branch);
+    }
+    add_critical_points(branch, problem_, corrector_, options_.stop);
+    branch.evaluations = corrector_.evaluations();
+    return branch;
+  }
+
+ private:
+  // One way, along the tangent of the start.
+  Branch follow(const BranchPoint& start) {
+    GrowingBranch branch(problem_, options_, corrector_, start);
+    const ParameterLimits limits(options_);
+    const UnknownLimits unknowns(options_);
+    double h = kFirstStep * stepper_.longest(start);
+    while (true) {
+      const StopReason stop = options_.stop.reason();
+      if (stop != StopReason::kNone)
+        return ended(branch,
+                     stop == StopReason::kOutOfTime ? BranchEnd::kOutOfTime : BranchEnd::kStopped);
+      if (static_cast<int>(branch.size()) > options_.max_points)
+        return ended(branch, BranchEnd::kStepLimit);
+      if (limits.leaves_at(branch.last())) return ended(branch, BranchEnd::kParameterLimit);
+      if (unknowns.leaves_at(branch.last())) return ended(branch, BranchEnd::kUnknownLimit);
+      double turn = 0.0;
+      const std::optional<BranchPoint> next = next_point(branch, h, turn);
+      if (!next) return ended(branch, BranchEnd::kNotConverged);
+      const BranchPoint from = branch.last();
+      if (branch.advance(*next)) return branch.take();
+      if (options_.proceed && !options_.proceed(from, branch.last()))
+        return ended(branch, BranchEnd::kHalted);
+      h *= std::clamp(kAimedTurn * options_.max_turn / std::max(turn, 1e-12), 0.5, kGrowth);
+    }
+  }
+
+  static Branch ended(GrowingBranch& branch, BranchEnd end) {
+    branch.end(end);
+    return branch.take();
+  }
+
+  // Where a step leads that is halved until it is accepted, h in the end.
+  std::optional<BranchPoint> next_point(GrowingBranch& branch, double& h, double& turn) {
+    h = std::min(h, stepper_.longest(branch.last()));
+    while (true) {
+      if (auto next = stepper_.step(branch.before_last(), branch.last(), h, turn)) return next;
+      branch.count_rejected();
+      h *= 0.5;
+      // Below this the two ends of a step are one point in double precision.
+      const double size = 1.0 + corrector_.pack(branch.last()).norm();
+      if (!std::isfinite(size)) return {};
+      if (h < 1e3 * std::numeric_limits<double>::epsilon() * size) return passage_.pass(branch, h);
+    }
+  }
+
+  const ZeroProblem& problem_;
+  const ContinuationOptions& options_;
+  Corrector corrector_;
+  Stepper stepper_;
+  CrossingPassage passage_;
+};
+
+}  // namespace
+
+std::optional<BranchPoint> solve_at(const ZeroProblem& problem, const ContinuationOptions& options,
+                                    const Vector& u, double parameter) {
+  Corrector corrector(problem, options);
+  Vector x(u.size() + 1);
+  x << u, parameter / corrector.range();
+  std::optional<BranchPoint> point = corrector.at_parameter(x);
+  if (point) point->parameter = parameter;
+  return point;
+}
+
+std::optional<BranchPoint> solve_near(const ZeroProblem& problem,
+                                      const ContinuationOptions& options, const Vector& u,
+                                      double parameter, const Vector& along) {
+  Corrector corrector(problem, options);
+  Vector x(u.size() + 1);
+  x << u, parameter / corrector.range();
+  if (along.size() > 0) return corrector.on_hyperplane(x, along.normalized());
+  const std::optional<Matrix> slope = corrector.slope_at(x);
+  if (!slope) return {};
+  Vector kernel = null_vector(*slope);
+  if (kernel[kernel.size() - 1] < 0.0) kernel *= -1.0;
+  return corrector.on_hyperplane(x, kernel);
+}
+
+Branch trace_branch(const ZeroProblem& problem, const ContinuationOptions& options,
+                    const BranchPoint& start, Directions directions) {
+  return Tracer(problem, options).trace(start, directions);
+}
+
+std::optional<BranchPoint> locate(const ZeroProblem& problem, const ContinuationOptions& options,
+                                  const BranchPoint& a, const BranchPoint& b,
+                                  const std::function<double(const BranchPoint&)>& test) {
+  Corrector corrector(problem, options);
+  return locate(corrector, a, b, test);
+}
+
+bool lies_on(const ZeroProblem& problem, const ContinuationOptions& options, const Branch& branch,
+             const BranchPoint& point) {
+  Corrector corrector(problem, options);
+  for (std::size_t i = 0; i + 1 < branch.points.size(); ++i)
+    if (lies_between(corrector, branch.points[i], branch.points[i + 1], point, options.max_turn))
+      return true;
+  return false;
+}
+
+}  // namespace graze

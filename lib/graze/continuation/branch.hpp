@@ -1,0 +1,56 @@
+// Pseudo-arclength continuation of F(u, parameter) = 0, F: R^n x R -> R^n. Generic: it knows
+// nothing of what the equations stand for.
+//
+//   #include "graze/continuation/branch.hpp"
+//
+// is all that a program needs: the problem (zero_problem.hpp), the options and the branch that
+// comes out (branch_values.hpp), and the functions below.
+//
+// A point is x = (u, parameter/range); the predictor follows the unit tangent, the corrector is
+// Newton's method on F bordered by the hyperplane through the prediction. It passes folds and
+// branch points. The metric is Euclidean: scale the unknowns so that a change of one is large.
+//
+// Special points, named as AUTO and MatCont name them: folds (LP) and branch points (BP) of any
+// equations; period doublings (PD) and tori (NS) where the problem tells the multipliers of its
+// solutions (map.hpp makes such a problem of a map). They are located to the last digits that
+// arclength carries. See switching.hpp for going on across them.
+#pragma once
+
+#include <functional>
+#include <optional>
+
+#include "graze/continuation/branch/branch_values.hpp"
+#include "graze/continuation/branch/zero_problem.hpp"
+
+namespace graze {
+
+// The solution near u at a fixed parameter, with a tangent that points to growing parameter (or
+// along growing arclength at a fold). Nothing when Newton's method does not reach the tolerance.
+std::optional<BranchPoint> solve_at(const ZeroProblem& problem, const ContinuationOptions& options,
+                                    const Vector& u, double parameter);
+
+// The same near (u, parameter) where the branch may turn back there: on the hyperplane normal to
+// the branch, whose direction in (u, parameter/range) is `along` or, where that is empty, the
+// kernel of dF/dx. Nothing likewise, or at a branch point.
+std::optional<BranchPoint> solve_near(const ZeroProblem& problem,
+                                      const ContinuationOptions& options, const Vector& u,
+                                      double parameter, const Vector& along = {});
+
+enum class Directions { kBoth, kForward };  // forward: along the tangent of the start
+
+// The branch through a solution, to its ends, its special points located.
+Branch trace_branch(const ZeroProblem& problem, const ContinuationOptions& options,
+                    const BranchPoint& start, Directions directions = Directions::kBoth);
+
+// The point of the branch between neighbours a and b where `test` changes sign, to the last digits
+// that arclength carries and on the side where `test` is not negative. Nothing when the corrector
+// fails on the way or the signs agree.
+std::optional<BranchPoint> locate(const ZeroProblem& problem, const ContinuationOptions& options,
+                                  const BranchPoint& a, const BranchPoint& b,
+                                  const std::function<double(const BranchPoint&)>& test);
+
+// Whether a solution lies on a traced branch.
+bool lies_on(const ZeroProblem& problem, const ContinuationOptions& options, const Branch& branch,
+             const BranchPoint& point);
+
+}  // namespace graze

@@ -1,0 +1,123 @@
+// A branch of solutions of a zero problem as a value: its points, its special points, how it ends;
+// and what it is asked for with. branch.hpp traces one.
+//
+// A solution is x = (u, parameter/range) in R^(n + 1), `range` the length of the parameter's range.
+#pragma once
+
+#include <array>
+#include <functional>
+#include <initializer_list>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "graze/base/linalg/decompositions.hpp"
+#include "graze/base/stop_signal.hpp"
+#include "graze/base/vector.hpp"
+
+namespace graze {
+
+// How a special point was located: between which values of the parameter it lies, as far as the
+// branch was seen from both sides, and whether it was solved for, or enclosed, to the last digits
+// that its equations carry. Of a fold the value itself is an end.
+struct Bracket {
+  double from = 0.0, to = 0.0;  // from <= to
+  bool converged = false;
+};
+
+// Around all of these values.
+Bracket bracket_around(std::initializer_list<double> values, bool converged);
+
+// A solution on a branch; not what is called a branch point (CriticalKind::kBranchPoint).
+struct BranchPoint {
+  Vector u;
+  double parameter = 0.0;
+  Vector tangent;         // unit, in (u, parameter/range), n + 1
+  double residual = 0.0;  // largest entry of F, recomputed at the point
+  // Sign of det [dF/dx; tangent]: constant along a branch, folds included, but for branch points. 0
+  // on a branch point.
+  int orientation = 0;
+  std::vector<Eigenvalue> multipliers;  // where the problem has them
+  std::optional<Bracket> bracket{};     // of one that was located between others
+
+  // As equations are asked with.
+  std::span<const double> parameters() const { return {&parameter, 1}; }
+  // Of the parameter along the branch, in ranges: zero at a fold.
+  double rate() const { return tangent[tangent.size() - 1]; }
+  // The same solution on the branch run backwards.
+  void turn_round() {
+    tangent *= -1.0;
+    orientation *= -1;
+  }
+};
+
+// Where an unknown is wanted. A branch ends on either side of it as at a limit of the parameter.
+struct UnknownRange {
+  Eigen::Index unknown = 0;     // its place in u
+  double from = 0.0, to = 1.0;  // either order
+  double max_step = 0.0;        // largest change of it along the tangent of one step; 0: any
+};
+
+// A branch is given up after this many points in one direction.
+inline constexpr int kMostBranchPoints = 20000;
+
+struct ContinuationOptions {
+  double from = 0.0, to = 1.0;         // range of the parameter, either order
+  double max_step = 0.0;               // largest change of the parameter in one step; 0: range/50
+  std::vector<UnknownRange> ranges{};  // of unknowns that have one
+  // Largest move of the unknowns in one step, relative to 1 + their norm.
+  double max_distance = 0.05;
+  // Largest turn of the tangent in one step, rad. Sharper turns mean that the step is too long for
+  // the branch, or that it landed on another one.
+  double max_turn = 0.3;
+  double residual_tolerance = 1e-11;   // largest entry of F at an accepted point
+  int max_points = kMostBranchPoints;  // in each direction
+  StopSignal stop{};
+  // Asked of the ends of every step; false: it is too long to show what happens within, and taken
+  // shorter. Empty: none is.
+  std::function<bool(const BranchPoint& from, const BranchPoint& to)> resolves{};
+  // Asked of every new point and the one before it; false ends the branch there. Empty: go on.
+  std::function<bool(const BranchPoint& previous, const BranchPoint& here)> proceed{};
+};
+
+enum class BranchEnd {
+  kParameterLimit,
+  kUnknownLimit,  // of the range of an unknown
+  kClosed,        // came back to where it started
+  kStepLimit,     // max_points reached
+  kNotConverged,  // no step, however small, converges
+  kHalted,        // `proceed` said no
+  kOutOfTime,     // the budget of computing time is spent
+  kStopped        // from outside
+};
+
+enum class CriticalKind {
+  kFold,            // LP: the branch turns back
+  kPeriodDoubling,  // PD: a multiplier passes -1
+  kTorus,           // NS: a complex pair of multipliers passes the unit circle
+  kBranchPoint      // BP: another branch of solutions crosses
+};
+
+// "LP", "PD", "NS", "BP".
+const char* label_of(CriticalKind kind);
+
+// A special point.
+struct CriticalPoint {
+  CriticalKind kind = CriticalKind::kFold;
+  BranchPoint point;
+  std::size_t after = 0;                 // lies between points after and after + 1
+  std::optional<Eigenvalue> multiplier;  // the critical one; of a pair that with positive imag
+};
+
+struct Branch {
+  std::vector<BranchPoint> points;      // in order along the branch; a closed one repeats its first
+  std::vector<CriticalPoint> critical;  // in order along the branch
+  std::array<BranchEnd, 2> ends{BranchEnd::kNotConverged, BranchEnd::kNotConverged};
+  long long evaluations = 0;  // of F
+  long long rejected = 0;     // steps refused for turning, contracting slowly or not converging
+
+  bool closed() const { return ends[1] == BranchEnd::kClosed; }
+  std::vector<CriticalPoint> critical_of(CriticalKind kind) const;
+};
+
+}  // namespace graze

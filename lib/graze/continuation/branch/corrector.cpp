@@ -1,0 +1,146 @@
+#include "graze/continuation/branch/detail/corrector.hpp"
+
+#include <Eigen/LU>
+#include <cmath>
+#include <utility>
+
+#include "graze/base/linalg/decompositions.hpp"
+
+namespace graze {
+namespace {
+
+constexpr int kMostIterations = 8;
+// A step this small leaves an error of its square, below rounding.
+constexpr double kSettled = 1e-8;
+
+// Factorised where it stands: the matrix is not needed any more.
+using InPlaceLU = Eigen::PartialPivLU<Eigen::Ref<Matrix>>;
+
+// The right-hand side (-residual, 0).
+Vector correction_target(const Vector& residual) {
+  Vector target(residual.size() + 1);
+  target << -residual, 0.0;
+  return target;
+}
+
+}  // namespace
+
+Corrector::Corrector(const ZeroProblem& problem, const ContinuationOptions& options)
+    : problem_(problem), options_(options), range_(std::abs(options.to - options.from)) {
+  if (!(range_ > 0.0)) range_ = 1.0;
+}
+
+Vector Corrector::pack(const BranchPoint& point) const {
+  Vector x(point.u.size() + 1);
+  x << point.u, point.parameter / range_;
+  return x;
+}
+
+BranchPoint Corrector::unpack(const Vector& x, const Vector& tangent, double residual,
+                              int sign) const {
+  const Eigen::Index n = x.size() - 1;
+  return {x.head(n), x[n] * range_, tangent, residual, sign, {}};
+}
+
+std::optional<Corrector::Linearised> Corrector::linearise(const Vector& x, const Vector& normal) {
+  const Eigen::Index n = x.size() - 1;
+  ++evaluations_;
+  const double parameter = x[n] * range_;
+  std::optional<ZeroEvaluation> at = problem_.evaluate(x.head(n), Parameters(&parameter, 1));
+  if (!at || !at->residual.allFinite() || !at->jacobian.allFinite() ||
+      !at->by_parameters.allFinite())
+    return {};
+  Linearised result{std::move(at->residual), Matrix(n + 1, n + 1)};
+  result.bordered.topLeftCorner(n, n) = at->jacobian;
+  result.bordered.col(n).head(n) = at->by_parameters * range_;
+  result.bordered.row(n) = normal.transpose();
+  return result;
+}
+
+std::optional<BranchPoint> Corrector::solve(Vector x, const Vector& normal, double contraction) {
+  const Eigen::Index n = x.size() - 1;
+  double last = std::numeric_limits<double>::infinity();
+  for (int i = 0; i < kMostIterations; ++i) {
+    std::optional<Linearised> at = linearise(x, normal);
+    if (!at) return {};
+    const InPlaceLU lu(at->bordered);
+    const double residual = at->residual.cwiseAbs().maxCoeff();
+    if (residual <= options_.residual_tolerance && last <= kSettled) {
+      const Vector tangent = lu.solve(Vector::Unit(n + 1, n)).normalized();
+      if (!tangent.allFinite()) return {};
+      // The tangent leans to the side of the normal, so its determinant has the normal's sign.
+      return unpack(x, tangent, residual, lu.determinant() < 0.0 ? -1 : 1);
+    }
+    const Vector step = lu.solve(correction_target(at->residual));
+    const double size = step.norm();
+    if (!std::isfinite(size) || (size > contraction * last && size > kSettled)) return {};
+    x += step;
+    last = size;
+  }
+  return {};
+}
+
+std::optional<BranchPoint> Corrector::on_hyperplane(const Vector& guess, const Vector& normal,
+                                                    double contraction) {
+  return solve(guess, normal, contraction);
+}
+
+std::optional<Vector> Corrector::newton_step(const Vector& guess, const Vector& normal) {
+  std::optional<Linearised> at = linearise(guess, normal);
+  if (!at) return {};
+  const Vector step = InPlaceLU(at->bordered).solve(correction_target(at->residual));
+  if (!step.allFinite()) return {};
+  return guess + step;
+}
+
+double Corrector::determinant_ratio(const BranchPoint& a, const BranchPoint& b) {
+  std::optional<Linearised> at_a = linearise(pack(a), a.tangent),
+                            at_b = linearise(pack(b), b.tangent);
+  if (!at_a || !at_b) return std::numeric_limits<double>::quiet_NaN();
+  // Entry by entry of the triangular factors: the determinants themselves might overflow.
+  const Vector pivots_a = InPlaceLU(at_a->bordered).matrixLU().diagonal();
+  const Vector pivots_b = InPlaceLU(at_b->bordered).matrixLU().diagonal();
+  double logarithm = 0.0;
+  for (Eigen::Index i = 0; i < pivots_a.size(); ++i)
+    logarithm += std::log(std::abs(pivots_b[i])) - std::log(std::abs(pivots_a[i]));
+  return std::exp(logarithm);
+}
+
+std::optional<Matrix> Corrector::slope_at(const Vector& x) {
+  const Eigen::Index n = x.size() - 1;
+  const std::optional<Linearised> at = linearise(x, Vector::Zero(n + 1));
+  if (!at) return {};
+  return at->bordered.topRows(n);
+}
+
+std::optional<double> Corrector::residual_at(const Vector& x) {
+  const std::optional<Linearised> at = linearise(x, Vector::Zero(x.size()));
+  if (!at) return {};
+  return at->residual.cwiseAbs().maxCoeff();
+}
+
+std::optional<BranchPoint> Corrector::at_parameter(const Vector& guess) {
+  // Newton at a fixed parameter is Newton on the hyperplane normal to the parameter's axis; only
+  // the tangent has to be sought without it, for it may lie in that hyperplane.
+  const Eigen::Index n = guess.size() - 1;
+  std::optional<BranchPoint> point = solve(guess, Vector::Unit(n + 1, n), kConvergent);
+  if (!point) return {};
+  std::optional<Linearised> at = linearise(pack(*point), Vector::Zero(n + 1));
+  if (!at) return {};
+  point->tangent = null_vector(at->bordered.topRows(n));
+  if (point->tangent[n] < 0.0) point->tangent *= -1.0;
+  at->bordered.row(n) = point->tangent.transpose();
+  point->orientation = InPlaceLU(at->bordered).determinant() < 0.0 ? -1 : 1;
+  return point;
+}
+
+Vector Corrector::difference(const Vector& x, const Vector& y) const {
+  Vector d = x - y;
+  if (problem_.wrap.size() == 0) return d;
+  const Eigen::Index n = problem_.wrap.size();
+  const double rounds = d.head(n).dot(problem_.wrap) / problem_.wrap.squaredNorm();
+  d.head(n) -= std::round(rounds) * problem_.wrap;
+  return d;
+}
+
+}  // namespace graze

@@ -1,0 +1,58 @@
+// A branch as it is traced, in one direction from its start: points are added with the folds before
+// them, until it meets a limit, of the parameter or of an unknown, or its own start.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <utility>
+
+#include "graze/continuation/branch/detail/corrector.hpp"
+#include "graze/continuation/branch/detail/parameter_limits.hpp"
+#include "graze/continuation/branch/detail/unknown_limits.hpp"
+
+namespace graze {
+
+class GrowingBranch {
+ public:
+  // Refers to the first three, which must outlive it. `start`: run along its tangent.
+  GrowingBranch(const ZeroProblem& problem, const ContinuationOptions& options,
+                Corrector& corrector, BranchPoint start);
+
+  std::size_t size() const { return branch_.points.size(); }
+  const BranchPoint& operator[](std::size_t i) const { return branch_.points[i]; }
+  const BranchPoint& last() const { return branch_.points.back(); }
+  // The one before the last; null where there is none yet.
+  const BranchPoint* before_last() const {
+    return size() > 1 ? &branch_.points[size() - 2] : nullptr;
+  }
+
+  // Adds a step's end, or what comes before it: the limit, the start of a closed branch. True when
+  // that ends the branch.
+  bool advance(const BranchPoint& next);
+  // Adds a point and the fold before it, if there is one.
+  void add(const BranchPoint& next);
+  // Drops all points but the first so many.
+  void keep(std::size_t count);
+  void count_rejected() { ++branch_.rejected; }
+
+  // Where it went, once it has ended; given away.
+  Branch take() { return std::move(branch_); }
+  void end(BranchEnd end) { branch_.ends[1] = end; }
+
+ private:
+  bool closes(const BranchPoint& next);
+  BranchPoint closing_point() const;
+
+  const ZeroProblem& problem_;
+  const ContinuationOptions& options_;
+  ParameterLimits limits_;
+  UnknownLimits unknowns_;
+  Corrector& corrector_;
+  Branch branch_;
+  bool left_start_ = false;  // has been so far from it that it may come back
+};
+
+// The branch through the common start of two that lead away from it, backwards along the first.
+Branch joined(const Branch& backward, const Branch& forward);
+
+}  // namespace graze

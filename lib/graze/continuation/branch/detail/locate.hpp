@@ -1,0 +1,47 @@
+// Points of a branch between two neighbours on it, with a corrector at hand: at a place, at the
+// zero of a function, at a fold; and whether a solution lies between them.
+#pragma once
+
+#include <functional>
+#include <optional>
+
+#include "graze/continuation/branch/detail/corrector.hpp"
+
+namespace graze {
+
+// Solutions nearer than this are one: next to a fold they are known to about sqrt(eps).
+inline constexpr double kOnePoint = 1e-7;
+
+// A step, relative to 1 + |x|, over which the orientation may change: branch points are passed with
+// steps as short as this.
+inline constexpr double kShortest = 1e-6;
+// Special points nearer to a branch point than this, relative to 1 + |x|, are at it: some steps of
+// that length.
+inline constexpr double kOneCrossing = 10.0 * kShortest;
+
+// From a to its neighbour b, to fourth order of their distance.
+double arclength(const Corrector& corrector, const BranchPoint& a, const BranchPoint& b);
+
+// Where the cubic through neighbours a and b and their tangents meets the hyperplane normal to that
+// of `from`, s ahead of it. Misses the branch by the fourth power of their distance.
+Vector cubic_between(const Corrector& corrector, const BranchPoint& from, double s,
+                     const BranchPoint& a, const BranchPoint& b);
+
+// The point of the branch there; nothing where the corrector does not reach it.
+std::optional<BranchPoint> point_between(Corrector& corrector, const BranchPoint& from, double s,
+                                         const BranchPoint& a, const BranchPoint& b);
+
+// As `locate` of branch.hpp: where `test` changes sign between neighbours a and b. Nothing where it
+// does not, or the corrector fails on the way.
+std::optional<BranchPoint> locate(Corrector& corrector, const BranchPoint& a, const BranchPoint& b,
+                                  const std::function<double(const BranchPoint&)>& test);
+
+// The fold between neighbours a and b. Nothing where the branch does not turn back between them.
+std::optional<BranchPoint> fold_between(Corrector& corrector, const BranchPoint& a,
+                                        const BranchPoint& b);
+
+// Whether `point` lies on the branch between neighbours a and b. `max_turn`: that of the branch.
+bool lies_between(Corrector& corrector, const BranchPoint& a, const BranchPoint& b,
+                  const BranchPoint& point, double max_turn);
+
+}  // namespace graze

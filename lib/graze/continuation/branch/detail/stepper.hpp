@@ -1,0 +1,49 @@
+// One step along a branch: how long it may be, where it is predicted to lead, and what it has to
+// show before it is believed to have stayed on its branch.
+//
+// Lengths are arclength in x = (u, parameter/range). A step is refused, to be taken shorter, where
+// Newton's corrections do not shrink fourfold, the tangent turns too far, the way back does not
+// lead to where it came from, the orientation changes, or a pair of folds would be passed unseen.
+#pragma once
+
+#include <optional>
+
+#include "graze/continuation/branch/detail/corrector.hpp"
+#include "graze/continuation/branch/detail/parameter_limits.hpp"
+#include "graze/continuation/branch/detail/unknown_limits.hpp"
+
+namespace graze {
+
+class Stepper {
+ public:
+  // Refers to both, which must outlive it.
+  Stepper(const ContinuationOptions& options, Corrector& corrector)
+      : options_(options), limits_(options), unknowns_(options), corrector_(corrector) {}
+
+  // The longest step that the options allow from here.
+  double longest(const BranchPoint& here) const;
+
+  // Where a step of length h leads, as x: along the tangent, and along the bend of the cubic
+  // through the last two points and their tangents. `before`: the point before this one; null where
+  // there is none.
+  Vector prediction(const BranchPoint* before, const BranchPoint& here, double h) const;
+
+  // The end of a step of length h, on the limit where it would pass that; nothing where the step is
+  // refused. A branch point may be passed by a step that is as long as `passing`. Sets `turn` to
+  // the angle between the tangents, rad, as soon as the corrector converges.
+  std::optional<BranchPoint> step(const BranchPoint* before, const BranchPoint& here, double h,
+                                  double& turn, double passing = 0.0);
+
+ private:
+  std::optional<BranchPoint> point_ahead(const BranchPoint* before, const BranchPoint& here,
+                                         double h);
+  Vector bend(const BranchPoint* before, const BranchPoint& here, double h) const;
+  bool leads_back(const Vector& x, const BranchPoint& next, const Vector& chord);
+
+  const ContinuationOptions& options_;
+  ParameterLimits limits_;
+  UnknownLimits unknowns_;
+  Corrector& corrector_;
+};
+
+}  // namespace graze

@@ -1,0 +1,45 @@
+// The limits of the ranges of unknowns, where a branch ends to the last bit of the unknown.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "graze/continuation/branch/detail/corrector.hpp"
+
+namespace graze {
+
+struct UnknownLimit {
+  Eigen::Index unknown = 0;  // its place in u
+  double value = 0.0;
+};
+
+class UnknownLimits {
+ public:
+  explicit UnknownLimits(const ContinuationOptions& options);
+
+  // The first one that a step of length h along the tangent would pass; nothing where it passes
+  // none.
+  std::optional<UnknownLimit> ahead(const BranchPoint& here, double h) const;
+  // The largest step along the tangent that the ranges allow; infinity where they do not care.
+  double longest(const BranchPoint& here) const;
+  // Where the branch first leaves the ranges between neighbours a and b, on the limit; a itself
+  // where the corrector does not reach it (`reached` is false then). Nothing where it stays within.
+  struct Exit {
+    BranchPoint point;
+    bool reached = true;
+  };
+  std::optional<Exit> exit_between(Corrector& corrector, const BranchPoint& a,
+                                   const BranchPoint& b) const;
+  // Whether the branch is at a limit there and on the way out.
+  bool leaves_at(const BranchPoint& here) const;
+
+ private:
+  std::vector<UnknownRange> ranges_;  // in rising order
+};
+
+// The solution at a limit, near a point of the branch at or before it. Nothing where the corrector
+// does not reach it.
+std::optional<BranchPoint> point_on_limit(Corrector& corrector, const BranchPoint& near,
+                                          const UnknownLimit& limit);
+
+}  // namespace graze

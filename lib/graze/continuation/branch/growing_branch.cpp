@@ -1,0 +1,108 @@
+#include "graze/continuation/branch/detail/growing_branch.hpp"
+
+#include <utility>
+
+#include "graze/continuation/branch/detail/locate.hpp"
+
+namespace graze {
+namespace {
+
+// A branch closes only after it has been this far from its start, well beyond kOnePoint.
+constexpr double kAway = 1e-5;
+
+}  // namespace
+
+GrowingBranch::GrowingBranch(const ZeroProblem& problem, const ContinuationOptions& options,
+                             Corrector& corrector, BranchPoint start)
+    : problem_(problem),
+      options_(options),
+      limits_(options),
+      unknowns_(options),
+      corrector_(corrector) {
+  branch_.points.push_back(std::move(start));
+}
+
+bool GrowingBranch::advance(const BranchPoint& next) {
+  if (closes(next)) {
+    add(closing_point());
+    end(BranchEnd::kClosed);
+    return true;
+  }
+  // A fold beyond the limit means that the branch left the range before it.
+  const std::optional<BranchPoint> fold = fold_between(corrector_, last(), next);
+  const bool fold_outside = fold && limits_.outside(fold->parameter);
+  const bool leaves = limits_.outside(next.parameter) || fold_outside;
+  BranchPoint reached = next;
+  if (leaves) {
+    const BranchPoint& beyond = fold_outside ? *fold : next;
+    const double limit = limits_.towards(beyond.parameter - last().parameter);
+    const auto crossing = locate(corrector_, last(), beyond,
+                                 [&](const BranchPoint& p) { return p.parameter - limit; });
+    if (!crossing) {
+      end(BranchEnd::kNotConverged);
+      return true;
+    }
+    reached = point_on_limit(corrector_, *crossing, limit).value_or(*crossing);
+  }
+  // Within that, an unknown may have left its range before.
+  if (const auto exit = unknowns_.exit_between(corrector_, last(), reached)) {
+    end(exit->reached ? BranchEnd::kUnknownLimit : BranchEnd::kNotConverged);
+    if (exit->reached) add(exit->point);
+    return true;
+  }
+  add(reached);
+  if (leaves) end(BranchEnd::kParameterLimit);
+  return leaves;
+}
+
+void GrowingBranch::add(const BranchPoint& next) {
+  if (const auto fold = fold_between(corrector_, last(), next))
+    branch_.critical.push_back({CriticalKind::kFold, *fold, size() - 1, {}});
+  branch_.points.push_back(next);
+  if (problem_.multipliers)
+    branch_.points.back().multipliers =
+        problem_.multipliers(next.u, next.parameters(), ErrorBounds::kGiven);
+}
+
+void GrowingBranch::keep(std::size_t count) {
+  branch_.points.resize(count);
+  std::erase_if(branch_.critical,
+                [&](const CriticalPoint& critical) { return critical.after + 1 >= count; });
+}
+
+bool GrowingBranch::closes(const BranchPoint& next) {
+  const BranchPoint& start = branch_.points.front();
+  left_start_ = left_start_ || corrector_.chord(start, last()).norm() > kAway;
+  return left_start_ && lies_between(corrector_, last(), next, start, options_.max_turn) &&
+         start.tangent.dot(last().tangent) > 0.0;
+}
+
+// The start once more, with angles as the branch has counted them.
+BranchPoint GrowingBranch::closing_point() const {
+  BranchPoint start = branch_.points.front();
+  start.u = (corrector_.pack(last()) + corrector_.chord(last(), start)).head(start.u.size());
+  return start;
+}
+
+Branch joined(const Branch& backward, const Branch& forward) {
+  Branch branch;
+  branch.ends = {backward.ends[1], forward.ends[1]};
+  branch.rejected = backward.rejected + forward.rejected;
+  for (auto p = backward.points.rbegin(); p != backward.points.rend(); ++p) {
+    branch.points.push_back(*p);
+    branch.points.back().turn_round();
+  }
+  for (auto c = backward.critical.rbegin(); c != backward.critical.rend(); ++c) {
+    branch.critical.push_back(*c);
+    branch.critical.back().after = backward.points.size() - 2 - c->after;
+    branch.critical.back().point.turn_round();
+  }
+  for (const CriticalPoint& c : forward.critical) {
+    branch.critical.push_back(c);
+    branch.critical.back().after += backward.points.size() - 1;
+  }
+  branch.points.insert(branch.points.end(), forward.points.begin() + 1, forward.points.end());
+  return branch;
+}
+
+}  // namespace graze

@@ -1,0 +1,111 @@
+// The equations of a locus: those of the orbits, and that A(mu) is singular at the locus's mu
+// (zero_problem.hpp), by the test function g of bordering.hpp.
+//
+//   LP, PD   F(u, p, q) = 0, g(mu) = 0 with mu = 1, -1, in (u, p/range);
+//   NS       F(u, p, q) = 0, Re g(mu) = 0, d = 0 with mu = e^{i angle}, in (u, p/range, angle),
+//
+//   d = (g(mu) - g(conj mu))/(mu - conj mu) = -w(mu)^T closing v(conj mu)/a,
+//
+// where the plain Im g would vanish for all solutions at angles 0 and pi: d is Im g/sin(angle), and
+// there the derivative of g by mu. So the equations are regular at resonances 1:1 and 1:2 too,
+// where the pair becomes real; all they depend on is even in the angle there.
+//
+// Borders are those of the nearest point of the locus known so far. On LP and PD g is taken with
+// the sign that det A has: it passes zero between two loci that nearly cross, where borders that
+// follow one of them fail, and would turn the orientation round once more. So a step from one to
+// the other shows. On NS a change of borders multiplies g by a complex number, which leaves the
+// orientation alone.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+#include "graze/continuation/branch/branch_values.hpp"
+#include "graze/continuation/branch/detail/bordering.hpp"
+#include "graze/continuation/branch/zero_problem.hpp"
+#include "graze/continuation/locus/locus_values.hpp"
+
+namespace graze {
+
+class LocusEquations {
+ public:
+  // Refers to the problem, which must outlive it. Lengths of the parameters' ranges.
+  LocusEquations(const ZeroProblem& problem, LocusKind kind, double first_range,
+                 double second_range)
+      : problem_(problem), kind_(kind), range_(first_range), second_range_(second_range) {}
+
+  // (u, p/range) or (u, p/range, angle).
+  Vector pack(const Vector& u, double first, double angle) const;
+  // n, for an unknown of the locus.
+  Eigen::Index size_of(const Vector& y) const { return y.size() - (is_torus() ? 2 : 1); }
+  double first_of(const Vector& y) const { return y[size_of(y)] * range_; }
+  std::array<double, 2> parameters_of(const Vector& y, double second) const {
+    return {first_of(y), second};
+  }
+  double angle_of(const Vector& y) const;
+  Complex multiplier_of(const Vector& y) const;
+
+  // Forgets all borders but those that suit A(mu) there; false where that cannot be evaluated.
+  bool start_at(const Vector& y, double second);
+  // Forgets all borders but those of a point, on the side of those that it was solved with.
+  void start_at(const BranchPoint& point);
+  // A point of the locus: its borders are those of what lies around it.
+  void add(const BranchPoint& point);
+  // How far the critical vectors of LP and PD turn from one point to a neighbour just solved for,
+  // rad, the larger of both; 0 on NS, where they span planes.
+  double turn(const BranchPoint& from, const BranchPoint& to) const;
+  // Whether A(mu) is singular there, judged by borders of its own.
+  bool is_on_locus(const BranchPoint& point);
+  // Nothing where F cannot be evaluated.
+  std::optional<ZeroEvaluation> evaluate(const Vector& y, double second);
+  // The multipliers of the orbit but for the critical ones.
+  std::vector<Eigenvalue> other_multipliers(const Vector& y, double second,
+                                            ErrorBounds errors) const;
+  // w^T A_u v v and w^T closing v of LP and PD, w and v unit and on the side of the borders at
+  // `from`. Nothing where F cannot be evaluated.
+  std::optional<std::array<double, 2>> degeneracies(const BranchPoint& from, const BranchPoint& at);
+  // Of F, so far.
+  long long evaluations() const { return evaluations_; }
+
+ private:
+  struct Anchor {
+    Vector y;
+    double second = 0.0;
+    Borders borders;
+  };
+  // The box around neighbouring anchors, in the metric of the locus.
+  struct Block {
+    Vector low, high;
+    double low_across = 0.0, high_across = 0.0;
+    void add(const Vector& y, double across);
+    double squared_distance(const Vector& y, double across) const;
+  };
+  struct TestRows {
+    Vector value;     // 1 or 2
+    Matrix slope;     // by (u, p, q), 1 or 2 x (n + 2)
+    Vector by_angle;  // 1 or 2
+  };
+
+  bool is_torus() const { return kind_ == LocusKind::kTorus; }
+  std::optional<ZeroEvaluation> evaluate_plane(const Vector& y, double second);
+  const Borders& borders_near(const Vector& y, double second) const;
+  void add_anchor(Anchor anchor);
+  void forget_anchors();
+  void remember(const Vector& y, double second, Borders borders);
+  std::optional<TestRows> real_rows(const ZeroEvaluation& at, const Vector& y, double second);
+  std::optional<TestRows> torus_rows(const ZeroEvaluation& at, const Vector& y, double second);
+
+  const ZeroProblem& problem_;
+  LocusKind kind_;
+  double range_, second_range_;
+  std::vector<Anchor> anchors_;
+  std::vector<Block> blocks_;  // of the anchors, in their order
+  // Borders that suit where F was evaluated last: one of these becomes a point.
+  std::vector<Anchor> recent_;
+  std::size_t oldest_ = 0;
+  long long evaluations_ = 0;
+};
+
+}  // namespace graze

@@ -1,0 +1,120 @@
+// Loci in the plane of two parameters as values: their points, their special points, how they end;
+// and what they are asked for with. locus.hpp traces them.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <functional>
+#include <optional>
+#include <vector>
+
+#include "graze/base/linalg/decompositions.hpp"
+#include "graze/base/stop_signal.hpp"
+#include "graze/base/vector.hpp"
+#include "graze/continuation/branch/branch_values.hpp"
+
+namespace graze {
+
+enum class LocusKind {
+  kFold,            // LP: a multiplier is 1
+  kPeriodDoubling,  // PD: a multiplier is -1
+  kTorus            // NS: a pair of multipliers is e^{+-i angle}
+};
+
+// "LP", "PD", "NS".
+const char* label_of(LocusKind kind);
+
+enum class LocusPointKind {
+  kCusp,           // CP: two folds meet; w^T F_uu v v = 0
+  kResonance1,     // R1: two multipliers are 1, with one vector; NS meets LP
+  kResonance2,     // R2: two multipliers are -1, with one vector; NS meets PD
+  kResonance3,     // R3: the pair is e^{+-2 pi i/3}
+  kResonance4,     // R4: the pair is +-i
+  kFoldDoubling,   // LPPD: multipliers 1 and -1
+  kFoldTorus,      // LPNS: 1 and a pair on the unit circle
+  kTwoDoublings,   // PDPD: -1 twice, each with its vector
+  kDoublingTorus,  // PDNS: -1 and a pair on the unit circle
+  kTwoTori,        // NSNS: two pairs on the unit circle
+  kCrossing        // BP: another locus of this kind crosses
+};
+
+// "CP", "R1", .. as above.
+const char* label_of(LocusPointKind kind);
+
+struct LocusPoint {
+  Vector u;  // n
+  double first = 0.0, second = 0.0;
+  double angle = 0.0;     // of the critical multiplier, rad: 0 on LP, pi on PD, in [0, pi] on NS
+  double residual = 0.0;  // largest entry of F and of the test for the critical multiplier
+  Vector tangent;         // unit, in (u, first/range[, angle], second/range), n + 2 or n + 3
+  int orientation = 0;    // as in BranchPoint
+  // All of them, the critical ones exact. Empty where the problem tells none.
+  std::vector<Eigenvalue> multipliers;
+};
+
+struct LocusSpecialPoint {
+  LocusPointKind kind = LocusPointKind::kCusp;
+  LocusPoint point;
+  std::size_t after = 0;  // lies between points after and after + 1
+};
+
+// Where a function of one's own passes zero (LocusOptions::tests).
+struct LocusZero {
+  std::size_t test = 0;  // which of its values
+  LocusPoint point;
+  std::size_t after = 0;  // as above
+};
+
+enum class LocusEnd {
+  kFirstLimit,   // of the first parameter, exactly on it
+  kSecondLimit,  // of the second
+  kClosed,       // came back to where it started
+  // Of NS: the pair has become real, at R1 or R2. The angle is 0 or pi exactly; where the orbit
+  // shrinks there into one of half its period the equations are singular, and it is some 1e-5 off.
+  kResonance,
+  kStepLimit,     // max_points reached
+  kNotConverged,  // no step, however small, converges
+  kHalted,        // `proceed` said no
+  kOutOfTime,     // the budget of computing time is spent
+  kStopped        // from outside
+};
+
+// What an end of a branch is called where it is one of a locus. `first`: whether the range that a
+// branch left (kUnknownLimit) is that of the first parameter; else it is the angle's.
+LocusEnd as_locus_end(BranchEnd end, bool first);
+
+struct Locus {
+  LocusKind kind = LocusKind::kFold;
+  std::vector<LocusPoint> points;  // in order along the locus; a closed one repeats its first
+  std::vector<LocusSpecialPoint> special;  // in order along the locus
+  std::vector<LocusZero> zeros;            // by test, of each in order along the locus
+  std::array<LocusEnd, 2> ends{LocusEnd::kNotConverged, LocusEnd::kNotConverged};
+  long long evaluations = 0;  // of F
+  long long rejected = 0;     // steps refused
+
+  bool closed() const { return ends[1] == LocusEnd::kClosed; }
+  std::vector<LocusSpecialPoint> special_of(LocusPointKind which) const;
+};
+
+struct LocusOptions {
+  double first_from = 0.0, first_to = 1.0;    // range of the first parameter, either order
+  double second_from = 0.0, second_to = 1.0;  // of the second
+  // Largest change of either parameter in one step, as a part of its range; 0: a fiftieth.
+  double max_step = 0.0;
+  double max_distance = 0.05;          // as in ContinuationOptions
+  double max_turn = 0.3;               // likewise, rad
+  double residual_tolerance = 1e-11;   // likewise; of F, and of the test, which is of order 1
+  int max_points = kMostBranchPoints;  // in each direction
+  StopSignal stop{};
+  // Asked of the ends of every step; false: it is too long to show what happens within. Empty: none
+  // is.
+  std::function<bool(const LocusPoint& from, const LocusPoint& to)> resolves{};
+  // Asked of every new point and the one before it; false ends the locus there. Empty: go on.
+  std::function<bool(const LocusPoint& previous, const LocusPoint& here)> proceed{};
+  // Functions that are smooth along the locus, as many at every point, which has its critical
+  // multipliers only; where one passes zero is located. Nothing where they are not known. Empty
+  // function: none.
+  std::function<std::optional<Vector>(const LocusPoint& point)> tests{};
+};
+
+}  // namespace graze

@@ -1,0 +1,253 @@
+#include "graze/continuation/locus/detail/plane_curve.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "graze/base/linalg/decompositions.hpp"
+#include "graze/continuation/branch.hpp"
+#include "graze/continuation/branch/detail/corrector.hpp"
+#include "graze/continuation/branch/detail/locate.hpp"
+#include "graze/continuation/special/detail/margin_course.hpp"
+
+namespace graze {
+namespace {
+
+constexpr double kDefaultStep = 0.02;  // of a range
+// A curve is upright where it moves this many times faster along p than along q: there q is a bad
+// choice of what to hold.
+constexpr double kUpright = 10.0;
+
+// A point further away than this from where it was sought, in ranges, is not what was meant.
+constexpr double kNear = 0.2;
+
+double length_of(double from, double to) {
+  const double length = std::abs(to - from);
+  return length > 0.0 ? length : 1.0;
+}
+
+bool is_inside(double from, double to, double value) {
+  return value >= std::min(from, to) && value <= std::max(from, to);
+}
+
+bool is_inside(const ContinuationOptions& options, const BranchPoint& point) {
+  return is_inside(options.from, options.to, point.parameter) &&
+         std::all_of(options.ranges.begin(), options.ranges.end(), [&](const UnknownRange& range) {
+           return is_inside(range.from, range.to, point.u[range.unknown]);
+         });
+}
+
+// On the hyperplane through x normal to an axis, or to the curve where the equations at x say that
+// it runs.
+std::optional<BranchPoint> across(Corrector& corrector, const Vector& x, const Vector& normal) {
+  std::optional<BranchPoint> point = corrector.on_hyperplane(x, normal);
+  if (point && point->rate() < 0.0) point->turn_round();
+  return point;
+}
+
+// Of the range of which unknown a branch ended at, or crept up to, at a point.
+std::optional<Eigen::Index> limit_near(const std::vector<UnknownRange>& ranges,
+                                       const BranchPoint& point, double distance) {
+  for (const UnknownRange& range : ranges) {
+    const double at = point.u[range.unknown];
+    if (std::abs(at - range.from) <= distance || std::abs(at - range.to) <= distance)
+      return range.unknown;
+  }
+  return {};
+}
+
+// Where several curves of the same equations cross on a limit these are singular, and no step leads
+// on to it: steps get shorter and shorter from about here, in units of the unknown; the points are
+// badly determined along the other curves. So end the tori of a doubled orbit where it shrinks into
+// the one that it doubled from.
+constexpr double kCreeping = 1e-3;
+constexpr std::size_t kFewestCrept = 4;
+
+// Of the points that crept up to such an end (0 or 1) of the branch the last one stays.
+void drop_crept_points(const PlaneCurveProblem& problem, const Corrector& corrector, Branch& branch,
+                       std::size_t end) {
+  std::vector<BranchPoint>& points = branch.points;
+  const BranchPoint last = end == 0 ? points.front() : points.back();
+  const bool stuck = branch.ends[end] == BranchEnd::kNotConverged;
+  if (!stuck && branch.ends[end] != BranchEnd::kUnknownLimit) return;
+  if (!limit_near(problem.ranges, last, kCreeping)) return;
+  branch.ends[end] = BranchEnd::kUnknownLimit;
+  const double reach = kCreeping * (1.0 + corrector.pack(last).norm());
+  std::size_t crept = 0;
+  while (crept + 1 < points.size() &&
+         corrector.chord(points[end == 0 ? crept : points.size() - 1 - crept], last).norm() <=
+             reach)
+    ++crept;
+  // A curve that simply ends on the limit may have a short last step.
+  if (crept < kFewestCrept) return;
+  const std::size_t dropped = crept - 1, kept = points.size() - dropped;
+  if (end == 0)
+    points.erase(points.begin() + 1, points.begin() + static_cast<std::ptrdiff_t>(crept));
+  else
+    points.erase(points.end() - static_cast<std::ptrdiff_t>(crept), points.end() - 1);
+  std::erase_if(branch.critical, [&](const CriticalPoint& critical) {
+    return end == 0 ? critical.after < dropped : critical.after + 1 >= kept;
+  });
+  if (end == 0)
+    for (CriticalPoint& critical : branch.critical) critical.after -= dropped;
+}
+
+// Zeros of the tests, step by step. A value is taken once at each point, as seen from the one
+// before. Where both ends of a step have one sign, the cubic through them, with slopes from their
+// neighbours, says whether to look in between for a pair.
+class TestZeroSearch {
+ public:
+  TestZeroSearch(const PlaneCurveProblem& problem, const ContinuationOptions& options,
+                 const Branch& branch)
+      : problem_(problem),
+        options_(options),
+        points_(branch.points),
+        corrector_(problem.problem, options) {}
+
+  std::vector<TestZero> run() {
+    for (std::size_t i = 0; i < points_.size() && !options_.stop.requested(); ++i) {
+      values_.push_back(problem_.tests(points_[i > 0 ? i - 1 : 0], points_[i]));
+      if (i > 0) lengths_.push_back(arclength(corrector_, points_[i - 1], points_[i]));
+    }
+    for (std::size_t i = 0; i + 1 < values_.size() && !options_.stop.requested(); ++i)
+      for (Eigen::Index k = 0; k < std::min(count_at(i), count_at(i + 1)); ++k) search(i, k);
+    std::stable_sort(zeros_.begin(), zeros_.end(),
+                     [](const TestZero& a, const TestZero& b) { return a.test < b.test; });
+    return std::move(zeros_);
+  }
+
+ private:
+  Eigen::Index count_at(std::size_t i) const { return values_[i] ? values_[i]->size() : 0; }
+  double value(std::size_t i, Eigen::Index k) const { return (*values_[i])[k]; }
+
+  std::optional<double> test(std::size_t i, Eigen::Index k, const BranchPoint& at) const {
+    if (problem_.test) return problem_.test(points_[i], at, k);
+    const std::optional<Vector> values = problem_.tests(points_[i], at);
+    return values && k < values->size() ? std::optional((*values)[k]) : std::nullopt;
+  }
+
+  // By arclength at point i: of the parabola through it and its neighbours, at an end of the chord.
+  double slope(std::size_t i, Eigen::Index k) const {
+    const bool before = i > 0 && k < count_at(i - 1);
+    const bool behind = i + 1 < values_.size() && k < count_at(i + 1);
+    const double left = before ? (value(i, k) - value(i - 1, k)) / lengths_[i - 1] : 0.0;
+    const double right = behind ? (value(i + 1, k) - value(i, k)) / lengths_[i] : 0.0;
+    if (!before || !behind) return before ? left : right;
+    return (left * lengths_[i] + right * lengths_[i - 1]) / (lengths_[i - 1] + lengths_[i]);
+  }
+
+  void search(std::size_t i, Eigen::Index k) {
+    const BranchPoint &a = points_[i], &b = points_[i + 1];
+    const bool sign = value(i, k) < 0.0;
+    if (sign != (value(i + 1, k) < 0.0)) return add(i, k, a, b);
+    const double length = lengths_[i];
+    const std::optional<double> part = doubt_within({MarginCourse::between(
+        value(i, k), length * slope(i, k), value(i + 1, k), length * slope(i + 1, k))});
+    if (!part) return;
+    const std::optional<BranchPoint> middle =
+        point_between(corrector_, a, *part * corrector_.ahead(a, b), a, b);
+    const std::optional<double> there = middle ? test(i, k, *middle) : std::nullopt;
+    if (!there || (*there < 0.0) == sign) return;
+    add(i, k, a, *middle);
+    add(i, k, *middle, b);
+  }
+
+  void add(std::size_t i, Eigen::Index k, const BranchPoint& a, const BranchPoint& b) {
+    std::optional<BranchPoint> point = locate(corrector_, a, b, [&](const BranchPoint& at) {
+      return test(i, k, at).value_or(std::nan(""));
+    });
+    if (!point) return;
+    if (problem_.problem.multipliers)
+      point->multipliers =
+          problem_.problem.multipliers(point->u, point->parameters(), ErrorBounds::kGiven);
+    zeros_.push_back({static_cast<std::size_t>(k), std::move(*point), i});
+  }
+
+  const PlaneCurveProblem& problem_;
+  const ContinuationOptions& options_;
+  const std::vector<BranchPoint>& points_;
+  Corrector corrector_;
+  std::vector<std::optional<Vector>> values_;  // at the points
+  std::vector<double> lengths_;                // of the steps
+  std::vector<TestZero> zeros_;
+};
+
+}  // namespace
+
+double first_range(const LocusOptions& options) {
+  return length_of(options.first_from, options.first_to);
+}
+
+double second_range(const LocusOptions& options) {
+  return length_of(options.second_from, options.second_to);
+}
+
+ContinuationOptions branch_options(const PlaneCurveProblem& problem, const LocusOptions& options) {
+  const double range = first_range(options);
+  const double step = options.max_step > 0.0 ? options.max_step : kDefaultStep;
+  ContinuationOptions result;
+  result.from = options.second_from;
+  result.to = options.second_to;
+  result.max_step = step * second_range(options);
+  result.ranges.push_back(
+      {problem.first, options.first_from / range, options.first_to / range, step});
+  result.ranges.insert(result.ranges.end(), problem.ranges.begin(), problem.ranges.end());
+  result.max_distance = options.max_distance;
+  result.max_turn = options.max_turn;
+  result.residual_tolerance = options.residual_tolerance;
+  result.max_points = options.max_points;
+  result.stop = options.stop;
+  result.resolves = problem.resolves;
+  result.proceed = problem.proceed;
+  return result;
+}
+
+std::optional<BranchPoint> point_on_curve(const PlaneCurveProblem& problem,
+                                          const LocusOptions& options, const Vector& unknown,
+                                          double second) {
+  const ContinuationOptions along = branch_options(problem, options);
+  Corrector corrector(problem.problem, along);
+  const Eigen::Index n = unknown.size();
+  Vector x(n + 1);
+  x << unknown, second / corrector.range();
+  const std::optional<Matrix> slope = corrector.slope_at(x);
+  if (!slope) return {};
+  const Vector runs = null_vector(*slope);
+  const auto at_second = [&] {
+    std::optional<BranchPoint> point = corrector.at_parameter(x);
+    if (point) point->parameter = second;
+    return point;
+  };
+  const auto at_first = [&] { return across(corrector, x, Vector::Unit(n + 1, problem.first)); };
+  const auto suits = [&](const std::optional<BranchPoint>& point) {
+    return point && is_inside(along, *point) &&
+           std::abs(point->u[problem.first] - unknown[problem.first]) <= kNear &&
+           std::abs(point->parameter - second) <= kNear * corrector.range();
+  };
+  const bool upright = std::abs(runs[problem.first]) > kUpright * std::abs(runs[n]);
+  std::optional<BranchPoint> point = upright ? at_first() : at_second();
+  if (!suits(point)) point = upright ? at_second() : at_first();
+  if (!suits(point)) point = across(corrector, x, runs);
+  if (!suits(point)) return {};
+  return point;
+}
+
+PlaneCurve trace_curve(const PlaneCurveProblem& problem, const LocusOptions& options,
+                       const BranchPoint& start) {
+  const ContinuationOptions along = branch_options(problem, options);
+  PlaneCurve curve;
+  curve.branch = trace_branch(problem.problem, along, start);
+  const Corrector corrector(problem.problem, along);
+  for (const std::size_t end : {0u, 1u}) drop_crept_points(problem, corrector, curve.branch, end);
+  if (problem.tests) curve.zeros = TestZeroSearch(problem, along, curve.branch).run();
+  for (const std::size_t end : {0u, 1u}) {
+    if (curve.branch.ends[end] != BranchEnd::kUnknownLimit) continue;
+    const std::vector<BranchPoint>& points = curve.branch.points;
+    const BranchPoint& last = end == 0 ? points.front() : points.back();
+    curve.left_range[end] = limit_near(along.ranges, last, 0.0);
+    if (!curve.left_range[end]) curve.left_range[end] = limit_near(problem.ranges, last, kCreeping);
+  }
+  return curve;
+}
+
+}  // namespace graze

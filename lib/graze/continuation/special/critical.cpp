@@ -1,0 +1,211 @@
+#include "graze/continuation/special/detail/critical.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+
+#include "graze/base/detail/stop_scope.hpp"
+#include "graze/continuation/branch/detail/locate.hpp"
+#include "graze/continuation/special/detail/branch_crossing.hpp"
+#include "graze/continuation/special/detail/circle_crossings.hpp"
+#include "graze/continuation/special/detail/crossing_stations.hpp"
+
+namespace graze {
+namespace {
+
+// Halvings of a piece between stations that a branch point lies in, to a step as short as the
+// tracer passes one with.
+constexpr int kMostHalvings = 30;
+
+// Next to a pole stations are this part of a step away from it, 2^-n: a residue that is smaller
+// beside the others moves a multiplier through the circle within less.
+constexpr int kPoleHalvings = 20;
+
+std::optional<Eigenvalue> nearest_to_one(const std::vector<Eigenvalue>& multipliers) {
+  std::optional<Eigenvalue> nearest;
+  for (const Eigenvalue& m : multipliers)
+    if (!nearest || std::abs(m.value - 1.0) < std::abs(nearest->value - 1.0)) nearest = m;
+  return nearest;
+}
+
+class CriticalSearch {
+ public:
+  CriticalSearch(Branch& branch, const ZeroProblem& problem, Corrector& corrector,
+                 const StopSignal& stop)
+      : branch_(branch), problem_(problem), corrector_(corrector), stop_(stop) {}
+
+  void run() {
+    if (problem_.multipliers)
+      for (CriticalPoint& fold : branch_.critical) {
+        fold.point.multipliers = multipliers_of(fold.point);
+        fold.multiplier = nearest_to_one(fold.point.multipliers);
+      }
+    find_stations();
+    for (std::size_t i = 0; i + 1 < branch_.points.size(); ++i)
+      for_each_piece(i, [&](const BranchPoint& a, const BranchPoint& b) {
+        if (a.orientation * b.orientation < 0) add_branch_point(a, b, i);
+      });
+    drop_folds_at_branch_points();
+    if (!stations_.empty())
+      for (std::size_t i = 0; i + 1 < branch_.points.size(); ++i) add_crossings(i);
+    std::stable_sort(branch_.critical.begin(), branch_.critical.end(),
+                     [this](const CriticalPoint& a, const CriticalPoint& b) {
+                       return a.after != b.after ? a.after < b.after : along(a) < along(b);
+                     });
+  }
+
+ private:
+  std::vector<Eigenvalue> multipliers_of(const BranchPoint& point) const {
+    return problem_.multipliers(point.u, point.parameters(), ErrorBounds::kGiven);
+  }
+
+  // What is kept of a branch that was stopped is kept with the crossings that its points show:
+  // after the stop one location each, for so long.
+  void add_crossings(std::size_t i) {
+    constexpr std::chrono::milliseconds kGrace{500};
+    const std::size_t known = branch_.critical.size();
+    if (!stop_.requested()) {
+      CircleCrossings crossings(problem_, corrector_, stop_, i, branch_.critical);
+      for_each_piece(i, [&](const BranchPoint& a, const BranchPoint& b) { crossings.add(a, b); });
+      if (!stop_.requested()) return;
+    }
+    if (!last_) last_ = std::chrono::steady_clock::now() + kGrace;
+    branch_.critical.resize(known);
+    const StopSignal grace{nullptr, last_};
+    const StopScope scope(grace);
+    CircleCrossings crossings(problem_, corrector_, grace, i, branch_.critical);
+    crossings.add_undivided(branch_.points[i], branch_.points[i + 1]);
+  }
+
+  double along(const CriticalPoint& critical) const {
+    return corrector_.ahead(branch_.points[critical.after], critical.point);
+  }
+
+  // Where all points have the same multipliers, the points between them that show how these move.
+  void find_stations() {
+    const std::vector<BranchPoint>& points = branch_.points;
+    const std::size_t count = points.front().multipliers.size();
+    const bool complete = std::all_of(points.begin(), points.end(), [&](const BranchPoint& point) {
+      return point.multipliers.size() == count;
+    });
+    if (problem_.multipliers && complete)
+      stations_ = crossing_stations(branch_, problem_, corrector_, stop_);
+    if (problem_.poles && !stations_.empty())
+      for (std::size_t i = 0; i + 1 < points.size() && !stop_.requested(); ++i) add_beside_poles(i);
+  }
+
+  // Stations on either side of where a multiplier has a pole within step i.
+  void add_beside_poles(std::size_t i) {
+    const BranchPoint &a = branch_.points[i], &b = branch_.points[i + 1];
+    const auto poles_at = [this](const BranchPoint& p) {
+      return problem_.poles(p.u, p.parameters());
+    };
+    const Vector from = poles_at(a), to = poles_at(b);
+    if (from.size() != to.size()) return;
+    const double length = corrector_.ahead(a, b);
+    for (Eigen::Index k = 0; k < from.size(); ++k) {
+      if (!(from[k] * to[k] < 0.0)) continue;
+      const std::optional<BranchPoint> pole =
+          locate(corrector_, a, b, [&](const BranchPoint& p) { return poles_at(p)[k]; });
+      if (!pole) continue;
+      const double at = corrector_.ahead(a, *pole), aside = std::ldexp(length, -kPoleHalvings);
+      for (const double s : {at - aside, at + aside}) {
+        if (!(s > 0.0 && s < length)) continue;
+        std::optional<BranchPoint> station = point_between(corrector_, a, s, a, b);
+        if (!station) continue;
+        station->multipliers =
+            problem_.multipliers(station->u, station->parameters(), ErrorBounds::kLeftOut);
+        if (station->multipliers.size() != a.multipliers.size()) continue;
+        auto& own = stations_[i];
+        const auto behind = std::find_if(own.begin(), own.end(), [&](const BranchPoint& other) {
+          return corrector_.ahead(a, other) > s;
+        });
+        own.insert(behind, std::move(*station));
+      }
+    }
+  }
+
+  // Step i from station to station.
+  template <class Visit>
+  void for_each_piece(std::size_t i, const Visit& visit) const {
+    const BranchPoint* last = &branch_.points[i];
+    if (!stations_.empty())
+      for (const BranchPoint& station : stations_[i]) {
+        visit(*last, station);
+        last = &station;
+      }
+    visit(*last, branch_.points[i + 1]);
+  }
+
+  // The tracer passes a branch point with a step so short (1e-6) that the determinant is linear
+  // over it; between stations it is halved until it is as short. That is where to look for the
+  // branch point itself: the ends of the step are badly determined along the branch that crosses.
+  void add_branch_point(BranchPoint a, BranchPoint b, std::size_t i) {
+    for (int halving = 0;
+         halving < kMostHalvings && !stop_.requested() &&
+         corrector_.chord(a, b).norm() > kShortest * (1.0 + corrector_.pack(a).norm());
+         ++halving) {
+      std::optional<BranchPoint> middle =
+          point_between(corrector_, a, 0.5 * corrector_.ahead(a, b), a, b);
+      if (!middle) break;
+      (middle->orientation * a.orientation < 0 ? b : a) = std::move(*middle);
+    }
+    const double ratio = corrector_.determinant_ratio(a, b);
+    if (!std::isfinite(ratio)) return;
+    const double part = 1.0 / (1.0 + ratio), rest = 1.0 - part;
+    Vector at = cubic_between(corrector_, a, part * corrector_.ahead(a, b), a, b);
+    const std::optional<Vector> crossing = crossing_near(corrector_, at);
+    const bool solved = crossing && (*crossing - at).norm() <= kOneCrossing * (1.0 + at.norm());
+    if (solved) at = *crossing;
+    const Eigen::Index n = a.u.size();
+    CriticalPoint found{CriticalKind::kBranchPoint, {}, i, {}};
+    found.point = {at.head(n),
+                   at[n] * corrector_.range(),
+                   (rest * a.tangent + part * b.tangent).normalized(),
+                   corrector_.residual_at(at).value_or(std::max(a.residual, b.residual)),
+                   0,
+                   {},
+                   bracket_around({a.parameter, b.parameter, at[n] * corrector_.range()}, solved)};
+    if (problem_.multipliers) {
+      found.point.multipliers = multipliers_of(found.point);
+      found.multiplier = nearest_to_one(found.point.multipliers);
+    }
+    branch_.critical.push_back(std::move(found));
+  }
+
+  // Where a branch meets another one at its own turning point (a pitchfork seen from the side that
+  // branches off), the fold is that branch point; so near to it tangents are lost in rounding and
+  // show several.
+  void drop_folds_at_branch_points() {
+    std::vector<Vector> crossings;
+    for (const CriticalPoint& critical : branch_.critical)
+      if (critical.kind == CriticalKind::kBranchPoint)
+        crossings.push_back(corrector_.pack(critical.point));
+    const auto is_at_one = [&](const CriticalPoint& critical) {
+      if (critical.kind != CriticalKind::kFold) return false;
+      const Vector x = corrector_.pack(critical.point);
+      return std::any_of(crossings.begin(), crossings.end(), [&](const Vector& crossing) {
+        return corrector_.difference(x, crossing).norm() <= kOneCrossing * (1.0 + x.norm());
+      });
+    };
+    branch_.critical.erase(
+        std::remove_if(branch_.critical.begin(), branch_.critical.end(), is_at_one),
+        branch_.critical.end());
+  }
+
+  Branch& branch_;
+  const ZeroProblem& problem_;
+  Corrector& corrector_;
+  StopSignal stop_;
+  std::optional<std::chrono::steady_clock::time_point> last_;  // that work goes on to after a stop
+  std::vector<std::vector<BranchPoint>> stations_;  // of each step; empty: none are known
+};
+
+}  // namespace
+
+void add_critical_points(Branch& branch, const ZeroProblem& problem, Corrector& corrector,
+                         const StopSignal& stop) {
+  CriticalSearch(branch, problem, corrector, stop).run();
+}
+
+}  // namespace graze

@@ -1,0 +1,52 @@
+// Where multipliers pass the unit circle within a step of a branch: period doublings and tori.
+//
+// Test functions are the moduli of the multipliers, sorted: rho_1 >= rho_2 >= .., each continuous
+// along the branch even where multipliers meet, so that the crossing rho_j = 1 between two points
+// is a root of one function; no product of all multipliers is ever formed. Multipliers outside the
+// circle are counted by kind (real below -1, real above 1, complex), and a piece whose counts
+// change by more than one crossing is halved. What crossed is read off the multiplier itself: real
+// and negative a period doubling, complex a torus, real and positive a fold or branch point (found
+// otherwise). Two that meet at -1 and go on along the circle are a period doubling too.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+#include "graze/continuation/branch/detail/corrector.hpp"
+
+namespace graze {
+
+class CircleCrossings {
+ public:
+  // Those of one step, added to `found`. Refers to all of them, which must outlive it. `step`: see
+  // CriticalPoint::after.
+  CircleCrossings(const ZeroProblem& problem, Corrector& corrector, const StopSignal& stop,
+                  std::size_t step, std::vector<CriticalPoint>& found)
+      : problem_(problem), corrector_(corrector), stop_(stop), step_(step), found_(found) {}
+
+  // Between neighbours a and b within the step, whose multipliers are known; in no order.
+  void add(const BranchPoint& a, const BranchPoint& b);
+  // Those that the ends of the piece show, where they differ by one.
+  void add_undivided(const BranchPoint& a, const BranchPoint& b);
+
+ private:
+  std::vector<Eigenvalue> multipliers_of(const BranchPoint& point,
+                                         ErrorBounds errors = ErrorBounds::kGiven) const;
+  void divide(const BranchPoint& a, const BranchPoint& b, int halvings);
+  bool is_off_circle(const BranchPoint& point, std::size_t j) const;
+  std::optional<BranchPoint> add_crossing(const BranchPoint& a, const BranchPoint& b,
+                                          std::size_t j);
+  std::optional<BranchPoint> add_meeting(const BranchPoint& a, const BranchPoint& b);
+  std::optional<BranchPoint> known_between(const BranchPoint& from, double s, const BranchPoint& a,
+                                           const BranchPoint& b);
+
+  const ZeroProblem& problem_;
+  Corrector& corrector_;
+  const StopSignal& stop_;
+  std::size_t step_;
+  std::vector<CriticalPoint>& found_;
+  int divisions_ = 0;
+};
+
+}  // namespace graze

@@ -1,0 +1,49 @@
+// The parameters within their limits for which |r(p)|^2 is least: NLopt comes near, by a search of
+// the whole box (DIRECT) if asked for, then from a start (BOBYQA; Nelder and Mead's simplex for one
+// parameter), and steps of Gauss and Newton finish, on the limits where the minimum lies there. The
+// last judge the result: NLopt's own word is not asked for. Where the sum of squares has kinks (an
+// impact that passes a sample) they come to a stand, and a simplex finds the minimum.
+//   D. R. Jones, C. D. Perttunen, B. E. Stuckman, J. Optim. Theory Appl. 79 (1993) 157-181.
+//   M. J. D. Powell, The BOBYQA algorithm for bound constrained optimization, Cambridge 2009.
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "graze/base/stop_signal.hpp"
+#include "graze/fit/detail/least_squares_problem.hpp"
+
+namespace graze {
+
+struct LeastSquaresOptions {
+  bool global = false;
+  long long evaluations = 0;  // of the residuals, at most
+  StopSignal stop{};
+  std::function<void(double part)> progress{};
+};
+
+enum class LeastSquaresEnd { kConverged, kNotConverged, kBudget, kStopped, kNoValue };
+
+struct LeastSquaresResult {
+  LeastSquaresEnd end = LeastSquaresEnd::kNotConverged;
+  Vector parameters;            // the best there was
+  Vector residuals;             // there
+  DifferenceJacobian jacobian;  // there; empty unless the end was reached
+  std::vector<bool> at_limit;   // n: held there, r would fall beyond it
+  double last_step = 0.0;       // |J p| of the last step of Gauss and Newton
+  long long evaluations = 0;
+  std::string method;  // in words
+};
+
+// Noise of one residual: what is known, else from the residuals of n parameters.
+double residual_noise(const LeastSquaresProblem& problem, const Vector& residuals);
+
+// A step of Gauss and Newton that changes the model by less than this part of the noise of one
+// value moves no parameter by more than this part of its standard uncertainty.
+inline constexpr double kNoiseStep = 1e-3;
+
+LeastSquaresResult solve_least_squares(const LeastSquaresProblem& problem,
+                                       const LeastSquaresOptions& options);
+
+}  // namespace graze

@@ -1,0 +1,110 @@
+// A contact phase: the smooth motion while the same stops are closed and the same springs
+// compressed (none of either: free flight), up to the first event that ends it.
+//
+// Six of them stand behind this contract, chosen once for each phase (phase_choice.hpp):
+//
+//   FreePhase      nothing holds the structure: its modes in closed form        exact_phase.hpp
+//   HeldPhase      closed stops hold it, and it has real modes there            exact_phase.hpp
+//   CoupledPhase   the same where oblique laws or damping couple its modes      coupled_phase.hpp
+//   SteppedPhase   any of these, integrated step by step instead                stepped_phase.hpp
+//   SprungPhase    springs are compressed                                       sprung_phase.hpp
+//   TurningPhase   the structure turns on a hub, with springs or without        turning_phase.hpp
+//
+// In 50 digits there are the first two, which have nothing but closed forms.
+#pragma once
+
+#include <limits>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "graze/base/stop_signal.hpp"
+#include "graze/flow/exact/detail/arc_curve.hpp"
+#include "graze/flow/exact/detail/arrival.hpp"
+
+namespace graze {
+
+// The springs that the structure compresses: those whose force acts, and those whose force is gone
+// before the structure has left them. Indices of stops, ascending.
+struct PhaseSprings {
+  std::vector<int> loaded, parted;
+  bool empty() const { return loaded.empty() && parted.empty(); }
+  auto operator<=>(const PhaseSprings&) const = default;
+};
+
+// What makes a phase what it is.
+struct PhaseKey {
+  std::vector<int> closed;  // indices of stops with linearly independent rows
+  PhaseSprings springs{};
+  Joint joint = Joint::kFree;  // of a hub with friction
+  auto operator<=>(const PhaseKey&) const = default;
+};
+
+// What a flight is asked for.
+template <class Real>
+struct Flight {
+  Real until = 0, horizon = 0;   // s from its start: nobody asks beyond `until`; the search goes
+                                 // up to `horizon` >= until
+  std::span<const int> order{};  // in which stops are looked at
+  const StopSignal& stop;        // asked now and then
+  double told_depth = 0.0;       // m, see StepFlow::deepest
+};
+
+template <class Real>
+class ExactPhase;
+class SprungPhase;
+
+template <class Real>
+class ContactPhase {
+ public:
+  explicit ContactPhase(PhaseKey key) : key_(std::move(key)) {}
+  virtual ~ContactPhase() = default;
+  ContactPhase(const ContactPhase&) = delete;  // its arc refers to the flow beside it
+  ContactPhase& operator=(const ContactPhase&) = delete;
+
+  const PhaseKey& key() const { return key_; }
+  const std::vector<int>& closed() const { return key_.closed; }
+  const PhaseSprings& springs() const { return key_.springs; }
+  // Why it cannot be followed, or empty: the motion that is held grows without bound (an oblique
+  // law can do that), or has no real modes and the scalar is not double.
+  virtual std::string refusal() const { return {}; }
+
+  // An arc begins: the state at forcing phase theta; s counts from here. `time`: of the instant on
+  // its clock, s, which a torque on a hub goes by.
+  virtual void start(const Real& theta, const RealVector<Real>& q, const RealVector<Real>& qdot,
+                     const Real& time) = 0;
+  void start(const Real& theta, const RealVector<Real>& q, const RealVector<Real>& qdot) {
+    start(theta, q, qdot, Real(0));
+  }
+  // Displacements and velocities s seconds after the start.
+  virtual void state(const Real& s, RealVector<Real>& q, RealVector<Real>& qdot) const = 0;
+  // The first event of the arc, which starts at `now`; kTime at the end of the horizon, or where a
+  // flight is to be cut, if there is none.
+  virtual Arrival<Real> first_event(const MotionState<Real>& now, const Flight<Real>& flight) = 0;
+
+  // At the start of the arc, a derivative of the gap of an open stop with its slope and rounding;
+  // order 1..3.
+  virtual CurvePoint<Real> gap_rate(int stop, int order) const = 0;
+  // The contact force of a closed stop at a state s seconds after the start, and its rate at the
+  // start; N, N/s in units of the modal mass.
+  virtual Real force_at(int stop, const Real& s, const RealVector<Real>& q,
+                        const RealVector<Real>& qdot) const = 0;
+  virtual Real force_rate(int stop) const = 0;
+  // Of the right-hand side of the equations of motion, where they are integrated.
+  virtual long long evaluations() const { return 0; }
+
+  // The closed form of the arc; null where it has none.
+  virtual const ExactPhase<Real>* exact() const { return nullptr; }
+  // What is integrated on springs or on a hub; null where nothing of that is there.
+  virtual const SprungPhase* sprung() const { return nullptr; }
+
+ protected:
+  // Flights are to be cut to this, s; infinite but for matrix exponentials, and for a torque that
+  // is smooth no longer.
+  virtual Real longest_flight() const { return std::numeric_limits<Real>::infinity(); }
+
+ private:
+  PhaseKey key_;
+};
+
+}  // namespace graze

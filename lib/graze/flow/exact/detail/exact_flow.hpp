@@ -1,0 +1,148 @@
+// The exact motion of the linear modal system between events.
+//
+// Each mode is a free part, written in the form that suits its damping, and a forced part
+// p_j = Re(P_j e^{i theta}), P_j = f_j/(w_j^2 - W^2 + 2 i delta_j W):
+//   - oscillatory:    Re(Z e^{(-delta + i wd) s}) + p
+//   - overdamped:     A e^{-slow s} + B e^{-fast s} + p
+//   - near critical:  the basis of free_basis.hpp + p (also a free mass, w = 0)
+//   - from rest:      P_j is large against the motion and cancels it: at resonance, or where mode
+//                     and forcing are slow against the motion between impacts. The free part is the
+//                     motion's own start, and the response to the force from rest is added, in a
+//                     form that holds down to zero detuning, damping, frequency (forced_response).
+// A constant load c_j moves the rest position to c_j/w_j^2; where that is far beyond the stops (a
+// free mass, w = 0, or nearly one) or there is none to tell, its response from rest is added.
+// A template on the scalar: double, and an extended type for references.
+#pragma once
+
+#include <Eigen/Core>
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <vector>
+
+#include "graze/flow/exact/detail/mode_flow.hpp"
+#include "graze/flow/exact/instant.hpp"
+#include "graze/system/system.hpp"
+
+namespace graze {
+
+// The smooth part of a system in the scalar of the flow.
+template <class Real>
+struct LinearSystem {
+  RealVector<Real> omega, delta;  // rad/s, 1/s
+  bool forced = false;
+  Real frequency = 0, phase = 0;  // rad/s, rad; with forcing
+  RealVector<Real> amplitude;     // f_j, with forcing
+  RealVector<Real> load;          // c_j; empty: none
+  // How far the modes move between stops, in their own coordinates: the largest |gap|/|row|, m
+  // sqrt(kg); 0 where no gap tells, infinite without stops, where nothing is told from a gap.
+  Real reach = 0;
+};
+
+template <class Real>
+LinearSystem<Real> linear_system(const System& system) {
+  LinearSystem<Real> linear{
+      system.omega.template cast<Real>(), {}, system.forcing() != nullptr, 0, 0, {}, {}, 0};
+  // A hub couples the damping of its modes, and their flow is not this one.
+  if (system.turns())
+    linear.delta.setZero(system.modes());
+  else
+    linear.delta = system.delta().template cast<Real>();
+  if (system.forcing()) {
+    linear.frequency = system.forcing()->frequency;
+    linear.phase = near_zero(Real(system.forcing()->phase));
+    linear.amplitude = system.forcing()->amplitude.template cast<Real>();
+  }
+  if (system.load()) linear.load = system.load()->template cast<Real>();
+  if (system.stops.empty()) linear.reach = std::numeric_limits<Real>::infinity();
+  for (const Stop& stop : system.stops) {
+    const double row = stop.row.norm();
+    if (row > 0.0) linear.reach = std::max<Real>(linear.reach, std::abs(stop.gap) / row);
+  }
+  return linear;
+}
+
+template <class Real>
+class ExactFlow {
+ public:
+  explicit ExactFlow(const System& system) : ExactFlow(linear_system<Real>(system)) {}
+  explicit ExactFlow(const LinearSystem<Real>& system);
+
+  int modes() const { return static_cast<int>(modes_.size()); }
+  const ModeFlow<Real>& mode(int j) const { return modes_[static_cast<std::size_t>(j)]; }
+  bool forced() const { return forced_; }
+  Real frequency() const { return frequency_; }
+  // Forcing period, s; infinity without forcing.
+  Real period() const { return period_; }
+  // The flow in which an arc from this state is written: this one, or, where no gap tells how far
+  // the motion goes and the state is small against the harmonic responses, one whose modes all
+  // answer from rest.
+  const ExactFlow& for_start(const RealVector<Real>& q, const RealVector<Real>& qdot) const;
+  // How the exponentials of forcing (first) and modes turn and decay; zero for a mode in another
+  // form. In columns for turn_terms.
+  struct Turns {
+    std::vector<Real> decay, half_frequency;  // 1/s, rad/s
+    Real quickest = 0;                        // largest half frequency
+  };
+  const Turns& turns() const { return turns_; }
+  // Forcing phase at an instant, rad: frequency * local + phase.
+  Real phase(const Instant<Real>& instant) const {
+    return forced_ ? Real(frequency_ * instant.local + phase_) : Real(0);
+  }
+
+ private:
+  void add_from_rest(const LinearSystem<Real>& system);
+  void note_turns();
+
+  std::vector<ModeFlow<Real>> modes_;
+  Turns turns_;
+  bool forced_ = false;
+  Real frequency_ = 0, phase_ = 0, period_ = 0;
+  std::shared_ptr<const ExactFlow> from_rest_;  // null where the reach of the stops decides
+  Real farthest_response_ = 0;                  // largest |P_j|, beside from_rest_
+  Real push_ = 0;                               // of forcing and load, beside from_rest_
+};
+
+// One smooth piece of motion, from a state at forcing phase theta; s counts from its start.
+// Refers to its flow, which must outlive it; can be restarted without allocating.
+template <class Real>
+class Arc {
+ public:
+  explicit Arc(const ExactFlow<Real>& flow);
+
+  void start(const Real& theta, const RealVector<Real>& q, const RealVector<Real>& qdot);
+  // Whether it was started there, to the last bit.
+  bool starts_at(const Real& theta, const RealVector<Real>& q, const RealVector<Real>& qdot) const {
+    return theta_ == theta && start_.size() == q.size() && start_ == q && start_rate_ == qdot;
+  }
+  // Displacements and velocities at s >= 0.
+  void state(const Real& s, RealVector<Real>& q, RealVector<Real>& qdot) const;
+
+  // Velocity of one mode at s >= 0.
+  Real mode_velocity(int j, const Real& s) const;
+
+  const ExactFlow<Real>& flow() const { return *flow_; }
+  const Real& start_phase() const { return theta_; }
+  // e^{i theta} there; 1 without forcing.
+  const PlanarNumber<Real>& start_turn() const { return turn_; }
+  // Displacements and velocities at the start, as they were given.
+  const RealVector<Real>& start_displacements() const { return start_; }
+  const RealVector<Real>& start_velocities() const { return start_rate_; }
+  // The two numbers of mode j: oscillatory Z = first + i second; overdamped A, B; otherwise the
+  // free part's displacement and velocity at the start.
+  const PlanarNumber<Real>& amplitude(int j) const {
+    return amplitudes_[static_cast<std::size_t>(j)];
+  }
+
+ private:
+  // Mode j at s, where the forcing has cosine c and sine n.
+  void mode_state(int j, const Real& s, const Real& c, const Real& n, Real& q, Real& qdot) const;
+
+  const ExactFlow<Real>*whole_flow_, *flow_;  // as it was given; in which the arc is written
+  Real theta_ = 0;
+  PlanarNumber<Real> turn_{1, 0};
+  RealVector<Real> start_, start_rate_;
+  std::vector<PlanarNumber<Real>> amplitudes_;
+};
+
+}  // namespace graze

@@ -1,0 +1,40 @@
+// All that a motion needs to go on from an instant: its state and how every stop stands to it.
+#pragma once
+
+#include <vector>
+
+#include "graze/base/vector.hpp"
+#include "graze/flow/exact/instant.hpp"
+
+namespace graze {
+
+// How the joint of a hub with Coulomb friction stands; without friction it is free.
+enum class Joint { kFree, kForward, kBackward, kHeld };
+
+// How a stop stands to the structure at one instant.
+enum class Contact {
+  kClear,       // gap > 0
+  kTouching,    // on the stop, and what follows is still to be decided
+  kDeparting,   // on the stop, leaving
+  kClosed,      // held on the stop by its contact force
+  kLocked,      // on the stop because other, closed stops keep it there; on a compliant one
+                // because nothing moves it
+  kCompressed,  // beyond the surface of a compliant stop, against its force
+  kParted       // beyond it, but its force is gone
+};
+
+// What a motion needs to go on from an instant as if it had never stopped there.
+template <class Real>
+struct MotionState {
+  Instant<Real> instant;
+  RealVector<Real> q, qdot;
+  std::vector<Contact> contacts;  // one per stop
+  // Of the zero at the instant, one per stop: of the gap, or beyond a surface of the force's grip.
+  std::vector<int> multiplicities;
+  // The speed left in a shared chatter that could not be summed, m/s; 0: there was none. It is
+  // looked at again at half of it.
+  Real unsummed = 0;
+  Joint joint = Joint::kFree;  // of a hub with friction
+};
+
+}  // namespace graze

@@ -1,0 +1,38 @@
+#include "graze/flow/held/detail/contact_share.hpp"
+
+#include "graze/base/linalg/detail/linear_equations.hpp"
+
+namespace graze {
+
+Matrix rows_of(const System& system, const std::vector<int>& stops) {
+  Matrix rows(system.modes(), static_cast<Eigen::Index>(stops.size()));
+  for (std::size_t a = 0; a < stops.size(); ++a)
+    rows.col(static_cast<Eigen::Index>(a)) = system.stops[static_cast<std::size_t>(stops[a])].row;
+  return rows;
+}
+
+Matrix directions_of(const System& system, const std::vector<int>& stops) {
+  Matrix directions(system.modes(), static_cast<Eigen::Index>(stops.size()));
+  for (std::size_t a = 0; a < stops.size(); ++a)
+    directions.col(static_cast<Eigen::Index>(a)) =
+        system.stops[static_cast<std::size_t>(stops[a])].direction();
+  return directions;
+}
+
+Matrix contact_share(const System& system, const std::vector<int>& closed) {
+  const Matrix rows = rows_of(system, closed);
+  return LuFactors(rows.transpose() * directions_of(system, closed))
+      .solve_columns(rows.transpose());
+}
+
+Matrix contact_share_rate(const System& system, const System& tangent,
+                          const std::vector<int>& closed) {
+  const Matrix rows = rows_of(system, closed), rows_rate = rows_of(tangent, closed);
+  const Matrix directions = directions_of(system, closed);
+  const Matrix acting_rate =
+      rows_rate.transpose() * directions + rows.transpose() * directions_of(tangent, closed);
+  return LuFactors(rows.transpose() * directions)
+      .solve_columns(rows_rate.transpose() - acting_rate * contact_share(system, closed));
+}
+
+}  // namespace graze

@@ -1,0 +1,173 @@
+#include "graze/flow/held/detail/coupled_flow.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "graze/base/linalg/detail/invariant_blocks.hpp"
+#include "graze/base/linalg/detail/linear_equations.hpp"
+
+namespace graze {
+namespace {
+
+// Largest growth beyond the error of its eigenvalue.
+double certain_growth(const Matrix& generator) {
+  double growth = 0.0;
+  for (const Eigenvalue& l : eigenvalues(generator))
+    if (l.value.real() > l.error) growth = std::max(growth, l.value.real());
+  return growth;
+}
+
+FirstOrderSystem first_order(const CoupledSystem& system) {
+  const Eigen::Index m = system.scale.size();
+  FirstOrderSystem form{Matrix::Zero(2 * m, 2 * m), Vector::Zero(2 * m), Vector::Zero(2 * m),
+                        system.frequency};
+  form.generator.topRightCorner(m, m) = system.scale.asDiagonal();
+  form.generator.bottomLeftCorner(m, m) =
+      -system.stiffness * system.scale.cwiseInverse().asDiagonal();
+  form.generator.bottomRightCorner(m, m) = -system.damping;
+  form.load.tail(m) = system.load;
+  form.force.tail(m) = system.force;
+  return form;
+}
+
+// A basis of an invariant subspace with its matrix T, x' = basis T z: rounding of a displacement is
+// magnified (|T|/scale)^2 times in the acceleration if velocities are taken from it, that of a
+// velocity (scale |1/T|)^2 times the other way round.
+Eigen::MatrixXcd with_rates(const Vector& scale, Eigen::MatrixXcd basis,
+                            const Eigen::MatrixXcd& rates) {
+  const Eigen::Index m = scale.size();
+  const Eigen::MatrixXcd inverse = graze::inverse(rates);
+  for (Eigen::Index i = 0; i < m; ++i) {
+    if (scale[i] * inverse.norm() < rates.norm() / scale[i])
+      basis.row(i) = scale[i] * basis.row(m + i) * inverse;
+    else
+      basis.row(m + i) = basis.row(i) * rates / scale[i];
+  }
+  return basis;
+}
+
+}  // namespace
+
+CoupledFlow::CoupledFlow(const CoupledSystem& system)
+    : scale_(system.scale), whole_(graze::first_order(system)) {
+  growth_ = certain_growth(whole_.generator);
+  split(std::max(scale_.maxCoeff(), system.frequency));
+}
+
+// Decompositions err by eps times the quickest rate, and would set a stop moving that is at rest.
+// So the basis is rebuilt with velocities as the rates of displacements, (scale y)' = scale y', as
+// an identity, row by row from the half in which the rates leave rounding smaller.
+void CoupledFlow::split(double quickest) {
+  const Eigen::Index n = whole_.load.size();
+  std::vector<FirstOrderSystem> without_modes;
+  Eigen::MatrixXcd basis(n, n);
+  ComplexVector values(n);
+  Eigen::Index modes = 0, others = n;  // modes come first
+  for (const InvariantBlock& block : invariant_blocks(whole_.generator, kLargestLoss)) {
+    const Eigen::Index k = block.matrix.rows();
+    FirstOrderSystem system{block.matrix, block.coordinates * whole_.load,
+                            block.coordinates * whole_.force, whole_.frequency};
+    if (const std::optional<ComplexModes> found = usable_modes(system, quickest)) {
+      values.segment(modes, k) = found->values;
+      for (Eigen::Index j = 0; j < k; ++j)
+        basis.col(modes++) = with_rates(scale_, block.basis * found->vectors.col(j),
+                                        Eigen::MatrixXcd::Constant(1, 1, found->values[j]));
+      continue;
+    }
+    others -= k;
+    basis.middleCols(others, k) =
+        with_rates(scale_, block.basis.cast<Complex>(), block.matrix.cast<Complex>());
+    without_modes.push_back(std::move(system));
+  }
+  const Eigen::MatrixXcd inverse = graze::inverse(basis);
+  if (modes > 0)
+    modes_.emplace_back(whole_, values.head(modes), basis.leftCols(modes), inverse.topRows(modes));
+  others = n;
+  for (FirstOrderSystem& system : without_modes) {
+    const Eigen::Index k = system.load.size();
+    others -= k;
+    const Matrix coordinates = inverse.middleRows(others, k).real();
+    system.load = coordinates * whole_.load;
+    system.force = coordinates * whole_.force;
+    exponentials_.emplace_back(std::move(system), basis.middleCols(others, k).real(), coordinates);
+  }
+}
+
+double CoupledFlow::longest_flight() const {
+  double longest = std::numeric_limits<double>::infinity();
+  for (const ExponentialFlow& flow : exponentials_)
+    longest = std::min(longest, flow.longest_flight());
+  return longest;
+}
+
+std::string CoupledFlow::instability() const {
+  if (!(growth_ > 0.0)) return "";
+  return fmt::format(
+      "held on its stops by an oblique impulse law the structure is unstable (a motion grows at "
+      "{:.3g} 1/s); points spread evenly (i L/N) and equal decay rates have no such motion",
+      growth_);
+}
+
+CoupledArc::CoupledArc(const CoupledFlow& flow)
+    : flow_(&flow),
+      modes_(flow.modes_.begin(), flow.modes_.end()),
+      exponentials_(flow.exponentials_.begin(), flow.exponentials_.end()) {}
+
+void CoupledArc::start(double theta, const Vector& y, const Vector& ydot) {
+  theta_ = theta;
+  y_ = y;
+  ydot_ = ydot;
+  x_.resize(2 * y.size());
+  x_ << flow_->scale_.cwiseProduct(y), ydot;
+  for (ComplexModeArc& arc : modes_) arc.start(theta, x_);
+  for (ExponentialArc& arc : exponentials_) arc.start(theta, x_);
+}
+
+void CoupledArc::state(double s, Vector& y, Vector& ydot) const {
+  Vector x = Vector::Zero(x_.size());
+  for (const ComplexModeArc& arc : modes_) x += arc.state(s);
+  for (const ExponentialArc& arc : exponentials_) x += arc.state(s);
+  y = x.head(y_.size()).cwiseQuotient(flow_->scale_);
+  ydot = x.tail(y_.size());
+}
+
+// The extended system is autonomous: a later start is a deviation of (cos theta, sin theta).
+Matrix CoupledArc::growth(double s, const Matrix& deviations,
+                          const Eigen::RowVectorXd& delay) const {
+  const CoupledFlow& flow = *flow_;
+  const Eigen::Index n = x_.size(), m = n / 2;
+  Vector unit(n);
+  unit << flow.scale_, Vector::Ones(m);
+  Matrix x = Matrix::Zero(n + 3, deviations.cols());
+  x.topRows(n) = unit.asDiagonal() * deviations;
+  x.row(n) = -flow.whole_.frequency * std::sin(theta_) * delay;
+  x.row(n + 1) = flow.whole_.frequency * std::cos(theta_) * delay;
+  const Matrix change = exponential_change(extended_generator(flow.whole_, s), x);
+  return unit.cwiseInverse().asDiagonal() * change.topRows(n);
+}
+
+ArcCurve<double> CoupledArc::curve(const Observable<double>& observable, double window,
+                                   bool from_zero) const {
+  CurvePoint<double> start;
+  if (!from_zero) start = observed(observable, theta_, y_, ydot_);
+  ArcCurve<double> curve(start.value, start.noise, window);
+  Vector weight = Vector::Zero(x_.size());
+  weight.head(y_.size()) = observable.displacement.cwiseQuotient(flow_->scale_);
+  if (observable.velocity.size() > 0) weight.tail(y_.size()) = observable.velocity;
+  Complex harmonic(observable.harmonic.re, observable.harmonic.im);
+  for (const ComplexModeArc& arc : modes_) harmonic += arc.add_to(curve, weight);
+  if (flow_->whole_.frequency > 0.0) {
+    harmonic *= std::polar(1.0, theta_);
+    curve.add_exponential({harmonic.real(), harmonic.imag()}, 0.0, flow_->whole_.frequency, 0.0);
+  }
+  if (exponentials_.empty()) return curve;
+  ExponentialSum sum(window);
+  for (const ExponentialArc& arc : exponentials_) sum.add(arc, weight);
+  curve.set_part(std::move(sum));
+  return curve;
+}
+
+}  // namespace graze

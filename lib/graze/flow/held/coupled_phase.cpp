@@ -1,0 +1,29 @@
+#include "graze/flow/held/detail/coupled_phase.hpp"
+
+namespace graze {
+
+CoupledPhase::CoupledPhase(const System& system, PhaseKey key, HeldStructure<double> structure,
+                           const CoupledSystem& equations)
+    : ExactPhase(system, std::move(key), std::move(structure)), flow_(equations), arc_(flow_) {}
+
+void CoupledPhase::start(const double& theta, const Vector& q, const Vector& qdot,
+                         const double& /*time*/) {
+  forget_curves();
+  arc_.start(theta, structure().coordinates(q), structure().rates(qdot));
+}
+
+void CoupledPhase::state(const double& s, Vector& q, Vector& qdot) const {
+  Vector y, ydot;
+  arc_.state(s, y, ydot);
+  q = structure().displacements(y);
+  qdot = structure().velocities(ydot);
+}
+
+// What of it goes by exponentials depends on the window.
+bool CoupledPhase::set_curve(ArcCurve<double>& curve, const Observable<double>& observable,
+                             const double& window, bool from_zero) const {
+  curve = arc_.curve(observable, window, from_zero);
+  return false;
+}
+
+}  // namespace graze

@@ -1,0 +1,52 @@
+// Motion of a first-order linear system in those modes that are told apart well: a sum of
+// exponentials about a static and a harmonic response.
+#pragma once
+
+#include <optional>
+
+#include "graze/base/linalg/decompositions.hpp"
+#include "graze/flow/exact/detail/arc_curve.hpp"
+#include "graze/flow/held/detail/first_order.hpp"
+
+namespace graze {
+
+// Empty where the modes are nearly dependent (defective), resonant with the force, or too soft for
+// the load: far slower than `quickest`, a rate of the structure in rad/s.
+std::optional<ComplexModes> usable_modes(const FirstOrderSystem& system, double quickest);
+
+class ComplexModeFlow {
+ public:
+  // Some modes of `system`, k of n: x = vectors a, a = inverse x.
+  ComplexModeFlow(const FirstOrderSystem& system, ComplexVector values, Eigen::MatrixXcd vectors,
+                  Eigen::MatrixXcd inverse);
+
+ private:
+  friend class ComplexModeArc;
+
+  double frequency_ = 0.0;
+  ComplexVector values_;                // k
+  Eigen::MatrixXcd vectors_, inverse_;  // n x k, k x n
+  Vector rest_;                         // static response, n
+  ComplexVector harmonic_;              // response to e^{i theta}, n
+};
+
+// One smooth piece of it; refers to its flow.
+class ComplexModeArc {
+ public:
+  explicit ComplexModeArc(const ComplexModeFlow& flow) : flow_(&flow) {}
+
+  void start(double theta, const Vector& x);
+  // The part of x(s) in these modes.
+  Vector state(double s) const;
+  // Adds weight.(x(s) - x(0)) to the curve but for the harmonic response, of which the weight of
+  // e^{i theta} is returned.
+  Complex add_to(ArcCurve<double>& curve, const Vector& weight) const;
+
+ private:
+  const ComplexModeFlow* flow_;
+  double theta_ = 0.0;
+  ComplexVector amplitude_;
+  Vector formed_from_;  // what the amplitudes were told apart from, k
+};
+
+}  // namespace graze

@@ -1,0 +1,75 @@
+// The exact motion of a damped linear system whose modes do not decouple,
+//
+//   y'' + C y' + K y = load + Re(force e^{i theta}),
+//
+// as it arises while a stop is closed under an oblique impulse law or unequal damping ratios: in
+// its first-order form, by complex modes where these are told apart well; otherwise split along its
+// invariant subspaces, so that only what is defective, free, or resonant with the forcing goes
+// through matrix exponentials.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "graze/flow/exact/detail/arc_curve.hpp"
+#include "graze/flow/held/detail/complex_mode_flow.hpp"
+#include "graze/flow/held/detail/exponential_flow.hpp"
+
+namespace graze {
+
+struct CoupledSystem {
+  Matrix stiffness, damping;  // K, C, m x m
+  Vector load, force;         // m each; zero where there is none
+  double frequency = 0.0;     // rad/s; 0: no forcing
+  Vector scale;               // rates, rad/s, m: displacements are carried as scale * y
+};
+
+class CoupledFlow {
+ public:
+  explicit CoupledFlow(const CoupledSystem& system);
+
+  // A sentence where a free motion grows without bound, by more than the rounding of its
+  // eigenvalue; else empty.
+  std::string instability() const;
+  // Bounds of matrix exponentials grow with the flight: longer flights are to be cut, s.
+  double longest_flight() const;
+
+  // The first-order form, x = (scale y, y').
+  const FirstOrderSystem& first_order() const { return whole_; }
+  const Vector& scale() const { return scale_; }
+
+ private:
+  friend class CoupledArc;
+  void split(double quickest);
+
+  Vector scale_;
+  FirstOrderSystem whole_;
+  std::vector<ComplexModeFlow> modes_;  // one or none
+  std::vector<ExponentialFlow> exponentials_;
+  double growth_ = 0.0;
+};
+
+// One smooth piece of it; refers to its flow.
+class CoupledArc {
+ public:
+  explicit CoupledArc(const CoupledFlow& flow);
+  void start(double theta, const Vector& y, const Vector& ydot);
+  void state(double s, Vector& y, Vector& ydot) const;
+  // What is added in s seconds to deviations (y; y') of the start, 2m x k, of a motion that starts
+  // `delay` seconds later, k: (exp(A s) - 1) x + (d end/d start instant) delay, on (y; y').
+  Matrix growth(double s, const Matrix& deviations, const Eigen::RowVectorXd& delay) const;
+  ArcCurve<double> curve(const Observable<double>& observable, double window, bool from_zero) const;
+
+  const CoupledFlow& flow() const { return *flow_; }
+  double start_phase() const { return theta_; }
+  const Vector& start_state() const { return x_; }  // x = (scale y, y')
+
+ private:
+  const CoupledFlow* flow_;
+  double theta_ = 0.0;
+  Vector y_, ydot_, x_;
+  std::vector<ComplexModeArc> modes_;
+  std::vector<ExponentialArc> exponentials_;
+};
+
+}  // namespace graze

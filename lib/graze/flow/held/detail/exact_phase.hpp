@@ -1,0 +1,95 @@
+// Phases in closed form: the first events lie at zeros of curves with bounds (first_zero.hpp).
+#pragma once
+
+#include <vector>
+
+#include "graze/flow/exact/detail/contact_phase.hpp"
+#include "graze/flow/held/detail/coupled_flow.hpp"
+#include "graze/flow/held/detail/held_structure.hpp"
+
+namespace graze {
+
+template <class Real>
+class ExactPhase : public ContactPhase<Real> {
+ public:
+  using ContactPhase<Real>::start;
+  // `structure` is that of the closed stops of the key.
+  ExactPhase(const System& system, PhaseKey key, HeldStructure<Real> structure);
+
+  const HeldStructure<Real>& structure() const { return structure_; }
+  const std::vector<Observable<Real>>& observables() const { return observables_; }
+  // The gap of an open stop along the arc, for `window` seconds; `from_zero`: it starts on the
+  // stop. Holds until the arc ends, or is asked for with another window.
+  const ArcCurve<Real>& gap(int stop, const Real& window, bool from_zero) const;
+  // The contact force of a closed stop, N (in units of the modal mass).
+  ArcCurve<Real> force(int stop, const Real& window) const;
+  // The reduced motion, one of them: in real modes, and in modes that do not decouple.
+  virtual const Arc<Real>* arc() const { return nullptr; }
+  virtual const CoupledArc* coupled_arc() const { return nullptr; }
+
+  Arrival<Real> first_event(const MotionState<Real>& now, const Flight<Real>& flight) override;
+  CurvePoint<Real> gap_rate(int stop, int order) const override;
+  Real force_at(int stop, const Real& s, const RealVector<Real>& q,
+                const RealVector<Real>& qdot) const override;
+  Real force_rate(int stop) const override;
+  const ExactPhase* exact() const override { return this; }
+
+ protected:
+  void forget_curves();
+
+ private:
+  // Sets a curve to this observable's; whether another window is all that another one needs.
+  virtual bool set_curve(ArcCurve<Real>& curve, const Observable<Real>& observable,
+                         const Real& window, bool from_zero) const = 0;
+  virtual Real start_phase() const = 0;
+
+  HeldStructure<Real> structure_;
+  std::vector<Observable<Real>> observables_;  // of every stop: gap, or contact force where closed
+  struct KeptCurve {
+    bool known = false, from_zero = false;
+    ArcCurve<Real> curve;
+  };
+  mutable std::vector<KeptCurve> kept_;  // the gaps of this arc
+};
+
+template <class Real>
+class FreePhase final : public ExactPhase<Real> {
+ public:
+  FreePhase(const System& system, PhaseKey key);
+
+  void start(const Real& theta, const RealVector<Real>& q, const RealVector<Real>& qdot,
+             const Real& time) override;
+  void state(const Real& s, RealVector<Real>& q, RealVector<Real>& qdot) const override;
+  const Arc<Real>* arc() const override { return &arc_; }
+
+ private:
+  bool set_curve(ArcCurve<Real>& curve, const Observable<Real>& observable, const Real& window,
+                 bool from_zero) const override;
+  Real start_phase() const override { return arc_.start_phase(); }
+
+  ExactFlow<Real> flow_;
+  Arc<Real> arc_;
+};
+
+template <class Real>
+class HeldPhase final : public ExactPhase<Real> {
+ public:
+  HeldPhase(const System& system, PhaseKey key, HeldStructure<Real> structure);
+
+  // Where the structure that is held has no real modes.
+  std::string refusal() const override;
+  void start(const Real& theta, const RealVector<Real>& q, const RealVector<Real>& qdot,
+             const Real& time) override;
+  void state(const Real& s, RealVector<Real>& q, RealVector<Real>& qdot) const override;
+  const Arc<Real>* arc() const override { return &arc_; }
+
+ private:
+  bool set_curve(ArcCurve<Real>& curve, const Observable<Real>& observable, const Real& window,
+                 bool from_zero) const override;
+  Real start_phase() const override { return arc_.start_phase(); }
+
+  ExactFlow<Real> flow_;
+  Arc<Real> arc_;
+};
+
+}  // namespace graze

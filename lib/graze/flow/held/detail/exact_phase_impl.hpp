@@ -1,0 +1,152 @@
+// Definitions of exact_phase.hpp; included by one translation unit per scalar.
+#pragma once
+
+#include <algorithm>
+
+#include "graze/flow/exact/detail/arc_curve_impl.hpp"
+#include "graze/flow/exact/detail/first_zero.hpp"
+#include "graze/flow/held/detail/exact_phase.hpp"
+
+namespace graze {
+
+template <class Real>
+ExactPhase<Real>::ExactPhase(const System& system, PhaseKey key, HeldStructure<Real> structure)
+    : ContactPhase<Real>(std::move(key)),
+      structure_(std::move(structure)),
+      observables_(structure_.observables(system)),
+      kept_(observables_.size()) {}
+
+template <class Real>
+void ExactPhase<Real>::forget_curves() {
+  for (KeptCurve& kept : kept_) kept.known = false;
+}
+
+template <class Real>
+const ArcCurve<Real>& ExactPhase<Real>::gap(int stop, const Real& window, bool from_zero) const {
+  KeptCurve& kept = kept_[static_cast<std::size_t>(stop)];
+  if (kept.known && kept.from_zero == from_zero) {
+    kept.curve.set_window(window);
+    return kept.curve;
+  }
+  kept.known =
+      set_curve(kept.curve, observables_[static_cast<std::size_t>(stop)], window, from_zero);
+  kept.from_zero = from_zero;
+  return kept.curve;
+}
+
+template <class Real>
+ArcCurve<Real> ExactPhase<Real>::force(int stop, const Real& window) const {
+  ArcCurve<Real> curve;
+  set_curve(curve, observables_[static_cast<std::size_t>(stop)], window, false);
+  return curve;
+}
+
+template <class Real>
+Arrival<Real> ExactPhase<Real>::first_event(const MotionState<Real>& now,
+                                            const Flight<Real>& flight) {
+  Arrival<Real> arrival;
+  arrival.flight = std::min<Real>(flight.horizon, this->longest_flight());
+  for (const int i : flight.order) {
+    const Contact at = now.contacts[static_cast<std::size_t>(i)];
+    if (at == Contact::kLocked) continue;
+    const bool is_closed = at == Contact::kClosed;
+    const int multiplicity = now.multiplicities[static_cast<std::size_t>(i)];
+    const FirstZero<Real> zero = is_closed ? first_release(force(i, arrival.flight), flight.stop)
+                                           : first_contact(gap(i, arrival.flight, multiplicity > 0),
+                                                           multiplicity, flight.stop);
+    arrival.evaluations += zero.evaluations;
+    if (zero.kind == ZeroKind::kNone) continue;
+    arrival.stop = i;
+    arrival.flight = zero.s;
+    arrival.kind = zero.kind == ZeroKind::kBudget      ? ArrivalKind::kUndecided
+                   : zero.kind == ZeroKind::kNotFinite ? ArrivalKind::kNotFinite
+                   : zero.kind == ZeroKind::kBlocked   ? ArrivalKind::kTouch
+                   : is_closed                         ? ArrivalKind::kRelease
+                                                       : ArrivalKind::kContact;
+    if (arrival.kind == ArrivalKind::kNotFinite) break;
+  }
+  return arrival;
+}
+
+template <class Real>
+CurvePoint<Real> ExactPhase<Real>::gap_rate(int stop, int order) const {
+  return gap(stop, Real(0), true).at(Real(0), order);
+}
+
+template <class Real>
+Real ExactPhase<Real>::force_at(int stop, const Real& s, const RealVector<Real>& q,
+                                const RealVector<Real>& qdot) const {
+  const Real theta = start_phase() + structure_.reduced.frequency * s;
+  return observed<Real>(observables_[static_cast<std::size_t>(stop)], theta,
+                        structure_.coordinates(q), structure_.rates(qdot))
+      .value;
+}
+
+template <class Real>
+Real ExactPhase<Real>::force_rate(int stop) const {
+  return force(stop, Real(0)).at(Real(0), 0).slope;
+}
+
+template <class Real>
+FreePhase<Real>::FreePhase(const System& system, PhaseKey key)
+    : ExactPhase<Real>(system, std::move(key), HeldStructure<Real>(system, {})),
+      flow_(this->structure().reduced),
+      arc_(flow_) {}
+
+// What an instant is asked for and the flight from there are one arc.
+template <class Real>
+void FreePhase<Real>::start(const Real& theta, const RealVector<Real>& q,
+                            const RealVector<Real>& qdot, const Real& /*time*/) {
+  if (arc_.starts_at(theta, q, qdot)) return;
+  this->forget_curves();
+  arc_.start(theta, q, qdot);
+}
+
+template <class Real>
+void FreePhase<Real>::state(const Real& s, RealVector<Real>& q, RealVector<Real>& qdot) const {
+  arc_.state(s, q, qdot);
+}
+
+template <class Real>
+bool FreePhase<Real>::set_curve(ArcCurve<Real>& curve, const Observable<Real>& observable,
+                                const Real& window, bool from_zero) const {
+  curve.restart(arc_, observable, window, from_zero);
+  return true;
+}
+
+template <class Real>
+HeldPhase<Real>::HeldPhase(const System& system, PhaseKey key, HeldStructure<Real> structure)
+    : ExactPhase<Real>(system, std::move(key), std::move(structure)),
+      flow_(this->structure().reduced),
+      arc_(flow_) {}
+
+template <class Real>
+std::string HeldPhase<Real>::refusal() const {
+  if (this->structure().has_real_modes) return {};
+  return "the constrained motion has no real modes; it is followed in double precision only";
+}
+
+template <class Real>
+void HeldPhase<Real>::start(const Real& theta, const RealVector<Real>& q,
+                            const RealVector<Real>& qdot, const Real& /*time*/) {
+  this->forget_curves();
+  arc_.start(theta, this->structure().coordinates(q), this->structure().rates(qdot));
+}
+
+template <class Real>
+void HeldPhase<Real>::state(const Real& s, RealVector<Real>& q, RealVector<Real>& qdot) const {
+  const Eigen::Index m = this->structure().size();
+  RealVector<Real> y(m), ydot(m);
+  arc_.state(s, y, ydot);
+  q = this->structure().displacements(y);
+  qdot = this->structure().velocities(ydot);
+}
+
+template <class Real>
+bool HeldPhase<Real>::set_curve(ArcCurve<Real>& curve, const Observable<Real>& observable,
+                                const Real& window, bool from_zero) const {
+  curve.restart(arc_, observable, window, from_zero);
+  return true;
+}
+
+}  // namespace graze

@@ -1,0 +1,87 @@
+// The phase of a structure that compresses springs, integrated step by step; between the ends of
+// its steps it is looked for events too (step_walk.hpp).
+#pragma once
+
+#include <limits>
+#include <vector>
+
+#include "graze/flow/stepped/detail/stepped_phase.hpp"
+
+namespace graze {
+
+// Of a step where the motion has no closed form, against the speed of the contact
+// (sprung_rates.hpp), or of the structure that turns. A contact costs some thousand evaluations and
+// gives the speed away to 3e-13; over some ten thousand steps the energy keeps ten digits.
+inline constexpr double kStepTolerance = 1e-14;
+
+// Of a sum of forces, each of its size.
+inline constexpr double kForceRoundings = 16.0 * std::numeric_limits<double>::epsilon();
+
+class SprungPhase : public IntegratedPhase {
+ public:
+  using ContactPhase<double>::start;
+  // `steps`: the method is the scene's, not the one that suits contacts.
+  SprungPhase(const System& system, const PhaseKey& key, const std::optional<StepSetting>& steps);
+
+  const HeldStructure<double>& structure() const final { return structure_; }
+  std::string refusal() const final { return refusal_; }
+  // What it integrates, and the depths at the start of the arc, m: of the loaded springs, then of
+  // the parted ones.
+  const SprungSystem& equations() const { return equations_; }
+  const std::vector<double>& depths() const { return depths_; }
+
+  void start(const double& theta, const Vector& q, const Vector& qdot, const double& time) override;
+  CurvePoint<double> gap_rate(int stop, int order) const final;
+  double force_at(int stop, const double& s, const Vector& q, const Vector& qdot) const override;
+  double force_rate(int stop) const override;
+  const SprungPhase* sprung() const final { return this; }
+
+ protected:
+  struct Equations {
+    HeldStructure<double> structure;
+    SprungSystem system;
+    std::string refusal{};
+  };
+  // For integrate() to complete.
+  SprungPhase(const System& system, const PhaseKey& key, Equations equations);
+  // Last of all: what integrates keeps copies.
+  void integrate(const std::optional<StepSetting>& steps);
+  SprungSystem& equations() { return equations_; }
+
+  // On all coordinates at the start: the forces but for those of what holds, N, what these leave of
+  // them, and the rates of both; the sizes of the terms of force and rate, for their rounding.
+  struct AtStart {
+    Vector force, acceleration, force_rate, jerk, size, rate_size;
+  };
+  virtual AtStart at_start() const;
+  // By loaded springs, on all coordinates, N, and at the start its rate, N/s.
+  Vector spring_push(const Vector& q, const Vector& qdot) const;
+  Vector spring_push_rate(const Vector& acceleration) const;
+  const Vector& start_q() const { return q_; }
+  const Vector& start_qdot() const { return qdot_; }
+  // The springs of a phase for what it integrates.
+  static void add_springs(const System& system, const PhaseKey& key,
+                          const HeldStructure<double>& structure, SprungSystem& equations);
+
+ private:
+  static Equations equations_of(const System& system, const PhaseKey& key);
+  void add_force_weights(const System& system);
+  void add_powers(const System& system);
+  Vector force(double s, const Vector& q, const Vector& qdot) const;
+  Vector held_back(const Vector& acceleration) const;
+  void watch_springs(const MotionState<double>& now, std::vector<Watched>& list) final;
+  std::optional<Arrival<double>> left_at_once(const MotionState<double>& now) const final;
+
+  HeldStructure<double> structure_;
+  SprungSystem equations_;
+  std::string refusal_;
+  std::vector<int> springs_;                         // the stops that they are of
+  std::vector<Vector> rows_;                         // of every stop
+  std::vector<double> gaps_;                         // of every stop, m
+  std::vector<Watch> depth_watches_, grip_watches_;  // of every spring
+  std::vector<double> depths_;
+  double theta_ = 0.0;
+  Vector q_, qdot_;
+};
+
+}  // namespace graze

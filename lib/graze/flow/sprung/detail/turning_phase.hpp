@@ -1,0 +1,34 @@
+// The phase of a structure that turns on a hub, with springs or without.
+#pragma once
+
+#include "graze/flow/sprung/detail/sprung_phase.hpp"
+
+namespace graze {
+
+class TurningPhase final : public SprungPhase {
+ public:
+  using ContactPhase<double>::start;
+  // `angle`: where the joint is held, rad. It is closed like a stop then, but holds either way; its
+  // torque is the force_at() a stop whose index is the number of them.
+  TurningPhase(const System& system, const PhaseKey& key, const std::optional<StepSetting>& steps,
+               double angle);
+
+  void start(const double& theta, const Vector& q, const Vector& qdot, const double& time) override;
+  double force_at(int stop, const double& s, const Vector& q, const Vector& qdot) const override;
+  double force_rate(int stop) const override;
+
+ private:
+  // `holding`: the system with its joint as a stop where that is held.
+  TurningPhase(const System& holding, const PhaseKey& key, const std::optional<StepSetting>& steps);
+  static Equations equations_of(const System& holding, const PhaseKey& key);
+  double longest_flight() const override { return turning().structure.smooth_for(); }
+  AtStart at_start() const override;
+  void watch_joint(const MotionState<double>& now, std::vector<Watched>& list) override;
+  const Turning& turning() const { return *SprungPhase::equations().turning; }
+
+  // Its rate in the direction in which it turns, until it stands still; of a joint that is held:
+  // what is left of the friction against being turned forward and back.
+  std::vector<Watch> joint_watches_;
+};
+
+}  // namespace graze

@@ -1,0 +1,355 @@
+// The right-hand side of a structure on compressed springs (SprungSystem), in units of the contact:
+//
+//   z = (w (y - y_0)/u, y'/u),   w_j = max(omega_j, w_c),
+//
+// with w_c the frequency and u the speed of the contact that begins: its depths are small against
+// the displacements, and errors are told against them. Displacements are counted from the start of
+// the piece, so that a depth does not lose what the displacement has before it. The works follow z,
+// those of the springs per u^2, the others per the square of the largest velocity.
+//
+// A structure that turns (SprungSystem::turning) is integrated here with springs and without; then
+// u is the size of its own motion.
+#pragma once
+
+#include <limits>
+
+#include "graze/base/angle.hpp"
+#include "graze/flow/stepped/detail/step_rates.hpp"
+
+namespace graze::step_walk {
+
+// Roundings, of each coordinate's part, in a grip as the state tells it.
+inline constexpr double kGripRoundings = 8.0;
+
+class Sprung {
+ public:
+  using State = std::vector<double>;
+  // What moves along beside the contact is known to some roundings of its own size, no better.
+  static double relative(double /*tolerance*/) {
+    return 4.0 * std::numeric_limits<double>::epsilon();
+  }
+
+  // `tolerance`: of a step, against u; 0: its length is fixed.
+  Sprung(const SprungSystem& system, double tolerance)
+      : system_(system),
+        tolerance_(tolerance),
+        contacts_(system.springs.size()),
+        grips_(system.springs.size()),
+        grip_roundings_(system.springs.size()) {}
+
+  // Before begin(): the time, s, where a torque goes by it.
+  void set_time(double time) {
+    if (system_.turning) system_.turning->structure.begin(time);
+  }
+  void begin(double theta, const Vector& x, std::span<const double> depths, State& start);
+  void operator()(const State& z, State& slope, double s);
+  double observed(const Watch& watch, double s, const State& z);
+  // Rate of change of a watch, per s.
+  double rate(const Watch& watch, double s, const State& z);
+  void whole(const State& z, Vector& x) const;
+  SprungWorks works(const State& z) const;
+  double frequency() const { return system_.frequency; }
+  // The units: of the velocities, and w.
+  double unit() const { return unit_; }
+  const Vector& scale() const { return scale_; }
+  struct Compression {
+    double depth = 0.0, rate = 0.0;  // m, m/s
+  };
+  Compression compression(std::size_t spring, const State& z) const;
+  // Force of a spring, N, and its rate, N/s; 0 where it is not loaded.
+  std::size_t springs() const { return contacts_.size(); }
+  double force(std::size_t spring, const State& z) const;
+  bool is_damped(std::size_t spring) const {
+    return system_.springs[spring].law.damping != ContactDamping::kNone;
+  }
+  double force_rate(std::size_t spring, double s, const State& z);
+  // The longest step, s, that shows what the force of a parted spring does: one whose damping sets
+  // in within a depth h takes hold there within h/(2 Q v). And of a structure that turns, a quarter
+  // of its quickest oscillation: between its ends a gap has hardly more than one minimum, which is
+  // looked for.
+  double longest_step() const { return longest_step_; }
+  // A step to begin with, s: a part of the contact that its error can be told on.
+  double first_step(double longest) const {
+    return contact_frequency_ > 0.0 ? std::fmin(longest, 0.1 / contact_frequency_) : longest;
+  }
+
+  long long evaluations = 0;
+
+ private:
+  struct Contact {
+    double start = 0.0;  // depth, m
+    Vector depth, rate;  // per entry of z
+  };
+  Eigen::Index modes() const { return system_.load.size(); }
+  // Of a structure that is held in all its coordinates there are none.
+  static double largest_of(const Vector& v) { return v.size() > 0 ? v.cwiseAbs().maxCoeff() : 0.0; }
+  Vector times(const Matrix& matrix, const Vector& y) const {
+    return matrix.cols() == 1 ? Vector(matrix.col(0).cwiseProduct(y)) : Vector(matrix * y);
+  }
+  Compression compression_rate(std::size_t spring, const State& slope) const;
+  void set_units(double theta, const Vector& velocity, std::span<const double> depths);
+  // Where the works are in z: of the forcing, by damping, of what holds, and lost in the springs.
+  enum Place { kForcing, kWeight, kDissipation, kConstraint, kSprings };
+  std::size_t place(std::size_t work) const { return 2 * static_cast<std::size_t>(modes()) + work; }
+  void add_powers(const State& z, const Vector& resistance, double s, State& slope);
+  // Of a structure that turns: its motion in all coordinates, what acts on it beside springs and
+  // stiffness, the inertia that its shape adds, and a force that holds it.
+  void spread(const State& z);
+  void turn(double s, Eigen::Ref<Vector> acceleration, State& slope);
+  void add_inertia(Eigen::Ref<Vector> acceleration) const;
+  void set_turning_units(const Vector& velocity);
+  double hold_force(int hold, double s, const State& z);
+  double hold_rate(int hold, double s, const State& z);
+  Vector spring_push(const State& z) const;
+
+  SprungSystem system_;
+  double tolerance_;
+  double theta_ = 0.0;
+  Vector from_;        // y_0
+  Vector scale_;       // w
+  double unit_ = 1.0;  // u
+  double work_unit_ = 1.0;
+  double longest_step_ = 0.0;
+  double contact_frequency_ = 0.0;
+  Vector push_, force_;  // per u: what of the forces does not move with z, and the harmonic part
+  Matrix stiffness_;     // K/w
+  std::vector<Contact> contacts_;
+  std::vector<double> grips_, grip_roundings_;  // at the start
+  State slope_;
+  Vector resistance_;
+  Vector y_, ydot_;  // of a structure that turns, in all coordinates
+  Vector angle_;     // its row on those that are left free
+};
+
+inline Sprung::Compression Sprung::compression(std::size_t spring, const State& z) const {
+  const Contact& contact = contacts_[spring];
+  const Eigen::Index n = modes();
+  const Eigen::Map<const Vector> moved(z.data(), n), velocity(z.data() + n, n);
+  return {contact.start + contact.depth.dot(moved), contact.rate.dot(velocity)};
+}
+
+inline Sprung::Compression Sprung::compression_rate(std::size_t spring, const State& slope) const {
+  const Contact& contact = contacts_[spring];
+  const Eigen::Index n = modes();
+  const Eigen::Map<const Vector> moved(slope.data(), n), velocity(slope.data() + n, n);
+  return {contact.depth.dot(moved), contact.rate.dot(velocity)};
+}
+
+// A body of inverse mass 1/m = row.acting that meets the spring at speed v, or rests on it under a
+// push a, or is at a depth: the largest of these depths and the stiffness there tell the contact.
+inline void Sprung::set_units(double theta, const Vector& velocity,
+                              std::span<const double> depths) {
+  const Vector acceleration = system_.load + system_.force * std::cos(theta) -
+                              times(system_.damping, velocity) - times(system_.stiffness, from_);
+  contact_frequency_ = unit_ = 0.0;
+  for (std::size_t i = 0; i < contacts_.size(); ++i) {
+    const SprungSystem::Spring& spring = system_.springs[i];
+    const double mobility = spring.row.dot(spring.acting), n = spring.law.exponent;
+    const double stiffness = spring.law.stiffness * mobility;
+    const double v = std::abs(spring.row.dot(velocity)), a = spring.row.dot(acceleration);
+    double depth = std::abs(depths[i]);
+    depth = std::fmax(depth, std::pow(0.5 * (n + 1.0) * v * v / stiffness, 1.0 / (n + 1.0)));
+    depth = std::fmax(depth, std::pow(2.0 * std::fmax(a, 0.0) / stiffness, 1.0 / n));
+    const double frequency = std::sqrt(stiffness * std::pow(depth, n - 1.0));
+    contact_frequency_ =
+        std::fmax(contact_frequency_, frequency + spring.law.resistance(depth) * mobility);
+    unit_ = std::fmax(unit_, frequency * depth / std::sqrt(mobility));
+  }
+  longest_step_ = std::numeric_limits<double>::infinity();
+  for (const SprungSystem::Spring& spring : system_.springs) {
+    const double v = std::abs(spring.row.dot(velocity));
+    if (!spring.loaded && spring.law.damping == ContactDamping::kOnset && v > 0.0)
+      longest_step_ =
+          std::fmin(longest_step_, spring.law.onset_depth / (2.0 * spring.law.onset_sharpness * v));
+  }
+  if (system_.turning) set_turning_units(velocity);
+  // No error is smaller than the rounding of the velocities.
+  const double rounding = std::numeric_limits<double>::epsilon() * largest_of(velocity);
+  if (tolerance_ > 0.0) unit_ = std::fmax(unit_, 16.0 * rounding / tolerance_);
+  if (!(unit_ > 0.0)) unit_ = 1.0;
+}
+
+inline void Sprung::begin(double theta, const Vector& x, std::span<const double> depths,
+                          State& start) {
+  const Eigen::Index n = modes();
+  theta_ = theta;
+  from_ = x.head(n);
+  const Vector velocity = x.tail(n);
+  set_units(theta, velocity, depths);
+  const Vector own = system_.stiffness.cols() == 1 ? Vector(system_.stiffness.col(0))
+                                                   : Vector(system_.stiffness.diagonal());
+  scale_ = own.cwiseMax(0.0).cwiseSqrt().cwiseMax(contact_frequency_);
+  // What nothing pulls back moves as long as the slowest of the others.
+  for (double& w : scale_)
+    if (!(w > 0.0)) w = system_.turning ? system_.turning->structure.lowest_frequency() : 1.0;
+  push_ = (system_.load - times(system_.stiffness, from_)) / unit_;
+  force_ = system_.force / unit_;
+  stiffness_ = system_.stiffness.cols() == 1
+                   ? Matrix(system_.stiffness.col(0).cwiseQuotient(scale_))
+                   : Matrix(system_.stiffness * scale_.cwiseInverse().asDiagonal());
+  for (std::size_t i = 0; i < contacts_.size(); ++i) {
+    const Vector& row = system_.springs[i].row;
+    contacts_[i] = {depths[i], unit_ * row.cwiseQuotient(scale_), unit_ * row};
+  }
+  const double largest = std::fmax(unit_, largest_of(velocity));
+  work_unit_ = largest * largest;
+  if (system_.turning) angle_ = system_.turning->gathered(system_.turning->structure.angle_row());
+  start.assign(place(kSprings) + contacts_.size(), 0.0);
+  Eigen::Map<Vector>(start.data() + n, n) = velocity / unit_;
+  for (std::size_t i = 0; i < grips_.size(); ++i) {
+    const Compression at = compression(i, start);
+    const ContactForce& law = system_.springs[i].law;
+    grips_[i] = law.grip(at.depth, at.rate);
+    const double speeds = system_.springs[i].row.cwiseAbs().dot(velocity.cwiseAbs());
+    grip_roundings_[i] = kGripRoundings * static_cast<double>(n) *
+                         std::numeric_limits<double>::epsilon() * law.grip_size(at.depth, speeds);
+  }
+}
+
+inline void Sprung::operator()(const State& z, State& slope, double s) {
+  ++evaluations;
+  const Eigen::Index n = modes();
+  const Eigen::Map<const Vector> moved(z.data(), n), velocity(z.data() + n, n);
+  Eigen::Map<Vector> rate(slope.data(), n), acceleration(slope.data() + n, n);
+  rate = scale_.cwiseProduct(velocity);
+  acceleration = push_;
+  if (system_.frequency > 0.0) acceleration += force_ * std::cos(theta_ + system_.frequency * s);
+  if (stiffness_.cols() == 1)
+    acceleration -= stiffness_.col(0).cwiseProduct(moved);
+  else
+    acceleration.noalias() -= stiffness_ * moved;
+  if (system_.damping.cols() == 1)
+    resistance_ = system_.damping.col(0).cwiseProduct(velocity);
+  else
+    resistance_.noalias() = system_.damping * velocity;
+  if (system_.turning) {
+    spread(z);
+    turn(s, acceleration, slope);
+  } else {
+    acceleration -= resistance_;
+    add_powers(z, resistance_, s, slope);
+  }
+  for (std::size_t i = 0; i < contacts_.size(); ++i) {
+    const SprungSystem::Spring& spring = system_.springs[i];
+    slope[place(kSprings + i)] = 0.0;
+    if (!spring.loaded) continue;
+    const Compression at = compression(i, z);
+    const double force = spring.law.at(at.depth, at.rate) / unit_;
+    acceleration -= force * spring.acting;
+    const double speed = at.rate / unit_;
+    slope[place(kSprings + i)] = spring.law.resistance(at.depth) * speed * speed;
+  }
+  if (system_.turning) add_inertia(acceleration);
+}
+
+inline void Sprung::add_powers(const State& z, const Vector& resistance, double s, State& slope) {
+  const Eigen::Index n = modes();
+  const Eigen::Map<const Vector> velocity(z.data() + n, n);
+  const double unit = unit_ * unit_ / work_unit_;
+  const auto& powers = system_.powers;
+  slope[place(kForcing)] = slope[place(kWeight)] = slope[place(kConstraint)] = 0.0;
+  if (system_.frequency > 0.0)
+    slope[place(kForcing)] = unit / unit_ * std::cos(theta_ + system_.frequency * s) *
+                             (powers ? powers->forcing : system_.force).dot(velocity);
+  slope[place(kDissipation)] =
+      unit * (powers ? velocity.dot(powers->damping * velocity) : velocity.dot(resistance));
+  if (!powers) return;
+  for (const SprungSystem::Holding& holding : powers->held)
+    slope[place(kConstraint)] -=
+        unit / unit_ * holding.against.dot(velocity) * observed(holding.force, s, z);
+}
+
+inline SprungWorks Sprung::works(const State& z) const {
+  SprungWorks works;
+  works.moved = unit_ * Eigen::Map<const Vector>(z.data(), modes()).cwiseQuotient(scale_);
+  works.forcing = work_unit_ * z[place(kForcing)];
+  works.weight = work_unit_ * z[place(kWeight)];
+  works.dissipation = work_unit_ * z[place(kDissipation)];
+  works.constraint = work_unit_ * z[place(kConstraint)];
+  for (std::size_t i = 0; i < contacts_.size(); ++i) {
+    const SprungSystem::Spring& spring = system_.springs[i];
+    works.springs.push_back({unit_ * unit_ * z[place(kSprings + i)], 0.0});
+    if (spring.loaded)
+      works.springs.back().stored =
+          spring.law.stored(compression(i, z).depth) - spring.law.stored(contacts_[i].start);
+  }
+  return works;
+}
+
+inline double Sprung::force(std::size_t spring, const State& z) const {
+  if (!system_.springs[spring].loaded) return 0.0;
+  const Compression at = compression(spring, z);
+  return system_.springs[spring].law.at(at.depth, at.rate);
+}
+
+inline double Sprung::force_rate(std::size_t spring, double s, const State& z) {
+  const SprungSystem::Spring& own = system_.springs[spring];
+  if (!own.loaded) return 0.0;
+  slope_.resize(z.size());
+  (*this)(z, slope_, s);
+  const Compression at = compression(spring, z), rate = compression_rate(spring, slope_);
+  return own.law.by_depth(at.depth, at.rate) * at.rate + own.law.resistance(at.depth) * rate.rate;
+}
+
+inline double Sprung::observed(const Watch& watch, double s, const State& z) {
+  if (watch.of_spring == SpringWatch::kHold)
+    return watch.constant + watch.factor * hold_force(watch.spring, s, z);
+  if (watch.of_spring != SpringWatch::kNone) {
+    const auto i = static_cast<std::size_t>(watch.spring);
+    const Compression at = compression(i, z);
+    if (watch.of_spring == SpringWatch::kDepth) return at.depth;
+    const double grip = system_.springs[i].law.grip(at.depth, at.rate);
+    const double sign = watch.of_spring == SpringWatch::kGrip ? 1.0 : -1.0;
+    // From its zero on, changes within its rounding are none.
+    if (watch.multiplicity > 0) return sign * (grip - grips_[i]) + grip_roundings_[i];
+    return sign * grip;
+  }
+  Vector x;
+  whole(z, x);
+  double sum = watch.constant + watch.weights.dot(x);
+  if (watch.harmonic_re != 0.0 || watch.harmonic_im != 0.0) {
+    const double theta = theta_ + system_.frequency * s;
+    sum += watch.harmonic_re * std::cos(theta) - watch.harmonic_im * std::sin(theta);
+  }
+  for (Eigen::Index i = 0; i < watch.force_weights.size(); ++i) {
+    const auto spring = static_cast<std::size_t>(i);
+    if (!system_.springs[spring].loaded) continue;
+    const Compression at = compression(spring, z);
+    sum += watch.force_weights[i] * system_.springs[spring].law.at(at.depth, at.rate);
+  }
+  return sum;
+}
+
+inline double Sprung::rate(const Watch& watch, double s, const State& z) {
+  if (watch.of_spring == SpringWatch::kHold) return watch.factor * hold_rate(watch.spring, s, z);
+  slope_.resize(z.size());
+  (*this)(z, slope_, s);
+  if (watch.of_spring != SpringWatch::kNone) {
+    const auto i = static_cast<std::size_t>(watch.spring);
+    const Compression at = compression(i, z), rate = compression_rate(i, slope_);
+    if (watch.of_spring == SpringWatch::kDepth) return at.rate;
+    const double grip = system_.springs[i].law.grip_rate(at.depth, at.rate, rate.rate);
+    return watch.of_spring == SpringWatch::kGrip ? grip : -grip;
+  }
+  const Eigen::Index n = modes();
+  double sum =
+      unit_ *
+      (watch.weights.head(n).cwiseQuotient(scale_).dot(Eigen::Map<const Vector>(slope_.data(), n)) +
+       watch.weights.tail(n).dot(Eigen::Map<const Vector>(slope_.data() + n, n)));
+  const double theta = theta_ + system_.frequency * s;
+  sum -= system_.frequency *
+         (watch.harmonic_re * std::sin(theta) + watch.harmonic_im * std::cos(theta));
+  for (Eigen::Index i = 0; i < watch.force_weights.size(); ++i)
+    if (watch.force_weights[i] != 0.0)
+      sum += watch.force_weights[i] * force_rate(static_cast<std::size_t>(i), s, z);
+  return sum;
+}
+
+inline void Sprung::whole(const State& z, Vector& x) const {
+  const Eigen::Index n = modes();
+  x.resize(2 * n);
+  x.head(n) = from_ + unit_ * Eigen::Map<const Vector>(z.data(), n).cwiseQuotient(scale_);
+  x.tail(n) = unit_ * Eigen::Map<const Vector>(z.data() + n, n);
+}
+
+}  // namespace graze::step_walk

@@ -1,0 +1,328 @@
+// How a method of Boost.Odeint walks along a piece of motion (step_flow.hpp), whatever the state
+// type. Included by one translation unit per method.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <memory>
+#include <optional>
+#include <type_traits>
+#include <vector>
+
+#include "graze/base/detail/bracketed_zero.hpp"
+#include "graze/flow/stepped/detail/sprung_rates_turning_impl.hpp"
+#include "graze/flow/stepped/detail/step_methods.hpp"
+#include "graze/flow/stepped/detail/step_rates.hpp"
+
+namespace graze {
+
+namespace step_walk {
+
+// A Walk takes steps from a start: begin(x), step(), from(), to(), state_at_end(), between(s, out)
+// within the step taken last; it holds its right-hand side as `rates`.
+template <class Walk>
+class WalkingFlow final : public StepFlow {
+ public:
+  using State = typename Walk::State;
+
+  explicit WalkingFlow(Walk walk) : walk_(std::move(walk)) {}
+
+  void start(double theta, const Vector& x, std::span<const double> depths, double time) override {
+    if constexpr (kSprung) walk_.rates.set_time(time);
+    walk_.rates.begin(theta, x, depths, start_);
+    within_ = last_ = start_;
+    walk_.begin(start_);
+    if constexpr (kSprung) {
+      peaks_.assign(walk_.rates.springs(), {});
+      for (std::size_t i = 0; i < peaks_.size(); ++i) {
+        const auto [depth, rate] = walk_.rates.compression(i, start_);
+        peaks_[i] = {walk_.rates.force(i, start_), walk_.rates.force_rate(i, 0.0, start_), depth,
+                     depth, rate};
+      }
+    }
+  }
+
+  StepDescent first_descent(std::span<const Watch* const> watches, double window, double until,
+                            const StopSignal& stop, double told_depth) override {
+    StepDescent found;
+    found.s = window;
+    found.lowest = std::numeric_limits<double>::infinity();
+    if constexpr (kSprung) {
+      slopes_.clear();
+      // What leaves a known zero rises; the sign of its rate may be rounding.
+      for (const Watch* watch : watches)
+        slopes_.push_back(watch->multiplicity > 0 ? 0.0 : walk_.rates.rate(*watch, 0.0, start_));
+    }
+    for (double from = 0.0; from < std::min(window, until) && found.watch < 0;) {
+      walk_.step();
+      if (++polls_ % kStepsPerPoll == 0 && stop.requested()) {
+        found.stopped = true;
+        return found;
+      }
+      const double end = std::min(walk_.to(), window);
+      if (!(end > from)) return not_finite(found, from);
+      if (end < walk_.to()) walk_.between(end, last_);
+      const State& x = end < walk_.to() ? last_ : walk_.state_at_end();
+      found.values += static_cast<long long>(watches.size());
+      for (std::size_t i = 0; i < watches.size(); ++i) {
+        const double there = walk_.rates.observed(*watches[i], end, x);
+        if (!std::isfinite(there)) return not_finite(found, from);
+        if (end <= until && watches[i]->is_told) found.lowest = std::min(found.lowest, there);
+        double zero = end;
+        if constexpr (kSprung) {
+          const double slope = walk_.rates.rate(*watches[i], end, x);
+          const std::optional<double> dip =
+              there > 0.0 && slopes_[i] < 0.0 && slope > 0.0
+                  ? dip_between(*watches[i], from, end, slope, until, found)
+                  : std::nullopt;
+          slopes_[i] = slope;
+          if (there > 0.0 && !dip) continue;
+          zero = dip ? *dip : locate(*watches[i], from, end, there, found.values);
+        } else {
+          if (there > 0.0) continue;
+          zero = locate(*watches[i], from, end, there, found.values);
+        }
+        if (found.watch >= 0 && !(zero < found.s)) continue;
+        found.watch = static_cast<int>(i);
+        found.s = zero;
+      }
+      if constexpr (kSprung) pass_peaks(from, std::min(end, found.s), told_depth);
+      from = end;
+    }
+    return found;
+  }
+
+  void state(double s, Vector& x) override {
+    reach(s);
+    walk_.rates.whole(within_, x);
+  }
+
+  SprungWorks works(double s) override {
+    if constexpr (kSprung) {
+      reach(s);
+      return walk_.rates.works(within_);
+    }
+    return {};
+  }
+
+  long long evaluations() const override { return walk_.rates.evaluations; }
+
+  double peak_force(std::size_t spring) const override {
+    if constexpr (kSprung) return peaks_[spring].force;
+    return 0.0;
+  }
+
+  double deepest(std::size_t spring) const override {
+    if constexpr (kSprung) return peaks_[spring].depth;
+    return 0.0;
+  }
+
+ private:
+  static constexpr bool kSprung = requires(const typename Walk::RatesOf& rates) {
+    rates.springs();
+  };
+  struct Peak {
+    double force = 0.0, force_rate = 0.0;  // N; N/s, at the end of the last step
+    double depth = 0.0;                    // m
+    double at = 0.0, depth_rate = 0.0;     // m, m/s: there, likewise
+  };
+
+  // The state at s, in within_.
+  void reach(double s) {
+    if (s < walk_.from()) walk_.begin(start_);
+    while (walk_.to() < s) {
+      const double before = walk_.to();
+      walk_.step();
+      if (!(walk_.to() > before)) break;
+    }
+    within(s);
+  }
+
+  // The state at s within the last step, in within_.
+  const State& within(double s) {
+    if (s == walk_.to())
+      within_ = walk_.state_at_end();
+    else
+      walk_.between(s, within_);
+    return within_;
+  }
+
+  // The largest forces of springs within (from, end], and depths beyond the one to be told: of a
+  // spring that nothing damps they are at the same instant.
+  void pass_peaks(double from, double end, double told_depth) {
+    at_end_ = within(end);
+    for (std::size_t i = 0; i < peaks_.size(); ++i) {
+      Peak& peak = peaks_[i];
+      const auto look = [&](const State& z) {
+        peak.depth = std::max(peak.depth, walk_.rates.compression(i, z).depth);
+        peak.force = std::max(peak.force, walk_.rates.force(i, z));
+      };
+      const auto pass = [&](double before, double after, const auto& rate_at) {
+        if (before > 0.0 && after < 0.0)
+          look(within(bracketed_zero(rate_at, {from, before}, {end, after}).first));
+      };
+      look(at_end_);
+      const auto [depth, rate] = walk_.rates.compression(i, at_end_);
+      const bool damped = walk_.rates.is_damped(i);
+      // A depth that turns back lies below its tangents at both ends.
+      const double tangents = peak.at + peak.depth_rate * (depth - peak.at - rate * (end - from)) /
+                                            (peak.depth_rate - rate);
+      if (!damped || tangents > told_depth)
+        pass(peak.depth_rate, rate,
+             [&](double s) { return walk_.rates.compression(i, within(s)).rate; });
+      if (damped) {
+        const double force_rate = walk_.rates.force_rate(i, end, at_end_);
+        pass(peak.force_rate, force_rate,
+             [&](double s) { return walk_.rates.force_rate(i, s, within(s)); });
+        peak.force_rate = force_rate;
+      }
+      peak.at = depth;
+      peak.depth_rate = rate;
+    }
+  }
+
+  // The fall through zero of a watch that is positive at both ends of (from, end], but falls at the
+  // first and rises at the second.
+  std::optional<double> dip_between(const Watch& watch, double from, double end, double slope,
+                                    double until, StepDescent& found) {
+    const auto slope_at = [&](double s) {
+      walk_.between(s, within_);
+      return walk_.rates.rate(watch, s, within_);
+    };
+    const double first = slope_at(from);
+    if (!(first < 0.0)) return {};
+    const double least = bracketed_zero(slope_at, {from, first}, {end, slope}).first;
+    walk_.between(least, within_);
+    const double value = walk_.rates.observed(watch, least, within_);
+    found.values += 1;
+    if (least <= until && watch.is_told) found.lowest = std::min(found.lowest, value);
+    if (value > 0.0) return {};
+    return locate(watch, from, least, value, found.values);
+  }
+
+  // The last place that is known.
+  static StepDescent not_finite(StepDescent found, double from) {
+    found.finite = false;
+    found.s = from;
+    return found;
+  }
+
+  // The zero of a watch that is not positive at the end of (from, end]. One that starts at a zero
+  // is divided by that: what is left starts at its departure. Kept out of the loop over the steps.
+  [[gnu::noinline]] double locate(const Watch& watch, double from, double end, double at_end,
+                                  long long& values) {
+    if (!(end > from)) return from;
+    const bool departs = from == 0.0 && watch.multiplicity > 0 && !is_grip(watch);
+    const auto quotient = [&](double s, double v) {
+      return departs ? v / std::pow(s, watch.multiplicity) : v;
+    };
+    const auto at = [&](double s) {
+      if (s == from && departs) return watch.departure;
+      walk_.between(s, within_);
+      ++values;
+      return quotient(s, walk_.rates.observed(watch, s, within_));
+    };
+    const double first = at(from), last = quotient(end, at_end);
+    if (!(first > 0.0)) return from;
+    if (last == 0.0) return end;
+    return bracketed_zero(at, {from, first}, {end, last}).second;
+  }
+
+  // It leaves its zero by more than its rounding (Sprung::observed).
+  static bool is_grip(const Watch& watch) {
+    return watch.of_spring == SpringWatch::kGrip || watch.of_spring == SpringWatch::kSlack;
+  }
+
+  static constexpr long long kStepsPerPoll = 4096;
+  Walk walk_;
+  long long polls_ = 0;
+  State start_, within_, last_, at_end_;
+  std::vector<Peak> peaks_;
+  std::vector<double> slopes_;  // of the watches, at the end of the step before
+};
+
+// A method that keeps the slope at the end of a step for the next one, with the slope told to it:
+// steps within a step start from elsewhere.
+template <class Stepper>
+class Unprepared {
+ public:
+  template <class Rates, class State>
+  void do_step(Rates rates, const State& x, double s, State& out, double step) {
+    State slope = x, slope_out = x;
+    rates(x, slope, s);
+    stepper_.do_step(rates, x, slope, s, out, slope_out, step);
+  }
+
+ private:
+  Stepper stepper_;
+};
+
+// Steps of one length.
+template <class Rates, class Stepper>
+class FixedWalk {
+ public:
+  using RatesOf = Rates;
+  using State = typename Rates::State;
+
+  FixedWalk(Rates rates_of, double step) : rates(std::move(rates_of)), step_(step) {}
+
+  void begin(const State& x) {
+    taken_ = 0;
+    at_start_ = at_end_ = x;
+  }
+  void step() {
+    at_start_ = at_end_;
+    stepper_.do_step(std::ref(rates), at_start_, to(), at_end_, step_);
+    ++taken_;
+  }
+  double from() const { return taken_ > 0 ? static_cast<double>(taken_ - 1) * step_ : 0.0; }
+  double to() const { return static_cast<double>(taken_) * step_; }
+  const State& state_at_end() const { return at_end_; }
+  // Seldom called, and kept out of the loop over the steps, which is the quicker for it.
+  [[gnu::noinline]] void between(double s, State& x) {
+    x = at_start_;
+    if (s > from()) stepper_.do_step(std::ref(rates), at_start_, from(), x, s - from());
+  }
+
+  Rates rates;
+
+ private:
+  double step_;
+  long long taken_ = 0;
+  State at_start_{}, at_end_{};
+  Stepper stepper_;
+};
+
+// Steps of one length by Stepper where the setting has one; else those that Adaptive decides.
+template <class Stepper, class Adaptive, class Rates>
+std::unique_ptr<StepFlow> fixed_or_adaptive(const Rates& rates, const StepSetting& setting) {
+  using Fixed = FixedWalk<Rates, Stepper>;
+  if (setting.step > 0.0) return std::make_unique<WalkingFlow<Fixed>>(Fixed(rates, setting.step));
+  return std::make_unique<WalkingFlow<Adaptive>>(Adaptive(rates, setting));
+}
+
+// Calls make(rates) with the right-hand side of the modes there are; a few numbers of modes have
+// states of fixed size.
+template <class Make>
+std::unique_ptr<StepFlow> with_rates(const ModalRates& rates, const Make& make) {
+  switch (rates.scale.size()) {
+    case 1:
+      return make(SideBySide<1>(rates));
+    case 2:
+      return make(SideBySide<2>(rates));
+    case 3:
+      return make(SideBySide<3>(rates));
+    case 4:
+      return make(SideBySide<4>(rates));
+    case 8:
+      return make(SideBySide<8>(rates));
+    default:
+      return make(SideBySide<0>(rates));
+  }
+}
+
+}  // namespace step_walk
+}  // namespace graze

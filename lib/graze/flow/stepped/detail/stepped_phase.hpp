@@ -1,0 +1,79 @@
+// Phases that are integrated step by step: events are looked for at the ends of the steps.
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "graze/flow/held/detail/exact_phase.hpp"
+#include "graze/flow/stepped/detail/step_flow.hpp"
+#include "graze/flow/stepped/step_setting.hpp"
+
+namespace graze {
+
+// What they have in common: the state on the coordinates that are left free, x = (scale y, y'), and
+// what is watched at the stops.
+class IntegratedPhase : public ContactPhase<double> {
+ public:
+  using ContactPhase<double>::start;
+  StepFlow& steps() const { return *steps_; }
+  virtual const HeldStructure<double>& structure() const = 0;
+  void state(const double& s, Vector& q, Vector& qdot) const override;
+  Arrival<double> first_event(const MotionState<double>& now,
+                              const Flight<double>& flight) override;
+  long long evaluations() const override { return steps_->evaluations(); }
+
+ protected:
+  struct Watched {
+    int stop = -1;  // -1: the joint of a hub
+    const Watch* watch = nullptr;
+    ArrivalKind kind = ArrivalKind::kContact;
+    bool below = false;
+  };
+
+  using ContactPhase<double>::ContactPhase;
+  // Both before the first start; of every stop, the gap or, where it is closed, the contact force.
+  void watch(const std::vector<Observable<double>>& observables, Vector scale);
+  void step_by(std::unique_ptr<StepFlow> steps) { steps_ = std::move(steps); }
+  std::vector<Watch>& watches() { return watches_; }
+  void start_steps(double theta, const Vector& q, const Vector& qdot,
+                   std::span<const double> depths = {}, double time = 0.0);
+
+ private:
+  // What is watched beside the stops: before them, and after them.
+  virtual void watch_springs(const MotionState<double>& /*now*/, std::vector<Watched>& /*list*/) {}
+  virtual void watch_joint(const MotionState<double>& /*now*/, std::vector<Watched>& /*list*/) {}
+  // A spring that is left at the instant of the start itself.
+  virtual std::optional<Arrival<double>> left_at_once(const MotionState<double>& /*now*/) const {
+    return {};
+  }
+  const Watch& watch_of(int stop, int multiplicity);
+
+  Vector scale_;
+  std::vector<Watch> watches_;
+  std::unique_ptr<StepFlow> steps_;
+};
+
+// In place of the exact flow, whose closed form at the start still tells how a stop is left.
+class SteppedPhase final : public IntegratedPhase {
+ public:
+  SteppedPhase(std::unique_ptr<ExactPhase<double>> exact, const StepSetting& setting);
+
+  const HeldStructure<double>& structure() const override { return exact_->structure(); }
+  std::string refusal() const override { return exact_->refusal(); }
+  void start(const double& theta, const Vector& q, const Vector& qdot, const double& time) override;
+  CurvePoint<double> gap_rate(int stop, int order) const override {
+    return exact_->gap_rate(stop, order);
+  }
+  double force_at(int stop, const double& s, const Vector& q, const Vector& qdot) const override {
+    return exact_->force_at(stop, s, q, qdot);
+  }
+  double force_rate(int stop) const override { return exact_->force_rate(stop); }
+  const ExactPhase<double>* exact() const override { return exact_.get(); }
+
+ private:
+  double longest_flight() const override;
+
+  std::unique_ptr<ExactPhase<double>> exact_;
+};
+
+}  // namespace graze

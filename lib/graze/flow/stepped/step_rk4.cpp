@@ -1,0 +1,29 @@
+#include <boost/numeric/odeint/stepper/runge_kutta4.hpp>
+
+#include "graze/flow/stepped/detail/step_walk.hpp"
+
+namespace graze {
+namespace {
+
+template <class Rates>
+std::unique_ptr<StepFlow> flow(const Rates& rates, const StepSetting& setting) {
+  using Stepper = boost::numeric::odeint::runge_kutta4<typename Rates::State>;
+  using Walk = step_walk::FixedWalk<Rates, Stepper>;
+  return std::make_unique<step_walk::WalkingFlow<Walk>>(Walk(rates, setting.step));
+}
+
+}  // namespace
+
+std::unique_ptr<StepFlow> rk4_flow(const ModalRates& rates, const StepSetting& setting) {
+  return step_walk::with_rates(rates, [&](const auto& side) { return flow(side, setting); });
+}
+
+std::unique_ptr<StepFlow> rk4_flow(const FirstOrderSystem& system, const StepSetting& setting) {
+  return flow(step_walk::Dense(system), setting);
+}
+
+std::unique_ptr<StepFlow> rk4_flow(const SprungSystem& system, const StepSetting& setting) {
+  return flow(step_walk::Sprung(system, setting.tolerance), setting);
+}
+
+}  // namespace graze

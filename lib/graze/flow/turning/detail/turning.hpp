@@ -1,0 +1,34 @@
+// A structure that turns and what holds it: stops that it is closed on, a joint that does not slip.
+//
+// Held displacements are y_c + U x with orthonormal columns U across the rows B of what holds; the
+// forces f of the holds act along B:
+//
+//   U^T M U x'' = U^T h,   M y'' = h - B f   =>   f = (B^T B)^-1 B^T (h - M y'')
+//
+// with h the sum of all other forces (turning_structure.hpp).
+#pragma once
+
+#include "graze/flow/turning/detail/turning_structure.hpp"
+
+namespace graze {
+
+struct Turning {
+  TurningStructure structure;
+  Vector held;    // y_c, n
+  Matrix basis;   // U, n x free; empty: all are
+  Matrix across;  // (B^T B)^-1 B^T, k x n; empty: nothing is held
+
+  Vector spread(const Vector& x) const { return basis.size() > 0 ? Vector(basis * x) : x; }
+  Vector gathered(const Vector& whole) const {
+    return basis.size() > 0 ? Vector(basis.transpose() * whole) : whole;
+  }
+  // y'' under the forces h at y, and how it changes at the rate of h along the motion.
+  Vector acceleration(const Vector& force, const Vector& y) const;
+  Vector jerk(const TurningMotion& at, const Vector& acceleration, const Vector& force_rate) const;
+  // f, N, in the order of the rows; and f'.
+  Vector holds(const Vector& force, const Vector& y) const;
+  Vector hold_rates(const TurningMotion& at, const Vector& acceleration,
+                    const Vector& force_rate) const;
+};
+
+}  // namespace graze

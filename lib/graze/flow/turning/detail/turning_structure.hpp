@@ -1,0 +1,73 @@
+// The forces and the inertia of a structure on a hub that turns (system/rotation.hpp), at a state.
+//
+// Beside what is linear the mass matrix is the identity and one dyad, so that its inverse is known:
+// (I + m e e^T)^-1 h = h - e m (e.h)/(1 + m e.e), here on all coordinates or on those that holds
+// leave free (turning.hpp). Rates are along the motion: no differences.
+#pragma once
+
+#include "graze/flow/exact/motion_state.hpp"
+#include "graze/system/system.hpp"
+
+namespace graze {
+
+// Displacements and velocities.
+struct TurningMotion {
+  const Vector& y;
+  const Vector& velocity;
+};
+
+class TurningStructure {
+ public:
+  // Requires system.rotation(). Keeps copies.
+  explicit TurningStructure(const System& system);
+
+  // Time counts from `time`, s, on; the torque is that of the piece which begins there.
+  void begin(double time);
+  // How long the torque stays on that piece, s; infinite after the last.
+  double smooth_for() const;
+  void set_joint(Joint joint) { joint_ = joint; }
+
+  const Rotation& rotation() const { return rotation_; }
+  const Vector& angle_row() const { return rotation_.angle; }
+  // Sum of all forces but W^2 y and D y', and of all of them, s seconds on.
+  Vector turning_force(const TurningMotion& at, double s) const;
+  Vector force(const TurningMotion& at, double s) const;
+  // The rate of the latter, where the structure accelerates by `acceleration`.
+  Vector force_rate(const TurningMotion& at, const Vector& acceleration) const;
+  // Size of the terms that force() sums, for its rounding.
+  Vector force_size(const TurningMotion& at, double s) const;
+
+  // y.A y, kg m^2 in units of the row, and its rate; 0 in the printed equations.
+  double added_inertia(const Vector& y) const;
+  double added_inertia_rate(const TurningMotion& at) const;
+  // M^-1 f.
+  Vector accelerated(const Vector& force, const Vector& y) const;
+
+  // Rate of the hub, rad/s.
+  double rate(const Vector& velocity) const { return rotation_.angle.dot(velocity); }
+  // No rate but the rounding of what it is made of.
+  bool stands_still(const Vector& velocity) const;
+  // Powers, W: of the torque, of the weight, and what damping and friction take.
+  double torque_power(const TurningMotion& at, double s) const;
+  double weight_power(const TurningMotion& at) const;
+  double dissipation(const TurningMotion& at) const;
+  // 1/2 y'.M y', J.
+  double kinetic_energy(const TurningMotion& at) const;
+
+  // Frequencies, rad/s: the highest, and the lowest that is not 0.
+  double highest_frequency() const { return highest_; }
+  double lowest_frequency() const { return lowest_; }
+
+ private:
+  double torque(double s) const { return torque_ + torque_rate_ * s; }
+  double friction() const;
+  bool stretches() const { return rotation_.stretch.size() > 0; }
+
+  Vector stiffness_;  // W^2
+  Rotation rotation_;
+  double highest_ = 0.0, lowest_ = 0.0;
+  Joint joint_ = Joint::kFree;
+  double torque_ = 0.0, torque_rate_ = 0.0, smooth_for_ = 0.0;
+};
+
+}  // namespace graze

@@ -1,0 +1,259 @@
+#include "graze/flow/variation/arc_work.hpp"
+
+#include "graze/flow/held/detail/exact_phase.hpp"
+#include "graze/flow/sprung/detail/sprung_phase.hpp"
+
+#include <algorithm>
+#include <boost/math/quadrature/gauss.hpp>
+#include <cmath>
+#include <functional>
+#include <limits>
+
+namespace graze {
+namespace {
+
+// Re(size e^{rate s})
+struct SignalTerm {
+  Complex size, rate;
+};
+using Signal = std::vector<SignalTerm>;
+
+// integral of e^{l s}, without cancellation for small l s.
+Complex exponential_integral(Complex l, double s) {
+  const double growth = std::expm1(l.real() * s), turn = l.imag() * s;
+  const double half = std::sin(0.5 * turn);
+  const Complex change(growth * std::cos(turn) - 2.0 * half * half,
+                       (1.0 + growth) * std::sin(turn));
+  return l == 0.0 ? Complex(s) : change / l;
+}
+
+// integral of a b over [0, s]: Re x Re y = Re(x y + x y*)/2.
+double product_integral(const Signal& a, const Signal& b, double s) {
+  double sum = 0.0;
+  for (const SignalTerm& x : a)
+    for (const SignalTerm& y : b)
+      sum +=
+          0.5 * (x.size * y.size * exponential_integral(x.rate + y.rate, s) +
+                 x.size * std::conj(y.size) * exponential_integral(x.rate + std::conj(y.rate), s))
+                    .real();
+  return sum;
+}
+
+// Panels over which nothing turns or decays by more than one radian; there 15 nodes integrate to
+// rounding (the error is of order (1/2)^30/30!).
+double panel_integral(const std::function<double(double)>& f, double s, double quickest) {
+  using Rule = boost::math::quadrature::gauss<double, 15>;
+  const double panels = std::ceil(std::fmax(quickest * s, 1.0));
+  double sum = 0.0;
+  for (double k = 0.0; k < panels; ++k)
+    sum += Rule::integrate(f, s * (k / panels), s * ((k + 1.0) / panels));
+  return sum;
+}
+
+// The harmonic velocity response of a mode, from the forcing phase theta on.
+SignalTerm harmonic_velocity(const ModeFlow<double>& mode, double frequency, double theta) {
+  const Complex rate(0.0, frequency);
+  const Complex impedance((mode.omega - frequency) * (mode.omega + frequency),
+                          2.0 * mode.delta * frequency);
+  return {mode.force / impedance * rate * std::polar(1.0, theta), rate};
+}
+
+// Whether two exponentials and the harmonic response give the velocity over s without cancellation:
+// they are told apart (as in exact_flow_impl.hpp), and above critical damping each is then at most
+// the force over the damping; below, the response must not be large against that from rest, which
+// is about the force over w^2 + 2 delta/s + 2/s^2.
+bool is_exponential(const ModeFlow<double>& mode, double frequency, bool forced, double s) {
+  const double apart = 2.0 * std::sqrt(std::abs(mode.discriminant));
+  if (!(apart * s >= 1.0 && apart >= mode.omega)) return false;
+  if (!forced || mode.discriminant < 0.0) return true;
+  const double impedance =
+      std::hypot((mode.omega - frequency) * (mode.omega + frequency), 2.0 * mode.delta * frequency);
+  return kLargestAmplification * impedance >=
+         mode.omega * mode.omega + 2.0 * (mode.delta + 1.0 / s) / s;
+}
+
+// The velocity of such a mode: v(s) = (c - delta S) v(0) + S push, see free_basis.hpp.
+Signal mode_velocity(const Arc<double>& arc, int j) {
+  const ModeFlow<double>& mode = arc.flow().mode(j);
+  double push = mode.load + mode.omega * mode.omega * (mode.offset - arc.start_displacements()[j]);
+  double start = arc.start_velocities()[j];
+  Signal signal;
+  if (arc.flow().forced() && mode.force != 0.0) {
+    const SignalTerm forced = harmonic_velocity(mode, arc.flow().frequency(), arc.start_phase());
+    signal.push_back(forced);
+    start -= forced.size.real();
+    push += mode.omega * mode.omega * (forced.size / forced.rate).real();
+  }
+  const double root = std::sqrt(std::abs(mode.discriminant));
+  if (mode.discriminant > 0.0) {
+    signal.push_back(
+        {Complex(start, (mode.delta * start - push) / root), Complex(-mode.delta, root)});
+  } else {
+    const double fast = mode.delta + root, slow = mode.omega * mode.omega / fast;
+    signal.push_back({Complex((push - slow * start) / (2.0 * root)), Complex(-slow)});
+    signal.push_back({Complex((fast * start - push) / (2.0 * root)), Complex(-fast)});
+  }
+  return signal;
+}
+
+// After this, s, the free motion of a mode near critical damping (root < w/2, and so delta > .8 w)
+// is below the rounding of its start. Other modes are given no such time.
+double settling_time(const ModeFlow<double>& mode) {
+  const double root = std::sqrt(std::abs(mode.discriminant));
+  if (!(2.0 * root < mode.omega)) return std::numeric_limits<double>::infinity();
+  // Below critical damping everything decays at delta, above it the slower of two rates leads.
+  const double slowest =
+      mode.discriminant >= 0.0 ? mode.delta : mode.omega * mode.omega / (mode.delta + root);
+  constexpr double kDecays = 48.0;  // e^-36 is eps; a linear factor of time comes with it
+  return kDecays / slowest;
+}
+
+// Dissipation and work of the forcing on one mode where exponentials would cancel. A flight lasts a
+// forcing period at most, W s <= 2 pi, so the panels are few in each case that is left:
+//   - the exponentials are not told apart, 2 root s < 1, 2 root >= w: (w + 2 delta) s < 4;
+//   - near critical damping, up to the settling time: (w + 2 delta) s < 300;
+//   - near resonance, or where the harmonic response is large against a short flight: w s < 8,
+//     delta < w.
+void add_by_panels(const Arc<double>& arc, int j, double s, Work& work) {
+  const ModeFlow<double>& mode = arc.flow().mode(j);
+  const double frequency = arc.flow().frequency(), theta = arc.start_phase();
+  const double quickest = mode.omega + 2.0 * mode.delta + 2.0 * frequency;
+  const auto velocity = [&](double at) { return arc.mode_velocity(j, at); };
+  const double settled = std::fmin(s, settling_time(mode));
+  if (mode.delta > 0.0)
+    work.dissipation +=
+        panel_integral([&](double at) { return 2.0 * mode.delta * velocity(at) * velocity(at); },
+                       settled, quickest);
+  if (!arc.flow().forced()) return;
+  work.forcing += panel_integral(
+      [&](double at) { return mode.force * std::cos(theta + frequency * at) * velocity(at); },
+      settled, quickest);
+  if (!(settled < s)) return;
+  // From there on only the forced response moves.
+  const double turned = theta + frequency * settled;
+  const Signal left{harmonic_velocity(mode, frequency, turned)};
+  const Signal force{{std::polar(1.0, turned), Complex(0.0, frequency)}};
+  work.dissipation += 2.0 * mode.delta * product_integral(left, left, s - settled);
+  work.forcing += mode.force * product_integral(force, left, s - settled);
+}
+
+void add_real_modes(const Arc<double>& arc, double s, Work& work) {
+  const ExactFlow<double>& flow = arc.flow();
+  const Signal force{{std::polar(1.0, arc.start_phase()), Complex(0.0, flow.frequency())}};
+  for (int j = 0; j < flow.modes(); ++j) {
+    const ModeFlow<double>& mode = flow.mode(j);
+    if (!is_exponential(mode, flow.frequency(), flow.forced(), s)) {
+      add_by_panels(arc, j, s, work);
+      continue;
+    }
+    const Signal velocity = mode_velocity(arc, j);
+    if (mode.delta > 0.0)
+      work.dissipation += 2.0 * mode.delta * product_integral(velocity, velocity, s);
+    if (flow.forced()) work.forcing += mode.force * product_integral(force, velocity, s);
+  }
+}
+
+// The states of a coupled motion and its inputs, z = (x, u cos theta, u sin theta, u) with z' = E z
+// and u as large as x, that inputs cost no digits. Every power is a quadratic form in z, so that
+// the moments of a flight give all works at once.
+struct Moments {
+  Matrix integral;    // of z z^T over the flight
+  double unit = 1.0;  // u
+};
+
+// Over h with 2 |E| h <= 1 by the Taylor series of z z^T, of which 18 terms are exact to rounding
+// (1/19! < eps); then doubled: the integral over 2h is M(h) + e^(Eh) M(h) e^(Eh)^T.
+Moments moments_along(const CoupledArc& arc, double s) {
+  FirstOrderSystem system = arc.flow().first_order();
+  const double inputs = system.load.norm() + system.force.norm();
+  const double size = arc.start_state().norm() + inputs / system.generator.norm();
+  const double unit = size > 0.0 ? size : 1.0;
+  system.load /= unit;
+  system.force /= unit;
+  const Matrix whole = extended_generator(system, s);
+  const int doublings = std::clamp(std::ilogb(whole.norm()), -2, 1024) + 2;
+  const Matrix generator = std::ldexp(1.0, -doublings) * whole;
+  Vector z(whole.rows());
+  z << arc.start_state(), unit * std::cos(arc.start_phase()), unit * std::sin(arc.start_phase()),
+      unit;
+  Matrix term = std::ldexp(s, -doublings) * z * z.transpose();
+  Moments moments{term, unit};
+  for (int k = 1; k <= 18; ++k) {
+    const Matrix next = generator * term;
+    term = (next + next.transpose()) / (k + 1);
+    moments.integral += term;
+  }
+  Matrix step = matrix_exponential(generator);
+  for (int k = 0; k < doublings; ++k) {
+    moments.integral += (step * moments.integral * step.transpose()).eval();
+    step = (step * step).eval();
+  }
+  return moments;
+}
+
+// Whether the force of a stop has no part along the motion b.q' = 0 that it allows: d = b/(b.b), to
+// the roundings of forming it.
+bool acts_along_row(const Stop& stop) {
+  constexpr double kRoundings = 16.0;
+  return (stop.direction() * stop.row.squaredNorm() - stop.row).norm() <=
+         kRoundings * std::numeric_limits<double>::epsilon() * stop.row.norm();
+}
+
+// While an oblique law or unequal damping couples the modes.
+void add_coupled(const System& system, const ExactPhase<double>& phase, double s, Work& work) {
+  const CoupledArc& arc = *phase.coupled_arc();
+  const Moments moments = moments_along(arc, s);
+  const Matrix& basis = phase.structure().basis;
+  const Eigen::Index m = basis.cols();
+  // Moments of the modal velocities with z, N x (2m + 3).
+  const Matrix velocity = basis * moments.integral.middleRows(m, m);
+  const Vector squares = velocity.middleCols(m, m).cwiseProduct(basis).rowwise().sum();
+  work.dissipation += 2.0 * system.delta().dot(squares);
+  if (system.forcing())
+    work.forcing += system.forcing()->amplitude.dot(velocity.col(2 * m)) / moments.unit;
+  for (const int i : phase.closed()) {
+    const Stop& stop = system.stops[static_cast<std::size_t>(i)];
+    if (acts_along_row(stop)) continue;
+    const Observable<double>& force = phase.observables()[static_cast<std::size_t>(i)];
+    Vector weight = Vector::Zero(2 * m + 3);
+    weight.head(m) = force.displacement.cwiseQuotient(arc.flow().scale());
+    if (force.velocity.size() > 0) weight.segment(m, m) = force.velocity;
+    weight.tail(3) << force.harmonic.re, -force.harmonic.im, force.constant;
+    weight.tail(3) /= moments.unit;
+    // A contact force of 1 N accelerates by -direction |row|^2.
+    work.constraint -= stop.row.squaredNorm() * stop.direction().dot(velocity * weight);
+  }
+}
+
+Work work_on_springs(const System& system, const SprungPhase& phase, double s) {
+  const SprungWorks works = phase.steps().works(s);
+  Work work;
+  if (system.load()) work.load = system.load()->dot(phase.structure().velocities(works.moved));
+  if (system.turns()) work.load = works.weight;
+  work.forcing = works.forcing;
+  work.constraint = works.constraint;
+  work.dissipation = works.dissipation;
+  for (const SpringWork& spring : works.springs) work.contact -= spring.lost + spring.stored;
+  return work;
+}
+
+}  // namespace
+
+Work work_along(const System& system, const ContactPhase<double>& phase, double s) {
+  if (const SprungPhase* sprung = phase.sprung()) return work_on_springs(system, *sprung, s);
+  Work work;
+  if (system.load()) {
+    const Eigen::Index n = system.modes();
+    Vector q0(n), q1(n), qdot(n);
+    phase.state(0.0, q0, qdot);
+    phase.state(s, q1, qdot);
+    work.load = system.load()->dot(q1 - q0);
+  }
+  if (const Arc<double>* arc = phase.exact()->arc())
+    add_real_modes(*arc, s, work);
+  else
+    add_coupled(system, *phase.exact(), s, work);
+  return work;
+}
+
+}  // namespace graze

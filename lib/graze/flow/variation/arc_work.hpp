@@ -1,0 +1,31 @@
+// Work done along an arc, for the energy book:
+//
+//   change of (|q'|^2 + |w q|^2)/2 = forcing + load + constraint + contact - dissipation.
+//
+// Velocities and forces of a mode are sums Re(c e^{l s}); the integrals of their products are known
+// in closed form. Where that form would cancel (near critical damping, near resonance, over a
+// flight short against the mode) Gauss' rule on panels short enough for it to be exact to rounding
+// serves; there are at most some hundred of them, whatever the rates of the mode. Modes that a
+// closed stop couples are integrated by doubling the integral over a short flight. On compressed
+// springs the works are integrated with the motion.
+#pragma once
+
+#include "graze/system/system.hpp"
+
+namespace graze {
+
+template <class Real>
+class ContactPhase;
+
+struct Work {
+  double forcing = 0.0;      // of the harmonic forcing, J
+  double load = 0.0;         // of the constant load, J
+  double constraint = 0.0;   // of the closed stops; zero but for an oblique law, J
+  double dissipation = 0.0;  // taken by damping, J, >= 0
+  double contact = 0.0;      // of compliant stops, J: minus what they took, kept there or lost
+};
+
+// From the start of the phase's arc over s seconds.
+Work work_along(const System& system, const ContactPhase<double>& phase, double s);
+
+}  // namespace graze

@@ -1,0 +1,132 @@
+#include "graze/flow/variation/detail/deviation.hpp"
+
+#include <cmath>
+#include <numbers>
+
+#include "graze/base/linalg/detail/linear_equations.hpp"
+#include "graze/flow/exact/detail/forced_response.hpp"
+#include "graze/flow/exact/detail/free_basis.hpp"
+#include "graze/flow/held/detail/contact_share.hpp"
+#include "graze/flow/variation/detail/transition.hpp"
+
+namespace graze {
+namespace {
+
+struct ModeGrowth {
+  double q = 0.0, qdot = 0.0;
+};
+
+// How the end of a flight from a given state moves when it begins later, per second: the response
+// from rest to the rate of the force, -W f sin(theta + W s). Its power series while that
+// converges like 2^n/n!, where the difference of free and harmonic parts would cancel.
+ModeGrowth late_start_by_series(const ModeFlow<double>& mode, double frequency, double theta,
+                                double s) {
+  const double turn = frequency * s, damping = 2.0 * mode.delta * s;
+  const double stiffness = mode.omega * mode.omega * s * s;
+  const double quarter[] = {-std::sin(theta), -std::cos(theta), std::sin(theta), std::cos(theta)};
+  double force = frequency * mode.force * s * s;  // times turn^n/n!
+  double before = 0.0, now = 0.0;                 // coefficients n and n + 1, times s^n, s^(n+1)
+  ModeGrowth sum;
+  for (int n = 0; n < 60; ++n) {
+    const double next = (force * quarter[n % 4] - damping * (n + 1) * now - stiffness * before) /
+                        ((n + 1) * (n + 2));
+    before = now;
+    now = next;
+    sum.q += now;
+    sum.qdot += (n + 2) * now;
+    force *= turn / (n + 1);
+  }
+  sum.qdot /= s;
+  return sum;
+}
+
+ModeGrowth late_start(const ModeFlow<double>& mode, const FreeBasis<double>& basis,
+                      double frequency, double theta, double s) {
+  if ((2.0 * mode.delta + mode.omega + frequency) * s < 2.0)
+    return late_start_by_series(mode, frequency, theta, s);
+  if (mode.kind == ModeKind::kFromRest) {
+    const PlanarNumber<double> x =
+        forced_response(mode, frequency, theta + 0.5 * std::numbers::pi, s);
+    return {frequency * mode.force * x.re, frequency * mode.force * x.im};
+  }
+  const Complex forced{mode.forced.re, mode.forced.im}, rate{0.0, frequency};
+  const Complex start = std::polar(1.0, theta), end = std::polar(1.0, theta + frequency * s);
+  const double q = (rate * forced * start).real(), qdot = (rate * rate * forced * start).real();
+  const double w2 = mode.omega * mode.omega;
+  return {(rate * forced * end).real() - (basis.cosine + mode.delta * basis.sine) * q -
+              basis.sine * qdot,
+          (rate * rate * forced * end).real() + w2 * basis.sine * q -
+              (basis.cosine - mode.delta * basis.sine) * qdot};
+}
+
+Deviations modal_growth(const Arc<double>& arc, double s, const Deviations& start) {
+  const ExactFlow<double>& flow = arc.flow();
+  Deviations change{Matrix(start.q.rows(), start.count()), Matrix(start.q.rows(), start.count()),
+                    Eigen::RowVectorXd::Zero(start.count())};
+  for (int j = 0; j < flow.modes(); ++j) {
+    const ModeFlow<double>& mode = flow.mode(j);
+    const FreeBasis<double> basis = free_basis(mode.omega, mode.delta, mode.discriminant, s);
+    const double stiffness = mode.omega * mode.omega;
+    // c + delta S - 1 is what the stiffness does from rest; formed as the difference it cancels.
+    const double yielded = stiffness * step_response(mode.omega, mode.delta, mode.discriminant, s);
+    const auto q = start.q.row(j), qdot = start.qdot.row(j);
+    change.q.row(j) = basis.sine * qdot - yielded * q;
+    change.qdot.row(j) =
+        (basis.cosine_minus_one - mode.delta * basis.sine) * qdot - stiffness * basis.sine * q;
+    if (!flow.forced() || !(s > 0.0)) continue;
+    const ModeGrowth late = late_start(mode, basis, flow.frequency(), arc.start_phase(), s);
+    change.q.row(j) += late.q * start.delay;
+    change.qdot.row(j) += late.qdot * start.delay;
+  }
+  return change;
+}
+
+}  // namespace
+
+Deviations growth(const ExactPhase<double>& phase, double s, const Deviations& start) {
+  if (phase.closed().empty()) return modal_growth(*phase.arc(), s, start);
+  const Matrix& basis = phase.structure().basis;
+  Deviations reduced{basis.transpose() * start.q, basis.transpose() * start.qdot, start.delay};
+  if (phase.arc()) {
+    reduced = modal_growth(*phase.arc(), s, reduced);
+  } else {
+    const Eigen::Index m = basis.cols();
+    Matrix both(2 * m, start.count());
+    both << reduced.q, reduced.qdot;
+    both = phase.coupled_arc()->growth(s, both, start.delay);
+    reduced = {both.topRows(m), both.bottomRows(m), Eigen::RowVectorXd::Zero(start.count())};
+  }
+  return {basis * reduced.q, basis * reduced.qdot, reduced.delay};
+}
+
+void move_instant(Deviations& deviations, const State& rate, const Eigen::RowVectorXd& shift) {
+  deviations.q += rate.q * shift;
+  deviations.qdot += rate.qdot * shift;
+  deviations.delay += shift;
+}
+
+State held_rate(const System& system, const std::vector<int>& closed, const State& state,
+                double theta, const Vector& push) {
+  State rate = vector_field(system, state, theta);
+  if (push.size() > 0) rate.qdot += push;
+  rate.qdot = held(system, closed, rate.qdot);
+  return rate;
+}
+
+Vector held(const System& system, const std::vector<int>& closed, const Vector& acceleration) {
+  if (closed.empty()) return acceleration;
+  return acceleration -
+         directions_of(system, closed) * (contact_share(system, closed) * acceleration);
+}
+
+void hold(const System& system, const std::vector<int>& closed, Deviations& deviations) {
+  if (closed.empty() || deviations.count() == 0) return;
+  const Matrix rows = rows_of(system, closed), directions = directions_of(system, closed);
+  deviations.q -=
+      rows * LuFactors(rows.transpose() * rows).solve_columns(rows.transpose() * deviations.q);
+  deviations.qdot -=
+      directions *
+      LuFactors(rows.transpose() * directions).solve_columns(rows.transpose() * deviations.qdot);
+}
+
+}  // namespace graze

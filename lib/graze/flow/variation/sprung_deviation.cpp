@@ -1,0 +1,296 @@
+#include "graze/flow/variation/detail/sprung_deviation.hpp"
+
+#include <boost/numeric/odeint/stepper/bulirsch_stoer.hpp>
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <optional>
+#include <vector>
+
+#include "graze/flow/held/detail/contact_share.hpp"
+#include "graze/flow/stepped/detail/sprung_rates_turning_impl.hpp"
+
+namespace graze {
+namespace {
+
+namespace odeint = boost::numeric::odeint;
+using step_walk::Sprung;
+
+// P = 1 - D (B^T D)^-1 B^T.
+Matrix projection(const System& system, const std::vector<int>& closed) {
+  const Eigen::Index n = system.modes();
+  return Matrix::Identity(n, n) - directions_of(system, closed) * contact_share(system, closed);
+}
+
+// Its derivative along the tangent.
+Matrix projection_rate(const System& system, const System& tangent,
+                       const std::vector<int>& closed) {
+  return -directions_of(tangent, closed) * contact_share(system, closed) -
+         directions_of(system, closed) * contact_share_rate(system, tangent, closed);
+}
+
+std::vector<int> springs_of(const SprungPhase& phase) {
+  std::vector<int> springs = phase.springs().loaded;
+  springs.insert(springs.end(), phase.springs().parted.begin(), phase.springs().parted.end());
+  return springs;
+}
+
+// What the phase integrates, in all coordinates though stops hold the structure: q'' = P f. Nothing
+// where none does.
+std::optional<SprungSystem> held_system(const System& system, const SprungPhase& phase) {
+  if (phase.closed().empty()) return {};
+  SprungSystem sprung = phase.equations();
+  const Matrix held = projection(system, phase.closed());
+  const Vector none = Vector::Zero(system.modes());
+  sprung.stiffness = held * system.omega.cwiseAbs2().asDiagonal();
+  sprung.damping = held * (2.0 * system.delta()).asDiagonal();
+  sprung.load = system.load() ? Vector(held * *system.load()) : none;
+  sprung.force = system.forcing() ? Vector(held * system.forcing()->amplitude) : none;
+  sprung.frequency = system.forcing() ? system.forcing()->frequency : 0.0;
+  sprung.powers.reset();
+  const std::vector<int> springs = springs_of(phase);
+  for (std::size_t i = 0; i < springs.size(); ++i) {
+    const Vector& row = system.stops[static_cast<std::size_t>(springs[i])].row;
+    sprung.springs[i].row = row;
+    sprung.springs[i].acting = held * row;
+  }
+  return sprung;
+}
+
+// What moves a deviation by a parameter besides itself.
+struct Source {
+  const System& system;
+  const System& tangent;
+  const std::vector<int> springs;  // the stops that the springs are of
+  // P and how it moves with the parameter; empty where no stop is closed.
+  Matrix held{}, held_rate{};
+
+  // At displacements q, velocities v, accelerations a, and cos(theta): of the velocities and of the
+  // accelerations, per unit of the parameter.
+  void at(const Vector& q, const Vector& v, const Vector& a, double cosine, const SprungSystem& own,
+          const std::vector<Sprung::Compression>& contacts, Vector& velocity,
+          Vector& acceleration) const {
+    // Times stretch where the frequency moves: instants are compared at equal phases.
+    const double stretch = -tangent.forcing()->frequency / system.forcing()->frequency;
+    velocity = stretch * v;
+    Vector push = tangent.forcing()->amplitude * cosine -
+                  2.0 * (tangent.delta().cwiseProduct(v) +
+                         system.omega.cwiseProduct(tangent.omega).cwiseProduct(q));
+    if (tangent.load()) push += *tangent.load();
+    for (std::size_t i = 0; i < contacts.size(); ++i) {
+      if (!own.springs[i].loaded) continue;
+      const ContactForce& law = own.springs[i].law;
+      const Stop& rate = stop_rate(i);
+      const double x = contacts[i].depth, u = contacts[i].rate;
+      double force =
+          law.by_depth(x, u) * (rate.row.dot(q) - rate.gap) + law.resistance(x) * rate.row.dot(v);
+      if (rate.is_compliant()) force += law.rate_at(x, u, rate.force());
+      push -= force * own.springs[i].row + law.at(x, u) * rate.row;
+    }
+    acceleration = stretch * a;
+    if (held.size() == 0)
+      acceleration += push;
+    else
+      acceleration += held * push + held_rate * unheld(q, v, cosine, own, contacts);
+  }
+
+ private:
+  const Stop& stop_rate(std::size_t i) const {
+    return tangent.stops[static_cast<std::size_t>(springs[i])];
+  }
+  // What acts on the structure but for its closed stops.
+  Vector unheld(const Vector& q, const Vector& v, double cosine, const SprungSystem& own,
+                const std::vector<Sprung::Compression>& contacts) const {
+    Vector push = system.forcing()->amplitude * cosine - 2.0 * system.delta().cwiseProduct(v) -
+                  system.omega.cwiseAbs2().cwiseProduct(q);
+    if (system.load()) push += *system.load();
+    for (std::size_t i = 0; i < contacts.size(); ++i)
+      if (own.springs[i].loaded)
+        push -= own.springs[i].law.at(contacts[i].depth, contacts[i].rate) * own.springs[i].row;
+    return push;
+  }
+};
+
+// The motion with its deviations beside it: z, then (w dq, dq') of each, per its own size.
+class Varied {
+ public:
+  using State = std::vector<double>;
+
+  Varied(const SprungSystem& system, const Source* source)
+      : system_(system), source_(source), motion_(system, kDeviationTolerance) {}
+
+  State begin(const graze::State& start, double theta, const std::vector<double>& depths,
+              const Deviations& deviations, const Vector& sizes) {
+    const Eigen::Index n = start.q.size();
+    start_ = start.q;
+    theta_ = theta;
+    Vector x(2 * n);
+    x << start.q, start.qdot;
+    motion_.begin(theta, x, depths, z_);
+    slope_.resize(z_.size());
+    sizes_ = sizes;
+    const Vector slow = motion_.scale().cwiseInverse();
+    stiffness_ = system_.stiffness.cols() == 1 ? Matrix(system_.stiffness.col(0).cwiseProduct(slow))
+                                               : Matrix(system_.stiffness * slow.asDiagonal());
+    rows_.clear();
+    for (const SprungSystem::Spring& spring : system_.springs)
+      rows_.push_back(spring.row.cwiseProduct(slow));
+    State whole = z_;
+    whole.resize(z_.size() + static_cast<std::size_t>(2 * n * deviations.count()));
+    Eigen::Map<Matrix> columns(whole.data() + z_.size(), 2 * n, deviations.count());
+    columns.topRows(n) = motion_.scale().asDiagonal() * deviations.q;
+    columns.bottomRows(n) = deviations.qdot;
+    columns.array().rowwise() /= sizes_.transpose().array();
+    return whole;
+  }
+
+  void operator()(const State& whole, State& slope, double s) {
+    const Eigen::Index n = start_.size(), m = sizes_.size();
+    std::copy_n(whole.begin(), z_.size(), z_.begin());
+    motion_(z_, slope_, s);
+    std::copy(slope_.begin(), slope_.end(), slope.begin());
+    const Eigen::Map<const Matrix> columns(whole.data() + z_.size(), 2 * n, m);
+    Eigen::Map<Matrix> rates(slope.data() + z_.size(), 2 * n, m);
+    rates.topRows(n).noalias() = motion_.scale().asDiagonal() * columns.bottomRows(n);
+    subtract(stiffness_, columns.topRows(n), rates.bottomRows(n), true);
+    subtract(system_.damping, columns.bottomRows(n), rates.bottomRows(n), false);
+    contacts_.clear();
+    for (std::size_t i = 0; i < system_.springs.size(); ++i) {
+      const SprungSystem::Spring& spring = system_.springs[i];
+      contacts_.push_back(motion_.compression(i, z_));
+      if (!spring.loaded) continue;
+      const Sprung::Compression& at = contacts_.back();
+      force_.noalias() = rows_[i].transpose() * columns.topRows(n);
+      force_ *= spring.law.by_depth(at.depth, at.rate);
+      force_.noalias() +=
+          spring.law.resistance(at.depth) * (spring.row.transpose() * columns.bottomRows(n));
+      rates.bottomRows(n).noalias() -= spring.acting * force_;
+    }
+    if (source_) add_source(s, rates);
+  }
+
+  Deviations end(const State& whole) const {
+    const Eigen::Index n = start_.size(), m = sizes_.size();
+    const Eigen::Map<const Matrix> columns(whole.data() + z_.size(), 2 * n, m);
+    return {motion_.scale().cwiseInverse().asDiagonal() * columns.topRows(n) * sizes_.asDiagonal(),
+            columns.bottomRows(n) * sizes_.asDiagonal(), Eigen::RowVectorXd::Zero(m)};
+  }
+
+  double first_step(double longest) const { return motion_.first_step(longest); }
+  const Vector& scale() const { return motion_.scale(); }
+
+ private:
+  // `fresh`: from nothing. A matrix may come as the column of its diagonal.
+  template <class Columns, class Rates>
+  static void subtract(const Matrix& matrix, const Columns& columns, Rates&& rates, bool fresh) {
+    if (fresh) rates.setZero();
+    if (matrix.cols() == 1)
+      rates.noalias() -= matrix.col(0).asDiagonal() * columns;
+    else
+      rates.noalias() -= matrix * columns;
+  }
+
+  void add_source(double s, Eigen::Map<Matrix>& rates) {
+    const Eigen::Index n = start_.size();
+    const double u = motion_.unit();
+    const Eigen::Map<const Vector> moved(z_.data(), n), velocity(z_.data() + n, n),
+        acceleration(slope_.data() + n, n);
+    source_->at(start_ + u * moved.cwiseQuotient(motion_.scale()), u * velocity, u * acceleration,
+                std::cos(theta_ + system_.frequency * s), system_, contacts_, drift_, push_);
+    rates.col(0).head(n) += motion_.scale().cwiseProduct(drift_) / sizes_[0];
+    rates.col(0).tail(n) += push_ / sizes_[0];
+  }
+
+  const SprungSystem& system_;
+  const Source* source_;
+  Sprung motion_;
+  Vector start_, sizes_;
+  double theta_ = 0.0;
+  State z_, slope_;
+  Matrix stiffness_;          // K/w
+  std::vector<Vector> rows_;  // row/w
+  Eigen::RowVectorXd force_;
+  std::vector<Sprung::Compression> contacts_;
+  Vector drift_, push_;
+};
+
+// A step that fails its error more often than this in a row will not succeed.
+constexpr int kMostFailures = 500;
+
+// Odeint begins a step with a look at the size of the last one, which before the first step has no
+// value. It gets one here, NaN, which no step has. That size is private: an explicit instantiation
+// may name it, and has a friend that sets it.
+using Method = odeint::bulirsch_stoer<Varied::State>;
+void begin_steps(Method& method);
+template <double Method::*kLastStep>
+struct LastStep {
+  friend void begin_steps(Method& method) {
+    method.*kLastStep = std::numeric_limits<double>::quiet_NaN();
+  }
+};
+template struct LastStep<&Method::m_dt_last>;
+
+Varied::State integrate(Varied& varied, Varied::State whole, double s) {
+  Method method(kDeviationTolerance, Sprung::relative(kDeviationTolerance), 1.0, 0.0);
+  begin_steps(method);
+  double at = 0.0, next = varied.first_step(s);
+  for (int failures = 0; at < s && failures < kMostFailures;) {
+    next = std::min(next, s - at);
+    failures =
+        method.try_step(std::ref(varied), whole, at, next) == odeint::success ? 0 : failures + 1;
+  }
+  if (at < s) whole.assign(whole.size(), std::numeric_limits<double>::quiet_NaN());
+  return whole;
+}
+
+// Of each column, in the units of z; 1 where it is zero.
+Vector sizes_of(const Deviations& deviations, const Vector& scale) {
+  Vector sizes(deviations.count());
+  for (Eigen::Index k = 0; k < sizes.size(); ++k) {
+    const double size = std::fmax(scale.cwiseProduct(deviations.q.col(k)).cwiseAbs().maxCoeff(),
+                                  deviations.qdot.col(k).cwiseAbs().maxCoeff());
+    sizes[k] = size > 0.0 ? size : 1.0;
+  }
+  return sizes;
+}
+
+}  // namespace
+
+Deviations sprung_deviations(const System& system, const SprungPhase& phase, const State& start,
+                             double theta, double s, const Deviations& deviations) {
+  const std::optional<SprungSystem> held = held_system(system, phase);
+  Varied varied(held ? *held : phase.equations(), nullptr);
+  const Deviations none{Matrix(start.q.size(), 0), Matrix(start.q.size(), 0), {}};
+  varied.begin(start, theta, phase.depths(), none, Vector(0));
+  const Vector sizes = sizes_of(deviations, varied.scale());
+  Varied::State whole = varied.begin(start, theta, phase.depths(), deviations, sizes);
+  return varied.end(integrate(varied, std::move(whole), s));
+}
+
+Deviations sprung_parameter_deviation(const System& system, const System& tangent,
+                                      const SprungPhase& phase, const State& start, double theta,
+                                      double s, const Deviations& column) {
+  Source source{system, tangent, springs_of(phase)};
+  if (!phase.closed().empty()) {
+    source.held = projection(system, phase.closed());
+    source.held_rate = projection_rate(system, tangent, phase.closed());
+  }
+  const std::optional<SprungSystem> held = held_system(system, phase);
+  Varied varied(held ? *held : phase.equations(), &source);
+  const auto follow = [&](const Vector& sizes) {
+    return varied.end(
+        integrate(varied, varied.begin(start, theta, phase.depths(), column, sizes), s));
+  };
+  // How large it gets is known only once it has been followed: first by the steps that the motion
+  // alone asks for.
+  const Deviations rough = follow(Vector::Constant(1, std::numeric_limits<double>::max()));
+  const Vector size = sizes_of(rough, varied.scale()).cwiseMax(sizes_of(column, varied.scale()));
+  return follow(size);
+}
+
+double surface_resistance(const ContactForce& law) {
+  // Beyond a contact that ends with its force nothing jumps at the surface but where it begins.
+  return law.damping == ContactDamping::kNone ? 0.0 : law.resistance(0.0);
+}
+
+}  // namespace graze

@@ -1,0 +1,318 @@
+// Definitions of motion.hpp: what becomes of the stops that the structure is on.
+//
+// At an instant every touched stop is one of: approached (an impact is due), left at a speed, or at
+// rest. Those at rest, with the closed ones, share out the push by complementarity: contact forces
+// >= 0, accelerations into the stops <= 0, one of the two zero. Where both vanish, the next
+// derivative decides.
+#pragma once
+
+#include <Eigen/LU>
+#include <algorithm>
+#include <cmath>
+
+#include "graze/contact/detail/complementarity.hpp"
+#include "graze/motion/detail/motion.hpp"
+#include "graze/system/detail/gap_value.hpp"
+
+namespace graze {
+namespace contact_decision_detail {
+
+// Roundings of a push, sum_j b_j (load + force - damping - stiffness)_j.
+inline constexpr int kRoundings = 16;
+
+}  // namespace contact_decision_detail
+
+// An arrival where an impact is due or nothing can be decided; else empty, with the changes noted.
+template <class Real>
+std::optional<Arrival<Real>> Motion<Real>::decide() {
+  using std::abs;
+  decide_springs();
+  ContactPhase<Real>& phase = start_phase();
+  std::vector<int> resting, lingering;
+  for (const int i : order_) {
+    // Left at this instant without speed: what the others do now may hold it back.
+    if (contact(i) == Contact::kDeparting && now_.multiplicities[static_cast<std::size_t>(i)] > 1)
+      lingering.push_back(i);
+    if (contact(i) != Contact::kTouching) continue;
+    // Known to be at rest, or kept at rest by closed stops: then its rate is mere rounding.
+    if (now_.multiplicities[static_cast<std::size_t>(i)] > 1 ||
+        !is_independent(i, phase.closed())) {
+      resting.push_back(i);
+      continue;
+    }
+    const CurvePoint<Real> rate = phase.gap_rate(i, 1);
+    // The phase forgets what closed stops leave of the velocities: rounding of b.q'.
+    // And the instant is known to its rounding, in which a push changes the speed: at the end of a
+    // chatter, where nothing else moves, this is what is left of it.
+    const Real located =
+        std::numeric_limits<Real>::epsilon() * now_.instant.local * abs(free_push(i));
+    const Real rounding = std::max<Real>(rate.noise, speed_rounding(i) + located + unseen_speed(i));
+    if (rate.value < -rounding)
+      return Arrival<Real>{ArrivalKind::kContact, i, Real(0), approach_speed(i)};
+    if (rate.value > rounding)
+      set(i, Contact::kDeparting, 1);
+    else
+      resting.push_back(i);
+  }
+  undecided_ = false;
+  if (resting.empty() && !recheck_) return {};
+  recheck_ = false;
+  resting.insert(resting.end(), lingering.begin(), lingering.end());
+  const bool decided = decide_resting(resting);
+  phase_ = nullptr;
+  undecided_ = false;
+  if (!decided) return Arrival<Real>{ArrivalKind::kUndecided, order_.front()};
+  const ContactPhase<Real>& next = phase_of(closed());
+  refusal_ = next.refusal();
+  if (!refusal_.empty()) {
+    changes_.clear();
+    return Arrival<Real>{ArrivalKind::kRefused, first_of(next)};
+  }
+  return {};
+}
+
+// What takes the structure off a stop and back by less than the rounding of the gap is not seen by
+// a flow that adds the gap up from its state: v^2 = 2 push rounding. The exact flow knows the gap
+// from its zero on.
+template <class Real>
+Real Motion<Real>::unseen_speed(int i) const {
+  using std::sqrt;
+  if (!steps_ && !is_sprung() && !turning_) return 0;
+  const Real push = free_push(i);
+  if (!(push > 0)) return 0;
+  return sqrt(2 * push * gap_value(stop(i).row, now_.q, stop(i).gap).rounding);
+}
+
+// Without any rigid stop. `size`: of the terms that are summed.
+template <class Real>
+RealVector<Real> Motion<Real>::free_acceleration(RealVector<Real>* size) const {
+  if (turning_) return turning_acceleration(size);
+  const Eigen::Index n = now_.q.size();
+  RealVector<Real> acceleration(n);
+  if (size) size->resize(n);
+  const Real cosine = forcing_cosine();
+  for (Eigen::Index j = 0; j < n; ++j)
+    acceleration[j] = free_acceleration(j, cosine, size ? &(*size)[j] : nullptr);
+  if (!compliant_.empty()) add_spring_forces(acceleration, size);
+  return acceleration;
+}
+
+template <class Real>
+RealVector<Real> Motion<Real>::turning_acceleration(RealVector<Real>* size) const {
+  turning_->begin(static_cast<double>(now_.instant.local));
+  const Vector q = now_.q.template cast<double>(), qdot = now_.qdot.template cast<double>();
+  const TurningMotion at{q, qdot};
+  RealVector<Real> force = turning_->force(at, 0.0).template cast<Real>();
+  if (size) *size = turning_->force_size(at, 0.0).template cast<Real>();
+  if (!compliant_.empty()) add_spring_forces(force, size);
+  RealVector<Real> acceleration = accelerated(force);
+  if (now_.joint == Joint::kHeld) hold_joint(acceleration);
+  return acceleration;
+}
+
+// M^-1 f at the present shape.
+template <class Real>
+RealVector<Real> Motion<Real>::accelerated(const RealVector<Real>& force) const {
+  return turning_
+      ->accelerated(Vector(force.template cast<double>()), Vector(now_.q.template cast<double>()))
+      .template cast<Real>();
+}
+
+// What of an acceleration a joint leaves that does not turn.
+template <class Real>
+void Motion<Real>::hold_joint(RealVector<Real>& acceleration) const {
+  const RealVector<Real> row = turning_->angle_row().template cast<Real>();
+  const RealVector<Real> along = accelerated(row);
+  acceleration -= (row.dot(acceleration) / row.dot(along)) * along;
+}
+
+// How a force at each of these stops acts on the push at each; unlike an impulse it does not turn a
+// joint that is held.
+template <class Real>
+RealMatrix<Real> Motion<Real>::pressing(const std::vector<int>& stops) const {
+  Matrix_ matrix = delassus(stops);
+  if (!turning_ || now_.joint != Joint::kHeld) return matrix;
+  for (std::size_t b = 0; b < stops.size(); ++b) {
+    RealVector<Real> direction = stop(stops[b]).direction;
+    hold_joint(direction);
+    for (std::size_t a = 0; a < stops.size(); ++a)
+      matrix(static_cast<Eigen::Index>(a), static_cast<Eigen::Index>(b)) =
+          stop(stops[a]).row.dot(direction);
+  }
+  return matrix;
+}
+
+// d = M^-1 b/(b.M^-1 b): an impulse along b, which at this shape changes the approach speed by 1.
+template <class Real>
+void Motion<Real>::turn_directions() {
+  if (!turning_) return;
+  for (MetStop& stop : stops_) {
+    if (stop.is_compliant()) continue;
+    stop.direction = accelerated(stop.row);
+    stop.direction /= stop.row.dot(stop.direction);
+    stop.norm2 = 0;
+  }
+}
+
+template <class Real>
+Real Motion<Real>::free_acceleration(Eigen::Index j, const Real& cosine, Real* size) const {
+  using std::abs;
+  const Real load = linear_.load.size() > 0 ? linear_.load[j] : Real(0);
+  const Real force = linear_.forced ? Real(linear_.amplitude[j] * cosine) : Real(0);
+  const Real damping = 2 * linear_.delta[j] * now_.qdot[j];
+  const Real stiffness = linear_.omega[j] * linear_.omega[j] * now_.q[j];
+  if (size)
+    *size = abs(load) + (linear_.forced ? Real(abs(linear_.amplitude[j])) : Real(0)) +
+            abs(damping) + abs(stiffness);
+  return load + force - damping - stiffness;
+}
+
+template <class Real>
+Real Motion<Real>::forcing_cosine() const {
+  using std::cos;
+  return linear_.forced ? Real(cos(clock_.phase(now_.instant))) : Real(0);
+}
+
+template <class Real>
+Real Motion<Real>::free_push(int i) const {
+  if (turning_) return stop(i).row.dot(free_acceleration());
+  const Real cosine = forcing_cosine();
+  Real push = 0;
+  for (Eigen::Index j = 0; j < now_.q.size(); ++j)
+    push += stop(i).row[j] * free_acceleration(j, cosine, nullptr);
+  for (const int k : compliant_)
+    if (contact(k) == Contact::kCompressed) push -= spring_force(k) * stop(i).row.dot(stop(k).row);
+  return push;
+}
+
+template <class Real>
+Real Motion<Real>::push_rounding(int i, const RealVector<Real>& size) const {
+  return contact_decision_detail::kRoundings * std::numeric_limits<Real>::epsilon() *
+         stop(i).row.cwiseAbs().dot(size);
+}
+
+template <class Real>
+bool Motion<Real>::decide_resting(const std::vector<int>& resting) {
+  std::vector<int> candidates;
+  for (const int i : order_)
+    if (contact(i) == Contact::kClosed || contact(i) == Contact::kLocked ||
+        std::find(resting.begin(), resting.end(), i) != resting.end())
+      candidates.push_back(i);
+  const auto k = static_cast<Eigen::Index>(candidates.size());
+  RealVector<Real> size;
+  const RealVector<Real> acceleration = free_acceleration(&size);
+  RealVector<Real> push(k), rounding(k);
+  for (Eigen::Index a = 0; a < k; ++a) {
+    const MetStop& s = stop(candidates[static_cast<std::size_t>(a)]);
+    push[a] = s.row.dot(acceleration);
+    rounding[a] = push_rounding(candidates[static_cast<std::size_t>(a)], size);
+  }
+  const Matrix_ shares = pressing(candidates);
+  const std::optional<RealVector<Real>> held = solve_contacts(shares, push, rounding);
+  if (!held) return false;
+  const RealVector<Real> into = push - shares * *held;
+  std::vector<int> pressed, degenerate;
+  for (Eigen::Index a = 0; a < k; ++a) {
+    const int i = candidates[static_cast<std::size_t>(a)];
+    if ((*held)[a] * shares(a, a) > rounding[a])
+      pressed.push_back(i);
+    else if (into[a] < -rounding[a])
+      let_go(i, 2);
+    else
+      degenerate.push_back(i);
+  }
+  // Who is left goes first: nobody is kept on a stop by one that is open.
+  const std::vector<int> kept = decide_degenerate(pressed, std::move(degenerate));
+  for (const int i : pressed) hold(i);
+  for (const int i : kept) hold(i);
+  rest_on_closed();
+  return true;
+}
+
+// 1/s: by no more than this factor a derivative of a free motion is larger than the one before,
+// each term by term.
+template <class Real>
+Real Motion<Real>::quickest_rate() const {
+  using std::max;
+  Real rate = linear_.forced ? linear_.frequency : Real(0);
+  for (Eigen::Index j = 0; j < linear_.omega.size(); ++j)
+    rate = max(rate, max<Real>(linear_.omega[j], 2 * linear_.delta[j]));
+  return rate;
+}
+
+// Neither pushed nor pulled: the push that follows decides, which depends on who else is held, by
+// its rate or, where that vanishes too, by the rate of that. Without any they stay where they are.
+// Lets go of those that are left; the rest of them.
+template <class Real>
+std::vector<int> Motion<Real>::decide_degenerate(std::vector<int> held, std::vector<int> stops) {
+  std::vector<int> kept;
+  // The multiplicity of the zero at which the structure leaves the stop; 0: it stays.
+  const auto leaves = [&](int i) {
+    if (!is_independent(i, held)) return 0;  // kept there by others
+    ContactPhase<Real>& phase = phase_of(held);
+    if (!phase.refusal().empty()) return 0;
+    start_at_now(phase);
+    const CurvePoint<Real> jerk = phase.gap_rate(i, 3);
+    if (jerk.value > jerk.noise) return 3;
+    // Where nothing has a closed form no further rate is known.
+    if (jerk.value < -jerk.noise || !phase.exact()) return 0;
+    return jerk.slope > quickest_rate() * jerk.noise ? 4 : 0;
+  };
+  const auto stays = [&](int i) { return leaves(i) == 0; };
+  // Each pass keeps one more, so there are no more passes than stops.
+  for (auto next = stops.begin(); next != stops.end(); next = stops.begin()) {
+    next = std::find_if(stops.begin(), stops.end(), stays);
+    if (next == stops.end()) break;
+    if (is_independent(*next, held)) held.push_back(*next);
+    kept.push_back(*next);
+    stops.erase(next);
+  }
+  for (const int i : stops) let_go(i, leaves(i));
+  return kept;
+}
+
+template <class Real>
+void Motion<Real>::hold(int i) {
+  if (contact(i) == Contact::kClosed) return;
+  if (!is_independent(i, closed())) {
+    set(i, Contact::kLocked);
+    return;
+  }
+  set(i, Contact::kClosed);
+  changes_.push_back({ArrivalKind::kStick, i});
+}
+
+template <class Real>
+void Motion<Real>::let_go(int i, int multiplicity) {
+  if (contact(i) == Contact::kClosed) changes_.push_back({ArrivalKind::kRelease, i});
+  set(i, Contact::kDeparting, multiplicity);
+}
+
+// Whether the stop's row is no combination of those of the others.
+template <class Real>
+bool Motion<Real>::is_independent(int i, const std::vector<int>& list) const {
+  if (list.empty()) return true;
+  Matrix_ rows(now_.q.size(), static_cast<Eigen::Index>(list.size()));
+  for (std::size_t a = 0; a < list.size(); ++a)
+    rows.col(static_cast<Eigen::Index>(a)) = stop(list[a]).row;
+  const RealVector<Real>& row = stop(i).row;
+  const RealVector<Real> share =
+      (rows.transpose() * rows).fullPivLu().solve(rows.transpose() * row);
+  // Half of the digits: nearer rows could not be told apart by their forces.
+  return (row - rows * share).squaredNorm() >
+         std::numeric_limits<double>::epsilon() * row.squaredNorm();
+}
+
+// Velocities with b.q' = 0 at every closed stop.
+template <class Real>
+void Motion<Real>::rest_on_closed() {
+  const std::vector<int> stops = closed();
+  if (stops.empty()) return;
+  RealVector<Real> speeds(static_cast<Eigen::Index>(stops.size()));
+  for (std::size_t a = 0; a < stops.size(); ++a)
+    speeds[static_cast<Eigen::Index>(a)] = approach_speed(stops[a]);
+  push_back_from(stops, delassus(stops).partialPivLu().solve(speeds));
+  look_at_joint();
+}
+
+}  // namespace graze

@@ -1,0 +1,32 @@
+// The last events of a run: where they crowd together, which stops do what. A run that spends its
+// budget on them says so.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <string>
+
+#include "graze/motion/run_events.hpp"
+
+namespace graze {
+
+class EventCrowd {
+ public:
+  void add(const Event& event);
+  // "; the last 512 events took 3.1e-05 s: stop 2, 140 impacts at 1e-9 to 2e-7 m/s, ..", the
+  // busiest stops first. Empty where there are fewer, or they took a part of `span` (s) that is
+  // worth telling: then they are the motion.
+  std::string sentence(double span) const;
+
+ private:
+  static constexpr std::size_t kKept = 512;
+  struct Kept {
+    EventKind kind = EventKind::kImpact;
+    int stop = 0;
+    double time = 0.0, speed = 0.0;  // s, m/s
+  };
+  std::array<Kept, kKept> last_{};  // in turn
+  std::size_t count_ = 0;
+};
+
+}  // namespace graze

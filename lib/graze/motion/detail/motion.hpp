@@ -1,0 +1,275 @@
+// The hybrid motion, one certified arc at a time.
+//
+//   contact: a gap reaches zero at approach speed v = b.q' > 0; an impact is due,
+//            q'+ = q'- - D p,   p >= 0,  v+ + r v- <= 0,  p.(v+ + r v-) = 0
+//            over all stops touched at that instant (one stop: v+ = -r v-). A stop that is being
+//            left takes no part; thrown back onto it, the structure hits it next, at the same
+//            instant. Where such impacts would never end (the corner between two stops, reached by
+//            ever quicker impacts on both) they are summed: v+ = 0;
+//   stick:   on a stop at zero speed and pushed; its contact force holds it from then on;
+//   release: the first instant at which the contact force of a closed stop falls through zero;
+//   entry:   a compliant stop is reached and its spring compressed from then on; nothing jumps;
+//   separation: its force is gone, at the surface of the stop or below it.
+//
+// Events lie at the end of the arc that leads to them; the next arc departs from its known zero of
+// the gap: simple after an impact, double when pulled away from rest, triple after a release.
+// Nothing depends on the order in which the stops are listed.
+#pragma once
+
+#include <limits>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "graze/flow/exact/detail/contact_phase.hpp"
+#include "graze/flow/held/detail/exact_phase.hpp"
+#include "graze/flow/stepped/step_setting.hpp"
+#include "graze/flow/turning/detail/turning_structure.hpp"
+
+namespace graze {
+
+// One stop's share in an impact.
+template <class Real>
+struct ImpactShare {
+  int stop = 0;
+  Real speed = 0;        // approach speed before, m/s
+  Real speed_after = 0;  // and after, where the impulse is not zero, m/s
+  Real impulse = 0;      // p, along the stop's direction, m/s
+  bool hit = false;      // it took part by approaching
+};
+
+// A chatter whose tail was summed.
+template <class Real>
+struct ClosedChatter {
+  std::vector<int> stops;                      // that it ends on, ascending
+  std::vector<int> closed;                     // these and those that held the structure before
+  Real duration = 0;                           // of the tail, s
+  RealVector<Real> q_before{}, qdot_before{};  // the state that was left for rest
+};
+
+template <class Real>
+class Motion {
+ public:
+  // Keeps a copy of `system`. Starts at `instant` with the given state; a stop whose gap is
+  // zero within rounding counts as touched. `steps`: the motion between events is integrated step
+  // by step, and events are looked for at the ends of the steps.
+  Motion(const System& system, const Instant<Real>& instant, const RealVector<Real>& q,
+         const RealVector<Real>& qdot, const std::optional<StepSetting>& steps = {});
+  Motion(const System& system, const MotionState<Real>& state,
+         const std::optional<StepSetting>& steps = {});
+  // Where a flight is integrated step by step it ends undecided once this is requested.
+  void stop_on(const StopSignal& stop) { stop_ = stop; }
+  // From now on depths of springs beyond this one, m, are located (StepFlow::deepest).
+  void tell_depths_beyond(double depth) { told_depth_ = depth; }
+  // From now on this stop is not looked at, as if it were not there; none: all are.
+  void leave_out(std::optional<int> stop);
+  Motion(const Motion&) = delete;
+  Motion& operator=(const Motion&) = delete;
+
+  // Flies from the present instant to the first event, at most up to `until` (seconds on the local
+  // clock, not beyond the period's end), and moves there. The event is searched up to `horizon` >=
+  // `until`: flights to different ends under one horizon agree bit for bit where they overlap.
+  Arrival<Real> fly(const Real& until, const Real& horizon);
+  Arrival<Real> fly(const Real& until) { return fly(until, until); }
+
+  // Applies the impact that is due after kContact; the shares of all stops touched, until the next
+  // one.
+  const std::vector<ImpactShare<Real>>& impact();
+
+  // Right after an impact: whether what is left of a chatter can be summed. It can where the last
+  // impact was at no more than `closure_speed` (m/s), and the pushes outlive the tail with nothing
+  // else happening meanwhile. Then the structure is put to rest on the stop, or on the several
+  // stops that throw it at each other; the error of what follows is of second order in the speed.
+  std::optional<ClosedChatter<Real>> close_chatter(const std::vector<ImpactShare<Real>>& shares,
+                                                   const Real& closure_speed);
+  // The same on one stop, whatever the speed, after an impact with restitution r that left at speed
+  // v+, against a push a_n:
+  //   duration = 2 v+/(a_n (1 - r)),   duration * |d a_n/dt| <= a_n/2.
+  std::optional<ClosedChatter<Real>> close_chatter(int stop, const Real& restitution);
+  // Puts the structure to rest on the several stops that throw it at each other at no more than
+  // `speed` (m/s), where all of them would press; for motions in which what passes at such speeds
+  // takes no time worth telling. Returns whether there are such stops.
+  bool rest_together(const Real& speed);
+
+  const Instant<Real>& instant() const { return now_.instant; }
+  const RealVector<Real>& q() const { return now_.q; }
+  const RealVector<Real>& qdot() const { return now_.qdot; }
+  const MotionState<Real>& state() const { return now_; }
+  // The state from which the last arc was flown: a motion made from it flies the same arc again.
+  const MotionState<Real>& departure() const { return departure_; }
+  // Whether something of the present instant (impact, sticking, release) is still to be decided or
+  // handed out.
+  bool has_news() const { return undecided_ || !changes_.empty(); }
+  bool is_closed(int stop) const { return contact(stop) == Contact::kClosed; }
+  bool is_closed_anywhere() const;
+  // Whether a spring is compressed.
+  bool is_sprung() const { return !springs().empty(); }
+  // The force of a compressed spring at the present instant, N; 0 where it is not.
+  Real spring_force(int stop) const;
+  // Energy stored in it, J; 0 at the surface.
+  double spring_energy(int stop) const;
+  const std::string& refusal() const { return refusal_; }
+  // Of the right-hand side of the equations of motion, by a motion integrated step by step.
+  long long step_evaluations() const;
+  // The clock: forcing period and phase.
+  const ExactFlow<Real>& flow() const { return clock_; }
+  // The phase and arc flown last, from its own start.
+  const ContactPhase<Real>& flown() const { return *flown_; }
+  // The gap at a stop along the arc that starts now, for `window` seconds; holds until it is flown.
+  const ArcCurve<Real>& gap_ahead(int stop, const Real& window);
+  // Contact force of a closed stop at the present instant, N.
+  Real force(int stop) { return start_phase().force_at(stop, Real(0), now_.q, now_.qdot); }
+  // gap - row.q at the present instant.
+  Real gap(int stop) const;
+  // Approach speed row.q' at the present instant.
+  Real approach_speed(int stop) const;
+
+ private:
+  using Matrix_ = RealMatrix<Real>;
+  // A stop of the system in the scalar of the motion.
+  struct MetStop {
+    RealVector<Real> row, direction;
+    Real gap = 0;
+    Real norm2 = 0;  // |row|^2 where the direction is row/|row|^2 to rounding; 0: it is oblique
+    const Stop* given = nullptr;  // of system_
+
+    bool is_compliant() const { return given->is_compliant(); }
+    const Restitution& restitution() const { return given->restitution(); }
+    const ContactForce& force() const { return given->force(); }
+  };
+  struct Change {
+    ArrivalKind kind;
+    int stop;
+  };
+  void adopt_system();
+  const MetStop& stop(int i) const { return stops_[static_cast<std::size_t>(i)]; }
+  Contact contact(int i) const { return now_.contacts[static_cast<std::size_t>(i)]; }
+  bool is_held(int i) const {
+    return contact(i) == Contact::kClosed || contact(i) == Contact::kLocked;
+  }
+  void set(int i, Contact contact, int multiplicity = 0);
+  // What of the approach speed may be rounding, m/s.
+  Real speed_rounding(int i) const;
+  RealVector<Real> free_acceleration(RealVector<Real>* size = nullptr) const;
+  // Of a structure that turns; its torque is that of the present instant.
+  RealVector<Real> turning_acceleration(RealVector<Real>* size) const;
+  RealVector<Real> accelerated(const RealVector<Real>& force) const;
+  void hold_joint(RealVector<Real>& acceleration) const;
+  Real hub_rate(const RealVector<Real>& rates) const;
+  Matrix_ pressing(const std::vector<int>& stops) const;
+  // Directions of impulses at the present shape of a structure that turns.
+  void turn_directions();
+  Real free_acceleration(Eigen::Index mode, const Real& cosine, Real* size) const;
+  Real forcing_cosine() const;
+  // Speed, m/s, at which a motion integrated step by step cannot leave a stop that it is pushed on.
+  Real unseen_speed(int stop) const;
+  // row.q'' without any stop, m/s^2.
+  Real free_push(int stop) const;
+  // What of a push row.q'' may be rounding, by the size of the terms that are summed, m/s^2.
+  Real push_rounding(int i, const RealVector<Real>& size) const;
+  bool touches(int i) const;
+  std::vector<int> closed() const;
+  ContactPhase<Real>& phase_of(const std::vector<int>& closed);
+  PhaseSprings springs() const;
+  Real depth(int stop) const;
+  void begin_springs();
+  void decide_springs();
+  std::optional<int> departure_from_rest(int stop);
+  void compress(int stop);
+  void arrive_at_spring(Arrival<Real>& arrival);
+  // Of the acceleration, by the springs that are compressed.
+  void add_spring_forces(RealVector<Real>& acceleration, RealVector<Real>* size) const;
+  ContactPhase<Real>& start_phase();
+  void start_at_now(ContactPhase<Real>& phase) const;
+
+  // D: how the impulse of each of these stops acts on the approach speed at each.
+  Matrix_ delassus(const std::vector<int>& stops) const;
+  // q' -= amount d
+  void push_back(const MetStop& stop, const Real& amount);
+  // q' -= sum_i amounts_i d_i
+  void push_back_from(const std::vector<int>& stops, const RealVector<Real>& amounts);
+
+  std::optional<Arrival<Real>> decide();
+  bool decide_resting(const std::vector<int>& resting);
+  std::vector<int> decide_degenerate(std::vector<int> held, std::vector<int> stops);
+  void hold(int stop);
+  void let_go(int stop, int multiplicity);
+  Real quickest_rate() const;
+  void rest_on_closed();
+  bool is_independent(int stop, const std::vector<int>& of) const;
+
+  // The stops touched at this instant: approach speeds (m/s; 0 where closed), what of them is
+  // rounding, and D.
+  struct Touched {
+    std::vector<int> stops;
+    RealVector<Real> speed, rounding;
+    Matrix_ acting;
+  };
+  // What an impact does at each: the speed it leaves where it acts, and p; m/s.
+  struct Jump {
+    RealVector<Real> target, impulse;
+  };
+  static bool is_left(const Touched& touched, Eigen::Index a) {
+    return touched.speed[a] < -touched.rounding[a];
+  }
+  Touched touched_stops() const;
+  // The impact on those that are approached or at rest.
+  Jump jump_of(const Touched& touched) const;
+  // Whether that throws the structure back onto a stop that it is leaving.
+  bool drives_back(const Touched& touched, const Jump& jump) const;
+  // Whether impacts at this instant then follow each other without end, down to rest.
+  bool comes_to_rest(Touched touched) const;
+  // The stop of an impact that concerns it alone; -1: others are touched or held too.
+  int lone_stop() const;
+  void impact_alone(int stop);
+  void apply(const std::vector<int>& touched, const RealVector<Real>& target,
+             RealVector<Real>& impulse);
+  bool is_quiet(const ContactPhase<Real>& phase, const std::vector<int>& chattering,
+                const Real& duration);
+  bool is_quiet_meanwhile(int stop, const Real& duration);
+  Real resolved_speed() const;
+  std::vector<int> chattering_together(const Real& closure_speed) const;
+  std::optional<ClosedChatter<Real>> close_shared(const Real& closure_speed);
+  std::pair<RealVector<Real>, RealVector<Real>> at_rest_on(const std::vector<int>& stops) const;
+  ClosedChatter<Real> settled(const std::vector<int>& stops, const Real& duration);
+  static int first_of(const ContactPhase<Real>& phase);
+  Arrival<Real> stay();
+  Arrival<Real> search(const Real& until, const Real& horizon);
+  bool has_friction() const { return turning_ && system_.rotation()->friction; }
+  void set_joint(Joint joint);
+  void look_at_joint();
+  bool turns_on(const Real& duration) const;
+  void stop_joint();
+  void arrive_at_joint(bool forward);
+  Arrival<Real> arrive(Arrival<Real> arrival, const Real& until);
+  void settle_on(int stop, const Real& flight);
+  void touch_simultaneous(const Real& flight);
+
+  const System system_;
+  const std::optional<StepSetting> steps_;
+  StopSignal stop_;
+  double told_depth_ = std::numeric_limits<double>::infinity();
+  ExactFlow<Real> clock_;
+  LinearSystem<Real> linear_;
+  mutable std::optional<TurningStructure> turning_;
+  std::vector<MetStop> stops_;
+  // In which rigid stops are looked at: the same however they are listed; then the compliant ones.
+  std::vector<int> order_, compliant_, all_;
+  std::optional<int> left_out_;
+  std::vector<int> looked_at_;  // all but that
+  MotionState<Real> now_, departure_;
+  std::map<PhaseKey, std::unique_ptr<ContactPhase<Real>>> phases_;
+  ContactPhase<Real>* phase_ = nullptr;  // of the closed stops; null until it is looked up
+  ContactPhase<Real>* flown_ = nullptr;
+  bool undecided_ = false;  // some stop is touching
+  bool recheck_ = false;    // closed stops have felt an impulse
+  std::vector<Change> changes_;
+  std::vector<ImpactShare<Real>> shares_;  // of the last impact
+  int standstill_ = 0;                     // arrivals without flight in a row
+  std::string refusal_;
+};
+
+}  // namespace graze

@@ -1,0 +1,346 @@
+// Definitions of motion.hpp: setting up, flying and arriving; included by one translation unit per
+// scalar.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "graze/contact/detail/impulse.hpp"
+#include "graze/flow/detail/phase_choice.hpp"
+#include "graze/motion/detail/chatter_impl.hpp"
+#include "graze/motion/detail/contact_decision_impl.hpp"
+#include "graze/motion/detail/impact_impl.hpp"
+#include "graze/motion/detail/joint_impl.hpp"
+#include "graze/motion/detail/motion.hpp"
+#include "graze/motion/detail/spring_contact_impl.hpp"
+#include "graze/system/detail/gap_value.hpp"
+
+namespace graze {
+namespace motion_detail {
+
+// Arrivals in a row without any flight: each stop may be hit, closed and opened a few times at one
+// instant; a motion that does not get away from it after this many cannot be decided.
+inline constexpr int kMostStandstills = 1000;
+
+// Whether stop a comes before stop b in an order that knows nothing of how they are listed.
+inline bool precedes(const Stop& a, const Stop& b) {
+  for (Eigen::Index j = 0; j < a.row.size(); ++j)
+    if (a.row[j] != b.row[j]) return a.row[j] < b.row[j];
+  if (a.gap != b.gap) return a.gap < b.gap;
+  return a.restitution().coefficients() < b.restitution().coefficients();
+}
+
+}  // namespace motion_detail
+
+template <class Real>
+Motion<Real>::Motion(const System& system, const Instant<Real>& instant, const RealVector<Real>& q,
+                     const RealVector<Real>& qdot, const std::optional<StepSetting>& steps)
+    : system_(system), steps_(steps), clock_(system), linear_(linear_system<Real>(system)) {
+  adopt_system();
+  now_ = {instant, q, qdot, std::vector<Contact>(stops_.size(), Contact::kClear),
+          std::vector<int>(stops_.size(), 0)};
+  turn_directions();
+  for (const int i : order_)
+    if (touches(i)) set(i, Contact::kTouching);
+  begin_springs();
+  look_at_joint();
+}
+
+template <class Real>
+Motion<Real>::Motion(const System& system, const MotionState<Real>& state,
+                     const std::optional<StepSetting>& steps)
+    : system_(system),
+      steps_(steps),
+      clock_(system),
+      linear_(linear_system<Real>(system)),
+      now_(state) {
+  adopt_system();
+  turn_directions();
+  if (turning_) turning_->set_joint(now_.joint);
+  undecided_ = std::any_of(now_.contacts.begin(), now_.contacts.end(),
+                           [](Contact c) { return c == Contact::kTouching; });
+  recheck_ = undecided_;
+}
+
+template <class Real>
+void Motion<Real>::adopt_system() {
+  for (const Stop& stop : system_.stops) {
+    (stop.is_compliant() ? compliant_ : order_).push_back(static_cast<int>(stops_.size()));
+    const bool is_normal = !stop.is_compliant() && stop.direction() == momentum_direction(stop.row);
+    const RealVector<Real> row = stop.row.template cast<Real>();
+    stops_.push_back({row, stop.direction().template cast<Real>(), Real(stop.gap),
+                      is_normal ? row.squaredNorm() : Real(0), &stop});
+  }
+  std::stable_sort(order_.begin(), order_.end(), [&](int a, int b) {
+    return motion_detail::precedes(system_.stops[static_cast<std::size_t>(a)],
+                                   system_.stops[static_cast<std::size_t>(b)]);
+  });
+  all_ = order_;
+  all_.insert(all_.end(), compliant_.begin(), compliant_.end());
+  looked_at_ = all_;
+  if (system_.turns()) turning_.emplace(system_);
+}
+
+template <class Real>
+void Motion<Real>::leave_out(std::optional<int> stop) {
+  left_out_ = stop;
+  looked_at_ = all_;
+  if (stop) std::erase(looked_at_, *stop);
+}
+
+template <class Real>
+void Motion<Real>::set(int i, Contact contact, int multiplicity) {
+  now_.contacts[static_cast<std::size_t>(i)] = contact;
+  now_.multiplicities[static_cast<std::size_t>(i)] = multiplicity;
+  if (contact == Contact::kTouching) undecided_ = true;
+}
+
+template <class Real>
+bool Motion<Real>::touches(int i) const {
+  const GapValue<Real> gap = gap_value(stop(i).row, now_.q, stop(i).gap);
+  return gap.value <= gap.rounding;
+}
+
+template <class Real>
+std::vector<int> Motion<Real>::closed() const {
+  std::vector<int> list;
+  for (const int i : order_)
+    if (contact(i) == Contact::kClosed) list.push_back(i);
+  return list;
+}
+
+template <class Real>
+bool Motion<Real>::is_closed_anywhere() const {
+  return std::any_of(now_.contacts.begin(), now_.contacts.end(),
+                     [](Contact c) { return c == Contact::kClosed; });
+}
+
+template <class Real>
+ContactPhase<Real>& Motion<Real>::phase_of(const std::vector<int>& closed) {
+  const PhaseKey key{closed, springs(), now_.joint};
+  std::unique_ptr<ContactPhase<Real>>& phase = phases_[key];
+  if (phase) return *phase;
+  const double angle = now_.joint == Joint::kHeld
+                           ? system_.rotation()->angle.dot(now_.q.template cast<double>())
+                           : 0.0;
+  phase = make_contact_phase<Real>(system_, key, steps_, angle);
+  return *phase;
+}
+
+template <class Real>
+ContactPhase<Real>& Motion<Real>::start_phase() {
+  if (!phase_) phase_ = &phase_of(closed());
+  start_at_now(*phase_);
+  return *phase_;
+}
+
+template <class Real>
+void Motion<Real>::start_at_now(ContactPhase<Real>& phase) const {
+  phase.start(clock_.phase(now_.instant), now_.q, now_.qdot, now_.instant.local);
+}
+
+template <class Real>
+Real Motion<Real>::gap(int i) const {
+  return stop(i).gap - stop(i).row.dot(now_.q);
+}
+
+template <class Real>
+Real Motion<Real>::approach_speed(int i) const {
+  return stop(i).row.dot(now_.qdot);
+}
+
+template <class Real>
+const ArcCurve<Real>& Motion<Real>::gap_ahead(int i, const Real& window) {
+  return start_phase().exact()->gap(i, window, contact(i) != Contact::kClear);
+}
+
+template <class Real>
+Arrival<Real> Motion<Real>::fly(const Real& until, const Real& horizon) {
+  // What an impact or a push does is shared out among so many stops at one instant.
+  const auto crowded = [&] {
+    const auto touched = std::count_if(order_.begin(), order_.end(), [&](int i) {
+      return contact(i) != Contact::kClear &&
+             (is_held(i) || !(approach_speed(i) < -speed_rounding(i)));
+    });
+    if (touched <= kMostContacts) return false;
+    refusal_ = std::to_string(touched) + " stops are touched at this instant, and an impact is " +
+               "shared out among " + std::to_string(kMostContacts) + " at most";
+    return true;
+  };
+  if (undecided_ && crowded()) return {ArrivalKind::kRefused, order_.front()};
+  const Instant<Real> start = now_.instant;
+  std::optional<Arrival<Real>> arrival;
+  if (changes_.empty() && undecided_) arrival = decide();
+  if (!arrival && !changes_.empty()) {
+    arrival = Arrival<Real>{changes_.front().kind, changes_.front().stop};
+    changes_.erase(changes_.begin());
+  }
+  if (!arrival && !(until > now_.instant.local)) arrival = stay();
+  if (!arrival) arrival = arrive(search(until, horizon), until);
+  if (arrival->kind == ArrivalKind::kContact && crowded()) arrival->kind = ArrivalKind::kRefused;
+  // To be asked for the news alone is no progress and no standstill.
+  // Nor is a flight that the clock does not feel.
+  if (now_.instant.period != start.period || now_.instant.local != start.local)
+    standstill_ = 0;
+  else if (arrival->kind != ArrivalKind::kTime)
+    ++standstill_;
+  if (standstill_ > motion_detail::kMostStandstills) arrival->kind = ArrivalKind::kUndecided;
+  return *arrival;
+}
+
+// A stop that makes the phase what it is; -1: none does, it turns with a hub.
+template <class Real>
+int Motion<Real>::first_of(const ContactPhase<Real>& phase) {
+  if (!phase.closed().empty()) return phase.closed().front();
+  if (phase.springs().empty()) return -1;
+  return phase.springs().loaded.empty() ? phase.springs().parted.front()
+                                        : phase.springs().loaded.front();
+}
+
+// A flight of no length, for the news alone.
+template <class Real>
+Arrival<Real> Motion<Real>::stay() {
+  departure_ = now_;
+  const ContactPhase<Real>& phase = start_phase();
+  flown_ = phase_;
+  if (phase.refusal().empty()) return {};
+  refusal_ = phase.refusal();
+  return {ArrivalKind::kRefused, first_of(phase)};
+}
+
+// The first event along the arc that starts now.
+template <class Real>
+Arrival<Real> Motion<Real>::search(const Real& until, const Real& horizon) {
+  departure_ = now_;
+  ContactPhase<Real>& phase = start_phase();
+  if (!phase.refusal().empty()) {
+    refusal_ = phase.refusal();
+    return {ArrivalKind::kRefused, first_of(phase)};
+  }
+  const Real left = until - now_.instant.local;
+  const Arrival<Real> arrival =
+      phase.first_event(now_, {left, horizon - now_.instant.local, looked_at_, stop_, told_depth_});
+  if (arrival.kind != ArrivalKind::kNotFinite && arrival.flight > left)
+    return {ArrivalKind::kTime, -1, left, Real(0), arrival.evaluations, arrival.lowest};
+  return arrival;
+}
+
+template <class Real>
+long long Motion<Real>::step_evaluations() const {
+  long long sum = 0;
+  for (const auto& [key, phase] : phases_) sum += phase->evaluations();
+  return sum;
+}
+
+template <class Real>
+Arrival<Real> Motion<Real>::arrive(Arrival<Real> arrival, const Real& until) {
+  using std::isfinite;
+  flown_ = phase_;
+  const bool whole = arrival.flight == until - now_.instant.local;
+  if (arrival.flight > 0) {
+    phase_->state(arrival.flight, now_.q, now_.qdot);
+    // A stop that has hardly been left still counts as touched: the sign of its gap is rounding.
+    for (const int i : all_)
+      if (contact(i) == Contact::kDeparting)
+        set(i, touches(i) ? Contact::kTouching : Contact::kClear);
+    turn_directions();
+    for (const int i : compliant_) {
+      if (contact(i) == Contact::kLocked)
+        set(i, touches(i) ? Contact::kTouching : Contact::kClear);
+      else if (contact(i) == Contact::kCompressed || contact(i) == Contact::kParted)
+        set(i, contact(i));
+    }
+  }
+  now_.instant.local = whole ? until : Real(now_.instant.local + arrival.flight);
+  if (now_.instant.local >= clock_.period()) {
+    ++now_.instant.period;
+    now_.instant.local = 0;
+  }
+  if (!isfinite(now_.instant.local)) {
+    arrival.kind = ArrivalKind::kNotFinite;
+    return arrival;
+  }
+  for (Eigen::Index j = 0; j < now_.q.size(); ++j)
+    if (!isfinite(now_.q[j]) || !isfinite(now_.qdot[j])) {
+      arrival.kind = ArrivalKind::kNotFinite;
+      return arrival;
+    }
+  if (arrival.stop >= 0 && stop(arrival.stop).is_compliant() &&
+      arrival.kind != ArrivalKind::kTime && arrival.kind != ArrivalKind::kUndecided) {
+    arrive_at_spring(arrival);
+    return arrival;
+  }
+  switch (arrival.kind) {
+    case ArrivalKind::kJoint:
+      arrive_at_joint(arrival.forward);
+      break;
+    case ArrivalKind::kContact:
+      // A gap that touches zero without approaching has nothing to undo: a grazing from outside, or
+      // a point within rounding of one.
+      arrival.speed = approach_speed(arrival.stop);
+      if (!(arrival.speed > 0)) arrival.kind = ArrivalKind::kTouch;
+      [[fallthrough]];
+    case ArrivalKind::kTouch:
+      set(arrival.stop, Contact::kTouching);
+      if (arrival.kind == ArrivalKind::kContact) {
+        settle_on(arrival.stop, arrival.flight);
+        touch_simultaneous(arrival.flight);
+      }
+      break;
+    case ArrivalKind::kRelease:
+      set(arrival.stop, Contact::kDeparting, 3);
+      phase_ = nullptr;
+      for (const int i : order_)
+        if (contact(i) == Contact::kLocked) set(i, Contact::kTouching, 2);  // at rest there
+      break;
+    default:
+      break;
+  }
+  return arrival;
+}
+
+// Other stops whose gap vanishes at the located instant, within its rounding and that of time.
+template <class Real>
+void Motion<Real>::touch_simultaneous(const Real& flight) {
+  using std::abs;
+  const Real eps = std::numeric_limits<Real>::epsilon();
+  for (const int i : order_) {
+    if (contact(i) != Contact::kClear || i == left_out_) continue;
+    const GapValue<Real> gap = gap_value(stop(i).row, now_.q, stop(i).gap);
+    const Real moved = eps * (now_.instant.local + flight) * abs(approach_speed(i));
+    if (!(gap.value <= gap.rounding + moved)) continue;
+    set(i, Contact::kTouching);
+    settle_on(i, flight);
+  }
+}
+
+// The located instant is rounded, the contact is not: row.q = gap holds as an identity, and the
+// next arc starts from it. The offset, small against the present motion, would outlive a decaying
+// one. Each mode takes of it by the square of how far it moves, as rounding has spread it: none is
+// changed beyond its own last digits, and the energy, mostly of stiff modes, hardly at all.
+template <class Real>
+void Motion<Real>::settle_on(int i, const Real& flight) {
+  using std::abs;
+  const MetStop& s = stop(i);
+  const auto moves = [&](Eigen::Index j) {
+    const Real w = linear_.omega[j];
+    return Real(abs(now_.q[j]) + abs(now_.qdot[j]) * (w * flight > 1 ? Real(1 / w) : flight));
+  };
+  // In parts of the largest, whose square might be out of range.
+  Real largest = 0;
+  for (Eigen::Index j = 0; j < now_.q.size(); ++j) largest = std::max(largest, moves(j));
+  const auto share = [&](Eigen::Index j) {
+    const Real part = largest > 0 ? Real(moves(j) / largest) : Real(0);
+    return Real(s.row[j] * part * part);
+  };
+  Real whole = 0;
+  for (Eigen::Index j = 0; j < now_.q.size(); ++j) whole += s.row[j] * share(j);
+  const Real offset = s.gap - s.row.dot(now_.q);
+  if (whole > 0)
+    for (Eigen::Index j = 0; j < now_.q.size(); ++j) now_.q[j] += offset * (share(j) / whole);
+  else
+    now_.q += (offset / s.row.squaredNorm()) * s.row;
+}
+
+}  // namespace graze

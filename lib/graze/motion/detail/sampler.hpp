@@ -1,0 +1,32 @@
+// Hands out the samples of a run, arc by arc.
+#pragma once
+
+#include <functional>
+
+#include "graze/motion/detail/motion.hpp"
+#include "graze/motion/sample.hpp"
+
+namespace graze {
+
+class Sampler {
+ public:
+  // Refers to the system and the listener. `rate`: 1/s. `energy`: samples come with the book.
+  Sampler(const System& system, const std::function<void(const Sample&)>& listener, double rate,
+          bool energy)
+      : system_(system), listener_(listener), rate_(rate), energy_(energy) {}
+
+  // Those of the arc that the motion has flown last, which began at `start_time` and took `flight`,
+  // s; `samples` counts them from t = 0 on. `book`: as it stands at the start of the arc. False as
+  // soon as `goes_on` says so: an arc can hold any number of samples.
+  bool hand_out(Motion<double>& motion, double start_time, double flight, const EnergyBook& book,
+                long long& samples, const std::function<bool()>& goes_on);
+
+ private:
+  const System& system_;
+  const std::function<void(const Sample&)>& listener_;
+  double rate_;
+  bool energy_;
+  Sample sample_;  // the last one handed out; kept for the memory
+};
+
+}  // namespace graze

@@ -1,0 +1,34 @@
+// The energy book of a run, J:
+//
+//   start + forcing + load + constraint + impacts + contact - dissipation = now,
+//
+// where energy is (|q'|^2 + |w q|^2)/2, relative to the clamp, without that of compressed stops; of
+// a structure on a hub (q'.M q' + |w q|^2)/2, forcing being its torque and load its weight. Every
+// entry is computed on its own, so the book closes only if all of them are right.
+#pragma once
+
+#include <cmath>
+
+#include "graze/flow/variation/arc_work.hpp"
+
+namespace graze {
+
+struct EnergyBook {
+  double start = 0.0, now = 0.0;
+  Work work;
+  double impacts = 0.0;  // change at impacts and closed chatters
+
+  // What is missing, and the size of the largest entry to compare it with.
+  double defect() const {
+    return start + work.forcing + work.load + work.constraint + impacts + work.contact -
+           work.dissipation - now;
+  }
+  double size() const {
+    return std::fmax(
+        std::fmax(std::fmax(start, now), std::fmax(std::abs(work.forcing), std::abs(work.load))),
+        std::fmax(std::fmax(std::abs(work.constraint), std::abs(impacts)),
+                  std::fmax(std::abs(work.contact), work.dissipation)));
+  }
+};
+
+}  // namespace graze

@@ -1,0 +1,8 @@
+#include "graze/flow/exact/extended.hpp"
+#include "graze/motion/detail/motion_impl.hpp"
+
+namespace graze {
+
+template class Motion<Extended>;
+
+}  // namespace graze

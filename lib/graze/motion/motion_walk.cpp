@@ -1,0 +1,162 @@
+#include "graze/motion/detail/motion_walk.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <type_traits>
+#include <utility>
+
+#include "graze/flow/exact/extended.hpp"
+#include "graze/system/scale.hpp"
+
+namespace graze {
+
+template <class Real>
+MotionWalk<Real>::MotionWalk(const System& system, Motion<Real>& motion, const Real& closure_speed,
+                             Tails tails, std::optional<ChatterTail> tail)
+    : motion_(motion),
+      closure_speed_(closure_speed),
+      longest_flight_(longest_flight(system)),
+      alone_(system.stops.size() == 1),
+      tails_(tails),
+      tail_(std::move(tail)) {}
+
+template <class Real>
+WalkStep MotionWalk<Real>::next(const Instant<Real>& end) {
+  std::optional<WalkStep> step;
+  switch (std::exchange(due_, Due::kDeparture)) {
+    case Due::kDeparture:
+      break;
+    case Due::kFlight:
+      return fly();
+    case Due::kWhatLiesAtItsEnd:
+      step = happen();
+      break;
+    case Due::kTail:
+      step = sum_tail();
+      break;
+  }
+  return step ? *step : depart(end);
+}
+
+// From the present instant on.
+template <class Real>
+WalkStep MotionWalk<Real>::depart(const Instant<Real>& end) {
+  const Instant<Real>& now = motion_.instant();
+  // What lies at the end of an arc that is cut is decided when it is flown again, whole.
+  if (std::exchange(cut_, false) && not_before(now, end)) return WalkStep::kEnd;
+  at_once_ = motion_.has_news();
+  if (!at_once_) {
+    if (tail_ && not_before(now, tail_->over)) {
+      told_.assign(tail_->stops.rbegin(), tail_->stops.rend());
+      tail_.reset();
+    }
+    while (!told_.empty()) {
+      stop_ = told_.back();
+      told_.pop_back();
+      if (motion_.is_closed(stop_)) return WalkStep::kStick;
+    }
+    if (not_before(now, end)) return WalkStep::kEnd;
+  }
+  due_ = Due::kFlight;
+  departure_ = now;
+  horizon_ = until_ = now.local;
+  if (at_once_) return WalkStep::kDeparture;
+  horizon_ = motion_.flow().period();
+  if (tail_ && tail_->over.period == now.period)
+    horizon_ = std::min<Real>(horizon_, tail_->over.local);
+  if (horizon_ - now.local > longest_flight_) horizon_ = now.local + longest_flight_;
+  cut_ = now.period == end.period && end.local <= horizon_;
+  until_ = cut_ ? end.local : horizon_;
+  using std::isfinite;
+  if (!isfinite(horizon_)) horizon_ = until_;
+  return WalkStep::kDeparture;
+}
+
+template <class Real>
+WalkStep MotionWalk<Real>::fly() {
+  arrival_ = motion_.fly(until_, horizon_);
+  if (arrival_.kind != ArrivalKind::kTime) cut_ = false;
+  due_ = Due::kWhatLiesAtItsEnd;
+  return WalkStep::kFlight;
+}
+
+// What lies at the end of the flight, if anything.
+template <class Real>
+std::optional<WalkStep> MotionWalk<Real>::happen() {
+  stop_ = arrival_.stop;
+  switch (arrival_.kind) {
+    case ArrivalKind::kTime:
+    case ArrivalKind::kJoint:
+      return {};
+    case ArrivalKind::kContact:
+      qdot_before_ = motion_.qdot();
+      shares_ = &motion_.impact();
+      due_ = Due::kTail;
+      return WalkStep::kImpact;
+    case ArrivalKind::kStick:
+      if (is_in_tail(stop_)) return {};
+      return WalkStep::kStick;
+    case ArrivalKind::kRelease:
+      leave_tail();
+      return WalkStep::kRelease;
+    case ArrivalKind::kEntry:
+      return WalkStep::kEntry;
+    case ArrivalKind::kSeparation:
+      return WalkStep::kSeparation;
+    case ArrivalKind::kLeft:
+      return WalkStep::kLeft;
+    case ArrivalKind::kTouch:
+      return WalkStep::kTouch;
+    case ArrivalKind::kUndecided:
+    case ArrivalKind::kNotFinite:
+    case ArrivalKind::kRefused:
+      break;
+  }
+  return WalkStep::kFailure;
+}
+
+// The stop is released before the tail is over.
+template <class Real>
+void MotionWalk<Real>::leave_tail() {
+  if (!tail_) return;
+  std::erase(tail_->stops, stop_);
+  if (tail_->stops.empty()) tail_.reset();
+}
+
+// Of the chatter that the impact belongs to; nothing where it cannot be summed yet.
+template <class Real>
+std::optional<WalkStep> MotionWalk<Real>::sum_tail() {
+  // Against a single stop only impacts as slow as that are summed.
+  if (alone_ && shares_->size() == 1 && shares_->front().speed > closure_speed_) return {};
+  closed_ = motion_.close_chatter(*shares_, closure_speed_);
+  if (!closed_) return {};
+  if (tails_ == Tails::kTold) {
+    const Instant<Real> over = later(motion_.instant(), closed_->duration, motion_.flow().period());
+    tail_ = {closed_->stops, {over.period, static_cast<double>(over.local)}};
+  }
+  stop_ = closed_->stops.front();
+  return WalkStep::kChatter;
+}
+
+template <class Real>
+std::string MotionWalk<Real>::failure() const {
+  const bool at_stop = arrival_.stop >= 0;
+  switch (arrival_.kind) {
+    case ArrivalKind::kUndecided:
+      return fmt::format("the search for the next event{} used up its evaluations",
+                         at_stop ? fmt::format(" at stop {}", arrival_.stop + 1) : "");
+    case ArrivalKind::kNotFinite:
+      return std::is_same_v<Real, double> ? "the motion left the range of double precision"
+                                          : "the motion left the range of the numbers";
+    default:
+      return fmt::format("the motion{} cannot be followed: {}",
+                         at_stop ? fmt::format(" on stop {}", arrival_.stop + 1) : "",
+                         motion_.refusal());
+  }
+}
+
+template class MotionWalk<double>;
+template class MotionWalk<Extended>;
+
+}  // namespace graze

@@ -1,0 +1,41 @@
+#include "graze/motion/detail/sampler.hpp"
+
+#include <algorithm>
+
+#include "graze/motion/detail/energy_changes.hpp"
+
+namespace graze {
+
+bool Sampler::hand_out(Motion<double>& motion, double start_time, double flight,
+                       const EnergyBook& book, long long& samples,
+                       const std::function<bool()>& goes_on) {
+  Sample& sample = sample_;
+  const ContactPhase<double>& phase = motion.flown();
+  sample.state.q.resize(system_.modes());
+  sample.state.qdot.resize(system_.modes());
+  for (;;) {
+    sample.time = static_cast<double>(samples) / rate_;
+    const double s = std::max(sample.time - start_time, 0.0);
+    if (s > flight) return true;
+    if (!goes_on()) return false;
+    phase.state(s, sample.state.q, sample.state.qdot);
+    sample.forces.assign(system_.stops.size(), 0.0);
+    for (const int i : phase.closed())
+      sample.forces[static_cast<std::size_t>(i)] =
+          phase.force_at(i, s, sample.state.q, sample.state.qdot);
+    for (const int i : phase.springs().loaded) {
+      const Stop& stop = system_.stops[static_cast<std::size_t>(i)];
+      sample.forces[static_cast<std::size_t>(i)] =
+          stop.force().at(stop.row.dot(sample.state.q) - stop.gap, stop.row.dot(sample.state.qdot));
+    }
+    if (energy_) {
+      sample.energy = book;
+      sample.energy->work = book.work + work_along(system_, phase, s);
+      sample.energy->now = mechanical_energy(system_, sample.state.q, sample.state.qdot);
+    }
+    listener_(sample);
+    ++samples;
+  }
+}
+
+}  // namespace graze

@@ -1,0 +1,400 @@
+#include "graze/motion/simulation.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "graze/base/angle.hpp"
+#include "graze/base/detail/stop_poll.hpp"
+#include "graze/contact/detail/impulse.hpp"
+#include "graze/motion/detail/energy_changes.hpp"
+#include "graze/motion/detail/event_crowd.hpp"
+#include "graze/motion/detail/motion_walk.hpp"
+#include "graze/motion/detail/sampler.hpp"
+#include "graze/motion/detail/smallest_gap.hpp"
+#include "graze/system/scale.hpp"
+
+namespace graze {
+namespace {
+
+Instant<double> end_of(const System& system, const SimulationOptions& options) {
+  if (!options.duration) return {options.periods, 0.0};
+  return later<double>({}, *options.duration, system.period());
+}
+
+class Run {
+ public:
+  Run(const System& system, const RunState& state, const SimulationOptions& options,
+      const RunListeners& listeners)
+      : system_(system),
+        options_(options),
+        listeners_(listeners),
+        motion_(system, state.motion, options.steps),
+        walk_(system, motion_, state.closure_speed, Tails::kTold, state.tail),
+        state_(state),
+        end_(end_of(system, options)),
+        sampler_(system, listeners.sample, listeners.sample_rate, options.energy) {
+    motion_.stop_on(options.stop);
+    note_gaps();
+    if (options.energy && !state_.keeps_book)
+      state_.book.start = mechanical_energy(system_, motion_.q(), motion_.qdot());
+    state_.keeps_book = options.energy;
+  }
+
+  Simulation finish() {
+    while (proceed()) {
+    }
+    // A run that was stopped within an arc, while it handed out samples, ends where the arc began.
+    const MotionState<double>& last = stopped_in_arc_ ? motion_.departure() : motion_.state();
+    result_.end_time = stopped_in_arc_.value_or(time());
+    result_.final = {last.q, last.qdot};
+    for (int i = 0; i < stops(); ++i) {
+      if (walk_.is_stuck(i)) result_.stuck.push_back(i);
+      // What is refused at an instant leaves the forces as they were before it.
+      const bool is_known = !motion_.has_news() || result_.outcome == RunOutcome::kRefused;
+      result_.forces.push_back(motion_.is_closed(i) && is_known ? motion_.force(i) : 0.0);
+    }
+    result_.totals = state_.totals;
+    result_.evaluations += motion_.step_evaluations();
+    if (options_.energy) {
+      state_.book.now = mechanical_energy(system_, last.q, last.qdot);
+      result_.energy = state_.book;
+    }
+    // An arc that was cut by the end of the run is flown again, whole, by one that goes on from it.
+    state_.tail = walk_.tail();
+    result_.state = is_cut_ ? cut_arc_ : state_;
+    result_.state.motion = is_cut_ ? motion_.departure() : motion_.state();
+    result_.state.samples = state_.samples;
+    return result_;
+  }
+
+ private:
+  int stops() const { return static_cast<int>(system_.stops.size()); }
+  const Stop& stop(int i) const { return system_.stops[static_cast<std::size_t>(i)]; }
+
+  // False when the run is over.
+  bool proceed() {
+    const WalkStep step = walk_.next(end_);
+    switch (step) {
+      case WalkStep::kDeparture:
+        return depart();
+      case WalkStep::kFlight:
+        return walk_.is_at_once() ? decided() : flown();
+      case WalkStep::kImpact:
+        book_impact();
+        return true;
+      case WalkStep::kChatter:
+        book_chatter();
+        return true;
+      case WalkStep::kStick:
+        book_stick(walk_.stop());
+        return true;
+      case WalkStep::kRelease:
+        emit(event_at(EventKind::kRelease, walk_.stop()));
+        return true;
+      case WalkStep::kEntry:
+        book_entry(walk_.stop());
+        return true;
+      case WalkStep::kSeparation:
+        book_separation(walk_.stop(), walk_.arrival().below);
+        return true;
+      case WalkStep::kLeft:
+        book_contacts(walk_.stop());
+        return true;
+      case WalkStep::kTouch:
+        // A spring that is touched is compressed or left next: no impact is passed over.
+        if (!stop(walk_.stop()).is_compliant()) ++state_.totals.undecided_touches;
+        return true;
+      case WalkStep::kFailure:
+        return fail();
+      case WalkStep::kEnd:
+        break;
+    }
+    return false;
+  }
+
+  bool depart() {
+    // What changes at one instant may be as many as the stops, and each asks all of them.
+    work_ += stops();
+    if (walk_.is_at_once()) {
+      if (options_.energy) before_ = motion_.qdot();
+      return goes_on();
+    }
+    if (!within_budget()) return false;
+    is_cut_ = walk_.is_cut() || listeners_.sample;
+    if (is_cut_) {
+      cut_arc_ = state_;
+      cut_arc_.tail = walk_.tail();
+    }
+    // Until the first contact the smallest gap is not known to be zero and has to be looked for.
+    untouched_ =
+        state_.totals.impacts == 0 && !motion_.is_closed_anywhere() && !motion_.is_sprung();
+    if (untouched_ && !options_.steps && !system_.turns())
+      for (int i = 0; i < stops(); ++i)
+        note_minimum(motion_.gap_ahead(i, walk_.until() - walk_.departure().local), state_.totals);
+    motion_.tell_depths_beyond(-std::min(state_.totals.smallest_gap.value_or(0.0), 0.0));
+    return true;
+  }
+
+  // What stands still within rounding was put to rest.
+  bool decided() {
+    if (options_.energy)
+      state_.book.impacts += kinetic_change(system_, motion_.q(), before_, motion_.qdot());
+    note_progress();
+    return true;
+  }
+
+  bool flown() {
+    const Arrival<double>& arrival = walk_.arrival();
+    work_ += (1 + arrival.evaluations) * system_.modes();
+    if (arrival.kind == ArrivalKind::kUndecided && !within_budget(true)) return false;
+    if (untouched_ && arrival.lowest && std::isfinite(*arrival.lowest))
+      note_gap(std::max(*arrival.lowest, 0.0), state_.totals);
+    if (!options_.steps) result_.evaluations += arrival.evaluations;
+    // A motion that cannot be followed has no samples, be it found out now or by an earlier run.
+    if (arrival.kind == ArrivalKind::kRefused && arrival.flight == 0.0) return true;
+    const double start_time = seconds_at(walk_.departure(), motion_.flow().period());
+    if (!follow(start_time, arrival.flight)) {
+      stopped_in_arc_ = start_time;
+      result_.message = fmt::format("stopped at t = {:.9g} s", start_time);
+      return false;
+    }
+    if (!walk_.is_cut()) is_cut_ = false;
+    note_progress();
+    return true;
+  }
+
+  void note_progress() {
+    const ArrivalKind kind = walk_.arrival().kind;
+    if (kind != ArrivalKind::kTime && kind != ArrivalKind::kJoint && kind != ArrivalKind::kLeft)
+      return;
+    if (listeners_.progress) listeners_.progress(fraction());
+    note_gaps();
+  }
+
+  bool follow(double start_time, double flight) {
+    if (flight > 0.0) state_.started = true;
+    const auto within = [this] {
+      work_ += system_.modes();
+      return within_budget();
+    };
+    if (listeners_.sample &&
+        !sampler_.hand_out(motion_, start_time, flight, state_.book, state_.samples, within))
+      return false;
+    if (options_.energy && flight > 0.0)
+      state_.book.work = state_.book.work + work_along(system_, motion_.flown(), flight);
+    const double deepest = graze::follow(state_.contacts, motion_.flown(), flight);
+    if (deepest > 0.0) note_gap(-deepest, state_.totals);
+    const std::vector<int>& closed = motion_.flown().closed();
+    const bool stuck =
+        std::any_of(closed.begin(), closed.end(), [&](int i) { return !walk_.is_in_tail(i); });
+    if (stuck) state_.totals.stuck_time += flight;
+    return true;
+  }
+
+  // `asked`: whether the clock has been read already.
+  bool within_budget(bool asked = false) {
+    if (state_.totals.impacts >= options_.max_impacts)
+      return spent(RunOutcome::kEventBudget, fmt::format("{} impacts", options_.max_impacts));
+    return goes_on(asked);
+  }
+
+  bool goes_on(bool asked = false) {
+    if (options_.stop.is_interrupted())
+      return stop_run(RunOutcome::kInterrupted, fmt::format("stopped at t = {:.9g} s", time()));
+    // An arc whose work is integrated may be long.
+    if ((poll_.is_due(std::exchange(work_, 0)) || options_.energy || asked) &&
+        options_.stop.is_late())
+      return spent(RunOutcome::kTimeBudget, "computing time");
+    return true;
+  }
+
+  bool spent(RunOutcome outcome, const std::string& budget) {
+    result_.crowd = crowd_.sentence(system_.forcing() ? system_.period() : longest_flight(system_));
+    return stop_run(outcome,
+                    fmt::format("the budget of {} was spent at t = {:.9g} s", budget, time()));
+  }
+
+  bool fail() {
+    const ArrivalKind kind = walk_.arrival().kind;
+    if (kind == ArrivalKind::kRefused) note_gaps();
+    return stop_run(kind == ArrivalKind::kUndecided   ? RunOutcome::kEventBudget
+                    : kind == ArrivalKind::kNotFinite ? RunOutcome::kNotFinite
+                                                      : RunOutcome::kRefused,
+                    fmt::format("at t = {:.9g} s {}", time(), walk_.failure()));
+  }
+
+  bool stop_run(RunOutcome outcome, std::string message) {
+    result_.outcome = outcome;
+    result_.message = std::move(message);
+    return false;
+  }
+
+  Event event_at(EventKind kind, int i) const {
+    return {kind, time(), motion_.instant().period, i};
+  }
+
+  void emit(const Event& event) {
+    state_.started = true;
+    crowd_.add(event);
+    if (listeners_.event) listeners_.event(event);
+  }
+
+  // `book`: of impacts; contacts at compliant stops are booked as they go.
+  void book_energy(double change, bool book = true) {
+    (change > 0.0 ? state_.totals.energy_added : state_.totals.energy_lost) += std::abs(change);
+    if (book) state_.book.impacts += change;
+  }
+
+  void book_impact() {
+    impact_energy(system_, walk_.shares(), motion_.q(), walk_.qdot_before(), motion_.qdot(),
+                  impact_energy_);
+    book_energy(impact_energy_.total);
+    for (const ImpactEnergy::Hit& hit : impact_energy_.hits) book_hit(hit.share, hit.change);
+  }
+
+  void book_hit(const ImpactShare<double>& share, double energy_change) {
+    Event event = event_at(EventKind::kImpact, share.stop);
+    event.speed = share.speed;
+    event.energy_change = energy_change;
+    if (system_.forcing()) event.phase = wrapped(motion_.flow().phase(motion_.instant()));
+    note_gap_at(share.stop);
+    ++state_.totals.impacts;
+    if (stop(share.stop).restitution().clamps_at(share.speed)) ++state_.totals.clamped_restitutions;
+    state_.streaks[static_cast<std::size_t>(share.stop)].add(share.speed);
+    emit(event);
+  }
+
+  SpringContact& contact_at(int i) { return state_.contacts[static_cast<std::size_t>(i)]; }
+
+  void book_entry(int i) {
+    Event event = event_at(EventKind::kContact, i);
+    event.speed = motion_.approach_speed(i);
+    if (system_.forcing()) event.phase = wrapped(motion_.flow().phase(motion_.instant()));
+    note_gap_at(i);
+    // One that grips again below the surface, on its way out, is no new impact.
+    if (event.speed >= 0.0) ++state_.totals.impacts;
+    SpringContact& contact = contact_at(i);
+    contact = {time(), event.speed, 0.0, 0.0, motion_.spring_energy(i), contact.change_before};
+    emit(event);
+  }
+
+  // `below` the surface the spring keeps what it may yet give back, should it grip again.
+  void book_separation(int i, bool below) {
+    SpringContact& contact = contact_at(i);
+    Event event = event_at(EventKind::kSeparation, i);
+    event.speed = -motion_.approach_speed(i);
+    event.duration = event.time - contact.since;
+    event.peak_force = contact.peak_force;
+    event.energy_change = contact.change(motion_.spring_energy(i));
+    contact.change_before += event.energy_change;
+    if (!below) book_contacts(i);
+    if (contact.speed > 0.0) event.effective_restitution = event.speed / contact.speed;
+    emit(event);
+  }
+
+  // From surface to surface.
+  void book_contacts(int i) {
+    if (!stop(i).is_compliant()) return;
+    book_energy(contact_at(i).change_before, false);
+    contact_at(i).change_before = 0.0;
+  }
+
+  void book_chatter() {
+    const std::vector<ImpactShare<double>>& shares = walk_.shares();
+    const double change = closure_energy_change(
+        system_, walk_.closed().closed, motion_.flow().phase(motion_.instant()),
+        {walk_.closed().q_before, walk_.closed().qdot_before}, {motion_.q(), motion_.qdot()},
+        state_.book.work);
+    book_energy(change);
+    const auto last =
+        std::max_element(shares.begin(), shares.end(),
+                         [](const auto& a, const auto& b) { return a.speed < b.speed; });
+    for (const int i : walk_.closed().stops) {
+      Event event = chatter_event(i);
+      if (i == last->stop) event.energy_change = change;
+      ++state_.totals.chatters;
+      emit(event);
+    }
+  }
+
+  Event chatter_event(int i) {
+    Event event = event_at(EventKind::kChatter, i);
+    event.impacts = state_.streaks[static_cast<std::size_t>(i)].impacts;
+    event.closure_speed = state_.closure_speed;
+    state_.streaks[static_cast<std::size_t>(i)] = {};
+    return event;
+  }
+
+  void book_stick(int i) {
+    if (!state_.started) return;  // it starts there
+    // A chatter that could not be summed and was followed down to the rounding of its speeds.
+    const RunState::Streak& streak = state_.streaks[static_cast<std::size_t>(i)];
+    if (streak.impacts > 1 && streak.speed <= state_.closure_speed &&
+        stop(i).restitution().at(streak.speed) > 0.0) {
+      ++state_.totals.chatters;
+      emit(chatter_event(i));
+    }
+    announce_stick(i);
+  }
+
+  void announce_stick(int i) {
+    Event event = event_at(EventKind::kStick, i);
+    // It is held because its force is not negative; what falls below zero is rounding.
+    event.force = std::fmax(motion_.force(i), 0.0);
+    emit(event);
+  }
+
+  void note_gaps() {
+    for (int i = 0; i < stops(); ++i) note_gap_at(i);
+  }
+  void note_gap_at(int i) { graze::note_gap_at(stop(i), motion_.q(), state_.totals); }
+
+  double time() const { return seconds_at(motion_.instant(), motion_.flow().period()); }
+  double fraction() const {
+    const double end = seconds_at(end_, motion_.flow().period());
+    return end > 0.0 ? std::min(time() / end, 1.0) : 1.0;
+  }
+
+  const System& system_;
+  const SimulationOptions& options_;
+  const RunListeners& listeners_;
+  Motion<double> motion_;
+  MotionWalk<double> walk_;
+  RunState state_;
+  std::optional<double> stopped_in_arc_;  // s, where that arc began
+  RunState cut_arc_;                      // before the arc that the end of the run cuts
+  bool is_cut_ = false;                   // whether there is one
+  const Instant<double> end_;
+  bool untouched_ = false;      // before the first contact
+  Vector before_;               // velocities before an instant is decided
+  ImpactEnergy impact_energy_;  // kept for the memory
+  Sampler sampler_;
+  EventCrowd crowd_;
+  StopPoll poll_;
+  long long work_ = 0;  // since it was asked last
+  Simulation result_;
+};
+
+}  // namespace
+
+Simulation simulate(const System& system, const State& start, const SimulationOptions& options,
+                    const RunListeners& listeners) {
+  RunState state;
+  state.motion = Motion<double>(system, {}, start.q, start.qdot).state();
+  state.streaks.resize(system.stops.size());
+  state.contacts.resize(system.stops.size());
+  state.closure_speed = options.closure_speed.value_or(default_closure_speed(system, start));
+  return Run(system, state, options, listeners).finish();
+}
+
+Simulation resume(const System& system, const RunState& from, const SimulationOptions& options,
+                  const RunListeners& listeners) {
+  RunState state = from;
+  if (options.closure_speed) state.closure_speed = *options.closure_speed;
+  return Run(system, state, options, listeners).finish();
+}
+
+}  // namespace graze

@@ -1,0 +1,105 @@
+// A run: the motion from its initial state until its end or its budget, event by event.
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "graze/base/default_budget.hpp"
+#include "graze/base/default_tolerance.hpp"
+#include "graze/base/stop_signal.hpp"
+#include "graze/flow/exact/motion_state.hpp"
+#include "graze/flow/stepped/step_setting.hpp"
+#include "graze/motion/chatter_tail.hpp"
+#include "graze/motion/contact_book.hpp"
+#include "graze/motion/run_events.hpp"
+#include "graze/motion/sample.hpp"
+
+namespace graze {
+
+// Who wants to hear of the run as it goes; an empty function is never called and costs nothing.
+struct RunListeners {
+  std::function<void(const Event&)> event;
+  std::function<void(const Sample&)> sample;
+  double sample_rate = 0.0;                       // 1/s, with `sample`
+  std::function<void(double fraction)> progress;  // once per forcing period
+};
+
+struct SimulationOptions {
+  // The end: `duration` seconds after t = 0 when given, else `periods` forcing periods.
+  std::optional<double> duration;
+  long long periods = 100;
+  long long max_impacts = kDefaultImpactBudget;
+  // Speed below which a chatter is summed, m/s; see default_closure_speed.
+  std::optional<double> closure_speed;
+  bool energy = false;                 // keep the energy book
+  std::optional<StepSetting> steps{};  // integrate step by step; absent: the exact flow
+  StopSignal stop;
+};
+
+// Summing the tail of a chatter from speed v on errs by about 100 (v/V)^2 of a forcing period at
+// r = 0.8, V the speed of the motion: v = V sqrt(tolerance/100). `tolerance`: that of the scene, a
+// part of a forcing period; else that of a scene which names none.
+double default_closure_speed(const System& system, const State& start,
+                             double tolerance = kDefaultTolerance);
+
+enum class RunOutcome {
+  kReachedEnd,
+  kEventBudget,
+  kTimeBudget,
+  kNotFinite,
+  kRefused,  // the motion on a stop cannot be followed: its law makes it grow without bound
+  kInterrupted
+};
+
+// Everything a run needs to go on as if it had never ended: where its last arc began.
+struct RunState {
+  MotionState<double> motion;
+  bool started = false;  // something has happened since t = 0
+  struct Streak {        // impacts on a stop that fall in speed
+    long long impacts = 0;
+    double speed = 0.0;
+    void add(double next) {
+      impacts = next < speed ? impacts + 1 : 1;
+      speed = next;
+    }
+  };
+  std::vector<Streak> streaks;      // per stop
+  ContactBook contacts;             // per stop
+  std::optional<ChatterTail> tail;  // of a chatter that was summed, until it is over
+  RunTotals totals;
+  bool keeps_book = false;
+  EnergyBook book;
+  long long samples = 0;       // handed out so far
+  double closure_speed = 0.0;  // m/s
+};
+
+struct Simulation {
+  RunOutcome outcome = RunOutcome::kReachedEnd;
+  std::string message;  // a sentence unless the end was reached
+  // Where a budget was spent on events that crowd together: which stops do what (event_crowd.hpp).
+  // Of this part alone of a run that was cut.
+  std::string crowd;
+  double end_time = 0.0;
+  State final;
+  std::vector<int> stuck;      // closed stops at the end (index from 0)
+  std::vector<double> forces;  // contact forces at the end, N, one per stop
+  RunTotals totals;
+  std::optional<EnergyBook> energy;
+  // Of gaps and contact forces in search of events, and of the equations of motion on springs; with
+  // `steps` of the equations of motion alone.
+  long long evaluations = 0;
+  RunState state;  // to go on from
+};
+
+// Runs the system from `start` at t = 0. Requires forcing or a duration.
+Simulation simulate(const System& system, const State& start, const SimulationOptions& options,
+                    const RunListeners& listeners = {});
+
+// Goes on from the state that an earlier run of the same system left behind; the events that follow
+// are, bit for bit, those of a run that was never cut.
+Simulation resume(const System& system, const RunState& from, const SimulationOptions& options,
+                  const RunListeners& listeners = {});
+
+}  // namespace graze

@@ -1,0 +1,128 @@
+#include "graze/orbit/closed_form/detail/periodic_response.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <limits>
+
+#include "graze/flow/exact/detail/exact_flow.hpp"
+#include "graze/flow/variation/detail/transition.hpp"
+
+namespace graze {
+namespace {
+
+// (I - E)^-1 of one mode.
+class RepeatedMode {
+ public:
+  RepeatedMode(const ModeFlow<double>& mode, const FlowMatrix& flow, Eigen::Index j, double s)
+      : qq_(1.0 - flow.qq[j]), qv_(-flow.qv[j]), vq_(-flow.vq[j]), vv_(1.0 - flow.vv[j]) {
+    // det (I - E) = 1 - 2 c + e^{-2 delta s}, from differences that do not cancel.
+    const FreeBasis<double> basis = free_basis(mode.omega, mode.delta, mode.discriminant, s);
+    determinant_ = std::expm1(-2.0 * mode.delta * s) - 2.0 * basis.cosine_minus_one;
+  }
+
+  Eigen::Vector2d solve(double q, double v) const {
+    return Eigen::Vector2d(vv_ * q - qv_ * v, qq_ * v - vq_ * q) / determinant_;
+  }
+
+  // Smallest singular value, at least, with velocities in units of `rate`.
+  double smallest(double rate) const {
+    const double size = std::hypot(std::hypot(qq_, vv_), std::hypot(qv_ * rate, vq_ / rate));
+    return size > 0.0 ? std::abs(determinant_) / size : 0.0;
+  }
+
+ private:
+  double qq_, qv_, vq_, vv_, determinant_;
+};
+
+}  // namespace
+
+std::pair<double, double> PeriodicResponse::after(const Mode& mode, double s) {
+  const FreeBasis<double> basis = free_basis(mode.omega, mode.delta, mode.discriminant, s);
+  const double q =
+      (basis.cosine + mode.delta * basis.sine) * mode.displacement + basis.sine * mode.velocity;
+  const double v = -mode.omega * mode.omega * basis.sine * mode.displacement +
+                   (basis.cosine - mode.delta * basis.sine) * mode.velocity;
+  return {q, v};
+}
+
+RowMotion PeriodicResponse::forced(int at, double theta) const {
+  const Complex turned = forced_at_[static_cast<std::size_t>(at)] * std::polar(1.0, theta);
+  return {turned.real() + rest_at_[static_cast<std::size_t>(at)], -frequency_ * turned.imag(),
+          -frequency_ * frequency_ * turned.real()};
+}
+
+RowMotion PeriodicResponse::impulse(int at, int by, double s) const {
+  const Vector& row = system_->stops[static_cast<std::size_t>(at)].row;
+  const Vector& direction = system_->stops[static_cast<std::size_t>(by)].direction();
+  RowMotion motion;
+  for (std::size_t m = 0; m < modes_.size(); ++m) {
+    const Mode& mode = modes_[m];
+    const auto [q, v] = after(mode, s);
+    const auto j = static_cast<Eigen::Index>(m);
+    const double weight = row[j] * direction[j];
+    motion.value += weight * q;
+    motion.rate += weight * v;
+    motion.acceleration -= weight * (2.0 * mode.delta * v + mode.omega * mode.omega * q);
+  }
+  return motion;
+}
+
+State PeriodicResponse::forced_state(double theta) const {
+  const ComplexVector turned = forced_ * std::polar(1.0, theta);
+  return {turned.real() + rest_, -frequency_ * turned.imag()};
+}
+
+State PeriodicResponse::impulse_state(int by, double s) const {
+  const Vector& direction = system_->stops[static_cast<std::size_t>(by)].direction();
+  State state{direction, direction};
+  for (std::size_t m = 0; m < modes_.size(); ++m) {
+    const auto [q, v] = after(modes_[m], s);
+    state.q[static_cast<Eigen::Index>(m)] *= q;
+    state.qdot[static_cast<Eigen::Index>(m)] *= v;
+  }
+  return state;
+}
+
+PeriodicResponseAnswer periodic_response(const System& system, int period) {
+  // The inverse of I - E errs by eps over its smallest singular value; below this it keeps less
+  // than half of its digits, and Newton's method would have to do what the reduction is for.
+  const double least = std::sqrt(std::numeric_limits<double>::epsilon());
+  const Eigen::Index n = system.modes();
+  const ExactFlow<double> flow(system);
+  PeriodicResponse response;
+  response.system_ = &system;
+  response.period_ = period;
+  response.frequency_ = flow.frequency();
+  response.duration_ = period * system.period();
+  const double duration = response.duration_;
+  const State rest{Vector::Zero(n), Vector::Zero(n)};
+  // Responses from rest: to the forcing from phases 0 and pi/2, and to the load.
+  const Transition arc = transition(system, flow, rest, 0.0, duration);
+  const State loaded = load_response(system, flow, duration);
+  response.forced_ = ComplexVector(n);
+  response.rest_ = Vector(n);
+  for (Eigen::Index j = 0; j < n; ++j) {
+    const ModeFlow<double>& mode = flow.mode(static_cast<int>(j));
+    const RepeatedMode repeated(mode, arc.flow, j, duration);
+    if (!(repeated.smallest(std::max(mode.omega, flow.frequency())) > least))
+      return {{},
+              fmt::format("the free motion of mode {} repeats by itself every {} forcing period{}",
+                          j + 1, period, period == 1 ? "" : "s")};
+    const Eigen::Vector2d kick = repeated.solve(0.0, 1.0);
+    response.modes_.push_back({mode.delta, mode.omega, mode.discriminant, kick[0], kick[1]});
+    const Eigen::Vector2d constant = repeated.solve(loaded.q[j], loaded.qdot[j]);
+    const Eigen::Vector2d cosine =
+        repeated.solve(arc.end.q[j] - loaded.q[j], arc.end.qdot[j] - loaded.qdot[j]);
+    const Eigen::Vector2d sine = repeated.solve(arc.phase_rate.q[j], arc.phase_rate.qdot[j]);
+    response.forced_[j] = Complex(cosine[0], -sine[0]);
+    response.rest_[j] = constant[0];
+  }
+  for (const Stop& stop : system.stops) {
+    response.forced_at_.push_back(stop.row.cast<Complex>().dot(response.forced_));
+    response.rest_at_.push_back(stop.row.dot(response.rest_));
+  }
+  return {std::move(response), ""};
+}
+
+}  // namespace graze

@@ -1,0 +1,163 @@
+#include "graze/orbit/exponents.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+#include <utility>
+
+#include "graze/base/linalg/detail/growing_directions.hpp"
+#include "graze/base/linalg/detail/product_eigenvalues.hpp"
+#include "graze/orbit/problem/detail/passage.hpp"
+#include "graze/orbit/problem/detail/shooting.hpp"
+
+namespace graze {
+namespace {
+
+// Exponents may be read off the same motion again and again: each period is a factor.
+class StrobedMotion {
+ public:
+  StrobedMotion(const System& system, const State& start, const ExponentOptions& options)
+      : system_(system), unit_(2 * system.modes()) {
+    const MotionScale scale = motion_scale(system);
+    unit_ << Vector::Constant(system.modes(), scale.displacement), scale.velocity;
+    at_ = Motion<double>(system, {}, start.q, start.qdot).state();
+    passage_.closure_speed = options.closure_speed;
+    passage_.max_impacts = options.max_impacts;
+    passage_.stop = options.stop;
+  }
+
+  // What becomes of directions (2N x k) within the next forcing period; nothing where it cannot be
+  // told, as failure() says.
+  std::optional<Matrix> carry(const Matrix& directions) {
+    const Eigen::Index n = system_.modes();
+    const Matrix moved = unit_.asDiagonal() * directions;
+    Deviations deviations{moved.topRows(n), moved.bottomRows(n),
+                          Eigen::RowVectorXd::Zero(directions.cols())};
+    at_.instant = {};
+    Passage passed = pass(system_, at_, {1, 0.0}, passage_, &deviations);
+    failure_ = passed.failure;
+    if (!failure_.empty()) return {};
+    at_ = std::move(passed.end);
+    impacts_ = static_cast<long long>(passed.impacts.size());
+    const bool stays =
+        std::any_of(passed.impacts.begin(), passed.impacts.end(), [&](const PassedImpact& impact) {
+          const auto stop = static_cast<std::size_t>(impact.stop);
+          return system_.stops[stop].restitution().at(impact.speed) == 0.0;
+        });
+    rank_ = 2 * n - (!passed.holds.empty() ? 2 : stays ? 1 : 0);
+    Matrix image(2 * n, directions.cols());
+    image << deviations.q, deviations.qdot;
+    image = unit_.cwiseInverse().asDiagonal() * image;
+    if (!image.allFinite()) {
+      failure_ = "small deviations left the range of double precision";
+      return {};
+    }
+    return image;
+  }
+
+  // Of the period carried last.
+  long long impacts() const { return impacts_; }
+  // Of the factor, at most: what is held has b.dq = b.dq' = 0, and an impact with r = 0 one of
+  // them.
+  Eigen::Index rank() const { return rank_; }
+  const std::string& failure() const { return failure_; }
+  State state() const { return {at_.q, at_.qdot}; }
+
+ private:
+  const System& system_;
+  Vector unit_;  // of (q, q')
+  MotionState<double> at_;
+  PassageOptions passage_;
+  long long impacts_ = 0;
+  Eigen::Index rank_ = 0;
+  std::string failure_;
+};
+
+void finish(const StrobedMotion& motion, Exponents& result) {
+  result.lost = static_cast<int>(std::count_if(result.values.begin(), result.values.end(),
+                                               [](double value) { return std::isinf(value); }));
+  result.failure = motion.failure();
+  if (result.failure.empty()) result.end = motion.state();
+}
+
+// Largest first; the average may leave them in another order where they are close.
+void sort(Exponents& result) {
+  std::vector<Eigen::Index> order(static_cast<std::size_t>(result.values.size()));
+  std::iota(order.begin(), order.end(), 0);
+  std::stable_sort(order.begin(), order.end(), [&](Eigen::Index a, Eigen::Index b) {
+    return result.values[a] > result.values[b];
+  });
+  result.values = Vector(result.values(order));
+  result.errors = Vector(result.errors(order));
+}
+
+Exponents of_multipliers(const System& system, StrobedMotion& motion, int turns) {
+  const Eigen::Index size = 2 * system.modes();
+  Exponents result;
+  std::vector<Matrix> factors;
+  std::vector<Eigen::Index> ranks;
+  for (; result.periods < turns; ++result.periods) {
+    std::optional<Matrix> factor = motion.carry(Matrix::Identity(size, size));
+    if (!factor) break;
+    factors.push_back(std::move(*factor));
+    ranks.push_back(motion.rank());
+    result.impacts += motion.impacts();
+  }
+  result.values = Vector::Constant(size, std::numeric_limits<double>::quiet_NaN());
+  result.errors = Vector::Zero(size);
+  if (result.periods == turns) {
+    const std::vector<Eigenvalue> multipliers = product_eigenvalues(factors);
+    // What the orbit loses in passing twice it loses for good.
+    GrowingDirections directions(size);
+    for (std::size_t i = 0; i < 2 * factors.size(); ++i)
+      directions.carry(factors[i % factors.size()] * directions.now(), ranks[i % factors.size()]);
+    const Eigen::Index kept = size - directions.lost();
+    for (Eigen::Index j = 0; j < static_cast<Eigen::Index>(multipliers.size()); ++j) {
+      const Eigenvalue& multiplier = multipliers[static_cast<std::size_t>(j)];
+      const double size_of = std::abs(multiplier.value);
+      // What is zero to its rounding is lost too.
+      result.values[j] = std::log(j < kept && size_of > multiplier.error ? size_of : 0.0) /
+                         (static_cast<double>(turns) * system.period());
+    }
+  }
+  finish(motion, result);
+  return result;
+}
+
+Exponents of_average(const System& system, StrobedMotion& motion, const ExponentOptions& options) {
+  const Eigen::Index size = 2 * system.modes();
+  Exponents result;
+  GrowingDirections directions(size);
+  BlockMean mean(options.periods);
+  for (long long k = 0; k < options.turning + options.periods; ++k) {
+    const std::optional<Matrix> image = motion.carry(directions.now());
+    if (!image) break;
+    const Vector growth = directions.carry(*image, motion.rank());
+    if (k < options.turning) continue;
+    mean.add(growth / system.period());
+    result.impacts += motion.impacts();
+  }
+  result.periods = mean.count();
+  result.values = result.errors = Vector::Constant(size, std::numeric_limits<double>::quiet_NaN());
+  if (result.periods > 0) {
+    result.values = mean.mean();
+    result.errors = mean.standard_error();
+    // Lost once is lost, also where that was before the average began to count.
+    result.values.tail(directions.lost()).setConstant(-std::numeric_limits<double>::infinity());
+    sort(result);
+  }
+  finish(motion, result);
+  return result;
+}
+
+}  // namespace
+
+Exponents lyapunov_exponents(const System& system, const State& start,
+                             const ExponentOptions& options) {
+  StrobedMotion motion(system, start, options);
+  return options.repeats > 0 ? of_multipliers(system, motion, options.repeats)
+                             : of_average(system, motion, options);
+}
+
+}  // namespace graze

@@ -1,0 +1,54 @@
+// Lyapunov exponents of a motion through its impacts: how fast neighbouring motions part or come
+// together, from the derivative of the stroboscopic map, event by event (passage.hpp).
+//
+// A forced structure of N modes has 2N of them and, for the forcing's own phase, one that is zero
+// and is not listed. Where every impact has the constant restitution r and acts along its row,
+//
+//   sum = -2 sum_j delta_j + (k/t) ln r^2        for k impacts in t seconds,
+//
+// as the flow shrinks volumes by the one and every impact by the other. A motion that comes to rest
+// on a stop, or meets one with r = 0, loses directions: exponents of minus infinity.
+//
+// P. Mueller, Chaos, Solitons and Fractals 5 (1995) 1671-1681 (exponents through discontinuities).
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "graze/base/default_budget.hpp"
+#include "graze/base/stop_signal.hpp"
+#include "graze/system/system.hpp"
+
+namespace graze {
+
+struct ExponentOptions {
+  long long periods = 1000;  // forcing periods averaged over
+  // Before that, periods for the directions to turn into their places; the motion goes on in them.
+  long long turning = 50;
+  // The motion repeats after so many forcing periods: its exponents are those of its multipliers.
+  // 0: it does not.
+  int repeats = 0;
+  double closure_speed = 0.0;                    // m/s, of chatters
+  long long max_impacts = kDefaultImpactBudget;  // of a period
+  StopSignal stop{};
+};
+
+struct Exponents {
+  Vector values;  // 2N, largest first, 1/s; minus infinity for directions that are lost
+  // Standard errors by blocks of the average, 1/s; 0 where they come from multipliers, not finite
+  // where there is no telling.
+  Vector errors;
+  int lost = 0;                // how many are minus infinity
+  long long periods = 0;       // averaged over
+  long long impacts = 0;       // in them
+  std::string failure;         // a sentence where the motion could not be followed; empty: it was
+  std::optional<State> end{};  // at the start of a forcing period, where all was followed
+};
+
+// Of the motion that starts from `start` at the start of a forcing period. Requires forcing.
+// Motions on a hub are not followed.
+Exponents lyapunov_exponents(const System& system, const State& start,
+                             const ExponentOptions& options);
+
+}  // namespace graze

@@ -1,0 +1,168 @@
+#include "graze/orbit/problem/detail/carried_deviations.hpp"
+
+#include "graze/base/linalg/detail/linear_equations.hpp"
+#include "graze/flow/held/detail/contact_share.hpp"
+#include "graze/flow/variation/detail/sprung_deviation.hpp"
+#include "graze/orbit/problem/detail/shooting.hpp"
+
+namespace graze {
+
+Vector spring_push(const System& system, const Motion<double>& motion, int without) {
+  if (!motion.is_sprung()) return {};
+  Vector push = Vector::Zero(system.modes());
+  for (std::size_t i = 0; i < system.stops.size(); ++i)
+    if (static_cast<int>(i) != without)
+      push -= motion.spring_force(static_cast<int>(i)) * system.stops[i].row;
+  return push;
+}
+
+std::vector<int> CarriedDeviations::closed_now() const {
+  std::vector<int> closed;
+  for (std::size_t i = 0; i < system_.stops.size(); ++i)
+    if (motion_.is_closed(static_cast<int>(i))) closed.push_back(static_cast<int>(i));
+  return closed;
+}
+
+State CarriedDeviations::rate_now(const std::vector<int>& closed, int without) const {
+  return held_rate(system_, closed, state_now(), motion_.flow().phase(motion_.instant()),
+                   spring_push(system_, motion_, without));
+}
+
+// With b.dq = 0 there, as an identity: on springs a deviation is taken back to the instant of the
+// undisturbed departure, where it has not left yet, or is away already.
+bool CarriedDeviations::departed_from(int i) const {
+  return motion_.departure().contacts[static_cast<std::size_t>(i)] != Contact::kClear &&
+         motion_.flown().springs().empty();
+}
+
+void CarriedDeviations::undelay(int without) {
+  const State rate = rate_now(closed_now(), without);
+  if (deviations_) move_instant(*deviations_, rate, -deviations_->delay);
+  if (parameter_) parameter_->end(rate);
+}
+
+void CarriedDeviations::carry(const Arrival<double>& arrival) {
+  const std::vector<int>& closed = motion_.flown().closed();
+  if (parameter_) carry_parameter(arrival, closed);
+  if (!deviations_) return;
+  const Deviations change = change_along(arrival.flight, closed);
+  Eigen::RowVectorXd reach(deviations_->count());
+  if (arrival.kind == ArrivalKind::kContact) {
+    const Stop& s = stop(arrival.stop);
+    reach = s.row.transpose() * change.q;
+    // A flight that left this stop left it with b.dq = 0, as an identity.
+    if (!departed_from(arrival.stop)) reach += s.row.transpose() * deviations_->q;
+  }
+  deviations_->q += change.q;
+  deviations_->qdot += change.qdot;
+  if (arrival.kind == ArrivalKind::kContact) meet(arrival, reach, closed);
+}
+
+Deviations CarriedDeviations::change_along(double flight, const std::vector<int>& closed) {
+  hold(system_, closed, *deviations_);
+  const SprungPhase* sprung = motion_.flown().sprung();
+  if (!sprung) return growth(*motion_.flown().exact(), flight, *deviations_);
+  const MotionState<double>& start = motion_.departure();
+  const Deviations end =
+      sprung_deviations(system_, *sprung, {start.q, start.qdot},
+                        motion_.flow().phase(start.instant), flight, *deviations_);
+  return {end.q - deviations_->q, end.qdot - deviations_->qdot, end.delay};
+}
+
+void CarriedDeviations::carry_parameter(const Arrival<double>& arrival,
+                                        const std::vector<int>& closed) {
+  const MotionState<double>& start = motion_.departure();
+  const State from{start.q, start.qdot};
+  const double theta = motion_.flow().phase(start.instant);
+  if (const SprungPhase* sprung = motion_.flown().sprung())
+    parameter_->carry_on_springs(*sprung, from, theta, arrival.flight);
+  else
+    parameter_->carry(*motion_.flown().exact(), from, theta, arrival.flight);
+  if (arrival.kind == ArrivalKind::kContact)
+    parameter_->meet(arrival.stop, state_now(), rate_now(closed), arrival.speed,
+                     departed_from(arrival.stop));
+}
+
+void CarriedDeviations::meet(const Arrival<double>& arrival, const Eigen::RowVectorXd& reach,
+                             const std::vector<int>& closed) {
+  const Stop& s = stop(arrival.stop);
+  move_instant(*deviations_, rate_now(closed), -reach / arrival.speed);
+  deviations_->q -= s.row * (s.row.transpose() * deviations_->q) / s.row.squaredNorm();
+}
+
+void CarriedDeviations::meet_at_once(const Arrival<double>& news) {
+  if (!any()) return;
+  const std::vector<int> closed = closed_now();
+  if (deviations_) meet(news, stop(news.stop).row.transpose() * deviations_->q, closed);
+  if (parameter_) parameter_->meet_at_once(news.stop, state_now(), rate_now(closed), news.speed);
+}
+
+// The derivative of q'+ = q'- - D (B^T D)^-1 (v- - target) over the stops that act.
+void CarriedDeviations::jump(const std::vector<ImpactShare<double>>& shares,
+                             const Vector& qdot_before) {
+  if (parameter_) parameter_->jump(shares, qdot_before);
+  if (!deviations_) return;
+  std::vector<int> acting;
+  Vector slopes(static_cast<Eigen::Index>(shares.size()));
+  for (const ImpactShare<double>& share : shares) {
+    if (!(share.impulse > 0.0)) continue;
+    // A closed stop takes up what comes; so does one that leaves no room for a rebound.
+    slopes[static_cast<Eigen::Index>(acting.size())] =
+        share.speed_after < 0.0 ? jump_slope(stop(share.stop), share.speed) : 1.0;
+    acting.push_back(share.stop);
+  }
+  undo(acting, slopes.head(static_cast<Eigen::Index>(acting.size())), deviations_->qdot);
+}
+
+void CarriedDeviations::close(const std::vector<int>& stops, const State& before) {
+  if (deviations_) {
+    const Vector all = Vector::Ones(static_cast<Eigen::Index>(stops.size()));
+    undo(stops, all, deviations_->q);
+    undo(stops, all, deviations_->qdot);
+  }
+  if (parameter_) parameter_->close(stops, before);
+}
+
+// Takes these parts of what the stops see of the columns out of them, along the impulses.
+void CarriedDeviations::undo(const std::vector<int>& stops, const Vector& parts,
+                             Matrix& columns) const {
+  if (columns.cols() == 0) return;
+  const Matrix rows = rows_of(system_, stops), directions = directions_of(system_, stops);
+  const Matrix undone = parts.asDiagonal() * (rows.transpose() * columns);
+  columns -= directions * LuFactors(rows.transpose() * directions).solve_columns(undone);
+}
+
+void CarriedDeviations::cross_surface(int i, double sign) {
+  const Stop& s = stop(i);
+  const double resistance = sign * surface_resistance(s.force());
+  if (resistance == 0.0 || !any()) return;
+  undelay(i);
+  const Vector change = resistance * held(system_, closed_now(), s.row);
+  if (deviations_) deviations_->qdot -= change * (s.row.transpose() * deviations_->q);
+  if (parameter_) parameter_->cross(i, state_now(), change);
+}
+
+double CarriedDeviations::gap_rate(const PassageDirection& along, int i, double s) const {
+  const MotionState<double>& departure = motion_.departure();
+  Deviations one{deviations_->q * along.deviations, deviations_->qdot * along.deviations,
+                 deviations_->delay * along.deviations};
+  hold(system_, motion_.flown().closed(), one);
+  ParameterDeviation by_parameter = *parameter_;
+  const ExactPhase<double>& phase = *motion_.flown().exact();
+  by_parameter.carry(phase, {departure.q, departure.qdot}, motion_.flow().phase(departure.instant),
+                     s);
+  const Vector q = one.q + growth(phase, s, one).q + along.parameter * by_parameter.value().q;
+  State there{Vector(system_.modes()), Vector(system_.modes())};
+  phase.state(s, there.q, there.qdot);
+  const Stop& rate = along.tangent->stops[static_cast<std::size_t>(i)];
+  return along.parameter * (rate.gap - rate.row.dot(there.q)) - stop(i).row.dot(q);
+}
+
+double CarriedDeviations::speed_rate(const PassageDirection& along, int i,
+                                     const State& before) const {
+  const Stop& rate = along.tangent->stops[static_cast<std::size_t>(i)];
+  return stop(i).row.dot(deviations_->qdot * along.deviations) +
+         along.parameter * (stop(i).row.dot(parameter_->value().qdot) + rate.row.dot(before.qdot));
+}
+
+}  // namespace graze

@@ -1,0 +1,70 @@
+// What a passage (passage.hpp) carries along with its motion: the deviations of its start and the
+// one by a parameter, event by event.
+#pragma once
+
+#include <vector>
+
+#include "graze/flow/variation/detail/deviation.hpp"
+#include "graze/motion/detail/motion.hpp"
+#include "graze/orbit/problem/detail/parameter_deviation.hpp"
+
+namespace graze {
+
+// A direction in which the start and the parameter move: weights of the deviations, one for each,
+// and of the parameter's own.
+struct PassageDirection {
+  Vector deviations;
+  double parameter = 0.0;
+  const System* tangent = nullptr;  // derivative of the system by the parameter
+};
+
+// What compressed springs push the structure with, but for one of them; empty where there are none.
+Vector spring_push(const System& system, const Motion<double>& motion, int without = -1);
+
+class CarriedDeviations {
+ public:
+  // Refers to all of them; null: not asked for.
+  CarriedDeviations(const System& system, Motion<double>& motion, Deviations* deviations,
+                    ParameterDeviation* parameter)
+      : system_(system), motion_(motion), deviations_(deviations), parameter_(parameter) {}
+
+  bool any() const { return deviations_ || parameter_; }
+
+  // Along the flight just flown; at a contact, to the deviated motion's own contact.
+  void carry(const Arrival<double>& arrival);
+  // Thrown back onto a stop without any flight.
+  void meet_at_once(const Arrival<double>& news);
+  void jump(const std::vector<ImpactShare<double>>& shares, const Vector& qdot_before);
+  // Put to rest on these stops, at the end of a chatter that was summed.
+  void close(const std::vector<int>& stops, const State& before);
+  // Into a contact with a compliant stop at its surface, or with the sign -1 out of it.
+  void cross_surface(int stop, double sign);
+  // Back to the instant of the undisturbed motion; its rate but for one spring.
+  void undelay(int without = -1);
+
+  // How the gap at a stop, s after the departure of the flight just flown, moves along a direction.
+  double gap_rate(const PassageDirection& along, int stop, double s) const;
+  // How the speed of an impact moves, the deviations being those at the contact.
+  double speed_rate(const PassageDirection& along, int stop, const State& before) const;
+
+  std::vector<int> closed_now() const;
+
+ private:
+  const Stop& stop(int i) const { return system_.stops[static_cast<std::size_t>(i)]; }
+  State state_now() const { return {motion_.q(), motion_.qdot()}; }
+  State rate_now(const std::vector<int>& closed, int without = -1) const;
+  bool departed_from(int stop) const;
+  Deviations change_along(double flight, const std::vector<int>& closed);
+  void carry_parameter(const Arrival<double>& arrival, const std::vector<int>& closed);
+  // `reach`: b.dq at the undeviated contact.
+  void meet(const Arrival<double>& arrival, const Eigen::RowVectorXd& reach,
+            const std::vector<int>& closed);
+  void undo(const std::vector<int>& stops, const Vector& parts, Matrix& columns) const;
+
+  const System& system_;
+  Motion<double>& motion_;
+  Deviations* deviations_;
+  ParameterDeviation* parameter_;
+};
+
+}  // namespace graze

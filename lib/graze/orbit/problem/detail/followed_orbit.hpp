@@ -1,0 +1,56 @@
+// Periodic orbits whose motion is followed from section to section (passage_shooting.hpp): those
+// that stick, or close a chatter, and those on compliant stops.
+//
+// The motion is certified event by event, so that a solution is admissible: gaps are clear between
+// events, contact forces push while stuck. Where stops are closed the section lies within a stuck
+// phase; the multipliers of what they hold are zero, exactly. With as many of them as there are
+// modes there is nothing to solve: the orbit is met by any start that sticks.
+//
+// The tail of a chatter below the closure speed v_c is summed: the accumulation time errs by
+// O(v_c^2), state and multipliers by O(v_c^3), and the impacts are the resolved ones.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "graze/orbit/problem/detail/passage_shooting.hpp"
+#include "graze/orbit/problem/detail/touch.hpp"
+#include "graze/orbit/problem/orbit.hpp"
+
+namespace graze {
+
+struct FollowedAnswer {
+  std::optional<Orbit> orbit;  // minimal and admissible
+  std::string why_not;         // a sentence where there is none
+};
+
+// The orbit near the motion that starts at `at_period_start` (t = 0) and repeats after `period`
+// forcing periods; on rigid stops alone one that sticks. Requires forcing. The guess has to lie
+// where Newton's method converges; a simulated motion that repeats to 1e-6 does.
+FollowedAnswer followed_orbit(const System& system, const State& at_period_start, int period,
+                              const PassageOptions& options);
+
+// The orbit near one on compliant stops with these states at the starts of its forcing periods.
+FollowedAnswer followed_orbit(const System& system, const std::vector<State>& turns,
+                              const PassageOptions& options);
+
+// The orbit that repeats, after `period` forcing periods, a motion that is known to do so, from a
+// state within a stuck phase. Nothing is solved; its residual says how nearly it repeats. No orbit
+// where the motion does not come back to that stuck phase.
+FollowedAnswer orbit_through(const System& system, const MotionState<double>& at_section,
+                             int period, const PassageOptions& options);
+
+// The orbit of a solution with these multipliers (at a release those of a section within the stuck
+// phase before it are found in place of them); with `touch` as an impact at speed 0 with a contact
+// in which nothing happens. No orbit without any impact,
+// where a rigid stop is stuck to and none is closed at the section, where the motion does not come
+// back to those that are, or cannot be followed.
+std::optional<Orbit> orbit_of(const System& system, const PassageShooting& shooting,
+                              const Vector& u, std::vector<Eigenvalue> multipliers,
+                              const std::optional<Touch>& touch = {});
+
+// The states at the starts of its forcing periods; requires an orbit on compliant stops.
+std::vector<State> turns_of(const Orbit& orbit);
+
+}  // namespace graze

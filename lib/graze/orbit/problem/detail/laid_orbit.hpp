@@ -1,0 +1,24 @@
+// By which layouts an orbit that is followed can be continued (passage_shooting.hpp).
+#pragma once
+
+#include <vector>
+
+#include "graze/orbit/problem/detail/followed_orbit.hpp"
+
+namespace graze {
+
+// An orbit on the sections of a layout.
+struct LaidOrbit {
+  PassageLayout layout;
+  double theta = 0.0;  // of its sections, rad
+  std::vector<State> states;
+  double held = 0.0;  // how long the stop that is released there was closed, s
+};
+
+// The layouts by which an orbit that is followed is continued, the one to choose first. Where it
+// sticks: its releases, that of the most closed stops first, and of these the one after the longest
+// stuck phase; none where its stops are never let go. Else its strobe.
+std::vector<LaidOrbit> layouts_of(const System& system, const Orbit& orbit,
+                                  const PassageOptions& options);
+
+}  // namespace graze

@@ -1,0 +1,30 @@
+// Where instants lie within an orbit: counted from the impact of the smallest phase.
+#pragma once
+
+#include <vector>
+
+#include "graze/flow/exact/instant.hpp"
+#include "graze/orbit/problem/orbit.hpp"
+
+namespace graze {
+
+class OrbitClock {
+ public:
+  // `impacts`: of one round. Requires forcing; refers to the system.
+  OrbitClock(const System& system, int period, const std::vector<Instant<double>>& impacts);
+
+  OrbitInstant operator()(const Instant<double>& at) const;
+
+ private:
+  double theta(const Instant<double>& at) const;
+  long long turns(const Instant<double>& at) const;
+
+  const HarmonicForcing& forcing_;
+  const int period_;
+  long long origin_ = 0;
+};
+
+// In time order within the orbit.
+bool earlier(const OrbitInstant& a, const OrbitInstant& b);
+
+}  // namespace graze

@@ -1,0 +1,109 @@
+// The motion from one section to the next: the state at a forcing phase where some stops C are
+// closed (or none), after a number of forcing periods, with its derivatives.
+//
+// While the stops C hold, the motion has N - m degrees of freedom. A state on the section is told
+// by x = (y, y') in coordinates that do not move with a parameter, y = U^T q and y' = U^T q' with U
+// at right angles to the rows of one system of a family; q follows from B^T q = a, U^T q = y,
+// likewise q'. Where no stop is closed, U = 1 and x is the whole state.
+//
+// The map is the simulator's own motion, certified as in a run, and so are its fixed points. It is
+// smooth through every contact on a compliant stop whose force sets in without a jump; at a grazing
+// contact else it has a corner.
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "graze/orbit/problem/detail/passage.hpp"
+
+namespace graze {
+
+class SectionMap {
+ public:
+  // `reference`: the system whose rows and units make the coordinates. Requires forcing. `closed`:
+  // C in rising order, with independent rows.
+  SectionMap(const System& reference, std::vector<int> closed, const PassageOptions& options);
+
+  const PassageOptions& options() const { return options_; }
+  const std::vector<int>& closed() const { return closed_; }
+  Eigen::Index size() const { return unit_.size(); }  // 2(N - m)
+  const Vector& unit() const { return unit_; }        // of x
+  Vector pack(const State& state) const;
+
+  // The state that x stands for, and how it moves with y, and y' likewise.
+  struct Chart {
+    State state;
+    Matrix slope;  // V with B^T V = 0, U^T V = 1; N x (N - m)
+  };
+  // Nothing where the rows have turned into the coordinates.
+  std::optional<Chart> chart_at(const System& system, const Vector& x) const;
+  // How the state at a fixed x moves with a parameter.
+  State chart_rate(const System& system, const System& tangent, const State& at) const;
+  // How x moves with the state at its instant.
+  Matrix seen(const Matrix& q, const Matrix& qdot) const;
+
+  // The start of the motion from x at phase theta, rad, within the forcing period 0. Nothing as
+  // above, where a rigid stop is penetrated, or a compliant one so deep that its damping would keep
+  // the structure for longer than can be followed.
+  std::optional<MotionState<double>> start_of(const System& system, const Vector& x,
+                                              double theta) const;
+
+  struct Image {
+    MotionState<double> end;
+    Vector image;          // 2(N - m)
+    Matrix jacobian;       // by x
+    Vector by_start;       // by the phase at which it starts, per rad, where that moves
+    Vector by_end;         // by the one at which it ends
+    Matrix by_parameters;  // a column for each tangent
+  };
+  // After whole periods; `moves`: the section's phase does. Nothing where the motion cannot be
+  // followed.
+  std::optional<Image> image(const System& system, const Vector& x, double theta, int periods,
+                             bool moves, std::span<const System* const> tangents) const;
+  // Why there is none; empty where there is.
+  std::string why_no_image(const System& system, const Vector& x, double theta, int periods) const;
+  // The motion over as many periods; nothing likewise. `minima`: as in PassageOptions.
+  std::optional<Passage> follow(const System& system, const Vector& x, double theta, int periods,
+                                bool minima = false) const;
+  // Followed along a direction of (theta where it moves, x) and of the parameter.
+  std::optional<Passage> follow_along(const System& system, const Vector& x, double theta,
+                                      int periods, bool moves, const System& tangent,
+                                      const Vector& direction, double parameter_rate) const;
+
+  // The motion at a forcing angle after the section, angle >= 0.
+  struct Within {
+    State state;
+    MotionState<double> at;  // that motion goes on from
+    Deviations by_state;     // by x
+    State by_start;          // by the phase at which it starts, per rad, where that moves
+    State by_angle;          // per rad
+    std::vector<State> by_parameters;
+  };
+  std::optional<Within> within(const System& system, const Vector& x, double theta, double angle,
+                               bool moves, std::span<const System* const> tangents) const;
+  // The same section, of motions that do not see a stop for a while.
+  SectionMap leaving_out(const LeftOut& one) const;
+
+ private:
+  Deviations start_deviations(const System& system, const MotionState<double>& start,
+                              const Chart& chart, bool moves) const;
+
+  PassageOptions options_;
+  std::vector<int> closed_;
+  Matrix basis_;  // U, N x (N - m)
+  Vector unit_;   // of (y, y')
+};
+
+// Seconds from one instant of a system to another.
+double seconds_between(const System& system, const Instant<double>& from,
+                       const Instant<double>& to);
+
+// (q', q'') where a motion is, its closed stops holding and its springs pushing.
+State rate_of(const System& system, const MotionState<double>& at);
+
+// The stops that are closed there, in rising order.
+std::vector<int> closed_stops(const MotionState<double>& at);
+
+}  // namespace graze

@@ -1,0 +1,85 @@
+// Periodic impacting motion as a system of equations on the Poincare impact map.
+//
+// A (p, k) orbit repeats after p forcing periods with k impacts. Unknown per impact: the forcing
+// phase theta_i and the state (q_i, q'_i) just before it. Equations per impact:
+//
+//   contact   row.q_i = gap                                        an equation, never searched for
+//   matching  flow from (theta_i, J(q_i, q'_i)) to theta_{i+1} = (q_{i+1}, q'_{i+1}),
+//
+// cyclic with theta_k = theta_0 + 2 pi p. Nothing in them breaks at grazing, so that virtual orbits
+// (that penetrate, or impact at negative speed) can be traced too. Derivatives are analytic.
+#pragma once
+
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "graze/flow/variation/detail/transition.hpp"
+#include "graze/orbit/problem/impact_pattern.hpp"
+#include "graze/system/scale.hpp"
+
+namespace graze {
+
+// The residual and its derivatives. jacobian + (mu - 1) closing is singular exactly where mu is a
+// multiplier of the orbit: a deviation that comes back mu times as large closes the equations.
+struct ShootingLinearisation {
+  Vector residual;
+  Matrix jacobian;  // by x
+  Matrix closing;   // what of it the last flight's end depends on by closing on the first impact
+  Matrix by_parameters;  // a column for each tangent of the system
+};
+
+// Unknowns and residuals are scaled: phases by 1 rad, the others as MotionScale tells, gaps by its
+// length.
+class ShootingProblem {
+ public:
+  // Requires forcing and at least one impact in the pattern.
+  ShootingProblem(ImpactPattern pattern, MotionScale scale)
+      : pattern_(std::move(pattern)), scale_(std::move(scale)) {}
+
+  const ImpactPattern& pattern() const { return pattern_; }
+  const MotionScale& scale() const { return scale_; }
+  // k (2N + 1)
+  Eigen::Index size(const System& system) const;
+  // What the unknowns may come round by: a turn at each phase, else zero.
+  Vector wrap() const;
+
+  Vector pack(const std::vector<ImpactPoint>& impacts) const;
+  std::vector<ImpactPoint> unpack(const System& system, const Vector& x) const;
+
+  // Residual at x (scaled), and its Jacobian by x where that is asked for.
+  Vector residual(const System& system, const Vector& x, Matrix* jacobian = nullptr) const;
+
+  // With all derivatives, for the parameters that move the system along these tangents.
+  ShootingLinearisation linearise(const System& system, const Vector& x,
+                                  std::span<const System* const> tangents) const;
+
+ private:
+  // What residual() and linearise() are asked for; null and empty where it is not.
+  struct Wanted {
+    Matrix* jacobian = nullptr;
+    Matrix* closing = nullptr;
+    std::span<const System* const> tangents{};
+    Matrix* by_parameters = nullptr;  // a column of each
+  };
+  Vector evaluate(const System& system, const Vector& x, const Wanted& wanted) const;
+  // The derivatives of the two matching equations of mode j from the impact whose unknowns begin at
+  // `at`, by these, and by those of the impact it leads to, which begin at `to`.
+  void add_mode(const System& system, const Stop& stop, double jump_slope,
+                const ModeTransition& arc, Eigen::Index j, Eigen::Index at, Matrix& jacobian) const;
+  void add_end(const System& system, const ModeTransition& arc, Eigen::Index j, Eigen::Index at,
+               Eigen::Index to, Matrix& jacobian) const;
+
+  ImpactPattern pattern_;
+  MotionScale scale_;
+};
+
+// The state just after the impact of `before` at a stop.
+State after_impact(const Stop& stop, const State& before);
+
+// Derivative of the velocity jump (1 + r(v)) v by the approach speed: 1 + r + v r'(v).
+double jump_slope(const Stop& stop, double v);
+// And the second one: 2 r'(v) + v r''(v).
+double jump_bend(const Stop& stop, double v);
+
+}  // namespace graze

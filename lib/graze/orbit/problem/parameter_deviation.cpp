@@ -1,0 +1,123 @@
+#include "graze/orbit/problem/detail/parameter_deviation.hpp"
+
+#include "graze/base/linalg/detail/linear_equations.hpp"
+#include "graze/flow/held/detail/contact_share.hpp"
+#include "graze/flow/variation/detail/sprung_deviation.hpp"
+#include "graze/orbit/problem/detail/shooting.hpp"
+
+namespace graze {
+
+ParameterDeviation::ParameterDeviation(const System& system, const System& tangent,
+                                       const State& start)
+    : system_(&system),
+      tangent_(&tangent),
+      column_{start.q, start.qdot, Eigen::RowVectorXd::Zero(1)} {}
+
+void ParameterDeviation::carry(const ExactPhase<double>& phase, const State& start, double theta,
+                               double s) {
+  hold(*system_, *tangent_, phase.closed(), start, column_);
+  ParameterGrowth growth = parameter_growth(*system_, *tangent_, phase, start, theta, s, column_);
+  column_.q += growth.change.q;
+  column_.qdot += growth.change.qdot;
+  last_ = std::move(growth.change);
+  moved_ = std::move(growth.moved);
+}
+
+void ParameterDeviation::carry_on_springs(const SprungPhase& phase, const State& start,
+                                          double theta, double s) {
+  hold(*system_, *tangent_, phase.closed(), start, column_);
+  Deviations end = sprung_parameter_deviation(*system_, *tangent_, phase, start, theta, s, column_);
+  last_ = {end.q - column_.q, end.qdot - column_.qdot, column_.delay};
+  State there{Vector(start.q.size()), Vector(start.q.size())};
+  phase.state(s, there.q, there.qdot);
+  moved_ = there.q - start.q;
+  column_ = std::move(end);
+}
+
+void ParameterDeviation::cross(int i, const State& at, const Vector& change) {
+  const double reach =
+      stop(i).row.dot(column_.q.col(0)) + stop_rate(i).row.dot(at.q) - stop_rate(i).gap;
+  column_.qdot.col(0) -= reach * change;
+}
+
+void ParameterDeviation::meet(int i, const State& at, const State& rate, double v, bool departed) {
+  if (!departed) return meet_at_once(i, at, rate, v);
+  // It left with b.dq + db.q = da, as an identity.
+  const double reach = stop(i).row.dot(last_.q.col(0)) + stop_rate(i).row.dot(moved_);
+  move_to(i, at, rate, -reach / v);
+}
+
+void ParameterDeviation::meet_at_once(int i, const State& at, const State& rate, double v) {
+  const double reach =
+      stop(i).row.dot(column_.q.col(0)) + stop_rate(i).row.dot(at.q) - stop_rate(i).gap;
+  move_to(i, at, rate, -reach / v);
+}
+
+void ParameterDeviation::move_to(int i, const State& at, const State& rate, double shift) {
+  move_instant(column_, rate, Eigen::RowVectorXd::Constant(1, shift));
+  const Stop& s = stop(i);
+  const double beyond = s.row.dot(column_.q.col(0)) + stop_rate(i).row.dot(at.q) - stop_rate(i).gap;
+  column_.q.col(0) -= s.row * (beyond / s.row.squaredNorm());
+}
+
+ParameterDeviation::Acting ParameterDeviation::acting(const std::vector<int>& stops) const {
+  const Matrix rows = rows_of(*system_, stops), directions = directions_of(*system_, stops);
+  const Matrix rows_rate = rows_of(*tangent_, stops),
+               directions_rate = directions_of(*tangent_, stops);
+  return {rows, directions, rows_rate, directions_rate,
+          rows_rate.transpose() * directions + rows.transpose() * directions_rate};
+}
+
+// Of D p with (B^T D) p = amount, when that moves at `rate`.
+Vector ParameterDeviation::Acting::change(const Vector& p, const Vector& rate) const {
+  const Vector p_rate = LuFactors(rows.transpose() * directions).solve(rate - coupling_rate * p);
+  return directions_rate * p + directions * p_rate;
+}
+
+// q'+ = q'- - D p,   p = (B^T D)^-1 (B^T q'- - target),   over the stops that act; the target is
+// -r(v) v where the impact rebounds, 0 where a stop is closed or leaves no room for a rebound.
+void ParameterDeviation::jump(const std::vector<ImpactShare<double>>& shares,
+                              const Vector& qdot_before) {
+  std::vector<int> stops;
+  std::vector<double> impulses, rates;
+  for (const ImpactShare<double>& share : shares) {
+    if (!(share.impulse > 0.0)) continue;
+    const Stop &s = stop(share.stop), &rate = stop_rate(share.stop);
+    const double speed_rate = s.row.dot(column_.qdot.col(0)) + rate.row.dot(qdot_before);
+    const bool rebounds = share.speed_after < 0.0;
+    stops.push_back(share.stop);
+    impulses.push_back(share.impulse);
+    rates.push_back(rebounds
+                        ? jump_slope(s, share.speed) * speed_rate +
+                              s.restitution().rate_at(share.speed, rate.restitution()) * share.speed
+                        : speed_rate);
+  }
+  if (stops.empty()) return;
+  const auto k = static_cast<Eigen::Index>(stops.size());
+  column_.qdot.col(0) -=
+      acting(stops).change(Vector::Map(impulses.data(), k), Vector::Map(rates.data(), k));
+}
+
+// Speeds are undone along the directions of the impulses, and so are the gaps still open.
+void ParameterDeviation::close(const std::vector<int>& stops, const State& before) {
+  const Acting at = acting(stops);
+  Vector gaps(static_cast<Eigen::Index>(stops.size())), gaps_rate(gaps.size());
+  for (std::size_t a = 0; a < stops.size(); ++a) {
+    gaps[static_cast<Eigen::Index>(a)] = stop(stops[a]).gap;
+    gaps_rate[static_cast<Eigen::Index>(a)] = stop_rate(stops[a]).gap;
+  }
+  const auto undo = [&](Eigen::Ref<Vector> column, const Vector& value, const Vector& offset,
+                        const Vector& offset_rate) {
+    const Vector amount = at.rows.transpose() * value - offset;
+    const Vector rate =
+        at.rows.transpose() * column + at.rows_rate.transpose() * value - offset_rate;
+    column -= at.change(LuFactors(at.rows.transpose() * at.directions).solve(amount), rate);
+  };
+  undo(column_.q.col(0), before.q, gaps, gaps_rate);
+  const Vector none = Vector::Zero(gaps.size());
+  undo(column_.qdot.col(0), before.qdot, none, none);
+}
+
+void ParameterDeviation::end(const State& rate) { move_instant(column_, rate, -column_.delay); }
+
+}  // namespace graze

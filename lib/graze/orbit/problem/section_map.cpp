@@ -1,0 +1,268 @@
+#include "graze/orbit/problem/detail/section_map.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "graze/base/angle.hpp"
+#include "graze/base/linalg/detail/linear_equations.hpp"
+#include "graze/flow/held/detail/contact_share.hpp"
+#include "graze/system/detail/gap_value.hpp"
+#include "graze/system/scale.hpp"
+
+namespace graze {
+namespace {
+
+// Where the resistance R grows with the depth x (damping by Lee and Wang's first law, or Hunt and
+// Crossley's) the force F - R v of a spring vanishes at a speed that does not grow with it, and the
+// structure comes out no faster: that takes x R/F. Its velocity settles in m/R, m the effective
+// mass 1/|row|^2, which an integration has to resolve.
+double time_constants_to_leave(const Stop& stop, double depth) {
+  const ContactForce& law = stop.force();
+  if (law.damping != ContactDamping::kDepth && law.damping != ContactDamping::kPower) return 0.0;
+  const double resistance = law.resistance(depth);
+  return resistance * resistance * depth * stop.row.squaredNorm() /
+         (law.stiffness * law.power(depth));
+}
+
+// Contacts of orbits have less than one, or as many as the square of the speed over that at which
+// the force vanishes; each costs some ten evaluations.
+constexpr double kMostTimeConstants = 1e4;
+
+// Whether a motion can start at these positions, where the stops `closed` are.
+bool is_clear(const System& system, const Vector& q, const std::vector<int>& closed) {
+  for (std::size_t i = 0; i < system.stops.size(); ++i) {
+    const Stop& stop = system.stops[i];
+    if (std::binary_search(closed.begin(), closed.end(), static_cast<int>(i))) continue;
+    if (stop.is_compliant()) {
+      const double depth = stop.row.dot(q) - stop.gap;
+      if (depth > 0.0 && time_constants_to_leave(stop, depth) > kMostTimeConstants) return false;
+      continue;
+    }
+    const GapValue<double> gap = gap_value<double>(stop.row, q, stop.gap);
+    if (gap.value < -gap.rounding) return false;
+  }
+  return true;
+}
+
+Instant<double> instant_at(const System& system, double theta) {
+  const double local = wrapped(theta - system.forcing()->phase) / system.forcing()->frequency;
+  return {0, local < system.period() ? local : 0.0};
+}
+
+}  // namespace
+
+double seconds_between(const System& system, const Instant<double>& from,
+                       const Instant<double>& to) {
+  return static_cast<double>(to.period - from.period) * system.period() + to.local - from.local;
+}
+
+std::vector<int> closed_stops(const MotionState<double>& at) {
+  std::vector<int> closed;
+  for (std::size_t i = 0; i < at.contacts.size(); ++i)
+    if (at.contacts[i] == Contact::kClosed) closed.push_back(static_cast<int>(i));
+  return closed;
+}
+
+State rate_of(const System& system, const MotionState<double>& at) {
+  const Motion<double> motion(system, at);
+  return held_rate(system, closed_stops(at), {at.q, at.qdot}, motion.flow().phase(at.instant),
+                   spring_push(system, motion));
+}
+
+SectionMap::SectionMap(const System& reference, std::vector<int> closed,
+                       const PassageOptions& options)
+    : options_(options), closed_(std::move(closed)) {
+  const Eigen::Index n = reference.modes();
+  const MotionScale scale = motion_scale(reference);
+  basis_ = Matrix::Identity(n, n);
+  Vector speeds = scale.velocity;
+  if (!closed_.empty()) {
+    const HeldStructure<double> held(reference, closed_);
+    basis_ = held.basis;
+    speeds = scale.displacement * held.reduced.omega.cwiseMax(reference.forcing()->frequency);
+  }
+  unit_.resize(2 * basis_.cols());
+  unit_ << Vector::Constant(basis_.cols(), scale.displacement), speeds;
+}
+
+Matrix SectionMap::seen(const Matrix& q, const Matrix& qdot) const {
+  Matrix coordinates(size(), q.cols());
+  if (closed_.empty())
+    coordinates << q, qdot;
+  else
+    coordinates << basis_.transpose() * q, basis_.transpose() * qdot;
+  return unit_.cwiseInverse().asDiagonal() * coordinates;
+}
+
+Vector SectionMap::pack(const State& state) const { return seen(state.q, state.qdot); }
+
+std::optional<SectionMap::Chart> SectionMap::chart_at(const System& system, const Vector& x) const {
+  if (!x.allFinite()) return {};
+  const Eigen::Index n = system.modes(), m = basis_.cols(), k = n - m;
+  const Vector coordinates = x.cwiseProduct(unit_);
+  if (k == 0) return Chart{{coordinates.head(n), coordinates.tail(n)}, basis_};
+  Matrix whole(n, n);
+  whole << rows_of(system, closed_), basis_;
+  Matrix right = Matrix::Zero(n, 2 + m);
+  for (Eigen::Index a = 0; a < k; ++a)
+    right(a, 0) = system.stops[static_cast<std::size_t>(closed_[static_cast<std::size_t>(a)])].gap;
+  right.col(0).tail(m) = coordinates.head(m);
+  right.col(1).tail(m) = coordinates.tail(m);
+  right.bottomRightCorner(m, m).setIdentity();
+  const Matrix solution = LuFactors(whole.transpose()).solve_columns(right);
+  if (!solution.allFinite()) return {};
+  return Chart{{solution.col(0), solution.col(1)}, solution.rightCols(m)};
+}
+
+// B^T dq = da - dB^T q, U^T dq = 0; likewise of the velocity.
+State SectionMap::chart_rate(const System& system, const System& tangent, const State& at) const {
+  const Eigen::Index n = at.q.size(), k = n - basis_.cols();
+  if (k == 0) return {Vector::Zero(n), Vector::Zero(n)};
+  const Matrix rows_rate = rows_of(tangent, closed_);
+  Matrix whole(n, n), right = Matrix::Zero(n, 2);
+  whole << rows_of(system, closed_), basis_;
+  right.col(0).head(k) = -rows_rate.transpose() * at.q;
+  right.col(1).head(k) = -rows_rate.transpose() * at.qdot;
+  for (Eigen::Index a = 0; a < k; ++a)
+    right(a, 0) +=
+        tangent.stops[static_cast<std::size_t>(closed_[static_cast<std::size_t>(a)])].gap;
+  const Matrix moved = LuFactors(whole.transpose()).solve_columns(right);
+  return {moved.col(0), moved.col(1)};
+}
+
+std::optional<MotionState<double>> SectionMap::start_of(const System& system, const Vector& x,
+                                                        double theta) const {
+  const std::optional<Chart> chart = chart_at(system, x);
+  if (!chart || !is_clear(system, chart->state.q, closed_)) return {};
+  const State& at = chart->state;
+  const Instant<double> instant = instant_at(system, theta);
+  if (closed_.empty()) return Motion<double>(system, instant, at.q, at.qdot).state();
+  MotionState<double> state{instant, at.q, at.qdot,
+                            std::vector<Contact>(system.stops.size(), Contact::kClear),
+                            std::vector<int>(system.stops.size(), 0)};
+  for (std::size_t i = 0; i < system.stops.size(); ++i)
+    if (system.stops[i].is_compliant() && system.stops[i].row.dot(at.q) > system.stops[i].gap)
+      state.contacts[i] = Contact::kCompressed;
+  for (const int i : closed_) state.contacts[static_cast<std::size_t>(i)] = Contact::kClosed;
+  return state;
+}
+
+// By theta where it moves, y and y'. A later theta is the same state later: what the motion has
+// done by the instant at which it would have been there is taken back.
+Deviations SectionMap::start_deviations(const System& system, const MotionState<double>& start,
+                                        const Chart& chart, bool moves) const {
+  const Eigen::Index n = system.modes(), m = basis_.cols(), first = moves ? 1 : 0;
+  Deviations deviations{Matrix::Zero(n, first + 2 * m), Matrix::Zero(n, first + 2 * m),
+                        Eigen::RowVectorXd::Zero(first + 2 * m)};
+  deviations.q.middleCols(first, m) = chart.slope * unit_.head(m).asDiagonal();
+  deviations.qdot.rightCols(m) = chart.slope * unit_.tail(m).asDiagonal();
+  if (!moves) return deviations;
+  const State rate = rate_of(system, start);
+  deviations.q.col(0) = -rate.q / system.forcing()->frequency;
+  deviations.qdot.col(0) = -rate.qdot / system.forcing()->frequency;
+  return deviations;
+}
+
+std::optional<SectionMap::Image> SectionMap::image(const System& system, const Vector& x,
+                                                   double theta, int periods, bool moves,
+                                                   std::span<const System* const> tangents) const {
+  const std::optional<Chart> chart = chart_at(system, x);
+  const std::optional<MotionState<double>> start = start_of(system, x, theta);
+  if (!chart || !start) return {};
+  const Instant<double> end{periods, start->instant.local};
+  Deviations deviations = start_deviations(system, *start, *chart, moves);
+  Image image;
+  image.by_parameters.resize(size(), static_cast<Eigen::Index>(tangents.size()));
+  // The first of them goes with the deviations, each other one for itself.
+  for (std::size_t k = 0; k < std::max<std::size_t>(tangents.size(), 1); ++k) {
+    std::optional<ParameterDeviation> parameter;
+    if (k < tangents.size())
+      parameter.emplace(system, *tangents[k], chart_rate(system, *tangents[k], chart->state));
+    Passage passage = pass(system, *start, end, options_, k == 0 ? &deviations : nullptr,
+                           parameter ? &*parameter : nullptr);
+    if (!passage.failure.empty()) return {};
+    if (parameter) image.by_parameters.col(static_cast<Eigen::Index>(k)) = pack(parameter->value());
+    if (k == 0) image.end = std::move(passage.end);
+  }
+  image.image = pack({image.end.q, image.end.qdot});
+  const Matrix slopes = seen(deviations.q, deviations.qdot);
+  if (!slopes.allFinite()) return {};
+  image.jacobian = slopes.rightCols(size());
+  if (!moves) return image;
+  const State rate = rate_of(system, image.end);
+  image.by_start = slopes.col(0);
+  image.by_end = pack(rate) / system.forcing()->frequency;
+  return image;
+}
+
+std::string SectionMap::why_no_image(const System& system, const Vector& x, double theta,
+                                     int periods) const {
+  const std::optional<Chart> chart = chart_at(system, x);
+  const std::optional<MotionState<double>> start = start_of(system, x, theta);
+  if (!chart || !start) return "the motion cannot start on the section";
+  Deviations deviations = start_deviations(system, *start, *chart, false);
+  return pass(system, *start, {periods, start->instant.local}, options_, &deviations).failure;
+}
+
+std::optional<Passage> SectionMap::follow(const System& system, const Vector& x, double theta,
+                                          int periods, bool minima) const {
+  const std::optional<MotionState<double>> start = start_of(system, x, theta);
+  if (!start) return {};
+  PassageOptions options = options_;
+  options.minima = minima;
+  Passage passage = pass(system, *start, {periods, start->instant.local}, options);
+  if (!passage.failure.empty()) return {};
+  return passage;
+}
+
+std::optional<Passage> SectionMap::follow_along(const System& system, const Vector& x, double theta,
+                                                int periods, bool moves, const System& tangent,
+                                                const Vector& direction,
+                                                double parameter_rate) const {
+  const std::optional<Chart> chart = chart_at(system, x);
+  const std::optional<MotionState<double>> start = start_of(system, x, theta);
+  if (!chart || !start) return {};
+  Deviations deviations = start_deviations(system, *start, *chart, moves);
+  ParameterDeviation parameter(system, tangent, chart_rate(system, tangent, chart->state));
+  PassageOptions options = options_;
+  options.along = PassageDirection{direction, parameter_rate, &tangent};
+  Passage passage =
+      pass(system, *start, {periods, start->instant.local}, options, &deviations, &parameter);
+  if (!passage.failure.empty()) return {};
+  return passage;
+}
+
+std::optional<SectionMap::Within> SectionMap::within(
+    const System& system, const Vector& x, double theta, double angle, bool moves,
+    std::span<const System* const> tangents) const {
+  const std::optional<Chart> chart = chart_at(system, x);
+  const std::optional<MotionState<double>> start = start_of(system, x, theta);
+  if (!chart || !start) return {};
+  const double frequency = system.forcing()->frequency;
+  const Instant<double> end = later(start->instant, angle / frequency, system.period());
+  Within within;
+  Deviations deviations = start_deviations(system, *start, *chart, moves);
+  Passage passage = pass(system, *start, end, options_, &deviations);
+  if (!passage.failure.empty()) return {};
+  within.by_state = {deviations.q.rightCols(size()), deviations.qdot.rightCols(size()), {}};
+  if (moves) within.by_start = {deviations.q.col(0), deviations.qdot.col(0)};
+  within.at = std::move(passage.end);
+  within.state = {within.at.q, within.at.qdot};
+  for (const System* tangent : tangents) {
+    ParameterDeviation parameter(system, *tangent, chart_rate(system, *tangent, chart->state));
+    if (!pass(system, *start, end, options_, nullptr, &parameter).failure.empty()) return {};
+    within.by_parameters.push_back(parameter.value());
+  }
+  within.by_angle = rate_of(system, within.at);
+  within.by_angle.q /= frequency;
+  within.by_angle.qdot /= frequency;
+  return within;
+}
+
+SectionMap SectionMap::leaving_out(const LeftOut& one) const {
+  SectionMap other = *this;
+  other.options_.left_out = one;
+  return other;
+}
+
+}  // namespace graze

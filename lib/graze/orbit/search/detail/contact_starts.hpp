@@ -1,0 +1,31 @@
+// Starts of a search for orbits on compliant stops, as states at the start of a forcing period:
+// from
+//
+//   closed form   the (p, 1) orbits of rigid stops in their place, with the restitution that a
+//                 contact of the same effective mass at the same speed has;
+//   random        rough guesses at impacts (rough_guess.hpp), followed through their contacts.
+//
+// And of a search for orbits that stick, from an impact that no flight follows.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "graze/orbit/problem/detail/passage.hpp"
+#include "graze/orbit/problem/detail/shooting.hpp"
+
+namespace graze {
+
+// From just before an impact on this stop, through what becomes of it, to the end of the forcing
+// period. Nothing where the motion cannot be followed so far.
+std::optional<State> period_end_after(const System& system, const ImpactPoint& impact, int stop,
+                                      const PassageOptions& passage);
+
+std::vector<State> closed_form_contacts(const System& system, int period,
+                                        const PassageOptions& passage);
+
+// On this stop, no more than `count`; `speed`, m/s, of the forced motion.
+std::vector<State> rough_contacts(const System& system, int stop, int period, int count,
+                                  double speed, std::uint64_t seed, const PassageOptions& passage);
+
+}  // namespace graze

@@ -1,0 +1,88 @@
+// Searching the torus of impact phases for the solutions of a pattern, however far from the start.
+//
+// In rounds: starts are points of a Sobol sequence on the ordered phases; from each a
+// Levenberg-Marquardt solve (Ceres) of the deflated phase problem, then Newton's method on the
+// problem itself. What a round has found is deflated in the next one; two rounds in a row without
+// anything new are the last. Where all that found nothing, the lowest deflated residual on the
+// whole torus is looked for (global_phases.hpp) and solved from in the same way.
+//
+// The number of threads changes nothing: the starts of a round know nothing of each other and are
+// collected in their order.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "graze/orbit/closed_form/detail/phase_problem.hpp"
+#include "graze/orbit/problem/orbit.hpp"
+#include "graze/orbit/search/detail/phase_deflation.hpp"
+#include "graze/orbit/search/detail/phase_search_options.hpp"
+
+namespace graze {
+
+// A solution of the phase problem: its impacts in time order from the smallest phase, which lies in
+// [0, 2 pi), the others within p turns of it.
+struct PhaseSolution {
+  ImpactPattern pattern;
+  Vector phases;  // rad
+  Vector speeds;  // m/s
+};
+
+// The orbit that it is, without states and multipliers.
+Orbit outline(const PhaseSolution& solution);
+
+// Start phases: points of the Sobol sequence, each coordinate moved by exclusive or with a number
+// drawn by the seed, on the first phase and the ordered others.
+class PhaseStarts {
+ public:
+  PhaseStarts(int period, int impacts, std::uint64_t seed);
+  // The next one, rad: ascending within p turns, the first in [0, 2 pi).
+  Vector next();
+
+ private:
+  struct Sequence;
+  int period_;
+  std::vector<std::uint64_t> shift_;
+  std::shared_ptr<Sequence> sequence_;
+};
+
+class PhaseSearch {
+ public:
+  // Refers to the response.
+  PhaseSearch(const PeriodicResponse& response, const ImpactPattern& pattern,
+              const PhaseSearchOptions& options);
+
+  // Leaves a solution out of the search: its impacts in time order, phases in rad.
+  void know(const std::vector<int>& stops, const Vector& phases);
+
+  // The solutions that the rounds find, each once. A solve may end in another order of the same
+  // stops than the pattern's.
+  std::vector<PhaseSolution> local();
+  // A solution from the lowest deflated residual, if it leads to a new one; if not, the next call
+  // looks elsewhere.
+  std::optional<PhaseSolution> global();
+
+  int tried() const { return tried_; }          // local solves
+  int converged() const { return converged_; }  // those that ended in a solution
+
+ private:
+  std::vector<Vector> starts_of_a_round();
+  // Adds the solution to what is known; whether it was new.
+  bool learn(const PhaseSolution& solution);
+
+  const PeriodicResponse* response_;
+  PhaseSearchOptions options_;
+  PhaseDeflation deflation_;
+  PhaseStarts starts_;
+  std::vector<PhaseDeflation> known_;  // one for each order of the stops
+  int tried_ = 0, converged_ = 0;
+};
+
+// The solution that a solve from the start leads to, or nothing.
+std::optional<PhaseSolution> solve_phases(const PeriodicResponse& response,
+                                          const PhaseDeflation& deflation, const Vector& start,
+                                          const PhaseSearchOptions& options);
+
+}  // namespace graze

@@ -1,0 +1,370 @@
+#include "graze/orbit/search/finder.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <iterator>
+
+#include "graze/base/parallel.hpp"
+#include "graze/motion/simulation.hpp"
+#include "graze/orbit/closed_form/closed_form.hpp"
+#include "graze/orbit/closed_form/detail/periodic_response.hpp"
+#include "graze/orbit/problem/detail/followed_orbit.hpp"
+#include "graze/orbit/problem/detail/solve.hpp"
+#include "graze/orbit/problem/orbit_identity.hpp"
+#include "graze/orbit/search/detail/contact_starts.hpp"
+#include "graze/orbit/search/detail/impact_sequences.hpp"
+#include "graze/orbit/search/detail/mirror.hpp"
+#include "graze/orbit/search/detail/phase_search.hpp"
+#include "graze/orbit/search/detail/rough_guess.hpp"
+#include "graze/orbit/search/detail/solved_orbit.hpp"
+#include "graze/orbit/search/settled.hpp"
+
+namespace graze {
+namespace {
+
+// Patterns that a search for whatever there is adds to (p, 1): 2 and 3 impacts, while an evaluation
+// of all their phase problems takes no more products than this (k^2 N for each sequence of stops;
+// 512 of them cost some ten microseconds, a search a few thousand evaluations).
+constexpr int kCheapWork = 512;
+
+// The most sequences of stops that are searched, whatever k.
+constexpr std::size_t kMostSequences = 4096;
+
+// Boost's table for Sobol sequences reaches further; a dense solve for more is out of the question.
+constexpr int kMostImpacts = 1024;
+
+// Minimisations of a pattern that the local solves leave without an orbit.
+constexpr int kGlobalRuns = 4;
+
+// A solution that penetrates by more than this part of a length is no orbit, however little the
+// phases are known: a thousand times what they are known to.
+constexpr double kSurely = 1e3 * kSameOrbit;
+
+// Budgets of the local solves by the number of impacts: see
+// docs/decisions/0009.
+PhaseSearchOptions search_budget(int impacts, bool explicitly) {
+  PhaseSearchOptions budget;
+  budget.starts = impacts == 1 ? kStartsOfOneImpact : impacts == 2 ? 64 : 128;
+  budget.rounds = impacts == 1 ? 2 : explicitly ? 16 : 4;
+  budget.global_evaluations = 1024 * impacts;
+  return budget;
+}
+
+class Finder {
+ public:
+  Finder(const System& system, const std::optional<State>& start, const FinderOptions& options)
+      : system_(system),
+        start_(start),
+        options_(options),
+        scale_(motion_scale(system)),
+        compliant_(system.has_compliant_stop()) {
+    const State at_rest{Vector::Zero(system.modes()), Vector::Zero(system.modes())};
+    passage_.closure_speed =
+        options.closure_speed.value_or(default_closure_speed(system, start.value_or(at_rest)));
+    passage_.max_impacts = options.max_impacts;
+    passage_.stop = options.stop;
+  }
+
+  FoundOrbits find() {
+    const bool one_impact = !options_.impacts || *options_.impacts == 1;
+    if (options_.from_closed_form && one_impact)
+      compliant_ ? from_closed_form_contacts() : from_closed_form();
+    if (options_.from_simulation && start_) from_simulation();
+    if (options_.from_random) compliant_ ? from_rough_contacts() : from_random();
+    add_mirror_images();
+    return conclude();
+  }
+
+ private:
+  void from_closed_form() {
+    for (std::size_t i = 0; i < system_.stops.size(); ++i) {
+      const ClosedFormAnswer answer = closed_form(system_, static_cast<int>(i), options_.period);
+      if (!answer.form) {
+        found_.notes.push_back("the closed form does not hold: " + answer.why_not);
+        continue;
+      }
+      const ShootingProblem problem({options_.period, {static_cast<int>(i)}}, scale_);
+      for (const ImpactPoint& point : answer.form->solutions(system_.stops[i].gap)) {
+        if (options_.stop.requested()) return;
+        keep(problem, newton(problem, system_, problem.pack({point})), found_.closed_form);
+      }
+    }
+  }
+
+  void from_simulation() {
+    found_.simulated = true;
+    SettleOptions settle_options;
+    settle_options.max_impacts = options_.max_impacts;
+    settle_options.stop = options_.stop;
+    settle_options.closure_speed = options_.closure_speed;
+    const SettledMotion settled = settle(system_, *start_, settle_options);
+    const bool sticks = settled.kind == SettledKind::kSticks;
+    if (!sticks && settled.kind != SettledKind::kImpacts) {
+      found_.notes.push_back(settled.verdict);
+      return;
+    }
+    const FollowedAnswer answer = keep(orbit_near(system_, settled, passage_), found_.simulation);
+    if (!answer.orbit) {
+      found_.notes.push_back(settled.verdict + (sticks ? "; " : ", but ") + answer.why_not);
+      return;
+    }
+    const Orbit& orbit = *answer.orbit;
+    found_.notes.push_back(
+        orbit.sticks()
+            ? fmt::format("{}; solved for, it is a ({}, {}) orbit that sticks, its chatters summed "
+                          "below {:.4g} m/s",
+                          settled.verdict, orbit.period, orbit.impacts.size(),
+                          passage_.closure_speed)
+            : fmt::format("from the scene's initial state the motion settles on a ({}, {}) orbit",
+                          orbit.period, orbit.impacts.size()));
+  }
+
+  // Keeps the orbit that a start led to, where it is asked for.
+  FollowedAnswer keep(FollowedAnswer answer, StartCount& count) {
+    ++count.tried;
+    if (!answer.orbit) return answer;
+    ++count.converged;
+    const Orbit& orbit = *answer.orbit;
+    const bool any_number = options_.sticking && orbit.sticks();
+    if (any_number ? orbit.period == options_.period
+                   : options_.asks_for(orbit.period, orbit.impacts.size()))
+      keep(orbit);
+    return answer;
+  }
+
+  void from_closed_form_contacts() {
+    for (const State& start : closed_form_contacts(system_, options_.period, passage_))
+      if (!options_.stop.requested())
+        keep(followed_orbit(system_, start, options_.period, passage_), found_.closed_form);
+  }
+
+  void from_rough_contacts() {
+    // A map with its derivatives costs as N^3.
+    const int modes = system_.modes();
+    const int guesses = std::min(options_.random_guesses, std::max(4, 64 / (modes * modes)));
+    for (int stop = 0; stop < static_cast<int>(system_.stops.size()); ++stop) {
+      ++found_.patterns;
+      for (const State& start : rough_contacts(system_, stop, options_.period, guesses,
+                                               speed_scale(), options_.random_seed, passage_)) {
+        if (options_.stop.requested()) return;
+        keep(followed_orbit(system_, start, options_.period, passage_), found_.random);
+      }
+    }
+  }
+
+  void from_random() {
+    if (options_.impacts && *options_.impacts > kMostImpacts) {
+      found_.notes.push_back(fmt::format(
+          "no random starts: quasi-random phases are for up to {} impacts", kMostImpacts));
+      return;
+    }
+    const PeriodicResponseAnswer answer = periodic_response(system_, options_.period);
+    if (!answer.response)
+      found_.notes.push_back("impacts are not sought by their phases alone: " + answer.why_not);
+    for (const std::vector<int>& stops : sequences()) {
+      if (options_.stop.requested()) return;
+      ++found_.patterns;
+      const ImpactPattern pattern{options_.period, stops};
+      if (answer.response)
+        from_phases(*answer.response, pattern);
+      else
+        from_rough_guesses(pattern);
+    }
+  }
+
+  // The sequences of stops to search.
+  std::vector<std::vector<int>> sequences() {
+    const int stops = static_cast<int>(system_.stops.size());
+    std::vector<std::vector<int>> all;
+    const int least = options_.impacts.value_or(1), most = options_.impacts.value_or(3);
+    for (int k = least; k <= most; ++k) {
+      ImpactSequences part = impact_sequences(stops, k, kMostSequences);
+      const int work = static_cast<int>(part.sequences.size()) * k * k * system_.modes();
+      if (k > 1 && !options_.impacts && work > kCheapWork) break;
+      if (!part.complete)
+        found_.notes.push_back(
+            fmt::format("only the first {} sequences of {} impacts were searched, of the {} "
+                        "stops there are more",
+                        kMostSequences, k, stops));
+      std::move(part.sequences.begin(), part.sequences.end(), std::back_inserter(all));
+    }
+    return all;
+  }
+
+  void from_phases(const PeriodicResponse& response, const ImpactPattern& pattern) {
+    PhaseSearchOptions budget = search_budget(pattern.impacts(), options_.impacts.has_value());
+    budget.approaching = !options_.keep_virtual;
+    budget.seed = options_.random_seed;
+    budget.length = scale_.length;
+    budget.speed = speed_scale();
+    budget.threads = options_.threads;
+    budget.stop = options_.stop;
+    PhaseSearch search(response, pattern, budget);
+    // Of one impact the closed form and the search are to confirm each other.
+    if (pattern.impacts() > 1)
+      for (const Orbit& orbit : found_.orbits)
+        if (orbit.period == pattern.period && orbit.pattern().impacts() == pattern.impacts())
+          search.know(orbit.pattern().stops, turned_phases(orbit));
+    bool any = keep(response, search.local());
+    found_.random.tried += search.tried();
+    found_.random.converged += search.converged();
+    for (int run = 0; run < kGlobalRuns && !any && !options_.stop.requested(); ++run) {
+      ++found_.global.tried;
+      const std::optional<PhaseSolution> solution = search.global();
+      if (!solution) continue;
+      ++found_.global.converged;
+      any = keep(response, {*solution});
+    }
+  }
+
+  static Vector turned_phases(const Orbit& orbit) {
+    Vector phases(static_cast<Eigen::Index>(orbit.impacts.size()));
+    Eigen::Index i = 0;
+    for (const ImpactPoint& point : orbit.points()) phases[i++] = point.theta;
+    return phases;
+  }
+
+  // Keeps the solutions that are orbits (or may be listed); whether there was one.
+  bool keep(const PeriodicResponse& response, const std::vector<PhaseSolution>& solutions) {
+    std::vector<std::optional<Orbit>> orbits(solutions.size());
+    for_each_index(solutions.size(), options_.threads, [&](std::size_t i) {
+      if (!options_.stop.requested()) orbits[i] = judge(response, solutions[i]);
+    });
+    bool any = false;
+    for (const std::optional<Orbit>& orbit : orbits) {
+      if (!orbit) continue;
+      any = any || orbit->admissible || options_.keep_virtual;
+      keep(*orbit);
+    }
+    return any;
+  }
+
+  // The orbit of a solution of the phase problem; only outlined where it surely is none and is not
+  // to be listed. Nothing where there is no solution or it is not minimal.
+  std::optional<Orbit> judge(const PeriodicResponse& response,
+                             const PhaseSolution& solution) const {
+    Orbit orbit = outline(solution);
+    if (repeated_pattern(orbit)) return {};
+    const PhaseProblem phases(response, solution.pattern.stops, speed_scale());
+    const std::vector<ImpactPoint> points = phases.points(solution.phases);
+    if (!options_.keep_virtual && surely_virtual(solution, points)) return orbit;
+    const ShootingProblem problem(solution.pattern, scale_);
+    std::optional<ShootingSolution> polished = newton(problem, system_, problem.pack(points));
+    if (!polished) polished = seek(problem, system_, problem.pack(points));
+    if (!polished) return {};
+    orbit = make_orbit(system_, problem, polished->x);
+    if (repeated_pattern(orbit)) return {};
+    return orbit;
+  }
+
+  bool surely_virtual(const PhaseSolution& solution, const std::vector<ImpactPoint>& points) const {
+    if (solution.speeds.minCoeff() < -kSurely * speed_scale()) return true;
+    const Admissibility verdict = admissibility(system_, solution.pattern, points);
+    return verdict.nearest && verdict.nearest->gap < -kSurely * scale_.length;
+  }
+
+  void from_rough_guesses(const ImpactPattern& pattern) {
+    // A least-squares solve grows as the cube of its unknowns: many modes get fewer guesses.
+    const int guesses =
+        std::min(options_.random_guesses, std::max(4, 128 / (system_.modes() * pattern.impacts())));
+    const ShootingProblem problem(pattern, scale_);
+    std::vector<Vector> from;
+    for (const std::vector<ImpactPoint>& points :
+         rough_guesses(system_, pattern, guesses, speed_scale(), options_.random_seed))
+      from.push_back(problem.pack(points));
+    std::vector<std::optional<ShootingSolution>> solutions(from.size());
+    for_each_index(from.size(), options_.threads, [&](std::size_t i) {
+      if (!options_.stop.requested()) solutions[i] = seek(problem, system_, from[i]);
+    });
+    for (const std::optional<ShootingSolution>& solution : solutions) {
+      const std::optional<Orbit> orbit = judge(problem, solution, found_.random);
+      if (orbit && orbit->period == pattern.period &&
+          orbit->pattern().impacts() == pattern.impacts())
+        keep(*orbit);
+    }
+  }
+
+  // The minimal orbit of a solution; nothing where there is none.
+  std::optional<Orbit> judge(const ShootingProblem& problem,
+                             const std::optional<ShootingSolution>& solution, StartCount& count) {
+    ++count.tried;
+    if (!solution) return {};
+    ++count.converged;
+    return minimal_orbit(system_, problem, *solution);
+  }
+
+  void keep(const ShootingProblem& problem, const std::optional<ShootingSolution>& solution,
+            StartCount& count) {
+    if (const std::optional<Orbit> orbit = judge(problem, solution, count)) keep(*orbit);
+  }
+
+  void keep(const Orbit& orbit) {
+    for (Orbit& known : found_.orbits)
+      if (same_orbit(known, orbit, speed_scale())) {
+        if (orbit.residual < known.residual) known = orbit;
+        return;
+      }
+    found_.orbits.push_back(orbit);
+  }
+
+  // Between mirrored stops orbits come in pairs: whichever of two was found, both are listed.
+  void add_mirror_images() {
+    const std::optional<std::vector<int>> opposite = opposite_stops(system_);
+    if (!opposite) return;
+    for (const Orbit& orbit : std::vector<Orbit>(found_.orbits)) {
+      if (!(orbit.admissible || options_.keep_virtual)) continue;
+      if (const auto image = mirrored_orbit(system_, orbit, *opposite, passage_)) keep(*image);
+    }
+  }
+
+  FoundOrbits conclude() {
+    std::vector<Orbit>& orbits = found_.orbits;
+    if (!options_.keep_virtual) {
+      const auto is_virtual = [](const Orbit& orbit) { return !orbit.admissible; };
+      found_.inadmissible =
+          static_cast<int>(std::count_if(orbits.begin(), orbits.end(), is_virtual));
+      orbits.erase(std::remove_if(orbits.begin(), orbits.end(), is_virtual), orbits.end());
+    }
+    std::sort(orbits.begin(), orbits.end(), comes_before);
+    found_.tried = what_was_tried();
+    return std::move(found_);
+  }
+
+  std::string what_was_tried() const {
+    if (compliant_)
+      return fmt::format("{} rigid orbits, {} simulation, {} rough guesses",
+                         found_.closed_form.tried, found_.simulated ? "the" : "no",
+                         found_.random.tried);
+    std::vector<std::string> parts;
+    if (found_.closed_form.tried > 0)
+      parts.push_back(fmt::format("{} solutions of the closed form", found_.closed_form.tried));
+    if (found_.simulated) parts.push_back("the simulation");
+    if (found_.patterns > 0)
+      parts.push_back(fmt::format("{} random starts on {} sequence{} of stops", found_.random.tried,
+                                  found_.patterns, found_.patterns == 1 ? "" : "s"));
+    if (found_.global.tried > 0)
+      parts.push_back(fmt::format("{} global minimisations", found_.global.tried));
+    return fmt::format("{}", fmt::join(parts, ", "));
+  }
+
+  // m/s, of the forced motion
+  double speed_scale() const { return scale_.speed; }
+
+  const System& system_;
+  const std::optional<State>& start_;
+  const FinderOptions& options_;
+  MotionScale scale_;
+  bool compliant_;  // a stop is, and every orbit is followed
+  PassageOptions passage_;
+  FoundOrbits found_;
+};
+
+}  // namespace
+
+FoundOrbits find_orbits(const System& system, const std::optional<State>& start,
+                        const FinderOptions& options) {
+  return Finder(system, start, options).find();
+}
+
+}  // namespace graze

@@ -1,0 +1,260 @@
+#include "graze/orbit/search/detail/phase_search.hpp"
+
+#include <ceres/tiny_solver.h>
+
+#include <algorithm>
+#include <boost/random/sobol.hpp>
+#include <cmath>
+#include <limits>
+#include <memory>
+#include <random>
+
+#include "graze/base/angle.hpp"
+#include "graze/base/linalg/detail/linear_equations.hpp"
+#include "graze/base/parallel.hpp"
+#include "graze/orbit/problem/orbit_identity.hpp"
+#include "graze/orbit/search/detail/global_phases.hpp"
+
+namespace graze {
+namespace {
+
+// A residual where the equations cannot be evaluated: larger than any other, and its square is
+// still a number.
+constexpr double kNowhere = 1e100;
+
+// The deflated phase problem, in units of a length.
+class DeflatedDefect {
+ public:
+  using Scalar = double;
+  enum { NUM_RESIDUALS = Eigen::Dynamic, NUM_PARAMETERS = Eigen::Dynamic };
+
+  DeflatedDefect(const PhaseProblem& problem, const PhaseDeflation& deflation, double length)
+      : problem_(problem), deflation_(deflation), length_(length) {}
+
+  int NumResiduals() const { return problem_.impacts(); }
+  int NumParameters() const { return problem_.impacts(); }
+
+  bool operator()(const double* parameters, double* residuals, double* jacobian) const {
+    const Eigen::Index k = problem_.impacts();
+    const Vector phases = Eigen::Map<const Vector>(parameters, k);
+    Matrix by_phases;
+    Vector gradient;
+    Vector r = problem_.defect(phases, jacobian ? &by_phases : nullptr) / length_;
+    const double factor = deflation_.factor(phases, jacobian ? &gradient : nullptr);
+    Eigen::Map<Vector> out(residuals, k);
+    out = factor * r;
+    bool good = out.allFinite() && out.cwiseAbs().maxCoeff() < kNowhere;
+    if (jacobian && good) {
+      by_phases = (factor / length_) * by_phases + r * gradient.transpose();
+      good = by_phases.allFinite();
+      if (good) Eigen::Map<Matrix>(jacobian, k, k) = by_phases;
+    }
+    if (good) return true;
+    out.setConstant(kNowhere);
+    if (jacobian) Eigen::Map<Matrix>(jacobian, k, k).setZero();
+    return true;
+  }
+
+ private:
+  const PhaseProblem& problem_;
+  const PhaseDeflation& deflation_;
+  double length_;
+};
+
+Vector levenberg_marquardt(const PhaseProblem& problem, const PhaseDeflation& deflation,
+                           double length, const Vector& start) {
+  // A solve that takes longer is wandering; another start costs less.
+  constexpr int kMostIterations = 25;
+  const DeflatedDefect equations(problem, deflation, length);
+  ceres::TinySolver<DeflatedDefect> solver;
+  // Newton's method has the last word: near enough for it is enough here.
+  solver.options.max_num_iterations = kMostIterations;
+  solver.options.gradient_tolerance = 1e-10;
+  solver.options.parameter_tolerance = 1e-6;
+  solver.options.function_tolerance = 0.0;
+  solver.options.cost_threshold = 1e-12;
+  Vector x = start;
+  solver.Solve(equations, &x);
+  return x;
+}
+
+// Newton's method on the problem itself; nothing when it does not settle. The residual must vanish
+// to the same part of a length that the phases are known to, rad.
+std::optional<Vector> newton_phases(const PhaseProblem& problem, double length, Vector phases) {
+  constexpr int kMostSteps = 20;
+  double last = std::numeric_limits<double>::infinity();
+  for (int step = 0; step < kMostSteps; ++step) {
+    Matrix jacobian;
+    const Vector r = problem.defect(phases, &jacobian);
+    if (!r.allFinite() || !jacobian.allFinite()) return {};
+    const Vector update = LuFactors(jacobian).solve(r);
+    const double size = update.cwiseAbs().maxCoeff();
+    if (!std::isfinite(size)) return {};
+    if (size <= kSameOrbit && !(size < 0.5 * last) &&
+        r.cwiseAbs().maxCoeff() <= kSameOrbit * length)
+      return phases;
+    phases -= update;
+    last = size;
+  }
+  return {};
+}
+
+// In time order from the smallest phase.
+PhaseSolution in_order(const PhaseProblem& problem, const Vector& phases) {
+  const int period = problem.response().period();
+  const Eigen::Index k = phases.size();
+  Vector speeds;
+  problem.defect(phases, nullptr, &speeds);
+  Eigen::Index first = 0;
+  for (Eigen::Index i = 1; i < k; ++i)
+    if (wrapped(phases[i]) < wrapped(phases[first])) first = i;
+  const auto after = [&](Eigen::Index i) {
+    if (i == first) return 0.0;
+    const double turn = std::fmod(phases[i] - phases[first], kTurn * period);
+    return turn < 0.0 ? turn + kTurn * period : turn;
+  };
+  std::vector<Eigen::Index> order(static_cast<std::size_t>(k));
+  for (Eigen::Index i = 0; i < k; ++i) order[static_cast<std::size_t>(i)] = i;
+  std::stable_sort(order.begin(), order.end(),
+                   [&](Eigen::Index a, Eigen::Index b) { return after(a) < after(b); });
+  PhaseSolution solution{{period, {}}, Vector(k), Vector(k)};
+  for (Eigen::Index m = 0; m < k; ++m) {
+    const Eigen::Index i = order[static_cast<std::size_t>(m)];
+    solution.pattern.stops.push_back(problem.stops()[static_cast<std::size_t>(i)]);
+    solution.phases[m] = wrapped(phases[first]) + after(i);
+    solution.speeds[m] = speeds[i];
+  }
+  return solution;
+}
+
+}  // namespace
+
+Orbit outline(const PhaseSolution& solution) {
+  Orbit orbit;
+  orbit.period = solution.pattern.period;
+  orbit.residual = std::numeric_limits<double>::infinity();  // not known
+  for (Eigen::Index i = 0; i < solution.phases.size(); ++i) {
+    const double phase = wrapped(solution.phases[i]);
+    orbit.impacts.push_back({solution.pattern.stops[static_cast<std::size_t>(i)],
+                             static_cast<int>(std::lround((solution.phases[i] - phase) / kTurn)),
+                             phase,
+                             solution.speeds[i],
+                             {}});
+  }
+  return orbit;
+}
+
+std::optional<PhaseSolution> solve_phases(const PeriodicResponse& response,
+                                          const PhaseDeflation& deflation, const Vector& start,
+                                          const PhaseSearchOptions& options) {
+  const PhaseProblem problem(response, deflation.pattern().stops, options.speed);
+  const std::optional<Vector> phases = newton_phases(
+      problem, options.length, levenberg_marquardt(problem, deflation, options.length, start));
+  if (!phases || !(deflation.nearest_pair(*phases) > kSameOrbit)) return {};
+  return in_order(problem, *phases);
+}
+
+struct PhaseStarts::Sequence {
+  explicit Sequence(std::size_t dimension) : numbers(dimension) {}
+  boost::random::sobol numbers;
+};
+
+PhaseStarts::PhaseStarts(int period, int impacts, std::uint64_t seed)
+    : period_(period), sequence_(std::make_shared<Sequence>(static_cast<std::size_t>(impacts))) {
+  std::mt19937_64 engine(seed);
+  for (int i = 0; i < impacts; ++i) shift_.push_back(engine());
+}
+
+Vector PhaseStarts::next() {
+  // Bits to [0, 1) by hand: results shall not depend on a library's distributions.
+  std::vector<double> u;
+  for (const std::uint64_t shift : shift_)
+    u.push_back(static_cast<double>((sequence_->numbers() ^ shift) >> 11) * 0x1p-53);
+  std::sort(u.begin() + 1, u.end());
+  Vector phases(static_cast<Eigen::Index>(u.size()));
+  phases[0] = kTurn * u[0];
+  for (std::size_t i = 1; i < u.size(); ++i)
+    phases[static_cast<Eigen::Index>(i)] = phases[0] + kTurn * period_ * u[i];
+  return phases;
+}
+
+PhaseSearch::PhaseSearch(const PeriodicResponse& response, const ImpactPattern& pattern,
+                         const PhaseSearchOptions& options)
+    : response_(&response),
+      options_(options),
+      deflation_(pattern),
+      starts_(pattern.period, pattern.impacts(), options.seed),
+      known_{PhaseDeflation(pattern)} {}
+
+void PhaseSearch::know(const std::vector<int>& stops, const Vector& phases) {
+  deflation_.add(stops, phases);
+  for (PhaseDeflation& known : known_)
+    if (known.pattern().stops == stops) {
+      known.add(stops, phases);
+      return;
+    }
+  known_.emplace_back(ImpactPattern{deflation_.pattern().period, stops});
+  known_.back().add(stops, phases);
+}
+
+bool PhaseSearch::learn(const PhaseSolution& solution) {
+  for (const PhaseDeflation& known : known_)
+    if (known.pattern().stops == solution.pattern.stops && known.knows(solution.phases, kSameOrbit))
+      return false;
+  know(solution.pattern.stops, solution.phases);
+  return true;
+}
+
+std::vector<Vector> PhaseSearch::starts_of_a_round() {
+  // Where fewer points than this are approached, what there is has to do.
+  constexpr int kMostDraws = 64;
+  const std::vector<int>& stops = deflation_.pattern().stops;
+  const PhaseProblem problem(*response_, stops, options_.speed);
+  std::vector<Vector> starts;
+  for (int draw = 0; draw < kMostDraws * options_.starts; ++draw) {
+    if (static_cast<int>(starts.size()) == options_.starts || options_.stop.requested()) break;
+    const Vector phases = starts_.next();
+    Vector speeds;
+    if (options_.approaching) problem.defect(phases, nullptr, &speeds);
+    if (!options_.approaching || speeds.minCoeff() > 0.0) starts.push_back(phases);
+  }
+  return starts;
+}
+
+std::vector<PhaseSolution> PhaseSearch::local() {
+  constexpr int kBarrenRounds = 2;
+  std::vector<PhaseSolution> found;
+  int barren = 0;  // rounds in a row without anything new
+  for (int round = 0; round < options_.rounds && barren < kBarrenRounds; ++round) {
+    if (options_.stop.requested()) break;
+    const std::vector<Vector> starts = starts_of_a_round();
+    std::vector<std::optional<PhaseSolution>> solved(starts.size());
+    for_each_index(starts.size(), options_.threads, [&](std::size_t i) {
+      if (!options_.stop.requested())
+        solved[i] = solve_phases(*response_, deflation_, starts[i], options_);
+    });
+    tried_ += static_cast<int>(starts.size());
+    const std::size_t before = found.size();
+    for (const std::optional<PhaseSolution>& solution : solved) {
+      if (!solution) continue;
+      ++converged_;
+      if (learn(*solution)) found.push_back(*solution);
+    }
+    barren = found.size() == before ? barren + 1 : 0;
+  }
+  return found;
+}
+
+std::optional<PhaseSolution> PhaseSearch::global() {
+  const std::vector<int>& stops = deflation_.pattern().stops;
+  const PhaseProblem problem(*response_, stops, options_.speed);
+  const std::optional<Vector> lowest = lowest_phases(problem, deflation_, options_);
+  if (!lowest) return {};
+  std::optional<PhaseSolution> solution = solve_phases(*response_, deflation_, *lowest, options_);
+  if (solution && learn(*solution)) return solution;
+  // A valley without a bottom: the next minimisation shall look elsewhere.
+  deflation_.add(stops, *lowest);
+  return {};
+}
+
+}  // namespace graze

@@ -1,0 +1,159 @@
+#include "graze/orbit/search/repetition.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "graze/system/scale.hpp"
+
+namespace graze {
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+// Differences this small, in units of the motion, are roundings that some hundred operations a
+// period leave behind.
+constexpr double kRounding = 1024.0 * std::numeric_limits<double>::epsilon();
+
+double beyond_rounding(double difference, double rounding) {
+  return difference > rounding ? difference : 0.0;
+}
+
+}  // namespace
+
+PeriodHistory::PeriodHistory(const System& system, const State& start, long long most)
+    : modes_(system.modes()), scale_(motion_scale(system)), speed_(scale_.speed), most_(most) {
+  push_state(strobes_, start.q, start.qdot);
+}
+
+void PeriodHistory::push_state(Tail<double>& list, const Vector& q, const Vector& qdot) const {
+  for (const double value : q) list.push(value);
+  for (const double value : qdot) list.push(value);
+}
+
+State PeriodHistory::state(const Tail<double>& list, long long index) const {
+  State state{Vector(modes_), Vector(modes_)};
+  for (Eigen::Index j = 0; j < modes_; ++j) {
+    state.q[j] = list[2 * modes_ * index + j];
+    state.qdot[j] = list[2 * modes_ * index + modes_ + j];
+  }
+  return state;
+}
+
+void PeriodHistory::add_impact(const MetImpact& impact, const Vector& q, const Vector& qdot) {
+  impacts_.push(impact);
+  push_state(before_, q, qdot);
+}
+
+void PeriodHistory::end_period(const Vector& q, const Vector& qdot, Contacts contacts) {
+  periods_.push({counted_, static_cast<int>(impacts_.end() - counted_), contacts});
+  counted_ = impacts_.end();
+  push_state(strobes_, q, qdot);
+  const long long oldest = periods() - most_;
+  if (oldest <= periods_.begin()) return;
+  periods_.forget_before(oldest);
+  strobes_.forget_before(2 * modes_ * oldest);
+  impacts_.forget_before(periods_[oldest].first);
+  before_.forget_before(2 * modes_ * periods_[oldest].first);
+}
+
+State PeriodHistory::state_at_start(long long period) const { return state(strobes_, period); }
+
+std::vector<MetImpact> PeriodHistory::impacts_since(long long from) const {
+  std::vector<MetImpact> list;
+  if (from >= periods()) return list;
+  for (long long i = periods_[from].first; i < impacts_.end(); ++i) list.push_back(impacts_[i]);
+  return list;
+}
+
+std::vector<State> PeriodHistory::states_before_impacts_since(long long from) const {
+  std::vector<State> list;
+  if (from >= periods()) return list;
+  for (long long i = periods_[from].first; i < impacts_.end(); ++i)
+    list.push_back(state(before_, i));
+  return list;
+}
+
+PeriodHistory::Contacts PeriodHistory::contacts_since(long long from) const {
+  Contacts all{false, true};
+  for (long long n = from; n < periods(); ++n) {
+    all.any = all.any || periods_[n].contacts.any;
+    all.sprung = all.sprung || periods_[n].contacts.sprung;
+    all.closed = all.closed || periods_[n].contacts.closed;
+    all.held = all.held && periods_[n].contacts.held;
+  }
+  return all;
+}
+
+// Of the impacts of a period from those p periods before. A speed that is left over from the forced
+// velocities has their rounding, and the smaller it is, the less its instant is known.
+double PeriodHistory::impact_difference(long long period, int p) const {
+  const Period &now = periods_[period], &then = periods_[period - p];
+  if (now.impacts != then.impacts || now.contacts.any != then.contacts.any ||
+      now.contacts.held != then.contacts.held)
+    return kInfinity;
+  double largest = 0.0;
+  for (int i = 0; i < now.impacts; ++i) {
+    const MetImpact &a = impacts_[then.first + i], &b = impacts_[now.first + i];
+    if (a.stop != b.stop) return kInfinity;
+    const double speeds = std::abs(a.speed) + std::abs(b.speed);
+    const double difference =
+        std::max(std::abs(b.phase - a.phase), std::abs(b.speed - a.speed) / speeds);
+    const double rounding = kRounding * (1.0 + speed_ / speeds);
+    largest = std::max(largest, beyond_rounding(difference, rounding));
+  }
+  return largest;
+}
+
+// Of the state at the end of a period from that p periods before.
+double PeriodHistory::state_difference(long long period, int p) const {
+  const long long now = 2 * modes_ * (period + 1), then = 2 * modes_ * (period + 1 - p);
+  double largest = 0.0;
+  for (Eigen::Index j = 0; j < modes_; ++j) {
+    largest =
+        std::max(largest, std::abs(strobes_[now + j] - strobes_[then + j]) / scale_.displacement);
+    largest = std::max(largest, std::abs(strobes_[now + modes_ + j] - strobes_[then + modes_ + j]) /
+                                    scale_.velocity[j]);
+  }
+  return beyond_rounding(largest, kRounding);
+}
+
+bool PeriodHistory::repeats(int p, int repetitions, double tolerance) const {
+  const long long now = periods();
+  if (static_cast<long long>(repetitions) * p > now - oldest()) return false;
+  long long impacts = 0;
+  // From the newest back: a motion that does not repeat is told by its last period.
+  for (long long n = now - 1; n >= now - static_cast<long long>(repetitions - 1) * p; --n) {
+    if (!(impact_difference(n, p) <= tolerance)) return false;
+    impacts += periods_[n].impacts;
+  }
+  if (impacts > 0) return true;
+  for (long long n = now - 1; n >= now - static_cast<long long>(repetitions - 1) * p; --n)
+    if (!(state_difference(n, p) <= tolerance)) return false;
+  return true;
+}
+
+double PeriodHistory::largest(long long from, long long until, int p) const {
+  if (from - p < oldest()) return kInfinity;
+  double largest = 0.0;
+  for (long long n = from; n < until; ++n)
+    largest = std::max({largest, impact_difference(n, p), state_difference(n, p)});
+  return largest;
+}
+
+double PeriodHistory::difference(int p) const { return largest(periods() - p, periods(), p); }
+
+double PeriodHistory::remaining(int p) const {
+  const long long now = periods(), window = static_cast<long long>(kWindow) * p;
+  const double late = largest(now - window, now, p);
+  if (late == 0.0) return 0.0;
+  const double early = largest(now - 2 * window, now - window, p);
+  if (!(late < early) || !std::isfinite(early)) return kInfinity;
+  const double last = difference(p), before = largest(now - 2LL * p, now - p, p);
+  const double latest = before > 0.0 ? std::pow(last / before, kWindow) : 0.0;
+  const double ratio = std::max(late / early, latest);
+  if (!(ratio < 1.0)) return kInfinity;
+  return kWindow * late * ratio / (1.0 - ratio);
+}
+
+}  // namespace graze

@@ -1,0 +1,116 @@
+// A motion remembered forcing period by forcing period: how nearly it repeats, and how far it still
+// is from what it tends to.
+//
+// With d_n the difference between one repetition and the next, the largest of the last five is D,
+// of the five before D'. Differences that go on shrinking as they did, by R = D/D' in five, add up
+// to no more than
+//
+//   remaining = 5 D R/(1 - R),
+//
+// the distance from the orbit. A multiplier of 0.99 makes it about a hundred times the last
+// difference. Five, so that differences that turn while they shrink (complex multipliers) do not
+// pass for settled where they cross zero; and where the last two repetitions shrink by less, theirs
+// counts. Still it is an estimate and no bound: a quick deviation can hide a slow one.
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "graze/orbit/problem/impact_pattern.hpp"
+#include "graze/system/scale.hpp"
+
+namespace graze {
+
+struct MetImpact {
+  long long period = 0;  // whole forcing periods before it
+  int stop = 0;          // index from 0
+  double phase = 0.0;    // frequency t + phase within its period, rad
+  double speed = 0.0;    // approach speed, m/s
+};
+
+class PeriodHistory {
+ public:
+  static constexpr int kWindow = 5;  // repetitions whose largest difference counts
+
+  // What happened to the stops in a period.
+  struct Contacts {
+    bool any = false;     // one was closed or compressed at some time
+    bool held = false;    // closed all the time, without an impact or a release
+    bool sprung = false;  // one was compressed at some time
+    bool closed = false;  // one was closed at some time
+  };
+
+  // Remembers at least `most` periods. Requires forcing.
+  PeriodHistory(const System& system, const State& start, long long most);
+
+  void add_impact(const MetImpact& impact, const Vector& q, const Vector& qdot);
+  // The period is over, in this state.
+  void end_period(const Vector& q, const Vector& qdot, Contacts contacts);
+
+  long long periods() const { return static_cast<long long>(periods_.end()); }
+  // The first period that is still remembered.
+  long long oldest() const { return periods_.begin(); }
+  State state_at_start(long long period) const;
+  // The impacts of the periods from `from` on, and the states just before them.
+  std::vector<MetImpact> impacts_since(long long from) const;
+  std::vector<State> states_before_impacts_since(long long from) const;
+  Contacts contacts_since(long long from) const;
+
+  // Whether the last `repetitions` times p periods are known and repeat: the same stops are hit, at
+  // phases (rad) and relative speeds that agree to `tolerance`; without any impact the states do.
+  bool repeats(int p, int repetitions, double tolerance) const;
+  // The largest difference between the last p periods and those before: of phases (rad), relative
+  // speeds, and states in units of the system's scale; 0 within rounding, infinite where other
+  // stops are hit or too little is remembered.
+  double difference(int p) const;
+  // The estimate above; infinite where the differences do not shrink or too little is remembered.
+  double remaining(int p) const;
+
+ private:
+  // A list that forgets its beginning; indices count from the first item ever.
+  template <class T>
+  class Tail {
+   public:
+    void push(const T& item) { items_.push_back(item); }
+    const T& operator[](long long i) const { return items_[static_cast<std::size_t>(i - base_)]; }
+    long long begin() const { return begin_; }
+    long long end() const { return base_ + static_cast<long long>(items_.size()); }
+    void forget_before(long long i) {
+      begin_ = i;
+      // Moved only when half of the memory is waste: once in a while.
+      if (2 * (begin_ - base_) < static_cast<long long>(items_.size()) + 64) return;
+      items_.erase(items_.begin(), items_.begin() + static_cast<std::ptrdiff_t>(begin_ - base_));
+      base_ = begin_;
+    }
+
+   private:
+    std::vector<T> items_;
+    long long base_ = 0, begin_ = 0;
+  };
+  struct Period {
+    long long first = 0;  // impact
+    int impacts = 0;
+    Contacts contacts;
+  };
+  struct Difference {
+    double impacts = 0.0, states = 0.0;
+  };
+
+  void push_state(Tail<double>& list, const Vector& q, const Vector& qdot) const;
+  State state(const Tail<double>& list, long long index) const;
+  double impact_difference(long long period, int p) const;
+  double state_difference(long long period, int p) const;
+  double largest(long long from, long long until, int p) const;
+
+  Eigen::Index modes_;
+  MotionScale scale_;
+  double speed_;  // scale of impact speeds, m/s
+  long long most_;
+  Tail<Period> periods_;
+  Tail<MetImpact> impacts_;
+  Tail<double> before_;    // 2N numbers an impact
+  Tail<double> strobes_;   // 2N numbers a period and one more: at its start
+  long long counted_ = 0;  // impacts of the periods that are over
+};
+
+}  // namespace graze

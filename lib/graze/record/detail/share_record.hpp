@@ -1,0 +1,25 @@
+// The result of a share of the work: what its journal holds by now.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "graze/record/file/detail/journal.hpp"
+#include "graze/record/records.hpp"
+
+namespace graze {
+
+struct ShareRecord {
+  RunInfo info;
+  Share share;
+  std::string journal;            // the file
+  std::string piece;              // what the pieces are: "row", "cell"
+  std::size_t kept = 0, due = 0;  // pieces of the share: in the journal, and in all
+  std::vector<std::string> warnings;
+  Outcome outcome;
+};
+
+// "complete", or how it was stopped.
+ShareRecord share_record(const Journal& journal, StopReason stopped);
+
+}  // namespace graze

@@ -1,0 +1,92 @@
+// What long work has finished so far, piece by piece, in a file that only grows: whatever ends the
+// program, the pieces that stand there are not done again.
+//
+// Lines of "CHECKSUM NAME <tab> TEXT", the first of them about the work as a whole. A line that was
+// cut off or damaged does not fit its checksum and counts as not written.
+#pragma once
+
+#include <filesystem>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <unordered_map>
+#include <vector>
+
+#include "graze/record/file/detail/journal_head.hpp"
+#include "graze/record/file/detail/piece_text.hpp"
+#include "graze/study/sweep/shared_work.hpp"
+
+namespace graze {
+
+class Journal {
+ public:
+  // Begins a journal in place of whatever stands there.
+  static Journal begin(const std::filesystem::path& file, const JournalHead& head);
+  // Goes on with the journal, or begins it where there is none. Throws InputError where it belongs
+  // to other work than `head` says.
+  static Journal resume(const std::filesystem::path& file, const JournalHead& head);
+  // Reads a journal that nothing is added to. Throws InputError where it is none.
+  static Journal open(const std::filesystem::path& file);
+
+  ~Journal();
+  Journal(Journal&& other) noexcept;
+  Journal(const Journal&) = delete;
+  Journal& operator=(const Journal&) = delete;
+
+  const JournalHead& head() const { return head_; }
+  const std::filesystem::path& file() const { return file_; }
+  // In the order in which they were written.
+  const std::vector<std::string>& names() const { return names_; }
+  // `find` and `add` may be called by several threads at once. All throw FileError.
+  std::optional<std::string> find(const std::string& name) const;
+  bool has(const std::string& name) const { return places_.count(name) > 0; }
+  void add(const std::string& name, const std::string& text);
+
+ private:
+  struct Place {
+    std::size_t at = 0, size = 0;  // of the text in the file
+  };
+
+  Journal(std::filesystem::path file, int descriptor);
+  // Locked against other runs.
+  static Journal writable(const std::filesystem::path& file);
+  void start(const JournalHead& head);
+  void cut_off(std::size_t at);
+  void read();
+  void take_line(std::string_view line, std::size_t at);
+  void note(const std::string& name, Place place);
+  void write(const std::string& line);
+  [[noreturn]] void fail(const char* what) const;
+
+  std::filesystem::path file_;
+  int descriptor_ = -1;
+  JournalHead head_;
+  bool has_head_ = false;
+  std::size_t end_ = 0;  // of the last whole line
+  std::vector<std::string> names_;
+  std::unordered_map<std::string, Place> places_;
+  mutable std::mutex mutex_;
+};
+
+// A memory of pieces in a journal, which must outlive it; one without a journal remembers nothing.
+// A text that is no piece counts as not written.
+template <class Piece>
+PieceMemory<Piece> memory_in(std::optional<Journal>& journal) {
+  if (!journal) return {};
+  return {[&journal](const std::string& name) -> std::optional<Piece> {
+            const std::optional<std::string> text = journal->find(name);
+            Piece piece;
+            if (!text || !read_piece(*text, piece)) return {};
+            return piece;
+          },
+          [&journal](const std::string& name, const Piece& piece) {
+            journal->add(name, piece_text(piece));
+          }};
+}
+
+// The pieces of the work, of whatever share, that none of the journals has.
+std::vector<std::size_t> missing_pieces(const JournalHead& head,
+                                        const std::vector<const Journal*>& journals);
+
+}  // namespace graze

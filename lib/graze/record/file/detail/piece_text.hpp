@@ -1,0 +1,25 @@
+// Pieces of long work as one line of text each, which reads back to the last bit.
+#pragma once
+
+#include <string>
+
+#include "graze/study/compare/detail/comparison_map.hpp"
+#include "graze/study/plane/detail/attractor_map.hpp"
+#include "graze/study/sweep/detail/run_series.hpp"
+#include "graze/study/sweep/settled_row.hpp"
+
+namespace graze {
+
+// A row's pattern and points are not written; a sweep keeps none.
+std::string piece_text(const SweepRow& row);
+std::string piece_text(const SettledCell& cell);
+std::string piece_text(const ValueRun& run);
+std::string piece_text(const ComparedCell& cell);
+
+// Reads what `piece_text` wrote. False where it did not.
+bool read_piece(const std::string& text, SweepRow& row);
+bool read_piece(const std::string& text, SettledCell& cell);
+bool read_piece(const std::string& text, ValueRun& run);
+bool read_piece(const std::string& text, ComparedCell& cell);
+
+}  // namespace graze

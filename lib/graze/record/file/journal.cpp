@@ -1,0 +1,201 @@
+#include "graze/record/file/detail/journal.hpp"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <sys/file.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <boost/crc.hpp>
+#include <cerrno>
+#include <cstring>
+#include <string_view>
+#include <utility>
+
+#include "graze/base/errors.hpp"
+
+namespace graze {
+namespace {
+
+constexpr const char* kHead = "head";
+constexpr std::size_t kChecksum = 8;  // hexadecimal digits
+constexpr std::size_t kChunk = 1 << 20;
+
+std::string checksum(std::string_view text) {
+  boost::crc_32_type crc;
+  crc.process_bytes(text.data(), text.size());
+  return fmt::format("{:08x}", crc.checksum());
+}
+
+std::string line_of(const std::string& name, const std::string& text) {
+  const std::string body = name + "\t" + text;
+  return checksum(body) + " " + body + "\n";
+}
+
+}  // namespace
+
+Journal::Journal(std::filesystem::path file, int descriptor)
+    : file_(std::move(file)), descriptor_(descriptor) {}
+
+Journal::~Journal() {
+  if (descriptor_ >= 0) ::close(descriptor_);
+}
+
+Journal::Journal(Journal&& other) noexcept
+    : file_(std::move(other.file_)),
+      descriptor_(std::exchange(other.descriptor_, -1)),
+      head_(std::move(other.head_)),
+      has_head_(other.has_head_),
+      end_(other.end_),
+      names_(std::move(other.names_)),
+      places_(std::move(other.places_)) {}
+
+void Journal::fail(const char* what) const {
+  throw FileError(fmt::format("{}: cannot {}: {}", file_.string(), what, std::strerror(errno)));
+}
+
+Journal Journal::writable(const std::filesystem::path& file) {
+  // What it may write over is a file of that name, not what a link of that name leads to.
+  Journal journal(file, ::open(file.c_str(), O_RDWR | O_CREAT | O_NOFOLLOW | O_CLOEXEC, 0666));
+  if (journal.descriptor_ < 0 && errno == ELOOP)
+    throw FileError(file.string() + ": cannot write: it is a symbolic link");
+  if (journal.descriptor_ < 0) journal.fail("write");
+  struct stat status {};
+  if (::fstat(journal.descriptor_, &status) != 0) journal.fail("write");
+  if (!S_ISREG(status.st_mode) || status.st_nlink != 1)
+    throw FileError(file.string() + ": cannot write: it is no file of its own");
+  // Goes with the program, however that ends. Where the disk knows no locks there are none.
+  if (::flock(journal.descriptor_, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK)
+    throw FileError(file.string() + ": another run is writing this journal");
+  return journal;
+}
+
+Journal Journal::begin(const std::filesystem::path& file, const JournalHead& head) {
+  Journal journal = writable(file);
+  journal.start(head);
+  return journal;
+}
+
+void Journal::start(const JournalHead& head) {
+  head_ = head;
+  cut_off(0);
+  write(line_of(kHead, head_text(head)));
+  has_head_ = true;
+}
+
+Journal Journal::resume(const std::filesystem::path& file, const JournalHead& head) {
+  Journal journal = writable(file);
+  journal.read();
+  if (!journal.has_head_) {
+    journal.start(head);
+    return journal;
+  }
+  require_sound(journal.head_, file.string());
+  require_same_work(journal.head_, head, file.string());
+  journal.cut_off(journal.end_);
+  return journal;
+}
+
+Journal Journal::open(const std::filesystem::path& file) {
+  Journal journal(file, ::open(file.c_str(), O_RDONLY | O_CLOEXEC));
+  if (journal.descriptor_ < 0) journal.fail("read");
+  journal.read();
+  if (!journal.has_head_)
+    throw InputError(file.string() + ": it is no journal of graze, or lacks its first line");
+  require_sound(journal.head_, file.string());
+  return journal;
+}
+
+// What stands after the last whole line was being written when the program ended.
+void Journal::cut_off(std::size_t at) {
+  if (::ftruncate(descriptor_, static_cast<off_t>(at)) != 0) fail("write");
+  end_ = at;
+}
+
+void Journal::read() {
+  std::string text;  // from `first` in the file on
+  std::size_t first = 0;
+  for (;;) {
+    const std::size_t old = text.size();
+    text.resize(old + kChunk);
+    const ssize_t count =
+        ::pread(descriptor_, text.data() + old, kChunk, static_cast<off_t>(first + old));
+    if (count < 0 && errno != EINTR) fail("read");
+    text.resize(old + static_cast<std::size_t>(std::max<ssize_t>(count, 0)));
+    std::size_t begin = 0;
+    for (std::size_t end = 0; (end = text.find('\n', begin)) != std::string::npos; begin = end + 1)
+      take_line(std::string_view(text).substr(begin, end - begin), first + begin);
+    text.erase(0, begin);
+    first += begin;
+    if (count == 0) return;
+  }
+}
+
+void Journal::take_line(std::string_view line, std::size_t at) {
+  const std::size_t tab = line.find('\t');
+  if (tab == std::string_view::npos || tab <= kChecksum) return;
+  const std::string_view body = line.substr(kChecksum + 1);
+  if (checksum(body) != line.substr(0, kChecksum)) return;
+  const std::string name(line.substr(kChecksum + 1, tab - kChecksum - 1));
+  if (at == 0) has_head_ = name == kHead && read_head(std::string(line.substr(tab + 1)), head_);
+  if (!has_head_) return;
+  end_ = at + line.size() + 1;
+  if (name != kHead) note(name, {at + tab + 1, line.size() - tab - 1});
+}
+
+void Journal::note(const std::string& name, Place place) {
+  if (places_.emplace(name, place).second) names_.push_back(name);
+}
+
+std::optional<std::string> Journal::find(const std::string& name) const {
+  Place place;
+  {
+    const std::lock_guard lock(mutex_);
+    const auto found = places_.find(name);
+    if (found == places_.end()) return {};
+    place = found->second;
+  }
+  std::string text(place.size, '\0');
+  for (std::size_t done = 0; done < text.size();) {
+    const ssize_t count = ::pread(descriptor_, text.data() + done, text.size() - done,
+                                  static_cast<off_t>(place.at + done));
+    if (count < 0 && errno == EINTR) continue;
+    if (count <= 0) fail("read");
+    done += static_cast<std::size_t>(count);
+  }
+  return text;
+}
+
+void Journal::add(const std::string& name, const std::string& text) {
+  const std::string line = line_of(name, text);
+  const std::lock_guard lock(mutex_);
+  const std::size_t at = end_ + line.size() - 1 - text.size();
+  write(line);
+  note(name, {at, text.size()});
+}
+
+void Journal::write(const std::string& line) {
+  for (std::size_t done = 0; done < line.size();) {
+    const ssize_t count = ::pwrite(descriptor_, line.data() + done, line.size() - done,
+                                   static_cast<off_t>(end_ + done));
+    if (count < 0 && errno == EINTR) continue;
+    if (count < 0) fail("write");
+    done += static_cast<std::size_t>(count);
+  }
+  end_ += line.size();
+}
+
+std::vector<std::size_t> missing_pieces(const JournalHead& head,
+                                        const std::vector<const Journal*>& journals) {
+  std::vector<std::size_t> missing;
+  for (std::size_t i = 0; i < head.pieces; ++i) {
+    const std::string name = piece_name(head.piece, i);
+    if (std::none_of(journals.begin(), journals.end(),
+                     [&](const Journal* journal) { return journal->has(name); }))
+      missing.push_back(i);
+  }
+  return missing;
+}
+
+}  // namespace graze

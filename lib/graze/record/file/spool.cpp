@@ -1,0 +1,49 @@
+#include "graze/record/file/spool.hpp"
+
+#include <unistd.h>
+
+#include "graze/base/errors.hpp"
+
+namespace graze {
+namespace {
+
+constexpr std::size_t kLongest = 1024 * 1024;  // bytes in memory
+constexpr std::size_t kPiece = 64 * 1024;
+
+}  // namespace
+
+void Spool::append(std::string_view text) {
+  size_ += text.size();
+  if (!file_) {
+    short_ += text;
+    if (short_.size() < kLongest) return;
+    file_.emplace(folder_ / "graze_spool");
+    ::unlink(file_->written_as().c_str());
+    file_->append(short_);
+    short_ = std::string();
+    return;
+  }
+  file_->append(text);
+}
+
+void Spool::read(const TextSink& sink) {
+  if (!file_) {
+    if (!short_.empty()) sink(short_);
+    return;
+  }
+  file_->flush();
+  for (std::size_t done = 0; done < size_;) {
+    const std::string piece = file_->read(done, kPiece);
+    if (piece.empty()) throw FileError(file_->path().string() + ": cannot read what was written");
+    sink(piece);
+    done += piece.size();
+  }
+}
+
+void Document::read(const TextSink& sink) const {
+  sink(head);
+  if (middle) middle->read(sink);
+  if (!tail.empty()) sink(tail);
+}
+
+}  // namespace graze

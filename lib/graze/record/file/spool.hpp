@@ -1,0 +1,52 @@
+// Text of any length on its way to where it is wanted, of which memory holds only a small part.
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "graze/record/file/open_file.hpp"
+
+namespace graze {
+
+// Takes a text piece by piece.
+using TextSink = std::function<void(std::string_view)>;
+
+// A text that is collected, in memory while it is short, then in a file without a name: it goes
+// with the program, however that ends. Throws FileError.
+class Spool {
+ public:
+  // `folder`: where to put a long text.
+  explicit Spool(std::filesystem::path folder) : folder_(std::move(folder)) {}
+
+  void append(std::string_view text);
+  bool empty() const { return size_ == 0; }
+  // Hands out all of it, as often as wanted.
+  void read(const TextSink& sink);
+
+ private:
+  std::filesystem::path folder_;
+  std::size_t size_ = 0;
+  std::string short_;             // all of it while there is no file
+  std::optional<OpenFile> file_;  // all of it, once there is
+};
+
+// A text with a long middle.
+struct Document {
+  Document() = default;
+  // Not explicit: a text is a document.
+  Document(std::string whole)  // NOLINT(google-explicit-constructor)
+      : head(std::move(whole)) {}
+  Document(std::string before, Spool& between, std::string after)
+      : head(std::move(before)), middle(&between), tail(std::move(after)) {}
+
+  void read(const TextSink& sink) const;
+
+  std::string head;
+  Spool* middle = nullptr;  // not owned
+  std::string tail;
+};
+
+}  // namespace graze

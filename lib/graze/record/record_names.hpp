@@ -1,0 +1,21 @@
+// Names of the records that results come in, for who only hands them on.
+#pragma once
+
+namespace graze {
+
+struct BranchRecord;
+struct CheckRecord;
+struct ComparisonMapRecord;
+struct ComparisonRecord;
+struct CostRecord;
+struct DiagramRecord;
+struct FitRecord;
+struct LociRecord;
+struct MapRecord;
+struct OrbitRecord;
+struct RunDiagramRecord;
+struct SensitivityRecord;
+struct ShareRecord;
+struct SimulationRecord;
+
+}  // namespace graze

@@ -1,0 +1,104 @@
+// The results of the commands as values: what was computed and what made it. Reports format them.
+#pragma once
+
+#include <deque>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "graze/assembly/probes.hpp"
+#include "graze/bifurcation/trace/orbit_branches.hpp"
+#include "graze/motion/simulation.hpp"
+#include "graze/orbit/search/finder.hpp"
+#include "graze/record/file/run_info.hpp"
+#include "graze/record/section.hpp"
+
+namespace graze {
+
+// How a command ended, in the words of the result document.
+struct Outcome {
+  std::string name;     // "reached_end", "found", "complete", ..
+  std::string message;  // a sentence unless all went well
+};
+
+// Of work over many values that was stopped: "interrupted" or "budget" with what is kept of it, of
+// so many `things` ("values"); nothing where it was not.
+std::optional<Outcome> stopped_outcome(StopReason stopped, std::size_t kept, std::size_t asked,
+                                       const char* things);
+
+struct CheckRecord {
+  RunInfo info;
+  Scene scene;
+  System system;
+  double collocation_condition = 0.0;   // 0: nothing collocates
+  std::optional<double> closure_speed;  // the default of a simulation, m/s; absent without stops
+  std::optional<StepSetting> steps;     // of the flow that the scene asks for; absent: exact
+  std::vector<std::string> warnings;
+  Outcome outcome;
+};
+
+// The first and the last events of a run, which may have any number of them.
+class EventExcerpt {
+ public:
+  void add(const Event& event);
+  long long count() const { return count_; }
+  const std::vector<Event>& first() const { return first_; }
+  // Those after the first ones, all or only the last.
+  const std::deque<Event>& last() const { return last_; }
+  long long left_out() const;
+
+ private:
+  long long count_ = 0;
+  std::vector<Event> first_;
+  std::deque<Event> last_;
+};
+
+// A run may be longer than memory: its events and samples go to files as they come, and here stands
+// only what is shown of them.
+struct SimulationRecord {
+  RunInfo info;
+  System system;
+  std::vector<ProbeRow> probes{};
+  Simulation run;
+  EventExcerpt excerpt;               // empty unless recorded
+  std::vector<Event> events;          // the end of the run, for pictures
+  std::vector<Sample> samples;        // the end of the run, for pictures
+  std::optional<RunSection> section;  // where it was asked for
+  std::vector<std::string> warnings, notes;
+  Outcome outcome;
+};
+
+struct OrbitRecord {
+  RunInfo info;
+  System system;
+  FoundOrbits found;
+  std::vector<std::string> warnings;
+  Outcome outcome;
+};
+
+struct BranchRecord {
+  RunInfo info;
+  System system;  // at the scene's own value
+  OrbitBranches traced;
+  double from = 0.0, to = 0.0;
+  std::string unit;  // of the parameter
+  std::vector<std::string> warnings;
+  Outcome outcome;
+};
+
+// What a book holds of the effects that the system has, J: no load without gravity, no impacts
+// without rigid stops, no dissipation without damping.
+struct EnergyEntries {
+  std::optional<double> forcing, load, constraint, impacts, dissipation, contact;
+};
+EnergyEntries energy_entries(const System& system, const EnergyBook& book);
+// The book's defect as a part of its largest entry.
+double relative_defect(const EnergyBook& book);
+
+Outcome simulation_outcome(const Simulation& run);
+// What happened in the run that its user should know of.
+std::vector<std::string> simulation_warnings(const System& system, const Simulation& run);
+Outcome orbit_outcome(const FoundOrbits& found, const FinderOptions& options, StopReason stopped);
+Outcome branch_outcome(const OrbitBranches& traced, const BranchOptions& options);
+
+}  // namespace graze

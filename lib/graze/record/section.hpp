@@ -1,0 +1,49 @@
+// What is seen of motions: impacts, or states once a forcing period; and the Poincare section of
+// one run.
+#pragma once
+
+#include <vector>
+
+#include "graze/motion/simulation.hpp"
+
+namespace graze {
+
+enum class DiagramSection {
+  kImpact,  // phase and speed of every impact
+  kStrobe   // displacement and velocity at the stops at the start of every forcing period
+};
+
+struct SectionPoint {
+  double time = 0.0;  // s
+  int stop = 0;       // from 0
+  // Of an impact forcing phase (rad) and speed (m/s); of a strobe displacement towards the stop (m)
+  // and velocity (m/s).
+  double across = 0.0, up = 0.0;
+};
+
+// As a run goes. Of strobes each sample handed in is one.
+class RunSection {
+ public:
+  RunSection() = default;
+  // From a time on, s.
+  RunSection(DiagramSection kind, double from) : kind_(kind), from_(from) {}
+
+  void add(const Event& event);
+  void add(const System& system, const Sample& sample);
+
+  DiagramSection kind() const { return kind_; }
+  double from() const { return from_; }
+  const std::vector<SectionPoint>& points() const { return points_; }
+  // There is room for a million.
+  long long left_out() const { return left_out_; }
+
+ private:
+  void add(const SectionPoint& point);
+
+  DiagramSection kind_ = DiagramSection::kImpact;
+  double from_ = 0.0;
+  std::vector<SectionPoint> points_;
+  long long left_out_ = 0;
+};
+
+}  // namespace graze

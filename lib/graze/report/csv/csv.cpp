@@ -1,0 +1,211 @@
+#include "graze/report/csv/csv.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <iterator>
+
+#include "graze/bifurcation/problem/detail/special_names.hpp"
+#include "graze/record/records.hpp"
+#include "graze/record/section.hpp"
+#include "graze/report/csv/detail/csv_cell.hpp"
+#include "graze/report/detail/names.hpp"
+#include "graze/system/detail/hub_state.hpp"
+
+namespace graze {
+
+std::string csv_cell(double value) { return std::isfinite(value) ? fmt::format("{}", value) : ""; }
+std::string csv_cell(const std::optional<double>& value) { return value ? csv_cell(*value) : ""; }
+std::string csv_cell(const std::optional<bool>& value) { return value ? (*value ? "1" : "0") : ""; }
+
+namespace {
+
+// Of the first impact; empty where the orbit has none, at rest on its stop.
+std::string first_phase(const Orbit& orbit) {
+  return orbit.impacts.empty() ? "" : csv_cell(orbit.impacts.front().phase);
+}
+
+std::string first_speed(const Orbit& orbit) {
+  return orbit.impacts.empty() ? "" : csv_cell(orbit.impacts.front().speed);
+}
+
+}  // namespace
+
+std::string events_csv_header() {
+  return "kind,time,stop,speed,phase,energy_change,impacts,closure_speed,force,duration,"
+         "peak_force,effective_restitution\n";
+}
+
+std::string events_csv_row(const Event& e) {
+  const std::string start = fmt::format("{},{},{}", name_of(e.kind), csv_cell(e.time), e.stop + 1);
+  switch (e.kind) {
+    case EventKind::kImpact:
+      return fmt::format("{},{},{},{},,,,,,\n", start, csv_cell(e.speed), csv_cell(e.phase),
+                         csv_cell(e.energy_change));
+    case EventKind::kChatter:
+      return fmt::format("{},,,{},{},{},,,,\n", start, csv_cell(e.energy_change), e.impacts,
+                         csv_cell(e.closure_speed));
+    case EventKind::kStick:
+      return fmt::format("{},,,,,,{},,,\n", start, csv_cell(e.force));
+    case EventKind::kContact:
+      return fmt::format("{},{},{},,,,,,,\n", start, csv_cell(e.speed), csv_cell(e.phase));
+    case EventKind::kSeparation:
+      return fmt::format("{},{},,{},,,,{},{},{}\n", start, csv_cell(e.speed),
+                         csv_cell(e.energy_change), csv_cell(e.duration), csv_cell(e.peak_force),
+                         csv_cell(e.effective_restitution));
+    case EventKind::kRelease:
+      break;
+  }
+  return start + ",,,,,,,,,\n";
+}
+
+std::string samples_csv_header(const System& system, bool energy,
+                               const std::vector<ProbeRow>& probes) {
+  std::string text = "time";
+  const auto columns = [&](const char* name, std::size_t count) {
+    for (std::size_t i = 1; i <= count; ++i)
+      fmt::format_to(std::back_inserter(text), ",{}{}", name, i);
+  };
+  if (system.turns()) text += ",angle,rate";
+  const auto modes = static_cast<std::size_t>(system.modes() - (system.turns() ? 1 : 0));
+  columns("q", modes);
+  columns("qdot", modes);
+  columns("gap", system.stops.size());
+  columns("force", system.stops.size());
+  if (energy)
+    text += ",energy,work_forcing,work_load,work_constraint,work_impacts,dissipation,work_contact";
+  columns("probe_", probes.size());
+  return text + "\n";
+}
+
+std::string samples_csv_row(const System& system, const Sample& sample,
+                            const std::vector<ProbeRow>& probes) {
+  std::string text = csv_cell(sample.time);
+  const auto add = [&](const auto& value) {
+    fmt::format_to(std::back_inserter(text), ",{}", csv_cell(value));
+  };
+  const auto add_state = [&](const State& state) {
+    for (const double value : state.q) add(value);
+    for (const double value : state.qdot) add(value);
+  };
+  if (system.turns()) {
+    const HubState hub = hub_state(*system.rotation(), sample.state);
+    add(hub.angle);
+    add(hub.rate);
+    add_state(hub.beam);
+  } else {
+    add_state(sample.state);
+  }
+  for (const Stop& stop : system.stops) add(stop.gap - stop.row.dot(sample.state.q));
+  for (const double force : sample.forces) add(force);
+  if (sample.energy) {
+    const EnergyEntries entries = energy_entries(system, *sample.energy);
+    add(sample.energy->now);
+    add(entries.forcing);
+    add(entries.load);
+    add(entries.constraint);
+    add(entries.impacts);
+    add(entries.dissipation);
+    add(entries.contact);
+  }
+  for (const ProbeRow& probe : probes) add(probe.value(sample.state));
+  return text + "\n";
+}
+
+std::string section_csv(const RunSection& section) {
+  std::string text = section.kind() == DiagramSection::kImpact
+                         ? "time,stop,phase,speed\n"
+                         : "time,stop,displacement,velocity\n";
+  for (const SectionPoint& point : section.points())
+    text += fmt::format("{},{},{},{}\n", csv_cell(point.time), point.stop + 1,
+                        csv_cell(point.across), csv_cell(point.up));
+  return text;
+}
+
+std::string orbits_csv(const OrbitRecord& record) {
+  std::string text =
+      "orbit,period,impacts,impact,stop,period_index,phase,speed,stable,admissible,clearance,"
+      "largest_multiplier,residual,stuck\n";
+  int number = 0;
+  for (const Orbit& orbit : record.found.orbits) {
+    ++number;
+    int index = 0;
+    const double largest =
+        orbit.multipliers.empty() ? NAN : std::abs(orbit.multipliers.front().value);
+    for (const OrbitImpact& impact : orbit.impacts)
+      fmt::format_to(std::back_inserter(text), "{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n",
+                     number, orbit.period, orbit.impacts.size(), ++index, impact.stop + 1,
+                     impact.period_index, csv_cell(impact.phase), csv_cell(impact.speed),
+                     csv_cell(orbit.stable), orbit.admissible ? 1 : 0, csv_cell(orbit.clearance),
+                     csv_cell(largest), csv_cell(orbit.residual), orbit.sticks() ? 1 : 0);
+  }
+  return text;
+}
+
+std::string stuck_csv(const OrbitRecord& record) {
+  std::string text =
+      "orbit,stop,from_period_index,from_phase,to_period_index,to_phase,duration,force,"
+      "smallest_force\n";
+  for (std::size_t i = 0; i < record.found.orbits.size(); ++i) {
+    for (const OrbitHold& hold : record.found.orbits[i].holds)
+      fmt::format_to(std::back_inserter(text), "{},{},{},{},{},{},{},{},{}\n", i + 1, hold.stop + 1,
+                     hold.from.period_index, csv_cell(hold.from.phase), hold.to.period_index,
+                     csv_cell(hold.to.phase), csv_cell(hold.duration), csv_cell(hold.force),
+                     csv_cell(hold.smallest_force));
+  }
+  return text;
+}
+
+std::string contacts_csv(const OrbitRecord& record) {
+  std::string text = "orbit,impact,stop,duration,peak_force,effective_restitution,energy_change\n";
+  for (std::size_t i = 0; i < record.found.orbits.size(); ++i) {
+    const Orbit& orbit = record.found.orbits[i];
+    for (std::size_t k = 0; k < orbit.impacts.size(); ++k) {
+      if (!orbit.impacts[k].contact) continue;
+      const OrbitContact& contact = *orbit.impacts[k].contact;
+      if (!(contact.duration > 0.0)) continue;
+      fmt::format_to(
+          std::back_inserter(text), "{},{},{},{},{},{},{}\n", i + 1, k + 1,
+          orbit.impacts[k].stop + 1, csv_cell(contact.duration), csv_cell(contact.peak_force),
+          csv_cell(contact.speed_after / orbit.impacts[k].speed), csv_cell(-contact.taken));
+    }
+  }
+  return text;
+}
+
+std::string branches_csv(const BranchRecord& record) {
+  std::string text =
+      "branch,component,period,impacts,value,phase,speed,stable,admissible,unstable_multipliers,"
+      "clearance,stuck\n";
+  for (const OrbitBranch& branch : record.traced.branches)
+    for (const OrbitBranchPoint& point : branch.points) {
+      fmt::format_to(std::back_inserter(text), "{},{},{},{},{},{},{},{},{},{},{},{}\n", branch.id,
+                     branch.component, branch.pattern.period, point.orbit.impacts.size(),
+                     csv_cell(point.value), first_phase(point.orbit), first_speed(point.orbit),
+                     csv_cell(point.orbit.stable), point.orbit.admissible ? 1 : 0,
+                     point.unstable_multipliers, csv_cell(point.orbit.clearance),
+                     branch.sticks() ? 1 : 0);
+    }
+  return text;
+}
+
+std::string special_csv(const BranchRecord& record) {
+  std::string text =
+      "id,label,branch,value,phase,speed,multiplier_re,multiplier_im,bracket_from,bracket_to,"
+      "converged\n";
+  for (const OrbitBranch& branch : record.traced.branches)
+    for (const SpecialPoint& s : branch.special) {
+      const std::optional<SpecialPoint::Impact> impact = s.impact();
+      const std::optional<Bracket>& bracket = s.solution.bracket;
+      fmt::format_to(std::back_inserter(text), "{},{},{},{},{},{},{},{},{},{},{}\n", s.id,
+                     label_of(s.kind), branch.id, csv_cell(s.at.value),
+                     impact ? csv_cell(impact->phase) : "", impact ? csv_cell(impact->speed) : "",
+                     s.multiplier ? csv_cell(s.multiplier->real()) : "",
+                     s.multiplier ? csv_cell(s.multiplier->imag()) : "",
+                     bracket ? csv_cell(bracket->from) : "", bracket ? csv_cell(bracket->to) : "",
+                     bracket ? (bracket->converged ? "1" : "0") : "");
+    }
+  return text;
+}
+
+}  // namespace graze

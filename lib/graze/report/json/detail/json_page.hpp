@@ -1,0 +1,41 @@
+// Private to this room. What a page (page.hpp) is told: lists of numbers as the bytes of typed
+// arrays, names without gnuplot's markup, commands for a shell, and the file itself.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "graze/record/records.hpp"
+#include "graze/report/json/detail/json_value.hpp"
+#include "graze/report/picture/picture_style.hpp"
+
+namespace graze {
+
+// {"f64": ".."} and so on: little-endian bytes in base 64.
+Json packed(const std::vector<double>& numbers);
+Json packed(const std::vector<float>& numbers);
+Json packed(const std::vector<std::int32_t>& numbers);
+Json packed(const std::vector<std::uint8_t>& numbers);
+
+// "10^{-3} kg^1/2 m" as "10⁻³ kg^½ m", "q_{1}" as "q₁"; other markup is taken away.
+std::string plain_text(const std::string& markup);
+
+// A quantity with its axis: name, unit, factor (from SI to the unit) and the range, SI, with a part
+// of it more on both sides.
+Json page_axis(const std::string& name, const std::string& si_unit, AxisRange range,
+               double margin = 0.05);
+
+// "graze orbit SCENE --set .." with the settings of the run; "name=value" of `more` come after.
+std::string page_command(const RunInfo& info, const std::string& command,
+                         const std::vector<std::string>& more);
+
+// What every page begins with: head of the document, notes, how it was made. `warnings` and
+// `notes` are the record's.
+Json page_view(const RunInfo& info, const Outcome& outcome,
+               const std::vector<std::string>& warnings, const std::vector<std::string>& notes);
+
+// Puts both into the page and the page into its place.
+void write_page_file(const std::string& file, const Json& view, const Json& orbits);
+
+}  // namespace graze

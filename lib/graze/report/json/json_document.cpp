@@ -1,0 +1,32 @@
+#include "graze/report/json/detail/json_document.hpp"
+
+#include <variant>
+
+#include "graze/base/detail/terminal_text.hpp"
+
+namespace graze {
+
+Json document_head(const RunInfo& info, const Outcome& outcome,
+                   const std::vector<std::string>& warnings) {
+  Json options = Json::object();
+  for (const auto& [name, value] : info.options)
+    std::visit([&, &key = name](const auto& v) { options[key] = v; }, value);
+  Json document;
+  document["graze"] = {{"version", info.version},
+                       {"command", info.command},
+                       {"scene", info.scene_file},
+                       {"scene_sha256", info.scene_sha256},
+                       {"options", options}};
+  document["outcome"] = outcome.name;
+  if (!outcome.message.empty()) document["message"] = outcome.message;
+  if (!warnings.empty()) document["warnings"] = warnings;
+  return document;
+}
+
+std::string document_text(const Json& document) {
+  return terminal_json(document.dump(1, ' ', false, Json::error_handler_t::replace)) + "\n";
+}
+
+Json parsed(const std::string& text) { return Json::parse(text); }
+
+}  // namespace graze

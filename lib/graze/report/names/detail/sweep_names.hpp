@@ -1,0 +1,29 @@
+// The words in which results speak of a sweep.
+#pragma once
+
+#include <string>
+
+#include "graze/record/detail/diagram_record.hpp"
+
+namespace graze {
+
+std::string name_of(SweepDirection direction);
+std::string name_of(SweepStart start);
+std::string name_of(SweepStatus status);
+std::string name_of(DiagramSection section);
+// "impacts", "sticking", "clear", "at rest"; or the status where nothing repeats.
+std::string attractor_kind(const AttractorClass& attractor);
+
+// "(2,1)": one impact in two forcing periods; "(1,stick)": comes to rest on a stop and is released
+// once a period; "clear", "at rest", "not periodic", or why there is no attractor.
+std::string attractor_label(const AttractorClass& attractor);
+
+// How many stops the strobes of a row tell of, those of every period one stop after the other.
+std::size_t stops_seen(const SweepRow& row);
+
+// The forcing period of an impact within the periods that a row shows, from 0; and its phase
+// (frequency t + phase) mod 2 pi, rad.
+long long period_index(const SweepRow& row, const MetImpact& impact);
+double impact_phase(const MetImpact& impact);
+
+}  // namespace graze

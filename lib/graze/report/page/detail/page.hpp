@@ -1,0 +1,41 @@
+// Results as pages: one HTML file that holds a picture to look into and what is behind its
+// points, with all that draws it. It opens from a disk and fetches nothing.
+#pragma once
+
+#include <string>
+
+#include "graze/assembly/system_family.hpp"
+#include "graze/record/detail/diagram_record.hpp"
+#include "graze/record/detail/map_record.hpp"
+
+namespace graze {
+
+// Throws InputError unless `file` ends in .svg, .png, .pdf or .html, and for .html where this
+// program was built without its page.
+void check_picture_or_page_name(const std::string& file);
+
+// Whether that name asks for a page.
+bool is_page_name(const std::string& file);
+
+// Throws InputError for a map of more cells than a page holds.
+void check_map_page(const std::string& file, const Plane& plane);
+
+// All throw FileError, leaving the file as it was, where it cannot be written.
+
+// The phase portraits of the orbits found; behind each its motion and multipliers.
+void write_page(const std::string& file, const OrbitRecord& record);
+
+// The branches over the parameter. `family`: the systems that they are traced in.
+void write_page(const std::string& file, const BranchRecord& record, const SystemFamily& family);
+
+// The sweep, and the branches over it.
+void write_page(const std::string& file, const DiagramRecord& record, const SystemFamily& family);
+
+// The cells of the map, each with what it settles on and the command that follows it, the motions
+// of some, and the loci over them. `scene`: the one in force.
+void write_page(const std::string& file, const MapRecord& record, const Scene& scene);
+
+// The recorded samples over time, as draw_simulation (pictures.hpp) shows them.
+void write_page(const std::string& file, const SimulationRecord& record, const Scene& scene);
+
+}  // namespace graze

@@ -1,0 +1,325 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "graze/base/parallel.hpp"
+#include "graze/bifurcation/problem/detail/special_names.hpp"
+#include "graze/report/json/detail/json_page_orbits.hpp"
+#include "graze/report/names/detail/sweep_names.hpp"
+#include "graze/report/page/detail/page.hpp"
+#include "graze/report/page/detail/page_observables.hpp"
+#include "graze/report/picture/detail/branch_lines.hpp"
+
+namespace graze {
+namespace {
+
+// Orbits that a page keeps, of branches and of sweeps, and samples of their curves, 12 bytes each:
+// so that it stays below some ten megabytes.
+constexpr std::size_t kMostOfBranches = 1200, kMostOfSweeps = 800;
+constexpr std::size_t kMostSamples = 250'000;
+constexpr double kDeepest = 2.0;  // exponents shown below zero, by those above
+
+// Collects what goes into the page: the view, and the orbits behind its points.
+class DiagramPage {
+ public:
+  DiagramPage(const BranchRecord& record, const SystemFamily& family)
+      : record_(record),
+        family_(family),
+        source_{record.info, record.traced.parameter, closure_speed()},
+        fit_(kMostSamples /
+             static_cast<std::size_t>(page_samples(record.system, 1, source_.most_samples))),
+        orbits_(Json::array()) {}
+
+  void set_view(const std::string& title, const std::vector<std::string>& notes) {
+    view_ = page_view(record_.info, record_.outcome, record_.warnings, notes);
+    view_["kind"] = "diagram";
+    view_["title"] = title;
+    AxisRange range;
+    range.include(record_.from);
+    range.include(record_.to);
+    const std::string& path = record_.traced.parameter;
+    Json parameter = page_axis(parameter_title(path), record_.unit, range);
+    parameter["path"] = path;
+    parameter["from"] = record_.from;
+    parameter["to"] = record_.to;
+    parameter["hertz"] = has_hertz_axis(path);
+    view_["parameter"] = parameter;
+    view_["stops"] = record_.system.stops.size();
+    view_["subtitle"] = family_.scene().title;
+    // Panels of their own below the picture: name, unit, factor, low, high, values and heights.
+    view_["strips"] = Json::array();
+  }
+
+  void add_sweep(const Sweep& swept, const std::vector<PageObservable>& observables);
+  void add_exponents(const Sweep& swept);
+  void add_branches(const std::vector<PageObservable>& observables);
+  void add_observables(const std::vector<PageObservable>& observables, const Sweep* swept);
+  void write(const std::string& file) { write_page_file(file, view_, orbits_); }
+
+ private:
+  std::optional<double> closure_speed() const {
+    for (const auto& [name, value] : record_.info.options)
+      if (name == "closure_speed") return std::get<double>(value);
+    return {};
+  }
+
+  // Indices into the page's orbits, -1 where none is kept, of `count` things of which those at
+  // `kept` are told by `told`.
+  template <class Told>
+  std::vector<std::int32_t> keep(std::size_t count, const std::vector<std::size_t>& kept,
+                                 const Told& told) {
+    std::vector<Json> made(kept.size());
+    for_each_index(kept.size(), 0, [&](std::size_t i) { made[i] = told(kept[i]); });
+    std::vector<std::int32_t> indices(count, -1);
+    for (std::size_t i = 0; i < kept.size(); ++i) {
+      if (made[i].is_null()) continue;
+      indices[kept[i]] = static_cast<std::int32_t>(orbits_.size());
+      orbits_.push_back(std::move(made[i]));
+    }
+    return indices;
+  }
+
+  Json orbit_at(const OrbitBranchPoint& point) const {
+    const std::optional<System> system = family_.at(point.value);
+    if (!system) return nullptr;
+    return page_orbit(source_, *system, point.orbit, point.value);
+  }
+
+  Json branch_json(const OrbitBranch& branch, std::size_t most);
+  Json special_json(std::size_t branch, std::size_t index,
+                    const std::vector<PageObservable>& observables);
+
+  const BranchRecord& record_;
+  const SystemFamily& family_;
+  PageSource source_;
+  std::size_t fit_;  // orbits of one period that have that many samples
+  Json view_, orbits_;
+};
+
+void DiagramPage::add_sweep(const Sweep& swept, const std::vector<PageObservable>& observables) {
+  std::vector<double> values;
+  std::vector<std::int32_t> first{0}, label, stops;
+  std::vector<std::uint8_t> wild, stop;
+  std::vector<std::string> labels;
+  std::vector<std::size_t> shown;
+  std::vector<std::vector<float>> heights(observables.size());
+  for (const SweepRow& row : swept.rows) {
+    values.push_back(row.value);
+    const std::string name = attractor_label(attractor_class(row));
+    const auto known = std::find(labels.begin(), labels.end(), name);
+    label.push_back(static_cast<std::int32_t>(known - labels.begin()));
+    if (known == labels.end()) labels.push_back(name);
+    const std::size_t before = heights.front().size();
+    for (std::size_t i = 0; i < observables.size(); ++i)
+      if (observables[i].heights && has_dots(row))
+        for (const double height : observables[i].heights(row))
+          heights[i].push_back(static_cast<float>(height));
+    const bool any = heights.front().size() > before;
+    if (any) shown.push_back(values.size() - 1);
+    for (std::size_t i = before; i < heights.front().size() && !row.motion.impacts.empty(); ++i)
+      stop.push_back(static_cast<std::uint8_t>(
+          row.motion.impacts[std::min(i - before, row.motion.impacts.size() - 1)].stop + 1));
+    first.push_back(static_cast<std::int32_t>(heights.front().size()));
+    wild.push_back(!any ? 2 : row.status == SweepStatus::kNotPeriodic ? 1 : 0);
+  }
+  Json dots = Json::object();
+  for (std::size_t i = 0; i < observables.size(); ++i)
+    if (observables[i].heights) dots[observables[i].key] = packed(heights[i]);
+  std::vector<std::size_t> kept;
+  for (const std::size_t i : kept_of(shown.size(), std::min(fit_, kMostOfSweeps)))
+    kept.push_back(shown[i]);
+  const std::vector<std::int32_t> orbits =
+      keep(swept.rows.size(), kept, [&](std::size_t i) -> Json {
+        const SweepRow& row = swept.rows[i];
+        const std::optional<System> system = family_.at(row.value);
+        if (!system) return nullptr;
+        return page_motion(source_, *system, page_motion_of(source_, row));
+      });
+  view_["sweep"] = {{"direction", name_of(swept.options.direction)},
+                    {"values", packed(values)},
+                    {"label", packed(label)},
+                    {"labels", labels},
+                    {"wild", packed(wild)},
+                    {"first", packed(first)},
+                    {"dots", dots},
+                    {"orbit", packed(orbits)}};
+  if (observables.front().key == "speed" && record_.system.stops.size() > 1)
+    view_["sweep"]["stop"] = packed(stop);
+}
+
+void DiagramPage::add_exponents(const Sweep& swept) {
+  if (swept.options.exponent_periods == 0) return;
+  std::vector<double> values, lower_values;
+  std::vector<float> heights, lower_heights;
+  AxisRange range;
+  range.include(0.0);
+  for (const SweepRow& row : swept.rows) {
+    values.push_back(row.value);
+    const bool known = row.exponents && row.exponents->values.size() > 0;
+    const double height = known ? row.exponents->values[0] : std::nan("");
+    heights.push_back(static_cast<float>(height));
+    range.include(height);
+    for (Eigen::Index j = 1; known && j < row.exponents->values.size(); ++j) {
+      if (!std::isfinite(row.exponents->values[j])) continue;
+      lower_values.push_back(row.value);
+      lower_heights.push_back(static_cast<float>(row.exponents->values[j]));
+    }
+  }
+  // Superstable orbits reach down without bound; what tells order from chaos lies about zero.
+  if (range.high > 0.0) range.low = std::max(range.low, -kDeepest * range.high);
+  Json strip = page_axis("exponents", "1/s", range);
+  strip["reference"] = 0.0;
+  strip["values"] = packed(values);
+  strip["heights"] = packed(heights);
+  strip["lower"] = {{"values", packed(lower_values)}, {"heights", packed(lower_heights)}};
+  view_["strips"].push_back(strip);
+}
+
+Json DiagramPage::branch_json(const OrbitBranch& branch, std::size_t most) {
+  std::vector<std::int32_t> unstable;
+  for (const OrbitBranchPoint& point : branch.points)
+    unstable.push_back(point.unstable_multipliers);
+  const std::vector<std::int32_t> orbits =
+      keep(branch.points.size(), kept_of(branch.points.size(), most),
+           [&](std::size_t k) { return orbit_at(branch.points[k]); });
+  return {{"id", branch.id},
+          {"name", branch.sticks()
+                       ? fmt::format("({},stick)", branch.pattern.period)
+                       : fmt::format("({},{})", branch.pattern.period, branch.pattern.impacts())},
+          {"unstable", packed(unstable)},
+          {"orbit", packed(orbits)}};
+}
+
+Json DiagramPage::special_json(std::size_t branch, std::size_t index,
+                               const std::vector<PageObservable>& observables) {
+  const OrbitBranch& from = record_.traced.branches[branch];
+  const SpecialPoint& special = from.special[index];
+  const std::string label = label_of(special.kind);
+  Json more = Json::array();
+  if (special.multiplier)
+    more.push_back(
+        {"multiplier",
+         fmt::format("{:.6g}{}", special.multiplier->real(),
+                     special.multiplier->imag() != 0.0
+                         ? fmt::format(" ± {:.6g}i", std::abs(special.multiplier->imag()))
+                         : "")});
+  if (const auto impact = special.impact())
+    more.push_back({"phase", fmt::format("{:.6g} rad", impact->phase)});
+  const std::vector<std::int32_t> orbit =
+      keep(1, {0}, [&](std::size_t) { return orbit_at(special.at); });
+  Json heights = Json::object();
+  for (const PageObservable& observable : observables) {
+    if (observable.curves.empty()) continue;
+    std::vector<double> values = observable.curves[branch].special[index];
+    // One mark is enough for all that a chatter shows.
+    if (special.at.orbit.sticks() && values.size() > 1) values.resize(1);
+    heights[observable.key] = json_list(values);
+  }
+  return {{"type", special.at.orbit.admissible ? label : "virtual"},
+          {"label", label},
+          {"id", special.id},
+          {"branch", from.id},
+          {"value", json_number(special.at.value)},
+          {"more", more},
+          {"orbit", orbit.front()},
+          {"y", heights}};
+}
+
+void DiagramPage::add_branches(const std::vector<PageObservable>& observables) {
+  const std::vector<OrbitBranch>& branches = record_.traced.branches;
+  const std::size_t most = std::min(fit_, kMostOfBranches);
+  std::size_t points = 0;
+  for (const OrbitBranch& branch : branches) points += branch.points.size();
+  Json list = Json::array(), special = Json::array(), lines = Json::object();
+  for (std::size_t i = 0; i < branches.size(); ++i) {
+    const std::size_t share = points > most ? most * branches[i].points.size() / points : points;
+    list.push_back(branch_json(branches[i], std::max<std::size_t>(2, share)));
+    for (std::size_t k = 0; k < branches[i].special.size(); ++k)
+      special.push_back(special_json(i, k, observables));
+  }
+  std::vector<int> first_special;  // of each branch, in the list of all
+  int count = 0;
+  for (const OrbitBranch& branch : branches) {
+    first_special.push_back(count);
+    count += static_cast<int>(branch.special.size());
+  }
+  for (const PageObservable& observable : observables) {
+    if (observable.curves.empty()) continue;
+    PicturePlane plane;
+    plane.x.include(record_.from);
+    plane.x.include(record_.to);
+    for (const DiagramCurve& curve : observable.curves)
+      for (const std::vector<double>& heights : curve.points)
+        for (const double height : heights) plane.y.include(height);
+    plane.x.settle(0.0);
+    plane.y.settle(0.0);
+    Json drawn = Json::array();
+    for (const BranchLine& line : branch_lines(branches, observable.curves, plane).lines) {
+      std::vector<double> x, y;
+      std::vector<std::int32_t> point;
+      for (const BranchLine::Node& node : line.nodes) {
+        x.push_back(node.x);
+        y.push_back(node.y);
+        point.push_back(node.point >= 0 ? node.point : node.point - first_special[line.branch]);
+      }
+      drawn.push_back({{"branch", line.branch},
+                       {"kind", static_cast<int>(line.kind)},
+                       {"x", packed(x)},
+                       {"y", packed(y)},
+                       {"point", packed(point)}});
+    }
+    lines[observable.key] = drawn;
+  }
+  view_["branches"] = list;
+  view_["special"] = special;
+  view_["lines"] = lines;
+}
+
+void DiagramPage::add_observables(const std::vector<PageObservable>& observables,
+                                  const Sweep* swept) {
+  Json list = Json::array();
+  for (const PageObservable& observable : observables) {
+    AxisRange range;
+    if (observable.from_zero) range.include(0.0);
+    const auto include = [&](double height) { range.include(std::min(height, observable.most)); };
+    for (const DiagramCurve& curve : observable.curves)
+      for (const std::vector<double>& heights : curve.points)
+        for (const double height : heights) include(height);
+    if (swept && observable.heights)
+      for (const SweepRow& row : swept->rows)
+        if (has_dots(row))
+          for (const double height : observable.heights(row)) include(height);
+    Json axis = page_axis(observable.name, observable.unit, range);
+    axis["key"] = observable.key;
+    if (observable.reference) axis["reference"] = *observable.reference;
+    list.push_back(axis);
+  }
+  view_["observables"] = list;
+}
+
+}  // namespace
+
+void write_page(const std::string& file, const BranchRecord& record, const SystemFamily& family) {
+  DiagramPage page(record, family);
+  page.set_view("Branches of orbits", record.traced.notes);
+  const std::vector<PageObservable> observables = impact_observables(record.traced);
+  page.add_observables(observables, nullptr);
+  page.add_branches(observables);
+  page.write(file);
+}
+
+void write_page(const std::string& file, const DiagramRecord& record, const SystemFamily& family) {
+  DiagramPage page(record.branches, family);
+  page.set_view("Bifurcation diagram", record.branches.traced.notes);
+  const std::vector<PageObservable> observables = record.section == DiagramSection::kImpact
+                                                      ? impact_observables(record.branches.traced)
+                                                      : strobe_observables(record);
+  page.add_observables(observables, &record.swept);
+  page.add_sweep(record.swept, observables);
+  page.add_exponents(record.swept);
+  page.add_branches(observables);
+  page.write(file);
+}
+
+}  // namespace graze

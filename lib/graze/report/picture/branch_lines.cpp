@@ -1,0 +1,174 @@
+#include "graze/report/picture/detail/branch_lines.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <utility>
+
+namespace graze {
+namespace {
+
+LineKind kind_of(const Orbit& orbit) {
+  if (!orbit.admissible) return kVirtualLine;
+  if (!orbit.stable) return kOpenLine;
+  return *orbit.stable ? kStableLine : kUnstableLine;
+}
+
+// A point of a branch; special points belong to both sides and have no kind of their own.
+struct Node {
+  double x = 0.0;
+  std::vector<double> y;
+  std::optional<LineKind> kind;
+  int point = 0;  // as of BranchLine::Node
+};
+
+// The impacts of an orbit are listed by their phases, and the first may become the last from one
+// point to the next: turned so that each stays near itself.
+void align(const Node& before, Node& node) {
+  if (node.y.size() != before.y.size() || node.y.size() < 2) return;
+  std::vector<double> best = node.y;
+  double least = std::numeric_limits<double>::infinity();
+  for (std::size_t turn = 0; turn < node.y.size(); ++turn) {
+    double distance = 0.0;
+    for (std::size_t j = 0; j < node.y.size(); ++j) distance += std::abs(node.y[j] - before.y[j]);
+    if (distance < least) {
+      least = distance;
+      best = node.y;
+    }
+    std::rotate(node.y.begin(), node.y.begin() + 1, node.y.end());
+  }
+  node.y = best;
+}
+
+class LineMaker {
+ public:
+  explicit LineMaker(const PicturePlane& plane) : plane_(plane) {}
+
+  void add(std::size_t index, const OrbitBranch& branch, const DiagramCurve& curve);
+  BranchLines take() { return std::move(made_); }
+
+ private:
+  Node node(const OrbitBranchPoint& point, const std::vector<double>& heights, int index) const;
+  double distance(const Node& a, const Node& b) const;
+  void add_special(const SpecialPoint& special, int index, const std::vector<double>& heights,
+                   std::vector<Node>& nodes);
+  void insert(std::vector<Node>& nodes, Node& special) const;
+  void draw(const std::vector<Node>& nodes, std::size_t j, LineKind first);
+
+  const PicturePlane& plane_;
+  std::size_t branch_ = 0;
+  BranchLines made_;
+};
+
+Node LineMaker::node(const OrbitBranchPoint& point, const std::vector<double>& heights,
+                     int index) const {
+  Node node{plane_.x_factor * point.value, heights, kind_of(point.orbit), index};
+  for (double& y : node.y) y *= plane_.y_factor;
+  return node;
+}
+
+double LineMaker::distance(const Node& a, const Node& b) const {
+  return std::hypot((a.x - b.x) / plane_.x.span(), (a.y.front() - b.y.front()) / plane_.y.span());
+}
+
+void LineMaker::add(std::size_t index, const OrbitBranch& branch, const DiagramCurve& curve) {
+  branch_ = index;
+  std::vector<Node> nodes;
+  for (std::size_t k = 0; k < branch.points.size(); ++k) {
+    nodes.push_back(node(branch.points[k], curve.points[k], static_cast<int>(k)));
+    if (k > 0) align(nodes[k - 1], nodes[k]);
+  }
+  if (nodes.empty()) return;
+  const LineKind first = *nodes.front().kind;
+  // Where it joins orbits of half the period a multiplier is 1; that says nothing of the branch.
+  if (branch.ends[0] == OrbitBranchEnd::kPeriodDoubling) nodes.front().kind.reset();
+  if (branch.ends[1] == OrbitBranchEnd::kPeriodDoubling) nodes.back().kind.reset();
+  // Nor where a multiplier is on the circle in a single point: it passes there.
+  for (std::size_t k = 1; k + 1 < nodes.size(); ++k)
+    if (nodes[k].kind == kOpenLine && nodes[k - 1].kind != kOpenLine &&
+        nodes[k + 1].kind != kOpenLine)
+      nodes[k].kind.reset();
+  for (std::size_t k = 0; k < branch.special.size(); ++k)
+    add_special(branch.special[k], static_cast<int>(k), curve.special[k], nodes);
+  std::size_t most = 0;
+  for (const Node& node : nodes) most = std::max(most, node.y.size());
+  for (std::size_t j = 0; j < most; ++j) draw(nodes, j, first);
+}
+
+void LineMaker::add_special(const SpecialPoint& special, int index,
+                            const std::vector<double>& heights, std::vector<Node>& nodes) {
+  Node place = node(special.at, heights, -1 - index);
+  place.kind.reset();
+  insert(nodes, place);
+  // One mark is enough for all that a chatter shows.
+  if (special.at.orbit.sticks() && place.y.size() > 1) place.y.resize(1);
+  made_.marks.push_back({branch_, static_cast<std::size_t>(index), place.x, place.y});
+}
+
+// On the node that it is, or between the two that it makes the smallest detour from.
+void LineMaker::insert(std::vector<Node>& nodes, Node& special) const {
+  if (special.y.empty()) return;
+  double least = std::numeric_limits<double>::infinity();
+  std::size_t place = nodes.size();
+  Node best = special;
+  for (std::size_t i = 0; i < nodes.size(); ++i) {
+    if (nodes[i].y.size() != special.y.size()) continue;
+    align(nodes[i], special);
+    if (distance(nodes[i], special) == 0.0) {
+      nodes[i].kind.reset();
+      return;
+    }
+    if (i + 1 == nodes.size() || nodes[i + 1].y.size() != special.y.size()) continue;
+    const double detour = distance(nodes[i], special) + distance(special, nodes[i + 1]) -
+                          distance(nodes[i], nodes[i + 1]);
+    if (detour >= least) continue;
+    least = detour;
+    place = i + 1;
+    best = special;
+  }
+  special = best;
+  // Not a part of this curve unless it nearly lies on it.
+  if (least < 0.05) nodes.insert(nodes.begin() + static_cast<std::ptrdiff_t>(place), special);
+}
+
+// The j-th curve of the branch. Between two nodes it is what its first node is; where that has no
+// kind, the second.
+void LineMaker::draw(const std::vector<Node>& nodes, std::size_t j, LineKind first) {
+  const Node& start = nodes.front();
+  const bool lone = std::all_of(nodes.begin(), nodes.end(), [&](const Node& other) {
+    return other.x == start.x && other.y.size() > j && start.y.size() > j &&
+           other.y[j] == start.y[j];
+  });
+  if (lone) {
+    made_.lines.push_back({branch_, first, {{start.x, start.y[j], start.point}}});
+    return;
+  }
+  LineKind latest = first;
+  bool drawing = false;
+  for (std::size_t i = 0; i + 1 < nodes.size(); ++i) {
+    const Node &a = nodes[i], &b = nodes[i + 1];
+    if (a.y.size() <= j || b.y.size() <= j) {
+      drawing = false;
+      continue;
+    }
+    const LineKind kind = a.kind ? *a.kind : b.kind ? *b.kind : latest;
+    if (!drawing || kind != latest) {
+      made_.lines.push_back({branch_, kind, {{a.x, a.y[j], a.point}}});
+      latest = kind;
+      drawing = true;
+    }
+    made_.lines.back().nodes.push_back({b.x, b.y[j], b.point});
+  }
+}
+
+}  // namespace
+
+BranchLines branch_lines(const std::vector<OrbitBranch>& branches,
+                         const std::vector<DiagramCurve>& curves, const PicturePlane& plane) {
+  LineMaker maker(plane);
+  for (std::size_t i = 0; i < branches.size(); ++i) maker.add(i, branches[i], curves[i]);
+  return maker.take();
+}
+
+}  // namespace graze

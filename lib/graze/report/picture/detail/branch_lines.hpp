@@ -1,0 +1,54 @@
+// Branches of orbits as lines over a parameter, parted by stability, and where their special points
+// lie on them: the geometry that every picture of branches draws.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+#include "graze/record/detail/diagram_record.hpp"
+#include "graze/report/picture/picture_style.hpp"
+
+namespace graze {
+
+// Axes of the picture: SI values times these factors, and what the axes span in their own units.
+struct PicturePlane {
+  double x_factor = 1.0, y_factor = 1.0;
+  AxisRange x, y;
+};
+
+// In the order in which they are drawn: what is seen in an experiment lies on top.
+enum LineKind : std::size_t { kVirtualLine, kOpenLine, kUnstableLine, kStableLine, kLineKinds };
+
+// A piece of a branch of one kind, in the units of the axes; of a single node where the branch is a
+// single point.
+struct BranchLine {
+  struct Node {
+    double x = 0.0, y = 0.0;
+    int point = 0;  // of the branch, index from 0; of its special points: -1 - index
+  };
+  std::size_t branch = 0;  // index from 0
+  LineKind kind = kVirtualLine;
+  std::vector<Node> nodes;
+
+  bool is_dot() const { return nodes.size() == 1; }
+};
+
+// A special point as it is marked, in the units of the axes.
+struct BranchMark {
+  std::size_t branch = 0, special = 0;  // indices from 0
+  double x = 0.0;
+  std::vector<double> y;
+};
+
+struct BranchLines {
+  std::vector<BranchLine> lines;
+  std::vector<BranchMark> marks;
+};
+
+// `curves`: one a branch.
+BranchLines branch_lines(const std::vector<OrbitBranch>& branches,
+                         const std::vector<DiagramCurve>& curves, const PicturePlane& plane);
+
+}  // namespace graze

@@ -1,0 +1,31 @@
+// What the cells of a map are by what they settle on, and the entries of a legend that stand for
+// these kinds: the attractors that repeat with the most cells have a colour each.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "graze/record/detail/map_record.hpp"
+#include "graze/report/picture/detail/picture_cells.hpp"
+
+namespace graze {
+
+struct MapLegend {
+  struct Entry {
+    std::string name, colour;  // "#0072B2"
+  };
+  struct Kind {
+    std::string name;
+    std::size_t entry = 0;
+  };
+  std::vector<Entry> entries;
+  std::vector<Kind> kinds;   // the attractors in their order, then what cells without one are
+  std::vector<int> kind_of;  // of every cell; -1: it was not run
+};
+
+MapLegend map_legend(const AttractorMap& map);
+
+// How what is shown of the cells, other than by kind, becomes colours.
+CellScale scale_of(MapQuantity quantity);
+
+}  // namespace graze

@@ -1,0 +1,47 @@
+// Branches of orbits in a picture over a parameter: a curve for each impact (or strobe) of their
+// orbits, drawn by stability, and the special points. Every picture that shows branches has them
+// from here.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "graze/record/detail/diagram_record.hpp"
+#include "graze/report/picture/detail/branch_lines.hpp"
+#include "graze/report/picture/detail/special_marks.hpp"
+#include "graze/report/picture/gnuplot.hpp"
+
+namespace graze {
+
+class BranchCurves {
+ public:
+  // `curves`: one a branch. `weight` scales the widths of the lines; `prefix` parts the names of
+  // the data of one panel from those of the next.
+  BranchCurves(const std::vector<OrbitBranch>& branches, const std::vector<DiagramCurve>& curves,
+               const PicturePlane& plane, double weight, std::string prefix = "");
+
+  bool marks(SpecialKind kind) const { return marks_.contains(kind); }
+  void write(GnuplotScript& script) const;
+  std::vector<std::string> layers() const;
+  // Each kind of line and mark once.
+  std::vector<std::string> legend() const;
+
+ private:
+  struct KindStyle;
+  static const KindStyle& style_of(std::size_t kind);
+  std::string line(std::size_t kind) const;
+  std::string mark(const SpecialMark& mark) const;
+
+  double weight_;
+  std::string prefix_;
+  std::array<PlotTable, kLineKinds> lines_;
+  std::array<PlotTable, kLineKinds> lone_;  // branches of a single point
+  std::map<SpecialKind, PlotTable> marks_;  // special points of orbits
+  PlotTable virtual_marks_;
+  std::size_t marked_ = 0;  // special points
+};
+
+}  // namespace graze

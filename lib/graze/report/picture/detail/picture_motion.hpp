@@ -1,0 +1,83 @@
+// What the picture of a run shows of it: the motion at the places of the stops, when it was stuck
+// there, the contact forces and the energy.
+#pragma once
+
+#include <vector>
+
+#include "graze/record/records.hpp"
+#include "graze/report/picture/detail/picture_curve.hpp"
+
+namespace graze {
+
+struct TimeSpan {
+  double start = 0.0, end = 0.0;  // s
+};
+
+// A stop that a place sees: at `place` on its axis, approached towards `sense`.
+struct SeenStop {
+  int index = 0;
+  double sense = 1.0;  // +1, or -1 for a stop on the other side
+  double place = 0.0;  // m
+};
+
+struct SeenImpact {
+  double time = 0.0, place = 0.0;    // s, m
+  double before = 0.0, after = 0.0;  // velocity, m/s
+};
+
+struct MotionPoint {
+  double time = 0.0;          // s
+  double displacement = 0.0;  // m
+  double velocity = 0.0;      // m/s; NaN: it jumps here
+};
+
+struct StuckPhase {
+  TimeSpan time;
+  double place = 0.0;  // of the stop, m
+};
+
+// One point of the structure, seen along the row of the first stop there. Without stops it is the
+// first modal coordinate.
+struct SeenPlace {
+  Vector row;
+  std::vector<SeenStop> stops;
+  std::vector<SeenImpact> impacts;
+  std::vector<MotionPoint> motion;  // with the impacts themselves, which samples may miss
+  std::vector<StuckPhase> stuck;    // stop by stop
+};
+
+struct SeenForce {
+  int stop = 0;
+  DrawnCurve force;  // N, broken where the stop is open
+};
+
+struct EnergyTerm {
+  std::string name;
+  std::string colour;
+  DrawnCurve curve;  // J
+};
+
+struct SeenProbe {
+  int number = 1;  // from 1
+  ProbeQuantity quantity = ProbeQuantity::kDisplacement;
+  DrawnCurve curve;  // never empty
+};
+
+struct MotionSeen {
+  TimeSpan window;
+  std::vector<SeenPlace> places;   // in the order of the stops, never empty
+  std::vector<SeenForce> forces;   // of the stops that held something
+  std::vector<EnergyTerm> energy;  // energy now, and the work done on it since the window began
+  std::vector<SeenProbe> probes;   // none where no samples are
+};
+
+// The places of the system's stops, in their order, without motion.
+std::vector<SeenPlace> places_of(const System& system);
+
+MotionSeen motion_seen(const SimulationRecord& record);
+
+// When the stop was closed for longer than an instant, within the window.
+std::vector<TimeSpan> stuck_phases(const SimulationRecord& record, int stop,
+                                   const TimeSpan& window);
+
+}  // namespace graze

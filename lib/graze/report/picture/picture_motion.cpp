@@ -1,0 +1,249 @@
+#include "graze/report/picture/detail/picture_motion.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <iterator>
+#include <optional>
+
+namespace graze {
+namespace {
+
+using SamplesSeen = std::vector<const Sample*>;
+
+double force_at(const Sample& sample, int stop) {
+  const auto i = static_cast<std::size_t>(stop);
+  return i < sample.forces.size() ? sample.forces[i] : 0.0;
+}
+
+// Samples stop short of an end between two of them, where the last events may be. One sample does
+// not tell how far it is to the next.
+bool window_reaches_end(const SimulationRecord& record) {
+  const std::vector<Sample>& samples = record.samples;
+  if (samples.size() < 2) return true;
+  const double spacing =
+      (samples.back().time - samples.front().time) / static_cast<double>(samples.size() - 1);
+  return record.run.end_time - samples.back().time <= 1.5 * spacing;
+}
+
+TimeSpan window_of(const SimulationRecord& record) {
+  if (record.samples.empty()) return {0.0, record.run.end_time};
+  const double last = record.samples.back().time;
+  return {record.samples.front().time,
+          window_reaches_end(record) ? std::max(last, record.run.end_time) : last};
+}
+
+// The end of the run, where the samples stop just short of it.
+std::optional<Sample> end_sample(const SimulationRecord& record) {
+  const std::vector<Sample>& samples = record.samples;
+  const Simulation& run = record.run;
+  if (samples.empty() || !window_reaches_end(record) || run.end_time <= samples.back().time ||
+      run.final.q.size() != samples.back().state.q.size())
+    return {};
+  return Sample{run.end_time, run.final, run.forces, run.energy};
+}
+
+void gather_impacts(const SimulationRecord& record, const TimeSpan& window, SeenPlace& place) {
+  for (const Event& event : record.events) {
+    if (event.kind != EventKind::kImpact || event.time < window.start || event.time > window.end)
+      continue;
+    for (const SeenStop& stop : place.stops) {
+      if (stop.index != event.stop) continue;
+      const double restitution =
+          record.system.stops[static_cast<std::size_t>(event.stop)].restitution().at(event.speed);
+      const double before = stop.sense * event.speed;
+      place.impacts.push_back({event.time, stop.place, before, -restitution * before});
+    }
+  }
+}
+
+void gather_motion(const SamplesSeen& samples, const TimeSpan& window, SeenPlace& place) {
+  auto next = place.impacts.begin();
+  const auto add_impacts_until = [&](double time) {
+    for (; next != place.impacts.end() && next->time <= time; ++next)
+      for (const double velocity : {next->before, std::nan(""), next->after})
+        place.motion.push_back({next->time, next->place, velocity});
+  };
+  for (const Sample* sample : samples) {
+    add_impacts_until(sample->time);
+    // A sample at the very time of an impact may stand on either side of the jump.
+    if (next != place.impacts.begin() && std::prev(next)->time == sample->time) continue;
+    place.motion.push_back(
+        {sample->time, place.row.dot(sample->state.q), place.row.dot(sample->state.qdot)});
+  }
+  add_impacts_until(window.end);
+}
+
+// Closed when the window begins: its force says so, or, where no samples are, that nothing was
+// heard of it before the end, at which it is closed.
+bool begins_stuck(const SimulationRecord& record, int stop) {
+  if (!record.samples.empty()) return force_at(record.samples.front(), stop) > 0.0;
+  const std::vector<int>& stuck = record.run.stuck;
+  return std::find(stuck.begin(), stuck.end(), stop) != stuck.end() &&
+         std::none_of(record.events.begin(), record.events.end(),
+                      [&](const Event& event) { return event.stop == stop; });
+}
+
+// The end of a contact tells its largest force, which samples may miss with all of it: it then
+// stands at the largest that they saw, or, where they saw none, half way.
+void add_largest_force(const Event& end, DrawnCurve& curve) {
+  const double begin = end.time - end.duration;
+  auto largest = curve.end();
+  for (auto point = curve.end(); point != curve.begin() && std::prev(point)->time >= begin;) {
+    --point;
+    if (std::isfinite(point->value) && (largest == curve.end() || point->value > largest->value))
+      largest = point;
+  }
+  if (largest != curve.end()) {
+    largest->value = std::max(largest->value, end.peak_force);
+    return;
+  }
+  curve.push_back({begin, 0.0});
+  curve.push_back({0.5 * (begin + end.time), end.peak_force});
+}
+
+DrawnCurve force_curve(const SamplesSeen& samples, const SimulationRecord& record, int stop,
+                       const TimeSpan& window) {
+  DrawnCurve curve;
+  const auto end_phase = [&](double time) {
+    if (!curve.empty() && !std::isnan(curve.back().value)) curve.push_back({time, std::nan("")});
+  };
+  auto event = record.events.begin();
+  const auto add_events_until = [&](double time) {
+    for (; event != record.events.end() && event->time <= time; ++event) {
+      if (event->stop != stop || event->time < window.start) continue;
+      if (event->kind == EventKind::kStick) curve.push_back({event->time, event->force});
+      if (event->kind == EventKind::kSeparation) add_largest_force(*event, curve);
+      if (event->kind == EventKind::kRelease || event->kind == EventKind::kSeparation) {
+        curve.push_back({event->time, 0.0});
+        end_phase(event->time);
+      }
+    }
+  };
+  for (const Sample* sample : samples) {
+    add_events_until(sample->time);
+    if (force_at(*sample, stop) > 0.0)
+      curve.push_back({sample->time, force_at(*sample, stop)});
+    else
+      end_phase(sample->time);
+  }
+  add_events_until(window.end);
+  return curve;
+}
+
+std::vector<EnergyTerm> energy_terms(const SamplesSeen& samples, const System& system) {
+  if (samples.empty() || !samples.front()->energy) return {};
+  struct Entry {
+    const char* name;
+    const char* colour;
+    bool present;
+    std::function<double(const EnergyBook&)> value;
+  };
+  const EnergyEntries has = energy_entries(system, EnergyBook{});
+  const bool turns = system.turns();
+  // Signed, so that the energy rises by their sum.
+  const Entry entries[] = {{turns ? "torque" : "forcing", kBlue, has.forcing.has_value(),
+                            [](const EnergyBook& book) { return book.work.forcing; }},
+                           {turns ? "weight" : "load", kPurple, has.load.has_value(),
+                            [](const EnergyBook& book) { return book.work.load; }},
+                           {"constraint", kOrange, has.constraint.has_value(),
+                            [](const EnergyBook& book) { return book.work.constraint; }},
+                           {"damping", kGreen, has.dissipation.has_value(),
+                            [](const EnergyBook& book) { return -book.work.dissipation; }},
+                           {"impacts", kVermillion, has.impacts.has_value(),
+                            [](const EnergyBook& book) { return book.impacts; }},
+                           {"contact", kSky, has.contact.has_value(),
+                            [](const EnergyBook& book) { return book.work.contact; }}};
+  std::vector<EnergyTerm> terms{{"energy", kBlack, {}}};
+  for (const Sample* sample : samples)
+    if (sample->energy) terms[0].curve.push_back({sample->time, sample->energy->now});
+  for (const Entry& entry : entries) {
+    if (!entry.present) continue;
+    EnergyTerm term{entry.name, entry.colour, {}};
+    const double before = entry.value(*samples.front()->energy);
+    for (const Sample* sample : samples)
+      if (sample->energy)
+        term.curve.push_back({sample->time, entry.value(*sample->energy) - before});
+    const auto zero = [](const DrawnPoint& point) { return point.value == 0.0; };
+    if (!std::all_of(term.curve.begin(), term.curve.end(), zero)) terms.push_back(term);
+  }
+  return terms;
+}
+
+std::vector<SeenProbe> probes_seen(const SamplesSeen& samples,
+                                   const std::vector<ProbeRow>& probes) {
+  if (samples.empty()) return {};
+  std::vector<SeenProbe> seen;
+  for (const ProbeRow& probe : probes) {
+    SeenProbe curve{static_cast<int>(seen.size()) + 1, probe.quantity, {}};
+    for (const Sample* sample : samples)
+      curve.curve.push_back({sample->time, probe.value(sample->state)});
+    seen.push_back(std::move(curve));
+  }
+  return seen;
+}
+
+}  // namespace
+
+std::vector<TimeSpan> stuck_phases(const SimulationRecord& record, int stop,
+                                   const TimeSpan& window) {
+  std::vector<TimeSpan> phases;
+  bool closed = begins_stuck(record, stop);
+  // While open, the last that was heard of the stop: a release without a stick before it, as where
+  // it cuts the tail of a chatter short, ends a phase that began there.
+  double since = window.start;
+  for (const Event& event : record.events) {
+    if (event.stop != stop || event.time < window.start || event.time > window.end) continue;
+    if (event.kind == EventKind::kRelease) phases.push_back({since, event.time});
+    if (closed && event.kind != EventKind::kRelease) continue;
+    closed = event.kind == EventKind::kStick;
+    since = event.time;
+  }
+  if (closed) phases.push_back({since, window.end});
+  return phases;
+}
+
+std::vector<SeenPlace> places_of(const System& system) {
+  std::vector<SeenPlace> places;
+  for (std::size_t i = 0; i < system.stops.size(); ++i) {
+    const Stop& stop = system.stops[i];
+    const auto sense_at = [&](const SeenPlace& place) {
+      for (const double sense : {1.0, -1.0})
+        if ((stop.row - sense * place.row).norm() <= 1e-9 * stop.row.norm()) return sense;
+      return 0.0;
+    };
+    auto place = std::find_if(places.begin(), places.end(),
+                              [&](const SeenPlace& known) { return sense_at(known) != 0.0; });
+    if (place == places.end()) place = places.insert(place, SeenPlace{stop.row, {}, {}, {}, {}});
+    const double sense = sense_at(*place);
+    place->stops.push_back({static_cast<int>(i), sense, sense * stop.gap});
+  }
+  if (places.empty()) places.push_back({Vector::Unit(system.modes(), 0), {}, {}, {}, {}});
+  return places;
+}
+
+MotionSeen motion_seen(const SimulationRecord& record) {
+  MotionSeen seen;
+  seen.window = window_of(record);
+  seen.places = places_of(record.system);
+  SamplesSeen samples;
+  for (const Sample& sample : record.samples) samples.push_back(&sample);
+  const std::optional<Sample> end = end_sample(record);
+  if (end) samples.push_back(&*end);
+  for (SeenPlace& place : seen.places) {
+    gather_impacts(record, seen.window, place);
+    gather_motion(samples, seen.window, place);
+    for (const SeenStop& stop : place.stops)
+      for (const TimeSpan& phase : stuck_phases(record, stop.index, seen.window))
+        place.stuck.push_back({phase, stop.place});
+  }
+  for (int i = 0; i < static_cast<int>(record.system.stops.size()); ++i) {
+    DrawnCurve force = force_curve(samples, record, i, seen.window);
+    if (!force.empty()) seen.forces.push_back({i, std::move(force)});
+  }
+  seen.energy = energy_terms(samples, record.system);
+  seen.probes = probes_seen(samples, record.probes);
+  return seen;
+}
+
+}  // namespace graze

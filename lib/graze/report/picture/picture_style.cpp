@@ -1,0 +1,192 @@
+#include "graze/report/picture/picture_style.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+
+#include "graze/base/angle.hpp"
+
+namespace graze {
+namespace {
+
+// gnuplot raises one character only, unless braces hold more.
+std::string unit_markup(std::string unit) {
+  if (const std::size_t root = unit.find("^1/2"); root != std::string::npos)
+    unit.replace(root, 4, "^{1/2}");
+  return unit;
+}
+
+}  // namespace
+
+AxisUnit axis_unit(const std::string& si_unit, double largest) {
+  if (!(largest > 0.0)) return {1.0, si_unit};
+  struct Named {
+    const char* si;
+    double below;  // of the largest value, in SI
+    AxisUnit unit;
+  };
+  // The first that fits; a unit's last entry takes what is larger.
+  static const std::array<Named, 15> kNamed = {{{"m", 1e-4, {1e6, "µm"}},
+                                                {"m", 0.1, {1e3, "mm"}},
+                                                {"m/s", 1e-5, {1e6, "µm/s"}},
+                                                {"m/s", 0.02, {1e3, "mm/s"}},
+                                                {"s", 1e-3, {1e6, "µs"}},
+                                                {"s", 0.5, {1e3, "ms"}},
+                                                {"N", 5e-4, {1e6, "µN"}},
+                                                {"N", 0.5, {1e3, "mN"}},
+                                                {"J", 5e-7, {1e9, "nJ"}},
+                                                {"J", 5e-4, {1e6, "µJ"}},
+                                                {"J", 0.5, {1e3, "mJ"}},
+                                                {"J", 1e4, {1e0, "J"}},
+                                                {"Pa", 1e6, {1e0, "Pa"}},
+                                                {"Pa", 1e9, {1e-6, "MPa"}},
+                                                {"Pa", 1e300, {1e-9, "GPa"}}}};
+  for (const Named& named : kNamed)
+    if (si_unit == named.si && largest < named.below && named.unit.factor * largest >= 0.02)
+      return named.unit;
+  // Numbers that would not fit beside an axis leave their power of a thousand to the unit.
+  if (largest >= 0.02 && largest < 1e5) return {1.0, si_unit};
+  const int power = 3 * static_cast<int>(std::floor(std::log10(largest) / 3.0));
+  return {std::pow(10.0, -power),
+          fmt::format("10^{{{}}}{}{}", power, si_unit.empty() ? "" : " ", si_unit)};
+}
+
+std::string axis_label(const std::string& name, const std::string& unit) {
+  return gnuplot_string(unit.empty() ? name : name + " (" + unit_markup(unit) + ")");
+}
+
+void AxisRange::include(double value) {
+  // A run that left double precision must not take the axis with it.
+  if (!(std::abs(value) < 1e300)) return;
+  low = std::min(low, value);
+  high = std::max(high, value);
+}
+
+void AxisRange::include(const AxisRange& other) {
+  if (other.empty()) return;
+  include(other.low);
+  include(other.high);
+}
+
+void AxisRange::settle(double margin) {
+  if (empty()) low = 0.0, high = 1.0;
+  // Below this the tics of a double axis can no longer be told apart.
+  const double size = std::max(std::abs(low), std::abs(high));
+  const double least = size > 0.0 ? 1e-9 * size : 1.0;
+  if (span() < least) {
+    const double more = size > 0.0 ? 0.05 * size : 1.0;
+    low -= more;
+    high += more;
+  }
+  const double more = margin * span();
+  low -= more;
+  high += more;
+}
+
+std::string AxisRange::text() const { return fmt::format("[{:.12g}:{:.12g}]", low, high); }
+
+double AxisRange::tic_step(int most) const {
+  double step = std::pow(10.0, std::floor(std::log10(span() / most)));
+  for (const double more : {2.0, 2.5, 2.0})
+    if (span() / step > most) step *= more;
+  return step;
+}
+
+void set_style(GnuplotScript& script) {
+  script.command("set minussign\nset format '%h'");
+  script.command("set border 3 lw 0.7 lc rgb '#808080'");
+  script.command("set tics out nomirror scale 0.6 textcolor rgb '#000000'");
+  script.command("set key noautotitle noopaque");
+}
+
+void set_margins(GnuplotScript& script, const Margins& margins) {
+  script.command(fmt::format("set lmargin at screen {:.4g}", margins.left));
+  script.command(fmt::format("set rmargin at screen {:.4g}", 1.0 - margins.right));
+  script.command(fmt::format("set bmargin at screen {:.4g}", margins.bottom));
+  script.command(fmt::format("set tmargin at screen {:.4g}", 1.0 - margins.top));
+}
+
+void name_vertical_axis(GnuplotScript& script, const std::string& name, const std::string& unit,
+                        double place) {
+  // Lines far enough apart for a subscript above an exponent, which gnuplot's own are not.
+  constexpr double kLine = 0.039;
+  const std::string text = unit.empty() ? name : name + " (" + unit_markup(unit) + ")";
+  for (std::size_t start = 0; start < text.size(); place += kLine) {
+    const std::size_t end = std::min(text.find('\n', start), text.size());
+    script.command(fmt::format("set label {} at screen {:.4g}, graph 0.5 center rotate",
+                               gnuplot_string(text.substr(start, end - start)), place));
+    start = end + 1;
+  }
+}
+
+double legend_height(std::size_t entries, std::size_t columns) {
+  const std::size_t lines = (entries + columns - 1) / columns;
+  return 0.012 + 0.036 * static_cast<double>(lines);
+}
+
+void set_legend(GnuplotScript& script, const Margins& margins, std::size_t columns) {
+  script.command(
+      fmt::format("set key at screen {:.4g}, screen 0.01 center bottom horizontal "
+                  "maxcols {} Left reverse samplen 2 font ',9'",
+                  0.5 * (1.0 + margins.left - margins.right), columns));
+}
+
+std::string parameter_title(const std::string& path) {
+  static const std::map<std::string, std::string> kTitles = {
+      {"forcing.frequency", "forcing frequency Ω"},
+      {"forcing.amplitude", "forcing amplitude"},
+      {"forcing.phase", "forcing phase"},
+      {"damping.viscous", "viscous damping η"},
+      {"beam.length", "beam length"},
+      {"beam.density", "density"},
+      {"beam.area", "area of the cross-section"},
+      {"beam.youngs_modulus", "Young’s modulus"},
+      {"beam.second_moment", "second moment of area"},
+      {"hub.torque.amplitude", "torque of the hub"},
+      {"hub.torque.duration", "duration of the torque"},
+      {"hub.inertia", "inertia of the hub"},
+      {"initial.rate", "first rate of the hub"},
+      {"gap", "gap"},
+      {"position", "position of the stop"},
+      {"restitution", "coefficient of restitution"},
+  };
+  const auto known = kTitles.find(path);
+  if (known != kTitles.end()) return known->second;
+  if (path.starts_with("stop.")) {
+    std::string key = path.substr(5), which;
+    if (const std::size_t dot = key.find('.'); dot != std::string::npos) {
+      which = ", stop " + key.substr(0, dot);
+      key = key.substr(dot + 1);
+    }
+    const auto of_stop = kTitles.find(key);
+    if (of_stop != kTitles.end()) return of_stop->second + which;
+  }
+  if (path.starts_with("initial.qdot.")) return "dq_{" + path.substr(13) + "}/dt at the start";
+  if (path.starts_with("initial.q.")) return "q_{" + path.substr(10) + "} at the start";
+  std::string title;
+  for (char c : path) title += c == '_' ? std::string("\\_") : std::string(1, c);
+  return title;
+}
+
+bool has_hertz_axis(const std::string& parameter) { return parameter == "forcing.frequency"; }
+
+void set_parameter_axis(GnuplotScript& script, const std::string& parameter, const AxisRange& range,
+                        const std::string& unit, AxisNames names) {
+  script.command("set xrange " + range.text());
+  script.command(fmt::format("set xtics {:.6g}", range.tic_step(7)));
+  script.command(names.below ? "set format x '%h'" : "set format x ''");
+  script.command(names.below ? "set xlabel " + axis_label(parameter_title(parameter), unit)
+                             : "unset xlabel");
+  if (!has_hertz_axis(parameter)) return;
+  script.command(names.above ? "set border 7" : "set border 3\nunset x2tics\nunset x2label");
+  if (!names.above) return;
+  const AxisRange hertz{range.low / kTurn, range.high / kTurn};
+  script.command("set x2range " + hertz.text());
+  script.command(fmt::format("set x2tics {:.6g}", hertz.tic_step(9)));
+  script.command("set x2label 'forcing frequency (Hz)'");
+}
+
+}  // namespace graze

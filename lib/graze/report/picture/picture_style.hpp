@@ -1,0 +1,83 @@
+// What the pictures have in common: colours, units of axes, ranges, labels.
+#pragma once
+
+#include <limits>
+#include <string>
+
+#include "graze/report/picture/gnuplot.hpp"
+
+namespace graze {
+
+// Colours that the colour-blind tell apart (M. Okabe, K. Ito, Color Universal Design, 2008).
+inline constexpr const char* kBlue = "#0072B2";
+inline constexpr const char* kVermillion = "#D55E00";
+inline constexpr const char* kGreen = "#009E73";
+inline constexpr const char* kBlack = "#000000";
+inline constexpr const char* kOrange = "#E69F00";
+inline constexpr const char* kSky = "#56B4E9";
+inline constexpr const char* kPurple = "#CC79A7";
+inline constexpr const char* kGrey = "#999999";
+inline constexpr const char* kStopShade = "#DDDDDD";
+inline constexpr const char* kStuckShade = "#F8DA98";
+
+// How SI values are shown on an axis: `factor` times the value, in `unit`.
+struct AxisUnit {
+  double factor = 1.0;
+  std::string unit;  // "" for a pure number
+};
+
+// The unit in which values up to `largest` are read best: "mm" for "m", or "10^{-3} kg^1/2 m".
+AxisUnit axis_unit(const std::string& si_unit, double largest);
+
+// "gap (mm)", or the name alone for a pure number; the name may use gnuplot's markup.
+std::string axis_label(const std::string& name, const std::string& unit);
+
+// What an axis spans, in its own unit.
+struct AxisRange {
+  double low = std::numeric_limits<double>::infinity();
+  double high = -std::numeric_limits<double>::infinity();
+
+  bool empty() const { return !(low <= high); }
+  double span() const { return high - low; }
+  void include(double value);  // ignored unless finite, and below 1e300
+  void include(const AxisRange& other);
+  // Wide enough to draw on, whatever was included; then a part of the span more on both sides.
+  void settle(double margin);
+  std::string text() const;  // "[low:high]"
+  // 1, 2 or 5 times a power of ten: the smallest step with at most `most` tics.
+  double tic_step(int most) const;
+};
+
+// Axes, fonts and line ends that all pictures share.
+void set_style(GnuplotScript& script);
+
+// Places the axes: what stays free on each side, as parts of the picture.
+struct Margins {
+  double left = 0.18, right = 0.04, bottom = 0.16, top = 0.04;
+};
+void set_margins(GnuplotScript& script, const Margins& margins);
+
+// Names the vertical axis at a set place, a part of the picture's width from its left edge, however
+// wide the axis' numbers are; \n in the name begins a new line.
+void name_vertical_axis(GnuplotScript& script, const std::string& name, const std::string& unit,
+                        double place = 0.03);
+
+// Room at the foot for a legend of `entries` in `columns`, and the legend there.
+double legend_height(std::size_t entries, std::size_t columns);
+void set_legend(GnuplotScript& script, const Margins& margins, std::size_t columns);
+
+// The label of a parameter given by its path, without the unit.
+std::string parameter_title(const std::string& path);
+
+// The horizontal axis of a picture over a parameter: its range, in the axis' unit, and its tics;
+// over a forcing frequency (rad/s) also one in Hz above the axes, which takes its room there. Names
+// are left out where another panel has them.
+inline constexpr double kHertzMargin = 0.145;  // of a picture 3/4 as high as wide
+bool has_hertz_axis(const std::string& parameter);
+struct AxisNames {
+  bool below = true, above = true;
+};
+void set_parameter_axis(GnuplotScript& script, const std::string& parameter, const AxisRange& range,
+                        const std::string& unit, AxisNames names = {});
+
+}  // namespace graze

@@ -1,0 +1,138 @@
+#include <fmt/format.h>
+
+#include "graze/record/detail/cost_record.hpp"
+#include "graze/report/text/detail/table.hpp"
+#include "graze/report/text/text.hpp"
+
+namespace graze {
+namespace {
+
+std::string error_text(const std::optional<double>& error) {
+  return error ? fmt::format("{:.2g}", *error) : "-";
+}
+
+// "740 us"
+std::string time_text(double seconds) {
+  if (seconds >= 1.0) return fmt::format("{:.3g} s", seconds);
+  if (seconds >= 1e-3) return fmt::format("{:.3g} ms", 1e3 * seconds);
+  return fmt::format("{:.3g} us", 1e6 * seconds);
+}
+
+// What costs are given per.
+std::string unit_of_motion(const FlowCosts& costs) { return costs.forced ? " / period" : " / s"; }
+
+const char* agreement_text(const RunError& compared) {
+  if (!compared.message.empty()) return "failed";
+  return compared.impacts_agree ? "yes" : "no";
+}
+
+std::string modes_text(const CostRecord& record) {
+  if (record.modes.empty()) return "";
+  const std::string per = unit_of_motion(record.costs);
+  Table table({"modes", "error of first impact (s)", "time" + per, "evaluations" + per});
+  for (const ModeCost& row : record.modes)
+    table.add({std::to_string(row.modes), error_text(row.error), time_text(row.seconds_per_period),
+               fmt::format("{:.4g}", row.evaluations_per_period)});
+  return fmt::format("\nModes, against {} of them\n{}",
+                     record.costs.turns ? kMostModesOnHub : kMostModesCompared, table.text());
+}
+
+std::string closure_text(const CostRecord& record) {
+  if (record.closure.rows.empty())
+    return record.closure.message.empty()
+               ? ""
+               : fmt::format("\nSumming chatters: {}\n", record.closure.message);
+  const std::string per = unit_of_motion(record.costs);
+  Table table({"closure speed (m/s)", "error of impacts (s)", "time" + per, "impacts" + per,
+               "same impacts"});
+  for (const ClosureCost& row : record.closure.rows)
+    table.add({fmt::format("{:.3g}", row.speed), error_text(row.compared.error),
+               time_text(row.seconds_per_period), fmt::format("{:.4g}", row.impacts_per_period),
+               agreement_text(row.compared)});
+  std::string text = "\nSumming chatters, against impacts followed to the end\n" + table.text();
+  if (!record.closure.message.empty()) text += record.closure.message + "\n";
+  return text;
+}
+
+std::string corrector_text(const CostRecord& record) {
+  const CorrectorCosts& costs = record.corrector;
+  if (costs.rows.empty())
+    return costs.message.empty() ? "" : fmt::format("\nNewton's steps: {}\n", costs.message);
+  Table table({"start", "steps", "residual", "error of impacts (s)", "time"});
+  for (const CorrectorCost& row : costs.rows)
+    table.add({row.predicted ? "tangent" : "neighbour", std::to_string(row.steps),
+               fmt::format("{:.2g}", row.residual), fmt::format("{:.2g}", row.error),
+               time_text(row.seconds)});
+  return fmt::format("\nNewton's steps to {} from a forcing frequency lower by {:g} %\n{}",
+                     costs.orbit, 100.0 * kNeighbour, table.text());
+}
+
+// "rk4, located" of "linear"; all lines but the exact one have the same steps.
+std::string contact_text(const CostRecord& record) {
+  if (!record.contact) return "";
+  const FirstContact& first = record.contact->first;
+  if (first.stop < 0) return fmt::format("\nOrder across a contact: {}\n", first.message);
+  std::vector<std::string> header = {"steps a contact"}, orders = {"order"}, exact = {"exact flow"};
+  std::vector<const ContactOrder*> stepped;
+  for (const ContactOrder& line : record.contact->lines) {
+    if (line.rows.empty()) continue;
+    if (line.rows.front().steps > 0) {
+      stepped.push_back(&line);
+      header.push_back(line.spring + line.method.substr(line.method.find(',')));
+      orders.push_back(fmt::format("{:.2f}", line.order));
+    } else {
+      exact.push_back(fmt::format("{:.2g}", line.rows.front().error));
+      exact.push_back("");
+    }
+  }
+  Table table(header);
+  for (std::size_t i = 0; !stepped.empty() && i < stepped.front()->rows.size(); ++i) {
+    std::vector<std::string> row = {std::to_string(stepped.front()->rows[i].steps)};
+    for (const ContactOrder* line : stepped)
+      row.push_back(i < line->rows.size() ? fmt::format("{:.2g}", line->rows[i].error) : "-");
+    table.add(row);
+  }
+  table.add(orders);
+  if (exact.size() == orders.size()) table.add(exact);
+  return fmt::format(
+      "\nOrder of rk4 across one contact: {:.4g} kg at {:.4g} m/s on elastic springs that give way "
+      "by {:.4g} m\nerrors of speed and duration, relative, the larger; against closed forms\n{}",
+      first.contact.mass, first.contact.speed, first.contact.depth(), table.text());
+}
+
+}  // namespace
+
+std::string to_text(const CostRecord& record) {
+  const FlowCosts& costs = record.costs;
+  const bool timed = costs.impacts > 0;
+  const std::string per = unit_of_motion(costs);
+  Table table({"flow", "setting",
+               timed ? costs.compliant ? "error of contacts (s)" : "error of impacts (s)"
+                     : "error / amplitude",
+               "error of state", "time" + per, "evaluations" + per,
+               costs.compliant ? "same contacts" : "same impacts"});
+  for (const FlowCost& row : costs.rows)
+    table.add({row.flow, row.setting, error_text(row.compared.error),
+               error_text(row.compared.state_error), time_text(row.seconds_per_period),
+               fmt::format("{:.4g}", row.evaluations_per_period), agreement_text(row.compared)});
+  std::string text = table.empty() ? "" : table.text() + "\n";
+  text +=
+      fmt::format("compared over: {}; reference: {}\n", compared_span(costs),
+                  costs.compliant || costs.turns ? reference_name(costs) : "exact flow, 50 digits");
+  if (!costs.reference_message.empty())
+    text += fmt::format("the reference ended there: {}\n", costs.reference_message);
+  if (const FlowCost* best = cheapest(costs, costs.allowed))
+    text += fmt::format("for tolerance {:g} (an error of {:.2g}{}): {}{}, {}{}\n", costs.tolerance,
+                        costs.allowed, timed ? " s" : "", best->flow,
+                        best->setting.empty() ? "" : " with " + best->setting,
+                        time_text(best->seconds_per_period), per);
+  else if (!costs.rows.empty())
+    text += fmt::format("no setting meets tolerance {:g} (an error of {:.2g}{})\n", costs.tolerance,
+                        costs.allowed, timed ? " s" : "");
+  text += modes_text(record) + closure_text(record) + corrector_text(record) + contact_text(record);
+  if (!record.outcome.message.empty())
+    text += fmt::format("{}: {}\n", record.outcome.name, record.outcome.message);
+  return text;
+}
+
+}  // namespace graze

@@ -1,0 +1,109 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "graze/record/detail/loci_record.hpp"
+#include "graze/report/text/detail/table.hpp"
+#include "graze/report/text/text.hpp"
+#include "graze/study/plane/stable_regions.hpp"
+
+namespace graze {
+namespace {
+
+constexpr std::size_t kMostAreas = 20;
+constexpr std::size_t kMostListed = 5;
+
+std::string quantity(double value, const std::string& unit) {
+  return fmt::format("{:.4g}{}{}", value, unit.empty() ? "" : " ", unit);
+}
+
+std::string table_of(const LociRecord& record) {
+  const StableRegions& regions = *record.regions;
+  Table table({"region", "stable", "places", "share (%)",
+               with_unit(record.traced.first, record.unit),
+               with_unit(record.traced.second, record.second_unit)});
+  const std::size_t shown = std::min(regions.areas.size(), kMostAreas);
+  std::size_t left_out = regions.places.size();
+  for (std::size_t i = 0; i < shown; ++i) {
+    const RegionArea& area = regions.areas[i];
+    const RegionPlace& inner = regions.places[area.inner];
+    const std::string label = label_of(area.stable);
+    table.add({fmt::format("{}", i + 1), label.empty() ? "-" : label,
+               fmt::format("{}", area.places), fmt::format("{:.1f}", 100.0 * area.share),
+               fmt::format("{:.7g}", inner.value), fmt::format("{:.7g}", inner.second)});
+    left_out -= area.places;
+  }
+  if (table.empty()) return "";
+  std::string text = table.text();
+  if (shown < regions.areas.size())
+    text += fmt::format(
+        "and {} smaller ones with {} places together\n", regions.areas.size() - shown,
+        left_out - (regions.places.size() - static_cast<std::size_t>(regions.finished)));
+  return text;
+}
+
+std::string list_of(const LociRecord& record, const std::vector<OrbitAtPlace>& orbits,
+                    const std::string& what) {
+  std::string text;
+  const std::size_t shown = std::min(orbits.size(), kMostListed);
+  for (std::size_t i = 0; i < shown; ++i) {
+    const RegionPlace& place = record.regions->places[orbits[i].place];
+    text += fmt::format("note: {} at ({:.9g}, {:.9g}) {}\n", name_of(orbits[i].name), place.value,
+                        place.second, what);
+  }
+  if (shown < orbits.size())
+    text += fmt::format("note: so at {} places more\n", orbits.size() - shown);
+  return text;
+}
+
+std::string borders_text(const LociRecord& record) {
+  const StableRegions& regions = *record.regions;
+  const RegionBorders& borders = *record.borders;
+  std::string text = fmt::format(
+      "between {} pairs of places side by side the ({},{}) orbit begins or ceases to be stable; a "
+      "locus passes between {} of them\n",
+      borders.count, regions.period, regions.impacts,
+      borders.count - static_cast<int>(borders.open.size()));
+  const std::size_t shown = std::min(borders.open.size(), kMostListed);
+  for (std::size_t i = 0; i < shown; ++i) {
+    const RegionPlace& a = regions.places[borders.open[i].first];
+    const RegionPlace& b = regions.places[borders.open[i].second];
+    text += fmt::format("note: no locus passes between ({:.9g}, {:.9g}) and ({:.9g}, {:.9g})\n",
+                        a.value, a.second, b.value, b.second);
+  }
+  if (shown < borders.open.size())
+    text += fmt::format("note: so for {} pairs more\n", borders.open.size() - shown);
+  return text;
+}
+
+}  // namespace
+
+std::string regions_text(const LociRecord& record) {
+  const StableRegions& regions = *record.regions;
+  std::string text = table_of(record) + "\n";
+  text += fmt::format(
+      "{} by {} places; what is smaller than {} by {} may be missed, and what neither the closed "
+      "form nor a simulation leads to\n",
+      regions.columns, regions.rows, quantity(regions.cell, record.unit),
+      quantity(regions.second_cell, record.second_unit));
+  text += fmt::format("{} motions were followed, and handed on from place to place in {} rounds\n",
+                      regions.simulated, regions.rounds);
+  text += fmt::format(
+      "{} of these motions started beside a stable orbit: {} settled on it, {} came back too "
+      "slowly "
+      "to be sure, {} left it\n",
+      regions.confirmed + regions.undecided + static_cast<long long>(regions.refuted.size()),
+      regions.confirmed, regions.undecided, regions.refuted.size());
+  if (regions.searched > 0)
+    text += fmt::format(
+        "{} of those that settled on a ({},{}) orbit are on one that the closed form had not "
+        "given\n",
+        regions.missed.size(), regions.period, regions.impacts);
+  if (record.borders) text += borders_text(record);
+  text += list_of(record, regions.refuted,
+                  "is stable by its multipliers, but a motion beside it left it");
+  text += list_of(record, regions.missed, "was found by simulation, not by the closed form");
+  return text;
+}
+
+}  // namespace graze

@@ -1,0 +1,319 @@
+#include "graze/scene/check.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <limits>
+
+#include "graze/scene/detail/hub_check.hpp"
+#include "graze/scene/detail/probe_check.hpp"
+#include "graze/scene/detail/spring_check.hpp"
+#include "graze/scene/detail/suggestion.hpp"
+#include "graze/scene/detail/value_checker.hpp"
+
+namespace graze {
+namespace {
+
+void check_points(const ValueChecker& checker, const Beam& beam) {
+  if (beam.points.empty()) {
+    return;
+  }
+  checker.entries("points", beam.points, beam.modes, true);
+  double before = 0.0;
+  for (std::size_t k = 0; k < beam.points.size(); ++k) {
+    const double point = beam.points[k];
+    if (point <= before || point > beam.length) {
+      checker.fail(fmt::format("points.{}", k + 1),
+                   fmt::format("{} is not allowed, it must be greater than {} and at most the "
+                               "beam's length {}",
+                               point, before, beam.length));
+    }
+    before = point;
+  }
+}
+
+void check_structure(const Scene& scene) {
+  if (const Beam* beam = scene.beam()) {
+    const ValueChecker checker(scene, "beam");
+    checker.positive("length", beam->length);
+    checker.positive("youngs_modulus", beam->youngs_modulus);
+    checker.positive("second_moment", beam->second_moment);
+    checker.positive("density", beam->density);
+    checker.positive("area", beam->area);
+    checker.usable("density", beam->density * beam->area * beam->length,
+                   "the mass of the beam, kg,");
+    checker.usable("youngs_modulus",
+                   beam->youngs_modulus * beam->second_moment /
+                       (beam->density * beam->area * std::pow(beam->length, 4.0)),
+                   "the square of its frequencies, 1/s^2,");
+    if (beam->thickness) checker.positive("thickness", *beam->thickness);
+    checker.require(beam->modes >= 1 && beam->modes <= kMostModes, "modes", beam->modes,
+                    "an integer from 1 to 400");
+    check_points(checker, *beam);
+    return;
+  }
+  const ModalStructure& modal = *scene.modal();
+  const ValueChecker checker(scene, "modal");
+  const std::size_t size = modal.frequencies.size();
+  if (size < 1 || size > kMostModes) {
+    checker.fail("frequencies",
+                 fmt::format("the list has {} entries, it must have 1 to {}", size, kMostModes));
+  }
+  const int modes = scene.modes();
+  checker.entries("frequencies", modal.frequencies, modes, false);
+  const auto optional_entries = [&](const char* key, const std::vector<double>& values,
+                                    bool negative_allowed) {
+    if (!values.empty()) {
+      checker.entries(key, values, modes, negative_allowed);
+    }
+  };
+  optional_entries("damping_ratios", modal.damping_ratios, false);
+  optional_entries("participation", modal.participation, true);
+  optional_entries("inertia", modal.inertia, true);
+}
+
+void check_damping(const Scene& scene) {
+  if (!scene.damping) {
+    return;
+  }
+  const ValueChecker checker(scene, "damping");
+  const ModalStructure* modal = scene.modal();
+  if (const auto* viscous = std::get_if<ViscousDamping>(&*scene.damping)) {
+    if (modal != nullptr) {
+      checker.fail(
+          "viscous",
+          "viscous damping is per length of a [beam], a [modal] structure must have ratios "
+          "or rayleigh");
+    }
+    checker.not_negative("viscous", viscous->coefficient);
+  } else if (const auto* ratios = std::get_if<DampingRatios>(&*scene.damping)) {
+    checker.entries("ratios", ratios->ratios, scene.modes(), false);
+  } else {
+    const auto& rayleigh = std::get<RayleighDamping>(*scene.damping);
+    checker.not_negative("rayleigh.mass", rayleigh.mass);
+    checker.not_negative("rayleigh.stiffness", rayleigh.stiffness);
+  }
+  if (modal != nullptr && !modal->damping_ratios.empty()) {
+    throw scene_error(scene, "damping",
+                      "modal.damping_ratios is given already, the scene must have only one of "
+                      "modal.damping_ratios and [damping]");
+  }
+}
+
+void check_forcing(const Scene& scene) {
+  if (!scene.forcing) {
+    return;
+  }
+  const ValueChecker checker(scene, "forcing");
+  const Forcing& forcing = *scene.forcing;
+  const ModalStructure* modal = scene.modal();
+  if (modal == nullptr && forcing.kind == ForcingKind::kModal) {
+    checker.fail("kind", "modal forcing needs [modal], it must be base or distributed");
+  }
+  if (modal != nullptr && forcing.kind == ForcingKind::kDistributed) {
+    checker.fail("kind", "distributed forcing needs [beam], it must be modal or base");
+  }
+  checker.finite("amplitude", forcing.amplitude);
+  checker.positive("frequency", forcing.frequency);
+  checker.finite("phase", forcing.phase);
+  if (modal != nullptr && forcing.kind == ForcingKind::kModal && modal->participation.empty()) {
+    throw scene_error(scene, "modal.participation",
+                      "the key is missing, forcing of the kind \"modal\" needs a list of numbers, "
+                      "one per mode");
+  }
+  if (modal != nullptr && forcing.kind == ForcingKind::kBase && modal->inertia.empty()) {
+    throw scene_error(scene, "modal.inertia",
+                      "the key is missing, forcing of the kind \"base\" needs a list of numbers, "
+                      "one per mode");
+  }
+}
+
+void check_gravity(const Scene& scene) {
+  if (!scene.gravity) {
+    return;
+  }
+  ValueChecker(scene, "gravity").finite("acceleration", scene.gravity->acceleration);
+  if (scene.modal() != nullptr && scene.modal()->inertia.empty()) {
+    throw scene_error(scene, "modal.inertia",
+                      "the key is missing, [gravity] needs a list of numbers, one per mode");
+  }
+}
+
+// A point with 15 digits where these stand for it (0.225 and not 0.22499999999999998).
+std::string point_text(double point, double length) {
+  const std::string text = fmt::format("{:.15g}", point);
+  const bool same = std::abs(std::strtod(text.c_str(), nullptr) - point) <=
+                    std::numeric_limits<double>::epsilon() * length;
+  return same ? text : fmt::format("{}", point);
+}
+
+void check_collocation_impulse(const ValueChecker& checker, const Scene& scene,
+                               const SceneStop& stop) {
+  const Beam* beam = scene.beam();
+  if (beam == nullptr) {
+    checker.fail("impulse",
+                 "the collocation impulse needs the collocation points of a [beam], it must be "
+                 "\"momentum\"");
+  }
+  if (collocation_index(*beam, stop.position) >= 0) {
+    return;
+  }
+  std::vector<std::string> points;
+  for (const double point : collocation_points(*beam)) {
+    points.push_back(point_text(point, beam->length));
+  }
+  checker.fail("position",
+               fmt::format("{} is not allowed with the collocation impulse, it must be the "
+                           "collocation point {}",
+                           stop.position, joined(points, "or")));
+}
+
+// Only a0, the restitution of a vanishing speed, has bounds of its own: where r(v) leaves 0..1
+// depends on the speeds that occur.
+void check_restitution(const ValueChecker& checker, const std::vector<double>& coefficients) {
+  if (coefficients.empty()) {
+    checker.fail("restitution", "the list is empty, it must have at least one number");
+  }
+  // The keys are those of the parameters: a constant has no number.
+  const double first = coefficients.front();
+  checker.require(first >= 0.0 && first <= 1.0,
+                  coefficients.size() == 1 ? "restitution" : "restitution.1", first,
+                  "a number from 0 to 1");
+  for (std::size_t k = 1; k < coefficients.size(); ++k) {
+    if (!std::isfinite(coefficients[k])) {
+      checker.require(false, fmt::format("restitution.{}", k + 1), coefficients[k],
+                      "a finite number");
+    }
+  }
+}
+
+void check_stop(const Scene& scene, const SceneStop& stop, std::size_t number) {
+  const ValueChecker checker(scene, number == 1 ? "stop" : fmt::format("stop.{}", number));
+  if (const Beam* beam = scene.beam()) {
+    if (!stop.shape.empty()) {
+      checker.fail("shape", "a stop of a [beam] has no shape, it must have a position");
+    }
+    if (!(stop.position > 0.0 && stop.position <= beam->length)) {
+      checker.fail("position", fmt::format("{} is not allowed, it must be greater than 0 and at "
+                                           "most the beam's length {}",
+                                           stop.position, beam->length));
+    }
+  } else {
+    if (stop.position != 0.0) {
+      checker.fail("position",
+                   "a stop of a [modal] structure has no position, it must have a shape");
+    }
+    checker.entries("shape", stop.shape, scene.modes(), true);
+    if (std::all_of(stop.shape.begin(), stop.shape.end(), [](double phi) { return phi == 0.0; })) {
+      checker.fail("shape", "every entry is 0, at least one mode must move at the stop");
+    }
+    double square = 0.0;
+    for (const double phi : stop.shape) square += phi * phi;
+    checker.usable("shape", 1.0 / square, "the effective mass at the stop, kg,");
+  }
+  checker.finite("gap", stop.gap);
+  if (stop.spring) {
+    check_spring(scene, *stop.spring,
+                 number == 1 ? "stop.spring" : fmt::format("stop.{}.spring", number));
+    return;
+  }
+  check_restitution(checker, stop.restitution);
+  if (stop.impulse == Impulse::kCollocation) {
+    check_collocation_impulse(checker, scene, stop);
+  }
+}
+
+const char* impulse_name(Impulse impulse) {
+  return impulse == Impulse::kMomentum ? "momentum" : "collocation";
+}
+
+void check_stops(const Scene& scene) {
+  for (std::size_t k = 0; k < scene.stops.size(); ++k) {
+    check_stop(scene, scene.stops[k], k + 1);
+  }
+  // An impact at several stops at once is solved by one law for all of them.
+  const SceneStop* rigid = nullptr;
+  for (std::size_t k = 0; k < scene.stops.size(); ++k) {
+    if (scene.stops[k].spring) {
+      continue;
+    }
+    if (rigid == nullptr) {
+      rigid = &scene.stops[k];
+    }
+    const Impulse first = rigid->impulse;
+    const Impulse here = scene.stops[k].impulse;
+    if (here != first) {
+      throw scene_error(scene, fmt::format("stop.{}.impulse", k + 1),
+                        fmt::format("the law \"{}\" is not allowed beside \"{}\" of the first "
+                                    "stop, all stops must have the same impulse law",
+                                    impulse_name(here), impulse_name(first)));
+    }
+  }
+}
+
+void check_initial(const Scene& scene) {
+  if (!scene.initial) {
+    return;
+  }
+  const ValueChecker checker(scene, "initial");
+  checker.entries("q", scene.initial->q, scene.modes(), true);
+  checker.entries("qdot", scene.initial->qdot, scene.modes(), true);
+}
+
+void check_solver(const Scene& scene) {
+  const Solver& solver = scene.solver;
+  const ValueChecker checker(scene, "solver");
+  checker.require(solver.tolerance > 0.0 && solver.tolerance < 1.0, "tolerance", solver.tolerance,
+                  "a number between 0 and 1, both excluded");
+  const bool steps = solver.flow != FlowChoice::kAuto && solver.flow != FlowChoice::kExact &&
+                     solver.flow != FlowChoice::kBulirschStoer;
+  if (!solver.step) {
+    if (solver.flow == FlowChoice::kRk4)
+      checker.fail("flow", "the flow \"rk4\" needs solver.step, the length of its steps in s");
+    return;
+  }
+  if (!steps)
+    checker.fail("step", fmt::format("the flow \"{}\" takes no steps, it must be left out",
+                                     flow_name(solver.flow)));
+  checker.positive("step", *solver.step);
+}
+
+}  // namespace
+
+void check_scene(const Scene& scene) {
+  check_structure(scene);
+  check_hub(scene);
+  check_damping(scene);
+  check_forcing(scene);
+  check_gravity(scene);
+  check_stops(scene);
+  check_probes(scene);
+  check_initial(scene);
+  check_solver(scene);
+}
+
+std::vector<double> collocation_points(const Beam& beam) {
+  if (!beam.points.empty()) {
+    return beam.points;
+  }
+  std::vector<double> points(static_cast<std::size_t>(beam.modes), beam.length);
+  for (std::size_t k = 0; k + 1 < points.size(); ++k) {
+    points[k] = static_cast<double>(k + 1) * beam.length / beam.modes;
+  }
+  return points;
+}
+
+int collocation_index(const Beam& beam, double position) {
+  const std::vector<double> points = collocation_points(beam);
+  const double same = 4.0 * std::numeric_limits<double>::epsilon() * beam.length;
+  for (std::size_t k = 0; k < points.size(); ++k) {
+    if (std::abs(points[k] - position) <= same) {
+      return static_cast<int>(k);
+    }
+  }
+  return -1;
+}
+
+}  // namespace graze

@@ -1,0 +1,73 @@
+// One table of the scene file: typed access to its keys, with errors that say where and what.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "graze/scene/detail/node.hpp"
+#include "graze/scene/scene.hpp"
+
+namespace graze {
+
+// "beam.length" from "beam" and "length", as messages show it; the root table has no name.
+std::string key_path(const std::string& table, const std::string& key);
+
+// The tables of [[name]], "stop" or "probe"; throws InputError where the node is no list.
+const NodeList& tables_of(const Node& node, const std::string& name);
+
+// Remembers in `origins` where each key it is asked for stands. Every function throws InputError at
+// the key (or at the table, when the key is missing).
+class TableReader {
+ public:
+  // Throws when the node is no table, or holds a key that keys_of(path) does not.
+  TableReader(const Node& node, std::string path, Origins& origins);
+
+  std::string path(const std::string& key) const { return key_path(path_, key); }
+  bool has(const std::string& key) const { return find(key) != nullptr; }
+  // The key's value, or null.
+  const Node* find(const std::string& key) const { return find_member(*table_, key); }
+  // The key's value. `what` is what it must be, as in "a number in m".
+  const Node& required(const std::string& key, const std::string& what) const;
+
+  double number(const std::string& key, const std::string& what) const;
+  double number_or(const std::string& key, const std::string& what, double fallback) const;
+  std::int64_t integer(const std::string& key, const std::string& what) const;
+  bool flag_or(const std::string& key, bool fallback) const;
+  std::string text_or(const std::string& key, const std::string& fallback) const;
+  // The list of numbers; empty when the key is missing.
+  std::vector<double> numbers(const std::string& key, const std::string& what) const;
+
+  // The value whose name the key gives, the first choice when the key is missing.
+  template <typename Choice>
+  Choice choice(const std::string& key,
+                const std::vector<std::pair<std::string, Choice>>& choices) const {
+    return choices[choice_index(key, choices)].second;
+  }
+
+  // Throws about the key: "the number -1 is not allowed, it must be <what>".
+  [[noreturn]] void refuse(const std::string& key, const std::string& what) const;
+  [[noreturn]] void fail(const std::string& key, const std::string& sentence) const;
+
+ private:
+  std::size_t choice_index(const std::string& key, const std::vector<std::string>& names) const;
+  template <typename Choice>
+  std::size_t choice_index(const std::string& key,
+                           const std::vector<std::pair<std::string, Choice>>& choices) const {
+    std::vector<std::string> names;
+    for (const auto& [name, value] : choices) {
+      names.push_back(name);
+    }
+    return choice_index(key, names);
+  }
+  void check_keys() const;
+  // "[beam]" or "a scene", for lists of what is allowed.
+  std::string title() const;
+
+  const NodeTable* table_ = nullptr;
+  std::string path_;
+  Place place_;
+};
+
+}  // namespace graze

@@ -1,0 +1,214 @@
+// A scene: plain values that mirror the TOML file. What a scene does not name is absent here
+// (empty optional, empty list) and is never simulated. SI units, angles in radians.
+#pragma once
+
+#include <array>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "graze/base/default_tolerance.hpp"
+#include "graze/base/errors.hpp"
+#include "graze/contact/contact_force.hpp"
+#include "graze/contact/hertz_stiffness.hpp"
+
+namespace graze {
+
+enum class Projection { kGalerkin, kCollocation };
+enum class Side { kAbove, kBelow };
+enum class Impulse { kMomentum, kCollocation };
+enum class ForcingKind { kBase, kDistributed, kModal };
+// How the motion between impacts is found: exactly, or integrated step by step by rk4, dopri5,
+// fehlberg78, or (with a hub) bulirsch-stoer.
+enum class FlowChoice { kAuto, kExact, kRk4, kDopri5, kFehlberg78, kBulirschStoer };
+// As the scene writes it.
+std::string flow_name(FlowChoice flow);
+
+// Euler-Bernoulli beam, clamped at x = 0, free at x = length.
+struct Beam {
+  double length = 0.0;          // m
+  double youngs_modulus = 0.0;  // Pa
+  double second_moment = 0.0;   // m^4
+  double density = 0.0;         // kg/m^3
+  double area = 0.0;            // m^2
+  int modes = 0;                // 1..400
+  Projection discretisation = Projection::kGalerkin;
+  std::vector<double> points;  // m from the clamp, one per mode, in (0, length]; empty: i L/N
+  std::optional<double> thickness{};  // h, m: of the section, which strains are told at h/2 from
+};
+
+// Motor torque from t = 0 on: constant for a while,
+struct TorquePulse {
+  double amplitude = 0.0;  // N m
+  double duration = 0.0;   // s, > 0
+};
+// or through measured points, straight between them and zero outside; at an instant that stands
+// twice it jumps.
+struct TorqueTable {
+  std::vector<double> times;   // s, >= 0, ascending, at least two
+  std::vector<double> values;  // N m, as many
+};
+using Torque = std::variant<TorquePulse, TorqueTable>;
+
+// kPaper: as printed in Yigit, Ulsoy & Scott (1990), without the two terms of the hub's equation
+// that conserve the energy.
+enum class HubEquations { kConsistent, kPaper };
+
+// What the beam's clamp is fixed to, a rigid hub that turns about its centre; coordinates are its
+// angle and the beam's modes. The beam leaves it radially.
+struct Hub {
+  double radius = 0.0;   // alpha, m, >= 0: from the centre to the clamp
+  double inertia = 0.0;  // I_R, kg m^2, >= 0
+  std::optional<Torque> torque{};
+  HubEquations equations = HubEquations::kConsistent;
+  bool centrifugal = true;           // terms with the square of the rate, and the inertia's change
+  std::optional<double> friction{};  // Coulomb's at the joint, N m, >= 0
+};
+
+// Any structure given by its mass-normalised modes; all lists have one entry per mode.
+struct ModalStructure {
+  std::vector<double> frequencies;     // rad/s, >= 0 (0: a free mass)
+  std::vector<double> damping_ratios;  // 1, >= 0; empty: none
+  std::vector<double> participation;   // modal force per unit of forcing amplitude; empty: none
+  std::vector<double> inertia;         // modal force per unit of uniform acceleration; empty: none
+};
+
+struct ViscousDamping {
+  double coefficient = 0.0;  // eta, N s/m^2: force per length per velocity relative to the clamp
+};
+struct DampingRatios {
+  std::vector<double> ratios;  // zeta_j, one per mode
+};
+struct RayleighDamping {
+  double mass = 0.0;       // 1/s
+  double stiffness = 0.0;  // s
+};
+using Damping = std::variant<ViscousDamping, DampingRatios, RayleighDamping>;
+
+// amplitude * cos(frequency t + phase)
+struct Forcing {
+  ForcingKind kind = ForcingKind::kBase;
+  double amplitude = 0.0;  // base: m; distributed: N/m; modal: 1
+  double frequency = 0.0;  // rad/s, > 0
+  double phase = 0.0;      // rad
+};
+
+// Uniform acceleration along +u of every mass element; a constant load of the modes. With a hub
+// along -u at angle 0, and there it stays while the beam turns.
+struct Gravity {
+  double acceleration = 0.0;  // m/s^2
+};
+
+enum class ContactModel {
+  kKelvinVoigt,
+  kLeeWang1,
+  kLeeWang2,
+  kHuntCrossley,
+  kLankaraniNikravesh,
+  kFlores
+};
+// As the scene writes it.
+std::string contact_model_name(ContactModel model);
+
+// The damping of a compliant stop (contact/detail/restitution_damping.hpp): its coefficient, or
+// what the model builds it from.
+struct SpringDamping {
+  ContactModel model = ContactModel::kKelvinVoigt;
+  std::optional<double> coefficient;  // C, see contact_force.hpp
+  std::optional<double> ratio;        // zeta, of a linear spring
+  std::optional<double> alpha;        // e = 1 - alpha v, s/m
+  std::optional<double> restitution;  // e, at `speed` where it depends on it
+  std::optional<double> speed;        // m/s
+  std::optional<double> mass;         // kg
+  std::optional<double> onset;        // m, and
+  std::optional<double> sharpness;    // Q, of the second model of Lee & Wang
+  bool exact = false;  // C gives the restitution itself, not what the model's formula makes of it
+};
+
+// Of two bodies of which one is the stop, in place of a stiffness (contact/hertz_stiffness.hpp).
+struct SpringGeometry {
+  std::array<ElasticBody, 2> bodies{};
+  double angle = 0.0;  // rad
+};
+
+// A compliant stop: F = k x^n + C T(x) x'.
+struct Spring {
+  double stiffness = 0.0;  // k, N/m^n
+  double exponent = 1.5;   // n
+  std::optional<SpringGeometry> geometry;
+  std::optional<SpringDamping> damping;
+  Separation release = Separation::kAtZeroForce;
+};
+
+struct SceneStop {
+  double position = 0.0;      // m from the clamp (beam)
+  std::vector<double> shape;  // phi_j at the stop (modal structure), kg^-1/2
+  double gap = 0.0;           // m; may be 0 or negative (preload)
+  Side side = Side::kAbove;   // above: free while u < gap; below: free while u > -gap
+  // r(v) = a0 - a1 v - a2 v^2 - .., v the approach speed; one entry: r is constant. a0 in 0..1,
+  // a_i in (s/m)^i.
+  std::vector<double> restitution = {0.0};
+  Impulse impulse = Impulse::kMomentum;
+  std::optional<Spring> spring{};  // in place of restitution and impulse
+};
+
+// kDisplacement, kVelocity: of the point, with a hub along the arc from angle 0 on; kDeflection:
+// from the line that turns with the hub, without one the displacement; kStrain: of the fibre at
+// half the thickness, -h/2 u'' (beam); kAngle, kRate: of the hub, wherever the probe is.
+enum class ProbeQuantity { kDisplacement, kVelocity, kDeflection, kStrain, kAngle, kRate };
+// As the scene writes it.
+std::string probe_quantity_name(ProbeQuantity quantity);
+inline bool is_of_hub(ProbeQuantity quantity) {
+  return quantity == ProbeQuantity::kAngle || quantity == ProbeQuantity::kRate;
+}
+
+// A quantity at a place, told in the series of a motion.
+struct Probe {
+  double position = 0.0;      // m from the clamp (beam), 0..length
+  std::vector<double> shape;  // phi_j at the place (modal structure), kg^-1/2
+  ProbeQuantity quantity = ProbeQuantity::kDisplacement;
+};
+
+struct Initial {
+  std::vector<double> q;     // kg^1/2 m, one per mode
+  std::vector<double> qdot;  // kg^1/2 m/s, one per mode
+  double angle = 0.0;        // rad, of the hub
+  double rate = 0.0;         // rad/s
+};
+
+struct Solver {
+  FlowChoice flow = FlowChoice::kAuto;
+  double tolerance =
+      kDefaultTolerance;       // of the stop's displacement over one forcing period, relative
+  std::optional<double> step;  // s, of a flow with steps of one length
+};
+
+// Where each key of the scene was written: "forcing.frequency" -> file:line:column.
+using Origins = std::map<std::string, SourceLocation>;
+
+struct Scene {
+  std::string title;
+  std::variant<Beam, ModalStructure> structure;
+  std::optional<Hub> hub{};  // of a beam
+  std::optional<Damping> damping;
+  std::optional<Forcing> forcing;
+  std::optional<Gravity> gravity;
+  std::vector<SceneStop> stops;
+  std::vector<Probe> probes{};
+  std::optional<Initial> initial;
+  Solver solver;
+  std::shared_ptr<const Origins> origins;  // null for a scene made in code
+
+  const Beam* beam() const { return std::get_if<Beam>(&structure); }
+  const ModalStructure* modal() const { return std::get_if<ModalStructure>(&structure); }
+  // Number of the structure's modes N; a hub adds its angle to them.
+  int modes() const;
+};
+
+// An error about `key`, located where the key (or else the nearest table above it) was written.
+InputError scene_error(const Scene& scene, const std::string& key, const std::string& sentence);
+
+}  // namespace graze

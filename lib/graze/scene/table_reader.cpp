@@ -1,0 +1,226 @@
+#include "graze/scene/detail/table_reader.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "graze/scene/check.hpp"
+#include "graze/scene/detail/keys.hpp"
+#include "graze/scene/detail/suggestion.hpp"
+
+namespace graze {
+namespace {
+
+[[noreturn]] void fail_at(const Place& place, const std::string& key, const std::string& sentence) {
+  throw InputError(place.location(), key, sentence);
+}
+
+bool contains(const std::vector<std::string>& names, const std::string& name) {
+  return std::find(names.begin(), names.end(), name) != names.end();
+}
+
+// "must be" of a node that is something else.
+std::string refusal(const Node& node, const std::string& what) {
+  return fmt::format("{} is not allowed, it must be {}", node_description(node), what);
+}
+
+// Integers serve as reals.
+std::optional<double> real_value(const Node& node) {
+  if (const auto* real = node.as<double>()) {
+    return *real;
+  }
+  if (const auto* integer = node.as<std::int64_t>()) {
+    return static_cast<double>(*integer);
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+std::string key_path(const std::string& table, const std::string& key) {
+  return table.empty() ? key_text(key) : table + "." + key_text(key);
+}
+
+TableReader::TableReader(const Node& node, std::string path, Origins& origins)
+    : table_(node.as<NodeTable>()), path_(std::move(path)), place_(node.place) {
+  if (table_ == nullptr) {
+    fail_at(place_, path_, refusal(node, "a table"));
+  }
+  check_keys();
+  origins[path_] = place_.location();
+  for (const Member& member : *table_) {
+    const std::string key = this->path(member.key);
+    origins[key] = member.node.place.location();
+    if (const auto* list = member.node.as<NodeList>()) {
+      for (std::size_t k = 0; k < std::min<std::size_t>(list->size(), kMostModes); ++k) {
+        origins[key_path(key, std::to_string(k + 1))] = (*list)[k].place.location();
+      }
+    }
+  }
+}
+
+std::string TableReader::title() const {
+  if (path_.empty()) {
+    return "a scene";
+  }
+  const std::size_t spring = path_.find(".spring");
+  if (spring != std::string::npos) {
+    return fmt::format("[stop{}]", path_.substr(spring));
+  }
+  for (const char* list : {"stop", "probe"}) {
+    if (path_.rfind(list, 0) == 0) return fmt::format("[[{}]]", list);
+  }
+  return fmt::format("[{}]", path_);
+}
+
+void TableReader::check_keys() const {
+  const TableKeys& keys = keys_of(path_);
+  for (const Member& member : *table_) {
+    if (contains(keys.allowed, member.key)) {
+      continue;
+    }
+    // The right key in the wrong table, as when a header is missing, or else a slip.
+    std::vector<std::string> meant = keys_named(member.key);
+    // Not one of a table within another table: the mass of a stop is no damping.
+    meant.erase(std::remove_if(meant.begin(), meant.end(),
+                               [&](const std::string& name) {
+                                 const std::size_t dot = name.rfind('.');
+                                 if (path_.empty() && (name.rfind("stop.spring.", 0) == 0 ||
+                                                       name.rfind("hub.torque.", 0) == 0)) {
+                                   return true;
+                                 }
+                                 return !path_.empty() && dot != std::string::npos &&
+                                        name.find('.') != dot &&
+                                        name.compare(0, path_.size() + 1, path_ + ".") != 0;
+                               }),
+                meant.end());
+    if (const std::string close = closest_name(member.key, keys.allowed);
+        meant.empty() && !close.empty()) {
+      meant.push_back(path(close));
+    }
+    fail(member.key, meant.empty() ? fmt::format("there is no such key, {} may hold {}", title(),
+                                                 joined(keys.allowed, "and"))
+                                   : fmt::format("there is no such key, did you mean {}?",
+                                                 joined(meant, "or")));
+  }
+}
+
+const Node& TableReader::required(const std::string& key, const std::string& what) const {
+  const Node* node = find(key);
+  if (node == nullptr) {
+    fail(key, fmt::format("the key is missing, it must be {}", what));
+  }
+  return *node;
+}
+
+double TableReader::number(const std::string& key, const std::string& what) const {
+  const std::optional<double> value = real_value(required(key, what));
+  if (!value) {
+    refuse(key, what);
+  }
+  return *value;
+}
+
+double TableReader::number_or(const std::string& key, const std::string& what,
+                              double fallback) const {
+  return has(key) ? number(key, what) : fallback;
+}
+
+std::int64_t TableReader::integer(const std::string& key, const std::string& what) const {
+  const auto* value = required(key, what).as<std::int64_t>();
+  if (value == nullptr) {
+    refuse(key, what);
+  }
+  return *value;
+}
+
+std::string TableReader::text_or(const std::string& key, const std::string& fallback) const {
+  const Node* node = find(key);
+  if (node == nullptr) {
+    return fallback;
+  }
+  const auto* text = node->as<std::string>();
+  if (text == nullptr) {
+    refuse(key, "a string");
+  }
+  return *text;
+}
+
+std::vector<double> TableReader::numbers(const std::string& key, const std::string& what) const {
+  std::vector<double> values;
+  const Node* node = find(key);
+  if (node == nullptr) {
+    return values;
+  }
+  const auto* list = node->as<NodeList>();
+  if (list == nullptr) {
+    refuse(key, what);
+  }
+  values.reserve(list->size());
+  for (const Node& entry : *list) {
+    const std::optional<double> value = real_value(entry);
+    if (!value) {
+      fail_at(entry.place, key_path(path(key), std::to_string(values.size() + 1)),
+              refusal(entry, "a number"));
+    }
+    values.push_back(*value);
+  }
+  return values;
+}
+
+std::size_t TableReader::choice_index(const std::string& key,
+                                      const std::vector<std::string>& names) const {
+  const Node* node = find(key);
+  if (node == nullptr) {
+    return 0;
+  }
+  const auto* text = node->as<std::string>();
+  const auto found = text == nullptr ? names.end() : std::find(names.begin(), names.end(), *text);
+  if (found == names.end()) {
+    std::vector<std::string> shown;
+    for (const std::string& name : names) {
+      shown.push_back(quoted(name));
+    }
+    refuse(key, joined(shown, "or"));
+  }
+  return static_cast<std::size_t>(found - names.begin());
+}
+
+const NodeList& tables_of(const Node& node, const std::string& name) {
+  const auto* list = node.as<NodeList>();
+  if (list == nullptr) {
+    // A setting has no headers: there the keys of one table are named, or the list is given whole.
+    const bool in_setting = node.place.line == 0;
+    const std::string way =
+        in_setting ? fmt::format(
+                         "it must be a list of tables like [{{..}}]; --set {}.1.NAME=VALUE "
+                         "sets one key of the first {}",
+                         name, name)
+                   : fmt::format("{}s must be written [[{}]] in two pairs of brackets", name, name);
+    fail_at(node.place, name, fmt::format("{} is not allowed, {}", node_description(node), way));
+  }
+  return *list;
+}
+
+bool TableReader::flag_or(const std::string& key, bool fallback) const {
+  const Node* node = find(key);
+  if (node == nullptr) {
+    return fallback;
+  }
+  const auto* flag = node->as<bool>();
+  if (flag == nullptr) {
+    refuse(key, "true or false");
+  }
+  return *flag;
+}
+
+void TableReader::refuse(const std::string& key, const std::string& what) const {
+  fail(key, refusal(*find(key), what));
+}
+
+void TableReader::fail(const std::string& key, const std::string& sentence) const {
+  const Node* node = find(key);
+  fail_at(node != nullptr ? node->place : place_, path(key), sentence);
+}
+
+}  // namespace graze

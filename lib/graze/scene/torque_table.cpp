@@ -1,0 +1,89 @@
+#include "graze/scene/detail/torque_table.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <vector>
+
+#include "graze/scene/data_table.hpp"
+#include "graze/scene/detail/suggestion.hpp"
+#include "graze/scene/detail/text_check.hpp"
+#include "graze/scene/detail/text_file.hpp"
+
+namespace graze {
+namespace {
+
+struct TorqueColumn {
+  const char* quantity;
+  std::vector<std::string> units;  // ways to write the one unit
+};
+
+const std::array<TorqueColumn, 2>& torque_columns() {
+  static const std::array<TorqueColumn, 2> columns = {
+      {{"time", {"s"}}, {"torque", {"N m", "Nm", "N*m"}}}};
+  return columns;
+}
+
+void check_columns(const DataTable& table) {
+  const auto& columns = torque_columns();
+  if (table.columns() != columns.size())
+    throw table.error(
+        fmt::format("the table has {} column{}, it must have two, time (s) and torque (N m)",
+                    table.columns(), table.columns() == 1 ? "" : "s"));
+  for (std::size_t c = 0; c < columns.size(); ++c) {
+    const std::optional<std::string>& unit = table.column_unit(c);
+    const std::vector<std::string>& known = columns[c].units;
+    if (unit && std::find(known.begin(), known.end(), *unit) == known.end())
+      throw table.name_error(
+          c, fmt::format("{}: it is in {}, which is not converted; it must be the {} in {}",
+                         table.column_name(c), *unit, columns[c].quantity, known.front()));
+  }
+}
+
+}  // namespace
+
+std::optional<TorqueFault> torque_fault(const TorqueTable& table) {
+  const std::vector<double>& times = table.times;
+  const auto fault = [&](std::size_t k, bool of_times, const std::string& what) {
+    const double value = of_times ? times[k] : table.values[k];
+    return TorqueFault{k, of_times, fmt::format("{} is not allowed, it must be {}", value, what)};
+  };
+  for (std::size_t k = 0; k < times.size(); ++k) {
+    if (!std::isfinite(times[k]) || times[k] < 0.0)
+      return fault(k, true, "a finite number of at least 0");
+    if (k > 0 && times[k] < times[k - 1])
+      return fault(k, true, fmt::format("at least the time before it, {}", times[k - 1]));
+    if (k > 1 && times[k] == times[k - 2])
+      return fault(k, true, "later than the two before it, which make a jump already");
+    if (!std::isfinite(table.values[k])) return fault(k, false, "a finite number");
+  }
+  if (times.back() == times.front())
+    return fault(times.size() - 1, true, "later than the first time");
+  return {};
+}
+
+TorqueTable read_torque_file(const std::filesystem::path& file) {
+  const std::string text = read_text_file(file, "a table of a torque");
+  if (text.size() > kLargestText)
+    throw InputError({file.string(), 1, 1}, "data",
+                     "the table is larger than 16 MiB, it must be smaller");
+  const DataTable table(text, file.string(), ColumnNames::kOptional);
+  check_columns(table);
+  if (table.rows() < 2)
+    throw table.error("the table has 1 row of numbers, it must have at least two");
+  TorqueTable torque;
+  for (std::size_t row = 0; row < table.rows(); ++row) {
+    torque.times.push_back(table.number(row, 0));
+    torque.values.push_back(table.number(row, 1));
+  }
+  if (const std::optional<TorqueFault> fault = torque_fault(torque)) {
+    const std::size_t column = fault->of_times ? 0 : 1;
+    throw table.cell_error(fault->entry, column,
+                           fmt::format("{}: {}", table.column_name(column), fault->sentence));
+  }
+  return torque;
+}
+
+}  // namespace graze

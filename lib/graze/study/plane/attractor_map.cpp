@@ -1,0 +1,191 @@
+#include "graze/study/plane/detail/attractor_map.hpp"
+
+#include <algorithm>
+#include <map>
+#include <numeric>
+#include <optional>
+#include <utility>
+
+#include "graze/assembly/assembly.hpp"
+#include "graze/assembly/initial_state.hpp"
+#include "graze/base/errors.hpp"
+#include "graze/motion/simulation.hpp"
+#include "graze/orbit/problem/detail/shooting.hpp"
+#include "graze/scene/detail/start_coordinate.hpp"
+
+namespace graze {
+namespace {
+
+// At most `most` cells spread over a plane, in columns and rows at equal distances, about as many
+// of either.
+class SpreadCells {
+ public:
+  SpreadCells(const Plane& plane, std::size_t most)
+      : columns_{plane.x.points}, rows_{plane.y.points} {
+    while (columns_.count() * rows_.count() > most)
+      ++(columns_.count() >= rows_.count() ? columns_ : rows_).stride;
+  }
+
+  bool has(std::size_t cell) const {
+    const auto columns = static_cast<std::size_t>(columns_.points);
+    return columns_.has(static_cast<int>(cell % columns)) &&
+           rows_.has(static_cast<int>(cell / columns));
+  }
+
+ private:
+  // Every stride-th, from the middle of the first ones on.
+  struct Axis {
+    int points = 0, stride = 1;
+    int first() const { return (std::min(stride, points) - 1) / 2; }
+    std::size_t count() const {
+      return static_cast<std::size_t>((points - 1 - first()) / stride + 1);
+    }
+    bool has(int i) const { return i >= first() && (i - first()) % stride == 0; }
+  };
+
+  Axis columns_, rows_;
+};
+
+class Mapper {
+ public:
+  Mapper(const Scene& scene, const AttractorMapOptions& options)
+      : scene_(scene), kept_(options, AttractorMap::kMostMotions) {
+    map_.options = options;
+    map_.options.progress = nullptr;
+    map_.options.memory = {};
+    map_.is_of_starts =
+        names_start_coordinate(options.x.name) && names_start_coordinate(options.y.name);
+  }
+
+  AttractorMap finish(const AttractorMapOptions& options) {
+    MadePieces<SettledCell> made = make_pieces<SettledCell>("cell", options.cells(), options,
+                                                            [&](std::size_t i) { return run(i); });
+    for (std::optional<SettledCell>& settled : made.pieces) {
+      if (!settled) settled.emplace();
+      map_.cells.push_back(std::move(settled->cell));
+      strobes_.push_back(std::move(settled->strobes));
+    }
+    if (!made.is_complete) map_.stopped = options.stop.reason();
+    name_attractors();
+    list_motions();
+    return std::move(map_);
+  }
+
+ private:
+  // Nothing where it was stopped before it was settled.
+  std::optional<SettledCell> run(std::size_t i) const {
+    SettledCell settled;
+    MapCell& cell = settled.cell;
+    SweepRow row;
+    try {
+      const Scene scene = scene_at(scene_, map_.options, i);
+      const System system = assemble(scene);
+      if (!settle_row(scene, system, initial_state(scene, system), map_.options, row)) return {};
+      look_at(scene, system, row, cell);
+    } catch (const InputError& error) {
+      row.status = SweepStatus::kNoStart;
+      row.message = error.what();
+    }
+    cell.attractor = attractor_class(row);
+    cell.message = row.message;
+    if (row.exponents && row.exponents->values.size() > 0) cell.exponent = row.exponents->values[0];
+    cell.is_known = true;
+    std::vector<State>& strobes = row.motion.strobes;
+    if (map_.is_of_starts)
+      settled.strobes = std::move(strobes);
+    else if (kept_.has(i) && !strobes.empty())
+      settled.strobes = {strobes.front()};
+    return settled;
+  }
+
+  // Over what is shown of the motion, once more, for what its events do not tell.
+  void look_at(const Scene& scene, const System& system, const SweepRow& row, MapCell& cell) const {
+    for (const MetImpact& impact : row.motion.impacts)
+      cell.peak_speed = std::max(cell.peak_speed, impact.speed);
+    const long long turns = shown_periods(row, map_.options);
+    if (!row.motion.sticks)
+      cell.impacts_per_period =
+          static_cast<double>(row.motion.impacts.size()) / static_cast<double>(turns);
+    if (row.motion.kind == SettledKind::kAtRest) cell.stuck_part = 1.0;
+    if (!row.motion.sticks || row.motion.kind == SettledKind::kAtRest) return;
+    const Simulation again =
+        simulate(system, row.motion.at_end, on_from_settled(scene, system, row, map_.options), {});
+    cell.stuck_part = again.totals.stuck_time / (static_cast<double>(turns) * system.period());
+  }
+
+  static bool is_attractor(const MapCell& cell) {
+    return cell.is_known && (cell.attractor.status == SweepStatus::kSettled ||
+                             cell.attractor.status == SweepStatus::kNotPeriodic);
+  }
+
+  // In the order of the cells, so that the names do not depend on who was first to finish.
+  void name_attractors() {
+    std::optional<MotionScale> scale;
+    if (map_.is_of_starts) scale = motion_scale(assemble(scene_));
+    // Each is as near to its orbit as asked for, in its own way.
+    const double apart = 16.0 * map_.options.nearness;
+    std::multimap<AttractorClass, int> known;
+    for (std::size_t i = 0; i < map_.cells.size(); ++i) {
+      MapCell& cell = map_.cells[i];
+      if (!is_attractor(cell)) continue;
+      const auto [first, last] = known.equal_range(cell.attractor);
+      const auto same = std::find_if(first, last, [&](const auto& entry) {
+        const MapAttractor& other = map_.attractors[static_cast<std::size_t>(entry.second)];
+        return !scale || cell.attractor.status != SweepStatus::kSettled ||
+               are_same_strobes(*scale, strobes_[i], other.strobes, apart);
+      });
+      if (same != last) {
+        cell.place = same->second;
+      } else {
+        cell.place = static_cast<int>(map_.attractors.size());
+        known.emplace(cell.attractor, cell.place);
+        map_.attractors.push_back({cell.attractor, i, 0, {}});
+        if (map_.is_of_starts) map_.attractors.back().strobes = std::move(strobes_[i]);
+      }
+      ++map_.attractors[static_cast<std::size_t>(cell.place)].cells;
+    }
+    order_attractors();
+  }
+
+  void list_motions() {
+    const auto list = [&](std::size_t cell, const std::vector<State>& strobes) {
+      if (!strobes.empty()) map_.motions.push_back({cell, strobes.front()});
+    };
+    if (map_.is_of_starts)
+      for (const MapAttractor& attractor : map_.attractors)
+        list(attractor.first, attractor.strobes);
+    else
+      for (std::size_t i = 0; i < strobes_.size(); ++i) list(i, strobes_[i]);
+  }
+
+  void order_attractors() {
+    std::vector<std::size_t> order(map_.attractors.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+      return map_.attractors[a].cells > map_.attractors[b].cells;
+    });
+    std::vector<int> place(order.size());
+    std::vector<MapAttractor> sorted;
+    for (std::size_t k = 0; k < order.size(); ++k) {
+      place[order[k]] = static_cast<int>(k);
+      sorted.push_back(std::move(map_.attractors[order[k]]));
+    }
+    map_.attractors = std::move(sorted);
+    for (MapCell& cell : map_.cells)
+      if (cell.place >= 0) cell.place = place[static_cast<std::size_t>(cell.place)];
+  }
+
+  const Scene& scene_;
+  SpreadCells kept_;
+  AttractorMap map_;
+  std::vector<std::vector<State>> strobes_;
+};
+
+}  // namespace
+
+AttractorMap map_attractors(const Scene& scene, const AttractorMapOptions& options) {
+  require_plane(scene, options);
+  return Mapper(scene, options).finish(options);
+}
+
+}  // namespace graze

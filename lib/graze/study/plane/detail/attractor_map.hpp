@@ -1,0 +1,81 @@
+// What the motion settles on over a plane of two numbers of a scene: two parameters, or two
+// coordinates of its start, whose map are the basins of attraction.
+//
+// Every cell is a run of its own from the scene's start, followed until it has settled (settle()),
+// so that the map depends on nothing but its values, however many threads share the work. Motions
+// are told apart by what they do, (p, k) and whether they stick; where both numbers are of the
+// start, motions of the same system that repeat also by where they are.
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "graze/scene/scene.hpp"
+#include "graze/study/plane/detail/plane.hpp"
+#include "graze/study/sweep/settled_row.hpp"
+#include "graze/study/sweep/shared_work.hpp"
+
+namespace graze {
+
+struct MapCell {
+  bool is_known = false;  // false: it was not run
+  AttractorClass attractor;
+  int place = -1;  // index of AttractorMap::attractors; -1: it has none
+  // A forcing period; nothing where it comes to rest: how many a chatter has is a matter of the
+  // speed at which it is summed.
+  std::optional<double> impacts_per_period;
+  double peak_speed = 0.0;         // of its impacts, m/s; 0 where it has none
+  double stuck_part = 0.0;         // of the time, on any stop
+  std::optional<double> exponent;  // the largest, 1/s; minus infinity where all are lost
+  std::string message;             // a sentence where there is something to say
+};
+
+// A cell with the states at the starts of its periods where motions are told apart by them; the
+// first of these where the cell's motion is kept to be shown.
+struct SettledCell {
+  MapCell cell;
+  std::vector<State> strobes;
+};
+
+// Periods, impacts and exponents are those of a cell.
+struct AttractorMapOptions : RowOptions, Plane {
+  int threads = 0;                                  // 0: all cores
+  std::function<void(double fraction)> progress{};  // called by one thread at a time
+  Share share{};                                    // of the cells
+  PieceMemory<SettledCell> memory{};                // of the cells, "cell i"
+};
+
+struct MapAttractor {
+  AttractorClass attractor;
+  std::size_t first = 0, cells = 0;  // the first cell, and how many
+  std::vector<State> strobes;        // at the starts of its periods, in that cell; where they tell
+};
+
+// The motion of a cell once it has settled: from the start of a forcing period on.
+struct CellMotion {
+  std::size_t cell = 0;
+  State start;
+};
+
+struct AttractorMap {
+  static constexpr std::size_t kMostMotions = 400;  // kept of a map of parameters
+
+  AttractorMapOptions options;
+  bool is_of_starts = false;   // both numbers are coordinates of the start
+  std::vector<MapCell> cells;  // as the plane has them
+  // With the most cells first, of as many the one that comes first.
+  std::vector<MapAttractor> attractors;
+  // Of cells spread over the plane; of basins the first cell of each attractor.
+  std::vector<CellMotion> motions;
+  StopReason stopped = StopReason::kNone;
+
+  const MapCell& at(int column, int row) const { return cells[options.cell(column, row)]; }
+};
+
+// Requires forcing and a stop. Throws InputError for a name that the scene does not have, or one
+// that stands for both. Cells whose value the scene does not allow are such that say so.
+AttractorMap map_attractors(const Scene& scene, const AttractorMapOptions& options);
+
+}  // namespace graze

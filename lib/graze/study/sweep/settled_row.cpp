@@ -1,0 +1,108 @@
+#include "graze/study/sweep/settled_row.hpp"
+
+#include "graze/assembly/initial_state.hpp"
+#include "graze/orbit/search/detail/clear_state.hpp"
+#include "graze/system/scale.hpp"
+
+namespace graze {
+namespace {
+
+SweepStatus status_of(const SettledMotion& motion) {
+  switch (motion.kind) {
+    case SettledKind::kImpacts:
+    case SettledKind::kSticks:
+    case SettledKind::kClear:
+    case SettledKind::kAtRest:
+      return motion.near ? SweepStatus::kSettled : SweepStatus::kApproaching;
+    case SettledKind::kNotPeriodic:
+      return SweepStatus::kNotPeriodic;
+    case SettledKind::kImpactBudget:
+      return SweepStatus::kImpactBudget;
+    default:
+      return SweepStatus::kRefused;
+  }
+}
+
+bool is_finished(const SettledMotion& motion) {
+  return motion.kind != SettledKind::kInterrupted && motion.kind != SettledKind::kTimeBudget;
+}
+
+}  // namespace
+
+bool was_followed(SweepStatus status) {
+  return status == SweepStatus::kSettled || status == SweepStatus::kApproaching ||
+         status == SweepStatus::kNotPeriodic;
+}
+
+double closure_speed_of(const Scene& scene, const System& system, const RowOptions& options) {
+  const State rest{Vector::Zero(system.modes()), Vector::Zero(system.modes())};
+  return options.closure_speed.value_or(default_closure_speed(
+      system, clear_start(scene, system).value_or(rest), scene.solver.tolerance));
+}
+
+bool settle_row(const Scene& scene, const System& system, const State& start,
+                const RowOptions& options, SweepRow& row) {
+  SettleOptions settling;
+  settling.periods = options.periods;
+  settling.max_impacts = options.max_impacts;
+  settling.closure_speed = closure_speed_of(scene, system, options);
+  settling.nearness = options.nearness;
+  settling.tail = options.samples;
+  settling.stop = options.stop;
+  if (row.start == SweepStart::kHandedOn) settling.from = "the state handed on";
+  row.motion = settle(system, start, settling);
+  if (!is_finished(row.motion)) return false;
+  row.status = status_of(row.motion);
+  row.message = row.status == SweepStatus::kSettled ? "" : row.motion.verdict;
+  if (options.exponent_periods == 0 || !was_followed(row.status)) return true;
+  ExponentOptions exponents;
+  exponents.periods = options.exponent_periods;
+  exponents.repeats = row.motion.period;
+  exponents.closure_speed = *settling.closure_speed;
+  exponents.max_impacts = options.max_impacts;
+  exponents.stop = options.stop;
+  row.exponents = lyapunov_exponents(system, row.motion.at_end, exponents);
+  return row.exponents->failure.empty() || !options.stop.requested();
+}
+
+AttractorClass attractor_class(const SweepRow& row) {
+  const SettledMotion& motion = row.motion;
+  AttractorClass attractor{row.status, motion.kind, motion.period, 0};
+  // Nearness is no part of what it is.
+  if (row.status == SweepStatus::kApproaching) attractor.status = SweepStatus::kSettled;
+  if (motion.kind == SettledKind::kImpacts)
+    attractor.impacts = static_cast<int>(motion.impacts.size());
+  return attractor;
+}
+
+long long shown_periods(const SweepRow& row, const RowOptions& options) {
+  return row.motion.period > 0 ? row.motion.period : options.samples;
+}
+
+SimulationOptions on_from_settled(const Scene& scene, const System& system, const SweepRow& row,
+                                  const RowOptions& options) {
+  SimulationOptions run;
+  run.periods = shown_periods(row, options);
+  run.max_impacts = options.max_impacts;
+  run.closure_speed = closure_speed_of(scene, system, options);
+  return run;
+}
+
+// Orbits are the same in whichever of their periods they are seen first.
+bool are_same_strobes(const MotionScale& scale, const std::vector<State>& left,
+                      const std::vector<State>& right, double apart) {
+  if (left.size() != right.size()) return false;
+  if (left.empty()) return true;  // at rest
+  for (std::size_t turn = 0; turn < right.size(); ++turn) {
+    bool same = true;
+    for (std::size_t i = 0; i < left.size() && same; ++i) {
+      const State &x = left[i], &y = right[(i + turn) % right.size()];
+      same = ((x.q - y.q).cwiseAbs().array() <= apart * scale.displacement).all() &&
+             ((x.qdot - y.qdot).cwiseAbs().array() <= apart * scale.velocity.array()).all();
+    }
+    if (same) return true;
+  }
+  return false;
+}
+
+}  // namespace graze

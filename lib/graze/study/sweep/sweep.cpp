@@ -1,0 +1,191 @@
+#include "graze/study/sweep/sweep.hpp"
+
+#include <algorithm>
+#include <string>
+
+#include "graze/assembly/assembly.hpp"
+#include "graze/assembly/initial_state.hpp"
+#include "graze/base/detail/even_values.hpp"
+#include "graze/base/errors.hpp"
+#include "graze/base/parallel.hpp"
+#include "graze/base/tally.hpp"
+#include "graze/orbit/search/detail/clear_state.hpp"
+#include "graze/scene/parameter.hpp"
+#include "graze/system/scale.hpp"
+
+namespace graze {
+namespace {
+
+class Sweeper {
+ public:
+  Sweeper(const SystemFamily& family, const SweepOptions& options)
+      : family_(family), options_(options), rows_(static_cast<std::size_t>(options.points)) {}
+
+  Sweep finish() {
+    const std::size_t block = sweep_block(options_.direction);
+    const std::size_t blocks = (rows_.size() + block - 1) / block;
+    Tally tally(options_.progress, options_.share.count(rows_.size(), block));
+    for_each_index(blocks, options_.threads, [&](std::size_t b) {
+      if (!options_.share.has(b)) return;
+      const std::size_t end = std::min((b + 1) * block, rows_.size());
+      for (std::size_t k = b * block; k < end; ++k) {
+        at(k) = row("row", k, k == b * block ? nullptr : &*at(k - 1));
+        if (!at(k)) return;
+        tally.add();
+      }
+    });
+    if (block > 1 && options_.share.is_all()) join_blocks(blocks, block);
+    return collect(tally.is_complete());
+  }
+
+ private:
+  // The row that is the k-th to be run.
+  std::optional<SweepRow>& at(std::size_t k) { return rows_[place(k)]; }
+  std::size_t place(std::size_t k) const {
+    const bool grows = options_.from < options_.to;
+    const bool backwards =
+        options_.direction == (grows ? SweepDirection::kDown : SweepDirection::kUp);
+    return backwards ? rows_.size() - 1 - k : k;
+  }
+
+  // Nothing when it was stopped before it was finished.
+  std::optional<SweepRow> row(const char* what, std::size_t k, const SweepRow* before) {
+    return options_.memory.get(piece_name(what, k), [&] { return run(k, before); });
+  }
+
+  std::optional<SweepRow> run(std::size_t k, const SweepRow* before) {
+    SweepRow row;
+    row.value = sweep_value(options_, static_cast<int>(place(k)));
+    try {
+      const Scene scene = with_parameter(family_.scene(), family_.parameter(), row.value);
+      const System system = assemble(scene);
+      State start;
+      if (before && was_followed(before->status) && is_clear(system, before->motion.at_end)) {
+        row.start = SweepStart::kHandedOn;
+        start = before->motion.at_end;
+      } else {
+        if (before) row.start = SweepStart::kAnew;
+        start = initial_state(scene, system);
+      }
+      if (!settle_row(scene, system, start, options_, row)) return {};
+      row.motion.pattern.reset();
+      row.motion.points.clear();
+      keep_strobes(system, row);
+    } catch (const InputError& error) {
+      row.message = error.what();
+    }
+    return row;
+  }
+
+  static void keep_strobes(const System& system, SweepRow& row) {
+    for (const State& state : row.motion.strobes)
+      for (std::size_t i = 0; i < system.stops.size(); ++i)
+        row.strobes.push_back({static_cast<int>(i), system.stops[i].row.dot(state.q),
+                               system.stops[i].row.dot(state.qdot)});
+  }
+
+  // Rows that take the place of a block's first ones.
+  struct Joint {
+    std::vector<SweepRow> rows;
+    bool is_finished = false;
+  };
+
+  // Runs the rows of the block that begins with `first` again, from what the one before it handed
+  // on, until one of them settles on what the block had found.
+  Joint joint(const char* what, std::size_t first, std::size_t block) {
+    const std::size_t end = std::min(first + block, rows_.size());
+    Joint made;
+    made.rows.reserve(end - first);
+    for (std::size_t k = first; k < end && !made.is_finished; ++k) {
+      const SweepRow* before = k > first ? &made.rows.back() : at(k - 1) ? &*at(k - 1) : nullptr;
+      if (!before || !at(k)) return made;
+      std::optional<SweepRow> again = row(what, k, before);
+      if (!again) return made;
+      made.is_finished = k + 1 == end || is_same_attractor(*again, *at(k));
+      made.rows.push_back(std::move(*again));
+    }
+    return made;
+  }
+
+  // Most blocks end as they were, so that what follows on them can be joined to them side by side;
+  // where the last row of one is another one now, the next is joined to that instead.
+  void join_blocks(std::size_t blocks, std::size_t block) {
+    std::vector<Joint> ahead(blocks);
+    for_each_index(blocks, options_.threads, [&](std::size_t b) {
+      if (b > 0) ahead[b] = joint("ahead", b * block, block);
+    });
+    for (const Joint& joint : ahead) run_again_ += static_cast<int>(joint.rows.size());
+    bool ends_as_it_was = true;
+    for (std::size_t b = 1; b < blocks; ++b) {
+      const std::size_t first = b * block;
+      Joint made = ends_as_it_was ? std::move(ahead[b]) : joint("again", first, block);
+      is_joined_ = made.is_finished;
+      if (!is_joined_) return;
+      if (!ends_as_it_was) run_again_ += static_cast<int>(made.rows.size());
+      ends_as_it_was = first + made.rows.size() < std::min(first + block, rows_.size());
+      for (std::size_t i = 0; i < made.rows.size(); ++i) at(first + i) = std::move(made.rows[i]);
+    }
+  }
+
+  // Orbits are the same in whichever of their periods they are seen first.
+  bool is_same_attractor(const SweepRow& a, const SweepRow& b) const {
+    if (attractor_class(a) != attractor_class(b)) return false;
+    const std::vector<State>&left = a.motion.strobes, &right = b.motion.strobes;
+    // Where nothing is handed on, the next value starts anew either way.
+    if (a.status != SweepStatus::kSettled || left.size() != right.size()) return true;
+    const std::optional<System> system = family_.at(a.value);
+    if (!system) return false;
+    // Both are this near to their orbit, each in its own way.
+    return are_same_strobes(motion_scale(*system), left, right, 16.0 * options_.nearness);
+  }
+
+  Sweep collect(bool is_complete) {
+    Sweep result{family_.parameter(), options_, {}, 0, 0, run_again_, options_.stop.reason()};
+    result.options.progress = nullptr;
+    result.options.memory = {};
+    for (std::optional<SweepRow>& row : rows_) {
+      if (!row) continue;
+      result.periods += row->motion.periods;
+      result.impacts += row->motion.impacts_met;
+      row->motion.strobes = {};  // what they tell is in the row's own, and they are large
+      result.rows.push_back(std::move(*row));
+    }
+    // Whatever was asked for meanwhile, a sweep that has all its rows was not stopped.
+    if (is_complete && is_joined_) result.stopped = StopReason::kNone;
+    return result;
+  }
+
+  const SystemFamily& family_;
+  const SweepOptions& options_;
+  std::vector<std::optional<SweepRow>> rows_;
+  int run_again_ = 0;
+  bool is_joined_ = true;
+};
+
+}  // namespace
+
+std::size_t sweep_block(SweepDirection direction) {
+  return direction == SweepDirection::kFresh ? 1 : Sweep::kBlock;
+}
+
+double sweep_value(const SweepOptions& options, int i) {
+  return even_value(options.from, options.to, i, options.points);
+}
+
+Sweep sweep(const SystemFamily& family, const SweepOptions& options) {
+  return Sweeper(family, options).finish();
+}
+
+std::vector<AttractorRange> attractor_ranges(const std::vector<SweepRow>& rows) {
+  std::vector<AttractorRange> ranges;
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    const AttractorClass attractor = attractor_class(rows[i]);
+    if (!ranges.empty() && ranges.back().attractor == attractor)
+      ranges.back().last = i;
+    else
+      ranges.push_back({attractor, i, i});
+  }
+  return ranges;
+}
+
+}  // namespace graze
