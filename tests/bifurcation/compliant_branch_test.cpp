@@ -46,7 +46,7 @@ double doubling(const Scene& scene) {
 // The period doubling of the oscillator against a rigid stop with r = 0.8 is what that of stiffer
 // and stiffer stops with the same restitution tends to, as the time of their contacts falls: as
 // k^(-1/2), so that the limit is told by two of them up to a part of order 1/k.
-TEST(StrobeBranches, DoublingTendsToThatOfTheRigidStop) {
+TEST(CompliantBranches, DoublingTendsToThatOfTheRigidStop) {
   const std::string damping =
       ",exponent=1.0,damping={model=\"kelvin-voigt\",restitution=0.8,mass=1.0,inversion=\"exact\"}";
   const double soft = doubling(oscillator("stiffness=1e4" + damping)),
@@ -60,7 +60,7 @@ TEST(StrobeBranches, DoublingTendsToThatOfTheRigidStop) {
 
 // Where a branch of two contacts grazes, one of them is lost: on either side the orbits that are
 // found without it have one more, or one less, and at it a contact has no speed.
-TEST(StrobeBranches, PassGrazingsOfSmoothForces) {
+TEST(CompliantBranches, PassGrazingsOfSmoothForces) {
   const Scene scene =
       oscillator("stiffness=400.0,exponent=1.0,damping={model=\"hunt-crossley\",alpha=0.6}");
   const OrbitBranches result = traced(scene, 1.8, 4.5, 1);
@@ -98,7 +98,7 @@ TEST(StrobeBranches, PassGrazingsOfSmoothForces) {
 // A force that sets in with a jump and is released at zero makes a corner there: the branch ends.
 // Beside the grazing that this branch begins with its multiplier runs from far below -1 to it
 // within less than the branch resolves; no doubling is told that is none.
-TEST(StrobeBranches, DoublingsHaveAMultiplierOfMinusOne) {
+TEST(CompliantBranches, DoublingsHaveAMultiplierOfMinusOne) {
   const Scene scene = support::shipped_scene(
       "13_beam_on_a_spring",
       {"beam.modes=1", "stop.spring={stiffness=1e7,exponent=1.0}", "forcing.frequency=20.0"});
@@ -113,7 +113,7 @@ TEST(StrobeBranches, DoublingsHaveAMultiplierOfMinusOne) {
   }
 }
 
-TEST(StrobeBranches, EndAtGrazingsOfForcesThatJump) {
+TEST(CompliantBranches, EndAtGrazingsOfForcesThatJump) {
   const OrbitBranches result = traced(
       oscillator("stiffness=400.0,exponent=1.0,damping={model=\"kelvin-voigt\",coefficient=2.8}"),
       1.8, 4.5, 1);
@@ -129,7 +129,7 @@ TEST(StrobeBranches, EndAtGrazingsOfForcesThatJump) {
 
 // Every orbit of a branch is one: its motion repeats, and its multipliers multiply to what the
 // damping leaves of a volume, by the structure's own decay and the stop's while it is loaded.
-TEST(StrobeBranches, OrbitsRepeatAndShrinkVolumesByTheirDamping) {
+TEST(CompliantBranches, OrbitsRepeatAndShrinkVolumesByTheirDamping) {
   const double coefficient = 2.8;
   const Scene scene =
       oscillator("stiffness=400.0,exponent=1.0,damping={model=\"kelvin-voigt\",coefficient=2.8}");
@@ -152,7 +152,7 @@ TEST(StrobeBranches, OrbitsRepeatAndShrinkVolumesByTheirDamping) {
 
 // The phase of the forcing moves nothing but the clock: an orbit is the same at all of them, so far
 // into the forcing's turn, wherever the scene's own phase is.
-TEST(StrobeBranches, AreTheSameAtEveryPhaseOfTheForcing) {
+TEST(CompliantBranches, AreTheSameAtEveryPhaseOfTheForcing) {
   Scene scene =
       oscillator("stiffness=400.0,exponent=1.0,damping={model=\"hunt-crossley\",alpha=0.6}");
   scene.forcing->phase = -2.0;
@@ -177,7 +177,7 @@ TEST(StrobeBranches, AreTheSameAtEveryPhaseOfTheForcing) {
 // Between equal stops an orbit may be its own mirror image: the other stop is met half a period
 // later, as fast. Where that symmetry is lost two branches of orbits that mirror each other leave,
 // which is a branch point of the one that goes on.
-TEST(StrobeBranches, GoOnWhereTheirSymmetryIsLost) {
+TEST(CompliantBranches, GoOnWhereTheirSymmetryIsLost) {
   std::string text = R"(
 [modal]
 frequencies = [1.0]

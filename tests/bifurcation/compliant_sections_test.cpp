@@ -80,7 +80,7 @@ void expect_volumes_to_shrink(const SystemFamily& family, const OrbitBranches& r
     }
 }
 
-TEST(StrobePieces, PassContactsAtTheSection) {
+TEST(CompliantSections, PassContactsAtTheSection) {
   const Scene scene = between_stops();
   const SystemFamily family(scene, "forcing.frequency");
   for (const double to : {2.65, 2.62}) {
@@ -99,7 +99,7 @@ TEST(StrobePieces, PassContactsAtTheSection) {
   }
 }
 
-TEST(StrobePieces, AreOneBranchInOrder) {
+TEST(CompliantSections, AreOneBranchInOrder) {
   const Scene scene = oscillator(0.1);
   const OrbitBranches result = traced(scene, "forcing.frequency", 1.3, 2.6, 1);
   const SystemFamily family(scene, "forcing.frequency");

@@ -96,7 +96,7 @@ constexpr double kAccuracy = 1e-10;
 
 const Structure kOneMode{{1.0}, {0.025}, {1.0}, 0.02, 0.1, "stiffness = 100.0, exponent = 1.0"};
 
-TEST(StrobeTouches, DependNeitherOnTheRangeNorOnTheStep) {
+TEST(CompliantTouches, DependNeitherOnTheRangeNorOnTheStep) {
   const double below = grazing_between(kOneMode, 0.5, 0.95);
   EXPECT_NEAR(below, 0.8972718642, 1e-10);
   struct Range {
@@ -120,7 +120,7 @@ TEST(StrobeTouches, DependNeitherOnTheRangeNorOnTheStep) {
 
 // A fold lies 1.6e-7 before the grazing. Its place was computed apart, the grazing's is the closed
 // form.
-TEST(StrobeTouches, AreToldFromTheFoldBesideThem) {
+TEST(CompliantTouches, AreToldFromTheFoldBesideThem) {
   const double above = grazing_between(kOneMode, 1.0, 2.0);
   for (const double to : {2.0, 1.7}) {
     const OrbitBranches result = traced(kOneMode, 1.4, 1.0, to);
@@ -133,7 +133,7 @@ TEST(StrobeTouches, AreToldFromTheFoldBesideThem) {
   }
 }
 
-TEST(StrobeTouches, LieWhereTheLinearResponseReachesTheStop) {
+TEST(CompliantTouches, LieWhereTheLinearResponseReachesTheStop) {
   std::mt19937 random(20261123);
   std::uniform_real_distribution<double> unit(0.0, 1.0);
   const std::vector<std::string> springs{

@@ -31,7 +31,7 @@ LociOptions options_of(double from, double to, double second_from, double second
 
 // With a linear spring and a dashpot nothing changes but the size when gap and force grow together:
 // a locus over both is a straight line through the origin.
-TEST(StrobeLoci, OfALinearSpringAreRaysInGapAndForce) {
+TEST(CompliantLoci, OfALinearSpringAreRaysInGapAndForce) {
   const Scene scene =
       support::shipped_scene("12_spring_dashpot_oscillator", {"forcing.frequency=2.5"});
   const OrbitLoci result =
@@ -48,7 +48,7 @@ TEST(StrobeLoci, OfALinearSpringAreRaysInGapAndForce) {
 }
 
 // At its points the orbit that is solved for there has the multiplier -1, whatever the law.
-TEST(StrobeLoci, HaveTheCriticalMultiplier) {
+TEST(CompliantLoci, HaveTheCriticalMultiplier) {
   const Scene scene = support::shipped_scene(
       "12_spring_dashpot_oscillator",
       {"forcing.frequency=2.5", "stop.gap=0.0",
@@ -82,7 +82,7 @@ LociOptions grazing_options(double from, double to, double second_from, double s
 
 // An orbit that only touches is the response that meets no stop, so it touches where the gap is the
 // amplitude of that, F/sqrt((w0^2 - w^2)^2 + (2 zeta w0 w)^2), whatever the law of the stop.
-TEST(StrobeLoci, OfGrazingAloneAreWhereTheResponseIsAsLargeAsTheGap) {
+TEST(CompliantLoci, OfGrazingAloneAreWhereTheResponseIsAsLargeAsTheGap) {
   for (const char* law :
        {"stiffness=400.0,exponent=1.5,damping={model=\"hunt-crossley\",alpha=0.6}",
         "stiffness=400.0,exponent=1.0,damping={model=\"kelvin-voigt\",coefficient=2.8}"}) {
@@ -113,7 +113,7 @@ TEST(StrobeLoci, OfGrazingAloneAreWhereTheResponseIsAsLargeAsTheGap) {
 }
 
 // A special point of a locus keeps its orbit as states; from there the same locus is traced again.
-TEST(StrobeLoci, GoOnFromTheirSpecialPoints) {
+TEST(CompliantLoci, GoOnFromTheirSpecialPoints) {
   const Scene scene = support::shipped_scene("12_spring_dashpot_oscillator",
                                              {"forcing.frequency=2.4", "stop.gap=0.7"});
   LociOptions options = grazing_options(0.0, 0.6, 2.3, 2.5);
@@ -158,7 +158,7 @@ int contacts_at(const Scene& scene, const OrbitLocusPoint& point, double gap) {
 
 // Of an orbit with another contact: there the doubled orbit gains one or loses one, as the gap
 // moves by a millionth either way.
-TEST(StrobeLoci, OfGrazingAreWhereContactsAreBorn) {
+TEST(CompliantLoci, OfGrazingAreWhereContactsAreBorn) {
   const Scene scene = support::shipped_scene(
       "12_spring_dashpot_oscillator",
       {"forcing.frequency=2.4", "stop.gap=0.0",
