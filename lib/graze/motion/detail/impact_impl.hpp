@@ -6,6 +6,7 @@
 
 #include "graze/contact/detail/complementarity.hpp"
 #include "graze/motion/detail/motion.hpp"
+#include "graze/system/detail/gap_value.hpp"
 
 namespace graze {
 namespace impact_detail {
