@@ -13,7 +13,8 @@ constexpr double kRoundings = 16.0;
 
 }  // namespace
 
-GrowingDirections::GrowingDirections(Eigen::Index size) : directions_(Matrix::Identity(size, size)) {}
+GrowingDirections::GrowingDirections(Eigen::Index size)
+    : directions_(Matrix::Identity(size, size)) {}
 
 // Gram and Schmidt, twice over, which is enough (L. Giraud, J. Langou, M. Rozloznik, J. van den
 // Eshof, Numer. Math. 101 (2005) 87-100).

@@ -152,8 +152,8 @@ std::optional<BranchPlace> FlightBorders::grazing(const SeenSolution& a,
 }
 
 // Beyond a push the structure is held for a while, the longer the farther. The nearest orbit that
-// does so, as the motion from the first impact finds it; none where orbits that stick
-// are not asked for.
+// does so, as the motion from the first impact finds it; none where orbits that stick are not asked
+// for.
 std::vector<OrbitBranchPoint> FlightBorders::held_beyond(const BranchPoint& push,
                                                          double towards) const {
   if (!branches_.sticking) return {};

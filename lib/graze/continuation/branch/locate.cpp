@@ -53,12 +53,11 @@ std::optional<BranchPoint> locate(Corrector& corrector, const BranchPoint& a, co
   const Vector chord = corrector.chord(a, b);
   const double length = chord.dot(a.tangent);
   const double at_a = test(a), at_b = test(b);
-  for (const BranchPoint* end : {&a, &b})
-    if ((end == &a ? at_a : at_b) == 0.0) {
-      BranchPoint there = *end;
-      there.bracket = bracket_around({there.parameter}, true);
-      return there;
-    }
+  if (at_a == 0.0 || at_b == 0.0) {
+    BranchPoint there = at_a == 0.0 ? a : b;
+    there.bracket = bracket_around({there.parameter}, true);
+    return there;
+  }
   if (!(at_a * at_b < 0.0) || !(length > 0.0)) return {};
   // Of the two last bits that enclose the zero, the one on the side where the test is positive.
   std::optional<BranchPoint> best = at_a > 0.0 ? a : b;

@@ -68,6 +68,7 @@ class AttractorSearch {
   void from_closed_form() {
     for (std::size_t i = 0; i < system_.stops.size(); ++i)
       found_.searched += holds_closed_form(static_cast<int>(i)) ? 1 : 0;
+    if (found_.searched == 0 && !compliant_) return;
     FinderOptions finder;
     finder.period = options_.period;
     finder.impacts = 1;
