@@ -14,6 +14,8 @@
 #include <string>
 #include <vector>
 
+#include "support/scratch_folder.hpp"
+
 namespace graze {
 
 inline std::string read_text(const std::filesystem::path& file) {
@@ -22,23 +24,6 @@ inline std::string read_text(const std::filesystem::path& file) {
   text << stream.rdbuf();
   return text.str();
 }
-
-// A folder of its own that goes with the test.
-class ScratchFolder {
- public:
-  ScratchFolder() {
-    std::string name = (std::filesystem::temp_directory_path() / "graze.XXXXXX").string();
-    path_ = ::mkdtemp(name.data());
-  }
-  ~ScratchFolder() { std::filesystem::remove_all(path_); }
-  ScratchFolder(const ScratchFolder&) = delete;
-  ScratchFolder& operator=(const ScratchFolder&) = delete;
-  std::filesystem::path operator/(const std::string& name) const { return path_ / name; }
-  std::string string() const { return path_.string(); }
-
- private:
-  std::filesystem::path path_;
-};
 
 struct Finished {
   int code = 0;  // exit code; 128 + n after signal n

@@ -325,6 +325,19 @@ TEST(Architecture, HeadersOpenWithWhatTheyHoldAndGuardThemselves) {
   }
 }
 
+// Tests run beside one another, and a file of a fixed name is written by one while another reads
+// it.
+TEST(Architecture, TestsWriteIntoFoldersOfTheirOwn) {
+  const std::string own = "tests/support/scratch_folder.hpp";
+  for (const fs::path& file : sources("tests")) {
+    if (name_of(file) == own || name_of(file).find("/architecture/") != std::string::npos) continue;
+    for (const std::string& line : lines(file))
+      for (const char* shared : {"temp_directory_path", "TempDir()", "tmpnam", "\"/tmp/graze"})
+        EXPECT_EQ(line.find(shared), std::string::npos)
+            << name_of(file) << ": " << line << ", see " << own;
+  }
+}
+
 // Eigenvalues of a formed product lose all that is smaller than its rounding (decision 0008), and
 // a product is not seen by its type. So rooms beside base take those of factors, but for files
 // whose matrix comes as one: a generator, or what a motion followed once round gives.

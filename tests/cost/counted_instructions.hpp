@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "support/reached.hpp"
+#include "support/scratch_folder.hpp"
 
 namespace graze::cost {
 
@@ -38,9 +39,8 @@ struct CountedRun {
 
 inline Counted count(const CountedRun& run) {
   namespace fs = std::filesystem;
-  std::array<char, 64> name{};
-  std::snprintf(name.data(), name.size(), "graze_callgrind_%d", static_cast<int>(getpid()));
-  const fs::path file = fs::temp_directory_path() / name.data();
+  const ScratchFolder folder;
+  const fs::path file = folder / "callgrind";
   const fs::path scene = fs::exists(run.scene)
                              ? fs::path(run.scene)
                              : fs::path(GRAZE_SOURCE_DIR) / "data/scenes" / (run.scene + ".toml");
@@ -63,7 +63,6 @@ inline Counted count(const CountedRun& run) {
     if ((text.rfind("fn=(", 0) == 0 || text.rfind("cfn=(", 0) == 0) && close != std::string::npos)
       counted.functions.insert(text.substr(close + 2));
   }
-  fs::remove(file);
   EXPECT_GT(counted.instructions, 0) << command;
   return counted;
 }

@@ -1,11 +1,11 @@
 // Instructions with and without an effect. Counts do not depend on what else the machine does.
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <fstream>
 
 #include "counted_instructions.hpp"
 #include "noted_cost.hpp"
+#include "support/scratch_folder.hpp"
 
 namespace graze {
 namespace {
@@ -34,16 +34,11 @@ class Instructions : public testing::Test {
 
 class SceneFile {
  public:
-  explicit SceneFile(const std::string& text)
-      : path_(std::filesystem::temp_directory_path() /
-              ("graze_cost_" + std::to_string(getpid()) + ".toml")) {
-    std::ofstream(path_) << text;
-  }
-  ~SceneFile() { std::filesystem::remove(path_); }
-  std::string path() const { return path_.string(); }
+  explicit SceneFile(const std::string& text) { std::ofstream(path()) << text; }
+  std::string path() const { return (folder_ / "scene.toml").string(); }
 
  private:
-  std::filesystem::path path_;
+  ScratchFolder folder_;
 };
 
 double of_free_motion(const std::string& more) {

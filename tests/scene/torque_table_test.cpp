@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "graze/scene/reader.hpp"
+#include "support/scratch_folder.hpp"
 
 namespace graze {
 namespace {
@@ -16,15 +17,11 @@ namespace {
 // A file that is gone with the test.
 class TorqueFile {
  public:
-  explicit TorqueFile(const std::string& text)
-      : path_(std::filesystem::path(testing::TempDir()) / "graze_torque.csv") {
-    std::ofstream(path_, std::ios::binary) << text;
-  }
-  ~TorqueFile() { std::filesystem::remove(path_); }
-  const std::filesystem::path& path() const { return path_; }
+  explicit TorqueFile(const std::string& text) { std::ofstream(path(), std::ios::binary) << text; }
+  std::filesystem::path path() const { return folder_ / "torque.csv"; }
 
  private:
-  std::filesystem::path path_;
+  ScratchFolder folder_;
 };
 
 // What follows the file's name.
@@ -94,7 +91,7 @@ TEST(TorqueTable, MissingFileIsAFileError) {
     EXPECT_STREQ(error.what(), "no/such/torque.csv: cannot be read, No such file or directory");
   }
   try {
-    read_torque_file(testing::TempDir());
+    read_torque_file(ScratchFolder().string());
     FAIL();
   } catch (const FileError& error) {
     EXPECT_NE(std::string(error.what()).find("cannot be read as a table of a torque"),
@@ -104,9 +101,7 @@ TEST(TorqueTable, MissingFileIsAFileError) {
 
 // The file's name starts from the scene's folder, and what is written needs no file.
 TEST(TorqueTable, StandsBesideTheScene) {
-  const std::filesystem::path folder =
-      std::filesystem::path(testing::TempDir()) / "graze_torque_scene";
-  std::filesystem::create_directories(folder);
+  const ScratchFolder folder;
   std::ofstream(folder / "torque.csv") << "0,0.5\n0.125,0\n";
   std::ofstream(folder / "scene.toml")
       << "[beam]\nlength = 0.3\nyoungs_modulus = 2e11\nsecond_moment = 2e-13\ndensity = 8500\n"
@@ -119,7 +114,6 @@ TEST(TorqueTable, StandsBesideTheScene) {
   EXPECT_NE(write_scene(scene).find(
                 "torque = { kind = \"table\", times = [0.0, 0.125], values = [0.5, 0.0] }\n"),
             std::string::npos);
-  std::filesystem::remove_all(folder);
 }
 
 TEST(TorqueTable, RulesAreTheSameForTablesMadeInCode) {

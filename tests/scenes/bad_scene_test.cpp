@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "graze/scene/reader.hpp"
+#include "support/scratch_folder.hpp"
 
 namespace graze {
 namespace {
@@ -89,12 +90,11 @@ TEST(BadScene, IsRefusedWithItsMessage) {
 }
 
 TEST(BadScene, IsNamedByItsFile) {
-  const std::filesystem::path file =
-      std::filesystem::path(testing::TempDir()) / "graze_bad_scene.toml";
+  const ScratchFolder folder;
+  const std::filesystem::path file = folder / "scene.toml";
   const BadScene scene = bad_scenes().front();
   std::ofstream(file) << scene.text;
   EXPECT_EQ(message_of(file), file.string() + ":" + scene.message);
-  std::filesystem::remove(file);
 }
 
 TEST(BadScene, TextLargerThanTheLimit) {
@@ -104,12 +104,11 @@ TEST(BadScene, TextLargerThanTheLimit) {
 }
 
 TEST(BadScene, FileLargerThanTheLimit) {
-  const std::filesystem::path file =
-      std::filesystem::path(testing::TempDir()) / "graze_huge_scene.toml";
+  const ScratchFolder folder;
+  const std::filesystem::path file = folder / "scene.toml";
   std::ofstream(file) << std::string(17 * 1024 * 1024, '\n');
   EXPECT_EQ(message_of(file),
             file.string() + ":1:1: toml: the text is larger than 16 MiB, a scene must be smaller");
-  std::filesystem::remove(file);
 }
 
 // What brings a recursive parser to the end of its stack.
