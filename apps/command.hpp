@@ -27,12 +27,12 @@ struct Command {
   std::optional<long long> periods;
   std::string record = "events";      // none | events | samples
   std::optional<double> sample_rate;  // 1/s
-  bool energy = false;                // keep the energy book
-  // A picture of the motion shows the energy book.
-  bool keeps_book() const { return energy || (!plot.empty() && run_section.empty()); }
+  bool energy = false;                // keep the energy balance
+  // A picture of the motion shows the energy balance.
+  bool keeps_balance() const { return energy || (!plot.empty() && run_section.empty()); }
   std::optional<double> closure_speed;  // m/s
   std::string resume;                   // file or folder; empty: from the scene's initial state
-  std::string run_section;              // impact | strobe; empty: none
+  std::string run_section;              // impact | stroboscopic; empty: none
   std::optional<long long> transient;   // forcing periods that it leaves out
 
   // diagram, map
@@ -68,7 +68,7 @@ struct Command {
   // diagram, with `periods` the most at a value
   int points = 400;
   std::string direction = "up";    // up | down | fresh
-  std::string section = "impact";  // impact | strobe
+  std::string section = "impact";  // impact | stroboscopic
   std::string branches = "all";    // none | all
   long long samples = 100;
   long long exponents = 0;  // forcing periods averaged over; 0: none

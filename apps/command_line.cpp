@@ -47,15 +47,16 @@ void add_simulate(CLI::App& graze, Command& command) {
          "forcing, of the slowest mode)")
       ->check(above_zero())
       ->type_name("RATE");
-  app->add_flag("--energy", command.energy,
-                "Keep the energy book: the work of every effect, and what is missing in their sum "
-                "(--plot keeps it too)");
+  app->add_flag(
+      "--energy", command.energy,
+      "Keep the energy balance: the work of every effect, and what is missing in their sum "
+      "(--plot keeps it too)");
   auto* section =
       app->add_option("--section", command.run_section,
                       "Poincare section, which --plot then shows: impact (phase and speed of every "
-                      "impact) or strobe (displacement and velocity at the stops once a forcing "
-                      "period)")
-          ->check(CLI::IsMember({"impact", "strobe"}))
+                      "impact) or stroboscopic (displacement and velocity at the stops once a "
+                      "forcing period)")
+          ->transform(section_name())
           ->type_name("WHAT");
   app->add_option("--transient", command.transient,
                   "Forcing periods at the beginning that the section leaves out (default: a tenth "

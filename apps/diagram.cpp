@@ -71,7 +71,7 @@ std::optional<Outcome> add_branches(const Command& command, const SystemFamily& 
   if (record.section == DiagramSection::kImpact)
     record.curves = {impact_curves(traced)};
   else
-    record.curves = strobe_curves(family, traced);
+    record.curves = stroboscopic_curves(family, traced);
   return outcome;
 }
 
@@ -101,7 +101,8 @@ int run_diagram(const Command& command) {
   for (const double value : {command.from, command.to})
     with_parameter(scene, command.parameter, value);
   DiagramRecord record;
-  record.section = command.section == "impact" ? DiagramSection::kImpact : DiagramSection::kStrobe;
+  record.section =
+      command.section == "impact" ? DiagramSection::kImpact : DiagramSection::kStroboscopic;
   record.branches = {run_info(command.name, command.scene, scene),
                      assemble(scene),
                      {},

@@ -151,9 +151,9 @@ void add_sweep(CLI::App* app, Command& command) {
       ->capture_default_str()
       ->type_name("HOW");
   app->add_option("--section", command.section,
-                  "What is shown of a motion: impact (phase and speed of every impact) or strobe "
-                  "(displacement and velocity at the stops once a forcing period)")
-      ->check(CLI::IsMember({"impact", "strobe"}))
+                  "What is shown of a motion: impact (phase and speed of every impact) or "
+                  "stroboscopic (displacement and velocity at the stops once a forcing period)")
+      ->transform(section_name())
       ->capture_default_str()
       ->type_name("WHAT");
   add_settling(app, command);

@@ -65,6 +65,17 @@ inline CLI::Validator whole_number_within(int least, int most) {
   return whole_number(fmt::format("a whole number from {} to {}", least, most), least, most);
 }
 
+// What --section may say. "strobe" is what stroboscopic was called before 0.1.0.
+inline CLI::Validator section_name() {
+  const CLI::Validator known = CLI::IsMember({"impact", "stroboscopic"});
+  return CLI::Validator(
+      [known](std::string& text) {
+        if (text == "strobe") text = "stroboscopic";
+        return known(text);
+      },
+      known.get_description());
+}
+
 // Beyond the cores of any machine, and short of what a process may start.
 inline constexpr double kMostThreads = 1024.0;
 // What the counts can hold.

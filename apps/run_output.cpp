@@ -43,7 +43,7 @@ RunOutput::RunOutput(const Command& command, const System& system,
   }
   if (records_samples_) {
     sample_table_.emplace(folder / "samples.csv");
-    sample_table_->append(samples_csv_header(system, command.keeps_book(), probes));
+    sample_table_->append(samples_csv_header(system, command.keeps_balance(), probes));
   }
 }
 

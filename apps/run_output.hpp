@@ -31,7 +31,7 @@ class RunOutput {
     return records_events_ || draws_ || is_seen(DiagramSection::kImpact);
   }
   bool wants_samples() const {
-    return records_samples_ || draws_ || is_seen(DiagramSection::kStrobe);
+    return records_samples_ || draws_ || is_seen(DiagramSection::kStroboscopic);
   }
 
   // The document's events; empty unless a document is wanted.

@@ -28,7 +28,7 @@ SimulationOptions simulation_options(const Command& command, const Scene& scene)
   options.duration = command.duration;
   if (command.periods) options.periods = *command.periods;
   options.max_impacts = command.max_impacts;
-  options.energy = command.keeps_book();
+  options.energy = command.keeps_balance();
   options.closure_speed = command.closure_speed;
   options.stop = stop_signal(command);
   if (!scene.forcing && !options.duration)
@@ -61,9 +61,10 @@ std::optional<RunSection> section_of(const Command& command, const System& syste
   if (command.run_section.empty()) return {};
   if (!system.forcing())
     throw InputError("--section: the scene has no forcing, so its motion has no phase");
-  if (command.run_section == "strobe" && command.record == "samples")
+  if (command.run_section == "stroboscopic" && command.record == "samples")
     throw InputError(
-        "--section strobe: it takes a sample each forcing period; leave out --record samples");
+        "--section stroboscopic: it takes a sample each forcing period; leave out --record "
+        "samples");
   const double period = system.period();
   const double end = options.duration.value_or(static_cast<double>(options.periods) * period);
   const double from =
@@ -72,8 +73,9 @@ std::optional<RunSection> section_of(const Command& command, const System& syste
     throw InputError(fmt::format(
         "--transient: the run has {:g} forcing periods; give fewer, or nothing is left of it",
         end / period));
-  return RunSection(
-      command.run_section == "strobe" ? DiagramSection::kStrobe : DiagramSection::kImpact, from);
+  return RunSection(command.run_section == "stroboscopic" ? DiagramSection::kStroboscopic
+                                                          : DiagramSection::kImpact,
+                    from);
 }
 
 double sample_rate(const Command& command, const System& system, const std::optional<CutRun>& cut) {
@@ -98,7 +100,7 @@ void note_options(const Command& command, const SimulationOptions& options,
     info.options.emplace_back("periods", options.periods);
   info.options.emplace_back("record", command.record);
   if (command.record == "samples") info.options.emplace_back("sample_rate", rate);
-  info.options.emplace_back("energy", command.keeps_book());
+  info.options.emplace_back("energy", command.keeps_balance());
   if (!command.run_section.empty()) info.options.emplace_back("section", command.run_section);
   if (command.transient) info.options.emplace_back("transient", *command.transient);
   info.options.emplace_back("closure_speed", *options.closure_speed);
@@ -151,8 +153,9 @@ int run_simulate(const Command& command) {
   note_options(command, options, cut, rate, record.info);
   record.warnings = system_warnings(scene, record.system);
   warn(command, record.warnings);
-  if (cut && command.keeps_book() && !cut->state.keeps_book)
-    record.notes.push_back("the run before kept no energy book; it begins where this one goes on");
+  if (cut && command.keeps_balance() && !cut->state.keeps_balance)
+    record.notes.push_back(
+        "the run before kept no energy balance; it begins where this one goes on");
 
   prepare_output(command);
   note_call(command, record.info);

@@ -18,7 +18,7 @@ int main(int count, char** words) try {
 
   SimulationOptions options;
   options.duration = 1.5;  // s
-  options.energy = true;   // keep the book of what forcing, damping and impacts do
+  options.energy = true;   // keep the balance of what forcing, damping and impacts do
   RunListeners listeners;
   listeners.event = [](const Event& event) {
     if (event.kind == EventKind::kImpact)

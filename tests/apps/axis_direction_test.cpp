@@ -62,8 +62,8 @@ TEST(AxisDirections, AreToldByEveryPicture) {
                           "forcing.frequency=44 " +
                           below),
             3);
-  EXPECT_EQ(directed_axes("simulate --periods 40 --section strobe " + below), 2);
-  EXPECT_GE(directed_axes("diagram --section strobe --branches none --points 3 --periods 20 "
+  EXPECT_EQ(directed_axes("simulate --periods 40 --section stroboscopic " + below), 2);
+  EXPECT_GE(directed_axes("diagram --section stroboscopic --branches none --points 3 --periods 20 "
                           "--parameter forcing.frequency --from 30 --to 40 " +
                           below),
             1);

@@ -116,16 +116,16 @@ TEST_F(Compliant, CheckNamesTheMassAndTheOnset) {
       << run.out;
 }
 
-TEST_F(Compliant, TheBookOfEnergyCloses) {
+TEST_F(Compliant, TheEnergyBalanceCloses) {
   const Finished run = run_graze("simulate --json --energy --duration 0.5 " + file());
   ASSERT_EQ(run.code, 0) << run.err;
   const json document = json::parse(run.out);
-  const json& book = document["energy"];
-  EXPECT_TRUE(book["impacts"].is_null());
-  EXPECT_NEAR(book["contact"].get<double>(), -0.125 * (1.0 - 0.6629622 * 0.6629622), 1e-8);
+  const json& balance = document["energy"];
+  EXPECT_TRUE(balance["impacts"].is_null());
+  EXPECT_NEAR(balance["contact"].get<double>(), -0.125 * (1.0 - 0.6629622 * 0.6629622), 1e-8);
   // A contact takes some forty steps, each of which errs by 1e-14 of the velocities: twice that of
   // the energy, .125 J.
-  EXPECT_LT(std::abs(book["defect"].get<double>()), 40 * 2e-14 * 0.125);
+  EXPECT_LT(std::abs(balance["defect"].get<double>()), 40 * 2e-14 * 0.125);
   EXPECT_EQ(document["events"][1]["energy_change"], document["energy"]["contact"]);
 }
 

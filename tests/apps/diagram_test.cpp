@@ -76,7 +76,7 @@ TEST(Diagram, GivesTheSameBytesForAnyNumberOfThreads) {
 
 TEST(Diagram, WritesItsTablesWhole) {
   const ScratchFolder scratch;
-  for (const char* section : {"impact", "strobe"}) {
+  for (const char* section : {"impact", "stroboscopic"}) {
     const std::string folder = (scratch / section).string();
     const Finished run = run_graze("diagram " + kBistable + "--section " + section +
                                    " --direction down --out " + folder);
@@ -89,7 +89,7 @@ TEST(Diagram, WritesItsTablesWhole) {
     EXPECT_EQ(lines.front(),
               "value,start,status,attractor,period,impacts,periods,remaining,sample,stop,"
               "period_index,phase,speed,displacement,velocity");
-    ASSERT_EQ(lines.size(), 42U);  // one impact or one strobe a value; a clear one has its line too
+    ASSERT_EQ(lines.size(), 42U);  // one impact or one state a value; a clear one has its line too
     for (const std::string& line : lines)
       EXPECT_EQ(std::count(line.begin(), line.end(), ','), 14) << line;
   }
@@ -184,11 +184,11 @@ TEST(Diagram, SweepsSeveralStopsWithTheirBranches) {
 }
 
 // One place with stops on both sides has one panel, a second place its own.
-TEST(Diagram, StrobesHaveAPanelForEveryPlaceWithStops) {
+TEST(Diagram, StroboscopicStatesHaveAPanelForEveryPlaceWithStops) {
   const ScratchFolder scratch;
   const std::string line = "diagram " + scene("07_two_stops.toml") +
                            " --set beam.modes=2 --parameter forcing.frequency --from 27 --to 29"
-                           " --points 5 --periods 60 --impacts 2 --section strobe";
+                           " --points 5 --periods 60 --impacts 2 --section stroboscopic";
   const auto picture = [&](const std::string& more, const std::string& name) {
     const Finished run = run_graze(line + more + " --plot " + (scratch / name).string());
     EXPECT_EQ(run.code, 0) << run.err;

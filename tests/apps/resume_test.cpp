@@ -138,9 +138,9 @@ TEST(Resume, SamplesStartWhereThereWereNone) {
   ASSERT_EQ(samples.size(), 51U);  // 1.02, 1.04, .., 2
   EXPECT_EQ(samples[1].substr(0, 5), "1.02,");
   EXPECT_EQ(samples.back().substr(0, 2), "2,");
-  // The energy book could only begin at the cut, and closes from there.
+  // The energy balance could only begin at the cut, and closes from there.
   const json document = json::parse(read_text(second + "/result.json"));
-  EXPECT_NE(document["notes"].dump().find("energy book"), std::string::npos);
+  EXPECT_NE(document["notes"].dump().find("energy balance"), std::string::npos);
   EXPECT_LE(document["energy"]["relative_defect"], 1e-12);
   EXPECT_GT(document["energy"]["start"], 0.0);
 }

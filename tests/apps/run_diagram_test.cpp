@@ -134,7 +134,7 @@ TEST(RunDiagram, SaysWhatIsMissing) {
   EXPECT_EQ(no_time.code, 2);
   EXPECT_NE(no_time.err.find("--duration: it is missing; no forcing repeats"), std::string::npos)
       << no_time.err;
-  EXPECT_EQ(run_graze("diagram --duration 1 --section strobe " + kDrops + kBall).code, 2);
+  EXPECT_EQ(run_graze("diagram --duration 1 --section stroboscopic " + kDrops + kBall).code, 2);
   EXPECT_EQ(run_graze("diagram --duration 1 --branches none " + kDrops + kBall).code, 2);
   const Finished forced =
       run_graze("diagram --duration 1 " + kDrops + scene("04_impact_oscillator.toml"));

@@ -39,9 +39,9 @@ TEST(SectionCommand, OfAnOrbitIsItsImpacts) {
   EXPECT_NE(read_text(out / "s.svg").find("impact speed"), std::string::npos);
 }
 
-// Strobes are the states at the starts of forcing periods, which samples at that rate are too.
-TEST(SectionCommand, OfStrobesIsWhatSamplesAre) {
-  const Finished run = run_graze(kOrbit + " --section strobe --transient 0");
+// Stroboscopic are the states at the starts of forcing periods, which samples at that rate are too.
+TEST(SectionCommand, StroboscopicIsWhatSamplesAre) {
+  const Finished run = run_graze(kOrbit + " --section stroboscopic --transient 0");
   ASSERT_EQ(run.code, 0) << run.err;
   const json section = json::parse(run.out)["section"];
   ASSERT_GE(section["points"], 400);
@@ -57,7 +57,7 @@ TEST(SectionCommand, SaysWhatItNeeds) {
   EXPECT_EQ(
       run_graze("simulate --section impact --duration 1 " + scene("06_bouncing_ball.toml")).code,
       2);
-  EXPECT_EQ(run_graze(kOrbit + " --section strobe --record samples").code, 2);
+  EXPECT_EQ(run_graze(kOrbit + " --section stroboscopic --record samples").code, 2);
   EXPECT_EQ(run_graze(kOrbit + " --transient 3").code, 2);
   EXPECT_EQ(run_graze(kOrbit + " --section impact --transient 400").code, 2);
   EXPECT_EQ(run_graze(kOrbit + " --section impact --plot s.html").code, 2);

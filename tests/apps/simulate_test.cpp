@@ -168,16 +168,16 @@ TEST(Simulate, PreloadedMassIsLiftedOffWhereTheLoadSays) {
               0.02, 1e-16);
 }
 
-TEST(Simulate, EnergyBookCloses) {
+TEST(Simulate, EnergyBalanceCloses) {
   for (const std::string& line : std::vector<std::string>{
            "--duration 2 " + kMomentum, "--duration 5 " + kBall, "--periods 3 " + kPreloaded,
            "--duration 2 " + scene("01_wagg_2004.toml"),
            "--duration 2 " + scene("07_two_stops.toml")}) {
     const json document = simulated("--energy " + line);
-    const json& book = document["energy"];
-    EXPECT_LE(book["relative_defect"], 1e-10) << line;
+    const json& balance = document["energy"];
+    EXPECT_LE(balance["relative_defect"], 1e-10) << line;
     const auto entry = [&](const char* key) {
-      return book[key].is_null() ? 0.0 : book[key].get<double>();
+      return balance[key].is_null() ? 0.0 : balance[key].get<double>();
     };
     const double missing = entry("start") + entry("forcing") + entry("load") + entry("constraint") +
                            entry("impacts") - entry("dissipation") - entry("end");

@@ -84,7 +84,7 @@ TEST(StickingBranchCommand, IsDrawnInBothPictures) {
   const std::string branches = (scratch / "branches.svg").string();
   ASSERT_EQ(run_graze("continue --plot " + branches + kRange + kForcedChatter).code, 0);
   EXPECT_NE(read_text(branches).find("chatter ends (CH)"), std::string::npos);
-  for (const char* section : {"impact", "strobe"}) {
+  for (const char* section : {"impact", "stroboscopic"}) {
     const std::string diagram = (scratch / (std::string(section) + ".svg")).string();
     const Finished run =
         run_graze("diagram --points 21 --periods 50 --section " + std::string(section) +

@@ -206,7 +206,7 @@ void SimulateEffect(benchmark::State& state, const std::vector<std::string>& set
       ->Unit(benchmark::kMillisecond)
 using Settings = std::vector<std::string>;
 GRAZE_EFFECT(samples, Settings{}, 20.0, false);
-GRAZE_EFFECT(energy_book, Settings{}, 0.0, true);
+GRAZE_EFFECT(energy_balance, Settings{}, 0.0, true);
 GRAZE_EFFECT(gravity, Settings{"gravity.acceleration=9.81"}, 0.0, false);
 GRAZE_EFFECT(restitution_of_speed, Settings{"stop.restitution=[0.8, 0.01]"}, 0.0, false);
 GRAZE_EFFECT(collocation_impulse, Settings{"stop.impulse=\"collocation\""}, 0.0, false);

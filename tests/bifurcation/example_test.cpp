@@ -47,7 +47,7 @@ TEST(LibraryExamples, SimulateMeetsTheReference) {
 
 // With one mode |phi(L)|^2 = 4/(rho A L), so that every impact takes (1 - r^2) v^2/2 of a quarter
 // of the beam's mass.
-TEST(LibraryExamples, SimulateBooksWhatImpactsTake) {
+TEST(LibraryExamples, SimulateCountsWhatImpactsTake) {
   const std::string text = example_output("simulate");
   const std::vector<double> speeds = values_after(text, " s, ");
   const std::vector<double> energies = values_after(text, " m/s, ");

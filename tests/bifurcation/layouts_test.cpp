@@ -1,6 +1,6 @@
 // What every layout of a periodic orbit has to keep, one battery over all of them: flights from
-// impact to impact, passages from strobe to strobe and from release to release, with all directions
-// held and with some, and on springs meanwhile.
+// impact to impact, passages from one fixed phase to the next and from release to release, with all
+// directions held and with some, and on springs meanwhile.
 #include <gtest/gtest.h>
 
 #include <Eigen/SVD>
@@ -58,8 +58,8 @@ class Layouts : public ::testing::TestWithParam<Case> {
 
   const OrbitProblem& problem() const { return *written_.front().orbits->problem; }
   const Vector& u() const { return written_.front().u; }
-  BranchPoint solution() const {
-    BranchPoint point;
+  SolutionPoint solution() const {
+    SolutionPoint point;
     point.u = u();
     point.parameter = value_;
     point.tangent = Vector::Unit(u().size() + 1, u().size());
@@ -82,7 +82,7 @@ TEST_P(Layouts, WriteAnOrbitAndTellItAgain) {
   for (const OrbitProblems::Written& one : written_) {
     const OrbitProblem& problem = *one.orbits->problem;
     EXPECT_LE(residual(problem, one.u, value_), 1e-9);
-    BranchPoint there = solution();
+    SolutionPoint there = solution();
     there.u = one.u;
     const std::optional<OrbitBranchPoint> at = problem.judge(there);
     ASSERT_TRUE(at);
@@ -142,18 +142,18 @@ TEST_P(Layouts, HaveTheMultipliersThatCloseTheirEquations) {
 
 // An orbit may be written from wherever its period begins.
 TEST_P(Layouts, KnowTheirOrbitsAgain) {
-  const std::vector<BranchPoint> same = problem().rewritings(problem(), {}, solution());
+  const std::vector<SolutionPoint> same = problem().rewritings(problem(), {}, solution());
   ASSERT_FALSE(same.empty());
   EXPECT_TRUE(std::ranges::any_of(
-      same, [&](const BranchPoint& one) { return (one.u - u()).norm() <= 1e-9; }));
-  for (const BranchPoint& one : same) EXPECT_LE(residual(problem(), one.u, value_), 1e-9);
+      same, [&](const SolutionPoint& one) { return (one.u - u()).norm() <= 1e-9; }));
+  for (const SolutionPoint& one : same) EXPECT_LE(residual(problem(), one.u, value_), 1e-9);
 }
 
 // Twice round it is an orbit of twice the period with two halves that are one.
 TEST_P(Layouts, SeeAnOrbitTwiceRound) {
   const LaidOrbits& twice = problems_->doubled(*written_.front().orbits);
   EXPECT_EQ(twice.problem->period(), 2 * orbit_.period);
-  const BranchPoint doubled = problem().twice_round(solution());
+  const SolutionPoint doubled = problem().twice_round(solution());
   EXPECT_LE(residual(*twice.problem, doubled.u, value_), 1e-9);
   EXPECT_TRUE(twice.problem->is_half(doubled));
 }

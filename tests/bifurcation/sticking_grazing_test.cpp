@@ -170,7 +170,7 @@ Scene two_modes(double gap) {
 }
 
 // How near the motion of a solution comes to the second stop, sampled and refined, less `gap`.
-double excess(const PassageEquations& equations, const BranchPoint& at, double gap) {
+double excess(const PassageEquations& equations, const SolutionPoint& at, double gap) {
   const System& system = *equations.system_at(at.parameter);
   const PassageShooting& shooting = equations.shooting();
   const MotionState<double> start =
@@ -226,7 +226,7 @@ TEST(StickingGrazing, PairsBetweenOrbitsWithTheSameEventsAreSeen) {
   Vector u = without.shooting().pack(start.theta, start.states);
   double value = point.value;
   const auto at = [&](double next) {
-    std::optional<BranchPoint> solution;
+    std::optional<SolutionPoint> solution;
     const int steps = 1 + static_cast<int>(std::abs(next - value) / 1e-4);
     for (int i = 1; i <= steps; ++i) {
       solution = solve_at(without.problem(), range, u, value + (next - value) * i / steps);
@@ -235,7 +235,7 @@ TEST(StickingGrazing, PairsBetweenOrbitsWithTheSameEventsAreSeen) {
     value = next;
     return *solution;
   };
-  const BranchPoint a = at(low), b = at(high);
+  const SolutionPoint a = at(low), b = at(high);
   ASSERT_LT(excess(without, a, gap), 0.0);
   ASSERT_LT(excess(without, b, gap), 0.0);
   ASSERT_GT(excess(without, at(middle), gap), 0.0);

@@ -37,10 +37,10 @@ TEST(Continuation, CircleClosesOnceWithTwoFolds) {
   EXPECT_NEAR(branch.points.front().parameter, branch.points.back().parameter, 1e-7);
   double turned = 0.0;
   for (std::size_t i = 0; i < branch.points.size(); ++i) {
-    const BranchPoint& point = branch.points[i];
+    const SolutionPoint& point = branch.points[i];
     EXPECT_NEAR(std::hypot(point.u[0], point.parameter), 1.0, 1e-11);
     if (i == 0) continue;
-    const BranchPoint& last = branch.points[i - 1];
+    const SolutionPoint& last = branch.points[i - 1];
     turned += std::remainder(
         std::atan2(point.parameter, point.u[0]) - std::atan2(last.parameter, last.u[0]),
         2.0 * std::numbers::pi);
@@ -82,7 +82,7 @@ TEST(Continuation, LimitBetweenTheFoldsEndsTheBranchThere) {
   EXPECT_EQ(branch.ends[1], BranchEnd::kParameterLimit);
   EXPECT_TRUE(branch.critical_of(CriticalKind::kFold)
                   .empty());  // the upper sheet leaves at p = -1, before its fold at -2
-  for (const BranchPoint& point : branch.points) {
+  for (const SolutionPoint& point : branch.points) {
     EXPECT_GE(point.parameter, -1.0);
     EXPECT_LE(point.parameter, 5.0);
     EXPECT_GT(point.u[0], 1.0);
@@ -129,7 +129,7 @@ void expect_no_jump(double frequency, double d, double longest) {
   EXPECT_EQ(branch.ends[0], BranchEnd::kParameterLimit);
   EXPECT_EQ(branch.ends[1], BranchEnd::kParameterLimit);
   double furthest = 0.0;
-  for (const BranchPoint& point : branch.points)
+  for (const SolutionPoint& point : branch.points)
     furthest = std::max(furthest, std::abs(point.u[0] - std::sin(frequency * point.parameter)));
   EXPECT_LE(furthest, 1e-9 / d);
 }
@@ -153,7 +153,7 @@ TEST(Continuation, EndsWhereTheEquationsCeaseToExist) {
   };
   const Branch branch = traced(problem, range(-1.0, 1.0), 0.0, 0.0);
   const bool backward = branch.points.front().parameter < 0.0;
-  const BranchPoint& last = backward ? branch.points.front() : branch.points.back();
+  const SolutionPoint& last = backward ? branch.points.front() : branch.points.back();
   EXPECT_EQ(branch.ends[backward ? 0 : 1], BranchEnd::kNotConverged);
   EXPECT_GE(last.parameter, -0.5);
   EXPECT_NEAR(last.parameter, -0.5, 1e-9);
@@ -172,7 +172,7 @@ TEST(Continuation, NotANumberIsNoSolution) {
   });
   EXPECT_FALSE(solve_at(problem, range(-1.0, 1.0), Vector::Ones(1), -0.5));
   const Branch branch = traced(problem, range(-1.0, 1.0), 0.7, 0.5);
-  for (const BranchPoint& point : branch.points) {
+  for (const SolutionPoint& point : branch.points) {
     EXPECT_GE(point.parameter, 0.0);
     EXPECT_NEAR(point.u[0], std::sqrt(point.parameter), 1e-10);
   }
@@ -208,7 +208,7 @@ TEST(Continuation, TangentsAreThoseOfTheCurve) {
   ContinuationOptions options = range(-2.0, 2.0);
   const Branch branch = traced(circle(), options, 1.0, 0.1);
   const double scale = 4.0;  // the parameter is measured in units of its range
-  for (const BranchPoint& point : branch.points) {
+  for (const SolutionPoint& point : branch.points) {
     Vector tangent(2);
     tangent << -point.parameter, point.u[0] / scale;
     tangent.normalize();
@@ -241,7 +241,7 @@ TEST(Continuation, LocatesATestFunction) {
   const ZeroProblem problem = circle();
   const ContinuationOptions options = range(-2.0, 2.0);
   const Branch branch = traced(problem, options, 1.0, 0.0);
-  const auto test = [](const BranchPoint& point) { return point.u[0] - 0.6; };
+  const auto test = [](const SolutionPoint& point) { return point.u[0] - 0.6; };
   int found = 0;
   for (std::size_t i = 0; i + 1 < branch.points.size(); ++i) {
     const auto point = locate(problem, options, branch.points[i], branch.points[i + 1], test);

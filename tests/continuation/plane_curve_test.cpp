@@ -22,7 +22,7 @@ PlaneCurveProblem ellipse(double range) {
     at.by_parameters << 1.0, 2.0 * q;
     return std::optional<ZeroEvaluation>(at);
   };
-  curve.tests = [](const BranchPoint&, const BranchPoint& at) {
+  curve.tests = [](const SolutionPoint&, const SolutionPoint& at) {
     return std::optional<Vector>(Vector{{at.u[0], at.parameter - 0.6}});
   };
   return curve;
@@ -65,7 +65,7 @@ TEST(PlaneCurves, AreCutByBothRanges) {
   EXPECT_EQ(ends, (std::vector<BranchEnd>{BranchEnd::kParameterLimit, BranchEnd::kUnknownLimit}));
   const bool first = curve.branch.ends[0] == BranchEnd::kUnknownLimit;
   EXPECT_EQ(curve.left_range[first ? 0 : 1], 1);
-  const BranchPoint& cut = first ? curve.branch.points.front() : curve.branch.points.back();
+  const SolutionPoint& cut = first ? curve.branch.points.front() : curve.branch.points.back();
   EXPECT_EQ(cut.u[1], -0.8 / 3.8);
   EXPECT_NEAR(cut.parameter, -std::sqrt(0.84), 1e-13);
 }

@@ -81,7 +81,7 @@ TEST(SpecialPoints, LogisticMapDoublesAndDoublesAgain) {
   EXPECT_EQ(two.ends[1], BranchEnd::kParameterLimit);
   EXPECT_EQ(two.points.back().parameter, 3.6);
   // x = (p + 1 +- sqrt((p + 1)(p - 3)))/(2 p)
-  for (const BranchPoint& point : two.points) {
+  for (const SolutionPoint& point : two.points) {
     const double p = point.parameter;
     EXPECT_NEAR(point.u.sum(), (p + 1.0) / p, 1e-7) << p;
     EXPECT_NEAR(std::abs(point.u[0] - point.u[1]),
@@ -106,7 +106,7 @@ TEST(SpecialPoints, LogisticMapCrossesItsOtherFixedPoint) {
   ASSERT_TRUE(start);
   const Branch other = trace_branch(problem, options, *start);
   EXPECT_GT(other.points.size(), 10u);
-  for (const BranchPoint& point : other.points)
+  for (const SolutionPoint& point : other.points)
     EXPECT_NEAR(point.u[0], 1.0 - 1.0 / point.parameter, 1e-9) << point.parameter;
   EXPECT_EQ(other.ends[0], BranchEnd::kParameterLimit);
   EXPECT_EQ(other.ends[1], BranchEnd::kParameterLimit);
@@ -254,7 +254,7 @@ TEST(SpecialPoints, PitchforkOnACurvedBranch) {
   const auto start = other_branch(problem, options, crossings[0].point);
   ASSERT_TRUE(start);
   const Branch other = trace_branch(problem, options, *start);
-  for (const BranchPoint& point : other.points) {
+  for (const SolutionPoint& point : other.points) {
     const double v = point.u[0] - std::sin(point.parameter);
     EXPECT_NEAR(v * v, point.parameter - 0.3, 1e-9);
   }

@@ -29,11 +29,11 @@ Branch traced_beyond(int period, const Vector& u, double start, double value) {
   options.from = 2.0;
   options.to = 4.0;
   options.stop.interrupted = &interrupted;
-  options.proceed = [&](const BranchPoint&, const BranchPoint& here) {
+  options.proceed = [&](const SolutionPoint&, const SolutionPoint& here) {
     if (here.parameter > value) interrupted = true;
     return true;
   };
-  const std::optional<BranchPoint> at = solve_at(problem, options, u, start);
+  const std::optional<SolutionPoint> at = solve_at(problem, options, u, start);
   return at ? trace_branch(problem, options, *at, Directions::kForward) : Branch{};
 }
 

@@ -69,7 +69,7 @@ TEST(Evaluations, AreThoseOfTheBaselineWithoutAnEffect) {
 
 TEST(Evaluations, AreNotMoreForWhoListens) {
   const Followed baseline = follow(beam());
-  expect_same(baseline, follow(beam(), true), "the energy book");
+  expect_same(baseline, follow(beam(), true), "the energy balance");
   expect_same(baseline, follow(beam(), false, 500.0), "samples");
 }
 

@@ -76,12 +76,12 @@ TEST_F(Instructions, NothingIsLookedForWithoutAStop) {
 TEST_F(Instructions, WhatIsNotAskedForIsNotCalled) {
   const std::vector<std::string> wide = {"stop.gap=5e-3"};
   const Counted plain = cost::count({"02_wagg_momentum", 20, 0, false, wide});
-  const Counted book = cost::count({"02_wagg_momentum", 20, 0, true, wide});
-  EXPECT_EQ(plain.answer, book.answer);
+  const Counted balance = cost::count({"02_wagg_momentum", 20, 0, true, wide});
+  EXPECT_EQ(plain.answer, balance.answer);
   EXPECT_TRUE(plain.calls("ArcCurve"));
   for (const char* name : {"work_along", "mechanical_energy"}) {
     EXPECT_FALSE(plain.calls(name)) << name;
-    EXPECT_TRUE(book.calls(name)) << name;
+    EXPECT_TRUE(balance.calls(name)) << name;
   }
   // Contact forces, sticking, chatter: with the gap of the scene the beam comes to rest on its
   // stop.
@@ -106,7 +106,7 @@ TEST_F(Instructions, OfEffectsThatAreThere) {
   note("20 samples a forcing period", with);
   with = beam;
   with.energy = true;
-  note("the energy book", with);
+  note("the energy balance", with);
   with = beam;
   with.settings.push_back("stop.restitution=[0.8, 0.01]");
   note("r(v)", with);

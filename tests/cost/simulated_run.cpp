@@ -1,6 +1,6 @@
 // The program whose instructions the tests of this folder count:
 //   simulated_run SCENE PERIODS SAMPLES ENERGY [setting..]
-// SAMPLES: per forcing period (or second), 0: none. ENERGY: 1 keeps the energy book.
+// SAMPLES: per forcing period (or second), 0: none. ENERGY: 1 keeps the energy balance.
 #include <cstdio>
 #include <cstdlib>
 #include <string>

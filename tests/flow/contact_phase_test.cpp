@@ -174,7 +174,7 @@ bool expect_motion(const System& system, const std::vector<int>& closed, Dice& d
     EXPECT_NEAR(closing.value, -stop.row.dot(expected.qdot), 1e-11 * unit);
     EXPECT_NEAR(closing.slope, -stop.row.dot(acceleration_of(system, c, expected, angle)),
                 1e-11 * unit * quickest);
-    // The energy book of the arc.
+    // The energy balance of the arc.
     const Work work = work_along(system, phase, s);
     const double change = 0.5 * (expected.qdot.squaredNorm() - start.qdot.squaredNorm() +
                                  system.omega.cwiseProduct(expected.q).squaredNorm() -

@@ -26,7 +26,7 @@ using support::RecordedRun;
 using support::relative;
 using support::state_of;
 
-TEST(HardCases, E1MomentumLawBooksItsEnergy) {
+TEST(HardCases, E1MomentumLawCountsItsEnergy) {
   support::Dice dice(1);
   for (int i = 0; i < 100'000; ++i) {
     const int n = 1 + dice.pick(6);
@@ -38,12 +38,12 @@ TEST(HardCases, E1MomentumLawBooksItsEnergy) {
     const double energy = 0.5 * before.squaredNorm(), size = std::max(1.0, energy);
     expect_reached("E1", "momentum law: -(1 - r^2) v^2 m_eff/2, over max(1, energy)",
                    off(0.5 * after.squaredNorm() - energy, expected) / size, 1e-14);
-    expect_reached("E1", "the same as booked",
+    expect_reached("E1", "the same as counted",
                    off(impact_energy_change(row, direction, before, r), expected) / size, 1e-14);
   }
 }
 
-TEST(HardCases, E1GainOfTheCollocationLawIsBooked) {
+TEST(HardCases, E1GainOfTheCollocationLawIsCounted) {
   const std::pair<int, double> gains[] = {{2, 1.664358}, {5, 1.725385}};
   for (const auto& [modes, gain] : gains) {
     const Scene scene =
@@ -53,7 +53,7 @@ TEST(HardCases, E1GainOfTheCollocationLawIsBooked) {
     const double r = stop.restitution().at_rest();
     expect_reached("E1", "collocation law: worst gain at the tip, r = .8",
                    off(worst_energy_gain(stop.row, stop.direction(), r), gain), 1e-6);
-    // In a run: on the stop with the velocities that gain most, the book shows it.
+    // In a run: on the stop with the velocities that gain most, the balance shows it.
     const Matrix jump =
         Matrix::Identity(modes, modes) - (1.0 + r) * stop.direction() * stop.row.transpose();
     Vector worst = Eigen::JacobiSVD<Matrix>(jump, Eigen::ComputeFullV).matrixV().col(0);
@@ -65,7 +65,7 @@ TEST(HardCases, E1GainOfTheCollocationLawIsBooked) {
     ASSERT_EQ(run.events.size(), 1u);
     expect_reached("E1", "the same gain in a run's totals, relative",
                    relative(run.result.totals.energy_added, 0.5 * (gain - 1.0)), 2e-6);
-    expect_reached("E1", "its energy book, defect over the largest entry",
+    expect_reached("E1", "its energy balance, defect over the largest entry",
                    std::abs(run.result.energy->defect()) / run.result.energy->size(), 1e-12);
   }
 }

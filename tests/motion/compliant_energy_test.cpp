@@ -1,4 +1,4 @@
-// The energy book of compliant stops, and runs that are cut within a contact.
+// The energy balance of compliant stops, and runs that are cut within a contact.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -33,7 +33,7 @@ System three_modes(const ContactForce& law) {
   return system;
 }
 
-SimulationOptions booked(double seconds) {
+SimulationOptions counted(double seconds) {
   SimulationOptions options = support::for_seconds(seconds);
   options.energy = true;
   return options;
@@ -48,9 +48,9 @@ double error_of_steps(const Simulation& run) {
 
 class CompliantEnergy : public ::testing::TestWithParam<ContactForce> {};
 
-TEST_P(CompliantEnergy, BookCloses) {
+TEST_P(CompliantEnergy, EnergyBalanceCloses) {
   const System system = three_modes(GetParam());
-  const auto run = support::record_run(system, support::rest(system), booked(20.0));
+  const auto run = support::record_run(system, support::rest(system), counted(20.0));
   ASSERT_EQ(run.result.outcome, RunOutcome::kReachedEnd) << run.result.message;
   EXPECT_GT(run.result.totals.impacts, 20);
   EXPECT_LT(std::abs(run.result.energy->defect()), error_of_steps(run.result));
@@ -65,7 +65,7 @@ TEST_P(CompliantEnergy, BookCloses) {
 // Bit for bit, wherever it is cut: between contacts, and within one.
 TEST_P(CompliantEnergy, CutRunGoesOnAsIfItHadNot) {
   const System system = three_modes(GetParam());
-  const auto whole = support::record_run(system, support::rest(system), booked(4.0));
+  const auto whole = support::record_run(system, support::rest(system), counted(4.0));
   ASSERT_EQ(whole.result.outcome, RunOutcome::kReachedEnd);
   const Event* separation = nullptr;
   for (const Event& event : whole.events)
@@ -75,8 +75,8 @@ TEST_P(CompliantEnergy, CutRunGoesOnAsIfItHadNot) {
     std::vector<Event> events;
     RunListeners listeners;
     listeners.event = [&](const Event& event) { events.push_back(event); };
-    const Simulation before = simulate(system, support::rest(system), booked(cut), listeners);
-    const Simulation after = resume(system, before.state, booked(4.0), listeners);
+    const Simulation before = simulate(system, support::rest(system), counted(cut), listeners);
+    const Simulation after = resume(system, before.state, counted(4.0), listeners);
     EXPECT_EQ(after.final.q, whole.result.final.q);
     EXPECT_EQ(after.final.qdot, whole.result.final.qdot);
     ASSERT_EQ(events.size(), whole.events.size());
@@ -105,7 +105,7 @@ TEST(CompliantEnergyOfAMass, IsWhatItsRestitutionLeaves) {
       System system = support::oscillator(0.0, 0.0, 0.25, 0.0);
       system.stops.front().law = ContactForce{
           k, 1.0, ContactDamping::kConstant, 2.0 * zeta * std::sqrt(k), 0.0, 0.0, rule};
-      const auto run = support::record_run(system, support::state_of({0.0}, {v}), booked(1.0));
+      const auto run = support::record_run(system, support::state_of({0.0}, {v}), counted(1.0));
       const double e = rule == Separation::kAtZeroForce ? restitution_at_zero_force(zeta)
                                                         : restitution_at_zero_depth(zeta);
       ASSERT_EQ(run.events.size(), 2u);
@@ -121,7 +121,7 @@ TEST(CompliantEnergyOfAMass, IsGivenBackByASpring) {
   for (const double n : {1.0, 1.5, 2.2}) {
     System system = support::oscillator(0.0, 0.0, 0.25, 0.0);
     system.stops.front().law = ContactForce{k, n};
-    const auto run = support::record_run(system, support::state_of({0.0}, {v}), booked(1.0));
+    const auto run = support::record_run(system, support::state_of({0.0}, {v}), counted(1.0));
     ASSERT_EQ(run.events.size(), 2u);
     EXPECT_EQ(run.events[1].energy_change, 0.0);
     EXPECT_EQ(run.result.totals.energy_added, 0.0);
@@ -138,7 +138,7 @@ TEST(CompliantEnergyOfABeam, IsNotAddedByContactsThatPartBelowTheSurface) {
   for (const char* scene : {"17_yigit_lee_wang_1", "18_yigit_lee_wang_2"}) {
     const Scene beam = support::shipped_scene(scene);
     const System system = assemble(beam);
-    const auto run = support::record_run(system, initial_state(beam, system), booked(0.4));
+    const auto run = support::record_run(system, initial_state(beam, system), counted(0.4));
     ASSERT_EQ(run.result.outcome, RunOutcome::kReachedEnd) << run.result.message;
     double structure = 0.0;
     bool gained = false;
@@ -155,12 +155,12 @@ TEST(CompliantEnergyOfABeam, IsNotAddedByContactsThatPartBelowTheSurface) {
 }
 
 // A spring that is compressed while an oblique law holds the structure on another stop.
-TEST(CompliantEnergyBesideAnObliqueStop, BookCloses) {
+TEST(CompliantEnergyBesideAnObliqueStop, EnergyBalanceCloses) {
   System system = three_modes(law_of(1.0, ContactDamping::kConstant, 20.0));
   system.modal().load = Vector{{3.0, 1.0, -2.0}};
   const Vector row{{0.7, 1.0, -0.6}}, along{{0.4, 0.9, 0.3}};
   system.stops.push_back({row, 0.002, ImpactLaw{along / row.dot(along), Restitution{0.2}}});
-  const auto run = support::record_run(system, support::rest(system), booked(10.0));
+  const auto run = support::record_run(system, support::rest(system), counted(10.0));
   ASSERT_EQ(run.result.outcome, RunOutcome::kReachedEnd) << run.result.message;
   EXPECT_GT(run.result.totals.stuck_time, 0.01);
   EXPECT_NE(run.result.energy->work.constraint, 0.0);

@@ -139,7 +139,7 @@ TEST(Simulation, StopsAtOnePlaceAreLeftTogether) {
 }
 
 // A mode far slower than its forcing, hardly damped: its free part lasts for 1/delta = 1000 s.
-TEST(Simulation, EnergyBookOfASoftModeCloses) {
+TEST(Simulation, EnergyBalanceOfASoftModeCloses) {
   const System system = forced_oscillator(0.9, 0.001, 1e3, 0.5, 79.0, 1200.0);
   SimulationOptions options = for_periods(10);
   options.energy = true;

@@ -68,7 +68,7 @@ TEST(SoftBall, BouncesAsInClosedForm) {
   }
 }
 
-void expect_closed_book(const System& system, double duration) {
+void expect_closed_balance(const System& system, double duration) {
   const RecordedRun run =
       record_run(system, support::state_of({0.0}, {0.0}), bookkeeping(duration));
   EXPECT_EQ(run.result.outcome, RunOutcome::kReachedEnd) << run.result.message;
@@ -79,12 +79,12 @@ void expect_closed_book(const System& system, double duration) {
   EXPECT_GE(gap, -1e-12);
 }
 
-TEST(SoftBall, KeepsItsGapAndItsBook) {
+TEST(SoftBall, KeepsItsGapAndItsEnergyBalance) {
   for (int k = 1; k <= 12; ++k) {
     const double omega = std::pow(10.0, -k);
     for (const double delta : {0.0, 0.1 * omega, omega, 3.0 * omega, 0.3, 1e3}) {
       SCOPED_TRACE(testing::Message() << "omega " << omega << ", delta " << delta);
-      expect_closed_book(soft_ball(omega, delta), delta > 1.0 ? 1e3 : 10.0);
+      expect_closed_balance(soft_ball(omega, delta), delta > 1.0 ? 1e3 : 10.0);
     }
   }
 }
@@ -119,12 +119,12 @@ TEST(SoftBall, UnderASlowForceAsUnderAConstantOne) {
     }
 }
 
-// Heavily damped under a load and a force that is slow against it: the book is kept in closed form,
-// however many times the quickest rate goes into a flight.
-TEST(SoftBall, BookOfAHeavilyDampedMassUnderASlowForce) {
+// Heavily damped under a load and a force that is slow against it: the balance is kept in closed
+// form, however many times the quickest rate goes into a flight.
+TEST(SoftBall, EnergyBalanceOfAHeavilyDampedMassUnderASlowForce) {
   System system = support::forced_oscillator(0.0, 5e3, 1.0, kRestitution, 1e-3, 1.0);
   system.modal().load = Vector::Constant(1, kGravity);
-  expect_closed_book(system, 1e4);
+  expect_closed_balance(system, 1e4);
 }
 
 }  // namespace

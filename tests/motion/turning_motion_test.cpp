@@ -32,7 +32,7 @@ Simulation run(const Scene& scene, double duration, std::vector<Event>* events =
 
 double angle_of(const System& system, const Vector& y) { return system.rotation()->angle.dot(y); }
 
-// Of the weight; the energy book counts it as work.
+// Of the weight; the energy balance counts it as work.
 double potential(const System& system, const Vector& y) {
   const WeightOnHub& weight = *system.rotation()->weight;
   const double angle = angle_of(system, y);

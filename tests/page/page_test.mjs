@@ -10,7 +10,7 @@ import { again, browser, folder, ground, inPage, isShown, packed, pageOf, range,
 const oneMode = scene('05_wagg_one_mode.toml');
 const kBlack = [0, 40], kGrey = [120, 200];
 
-let diagram, exponents, gap, orbits, supports, strobes;
+let diagram, exponents, gap, orbits, supports, stroboscopic;
 
 before(async () => {
   diagram = pageOf('diagram.html', 'diagram', oneMode, '--parameter', 'forcing.frequency', '--from', '15',
@@ -21,8 +21,8 @@ before(async () => {
     '--from', '0', '--to', '0.02');
   orbits = pageOf('orbits.html', 'orbit', oneMode, '--set', 'forcing.frequency=40', '--set', 'stop.gap=0.01');
   supports = pageOf('supports.html', 'orbit', scene('07_two_stops.toml'));
-  strobes = pageOf('strobes.html', 'diagram', scene('04_impact_oscillator.toml'), '--parameter',
-    'forcing.amplitude', '--from', '0.2', '--to', '1', '--points', '60', '--section', 'strobe',
+  stroboscopic = pageOf('stroboscopic.html', 'diagram', scene('04_impact_oscillator.toml'), '--parameter',
+    'forcing.amplitude', '--from', '0.2', '--to', '1', '--points', '60', '--section', 'stroboscopic',
     '--set', 'forcing.frequency=1.6', '--set', 'stop.gap=0.5', '--set', 'initial.q=[0.0]');
 });
 
@@ -175,7 +175,7 @@ inPage('two stops are both there', () => supports, async (page) => {
   assert.ok(await pixelsOf(page, '#orbit-series canvas') > 500);
 });
 
-inPage('a diagram by strobes shows displacements and velocities', () => strobes, async (page) => {
+inPage('a stroboscopic diagram shows displacements and velocities', () => stroboscopic, async (page) => {
   const names = await page.$$eval('#observable option', (list) => list.map((option) => option.textContent));
   assert.ok(names.includes('displacement towards the stop') && names.includes('velocity towards the stop'), `${names}`);
   assert.ok(await pixelsOf(page, '#dots') > 100);

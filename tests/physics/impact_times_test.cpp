@@ -108,7 +108,7 @@ TEST(ImpactTimes, EveryImpactOfTheMomentumLawLosesItsShareOfEnergy) {
   EXPECT_NEAR(run.result.totals.energy_lost / lost, 1.0, 1e-13);
 }
 
-TEST(ImpactTimes, TheCollocationLawBooksTheEnergyItAdds) {
+TEST(ImpactTimes, TheCollocationLawEntersTheEnergyItAdds) {
   const RecordedRun run = run_scene(support::shipped_scene("01_wagg_2004"), 10.0);
   double added = 0.0, lost = 0.0;
   for (const Event& event : run.events)

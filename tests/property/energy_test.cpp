@@ -1,4 +1,4 @@
-// The energy book closes along every run, and what each entry may be.
+// The energy balance closes along every run, and what each entry may be.
 #include "graze/motion/simulation.hpp"
 #include "property/scene_property.hpp"
 
@@ -41,29 +41,29 @@ double energy_scale(const System& system) {
 }
 
 // Of the largest entry, or roundings of the terms that entries are made of.
-double size_of(const EnergyBook& book, double scale) {
+double size_of(const EnergyBalance& balance, double scale) {
   constexpr double kRounding = 256.0 * std::numeric_limits<double>::epsilon();
-  return book.size() + kRounding / kDefect * scale;
+  return balance.size() + kRounding / kDefect * scale;
 }
 
-void check_book(const EnergyBook& book, double scale, bool momentum, double time,
-                Summary& summary) {
+void check_balance(const EnergyBalance& balance, double scale, bool momentum, double time,
+                   Summary& summary) {
   // An oblique law can make the motion grow until its squares leave the range.
-  if (!momentum && !(book.size() < 1e100)) return;
-  const double size = size_of(book, scale);
+  if (!momentum && !(balance.size() < 1e100)) return;
+  const double size = size_of(balance, scale);
   const std::string when = fmt::format(
       "at t = {:.17g} s: start {:.6g}, now {:.6g}, forcing {:.6g}, load {:.6g}, constraint {:.6g}, "
       "impacts {:.6g}, dissipation {:.6g}",
-      time, book.start, book.now, book.work.forcing, book.work.load, book.work.constraint,
-      book.impacts, book.work.dissipation);
-  summary.require("defect/size", relative(std::abs(book.defect()), size), kDefect, when);
-  summary.require("-dissipation/size", relative(-book.work.dissipation, size), kDefect, when);
+      time, balance.start, balance.now, balance.work.forcing, balance.work.load,
+      balance.work.constraint, balance.impacts, balance.work.dissipation);
+  summary.require("defect/size", relative(std::abs(balance.defect()), size), kDefect, when);
+  summary.require("-dissipation/size", relative(-balance.work.dissipation, size), kDefect, when);
   if (momentum)
     summary.require("work of constraint/size, momentum law",
-                    relative(std::abs(book.work.constraint), size), kDefect, when);
+                    relative(std::abs(balance.work.constraint), size), kDefect, when);
 }
 
-TEST(RandomScene, EnergyBookCloses) {
+TEST(RandomScene, EnergyBalanceCloses) {
   property::for_random_scenes([](const Prepared& prepared, Summary& summary) {
     SimulationOptions options;
     const double unit = support::time_unit(prepared);
@@ -76,18 +76,18 @@ TEST(RandomScene, EnergyBookCloses) {
     // The work up to a sample costs as much as that of a whole arc.
     listeners.sample_rate = std::max(3.0, property::samples_per_period() / 1e4) / unit;
     listeners.sample = [&](const Sample& sample) {
-      check_book(*sample.energy, scale, momentum, sample.time, summary);
+      check_balance(*sample.energy, scale, momentum, sample.time, summary);
     };
     const Simulation run = simulate(prepared.system, prepared.start, options, listeners);
-    check_book(*run.energy, scale, momentum, run.end_time, summary);
-    const EnergyBook& book = *run.energy;
+    check_balance(*run.energy, scale, momentum, run.end_time, summary);
+    const EnergyBalance& balance = *run.energy;
     const RunTotals& totals = run.totals;
     if (momentum)
       summary.require("energy added by impacts/size, momentum law",
-                      relative(totals.energy_added, size_of(book, scale)), kAddedByMomentumLaw,
+                      relative(totals.energy_added, size_of(balance, scale)), kAddedByMomentumLaw,
                       "at the end");
     if (totals.energy_added > 0.0) summary.count("scenes whose impacts add energy");
-    if (book.work.constraint != 0.0) summary.count("scenes whose stops do work");
+    if (balance.work.constraint != 0.0) summary.count("scenes whose stops do work");
     summary.count("scenes");
     summary.count("impacts", totals.impacts);
   });

@@ -27,7 +27,7 @@ bool same(const Work& a, const Work& b) {
   return same(a.forcing, b.forcing) && same(a.load, b.load) && same(a.constraint, b.constraint) &&
          same(a.dissipation, b.dissipation);
 }
-bool same(const EnergyBook& a, const EnergyBook& b) {
+bool same(const EnergyBalance& a, const EnergyBalance& b) {
   return same(a.start, b.start) && same(a.now, b.now) && same(a.work, b.work) &&
          same(a.impacts, b.impacts);
 }
@@ -113,7 +113,7 @@ std::vector<Cut> random_cuts(const Prepared& prepared) {
 TEST(RandomScene, CutAndResumedIsTheSameRun) {
   property::for_random_scenes([](const Prepared& prepared, Summary& summary) {
     SimulationOptions options = options_of(prepared);
-    // With samples or with the book: the work up to each sample costs as much as that of a whole
+    // With samples or with the balance: the work up to each sample costs as much as that of a whole
     // arc.
     options.energy = *rc::gen::inRange(0, 2) == 0;
     const double rate = options.energy ? 0.0 : 20.0 / support::time_unit(prepared);

@@ -143,7 +143,7 @@ TEST(PieceText, ReadsBackToTheLastBit) {
   row.start = SweepStart::kHandedOn;
   row.message = "a \"line\"\nand \t another";
   row.motion.at_end = {Vector::Constant(2, -0.0), Vector::Constant(2, 5e-324)};
-  row.motion.strobes = {row.motion.at_end, {Vector::Constant(1, 1.0 / 3.0), Vector(0)}};
+  row.motion.period_states = {row.motion.at_end, {Vector::Constant(1, 1.0 / 3.0), Vector(0)}};
   row.motion.impacts = {{7, 1, 0.5, 1e300}};
   row.exponents.emplace();
   row.exponents->values = Vector::Constant(1, -inf);
@@ -157,8 +157,8 @@ TEST(PieceText, ReadsBackToTheLastBit) {
   EXPECT_EQ(back.motion.remaining, inf);
   EXPECT_TRUE(std::signbit(back.motion.at_end.q[0]));
   EXPECT_EQ(back.motion.at_end.qdot[1], 5e-324);
-  EXPECT_EQ(back.motion.strobes.at(1).q[0], 1.0 / 3.0);
-  EXPECT_EQ(back.motion.strobes.at(1).qdot.size(), 0);
+  EXPECT_EQ(back.motion.period_states.at(1).q[0], 1.0 / 3.0);
+  EXPECT_EQ(back.motion.period_states.at(1).qdot.size(), 0);
   EXPECT_EQ(back.motion.impacts.at(0).speed, 1e300);
   EXPECT_EQ(back.exponents->values[0], -inf);
   EXPECT_TRUE(std::isnan(back.exponents->errors[0]));

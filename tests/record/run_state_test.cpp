@@ -39,10 +39,10 @@ CutRun cut_run() {
   state.streaks = {{12, 2.2250738585072011e-308}, {0, -0.0}};
   state.tail = ChatterTail{{0, 1}, {3, 0.7}};
   state.totals = {9'000'000'000LL, 2, 3, 4, 1e22, 1e-7, 123456789.123456789, -4.3368e-19, 2e-19};
-  state.keeps_book = true;
-  state.book.start = 5e-324;
-  state.book.work = {1.0 / 7.0, -2.0, 3e-17, 4.0 / 9.0};
-  state.book.impacts = -1.0 / 3.0;
+  state.keeps_balance = true;
+  state.balance.start = 5e-324;
+  state.balance.work = {1.0 / 7.0, -2.0, 3e-17, 4.0 / 9.0};
+  state.balance.impacts = -1.0 / 3.0;
   state.samples = 77;
   state.closure_speed = 1e-6 / 3.0;
   return cut;
@@ -96,7 +96,7 @@ TEST(RunStateFile, BringsBackEveryDigit) {
   EXPECT_EQ(b.closure_speed, a.closure_speed);
 }
 
-TEST(RunStateFile, BringsBackTotalsAndTheEnergyBook) {
+TEST(RunStateFile, BringsBackTotalsAndTheEnergyBalance) {
   const RunState a = cut_run().state, b = parsed(write_run_state(cut_run())).state;
   EXPECT_EQ(b.totals.impacts, a.totals.impacts);
   EXPECT_EQ(b.totals.chatters, 2);
@@ -106,20 +106,20 @@ TEST(RunStateFile, BringsBackTotalsAndTheEnergyBook) {
   EXPECT_EQ(b.totals.energy_added, a.totals.energy_added);
   EXPECT_EQ(b.totals.energy_lost, a.totals.energy_lost);
   EXPECT_EQ(b.totals.smallest_gap, a.totals.smallest_gap);
-  EXPECT_TRUE(b.keeps_book);
-  EXPECT_EQ(b.book.start, a.book.start);
-  EXPECT_EQ(b.book.work.forcing, a.book.work.forcing);
-  EXPECT_EQ(b.book.work.load, a.book.work.load);
-  EXPECT_EQ(b.book.work.constraint, a.book.work.constraint);
-  EXPECT_EQ(b.book.work.dissipation, a.book.work.dissipation);
-  EXPECT_EQ(b.book.impacts, a.book.impacts);
+  EXPECT_TRUE(b.keeps_balance);
+  EXPECT_EQ(b.balance.start, a.balance.start);
+  EXPECT_EQ(b.balance.work.forcing, a.balance.work.forcing);
+  EXPECT_EQ(b.balance.work.load, a.balance.work.load);
+  EXPECT_EQ(b.balance.work.constraint, a.balance.work.constraint);
+  EXPECT_EQ(b.balance.work.dissipation, a.balance.work.dissipation);
+  EXPECT_EQ(b.balance.impacts, a.balance.impacts);
 }
 
 TEST(RunStateFile, LeavesOutWhatIsNotThere) {
   CutRun cut = cut_run();
   cut.sample_rate.reset();
   cut.state.tail.reset();
-  cut.state.keeps_book = false;
+  cut.state.keeps_balance = false;
   cut.state.totals.smallest_gap.reset();
   const std::string text = write_run_state(cut);
   for (const char* word : {"sample", "[chatter]", "[energy]", "smallest_gap"})
@@ -127,7 +127,7 @@ TEST(RunStateFile, LeavesOutWhatIsNotThere) {
   const CutRun read = parsed(text);
   EXPECT_FALSE(read.sample_rate);
   EXPECT_FALSE(read.state.tail);
-  EXPECT_FALSE(read.state.keeps_book);
+  EXPECT_FALSE(read.state.keeps_balance);
   EXPECT_FALSE(read.state.totals.smallest_gap);
 }
 

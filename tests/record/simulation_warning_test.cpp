@@ -1,4 +1,4 @@
-// A run whose own book or gap shows that it went wrong says so.
+// A run whose own balance or gap shows that it went wrong says so.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -21,7 +21,7 @@ Simulation sound_run() {
   run.totals.impacts = 100;
   run.totals.energy_lost = 1.0;
   run.totals.smallest_gap = 0.0;
-  run.energy = EnergyBook{};
+  run.energy = EnergyBalance{};
   run.energy->start = 1.0;
   run.energy->impacts = -1.0;
   return run;
@@ -41,7 +41,7 @@ TEST(SimulationWarnings, ASoundRunHasNone) {
   EXPECT_TRUE(simulation_warnings(forced_system(), rounded).empty());
 }
 
-TEST(SimulationWarnings, ABookThatDoesNotCloseIsSaid) {
+TEST(SimulationWarnings, ABalanceThatDoesNotCloseIsSaid) {
   Simulation run = sound_run();
   run.energy->work.load = 4e-3;
   const std::vector<std::string> warnings = simulation_warnings(forced_system(), run);

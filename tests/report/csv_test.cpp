@@ -68,9 +68,9 @@ TEST(SamplesCsv, HoldsStateGapsAndForces) {
   EXPECT_EQ(samples_csv_row(system, sample), "1.5,0.125,-2,0.375,0.375,0,3.5\n");
 }
 
-TEST(SamplesCsv, HoldsTheEntriesOfTheEnergyBookThatTheSystemHas) {
+TEST(SamplesCsv, HoldsTheEntriesOfTheEnergyBalanceThatTheSystemHas) {
   System system = support::oscillator(2.0, 0.0, 0.5, 0.8);
-  Sample sample{0.0, support::state_of({0.125}, {-2.0}), {0.0}, EnergyBook{}};
+  Sample sample{0.0, support::state_of({0.125}, {-2.0}), {0.0}, EnergyBalance{}};
   sample.energy->now = 2.03125;
   sample.energy->work = {0.5, 0.25, 0.125, 0.75, -0.375};
   sample.energy->impacts = -1.5;
@@ -89,7 +89,7 @@ TEST(SamplesCsv, HoldsTheEntriesOfTheEnergyBookThatTheSystemHas) {
 
 TEST(SamplesCsv, EndsWithTheProbes) {
   const System system = support::oscillator(2.0, 0.0, 0.5, 0.8);
-  Sample sample{0.5, support::state_of({0.125}, {-2.0}), {0.0}, EnergyBook{}};
+  Sample sample{0.5, support::state_of({0.125}, {-2.0}), {0.0}, EnergyBalance{}};
   const std::vector<ProbeRow> probes = {
       {ProbeQuantity::kDisplacement, Vector::Constant(1, 4.0), false, 0.0},
       {ProbeQuantity::kVelocity, Vector::Constant(1, 0.25), true, 0.0}};

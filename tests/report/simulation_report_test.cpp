@@ -99,11 +99,11 @@ TEST(SimulationDocument, HoldsTheEndAndTheTotals) {
 
 TEST(SimulationDocument, EnergyIsNullForWhatTheSystemDoesNotHave) {
   SimulationRecord record = record_of_run();
-  EnergyBook book;
-  book.start = 1.0;
-  book.impacts = -0.25;
-  book.now = 0.75;
-  record.run.energy = book;
+  EnergyBalance balance;
+  balance.start = 1.0;
+  balance.impacts = -0.25;
+  balance.now = 0.75;
+  record.run.energy = balance;
   EXPECT_EQ(Json::parse(document_of(record, {}))["energy"], Json::parse(R"({"start": 1.0,
       "forcing": null, "load": null, "constraint": 0.0, "impacts": -0.25, "dissipation": null,
       "end": 0.75, "defect": 0.0, "relative_defect": 0.0})"));

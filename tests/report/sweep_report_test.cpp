@@ -24,7 +24,7 @@ SweepRow periodic_row() {
   row.motion.remaining = 0.5e-8;
   row.motion.periods = 50;
   row.motion.impacts = {{48, 0, 7.0, 0.25}, {49, 0, 1.25, 0.5}};
-  row.strobes = {{0, 0.125, 0.0}, {0, 0.25, -1.0}};
+  row.stop_states = {{0, 0.125, 0.0}, {0, 0.25, -1.0}};
   return row;
 }
 
@@ -55,7 +55,7 @@ TEST(SweepReport, OneLineASampleAndOneForAValueWithout) {
             "1.5,handed on,settled,impacts,2,2,50,5e-09,1,1,0,0.7168146928204138,0.25,,\n"
             "1.5,handed on,settled,impacts,2,2,50,5e-09,2,1,1,1.25,0.5,,\n"
             "2,scene,no start,no start,,,0,,,,,,,,\n");
-  EXPECT_EQ(sweep_csv(record_of({periodic_row()}, DiagramSection::kStrobe)),
+  EXPECT_EQ(sweep_csv(record_of({periodic_row()}, DiagramSection::kStroboscopic)),
             "value,start,status,attractor,period,impacts,periods,remaining,sample,stop,"
             "period_index,phase,speed,displacement,velocity\n"
             "1.5,handed on,settled,impacts,2,2,50,5e-09,1,1,0,,,0.125,0\n"

@@ -56,11 +56,11 @@ TEST(RandomStart, IsClearAndTheSameForTheSameNumbers) {
 SettledMotion seen(int count, double (*displacement)(int)) {
   SettledMotion motion;
   for (int i = 0; i < count; ++i)
-    motion.strobes.push_back({Vector::Constant(1, displacement(i)), Vector::Zero(1)});
+    motion.period_states.push_back({Vector::Constant(1, displacement(i)), Vector::Zero(1)});
   return motion;
 }
 
-TEST(IsNearing, ToldFromStrobes) {
+TEST(IsNearing, FromStatesAtPeriods) {
   const System system = system_of("05_wagg_one_mode");
   EXPECT_TRUE(is_nearing(system, seen(100, [](int i) { return 1e-4 * std::pow(0.999, i); }), 1));
   const auto doubled = [](int i) { return (i % 2 == 0 ? 1e-3 : -1e-3) + 1e-4 * std::pow(0.99, i); };

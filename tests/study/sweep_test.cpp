@@ -162,9 +162,9 @@ std::string motions(const std::vector<SweepRow>& rows) {
 std::string bytes(const Sweep& result) {
   std::string text = motions(result.rows);
   for (const SweepRow& row : result.rows)
-    for (const auto& strobe : row.strobes) {
-      add_bytes(strobe.displacement, text);
-      add_bytes(strobe.velocity, text);
+    for (const auto& state : row.stop_states) {
+      add_bytes(state.displacement, text);
+      add_bytes(state.velocity, text);
     }
   add_bytes(result.periods, text);
   add_bytes(result.run_again, text);
@@ -226,8 +226,8 @@ std::string joined_in_order(const SystemFamily& family, const SweepOptions& opti
       const bool is_same =
           attractor_class(again) == attractor_class(rows[k]) &&
           (again.status != SweepStatus::kSettled ||
-           are_same_strobes(motion_scale(*family.at(again.value)), again.motion.strobes,
-                            rows[k].motion.strobes, 16.0 * options.nearness));
+           are_same_period_states(motion_scale(*family.at(again.value)), again.motion.period_states,
+                                  rows[k].motion.period_states, 16.0 * options.nearness));
       rows[k] = std::move(again);
       if (is_same) break;
     }
@@ -258,7 +258,7 @@ TEST(Sweep, StartsAnewWhereTheStopHasMovedPastTheState) {
   for (std::size_t i = 0; i < 5; ++i) {
     EXPECT_EQ(moved.rows[i].motion.kind, SettledKind::kAtRest);
     EXPECT_EQ(moved.rows[i].status, SweepStatus::kSettled);
-    EXPECT_NEAR(moved.rows[i].strobes.front().displacement, moved.rows[i].value, 1e-15);
+    EXPECT_NEAR(moved.rows[i].period_states.front().displacement, moved.rows[i].value, 1e-15);
     if (i > 0) {
       EXPECT_EQ(moved.rows[i].start, SweepStart::kAnew);
     }

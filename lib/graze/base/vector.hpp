@@ -13,5 +13,7 @@ using ComplexVector = Eigen::VectorXcd;
 // Of whatever scalar a motion is followed in.
 template <class Real>
 using RealVector = Eigen::Matrix<Real, Eigen::Dynamic, 1>;
+template <class Real>
+using RealMatrix = Eigen::Matrix<Real, Eigen::Dynamic, Eigen::Dynamic>;
 
 }  // namespace graze

@@ -30,8 +30,8 @@ class Tracer {
         stepper_(options, corrector_),
         passage_(corrector_, stepper_) {}
 
-  Branch trace(const BranchPoint& from, Directions directions) {
-    BranchPoint start = from;
+  Branch trace(const SolutionPoint& from, Directions directions) {
+    SolutionPoint start = from;
     if (problem_.multipliers && start.multipliers.empty())
       start.multipliers = problem_.multipliers(start.u, start.parameters(), ErrorBounds::kGiven);
     Branch branch = follow(start);
@@ -48,7 +48,7 @@ class Tracer {
 
  private:
   // One way, along the tangent of the start.
-  Branch follow(const BranchPoint& start) {
+  Branch follow(const SolutionPoint& start) {
     GrowingBranch branch(problem_, options_, corrector_, start);
     const ParameterLimits limits(options_);
     const UnknownLimits unknowns(options_);
@@ -63,9 +63,9 @@ class Tracer {
       if (limits.leaves_at(branch.last())) return ended(branch, BranchEnd::kParameterLimit);
       if (unknowns.leaves_at(branch.last())) return ended(branch, BranchEnd::kUnknownLimit);
       double turn = 0.0;
-      const std::optional<BranchPoint> next = next_point(branch, h, turn);
+      const std::optional<SolutionPoint> next = next_point(branch, h, turn);
       if (!next) return ended(branch, BranchEnd::kNotConverged);
-      const BranchPoint from = branch.last();
+      const SolutionPoint from = branch.last();
       if (branch.advance(*next)) return branch.take();
       if (options_.proceed && !options_.proceed(from, branch.last()))
         return ended(branch, BranchEnd::kHalted);
@@ -79,7 +79,7 @@ class Tracer {
   }
 
   // Where a step leads that is halved until it is accepted, h in the end.
-  std::optional<BranchPoint> next_point(GrowingBranch& branch, double& h, double& turn) {
+  std::optional<SolutionPoint> next_point(GrowingBranch& branch, double& h, double& turn) {
     h = std::min(h, stepper_.longest(branch.last()));
     while (true) {
       if (auto next = stepper_.step(branch.before_last(), branch.last(), h, turn)) return next;
@@ -101,19 +101,20 @@ class Tracer {
 
 }  // namespace
 
-std::optional<BranchPoint> solve_at(const ZeroProblem& problem, const ContinuationOptions& options,
-                                    const Vector& u, double parameter) {
+std::optional<SolutionPoint> solve_at(const ZeroProblem& problem,
+                                      const ContinuationOptions& options, const Vector& u,
+                                      double parameter) {
   Corrector corrector(problem, options);
   Vector x(u.size() + 1);
   x << u, parameter / corrector.range();
-  std::optional<BranchPoint> point = corrector.at_parameter(x);
+  std::optional<SolutionPoint> point = corrector.at_parameter(x);
   if (point) point->parameter = parameter;
   return point;
 }
 
-std::optional<BranchPoint> solve_near(const ZeroProblem& problem,
-                                      const ContinuationOptions& options, const Vector& u,
-                                      double parameter, const Vector& along) {
+std::optional<SolutionPoint> solve_near(const ZeroProblem& problem,
+                                        const ContinuationOptions& options, const Vector& u,
+                                        double parameter, const Vector& along) {
   Corrector corrector(problem, options);
   Vector x(u.size() + 1);
   x << u, parameter / corrector.range();
@@ -126,19 +127,19 @@ std::optional<BranchPoint> solve_near(const ZeroProblem& problem,
 }
 
 Branch trace_branch(const ZeroProblem& problem, const ContinuationOptions& options,
-                    const BranchPoint& start, Directions directions) {
+                    const SolutionPoint& start, Directions directions) {
   return Tracer(problem, options).trace(start, directions);
 }
 
-std::optional<BranchPoint> locate(const ZeroProblem& problem, const ContinuationOptions& options,
-                                  const BranchPoint& a, const BranchPoint& b,
-                                  const std::function<double(const BranchPoint&)>& test) {
+std::optional<SolutionPoint> locate(const ZeroProblem& problem, const ContinuationOptions& options,
+                                    const SolutionPoint& a, const SolutionPoint& b,
+                                    const std::function<double(const SolutionPoint&)>& test) {
   Corrector corrector(problem, options);
   return locate(corrector, a, b, test);
 }
 
 bool lies_on(const ZeroProblem& problem, const ContinuationOptions& options, const Branch& branch,
-             const BranchPoint& point) {
+             const SolutionPoint& point) {
   Corrector corrector(problem, options);
   for (std::size_t i = 0; i + 1 < branch.points.size(); ++i)
     if (lies_between(corrector, branch.points[i], branch.points[i + 1], point, options.max_turn))

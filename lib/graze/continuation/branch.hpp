@@ -26,31 +26,32 @@ namespace graze {
 
 // The solution near u at a fixed parameter, with a tangent that points to growing parameter (or
 // along growing arclength at a fold). Nothing when Newton's method does not reach the tolerance.
-std::optional<BranchPoint> solve_at(const ZeroProblem& problem, const ContinuationOptions& options,
-                                    const Vector& u, double parameter);
+std::optional<SolutionPoint> solve_at(const ZeroProblem& problem,
+                                      const ContinuationOptions& options, const Vector& u,
+                                      double parameter);
 
 // The same near (u, parameter) where the branch may turn back there: on the hyperplane normal to
 // the branch, whose direction in (u, parameter/range) is `along` or, where that is empty, the
 // kernel of dF/dx. Nothing likewise, or at a branch point.
-std::optional<BranchPoint> solve_near(const ZeroProblem& problem,
-                                      const ContinuationOptions& options, const Vector& u,
-                                      double parameter, const Vector& along = {});
+std::optional<SolutionPoint> solve_near(const ZeroProblem& problem,
+                                        const ContinuationOptions& options, const Vector& u,
+                                        double parameter, const Vector& along = {});
 
 enum class Directions { kBoth, kForward };  // forward: along the tangent of the start
 
 // The branch through a solution, to its ends, its special points located.
 Branch trace_branch(const ZeroProblem& problem, const ContinuationOptions& options,
-                    const BranchPoint& start, Directions directions = Directions::kBoth);
+                    const SolutionPoint& start, Directions directions = Directions::kBoth);
 
 // The point of the branch between neighbours a and b where `test` changes sign, to the last digits
 // that arclength carries and on the side where `test` is not negative. Nothing when the corrector
 // fails on the way or the signs agree.
-std::optional<BranchPoint> locate(const ZeroProblem& problem, const ContinuationOptions& options,
-                                  const BranchPoint& a, const BranchPoint& b,
-                                  const std::function<double(const BranchPoint&)>& test);
+std::optional<SolutionPoint> locate(const ZeroProblem& problem, const ContinuationOptions& options,
+                                    const SolutionPoint& a, const SolutionPoint& b,
+                                    const std::function<double(const SolutionPoint&)>& test);
 
 // Whether a solution lies on a traced branch.
 bool lies_on(const ZeroProblem& problem, const ContinuationOptions& options, const Branch& branch,
-             const BranchPoint& point);
+             const SolutionPoint& point);
 
 }  // namespace graze

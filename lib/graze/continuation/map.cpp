@@ -92,9 +92,9 @@ ZeroProblem periodic_points(const Map& map, int period) {
   return problem;
 }
 
-BranchPoint twice_round(const BranchPoint& point) {
+SolutionPoint twice_round(const SolutionPoint& point) {
   const Eigen::Index n = point.u.size();
-  BranchPoint twice = point;
+  SolutionPoint twice = point;
   twice.multipliers.clear();
   twice.orientation = 0;
   twice.u.resize(2 * n);

@@ -37,6 +37,6 @@ ZeroProblem periodic_points(const Map& map, int period = 1);
 
 // The solution of period n seen as one of period 2n, where it is a branch point if it doubles
 // there: what other_branch() switches from onto the doubled orbits.
-BranchPoint twice_round(const BranchPoint& point);
+SolutionPoint twice_round(const SolutionPoint& point);
 
 }  // namespace graze

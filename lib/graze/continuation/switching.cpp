@@ -9,8 +9,9 @@
 
 namespace graze {
 
-std::optional<BranchPoint> other_branch(const ZeroProblem& problem,
-                                        const ContinuationOptions& options, const BranchPoint& at) {
+std::optional<SolutionPoint> other_branch(const ZeroProblem& problem,
+                                          const ContinuationOptions& options,
+                                          const SolutionPoint& at) {
   Corrector corrector(problem, options);
   const Vector x = corrector.pack(at);
   const std::optional<Matrix> slope = corrector.slope_at(x);
@@ -36,7 +37,7 @@ std::optional<BranchPoint> other_branch(const ZeroProblem& problem,
   Vector tangent = 2.0 * mixed * across - pure * known;
   if (!(tangent.norm() > 0.0)) return {};
   tangent.normalize();
-  BranchPoint start = at;
+  SolutionPoint start = at;
   start.tangent = tangent;
   start.orientation = 0;
   return start;
@@ -44,8 +45,9 @@ std::optional<BranchPoint> other_branch(const ZeroProblem& problem,
 
 void list_crossing(Branch& branch) {
   // No sign changes from it to the next.
-  const auto here = std::find_if(branch.points.begin(), branch.points.end(),
-                                 [&](const BranchPoint& point) { return point.orientation == 0; });
+  const auto here =
+      std::find_if(branch.points.begin(), branch.points.end(),
+                   [&](const SolutionPoint& point) { return point.orientation == 0; });
   if (here == branch.points.begin() || here >= branch.points.end() - 1) return;
   const auto index = static_cast<std::size_t>(here - branch.points.begin());
   CriticalPoint critical{CriticalKind::kBranchPoint, *here, index - 1, {}};

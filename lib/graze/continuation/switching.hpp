@@ -21,8 +21,9 @@ namespace graze {
 // The branch point once more, with the tangent of the other branch that passes it: a start for
 // trace_branch. `at.tangent` is that of the known one. Nothing where the equations cannot be
 // evaluated around it, or where no second branch stands out.
-std::optional<BranchPoint> other_branch(const ZeroProblem& problem,
-                                        const ContinuationOptions& options, const BranchPoint& at);
+std::optional<SolutionPoint> other_branch(const ZeroProblem& problem,
+                                          const ContinuationOptions& options,
+                                          const SolutionPoint& at);
 
 // A branch that was traced both ways from a branch point has that among its points: makes it one of
 // its special points.

@@ -7,7 +7,7 @@
 namespace graze {
 
 bool Sampler::hand_out(Motion<double>& motion, double start_time, double flight,
-                       const EnergyBook& book, long long& samples,
+                       const EnergyBalance& balance, long long& samples,
                        const std::function<bool()>& goes_on) {
   Sample& sample = sample_;
   const ContactPhase<double>& phase = motion.flown();
@@ -29,8 +29,8 @@ bool Sampler::hand_out(Motion<double>& motion, double start_time, double flight,
           stop.force().at(stop.row.dot(sample.state.q) - stop.gap, stop.row.dot(sample.state.qdot));
     }
     if (energy_) {
-      sample.energy = book;
-      sample.energy->work = book.work + work_along(system_, phase, s);
+      sample.energy = balance;
+      sample.energy->work = balance.work + work_along(system_, phase, s);
       sample.energy->now = mechanical_energy(system_, sample.state.q, sample.state.qdot);
     }
     listener_(sample);

@@ -1,10 +1,9 @@
 #include "graze/motion/detail/shared_chatter.hpp"
 
-#include <Eigen/LU>
-#include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
 
+#include "graze/base/linalg/detail/dense_factors.hpp"
 #include "graze/motion/detail/motion.hpp"
 
 namespace graze {
@@ -23,8 +22,8 @@ constexpr int kMostArrivals = 20000;
 constexpr double kPartInSight = 0.5;
 
 // D: how the impulse of each acts on the approach speed at each.
-Eigen::FullPivLU<Matrix> factors_of(const SharedChatter& chatter) {
-  return (chatter.rows.transpose() * chatter.directions).fullPivLu();
+PivotedLu<double> factors_of(const SharedChatter& chatter) {
+  return PivotedLu<double>(chatter.rows.transpose() * chatter.directions);
 }
 
 // In orthonormal coordinates of the space that the impulses span, where rows and directions that
@@ -33,10 +32,9 @@ struct ContactsAlone {
   System system;
   State start;
 };
-ContactsAlone contacts_alone(const SharedChatter& chatter,
-                             const Eigen::FullPivLU<Matrix>& factors) {
-  const Eigen::Index n = chatter.rows.rows(), k = chatter.pushes.size();
-  const Matrix basis = chatter.directions.householderQr().householderQ() * Matrix::Identity(n, k);
+ContactsAlone contacts_alone(const SharedChatter& chatter, const PivotedLu<double>& factors) {
+  const Eigen::Index k = chatter.pushes.size();
+  const Matrix basis = orthonormal_columns<double>(chatter.directions, k);
   const Matrix rows = basis.transpose() * chatter.rows;
   const Matrix directions = basis.transpose() * chatter.directions;
   ContactsAlone alone;
@@ -93,7 +91,7 @@ double speed_left(const SharedChatter& chatter) {
 
 std::optional<double> time_to_rest(const SharedChatter& chatter, double closure_speed) {
   const auto factors = factors_of(chatter);
-  if (!factors.isInvertible()) return {};
+  if (!factors.is_invertible()) return {};
   const Vector forces = factors.solve(chatter.pushes);
   if (!(forces.array() > 0.0).all()) return {};  // one of them would have to pull
   const ContactsAlone alone = contacts_alone(chatter, factors);

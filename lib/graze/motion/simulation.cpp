@@ -38,9 +38,9 @@ class Run {
         sampler_(system, listeners.sample, listeners.sample_rate, options.energy) {
     motion_.stop_on(options.stop);
     note_gaps();
-    if (options.energy && !state_.keeps_book)
-      state_.book.start = mechanical_energy(system_, motion_.q(), motion_.qdot());
-    state_.keeps_book = options.energy;
+    if (options.energy && !state_.keeps_balance)
+      state_.balance.start = mechanical_energy(system_, motion_.q(), motion_.qdot());
+    state_.keeps_balance = options.energy;
   }
 
   Simulation finish() {
@@ -59,8 +59,8 @@ class Run {
     result_.totals = state_.totals;
     result_.evaluations += motion_.step_evaluations();
     if (options_.energy) {
-      state_.book.now = mechanical_energy(system_, last.q, last.qdot);
-      result_.energy = state_.book;
+      state_.balance.now = mechanical_energy(system_, last.q, last.qdot);
+      result_.energy = state_.balance;
     }
     // An arc that was cut by the end of the run is flown again, whole, by one that goes on from it.
     state_.tail = walk_.tail();
@@ -83,25 +83,25 @@ class Run {
       case WalkStep::kFlight:
         return walk_.is_at_once() ? decided() : flown();
       case WalkStep::kImpact:
-        book_impact();
+        enter_impact();
         return true;
       case WalkStep::kChatter:
-        book_chatter();
+        enter_chatter();
         return true;
       case WalkStep::kStick:
-        book_stick(walk_.stop());
+        enter_stick(walk_.stop());
         return true;
       case WalkStep::kRelease:
         emit(event_at(EventKind::kRelease, walk_.stop()));
         return true;
       case WalkStep::kEntry:
-        book_entry(walk_.stop());
+        balance_entry(walk_.stop());
         return true;
       case WalkStep::kSeparation:
-        book_separation(walk_.stop(), walk_.arrival().below);
+        enter_separation(walk_.stop(), walk_.arrival().below);
         return true;
       case WalkStep::kLeft:
-        book_contacts(walk_.stop());
+        enter_contacts(walk_.stop());
         return true;
       case WalkStep::kTouch:
         // A spring that is touched is compressed or left next: no impact is passed over.
@@ -141,7 +141,7 @@ class Run {
   // What stands still within rounding was put to rest.
   bool decided() {
     if (options_.energy)
-      state_.book.impacts += kinetic_change(system_, motion_.q(), before_, motion_.qdot());
+      state_.balance.impacts += kinetic_change(system_, motion_.q(), before_, motion_.qdot());
     note_progress();
     return true;
   }
@@ -181,10 +181,10 @@ class Run {
       return within_budget();
     };
     if (listeners_.sample &&
-        !sampler_.hand_out(motion_, start_time, flight, state_.book, state_.samples, within))
+        !sampler_.hand_out(motion_, start_time, flight, state_.balance, state_.samples, within))
       return false;
     if (options_.energy && flight > 0.0)
-      state_.book.work = state_.book.work + work_along(system_, motion_.flown(), flight);
+      state_.balance.work = state_.balance.work + work_along(system_, motion_.flown(), flight);
     const double deepest = graze::follow(state_.contacts, motion_.flown(), flight);
     if (deepest > 0.0) note_gap(-deepest, state_.totals);
     const std::vector<int>& closed = motion_.flown().closed();
@@ -242,20 +242,20 @@ class Run {
     if (listeners_.event) listeners_.event(event);
   }
 
-  // `book`: of impacts; contacts at compliant stops are booked as they go.
-  void book_energy(double change, bool book = true) {
+  // `balance`: of impacts; contacts at compliant stops are counted as they go.
+  void enter_energy(double change, bool balance = true) {
     (change > 0.0 ? state_.totals.energy_added : state_.totals.energy_lost) += std::abs(change);
-    if (book) state_.book.impacts += change;
+    if (balance) state_.balance.impacts += change;
   }
 
-  void book_impact() {
+  void enter_impact() {
     impact_energy(system_, walk_.shares(), motion_.q(), walk_.qdot_before(), motion_.qdot(),
                   impact_energy_);
-    book_energy(impact_energy_.total);
-    for (const ImpactEnergy::Hit& hit : impact_energy_.hits) book_hit(hit.share, hit.change);
+    enter_energy(impact_energy_.total);
+    for (const ImpactEnergy::Hit& hit : impact_energy_.hits) enter_hit(hit.share, hit.change);
   }
 
-  void book_hit(const ImpactShare<double>& share, double energy_change) {
+  void enter_hit(const ImpactShare<double>& share, double energy_change) {
     Event event = event_at(EventKind::kImpact, share.stop);
     event.speed = share.speed;
     event.energy_change = energy_change;
@@ -269,7 +269,7 @@ class Run {
 
   SpringContact& contact_at(int i) { return state_.contacts[static_cast<std::size_t>(i)]; }
 
-  void book_entry(int i) {
+  void balance_entry(int i) {
     Event event = event_at(EventKind::kContact, i);
     event.speed = motion_.approach_speed(i);
     if (system_.forcing()) event.phase = wrapped(motion_.flow().phase(motion_.instant()));
@@ -282,7 +282,7 @@ class Run {
   }
 
   // `below` the surface the spring keeps what it may yet give back, should it grip again.
-  void book_separation(int i, bool below) {
+  void enter_separation(int i, bool below) {
     SpringContact& contact = contact_at(i);
     Event event = event_at(EventKind::kSeparation, i);
     event.speed = -motion_.approach_speed(i);
@@ -290,25 +290,25 @@ class Run {
     event.peak_force = contact.peak_force;
     event.energy_change = contact.change(motion_.spring_energy(i));
     contact.change_before += event.energy_change;
-    if (!below) book_contacts(i);
+    if (!below) enter_contacts(i);
     if (contact.speed > 0.0) event.effective_restitution = event.speed / contact.speed;
     emit(event);
   }
 
   // From surface to surface.
-  void book_contacts(int i) {
+  void enter_contacts(int i) {
     if (!stop(i).is_compliant()) return;
-    book_energy(contact_at(i).change_before, false);
+    enter_energy(contact_at(i).change_before, false);
     contact_at(i).change_before = 0.0;
   }
 
-  void book_chatter() {
+  void enter_chatter() {
     const std::vector<ImpactShare<double>>& shares = walk_.shares();
     const double change = closure_energy_change(
         system_, walk_.closed().closed, motion_.flow().phase(motion_.instant()),
         {walk_.closed().q_before, walk_.closed().qdot_before}, {motion_.q(), motion_.qdot()},
-        state_.book.work);
-    book_energy(change);
+        state_.balance.work);
+    enter_energy(change);
     const auto last =
         std::max_element(shares.begin(), shares.end(),
                          [](const auto& a, const auto& b) { return a.speed < b.speed; });
@@ -328,7 +328,7 @@ class Run {
     return event;
   }
 
-  void book_stick(int i) {
+  void enter_stick(int i) {
     if (!state_.started) return;  // it starts there
     // A chatter that could not be summed and was followed down to the rounding of its speeds.
     const RunState::Streak& streak = state_.streaks[static_cast<std::size_t>(i)];

@@ -12,9 +12,9 @@
 #include "graze/flow/exact/motion_state.hpp"
 #include "graze/flow/stepped/step_setting.hpp"
 #include "graze/motion/chatter_tail.hpp"
-#include "graze/motion/contact_book.hpp"
 #include "graze/motion/run_events.hpp"
 #include "graze/motion/sample.hpp"
+#include "graze/motion/spring_contact.hpp"
 
 namespace graze {
 
@@ -33,7 +33,7 @@ struct SimulationOptions {
   long long max_impacts = kDefaultImpactBudget;
   // Speed below which a chatter is summed, m/s; see default_closure_speed.
   std::optional<double> closure_speed;
-  bool energy = false;                 // keep the energy book
+  bool energy = false;                 // keep the energy balance
   std::optional<StepSetting> steps{};  // integrate step by step; absent: the exact flow
   StopSignal stop;
 };
@@ -66,11 +66,11 @@ struct RunState {
     }
   };
   std::vector<Streak> streaks;      // per stop
-  ContactBook contacts;             // per stop
+  SpringContacts contacts;          // per stop
   std::optional<ChatterTail> tail;  // of a chatter that was summed, until it is over
   RunTotals totals;
-  bool keeps_book = false;
-  EnergyBook book;
+  bool keeps_balance = false;
+  EnergyBalance balance;
   long long samples = 0;       // handed out so far
   double closure_speed = 0.0;  // m/s
 };
@@ -86,7 +86,7 @@ struct Simulation {
   std::vector<int> stuck;      // closed stops at the end (index from 0)
   std::vector<double> forces;  // contact forces at the end, N, one per stop
   RunTotals totals;
-  std::optional<EnergyBook> energy;
+  std::optional<EnergyBalance> energy;
   // Of gaps and contact forces in search of events, and of the equations of motion on springs; with
   // `steps` of the equations of motion alone.
   long long evaluations = 0;

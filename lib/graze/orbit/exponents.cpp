@@ -15,9 +15,9 @@ namespace graze {
 namespace {
 
 // Exponents may be read off the same motion again and again: each period is a factor.
-class StrobedMotion {
+class StroboscopicMotion {
  public:
-  StrobedMotion(const System& system, const State& start, const ExponentOptions& options)
+  StroboscopicMotion(const System& system, const State& start, const ExponentOptions& options)
       : system_(system), unit_(2 * system.modes()) {
     const MotionScale scale = motion_scale(system);
     unit_ << Vector::Constant(system.modes(), scale.displacement), scale.velocity;
@@ -74,7 +74,7 @@ class StrobedMotion {
   std::string failure_;
 };
 
-void finish(const StrobedMotion& motion, Exponents& result) {
+void finish(const StroboscopicMotion& motion, Exponents& result) {
   result.lost = static_cast<int>(std::count_if(result.values.begin(), result.values.end(),
                                                [](double value) { return std::isinf(value); }));
   result.failure = motion.failure();
@@ -92,7 +92,7 @@ void sort(Exponents& result) {
   result.errors = Vector(result.errors(order));
 }
 
-Exponents of_multipliers(const System& system, StrobedMotion& motion, int turns) {
+Exponents of_multipliers(const System& system, StroboscopicMotion& motion, int turns) {
   const Eigen::Index size = 2 * system.modes();
   Exponents result;
   std::vector<Matrix> factors;
@@ -125,7 +125,8 @@ Exponents of_multipliers(const System& system, StrobedMotion& motion, int turns)
   return result;
 }
 
-Exponents of_average(const System& system, StrobedMotion& motion, const ExponentOptions& options) {
+Exponents of_average(const System& system, StroboscopicMotion& motion,
+                     const ExponentOptions& options) {
   const Eigen::Index size = 2 * system.modes();
   Exponents result;
   GrowingDirections directions(size);
@@ -155,7 +156,7 @@ Exponents of_average(const System& system, StrobedMotion& motion, const Exponent
 
 Exponents lyapunov_exponents(const System& system, const State& start,
                              const ExponentOptions& options) {
-  StrobedMotion motion(system, start, options);
+  StroboscopicMotion motion(system, start, options);
   return options.repeats > 0 ? of_multipliers(system, motion, options.repeats)
                              : of_average(system, motion, options);
 }

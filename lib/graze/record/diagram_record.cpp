@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <functional>
 
-#include "graze/study/sweep/detail/strobes.hpp"
+#include "graze/study/sweep/detail/stroboscopic_states.hpp"
 
 namespace graze {
 namespace {
@@ -44,8 +44,8 @@ std::vector<DiagramCurve> impact_curves(const OrbitBranches& traced) {
   return curves;
 }
 
-std::vector<std::vector<DiagramCurve>> strobe_curves(const SystemFamily& family,
-                                                     const OrbitBranches& traced) {
+std::vector<std::vector<DiagramCurve>> stroboscopic_curves(const SystemFamily& family,
+                                                           const OrbitBranches& traced) {
   std::vector<std::vector<DiagramCurve>> by_stop(family.scene().stops.size());
   for (const OrbitBranch& branch : traced.branches) {
     for (std::vector<DiagramCurve>& curves : by_stop) curves.emplace_back();

@@ -18,13 +18,13 @@ namespace {
 // A table of up to twice as many events and one shows them all.
 constexpr std::size_t kShown = 10;
 
-// By how much the energy book of a sound run may miss, J. Rounding is multiplied by up to 2^8 where
-// motion is written about its forced response or rest position (exact_flow_impl.hpp), and energies
-// are squares: 2^16. The flights, one per impact and one per forcing period at least, err to either
-// side, so that their errors add up like the root of their number. A structure that turns is
-// integrated in steps of a quarter of its quickest oscillation, each to kStepTolerance of the
+// By how much the energy balance of a sound run may miss, J. Rounding is multiplied by up to 2^8
+// where motion is written about its forced response or rest position (exact_flow_impl.hpp), and
+// energies are squares: 2^16. The flights, one per impact and one per forcing period at least, err
+// to either side, so that their errors add up like the root of their number. A structure that turns
+// is integrated in steps of a quarter of its quickest oscillation, each to kStepTolerance of the
 // velocities, whose squares may all err to one side.
-double book_rounding(const System& system, const Simulation& run) {
+double balance_rounding(const System& system, const Simulation& run) {
   constexpr double kAmplification = 0x1p16;
   const double periods = system.forcing() ? run.end_time / system.period() : 0.0;
   const double flights = 1.0 + periods + static_cast<double>(run.totals.impacts);
@@ -62,26 +62,26 @@ long long EventExcerpt::left_out() const {
   return count_ - static_cast<long long>(first_.size() + last_.size());
 }
 
-EnergyEntries energy_entries(const System& system, const EnergyBook& book) {
+EnergyEntries energy_entries(const System& system, const EnergyBalance& balance) {
   EnergyEntries entries;
   // On a hub the torque and the weight.
   const Rotation* hub = system.rotation();
-  if (system.forcing() || (hub && hub->torque)) entries.forcing = book.work.forcing;
-  if (system.load() || (hub && hub->weight)) entries.load = book.work.load;
+  if (system.forcing() || (hub && hub->torque)) entries.forcing = balance.work.forcing;
+  if (system.load() || (hub && hub->weight)) entries.load = balance.work.load;
   const auto compliant = [](const Stop& stop) { return stop.is_compliant(); };
   if (!std::all_of(system.stops.begin(), system.stops.end(), compliant)) {
-    entries.constraint = book.work.constraint;
-    entries.impacts = book.impacts;
+    entries.constraint = balance.work.constraint;
+    entries.impacts = balance.impacts;
   }
-  if (system.has_compliant_stop()) entries.contact = book.work.contact;
+  if (system.has_compliant_stop()) entries.contact = balance.work.contact;
   const bool damped = (decay_rates(system).array() != 0.0).any();
-  if (damped || (hub && hub->friction)) entries.dissipation = book.work.dissipation;
+  if (damped || (hub && hub->friction)) entries.dissipation = balance.work.dissipation;
   return entries;
 }
 
-double relative_defect(const EnergyBook& book) {
-  const double defect = std::abs(book.defect());
-  return defect == 0.0 ? 0.0 : defect / book.size();
+double relative_defect(const EnergyBalance& balance) {
+  const double defect = std::abs(balance.defect());
+  return defect == 0.0 ? 0.0 : defect / balance.size();
 }
 
 std::vector<std::string> simulation_warnings(const System& system, const Simulation& run) {
@@ -104,11 +104,11 @@ std::vector<std::string> simulation_warnings(const System& system, const Simulat
     warnings.push_back(
         fmt::format("the restitution r(v) left 0 to 1 at {} impact{} and was clamped",
                     totals.clamped_restitutions, totals.clamped_restitutions == 1 ? "" : "s"));
-  if (run.energy && !(std::abs(run.energy->defect()) <= book_rounding(system, run)))
-    warnings.push_back(
-        fmt::format("the energy book does not close: {:.3g} J are missing, {:.1e} of its largest "
-                    "entry, more than rounding explains; do not trust this run",
-                    run.energy->defect(), relative_defect(*run.energy)));
+  if (run.energy && !(std::abs(run.energy->defect()) <= balance_rounding(system, run)))
+    warnings.push_back(fmt::format(
+        "the energy balance does not close: {:.3g} J are missing, {:.1e} of its largest "
+        "entry, more than rounding explains; do not trust this run",
+        run.energy->defect(), relative_defect(*run.energy)));
   if (totals.penetration > gap_rounding(system))
     warnings.push_back(
         fmt::format("a stop was penetrated by {:.3g} m, more than rounding explains; do not trust "

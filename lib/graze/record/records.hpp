@@ -86,14 +86,14 @@ struct BranchRecord {
   Outcome outcome;
 };
 
-// What a book holds of the effects that the system has, J: no load without gravity, no impacts
+// What a balance holds of the effects that the system has, J: no load without gravity, no impacts
 // without rigid stops, no dissipation without damping.
 struct EnergyEntries {
   std::optional<double> forcing, load, constraint, impacts, dissipation, contact;
 };
-EnergyEntries energy_entries(const System& system, const EnergyBook& book);
-// The book's defect as a part of its largest entry.
-double relative_defect(const EnergyBook& book);
+EnergyEntries energy_entries(const System& system, const EnergyBalance& balance);
+// The balance's defect as a part of its largest entry.
+double relative_defect(const EnergyBalance& balance);
 
 Outcome simulation_outcome(const Simulation& run);
 // What happened in the run that its user should know of.

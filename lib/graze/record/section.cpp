@@ -15,7 +15,7 @@ void RunSection::add(const Event& event) {
 }
 
 void RunSection::add(const System& system, const Sample& sample) {
-  if (kind_ != DiagramSection::kStrobe || sample.time < from_) return;
+  if (kind_ != DiagramSection::kStroboscopic || sample.time < from_) return;
   for (std::size_t i = 0; i < system.stops.size(); ++i) {
     const Vector& row = system.stops[i].row;
     add({sample.time, static_cast<int>(i), row.dot(sample.state.q), row.dot(sample.state.qdot)});

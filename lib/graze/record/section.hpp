@@ -9,19 +9,19 @@
 namespace graze {
 
 enum class DiagramSection {
-  kImpact,  // phase and speed of every impact
-  kStrobe   // displacement and velocity at the stops at the start of every forcing period
+  kImpact,       // phase and speed of every impact
+  kStroboscopic  // displacement and velocity at the stops at the start of every forcing period
 };
 
 struct SectionPoint {
   double time = 0.0;  // s
   int stop = 0;       // from 0
-  // Of an impact forcing phase (rad) and speed (m/s); of a strobe displacement towards the stop (m)
-  // and velocity (m/s).
+  // Of an impact forcing phase (rad) and speed (m/s); of a stroboscopic section displacement
+  // towards the stop (m) and velocity (m/s).
   double across = 0.0, up = 0.0;
 };
 
-// As a run goes. Of strobes each sample handed in is one.
+// As a run goes. Of a stroboscopic section each sample handed in is one.
 class RunSection {
  public:
   RunSection() = default;

@@ -1,10 +1,10 @@
 #include "graze/structure/detail/hub_beam.hpp"
 
 #include <Eigen/Cholesky>
-#include <Eigen/SVD>
 #include <boost/math/quadrature/gauss.hpp>
 #include <cmath>
 
+#include "graze/base/linalg/detail/dense_factors.hpp"
 #include "graze/structure/detail/cantilever.hpp"
 
 namespace graze {
@@ -68,14 +68,14 @@ HubModes hub_modes(const Vector& omega, const Vector& coupling, double inertia) 
   const Eigen::Index n = omega.size();
   const Matrix mass = Matrix::Identity(n, n) - coupling * (coupling / inertia).transpose();
   const Matrix factor = mass.llt().matrixU();
-  const Eigen::JacobiSVD<Matrix> svd(factor * omega.cwiseInverse().asDiagonal(),
-                                     Eigen::ComputeFullU | Eigen::ComputeFullV);
+  const SingularValues<double> factors =
+      singular_values<double>(factor * omega.cwiseInverse().asDiagonal());
   HubModes modes{Vector::Zero(n + 1), Vector::Zero(n + 1), Matrix::Zero(n, n + 1)};
   modes.angle[0] = 1.0 / std::sqrt(inertia);
   for (Eigen::Index j = 0; j < n; ++j) {
-    const double w = 1.0 / svd.singularValues()[j];
+    const double w = 1.0 / factors.values[j];
     modes.omega[j + 1] = w;
-    modes.beam.col(j + 1) = w * svd.matrixV().col(j).cwiseQuotient(omega);
+    modes.beam.col(j + 1) = w * factors.right.col(j).cwiseQuotient(omega);
     modes.angle[j + 1] = -coupling.dot(modes.beam.col(j + 1)) / inertia;
   }
   return modes;

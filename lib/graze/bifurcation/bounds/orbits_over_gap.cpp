@@ -48,12 +48,12 @@ System rate_of_gaps(const System& system, double length) {
 
 class GapBranch {
  public:
-  GapBranch(const System& system, const FinderOptions& options, const PassageOptions& strobe)
+  GapBranch(const System& system, const FinderOptions& options, const PassageOptions& passage)
       : system_(system),
         widened_(system),
         length_(motion_scale(system).length),
         rate_(rate_of_gaps(system, length_)),
-        shooting_(system, PassageLayout::strobe(1), strobe) {
+        shooting_(system, PassageLayout::fixed_phase(1), passage) {
     problem_.evaluate = [this](const Vector& x, Parameters at) { return evaluate(x, at[0]); };
     range_.stop = options.stop;
     range_.max_step = kLongestStep;
@@ -69,14 +69,14 @@ class GapBranch {
     range_.to = std::max(*touches, 0.0) + kWidest;
     const PeriodicResponseAnswer answer = periodic_response(system_, 1);
     const Vector clear = shooting_.pack({answer.response->forced_state(0.0)});
-    std::optional<BranchPoint> start = solve_at(problem_, range_, clear, *touches + kClear);
+    std::optional<SolutionPoint> start = solve_at(problem_, range_, clear, *touches + kClear);
     if (!start) return {};
     start->turn_round();
     const Branch branch = trace_branch(problem_, range_, *start, Directions::kForward);
     std::vector<Vector> list;
     auto critical = branch.critical.begin();
     for (std::size_t i = 0; i + 1 < branch.points.size(); ++i) {
-      const BranchPoint* from = &branch.points[i];
+      const SolutionPoint* from = &branch.points[i];
       for (; critical != branch.critical.end() && critical->after == i; ++critical) {
         pass(*from, critical->point, list);
         from = &critical->point;
@@ -111,10 +111,10 @@ class GapBranch {
     return std::isfinite(most) ? std::optional(most) : std::nullopt;
   }
 
-  void pass(const BranchPoint& a, const BranchPoint& b, std::vector<Vector>& list) const {
+  void pass(const SolutionPoint& a, const SolutionPoint& b, std::vector<Vector>& list) const {
     if (a.parameter == 0.0 || a.parameter * b.parameter < 0.0) {
-      const std::optional<BranchPoint> at =
-          locate(problem_, range_, a, b, [](const BranchPoint& point) { return point.parameter; });
+      const std::optional<SolutionPoint> at = locate(
+          problem_, range_, a, b, [](const SolutionPoint& point) { return point.parameter; });
       const double part = a.parameter / (a.parameter - b.parameter);
       list.push_back(at ? at->u : Vector(a.u + part * (b.u - a.u)));
     }
@@ -129,13 +129,13 @@ class GapBranch {
   ContinuationOptions range_;
 };
 
-void add_orbits_over_gap(const System& system, const PassageOptions& strobe,
+void add_orbits_over_gap(const System& system, const PassageOptions& passage,
                          const FinderOptions& options, FoundOrbits& found) {
   const double speed_scale = motion_scale(system).speed;
-  const PassageShooting shooting(system, PassageLayout::strobe(1), strobe);
+  const PassageShooting shooting(system, PassageLayout::fixed_phase(1), passage);
   int joined = 0;
-  for (const Vector& u : GapBranch(system, options, strobe).solutions()) {
-    const FollowedAnswer answer = followed_orbit(system, shooting.unpack(system, u), strobe);
+  for (const Vector& u : GapBranch(system, options, passage).solutions()) {
+    const FollowedAnswer answer = followed_orbit(system, shooting.unpack(system, u), passage);
     ++joined;
     if (!answer.orbit) continue;
     const Orbit& orbit = *answer.orbit;
@@ -161,13 +161,13 @@ FoundOrbits search_orbits(const System& system, const std::optional<State>& star
         "with more than {} modes no orbits are sought over the gaps of the stops", kMostModes));
     return found;
   }
-  PassageOptions strobe;
-  strobe.max_impacts = options.max_impacts;
-  strobe.stop = options.stop;
+  PassageOptions passage;
+  passage.max_impacts = options.max_impacts;
+  state.stop = options.stop;
   const State at_rest{Vector::Zero(system.modes()), Vector::Zero(system.modes())};
-  strobe.closure_speed =
+  passage.closure_speed =
       options.closure_speed.value_or(default_closure_speed(system, start.value_or(at_rest)));
-  add_orbits_over_gap(system, strobe, options, found);
+  add_orbits_over_gap(system, passage, options, found);
   return found;
 }
 

@@ -14,44 +14,45 @@ namespace {
 // No stop is penetrated by more, of the length scale.
 constexpr double kPenetration = 1e-12;
 
-bool penetrates(const FlightEquations& equations, const BranchPoint& at) {
+bool penetrates(const FlightEquations& equations, const SolutionPoint& at) {
   const double length = motion_scale(*equations.system_at(at.parameters())).length;
   return equations.admissibility_of(at).clearance().value_or(0.0) < -kPenetration * length;
 }
 
 // Where an interior approach touches.
-std::optional<BranchPoint> touch(const FlightEquations& equations,
-                                 const ContinuationOptions& options, const BranchPoint& a,
-                                 const BranchPoint& b) {
+std::optional<SolutionPoint> touch(const FlightEquations& equations,
+                                   const ContinuationOptions& options, const SolutionPoint& a,
+                                   const SolutionPoint& b) {
   // Without an interior minimum the motion is as clear as its gap is wide.
-  const auto clearance = [&](const BranchPoint& p) {
+  const auto clearance = [&](const SolutionPoint& p) {
     return equations.admissibility_of(p).clearance();
   };
   const double clear = std::max(clearance(a).value_or(0.0), clearance(b).value_or(0.0)) + 1.0;
   return locate(equations.problem(), options, a, b,
-                [&](const BranchPoint& p) { return clearance(p).value_or(clear); });
+                [&](const SolutionPoint& p) { return clearance(p).value_or(clear); });
 }
 
 // Where an impact speed vanishes.
-std::optional<BranchPoint> standstill(const FlightEquations& equations,
-                                      const ContinuationOptions& options, const SeenSolution& a,
-                                      const SeenSolution& b) {
+std::optional<SolutionPoint> standstill(const FlightEquations& equations,
+                                        const ContinuationOptions& options, const SeenSolution& a,
+                                        const SeenSolution& b) {
   // One of them is on the grazing within rounding.
   const double at_a = a.smallest_speed(), at_b = b.smallest_speed();
   if (at_a > 0.0 && at_b > 0.0) {
-    BranchPoint nearer = at_a < at_b ? *a.point : *b.point;
+    SolutionPoint nearer = at_a < at_b ? *a.point : *b.point;
     nearer.bracket = bracket_around({nearer.parameter}, true);
     return nearer;
   }
-  return locate(equations.problem(), options, *a.point, *b.point,
-                [&](const BranchPoint& p) { return equations.admissibility_of(p).smallest_speed; });
+  return locate(equations.problem(), options, *a.point, *b.point, [&](const SolutionPoint& p) {
+    return equations.admissibility_of(p).smallest_speed;
+  });
 }
 
 // Where an impact that leaves its stop at rest is pushed back.
-std::optional<BranchPoint> pushed_back(const FlightEquations& equations,
-                                       const ContinuationOptions& options, const BranchPoint& a,
-                                       const BranchPoint& b) {
-  const auto pull = [&](const BranchPoint& p) {
+std::optional<SolutionPoint> pushed_back(const FlightEquations& equations,
+                                         const ContinuationOptions& options, const SolutionPoint& a,
+                                         const SolutionPoint& b) {
+  const auto pull = [&](const SolutionPoint& p) {
     return -equations.admissibility_of(p).push.value_or(-1.0);
   };
   if ((pull(a) < 0.0) == (pull(b) < 0.0)) return {};
@@ -72,7 +73,7 @@ std::optional<TouchingOrbit> impacts_across(const FlightEquations& equations,
 
 }  // namespace
 
-bool FlightBorders::lists(const BranchPoint& solution) const {
+bool FlightBorders::lists(const SolutionPoint& solution) const {
   return branches_.keep_virtual || equations_.admissibility_of(solution).admissible;
 }
 
@@ -112,7 +113,7 @@ void FlightBorders::pass(const JudgedPoint& a, const JudgedPoint& b,
 // One of them is an orbit and one is not.
 std::optional<BranchPlace> FlightBorders::between(const SeenSolution& a,
                                                   const SeenSolution& b) const {
-  const auto flight = [&](const BranchPoint& p) {
+  const auto flight = [&](const SolutionPoint& p) {
     return equations_.admissibility_of(p).shortest_flight;
   };
   if ((flight(*a.point) > 0.0) != (flight(*b.point) > 0.0))
@@ -126,9 +127,9 @@ std::optional<BranchPlace> FlightBorders::grazing(const SeenSolution& a,
                                                   const SeenSolution& b) const {
   const double still = still_speed(*equations_.system_at(a.point->parameters()));
   bool by_speed = (a.smallest_speed() > still) != (b.smallest_speed() > still);
-  std::optional<BranchPoint> point = by_speed
-                                         ? standstill(equations_, options_, a, b)
-                                         : pushed_back(equations_, options_, *a.point, *b.point);
+  std::optional<SolutionPoint> point = by_speed
+                                           ? standstill(equations_, options_, a, b)
+                                           : pushed_back(equations_, options_, *a.point, *b.point);
   bool by_push = point && !by_speed;
   if (by_speed && !point) return {};
   // An approach may have touched before.
@@ -154,7 +155,7 @@ std::optional<BranchPlace> FlightBorders::grazing(const SeenSolution& a,
 // Beyond a push the structure is held for a while, the longer the farther. The nearest orbit that
 // does so, as the motion from the first impact finds it; none where orbits that stick are not asked
 // for.
-std::vector<OrbitBranchPoint> FlightBorders::held_beyond(const BranchPoint& push,
+std::vector<OrbitBranchPoint> FlightBorders::held_beyond(const SolutionPoint& push,
                                                          double towards) const {
   if (!branches_.sticking) return {};
   const double range = std::abs(options_.to - options_.from);

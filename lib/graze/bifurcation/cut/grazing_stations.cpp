@@ -49,14 +49,14 @@ GrazingStations::GrazingStations(const FlightEquations& equations,
                                  const ContinuationOptions& options)
     : equations_(equations), corrector_(equations.problem(), options) {}
 
-OrbitDirection GrazingStations::direction(const BranchPoint& point) const {
+OrbitDirection GrazingStations::direction(const SolutionPoint& point) const {
   const Eigen::Index n = point.u.size();
   const System& system = *equations_.system_at(point.parameters());
   return {equations_.shooting().unpack(system, point.tangent.head(n)),
           point.tangent[n] * corrector_.range(), equations_.tangent_at(point.parameters())};
 }
 
-SeenSolution GrazingStations::seen(const BranchPoint& point, const OrbitBranchPoint& at) const {
+SeenSolution GrazingStations::seen(const SolutionPoint& point, const OrbitBranchPoint& at) const {
   const System& system = *equations_.system_at(point.parameters());
   const OrbitDirection along = direction(point);
   const std::vector<ImpactPoint> impacts = equations_.points(point);
@@ -115,7 +115,8 @@ void GrazingStations::add_approaches(const SeenSolution& a, const SeenSolution& 
   }
 }
 
-std::optional<BranchPoint> GrazingStations::doubtful(const SeenSolution& a, const SeenSolution& b) {
+std::optional<SolutionPoint> GrazingStations::doubtful(const SeenSolution& a,
+                                                       const SeenSolution& b) {
   const std::vector<MarginCourse> all = courses(a, b);
   // Where the verdict at an end depends on something else these say nothing.
   if (all.empty() || all_positive(all, 0.0) != a.admissible ||
@@ -131,7 +132,7 @@ std::list<GrazingStation> GrazingStations::between(const SeenSolution& a, const 
   std::list<GrazingStation> stations;
   const SeenSolution* from = &a;
   for (auto to = stations.begin(); stations.size() < kMostStations;) {
-    std::optional<BranchPoint> point = doubtful(*from, to == stations.end() ? b : to->seen);
+    std::optional<SolutionPoint> point = doubtful(*from, to == stations.end() ? b : to->seen);
     if (point && equations_.system_at(point->parameters())) {
       to = stations.insert(to, {std::move(*point), {}, {}});
       to->at = equations_.orbit_at(to->point);

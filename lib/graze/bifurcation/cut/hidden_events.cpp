@@ -23,13 +23,13 @@ const PassageMargin* partner(const PassageMargin& margin,
 
 }  // namespace
 
-std::optional<std::vector<PassageMargin>> HiddenEvents::margins(const BranchPoint& solution) {
+std::optional<std::vector<PassageMargin>> HiddenEvents::margins(const SolutionPoint& solution) {
   return margins_.answer({solution.u, solution.parameter, solution.tangent},
                          [&] { return equations_.margins(solution, corrector_.range()); });
 }
 
 // Of what must stay positive between a and b, as far as it is known at both.
-std::vector<MarginCourse> HiddenEvents::courses(const BranchPoint& a, const BranchPoint& b) {
+std::vector<MarginCourse> HiddenEvents::courses(const SolutionPoint& a, const SolutionPoint& b) {
   const std::optional<std::vector<PassageMargin>> at_a = margins(a), at_b = margins(b);
   if (!at_a || !at_b) return {};
   const Vector chord = corrector_.chord(a, b);
@@ -57,8 +57,8 @@ std::vector<MarginCourse> HiddenEvents::courses(const BranchPoint& a, const Bran
   return list;
 }
 
-std::optional<BranchPoint> HiddenEvents::between(const BranchPoint& a, const BranchPoint& b,
-                                                 const ReleaseReturn& at_a, int& looks) {
+std::optional<SolutionPoint> HiddenEvents::between(const SolutionPoint& a, const SolutionPoint& b,
+                                                   const ReleaseReturn& at_a, int& looks) {
   const std::vector<MarginCourse> all = courses(a, b);
   if (all.empty() || looks-- <= 0 || !all_positive(all, 0.0) || !all_positive(all, 1.0)) return {};
   std::optional<double> part = doubt_within(all);
@@ -66,11 +66,11 @@ std::optional<BranchPoint> HiddenEvents::between(const BranchPoint& a, const Bra
   if (!part && !is_shown(all)) part = 0.5;
   if (!part) return {};
   const Vector predicted = cubic_between(corrector_, a, *part * corrector_.ahead(a, b), a, b);
-  std::optional<BranchPoint> point = corrector_.on_hyperplane(predicted, a.tangent);
+  std::optional<SolutionPoint> point = corrector_.on_hyperplane(predicted, a.tangent);
   const bool solved = point.has_value();
   if (!solved) {
     const Eigen::Index n = a.u.size();
-    point = BranchPoint{predicted.head(n), predicted[n] * corrector_.range(), {}, 0.0, 0, {}};
+    point = SolutionPoint{predicted.head(n), predicted[n] * corrector_.range(), {}, 0.0, 0, {}};
   }
   const std::optional<ReleaseReturn> there = equations_.follow(*point);
   if (!there) return {};

@@ -39,8 +39,8 @@ LocusPlace as_place(const LocusSite& at, const Orbit& orbit) {
 
 }  // namespace
 
-std::optional<LocusPlace> StrobeLocus::place(const LocusSite& at,
-                                             std::optional<LocusMargin> /*zero*/) const {
+std::optional<LocusPlace> FixedPhaseLocus::place(const LocusSite& at,
+                                                 std::optional<LocusMargin> /*zero*/) const {
   const System* system = system_at(at);
   const std::optional<Orbit> orbit =
       system ? orbit_of(*system, equations_.shooting(), at.u, {}) : std::nullopt;
@@ -48,7 +48,7 @@ std::optional<LocusPlace> StrobeLocus::place(const LocusSite& at,
 }
 
 // Contacts may be born and lost along it: those of its first point name it.
-ImpactPattern StrobeLocus::pattern(const std::vector<LocusPlace>& places) const {
+ImpactPattern FixedPhaseLocus::pattern(const std::vector<LocusPlace>& places) const {
   ImpactPattern pattern{equations_.period(), {}};
   if (places.empty()) return pattern;
   const OrbitLocusPoint& first = places.front().at;
@@ -59,7 +59,7 @@ ImpactPattern StrobeLocus::pattern(const std::vector<LocusPlace>& places) const 
 }
 
 ReleaseLocus::ReleaseLocus(const PassageEquations& equations, bool completing)
-    : StrobeLocus(equations), completing_(completing) {
+    : FixedPhaseLocus(equations), completing_(completing) {
   if (completing) tolerance = kCompletion;
   most_points = kMostLocusPoints;
 }
@@ -125,7 +125,7 @@ OrbitLocusEnd ReleaseLocus::end_at(const LocusSite& last) const {
 
 std::optional<LocusPlace> ReleaseLocus::place(const LocusSite& at,
                                               std::optional<LocusMargin> zero) const {
-  return completing_ ? place_at_release(at, {}) : StrobeLocus::place(at, zero);
+  return completing_ ? place_at_release(at, {}) : FixedPhaseLocus::place(at, zero);
 }
 
 std::optional<LocusPlace> ReleaseLocus::place_at_release(const LocusSite& at,

@@ -10,11 +10,11 @@ constexpr int kMostSteps = 400;  // of a bisection that may need two for each of
 }  // namespace
 
 ReleaseApproach approach_border(const PassageEquations& equations, Corrector& corrector,
-                                const StopSignal& stop, const BranchPoint& a, const BranchPoint& b,
-                                const ReleaseReturn& at_a, bool impacts) {
+                                const StopSignal& stop, const SolutionPoint& a,
+                                const SolutionPoint& b, const ReleaseReturn& at_a, bool impacts) {
   const Vector chord = corrector.chord(a, b);
   ReleaseApproach result;
-  BranchPoint inside = a;
+  SolutionPoint inside = a;
   if (inside.tangent.dot(chord) < 0.0) inside.tangent *= -1.0;
   result.reached = {inside};
   result.last = at_a;
@@ -27,7 +27,7 @@ ReleaseApproach approach_border(const PassageEquations& equations, Corrector& co
   // Some two steps to a bit; more of them would lead past `b`.
   double h = 0.5 * chord.norm();
   for (int step = 0; h > least && step < kMostSteps && !stop.requested(); ++step) {
-    std::optional<BranchPoint> next =
+    std::optional<SolutionPoint> next =
         corrector.on_hyperplane(corrector.pack(inside) + h * inside.tangent, inside.tangent);
     const std::optional<ReleaseReturn> back =
         next ? equations.follow(*next) : std::optional<ReleaseReturn>();

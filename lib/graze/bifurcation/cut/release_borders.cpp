@@ -22,7 +22,7 @@ constexpr int kMostChanges = 64;
 constexpr int kMostLooks = 40;
 
 // What was met beyond may be a prediction only; that is no solution, and does not return.
-bool is_solved(const BranchPoint& point) { return point.tangent.size() > 0; }
+bool is_solved(const SolutionPoint& point) { return point.tangent.size() > 0; }
 
 void drop_last(Branch& trace, std::size_t side) {
   trace.points.erase(side == 0 ? trace.points.begin() : trace.points.end() - 1);
@@ -44,14 +44,14 @@ ReleaseBorders::ReleaseBorders(const PassageEquations& equations,
       corrector_(equations.problem(), options_),
       hidden_(equations, corrector_) {}
 
-bool ReleaseBorders::goes_on(const BranchPoint& previous, const BranchPoint& here) {
+bool ReleaseBorders::goes_on(const SolutionPoint& previous, const SolutionPoint& here) {
   const auto before = equations_.follow(previous), now = equations_.follow(here);
   if (!before || !now || !now->returns || now->holds != before->holds) return false;
   // Where the impacts are felt, between() knows.
   return !equations_.see_impacts() || !between(previous, here).border;
 }
 
-ReleaseTip ReleaseBorders::between(const BranchPoint& a, const BranchPoint& b) {
+ReleaseTip ReleaseBorders::between(const SolutionPoint& a, const SolutionPoint& b) {
   ReleaseTip first;
   if (equations_.see_impacts()) first = grazing_ahead(equations_, options_, a, b);
   if (first.border) return first;
@@ -62,7 +62,7 @@ ReleaseTip ReleaseBorders::between(const BranchPoint& a, const BranchPoint& b) {
   return first;
 }
 
-ReleaseTip ReleaseBorders::at_last(const BranchPoint& at) {
+ReleaseTip ReleaseBorders::at_last(const SolutionPoint& at) {
   const std::optional<ReleaseReturn> here = equations_.follow(at);
   // Where the equations are solved no further the trace has come as near as it gets.
   if (here && has_shrunk(*here, equations_.period_at(at)))
@@ -90,7 +90,7 @@ std::optional<BranchPlace> ReleaseBorders::place_of(const ReleaseTip& tip) const
   if (!at) return {};
   BranchPlace place{std::move(*at), {}, true, tip.end};
   place.at.value = tip.value;
-  BranchPoint solution = *tip.border;
+  SolutionPoint solution = *tip.border;
   solution.bracket = tip.bracket;
   SpecialKind kind = SpecialKind::kChatterCompletes;
   if (tip.end == OrbitBranchEnd::kGrazing) kind = SpecialKind::kGrazing;
@@ -111,7 +111,7 @@ std::optional<BranchPlace> ReleaseBorders::place_of(const ReleaseTip& tip) const
 
 // Where the trace was halted its last point lies beyond the border.
 std::optional<BranchTip> ReleaseBorders::close(Branch& trace, std::size_t side) {
-  std::vector<BranchPoint>& points = trace.points;
+  std::vector<SolutionPoint>& points = trace.points;
   const bool halted = trace.ends[side] == BranchEnd::kHalted;
   if (!halted && trace.ends[side] != BranchEnd::kNotConverged) return {};
   ReleaseTip tip;
@@ -133,14 +133,14 @@ std::optional<BranchTip> ReleaseBorders::close(Branch& trace, std::size_t side) 
 }
 
 // Of the last step only what leads up to the border is left, with the special points in that.
-void ReleaseBorders::end_at(const BranchPoint& border, Branch& trace, std::size_t side) {
+void ReleaseBorders::end_at(const SolutionPoint& border, Branch& trace, std::size_t side) {
   const std::size_t first = side == 0 ? 0 : trace.points.size() - 2;
   trace.points[side == 0 ? 0 : first + 1] = border;
   const ZeroProblem& problem = equations_.problem();
   Branch step;
   step.points = {trace.points[first], trace.points[first + 1]};
   const Vector chord = corrector_.chord(step.points[0], step.points[1]);
-  for (BranchPoint& point : step.points) {
+  for (SolutionPoint& point : step.points) {
     if (point.tangent.dot(chord) < 0.0) point.turn_round();
     point.multipliers = problem.multipliers(point.u, point.parameters(), ErrorBounds::kGiven);
   }
@@ -163,17 +163,17 @@ void ReleaseBorders::end_at(const BranchPoint& border, Branch& trace, std::size_
 
 // From a to b along the changes of the events, and what is there at each, until that is enough.
 // `impacts`: see has_same_events().
-void ReleaseBorders::walk(const BranchPoint& a, const BranchPoint& b, bool impacts,
+void ReleaseBorders::walk(const SolutionPoint& a, const SolutionPoint& b, bool impacts,
                           const std::function<bool(const ReleaseTip&)>& is_enough) {
-  BranchPoint from = a;
+  SolutionPoint from = a;
   std::optional<ReleaseReturn> here = equations_.follow(a);
   const std::optional<ReleaseReturn> at_b = equations_.follow(b);
   int looks = kMostLooks;
   for (int change = 0; here && change < kMostChanges && !options_.stop.requested(); ++change) {
-    BranchPoint target = b;
+    SolutionPoint target = b;
     // Changes that end nothing may be all there is up to `b`.
     if (at_b && has_same_events(*at_b, *here, impacts)) {
-      const std::optional<BranchPoint> other = hidden_.between(from, b, *here, looks);
+      const std::optional<SolutionPoint> other = hidden_.between(from, b, *here, looks);
       if (!other) return;
       target = *other;
     }

@@ -105,9 +105,9 @@ std::optional<double> vanishing_at(const std::vector<NearBorder>& solutions, dou
 
 // Where the stop is not let go any more, by orbits before that: bisection comes as near as an
 // opening that can be told from none.
-double last_opening(const PassageEquations& equations, const std::vector<BranchPoint>& reached) {
+double last_opening(const PassageEquations& equations, const std::vector<SolutionPoint>& reached) {
   std::vector<NearBorder> near;
-  for (const BranchPoint& point : reached)
+  for (const SolutionPoint& point : reached)
     if (const auto back = equations.follow(point))
       near.push_back({point.parameter, shortest_opening(*back, equations.period_at(point))});
   return vanishing_at(near, kOpened * equations.period_at(reached.back()))
@@ -116,8 +116,8 @@ double last_opening(const PassageEquations& equations, const std::vector<BranchP
 
 // The orbit met beyond, where its stuck phases are others: of those next to the border that have
 // the same ones the farthest.
-std::optional<BranchPoint> orbit_beyond(const ReleaseApproach& approach) {
-  std::optional<BranchPoint> other;
+std::optional<SolutionPoint> orbit_beyond(const ReleaseApproach& approach) {
+  std::optional<SolutionPoint> other;
   const auto& others = approach.others;
   for (auto known = others.rbegin(); known != others.rend(); ++known) {
     if (known->second.size() == approach.last.holds.size() || known->second != others.back().second)
@@ -129,8 +129,8 @@ std::optional<BranchPoint> orbit_beyond(const ReleaseApproach& approach) {
 
 // The last of the points reached whose orbit is found once more: on the border itself rounding may
 // decide otherwise when it is flown again.
-std::optional<BranchPoint> last_orbit(const PassageEquations& equations,
-                                      const std::vector<BranchPoint>& reached) {
+std::optional<SolutionPoint> last_orbit(const PassageEquations& equations,
+                                        const std::vector<SolutionPoint>& reached) {
   int back = 0;
   for (auto point = reached.rbegin(); point != reached.rend() && back < kMostBack; ++point, ++back)
     if (equations.judge(*point)) return *point;
@@ -140,7 +140,7 @@ std::optional<BranchPoint> last_orbit(const PassageEquations& equations,
 }  // namespace
 
 ReleaseTip completion(const PassageEquations& equations, const ReleaseApproach& approach) {
-  const BranchPoint& inside = approach.reached.back();
+  const SolutionPoint& inside = approach.reached.back();
   const ReleaseReturn& here = approach.last;
   const std::optional<ReleaseReturn>& beyond = approach.beyond;
   const double period = equations.period_at(inside);
@@ -156,7 +156,7 @@ ReleaseTip completion(const PassageEquations& equations, const ReleaseApproach& 
   if ((!changes && !cut) || !approach.settled) return {};
   const bool extrapolated = !changes && cut_here;
   const double value = extrapolated ? last_opening(equations, approach.reached) : inside.parameter;
-  const std::optional<BranchPoint> border = last_orbit(equations, approach.reached);
+  const std::optional<SolutionPoint> border = last_orbit(equations, approach.reached);
   if (!border) return {};
   const int periods = equations.period();
   const OrbitBranchEnd end = is_at_rest(here, periods, period) ? OrbitBranchEnd::kAtRest

@@ -19,23 +19,23 @@ constexpr double kSlow = 1e-4;
 // Where on the other side an orbit without the impact is looked for, of the range.
 constexpr double kBeside = 1e-5;
 
-double length_unit(const PassageEquations& equations, const BranchPoint& at) {
+double length_unit(const PassageEquations& equations, const SolutionPoint& at) {
   return motion_scale(*equations.system_at(at.parameter)).length;
 }
 
-double speed_unit(const PassageEquations& equations, const BranchPoint& at) {
+double speed_unit(const PassageEquations& equations, const SolutionPoint& at) {
   return length_unit(equations, at) * equations.system_at(at.parameter)->forcing()->frequency;
 }
 
 // The orbit that is left where the impact vanishes: it may lie on either side.
-std::optional<BranchPoint> without_impact(const PassageEquations& equations,
-                                          const ContinuationOptions& options, const BranchPoint& at,
-                                          double grazing) {
+std::optional<SolutionPoint> without_impact(const PassageEquations& equations,
+                                            const ContinuationOptions& options,
+                                            const SolutionPoint& at, double grazing) {
   const std::optional<ReleaseReturn> here = equations.follow(at);
   if (!here) return {};
   const double beside = kBeside * std::abs(options.to - options.from);
   for (const double side : {1.0, -1.0}) {
-    std::optional<BranchPoint> other =
+    std::optional<SolutionPoint> other =
         solve_at(equations.problem(), options, at.u, grazing + side * beside);
     if (!other) continue;
     const std::optional<ReleaseReturn> there = equations.follow(*other);
@@ -48,14 +48,14 @@ std::optional<BranchPoint> without_impact(const PassageEquations& equations,
 
 }  // namespace
 
-bool touches(const PassageEquations& equations, const BranchPoint& at) {
+bool touches(const PassageEquations& equations, const SolutionPoint& at) {
   const std::optional<ReleaseReturn> here = equations.follow(at, true);
   return here && here->passage.clearance() &&
          *here->passage.clearance() <= kTouches * length_unit(equations, at);
 }
 
 ReleaseTip grazing_at(const PassageEquations& equations, const ContinuationOptions& options,
-                      const BranchPoint& at, bool is_lost) {
+                      const SolutionPoint& at, bool is_lost) {
   const std::optional<ReleaseReturn> here = equations.follow(at);
   if (!here) return {};
   const double unit = speed_unit(equations, at);
@@ -70,7 +70,7 @@ ReleaseTip grazing_at(const PassageEquations& equations, const ContinuationOptio
 }
 
 ReleaseTip grazing_ahead(const PassageEquations& equations, const ContinuationOptions& options,
-                         const BranchPoint& a, const BranchPoint& b) {
+                         const SolutionPoint& a, const SolutionPoint& b) {
   const std::optional<ReleaseReturn> before = equations.follow(a), now = equations.follow(b);
   if (!before || !now || !now->returns || now->holds != before->holds) return {};
   const double unit = speed_unit(equations, b);

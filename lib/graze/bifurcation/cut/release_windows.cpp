@@ -18,7 +18,7 @@ constexpr double kFirst = 0.02;
 
 // A motion from the release that does not come back to rest, as impacts and flights.
 std::optional<Orbit> impacts_of(const System& system, const PassageEquations& equations,
-                                const BranchPoint& solution) {
+                                const SolutionPoint& solution) {
   std::optional<ReleaseReturn> back = equations.follow(solution);
   if (!back || back->returns || !back->holds.empty()) return {};
   Orbit orbit;
@@ -34,7 +34,8 @@ std::optional<Orbit> impacts_of(const System& system, const PassageEquations& eq
 
 std::vector<OrbitBranchPoint> windows_beyond(const PassageEquations& equations,
                                              const ContinuationOptions& options,
-                                             const BranchPoint& border, const BranchPoint& outer) {
+                                             const SolutionPoint& border,
+                                             const SolutionPoint& outer) {
   std::vector<OrbitBranchPoint> list;
   const auto released = static_cast<std::size_t>(*equations.layout().released);
   const Stop& stop = equations.system_at(border.parameter)->stops[released];

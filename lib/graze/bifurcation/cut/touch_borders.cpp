@@ -28,7 +28,7 @@ std::vector<int> stops_of(const BranchPlace& place) {
 
 }  // namespace
 
-bool TouchBorders::resolves(const BranchPoint& from, const BranchPoint& to) {
+bool TouchBorders::resolves(const SolutionPoint& from, const SolutionPoint& to) {
   const std::optional<int> stop =
       stop_of_difference(equations_.stops_met(from), equations_.stops_met(to));
   // Across a corner the tangents say nothing.
@@ -40,7 +40,7 @@ bool TouchBorders::resolves(const BranchPoint& from, const BranchPoint& to) {
 }
 
 // `approach`: an approach touches there, else a contact loses its speed.
-BranchPlace TouchBorders::border(const BranchPoint& at, std::optional<OrbitBranchPoint> orbit,
+BranchPlace TouchBorders::border(const SolutionPoint& at, std::optional<OrbitBranchPoint> orbit,
                                  bool approach) const {
   BranchPlace place;
   place.end = OrbitBranchEnd::kGrazing;
@@ -67,7 +67,7 @@ void TouchBorders::pass(const JudgedPoint& a, const JudgedPoint& b,
                                        : equations_.judge_touching(touch->at, touch->touch),
                               approach));
   } else {
-    const std::optional<BranchPoint> at =
+    const std::optional<SolutionPoint> at =
         grazing_between(a.point, b.point, before.size(), after.size());
     const bool met = std::min(before.size(), after.size()) > 0;
     for (const bool approach : {born, !born})
@@ -79,7 +79,7 @@ void TouchBorders::pass(const JudgedPoint& a, const JudgedPoint& b,
 
 // How far an orbit is from a grazing, m or m^2/s^2: in proportion to the distance along the
 // branch.
-std::optional<double> TouchBorders::margin_of(const BranchPoint& point, bool speed,
+std::optional<double> TouchBorders::margin_of(const SolutionPoint& point, bool speed,
                                               std::size_t impacts) const {
   const std::optional<OrbitBranchPoint> at = equations_.judge(point);
   if (!at || at->orbit.impacts.size() != impacts) return {};
@@ -100,11 +100,11 @@ double TouchBorders::near_enough(bool speed) const {
 std::optional<BranchTip> TouchBorders::close(Branch& trace, std::size_t side) {
   const std::size_t count = trace.points.size();
   if (trace.ends[side] != BranchEnd::kNotConverged || count < 2) return {};
-  const BranchPoint& before = trace.points[side == 0 ? 1 : count - 2];
-  const BranchPoint& last = trace.points[side == 0 ? 0 : count - 1];
+  const SolutionPoint& before = trace.points[side == 0 ? 1 : count - 2];
+  const SolutionPoint& last = trace.points[side == 0 ? 0 : count - 1];
   const std::size_t impacts = equations_.stops_met(last).size();
   for (const bool speed : {false, true}) {
-    const std::optional<BranchPoint> corner = corner_beyond(before, last, speed, impacts);
+    const std::optional<SolutionPoint> corner = corner_beyond(before, last, speed, impacts);
     if (!corner) continue;
     if (side == 0) {
       trace.points.insert(trace.points.begin(), *corner);
@@ -118,8 +118,8 @@ std::optional<BranchTip> TouchBorders::close(Branch& trace, std::size_t side) {
 }
 
 // By secants of the margin, from one side; nothing where they lead nowhere near.
-std::optional<BranchPoint> TouchBorders::corner_beyond(BranchPoint before, BranchPoint last,
-                                                       bool speed, std::size_t impacts) const {
+std::optional<SolutionPoint> TouchBorders::corner_beyond(SolutionPoint before, SolutionPoint last,
+                                                         bool speed, std::size_t impacts) const {
   constexpr int kMostRounds = 40;
   std::optional<double> from = margin_of(before, speed, impacts),
                         to = margin_of(last, speed, impacts);
@@ -134,10 +134,10 @@ std::optional<BranchPoint> TouchBorders::corner_beyond(BranchPoint before, Branc
     // Not quite there: beyond, the motion is another one.
     const double part = 0.9 * *to / (*from - *to);
     if (!(part > 0.0) || (round == 0 && part > 1.0)) return {};
-    BranchPoint guess = last;
+    SolutionPoint guess = last;
     guess.u += part * (last.u - before.u);
     const double value = last.parameter + part * (last.parameter - before.parameter);
-    const std::optional<BranchPoint> next =
+    const std::optional<SolutionPoint> next =
         solve_at(equations_.problem(), options_, guess.u, value);
     const std::optional<double> left = next ? margin_of(*next, speed, impacts) : std::nullopt;
     if (!left || !(*left < *to)) break;
@@ -154,12 +154,13 @@ std::optional<BranchPoint> TouchBorders::corner_beyond(BranchPoint before, Branc
 
 // The gap of an approach falls through zero in proportion to the distance; beyond, the square of
 // the speed of the contact grows with it.
-std::optional<BranchPoint> TouchBorders::grazing_between(const BranchPoint& a, const BranchPoint& b,
-                                                         std::size_t before,
-                                                         std::size_t after) const {
+std::optional<SolutionPoint> TouchBorders::grazing_between(const SolutionPoint& a,
+                                                           const SolutionPoint& b,
+                                                           std::size_t before,
+                                                           std::size_t after) const {
   const std::size_t fewer = std::min(before, after);
   const double sign = before < after ? 1.0 : -1.0;
-  const auto test = [&](const BranchPoint& point) {
+  const auto test = [&](const SolutionPoint& point) {
     const std::optional<OrbitBranchPoint> at = equations_.judge(point);
     const std::size_t here = at ? at->orbit.impacts.size() : 0;
     if (here > fewer) return -sign * at->smallest_speed * at->smallest_speed;

@@ -25,7 +25,7 @@ class TouchSearch {
   TouchSearch(const PassageEquations& equations, const ContinuationOptions& options)
       : equations_(equations), corrector_(equations.problem(), options), options_(options) {}
 
-  std::optional<FoundTouch> near(const BranchPoint& from, const Touch& touch) {
+  std::optional<FoundTouch> near(const SolutionPoint& from, const Touch& touch) {
     const Eigen::Index n = from.u.size();
     Vector y(n + 2);
     y << corrector_.pack(from), equations_.psi_of(from.u, touch);
@@ -45,8 +45,8 @@ class TouchSearch {
   }
 
   // How far along the chord from a to b, as a part of it; nothing beside it.
-  std::optional<double> part_between(const BranchPoint& a, const BranchPoint& b,
-                                     const BranchPoint& point) const {
+  std::optional<double> part_between(const SolutionPoint& a, const SolutionPoint& b,
+                                     const SolutionPoint& point) const {
     const Vector chord = corrector_.chord(a, b), offset = corrector_.chord(a, point);
     const double length = chord.norm(), along = offset.dot(chord) / length;
     // Known to the accuracy of the equations.
@@ -77,7 +77,7 @@ class TouchSearch {
 };
 
 int sign_of_orientation(const PassageEquations& equations, const ContinuationOptions& options,
-                        const BranchPoint& at) {
+                        const SolutionPoint& at) {
   Corrector corrector(equations.problem(), options);
   const auto linearised = corrector.linearise(corrector.pack(at), at.tangent);
   return linearised ? LuFactors(linearised->bordered).determinant_sign() : 0;
@@ -86,12 +86,12 @@ int sign_of_orientation(const PassageEquations& equations, const ContinuationOpt
 }  // namespace
 
 std::optional<FoundTouch> touch_between(const PassageEquations& equations,
-                                        const ContinuationOptions& options, const BranchPoint& a,
-                                        const BranchPoint& b, int stop) {
+                                        const ContinuationOptions& options, const SolutionPoint& a,
+                                        const SolutionPoint& b, int stop) {
   TouchSearch search(equations, options);
   std::optional<FoundTouch> best;
   double nearest = std::numeric_limits<double>::infinity();
-  for (const BranchPoint* from : {&a, &b})
+  for (const SolutionPoint* from : {&a, &b})
     for (const Touch& touch : equations.touches_near(*from)) {
       if (touch.stop != stop) continue;
       const std::optional<FoundTouch> border = search.near(*from, touch);
@@ -112,7 +112,8 @@ std::optional<FoundTouch> touch_between(const PassageEquations& equations,
 }
 
 std::optional<FoundTouch> touch_from(const PassageEquations& equations,
-                                     const ContinuationOptions& options, const BranchPoint& from) {
+                                     const ContinuationOptions& options,
+                                     const SolutionPoint& from) {
   const System* system = equations.system_at(from.parameters());
   if (!system) return {};
   const std::vector<Touch> touches = touches_near(*system, equations.shooting(), from.u);

@@ -276,7 +276,7 @@ LocusTracer::CurveStart LocusTracer::passage_touch(const OrbitLocusStart& start)
     if (passages->layout().sections > 1 && (!orbit || orbit->impacts.size() <= 1)) {
       u = passages->shooting().at_section(u, static_cast<int>(touch.turn));
       touch.turn = 0;
-      LaidOrbits& once = problems_.strobe_once(*list.front().orbits);
+      LaidOrbits& once = problems_.fixed_phase_once(*list.front().orbits);
       passages = dynamic_cast<const PassageEquations*>(once.problem.get());
     }
   }
@@ -311,7 +311,7 @@ LocusAnswer LocusTracer::trace_along(const OrbitLocusStart& start) {
   PlaneCurveProblem problem = curve.problem();
   // The margins of its orbits, and after them a function that changes sign where a multiplier
   // passes 1.
-  problem.tests = [&](const BranchPoint&, const BranchPoint& here) -> std::optional<Vector> {
+  problem.tests = [&](const SolutionPoint&, const SolutionPoint& here) -> std::optional<Vector> {
     std::optional<Vector> tests = curve.orbits().margins(curve.site_of(here));
     if (!tests || !problem.problem.multipliers) return tests;
     const std::vector<Eigenvalue> list =
@@ -323,11 +323,11 @@ LocusAnswer LocusTracer::trace_along(const OrbitLocusStart& start) {
   };
   LocusOptions options = options_;
   curve.orbits().limit(options);
-  const std::optional<BranchPoint> point =
+  const std::optional<SolutionPoint> point =
       point_on_curve(problem, options, at.unknown, start.second);
   if (!point) return answer;
   const ContinuationOptions along = branch_options(problem, options);
-  for (const BranchPoint& same : curve.rewritings(*point))
+  for (const SolutionPoint& same : curve.rewritings(*point))
     for (const Branch& branch : at.curves->traced)
       answer.known = answer.known || lies_on(problem.problem, along, branch, same);
   if (answer.known) return answer;
@@ -342,9 +342,9 @@ LocusTrace LocusTracer::as_trace(OrbitLocusKind kind, const OrbitCurve& curve,
                                  const PlaneCurve& traced) const {
   const LocusOrbits& orbits = curve.orbits();
   std::vector<LocusSite> sites;
-  for (const BranchPoint& at : traced.branch.points) sites.push_back(curve.site_of(at));
+  for (const SolutionPoint& at : traced.branch.points) sites.push_back(curve.site_of(at));
   std::vector<Within> within;
-  const auto add = [&](std::size_t after, const BranchPoint& at, std::optional<LocusMargin> zero,
+  const auto add = [&](std::size_t after, const SolutionPoint& at, std::optional<LocusMargin> zero,
                        const char* met, std::optional<double> angle) {
     std::optional<LocusPlace> place = orbits.place(curve.site_of(at), zero);
     if (!place) return;

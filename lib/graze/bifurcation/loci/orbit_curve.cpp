@@ -11,15 +11,15 @@ OrbitCurve::OrbitCurve(const OrbitProblem& equations, Eigen::Index n, Eigen::Ind
   problem_.problem.wrap = Vector::Zero(n + 1 + further);
   const Vector& wrap = equations.problem().wrap;
   problem_.problem.wrap.head(wrap.size()) = wrap;
-  problem_.resolves = [this](const BranchPoint& from, const BranchPoint& to) {
+  problem_.resolves = [this](const SolutionPoint& from, const SolutionPoint& to) {
     return orbits_->resolves(site_of(from), site_of(to));
   };
-  problem_.proceed = [this](const BranchPoint& previous, const BranchPoint& here) {
+  problem_.proceed = [this](const SolutionPoint& previous, const SolutionPoint& here) {
     return orbits_->goes_on(site_of(previous), site_of(here));
   };
 }
 
-LocusSite OrbitCurve::site_of(const BranchPoint& point) const {
+LocusSite OrbitCurve::site_of(const SolutionPoint& point) const {
   const Eigen::Index n = problem_.first;
   return {point.u.head(n), point.u[n] * unit_, point.parameter, 0.0,
           point.u.tail(point.u.size() - n - 1)};

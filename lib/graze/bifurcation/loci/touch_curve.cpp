@@ -42,10 +42,10 @@ class Touching {
   int stop_;
 };
 
-class TouchingStrobe : public StrobeLocus {
+class GrazingAtFixedPhase : public FixedPhaseLocus {
  public:
-  TouchingStrobe(const PassageEquations& equations, int stop)
-      : StrobeLocus(equations), touching_(equations, stop) {
+  GrazingAtFixedPhase(const PassageEquations& equations, int stop)
+      : FixedPhaseLocus(equations), touching_(equations, stop) {
     tolerance = kTolerance;
   }
   std::optional<LocusPlace> place(const LocusSite& at,
@@ -91,7 +91,7 @@ class TouchingRelease : public ReleaseLocus {
 
 std::unique_ptr<LocusOrbits> touching_orbits(const PassageEquations& equations, int stop) {
   if (equations.layout().released) return std::make_unique<TouchingRelease>(equations, stop);
-  return std::make_unique<TouchingStrobe>(equations, stop);
+  return std::make_unique<GrazingAtFixedPhase>(equations, stop);
 }
 
 }  // namespace
@@ -105,19 +105,19 @@ TouchCurve::TouchCurve(const PassageEquations& equations, int stop)
   problem_.problem.wrap[problem_.first + 1] = equations.period() * kTurn;
 }
 
-std::vector<BranchPoint> TouchCurve::rewritings(const BranchPoint& point) const {
+std::vector<SolutionPoint> TouchCurve::rewritings(const SolutionPoint& point) const {
   // The other sections at a release are other equations.
   const auto& layout = std::get<PassageLayout>(equations_.orbit_layout());
   if (layout.released) return {point};
   const Eigen::Index size = problem_.first, n = size / equations_.period();
-  std::vector<BranchPoint> list;
+  std::vector<SolutionPoint> list;
   for (Eigen::Index begun = 0; begun < size; begun += n) {
     const auto from_there = [&](const Vector& turns) {
       Vector turned(size);
       turned << turns.segment(begun, size - begun), turns.head(begun);
       return turned;
     };
-    BranchPoint turned = point;
+    SolutionPoint turned = point;
     turned.u.head(size) = from_there(point.u);
     turned.u[size + 1] -= static_cast<double>(begun / n) * kTurn;
     turned.tangent.head(size) = from_there(point.tangent);

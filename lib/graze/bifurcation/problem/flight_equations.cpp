@@ -64,15 +64,15 @@ std::optional<Eigen::MatrixXcd> FlightEquations::curvature(
   return rows;
 }
 
-std::vector<ImpactPoint> FlightEquations::points(const BranchPoint& solution) const {
+std::vector<ImpactPoint> FlightEquations::points(const SolutionPoint& solution) const {
   return shooting_.unpack(*system_at(solution.parameters()), solution.u);
 }
 
-Admissibility FlightEquations::admissibility_of(const BranchPoint& solution) const {
+Admissibility FlightEquations::admissibility_of(const SolutionPoint& solution) const {
   return admissibility(*system_at(solution.parameters()), pattern(), points(solution));
 }
 
-OrbitBranchPoint FlightEquations::orbit_at(const BranchPoint& solution) const {
+OrbitBranchPoint FlightEquations::orbit_at(const SolutionPoint& solution) const {
   const System& system = *system_at(solution.parameters());
   return point_of_branch(solution.parameter,
                          solution.multipliers.empty()
@@ -80,11 +80,11 @@ OrbitBranchPoint FlightEquations::orbit_at(const BranchPoint& solution) const {
                              : make_orbit(system, shooting_, solution.u, solution.multipliers));
 }
 
-std::optional<OrbitBranchPoint> FlightEquations::judge(const BranchPoint& solution) const {
+std::optional<OrbitBranchPoint> FlightEquations::judge(const SolutionPoint& solution) const {
   return system_at(solution.parameters()) ? std::optional(orbit_at(solution)) : std::nullopt;
 }
 
-Vector FlightEquations::halves_differ(const BranchPoint& solution) const {
+Vector FlightEquations::halves_differ(const SolutionPoint& solution) const {
   const ImpactPattern& whole = pattern();
   const int half = whole.impacts() / 2, half_period = whole.period / 2;
   if (whole.period % 2 != 0 || whole.impacts() % 2 != 0 ||
@@ -104,17 +104,17 @@ std::unique_ptr<OrbitProblem> FlightEquations::doubled() const {
                                            shooting_.scale());
 }
 
-BranchPoint FlightEquations::twice_round(const BranchPoint& solution) const {
-  BranchPoint twice = graze::twice_round(solution);
+SolutionPoint FlightEquations::twice_round(const SolutionPoint& solution) const {
+  SolutionPoint twice = graze::twice_round(solution);
   const Eigen::Index n = solution.u.size(), block = n / pattern().impacts();
   for (Eigen::Index at = n; at < 2 * n; at += block) twice.u[at] += kTurn * pattern().period;
   return twice;
 }
 
-std::vector<BranchPoint> FlightEquations::rewritings(const OrbitProblem& of,
-                                                     const ContinuationOptions& /*options*/,
-                                                     const BranchPoint& solution) const {
-  std::vector<BranchPoint> list;
+std::vector<SolutionPoint> FlightEquations::rewritings(const OrbitProblem& of,
+                                                       const ContinuationOptions& /*options*/,
+                                                       const SolutionPoint& solution) const {
+  std::vector<SolutionPoint> list;
   if (&of != this || !system_at(solution.parameters())) return list;
   for (const std::vector<ImpactPoint>& impacts : graze::rewritings(pattern(), points(solution))) {
     list.push_back(solution);

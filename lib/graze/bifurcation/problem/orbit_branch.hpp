@@ -38,7 +38,7 @@ struct SpecialPoint {
   std::optional<Complex> multiplier;  // the critical one
   // For a grazing: whether an impact speed vanishes there (else an interior approach touches).
   bool by_speed = false;
-  BranchPoint solution;  // of the shooting equations, to go on from
+  SolutionPoint solution;  // of the shooting equations, to go on from
   // For CH: whether a contact force touches zero within a stuck phase and cuts it in two (else one
   // shrinks to nothing).
   bool interrupted = false;

@@ -10,7 +10,7 @@ namespace {
 
 // Halves nearer than this are one: solutions are known to about the square root of eps where they
 // are least well determined.
-double rounding_of(const BranchPoint& solution) {
+double rounding_of(const SolutionPoint& solution) {
   return kShootingAccuracy * (1.0 + solution.u.norm());
 }
 
@@ -50,23 +50,23 @@ std::optional<ZeroEvaluation> OrbitProblem::evaluate(const Vector& u, Parameters
                         std::move(sum->by_parameters), std::move(sum->closing)};
 }
 
-bool OrbitProblem::is_half(const BranchPoint& solution) const {
+bool OrbitProblem::is_half(const SolutionPoint& solution) const {
   const Vector difference = halves_differ(solution);
   return difference.size() > 0 && difference.norm() <= rounding_of(solution);
 }
 
 // That difference passes zero there and comes out the other way round; beyond are the same orbits
 // again, half a period later. What is no larger than rounding says nothing.
-bool OrbitProblem::passes_half(const BranchPoint& a, const BranchPoint& b) const {
+bool OrbitProblem::passes_half(const SolutionPoint& a, const SolutionPoint& b) const {
   const Vector before = halves_differ(a), now = halves_differ(b);
   return before.size() > 0 && before.size() == now.size() &&
          std::min(before.norm(), now.norm()) > rounding_of(a) && before.dot(now) < 0.0;
 }
 
-BranchPoint OrbitProblem::half_between(const BranchPoint& a, const BranchPoint& b) const {
+SolutionPoint OrbitProblem::half_between(const SolutionPoint& a, const SolutionPoint& b) const {
   const double before = halves_differ(a).norm();
   const double part = before / (before + halves_differ(b).norm());
-  BranchPoint at = a;
+  SolutionPoint at = a;
   at.u += part * (b.u - a.u);
   at.parameter += part * (b.parameter - a.parameter);
   at.multipliers.clear();

@@ -101,7 +101,7 @@ std::optional<Eigen::MatrixXcd> PassageEquations::curvature(
   return rows;
 }
 
-Vector PassageEquations::halves_differ(const BranchPoint& solution) const {
+Vector PassageEquations::halves_differ(const SolutionPoint& solution) const {
   if (period() % 2 != 0) return {};
   if (layout().sections % 2 == 0) {
     const Eigen::Index half = solution.u.size() / 2;
@@ -118,7 +118,7 @@ Vector PassageEquations::halves_differ(const BranchPoint& solution) const {
   });
 }
 
-std::optional<OrbitBranchPoint> PassageEquations::judge(const BranchPoint& solution) const {
+std::optional<OrbitBranchPoint> PassageEquations::judge(const SolutionPoint& solution) const {
   return judged_.answer({solution.u, solution.parameter}, [&]() -> std::optional<OrbitBranchPoint> {
     const System* system = system_at(solution.parameters());
     if (!system) return {};
@@ -142,7 +142,7 @@ void PassageEquations::name(OrbitBranch& branch) const {
     branch.pattern = orbit.pattern();
 }
 
-std::string PassageEquations::why_not_continued(const BranchPoint& solution) const {
+std::string PassageEquations::why_not_continued(const SolutionPoint& solution) const {
   if (!layout().released) return {};
   const std::optional<ReleaseReturn> back = follow(solution);
   if (!back || !back->returns) return "the orbit that sticks was not found again at its release";
@@ -151,7 +151,7 @@ std::string PassageEquations::why_not_continued(const BranchPoint& solution) con
          "another) is not continued";
 }
 
-std::optional<ReleaseReturn> PassageEquations::follow(const BranchPoint& solution,
+std::optional<ReleaseReturn> PassageEquations::follow(const SolutionPoint& solution,
                                                       bool minima) const {
   return followed_.answer({solution.u, solution.parameter, minima}, [&] {
     const System* system = system_at(solution.parameter);
@@ -160,7 +160,7 @@ std::optional<ReleaseReturn> PassageEquations::follow(const BranchPoint& solutio
   });
 }
 
-std::optional<std::vector<PassageMargin>> PassageEquations::margins(const BranchPoint& solution,
+std::optional<std::vector<PassageMargin>> PassageEquations::margins(const SolutionPoint& solution,
                                                                     double range) const {
   const System* system = system_at(solution.parameters());
   const System* tangent = system ? systems_.tangent_at(solution.parameters(), 0) : nullptr;
@@ -170,7 +170,7 @@ std::optional<std::vector<PassageMargin>> PassageEquations::margins(const Branch
                            solution.rate() * range);
 }
 
-std::vector<int> PassageEquations::stops_met(const BranchPoint& solution) const {
+std::vector<int> PassageEquations::stops_met(const SolutionPoint& solution) const {
   const System* system = system_at(solution.parameters());
   const std::optional<Orbit> orbit =
       system ? orbit_of(*system, shooting_, solution.u, {}) : std::nullopt;
@@ -180,13 +180,13 @@ std::vector<int> PassageEquations::stops_met(const BranchPoint& solution) const 
   return stops;
 }
 
-bool PassageEquations::sets_in_smoothly(const BranchPoint& solution, int stop) const {
+bool PassageEquations::sets_in_smoothly(const SolutionPoint& solution, int stop) const {
   const System* system = system_at(solution.parameters());
   const Stop* met = system ? &system->stops[static_cast<std::size_t>(stop)] : nullptr;
   return met && met->is_compliant() && met->force().sets_in_smoothly();
 }
 
-std::optional<double> PassageEquations::clearer_section(const BranchPoint& solution) const {
+std::optional<double> PassageEquations::clearer_section(const SolutionPoint& solution) const {
   // Far enough for a step, near enough for few moves.
   constexpr double kPart = 0.25;
   const System* system = system_at(solution.parameters());
@@ -219,9 +219,9 @@ std::optional<double> PassageEquations::clearer_section(const BranchPoint& solut
   return nearest < kPart * 0.5 * best ? std::optional(middle) : std::nullopt;
 }
 
-std::optional<BranchPoint> PassageEquations::carried_to(const OrbitProblem& other,
-                                                        const ContinuationOptions& options,
-                                                        const BranchPoint& solution) const {
+std::optional<SolutionPoint> PassageEquations::carried_to(const OrbitProblem& other,
+                                                          const ContinuationOptions& options,
+                                                          const SolutionPoint& solution) const {
   const System* system = system_at(solution.parameters());
   const System* tangent = system ? systems_.tangent_at(solution.parameters(), 0) : nullptr;
   if (!tangent) return {};
@@ -229,7 +229,7 @@ std::optional<BranchPoint> PassageEquations::carried_to(const OrbitProblem& othe
   const double angle = wrapped(there - layout().theta);
   const double range = std::abs(options.to - options.from);
   const Eigen::Index m = map().size(), n = solution.u.size();
-  BranchPoint carried = solution;
+  SolutionPoint carried = solution;
   for (Eigen::Index i = 0; i < n; i += m) {
     const auto at = map().within(*system, solution.u.segment(i, m), layout().theta, angle, false,
                                  std::span(&tangent, 1));
@@ -249,14 +249,14 @@ bool has_same_events(const ReleaseReturn& back, const ReleaseReturn& other, bool
          (!impacts || back.itinerary.events == other.itinerary.events);
 }
 
-BranchPoint PassageEquations::twice_round(const BranchPoint& solution) const {
+SolutionPoint PassageEquations::twice_round(const SolutionPoint& solution) const {
   if (!layout().released) return graze::twice_round(solution);
-  BranchPoint same = solution;
+  SolutionPoint same = solution;
   same.multipliers.clear();
   return same;
 }
 
-std::unique_ptr<OrbitProblem> PassageEquations::clearer(const BranchPoint& solution) const {
+std::unique_ptr<OrbitProblem> PassageEquations::clearer(const SolutionPoint& solution) const {
   // A release lies where it lies.
   const std::optional<double> section =
       layout().released ? std::nullopt : clearer_section(solution);
@@ -266,10 +266,10 @@ std::unique_ptr<OrbitProblem> PassageEquations::clearer(const BranchPoint& solut
   return laid(std::move(moved));
 }
 
-std::vector<BranchPoint> PassageEquations::rewritings(const OrbitProblem& of,
-                                                      const ContinuationOptions& options,
-                                                      const BranchPoint& solution) const {
-  std::vector<BranchPoint> list;
+std::vector<SolutionPoint> PassageEquations::rewritings(const OrbitProblem& of,
+                                                        const ContinuationOptions& options,
+                                                        const SolutionPoint& solution) const {
+  std::vector<SolutionPoint> list;
   const auto* other = dynamic_cast<const PassageEquations*>(&of);
   if (!other || other->period() != period() ||
       other->layout().released.has_value() != layout().released.has_value())
@@ -285,7 +285,7 @@ std::vector<BranchPoint> PassageEquations::rewritings(const OrbitProblem& of,
     }
     return list;
   }
-  const std::optional<BranchPoint> there =
+  const std::optional<SolutionPoint> there =
       other == this ? solution : other->carried_to(*this, options, solution);
   const Eigen::Index n = map().size(), size = solution.u.size();
   for (Eigen::Index first = 0; there && first < size; first += n) {

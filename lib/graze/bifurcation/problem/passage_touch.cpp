@@ -7,7 +7,7 @@
 
 namespace graze {
 
-std::optional<OrbitBranchPoint> PassageEquations::judge_touching(const BranchPoint& solution,
+std::optional<OrbitBranchPoint> PassageEquations::judge_touching(const SolutionPoint& solution,
                                                                  const Touch& touch) const {
   const System* system = system_at(solution.parameters());
   if (!system) return {};
@@ -18,7 +18,7 @@ std::optional<OrbitBranchPoint> PassageEquations::judge_touching(const BranchPoi
   return point_of_branch(solution.parameter, std::move(*orbit));
 }
 
-std::optional<OrbitBranchPoint> PassageEquations::judge_without(const BranchPoint& solution,
+std::optional<OrbitBranchPoint> PassageEquations::judge_without(const SolutionPoint& solution,
                                                                 const Touch& touch) const {
   std::optional<OrbitBranchPoint> at = judge_touching(solution, touch);
   if (!at) return {};
@@ -32,7 +32,7 @@ std::optional<OrbitBranchPoint> PassageEquations::judge_without(const BranchPoin
   return point_of_branch(solution.parameter, std::move(orbit));
 }
 
-std::vector<Touch> PassageEquations::touches_near(const BranchPoint& solution) const {
+std::vector<Touch> PassageEquations::touches_near(const SolutionPoint& solution) const {
   const System* system = system_at(solution.parameters());
   if (!system) return {};
   std::vector<Touch> touches = graze::touches_near(*system, shooting_, solution.u);

@@ -75,7 +75,7 @@ bool BranchCollector::trace_from(const Orbit& orbit, double value) {
 
 bool BranchCollector::trace_written(const Written& start, double value, Origin origin) {
   LaidOrbits& orbits = *start.orbits;
-  std::optional<BranchPoint> point = solve_at(orbits->problem(), continuation_, start.u, value);
+  std::optional<SolutionPoint> point = solve_at(orbits->problem(), continuation_, start.u, value);
   // At a fold none is told by its value.
   if (!point) point = solve_near(orbits->problem(), continuation_, start.u, value);
   if (!point) return false;
@@ -94,7 +94,7 @@ bool BranchCollector::trace_written(const Written& start, double value, Origin o
 void BranchCollector::trace_from_special(const BranchStart& start) {
   ++result_.starts;
   for (const Written& one : written(start.at))
-    if (const std::optional<BranchPoint> point = solution_at(one, start)) {
+    if (const std::optional<SolutionPoint> point = solution_at(one, start)) {
       trace_restarted(*one.orbits, *point, start);
       break;
     }
@@ -128,8 +128,8 @@ std::vector<BranchCollector::Written> BranchCollector::written(const SpecialOrbi
                       : std::vector<Written>();
 }
 
-std::optional<BranchPoint> BranchCollector::solution_at(const Written& written,
-                                                        const BranchStart& start) const {
+std::optional<SolutionPoint> BranchCollector::solution_at(const Written& written,
+                                                          const BranchStart& start) const {
   const double value = family_.value();
   Vector along;
   if (start.same_parameter && start.at.along) {
@@ -141,7 +141,7 @@ std::optional<BranchPoint> BranchCollector::solution_at(const Written& written,
   }
   // A branch point as it stands, where no equations are regular.
   if (start.at.kind == SpecialKind::kBranchPoint && along.size() > 0) {
-    BranchPoint point;
+    SolutionPoint point;
     point.u = written.u;
     point.parameter = value;
     point.tangent = along;
@@ -150,7 +150,7 @@ std::optional<BranchPoint> BranchCollector::solution_at(const Written& written,
   return solve_near((*written.orbits)->problem(), continuation_, written.u, value, along);
 }
 
-void BranchCollector::trace_restarted(LaidOrbits& orbits, const BranchPoint& point,
+void BranchCollector::trace_restarted(LaidOrbits& orbits, const SolutionPoint& point,
                                       const BranchStart& start) {
   // At a grazing rounding decides.
   if (start.at.label != label_of(SpecialKind::kGrazing) && !orbits.borders->lists(point)) {
@@ -173,17 +173,17 @@ void BranchCollector::trace_restarted(LaidOrbits& orbits, const BranchPoint& poi
   switch_from(special, {&orbits, {}}, {-1, 0, special.kind == SpecialKind::kGrazing});
 }
 
-bool BranchCollector::knows(const LaidOrbits& orbits, const BranchPoint& solution) const {
+bool BranchCollector::knows(const LaidOrbits& orbits, const SolutionPoint& solution) const {
   return std::any_of(traced_.begin(), traced_.end(), [&](const Traced& traced) {
     const OrbitProblem& problem = *traced.orbits->problem;
-    for (const BranchPoint& same : problem.rewritings(*orbits.problem, continuation_, solution))
+    for (const SolutionPoint& same : problem.rewritings(*orbits.problem, continuation_, solution))
       if (lies_on(problem.problem(), continuation_, traced.branch, same)) return true;
     return false;
   });
 }
 
 // The special point itself lies on every branch through it.
-bool BranchCollector::knows_beyond(const LaidOrbits& orbits, const BranchPoint& start) const {
+bool BranchCollector::knows_beyond(const LaidOrbits& orbits, const SolutionPoint& start) const {
   ContinuationOptions some = continuation_;
   some.max_points = 2;
   ZeroProblem bare = orbits->problem();
@@ -192,9 +192,9 @@ bool BranchCollector::knows_beyond(const LaidOrbits& orbits, const BranchPoint& 
   return away.points.size() > 1 && knows(orbits, away.points.back());
 }
 
-std::vector<BranchPiece> BranchCollector::trace(LaidOrbits& orbits, const BranchPoint& start,
+std::vector<BranchPiece> BranchCollector::trace(LaidOrbits& orbits, const SolutionPoint& start,
                                                 Directions directions) {
-  const Clearer clearer = [this](const LaidOrbits& known, const BranchPoint& solution) {
+  const Clearer clearer = [this](const LaidOrbits& known, const SolutionPoint& solution) {
     return problems_.clearer(known, solution);
   };
   return trace_pieces(clearer, orbits, continuation_, start, directions);
@@ -266,9 +266,9 @@ bool BranchCollector::switch_from(const SpecialPoint& special, const SpecialLead
 bool BranchCollector::switch_across(LaidOrbits& known, const SpecialPoint& special, Origin origin) {
   const bool doubles = special.kind == SpecialKind::kPeriodDoubling;
   LaidOrbits& orbits = doubles ? problems_.doubled(known) : known;
-  BranchPoint at = doubles ? known->twice_round(special.solution) : special.solution;
+  SolutionPoint at = doubles ? known->twice_round(special.solution) : special.solution;
   at.multipliers.clear();
-  const std::optional<BranchPoint> start = other_branch(orbits->problem(), continuation_, at);
+  const std::optional<SolutionPoint> start = other_branch(orbits->problem(), continuation_, at);
   if (!start || knows_beyond(orbits, *start)) return false;
   // Either way from a doubling lead the same orbits, half a period apart.
   std::vector<BranchPiece> pieces =

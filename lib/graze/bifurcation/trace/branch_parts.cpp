@@ -20,7 +20,7 @@ bool passes_unseen(const CriticalPoint& critical) {
          std::abs(std::abs(critical.multiplier->value) - 1.0) > kFar;
 }
 
-BranchPlace place_of(const LaidOrbits& orbits, const BranchPoint& point) {
+BranchPlace place_of(const LaidOrbits& orbits, const SolutionPoint& point) {
   BranchPlace place;
   std::optional<OrbitBranchPoint> at = orbits->judge(point);
   place.listed = at && orbits.borders->lists(point);
@@ -59,13 +59,13 @@ class Parting {
   // What stands at an end of the trace in place of its own point.
   struct Tip {
     BranchPlace place;
-    BranchPoint point;
+    SolutionPoint point;
     bool is_half = false;
   };
   using Tips = std::array<std::optional<Tip>, 2>;
   // A point of the trace, or a special point of its equations, between which borders are sought.
   struct Waypoint {
-    const BranchPoint* point;
+    const SolutionPoint* point;
     BranchPlace place;
     bool kept = true;
   };
@@ -97,7 +97,7 @@ class Parting {
   }
 
   static std::vector<Waypoint> waypoints(const BranchPiece& piece, const Tips& tips) {
-    const std::vector<BranchPoint>& points = piece.branch.points;
+    const std::vector<SolutionPoint>& points = piece.branch.points;
     std::vector<Waypoint> way;
     auto critical = piece.branch.critical.begin();
     for (std::size_t i = 0; i < points.size(); ++i) {
@@ -141,7 +141,7 @@ class Parting {
     if (!closed) return {};
     ends_[side] = closed->end;
     if (!closed->place) return {};
-    const std::vector<BranchPoint>& points = trace.points;
+    const std::vector<SolutionPoint>& points = trace.points;
     return Tip{std::move(*closed->place), side == 0 ? points.front() : points.back()};
   }
 
@@ -151,12 +151,12 @@ class Parting {
     const Branch& trace = piece.branch;
     const std::size_t last = trace.points.size() - 1;
     if (last == 0) return {};
-    const BranchPoint& outer = trace.points[side == 0 ? 0 : last];
-    const BranchPoint& inner = trace.points[side == 0 ? 1 : last - 1];
+    const SolutionPoint& outer = trace.points[side == 0 ? 0 : last];
+    const SolutionPoint& inner = trace.points[side == 0 ? 1 : last - 1];
     const OrbitProblem& problem = *piece.orbits->problem;
     if (problem.is_half(outer)) return Tip{place_of(*piece.orbits, outer), outer, true};
     if (trace.ends[side] != BranchEnd::kHalted || !problem.passes_half(inner, outer)) return {};
-    BranchPoint at = problem.half_between(inner, outer);
+    SolutionPoint at = problem.half_between(inner, outer);
     for (const CriticalPoint& critical : trace.critical)
       if (critical.kind == CriticalKind::kBranchPoint &&
           critical.after == (side == 0 ? 0 : last - 1))

@@ -15,10 +15,10 @@ class PieceTracer {
   PieceTracer(const Clearer& clearer, const ContinuationOptions& options)
       : clearer_(clearer), options_(options) {}
 
-  std::vector<BranchPiece> trace(LaidOrbits& orbits, const BranchPoint& start,
+  std::vector<BranchPiece> trace(LaidOrbits& orbits, const SolutionPoint& start,
                                  Directions directions) {
     LaidOrbits* first = &orbits;
-    BranchPoint from = start;
+    SolutionPoint from = start;
     if (LaidOrbits* other = clearer_(orbits, start))
       if (const auto carried = orbits->carried_to(*other->problem, options_, start)) {
         from = *carried;
@@ -32,34 +32,34 @@ class PieceTracer {
   }
 
  private:
-  Branch trace_one(const LaidOrbits& orbits, const BranchPoint& start,
+  Branch trace_one(const LaidOrbits& orbits, const SolutionPoint& start,
                    Directions directions) const {
     ContinuationOptions range = options_;
-    range.proceed = [&](const BranchPoint& previous, const BranchPoint& here) {
+    range.proceed = [&](const SolutionPoint& previous, const SolutionPoint& here) {
       return !orbits->passes_half(previous, here) && orbits.borders->goes_on(previous, here) &&
              !clearer_(orbits, here);
     };
-    range.resolves = [&](const BranchPoint& from, const BranchPoint& to) {
+    range.resolves = [&](const SolutionPoint& from, const SolutionPoint& to) {
       return orbits.borders->resolves(from, to);
     };
     return trace_branch(orbits->problem(), range, start, directions);
   }
 
   // Outwards from one side of what is traced.
-  void go_on(std::size_t side, const LaidOrbits& of_start, const BranchPoint& start) {
+  void go_on(std::size_t side, const LaidOrbits& of_start, const SolutionPoint& start) {
     for (int moves = 0; moves < kMostMoves; ++moves) {
       BranchPiece& outer = side == 0 ? pieces_.front() : pieces_.back();
       LaidOrbits* next = clearer_beyond(outer, side);
       if (!next) return;
       outer.branch.ends[side] = BranchEnd::kNotConverged;
-      BranchPoint end = side == 0 ? outer.branch.points.front() : outer.branch.points.back();
+      SolutionPoint end = side == 0 ? outer.branch.points.front() : outer.branch.points.back();
       if (side == 0) end.turn_round();
-      const std::optional<BranchPoint> carried =
+      const std::optional<SolutionPoint> carried =
           (*outer.orbits)->carried_to(*next->problem, options_, end);
       if (!carried) return;
       Branch branch = trace_one(*next, *carried, Directions::kForward);
       if (branch.points.size() < 2) return;
-      const std::optional<BranchPoint> passed =
+      const std::optional<SolutionPoint> passed =
           of_start->carried_to(*next->problem, options_, start);
       if (passed && lies_on((*next)->problem(), options_, branch, *passed)) {
         branch.ends[1] = BranchEnd::kClosed;
@@ -74,10 +74,10 @@ class PieceTracer {
 
   // The equations in which it goes on from this end of a piece; null where the branch ends there.
   LaidOrbits* clearer_beyond(const BranchPiece& piece, std::size_t side) const {
-    const std::vector<BranchPoint>& points = piece.branch.points;
+    const std::vector<SolutionPoint>& points = piece.branch.points;
     if (piece.branch.ends[side] != BranchEnd::kHalted || points.size() < 2) return nullptr;
-    const BranchPoint& end = side == 0 ? points[0] : points.back();
-    const BranchPoint& before = side == 0 ? points[1] : points[points.size() - 2];
+    const SolutionPoint& end = side == 0 ? points[0] : points.back();
+    const SolutionPoint& before = side == 0 ? points[1] : points[points.size() - 2];
     if ((*piece.orbits)->passes_half(before, end)) return nullptr;
     return clearer_(*piece.orbits, end);
   }
@@ -99,8 +99,8 @@ class PieceTracer {
 }  // namespace
 
 std::vector<BranchPiece> trace_pieces(const Clearer& clearer, LaidOrbits& orbits,
-                                      const ContinuationOptions& options, const BranchPoint& start,
-                                      Directions directions) {
+                                      const ContinuationOptions& options,
+                                      const SolutionPoint& start, Directions directions) {
   return PieceTracer(clearer, options).trace(orbits, start, directions);
 }
 

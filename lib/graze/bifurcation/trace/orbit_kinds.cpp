@@ -24,7 +24,7 @@ std::unique_ptr<LocusOrbits> orbits_along(const OrbitProblem& problem) {
     return std::make_unique<FlightLocus>(*flights);
   const auto& passages = dynamic_cast<const PassageEquations&>(problem);
   if (passages.layout().released) return std::make_unique<ReleaseLocus>(passages);
-  return std::make_unique<StrobeLocus>(passages);
+  return std::make_unique<FixedPhaseLocus>(passages);
 }
 
 }  // namespace graze

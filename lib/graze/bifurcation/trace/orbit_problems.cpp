@@ -76,13 +76,13 @@ LaidOrbits& OrbitProblems::doubled(const LaidOrbits& orbits) {
   return keep(layout, orbits.closure_speed, [&] { return std::move(twice); });
 }
 
-LaidOrbits& OrbitProblems::strobe_once(const LaidOrbits& orbits) {
+LaidOrbits& OrbitProblems::fixed_phase_once(const LaidOrbits& orbits) {
   const auto& passages = dynamic_cast<const PassageEquations&>(*orbits.problem);
-  const PassageLayout once = PassageLayout::strobe(1, passages.layout().theta);
+  const PassageLayout once = PassageLayout::fixed_phase(1, passages.layout().theta);
   return keep(once, orbits.closure_speed, [&] { return passages.laid(once); });
 }
 
-LaidOrbits* OrbitProblems::clearer(const LaidOrbits& orbits, const BranchPoint& solution) {
+LaidOrbits* OrbitProblems::clearer(const LaidOrbits& orbits, const SolutionPoint& solution) {
   std::unique_ptr<OrbitProblem> other = orbits->clearer(solution);
   if (!other) return nullptr;
   const OrbitLayout layout = other->orbit_layout();

@@ -11,10 +11,11 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <Eigen/LU>
 #include <limits>
 #include <optional>
 #include <vector>
+
+#include "graze/base/linalg/detail/dense_factors.hpp"
 
 namespace graze {
 
@@ -52,12 +53,12 @@ ContactTrial<Real> try_contacts(const Eigen::Matrix<Real, Eigen::Dynamic, Eigen:
   ContactTrial<Real> trial{ResultVector::Zero(n)};
   ResultVector& p = trial.p;
   if (!active.empty()) {
-    const auto lu = delassus(active, active).eval().fullPivLu();
-    trial.solvable = lu.isInvertible();
+    const PivotedLu<Real> lu(delassus(active, active));
+    trial.solvable = lu.is_invertible();
     if (!trial.solvable) return trial;
-    p(active) = lu.solve(v(active).eval());
+    p(active) = lu.solve(v(active));
     // Once more for what is left: rows of different size come out with roundings of the largest.
-    p(active) += lu.solve((v - delassus * p)(active).eval());
+    p(active) += lu.solve((v - delassus * p)(active));
   }
   const ResultVector w = v - delassus * p;
   const ResultVector own = rounding_of_action(delassus, p);

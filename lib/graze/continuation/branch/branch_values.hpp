@@ -29,7 +29,7 @@ struct Bracket {
 Bracket bracket_around(std::initializer_list<double> values, bool converged);
 
 // A solution on a branch; not what is called a branch point (CriticalKind::kBranchPoint).
-struct BranchPoint {
+struct SolutionPoint {
   Vector u;
   double parameter = 0.0;
   Vector tangent;         // unit, in (u, parameter/range), n + 1
@@ -75,9 +75,9 @@ struct ContinuationOptions {
   StopSignal stop{};
   // Asked of the ends of every step; false: it is too long to show what happens within, and taken
   // shorter. Empty: none is.
-  std::function<bool(const BranchPoint& from, const BranchPoint& to)> resolves{};
+  std::function<bool(const SolutionPoint& from, const SolutionPoint& to)> resolves{};
   // Asked of every new point and the one before it; false ends the branch there. Empty: go on.
-  std::function<bool(const BranchPoint& previous, const BranchPoint& here)> proceed{};
+  std::function<bool(const SolutionPoint& previous, const SolutionPoint& here)> proceed{};
 };
 
 enum class BranchEnd {
@@ -104,13 +104,13 @@ const char* label_of(CriticalKind kind);
 // A special point.
 struct CriticalPoint {
   CriticalKind kind = CriticalKind::kFold;
-  BranchPoint point;
+  SolutionPoint point;
   std::size_t after = 0;                 // lies between points after and after + 1
   std::optional<Eigenvalue> multiplier;  // the critical one; of a pair that with positive imag
 };
 
 struct Branch {
-  std::vector<BranchPoint> points;      // in order along the branch; a closed one repeats its first
+  std::vector<SolutionPoint> points;    // in order along the branch; a closed one repeats its first
   std::vector<CriticalPoint> critical;  // in order along the branch
   std::array<BranchEnd, 2> ends{BranchEnd::kNotConverged, BranchEnd::kNotConverged};
   long long evaluations = 0;  // of F

@@ -30,14 +30,14 @@ Corrector::Corrector(const ZeroProblem& problem, const ContinuationOptions& opti
   if (!(range_ > 0.0)) range_ = 1.0;
 }
 
-Vector Corrector::pack(const BranchPoint& point) const {
+Vector Corrector::pack(const SolutionPoint& point) const {
   Vector x(point.u.size() + 1);
   x << point.u, point.parameter / range_;
   return x;
 }
 
-BranchPoint Corrector::unpack(const Vector& x, const Vector& tangent, double residual,
-                              int sign) const {
+SolutionPoint Corrector::unpack(const Vector& x, const Vector& tangent, double residual,
+                                int sign) const {
   const Eigen::Index n = x.size() - 1;
   return {x.head(n), x[n] * range_, tangent, residual, sign, {}};
 }
@@ -57,7 +57,7 @@ std::optional<Corrector::Linearised> Corrector::linearise(const Vector& x, const
   return result;
 }
 
-std::optional<BranchPoint> Corrector::solve(Vector x, const Vector& normal, double contraction) {
+std::optional<SolutionPoint> Corrector::solve(Vector x, const Vector& normal, double contraction) {
   const Eigen::Index n = x.size() - 1;
   double last = std::numeric_limits<double>::infinity();
   for (int i = 0; i < kMostIterations; ++i) {
@@ -80,8 +80,8 @@ std::optional<BranchPoint> Corrector::solve(Vector x, const Vector& normal, doub
   return {};
 }
 
-std::optional<BranchPoint> Corrector::on_hyperplane(const Vector& guess, const Vector& normal,
-                                                    double contraction) {
+std::optional<SolutionPoint> Corrector::on_hyperplane(const Vector& guess, const Vector& normal,
+                                                      double contraction) {
   return solve(guess, normal, contraction);
 }
 
@@ -93,7 +93,7 @@ std::optional<Vector> Corrector::newton_step(const Vector& guess, const Vector& 
   return guess + step;
 }
 
-double Corrector::determinant_ratio(const BranchPoint& a, const BranchPoint& b) {
+double Corrector::determinant_ratio(const SolutionPoint& a, const SolutionPoint& b) {
   std::optional<Linearised> at_a = linearise(pack(a), a.tangent),
                             at_b = linearise(pack(b), b.tangent);
   if (!at_a || !at_b) return std::numeric_limits<double>::quiet_NaN();
@@ -119,11 +119,11 @@ std::optional<double> Corrector::residual_at(const Vector& x) {
   return at->residual.cwiseAbs().maxCoeff();
 }
 
-std::optional<BranchPoint> Corrector::at_parameter(const Vector& guess) {
+std::optional<SolutionPoint> Corrector::at_parameter(const Vector& guess) {
   // Newton at a fixed parameter is Newton on the hyperplane normal to the parameter's axis; only
   // the tangent has to be sought without it, for it may lie in that hyperplane.
   const Eigen::Index n = guess.size() - 1;
-  std::optional<BranchPoint> point = solve(guess, Vector::Unit(n + 1, n), kConvergent);
+  std::optional<SolutionPoint> point = solve(guess, Vector::Unit(n + 1, n), kConvergent);
   if (!point) return {};
   std::optional<Linearised> at = linearise(pack(*point), Vector::Zero(n + 1));
   if (!at) return {};

@@ -13,7 +13,7 @@ constexpr double kAway = 1e-5;
 }  // namespace
 
 GrowingBranch::GrowingBranch(const ZeroProblem& problem, const ContinuationOptions& options,
-                             Corrector& corrector, BranchPoint start)
+                             Corrector& corrector, SolutionPoint start)
     : problem_(problem),
       options_(options),
       limits_(options),
@@ -22,22 +22,22 @@ GrowingBranch::GrowingBranch(const ZeroProblem& problem, const ContinuationOptio
   branch_.points.push_back(std::move(start));
 }
 
-bool GrowingBranch::advance(const BranchPoint& next) {
+bool GrowingBranch::advance(const SolutionPoint& next) {
   if (closes(next)) {
     add(closing_point());
     end(BranchEnd::kClosed);
     return true;
   }
   // A fold beyond the limit means that the branch left the range before it.
-  const std::optional<BranchPoint> fold = fold_between(corrector_, last(), next);
+  const std::optional<SolutionPoint> fold = fold_between(corrector_, last(), next);
   const bool fold_outside = fold && limits_.outside(fold->parameter);
   const bool leaves = limits_.outside(next.parameter) || fold_outside;
-  BranchPoint reached = next;
+  SolutionPoint reached = next;
   if (leaves) {
-    const BranchPoint& beyond = fold_outside ? *fold : next;
+    const SolutionPoint& beyond = fold_outside ? *fold : next;
     const double limit = limits_.towards(beyond.parameter - last().parameter);
     const auto crossing = locate(corrector_, last(), beyond,
-                                 [&](const BranchPoint& p) { return p.parameter - limit; });
+                                 [&](const SolutionPoint& p) { return p.parameter - limit; });
     if (!crossing) {
       end(BranchEnd::kNotConverged);
       return true;
@@ -55,7 +55,7 @@ bool GrowingBranch::advance(const BranchPoint& next) {
   return leaves;
 }
 
-void GrowingBranch::add(const BranchPoint& next) {
+void GrowingBranch::add(const SolutionPoint& next) {
   if (const auto fold = fold_between(corrector_, last(), next))
     branch_.critical.push_back({CriticalKind::kFold, *fold, size() - 1, {}});
   branch_.points.push_back(next);
@@ -70,16 +70,16 @@ void GrowingBranch::keep(std::size_t count) {
                 [&](const CriticalPoint& critical) { return critical.after + 1 >= count; });
 }
 
-bool GrowingBranch::closes(const BranchPoint& next) {
-  const BranchPoint& start = branch_.points.front();
+bool GrowingBranch::closes(const SolutionPoint& next) {
+  const SolutionPoint& start = branch_.points.front();
   left_start_ = left_start_ || corrector_.chord(start, last()).norm() > kAway;
   return left_start_ && lies_between(corrector_, last(), next, start, options_.max_turn) &&
          start.tangent.dot(last().tangent) > 0.0;
 }
 
 // The start once more, with angles as the branch has counted them.
-BranchPoint GrowingBranch::closing_point() const {
-  BranchPoint start = branch_.points.front();
+SolutionPoint GrowingBranch::closing_point() const {
+  SolutionPoint start = branch_.points.front();
   start.u = (corrector_.pack(last()) + corrector_.chord(last(), start)).head(start.u.size());
   return start;
 }

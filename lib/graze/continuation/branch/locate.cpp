@@ -14,7 +14,7 @@ namespace {
 constexpr double kUprightRate = 1e-12;
 
 // Whether the branch through `near` leads to near + offset.
-bool meets(Corrector& corrector, const BranchPoint& near, const Vector& offset) {
+bool meets(Corrector& corrector, const SolutionPoint& near, const Vector& offset) {
   const Vector x = corrector.pack(near);
   const auto there =
       corrector.on_hyperplane(x + offset.dot(near.tangent) * near.tangent, near.tangent);
@@ -23,12 +23,12 @@ bool meets(Corrector& corrector, const BranchPoint& near, const Vector& offset) 
 
 }  // namespace
 
-double arclength(const Corrector& corrector, const BranchPoint& a, const BranchPoint& b) {
+double arclength(const Corrector& corrector, const SolutionPoint& a, const SolutionPoint& b) {
   return corrector.chord(a, b).norm() * (1.0 + (b.tangent - a.tangent).squaredNorm() / 24.0);
 }
 
-Vector cubic_between(const Corrector& corrector, const BranchPoint& from, double s,
-                     const BranchPoint& a, const BranchPoint& b) {
+Vector cubic_between(const Corrector& corrector, const SolutionPoint& from, double s,
+                     const SolutionPoint& a, const SolutionPoint& b) {
   const Vector x = corrector.pack(from), x_a = corrector.pack(a);
   const Vector chord = corrector.chord(a, b);
   // Along the normal: from a to b, and from a to the hyperplane.
@@ -42,28 +42,30 @@ Vector cubic_between(const Corrector& corrector, const BranchPoint& from, double
          part * rest * length * (rest / rate_a * a.tangent - part / rate_b * b.tangent);
 }
 
-std::optional<BranchPoint> point_between(Corrector& corrector, const BranchPoint& from, double s,
-                                         const BranchPoint& a, const BranchPoint& b) {
+std::optional<SolutionPoint> point_between(Corrector& corrector, const SolutionPoint& from,
+                                           double s, const SolutionPoint& a,
+                                           const SolutionPoint& b) {
   return corrector.on_hyperplane(cubic_between(corrector, from, s, a, b), from.tangent);
 }
 
-std::optional<BranchPoint> locate(Corrector& corrector, const BranchPoint& a, const BranchPoint& b,
-                                  const std::function<double(const BranchPoint&)>& test) {
+std::optional<SolutionPoint> locate(Corrector& corrector, const SolutionPoint& a,
+                                    const SolutionPoint& b,
+                                    const std::function<double(const SolutionPoint&)>& test) {
   const Vector x = corrector.pack(a);
   const Vector chord = corrector.chord(a, b);
   const double length = chord.dot(a.tangent);
   const double at_a = test(a), at_b = test(b);
   if (at_a == 0.0 || at_b == 0.0) {
-    BranchPoint there = at_a == 0.0 ? a : b;
+    SolutionPoint there = at_a == 0.0 ? a : b;
     there.bracket = bracket_around({there.parameter}, true);
     return there;
   }
   if (!(at_a * at_b < 0.0) || !(length > 0.0)) return {};
   // Of the two last bits that enclose the zero, the one on the side where the test is positive.
-  std::optional<BranchPoint> best = at_a > 0.0 ? a : b;
+  std::optional<SolutionPoint> best = at_a > 0.0 ? a : b;
   double smallest = std::max(at_a, at_b);
   // The nearest points known on either side of the zero.
-  BranchPoint low = a, high = b;
+  SolutionPoint low = a, high = b;
   bool failed = false;
   const auto value = [&](double s) {
     auto point = point_between(corrector, a, s, low, high);
@@ -93,16 +95,16 @@ std::optional<BranchPoint> locate(Corrector& corrector, const BranchPoint& a, co
   return best;
 }
 
-std::optional<BranchPoint> fold_between(Corrector& corrector, const BranchPoint& a,
-                                        const BranchPoint& b) {
+std::optional<SolutionPoint> fold_between(Corrector& corrector, const SolutionPoint& a,
+                                          const SolutionPoint& b) {
   // Where a branch leaves another one its parameter may stand still, but it does not turn back.
   if (a.orientation == 0 || a.rate() * b.rate() >= 0.0) return {};
   if (std::max(std::abs(a.rate()), std::abs(b.rate())) <= kUprightRate) return {};
-  return locate(corrector, a, b, [](const BranchPoint& p) { return p.rate(); });
+  return locate(corrector, a, b, [](const SolutionPoint& p) { return p.rate(); });
 }
 
-bool lies_between(Corrector& corrector, const BranchPoint& a, const BranchPoint& b,
-                  const BranchPoint& point, double max_turn) {
+bool lies_between(Corrector& corrector, const SolutionPoint& a, const SolutionPoint& b,
+                  const SolutionPoint& point, double max_turn) {
   const Vector chord = corrector.pack(b) - corrector.pack(a);
   const double length = chord.norm();
   const Vector offset = corrector.chord(a, point);

@@ -40,7 +40,7 @@ bool hides_folds(double rate_a, double rate_b, double rise, double length) {
 
 }  // namespace
 
-double Stepper::longest(const BranchPoint& here) const {
+double Stepper::longest(const SolutionPoint& here) const {
   const Eigen::Index n = here.u.size();
   const double max_step = options_.max_step > 0.0 ? options_.max_step : corrector_.range() / 50.0;
   const double along = std::abs(here.tangent[n]) * corrector_.range();
@@ -51,7 +51,7 @@ double Stepper::longest(const BranchPoint& here) const {
 }
 
 // What the branch is expected to bend by over a step of length h, at right angles to the tangent.
-Vector Stepper::bend(const BranchPoint* before, const BranchPoint& here, double h) const {
+Vector Stepper::bend(const SolutionPoint* before, const SolutionPoint& here, double h) const {
   const Vector x = corrector_.pack(here);
   Vector bent = Vector::Zero(x.size());
   if (before == nullptr) return bent;
@@ -64,13 +64,13 @@ Vector Stepper::bend(const BranchPoint* before, const BranchPoint& here, double 
   return bent - bent.dot(here.tangent) * here.tangent;
 }
 
-Vector Stepper::prediction(const BranchPoint* before, const BranchPoint& here, double h) const {
+Vector Stepper::prediction(const SolutionPoint* before, const SolutionPoint& here, double h) const {
   return corrector_.pack(here) + h * here.tangent + bend(before, here, h);
 }
 
 // Beyond a limit the equations may not exist: a step that would pass one ends on the first.
-std::optional<BranchPoint> Stepper::point_ahead(const BranchPoint* before, const BranchPoint& here,
-                                                double h) {
+std::optional<SolutionPoint> Stepper::point_ahead(const SolutionPoint* before,
+                                                  const SolutionPoint& here, double h) {
   const double predicted =
       (here.parameter / corrector_.range() + h * here.rate()) * corrector_.range();
   const bool outside = limits_.outside(predicted);
@@ -82,10 +82,10 @@ std::optional<BranchPoint> Stepper::point_ahead(const BranchPoint* before, const
   return corrector_.on_hyperplane(prediction(before, here, h), here.tangent, kContraction);
 }
 
-std::optional<BranchPoint> Stepper::step(const BranchPoint* before, const BranchPoint& here,
-                                         double h, double& turn, double passing) {
+std::optional<SolutionPoint> Stepper::step(const SolutionPoint* before, const SolutionPoint& here,
+                                           double h, double& turn, double passing) {
   const Vector x = corrector_.pack(here);
-  std::optional<BranchPoint> next = point_ahead(before, here, h);
+  std::optional<SolutionPoint> next = point_ahead(before, here, h);
   if (!next) return {};
   const Vector chord = corrector_.pack(*next) - x;
   turn = angle(next->tangent, here.tangent);
@@ -102,7 +102,7 @@ std::optional<BranchPoint> Stepper::step(const BranchPoint* before, const Branch
 }
 
 // Whether the tangent at a step's end predicts where the step came from.
-bool Stepper::leads_back(const Vector& x, const BranchPoint& next, const Vector& chord) {
+bool Stepper::leads_back(const Vector& x, const SolutionPoint& next, const Vector& chord) {
   const Vector guess = x + chord - chord.dot(next.tangent) * next.tangent;
   const double error = (guess - x).norm();
   // A prediction this good cannot be told from its correction.

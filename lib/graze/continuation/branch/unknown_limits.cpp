@@ -23,7 +23,7 @@ UnknownLimits::UnknownLimits(const ContinuationOptions& options) : ranges_(optio
     if (range.from > range.to) std::swap(range.from, range.to);
 }
 
-std::optional<UnknownLimit> UnknownLimits::ahead(const BranchPoint& here, double h) const {
+std::optional<UnknownLimit> UnknownLimits::ahead(const SolutionPoint& here, double h) const {
   std::optional<UnknownLimit> first;
   double nearest = std::numeric_limits<double>::infinity();
   for (const UnknownRange& range : ranges_) {
@@ -36,7 +36,7 @@ std::optional<UnknownLimit> UnknownLimits::ahead(const BranchPoint& here, double
   return first;
 }
 
-double UnknownLimits::longest(const BranchPoint& here) const {
+double UnknownLimits::longest(const SolutionPoint& here) const {
   double h = std::numeric_limits<double>::infinity();
   for (const UnknownRange& range : ranges_)
     if (range.max_step > 0.0)
@@ -45,37 +45,38 @@ double UnknownLimits::longest(const BranchPoint& here) const {
 }
 
 std::optional<UnknownLimits::Exit> UnknownLimits::exit_between(Corrector& corrector,
-                                                               const BranchPoint& a,
-                                                               const BranchPoint& b) const {
+                                                               const SolutionPoint& a,
+                                                               const SolutionPoint& b) const {
   std::optional<Exit> exit;
   for (const UnknownRange& range : ranges_) {
     const Eigen::Index k = range.unknown;
-    BranchPoint beyond = exit ? exit->point : b;
+    SolutionPoint beyond = exit ? exit->point : b;
     std::optional<UnknownLimit> limit = limit_below(range, beyond.u[k]);
     // The unknown may turn back beyond its limit.
     if (!limit && a.tangent[k] * beyond.tangent[k] < 0.0) {
-      auto turn = locate(corrector, a, beyond, [k](const BranchPoint& p) { return p.tangent[k]; });
+      auto turn =
+          locate(corrector, a, beyond, [k](const SolutionPoint& p) { return p.tangent[k]; });
       if (turn) limit = limit_below(range, turn->u[k]);
       if (limit) beyond = std::move(*turn);
     }
     if (!limit) continue;
     const auto crossing =
-        locate(corrector, a, beyond, [&](const BranchPoint& p) { return p.u[k] - limit->value; });
+        locate(corrector, a, beyond, [&](const SolutionPoint& p) { return p.u[k] - limit->value; });
     if (!crossing) return Exit{a, false};
     exit = Exit{point_on_limit(corrector, *crossing, *limit).value_or(*crossing), true};
   }
   return exit;
 }
 
-bool UnknownLimits::leaves_at(const BranchPoint& here) const {
+bool UnknownLimits::leaves_at(const SolutionPoint& here) const {
   return std::any_of(ranges_.begin(), ranges_.end(), [&](const UnknownRange& range) {
     const double at = here.u[range.unknown], rate = here.tangent[range.unknown];
     return (rate < 0.0 && at == range.from) || (rate > 0.0 && at == range.to);
   });
 }
 
-std::optional<BranchPoint> point_on_limit(Corrector& corrector, const BranchPoint& near,
-                                          const UnknownLimit& limit) {
+std::optional<SolutionPoint> point_on_limit(Corrector& corrector, const SolutionPoint& near,
+                                            const UnknownLimit& limit) {
   const Eigen::Index k = limit.unknown;
   Vector x = corrector.pack(near);
   const double rate = near.tangent[k];
@@ -83,7 +84,7 @@ std::optional<BranchPoint> point_on_limit(Corrector& corrector, const BranchPoin
   x[k] = limit.value;
   // At a fixed unknown, on the hyperplane normal to its axis.
   const Vector normal = (rate < 0.0 ? -1.0 : 1.0) * Vector::Unit(x.size(), k);
-  std::optional<BranchPoint> point = corrector.on_hyperplane(x, normal);
+  std::optional<SolutionPoint> point = corrector.on_hyperplane(x, normal);
   if (!point) return {};
   point->u[k] = limit.value;
   if (point->tangent.dot(near.tangent) < 0.0) point->turn_round();

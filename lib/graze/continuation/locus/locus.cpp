@@ -30,13 +30,13 @@ class LocusTracer {
         equations_(problem, kind, first_range(options), second_range(options)) {}
 
   // Nothing where the start leads to no point of the locus; n: that of the start.
-  std::optional<BranchPoint> solve(const LocusStart& start) {
+  std::optional<SolutionPoint> solve(const LocusStart& start) {
     n_ = start.u.size();
     make_curve();
     const double angle = std::abs(std::arg(start.multiplier));
     const Vector y = equations_.pack(start.u, start.first, angle);
     if (!equations_.start_at(y, start.second)) return {};
-    std::optional<BranchPoint> point = point_on_curve(curve_, options_, y, start.second);
+    std::optional<SolutionPoint> point = point_on_curve(curve_, options_, y, start.second);
     if (!point) return {};
     equations_.start_at(*point);
     if (problem_.multipliers)
@@ -45,11 +45,11 @@ class LocusTracer {
     return point;
   }
 
-  Locus trace(const BranchPoint& start) {
+  Locus trace(const SolutionPoint& start) {
     const PlaneCurve traced = trace_curve(curve_, options_, start);
     Locus locus;
     locus.kind = kind_;
-    for (const BranchPoint& point : traced.branch.points) locus.points.push_back(unpack(point));
+    for (const SolutionPoint& point : traced.branch.points) locus.points.push_back(unpack(point));
     for (const std::size_t side : {0u, 1u})
       locus.ends[side] =
           as_locus_end(traced.branch.ends[side], traced.left_range[side] == curve_.first);
@@ -61,7 +61,7 @@ class LocusTracer {
     return locus;
   }
 
-  LocusPoint unpack(const BranchPoint& point) const {
+  LocusPoint unpack(const SolutionPoint& point) const {
     LocusPoint result;
     result.u = point.u.head(n_);
     result.first = equations_.first_of(point.u);
@@ -79,7 +79,7 @@ class LocusTracer {
     return result;
   }
 
-  BranchPoint pack(const LocusPoint& point) const {
+  SolutionPoint pack(const LocusPoint& point) const {
     return {equations_.pack(point.u, point.first, point.angle),
             point.second,
             point.tangent,
@@ -88,7 +88,7 @@ class LocusTracer {
             {}};
   }
 
-  bool lies_on(const Locus& locus, const BranchPoint& point) const {
+  bool lies_on(const Locus& locus, const SolutionPoint& point) const {
     Branch branch;
     for (const LocusPoint& known : locus.points) branch.points.push_back(pack(known));
     return graze::lies_on(curve_.problem, branch_options(curve_, options_), branch, point);
@@ -107,24 +107,24 @@ class LocusTracer {
     if (problem_.wrap.size() > 0) zero.wrap = equations_.pack(problem_.wrap, 0.0, 0.0);
     curve_.first = n_;
     if (kind_ == LocusKind::kTorus) curve_.ranges = {{n_ + 1, 0.0, kPi, 0.0}};
-    curve_.tests = [this](const BranchPoint& from, const BranchPoint& at) {
+    curve_.tests = [this](const SolutionPoint& from, const SolutionPoint& at) {
       return tests(from, at);
     };
-    curve_.test = [this](const BranchPoint& from, const BranchPoint& at, Eigen::Index k) {
+    curve_.test = [this](const SolutionPoint& from, const SolutionPoint& at, Eigen::Index k) {
       return test(from, at, k);
     };
-    curve_.resolves = [this](const BranchPoint& from, const BranchPoint& to) {
+    curve_.resolves = [this](const SolutionPoint& from, const SolutionPoint& to) {
       return equations_.turn(from, to) <= kMostBorderTurn &&
              (!options_.resolves || options_.resolves(unpack(from), unpack(to)));
     };
-    curve_.proceed = [this](const BranchPoint& previous, const BranchPoint& here) {
+    curve_.proceed = [this](const SolutionPoint& previous, const SolutionPoint& here) {
       equations_.add(here);
       return !options_.proceed || options_.proceed(unpack(previous), unpack(here));
     };
   }
 
   // In the order of test_kinds(), and the caller's behind them.
-  std::optional<Vector> tests(const BranchPoint& from, const BranchPoint& at) {
+  std::optional<Vector> tests(const SolutionPoint& from, const SolutionPoint& at) {
     std::optional<Vector> own = own_tests(from, at);
     if (!own || !options_.tests) return own;
     const std::optional<Vector> further = options_.tests(unpack(at));
@@ -134,14 +134,14 @@ class LocusTracer {
     return all;
   }
 
-  std::optional<double> test(const BranchPoint& from, const BranchPoint& at, Eigen::Index k) {
+  std::optional<double> test(const SolutionPoint& from, const SolutionPoint& at, Eigen::Index k) {
     const auto own = static_cast<Eigen::Index>(test_kinds().size());
     const std::optional<Vector> values = k < own ? own_tests(from, at) : options_.tests(unpack(at));
     if (!values) return {};
     return (*values)[k < own ? k : k - own];
   }
 
-  std::optional<Vector> own_tests(const BranchPoint& from, const BranchPoint& at) {
+  std::optional<Vector> own_tests(const SolutionPoint& from, const SolutionPoint& at) {
     if (kind_ == LocusKind::kTorus)
       return Vector{{at.u[n_ + 1] - 2.0 * kPi / 3.0, at.u[n_ + 1] - kPi / 2.0, fold_test(at)}};
     const std::optional<std::array<double, 2>> degenerate = equations_.degeneracies(from, at);
@@ -158,7 +158,7 @@ class LocusTracer {
   }
 
   // Changes sign where one of the other multipliers passes 1; not a number where none are known.
-  double fold_test(const BranchPoint& at) const {
+  double fold_test(const SolutionPoint& at) const {
     if (!problem_.multipliers) return std::nan("");
     const std::vector<Eigenvalue> list =
         at.multipliers.empty()
@@ -259,7 +259,7 @@ class LocusTracer {
 std::optional<LocusPoint> solve_locus(const ZeroProblem& problem, const LocusOptions& options,
                                       const LocusStart& start) {
   LocusTracer tracer(problem, options, start.kind);
-  const std::optional<BranchPoint> point = tracer.solve(start);
+  const std::optional<SolutionPoint> point = tracer.solve(start);
   if (!point) return {};
   return tracer.unpack(*point);
 }
@@ -267,7 +267,7 @@ std::optional<LocusPoint> solve_locus(const ZeroProblem& problem, const LocusOpt
 std::optional<Locus> trace_locus(const ZeroProblem& problem, const LocusOptions& options,
                                  const LocusStart& start) {
   LocusTracer tracer(problem, options, start.kind);
-  const std::optional<BranchPoint> point = tracer.solve(start);
+  const std::optional<SolutionPoint> point = tracer.solve(start);
   if (!point) return {};
   return tracer.trace(*point);
 }
@@ -275,7 +275,7 @@ std::optional<Locus> trace_locus(const ZeroProblem& problem, const LocusOptions&
 std::optional<std::size_t> find_locus(const ZeroProblem& problem, const LocusOptions& options,
                                       const std::vector<Locus>& loci, const LocusStart& start) {
   LocusTracer tracer(problem, options, start.kind);
-  const std::optional<BranchPoint> point = tracer.solve(start);
+  const std::optional<SolutionPoint> point = tracer.solve(start);
   if (!point) return {};
   for (std::size_t i = 0; i < loci.size(); ++i)
     if (loci[i].kind == start.kind && tracer.lies_on(loci[i], *point)) return i;

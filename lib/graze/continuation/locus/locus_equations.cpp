@@ -153,14 +153,14 @@ bool LocusEquations::start_at(const Vector& y, double second) {
   return anchors_.front().borders.left.allFinite() && anchors_.front().borders.right.allFinite();
 }
 
-void LocusEquations::start_at(const BranchPoint& point) {
+void LocusEquations::start_at(const SolutionPoint& point) {
   add(point);
   Anchor here = std::move(anchors_.back());
   forget_anchors();
   add_anchor(std::move(here));
 }
 
-void LocusEquations::add(const BranchPoint& point) {
+void LocusEquations::add(const SolutionPoint& point) {
   const auto is_here = [&](const Anchor& anchor) {
     return anchor.second == point.parameter && anchor.y == point.u;
   };
@@ -172,7 +172,7 @@ void LocusEquations::add(const BranchPoint& point) {
   add_anchor(*found);
 }
 
-double LocusEquations::turn(const BranchPoint& from, const BranchPoint& to) const {
+double LocusEquations::turn(const SolutionPoint& from, const SolutionPoint& to) const {
   if (is_torus()) return 0.0;
   const auto found = std::find_if(recent_.begin(), recent_.end(), [&](const Anchor& anchor) {
     return anchor.second == to.parameter && anchor.y == to.u;
@@ -184,7 +184,7 @@ double LocusEquations::turn(const BranchPoint& from, const BranchPoint& to) cons
   return std::acos(std::min(least, 1.0));
 }
 
-bool LocusEquations::is_on_locus(const BranchPoint& point) {
+bool LocusEquations::is_on_locus(const SolutionPoint& point) {
   const std::optional<ZeroEvaluation> at = evaluate_plane(point.u, point.parameter);
   if (!at) return false;
   const Complex mu = multiplier_of(point.u);
@@ -285,8 +285,8 @@ std::vector<Eigenvalue> LocusEquations::other_multipliers(const Vector& y, doubl
   return list;
 }
 
-std::optional<std::array<double, 2>> LocusEquations::degeneracies(const BranchPoint& from,
-                                                                  const BranchPoint& at) {
+std::optional<std::array<double, 2>> LocusEquations::degeneracies(const SolutionPoint& from,
+                                                                  const SolutionPoint& at) {
   const std::optional<ZeroEvaluation> plane = evaluate_plane(at.u, at.parameter);
   if (!plane) return {};
   const double mu = multiplier_of(at.u).real();

@@ -47,7 +47,7 @@ struct LocusPoint {
   double angle = 0.0;     // of the critical multiplier, rad: 0 on LP, pi on PD, in [0, pi] on NS
   double residual = 0.0;  // largest entry of F and of the test for the critical multiplier
   Vector tangent;         // unit, in (u, first/range[, angle], second/range), n + 2 or n + 3
-  int orientation = 0;    // as in BranchPoint
+  int orientation = 0;    // as in SolutionPoint
   // All of them, the critical ones exact. Empty where the problem tells none.
   std::vector<Eigenvalue> multipliers;
 };

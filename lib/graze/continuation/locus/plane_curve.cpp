@@ -30,7 +30,7 @@ bool is_inside(double from, double to, double value) {
   return value >= std::min(from, to) && value <= std::max(from, to);
 }
 
-bool is_inside(const ContinuationOptions& options, const BranchPoint& point) {
+bool is_inside(const ContinuationOptions& options, const SolutionPoint& point) {
   return is_inside(options.from, options.to, point.parameter) &&
          std::all_of(options.ranges.begin(), options.ranges.end(), [&](const UnknownRange& range) {
            return is_inside(range.from, range.to, point.u[range.unknown]);
@@ -39,15 +39,15 @@ bool is_inside(const ContinuationOptions& options, const BranchPoint& point) {
 
 // On the hyperplane through x normal to an axis, or to the curve where the equations at x say that
 // it runs.
-std::optional<BranchPoint> across(Corrector& corrector, const Vector& x, const Vector& normal) {
-  std::optional<BranchPoint> point = corrector.on_hyperplane(x, normal);
+std::optional<SolutionPoint> across(Corrector& corrector, const Vector& x, const Vector& normal) {
+  std::optional<SolutionPoint> point = corrector.on_hyperplane(x, normal);
   if (point && point->rate() < 0.0) point->turn_round();
   return point;
 }
 
 // Of the range of which unknown a branch ended at, or crept up to, at a point.
 std::optional<Eigen::Index> limit_near(const std::vector<UnknownRange>& ranges,
-                                       const BranchPoint& point, double distance) {
+                                       const SolutionPoint& point, double distance) {
   for (const UnknownRange& range : ranges) {
     const double at = point.u[range.unknown];
     if (std::abs(at - range.from) <= distance || std::abs(at - range.to) <= distance)
@@ -66,8 +66,8 @@ constexpr std::size_t kFewestCrept = 4;
 // Of the points that crept up to such an end (0 or 1) of the branch the last one stays.
 void drop_crept_points(const PlaneCurveProblem& problem, const Corrector& corrector, Branch& branch,
                        std::size_t end) {
-  std::vector<BranchPoint>& points = branch.points;
-  const BranchPoint last = end == 0 ? points.front() : points.back();
+  std::vector<SolutionPoint>& points = branch.points;
+  const SolutionPoint last = end == 0 ? points.front() : points.back();
   const bool stuck = branch.ends[end] == BranchEnd::kNotConverged;
   if (!stuck && branch.ends[end] != BranchEnd::kUnknownLimit) return;
   if (!limit_near(problem.ranges, last, kCreeping)) return;
@@ -120,7 +120,7 @@ class TestZeroSearch {
   Eigen::Index count_at(std::size_t i) const { return values_[i] ? values_[i]->size() : 0; }
   double value(std::size_t i, Eigen::Index k) const { return (*values_[i])[k]; }
 
-  std::optional<double> test(std::size_t i, Eigen::Index k, const BranchPoint& at) const {
+  std::optional<double> test(std::size_t i, Eigen::Index k, const SolutionPoint& at) const {
     if (problem_.test) return problem_.test(points_[i], at, k);
     const std::optional<Vector> values = problem_.tests(points_[i], at);
     return values && k < values->size() ? std::optional((*values)[k]) : std::nullopt;
@@ -137,14 +137,14 @@ class TestZeroSearch {
   }
 
   void search(std::size_t i, Eigen::Index k) {
-    const BranchPoint &a = points_[i], &b = points_[i + 1];
+    const SolutionPoint &a = points_[i], &b = points_[i + 1];
     const bool sign = value(i, k) < 0.0;
     if (sign != (value(i + 1, k) < 0.0)) return add(i, k, a, b);
     const double length = lengths_[i];
     const std::optional<double> part = doubt_within({MarginCourse::between(
         value(i, k), length * slope(i, k), value(i + 1, k), length * slope(i + 1, k))});
     if (!part) return;
-    const std::optional<BranchPoint> middle =
+    const std::optional<SolutionPoint> middle =
         point_between(corrector_, a, *part * corrector_.ahead(a, b), a, b);
     const std::optional<double> there = middle ? test(i, k, *middle) : std::nullopt;
     if (!there || (*there < 0.0) == sign) return;
@@ -152,8 +152,8 @@ class TestZeroSearch {
     add(i, k, *middle, b);
   }
 
-  void add(std::size_t i, Eigen::Index k, const BranchPoint& a, const BranchPoint& b) {
-    std::optional<BranchPoint> point = locate(corrector_, a, b, [&](const BranchPoint& at) {
+  void add(std::size_t i, Eigen::Index k, const SolutionPoint& a, const SolutionPoint& b) {
+    std::optional<SolutionPoint> point = locate(corrector_, a, b, [&](const SolutionPoint& at) {
       return test(i, k, at).value_or(std::nan(""));
     });
     if (!point) return;
@@ -165,7 +165,7 @@ class TestZeroSearch {
 
   const PlaneCurveProblem& problem_;
   const ContinuationOptions& options_;
-  const std::vector<BranchPoint>& points_;
+  const std::vector<SolutionPoint>& points_;
   Corrector corrector_;
   std::vector<std::optional<Vector>> values_;  // at the points
   std::vector<double> lengths_;                // of the steps
@@ -202,9 +202,9 @@ ContinuationOptions branch_options(const PlaneCurveProblem& problem, const Locus
   return result;
 }
 
-std::optional<BranchPoint> point_on_curve(const PlaneCurveProblem& problem,
-                                          const LocusOptions& options, const Vector& unknown,
-                                          double second) {
+std::optional<SolutionPoint> point_on_curve(const PlaneCurveProblem& problem,
+                                            const LocusOptions& options, const Vector& unknown,
+                                            double second) {
   const ContinuationOptions along = branch_options(problem, options);
   Corrector corrector(problem.problem, along);
   const Eigen::Index n = unknown.size();
@@ -214,18 +214,18 @@ std::optional<BranchPoint> point_on_curve(const PlaneCurveProblem& problem,
   if (!slope) return {};
   const Vector runs = null_vector(*slope);
   const auto at_second = [&] {
-    std::optional<BranchPoint> point = corrector.at_parameter(x);
+    std::optional<SolutionPoint> point = corrector.at_parameter(x);
     if (point) point->parameter = second;
     return point;
   };
   const auto at_first = [&] { return across(corrector, x, Vector::Unit(n + 1, problem.first)); };
-  const auto suits = [&](const std::optional<BranchPoint>& point) {
+  const auto suits = [&](const std::optional<SolutionPoint>& point) {
     return point && is_inside(along, *point) &&
            std::abs(point->u[problem.first] - unknown[problem.first]) <= kNear &&
            std::abs(point->parameter - second) <= kNear * corrector.range();
   };
   const bool upright = std::abs(runs[problem.first]) > kUpright * std::abs(runs[n]);
-  std::optional<BranchPoint> point = upright ? at_first() : at_second();
+  std::optional<SolutionPoint> point = upright ? at_first() : at_second();
   if (!suits(point)) point = upright ? at_second() : at_first();
   if (!suits(point)) point = across(corrector, x, runs);
   if (!suits(point)) return {};
@@ -233,7 +233,7 @@ std::optional<BranchPoint> point_on_curve(const PlaneCurveProblem& problem,
 }
 
 PlaneCurve trace_curve(const PlaneCurveProblem& problem, const LocusOptions& options,
-                       const BranchPoint& start) {
+                       const SolutionPoint& start) {
   const ContinuationOptions along = branch_options(problem, options);
   PlaneCurve curve;
   curve.branch = trace_branch(problem.problem, along, start);
@@ -242,8 +242,8 @@ PlaneCurve trace_curve(const PlaneCurveProblem& problem, const LocusOptions& opt
   if (problem.tests) curve.zeros = TestZeroSearch(problem, along, curve.branch).run();
   for (const std::size_t end : {0u, 1u}) {
     if (curve.branch.ends[end] != BranchEnd::kUnknownLimit) continue;
-    const std::vector<BranchPoint>& points = curve.branch.points;
-    const BranchPoint& last = end == 0 ? points.front() : points.back();
+    const std::vector<SolutionPoint>& points = curve.branch.points;
+    const SolutionPoint& last = end == 0 ? points.front() : points.back();
     curve.left_range[end] = limit_near(along.ranges, last, 0.0);
     if (!curve.left_range[end]) curve.left_range[end] = limit_near(problem.ranges, last, kCreeping);
   }

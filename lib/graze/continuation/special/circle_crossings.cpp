@@ -72,13 +72,15 @@ double halfway(double from, double to) {
 
 }  // namespace
 
-void CircleCrossings::add(const BranchPoint& a, const BranchPoint& b) {
+void CircleCrossings::add(const SolutionPoint& a, const SolutionPoint& b) {
   divide(a, b, kMostHalvings);
 }
 
-void CircleCrossings::add_undivided(const BranchPoint& a, const BranchPoint& b) { divide(a, b, 0); }
+void CircleCrossings::add_undivided(const SolutionPoint& a, const SolutionPoint& b) {
+  divide(a, b, 0);
+}
 
-std::vector<Eigenvalue> CircleCrossings::multipliers_of(const BranchPoint& point,
+std::vector<Eigenvalue> CircleCrossings::multipliers_of(const SolutionPoint& point,
                                                         ErrorBounds errors) const {
   return problem_.multipliers(point.u, point.parameters(), errors);
 }
@@ -86,7 +88,7 @@ std::vector<Eigenvalue> CircleCrossings::multipliers_of(const BranchPoint& point
 // Divides the piece from a to b until each part holds one crossing at most, and locates that.
 // Crossings may add up to the changes of a single one: the pieces on either side of what was
 // located are looked at again.
-void CircleCrossings::divide(const BranchPoint& a, const BranchPoint& b, int halvings) {
+void CircleCrossings::divide(const SolutionPoint& a, const SolutionPoint& b, int halvings) {
   if (stop_.requested() || ++divisions_ > kMostDivisions) return;
   const OutsideCount at_a = count_outside(a.multipliers), at_b = count_outside(b.multipliers);
   const double from = trace_scale(a.multipliers), to = trace_scale(b.multipliers);
@@ -105,7 +107,7 @@ void CircleCrossings::divide(const BranchPoint& a, const BranchPoint& b, int hal
   }
   for (std::size_t j = 0; j < a.multipliers.size(); ++j) {
     if (excess(a.multipliers, j) * excess(b.multipliers, j) > 0.0) continue;
-    const std::optional<BranchPoint> found = add_crossing(a, b, j);
+    const std::optional<SolutionPoint> found = add_crossing(a, b, j);
     if (!found || halvings == 0) continue;
     const double at = corrector_.ahead(a, *found);
     const double aside = std::ldexp(length, -kMostHalvings / 2);
@@ -120,20 +122,20 @@ void CircleCrossings::divide(const BranchPoint& a, const BranchPoint& b, int hal
 
 // Whether the j-th modulus is known to differ from 1: where a multiplier sits on the circle, as
 // those of a structure that loses no energy do, what its modulus passes is rounding.
-bool CircleCrossings::is_off_circle(const BranchPoint& point, std::size_t j) const {
+bool CircleCrossings::is_off_circle(const SolutionPoint& point, std::size_t j) const {
   const std::vector<Eigenvalue> multipliers = multipliers_of(point);
   return j < multipliers.size() && std::abs(excess(multipliers, j)) > multipliers[j].error;
 }
 
 // Where the j-th modulus passes 1 between a and b; nothing where it cannot be located.
-std::optional<BranchPoint> CircleCrossings::add_crossing(const BranchPoint& a, const BranchPoint& b,
-                                                         std::size_t j) {
+std::optional<SolutionPoint> CircleCrossings::add_crossing(const SolutionPoint& a,
+                                                           const SolutionPoint& b, std::size_t j) {
   const bool leaves = is_off_circle(a, j), arrives = is_off_circle(b, j);
   if (!leaves && !arrives) return {};
   // Two real multipliers that meet on the circle stay on it: no modulus says where.
   if (leaves != arrives && (leaves ? a : b).multipliers[j].value.imag() == 0.0)
     return add_meeting(a, b);
-  std::optional<BranchPoint> point = locate(corrector_, a, b, [&](const BranchPoint& p) {
+  std::optional<SolutionPoint> point = locate(corrector_, a, b, [&](const SolutionPoint& p) {
     const std::vector<Eigenvalue> multipliers = multipliers_of(p, ErrorBounds::kLeftOut);
     return j < multipliers.size() ? excess(multipliers, j) : std::nan("");
   });
@@ -151,9 +153,9 @@ std::optional<BranchPoint> CircleCrossings::add_crossing(const BranchPoint& a, c
 }
 
 // Where a multiplier is -1, by the function that passes zero there however it goes on.
-std::optional<BranchPoint> CircleCrossings::add_meeting(const BranchPoint& a,
-                                                        const BranchPoint& b) {
-  std::optional<BranchPoint> point = locate(corrector_, a, b, [&](const BranchPoint& p) {
+std::optional<SolutionPoint> CircleCrossings::add_meeting(const SolutionPoint& a,
+                                                          const SolutionPoint& b) {
+  std::optional<SolutionPoint> point = locate(corrector_, a, b, [&](const SolutionPoint& p) {
     const CrossingTest flip = crossing_tests(multipliers_of(p, ErrorBounds::kLeftOut))[kFlip];
     return flip.sign * std::exp(flip.log_size);
   });
@@ -171,10 +173,10 @@ std::optional<BranchPoint> CircleCrossings::add_meeting(const BranchPoint& a,
 
 // The point of the branch s ahead of another one, between a and b, its multipliers with it; nothing
 // where these cannot be computed.
-std::optional<BranchPoint> CircleCrossings::known_between(const BranchPoint& from, double s,
-                                                          const BranchPoint& a,
-                                                          const BranchPoint& b) {
-  std::optional<BranchPoint> point = point_between(corrector_, from, s, a, b);
+std::optional<SolutionPoint> CircleCrossings::known_between(const SolutionPoint& from, double s,
+                                                            const SolutionPoint& a,
+                                                            const SolutionPoint& b) {
+  std::optional<SolutionPoint> point = point_between(corrector_, from, s, a, b);
   if (!point) return {};
   point->multipliers = multipliers_of(*point, ErrorBounds::kLeftOut);
   if (point->multipliers.size() != a.multipliers.size()) return {};

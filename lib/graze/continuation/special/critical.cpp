@@ -42,7 +42,7 @@ class CriticalSearch {
       }
     find_stations();
     for (std::size_t i = 0; i + 1 < branch_.points.size(); ++i)
-      for_each_piece(i, [&](const BranchPoint& a, const BranchPoint& b) {
+      for_each_piece(i, [&](const SolutionPoint& a, const SolutionPoint& b) {
         if (a.orientation * b.orientation < 0) add_branch_point(a, b, i);
       });
     drop_folds_at_branch_points();
@@ -55,7 +55,7 @@ class CriticalSearch {
   }
 
  private:
-  std::vector<Eigenvalue> multipliers_of(const BranchPoint& point) const {
+  std::vector<Eigenvalue> multipliers_of(const SolutionPoint& point) const {
     return problem_.multipliers(point.u, point.parameters(), ErrorBounds::kGiven);
   }
 
@@ -66,7 +66,8 @@ class CriticalSearch {
     const std::size_t known = branch_.critical.size();
     if (!stop_.requested()) {
       CircleCrossings crossings(problem_, corrector_, stop_, i, branch_.critical);
-      for_each_piece(i, [&](const BranchPoint& a, const BranchPoint& b) { crossings.add(a, b); });
+      for_each_piece(i,
+                     [&](const SolutionPoint& a, const SolutionPoint& b) { crossings.add(a, b); });
       if (!stop_.requested()) return;
     }
     if (!last_) last_ = std::chrono::steady_clock::now() + kGrace;
@@ -83,11 +84,11 @@ class CriticalSearch {
 
   // Where all points have the same multipliers, the points between them that show how these move.
   void find_stations() {
-    const std::vector<BranchPoint>& points = branch_.points;
+    const std::vector<SolutionPoint>& points = branch_.points;
     const std::size_t count = points.front().multipliers.size();
-    const bool complete = std::all_of(points.begin(), points.end(), [&](const BranchPoint& point) {
-      return point.multipliers.size() == count;
-    });
+    const bool complete =
+        std::all_of(points.begin(), points.end(),
+                    [&](const SolutionPoint& point) { return point.multipliers.size() == count; });
     if (problem_.multipliers && complete)
       stations_ = crossing_stations(branch_, problem_, corrector_, stop_);
     if (problem_.poles && !stations_.empty())
@@ -96,8 +97,8 @@ class CriticalSearch {
 
   // Stations on either side of where a multiplier has a pole within step i.
   void add_beside_poles(std::size_t i) {
-    const BranchPoint &a = branch_.points[i], &b = branch_.points[i + 1];
-    const auto poles_at = [this](const BranchPoint& p) {
+    const SolutionPoint &a = branch_.points[i], &b = branch_.points[i + 1];
+    const auto poles_at = [this](const SolutionPoint& p) {
       return problem_.poles(p.u, p.parameters());
     };
     const Vector from = poles_at(a), to = poles_at(b);
@@ -105,19 +106,19 @@ class CriticalSearch {
     const double length = corrector_.ahead(a, b);
     for (Eigen::Index k = 0; k < from.size(); ++k) {
       if (!(from[k] * to[k] < 0.0)) continue;
-      const std::optional<BranchPoint> pole =
-          locate(corrector_, a, b, [&](const BranchPoint& p) { return poles_at(p)[k]; });
+      const std::optional<SolutionPoint> pole =
+          locate(corrector_, a, b, [&](const SolutionPoint& p) { return poles_at(p)[k]; });
       if (!pole) continue;
       const double at = corrector_.ahead(a, *pole), aside = std::ldexp(length, -kPoleHalvings);
       for (const double s : {at - aside, at + aside}) {
         if (!(s > 0.0 && s < length)) continue;
-        std::optional<BranchPoint> station = point_between(corrector_, a, s, a, b);
+        std::optional<SolutionPoint> station = point_between(corrector_, a, s, a, b);
         if (!station) continue;
         station->multipliers =
             problem_.multipliers(station->u, station->parameters(), ErrorBounds::kLeftOut);
         if (station->multipliers.size() != a.multipliers.size()) continue;
         auto& own = stations_[i];
-        const auto behind = std::find_if(own.begin(), own.end(), [&](const BranchPoint& other) {
+        const auto behind = std::find_if(own.begin(), own.end(), [&](const SolutionPoint& other) {
           return corrector_.ahead(a, other) > s;
         });
         own.insert(behind, std::move(*station));
@@ -128,9 +129,9 @@ class CriticalSearch {
   // Step i from station to station.
   template <class Visit>
   void for_each_piece(std::size_t i, const Visit& visit) const {
-    const BranchPoint* last = &branch_.points[i];
+    const SolutionPoint* last = &branch_.points[i];
     if (!stations_.empty())
-      for (const BranchPoint& station : stations_[i]) {
+      for (const SolutionPoint& station : stations_[i]) {
         visit(*last, station);
         last = &station;
       }
@@ -140,12 +141,12 @@ class CriticalSearch {
   // The tracer passes a branch point with a step so short (1e-6) that the determinant is linear
   // over it; between stations it is halved until it is as short. That is where to look for the
   // branch point itself: the ends of the step are badly determined along the branch that crosses.
-  void add_branch_point(BranchPoint a, BranchPoint b, std::size_t i) {
+  void add_branch_point(SolutionPoint a, SolutionPoint b, std::size_t i) {
     for (int halving = 0;
          halving < kMostHalvings && !stop_.requested() &&
          corrector_.chord(a, b).norm() > kShortest * (1.0 + corrector_.pack(a).norm());
          ++halving) {
-      std::optional<BranchPoint> middle =
+      std::optional<SolutionPoint> middle =
           point_between(corrector_, a, 0.5 * corrector_.ahead(a, b), a, b);
       if (!middle) break;
       (middle->orientation * a.orientation < 0 ? b : a) = std::move(*middle);
@@ -198,7 +199,7 @@ class CriticalSearch {
   Corrector& corrector_;
   StopSignal stop_;
   std::optional<std::chrono::steady_clock::time_point> last_;  // that work goes on to after a stop
-  std::vector<std::vector<BranchPoint>> stations_;  // of each step; empty: none are known
+  std::vector<std::vector<SolutionPoint>> stations_;  // of each step; empty: none are known
 };
 
 }  // namespace

@@ -46,14 +46,14 @@ double moved_from(const std::vector<Eigenvalue>& from, const std::vector<Eigenva
   return std::sqrt(most);
 }
 
-double moved(const BranchPoint& a, const BranchPoint& b) {
+double moved(const SolutionPoint& a, const SolutionPoint& b) {
   return std::max(moved_from(a.multipliers, b.multipliers),
                   moved_from(b.multipliers, a.multipliers));
 }
 
 struct Node {
   double at = 0.0;  // arclength from the start of the branch
-  const BranchPoint* point = nullptr;
+  const SolutionPoint* point = nullptr;
   CrossingTests tests;
   std::size_t step = 0;  // that it lies in; of a point of the branch that after it
 };
@@ -177,14 +177,14 @@ class StationSearch {
                 const StopSignal& stop)
       : branch_(branch), problem_(problem), corrector_(corrector), stop_(stop) {}
 
-  std::vector<std::vector<BranchPoint>> run() {
-    const std::vector<BranchPoint>& points = branch_.points;
+  std::vector<std::vector<SolutionPoint>> run() {
+    const std::vector<SolutionPoint>& points = branch_.points;
     for (std::size_t i = 0; i < points.size(); ++i) {
       const double at = i == 0 ? 0.0 : ahead_.back().at + length(points[i - 1], points[i]);
       ahead_.push_back({at, &points[i], crossing_tests(points[i].multipliers), i});
     }
     std::reverse(ahead_.begin(), ahead_.end());
-    std::vector<std::vector<BranchPoint>> stations(points.size());
+    std::vector<std::vector<SolutionPoint>> stations(points.size());
     advance();
     int pieces = 1;
     while (!ahead_.empty()) {
@@ -202,7 +202,7 @@ class StationSearch {
   }
 
  private:
-  double length(const BranchPoint& a, const BranchPoint& b) const {
+  double length(const SolutionPoint& a, const SolutionPoint& b) const {
     return arclength(corrector_, a, b);
   }
 
@@ -229,10 +229,10 @@ class StationSearch {
       const std::optional<Doubt> doubt = doubt_within(course_of(test));
       if (doubt && (!worst || doubt->size > worst->size)) worst = doubt;
     }
-    const BranchPoint &from = branch_.points[step], &to = branch_.points[step + 1];
+    const SolutionPoint &from = branch_.points[step], &to = branch_.points[step + 1];
     if (!worst || b.at - a.at <= kShortestPiece * length(from, to)) return false;
     const double part = worst->ahead / (b.at - a.at);
-    std::optional<BranchPoint> point = point_between(
+    std::optional<SolutionPoint> point = point_between(
         corrector_, *a.point, part * corrector_.ahead(*a.point, *b.point), *a.point, *b.point);
     if (!point) return false;
     point->multipliers = problem_.multipliers(point->u, point->parameters(), ErrorBounds::kLeftOut);
@@ -275,15 +275,15 @@ class StationSearch {
   StopSignal stop_;
   std::vector<Node> passed_, ahead_;  // the latter backwards
   double rate_ = 0.0;                 // of the multipliers over the last piece
-  std::deque<BranchPoint> found_;     // references to them stay valid
+  std::deque<SolutionPoint> found_;   // references to them stay valid
 };
 
 }  // namespace
 
-std::vector<std::vector<BranchPoint>> crossing_stations(const Branch& branch,
-                                                        const ZeroProblem& problem,
-                                                        Corrector& corrector,
-                                                        const StopSignal& stop) {
+std::vector<std::vector<SolutionPoint>> crossing_stations(const Branch& branch,
+                                                          const ZeroProblem& problem,
+                                                          Corrector& corrector,
+                                                          const StopSignal& stop) {
   return StationSearch(branch, problem, corrector, stop).run();
 }
 

@@ -1,5 +1,6 @@
 #include "graze/flow/held/detail/held_structure.hpp"
 
+#include "graze/base/linalg/detail/dense_factors.hpp"
 #include "graze/base/linalg/detail/linear_equations.hpp"
 #include "graze/flow/held/detail/held_structure_impl.hpp"
 
@@ -24,8 +25,8 @@ CoupledSystem couple(HeldStructure<double>& held) {
     coupled.stiffness = left * held.whole.omega.asDiagonal() * held.stretched;
     coupled.load = -left * held.whole.omega.cwiseAbs2().cwiseProduct(held.rest);
     if (held.whole.load.size() > 0) coupled.load += left * held.whole.load;
-    const auto stiffness = coupled.stiffness.fullPivLu();
-    if (held.reduced.omega.minCoeff() > 0.0 && stiffness.isInvertible()) {
+    const PivotedLu<double> stiffness(coupled.stiffness);
+    if (held.reduced.omega.minCoeff() > 0.0 && stiffness.is_invertible()) {
       const Vector balance = stiffness.solve(coupled.load);
       if (balance.norm() <= kLargestAmplification * held.whole.reach) {
         held.rest += held.basis * balance;

@@ -1,4 +1,4 @@
-// Work done along an arc, for the energy book:
+// Work done along an arc, for the energy balance:
 //
 //   change of (|q'|^2 + |w q|^2)/2 = forcing + load + constraint + contact - dissipation.
 //

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <tuple>
 
+#include "graze/base/linalg/detail/dense_factors.hpp"
 #include "graze/contact/detail/complementarity.hpp"
 #include "graze/flow/exact/detail/first_zero.hpp"
 #include "graze/motion/detail/motion.hpp"
@@ -221,10 +222,10 @@ std::pair<RealVector<Real>, RealVector<Real>> Motion<Real>::at_rest_on(
     const std::vector<int>& stops) const {
   RealVector<Real> q = now_.q, qdot = now_.qdot;
   const auto k = static_cast<Eigen::Index>(stops.size());
-  const auto factors = delassus(stops).fullPivLu();
+  const PivotedLu<Real> factors(delassus(stops));
   RealVector<Real> amounts(k);
   const auto shift = [&](RealVector<Real>& vector) {
-    amounts = factors.solve(amounts).eval();
+    amounts = factors.solve(amounts);
     for (Eigen::Index a = 0; a < k; ++a)
       vector -= amounts[a] * stop(stops[static_cast<std::size_t>(a)]).direction;
   };

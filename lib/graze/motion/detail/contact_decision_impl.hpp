@@ -6,10 +6,10 @@
 // derivative decides.
 #pragma once
 
-#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 
+#include "graze/base/linalg/detail/dense_factors.hpp"
 #include "graze/contact/detail/complementarity.hpp"
 #include "graze/motion/detail/motion.hpp"
 #include "graze/system/detail/gap_value.hpp"
@@ -297,7 +297,7 @@ bool Motion<Real>::is_independent(int i, const std::vector<int>& list) const {
     rows.col(static_cast<Eigen::Index>(a)) = stop(list[a]).row;
   const RealVector<Real>& row = stop(i).row;
   const RealVector<Real> share =
-      (rows.transpose() * rows).fullPivLu().solve(rows.transpose() * row);
+      PivotedLu<Real>(rows.transpose() * rows).solve(rows.transpose() * row);
   // Half of the digits: nearer rows could not be told apart by their forces.
   return (row - rows * share).squaredNorm() >
          std::numeric_limits<double>::epsilon() * row.squaredNorm();
@@ -311,7 +311,7 @@ void Motion<Real>::rest_on_closed() {
   RealVector<Real> speeds(static_cast<Eigen::Index>(stops.size()));
   for (std::size_t a = 0; a < stops.size(); ++a)
     speeds[static_cast<Eigen::Index>(a)] = approach_speed(stops[a]);
-  push_back_from(stops, delassus(stops).partialPivLu().solve(speeds));
+  push_back_from(stops, PivotedLu<Real>(delassus(stops)).solve(speeds));
   look_at_joint();
 }
 

@@ -1,9 +1,9 @@
 // Definitions of motion.hpp: impacts on the touched stops.
 #pragma once
 
-#include <Eigen/LU>
 #include <cmath>
 
+#include "graze/base/linalg/detail/dense_factors.hpp"
 #include "graze/contact/detail/complementarity.hpp"
 #include "graze/motion/detail/motion.hpp"
 #include "graze/system/detail/gap_value.hpp"
@@ -232,7 +232,7 @@ void Motion<Real>::apply(const std::vector<int>& touched, const RealVector<Real>
     left[static_cast<Eigen::Index>(a)] = approach_speed(active[a]) - target[places[a]];
   // The diagonal of one stop's matrix is 1 to rounding; of several the directions overlap.
   const RealVector<Real> more =
-      active.size() == 1 ? left : RealVector<Real>(delassus(active).fullPivLu().solve(left));
+      active.size() == 1 ? left : PivotedLu<Real>(delassus(active)).solve(left);
   push_back_from(active, more);
   impulse(places) = amounts + more;
 }

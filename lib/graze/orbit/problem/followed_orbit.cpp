@@ -273,7 +273,7 @@ std::vector<State> turns_of(const Orbit& orbit) {
 
 FollowedAnswer followed_orbit(const System& system, const std::vector<State>& turns,
                               const PassageOptions& options) {
-  const PassageShooting shooting(system, PassageLayout::strobe(static_cast<int>(turns.size())),
+  const PassageShooting shooting(system, PassageLayout::fixed_phase(static_cast<int>(turns.size())),
                                  options);
   return solve_from(system, shooting, shooting.pack(turns));
 }
@@ -288,7 +288,7 @@ FollowedAnswer followed_orbit(const System& system, const State& at_period_start
     if (!first.holds.empty() || !system.has_compliant_stop())
       return stuck_orbit(system, start, first, period, options);
   }
-  const PassageShooting shooting(system, PassageLayout::strobe(period), options);
+  const PassageShooting shooting(system, PassageLayout::fixed_phase(period), options);
   const double local = wrapped(-system.forcing()->phase) / system.forcing()->frequency;
   const Instant<double> section{0, local < system.period() ? local : 0.0};
   const Passage to_section = pass(system, start, section, options);

@@ -1,9 +1,9 @@
 #include "graze/orbit/problem/detail/grazing_multipliers.hpp"
 
-#include <Eigen/QR>
 #include <cmath>
 #include <limits>
 
+#include "graze/base/linalg/detail/dense_factors.hpp"
 #include "graze/base/linalg/detail/linear_equations.hpp"
 #include "graze/flow/variation/detail/transition.hpp"
 #include "graze/orbit/problem/detail/saltation.hpp"
@@ -29,8 +29,7 @@ Slow slow_impact(const System& system, const Stop& stop, const ImpactPoint& poin
 
 // The orthogonal complement of a vector, n x (n - 1).
 Matrix complement(const Vector& vector) {
-  const Eigen::HouseholderQR<Matrix> factors{Matrix(vector)};
-  return Matrix(factors.householderQ()).rightCols(vector.size() - 1);
+  return orthonormal_columns<double>(vector, vector.size()).rightCols(vector.size() - 1);
 }
 
 }  // namespace

@@ -9,7 +9,7 @@ namespace graze {
 
 std::vector<LaidOrbit> layouts_of(const System& system, const Orbit& orbit,
                                   const PassageOptions& options) {
-  if (!orbit.sticks()) return {{PassageLayout::strobe(orbit.period), 0.0, turns_of(orbit)}};
+  if (!orbit.sticks()) return {{PassageLayout::fixed_phase(orbit.period), 0.0, turns_of(orbit)}};
   std::vector<LaidOrbit> found;
   const MotionState<double>& start = orbit.section->states.front();
   const Passage round =

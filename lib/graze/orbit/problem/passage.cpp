@@ -8,9 +8,9 @@
 #include <utility>
 
 #include "graze/base/detail/stop_poll.hpp"
-#include "graze/motion/contact_book.hpp"
 #include "graze/motion/detail/clearance.hpp"
 #include "graze/motion/detail/motion_walk.hpp"
+#include "graze/motion/spring_contact.hpp"
 #include "graze/system/detail/gap_value.hpp"
 
 namespace graze {
@@ -32,7 +32,7 @@ class Follower {
         motion_(system, start),
         walk_(system, motion_, options.closure_speed),
         carried_(system, motion_, deviations, parameter),
-        book_(system.stops.size()) {
+        contacts_(system.stops.size()) {
     motion_.stop_on(options.stop);
     for (std::size_t i = 0; i < start.contacts.size(); ++i) {
       if (start.contacts[i] == Contact::kClosed)
@@ -158,7 +158,7 @@ class Follower {
     if (arrival.kind == ArrivalKind::kNotFinite || arrival.kind == ArrivalKind::kRefused) return;
     if (options_.flight) options_.flight(motion_.flown(), walk_.departure(), arrival.flight);
     if (!motion_.flown().springs().empty()) {
-      graze::follow(book_, motion_.flown(), arrival.flight);
+      graze::follow(contacts_, motion_.flown(), arrival.flight);
     } else if (arrival.flight > 0.0) {
       if (options_.minima) note_minima(arrival.flight);
       if (options_.along) note_approaches(arrival.flight);
@@ -270,8 +270,8 @@ class Follower {
   }
 
   void open_contact(int i, double speed, bool from_start) {
-    book_[static_cast<std::size_t>(i)] = {};
-    book_[static_cast<std::size_t>(i)].held = motion_.spring_energy(i);
+    contacts_[static_cast<std::size_t>(i)] = {};
+    contacts_[static_cast<std::size_t>(i)].held = motion_.spring_energy(i);
     PassedContact contact;
     contact.stop = i;
     contact.from = motion_.instant();
@@ -290,13 +290,13 @@ class Follower {
   void part(int i, double speed, bool to_end) {
     const auto open = contact_of(i);
     if (open == in_contact_.end()) return;
-    const SpringContact& book = book_[static_cast<std::size_t>(i)];
+    const SpringContact& contact = contacts_[static_cast<std::size_t>(i)];
     open->to = motion_.instant();
     open->to_end = to_end;
     open->parted = !to_end;
     open->speed_after = speed;
-    open->peak_force = book.peak_force;
-    open->taken = 0.0 - book.change(motion_.spring_energy(i));
+    open->peak_force = contact.peak_force;
+    open->taken = 0.0 - contact.change(motion_.spring_energy(i));
   }
 
   void close_contact(int i) {
@@ -314,7 +314,7 @@ class Follower {
   CarriedDeviations carried_;
   std::vector<PassedHold> holding_;
   std::vector<PassedContact> in_contact_;
-  ContactBook book_;
+  SpringContacts contacts_;
   StopPoll poll_;
   long long work_ = 0;  // since it was asked last
   long long impacts_ = 0;

@@ -23,7 +23,7 @@ double beyond_rounding(double difference, double rounding) {
 
 PeriodHistory::PeriodHistory(const System& system, const State& start, long long most)
     : modes_(system.modes()), scale_(motion_scale(system)), speed_(scale_.speed), most_(most) {
-  push_state(strobes_, start.q, start.qdot);
+  push_state(period_states_, start.q, start.qdot);
 }
 
 void PeriodHistory::push_state(Tail<double>& list, const Vector& q, const Vector& qdot) const {
@@ -48,16 +48,18 @@ void PeriodHistory::add_impact(const MetImpact& impact, const Vector& q, const V
 void PeriodHistory::end_period(const Vector& q, const Vector& qdot, Contacts contacts) {
   periods_.push({counted_, static_cast<int>(impacts_.end() - counted_), contacts});
   counted_ = impacts_.end();
-  push_state(strobes_, q, qdot);
+  push_state(period_states_, q, qdot);
   const long long oldest = periods() - most_;
   if (oldest <= periods_.begin()) return;
   periods_.forget_before(oldest);
-  strobes_.forget_before(2 * modes_ * oldest);
+  period_states_.forget_before(2 * modes_ * oldest);
   impacts_.forget_before(periods_[oldest].first);
   before_.forget_before(2 * modes_ * periods_[oldest].first);
 }
 
-State PeriodHistory::state_at_start(long long period) const { return state(strobes_, period); }
+State PeriodHistory::state_at_start(long long period) const {
+  return state(period_states_, period);
+}
 
 std::vector<MetImpact> PeriodHistory::impacts_since(long long from) const {
   std::vector<MetImpact> list;
@@ -110,10 +112,11 @@ double PeriodHistory::state_difference(long long period, int p) const {
   const long long now = 2 * modes_ * (period + 1), then = 2 * modes_ * (period + 1 - p);
   double largest = 0.0;
   for (Eigen::Index j = 0; j < modes_; ++j) {
-    largest =
-        std::max(largest, std::abs(strobes_[now + j] - strobes_[then + j]) / scale_.displacement);
-    largest = std::max(largest, std::abs(strobes_[now + modes_ + j] - strobes_[then + modes_ + j]) /
-                                    scale_.velocity[j]);
+    largest = std::max(largest, std::abs(period_states_[now + j] - period_states_[then + j]) /
+                                    scale_.displacement);
+    largest = std::max(
+        largest, std::abs(period_states_[now + modes_ + j] - period_states_[then + modes_ + j]) /
+                     scale_.velocity[j]);
   }
   return beyond_rounding(largest, kRounding);
 }

@@ -108,9 +108,9 @@ class PeriodHistory {
   long long most_;
   Tail<Period> periods_;
   Tail<MetImpact> impacts_;
-  Tail<double> before_;    // 2N numbers an impact
-  Tail<double> strobes_;   // 2N numbers a period and one more: at its start
-  long long counted_ = 0;  // impacts of the periods that are over
+  Tail<double> before_;         // 2N numbers an impact
+  Tail<double> period_states_;  // 2N numbers a period and one more: at its start
+  long long counted_ = 0;       // impacts of the periods that are over
 };
 
 }  // namespace graze

@@ -239,7 +239,7 @@ class Settling {
     result_.near = true;
     result_.remaining = 0.0;
     result_.at_start = result_.at_end = *steady;
-    result_.strobes = {*steady};
+    result_.period_states = {*steady};
     end_clear();
     return true;
   }
@@ -315,7 +315,7 @@ class Settling {
     result_.sticks = history_.contacts_since(from).closed;
     result_.impacts = history_.impacts_since(from);
     for (long long n = from; n < history_.periods(); ++n)
-      result_.strobes.push_back(history_.state_at_start(n));
+      result_.period_states.push_back(history_.state_at_start(n));
   }
 
   bool end(SettledKind kind, const std::string& what) {

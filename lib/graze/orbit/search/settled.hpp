@@ -40,7 +40,7 @@ struct SettledMotion {
   long long impacts_met = 0;
   // Of the last repetition, or of the last `tail` periods where it does not repeat.
   std::vector<MetImpact> impacts;
-  std::vector<State> strobes;  // the states at the starts of these periods
+  std::vector<State> period_states;  // the states at the starts of these periods
   // The repeating pattern, with the points of its last repetition; nothing when none was found,
   // when it sticks, or where a stop is compliant. Where no nearness was asked for it need
   // not be minimal: where deviations alternate in sign, two periods agree before one does.

@@ -21,7 +21,8 @@ struct DiagramRecord {
   BranchRecord branches;
   Sweep swept;
   DiagramSection section = DiagramSection::kImpact;
-  // One a branch; of strobes such a list for each stop, of impacts one for all of them together.
+  // One a branch; of a stroboscopic section such a list for each stop, of impacts one for all of
+  // them together.
   std::vector<std::vector<DiagramCurve>> curves;
 };
 
@@ -34,8 +35,8 @@ inline constexpr double kSlowestShown = 1e-3;
 std::vector<DiagramCurve> impact_curves(const OrbitBranches& traced);
 
 // The displacements at each stop at t = 0, T, 2T, .. along the branches.
-std::vector<std::vector<DiagramCurve>> strobe_curves(const SystemFamily& family,
-                                                     const OrbitBranches& traced);
+std::vector<std::vector<DiagramCurve>> stroboscopic_curves(const SystemFamily& family,
+                                                           const OrbitBranches& traced);
 
 // How the diagram ended: `branches` is the outcome of tracing them, as far as they were asked for.
 Outcome diagram_outcome(const Sweep& swept, const std::optional<Outcome>& branches);

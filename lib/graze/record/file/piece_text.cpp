@@ -110,15 +110,15 @@ void fields(Archive& archive, MetImpact& impact) {
   archive(impact.period), archive(impact.stop), archive(impact.phase), archive(impact.speed);
 }
 template <class Archive>
-void fields(Archive& archive, SweepRow::Strobe& strobe) {
-  archive(strobe.stop), archive(strobe.displacement), archive(strobe.velocity);
+void fields(Archive& archive, SweepRow::StopState& state) {
+  archive(state.stop), archive(state.displacement), archive(state.velocity);
 }
 template <class Archive>
 void fields(Archive& archive, SettledMotion& motion) {
   archive(motion.kind), archive(motion.period), archive(motion.near), archive(motion.remaining);
   archive(motion.sticks), archive(motion.at_start), archive(motion.at_end);
   archive(motion.periods), archive(motion.impacts_met), archive(motion.impacts);
-  archive(motion.strobes), archive(motion.verdict);
+  archive(motion.period_states), archive(motion.verdict);
 }
 template <class Archive>
 void fields(Archive& archive, Exponents& exponents) {
@@ -129,7 +129,7 @@ void fields(Archive& archive, Exponents& exponents) {
 template <class Archive>
 void fields(Archive& archive, SweepRow& row) {
   archive(row.value), archive(row.status), archive(row.start), archive(row.motion);
-  archive(row.strobes), archive(row.exponents), archive(row.message);
+  archive(row.stop_states), archive(row.exponents), archive(row.message);
 }
 template <class Archive>
 void fields(Archive& archive, AttractorClass& attractor) {
@@ -144,7 +144,7 @@ void fields(Archive& archive, MapCell& cell) {
 }
 template <class Archive>
 void fields(Archive& archive, SettledCell& settled) {
-  archive(settled.cell), archive(settled.strobes);
+  archive(settled.cell), archive(settled.period_states);
 }
 template <class Archive>
 void fields(Archive& archive, RunImpact& impact) {

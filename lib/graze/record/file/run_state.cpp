@@ -32,15 +32,15 @@ void write_totals(StateLines& lines, const RunTotals& totals) {
   lines.number("penetration", totals.penetration);
 }
 
-void write_book(StateLines& lines, const EnergyBook& book) {
+void write_balance(StateLines& lines, const EnergyBalance& balance) {
   lines.table("[energy]");
-  lines.number("start", book.start);
-  lines.number("forcing", book.work.forcing);
-  lines.number("load", book.work.load);
-  lines.number("constraint", book.work.constraint);
-  lines.number("impacts", book.impacts);
-  lines.number("dissipation", book.work.dissipation);
-  lines.number("contact", book.work.contact);
+  lines.number("start", balance.start);
+  lines.number("forcing", balance.work.forcing);
+  lines.number("load", balance.work.load);
+  lines.number("constraint", balance.work.constraint);
+  lines.number("impacts", balance.impacts);
+  lines.number("dissipation", balance.work.dissipation);
+  lines.number("contact", balance.work.contact);
 }
 
 std::vector<RunState::Streak> read_streaks(const Node& node, const System& system) {
@@ -62,31 +62,31 @@ constexpr std::array<std::pair<const char*, double SpringContact::*>, 6> kContac
 }};
 
 // Where there was none there is nothing to remember.
-void write_contacts(StateLines& lines, const ContactBook& book) {
-  if (std::all_of(book.begin(), book.end(), [](const SpringContact& contact) {
+void write_contacts(StateLines& lines, const SpringContacts& list) {
+  if (std::all_of(list.begin(), list.end(), [](const SpringContact& contact) {
         return std::all_of(kContactKeys.begin(), kContactKeys.end(),
                            [&contact](const auto& key) { return contact.*key.second == 0.0; });
       }))
     return;
   lines.table("[contacts]");
   const auto write = [&](const char* key, double SpringContact::*value) {
-    lines.text(key, listed(book, [value](const SpringContact& contact) {
+    lines.text(key, listed(list, [value](const SpringContact& contact) {
                  return real_text(contact.*value);
                }));
   };
   for (const auto& [key, value] : kContactKeys) write(key, value);
 }
 
-ContactBook read_contacts(const Node& node, const System& system) {
+SpringContacts read_contacts(const Node& node, const System& system) {
   const StateTable table(node, "contacts",
                          {"since", "speeds", "peak_forces", "lost", "held", "changes_before"});
-  ContactBook book(system.stops.size());
+  SpringContacts list(system.stops.size());
   const auto read = [&](const char* key, double SpringContact::*value) {
-    const std::vector<double> numbers = table.numbers(key, book.size());
-    for (std::size_t i = 0; i < book.size(); ++i) book[i].*value = numbers[i];
+    const std::vector<double> numbers = table.numbers(key, list.size());
+    for (std::size_t i = 0; i < list.size(); ++i) list[i].*value = numbers[i];
   };
   for (const auto& [key, value] : kContactKeys) read(key, value);
-  return book;
+  return list;
 }
 
 ChatterTail read_tail(const Node& node, const System& system) {
@@ -118,17 +118,17 @@ RunTotals read_totals(const Node& node) {
   return totals;
 }
 
-EnergyBook read_book(const Node& node) {
+EnergyBalance read_balance(const Node& node) {
   const StateTable table(
       node, "energy",
       {"start", "forcing", "load", "constraint", "impacts", "dissipation", "contact"});
-  EnergyBook book;
-  book.start = table.size("start");
-  book.work = {table.number("forcing"), table.number("load"), table.number("constraint"),
-               table.number("dissipation"), 0.0};
-  if (table.find("contact")) book.work.contact = table.number("contact");
-  book.impacts = table.number("impacts");
-  return book;
+  EnergyBalance balance;
+  balance.start = table.size("start");
+  balance.work = {table.number("forcing"), table.number("load"), table.number("constraint"),
+                  table.number("dissipation"), 0.0};
+  if (table.find("contact")) balance.work.contact = table.number("contact");
+  balance.impacts = table.number("impacts");
+  return balance;
 }
 
 // Before any other key is looked at: is this such a file, does it fit, can the run go on?
@@ -199,7 +199,7 @@ std::string write_run_state(const CutRun& cut) {
     lines.number("local", state.tail->over.local);
   }
   write_totals(lines, state.totals);
-  if (state.keeps_book) write_book(lines, state.book);
+  if (state.keeps_balance) write_balance(lines, state.balance);
   return lines.take();
 }
 
@@ -231,9 +231,9 @@ CutRun parse_run_state(const std::string& text, const std::string& name, const S
     state.contacts = read_contacts(*contacts, system);
   if (const Node* tail = table.find("chatter")) state.tail = read_tail(*tail, system);
   state.totals = read_totals(table.at("totals"));
-  if (const Node* book = table.find("energy")) {
-    state.keeps_book = true;
-    state.book = read_book(*book);
+  if (const Node* entries = table.find("energy")) {
+    state.keeps_balance = true;
+    state.balance = read_balance(*entries);
   }
   return cut;
 }

@@ -73,7 +73,7 @@ Vector side_by_side(const std::vector<MotionState<double>>& states,
 
 void write_followed(StateLines& lines, const SpecialOrbit& point) {
   const SpecialOrbit::Followed& at = *point.followed;
-  lines.table(point.sticks() ? "[special.sticking]" : "[special.strobe]");
+  lines.table(point.sticks() ? "[special.sticking]" : "[special.compliant]");
   lines.count("period", at.period);
   lines.number("value", at.value);
   lines.number("closure_speed", at.closure_speed);
@@ -131,8 +131,9 @@ SpecialOrbit::Followed read_sticking(const Node& node, const Scene& scene,
   return followed;
 }
 
-SpecialOrbit::Followed read_strobe(const Node& node, const System& system) {
-  const StateTable table(node, "special.strobe", {"period", "value", "closure_speed", "q", "qdot"});
+SpecialOrbit::Followed read_compliant(const Node& node, const System& system) {
+  const StateTable table(node, "special.compliant",
+                         {"period", "value", "closure_speed", "q", "qdot"});
   const auto modes = static_cast<std::size_t>(system.modes());
   const int period = read_period(table);
   const auto count = static_cast<std::size_t>(period) * modes;
@@ -182,7 +183,7 @@ SpecialOrbit read_point(const Node& node, const Scene& scene, const System& syst
   const StateTable table(node, "special",
                          {"id", "label", "locus", "values", "multiplier", "by_speed", "by_push",
                           "period", "stops", "theta", "q", "qdot", "along_value", "along_theta",
-                          "along_q", "along_qdot", "sticking", "strobe"});
+                          "along_q", "along_qdot", "sticking", "compliant", "strobe"});
   SpecialOrbit point;
   read_names(table, point);
   point.values = table.numbers("values", parameters.size());
@@ -194,8 +195,10 @@ SpecialOrbit read_point(const Node& node, const Scene& scene, const System& syst
   point.by_push = table.flag("by_push");
   if (const Node* sticking = table.find("sticking"))
     point.followed = read_sticking(*sticking, scene, parameters, point.values);
-  else if (const Node* strobe = table.find("strobe"))
-    point.followed = read_strobe(*strobe, system);
+  else if (const Node* compliant = table.find("compliant"))
+    point.followed = read_compliant(*compliant, system);
+  else if (const Node* old = table.find("strobe"))  // its name before 0.1.0
+    point.followed = read_compliant(*old, system);
   else
     read_pattern(table, system, point);
   return point;

@@ -19,7 +19,7 @@ struct StableRegions;
 // Tables of a run grow row by row, so header and rows come apart.
 std::string events_csv_header();
 std::string events_csv_row(const Event& event);
-// With `energy` the entries of the energy book follow, then the probes.
+// With `energy` the entries of the energy balance follow, then the probes.
 std::string samples_csv_header(const System& system, bool energy,
                                const std::vector<ProbeRow>& probes = {});
 std::string samples_csv_row(const System& system, const Sample& sample,

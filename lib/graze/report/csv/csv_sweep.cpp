@@ -27,10 +27,10 @@ std::string sweep_csv(const DiagramRecord& record) {
                        impact.stop + 1, period_index(row, impact), csv_cell(impact_phase(impact)),
                        csv_cell(impact.speed));
     else
-      for (const SweepRow::Strobe& strobe : row.strobes) {
+      for (const SweepRow::StopState& state : row.stop_states) {
         fmt::format_to(std::back_inserter(text), "{},{},{},{},,,{},{}\n", start, sample + 1,
-                       strobe.stop + 1, static_cast<std::size_t>(sample) / stops_seen(row),
-                       csv_cell(strobe.displacement), csv_cell(strobe.velocity));
+                       state.stop + 1, static_cast<std::size_t>(sample) / stops_seen(row),
+                       csv_cell(state.displacement), csv_cell(state.velocity));
         ++sample;
       }
     // A value without samples has its line all the same.

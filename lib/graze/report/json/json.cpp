@@ -206,17 +206,17 @@ Json totals_json(const RunTotals& totals) {
           {"clamped_restitutions", totals.clamped_restitutions}};
 }
 
-Json energy_json(const System& system, const EnergyBook& book) {
-  const EnergyEntries entries = energy_entries(system, book);
-  Json json = {{"start", json_number(book.start)},
+Json energy_json(const System& system, const EnergyBalance& balance) {
+  const EnergyEntries entries = energy_entries(system, balance);
+  Json json = {{"start", json_number(balance.start)},
                {"forcing", json_maybe(entries.forcing)},
                {"load", json_maybe(entries.load)},
                {"constraint", json_maybe(entries.constraint)},
                {"impacts", json_maybe(entries.impacts)},
                {"dissipation", json_maybe(entries.dissipation)},
-               {"end", json_number(book.now)},
-               {"defect", json_number(book.defect())},
-               {"relative_defect", json_number(relative_defect(book))}};
+               {"end", json_number(balance.now)},
+               {"defect", json_number(balance.defect())},
+               {"relative_defect", json_number(relative_defect(balance))}};
   if (entries.contact) json["contact"] = json_number(*entries.contact);
   return json;
 }

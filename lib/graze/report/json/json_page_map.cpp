@@ -47,8 +47,8 @@ std::optional<CellMotion> settled_again(const MapRecord& record, const Scene& sc
   const Scene there = scene_at(scene, record.map.options, cell);
   const System system = assemble(there);
   if (!settle_row(there, system, initial_state(there, system), options, row)) return {};
-  if (row.motion.strobes.empty()) return {};
-  return CellMotion{cell, row.motion.strobes.front()};
+  if (row.motion.period_states.empty()) return {};
+  return CellMotion{cell, row.motion.period_states.front()};
 }
 
 // One of each attractor first, then the others in an order that is spread over the plane however

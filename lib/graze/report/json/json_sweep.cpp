@@ -16,10 +16,10 @@ Json samples_json(const SweepRow& row, DiagramSection section) {
     }
     return {{"stops", stops}, {"phases", first}, {"speeds", second}};
   }
-  for (const SweepRow::Strobe& strobe : row.strobes) {
-    stops.push_back(strobe.stop + 1);
-    first.push_back(json_number(strobe.displacement));
-    second.push_back(json_number(strobe.velocity));
+  for (const SweepRow::StopState& state : row.stop_states) {
+    stops.push_back(state.stop + 1);
+    first.push_back(json_number(state.displacement));
+    second.push_back(json_number(state.velocity));
   }
   return {{"stops", stops}, {"displacements", first}, {"velocities", second}};
 }

@@ -49,7 +49,7 @@ std::string name_of(SweepStatus status) {
 }
 
 std::string name_of(DiagramSection section) {
-  return section == DiagramSection::kImpact ? "impact" : "strobe";
+  return section == DiagramSection::kImpact ? "impact" : "stroboscopic";
 }
 
 std::string attractor_kind(const AttractorClass& attractor) {
@@ -75,11 +75,11 @@ std::string attractor_label(const AttractorClass& attractor) {
 }
 
 std::size_t stops_seen(const SweepRow& row) {
-  return row.strobes.empty() ? 0 : static_cast<std::size_t>(row.strobes.back().stop + 1);
+  return row.stop_states.empty() ? 0 : static_cast<std::size_t>(row.stop_states.back().stop + 1);
 }
 
 long long period_index(const SweepRow& row, const MetImpact& impact) {
-  const std::size_t stops = stops_seen(row), shown = stops > 0 ? row.strobes.size() / stops : 0;
+  const std::size_t stops = stops_seen(row), shown = stops > 0 ? row.stop_states.size() / stops : 0;
   return impact.period - (row.motion.periods - static_cast<long long>(shown));
 }
 

@@ -314,7 +314,7 @@ void write_page(const std::string& file, const DiagramRecord& record, const Syst
   page.set_view("Bifurcation diagram", record.branches.traced.notes);
   const std::vector<PageObservable> observables = record.section == DiagramSection::kImpact
                                                       ? impact_observables(record.branches.traced)
-                                                      : strobe_observables(record);
+                                                      : stroboscopic_observables(record);
   page.add_observables(observables, &record.swept);
   page.add_sweep(record.swept, observables);
   page.add_exponents(record.swept);

@@ -78,7 +78,7 @@ std::vector<PageObservable> impact_observables(const OrbitBranches& traced) {
   return list;
 }
 
-std::vector<PageObservable> strobe_observables(const DiagramRecord& record) {
+std::vector<PageObservable> stroboscopic_observables(const DiagramRecord& record) {
   std::vector<PageObservable> list;
   const std::vector<SeenPlace> places = places_of(record.branches.system);
   for (const SeenPlace& place : places) {
@@ -87,25 +87,25 @@ std::vector<PageObservable> strobe_observables(const DiagramRecord& record) {
     const auto index = static_cast<std::size_t>(stop);
     const std::string which =
         record.branches.system.stops.size() > 1 ? fmt::format("stop {}", stop + 1) : "the stop";
-    const auto heights = [stop](double SweepRow::Strobe::*part) {
+    const auto heights = [stop](double SweepRow::StopState::*part) {
       return [stop, part](const SweepRow& row) {
         std::vector<double> values;
-        for (const SweepRow::Strobe& strobe : row.strobes)
-          if (strobe.stop == stop) values.push_back(strobe.*part);
+        for (const SweepRow::StopState& state : row.stop_states)
+          if (state.stop == stop) values.push_back(state.*part);
         return values;
       };
     };
     list.push_back({fmt::format("displacement_{}", stop + 1), "displacement towards " + which, "m",
                     false, true,
                     record.curves.empty() ? std::vector<DiagramCurve>() : record.curves[index],
-                    heights(&SweepRow::Strobe::displacement)});
+                    heights(&SweepRow::StopState::displacement)});
     list.push_back({fmt::format("velocity_{}", stop + 1),
                     "velocity towards " + which,
                     "m/s",
                     false,
                     true,
                     {},
-                    heights(&SweepRow::Strobe::velocity)});
+                    heights(&SweepRow::StopState::velocity)});
   }
   if (!record.branches.traced.branches.empty())
     list.push_back(multiplier_of(record.branches.traced));

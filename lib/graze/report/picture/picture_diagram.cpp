@@ -64,8 +64,8 @@ std::vector<DotAt> dots_of(const DiagramRecord& record, int stop) {
       for (const MetImpact& impact : row.motion.impacts)
         dots.push_back({row.value, impact.speed, kind});
     else
-      for (const SweepRow::Strobe& strobe : row.strobes)
-        if (strobe.stop == stop) dots.push_back({row.value, strobe.displacement, kind});
+      for (const SweepRow::StopState& state : row.stop_states)
+        if (state.stop == stop) dots.push_back({row.value, state.displacement, kind});
   }
   return dots;
 }

@@ -137,23 +137,23 @@ std::vector<EnergyTerm> energy_terms(const SamplesSeen& samples, const System& s
     const char* name;
     const char* colour;
     bool present;
-    std::function<double(const EnergyBook&)> value;
+    std::function<double(const EnergyBalance&)> value;
   };
-  const EnergyEntries has = energy_entries(system, EnergyBook{});
+  const EnergyEntries has = energy_entries(system, EnergyBalance{});
   const bool turns = system.turns();
   // Signed, so that the energy rises by their sum.
   const Entry entries[] = {{turns ? "torque" : "forcing", kBlue, has.forcing.has_value(),
-                            [](const EnergyBook& book) { return book.work.forcing; }},
+                            [](const EnergyBalance& balance) { return balance.work.forcing; }},
                            {turns ? "weight" : "load", kPurple, has.load.has_value(),
-                            [](const EnergyBook& book) { return book.work.load; }},
+                            [](const EnergyBalance& balance) { return balance.work.load; }},
                            {"constraint", kOrange, has.constraint.has_value(),
-                            [](const EnergyBook& book) { return book.work.constraint; }},
+                            [](const EnergyBalance& balance) { return balance.work.constraint; }},
                            {"damping", kGreen, has.dissipation.has_value(),
-                            [](const EnergyBook& book) { return -book.work.dissipation; }},
+                            [](const EnergyBalance& balance) { return -balance.work.dissipation; }},
                            {"impacts", kVermillion, has.impacts.has_value(),
-                            [](const EnergyBook& book) { return book.impacts; }},
+                            [](const EnergyBalance& balance) { return balance.impacts; }},
                            {"contact", kSky, has.contact.has_value(),
-                            [](const EnergyBook& book) { return book.work.contact; }}};
+                            [](const EnergyBalance& balance) { return balance.work.contact; }}};
   std::vector<EnergyTerm> terms{{"energy", kBlack, {}}};
   for (const Sample* sample : samples)
     if (sample->energy) terms[0].curve.push_back({sample->time, sample->energy->now});

@@ -20,7 +20,7 @@ class SectionPicture {
   explicit SectionPicture(const SimulationRecord& record)
       : section_(*record.section), stops_(record.system.stops.size()) {
     is_of_impacts_ = section_.kind() == DiagramSection::kImpact;
-    // Stops at one place see the same strobes.
+    // Stops at one place see the same points.
     std::vector<int> stops;
     if (is_of_impacts_)
       for (std::size_t i = 0; i < record.system.stops.size(); ++i)

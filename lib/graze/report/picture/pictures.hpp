@@ -17,9 +17,9 @@ void check_picture_name(const std::string& file, const char* allowed = ".svg, .p
 
 // The recorded samples over time: displacement at every place that has stops (the first four), with
 // the impacts and the phases in which it was stuck; velocity at the first of them; contact forces
-// where there were any; the energy, when the samples carry its book, and the work done on it since
-// the first sample. Below, the phase portraits of the first two places. Without stops all of it for
-// the first modal coordinate.
+// where there were any; the energy, when the samples carry its balance, and the work done on it
+// since the first sample. Below, the phase portraits of the first two places. Without stops all of
+// it for the first modal coordinate.
 void draw_simulation(const std::string& file, const SimulationRecord& record);
 
 // The Poincare section of the run: speed over phase of its impacts, or velocity over displacement

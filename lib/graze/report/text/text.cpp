@@ -57,13 +57,13 @@ std::string events_text(const EventExcerpt& events) {
   return table.text() + "\n";
 }
 
-std::string energy_text(const System& system, const EnergyBook& book) {
-  const EnergyEntries entries = energy_entries(system, book);
+std::string energy_text(const System& system, const EnergyBalance& balance) {
+  const EnergyEntries entries = energy_entries(system, balance);
   std::string text;
   const auto add = [&](const char* name, const std::optional<double>& value) {
     if (value) text += fmt::format("{:<24} {:>15.8g} J\n", name, *value);
   };
-  add("energy at the start", book.start);
+  add("energy at the start", balance.start);
   const bool turns = system.turns();
   add(turns ? "+ work of the torque" : "+ work of the forcing", entries.forcing);
   add(turns ? "+ work of the weight" : "+ work of the load", entries.load);
@@ -71,9 +71,9 @@ std::string energy_text(const System& system, const EnergyBook& book) {
   add("+ change at impacts", entries.impacts);
   add("+ work of compliant stops", entries.contact);
   add("- dissipation", entries.dissipation);
-  add("= energy at the end", book.now);
+  add("= energy at the end", balance.now);
   return text + fmt::format("{:<24} {:>15.2e} J, {:.1e} of the largest entry\n", "missing",
-                            book.defect(), relative_defect(book));
+                            balance.defect(), relative_defect(balance));
 }
 
 // Of the impacts of an orbit that closes a chatter only the first and the last are shown.

@@ -7,7 +7,7 @@
 #include "graze/assembly/assembly.hpp"
 #include "graze/assembly/initial_state.hpp"
 #include "graze/motion/detail/energy_changes.hpp"
-#include "graze/motion/energy_book.hpp"
+#include "graze/motion/energy_balance.hpp"
 
 namespace graze {
 namespace {
@@ -67,8 +67,8 @@ bool add_settled(const Scene& scene, const System& system, const SweepRow& row,
     return true;
   }
   motion.energy = energy / static_cast<double>(seen);
-  const EnergyBook& book = *again.energy;
-  const double given = book.impacts + book.work.constraint + book.work.contact;
+  const EnergyBalance& balance = *again.energy;
+  const double given = balance.impacts + balance.work.constraint + balance.work.contact;
   motion.taken = (0.0 - given) / static_cast<double>(turns);
   return true;
 }

@@ -63,7 +63,7 @@ class Mapper {
     for (std::optional<SettledCell>& settled : made.pieces) {
       if (!settled) settled.emplace();
       map_.cells.push_back(std::move(settled->cell));
-      strobes_.push_back(std::move(settled->strobes));
+      period_states_.push_back(std::move(settled->period_states));
     }
     if (!made.is_complete) map_.stopped = options.stop.reason();
     name_attractors();
@@ -90,11 +90,11 @@ class Mapper {
     cell.message = row.message;
     if (row.exponents && row.exponents->values.size() > 0) cell.exponent = row.exponents->values[0];
     cell.is_known = true;
-    std::vector<State>& strobes = row.motion.strobes;
+    std::vector<State>& period_states = row.motion.period_states;
     if (map_.is_of_starts)
-      settled.strobes = std::move(strobes);
-    else if (kept_.has(i) && !strobes.empty())
-      settled.strobes = {strobes.front()};
+      settled.period_states = std::move(period_states);
+    else if (kept_.has(i) && !period_states.empty())
+      settled.period_states = {period_states.front()};
     return settled;
   }
 
@@ -132,7 +132,7 @@ class Mapper {
       const auto same = std::find_if(first, last, [&](const auto& entry) {
         const MapAttractor& other = map_.attractors[static_cast<std::size_t>(entry.second)];
         return !scale || cell.attractor.status != SweepStatus::kSettled ||
-               are_same_strobes(*scale, strobes_[i], other.strobes, apart);
+               are_same_period_states(*scale, period_states_[i], other.period_states, apart);
       });
       if (same != last) {
         cell.place = same->second;
@@ -140,7 +140,7 @@ class Mapper {
         cell.place = static_cast<int>(map_.attractors.size());
         known.emplace(cell.attractor, cell.place);
         map_.attractors.push_back({cell.attractor, i, 0, {}});
-        if (map_.is_of_starts) map_.attractors.back().strobes = std::move(strobes_[i]);
+        if (map_.is_of_starts) map_.attractors.back().period_states = std::move(period_states_[i]);
       }
       ++map_.attractors[static_cast<std::size_t>(cell.place)].cells;
     }
@@ -148,14 +148,14 @@ class Mapper {
   }
 
   void list_motions() {
-    const auto list = [&](std::size_t cell, const std::vector<State>& strobes) {
-      if (!strobes.empty()) map_.motions.push_back({cell, strobes.front()});
+    const auto list = [&](std::size_t cell, const std::vector<State>& period_states) {
+      if (!period_states.empty()) map_.motions.push_back({cell, period_states.front()});
     };
     if (map_.is_of_starts)
       for (const MapAttractor& attractor : map_.attractors)
-        list(attractor.first, attractor.strobes);
+        list(attractor.first, attractor.period_states);
     else
-      for (std::size_t i = 0; i < strobes_.size(); ++i) list(i, strobes_[i]);
+      for (std::size_t i = 0; i < period_states_.size(); ++i) list(i, period_states_[i]);
   }
 
   void order_attractors() {
@@ -178,7 +178,7 @@ class Mapper {
   const Scene& scene_;
   SpreadCells kept_;
   AttractorMap map_;
-  std::vector<std::vector<State>> strobes_;
+  std::vector<std::vector<State>> period_states_;
 };
 
 }  // namespace

@@ -14,7 +14,7 @@
 #include "graze/orbit/search/detail/solved_orbit.hpp"
 #include "graze/orbit/search/finder.hpp"
 #include "graze/study/sweep/detail/followed_motion.hpp"
-#include "graze/study/sweep/detail/strobes.hpp"
+#include "graze/study/sweep/detail/stroboscopic_states.hpp"
 
 namespace graze {
 namespace {

@@ -12,13 +12,13 @@ namespace {
 
 constexpr std::size_t kQuarters = 4;
 
-// The largest difference in each quarter of the strobes, in units of the system's scale.
+// The largest difference in each quarter of the states, in units of the system's scale.
 std::array<double, kQuarters> differences(const MotionScale& scale,
-                                          const std::vector<State>& strobes, std::size_t p) {
+                                          const std::vector<State>& period_states, std::size_t p) {
   std::array<double, kQuarters> largest{};
-  const std::size_t count = strobes.size() - p;
+  const std::size_t count = period_states.size() - p;
   for (std::size_t i = 0; i < count; ++i) {
-    const State &a = strobes[i], &b = strobes[i + p];
+    const State &a = period_states[i], &b = period_states[i + p];
     double& quarter = largest[i * kQuarters / count];
     quarter =
         std::max({quarter, (b.q - a.q).cwiseAbs().maxCoeff() / scale.displacement,
@@ -32,8 +32,8 @@ std::array<double, kQuarters> differences(const MotionScale& scale,
 bool is_nearing(const System& system, const SettledMotion& motion, int longest_period) {
   const MotionScale scale = motion_scale(system);
   for (std::size_t p = 1; p <= static_cast<std::size_t>(longest_period); ++p) {
-    if (motion.strobes.size() < (kQuarters + 1) * p) continue;
-    const auto largest = differences(scale, motion.strobes, p);
+    if (motion.period_states.size() < (kQuarters + 1) * p) continue;
+    const auto largest = differences(scale, motion.period_states, p);
     // Strictly, so that what is at rest within rounding is not followed on.
     if (std::is_sorted(largest.rbegin(), largest.rend()) && largest.back() < largest.front())
       return true;

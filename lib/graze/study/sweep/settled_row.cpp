@@ -89,8 +89,8 @@ SimulationOptions on_from_settled(const Scene& scene, const System& system, cons
 }
 
 // Orbits are the same in whichever of their periods they are seen first.
-bool are_same_strobes(const MotionScale& scale, const std::vector<State>& left,
-                      const std::vector<State>& right, double apart) {
+bool are_same_period_states(const MotionScale& scale, const std::vector<State>& left,
+                            const std::vector<State>& right, double apart) {
   if (left.size() != right.size()) return false;
   if (left.empty()) return true;  // at rest
   for (std::size_t turn = 0; turn < right.size(); ++turn) {

@@ -34,15 +34,15 @@ struct SweepRow {
   double value = 0.0;  // of the parameter, SI
   SweepStatus status = SweepStatus::kNoStart;
   SweepStart start = SweepStart::kScene;
-  // Without pattern and points, in a sweep without strobes; empty where there is no start.
+  // Without pattern and points, in a sweep without states; empty where there is no start.
   SettledMotion motion;
   // Gap and row of the stops do not fit a table of rows; what they make of a stroboscopic state
-  // does: row.q (m) and row.q' (m/s) of every stop, for each of the motion's strobes.
-  struct Strobe {
+  // does: row.q (m) and row.q' (m/s) of every stop, for each state at the start of a period.
+  struct StopState {
     int stop = 0;
     double displacement = 0.0, velocity = 0.0;
   };
-  std::vector<Strobe> strobes;
+  std::vector<StopState> stop_states;
   // Where they were asked for and the motion could be followed that far: of the multipliers where
   // it repeats, else of an average.
   std::optional<Exponents> exponents;
@@ -94,7 +94,7 @@ SimulationOptions on_from_settled(const Scene& scene, const System& system, cons
 
 // Whether two motions that repeat are the same orbit, seen in whichever of its periods: states at
 // the starts of their periods no further apart than this part of the scale.
-bool are_same_strobes(const MotionScale& scale, const std::vector<State>& left,
-                      const std::vector<State>& right, double apart);
+bool are_same_period_states(const MotionScale& scale, const std::vector<State>& left,
+                            const std::vector<State>& right, double apart);
 
 }  // namespace graze

@@ -70,18 +70,18 @@ class Sweeper {
       if (!settle_row(scene, system, start, options_, row)) return {};
       row.motion.pattern.reset();
       row.motion.points.clear();
-      keep_strobes(system, row);
+      keep_stop_states(system, row);
     } catch (const InputError& error) {
       row.message = error.what();
     }
     return row;
   }
 
-  static void keep_strobes(const System& system, SweepRow& row) {
-    for (const State& state : row.motion.strobes)
+  static void keep_stop_states(const System& system, SweepRow& row) {
+    for (const State& state : row.motion.period_states)
       for (std::size_t i = 0; i < system.stops.size(); ++i)
-        row.strobes.push_back({static_cast<int>(i), system.stops[i].row.dot(state.q),
-                               system.stops[i].row.dot(state.qdot)});
+        row.stop_states.push_back({static_cast<int>(i), system.stops[i].row.dot(state.q),
+                                   system.stops[i].row.dot(state.qdot)});
   }
 
   // Rows that take the place of a block's first ones.
@@ -130,13 +130,13 @@ class Sweeper {
   // Orbits are the same in whichever of their periods they are seen first.
   bool is_same_attractor(const SweepRow& a, const SweepRow& b) const {
     if (attractor_class(a) != attractor_class(b)) return false;
-    const std::vector<State>&left = a.motion.strobes, &right = b.motion.strobes;
+    const std::vector<State>&left = a.motion.period_states, &right = b.motion.period_states;
     // Where nothing is handed on, the next value starts anew either way.
     if (a.status != SweepStatus::kSettled || left.size() != right.size()) return true;
     const std::optional<System> system = family_.at(a.value);
     if (!system) return false;
     // Both are this near to their orbit, each in its own way.
-    return are_same_strobes(motion_scale(*system), left, right, 16.0 * options_.nearness);
+    return are_same_period_states(motion_scale(*system), left, right, 16.0 * options_.nearness);
   }
 
   Sweep collect(bool is_complete) {
@@ -147,7 +147,7 @@ class Sweeper {
       if (!row) continue;
       result.periods += row->motion.periods;
       result.impacts += row->motion.impacts_met;
-      row->motion.strobes = {};  // what they tell is in the row's own, and they are large
+      row->motion.period_states = {};  // what they tell is in the row's own, and they are large
       result.rows.push_back(std::move(*row));
     }
     // Whatever was asked for meanwhile, a sweep that has all its rows was not stopped.

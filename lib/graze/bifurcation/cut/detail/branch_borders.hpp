@@ -24,7 +24,7 @@ struct BranchPlace {
 
 // A solution and what it is.
 struct JudgedPoint {
-  const BranchPoint& point;
+  const SolutionPoint& point;
   const BranchPlace& place;
 };
 
@@ -40,11 +40,11 @@ class BranchBorders {
   virtual ~BranchBorders() = default;
 
   // Whether a solution is to be listed: an orbit of the system, or all solutions are asked for.
-  virtual bool lists(const BranchPoint& solution) const = 0;
+  virtual bool lists(const SolutionPoint& solution) const = 0;
   // Whether the branch is to be traced on beyond `here`, and whether a step shows what happens
   // within it.
-  virtual bool goes_on(const BranchPoint& previous, const BranchPoint& here) = 0;
-  virtual bool resolves(const BranchPoint& /*from*/, const BranchPoint& /*to*/) { return true; }
+  virtual bool goes_on(const SolutionPoint& previous, const SolutionPoint& here) = 0;
+  virtual bool resolves(const SolutionPoint& /*from*/, const SolutionPoint& /*to*/) { return true; }
 
   // Adds the places strictly between two neighbours, in order.
   virtual void pass(const JudgedPoint& a, const JudgedPoint& b,

@@ -21,8 +21,8 @@ class FlightBorders : public BranchBorders {
         branches_(branches),
         stations_(equations, options) {}
 
-  bool lists(const BranchPoint& solution) const override;
-  bool goes_on(const BranchPoint& /*previous*/, const BranchPoint& here) override {
+  bool lists(const SolutionPoint& solution) const override;
+  bool goes_on(const SolutionPoint& /*previous*/, const SolutionPoint& here) override {
     return lists(here);
   }
   void pass(const JudgedPoint& a, const JudgedPoint& b, std::vector<BranchPlace>& places) override;
@@ -33,7 +33,7 @@ class FlightBorders : public BranchBorders {
   BranchPlace place_of(const OrbitBranchPoint& at) const;
   std::optional<BranchPlace> between(const SeenSolution& a, const SeenSolution& b) const;
   std::optional<BranchPlace> grazing(const SeenSolution& a, const SeenSolution& b) const;
-  std::vector<OrbitBranchPoint> held_beyond(const BranchPoint& push, double towards) const;
+  std::vector<OrbitBranchPoint> held_beyond(const SolutionPoint& push, double towards) const;
 
   const FlightEquations& equations_;
   const ContinuationOptions& options_;

@@ -24,7 +24,7 @@ namespace graze {
 
 // A solution with what its verdict rests on, and how fast that changes.
 struct SeenSolution {
-  const BranchPoint* point = nullptr;
+  const SolutionPoint* point = nullptr;
   bool admissible = false;
   std::optional<double> clearance;  // m
   std::vector<OrbitMargin> speeds;
@@ -35,7 +35,7 @@ struct SeenSolution {
 
 // One that was looked at between two points of the branch.
 struct GrazingStation {
-  BranchPoint point;
+  SolutionPoint point;
   OrbitBranchPoint at;
   SeenSolution seen;
 };
@@ -46,19 +46,19 @@ class GrazingStations {
   GrazingStations(const FlightEquations& equations, const ContinuationOptions& options);
 
   // Refers to the point.
-  SeenSolution seen(const BranchPoint& point, const OrbitBranchPoint& at) const;
+  SeenSolution seen(const SolutionPoint& point, const OrbitBranchPoint& at) const;
   // Those between neighbours a and b, in order. Nothing where all goes as their verdicts say.
   std::list<GrazingStation> between(const SeenSolution& a, const SeenSolution& b);
 
  private:
   // In which the branch runs there.
-  OrbitDirection direction(const BranchPoint& point) const;
+  OrbitDirection direction(const SolutionPoint& point) const;
   std::vector<OrbitMargin> approaches(const SeenSolution& solution, double level) const;
   std::vector<MarginCourse> courses(const SeenSolution& a, const SeenSolution& b) const;
   void add_approaches(const SeenSolution& a, const SeenSolution& b, double step, double level,
                       std::vector<MarginCourse>& courses) const;
   // The solution between a and b to be looked at next; nothing where none is in doubt.
-  std::optional<BranchPoint> doubtful(const SeenSolution& a, const SeenSolution& b);
+  std::optional<SolutionPoint> doubtful(const SeenSolution& a, const SeenSolution& b);
 
   const FlightEquations& equations_;
   Corrector corrector_;

@@ -26,12 +26,12 @@ class HiddenEvents {
   // A solution between a and b, which both have the events of `at_a`, that has not; or a
   // prediction, without a tangent, where none can be solved for. Nothing where all have them, or
   // after as many looks; the latter are counted down.
-  std::optional<BranchPoint> between(const BranchPoint& a, const BranchPoint& b,
-                                     const ReleaseReturn& at_a, int& looks);
+  std::optional<SolutionPoint> between(const SolutionPoint& a, const SolutionPoint& b,
+                                       const ReleaseReturn& at_a, int& looks);
 
  private:
-  std::optional<std::vector<PassageMargin>> margins(const BranchPoint& solution);
-  std::vector<MarginCourse> courses(const BranchPoint& a, const BranchPoint& b);
+  std::optional<std::vector<PassageMargin>> margins(const SolutionPoint& solution);
+  std::vector<MarginCourse> courses(const SolutionPoint& a, const SolutionPoint& b);
 
   const PassageEquations& equations_;
   Corrector& corrector_;

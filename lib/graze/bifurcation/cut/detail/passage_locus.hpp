@@ -12,10 +12,10 @@ namespace graze {
 // any more may be where a locus ends between them.
 inline constexpr double kLocusBracket = 1e-7;
 
-class StrobeLocus : public LocusOrbits {
+class FixedPhaseLocus : public LocusOrbits {
  public:
   // Refers to the equations over two parameters.
-  explicit StrobeLocus(const PassageEquations& equations) : equations_(equations) {
+  explicit FixedPhaseLocus(const PassageEquations& equations) : equations_(equations) {
     tolerance = PassageEquations::critical_tolerance();
   }
   std::optional<LocusPlace> place(const LocusSite& at,
@@ -32,7 +32,7 @@ class StrobeLocus : public LocusOrbits {
   const PassageEquations& equations_;
 };
 
-class ReleaseLocus : public StrobeLocus {
+class ReleaseLocus : public FixedPhaseLocus {
  public:
   // `completing`: along CH, where every motion means one whose chatter completes, on either side;
   // whether it still sticks is rounding.

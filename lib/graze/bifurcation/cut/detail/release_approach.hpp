@@ -13,19 +13,19 @@ namespace graze {
 
 struct ReleaseApproach {
   // The solutions on this side, the orbit it started from first; never empty.
-  std::vector<BranchPoint> reached;
+  std::vector<SolutionPoint> reached;
   ReleaseReturn last;  // of the last of these
   // Of the nearest solution met beyond, if its motion could be followed.
   std::optional<ReleaseReturn> beyond;
-  BranchPoint at_beyond;
+  SolutionPoint at_beyond;
   // Orbits met beyond with the stops that they stick to, those nearest to the border last.
-  std::vector<std::pair<BranchPoint, std::vector<int>>> others;
+  std::vector<std::pair<SolutionPoint, std::vector<int>>> others;
   bool settled = false;  // to the last digits
 };
 
 // From `a`, whose events are those of `at_a`, towards `b`; `impacts`: see has_same_events().
 ReleaseApproach approach_border(const PassageEquations& equations, Corrector& corrector,
-                                const StopSignal& stop, const BranchPoint& a, const BranchPoint& b,
-                                const ReleaseReturn& at_a, bool impacts);
+                                const StopSignal& stop, const SolutionPoint& a,
+                                const SolutionPoint& b, const ReleaseReturn& at_a, bool impacts);
 
 }  // namespace graze

@@ -33,10 +33,10 @@ class ReleaseBorders : public BranchBorders {
   ReleaseBorders(const PassageEquations& equations, const ContinuationOptions& options,
                  bool switches = false);
 
-  bool lists(const BranchPoint& solution) const override {
+  bool lists(const SolutionPoint& solution) const override {
     return equations_.judge(solution).has_value();
   }
-  bool goes_on(const BranchPoint& previous, const BranchPoint& here) override;
+  bool goes_on(const SolutionPoint& previous, const SolutionPoint& here) override;
   // The grazings that equations which do not see impacts (N = m) pass.
   void pass(const JudgedPoint& a, const JudgedPoint& b, std::vector<BranchPlace>& places) override;
   std::optional<BranchTip> close(Branch& trace, std::size_t side) override;
@@ -44,13 +44,13 @@ class ReleaseBorders : public BranchBorders {
  private:
   // What ends the branch between a, an orbit, and its neighbour b; "not converged" where that
   // cannot be told.
-  ReleaseTip between(const BranchPoint& a, const BranchPoint& b);
+  ReleaseTip between(const SolutionPoint& a, const SolutionPoint& b);
   // What ends it at the last of these points, where it was followed no further.
-  ReleaseTip at_last(const BranchPoint& at);
+  ReleaseTip at_last(const SolutionPoint& at);
   // The special point there; nothing where it is none.
   std::optional<BranchPlace> place_of(const ReleaseTip& tip) const;
-  void end_at(const BranchPoint& border, Branch& trace, std::size_t side);
-  void walk(const BranchPoint& a, const BranchPoint& b, bool impacts,
+  void end_at(const SolutionPoint& border, Branch& trace, std::size_t side);
+  void walk(const SolutionPoint& a, const SolutionPoint& b, bool impacts,
             const std::function<bool(const ReleaseTip&)>& is_enough);
   ReleaseTip grazing(const ReleaseApproach& there, const ReleaseReturn& here);
 

@@ -13,16 +13,16 @@
 namespace graze {
 
 // Whether an approach touches there.
-bool touches(const PassageEquations& equations, const BranchPoint& at);
+bool touches(const PassageEquations& equations, const SolutionPoint& at);
 
 // The grazing there, where an impact or an approach touches; else no border. `is_lost`: an impact
 // is, by what is known of the other side.
 ReleaseTip grazing_at(const PassageEquations& equations, const ContinuationOptions& options,
-                      const BranchPoint& at, bool is_lost);
+                      const SolutionPoint& at, bool is_lost);
 
 // The grazing that lies ahead of b as seen from a, where an impact has become slow on the way to b;
 // and an orbit without that impact, if there is one near. No border where none has.
 ReleaseTip grazing_ahead(const PassageEquations& equations, const ContinuationOptions& options,
-                         const BranchPoint& a, const BranchPoint& b);
+                         const SolutionPoint& a, const SolutionPoint& b);
 
 }  // namespace graze

@@ -11,12 +11,12 @@ namespace graze {
 struct ReleaseTip {
   // CH, LO or GR at a border; "not converged" where what is there cannot be told.
   OrbitBranchEnd end = OrbitBranchEnd::kNotConverged;
-  std::optional<BranchPoint> border;  // the special point there, where there is one
-  bool by_speed = false;              // of a grazing: an impact loses its speed
-  bool interrupted = false;           // of CH and LO: a stuck phase is cut in two
-  double value = 0.0;                 // of the parameter there
-  std::optional<BranchPoint> beyond;  // an orbit on the other side, where one was met
-  Bracket bracket{};                  // of the border
+  std::optional<SolutionPoint> border;  // the special point there, where there is one
+  bool by_speed = false;                // of a grazing: an impact loses its speed
+  bool interrupted = false;             // of CH and LO: a stuck phase is cut in two
+  double value = 0.0;                   // of the parameter there
+  std::optional<SolutionPoint> beyond;  // an orbit on the other side, where one was met
+  Bracket bracket{};                    // of the border
 };
 
 }  // namespace graze

@@ -16,6 +16,7 @@ namespace graze {
 // another stop holds the structure.
 std::vector<OrbitBranchPoint> windows_beyond(const PassageEquations& equations,
                                              const ContinuationOptions& options,
-                                             const BranchPoint& border, const BranchPoint& outer);
+                                             const SolutionPoint& border,
+                                             const SolutionPoint& outer);
 
 }  // namespace graze

@@ -16,27 +16,28 @@ class TouchBorders : public BranchBorders {
   TouchBorders(const PassageEquations& equations, const ContinuationOptions& options)
       : equations_(equations), options_(options) {}
 
-  bool lists(const BranchPoint& solution) const override {
+  bool lists(const SolutionPoint& solution) const override {
     return equations_.judge(solution).has_value();
   }
-  bool goes_on(const BranchPoint& /*previous*/, const BranchPoint& here) override {
+  bool goes_on(const SolutionPoint& /*previous*/, const SolutionPoint& here) override {
     return lists(here);
   }
   // Where a contact is born or lost within the step its grazing lies there too, and the branch has
   // not turned too far up to that.
-  bool resolves(const BranchPoint& from, const BranchPoint& to) override;
+  bool resolves(const SolutionPoint& from, const SolutionPoint& to) override;
   void pass(const JudgedPoint& a, const JudgedPoint& b, std::vector<BranchPlace>& places) override;
   std::optional<BranchTip> close(Branch& trace, std::size_t side) override;
 
  private:
-  BranchPlace border(const BranchPoint& at, std::optional<OrbitBranchPoint> orbit,
+  BranchPlace border(const SolutionPoint& at, std::optional<OrbitBranchPoint> orbit,
                      bool approach) const;
-  std::optional<double> margin_of(const BranchPoint& point, bool speed, std::size_t impacts) const;
+  std::optional<double> margin_of(const SolutionPoint& point, bool speed,
+                                  std::size_t impacts) const;
   double near_enough(bool speed) const;
-  std::optional<BranchPoint> corner_beyond(BranchPoint before, BranchPoint last, bool speed,
-                                           std::size_t impacts) const;
-  std::optional<BranchPoint> grazing_between(const BranchPoint& a, const BranchPoint& b,
-                                             std::size_t before, std::size_t after) const;
+  std::optional<SolutionPoint> corner_beyond(SolutionPoint before, SolutionPoint last, bool speed,
+                                             std::size_t impacts) const;
+  std::optional<SolutionPoint> grazing_between(const SolutionPoint& a, const SolutionPoint& b,
+                                               std::size_t before, std::size_t after) const;
 
   const PassageEquations& equations_;
   const ContinuationOptions& options_;

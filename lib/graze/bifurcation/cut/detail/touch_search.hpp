@@ -14,19 +14,19 @@
 namespace graze {
 
 struct FoundTouch {
-  BranchPoint at;  // on the branch, its tangent turned along it
-  Touch touch;     // in that orbit
+  SolutionPoint at;  // on the branch, its tangent turned along it
+  Touch touch;       // in that orbit
 };
 
 // The grazing of a stop between two neighbours on a branch; the nearer to `a` where there are
 // several. Nothing where Newton's method leads to none that lies between them.
 std::optional<FoundTouch> touch_between(const PassageEquations& equations,
-                                        const ContinuationOptions& options, const BranchPoint& a,
-                                        const BranchPoint& b, int stop);
+                                        const ContinuationOptions& options, const SolutionPoint& a,
+                                        const SolutionPoint& b, int stop);
 
 // The nearest touch of an orbit beside a solution: an impact or an approach of it that would be
 // one. Its tangent is turned as it may be. Nothing where Newton's method leads to none near that.
 std::optional<FoundTouch> touch_from(const PassageEquations& equations,
-                                     const ContinuationOptions& options, const BranchPoint& from);
+                                     const ContinuationOptions& options, const SolutionPoint& from);
 
 }  // namespace graze

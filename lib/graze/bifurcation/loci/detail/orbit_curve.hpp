@@ -21,9 +21,11 @@ class OrbitCurve {
   // With the multipliers of its orbits, where they have any.
   const PlaneCurveProblem& problem() const { return problem_; }
   const LocusOrbits& orbits() const { return *orbits_; }
-  LocusSite site_of(const BranchPoint& point) const;
+  LocusSite site_of(const SolutionPoint& point) const;
   // All that are one orbit, as written from each place where it may begin.
-  virtual std::vector<BranchPoint> rewritings(const BranchPoint& point) const { return {point}; }
+  virtual std::vector<SolutionPoint> rewritings(const SolutionPoint& point) const {
+    return {point};
+  }
 
  protected:
   // Refers to the equations over two parameters; u has n entries, the curve's unknown so many

@@ -17,7 +17,7 @@ class TouchCurve : public OrbitCurve {
   // multipliers here: those of one that touches are those of either side.
   TouchCurve(const PassageEquations& equations, int stop);
 
-  std::vector<BranchPoint> rewritings(const BranchPoint& point) const override;
+  std::vector<SolutionPoint> rewritings(const SolutionPoint& point) const override;
 };
 
 }  // namespace graze

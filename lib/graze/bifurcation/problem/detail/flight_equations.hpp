@@ -19,19 +19,19 @@ class FlightEquations : public OrbitProblem {
   int period() const override { return pattern().period; }
 
   // Of a branch: the impacts of a solution; requires its value to be allowed, as do the verdicts.
-  std::vector<ImpactPoint> points(const BranchPoint& solution) const;
+  std::vector<ImpactPoint> points(const SolutionPoint& solution) const;
   // The verdict without multipliers.
-  Admissibility admissibility_of(const BranchPoint& solution) const;
-  OrbitBranchPoint orbit_at(const BranchPoint& solution) const;
+  Admissibility admissibility_of(const SolutionPoint& solution) const;
+  OrbitBranchPoint orbit_at(const SolutionPoint& solution) const;
 
   // Nothing where the scene does not allow the value.
-  std::optional<OrbitBranchPoint> judge(const BranchPoint& solution) const override;
+  std::optional<OrbitBranchPoint> judge(const SolutionPoint& solution) const override;
   void name(OrbitBranch& branch) const override { branch.pattern = pattern(); }
-  Vector halves_differ(const BranchPoint& solution) const override;
+  Vector halves_differ(const SolutionPoint& solution) const override;
   std::unique_ptr<OrbitProblem> doubled() const override;
-  BranchPoint twice_round(const BranchPoint& solution) const override;
-  std::vector<BranchPoint> rewritings(const OrbitProblem& of, const ContinuationOptions& options,
-                                      const BranchPoint& solution) const override;
+  SolutionPoint twice_round(const SolutionPoint& solution) const override;
+  std::vector<SolutionPoint> rewritings(const OrbitProblem& of, const ContinuationOptions& options,
+                                        const SolutionPoint& solution) const override;
 
  private:
   std::optional<ShootingLinearisation> linearise(

@@ -46,43 +46,43 @@ class OrbitProblem {
   std::vector<const System*> tangents_at(Parameters at) const;
 
   // The orbit of a solution; nothing where its motion is none of this layout, or meets no stop.
-  virtual std::optional<OrbitBranchPoint> judge(const BranchPoint& solution) const = 0;
+  virtual std::optional<OrbitBranchPoint> judge(const SolutionPoint& solution) const = 0;
   // Says of a branch what its orbits have in common: their impacts, or the stops they stick on.
   virtual void name(OrbitBranch& branch) const = 0;
   // Why the branch through a solution is not followed, as a sentence; empty where it is.
-  virtual std::string why_not_continued(const BranchPoint& /*solution*/) const { return {}; }
+  virtual std::string why_not_continued(const SolutionPoint& /*solution*/) const { return {}; }
 
   // What the second half of a solution differs from the first by: zero where the orbit has half the
   // period. Empty where that is not whole, or cannot be told.
-  virtual Vector halves_differ(const BranchPoint& solution) const = 0;
+  virtual Vector halves_differ(const SolutionPoint& solution) const = 0;
   // Whether it has half the period.
-  bool is_half(const BranchPoint& solution) const;
+  bool is_half(const SolutionPoint& solution) const;
   // Whether the branch passes an orbit of half the period between two neighbours, and where: the
   // equations are singular there and passed in a step so short that the branch is straight over it.
-  bool passes_half(const BranchPoint& a, const BranchPoint& b) const;
-  BranchPoint half_between(const BranchPoint& a, const BranchPoint& b) const;
+  bool passes_half(const SolutionPoint& a, const SolutionPoint& b) const;
+  SolutionPoint half_between(const SolutionPoint& a, const SolutionPoint& b) const;
 
   // The same of orbits of twice the period, and a solution seen as one of those, where it is a
   // branch point if it doubles there.
   virtual std::unique_ptr<OrbitProblem> doubled() const = 0;
-  virtual BranchPoint twice_round(const BranchPoint& solution) const = 0;
+  virtual SolutionPoint twice_round(const SolutionPoint& solution) const = 0;
   // The same on sections farther from all instants at which the derivative of the motion jumps;
   // null where they are far enough.
-  virtual std::unique_ptr<OrbitProblem> clearer(const BranchPoint& /*solution*/) const {
+  virtual std::unique_ptr<OrbitProblem> clearer(const SolutionPoint& /*solution*/) const {
     return {};
   }
   // The solution, and its tangent, in others that it was made clearer by; nothing where it cannot
   // be solved for there.
-  virtual std::optional<BranchPoint> carried_to(const OrbitProblem& /*other*/,
-                                                const ContinuationOptions& /*options*/,
-                                                const BranchPoint& solution) const {
+  virtual std::optional<SolutionPoint> carried_to(const OrbitProblem& /*other*/,
+                                                  const ContinuationOptions& /*options*/,
+                                                  const SolutionPoint& solution) const {
     return solution;
   }
   // Every way in which these equations write a solution of others: wherever its period begins, on
   // whatever sections. None where theirs are orbits of another kind.
-  virtual std::vector<BranchPoint> rewritings(const OrbitProblem& of,
-                                              const ContinuationOptions& options,
-                                              const BranchPoint& solution) const = 0;
+  virtual std::vector<SolutionPoint> rewritings(const OrbitProblem& of,
+                                                const ContinuationOptions& options,
+                                                const SolutionPoint& solution) const = 0;
 
  protected:
   // Refers to the scene.

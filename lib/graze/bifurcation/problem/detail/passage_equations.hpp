@@ -59,46 +59,46 @@ class PassageEquations : public OrbitProblem {
   double length() const { return scale_.length; }
   double speed_unit() const { return scale_.speed; }
   // Forcing period there, s; requires the value to be allowed.
-  double period_at(const BranchPoint& solution) const {
+  double period_at(const SolutionPoint& solution) const {
     return system_at(solution.parameter)->period();
   }
 
   // Nothing where the motion cannot be followed, meets no stop, or does not return to its release.
-  std::optional<OrbitBranchPoint> judge(const BranchPoint& solution) const override;
+  std::optional<OrbitBranchPoint> judge(const SolutionPoint& solution) const override;
   void name(OrbitBranch& branch) const override;
-  std::string why_not_continued(const BranchPoint& solution) const override;
+  std::string why_not_continued(const SolutionPoint& solution) const override;
   // Where the halves are no unknowns: how far the motion is from coming back after half the period.
-  Vector halves_differ(const BranchPoint& solution) const override;
+  Vector halves_differ(const SolutionPoint& solution) const override;
   // Of orbits of another layout with the same stops closed, in the same coordinates.
   std::unique_ptr<OrbitProblem> laid(PassageLayout layout) const;
   // Where a stop is released at the section, which is the only one then, on that.
   std::unique_ptr<OrbitProblem> doubled() const override;
-  BranchPoint twice_round(const BranchPoint& solution) const override;
-  std::unique_ptr<OrbitProblem> clearer(const BranchPoint& solution) const override;
-  std::vector<BranchPoint> rewritings(const OrbitProblem& of, const ContinuationOptions& options,
-                                      const BranchPoint& solution) const override;
+  SolutionPoint twice_round(const SolutionPoint& solution) const override;
+  std::unique_ptr<OrbitProblem> clearer(const SolutionPoint& solution) const override;
+  std::vector<SolutionPoint> rewritings(const OrbitProblem& of, const ContinuationOptions& options,
+                                        const SolutionPoint& solution) const override;
 
   // At a release: what becomes of the motion of a solution; nothing where it cannot be followed.
   // `minima`: as in PassageOptions.
-  std::optional<ReleaseReturn> follow(const BranchPoint& solution, bool minima = false) const;
+  std::optional<ReleaseReturn> follow(const SolutionPoint& solution, bool minima = false) const;
   // What must stay positive for the events to stay what they are, with rates along its tangent;
   // `range`: of the parameter, as in the tangent. Nothing where it cannot be followed.
-  std::optional<std::vector<PassageMargin>> margins(const BranchPoint& solution,
+  std::optional<std::vector<PassageMargin>> margins(const SolutionPoint& solution,
                                                     double range) const;
 
   // The orbit of a solution that has this touch, and the one without it: nothing happens there.
   // Nothing as judge(), and in place of an orbit that meets no stop but by the touch.
-  std::optional<OrbitBranchPoint> judge_touching(const BranchPoint& solution,
+  std::optional<OrbitBranchPoint> judge_touching(const SolutionPoint& solution,
                                                  const Touch& touch) const;
-  std::optional<OrbitBranchPoint> judge_without(const BranchPoint& solution,
+  std::optional<OrbitBranchPoint> judge_without(const SolutionPoint& solution,
                                                 const Touch& touch) const;
   // The stops that its contacts are with, in order of their numbers; none where it meets none.
-  std::vector<int> stops_met(const BranchPoint& solution) const;
+  std::vector<int> stops_met(const SolutionPoint& solution) const;
   // As touches_near() of touch.hpp, on compliant stops.
-  std::vector<Touch> touches_near(const BranchPoint& solution) const;
+  std::vector<Touch> touches_near(const SolutionPoint& solution) const;
   // Whether the force of a stop sets in without a jump there: else the branch has a corner where a
   // contact is born.
-  bool sets_in_smoothly(const BranchPoint& solution, int stop) const;
+  bool sets_in_smoothly(const SolutionPoint& solution, int stop) const;
 
   // A forcing angle after the start of an orbit, as one within a turn.
   struct Place {
@@ -120,15 +120,15 @@ class PassageEquations : public OrbitProblem {
   // The touch there, as an orbit has it.
   std::optional<Touch> touch_at(const Vector& y, Parameters behind, int stop) const;
 
-  std::optional<BranchPoint> carried_to(const OrbitProblem& other,
-                                        const ContinuationOptions& options,
-                                        const BranchPoint& solution) const override;
+  std::optional<SolutionPoint> carried_to(const OrbitProblem& other,
+                                          const ContinuationOptions& options,
+                                          const SolutionPoint& solution) const override;
 
  private:
   // Where a stroboscopic section would lie farthest from all instants at which the derivative of
   // the motion jumps, as a forcing phase, rad; nothing where there are none, or where it lies at
   // least a part of that far from them as it is.
-  std::optional<double> clearer_section(const BranchPoint& solution) const;
+  std::optional<double> clearer_section(const SolutionPoint& solution) const;
   PassageEquations(const Scene& scene, const std::vector<std::string>& parameters,
                    std::vector<double> units, const MotionScale& scale, PassageShooting shooting);
   std::optional<ShootingLinearisation> linearise(

@@ -50,13 +50,13 @@ class BranchCollector {
   bool trace_written(const Written& start, double value, Origin origin);
   // What is restarted from, and where it is; nothing where that is not found again.
   std::vector<Written> written(const SpecialOrbit& at);
-  std::optional<BranchPoint> solution_at(const Written& written, const BranchStart& start) const;
-  void trace_restarted(LaidOrbits& orbits, const BranchPoint& point, const BranchStart& start);
+  std::optional<SolutionPoint> solution_at(const Written& written, const BranchStart& start) const;
+  void trace_restarted(LaidOrbits& orbits, const SolutionPoint& point, const BranchStart& start);
   // Whether the solution lies on a branch that has been traced.
-  bool knows(const LaidOrbits& orbits, const BranchPoint& solution) const;
+  bool knows(const LaidOrbits& orbits, const SolutionPoint& solution) const;
   // Whether the branch that leaves a special point does.
-  bool knows_beyond(const LaidOrbits& orbits, const BranchPoint& start) const;
-  std::vector<BranchPiece> trace(LaidOrbits& orbits, const BranchPoint& start,
+  bool knows_beyond(const LaidOrbits& orbits, const SolutionPoint& start) const;
+  std::vector<BranchPiece> trace(LaidOrbits& orbits, const SolutionPoint& start,
                                  Directions directions);
   // Keeps the parts of a trace.
   void add(std::vector<BranchPiece> pieces, Origin origin);

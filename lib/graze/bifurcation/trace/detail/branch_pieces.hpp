@@ -28,12 +28,12 @@ struct BranchPiece {
 };
 
 // The same orbits in clearer equations (OrbitProblem::clearer); null where they are clear.
-using Clearer = std::function<LaidOrbits*(const LaidOrbits& orbits, const BranchPoint& solution)>;
+using Clearer = std::function<LaidOrbits*(const LaidOrbits& orbits, const SolutionPoint& solution)>;
 
 // In order along the branch; each piece but the first begins with the orbit that the one before it
 // ends with. Its solutions go on as its borders allow; its period is not halved but at the ends.
 std::vector<BranchPiece> trace_pieces(const Clearer& clearer, LaidOrbits& orbits,
-                                      const ContinuationOptions& options, const BranchPoint& start,
-                                      Directions directions);
+                                      const ContinuationOptions& options,
+                                      const SolutionPoint& start, Directions directions);
 
 }  // namespace graze

@@ -42,9 +42,9 @@ class OrbitProblems {
   std::vector<Written> written(const Orbit& orbit, Parameters at);
   LaidOrbits& doubled(const LaidOrbits& orbits);
   // Those of period 1 on the same stroboscopic section.
-  LaidOrbits& strobe_once(const LaidOrbits& orbits);
+  LaidOrbits& fixed_phase_once(const LaidOrbits& orbits);
   // As OrbitProblem::clearer; null where that is.
-  LaidOrbits* clearer(const LaidOrbits& orbits, const BranchPoint& solution);
+  LaidOrbits* clearer(const LaidOrbits& orbits, const SolutionPoint& solution);
 
  private:
   // What there is of the layout, or else this.

@@ -15,7 +15,7 @@ class Corrector {
   Corrector(const ZeroProblem& problem, const ContinuationOptions& options);
 
   // x of a point.
-  Vector pack(const BranchPoint& point) const;
+  Vector pack(const SolutionPoint& point) const;
   // Length of the parameter's range; 1 where that is none.
   double range() const { return range_; }
   // Of F, so far.
@@ -25,14 +25,14 @@ class Corrector {
   // `normal`. Nothing when Newton's steps do not shrink by `contraction` from one to the next, or
   // miss the tolerance. The smaller the contraction asked for, the nearer the guess has to be, and
   // the less it can slide to another branch.
-  std::optional<BranchPoint> on_hyperplane(const Vector& guess, const Vector& normal,
-                                           double contraction = kConvergent);
+  std::optional<SolutionPoint> on_hyperplane(const Vector& guess, const Vector& normal,
+                                             double contraction = kConvergent);
   // Where one step of Newton's method leads from `guess` on the hyperplane normal to `normal`.
   // Nothing where the equations cannot be evaluated or the step is not finite.
   std::optional<Vector> newton_step(const Vector& guess, const Vector& normal);
   // The solution at the parameter of `guess`, with its tangent towards growing parameter. Nothing
   // as on a hyperplane.
-  std::optional<BranchPoint> at_parameter(const Vector& guess);
+  std::optional<SolutionPoint> at_parameter(const Vector& guess);
 
   struct Linearised {
     Vector residual;
@@ -45,16 +45,16 @@ class Corrector {
   // Largest entry of F at x; nothing likewise.
   std::optional<double> residual_at(const Vector& x);
   // |det [slope; tangent]| at b over that at a; not a number where either cannot be evaluated.
-  double determinant_ratio(const BranchPoint& a, const BranchPoint& b);
+  double determinant_ratio(const SolutionPoint& a, const SolutionPoint& b);
 
   // x - y with angles taken the short way round.
   Vector difference(const Vector& x, const Vector& y) const;
   // From a to b.
-  Vector chord(const BranchPoint& a, const BranchPoint& b) const {
+  Vector chord(const SolutionPoint& a, const SolutionPoint& b) const {
     return difference(pack(b), pack(a));
   }
   // How far b lies ahead of a, along the tangent there.
-  double ahead(const BranchPoint& a, const BranchPoint& b) const {
+  double ahead(const SolutionPoint& a, const SolutionPoint& b) const {
     return chord(a, b).dot(a.tangent);
   }
 
@@ -62,9 +62,9 @@ class Corrector {
   // Newton's method from here still converges; more is not asked where there is nothing to mistake.
   static constexpr double kConvergent = 0.8;
 
-  std::optional<BranchPoint> solve(Vector x, const Vector& normal, double contraction);
+  std::optional<SolutionPoint> solve(Vector x, const Vector& normal, double contraction);
   // `sign` of det [slope; tangent]
-  BranchPoint unpack(const Vector& x, const Vector& tangent, double residual, int sign) const;
+  SolutionPoint unpack(const Vector& x, const Vector& tangent, double residual, int sign) const;
 
   const ZeroProblem& problem_;
   const ContinuationOptions& options_;

@@ -16,21 +16,21 @@ class GrowingBranch {
  public:
   // Refers to the first three, which must outlive it. `start`: run along its tangent.
   GrowingBranch(const ZeroProblem& problem, const ContinuationOptions& options,
-                Corrector& corrector, BranchPoint start);
+                Corrector& corrector, SolutionPoint start);
 
   std::size_t size() const { return branch_.points.size(); }
-  const BranchPoint& operator[](std::size_t i) const { return branch_.points[i]; }
-  const BranchPoint& last() const { return branch_.points.back(); }
+  const SolutionPoint& operator[](std::size_t i) const { return branch_.points[i]; }
+  const SolutionPoint& last() const { return branch_.points.back(); }
   // The one before the last; null where there is none yet.
-  const BranchPoint* before_last() const {
+  const SolutionPoint* before_last() const {
     return size() > 1 ? &branch_.points[size() - 2] : nullptr;
   }
 
   // Adds a step's end, or what comes before it: the limit, the start of a closed branch. True when
   // that ends the branch.
-  bool advance(const BranchPoint& next);
+  bool advance(const SolutionPoint& next);
   // Adds a point and the fold before it, if there is one.
-  void add(const BranchPoint& next);
+  void add(const SolutionPoint& next);
   // Drops all points but the first so many.
   void keep(std::size_t count);
   void count_rejected() { ++branch_.rejected; }
@@ -40,8 +40,8 @@ class GrowingBranch {
   void end(BranchEnd end) { branch_.ends[1] = end; }
 
  private:
-  bool closes(const BranchPoint& next);
-  BranchPoint closing_point() const;
+  bool closes(const SolutionPoint& next);
+  SolutionPoint closing_point() const;
 
   const ZeroProblem& problem_;
   const ContinuationOptions& options_;

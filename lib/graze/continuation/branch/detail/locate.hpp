@@ -20,28 +20,30 @@ inline constexpr double kShortest = 1e-6;
 inline constexpr double kOneCrossing = 10.0 * kShortest;
 
 // From a to its neighbour b, to fourth order of their distance.
-double arclength(const Corrector& corrector, const BranchPoint& a, const BranchPoint& b);
+double arclength(const Corrector& corrector, const SolutionPoint& a, const SolutionPoint& b);
 
 // Where the cubic through neighbours a and b and their tangents meets the hyperplane normal to that
 // of `from`, s ahead of it. Misses the branch by the fourth power of their distance.
-Vector cubic_between(const Corrector& corrector, const BranchPoint& from, double s,
-                     const BranchPoint& a, const BranchPoint& b);
+Vector cubic_between(const Corrector& corrector, const SolutionPoint& from, double s,
+                     const SolutionPoint& a, const SolutionPoint& b);
 
 // The point of the branch there; nothing where the corrector does not reach it.
-std::optional<BranchPoint> point_between(Corrector& corrector, const BranchPoint& from, double s,
-                                         const BranchPoint& a, const BranchPoint& b);
+std::optional<SolutionPoint> point_between(Corrector& corrector, const SolutionPoint& from,
+                                           double s, const SolutionPoint& a,
+                                           const SolutionPoint& b);
 
 // As `locate` of branch.hpp: where `test` changes sign between neighbours a and b. Nothing where it
 // does not, or the corrector fails on the way.
-std::optional<BranchPoint> locate(Corrector& corrector, const BranchPoint& a, const BranchPoint& b,
-                                  const std::function<double(const BranchPoint&)>& test);
+std::optional<SolutionPoint> locate(Corrector& corrector, const SolutionPoint& a,
+                                    const SolutionPoint& b,
+                                    const std::function<double(const SolutionPoint&)>& test);
 
 // The fold between neighbours a and b. Nothing where the branch does not turn back between them.
-std::optional<BranchPoint> fold_between(Corrector& corrector, const BranchPoint& a,
-                                        const BranchPoint& b);
+std::optional<SolutionPoint> fold_between(Corrector& corrector, const SolutionPoint& a,
+                                          const SolutionPoint& b);
 
 // Whether `point` lies on the branch between neighbours a and b. `max_turn`: that of the branch.
-bool lies_between(Corrector& corrector, const BranchPoint& a, const BranchPoint& b,
-                  const BranchPoint& point, double max_turn);
+bool lies_between(Corrector& corrector, const SolutionPoint& a, const SolutionPoint& b,
+                  const SolutionPoint& point, double max_turn);
 
 }  // namespace graze

@@ -15,7 +15,7 @@ class ParameterLimits {
   // The one that a parameter comes to which moves in this direction.
   double towards(double direction) const { return direction > 0.0 ? highest_ : lowest_; }
   // Whether the branch is at a limit there and on the way out.
-  bool leaves_at(const BranchPoint& here) const;
+  bool leaves_at(const SolutionPoint& here) const;
 
  private:
   double lowest_, highest_;
@@ -23,7 +23,7 @@ class ParameterLimits {
 
 // The solution at a limit, near a point of the branch at or before it. Nothing where the corrector
 // does not reach it.
-std::optional<BranchPoint> point_on_limit(Corrector& corrector, const BranchPoint& near,
-                                          double limit);
+std::optional<SolutionPoint> point_on_limit(Corrector& corrector, const SolutionPoint& near,
+                                            double limit);
 
 }  // namespace graze

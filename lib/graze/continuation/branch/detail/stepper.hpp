@@ -21,24 +21,24 @@ class Stepper {
       : options_(options), limits_(options), unknowns_(options), corrector_(corrector) {}
 
   // The longest step that the options allow from here.
-  double longest(const BranchPoint& here) const;
+  double longest(const SolutionPoint& here) const;
 
   // Where a step of length h leads, as x: along the tangent, and along the bend of the cubic
   // through the last two points and their tangents. `before`: the point before this one; null where
   // there is none.
-  Vector prediction(const BranchPoint* before, const BranchPoint& here, double h) const;
+  Vector prediction(const SolutionPoint* before, const SolutionPoint& here, double h) const;
 
   // The end of a step of length h, on the limit where it would pass that; nothing where the step is
   // refused. A branch point may be passed by a step that is as long as `passing`. Sets `turn` to
   // the angle between the tangents, rad, as soon as the corrector converges.
-  std::optional<BranchPoint> step(const BranchPoint* before, const BranchPoint& here, double h,
-                                  double& turn, double passing = 0.0);
+  std::optional<SolutionPoint> step(const SolutionPoint* before, const SolutionPoint& here,
+                                    double h, double& turn, double passing = 0.0);
 
  private:
-  std::optional<BranchPoint> point_ahead(const BranchPoint* before, const BranchPoint& here,
-                                         double h);
-  Vector bend(const BranchPoint* before, const BranchPoint& here, double h) const;
-  bool leads_back(const Vector& x, const BranchPoint& next, const Vector& chord);
+  std::optional<SolutionPoint> point_ahead(const SolutionPoint* before, const SolutionPoint& here,
+                                           double h);
+  Vector bend(const SolutionPoint* before, const SolutionPoint& here, double h) const;
+  bool leads_back(const Vector& x, const SolutionPoint& next, const Vector& chord);
 
   const ContinuationOptions& options_;
   ParameterLimits limits_;

@@ -19,19 +19,19 @@ class UnknownLimits {
 
   // The first one that a step of length h along the tangent would pass; nothing where it passes
   // none.
-  std::optional<UnknownLimit> ahead(const BranchPoint& here, double h) const;
+  std::optional<UnknownLimit> ahead(const SolutionPoint& here, double h) const;
   // The largest step along the tangent that the ranges allow; infinity where they do not care.
-  double longest(const BranchPoint& here) const;
+  double longest(const SolutionPoint& here) const;
   // Where the branch first leaves the ranges between neighbours a and b, on the limit; a itself
   // where the corrector does not reach it (`reached` is false then). Nothing where it stays within.
   struct Exit {
-    BranchPoint point;
+    SolutionPoint point;
     bool reached = true;
   };
-  std::optional<Exit> exit_between(Corrector& corrector, const BranchPoint& a,
-                                   const BranchPoint& b) const;
+  std::optional<Exit> exit_between(Corrector& corrector, const SolutionPoint& a,
+                                   const SolutionPoint& b) const;
   // Whether the branch is at a limit there and on the way out.
-  bool leaves_at(const BranchPoint& here) const;
+  bool leaves_at(const SolutionPoint& here) const;
 
  private:
   std::vector<UnknownRange> ranges_;  // in rising order
@@ -39,7 +39,7 @@ class UnknownLimits {
 
 // The solution at a limit, near a point of the branch at or before it. Nothing where the corrector
 // does not reach it.
-std::optional<BranchPoint> point_on_limit(Corrector& corrector, const BranchPoint& near,
-                                          const UnknownLimit& limit);
+std::optional<SolutionPoint> point_on_limit(Corrector& corrector, const SolutionPoint& near,
+                                            const UnknownLimit& limit);
 
 }  // namespace graze

@@ -50,14 +50,14 @@ class LocusEquations {
   // Forgets all borders but those that suit A(mu) there; false where that cannot be evaluated.
   bool start_at(const Vector& y, double second);
   // Forgets all borders but those of a point, on the side of those that it was solved with.
-  void start_at(const BranchPoint& point);
+  void start_at(const SolutionPoint& point);
   // A point of the locus: its borders are those of what lies around it.
-  void add(const BranchPoint& point);
+  void add(const SolutionPoint& point);
   // How far the critical vectors of LP and PD turn from one point to a neighbour just solved for,
   // rad, the larger of both; 0 on NS, where they span planes.
-  double turn(const BranchPoint& from, const BranchPoint& to) const;
+  double turn(const SolutionPoint& from, const SolutionPoint& to) const;
   // Whether A(mu) is singular there, judged by borders of its own.
-  bool is_on_locus(const BranchPoint& point);
+  bool is_on_locus(const SolutionPoint& point);
   // Nothing where F cannot be evaluated.
   std::optional<ZeroEvaluation> evaluate(const Vector& y, double second);
   // The multipliers of the orbit but for the critical ones.
@@ -65,7 +65,8 @@ class LocusEquations {
                                             ErrorBounds errors) const;
   // w^T A_u v v and w^T closing v of LP and PD, w and v unit and on the side of the borders at
   // `from`. Nothing where F cannot be evaluated.
-  std::optional<std::array<double, 2>> degeneracies(const BranchPoint& from, const BranchPoint& at);
+  std::optional<std::array<double, 2>> degeneracies(const SolutionPoint& from,
+                                                    const SolutionPoint& at);
   // Of F, so far.
   long long evaluations() const { return evaluations_; }
 

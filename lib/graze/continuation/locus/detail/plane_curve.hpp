@@ -22,22 +22,22 @@ struct PlaneCurveProblem {
   // Values at `at`, a neighbour of `from` or that itself: smooth along the curve as long as `from`
   // is the same, and of a sign that does not depend on it. Nothing where there are none. Empty
   // function: nothing is looked for.
-  std::function<std::optional<Vector>(const BranchPoint& from, const BranchPoint& at)> tests{};
+  std::function<std::optional<Vector>(const SolutionPoint& from, const SolutionPoint& at)> tests{};
   // The k-th of them alone. Empty: all are taken.
-  std::function<std::optional<double>(const BranchPoint& from, const BranchPoint& at,
+  std::function<std::optional<double>(const SolutionPoint& from, const SolutionPoint& at,
                                       Eigen::Index k)>
       test{};
   // As in ContinuationOptions.
-  std::function<bool(const BranchPoint& from, const BranchPoint& to)> resolves{};
+  std::function<bool(const SolutionPoint& from, const SolutionPoint& to)> resolves{};
   // Told every new point of the curve and the one before it; false ends the curve there. Empty: go
   // on.
-  std::function<bool(const BranchPoint& previous, const BranchPoint& here)> proceed{};
+  std::function<bool(const SolutionPoint& previous, const SolutionPoint& here)> proceed{};
 };
 
 // Where a test passes zero.
 struct TestZero {
   std::size_t test = 0;  // which of the values
-  BranchPoint point;
+  SolutionPoint point;
   std::size_t after = 0;  // lies between points after and after + 1
 };
 
@@ -59,12 +59,12 @@ ContinuationOptions branch_options(const PlaneCurveProblem& problem, const Locus
 // The point of the curve near an unknown at q, which has p/range in it: at this q, where the curve
 // stands upright at this p, or near both. Nothing where none is reached in the ranges and within a
 // fifth of them.
-std::optional<BranchPoint> point_on_curve(const PlaneCurveProblem& problem,
-                                          const LocusOptions& options, const Vector& unknown,
-                                          double second);
+std::optional<SolutionPoint> point_on_curve(const PlaneCurveProblem& problem,
+                                            const LocusOptions& options, const Vector& unknown,
+                                            double second);
 
 // The curve through a point of it, both ways.
 PlaneCurve trace_curve(const PlaneCurveProblem& problem, const LocusOptions& options,
-                       const BranchPoint& start);
+                       const SolutionPoint& start);
 
 }  // namespace graze

@@ -26,20 +26,20 @@ class CircleCrossings {
       : problem_(problem), corrector_(corrector), stop_(stop), step_(step), found_(found) {}
 
   // Between neighbours a and b within the step, whose multipliers are known; in no order.
-  void add(const BranchPoint& a, const BranchPoint& b);
+  void add(const SolutionPoint& a, const SolutionPoint& b);
   // Those that the ends of the piece show, where they differ by one.
-  void add_undivided(const BranchPoint& a, const BranchPoint& b);
+  void add_undivided(const SolutionPoint& a, const SolutionPoint& b);
 
  private:
-  std::vector<Eigenvalue> multipliers_of(const BranchPoint& point,
+  std::vector<Eigenvalue> multipliers_of(const SolutionPoint& point,
                                          ErrorBounds errors = ErrorBounds::kGiven) const;
-  void divide(const BranchPoint& a, const BranchPoint& b, int halvings);
-  bool is_off_circle(const BranchPoint& point, std::size_t j) const;
-  std::optional<BranchPoint> add_crossing(const BranchPoint& a, const BranchPoint& b,
-                                          std::size_t j);
-  std::optional<BranchPoint> add_meeting(const BranchPoint& a, const BranchPoint& b);
-  std::optional<BranchPoint> known_between(const BranchPoint& from, double s, const BranchPoint& a,
-                                           const BranchPoint& b);
+  void divide(const SolutionPoint& a, const SolutionPoint& b, int halvings);
+  bool is_off_circle(const SolutionPoint& point, std::size_t j) const;
+  std::optional<SolutionPoint> add_crossing(const SolutionPoint& a, const SolutionPoint& b,
+                                            std::size_t j);
+  std::optional<SolutionPoint> add_meeting(const SolutionPoint& a, const SolutionPoint& b);
+  std::optional<SolutionPoint> known_between(const SolutionPoint& from, double s,
+                                             const SolutionPoint& a, const SolutionPoint& b);
 
   const ZeroProblem& problem_;
   Corrector& corrector_;

@@ -20,10 +20,10 @@ class CrossingPassage {
 
   // The point beyond, the points too near to the branch point dropped from the branch; `h` becomes
   // the length of the step. Nothing, and the branch as it was, where that does not help either.
-  std::optional<BranchPoint> pass(GrowingBranch& branch, double& h);
+  std::optional<SolutionPoint> pass(GrowingBranch& branch, double& h);
 
  private:
-  std::optional<BranchPoint> pass_within(GrowingBranch& branch, double reach);
+  std::optional<SolutionPoint> pass_within(GrowingBranch& branch, double reach);
 
   Corrector& corrector_;
   Stepper& stepper_;

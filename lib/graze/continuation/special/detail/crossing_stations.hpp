@@ -16,9 +16,9 @@ namespace graze {
 
 // For each step of the branch the points to be looked at within it, in order, their multipliers
 // (without errors) with them. Requires multipliers, of the same number, at all points.
-std::vector<std::vector<BranchPoint>> crossing_stations(const Branch& branch,
-                                                        const ZeroProblem& problem,
-                                                        Corrector& corrector,
-                                                        const StopSignal& stop);
+std::vector<std::vector<SolutionPoint>> crossing_stations(const Branch& branch,
+                                                          const ZeroProblem& problem,
+                                                          Corrector& corrector,
+                                                          const StopSignal& stop);
 
 }  // namespace graze

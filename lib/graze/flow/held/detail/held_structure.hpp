@@ -20,9 +20,6 @@
 namespace graze {
 
 template <class Real>
-using RealMatrix = Eigen::Matrix<Real, Eigen::Dynamic, Eigen::Dynamic>;
-
-template <class Real>
 struct HeldStructure {
   // `holds`: indices of stops with linearly independent rows; none: the structure is free, and all
   // that is empty below it is.

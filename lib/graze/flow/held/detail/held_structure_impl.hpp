@@ -1,13 +1,11 @@
 // Definitions of held_structure.hpp; included by one translation unit per scalar.
 #pragma once
 
-#include <Eigen/LU>
-#include <Eigen/QR>
-#include <Eigen/SVD>
 #include <algorithm>
 #include <cmath>
 #include <optional>
 
+#include "graze/base/linalg/detail/dense_factors.hpp"
 #include "graze/flow/exact/detail/exact_flow_impl.hpp"
 #include "graze/flow/held/detail/contact_share.hpp"
 #include "graze/flow/held/detail/held_structure.hpp"
@@ -72,29 +70,28 @@ void HeldStructure<Real>::reduce(const System& system) {
   using namespace held_structure_detail;
   rows = rows_of(system, holds).template cast<Real>();
   directions = directions_of(system, holds).template cast<Real>();
-  shares = rows * (rows.transpose() * directions).transpose().fullPivLu().inverse();
+  shares = rows * PivotedLu<Real>(directions.transpose() * rows).inverse();
   const Eigen::Index n = rows.rows(), k = rows.cols(), m = n - k;
-  const Eigen::HouseholderQR<RealMatrix<Real>> qr(rows);
-  const RealMatrix<Real> all = qr.householderQ() * RealMatrix<Real>::Identity(n, n);
+  const RealMatrix<Real> all = orthonormal_columns<Real>(rows, n);
   RealVector<Real> gaps(k);
   for (Eigen::Index i = 0; i < k; ++i)
     gaps[i] = Real(system.stops[static_cast<std::size_t>(holds[static_cast<std::size_t>(i)])].gap);
   // The shortest q with B^T q = a.
-  rest = rows * (rows.transpose() * rows).fullPivLu().solve(gaps);
+  rest = rows * PivotedLu<Real>(rows.transpose() * rows).solve(gaps);
   basis = all.rightCols(m);
   reduced.omega.resize(m);
   stretched.resize(n, m);
   if (m > 0) {
     const RealMatrix<Real> root = whole.omega.asDiagonal() * basis;
-    const Eigen::JacobiSVD<RealMatrix<Real>> svd(root, Eigen::ComputeThinU | Eigen::ComputeThinV);
-    basis = (basis * svd.matrixV()).rowwise().reverse().eval();
-    reduced.omega = svd.singularValues().reverse();
+    const SingularValues<Real> factors = singular_values<Real>(root);
+    basis = (basis * factors.right).rowwise().reverse().eval();
+    reduced.omega = factors.values.reverse();
     // Within the error of the singular values a mode is free.
     const Real smallest =
         Real(static_cast<int>(n)) * std::numeric_limits<Real>::epsilon() * reduced.omega[m - 1];
     for (Real& w : reduced.omega)
       if (w <= smallest) w = 0;
-    stretched = svd.matrixU().rowwise().reverse() * reduced.omega.asDiagonal();
+    stretched = factors.left.rowwise().reverse() * reduced.omega.asDiagonal();
   }
   reduced.forced = whole.forced;
   reduced.frequency = whole.frequency;

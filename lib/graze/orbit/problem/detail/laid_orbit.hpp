@@ -17,7 +17,7 @@ struct LaidOrbit {
 
 // The layouts by which an orbit that is followed is continued, the one to choose first. Where it
 // sticks: its releases, that of the most closed stops first, and of these the one after the longest
-// stuck phase; none where its stops are never let go. Else its strobe.
+// stuck phase; none where its stops are never let go. Else its fixed phase.
 std::vector<LaidOrbit> layouts_of(const System& system, const Orbit& orbit,
                                   const PassageOptions& options);
 

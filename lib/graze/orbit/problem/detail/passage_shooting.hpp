@@ -37,7 +37,7 @@ struct PassageLayout {
   double theta = 0.0;             // else, rad
 
   // Orbits of p forcing periods on stroboscopic sections, one in each.
-  static PassageLayout strobe(int period, double theta = 0.0) {
+  static PassageLayout fixed_phase(int period, double theta = 0.0) {
     return {period, period, {}, {}, theta};
   }
   bool operator==(const PassageLayout&) const = default;

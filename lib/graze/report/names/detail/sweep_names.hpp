@@ -18,7 +18,7 @@ std::string attractor_kind(const AttractorClass& attractor);
 // once a period; "clear", "at rest", "not periodic", or why there is no attractor.
 std::string attractor_label(const AttractorClass& attractor);
 
-// How many stops the strobes of a row tell of, those of every period one stop after the other.
+// How many stops a row tells of, those of every period one stop after the other.
 std::size_t stops_seen(const SweepRow& row);
 
 // The forcing period of an impact within the periods that a row shows, from 0; and its phase

@@ -24,8 +24,8 @@ struct PageObservable {
 // Speed and phase of the impacts; of branches the largest multiplier too.
 std::vector<PageObservable> impact_observables(const OrbitBranches& traced);
 
-// Displacements and velocities at the stops, of a diagram by strobes.
-std::vector<PageObservable> strobe_observables(const DiagramRecord& record);
+// Displacements and velocities at the stops, of a stroboscopic diagram.
+std::vector<PageObservable> stroboscopic_observables(const DiagramRecord& record);
 
 // Whether a row's motion is shown.
 bool has_dots(const SweepRow& row);

@@ -1,6 +1,6 @@
-// Branches of orbits in a picture over a parameter: a curve for each impact (or strobe) of their
-// orbits, drawn by stability, and the special points. Every picture that shows branches has them
-// from here.
+// Branches of orbits in a picture over a parameter: a curve for each impact (or stroboscopic point)
+// of their orbits, drawn by stability, and the special points. Every picture that shows branches
+// has them from here.
 #pragma once
 
 #include <array>

@@ -36,7 +36,7 @@ struct MapCell {
 // first of these where the cell's motion is kept to be shown.
 struct SettledCell {
   MapCell cell;
-  std::vector<State> strobes;
+  std::vector<State> period_states;
 };
 
 // Periods, impacts and exponents are those of a cell.
@@ -50,7 +50,7 @@ struct AttractorMapOptions : RowOptions, Plane {
 struct MapAttractor {
   AttractorClass attractor;
   std::size_t first = 0, cells = 0;  // the first cell, and how many
-  std::vector<State> strobes;        // at the starts of its periods, in that cell; where they tell
+  std::vector<State> period_states;  // at the starts of its periods, in that cell; where they tell
 };
 
 // The motion of a cell once it has settled: from the start of a forcing period on.

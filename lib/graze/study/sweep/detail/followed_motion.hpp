@@ -14,7 +14,7 @@ SettledMotion follow_while_nearing(const System& system, const State& start, Set
                                    int longest_period, long long most_periods);
 
 // Whether the last periods of an unsettled motion come nearer to a repetition: the largest
-// difference of states one repetition apart falls from each quarter of the strobes to the next.
+// difference of states one repetition apart falls from each quarter of the states to the next.
 bool is_nearing(const System& system, const SettledMotion& motion, int longest_period);
 
 }  // namespace graze

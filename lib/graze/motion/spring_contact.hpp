@@ -21,10 +21,10 @@ struct SpringContact {
 };
 
 // Per stop.
-using ContactBook = std::vector<SpringContact>;
+using SpringContacts = std::vector<SpringContact>;
 
 // Along the arc that the phase has flown, s. Returns by how much the deepest spring was compressed
 // meanwhile, m; 0 where none was.
-double follow(ContactBook& book, const ContactPhase<double>& phase, double flight);
+double follow(SpringContacts& contacts, const ContactPhase<double>& phase, double flight);
 
 }  // namespace graze

@@ -1,4 +1,4 @@
-#include "graze/study/sweep/detail/strobes.hpp"
+#include "graze/study/sweep/detail/stroboscopic_states.hpp"
 
 #include <algorithm>
 #include <cmath>

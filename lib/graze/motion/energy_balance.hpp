@@ -1,10 +1,10 @@
-// The energy book of a run, J:
+// The energy balance of a run, J:
 //
 //   start + forcing + load + constraint + impacts + contact - dissipation = now,
 //
 // where energy is (|q'|^2 + |w q|^2)/2, relative to the clamp, without that of compressed stops; of
 // a structure on a hub (q'.M q' + |w q|^2)/2, forcing being its torque and load its weight. Every
-// entry is computed on its own, so the book closes only if all of them are right.
+// entry is computed on its own, so the balance closes only if all of them are right.
 #pragma once
 
 #include <cmath>
@@ -13,7 +13,7 @@
 
 namespace graze {
 
-struct EnergyBook {
+struct EnergyBalance {
   double start = 0.0, now = 0.0;
   Work work;
   double impacts = 0.0;  // change at impacts and closed chatters
