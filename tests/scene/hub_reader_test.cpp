@@ -1,5 +1,3 @@
-#include "graze/scene/detail/hub_reader.hpp"
-
 #include <gtest/gtest.h>
 
 #include <random>

@@ -61,13 +61,13 @@ TEST(Parameter, NamesAreThoseOfTheScene) {
                 "modal.frequencies.1", "modal.frequencies.2", "modal.damping_ratios.1",
                 "modal.damping_ratios.2", "modal.participation.1", "modal.participation.2",
                 "modal.inertia.1", "modal.inertia.2", "forcing.amplitude", "forcing.frequency",
-                "forcing.phase", "stop.gap", "stop.restitution", "stop.shape.1", "stop.shape.2"}));
+                "forcing.phase", "stop.shape.1", "stop.shape.2", "stop.gap", "stop.restitution"}));
   EXPECT_EQ(parameter_names(two_stop_scene()),
             (std::vector<std::string>{
                 "modal.frequencies.1", "modal.frequencies.2", "modal.inertia.1", "modal.inertia.2",
-                "gravity.acceleration", "stop.gap", "stop.restitution.1", "stop.restitution.2",
-                "stop.restitution.3", "stop.shape.1", "stop.shape.2", "stop.2.gap",
-                "stop.2.restitution", "stop.2.shape.1", "stop.2.shape.2"}));
+                "gravity.acceleration", "stop.shape.1", "stop.shape.2", "stop.gap",
+                "stop.restitution.1", "stop.restitution.2", "stop.restitution.3",
+                "stop.2.shape.1", "stop.2.shape.2", "stop.2.gap", "stop.2.restitution"}));
 }
 
 TEST(Parameter, DampingHasTheNamesOfItsKind) {
@@ -188,8 +188,8 @@ TEST(Parameter, UnknownNamesGetASuggestionAndTheList) {
   EXPECT_EQ(message_of([&] { parameter_direction(two_stop_scene(), "stop.restitution"); }),
             "stop.restitution" + none +
                 "Did you mean stop.restitution.1? Allowed are modal.frequencies.1..2, "
-                "modal.inertia.1..2, gravity.acceleration, stop.gap, stop.restitution.1..3, "
-                "stop.shape.1..2, stop.2.gap, stop.2.restitution and stop.2.shape.1..2.");
+                "modal.inertia.1..2, gravity.acceleration, stop.shape.1..2, stop.gap, "
+                "stop.restitution.1..3, stop.2.shape.1..2, stop.2.gap and stop.2.restitution.");
 }
 
 TEST(Parameter, DirectionIsOneNumberInTheShapeOfTheScene) {

@@ -1,5 +1,3 @@
-#include "graze/scene/detail/probe_reader.hpp"
-
 #include <gtest/gtest.h>
 
 #include <string>

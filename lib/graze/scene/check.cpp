@@ -7,8 +7,11 @@
 #include <cstdlib>
 #include <limits>
 
+#include "graze/scene/detail/choices.hpp"
 #include "graze/scene/detail/hub_check.hpp"
+#include "graze/scene/detail/keys.hpp"
 #include "graze/scene/detail/probe_check.hpp"
+#include "graze/scene/detail/range_check.hpp"
 #include "graze/scene/detail/spring_check.hpp"
 #include "graze/scene/detail/suggestion.hpp"
 #include "graze/scene/detail/value_checker.hpp"
@@ -20,7 +23,6 @@ void check_points(const ValueChecker& checker, const Beam& beam) {
   if (beam.points.empty()) {
     return;
   }
-  checker.entries("points", beam.points, beam.modes, true);
   double before = 0.0;
   for (std::size_t k = 0; k < beam.points.size(); ++k) {
     const double point = beam.points[k];
@@ -37,20 +39,12 @@ void check_points(const ValueChecker& checker, const Beam& beam) {
 void check_structure(const Scene& scene) {
   if (const Beam* beam = scene.beam()) {
     const ValueChecker checker(scene, "beam");
-    checker.positive("length", beam->length);
-    checker.positive("youngs_modulus", beam->youngs_modulus);
-    checker.positive("second_moment", beam->second_moment);
-    checker.positive("density", beam->density);
-    checker.positive("area", beam->area);
     checker.usable("density", beam->density * beam->area * beam->length,
                    "the mass of the beam, kg,");
     checker.usable("youngs_modulus",
                    beam->youngs_modulus * beam->second_moment /
                        (beam->density * beam->area * std::pow(beam->length, 4.0)),
                    "the square of its frequencies, 1/s^2,");
-    if (beam->thickness) checker.positive("thickness", *beam->thickness);
-    checker.require(beam->modes >= 1 && beam->modes <= kMostModes, "modes", beam->modes,
-                    "an integer from 1 to 400");
     check_points(checker, *beam);
     return;
   }
@@ -61,40 +55,17 @@ void check_structure(const Scene& scene) {
     checker.fail("frequencies",
                  fmt::format("the list has {} entries, it must have 1 to {}", size, kMostModes));
   }
-  const int modes = scene.modes();
-  checker.entries("frequencies", modal.frequencies, modes, false);
-  const auto optional_entries = [&](const char* key, const std::vector<double>& values,
-                                    bool negative_allowed) {
-    if (!values.empty()) {
-      checker.entries(key, values, modes, negative_allowed);
-    }
-  };
-  optional_entries("damping_ratios", modal.damping_ratios, false);
-  optional_entries("participation", modal.participation, true);
-  optional_entries("inertia", modal.inertia, true);
 }
 
 void check_damping(const Scene& scene) {
   if (!scene.damping) {
     return;
   }
-  const ValueChecker checker(scene, "damping");
   const ModalStructure* modal = scene.modal();
-  if (const auto* viscous = std::get_if<ViscousDamping>(&*scene.damping)) {
-    if (modal != nullptr) {
-      checker.fail(
-          "viscous",
-          "viscous damping is per length of a [beam], a [modal] structure must have ratios "
-          "or rayleigh");
-    }
-    checker.not_negative("viscous", viscous->coefficient);
-  } else if (const auto* ratios = std::get_if<DampingRatios>(&*scene.damping)) {
-    checker.entries("ratios", ratios->ratios, scene.modes(), false);
-  } else {
-    const auto& rayleigh = std::get<RayleighDamping>(*scene.damping);
-    checker.not_negative("rayleigh.mass", rayleigh.mass);
-    checker.not_negative("rayleigh.stiffness", rayleigh.stiffness);
-  }
+  if (modal != nullptr && std::holds_alternative<ViscousDamping>(*scene.damping))
+    throw scene_error(scene, "damping.viscous",
+                      "viscous damping is per length of a [beam], a [modal] structure must have "
+                      "ratios or rayleigh");
   if (modal != nullptr && !modal->damping_ratios.empty()) {
     throw scene_error(scene, "damping",
                       "modal.damping_ratios is given already, the scene must have only one of "
@@ -115,9 +86,6 @@ void check_forcing(const Scene& scene) {
   if (modal != nullptr && forcing.kind == ForcingKind::kDistributed) {
     checker.fail("kind", "distributed forcing needs [beam], it must be modal or base");
   }
-  checker.finite("amplitude", forcing.amplitude);
-  checker.positive("frequency", forcing.frequency);
-  checker.finite("phase", forcing.phase);
   if (modal != nullptr && forcing.kind == ForcingKind::kModal && modal->participation.empty()) {
     throw scene_error(scene, "modal.participation",
                       "the key is missing, forcing of the kind \"modal\" needs a list of numbers, "
@@ -134,7 +102,6 @@ void check_gravity(const Scene& scene) {
   if (!scene.gravity) {
     return;
   }
-  ValueChecker(scene, "gravity").finite("acceleration", scene.gravity->acceleration);
   if (scene.modal() != nullptr && scene.modal()->inertia.empty()) {
     throw scene_error(scene, "modal.inertia",
                       "the key is missing, [gravity] needs a list of numbers, one per mode");
@@ -170,42 +137,15 @@ void check_collocation_impulse(const ValueChecker& checker, const Scene& scene,
                            stop.position, joined(points, "or")));
 }
 
-// Only a0, the restitution of a vanishing speed, has bounds of its own: where r(v) leaves 0..1
-// depends on the speeds that occur.
-void check_restitution(const ValueChecker& checker, const std::vector<double>& coefficients) {
-  if (coefficients.empty()) {
-    checker.fail("restitution", "the list is empty, it must have at least one number");
-  }
-  // The keys are those of the parameters: a constant has no number.
-  const double first = coefficients.front();
-  checker.require(first >= 0.0 && first <= 1.0,
-                  coefficients.size() == 1 ? "restitution" : "restitution.1", first,
-                  "a number from 0 to 1");
-  for (std::size_t k = 1; k < coefficients.size(); ++k) {
-    if (!std::isfinite(coefficients[k])) {
-      checker.require(false, fmt::format("restitution.{}", k + 1), coefficients[k],
-                      "a finite number");
-    }
-  }
-}
-
 void check_stop(const Scene& scene, const SceneStop& stop, std::size_t number) {
-  const ValueChecker checker(scene, number == 1 ? "stop" : fmt::format("stop.{}", number));
+  const ValueChecker checker(scene, numbered_path("stop", number));
   if (const Beam* beam = scene.beam()) {
-    if (!stop.shape.empty()) {
-      checker.fail("shape", "a stop of a [beam] has no shape, it must have a position");
-    }
     if (!(stop.position > 0.0 && stop.position <= beam->length)) {
       checker.fail("position", fmt::format("{} is not allowed, it must be greater than 0 and at "
                                            "most the beam's length {}",
                                            stop.position, beam->length));
     }
   } else {
-    if (stop.position != 0.0) {
-      checker.fail("position",
-                   "a stop of a [modal] structure has no position, it must have a shape");
-    }
-    checker.entries("shape", stop.shape, scene.modes(), true);
     if (std::all_of(stop.shape.begin(), stop.shape.end(), [](double phi) { return phi == 0.0; })) {
       checker.fail("shape", "every entry is 0, at least one mode must move at the stop");
     }
@@ -213,20 +153,13 @@ void check_stop(const Scene& scene, const SceneStop& stop, std::size_t number) {
     for (const double phi : stop.shape) square += phi * phi;
     checker.usable("shape", 1.0 / square, "the effective mass at the stop, kg,");
   }
-  checker.finite("gap", stop.gap);
   if (stop.spring) {
-    check_spring(scene, *stop.spring,
-                 number == 1 ? "stop.spring" : fmt::format("stop.{}.spring", number));
+    check_spring(scene, *stop.spring, numbered_path("stop", number) + ".spring");
     return;
   }
-  check_restitution(checker, stop.restitution);
   if (stop.impulse == Impulse::kCollocation) {
     check_collocation_impulse(checker, scene, stop);
   }
-}
-
-const char* impulse_name(Impulse impulse) {
-  return impulse == Impulse::kMomentum ? "momentum" : "collocation";
 }
 
 void check_stops(const Scene& scene) {
@@ -248,25 +181,14 @@ void check_stops(const Scene& scene) {
       throw scene_error(scene, fmt::format("stop.{}.impulse", k + 1),
                         fmt::format("the law \"{}\" is not allowed beside \"{}\" of the first "
                                     "stop, all stops must have the same impulse law",
-                                    impulse_name(here), impulse_name(first)));
+                                    name_among(kImpulses, here), name_among(kImpulses, first)));
     }
   }
-}
-
-void check_initial(const Scene& scene) {
-  if (!scene.initial) {
-    return;
-  }
-  const ValueChecker checker(scene, "initial");
-  checker.entries("q", scene.initial->q, scene.modes(), true);
-  checker.entries("qdot", scene.initial->qdot, scene.modes(), true);
 }
 
 void check_solver(const Scene& scene) {
   const Solver& solver = scene.solver;
   const ValueChecker checker(scene, "solver");
-  checker.require(solver.tolerance > 0.0 && solver.tolerance < 1.0, "tolerance", solver.tolerance,
-                  "a number between 0 and 1, both excluded");
   const bool steps = solver.flow != FlowChoice::kAuto && solver.flow != FlowChoice::kExact &&
                      solver.flow != FlowChoice::kBulirschStoer;
   if (!solver.step) {
@@ -277,12 +199,12 @@ void check_solver(const Scene& scene) {
   if (!steps)
     checker.fail("step", fmt::format("the flow \"{}\" takes no steps, it must be left out",
                                      flow_name(solver.flow)));
-  checker.positive("step", *solver.step);
 }
 
 }  // namespace
 
 void check_scene(const Scene& scene) {
+  check_ranges(scene);
   check_structure(scene);
   check_hub(scene);
   check_damping(scene);
@@ -290,7 +212,6 @@ void check_scene(const Scene& scene) {
   check_gravity(scene);
   check_stops(scene);
   check_probes(scene);
-  check_initial(scene);
   check_solver(scene);
 }
 

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <optional>
-#include <utility>
 
 #include "graze/scene/detail/keys.hpp"
 #include "graze/scene/detail/torque_table.hpp"
@@ -47,33 +46,9 @@ void check_table(const ValueChecker& checker, const TorqueTable& table) {
                  fault->sentence);
 }
 
-void check_torque(const Scene& scene, const Torque& torque) {
-  const ValueChecker checker(scene, "hub.torque");
-  if (const auto* pulse = std::get_if<TorquePulse>(&torque)) {
-    checker.finite("amplitude", pulse->amplitude);
-    checker.positive("duration", pulse->duration);
-  } else {
-    check_table(checker, std::get<TorqueTable>(torque));
-  }
-}
-
-void check_start(const Scene& scene) {
-  if (!scene.initial) return;
-  const ValueChecker checker(scene, "initial");
-  if (!scene.hub) {
-    for (const auto& [key, value] :
-         {std::pair{"angle", scene.initial->angle}, {"rate", scene.initial->rate}})
-      if (value != 0.0) checker.fail(key, "it is that of a [hub], without one it must be left out");
-    return;
-  }
-  checker.finite("angle", scene.initial->angle);
-  checker.finite("rate", scene.initial->rate);
-}
-
 }  // namespace
 
 void check_hub(const Scene& scene) {
-  check_start(scene);
   if (!scene.hub) {
     if (scene.solver.flow == FlowChoice::kBulirschStoer)
       throw scene_error(scene, "solver.flow",
@@ -82,12 +57,9 @@ void check_hub(const Scene& scene) {
     return;
   }
   check_surroundings(scene);
-  const Hub& hub = *scene.hub;
-  const ValueChecker checker(scene, "hub");
-  checker.not_negative("radius", hub.radius);
-  checker.not_negative("inertia", hub.inertia);
-  if (hub.friction) checker.not_negative("friction.coulomb", *hub.friction);
-  if (hub.torque) check_torque(scene, *hub.torque);
+  if (scene.hub->torque)
+    if (const auto* table = std::get_if<TorqueTable>(&*scene.hub->torque))
+      check_table(ValueChecker(scene, "hub.torque"), *table);
 }
 
 }  // namespace graze

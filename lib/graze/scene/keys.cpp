@@ -1,41 +1,100 @@
 #include "graze/scene/detail/keys.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cassert>
+
+#include "graze/scene/detail/node.hpp"
+#include "graze/scene/detail/schema.hpp"
+#include "graze/scene/detail/suggestion.hpp"
 
 namespace graze {
 namespace {
 
+std::string joined_path(const std::string& table, const std::string& key) {
+  return table.empty() ? key : table + "." + key;
+}
+
+// Collects every key of every table, whatever the scene holds.
+class KeyLister : public SchemaVisitor {
+ public:
+  KeyLister(std::vector<TableKeys>& tables, const std::string& path)
+      : tables_(tables), place_(tables.size()) {
+    tables_.push_back({path, {}, {}});
+  }
+
+  template <class Number>
+  void number(const Key& key, const Number& value) {
+    if constexpr (std::is_same_v<Number, double>)
+      add(key, fmt::format("{:g}", value));
+    else
+      add(key, "");
+  }
+  void list(const Key& key, const auto&) { add(key, ""); }
+  void series(const Key& key, const auto&) { add(key, ""); }
+  void bodies(const Key& key, const auto&, BodyNumbers) { add(key, ""); }
+  void count(const Key& key, const auto&) { add(key, ""); }
+  void text(const Key& key, const auto&) { add(key, ""); }
+  void file(const Key& key, const auto&) { add(key, ""); }
+  void flag(const Key& key, bool value) {
+    add(key, value ? "`true`" : "`false`", value ? "or `false`" : "or `true`");
+  }
+  void choice(const Key& key, const auto&, const auto& choices) {
+    std::vector<std::string> words;
+    for (const auto& choice : choices) words.push_back("`" + quoted(choice.name) + "`");
+    const std::string first = words.front();
+    if (!key.is_required) words.erase(words.begin());
+    add(key, first, (words.size() == 1 ? "or " : "") + joined(words, "or"));
+  }
+  void table(const TableKey& key, const auto& value) {
+    descend<std::remove_cvref_t<decltype(*value)>>(key);
+  }
+  void tables(const TableKey& key, const auto& values) {
+    descend<std::remove_cvref_t<decltype(values[0])>>(key);
+  }
+
+ private:
+  // `fallback` and `range`: what they are where the key does not say it.
+  void add(const Key& key, const std::string& fallback, std::string range = "") {
+    if (range.empty() || !key.range.is_checked) range = key.range.in_table;
+    own().allowed.push_back(key.name);
+    own().rows.push_back(
+        {key.name, key.unit, key.fallback ? key.fallback : fallback, range, key.meaning});
+  }
+  template <class Table>
+  void descend(const TableKey& key) {
+    own().allowed.push_back(key.name);
+    KeyLister inner(tables_, joined_path(own().table, key.name));
+    const Table spare{};
+    describe(inner, spare, Scene{});
+  }
+  TableKeys& own() { return tables_[place_]; }
+
+  std::vector<TableKeys>& tables_;
+  std::size_t place_;
+};
+
+const TableKeys* find_table(const std::string& path) {
+  const std::string table = without_number(path);
+  const auto found = std::find_if(all_keys().begin(), all_keys().end(),
+                                  [&](const TableKeys& keys) { return keys.table == table; });
+  return found == all_keys().end() ? nullptr : &*found;
+}
+
+}  // namespace
+
 const std::vector<TableKeys>& all_keys() {
-  static const std::vector<TableKeys> keys = {
-      {"",
-       {"title", "beam", "hub", "modal", "damping", "forcing", "gravity", "stop", "probe",
-        "initial", "solver"}},
-      {"beam",
-       {"length", "youngs_modulus", "second_moment", "density", "area", "thickness", "modes",
-        "discretisation", "points"}},
-      {"hub", {"radius", "inertia", "torque", "equations", "centrifugal", "friction"}},
-      {"hub.torque", {"kind", "amplitude", "duration", "file", "times", "values"}},
-      {"hub.friction", {"coulomb"}},
-      {"modal", {"frequencies", "damping_ratios", "participation", "inertia"}},
-      {"damping", {"viscous", "ratios", "rayleigh"}},
-      {"damping.rayleigh", {"mass", "stiffness"}},
-      {"forcing", {"kind", "amplitude", "frequency", "phase"}},
-      {"gravity", {"acceleration"}},
-      {"stop", {"position", "shape", "gap", "side", "restitution", "impulse", "spring"}},
-      {"stop.spring",
-       {"stiffness", "exponent", "radii", "moduli", "poisson", "angle", "damping", "release"}},
-      {"stop.spring.damping",
-       {"model", "coefficient", "ratio", "alpha", "restitution", "speed", "mass", "onset",
-        "sharpness", "inversion"}},
-      {"probe", {"position", "shape", "quantity"}},
-      {"initial", {"q", "qdot", "angle", "rate"}},
-      {"solver", {"flow", "tolerance", "step"}},
-  };
+  static const std::vector<TableKeys> keys = [] {
+    std::vector<TableKeys> tables;
+    KeyLister root(tables, "");
+    const Scene spare;
+    describe(root, spare);
+    return tables;
+  }();
   return keys;
 }
 
-// "stop.2.spring" is a "stop.spring", "probe.2" a "probe".
 std::string without_number(const std::string& path) {
   for (const std::string list : {"stop.", "probe."}) {
     if (path.compare(0, list.size(), list) != 0) continue;
@@ -47,14 +106,26 @@ std::string without_number(const std::string& path) {
   return path;
 }
 
-}  // namespace
-
 const TableKeys& keys_of(const std::string& path) {
-  const std::string table = without_number(path);
-  const auto found = std::find_if(all_keys().begin(), all_keys().end(),
-                                  [&](const TableKeys& keys) { return keys.table == table; });
-  assert(found != all_keys().end());
-  return *found;
+  const TableKeys* keys = find_table(path);
+  assert(keys != nullptr);
+  return *keys;
+}
+
+const KeyRow* key_row(const std::string& path) {
+  std::string name = path;
+  std::size_t dot = name.rfind('.');
+  if (dot != std::string::npos &&
+      name.find_first_not_of("0123456789", dot + 1) == std::string::npos) {
+    name.resize(dot);
+    dot = name.rfind('.');
+  }
+  const TableKeys* keys = find_table(dot == std::string::npos ? "" : name.substr(0, dot));
+  if (keys == nullptr) return nullptr;
+  const auto row = std::find_if(keys->rows.begin(), keys->rows.end(), [&](const KeyRow& known) {
+    return known.name == name.substr(dot + 1);
+  });
+  return row == keys->rows.end() ? nullptr : &*row;
 }
 
 std::string numbered_path(const std::string& name, std::size_t number) {
@@ -63,11 +134,9 @@ std::string numbered_path(const std::string& name, std::size_t number) {
 
 std::vector<std::string> keys_named(const std::string& name) {
   std::vector<std::string> paths;
-  for (const TableKeys& keys : all_keys()) {
-    if (std::find(keys.allowed.begin(), keys.allowed.end(), name) != keys.allowed.end()) {
-      paths.push_back(keys.table.empty() ? name : keys.table + "." + name);
-    }
-  }
+  for (const TableKeys& keys : all_keys())
+    if (std::find(keys.allowed.begin(), keys.allowed.end(), name) != keys.allowed.end())
+      paths.push_back(joined_path(keys.table, name));
   return paths;
 }
 

@@ -20,8 +20,6 @@ void check_probe(const Scene& scene, const Probe& probe, std::size_t number) {
     return;
   }
   if (const Beam* beam = scene.beam()) {
-    if (!probe.shape.empty())
-      checker.fail("shape", "a probe of a [beam] has no shape, it must have a position");
     if (!(probe.position >= 0.0 && probe.position <= beam->length))
       checker.fail("position",
                    fmt::format("{} is not allowed, it must be at least 0 and at most the beam's "
@@ -33,10 +31,6 @@ void check_probe(const Scene& scene, const Probe& probe, std::size_t number) {
                         "in m");
     return;
   }
-  if (probe.position != 0.0)
-    checker.fail("position",
-                 "a probe of a [modal] structure has no position, it must have a shape");
-  checker.entries("shape", probe.shape, scene.modes(), true);
   if (probe.quantity == ProbeQuantity::kStrain)
     checker.fail("quantity",
                  "only a [beam] has a strain, it must be \"displacement\", \"velocity\" or "

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include "graze/scene/detail/choices.hpp"
+
 namespace graze {
 namespace {
 
@@ -19,58 +21,10 @@ std::string canonical(const std::string& key) {
 
 }  // namespace
 
-std::string flow_name(FlowChoice flow) {
-  switch (flow) {
-    case FlowChoice::kAuto:
-      return "auto";
-    case FlowChoice::kExact:
-      return "exact";
-    case FlowChoice::kRk4:
-      return "rk4";
-    case FlowChoice::kDopri5:
-      return "dopri5";
-    case FlowChoice::kFehlberg78:
-      return "fehlberg78";
-    case FlowChoice::kBulirschStoer:
-      return "bulirsch-stoer";
-  }
-  return "";
-}
-
-std::string contact_model_name(ContactModel model) {
-  switch (model) {
-    case ContactModel::kKelvinVoigt:
-      return "kelvin-voigt";
-    case ContactModel::kLeeWang1:
-      return "lee-wang-1";
-    case ContactModel::kLeeWang2:
-      return "lee-wang-2";
-    case ContactModel::kHuntCrossley:
-      return "hunt-crossley";
-    case ContactModel::kLankaraniNikravesh:
-      return "lankarani-nikravesh";
-    case ContactModel::kFlores:
-      return "flores";
-  }
-  return "";
-}
-
+std::string flow_name(FlowChoice flow) { return name_among(kFlows, flow); }
+std::string contact_model_name(ContactModel model) { return name_among(kContactModels, model); }
 std::string probe_quantity_name(ProbeQuantity quantity) {
-  switch (quantity) {
-    case ProbeQuantity::kDisplacement:
-      return "displacement";
-    case ProbeQuantity::kVelocity:
-      return "velocity";
-    case ProbeQuantity::kDeflection:
-      return "deflection";
-    case ProbeQuantity::kAngle:
-      return "angle";
-    case ProbeQuantity::kRate:
-      return "rate";
-    case ProbeQuantity::kStrain:
-      return "strain";
-  }
-  return "";
+  return name_among(kQuantities, quantity);
 }
 
 int Scene::modes() const {

@@ -121,11 +121,6 @@ double TableReader::number(const std::string& key, const std::string& what) cons
   return *value;
 }
 
-double TableReader::number_or(const std::string& key, const std::string& what,
-                              double fallback) const {
-  return has(key) ? number(key, what) : fallback;
-}
-
 std::int64_t TableReader::integer(const std::string& key, const std::string& what) const {
   const auto* value = required(key, what).as<std::int64_t>();
   if (value == nullptr) {

@@ -1,8 +1,7 @@
 #include <fmt/format.h>
 
-#include <string_view>
-
 #include "graze/scene/detail/node.hpp"
+#include "graze/scene/detail/schema.hpp"
 #include "graze/scene/reader.hpp"
 
 namespace graze {
@@ -10,244 +9,86 @@ namespace {
 
 std::string list_text(const std::vector<double>& values) {
   std::string entries;
-  for (const double value : values) {
-    entries += (entries.empty() ? "" : ", ") + real_text(value);
-  }
+  for (const double value : values) entries += (entries.empty() ? "" : ", ") + real_text(value);
   return "[" + entries + "]";
 }
 
-// Collects "key = value" lines.
-class Writer {
+// Adds what a table holds to a text: lines "key = value" or, in line, one after the other.
+class Writer : public SchemaVisitor {
  public:
-  void table(std::string_view header) {
-    text_ += fmt::format("{}{}\n", text_.empty() ? "" : "\n", header);
+  Writer(const Scene& scene, std::string& text, std::string path, Form form)
+      : scene_(scene), text_(text), path_(std::move(path)), form_(form) {}
+
+  template <class Number>
+  void number(const Key& key, const Number& value) {
+    if constexpr (std::is_same_v<Number, double>)
+      add(key, real_text(value));
+    else if (value)
+      add(key, real_text(*value));
   }
-  void verbatim(std::string_view key, std::string_view value) {
-    text_ += fmt::format("{} = {}\n", key, value);
+  void list(const Key& key, const std::vector<double>& values) {
+    if (key.is_required || !values.empty()) add(key, list_text(values));
   }
-  void word(std::string_view key, const std::string& value) { verbatim(key, quoted(value)); }
-  void number(std::string_view key, double value) { verbatim(key, real_text(value)); }
-  void list(std::string_view key, const std::vector<double>& values) {
-    verbatim(key, list_text(values));
+  void series(const Key& key, const std::vector<double>& values) {
+    add(key, values.size() == 1 ? real_text(values.front()) : list_text(values));
   }
-  void list_if_any(std::string_view key, const std::vector<double>& values) {
-    if (!values.empty()) {
-      list(key, values);
+  void bodies(const Key& key, const SpringGeometry& geometry, BodyNumbers which) {
+    add(key, list_text(body_numbers(geometry, which)));
+  }
+  void count(const Key& key, int value) { add(key, std::to_string(value)); }
+  void flag(const Key& key, bool value) { add(key, value ? "true" : "false"); }
+  void text(const Key& key, const std::string& value) {
+    if (!value.empty()) add(key, quoted(value));
+  }
+  template <class Value>
+  void choice(const Key& key, Value value, const auto& choices) {
+    // What is asked for beyond the usual stands there only where it is.
+    if (std::is_same_v<Value, bool> && value == choices.front().value) return;
+    add(key, quoted(name_among(choices, value)));
+  }
+  void table(const TableKey& key, const auto& value) {
+    if (!value) return;
+    const std::string path = path_.empty() ? key.name : path_ + "." + key.name;
+    if (key.form == Form::kHeader) {
+      write("[" + path + "]", path, *value);
+      return;
     }
+    std::string text;
+    Writer inner(scene_, text, path, Form::kInline);
+    describe(inner, *value, scene_);
+    add(Key{key.name}, "{ " + text + " }");
   }
-  std::string text() && { return std::move(text_); }
+  void tables(const TableKey& key, const auto& values) {
+    for (const auto& value : values) write(fmt::format("[[{}]]", key.name), key.name, value);
+  }
 
  private:
-  std::string text_;
+  void add(const Key& key, const std::string& value) {
+    if (!key.applies) return;
+    if (form_ == Form::kInline && !text_.empty()) text_ += ", ";
+    text_ += fmt::format("{} = {}{}", key.name, value, form_ == Form::kInline ? "" : "\n");
+  }
+  void write(const std::string& header, const std::string& path, const auto& value) {
+    text_ += fmt::format("{}{}\n", text_.empty() ? "" : "\n", header);
+    Writer inner(scene_, text_, path, Form::kHeader);
+    describe(inner, value, scene_);
+  }
+
+  const Scene& scene_;
+  std::string& text_;
+  std::string path_;
+  Form form_;
 };
-
-void write(Writer& out, const Beam& beam) {
-  out.table("[beam]");
-  out.number("length", beam.length);
-  out.number("youngs_modulus", beam.youngs_modulus);
-  out.number("second_moment", beam.second_moment);
-  out.number("density", beam.density);
-  out.number("area", beam.area);
-  if (beam.thickness) out.number("thickness", *beam.thickness);
-  out.verbatim("modes", std::to_string(beam.modes));
-  out.word("discretisation",
-           beam.discretisation == Projection::kGalerkin ? "galerkin" : "collocation");
-  out.list_if_any("points", beam.points);
-}
-
-// A table stands in the text, so that the scene needs no other file.
-std::string torque_text(const Torque& torque) {
-  if (const auto* pulse = std::get_if<TorquePulse>(&torque)) {
-    return fmt::format("{{ kind = \"pulse\", amplitude = {}, duration = {} }}",
-                       real_text(pulse->amplitude), real_text(pulse->duration));
-  }
-  const auto& table = std::get<TorqueTable>(torque);
-  return fmt::format("{{ kind = \"table\", times = {}, values = {} }}", list_text(table.times),
-                     list_text(table.values));
-}
-
-void write(Writer& out, const Hub& hub) {
-  out.table("[hub]");
-  out.number("radius", hub.radius);
-  out.number("inertia", hub.inertia);
-  if (hub.torque) out.verbatim("torque", torque_text(*hub.torque));
-  out.word("equations", hub.equations == HubEquations::kConsistent ? "consistent" : "paper");
-  out.verbatim("centrifugal", hub.centrifugal ? "true" : "false");
-  if (hub.friction) {
-    out.verbatim("friction", fmt::format("{{ coulomb = {} }}", real_text(*hub.friction)));
-  }
-}
-
-void write(Writer& out, const ModalStructure& modal) {
-  out.table("[modal]");
-  out.list("frequencies", modal.frequencies);
-  out.list_if_any("damping_ratios", modal.damping_ratios);
-  out.list_if_any("participation", modal.participation);
-  out.list_if_any("inertia", modal.inertia);
-}
-
-void write(Writer& out, const Damping& damping) {
-  out.table("[damping]");
-  if (const auto* viscous = std::get_if<ViscousDamping>(&damping)) {
-    out.number("viscous", viscous->coefficient);
-  } else if (const auto* ratios = std::get_if<DampingRatios>(&damping)) {
-    out.list("ratios", ratios->ratios);
-  } else {
-    const auto& rayleigh = std::get<RayleighDamping>(damping);
-    out.verbatim("rayleigh", fmt::format("{{ mass = {}, stiffness = {} }}",
-                                         real_text(rayleigh.mass), real_text(rayleigh.stiffness)));
-  }
-}
-
-std::string kind_name(ForcingKind kind) {
-  switch (kind) {
-    case ForcingKind::kBase:
-      return "base";
-    case ForcingKind::kDistributed:
-      return "distributed";
-    case ForcingKind::kModal:
-      break;
-  }
-  return "modal";
-}
-
-void write(Writer& out, const Forcing& forcing) {
-  out.table("[forcing]");
-  out.word("kind", kind_name(forcing.kind));
-  out.number("amplitude", forcing.amplitude);
-  out.number("frequency", forcing.frequency);
-  out.number("phase", forcing.phase);
-}
-
-void write(Writer& out, const Gravity& gravity) {
-  out.table("[gravity]");
-  out.number("acceleration", gravity.acceleration);
-}
-
-void write(Writer& out, const SpringGeometry& geometry) {
-  std::vector<double> radii, moduli, poisson;
-  for (const ElasticBody& body : geometry.bodies) {
-    radii.insert(radii.end(), body.radii.begin(), body.radii.end());
-    moduli.push_back(body.modulus);
-    poisson.push_back(body.poisson_ratio);
-  }
-  out.list("radii", radii);
-  out.list("moduli", moduli);
-  out.list("poisson", poisson);
-  out.number("angle", geometry.angle);
-}
-
-std::string damping_text(const SpringDamping& damping) {
-  std::string text = "model = " + quoted(contact_model_name(damping.model));
-  const auto add = [&](const char* key, const std::optional<double>& value) {
-    if (value) {
-      text += fmt::format(", {} = {}", key, real_text(*value));
-    }
-  };
-  add("coefficient", damping.coefficient);
-  add("ratio", damping.ratio);
-  add("alpha", damping.alpha);
-  add("restitution", damping.restitution);
-  add("speed", damping.speed);
-  add("mass", damping.mass);
-  add("onset", damping.onset);
-  add("sharpness", damping.sharpness);
-  if (damping.exact) {
-    text += ", inversion = \"exact\"";
-  }
-  return "{ " + text + " }";
-}
-
-void write(Writer& out, const Spring& spring) {
-  out.table("[stop.spring]");
-  if (spring.geometry) {
-    write(out, *spring.geometry);
-  } else {
-    out.number("stiffness", spring.stiffness);
-    out.number("exponent", spring.exponent);
-  }
-  if (spring.damping) {
-    out.verbatim("damping", damping_text(*spring.damping));
-  }
-  out.word("release", spring.release == Separation::kAtZeroForce ? "force" : "position");
-}
-
-void write(Writer& out, const SceneStop& stop, bool modal) {
-  out.table("[[stop]]");
-  if (modal) {
-    out.list("shape", stop.shape);
-  } else {
-    out.number("position", stop.position);
-  }
-  out.number("gap", stop.gap);
-  out.word("side", stop.side == Side::kAbove ? "above" : "below");
-  if (stop.spring) {
-    write(out, *stop.spring);
-    return;
-  }
-  if (stop.restitution.size() == 1) {
-    out.number("restitution", stop.restitution.front());
-  } else {
-    out.list("restitution", stop.restitution);
-  }
-  out.word("impulse", stop.impulse == Impulse::kMomentum ? "momentum" : "collocation");
-}
-
-void write(Writer& out, const Probe& probe, bool modal) {
-  out.table("[[probe]]");
-  if (is_of_hub(probe.quantity)) {
-    out.word("quantity", probe_quantity_name(probe.quantity));
-    return;
-  }
-  if (modal) {
-    out.list("shape", probe.shape);
-  } else {
-    out.number("position", probe.position);
-  }
-  out.word("quantity", probe_quantity_name(probe.quantity));
-}
 
 }  // namespace
 
+// The numerics that apply are no part of the structure, but another default would change results:
+// they are written as well.
 std::string write_scene(const Scene& scene) {
-  Writer out;
-  if (!scene.title.empty()) {
-    out.word("title", scene.title);
-  }
-  std::visit([&](const auto& structure) { write(out, structure); }, scene.structure);
-  if (scene.hub) {
-    write(out, *scene.hub);
-  }
-  if (scene.damping) {
-    write(out, *scene.damping);
-  }
-  if (scene.forcing) {
-    write(out, *scene.forcing);
-  }
-  if (scene.gravity) {
-    write(out, *scene.gravity);
-  }
-  for (const SceneStop& stop : scene.stops) {
-    write(out, stop, scene.modal() != nullptr);
-  }
-  for (const Probe& probe : scene.probes) {
-    write(out, probe, scene.modal() != nullptr);
-  }
-  if (scene.initial) {
-    out.table("[initial]");
-    out.list("q", scene.initial->q);
-    out.list("qdot", scene.initial->qdot);
-    if (scene.hub) {
-      out.number("angle", scene.initial->angle);
-      out.number("rate", scene.initial->rate);
-    }
-  }
-  // The numerics that apply are no part of the structure, but another default would change results.
-  out.table("[solver]");
-  out.word("flow", flow_name(scene.solver.flow));
-  out.number("tolerance", scene.solver.tolerance);
-  if (scene.solver.step) out.number("step", *scene.solver.step);
-  return std::move(out).text();
+  std::string text;
+  Writer writer(scene, text, "", Form::kHeader);
+  describe(writer, scene);
+  return text;
 }
 
 }  // namespace graze

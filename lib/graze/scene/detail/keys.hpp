@@ -1,4 +1,4 @@
-// The keys that a scene file may hold: the one list of them.
+// The keys that a scene file may hold, as the schema has them.
 #pragma once
 
 #include <cstddef>
@@ -7,13 +7,28 @@
 
 namespace graze {
 
+// A key as the reference tells it (docs/scenes.md).
+struct KeyRow {
+  std::string name, unit, fallback, range, meaning;
+};
+
 struct TableKeys {
   std::string table;                 // "" for the root
   std::vector<std::string> allowed;  // keys and tables
+  std::vector<KeyRow> rows;          // keys
 };
+
+// Every table, each before those within it.
+const std::vector<TableKeys>& all_keys();
 
 // The keys of the table at `path` ("stop.2" has those of "stop"), which must be a scene's table.
 const TableKeys& keys_of(const std::string& path);
+
+// The key of a number by its path, "stop.2.gap" or "modal.frequencies.3", or null.
+const KeyRow* key_row(const std::string& path);
+
+// "stop.2.spring" is a "stop.spring", "probe.2" a "probe".
+std::string without_number(const std::string& path);
 
 // Table `number`, from 1, of the list `name`: "stop", "stop.2", "stop.3", ..
 std::string numbered_path(const std::string& name, std::size_t number);

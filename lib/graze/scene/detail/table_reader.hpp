@@ -32,7 +32,6 @@ class TableReader {
   const Node& required(const std::string& key, const std::string& what) const;
 
   double number(const std::string& key, const std::string& what) const;
-  double number_or(const std::string& key, const std::string& what, double fallback) const;
   std::int64_t integer(const std::string& key, const std::string& what) const;
   bool flag_or(const std::string& key, bool fallback) const;
   std::string text_or(const std::string& key, const std::string& fallback) const;

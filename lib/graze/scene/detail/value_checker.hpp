@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "graze/scene/detail/key.hpp"
 #include "graze/scene/scene.hpp"
 
 namespace graze {
@@ -20,19 +21,20 @@ class ValueChecker {
   ValueChecker(const Scene& scene, std::string table);
 
   [[noreturn]] void fail(const std::string& key, const std::string& sentence) const;
-  // "-1 is not allowed, it must be <what>" unless `kept`.
-  void require(bool kept, const std::string& key, double value, const char* what) const;
-  void finite(const char* key, double value) const;
-  void positive(const char* key, double value) const;
-  void not_negative(const char* key, double value) const;
+  // "-1 is not allowed, it must be <what>".
+  [[noreturn]] void refuse(const std::string& key, double value, const std::string& what) const;
+  // Also not too large.
+  void number(const char* key, double value, const Range& range) const;
+  // The entry of a list, counted from 1.
+  void entry(const char* key, std::size_t k, double value, const Range& range) const;
   // Also of what is made of several numbers: "with it <what> is <value>" unless it has a size.
   void usable(const char* key, double value, const char* what) const;
-  // As many finite numbers as there are modes.
+  // As many numbers as there are modes.
   void entries(const char* key, const std::vector<double>& values, int modes,
-               bool negative_allowed) const;
+               const Range& range) const;
 
  private:
-  void not_too_large(const std::string& key, double value) const;
+  [[noreturn]] void refuse_number(const std::string& key, double value, const Range& range) const;
 
   const Scene& scene_;
   std::string table_;

@@ -1,0 +1,91 @@
+// The numbers of a scene by their paths, as the schema has them.
+#pragma once
+
+#include <fmt/format.h>
+
+#include <string>
+#include <type_traits>
+#include <utility>
+
+#include "graze/scene/detail/keys.hpp"
+#include "graze/scene/detail/schema.hpp"
+
+namespace graze {
+
+// Calls f(path, number) for every number of the scene; `all`: also for those that are no
+// parameters.
+template <class F>
+class NumberVisitor : public SchemaVisitor {
+ public:
+  NumberVisitor(const Scene& scene, F& f, std::string path, bool all)
+      : scene_(scene), f_(f), path_(std::move(path)), all_(all) {}
+
+  template <class Number>
+  void number(const Key& key, Number& value) {
+    if (!is_meant(key)) return;
+    if constexpr (std::is_same_v<std::remove_const_t<Number>, double>)
+      f_(path_ + key.name, value);
+    else if (value)
+      f_(path_ + key.name, *value);
+  }
+  // Entries are counted from 1.
+  void list(const Key& key, auto& values) {
+    if (!is_meant(key)) return;
+    std::size_t k = 0;
+    for (auto& value : values) f_(fmt::format("{}{}.{}", path_, key.name, ++k), value);
+  }
+  void series(const Key& key, auto& values) {
+    if (values.size() == 1)
+      number(key, values.front());
+    else
+      list(key, values);
+  }
+  void table(const TableKey& key, auto&& value) {
+    if (value && (all_ || key.is_varied)) descend(path_ + key.name, *value);
+  }
+  void tables(const TableKey& key, auto& values) {
+    std::size_t k = 0;
+    if (!all_ && !key.is_varied) return;
+    for (auto& value : values) descend(path_ + numbered_path(key.name, ++k), value);
+  }
+
+ private:
+  bool is_meant(const Key& key) const { return key.applies && (all_ || key.is_parameter); }
+  void descend(const std::string& path, auto& value) {
+    NumberVisitor inner(scene_, f_, path + ".", all_);
+    describe(inner, value, scene_);
+  }
+
+  const Scene& scene_;
+  F& f_;
+  std::string path_;
+  bool all_;
+};
+
+template <class S, class F>
+void visit_numbers(S& scene, F&& f, bool all) {
+  NumberVisitor<F> visitor(scene, f, "", all);
+  describe(visitor, scene);
+}
+
+// "stop.1.gap" is "stop.gap".
+inline std::string first_stop_unnumbered(const std::string& path) {
+  const std::string first = "stop.1.";
+  return path.compare(0, first.size(), first) == 0 ? "stop." + path.substr(first.size()) : path;
+}
+
+// The number, or null.
+template <class S>
+auto found_number(S& scene, const std::string& path, bool all) {
+  std::conditional_t<std::is_const_v<S>, const double, double>* result = nullptr;
+  const std::string wanted = first_stop_unnumbered(path);
+  visit_numbers(
+      scene,
+      [&](const std::string& name, auto& value) {
+        if (name == wanted) result = &value;
+      },
+      all);
+  return result;
+}
+
+}  // namespace graze

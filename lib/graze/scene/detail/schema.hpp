@@ -1,0 +1,345 @@
+// The keys of a scene, each told once: name, unit, range, meaning and where the struct holds it.
+// Reader, writer, check, parameters and the reference in docs/scenes.md go by it: each hands
+// describe() a visitor (derived from SchemaVisitor) that does its own with every key. What holds
+// between keys stands with the check.
+#pragma once
+
+#include <type_traits>
+#include <variant>
+#include <vector>
+
+#include "graze/scene/check.hpp"
+#include "graze/scene/detail/choices.hpp"
+#include "graze/scene/detail/key.hpp"
+#include "graze/scene/scene.hpp"
+
+namespace graze {
+
+// A table that is to be read or changed, or a const one.
+template <class Table, class Value>
+concept Of = std::is_same_v<std::remove_const_t<Table>, Value>;
+
+// The numbers of both bodies as the scene lists them, and which lengths such a list may have.
+std::vector<double> body_numbers(const SpringGeometry& geometry, BodyNumbers which);
+bool set_body_numbers(SpringGeometry& geometry, BodyNumbers which,
+                      const std::vector<double>& numbers);
+
+inline constexpr Range kModeCount{1.0,  kMostModes,      true,
+                                  true, "from 1 to 400", "integer, 1 to 400"};
+
+void describe(auto& v, Of<Beam> auto& beam, const Scene&) {
+  v.number({"length", "m", kPositive, "L"}, beam.length);
+  v.number({"youngs_modulus", "Pa", kPositive, "E"}, beam.youngs_modulus);
+  v.number({"second_moment", "m^4", kPositive, "I, second moment of area"}, beam.second_moment);
+  v.number({"density", "kg/m^3", kPositive, "rho"}, beam.density);
+  v.number({"area", "m^2", kPositive, "A, of the cross-section"}, beam.area);
+  v.number(Key{"thickness", "m", kPositive, "h, of the section; only strains depend on it"}.or_else(
+               "none"),
+           beam.thickness);
+  v.count({"modes", "", kModeCount, "N"}, beam.modes);
+  v.choice(Key{"discretisation", "", kAny, "how the load is projected onto the modes"}.or_else(),
+           beam.discretisation, kProjections);
+  v.list(Key{"points", "m", kAny.told("N rising numbers in (0, L]"),
+             "collocation points; used by the collocation projection and the collocation impulse, "
+             "else ignored"}
+             .or_else("i L/N, i = 1..N"),
+         beam.points);
+}
+
+void describe(auto& v, Of<Torque> auto& torque, const Scene&) {
+  TorqueKind kind =
+      std::holds_alternative<TorquePulse>(torque) ? TorqueKind::kPulse : TorqueKind::kTable;
+  const TorqueKind before = kind;
+  v.choice({"kind", "", kAny, "constant for a while, or through the points of a table"}, kind,
+           kTorqueKinds);
+  if constexpr (!std::is_const_v<std::remove_reference_t<decltype(torque)>>) {
+    if (kind != before) torque = kind == TorqueKind::kPulse ? Torque(TorquePulse{}) : TorqueTable{};
+  }
+  MayHold pulse(std::get_if<TorquePulse>(&torque));
+  MayHold table(std::get_if<TorqueTable>(&torque));
+  const auto of_kind = [](const Key& key, bool held, const char* refusal, const char* needed) {
+    return key.needed(needed).where(held, refusal);
+  };
+  const char* no_pulse = "a torque of the kind \"table\" has none, it must be left out";
+  const char* no_table = "a torque of the kind \"pulse\" has none, it must be left out";
+  v.number(of_kind({"amplitude", "N m", kAny, "of a pulse, from t = 0 on"}, bool(pulse), no_pulse,
+                   "required with `\"pulse\"`"),
+           pulse->amplitude);
+  v.number(of_kind({"duration", "s", kPositive, "of a pulse, which is then gone"}, bool(pulse),
+                   no_pulse, "required with `\"pulse\"`"),
+           pulse->duration);
+  v.file(of_kind({"file", "", own_rule("a name"), "of a CSV file with times and values"},
+                 bool(table), no_table, "in place of both"),
+         *table);
+  v.list(of_kind({"times", "s", own_rule("rising numbers >= 0"), "at which a table has its points"},
+                 bool(table), no_table, "required with `\"table\"`")
+             .as("a list of numbers in s")
+             .fixed(),
+         table->times);
+  v.list(of_kind({"values", "N m", own_rule("one number per time"), "of a table"}, bool(table),
+                 no_table, "required with `\"table\"`")
+             .as("a list of numbers in N m, one per time")
+             .fixed(),
+         table->values);
+}
+
+// The table of a hub's friction holds one number.
+void describe(auto& v, Of<double> auto& friction, const Scene&) {
+  v.number(Key{"coulomb", "N m", kNotNegative, "Coulomb friction at the joint"}.needed("none"),
+           friction);
+}
+
+void describe(auto& v, Of<Hub> auto& hub, const Scene&) {
+  v.number({"radius", "m", kNotNegative, "from the hub's centre to the clamp"}, hub.radius);
+  v.number({"inertia", "kg m^2", kNotNegative, "of the hub alone"}, hub.inertia);
+  v.table({"torque", Form::kInline}, hub.torque);
+  v.choice(Key{"equations", "", kAny,
+               "consistent: conserve energy; paper: as printed in Yigit, Ulsoy & Scott (1990), "
+               "without two terms of the hub's equation"}
+               .or_else(),
+           hub.equations, kHubEquations);
+  v.flag(Key{"centrifugal", "", kAny,
+             "terms with the square of the rate, and the change of the inertia by the deflection"}
+             .or_else(),
+         hub.centrifugal);
+  v.table({"friction", Form::kInline}, hub.friction);
+}
+
+void describe(auto& v, Of<ModalStructure> auto& modal, const Scene&) {
+  v.list({"frequencies", "rad/s", kNotNegative, "w_j; 0 is a free mass"}, modal.frequencies);
+  v.list(Key{"damping_ratios", "", kNotNegative,
+             "delta_j/w_j, so the decay rate is ratio times w_j; 1 is critical"}
+             .or_else("no damping"),
+         modal.damping_ratios);
+  // Mass-normalised coordinates q are in kg^1/2 m, so modal forces are in kg^1/2 m/s^2.
+  v.list(Key{"participation", "kg^1/2 m/s^2", kAny, "modal force per unit of `forcing.amplitude`"}
+             .or_else("needed by forcing `\"modal\"`"),
+         modal.participation);
+  v.list(Key{"inertia", "kg^1/2", kAny, "modal force per unit of uniform acceleration"}.or_else(
+             "needed by forcing `\"base\"` and by `[gravity]`"),
+         modal.inertia);
+}
+
+void describe(auto& v, Of<RayleighDamping> auto& rayleigh, const Scene&) {
+  v.number({"mass", "1/s", kNotNegative, "delta_j = (mass + stiffness w_j^2)/2"}, rayleigh.mass);
+  v.number({"stiffness", "s", kNotNegative, "see there"}, rayleigh.stiffness);
+}
+
+void describe(auto& v, Of<Damping> auto& damping, const Scene&) {
+  MayHold viscous(std::get_if<ViscousDamping>(&damping));
+  MayHold ratios(std::get_if<DampingRatios>(&damping));
+  v.number(Key{"viscous", "N s/m^2", kNotNegative,
+               "eta, force per length per velocity relative to the clamp; with `[beam]` only. "
+               "delta_j = eta/(2 rho A)"}
+               .needed("none")
+               .where(bool(viscous)),
+           viscous->coefficient);
+  v.list(Key{"ratios", "", kNotNegative.told("N numbers >= 0"), "delta_j/w_j"}
+             .needed("none")
+             .where(bool(ratios))
+             .as("a list of numbers, one per mode"),
+         ratios->ratios);
+  v.table({"rayleigh", Form::kInline}, std::get_if<RayleighDamping>(&damping));
+}
+
+void describe(auto& v, Of<Forcing> auto& forcing, const Scene& scene) {
+  const bool modal = scene.modal() != nullptr;
+  v.choice(Key{"kind", "",
+               own_rule("`\"base\"`; `\"distributed\"` with `[beam]` only; `\"modal\"` with "
+                        "`[modal]` only"),
+               "base: displacement of the clamp; distributed: force per length; modal: modal "
+               "forces `participation` times amplitude"}
+               .or_else("`\"base\"` with `[beam]`, `\"modal\"` with `[modal]`"),
+           forcing.kind, modal ? kModalForcings : kBeamForcings);
+  v.number(Key{"amplitude", "m, N/m or 1, by kind", kAny, "of the cosine"}.as(
+               modal ? "a number" : "a number, in m (base) or N/m (distributed)"),
+           forcing.amplitude);
+  v.number({"frequency", "rad/s", kPositive, "Omega"}, forcing.frequency);
+  v.number(Key{"phase", "rad", kAny, "psi, forcing phase at t = 0"}.or_else(), forcing.phase);
+}
+
+void describe(auto& v, Of<Gravity> auto& gravity, const Scene&) {
+  v.number({"acceleration", "m/s^2", kAny,
+            "along +u, so negative where u counts upwards; with a `[hub]` along -u at angle 0, and "
+            "there it stays while the beam turns"},
+           gravity.acceleration);
+}
+
+void describe(auto& v, Of<SpringDamping> auto& damping, const Scene&) {
+  v.choice(Key{"model", "", kAny, "T(x), see below"}.as("the name of a model of damping"),
+           damping.model, kContactModels);
+  const auto number = [&](const Key& key, auto& value) {
+    v.number(key.or_else("by model"), value);
+  };
+  number({"coefficient", "by model", kNotNegative, "C"}, damping.coefficient);
+  number({"ratio", "", kNotNegative, "zeta"}, damping.ratio);
+  number({"alpha", "s/m", kNotNegative, "of e = 1 - alpha v"}, damping.alpha);
+  number({"restitution", "", kUpToOne, "e that is asked for"}, damping.restitution);
+  number({"speed", "m/s", kPositive, "v at which it is asked for"}, damping.speed);
+  number({"mass", "kg", kPositive, "m that meets the stop"}, damping.mass);
+  number({"onset", "m", kPositive, "depth over which `\"lee-wang-2\"` sets in"}, damping.onset);
+  number({"sharpness", "", kNotNegative, "Q of `\"lee-wang-2\"`, 3 where it is not given"},
+         damping.sharpness);
+  v.choice(
+      Key{"inversion", "", kAny, "exact: C gives e itself, not by the model's formula"}.or_else(),
+      damping.exact, kInversions);
+}
+
+void describe(auto& v, Of<Spring> auto& spring, const Scene&) {
+  MayHold geometry(spring.geometry ? &*spring.geometry : nullptr);
+  const bool given = bool(geometry);
+  const char* follows = "it follows from radii, moduli and poisson, it must be left out with them";
+  v.number(Key{"stiffness", "N/m^exponent", kPositive, "k"}.where(!given, follows).or_ignored(),
+           spring.stiffness);
+  v.number(Key{"exponent", "", kAtLeastOne, "n: 1 linear, 1.5 Hertz"}
+               .where(!given, follows)
+               .or_ignored(),
+           spring.exponent);
+  v.bodies(Key{"radii", "m", own_rule("two, of balls, or four, in two planes body by body"),
+               "Hertz's k and n = 3/2 from geometry; `inf` is flat, negative hollow"}
+               .needed("in place of both")
+               .where(given)
+               .as("a list of two numbers in m, or of four"),
+           *geometry, BodyNumbers::kRadii);
+  v.bodies(Key{"moduli", "Pa", kPositive.told("two numbers > 0"), "of the two bodies"}
+               .needed("with `radii`")
+               .where(given)
+               .as("a list of two numbers in Pa"),
+           *geometry, BodyNumbers::kModuli);
+  v.bodies(Key{"poisson", "", kPoissonRatio.told("two numbers in (-1, 0.5]"), "their ratios"}
+               .needed("with `radii`")
+               .where(given)
+               .as("a list of two numbers"),
+           *geometry, BodyNumbers::kPoissonRatios);
+  v.number(Key{"angle", "rad", kAny, "between the first planes of the bodies"}
+               .or_else()
+               .where(given, "it needs radii, moduli and poisson")
+               .fixed(),
+           geometry->angle);
+  v.table({"damping", Form::kInline}, spring.damping);
+  v.choice(Key{"release", "", kAny,
+               "the contact ends where the force is gone, or where the depth is (the force may "
+               "then pull at last)"}
+               .or_else(),
+           spring.release, kReleases);
+}
+
+void describe(auto& v, Of<SceneStop> auto& stop, const Scene& scene) {
+  const bool modal = scene.modal() != nullptr, rigid = !stop.spring;
+  const char* none = "a stop with a spring has none, it must be left out";
+  v.number(Key{"position", "m", own_rule("in (0, L]"),
+               "B, distance from the clamp; with the collocation impulse it must be a collocation "
+               "point"}
+               .needed("required with `[beam]`")
+               .where(!modal, "a stop of a [modal] structure has no position, it must have a shape")
+               .as("a number in m from the clamp"),
+           stop.position);
+  v.list(Key{"shape", "kg^-1/2", kAny.told("N numbers, not all 0"),
+             "phi_j(B): how far each mode moves the point of contact"}
+             .needed("required with `[modal]`")
+             .where(modal, "a stop of a [beam] has no shape, it must have a position")
+             .as("a list of numbers, the mode shapes at the stop"),
+         stop.shape);
+  v.number({"gap", "m", kAny, "a; 0 touches at rest, negative is a preload"}, stop.gap);
+  v.choice(Key{"side", "", kAny, "above: free while u < gap; below: free while u > -gap"}.or_else(),
+           stop.side, kSides);
+  v.series(Key{"restitution", "", kFraction.told("0 to 1, or a list"), "r, v+ = -r v-"}
+               .needed("required without `[stop.spring]`")
+               .where(rigid, none)
+               .as("a number from 0 to 1 or a list [a0, a1, ..] of numbers"),
+           stop.restitution);
+  v.choice(Key{"impulse", "", own_rule("or `\"collocation\"` (`[beam]` only)"),
+               "the impulse law, the same for all stops; the collocation law can add kinetic "
+               "energy"}
+               .or_else()
+               .where(rigid, none),
+           stop.impulse, kImpulses);
+  v.table({"spring"}, stop.spring);
+}
+
+void describe(auto& v, Of<Probe> auto& probe, const Scene& scene) {
+  const bool modal = scene.modal() != nullptr, of_hub = is_of_hub(probe.quantity);
+  const auto where = [&](const Key& key, bool condition, const char* otherwise) {
+    return of_hub ? key.where(false, "angle and rate are those of the hub, it must be left out")
+                        .or_ignored()
+                  : key.where(condition, otherwise);
+  };
+  v.number(where(Key{"position", "m", own_rule("in [0, L]"), "distance from the clamp"}
+                     .needed("required with `[beam]`")
+                     .as("a number in m from the clamp"),
+                 !modal, "a probe of a [modal] structure has no position, it must have a shape"),
+           probe.position);
+  v.list(where(Key{"shape", "kg^-1/2", kAny.told("N numbers"), "phi_j there"}
+                   .needed("required with `[modal]`")
+                   .as("a list of numbers, the mode shapes at the probe"),
+               modal, "a probe of a [beam] has no shape, it must have a position"),
+         probe.shape);
+  v.choice(Key{"quantity", "", kAny,
+               "displacement (m) and velocity (m/s) of the point, relative to the clamp, with a "
+               "`[hub]` along its arc from angle 0 on; deflection (m) from the line that turns "
+               "with the hub, without one the displacement; strain: -h/2 u'', of the fibre at half "
+               "the `thickness` on the side of +u (`[beam]` only); angle (rad) and rate (rad/s) of "
+               "the `[hub]`, without `position`"}
+               .or_else(),
+           probe.quantity, kQuantities);
+}
+
+void describe(auto& v, Of<Initial> auto& initial, const Scene& scene) {
+  const bool hub = scene.hub.has_value();
+  const char* none = "it is that of a [hub], without one it must be left out";
+  v.list(Key{"q", "kg^1/2 m", kAny.told("N numbers"),
+             "modal coordinates; the point of contact may touch its stop, not lie beyond a rigid "
+             "one; a compliant one it compresses there"}
+             .needed("zeros"),
+         initial.q);
+  v.list(Key{"qdot", "kg^1/2 m/s", kAny.told("N numbers"), "their rates"}.needed("zeros"),
+         initial.qdot);
+  v.number(
+      Key{"angle", "rad", kAny, "of the `[hub]`; left out without one"}.or_else().where(hub, none),
+      initial.angle);
+  v.number(
+      Key{"rate", "rad/s", kAny, "of the `[hub]`; left out without one"}.or_else().where(hub, none),
+      initial.rate);
+}
+
+void describe(auto& v, Of<Solver> auto& solver, const Scene&) {
+  v.choice(
+      Key{"flow", "",
+          own_rule("`\"auto\"`, `\"exact\"`, `\"rk4\"`, `\"dopri5\"`, `\"fehlberg78\"`, with a "
+                   "`[hub]` `\"bulirsch-stoer\"` in place of `\"exact\"`"),
+          "`exact`: closed forms, every contact certified. The others take steps and see a contact "
+          "by the sign of a gap at the end of a step: what comes and goes within one they miss. "
+          "They are there to be compared with ([accuracy.md](accuracy.md)). `auto` takes `exact`, "
+          "and with a `[hub]` `bulirsch-stoer`, extrapolation to 1e-14 a step"}
+          .or_else(),
+      solver.flow, kFlows);
+  v.number(Key{"tolerance", "", kWithinOne,
+               "error of a step of `dopri5` and `fehlberg78` without `step`, relative to the speed "
+               "of the motion; with any flow it sets the speed below which a chatter is summed "
+               "(`--closure-speed`)"}
+               .or_else(),
+           solver.tolerance);
+  v.number(Key{"step", "s", kPositive,
+               "length of all steps; needed with `rk4`, possible with `dopri5` and `fehlberg78`, "
+               "refused with the others. Steps at which the quickest mode would grow without bound "
+               "are refused with the limit: 2.828/w_N (`rk4`), 0.997/w_N (`dopri5`), 2.365/w_N "
+               "(`fehlberg78`), less for `rk4` where damping is strong"}
+               .or_else("none"),
+           solver.step);
+}
+
+void describe(auto& v, Of<Scene> auto& scene) {
+  v.text(Key{"title", "", kAny, "heads the output of `check`"}.or_else("none"), scene.title);
+  v.table({"beam"}, std::get_if<Beam>(&scene.structure));
+  v.table({"hub"}, scene.hub);
+  v.table({"modal"}, std::get_if<ModalStructure>(&scene.structure));
+  v.table({"damping"}, scene.damping);
+  v.table({"forcing"}, scene.forcing);
+  v.table({"gravity"}, scene.gravity);
+  v.tables({"stop"}, scene.stops);
+  v.tables({"probe", Form::kHeader, false}, scene.probes);
+  v.table({"initial", Form::kHeader, false}, scene.initial);
+  v.table({"solver", Form::kHeader, false}, &scene.solver);
+}
+
+}  // namespace graze
