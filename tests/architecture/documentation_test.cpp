@@ -115,6 +115,39 @@ TEST(Documentation, IsNotWrittenByRunningTheTests) {
     EXPECT_EQ(command.find("docs"), std::string::npos) << command;
 }
 
+// A reader finds every page from docs/index.md.
+TEST(Documentation, IndexNamesEveryPage) {
+  const fs::path docs = kRoot / "docs";
+  const std::vector<std::string> links =
+      found(text_of(docs / "index.md"), R"(\]\(([\w./-]+[.]md)(?:#[^)]*)?\))");
+  const std::set<std::string> named(links.begin(), links.end());
+  for (const fs::directory_entry& entry : fs::recursive_directory_iterator(docs)) {
+    const std::string page = fs::relative(entry.path(), docs).generic_string();
+    if (entry.path().extension() != ".md" || page == "index.md") continue;
+    EXPECT_TRUE(named.count(page)) << "docs/index.md does not name " << page;
+  }
+}
+
+// A record that does not hold any more says so below its title, and where to read on.
+TEST(Documentation, SupersededDecisionsLinkALaterOne) {
+  const std::regex form(R"(# [^\n]*\n\nSuperseded (?:in part )?by )"
+                        R"(\[(\d+)\]\(\d+_\w+\.md\)[^\n]*: [^\n]+)");
+  std::size_t superseded = 0;
+  for (const fs::directory_entry& entry : fs::directory_iterator(kRoot / "docs" / "decisions")) {
+    const std::string text = text_of(entry.path());
+    if (text.find("\nSuperseded") == std::string::npos) {
+      EXPECT_FALSE(is_sketch(entry.path())) << entry.path() << " is a sketch of what was built";
+      continue;
+    }
+    ++superseded;
+    std::smatch match;
+    ASSERT_TRUE(std::regex_search(text, match, form, std::regex_constants::match_continuous))
+        << entry.path();
+    EXPECT_GT(std::stoi(match[1]), std::stoi(entry.path().filename().string())) << entry.path();
+  }
+  EXPECT_GT(superseded, 5u);
+}
+
 TEST(Documentation, DecisionsAreNumberedWithoutGaps) {
   std::set<int> numbers;
   for (const fs::directory_entry& entry : fs::directory_iterator(kRoot / "docs" / "decisions"))
