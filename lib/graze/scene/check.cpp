@@ -19,6 +19,8 @@
 namespace graze {
 namespace {
 
+static_assert(kModeCount.high == kMostModes);
+
 void check_points(const ValueChecker& checker, const Beam& beam) {
   if (beam.points.empty()) {
     return;

@@ -2,8 +2,6 @@
 
 #include <fmt/format.h>
 
-#include "graze/scene/detail/choices.hpp"
-
 namespace graze {
 namespace {
 
@@ -20,12 +18,6 @@ std::string canonical(const std::string& key) {
 }
 
 }  // namespace
-
-std::string flow_name(FlowChoice flow) { return name_among(kFlows, flow); }
-std::string contact_model_name(ContactModel model) { return name_among(kContactModels, model); }
-std::string probe_quantity_name(ProbeQuantity quantity) {
-  return name_among(kQuantities, quantity);
-}
 
 int Scene::modes() const {
   if (const Beam* has_beam = beam()) {

@@ -8,7 +8,6 @@
 #include <variant>
 #include <vector>
 
-#include "graze/scene/check.hpp"
 #include "graze/scene/detail/choices.hpp"
 #include "graze/scene/detail/key.hpp"
 #include "graze/scene/scene.hpp"
@@ -23,9 +22,6 @@ concept Of = std::is_same_v<std::remove_const_t<Table>, Value>;
 std::vector<double> body_numbers(const SpringGeometry& geometry, BodyNumbers which);
 bool set_body_numbers(SpringGeometry& geometry, BodyNumbers which,
                       const std::vector<double>& numbers);
-
-inline constexpr Range kModeCount{1.0,  kMostModes,      true,
-                                  true, "from 1 to 400", "integer, 1 to 400"};
 
 void describe(auto& v, Of<Beam> auto& beam, const Scene&) {
   v.number({"length", "m", kPositive, "L"}, beam.length);
@@ -69,7 +65,7 @@ void describe(auto& v, Of<Torque> auto& torque, const Scene&) {
                    no_pulse, "required with `\"pulse\"`"),
            pulse->duration);
   v.file(of_kind({"file", "", own_rule("a name"), "of a CSV file with times and values"},
-                 bool(table), no_table, "in place of both"),
+                 bool(table), no_table, "in place of `times` and `values`"),
          *table);
   v.list(of_kind({"times", "s", own_rule("rising numbers >= 0"), "at which a table has its points"},
                  bool(table), no_table, "required with `\"table\"`")
@@ -85,8 +81,7 @@ void describe(auto& v, Of<Torque> auto& torque, const Scene&) {
 
 // The table of a hub's friction holds one number.
 void describe(auto& v, Of<double> auto& friction, const Scene&) {
-  v.number(Key{"coulomb", "N m", kNotNegative, "Coulomb friction at the joint"}.needed("none"),
-           friction);
+  v.number({"coulomb", "N m", kNotNegative, "Coulomb friction at the joint"}, friction);
 }
 
 void describe(auto& v, Of<Hub> auto& hub, const Scene&) {
@@ -122,7 +117,7 @@ void describe(auto& v, Of<ModalStructure> auto& modal, const Scene&) {
 
 void describe(auto& v, Of<RayleighDamping> auto& rayleigh, const Scene&) {
   v.number({"mass", "1/s", kNotNegative, "delta_j = (mass + stiffness w_j^2)/2"}, rayleigh.mass);
-  v.number({"stiffness", "s", kNotNegative, "see there"}, rayleigh.stiffness);
+  v.number({"stiffness", "s", kNotNegative, "in the same sum"}, rayleigh.stiffness);
 }
 
 void describe(auto& v, Of<Damping> auto& damping, const Scene&) {
@@ -197,7 +192,7 @@ void describe(auto& v, Of<Spring> auto& spring, const Scene&) {
            spring.exponent);
   v.bodies(Key{"radii", "m", own_rule("two, of balls, or four, in two planes body by body"),
                "Hertz's k and n = 3/2 from geometry; `inf` is flat, negative hollow"}
-               .needed("in place of both")
+               .needed("in place of `stiffness` and `exponent`")
                .where(given)
                .as("a list of two numbers in m, or of four"),
            *geometry, BodyNumbers::kRadii);
@@ -206,7 +201,7 @@ void describe(auto& v, Of<Spring> auto& spring, const Scene&) {
                .where(given)
                .as("a list of two numbers in Pa"),
            *geometry, BodyNumbers::kModuli);
-  v.bodies(Key{"poisson", "", kPoissonRatio.told("two numbers in (-1, 0.5]"), "their ratios"}
+  v.bodies(Key{"poisson", "", kPoissonRatio.told("two numbers in (-1, 0.5]"), "of the two bodies"}
                .needed("with `radii`")
                .where(given)
                .as("a list of two numbers"),
@@ -329,7 +324,8 @@ void describe(auto& v, Of<Solver> auto& solver, const Scene&) {
 }
 
 void describe(auto& v, Of<Scene> auto& scene) {
-  v.text(Key{"title", "", kAny, "heads the output of `check`"}.or_else("none"), scene.title);
+  v.text(Key{"title", "", own_rule("a string"), "heads the output of `check`"}.or_else("none"),
+         scene.title);
   v.table({"beam"}, std::get_if<Beam>(&scene.structure));
   v.table({"hub"}, scene.hub);
   v.table({"modal"}, std::get_if<ModalStructure>(&scene.structure));

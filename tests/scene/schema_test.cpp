@@ -1,0 +1,79 @@
+// The reference in docs/scenes.md tells every key as the schema has it, and no other key.
+#include "graze/scene/detail/schema.hpp"
+
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <map>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "graze/scene/detail/keys.hpp"
+
+namespace graze {
+namespace {
+
+using Rows = std::map<std::string, std::string>;  // by table, one row a line
+
+// The rows below each heading that begins with a table's name, "**`[beam]`**"; above the first
+// stand the keys outside tables.
+Rows rows_of_page() {
+  Rows rows;
+  std::ifstream page(std::string(GRAZE_SOURCE_DIR) + "/docs/scenes.md");
+  std::string table;
+  for (std::string line; std::getline(page, line) && line != "## Parameters and --set";) {
+    if (line.starts_with("**`[")) {
+      const std::size_t begin = line.find_first_not_of("*`[");
+      table = line.substr(begin, line.find(']') - begin);
+    }
+    // The table of models has the name of a value, in quotes, where others have that of a key.
+    if (line.starts_with("| `") && !line.starts_with("| `\"")) rows[table] += line + "\n";
+  }
+  return rows;
+}
+
+std::string row_text(const std::string& name, const KeyRow& row) {
+  std::string text = "|";
+  for (const std::string& cell : {"`" + name + "`", row.unit, row.fallback, row.range, row.meaning})
+    text += (cell.empty() ? " " : " " + cell + " ") + "|";
+  return text + "\n";
+}
+
+// Tables that are written in line stand with the table that they are in: `friction.coulomb`.
+Rows rows_of_schema(const Rows& page) {
+  Rows rows;
+  for (const TableKeys& keys : all_keys()) {
+    std::string table = keys.table, within;
+    while (!page.contains(table) && table.find('.') != std::string::npos) {
+      const std::size_t dot = table.rfind('.');
+      within = table.substr(dot + 1) + "." + within;
+      table.resize(dot);
+    }
+    for (const KeyRow& row : keys.rows) rows[table] += row_text(within + row.name, row);
+  }
+  return rows;
+}
+
+TEST(Schema, IsTheReference) {
+  const Rows page = rows_of_page();
+  const Rows schema = rows_of_schema(page);
+  for (const auto& [table, rows] : schema)
+    EXPECT_EQ(page.contains(table) ? page.at(table) : "", rows)
+        << "docs/scenes.md must have these rows for [" << table << "]:\n"
+        << rows;
+  for (const auto& [table, rows] : page)
+    EXPECT_TRUE(schema.contains(table)) << "there is no table [" << table << "]";
+}
+
+TEST(Schema, EveryKeyHasANameOfItsOwnAndAMeaning) {
+  for (const TableKeys& keys : all_keys()) {
+    EXPECT_EQ(std::set<std::string>(keys.allowed.begin(), keys.allowed.end()).size(),
+              keys.allowed.size())
+        << keys.table;
+    for (const KeyRow& row : keys.rows) EXPECT_FALSE(row.meaning.empty()) << row.name;
+  }
+}
+
+}  // namespace
+}  // namespace graze
