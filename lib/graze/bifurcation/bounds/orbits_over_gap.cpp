@@ -163,7 +163,7 @@ FoundOrbits search_orbits(const System& system, const std::optional<State>& star
   }
   PassageOptions passage;
   passage.max_impacts = options.max_impacts;
-  state.stop = options.stop;
+  passage.stop = options.stop;
   const State at_rest{Vector::Zero(system.modes()), Vector::Zero(system.modes())};
   passage.closure_speed =
       options.closure_speed.value_or(default_closure_speed(system, start.value_or(at_rest)));
