@@ -258,7 +258,7 @@ TEST(Sweep, StartsAnewWhereTheStopHasMovedPastTheState) {
   for (std::size_t i = 0; i < 5; ++i) {
     EXPECT_EQ(moved.rows[i].motion.kind, SettledKind::kAtRest);
     EXPECT_EQ(moved.rows[i].status, SweepStatus::kSettled);
-    EXPECT_NEAR(moved.rows[i].period_states.front().displacement, moved.rows[i].value, 1e-15);
+    EXPECT_NEAR(moved.rows[i].stop_states.front().displacement, moved.rows[i].value, 1e-15);
     if (i > 0) {
       EXPECT_EQ(moved.rows[i].start, SweepStart::kAnew);
     }
