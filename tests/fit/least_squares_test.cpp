@@ -83,6 +83,25 @@ TEST(LeastSquares, HoldsAParameterAtItsLimit) {
   EXPECT_NEAR(result.parameters[0], e.dot(y) / e.dot(e), 1e-6);
 }
 
+// |J (p - (-1, -1))|^2 with J^T J = [[9, -6], [-6, 5]] asks for less of both parameters at (0, 0),
+// where both limits are. With x held there the best y is -1 + 6/5.
+TEST(LeastSquares, LetsGoOfALimitOnceAnotherHolds) {
+  LeastSquaresProblem problem;
+  problem.residuals = [](const Vector& p) -> std::optional<Vector> {
+    return Vector(Eigen::Vector3d(3.0 * (p[0] + 1.0) - 2.0 * (p[1] + 1.0), p[1] + 1.0, 1.0));
+  };
+  problem.start = Eigen::Vector2d(1.0, 1.0);
+  problem.low = Eigen::Vector2d(0.0, 0.0);
+  problem.high = Eigen::Vector2d(5.0, 5.0);
+  problem.logarithmic = {false, false};
+  problem.linear = true;
+  const LeastSquaresResult result = solve_least_squares(problem, {false, 1000});
+  EXPECT_EQ(result.end, LeastSquaresEnd::kConverged);
+  EXPECT_EQ(result.at_limit, (std::vector<bool>{true, false}));
+  EXPECT_EQ(result.parameters[0], 0.0);
+  EXPECT_NEAR(result.parameters[1], 0.2, 1e-9);
+}
+
 // A sum of squares with a second valley: sin(p t) against sin(3 t).
 TEST(LeastSquares, SearchesTheBoxIfAsked) {
   LeastSquaresProblem problem;

@@ -108,8 +108,8 @@ class Fit {
     };
     problem.linear = measurements_.kind == MeasurementKind::kRestitution;
     if (problem.linear)
-      problem.jacobian = [this](const Vector&) -> std::optional<Matrix> {
-        return Matrix(units_.cwiseInverse().asDiagonal() * *model_.derivative());
+      problem.jacobian = [this](const Vector&) -> Matrix {
+        return units_.cwiseInverse().asDiagonal() * *model_.derivative();
       };
     problem.size = measured_.cwiseQuotient(units_).norm();
     problem.noise = measurements_.knows_uncertainty() ? 1.0 : 0.0;

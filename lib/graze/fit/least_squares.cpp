@@ -1,5 +1,9 @@
 #include "graze/fit/detail/least_squares.hpp"
 
+#include <ceres/cost_function.h>
+#include <ceres/problem.h>
+#include <ceres/solver.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -11,36 +15,31 @@ namespace graze {
 namespace {
 
 constexpr double kEps = std::numeric_limits<double>::epsilon();
-// Steps of Gauss and Newton; near the minimum a few do.
-constexpr int kMostSteps = 30;
-// Halvings of one of them.
-constexpr int kMostHalvings = 12;
-// Where they come to a stand before the minimum, it is sought directly, so often at most.
+// Where steps of Gauss and Newton come to a stand before the minimum, it is sought directly, so
+// often at most.
 constexpr int kMostSearches = 2;
 
-class Solver {
+class Solver : private ceres::CostFunction, private ceres::IterationCallback {
  public:
   Solver(const LeastSquaresProblem& problem, const LeastSquaresOptions& options)
       : problem_(problem),
         options_(options),
-        counted_([this](const Vector& p) { return evaluate(p); }),
-        free_(static_cast<std::size_t>(problem.start.size()), true) {
+        counted_([this](const Vector& p) { return evaluate(p); }) {
     result_.parameters = problem.start;
-    result_.at_limit.assign(free_.size(), false);
+    result_.at_limit.assign(static_cast<std::size_t>(problem.start.size()), false);
     steps_ = Vector::Zero(problem.start.size());
     for (Eigen::Index j = 0; j < steps_.size(); ++j) {
       const double range = problem.high[j] - problem.low[j];
       // Adjusted before it is used; a hundredth of what is known of the parameter to begin with.
       steps_[j] = 0.01 * (std::isfinite(range) ? range : std::max(std::abs(problem.start[j]), 1.0));
     }
+    units_ = steps_.unaryExpr([](double step) { return std::ldexp(1.0, std::ilogb(step)); });
   }
 
   LeastSquaresResult solve() {
     if (!problem_.linear) approach();
-    if (result_.residuals.size() == 0) {
-      const std::optional<Vector> residuals = counted_(result_.parameters);
-      if (residuals) result_.residuals = *residuals;
-    }
+    if (result_.residuals.size() == 0)
+      result_.residuals = counted_(result_.parameters).value_or(Vector());
     if (result_.residuals.size() == 0)
       result_.end = is_over() ? why_over() : LeastSquaresEnd::kNoValue;
     else
@@ -77,34 +76,95 @@ class Solver {
   // Gauss and Newton.
   void finish() {
     result_.method += result_.method.empty() ? "linear least squares" : ", then Gauss-Newton";
-    result_.end = LeastSquaresEnd::kNotConverged;
-    for (int i = 0; i < kMostSteps; ++i) {
-      if (!differentiate()) return;
-      const Vector step = bounded_step();
-      // What one value's noise is worth, or where there is none, the rounding of the derivative.
-      const double enough = std::max(kNoiseStep * residual_noise(problem_, result_.residuals),
-                                     std::pow(kEps, 2.0 / 3.0) * problem_.size);
-      result_.last_step = (result_.jacobian.matrix * step).norm();
-      const bool moved = take(step);
-      if (result_.last_step <= enough) {
-        result_.end = LeastSquaresEnd::kConverged;
-        return;
-      }
-      if (moved) continue;
-      if (is_over()) {
-        result_.end = why_over();
-        return;
-      }
-      if (searches_ < kMostSearches) {
-        search_directly();
-      } else {
-        // A minimum at a kink: found to a part of the uncertainties, but no derivative of it is
-        // zero. One that asks for more than these is none.
-        if (result_.last_step <= residual_noise(problem_, result_.residuals))
-          result_.end = LeastSquaresEnd::kConverged;
-        return;
-      }
+    for (; !descend(); search_directly()) {
+      result_.end = is_over() ? why_over() : LeastSquaresEnd::kNotConverged;
+      if (is_over() || result_.jacobian.matrix.size() == 0) return;
+      if (searches_ < kMostSearches) continue;
+      // A minimum at a kink: found to a part of the uncertainties, but no derivative of it is
+      // zero. One that asks for more than these is none.
+      if (result_.last_step > residual_noise(problem_, result_.residuals)) return;
+      break;
     }
+    result_.end = LeastSquaresEnd::kConverged;
+  }
+
+  // As far as Ceres' steps lead; whether that is the minimum.
+  bool descend() {
+    is_last_ = false;
+    tried_ = result_.parameters;
+    tried_residuals_ = result_.residuals;
+    Vector p = tried_.cwiseQuotient(units_);
+    set_num_residuals(static_cast<int>(tried_residuals_.size()));
+    *mutable_parameter_block_sizes() = {static_cast<int>(p.size())};
+    ceres::Problem squares({.cost_function_ownership = ceres::DO_NOT_TAKE_OWNERSHIP});
+    squares.AddResidualBlock(this, nullptr, p.data());
+    for (int j = 0; j < p.size(); ++j) {
+      squares.SetParameterLowerBound(p.data(), j, problem_.low[j] / units_[j]);
+      squares.SetParameterUpperBound(p.data(), j, problem_.high[j] / units_[j]);
+    }
+    ceres::Solver::Options options;
+    options.linear_solver_type = ceres::DENSE_QR;
+    options.logging_type = ceres::SILENT;
+    options.callbacks = {this};
+    // Gauss and Newton's own steps, but for directions of less than 1e-5 of a column's length,
+    // which differences do not tell from none, and halved where the sum does not fall.
+    options.initial_trust_region_radius = problem_.linear ? 1.0 / kEps : 1e10;
+    options.min_lm_diagonal = options.min_line_search_step_size = 1e-200;
+    options.line_search_interpolation_type = ceres::BISECTION;
+    options.function_tolerance = options.gradient_tolerance = options.parameter_tolerance = 0.0;
+    ceres::Solver::Summary summary;
+    ceres::Solve(options, &squares, &summary);
+    return is_last_;
+  }
+
+  // Ceres holds what it minimises to be constant; what is counted and kept on the way is not.
+  bool Evaluate(double const* const* at, double* residuals, double** derivative) const override {
+    return const_cast<Solver*>(this)->try_at(
+        Eigen::Map<const Vector>(at[0], steps_.size()).cwiseProduct(units_), residuals, derivative);
+  }
+
+  // The residuals and, only where Ceres has come to stay, their derivative: zero, which ends it,
+  // after the last step and where there is none.
+  bool try_at(const Vector& p, double* residuals, double** derivative) {
+    if (p != tried_) {
+      const std::optional<Vector> found = counted_(p);
+      if (!found || !found->allFinite()) return false;
+      tried_ = p;
+      tried_residuals_ = *found;
+    }
+    const Eigen::Index m = tried_residuals_.size(), n = p.size();
+    Eigen::Map<Vector>(residuals, m) = tried_residuals_;
+    if (derivative == nullptr) return true;
+    result_.parameters = tried_;
+    result_.residuals = tried_residuals_;
+    using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+    Eigen::Map<RowMajor>(derivative[0], m, n) =
+        !is_last_ && differentiate() ? inward_derivative() : Matrix::Zero(m, n);
+    return true;
+  }
+
+  // Without parameters on a limit beyond which the sum would fall.
+  Matrix inward_derivative() {
+    Matrix inward = result_.jacobian.matrix;
+    const Vector gradient = inward.transpose() * result_.residuals;
+    for (Eigen::Index j = 0; j < gradient.size(); ++j) {
+      const double limit = gradient[j] > 0.0 ? problem_.low[j] : problem_.high[j];
+      const bool held = result_.parameters[j] == limit;
+      if (held) inward.col(j).setZero();
+      result_.at_limit[static_cast<std::size_t>(j)] = held;
+    }
+    const JacobianFactors factors(inward, result_.jacobian.error);
+    result_.last_step = (inward * factors.step(result_.residuals)).norm();
+    // What one value's noise is worth, or where there is none, the rounding of the derivative.
+    is_last_ =
+        result_.last_step <= std::max(kNoiseStep * residual_noise(problem_, result_.residuals),
+                                      std::pow(kEps, 2.0 / 3.0) * problem_.size);
+    return inward * units_.asDiagonal();
+  }
+
+  ceres::CallbackReturnType operator()(const ceres::IterationSummary& step) override {
+    return step.iteration == 0 || step.step_is_successful ? ceres::SOLVER_CONTINUE
+                                                          : ceres::SOLVER_TERMINATE_SUCCESSFULLY;
   }
 
   void search_directly() {
@@ -121,87 +181,26 @@ class Solver {
   }
 
   bool differentiate() {
+    const Vector& p = result_.parameters;
     if (problem_.jacobian) {
-      const std::optional<Matrix> matrix = problem_.jacobian(result_.parameters);
-      if (matrix) {
-        result_.jacobian = {*matrix, Vector::Zero(steps_.size()), 0.0};
-        return true;
-      }
+      result_.jacobian = {problem_.jacobian(p), Vector::Zero(p.size()), 0.0};
+      return true;
     }
     const double change =
         std::max(residual_noise(problem_, result_.residuals), std::cbrt(kEps) * problem_.size);
-    const std::optional<DifferenceJacobian> jacobian = difference_jacobian(
-        counted_, result_.parameters, problem_.low, problem_.high, steps_, change);
-    if (!jacobian) {
-      result_.end = is_over() ? why_over() : LeastSquaresEnd::kNotConverged;
-      return false;
-    }
-    result_.jacobian = *jacobian;
-    steps_ = jacobian->steps;
-    return true;
-  }
-
-  // Parameters on a limit that the step would take beyond it are held there.
-  Vector bounded_step() {
-    std::fill(free_.begin(), free_.end(), true);
-    const Vector& p = result_.parameters;
-    for (;;) {
-      Vector step = free_step();
-      bool held = false;
-      for (Eigen::Index j = 0; j < p.size(); ++j) {
-        const bool out = (p[j] <= problem_.low[j] && step[j] < 0.0) ||
-                         (p[j] >= problem_.high[j] && step[j] > 0.0);
-        if (out && free_[static_cast<std::size_t>(j)]) {
-          free_[static_cast<std::size_t>(j)] = false;
-          held = true;
-        }
-      }
-      if (held) continue;
-      for (std::size_t j = 0; j < free_.size(); ++j) result_.at_limit[j] = !free_[j];
-      return step;
-    }
-  }
-
-  Vector free_step() const {
-    std::vector<Eigen::Index> columns;
-    for (std::size_t j = 0; j < free_.size(); ++j)
-      if (free_[j]) columns.push_back(static_cast<Eigen::Index>(j));
-    Vector step = Vector::Zero(steps_.size());
-    if (columns.empty()) return step;
-    const Matrix part = result_.jacobian.matrix(Eigen::all, columns);
-    const Vector found = JacobianFactors(part, result_.jacobian.error).step(result_.residuals);
-    for (std::size_t k = 0; k < columns.size(); ++k)
-      step[columns[k]] = found[static_cast<Eigen::Index>(k)];
-    return step;
-  }
-
-  // Along the step, as far as the sum of squares falls; whether it does.
-  bool take(const Vector& step) {
-    const double before = result_.residuals.squaredNorm();
-    double part = 1.0;
-    for (int i = 0; i < kMostHalvings; ++i, part *= 0.5) {
-      const Vector to =
-          (result_.parameters + part * step).cwiseMax(problem_.low).cwiseMin(problem_.high);
-      if (to == result_.parameters) return false;
-      const std::optional<Vector> residuals = counted_(to);
-      if (!residuals) {
-        if (is_over()) return false;
-        continue;
-      }
-      if (residuals->squaredNorm() < before) {
-        result_.parameters = to;
-        result_.residuals = *residuals;
-        return true;
-      }
-    }
-    return false;
+    result_.jacobian = difference_jacobian(counted_, p, problem_.low, problem_.high, steps_, change)
+                           .value_or(DifferenceJacobian{{}, steps_});
+    steps_ = result_.jacobian.steps;
+    return result_.jacobian.matrix.size() > 0;
   }
 
   const LeastSquaresProblem& problem_;
   const LeastSquaresOptions& options_;
   const Residuals counted_;
-  std::vector<bool> free_;
   Vector steps_;
+  Vector units_;  // of what Ceres changes: powers of two, so that limits stay what they are
+  Vector tried_, tried_residuals_;  // the last point that Ceres asked for
+  bool is_last_ = false;            // the step from result_ is too short for another
   int searches_ = 0;
   LeastSquaresResult result_;
 };

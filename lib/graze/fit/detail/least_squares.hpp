@@ -1,8 +1,9 @@
 // The parameters within their limits for which |r(p)|^2 is least: NLopt comes near, by a search of
 // the whole box (DIRECT) if asked for, then from a start (BOBYQA; Nelder and Mead's simplex for one
-// parameter), and steps of Gauss and Newton finish, on the limits where the minimum lies there. The
-// last judge the result: NLopt's own word is not asked for. Where the sum of squares has kinks (an
-// impact that passes a sample) they come to a stand, and a simplex finds the minimum.
+// parameter), and steps of Gauss and Newton by Ceres finish, on the limits where the minimum lies
+// there. What the derivative still asks for judges the result, no library's own word. Where the sum
+// of squares has kinks (an impact that passes a sample) the steps come to a stand, and a simplex
+// finds the minimum.
 //   D. R. Jones, C. D. Perttunen, B. E. Stuckman, J. Optim. Theory Appl. 79 (1993) 157-181.
 //   M. J. D. Powell, The BOBYQA algorithm for bound constrained optimization, Cambridge 2009.
 #pragma once

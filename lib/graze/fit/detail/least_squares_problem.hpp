@@ -2,7 +2,6 @@
 #pragma once
 
 #include <functional>
-#include <optional>
 #include <vector>
 
 #include "graze/fit/detail/difference_jacobian.hpp"
@@ -11,7 +10,7 @@ namespace graze {
 
 struct LeastSquaresProblem {
   Residuals residuals;
-  std::function<std::optional<Matrix>(const Vector&)> jacobian{};  // empty: not in closed form
+  std::function<Matrix(const Vector&)> jacobian{};  // empty: not in closed form
   Vector start, low, high;  // n; start within the limits, limits finite unless it is linear
   // Parameters that span more than a decade are sought by their logarithms (1), others (0) as they
   // are; n.
