@@ -38,6 +38,16 @@ void check_points(const ValueChecker& checker, const Beam& beam) {
   }
 }
 
+// All other lists have as many entries.
+void check_mode_count(const Scene& scene) {
+  if (scene.modal() == nullptr) return;
+  const std::size_t size = scene.modal()->frequencies.size();
+  if (size < 1 || size > kMostModes)
+    throw scene_error(
+        scene, "modal.frequencies",
+        fmt::format("the list has {} entries, it must have 1 to {}", size, kMostModes));
+}
+
 void check_structure(const Scene& scene) {
   if (const Beam* beam = scene.beam()) {
     const ValueChecker checker(scene, "beam");
@@ -48,14 +58,6 @@ void check_structure(const Scene& scene) {
                        (beam->density * beam->area * std::pow(beam->length, 4.0)),
                    "the square of its frequencies, 1/s^2,");
     check_points(checker, *beam);
-    return;
-  }
-  const ModalStructure& modal = *scene.modal();
-  const ValueChecker checker(scene, "modal");
-  const std::size_t size = modal.frequencies.size();
-  if (size < 1 || size > kMostModes) {
-    checker.fail("frequencies",
-                 fmt::format("the list has {} entries, it must have 1 to {}", size, kMostModes));
   }
 }
 
@@ -206,6 +208,7 @@ void check_solver(const Scene& scene) {
 }  // namespace
 
 void check_scene(const Scene& scene) {
+  check_mode_count(scene);
   check_ranges(scene);
   check_structure(scene);
   check_hub(scene);

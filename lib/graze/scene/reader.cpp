@@ -53,9 +53,9 @@ class KeyReader : public SchemaVisitor {
     if (is_due(key, is_optional || !key.is_required))
       value = table_.number(key.name, number_words(key));
   }
-  // A list that is not given may stand already: zeros of a start, a torque from a file.
+  // A torque may stand already, from a file.
   void list(const Key& key, std::vector<double>& values) {
-    if (!is_due(key, !key.is_required || !values.empty())) return;
+    if (!is_due(key, !key.is_required || key.is_filled || !values.empty())) return;
     const std::string what = list_words(key);
     table_.required(key.name, what);
     values = table_.numbers(key.name, what);

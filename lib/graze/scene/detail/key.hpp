@@ -58,6 +58,7 @@ struct Key {
   const char* what = nullptr;         // what it must be, where unit and range do not tell it all
   const char* refusal = nullptr;      // the sentence where it is given and does not apply
   bool is_required = true;
+  bool is_filled = false;    // a list: with zeros, where the scene does not give it
   bool applies = true;       // beside the other keys that this scene has
   bool is_parameter = true;  // of a number: may be varied
   bool may_stand = false;    // in a scene made in code, where it does not apply
@@ -71,6 +72,12 @@ struct Key {
   constexpr Key needed(const char* text) const {
     Key key = *this;
     key.fallback = text;
+    return key;
+  }
+  constexpr Key or_zeros() const {
+    Key key = *this;
+    key.fallback = "zeros";
+    key.is_filled = true;
     return key;
   }
   constexpr Key where(bool condition, const char* sentence = nullptr) const {

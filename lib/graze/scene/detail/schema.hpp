@@ -285,10 +285,9 @@ void describe(auto& v, Of<Initial> auto& initial, const Scene& scene) {
   v.list(Key{"q", "kg^1/2 m", kAny.told("N numbers"),
              "modal coordinates; the point of contact may touch its stop, not lie beyond a rigid "
              "one; a compliant one it compresses there"}
-             .needed("zeros"),
+             .or_zeros(),
          initial.q);
-  v.list(Key{"qdot", "kg^1/2 m/s", kAny.told("N numbers"), "their rates"}.needed("zeros"),
-         initial.qdot);
+  v.list(Key{"qdot", "kg^1/2 m/s", kAny.told("N numbers"), "their rates"}.or_zeros(), initial.qdot);
   v.number(
       Key{"angle", "rad", kAny, "of the `[hub]`; left out without one"}.or_else().where(hub, none),
       initial.angle);
