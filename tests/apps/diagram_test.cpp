@@ -144,7 +144,7 @@ TEST(Diagram, ASpentBudgetEndsWith3AndKeepsAllRows) {
 TEST(Diagram, OutOfTimeKeepsWhatIsFinished) {
   const json document = diagram(kOneMode +
                                     " --parameter forcing.frequency --from 60 --to 66 --points "
-                                    "100000 --branches none --max-seconds 0.3",
+                                    "100000 --branches none --max-seconds 2",
                                 3);
   EXPECT_EQ(document["outcome"], "budget");
   EXPECT_GT(document["sweep"]["rows"].size(), 0U);
