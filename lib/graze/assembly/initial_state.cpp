@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "graze/assembly/detail/hub_system.hpp"
-#include "graze/base/linalg/detail/linear_equations.hpp"
+#include "graze/base/linalg/detail/dense_factors.hpp"
 #include "graze/contact/detail/complementarity.hpp"
 #include "graze/system/detail/gap_value.hpp"
 
@@ -109,7 +109,7 @@ std::optional<Vector> static_equilibrium(const System& system) {
       left[static_cast<Eigen::Index>(a)] = -gap_value<double>(stop.row, q, stop.gap).value;
     }
     q -= at.compliance.cwiseProduct(at.directions(Eigen::all, pressed) *
-                                    solve_with_full_pivoting(acting, left));
+                                    PivotedLu<double>(acting).solve(left));
   }
   return q;
 }

@@ -1,9 +1,11 @@
 #include "graze/fit/detail/jacobian_factors.hpp"
 
-#include <Eigen/SVD>
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
+
+#include "graze/base/linalg/detail/dense_factors.hpp"
 
 namespace graze {
 
@@ -18,10 +20,10 @@ JacobianFactors::JacobianFactors(const Matrix& jacobian, double error)
     scaled.conservativeResize(n, n);
     scaled.bottomRows(n - jacobian.rows()).setZero();
   }
-  const Eigen::JacobiSVD<Matrix> factors(scaled, Eigen::ComputeThinU | Eigen::ComputeThinV);
-  left_ = factors.matrixU().topRows(jacobian.rows());
-  values_ = factors.singularValues();
-  right_ = factors.matrixV();
+  SingularValues<double> factors = singular_values<double>(scaled);
+  left_ = factors.left.topRows(jacobian.rows());
+  values_ = std::move(factors.values);
+  right_ = std::move(factors.right);
   // Columns in error by e each move a singular value by at most e sqrt(n).
   const double rounding =
       static_cast<double>(std::max(jacobian.rows(), n)) * std::numeric_limits<double>::epsilon();

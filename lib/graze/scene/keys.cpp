@@ -12,10 +12,6 @@
 namespace graze {
 namespace {
 
-std::string joined_path(const std::string& table, const std::string& key) {
-  return table.empty() ? key : table + "." + key;
-}
-
 // Collects every key of every table, whatever the scene holds.
 class KeyLister : public SchemaVisitor {
  public:
@@ -93,6 +89,10 @@ const std::vector<TableKeys>& all_keys() {
     return tables;
   }();
   return keys;
+}
+
+std::string joined_path(const std::string& table, const std::string& key) {
+  return table.empty() ? key : table + "." + key;
 }
 
 std::string without_number(const std::string& path) {

@@ -51,7 +51,7 @@ class RangeChecker : public SchemaVisitor {
       checker_.refuse(key.name, value, fmt::format("an integer {}", key.range.words));
   }
   void table(const TableKey& key, const auto& value) const {
-    if (value) descend(path_.empty() ? key.name : path_ + "." + key.name, *value);
+    if (value) descend(joined_path(path_, key.name), *value);
   }
   void tables(const TableKey& key, const auto& values) const {
     std::size_t k = 0;

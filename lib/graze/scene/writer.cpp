@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include "graze/scene/detail/keys.hpp"
 #include "graze/scene/detail/node.hpp"
 #include "graze/scene/detail/schema.hpp"
 #include "graze/scene/reader.hpp"
@@ -48,7 +49,7 @@ class Writer : public SchemaVisitor {
   }
   void table(const TableKey& key, const auto& value) {
     if (!value) return;
-    const std::string path = path_.empty() ? key.name : path_ + "." + key.name;
+    const std::string path = joined_path(path_, key.name);
     if (key.form == Form::kHeader) {
       write("[" + path + "]", path, *value);
       return;

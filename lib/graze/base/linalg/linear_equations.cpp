@@ -36,10 +36,6 @@ ComplexVector ComplexLuFactors::solve_transposed(const ComplexVector& right) con
   return factors_.transpose().solve(right);
 }
 
-Vector solve_with_full_pivoting(const Matrix& matrix, const Vector& right) {
-  return matrix.fullPivLu().solve(right);
-}
-
 ComplexVector solve(const Eigen::MatrixXcd& matrix, const ComplexVector& right) {
   return matrix.partialPivLu().solve(right);
 }

@@ -5,7 +5,7 @@
 #include <limits>
 #include <vector>
 
-#include "graze/base/linalg/detail/linear_equations.hpp"
+#include "graze/base/linalg/detail/dense_factors.hpp"
 #include "graze/base/vector.hpp"
 #include "graze/orbit/problem/detail/held_force.hpp"
 
@@ -78,7 +78,7 @@ double by_polynomial(const std::vector<NearBorder>& used, Eigen::Index count, in
     powers(i, 0) = 1.0;
     for (int k = 1; k < count; ++k) powers(i, k) = std::pow(at.margin / unit, lowest + k - 1);
   }
-  return nearest.parameter + solve_with_full_pivoting(powers, ahead)[0];
+  return nearest.parameter + PivotedLu<double>(powers).solve(ahead)[0];
 }
 
 // The parameter where the margin is zero, by the polynomial through solutions at margins that grow

@@ -10,12 +10,12 @@
 // place) all sets are tried, in one order.
 #pragma once
 
-#include <Eigen/Core>
 #include <limits>
 #include <optional>
 #include <vector>
 
 #include "graze/base/linalg/detail/dense_factors.hpp"
+#include "graze/base/vector.hpp"
 
 namespace graze {
 
@@ -27,9 +27,7 @@ inline constexpr int kRoundingsOfAction = 8;
 
 // What they leave of each contact.
 template <class Real>
-Eigen::Matrix<Real, Eigen::Dynamic, 1> rounding_of_action(
-    const Eigen::Matrix<Real, Eigen::Dynamic, Eigen::Dynamic>& delassus,
-    const Eigen::Matrix<Real, Eigen::Dynamic, 1>& p) {
+RealVector<Real> rounding_of_action(const RealMatrix<Real>& delassus, const RealVector<Real>& p) {
   return kRoundingsOfAction * std::numeric_limits<Real>::epsilon() * delassus.cwiseAbs() *
          p.cwiseAbs();
 }
@@ -37,21 +35,19 @@ Eigen::Matrix<Real, Eigen::Dynamic, 1> rounding_of_action(
 // What comes of letting these contacts act, bit i of `set` for contact i.
 template <class Real>
 struct ContactTrial {
-  Eigen::Matrix<Real, Eigen::Dynamic, 1> p;
+  RealVector<Real> p;
   bool solvable = true;  // else the contacts of the set depend on each other
   int violated = -1;     // the first contact that pulls, or gives way without acting; -1: none does
 };
 template <class Real>
-ContactTrial<Real> try_contacts(const Eigen::Matrix<Real, Eigen::Dynamic, Eigen::Dynamic>& delassus,
-                                const Eigen::Matrix<Real, Eigen::Dynamic, 1>& v,
-                                const Eigen::Matrix<Real, Eigen::Dynamic, 1>& rounding, int set) {
-  using ResultVector = Eigen::Matrix<Real, Eigen::Dynamic, 1>;
+ContactTrial<Real> try_contacts(const RealMatrix<Real>& delassus, const RealVector<Real>& v,
+                                const RealVector<Real>& rounding, int set) {
   const auto n = static_cast<int>(v.size());
   std::vector<Eigen::Index> active;
   for (int i = 0; i < n; ++i)
     if ((set >> i & 1) != 0) active.push_back(i);
-  ContactTrial<Real> trial{ResultVector::Zero(n)};
-  ResultVector& p = trial.p;
+  ContactTrial<Real> trial{RealVector<Real>::Zero(n)};
+  RealVector<Real>& p = trial.p;
   if (!active.empty()) {
     const PivotedLu<Real> lu(delassus(active, active));
     trial.solvable = lu.is_invertible();
@@ -60,8 +56,8 @@ ContactTrial<Real> try_contacts(const Eigen::Matrix<Real, Eigen::Dynamic, Eigen:
     // Once more for what is left: rows of different size come out with roundings of the largest.
     p(active) += lu.solve((v - delassus * p)(active));
   }
-  const ResultVector w = v - delassus * p;
-  const ResultVector own = rounding_of_action(delassus, p);
+  const RealVector<Real> w = v - delassus * p;
+  const RealVector<Real> own = rounding_of_action(delassus, p);
   for (int i = 0; i < n && trial.violated < 0; ++i) {
     const bool fits =
         (set >> i & 1) != 0 ? p[i] * delassus(i, i) >= -rounding[i] : w[i] <= rounding[i] + own[i];
@@ -73,10 +69,9 @@ ContactTrial<Real> try_contacts(const Eigen::Matrix<Real, Eigen::Dynamic, Eigen:
 // p, or nothing where no set of contacts fits (they contradict each other) or there are too many.
 // `rounding`: of v, per contact; a violation within it and that of p counts as none.
 template <class Real>
-std::optional<Eigen::Matrix<Real, Eigen::Dynamic, 1>> solve_contacts(
-    const Eigen::Matrix<Real, Eigen::Dynamic, Eigen::Dynamic>& delassus,
-    const Eigen::Matrix<Real, Eigen::Dynamic, 1>& v,
-    const Eigen::Matrix<Real, Eigen::Dynamic, 1>& rounding) {
+std::optional<RealVector<Real>> solve_contacts(const RealMatrix<Real>& delassus,
+                                               const RealVector<Real>& v,
+                                               const RealVector<Real>& rounding) {
   const auto n = static_cast<int>(v.size());
   if (n > kMostContacts) return {};
   const int sets = 1 << n;

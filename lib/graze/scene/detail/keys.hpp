@@ -27,6 +27,9 @@ const TableKeys& keys_of(const std::string& path);
 // The key of a number by its path, "stop.2.gap" or "modal.frequencies.3", or null.
 const KeyRow* key_row(const std::string& path);
 
+// The path of a key in the table at path `table`, "" for the root.
+std::string joined_path(const std::string& table, const std::string& key);
+
 // "stop.2.spring" is a "stop.spring", "probe.2" a "probe".
 std::string without_number(const std::string& path);
 

@@ -38,9 +38,6 @@ class ComplexLuFactors {
   Eigen::PartialPivLU<Eigen::MatrixXcd> factors_;
 };
 
-// Once, with rows and columns exchanged.
-Vector solve_with_full_pivoting(const Matrix& matrix, const Vector& right);
-
 ComplexVector solve(const Eigen::MatrixXcd& matrix, const ComplexVector& right);
 Eigen::MatrixXcd inverse(const Eigen::MatrixXcd& matrix);
 
