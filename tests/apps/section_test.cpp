@@ -53,6 +53,12 @@ TEST(SectionCommand, StroboscopicIsWhatSamplesAre) {
   EXPECT_NE(section["displacement"][398], 0.0);
 }
 
+TEST(SectionCommand, TakesTheOldWordOfAStroboscopicOne) {
+  const Finished run = run_graze(kOrbit + " --section strobe");
+  ASSERT_EQ(run.code, 0) << run.err;
+  EXPECT_EQ(json::parse(run.out)["section"]["kind"], "stroboscopic");
+}
+
 TEST(SectionCommand, SaysWhatItNeeds) {
   EXPECT_EQ(
       run_graze("simulate --section impact --duration 1 " + scene("06_bouncing_ball.toml")).code,

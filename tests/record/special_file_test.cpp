@@ -124,6 +124,38 @@ TEST(SpecialFile, WritesALocusWithItsKindAndBothValues) {
   EXPECT_FALSE(read.points.front().along);
 }
 
+// An orbit on compliant stops is told by its states at a fixed phase; before 0.1.0 by another word.
+TEST(SpecialFile, OrbitsOnCompliantStopsComeBackUnderTheOldWordToo) {
+  SpecialPoints special = points();
+  special.points.resize(1);
+  SpecialOrbit& fold = special.points.front();
+  fold = {};
+  fold.id = "LP1";
+  fold.label = "LP";
+  fold.kind = SpecialKind::kFold;
+  fold.values = {0.7};
+  MotionState<double> at;
+  at.q = state(0.4).q;
+  at.qdot = state(0.4).qdot;
+  fold.followed = SpecialOrbit::Followed{1, 0.72, {at}, 1e-7};
+  std::string text = write_special_points(special);
+  for (const std::string word : {"[special.compliant]", "[special.strobe]"}) {
+    const std::size_t table = text.find("[special.compliant]");
+    ASSERT_NE(table, std::string::npos);
+    const std::size_t first = text.find("\n[[special]]");
+    const std::string before = sha256(text.substr(first));
+    text.replace(table, std::string("[special.compliant]").size(), word);
+    text.replace(text.find(before), before.size(), sha256(text.substr(first)));
+    const SpecialPoints read = parse_special_points(text, "special.toml", two_modes());
+    ASSERT_EQ(read.points.size(), 1u);
+    ASSERT_TRUE(read.points[0].followed) << word;
+    EXPECT_FALSE(read.points[0].sticks());
+    EXPECT_EQ(read.points[0].followed->value, 0.72);
+    EXPECT_EQ(read.points[0].followed->states.at(0).q, at.q);
+    EXPECT_EQ(read.points[0].followed->states.at(0).qdot, at.qdot);
+  }
+}
+
 // What the reader says about a file in which `what` stands in place of the first `from`.
 std::string complaint(const std::string& from, const std::string& what) {
   std::string text = write_special_points(points());
