@@ -3,10 +3,14 @@
 
 #include "command.hpp"
 #include "graze/bifurcation/trace/orbit_branches.hpp"
+#include "graze/record/file/run_info.hpp"
 
 namespace graze {
 
 // Throws InputError for a range or a step that cannot be used.
-BranchOptions branch_options(const Command& command);
+BranchOptions branch_options(const BranchingOptions& command);
+
+// Whether and how far other branches are switched to.
+void note_following(const BranchingOptions& command, RunInfo& info);
 
 }  // namespace graze

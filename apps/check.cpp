@@ -33,7 +33,7 @@ std::vector<std::string> unstable_stops(const System& system) {
 
 }  // namespace
 
-int run_check(const Command& command) {
+int run(const CheckCommand& command) {
   const Scene scene = scene_of(command);
   CheckRecord record{run_info(command.name, command.scene, scene),
                      scene,

@@ -1,106 +1,173 @@
-// What the user asked for, parsed and checked, before anything is done about it.
+// What the user asked for, parsed and checked, before anything is done about it: one struct a
+// command, made of what it has in common with others and of its own.
 #pragma once
 
 #include <optional>
 #include <string>
+#include <variant>
 #include <vector>
 
 #include "graze/base/default_budget.hpp"
+#include "graze/record/detail/comparison_record.hpp"
+#include "graze/record/detail/map_record.hpp"
+#include "graze/record/section.hpp"
 #include "graze/study/sweep/shared_work.hpp"
+#include "graze/study/sweep/sweep.hpp"
 
 namespace graze {
 
-struct Command {
-  std::string name;   // "check", "simulate", "orbit", "continue", "diagram"
-  std::string scene;  // file
-  std::vector<std::string> settings;
+struct CommonOptions {
+  std::string name;                    // of the command
   std::vector<std::string> arguments;  // all of them, as they were given
-
   bool json = false;
   bool quiet = false;
   std::string out;   // folder; empty: none
   std::string plot;  // file; empty: none
   int threads = 0;   // 0: all cores
+  double max_seconds = 3600.0;
+};
 
-  // simulate
-  std::optional<double> duration;  // s
-  std::optional<long long> periods;
-  std::string record = "events";      // none | events | samples
-  std::optional<double> sample_rate;  // 1/s
-  bool energy = false;                // keep the energy balance
-  // A picture of the motion shows the energy balance.
-  bool keeps_balance() const { return energy || (!plot.empty() && run_section.empty()); }
-  std::optional<double> closure_speed;  // m/s
-  std::string resume;                   // file or folder; empty: from the scene's initial state
-  std::string run_section;              // impact | stroboscopic; empty: none
-  std::optional<long long> transient;   // forcing periods that it leaves out
-
-  // diagram, map
-  bool goes_on = false;  // --resume: with the pieces that are in the folder
-  Share share;
+struct SceneOptions : CommonOptions {
+  std::string scene;  // file
+  std::vector<std::string> settings;
   std::optional<std::string> scene_text;  // in place of what the file holds now
+};
 
-  // merge
-  std::vector<std::string> folders;
+struct MotionOptions : SceneOptions {
+  std::optional<double> closure_speed;  // m/s
+  long long max_impacts = kDefaultImpactBudget;
+};
 
-  // orbit, continue
+// A parameter and its range.
+struct RangeOptions {
+  std::string parameter;
+  double from = 0.0, to = 0.0;
+};
+
+// The same of a second one; nothing where there is none.
+struct SecondRangeOptions {
+  std::string second;
+  std::optional<double> second_from, second_to;
+};
+
+// Which periodic orbits are sought, and from where.
+struct OrbitSearchOptions : MotionOptions {
   int period = 1;
   bool period_given = false;  // then no orbit of another one is listed
   std::optional<int> impacts;
   bool keep_virtual = false;
   std::vector<std::string> starts;  // empty: all
   unsigned long long random_seed = 1;
+};
 
-  // continue, diagram
-  std::string parameter;
-  double from = 0.0, to = 0.0;
+// Their branches over a parameter.
+struct BranchingOptions : OrbitSearchOptions, RangeOptions {
   std::optional<double> max_step;
-  std::vector<std::string> locus;  // LP, PD, NS, GR, all; empty: branches
-  std::string second;
-  std::optional<double> second_from, second_to;
-  int slices = 8;
-  std::string restart, label;   // folder of a run and a special point of it; empty: none
-  bool switched = false;        // onto the other branch there
-  int regions = 0;              // places each way; 0: none
-  std::string follow = "none";  // none | all
+  bool follows = false;  // onto other branches at special points
   int depth = 2;
+};
 
-  // diagram, with `periods` the most at a value
-  int points = 400;
-  std::string direction = "up";    // up | down | fresh
-  std::string section = "impact";  // impact | stroboscopic
-  std::string branches = "all";    // none | all
+// Loci of special points over two.
+struct LocusTracingOptions : BranchingOptions, SecondRangeOptions {
+  std::vector<std::string> locus;  // LP, PD, NS, GR, all; empty: no loci
+  int slices = 8;
+};
+
+// How long motions are followed until they settle.
+struct SettlingOptions {
+  std::optional<long long> periods;  // the most at a value
   long long samples = 100;
   long long exponents = 0;  // forcing periods averaged over; 0: none
+};
 
-  // map, with the two ranges, `periods`, `samples` and `exponents`
+// Work in pieces that a folder keeps.
+struct JournalOptions {
+  bool goes_on = false;  // --resume: with the pieces that are in the folder
+  Share share;
+};
+
+// A special point of an earlier run to go on from.
+struct RestartOptions {
+  std::string folder, label;  // empty: none
+  bool switched = false;      // onto the other branch there
+};
+
+struct CheckCommand : SceneOptions {};
+
+struct SimulateCommand : MotionOptions {
+  std::optional<double> duration;  // s
+  std::optional<long long> periods;
+  std::string record = "events";      // none | events | samples
+  std::optional<double> sample_rate;  // 1/s
+  bool energy = false;                // keep the energy balance
+  // A picture of the motion shows the energy balance.
+  bool keeps_balance() const { return energy || (!plot.empty() && !section); }
+  std::string resume;  // file or folder; empty: from the scene's initial state
+  std::optional<DiagramSection> section;
+  std::optional<long long> transient;  // forcing periods that it leaves out
+};
+
+struct OrbitCommand : OrbitSearchOptions {};
+
+struct ContinueCommand : LocusTracingOptions {
+  int regions = 0;  // places each way; 0: none
+  RestartOptions restart;
+};
+
+struct DiagramCommand : BranchingOptions {
+  int points = 400;
+  SweepDirection direction = SweepDirection::kUp;
+  DiagramSection section = DiagramSection::kImpact;
+  bool branches = true;
+  std::optional<double> duration;  // s of a run where no forcing repeats the motion
+  SettlingOptions settling;
+  JournalOptions journal;
+};
+
+struct MapCommand : LocusTracingOptions {
   int first_points = 100, second_points = 100;
-  std::string show = "attractor";  // attractor | impacts | exponent | speed | stuck
+  MapQuantity show = MapQuantity::kAttractor;
+  SettlingOptions settling;
+  JournalOptions journal;
+};
 
-  // fit
+struct MergeCommand : CommonOptions {
+  std::vector<std::string> folders;
+};
+
+struct CostCommand : MotionOptions {
+  int impacts = 20;
+  std::optional<double> duration;  // s
+};
+
+struct FitCommand : MotionOptions {
   std::string data;                  // file
   std::vector<std::string> sought;   // "NAME=LOW:HIGH"
   std::vector<std::string> columns;  // empty: all
   std::vector<std::string> sigmas;   // "VALUE" or "COLUMN=VALUE"
-  std::string algorithm = "local";   // local | global
+  bool global = false;
   long long max_evaluations = 5000;
+};
 
-  // compare, with `parameter`, `from`, `to`, `second`, `second_from`, `second_to`, `show`,
-  // `duration`
+struct CompareCommand : MotionOptions, RangeOptions, SecondRangeOptions {
   std::vector<std::string> against;      // "KEY=VALUE" of the other scene
   int fewest_modes = 0, most_modes = 0;  // of a series; 0: none
   long long first_impacts = 20;
-  double within = 0.01;        // of a forcing period, of a speed
-  std::optional<double> last;  // s of the end of a run, in a picture
-  int second_runs = 21;
+  double within = 0.01;            // of a forcing period, of a speed
+  std::optional<double> duration;  // s of a run
+  std::optional<double> last;      // s of its end, in a picture
+  int points = 21, second_points = 21;
+  ComparedQuantity show = ComparedQuantity::kAttractor;
   bool sensitivity = false;
-  int runs = 21;
   std::vector<double> second_values;
   std::optional<double> reference;
-
-  long long max_impacts = kDefaultImpactBudget;
-  double max_seconds = 3600.0;
+  SettlingOptions settling;
+  JournalOptions journal;
 };
+
+using Command =
+    std::variant<CheckCommand, SimulateCommand, OrbitCommand, ContinueCommand, DiagramCommand,
+                 MapCommand, MergeCommand, CostCommand, FitCommand, CompareCommand>;
 
 struct ParsedCommand {
   std::optional<Command> command;

@@ -9,6 +9,7 @@
 #include "graze/base/detail/terminal_text.hpp"
 #include "graze/base/errors.hpp"
 #include "graze/record/file/run_info.hpp"
+#include "graze/report/names/detail/map_names.hpp"
 #include "graze/scene/detail/suggestion.hpp"
 #include "option_groups.hpp"
 #include "option_values.hpp"
@@ -16,15 +17,19 @@
 namespace graze {
 namespace {
 
-void add_check(CLI::App& graze, Command& command) {
-  CLI::App* app = graze.add_subcommand(
-      "check", "Read a scene and say what is simulated: modes, frequencies, conditioning, flow");
+void add_check(CLI::App& graze, std::optional<Command>& parsed) {
+  const auto [app, options] = add_command<CheckCommand>(
+      graze, parsed, "check",
+      "Read a scene and say what is simulated: modes, frequencies, conditioning, flow");
+  CheckCommand& command = *options;
   app->footer(footer("check data/scenes/02_wagg_momentum.toml --set beam.modes=8"));
   add_shared(app, command);
 }
 
-void add_simulate(CLI::App& graze, Command& command) {
-  CLI::App* app = graze.add_subcommand("simulate", "Follow the motion, every impact certified");
+void add_simulate(CLI::App& graze, std::optional<Command>& parsed) {
+  const auto [app, options] = add_command<SimulateCommand>(
+      graze, parsed, "simulate", "Follow the motion, every impact certified");
+  SimulateCommand& command = *options;
   app->footer(footer("simulate data/scenes/02_wagg_momentum.toml --duration 1 --energy"));
   add_shared(app, command);
   add_plot_or_page(app, command);
@@ -52,10 +57,11 @@ void add_simulate(CLI::App& graze, Command& command) {
       "Keep the energy balance: the work of every effect, and what is missing in their sum "
       "(--plot keeps it too)");
   auto* section =
-      app->add_option("--section", command.run_section,
-                      "Poincare section, which --plot then shows: impact (phase and speed of every "
-                      "impact) or stroboscopic (displacement and velocity at the stops once a "
-                      "forcing period)")
+      app->add_option_function<std::string>(
+             "--section", set_by_name(command.section, kDiagramSections),
+             "Poincare section, which --plot then shows: impact (phase and speed of every "
+             "impact) or stroboscopic (displacement and velocity at the stops once a "
+             "forcing period)")
           ->transform(section_name())
           ->type_name("WHAT");
   app->add_option("--transient", command.transient,
@@ -72,8 +78,10 @@ void add_simulate(CLI::App& graze, Command& command) {
   add_limits(app, command);
 }
 
-void add_orbit(CLI::App& graze, Command& command) {
-  CLI::App* app = graze.add_subcommand("orbit", "Find periodic orbits, stable or not");
+void add_orbit(CLI::App& graze, std::optional<Command>& parsed) {
+  const auto [app, options] =
+      add_command<OrbitCommand>(graze, parsed, "orbit", "Find periodic orbits, stable or not");
+  OrbitCommand& command = *options;
   app->footer(footer("orbit data/scenes/05_wagg_one_mode.toml --set forcing.frequency=40"));
   add_shared(app, command);
   add_plot_or_page(app, command);
@@ -94,9 +102,10 @@ void add_orbit(CLI::App& graze, Command& command) {
       ->type_name("K|any");
 }
 
-void add_continue(CLI::App& graze, Command& command) {
-  CLI::App* app =
-      graze.add_subcommand("continue", "Trace branches of orbits over a parameter of the scene");
+void add_continue(CLI::App& graze, std::optional<Command>& parsed) {
+  const auto [app, options] = add_command<ContinueCommand>(
+      graze, parsed, "continue", "Trace branches of orbits over a parameter of the scene");
+  ContinueCommand& command = *options;
   app->footer(
       footer("continue data/scenes/05_wagg_one_mode.toml --parameter forcing.frequency --from 15 "
              "--to 120"));
@@ -110,9 +119,11 @@ void add_continue(CLI::App& graze, Command& command) {
   add_restart(app, command);
 }
 
-void add_diagram(CLI::App& graze, Command& command) {
-  CLI::App* app = graze.add_subcommand(
-      "diagram", "Bifurcation diagram: sweep a parameter, with the branches of orbits over it");
+void add_diagram(CLI::App& graze, std::optional<Command>& parsed) {
+  const auto [app, options] = add_command<DiagramCommand>(
+      graze, parsed, "diagram",
+      "Bifurcation diagram: sweep a parameter, with the branches of orbits over it");
+  DiagramCommand& command = *options;
   app->footer(
       footer("diagram data/scenes/05_wagg_one_mode.toml --parameter forcing.frequency --from 15 "
              "--to 120"));
@@ -121,9 +132,10 @@ void add_diagram(CLI::App& graze, Command& command) {
   add_range(app, command);
   add_sweep(app, command);
   add_closure_speed(app, command);
-  app->add_option("--branches", command.branches, "Branches over the sweep: all, or none")
+  app->add_option_function<std::string>("--branches", set_if(command.branches, "all"),
+                                        "Branches over the sweep: all, or none")
       ->check(CLI::IsMember({"none", "all"}))
-      ->capture_default_str()
+      ->default_str("all")
       ->type_name("WHICH");
   app->add_option("--period", command.period, "Forcing periods p of the branches' orbits")
       ->transform(whole_number("a whole number from 1", 1.0, kMostPeriods))
@@ -140,32 +152,37 @@ void add_diagram(CLI::App& graze, Command& command) {
         "--period", "--impacts", "--max-step", "--follow", "--depth"})
     duration->excludes(app->get_option(of_sweep));
   add_limits(app, command);
-  add_journal(app, command);
+  add_journal(app, command.journal);
 }
 
-void add_map(CLI::App& graze, Command& command) {
-  CLI::App* app = graze.add_subcommand(
-      "map", "What the motion settles on over two parameters, or two coordinates of its start");
+void add_map(CLI::App& graze, std::optional<Command>& parsed) {
+  const auto [app, options] = add_command<MapCommand>(
+      graze, parsed, "map",
+      "What the motion settles on over two parameters, or two coordinates of its start");
+  MapCommand& command = *options;
   app->footer(
       footer("map data/scenes/05_wagg_one_mode.toml --parameter forcing.frequency --from 15 "
              "--to 120 \\\n           --second stop.gap --second-from 0.5e-3 --second-to 2e-3"));
   add_shared(app, command);
   add_plot_or_page(app, command);
   add_plane(app, command);
-  app->add_option("--show", command.show, "What the picture shows of every cell")
-      ->check(CLI::IsMember({"attractor", "impacts", "exponent", "speed", "stuck"}))
-      ->capture_default_str()
+  app->add_option_function<std::string>("--show", set_by_name(command.show, kMapQuantities),
+                                        "What the picture shows of every cell")
+      ->check(CLI::IsMember(names_of(kMapQuantities)))
+      ->default_str(name_of(command.show))
       ->type_name("WHAT");
   add_loci_over_map(app, command);
-  add_settling(app, command);
+  add_settling(app, command.settling);
   add_closure_speed(app, command);
   add_limits(app, command);
-  add_journal(app, command);
+  add_journal(app, command.journal);
 }
 
-void add_merge(CLI::App& graze, Command& command) {
-  CLI::App* app = graze.add_subcommand(
-      "merge", "Join the shares of a diagram, map or comparison (--shard) to its result");
+void add_merge(CLI::App& graze, std::optional<Command>& parsed) {
+  const auto [app, options] = add_command<MergeCommand>(
+      graze, parsed, "merge",
+      "Join the shares of a diagram, map or comparison (--shard) to its result");
+  MergeCommand& command = *options;
   app->footer(footer("merge runs/part* --out runs/whole --plot whole.svg"));
   app->add_option("FOLDER", command.folders, "Folders that --shard wrote to")
       ->required()
@@ -180,8 +197,10 @@ void add_merge(CLI::App& graze, Command& command) {
       ->type_name("S");
 }
 
-void add_cost(CLI::App& graze, Command& command) {
-  CLI::App* app = graze.add_subcommand("cost", "What accuracy costs in time, flow by flow");
+void add_cost(CLI::App& graze, std::optional<Command>& parsed) {
+  const auto [app, options] =
+      add_command<CostCommand>(graze, parsed, "cost", "What accuracy costs in time, flow by flow");
+  CostCommand& command = *options;
   app->footer(footer("cost data/scenes/02_wagg_momentum.toml --set stop.gap=5e-3 --plot cost.png"));
   add_shared(app, command);
   add_plot(app, command);
@@ -198,8 +217,10 @@ void add_cost(CLI::App& graze, Command& command) {
   add_limits(app, command);
 }
 
-void add_fit(CLI::App& graze, Command& command) {
-  CLI::App* app = graze.add_subcommand("fit", "Identify parameters of the scene from measurements");
+void add_fit(CLI::App& graze, std::optional<Command>& parsed) {
+  const auto [app, options] = add_command<FitCommand>(
+      graze, parsed, "fit", "Identify parameters of the scene from measurements");
+  FitCommand& command = *options;
   app->footer(
       footer("fit data/measurements/restitution.toml data/measurements/restitution.csv\n"
              "         graze fit data/measurements/contact.toml data/measurements/contact.csv \\\n"
@@ -227,10 +248,11 @@ void add_fit(CLI::App& graze, Command& command) {
       ->type_name("[COLUMN=]VALUE")
       ->allow_extra_args(false)
       ->take_all();
-  app->add_option("--algorithm", command.algorithm,
-                  "local: from the scene's values on; global: search between all limits first")
+  app->add_option_function<std::string>(
+         "--algorithm", set_if(command.global, "global"),
+         "local: from the scene's values on; global: search between all limits first")
       ->check(CLI::IsMember({"local", "global"}))
-      ->capture_default_str()
+      ->default_str("local")
       ->type_name("NAME");
   app->add_option("--max-evaluations", command.max_evaluations,
                   "Most evaluations of the model; the best values so far are then printed")
@@ -287,7 +309,7 @@ std::string unknown_command(int argc, char** argv, const CLI::App& app) {
 }  // namespace
 
 ParsedCommand parse_command_line(int argc, char** argv) {
-  Command command;
+  std::optional<Command> parsed;
   CLI::App app{"Graze: impacting flexible structures - motion, periodic orbits, branches", "graze"};
   app.set_version_flag("--version", "graze " + version());
   app.set_help_flag("-h,--help", "Print this help");
@@ -295,16 +317,16 @@ ParsedCommand parse_command_line(int argc, char** argv) {
   app.footer(
       footer("orbit data/scenes/05_wagg_one_mode.toml --set forcing.frequency=40\n"
              "graze COMMAND --help lists the options of a command."));
-  add_check(app, command);
-  add_simulate(app, command);
-  add_orbit(app, command);
-  add_continue(app, command);
-  add_diagram(app, command);
-  add_map(app, command);
-  add_merge(app, command);
-  add_cost(app, command);
-  add_fit(app, command);
-  add_compare(app, command);
+  add_check(app, parsed);
+  add_simulate(app, parsed);
+  add_orbit(app, parsed);
+  add_continue(app, parsed);
+  add_diagram(app, parsed);
+  add_map(app, parsed);
+  add_merge(app, parsed);
+  add_cost(app, parsed);
+  add_fit(app, parsed);
+  add_compare(app, parsed);
   try {
     app.parse(argc, argv);
   } catch (const CLI::Success& done) {  // help, version
@@ -321,13 +343,18 @@ ParsedCommand parse_command_line(int argc, char** argv) {
     std::cerr << "graze: " << terminal_line(error.what()) << "\n";
     return {std::nullopt, 2};
   }
-  command.name = app.get_subcommands().front()->get_name();
-  if (const std::string empty = empty_option(*app.get_subcommands().front()); !empty.empty()) {
-    std::cerr << "graze: " << empty << " (see graze " << command.name << " --help)\n";
+  const CLI::App& given = *app.get_subcommands().front();
+  if (const std::string empty = empty_option(given); !empty.empty()) {
+    std::cerr << "graze: " << empty << " (see graze " << given.get_name() << " --help)\n";
     return {std::nullopt, 2};
   }
-  command.arguments.assign(argv + 1, argv + argc);
-  return {command, 0};
+  std::visit(
+      [&](CommonOptions& command) {
+        command.name = given.get_name();
+        command.arguments.assign(argv + 1, argv + argc);
+      },
+      *parsed);
+  return {parsed, 0};
 }
 
 }  // namespace graze

@@ -28,23 +28,23 @@ constexpr double kPictureSamplesPerPeriod = 400.0;
 constexpr double kMostCells = 4e6;
 constexpr double kPeriodsRun = 50.0, kPeriodsShown = 4.0;
 
-bool is_over_plane(const Command& command) { return !command.parameter.empty(); }
+bool is_over_plane(const CompareCommand& command) { return !command.parameter.empty(); }
 
-void check_options(const Command& command) {
+void check_options(const CompareCommand& command) {
   if (!command.plot.empty()) check_picture_name(command.plot);
   if (command.against.empty() == (command.most_modes == 0))
     throw InputError(
         "compare: give what is compared, one of --against KEY=VALUE, --modes A:B and "
         "--sensitivity");
   if (!is_over_plane(command)) {
-    for (const auto& [given, name] :
-         {std::pair(command.goes_on, "--resume"), std::pair(!command.share.is_all(), "--shard")})
+    for (const auto& [given, name] : {std::pair(command.journal.goes_on, "--resume"),
+                                      std::pair(!command.journal.share.is_all(), "--shard")})
       if (given) throw InputError(fmt::format("{}: it needs a plane; give --parameter too", name));
     return;
   }
   if (command.most_modes > 0)
     throw InputError("--parameter: maps compare two scenes; give --against in place of --modes");
-  const double cells = static_cast<double>(command.runs) * command.second_runs;
+  const double cells = static_cast<double>(command.points) * command.second_points;
   if (cells > kMostCells)
     throw InputError(
         fmt::format("--points, --second-points: {:.0f} cells are too many; at most "
@@ -54,17 +54,17 @@ void check_options(const Command& command) {
     throw InputError(
         "--parameter: give the other parameter of the plane too, with --second, --second-from and "
         "--second-to");
-  check_journal_options(command);
+  check_journal_options(command, command.journal);
 }
 
-void set_comparison(const Command& command, CompareOptions& options) {
-  set_settling(command, options);
+void set_comparison(const CompareCommand& command, CompareOptions& options) {
+  set_settling(command, command.settling, options);
   options.first = command.first_impacts;
   options.within = command.within;
   options.stop = stop_signal(command);
 }
 
-void note_comparison(const Command& command, const CompareOptions& options, RunInfo& info) {
+void note_comparison(const CompareCommand& command, const CompareOptions& options, RunInfo& info) {
   if (!command.against.empty())
     info.options.emplace_back("against", fmt::format("{}", fmt::join(command.against, " ")));
   if (command.most_modes > 0)
@@ -75,19 +75,20 @@ void note_comparison(const Command& command, const CompareOptions& options, RunI
   note_settling(options, info);
 }
 
-Scene comparable(const Command& command, const std::vector<std::string>& settings) {
+Scene comparable(const CompareCommand& command, const std::vector<std::string>& settings) {
   Scene scene = scene_of(command, settings);
   require_exact_flow(scene, "motions are compared");
   require_forcing_and_stop(scene);
   return scene;
 }
 
-std::string other_name(const Command& command) {
+std::string other_name(const CompareCommand& command) {
   return fmt::format("{}", fmt::join(command.against, ", "));
 }
 
 // The end of a run as a picture shows it.
-SimulationRecord shown_run(const Command& command, const Scene& scene, const StopSignal& stop) {
+SimulationRecord shown_run(const CompareCommand& command, const Scene& scene,
+                           const StopSignal& stop) {
   SimulationRecord record;
   record.system = assemble(scene);
   const double period = record.system.period();
@@ -109,11 +110,11 @@ SimulationRecord shown_run(const Command& command, const Scene& scene, const Sto
   return record;
 }
 
-bool draws_motions(const Command& command, const ComparisonRecord& record) {
+bool draws_motions(const CompareCommand& command, const ComparisonRecord& record) {
   return !command.plot.empty() && record.modes.empty() && !record.differences.empty();
 }
 
-int compare_motions(const Command& command) {
+int compare_motions(const CompareCommand& command) {
   ComparisonRecord record;
   std::vector<Scene> scenes;
   const auto add = [&](const std::string& name, const std::vector<std::string>& settings) {
@@ -167,17 +168,11 @@ int compare_motions(const Command& command) {
                    {}});
 }
 
-ComparedQuantity shown(const Command& command) {
-  for (const ComparedQuantity quantity : kComparedQuantities)
-    if (name_of(quantity) == command.show) return quantity;
-  return ComparedQuantity::kAttractor;
-}
-
-int compare_over_plane(const Command& command) {
+int compare_over_plane(const CompareCommand& command) {
   const Scene one = comparable(command, {}), other = comparable(command, command.against);
   ComparisonMapOptions options;
   set_comparison(command, options);
-  static_cast<Plane&>(options) = plane_of(command, command.runs, command.second_runs);
+  static_cast<Plane&>(options) = plane_of(command, command, command.points, command.second_points);
   options.threads = command.threads;
   ComparisonMapRecord record;
   record.info = run_info(command.name, command.scene, one);
@@ -185,7 +180,7 @@ int compare_over_plane(const Command& command) {
   record.other = other_name(command);
   record.x_unit = number_unit(one, options.x.name);
   record.y_unit = number_unit(one, options.y.name);
-  record.shown = shown(command);
+  record.shown = command.show;
   note_plane(options, record.info);
   note_comparison(command, options, record.info);
   for (const auto& [name, scene] : {std::pair(record.one, &one), std::pair(record.other, &other)})
@@ -195,14 +190,14 @@ int compare_over_plane(const Command& command) {
   prepare_output(command);
   note_call(command, record.info);
   std::optional<Journal> journal =
-      journal_of(command, {record.info, "cell", options.cells(), 1, {}, {}});
+      journal_of(command, command.journal, {record.info, "cell", options.cells(), 1, {}, {}});
   options.memory = memory_in<ComparedCell>(journal);
-  options.share = command.share;
+  options.share = command.journal.share;
   options.progress = progress_line(command, static_cast<int>(options.cells()), "cells");
   record.map = compare_over(one, other, options);
   options.progress = nullptr;
-  if (!command.share.is_all()) return conclude_share(command, *journal, record.map.stopped);
-  record.info.options.emplace_back("show", command.show);
+  if (!command.journal.share.is_all()) return conclude_share(command, *journal, record.map.stopped);
+  record.info.options.emplace_back("show", name_of(command.show));
   record.info.options.emplace_back("max_seconds", command.max_seconds);
   record.outcome = comparison_map_outcome(record.map);
   return conclude(command, record.info, record.outcome,
@@ -217,7 +212,7 @@ int compare_over_plane(const Command& command) {
 
 }  // namespace
 
-int run_compare(const Command& command) {
+int run(const CompareCommand& command) {
   if (command.sensitivity) {
     if (!command.against.empty() || command.most_modes > 0)
       throw InputError(

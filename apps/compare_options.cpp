@@ -16,7 +16,7 @@ namespace {
 
 constexpr int kMostModes = 64;
 
-void add_what_is_compared(CLI::App* app, Command& command) {
+void add_what_is_compared(CLI::App* app, CompareCommand& command) {
   app->add_option("--against", command.against,
                   "The other scene: this one with a key changed, as with --set; as often as wanted")
       ->type_name("KEY=VALUE")
@@ -52,7 +52,7 @@ void add_what_is_compared(CLI::App* app, Command& command) {
       ->type_name("PART");
 }
 
-void add_ranges(CLI::App* app, Command& command) {
+void add_ranges(CLI::App* app, CompareCommand& command) {
   app->add_option("--parameter", command.parameter, "Path of the parameter, e.g. stop.gap")
       ->type_name("NAME");
   app->add_option("--from", command.from, "Start of the parameter's range")
@@ -61,7 +61,7 @@ void add_ranges(CLI::App* app, Command& command) {
   app->add_option("--to", command.to, "End of the parameter's range")
       ->check(finite_number())
       ->type_name("B");
-  app->add_option("--points", command.runs, "Values from A to B, both among them")
+  app->add_option("--points", command.points, "Values from A to B, both among them")
       ->transform(whole_number_within(2, 1'000'000))
       ->capture_default_str()
       ->type_name("N");
@@ -72,19 +72,18 @@ void add_ranges(CLI::App* app, Command& command) {
   app->add_option("--second-to", command.second_to, "End of its range")
       ->check(finite_number())
       ->type_name("D");
-  app->add_option("--second-points", command.second_runs, "Values from C to D, both among them")
+  app->add_option("--second-points", command.second_points, "Values from C to D, both among them")
       ->transform(whole_number_within(2, 10'000))
       ->capture_default_str()
       ->type_name("M");
-  std::vector<std::string> names;
-  for (const ComparedQuantity quantity : kComparedQuantities) names.push_back(name_of(quantity));
-  app->add_option("--show", command.show, "What the picture shows of every cell")
-      ->check(CLI::IsMember(names))
-      ->capture_default_str()
+  app->add_option_function<std::string>("--show", set_by_name(command.show, kComparedQuantities),
+                                        "What the picture shows of every cell")
+      ->check(CLI::IsMember(names_of(kComparedQuantities)))
+      ->default_str(name_of(command.show))
       ->type_name("WHAT");
 }
 
-void add_of_sensitivity(CLI::App* app, Command& command) {
+void add_of_sensitivity(CLI::App* app, CompareCommand& command) {
   app->add_option("--second-values", command.second_values,
                   "With --sensitivity: values of the other parameter, with commas")
       ->delimiter(',')
@@ -120,9 +119,11 @@ void relate(CLI::App* app) {
 
 }  // namespace
 
-void add_compare(CLI::App& graze, Command& command) {
-  CLI::App* app = graze.add_subcommand(
-      "compare", "Compare motions: with another choice, with more modes, over a parameter");
+void add_compare(CLI::App& graze, std::optional<Command>& parsed) {
+  const auto [app, options] = add_command<CompareCommand>(
+      graze, parsed, "compare",
+      "Compare motions: with another choice, with more modes, over a parameter");
+  CompareCommand& command = *options;
   app->footer(
       footer("compare data/scenes/01_wagg_2004.toml --against beam.discretisation=galerkin\n"
              "         graze compare data/scenes/02_wagg_momentum.toml --modes 1:8\n"
@@ -142,10 +143,10 @@ void add_compare(CLI::App& graze, Command& command) {
                   "End of the run that --plot shows, s (default: 4 forcing periods)")
       ->check(above_zero())
       ->type_name("S");
-  add_following(app, command);
+  add_following(app, command.settling);
   add_closure_speed(app, command);
   add_limits(app, command);
-  add_journal(app, command);
+  add_journal(app, command.journal);
   relate(app);
 }
 

@@ -2,11 +2,12 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
+#include <optional>
 
 #include "command.hpp"
 
 namespace graze {
 
-void add_compare(CLI::App& graze, Command& command);
+void add_compare(CLI::App& graze, std::optional<Command>& parsed);
 
 }  // namespace graze

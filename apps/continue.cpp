@@ -22,7 +22,7 @@
 
 namespace graze {
 
-BranchOptions branch_options(const Command& command) {
+BranchOptions branch_options(const BranchingOptions& command) {
   if (command.from == command.to) throw InputError("--from, --to: the range must not be empty");
   // A step has to be told apart from none in the parameter's last digits.
   const double coarsest = 1e3 * std::numeric_limits<double>::epsilon() * 50.0 *
@@ -41,7 +41,7 @@ BranchOptions branch_options(const Command& command) {
   BranchOptions options;
   options.period = command.period;
   options.impacts = command.impacts.value_or(1);
-  options.follow_depth = command.follow == "all" ? command.depth : 0;
+  options.follow_depth = command.follows ? command.depth : 0;
   options.from = command.from;
   options.to = command.to;
   options.max_step = command.max_step.value_or(0.0);
@@ -55,6 +55,11 @@ BranchOptions branch_options(const Command& command) {
   return options;
 }
 
+void note_following(const BranchingOptions& command, RunInfo& info) {
+  info.options.emplace_back("follow", command.follows ? "all" : "none");
+  if (command.follows) info.options.emplace_back("depth", static_cast<long long>(command.depth));
+}
+
 namespace {
 
 // Whether a point of that kind has another branch to go onto.
@@ -65,29 +70,30 @@ bool has_other_branch(const SpecialOrbit& at) {
 }
 
 // From a special point of an earlier run alone.
-void start_from(const Restart& restart, const Command& command, BranchOptions& options) {
+void start_from(const Restart& restart, const ContinueCommand& command, BranchOptions& options) {
   value_in_range(restart, command.parameter, command.from, command.to);
   const bool same = restart.parameters == std::vector<std::string>{command.parameter};
-  if (command.switched && !has_other_branch(restart.at))
+  if (command.restart.switched && !has_other_branch(restart.at))
     throw InputError(fmt::format(
         "--switch: no other branch begins or crosses at {}; one does at PD, and at BP and GR of "
         "orbits that do not stick",
         restart.at.id));
-  if (command.switched && restart.at.by_speed && restart.at.impacts.size() == 1)
+  if (command.restart.switched && restart.at.by_speed && restart.at.impacts.size() == 1)
     throw InputError(fmt::format("--switch: beyond {} the motion meets no stop", restart.at.id));
   if (restart.at.kind == SpecialKind::kBranchPoint && !restart.at.sticks() && !same)
     throw InputError(
         fmt::format("--label: two branches cross at {}, which over another parameter than {} are "
                     "not told apart; restart over that one, or from another special point",
                     restart.at.id, restart.parameters.front()));
-  options.start = BranchStart{restart.at, same, command.switched};
+  options.start = BranchStart{restart.at, same, command.restart.switched};
   options.period = restart.at.followed ? restart.at.followed->period : restart.at.pattern.period;
   options.impacts = restart.at.pattern.impacts();
 }
 
 }  // namespace
 
-int run_continue(const Command& command) {
+int run(const ContinueCommand& command) {
+  if (!command.locus.empty()) return run_loci(command);
   if (!command.plot.empty()) check_picture_or_page_name(command.plot);
   const Scene given = scene_of(command);
   require_exact_flow(given, "branches are traced");
@@ -116,9 +122,7 @@ int run_continue(const Command& command) {
   if (command.max_step) record.info.options.emplace_back("max_step", *command.max_step);
   if (command.closure_speed)
     record.info.options.emplace_back("closure_speed", *command.closure_speed);
-  record.info.options.emplace_back("follow", command.follow);
-  if (command.follow == "all")
-    record.info.options.emplace_back("depth", static_cast<long long>(command.depth));
+  note_following(command, record.info);
   if (restart)
     record_restart(command, record.info);
   else

@@ -35,7 +35,7 @@ ContactOrders contact_orders_of(const System& system, const State& start,
 
 }  // namespace
 
-int run_cost(const Command& command) {
+int run(const CostCommand& command) {
   if (!command.plot.empty()) check_picture_name(command.plot);
   const Scene scene = scene_of(command);
   CostRecord record;
@@ -46,7 +46,7 @@ int run_cost(const Command& command) {
   warn(command, record.warnings);
   FlowCostOptions options;
   options.longest = command.duration.value_or(longest_span(system));
-  options.impacts = static_cast<std::size_t>(command.impacts.value_or(20));
+  options.impacts = static_cast<std::size_t>(command.impacts);
   options.tolerance = scene.solver.tolerance;
   options.speed = modal_speed(system, start);
   options.closure_speed =

@@ -6,6 +6,7 @@
 #include "graze/bifurcation/loci/detail/restart.hpp"
 #include "graze/report/csv/csv.hpp"
 #include "graze/report/json/json.hpp"
+#include "graze/report/names/detail/sweep_names.hpp"
 #include "graze/report/page/detail/page.hpp"
 #include "graze/report/picture/pictures.hpp"
 #include "graze/report/text/text.hpp"
@@ -20,15 +21,13 @@
 namespace graze {
 namespace {
 
-SweepOptions sweep_options(const Command& command, const StopSignal& stop) {
+SweepOptions sweep_options(const DiagramCommand& command, const StopSignal& stop) {
   SweepOptions options;
   options.from = command.from;
   options.to = command.to;
   options.points = command.points;
-  options.direction = command.direction == "up"     ? SweepDirection::kUp
-                      : command.direction == "down" ? SweepDirection::kDown
-                                                    : SweepDirection::kFresh;
-  set_settling(command, options);
+  options.direction = command.direction;
+  set_settling(command, command.settling, options);
   options.threads = command.threads;
   options.stop = stop;
   options.progress = progress_line(command, options.points, "values");
@@ -36,35 +35,33 @@ SweepOptions sweep_options(const Command& command, const StopSignal& stop) {
 }
 
 // What makes a difference to the sweep's rows.
-void note_rows(const Command& command, const SweepOptions& options, RunInfo& info) {
+void note_rows(const DiagramCommand& command, const SweepOptions& options, RunInfo& info) {
   info.options.emplace_back("parameter", command.parameter);
   info.options.emplace_back("from", command.from);
   info.options.emplace_back("to", command.to);
   info.options.emplace_back("points", static_cast<long long>(command.points));
-  info.options.emplace_back("direction", command.direction);
+  info.options.emplace_back("direction", name_of(command.direction));
   note_settling(options, info);
 }
 
-void note_rest(const Command& command, RunInfo& info) {
-  info.options.emplace_back("section", command.section);
-  info.options.emplace_back("branches", command.branches);
-  if (command.branches != "none") {
+void note_rest(const DiagramCommand& command, RunInfo& info) {
+  info.options.emplace_back("section", name_of(command.section));
+  info.options.emplace_back("branches", command.branches ? "all" : "none");
+  if (command.branches) {
     info.options.emplace_back("period", static_cast<long long>(command.period));
     info.options.emplace_back("impacts", static_cast<long long>(command.impacts.value_or(1)));
-    info.options.emplace_back("follow", command.follow);
-    if (command.follow == "all")
-      info.options.emplace_back("depth", static_cast<long long>(command.depth));
+    note_following(command, info);
   }
   if (command.max_step) info.options.emplace_back("max_step", *command.max_step);
   info.options.emplace_back("max_seconds", command.max_seconds);
 }
 
 // The branches; how that ended, or nothing where they are not wanted.
-std::optional<Outcome> add_branches(const Command& command, const SystemFamily& family,
+std::optional<Outcome> add_branches(const DiagramCommand& command, const SystemFamily& family,
                                     const BranchOptions& options, DiagramRecord& record) {
   OrbitBranches& traced = record.branches.traced;
   traced.parameter = command.parameter;
-  if (command.branches == "none") return {};
+  if (!command.branches) return {};
   traced = trace_orbits(family, options);
   const Outcome outcome = branch_outcome(traced, options);
   if (outcome.name == "no_orbit") traced.notes.push_back(outcome.message);
@@ -77,9 +74,9 @@ std::optional<Outcome> add_branches(const Command& command, const SystemFamily& 
 
 }  // namespace
 
-int run_diagram(const Command& command) {
+int run(const DiagramCommand& command) {
   if (!command.plot.empty()) check_picture_or_page_name(command.plot);
-  check_journal_options(command);
+  check_journal_options(command, command.journal);
   const Scene scene = scene_of(command);
   if (!scene.forcing) {
     if (is_page_name(command.plot))
@@ -101,8 +98,7 @@ int run_diagram(const Command& command) {
   for (const double value : {command.from, command.to})
     with_parameter(scene, command.parameter, value);
   DiagramRecord record;
-  record.section =
-      command.section == "impact" ? DiagramSection::kImpact : DiagramSection::kStroboscopic;
+  record.section = command.section;
   record.branches = {run_info(command.name, command.scene, scene),
                      assemble(scene),
                      {},
@@ -116,17 +112,19 @@ int run_diagram(const Command& command) {
   record.branches.warnings = system_warnings(scene, record.branches.system);
   warn(command, record.branches.warnings);
   prepare_output(command);
-  std::optional<Journal> journal = journal_of(command, {record.branches.info,
-                                                        "row",
-                                                        static_cast<std::size_t>(command.points),
-                                                        sweep_block(options.direction),
-                                                        {},
-                                                        {}});
+  std::optional<Journal> journal = journal_of(command, command.journal,
+                                              {record.branches.info,
+                                               "row",
+                                               static_cast<std::size_t>(command.points),
+                                               sweep_block(options.direction),
+                                               {},
+                                               {}});
   options.memory = memory_in<SweepRow>(journal);
-  options.share = command.share;
+  options.share = command.journal.share;
   record.swept = sweep(family, options);
   options.progress = nullptr;
-  if (!command.share.is_all()) return conclude_share(command, *journal, record.swept.stopped);
+  if (!command.journal.share.is_all())
+    return conclude_share(command, *journal, record.swept.stopped);
   note_rest(command, record.branches.info);
   const std::optional<Outcome> traced = add_branches(command, family, tracing, record);
   record.branches.outcome = diagram_outcome(record.swept, traced);
@@ -137,7 +135,7 @@ int run_diagram(const Command& command) {
         {"special.csv", special_csv(record.branches)},
         special_file(record.branches.info, {command.parameter},
                      special_orbits(record.branches.traced, record.branches.system))};
-    if (command.exponents > 0) list.emplace_back("exponents.csv", exponents_csv(record));
+    if (command.settling.exponents > 0) list.emplace_back("exponents.csv", exponents_csv(record));
     return list;
   };
   return conclude(command, record.branches.info, record.branches.outcome,

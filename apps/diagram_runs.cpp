@@ -14,7 +14,7 @@
 namespace graze {
 namespace {
 
-void require_what_is_shown(const Command& command, const Scene& scene) {
+void require_what_is_shown(const DiagramCommand& command, const Scene& scene) {
   if (!command.duration)
     throw InputError(
         "--duration: it is missing; no forcing repeats this scene's motion, so a diagram of it "
@@ -28,9 +28,9 @@ void require_what_is_shown(const Command& command, const Scene& scene) {
 
 }  // namespace
 
-int run_diagram_of_runs(const Command& command, const Scene& scene) {
+int run_diagram_of_runs(const DiagramCommand& command, const Scene& scene) {
   require_what_is_shown(command, scene);
-  RunSeriesOptions options = series_options(command, command.points);
+  RunSeriesOptions options = series_options(command, command, *command.duration, command.points);
   RunDiagramRecord record;
   record.info = run_info(command.name, command.scene, scene);
   record.parameter = command.parameter;
@@ -53,13 +53,14 @@ int run_diagram_of_runs(const Command& command, const Scene& scene) {
   prepare_output(command);
   note_call(command, record.info);
   std::optional<Journal> journal =
-      journal_of(command, {record.info, "row", options.values.size(), 1, {}, {}});
+      journal_of(command, command.journal, {record.info, "row", options.values.size(), 1, {}, {}});
   options.memory = memory_in<ValueRun>(journal);
-  options.share = command.share;
+  options.share = command.journal.share;
   options.progress = progress_line(command, command.points, "values");
   record.runs = run_series(scene, options);
   options.progress = nullptr;
-  if (!command.share.is_all()) return conclude_share(command, *journal, options.stop.reason());
+  if (!command.journal.share.is_all())
+    return conclude_share(command, *journal, options.stop.reason());
   noted.emplace_back("max_seconds", command.max_seconds);
   record.outcome = run_diagram_outcome(record.runs, options.values.size(), options.stop.reason());
   return conclude(

@@ -38,7 +38,7 @@ void require_exact(const Scene& scene) {
                                   scene.hub ? "bulirsch-stoer" : "exact"));
 }
 
-void note_options(const Command& command, const FitOptions& options, RunInfo& info) {
+void note_options(const FitCommand& command, const FitOptions& options, RunInfo& info) {
   info.options.emplace_back("data", command.data);
   for (const SoughtParameter& sought : options.parameters)
     info.options.emplace_back("parameter " + sought.name,
@@ -47,7 +47,7 @@ void note_options(const Command& command, const FitOptions& options, RunInfo& in
     info.options.emplace_back("column", fmt::format("{}", fmt::join(command.columns, ",")));
   if (!command.sigmas.empty())
     info.options.emplace_back("sigma", fmt::format("{}", fmt::join(command.sigmas, " ")));
-  info.options.emplace_back("algorithm", command.algorithm);
+  info.options.emplace_back("algorithm", command.global ? "global" : "local");
   info.options.emplace_back("max_evaluations", command.max_evaluations);
   if (options.closure_speed) info.options.emplace_back("closure_speed", *options.closure_speed);
   info.options.emplace_back("max_impacts", command.max_impacts);
@@ -56,7 +56,7 @@ void note_options(const Command& command, const FitOptions& options, RunInfo& in
 
 }  // namespace
 
-int run_fit(const Command& command) {
+int run(const FitCommand& command) {
   if (!command.plot.empty()) check_picture_name(command.plot);
   const Scene scene = scene_of(command);
   require_exact(scene);
@@ -70,7 +70,7 @@ int run_fit(const Command& command) {
   record.unused_columns = measurements.unused;
   FitOptions options;
   options.parameters = sought_parameters(command.sought);
-  options.global = command.algorithm == "global";
+  options.global = command.global;
   options.max_evaluations = command.max_evaluations;
   options.closure_speed = command.closure_speed;
   options.max_impacts = command.max_impacts;

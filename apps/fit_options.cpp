@@ -49,7 +49,7 @@ std::vector<SoughtParameter> sought_parameters(const std::vector<std::string>& w
   return list;
 }
 
-MeasurementOptions measurement_options(const Command& command) {
+MeasurementOptions measurement_options(const FitCommand& command) {
   MeasurementOptions options;
   options.columns = command.columns;
   for (const std::string& word : command.sigmas) {

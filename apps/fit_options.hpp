@@ -14,6 +14,6 @@ namespace graze {
 std::vector<SoughtParameter> sought_parameters(const std::vector<std::string>& words);
 
 // --column, and --sigma with "VALUE" or "COLUMN=VALUE". Throws InputError.
-MeasurementOptions measurement_options(const Command& command);
+MeasurementOptions measurement_options(const FitCommand& command);
 
 }  // namespace graze

@@ -5,6 +5,7 @@
 #include <array>
 #include <utility>
 
+#include "branch_options.hpp"
 #include "graze/assembly/assembly.hpp"
 #include "graze/assembly/detail/system_warnings.hpp"
 #include "graze/bifurcation/loci/detail/restart.hpp"
@@ -24,7 +25,7 @@ namespace graze {
 namespace {
 
 // From a special point of an earlier run alone.
-void start_from(const Restart& restart, const Command& command, LociOptions& options) {
+void start_from(const Restart& restart, const ContinueCommand& command, LociOptions& options) {
   const double first = value_in_range(restart, command.parameter, command.from, command.to);
   const double second =
       value_in_range(restart, command.second, options.second_from, options.second_to);
@@ -50,7 +51,7 @@ void start_from(const Restart& restart, const Command& command, LociOptions& opt
                                  restart.at.id, label_of(kind), label_of(kind)));
 }
 
-void record_options(const Command& command, RunInfo& info) {
+void record_options(const ContinueCommand& command, RunInfo& info) {
   std::string kinds;
   for (const std::string& label : command.locus) kinds += (kinds.empty() ? "" : ",") + label;
   info.options.emplace_back("locus", kinds);
@@ -60,23 +61,22 @@ void record_options(const Command& command, RunInfo& info) {
   info.options.emplace_back("second", command.second);
   info.options.emplace_back("second_from", *command.second_from);
   info.options.emplace_back("second_to", *command.second_to);
-  if (command.restart.empty())
+  if (command.restart.folder.empty())
     info.options.emplace_back("slices", static_cast<long long>(command.slices));
   if (command.regions > 0)
     info.options.emplace_back("regions", static_cast<long long>(command.regions));
   if (command.closure_speed) info.options.emplace_back("closure_speed", *command.closure_speed);
   if (command.max_step) info.options.emplace_back("max_step", *command.max_step);
-  info.options.emplace_back("follow", command.follow);
-  if (command.follow == "all")
-    info.options.emplace_back("depth", static_cast<long long>(command.depth));
-  if (command.restart.empty())
+  note_following(command, info);
+  if (command.restart.folder.empty())
     record_search(command, info);
   else
     record_restart(command, info);
 }
 
 // What is stable between the loci, as far as the time goes that tracing them has left.
-StableRegions regions_of(const Command& command, const Scene& scene, const LociOptions& loci) {
+StableRegions regions_of(const ContinueCommand& command, const Scene& scene,
+                         const LociOptions& loci) {
   StableRegionsOptions options;
   options.from = command.from;
   options.to = command.to;
@@ -99,7 +99,7 @@ StableRegions regions_of(const Command& command, const Scene& scene, const LociO
 
 }  // namespace
 
-int run_loci(const Command& command) {
+int run_loci(const ContinueCommand& command) {
   if (!command.plot.empty()) check_picture_name(command.plot);
   const Scene given = scene_of(command);
   require_exact_flow(given, "loci are traced");

@@ -20,7 +20,7 @@ std::vector<OrbitLocusKind> kinds_of(const std::vector<std::string>& labels) {
 
 }  // namespace
 
-LociOptions loci_options(const Command& command, const Scene& scene) {
+LociOptions loci_options(const LocusTracingOptions& command, const Scene& scene) {
   if (command.second.empty() || !command.second_from || !command.second_to)
     throw InputError(
         "--locus: give the second parameter, --second NAME --second-from C "

@@ -8,6 +8,6 @@ namespace graze {
 
 // Throws InputError where the second parameter or its range is missing, or a range reaches beyond
 // what the scene allows.
-LociOptions loci_options(const Command& command, const Scene& scene);
+LociOptions loci_options(const LocusTracingOptions& command, const Scene& scene);
 
 }  // namespace graze

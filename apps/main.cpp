@@ -5,6 +5,7 @@
 #include <exception>
 #include <new>
 #include <string>
+#include <variant>
 
 #include "command.hpp"
 #include "graze/base/detail/stop_scope.hpp"
@@ -40,18 +41,13 @@ int complain(const std::string& sentence, int code) {
   return code;
 }
 
-int run(const graze::Command& command) {
-  const graze::StopScope scope(graze::stop_signal(command));
-  if (command.name == "check") return graze::run_check(command);
-  if (command.name == "simulate") return graze::run_simulate(command);
-  if (command.name == "orbit") return graze::run_orbit(command);
-  if (command.name == "diagram") return graze::run_diagram(command);
-  if (command.name == "map") return graze::run_map(command);
-  if (command.name == "merge") return graze::run_merge(command);
-  if (command.name == "cost") return graze::run_cost(command);
-  if (command.name == "fit") return graze::run_fit(command);
-  if (command.name == "compare") return graze::run_compare(command);
-  return command.locus.empty() ? graze::run_continue(command) : graze::run_loci(command);
+int run(const graze::Command& parsed) {
+  return std::visit(
+      [](const auto& command) {
+        const graze::StopScope scope(graze::stop_signal(command));
+        return graze::run(command);
+      },
+      parsed);
 }
 
 }  // namespace

@@ -27,19 +27,14 @@
 namespace graze {
 namespace {
 
-AttractorMapOptions map_options(const Command& command) {
+AttractorMapOptions map_options(const MapCommand& command) {
   AttractorMapOptions options;
-  static_cast<Plane&>(options) = plane_of(command, command.first_points, command.second_points);
-  set_settling(command, options);
+  static_cast<Plane&>(options) =
+      plane_of(command, command, command.first_points, command.second_points);
+  set_settling(command, command.settling, options);
   options.threads = command.threads;
   options.stop = stop_signal(command);
   return options;
-}
-
-MapQuantity shown(const Command& command) {
-  for (const MapQuantity quantity : kMapQuantities)
-    if (name_of(quantity) == command.show) return quantity;
-  return MapQuantity::kAttractor;
 }
 
 // What makes a difference to the cells.
@@ -49,7 +44,7 @@ void note_cells(const AttractorMapOptions& options, RunInfo& info) {
 }
 
 // Loci of the orbits over the map, and how the whole ended.
-void trace_over(const Command& command, const Scene& scene, const LociOptions& options,
+void trace_over(const MapCommand& command, const Scene& scene, const LociOptions& options,
                 MapRecord& record) {
   record.loci = trace_loci(scene, command.parameter, command.second, options);
   const Outcome outcome = loci_outcome(*record.loci, options);
@@ -62,10 +57,10 @@ void trace_over(const Command& command, const Scene& scene, const LociOptions& o
   noted.emplace_back("impacts", static_cast<long long>(command.impacts.value_or(1)));
 }
 
-void check_options(const Command& command) {
+void check_options(const MapCommand& command) {
   if (!command.plot.empty()) check_picture_or_page_name(command.plot);
-  check_journal_options(command);
-  if (command.show == "exponent" && command.exponents == 0)
+  check_journal_options(command, command.journal);
+  if (command.show == MapQuantity::kExponent && command.settling.exponents == 0)
     throw InputError(
         "--show exponent: give --exponents K, the periods that they are averaged over");
   if (command.locus.empty()) return;
@@ -78,7 +73,7 @@ void check_options(const Command& command) {
 
 }  // namespace
 
-int run_map(const Command& command) {
+int run(const MapCommand& command) {
   check_options(command);
   const Scene scene = scene_of(command);
   require_exact_flow(scene, "maps are drawn");
@@ -92,7 +87,7 @@ int run_map(const Command& command) {
   record.info = run_info(command.name, command.scene, scene);
   record.x_unit = number_unit(scene, options.x.name);
   record.y_unit = number_unit(scene, options.y.name);
-  record.shown = shown(command);
+  record.shown = command.show;
   note_cells(options, record.info);
   record.warnings = system_warnings(scene, assemble(scene));
   warn(command, record.warnings);
@@ -100,14 +95,14 @@ int run_map(const Command& command) {
   note_call(command, record.info);
   const auto cells = static_cast<int>(options.cells());
   std::optional<Journal> journal =
-      journal_of(command, {record.info, "cell", options.cells(), 1, {}, {}});
+      journal_of(command, command.journal, {record.info, "cell", options.cells(), 1, {}, {}});
   options.memory = memory_in<SettledCell>(journal);
-  options.share = command.share;
+  options.share = command.journal.share;
   options.progress = progress_line(command, cells, "cells");
   record.map = map_attractors(scene, options);
   options.progress = nullptr;
-  if (!command.share.is_all()) return conclude_share(command, *journal, record.map.stopped);
-  record.info.options.emplace_back("show", command.show);
+  if (!command.journal.share.is_all()) return conclude_share(command, *journal, record.map.stopped);
+  record.info.options.emplace_back("show", name_of(command.show));
   record.info.options.emplace_back("max_seconds", command.max_seconds);
   record.outcome = map_outcome(record.map);
   if (loci) trace_over(command, scene, *loci, record);

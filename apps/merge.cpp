@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <set>
+#include <variant>
 #include <vector>
 
 #include "graze/base/errors.hpp"
@@ -55,7 +56,7 @@ void require_whole(const std::vector<Journal>& journals) {
                     missing.size(), head.pieces, head.piece, shares_of(missing, head)));
 }
 
-void warn_of_processors(const Command& command, const std::vector<Journal>& journals) {
+void warn_of_processors(const MergeCommand& command, const std::vector<Journal>& journals) {
   std::set<std::string> processors;
   for (const Journal& journal : journals) processors.insert(journal.head().processor);
   if (processors.size() > 1)
@@ -78,8 +79,8 @@ std::vector<std::string> without(const std::vector<std::string>& words,
   return kept;
 }
 
-// The command that the shares are of, for the whole of its work.
-Command whole_command(const Command& command, const JournalHead& head) {
+// The command that the shares are of.
+Command command_of(const JournalHead& head) {
   std::vector<std::string> words = head.info.arguments;
   words.insert(words.begin(), "graze");
   std::vector<char*> arguments;
@@ -87,39 +88,43 @@ Command whole_command(const Command& command, const JournalHead& head) {
   const ParsedCommand parsed =
       parse_command_line(static_cast<int>(arguments.size()), arguments.data());
   if (!parsed.command) throw InputError("the journals do not tell which command they are of");
-  Command whole = *parsed.command;
-  whole.share = {};
-  whole.arguments = without(whole.arguments, {"--shard", "--out"});
-  whole.goes_on = true;
-  whole.scene_text = head.info.scene_text;
-  whole.json = command.json;
-  whole.quiet = command.quiet;
-  whole.out = command.out;
-  whole.plot = command.plot;
-  whole.threads = command.threads;
-  whole.max_seconds = command.max_seconds;
-  return whole;
+  return *parsed.command;
 }
 
-}  // namespace
-
-int run_merge(const Command& command) {
-  const std::vector<Journal> journals = journals_in(command.folders);
-  require_whole(journals);
-  warn_of_processors(command, journals);
-  prepare_output(command);
-  const Command whole = whole_command(command, journals.front().head());
+// Runs the command of the shares for the whole of its work, of which nothing is left to do.
+template <class Sharing>
+int run_whole(Sharing whole, const MergeCommand& command, const std::vector<Journal>& journals) {
+  JournalHead head = journals.front().head();
+  CommonOptions common = command;
+  common.name = whole.name;
+  common.arguments = without(whole.arguments, {"--shard", "--out"});
+  static_cast<CommonOptions&>(whole) = common;
+  whole.scene_text = head.info.scene_text;
+  whole.journal = {true, {}};
   const StopSignal stop = stop_signal(command);
   {
-    JournalHead head = journals.front().head();
     head.share = {};
-    Journal joined = Journal::resume(journal_file(whole), head);
+    Journal joined = Journal::resume(journal_file(command.out, {}), head);
     for (const Journal& journal : journals)
       for (const std::string& name : journal.names())
         if (!joined.has(name) && !stop.requested()) joined.add(name, journal.find(name).value());
   }
-  if (whole.name == "map") return run_map(whole);
-  return whole.name == "compare" ? run_compare(whole) : run_diagram(whole);
+  return run(whole);
+}
+
+}  // namespace
+
+int run(const MergeCommand& command) {
+  const std::vector<Journal> journals = journals_in(command.folders);
+  require_whole(journals);
+  warn_of_processors(command, journals);
+  prepare_output(command);
+  return std::visit(
+      [&](const auto& shared) -> int {
+        if constexpr (requires { shared.journal; }) return run_whole(shared, command, journals);
+        throw InputError("the journals are of a command that has no shares");
+      },
+      command_of(journals.front().head()));
 }
 
 }  // namespace graze

@@ -22,7 +22,7 @@ std::string footer(const std::string& example) {
          "reached is printed; 4 file or system error; 130 interrupted.";
 }
 
-void add_shared(CLI::App* app, Command& command) {
+void add_shared(CLI::App* app, SceneOptions& command) {
   app->add_option("SCENE", command.scene, "Scene file (TOML)")->required();
   app->add_option("--set", command.settings,
                   "Replace or add one key of the scene, e.g. stop.gap=2e-3; as often as wanted")
@@ -32,7 +32,7 @@ void add_shared(CLI::App* app, Command& command) {
   add_output(app, command);
 }
 
-void add_output(CLI::App* app, Command& command) {
+void add_output(CLI::App* app, CommonOptions& command) {
   app->add_flag("--json", command.json, "Print one JSON document and nothing else on stdout");
   app->add_option("--out", command.out, "Write result.json, scene.toml and tables into this folder")
       ->type_name("DIR");
@@ -45,27 +45,27 @@ void add_output(CLI::App* app, Command& command) {
   app->add_flag("--quiet", command.quiet, "No progress, no warnings");
 }
 
-void add_plot(CLI::App* app, Command& command) {
+void add_plot(CLI::App* app, CommonOptions& command) {
   app->add_option(
          "--plot", command.plot,
          "Draw a picture into this .svg, .png or .pdf; the gnuplot script is kept beside it")
       ->type_name("FILE");
 }
 
-void add_plot_or_page(CLI::App* app, Command& command) {
+void add_plot_or_page(CLI::App* app, CommonOptions& command) {
   app->add_option("--plot", command.plot,
                   "Draw a picture into this .svg, .png or .pdf, the gnuplot script is kept beside "
                   "it; or into this .html, a page to look into with a browser")
       ->type_name("FILE");
 }
 
-void add_closure_speed(CLI::App* app, Command& command) {
+void add_closure_speed(CLI::App* app, MotionOptions& command) {
   app->add_option("--closure-speed", command.closure_speed, kClosureSpeed)
       ->check(at_least("a speed in m/s, 0 or more", 0.0))
       ->type_name("V");
 }
 
-void add_limits(CLI::App* app, Command& command) {
+void add_limits(CLI::App* app, MotionOptions& command) {
   app->add_option("--max-impacts", command.max_impacts,
                   "Most impacts of one simulated motion; it then ends and says so")
       ->transform(whole_number("a whole number from 1", 1.0, kMostCounted))
@@ -78,7 +78,7 @@ void add_limits(CLI::App* app, Command& command) {
       ->type_name("S");
 }
 
-void add_orbit_search(CLI::App* app, Command& command) {
+void add_orbit_search(CLI::App* app, OrbitSearchOptions& command) {
   add_limits(app, command);
   app->add_option("--period", command.period, "Forcing periods p after which the orbit repeats")
       ->transform(whole_number("a whole number from 1", 1.0, kMostPeriods))
@@ -101,7 +101,7 @@ void add_orbit_search(CLI::App* app, Command& command) {
       ->type_name("N");
 }
 
-void add_range(CLI::App* app, Command& command) {
+void add_range(CLI::App* app, BranchingOptions& command) {
   app->add_option("--parameter", command.parameter, "Path of the parameter, e.g. forcing.frequency")
       ->required()
       ->type_name("NAME");
@@ -119,47 +119,49 @@ void add_range(CLI::App* app, Command& command) {
       ->type_name("D");
 }
 
-void add_following(CLI::App* app, Command& command) {
-  app->add_option("--periods", command.periods,
+void add_following(CLI::App* app, SettlingOptions& options) {
+  app->add_option("--periods", options.periods,
                   "Forcing periods run at a value, at most (default 1000); fewer once it settled")
       ->transform(whole_number("a whole number from 1", 1.0, kMostCounted))
       ->type_name("K");
-  app->add_option("--samples", command.samples, "Forcing periods shown where nothing repeats")
+  app->add_option("--samples", options.samples, "Forcing periods shown where nothing repeats")
       ->transform(whole_number_within(1, 1'000'000))
       ->capture_default_str()
       ->type_name("M");
 }
 
-void add_settling(CLI::App* app, Command& command) {
-  add_following(app, command);
-  app->add_option("--exponents", command.exponents,
+void add_settling(CLI::App* app, SettlingOptions& options) {
+  add_following(app, options);
+  app->add_option("--exponents", options.exponents,
                   "Lyapunov exponents at every value: of the multipliers where the motion repeats, "
                   "else averaged over so many forcing periods")
       ->transform(whole_number("a whole number from 1", 1.0, kMostCounted))
       ->type_name("K");
 }
 
-void add_sweep(CLI::App* app, Command& command) {
+void add_sweep(CLI::App* app, DiagramCommand& command) {
   app->add_option("--points", command.points, "Values from A to B, both among them")
       ->transform(whole_number_within(2, 1'000'000))
       ->capture_default_str()
       ->type_name("N");
-  app->add_option("--direction", command.direction,
-                  "up or down: each value goes on from the one before; fresh: each starts as the "
-                  "scene says")
-      ->check(CLI::IsMember({"up", "down", "fresh"}))
-      ->capture_default_str()
+  app->add_option_function<std::string>(
+         "--direction", set_by_name(command.direction, kSweepDirections),
+         "up or down: each value goes on from the one before; fresh: each starts as the "
+         "scene says")
+      ->check(CLI::IsMember(names_of(kSweepDirections)))
+      ->default_str(name_of(command.direction))
       ->type_name("HOW");
-  app->add_option("--section", command.section,
-                  "What is shown of a motion: impact (phase and speed of every impact) or "
-                  "stroboscopic (displacement and velocity at the stops once a forcing period)")
+  app->add_option_function<std::string>(
+         "--section", set_by_name(command.section, kDiagramSections),
+         "What is shown of a motion: impact (phase and speed of every impact) or "
+         "stroboscopic (displacement and velocity at the stops once a forcing period)")
       ->transform(section_name())
-      ->capture_default_str()
+      ->default_str(name_of(command.section))
       ->type_name("WHAT");
-  add_settling(app, command);
+  add_settling(app, command.settling);
 }
 
-void add_plane(CLI::App* app, Command& command) {
+void add_plane(CLI::App* app, MapCommand& command) {
   const auto points = [app](const char* name, int& number, const char* what) {
     app->add_option(name, number, what)
         ->transform(whole_number_within(2, 10'000))
@@ -185,15 +187,15 @@ void add_plane(CLI::App* app, Command& command) {
   points("--second-points", command.second_points, "Values from C to D, both among them");
 }
 
-void add_journal(CLI::App* app, Command& command) {
-  app->add_flag("--resume", command.goes_on,
+void add_journal(CLI::App* app, JournalOptions& options) {
+  app->add_flag("--resume", options.goes_on,
                 "Go on with what an earlier run left in the folder of --out, whatever ended it; "
                 "what it finished is not done again");
   app->add_option_function<std::string>(
          "--shard",
-         [&command](const std::string& text) {
+         [&options](const std::string& text) {
            int end = 0;
-           Share& share = command.share;
+           Share& share = options.share;
            const bool read =
                std::sscanf(text.c_str(), "%9d/%9d%n", &share.part, &share.of, &end) == 2 &&
                end == static_cast<int>(text.size());
@@ -207,15 +209,16 @@ void add_journal(CLI::App* app, Command& command) {
       ->type_name("k/n");
 }
 
-void add_branch_kind(CLI::App* app, Command& command) {
+void add_branch_kind(CLI::App* app, BranchingOptions& command) {
   app->add_option("--impacts", command.impacts,
                   "Impacts per orbit, on all stops together (default: 1, and orbits that stick)")
       ->transform(whole_number_within(1, 64))
       ->type_name("K");
-  app->add_option("--follow", command.follow,
-                  "Switch branches at special points: none, or all: doubled orbits at PD, crossing "
-                  "branches at BP, one impact more or less at GR, one stuck phase more or less at "
-                  "CH (default: none)")
+  app->add_option_function<std::string>(
+         "--follow", set_if(command.follows, "all"),
+         "Switch branches at special points: none, or all: doubled orbits at PD, crossing "
+         "branches at BP, one impact more or less at GR, one stuck phase more or less at "
+         "CH (default: none)")
       ->check(CLI::IsMember({"none", "all"}))
       ->type_name("WHAT");
   app->add_option("--depth", command.depth,
@@ -226,7 +229,7 @@ void add_branch_kind(CLI::App* app, Command& command) {
 
 namespace {
 
-CLI::Option* add_locus_kinds(CLI::App* app, Command& command, const char* what) {
+CLI::Option* add_locus_kinds(CLI::App* app, LocusTracingOptions& command, const char* what) {
   return app->add_option("--locus", command.locus, what)
       ->check(CLI::IsMember({"LP", "PD", "NS", "GR", "CH", "all"}))
       ->delimiter(',')
@@ -234,7 +237,7 @@ CLI::Option* add_locus_kinds(CLI::App* app, Command& command, const char* what) 
       ->type_name("KIND");
 }
 
-void add_slices(CLI::App* app, Command& command, CLI::Option* locus) {
+void add_slices(CLI::App* app, LocusTracingOptions& command, CLI::Option* locus) {
   app->add_option("--slices", command.slices,
                   "With --locus: values of either parameter, besides the scene's own, at which "
                   "special points are sought to start from; a locus that crosses none and meets no "
@@ -247,7 +250,7 @@ void add_slices(CLI::App* app, Command& command, CLI::Option* locus) {
 
 }  // namespace
 
-void add_loci_over_map(CLI::App* app, Command& command) {
+void add_loci_over_map(CLI::App* app, MapCommand& command) {
   CLI::Option* locus = add_locus_kinds(
       app, command,
       "Draw the loci of special points over the map: LP, PD, NS, GR, several with commas, or all");
@@ -264,7 +267,7 @@ void add_loci_over_map(CLI::App* app, Command& command) {
       ->needs(locus);
 }
 
-void add_locus(CLI::App* app, Command& command) {
+void add_locus(CLI::App* app, ContinueCommand& command) {
   CLI::Option* locus = add_locus_kinds(
       app, command,
       "Trace loci of special points over two parameters instead of branches: LP, PD, NS, GR, "
@@ -290,18 +293,19 @@ void add_locus(CLI::App* app, Command& command) {
       ->needs(locus);
 }
 
-void add_restart(CLI::App* app, Command& command) {
+void add_restart(CLI::App* app, ContinueCommand& command) {
   CLI::Option* restart =
-      app->add_option("--restart", command.restart,
+      app->add_option("--restart", command.restart.folder,
                       "Start from a special point of the run that --out left in this folder, in "
                       "the same parameter, another one, or as a locus")
           ->type_name("DIR");
   for (const char* of_search : {"--period", "--impacts", "--start", "--random-seed", "--slices"})
     restart->excludes(app->get_option(of_search));
-  app->add_option("--label", command.label, "With --restart: the special point's id, e.g. PD1")
+  app->add_option("--label", command.restart.label,
+                  "With --restart: the special point's id, e.g. PD1")
       ->type_name("ID")
       ->needs(restart);
-  app->add_flag("--switch", command.switched,
+  app->add_flag("--switch", command.restart.switched,
                 "With --restart: onto the branch that begins or crosses there: doubled orbits at "
                 "PD, the crossing branch at BP, one impact more or less at GR")
       ->needs(restart)

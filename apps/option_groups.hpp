@@ -2,43 +2,56 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
+#include <memory>
+#include <optional>
 #include <string>
-#include <vector>
+#include <utility>
 
 #include "command.hpp"
 
 namespace graze {
 
+// A command, and the options it reads into, which become what is parsed where it is the one given.
+template <class Kind>
+std::pair<CLI::App*, std::shared_ptr<Kind>> add_command(CLI::App& graze,
+                                                        std::optional<Command>& parsed,
+                                                        const char* name, const char* what) {
+  CLI::App* app = graze.add_subcommand(name, what);
+  auto options = std::make_shared<Kind>();
+  app->callback([options, &parsed] { parsed = *options; });
+  return {app, options};
+}
+
 // What stands below the options.
 std::string footer(const std::string& example);
 
-void add_shared(CLI::App* app, Command& command);
+void add_shared(CLI::App* app, SceneOptions& command);
 // Parts of it.
-void add_output(CLI::App* app, Command& command);
-void add_plot(CLI::App* app, Command& command);
-void add_plot_or_page(CLI::App* app, Command& command);
-void add_closure_speed(CLI::App* app, Command& command);
-void add_limits(CLI::App* app, Command& command);
+void add_output(CLI::App* app, CommonOptions& command);
+void add_plot(CLI::App* app, CommonOptions& command);
+void add_plot_or_page(CLI::App* app, CommonOptions& command);
+void add_closure_speed(CLI::App* app, MotionOptions& command);
+void add_limits(CLI::App* app, MotionOptions& command);
 // With those limits.
-void add_orbit_search(CLI::App* app, Command& command);
-void add_range(CLI::App* app, Command& command);
+void add_orbit_search(CLI::App* app, OrbitSearchOptions& command);
+void add_range(CLI::App* app, BranchingOptions& command);
 // The values of a sweep and what is told at each.
-void add_sweep(CLI::App* app, Command& command);
+void add_sweep(CLI::App* app, DiagramCommand& command);
 // How long motions are followed until they settle.
-void add_following(CLI::App* app, Command& command);
+void add_following(CLI::App* app, SettlingOptions& options);
 // The same, and what is told of them; part of add_sweep.
-void add_settling(CLI::App* app, Command& command);
+void add_settling(CLI::App* app, SettlingOptions& options);
 // Two numbers of the scene and their ranges.
-void add_plane(CLI::App* app, Command& command);
+void add_plane(CLI::App* app, MapCommand& command);
 // Going on with what a folder holds, and a share of the work.
-void add_journal(CLI::App* app, Command& command);
+void add_journal(CLI::App* app, JournalOptions& options);
 // Which orbits' branches are traced, and how far from the first.
-void add_branch_kind(CLI::App* app, Command& command);
+void add_branch_kind(CLI::App* app, BranchingOptions& command);
 // Loci over a map, with the orbits that they are of.
-void add_loci_over_map(CLI::App* app, Command& command);
+void add_loci_over_map(CLI::App* app, MapCommand& command);
 // Loci instead of branches.
-void add_locus(CLI::App* app, Command& command);
+void add_locus(CLI::App* app, ContinueCommand& command);
 // A special point of an earlier run instead of any search; needs those of search and loci.
-void add_restart(CLI::App* app, Command& command);
+void add_restart(CLI::App* app, ContinueCommand& command);
 
 }  // namespace graze

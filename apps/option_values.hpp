@@ -5,8 +5,11 @@
 
 #include <CLI/CLI.hpp>
 #include <cmath>
+#include <functional>
 #include <string>
+#include <vector>
 
+#include "graze/report/names/detail/sweep_names.hpp"
 #include "graze/scene/detail/value_checker.hpp"
 
 namespace graze {
@@ -65,9 +68,29 @@ inline CLI::Validator whole_number_within(int least, int most) {
   return whole_number(fmt::format("a whole number from {} to {}", least, most), least, most);
 }
 
+// The words of things that have a name_of, and what makes a word the thing.
+template <class List>
+std::vector<std::string> names_of(const List& things) {
+  std::vector<std::string> names;
+  for (const auto& thing : things) names.push_back(name_of(thing));
+  return names;
+}
+template <class Value, class List>
+std::function<void(const std::string&)> set_by_name(Value& value, const List& things) {
+  return [&value, &things](const std::string& word) {
+    for (const auto& thing : things)
+      if (name_of(thing) == word) value = thing;
+  };
+}
+
+// Of two words, whether it is the second.
+inline std::function<void(const std::string&)> set_if(bool& value, const char* second) {
+  return [&value, second](const std::string& word) { value = word == second; };
+}
+
 // What --section may say. "strobe" is what stroboscopic was called before 0.1.0.
 inline CLI::Validator section_name() {
-  const CLI::Validator known = CLI::IsMember({"impact", "stroboscopic"});
+  const CLI::Validator known = CLI::IsMember(names_of(kDiagramSections));
   return CLI::Validator(
       [known](std::string& text) {
         if (text == "strobe") text = "stroboscopic";

@@ -14,7 +14,7 @@
 #include "session.hpp"
 
 namespace graze {
-int run_orbit(const Command& command) {
+int run(const OrbitCommand& command) {
   if (!command.plot.empty()) check_picture_or_page_name(command.plot);
   const Scene scene = scene_of(command);
   require_exact_flow(scene, "orbits are solved for");

@@ -10,10 +10,11 @@
 
 namespace graze {
 
-// With so many cells across and up. Requires both ranges of the second parameter.
-inline Plane plane_of(const Command& command, int across, int up) {
-  return {{command.parameter, command.from, command.to, across},
-          {command.second, *command.second_from, *command.second_to, up}};
+// With so many cells across and up. Requires both ends of the second range.
+inline Plane plane_of(const RangeOptions& first, const SecondRangeOptions& second, int across,
+                      int up) {
+  return {{first.parameter, first.from, first.to, across},
+          {second.second, *second.second_from, *second.second_to, up}};
 }
 
 inline void note_plane(const Plane& plane, RunInfo& info) {

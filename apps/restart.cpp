@@ -44,9 +44,9 @@ const SpecialOrbit& special_called(const std::string& label, const std::string& 
 
 }  // namespace
 
-std::optional<Restart> read_restart(const Command& command, const Scene& scene) {
-  if (command.restart.empty()) return {};
-  const std::filesystem::path folder = command.restart;
+std::optional<Restart> read_restart(const ContinueCommand& command, const Scene& scene) {
+  if (command.restart.folder.empty()) return {};
+  const std::filesystem::path folder = command.restart.folder;
   refuse_own_folder(command, folder, "--restart");
   const Scene run = read_scene(folder / "scene.toml");
   const SpecialPoints special = read_special_points(folder / kSpecialFile, run);
@@ -54,8 +54,8 @@ std::optional<Restart> read_restart(const Command& command, const Scene& scene) 
   if (!difference.empty())
     throw InputError(
         fmt::format("--restart: the run in {} is of another scene: {}; give {} as the scene",
-                    command.restart, difference, (folder / "scene.toml").string()));
-  Restart restart{special_called(command.label, command.restart, special.points),
+                    command.restart.folder, difference, (folder / "scene.toml").string()));
+  Restart restart{special_called(command.restart.label, command.restart.folder, special.points),
                   special.parameters, scene};
   for (std::size_t i = 0; i < restart.parameters.size(); ++i)
     restart.scene = with_parameter(
@@ -81,10 +81,10 @@ void note_values(const Restart& restart, const std::string& parameter, RunInfo& 
       info.settings.push_back(fmt::format("{}={}", name, *find_parameter(restart.scene, name)));
 }
 
-void record_restart(const Command& command, RunInfo& info) {
-  info.options.emplace_back("restart", command.restart);
-  info.options.emplace_back("label", command.label);
-  if (command.switched) info.options.emplace_back("switch", true);
+void record_restart(const ContinueCommand& command, RunInfo& info) {
+  info.options.emplace_back("restart", command.restart.folder);
+  info.options.emplace_back("label", command.restart.label);
+  if (command.restart.switched) info.options.emplace_back("switch", true);
   info.options.emplace_back("virtual", command.keep_virtual);
   info.options.emplace_back("max_impacts", command.max_impacts);
   info.options.emplace_back("max_seconds", command.max_seconds);

@@ -22,7 +22,7 @@ struct Restart {
 // What --restart and --label name; nothing where they are not given. Throws InputError where there
 // is no such point, where `scene` differs from that of the run in what its orbits depend on, and
 // where --out is the run's own folder.
-std::optional<Restart> read_restart(const Command& command, const Scene& scene);
+std::optional<Restart> read_restart(const ContinueCommand& command, const Scene& scene);
 
 // The point's own value of a parameter. Throws InputError where the scene has no such parameter, or
 // the value lies outside the range asked for.
@@ -32,7 +32,7 @@ double value_in_range(const Restart& restart, const std::string& parameter, doub
 void note_values(const Restart& restart, const std::string& parameter, RunInfo& info);
 
 // --restart, --label and --switch among the options of a run, in place of those of a search.
-void record_restart(const Command& command, RunInfo& info);
+void record_restart(const ContinueCommand& command, RunInfo& info);
 
 // The special points of a run over these parameters, as a file of its folder: name and content.
 std::pair<std::string, std::string> special_file(const RunInfo& info,

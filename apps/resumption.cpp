@@ -11,7 +11,7 @@
 
 namespace graze {
 
-CutRun read_cut_run(const Command& command, const System& system, const RunInfo& info) {
+CutRun read_cut_run(const SimulateCommand& command, const System& system, const RunInfo& info) {
   std::filesystem::path file = command.resume;
   std::error_code no_matter;  // what cannot be looked at cannot be read either
   if (std::filesystem::is_directory(file, no_matter)) file /= kStateFile;

@@ -9,7 +9,7 @@ namespace graze {
 
 // The run that --resume names, by its state file or the folder that holds it. Throws InputError
 // also where --out is that folder, whose tables would be lost.
-CutRun read_cut_run(const Command& command, const System& system, const RunInfo& info);
+CutRun read_cut_run(const SimulateCommand& command, const System& system, const RunInfo& info);
 
 // Throws InputError where the run is past the end asked for; both count from t = 0.
 void check_end(const CutRun& cut, const SimulationOptions& options, const System& system);

@@ -6,7 +6,7 @@
 
 namespace graze {
 
-void refuse_own_folder(const Command& command, const std::filesystem::path& folder,
+void refuse_own_folder(const CommonOptions& command, const std::filesystem::path& folder,
                        const char* option) {
   std::error_code no_matter;  // what cannot be looked at cannot be read either
   if (command.out.empty() || !std::filesystem::equivalent(folder, command.out, no_matter)) return;

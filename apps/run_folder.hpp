@@ -9,7 +9,7 @@ namespace graze {
 
 // Throws InputError where --out is that folder, whose tables would be lost. `option`: what names
 // it.
-void refuse_own_folder(const Command& command, const std::filesystem::path& folder,
+void refuse_own_folder(const CommonOptions& command, const std::filesystem::path& folder,
                        const char* option);
 
 }  // namespace graze

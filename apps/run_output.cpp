@@ -16,7 +16,7 @@ namespace {
 constexpr std::size_t kPictureEvents = 100'000;
 
 // Beside the results, where room for them is needed anyway, or else among the temporary files.
-std::filesystem::path spool_folder(const Command& command) {
+std::filesystem::path spool_folder(const SimulateCommand& command) {
   if (!command.out.empty()) return command.out;
   std::error_code error;
   const std::filesystem::path folder = std::filesystem::temp_directory_path(error);
@@ -25,7 +25,7 @@ std::filesystem::path spool_folder(const Command& command) {
 
 }  // namespace
 
-RunOutput::RunOutput(const Command& command, const System& system,
+RunOutput::RunOutput(const SimulateCommand& command, const System& system,
                      const std::vector<ProbeRow>& probes, std::optional<RunSection> section)
     : system_(system),
       probes_(probes),

@@ -21,8 +21,8 @@ inline constexpr std::size_t kPictureSamples = 12 * 400;  // 12 forcing periods
 class RunOutput {
  public:
   // `system` and `probes` must outlive it.
-  RunOutput(const Command& command, const System& system, const std::vector<ProbeRow>& probes,
-            std::optional<RunSection> section);
+  RunOutput(const SimulateCommand& command, const System& system,
+            const std::vector<ProbeRow>& probes, std::optional<RunSection> section);
 
   void add(const Event& event);
   void add(const Sample& sample);

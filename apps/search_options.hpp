@@ -10,7 +10,7 @@
 
 namespace graze {
 
-inline FinderOptions finder_options(const Command& command) {
+inline FinderOptions finder_options(const OrbitSearchOptions& command) {
   const auto wanted = [&](const char* name) {
     return command.starts.empty() ||
            std::find(command.starts.begin(), command.starts.end(), name) != command.starts.end();
@@ -39,7 +39,7 @@ inline void require_forcing_and_stop(const Scene& scene) {
     throw scene_error(scene, "stop", "there is no [[stop]]; periodic orbits here have impacts");
 }
 
-inline void record_search(const Command& command, RunInfo& info) {
+inline void record_search(const OrbitSearchOptions& command, RunInfo& info) {
   info.options.emplace_back("period", static_cast<long long>(command.period));
   info.options.emplace_back("impacts", command.impacts           ? std::to_string(*command.impacts)
                                        : command.name == "orbit" ? std::string("any")

@@ -17,16 +17,16 @@
 namespace graze {
 namespace {
 
-SensitivityOptions sensitivity_options(const Command& command) {
+SensitivityOptions sensitivity_options(const CompareCommand& command) {
   SensitivityOptions options;
-  options.series = series_options(command, command.runs);
+  options.series = series_options(command, command, *command.duration, command.points);
   options.reference = command.reference.value_or(0.5 * (command.from + command.to));
   options.second = command.second;
   options.seconds = command.second_values;
   return options;
 }
 
-void require_what_varies(const Command& command, const Scene& scene) {
+void require_what_varies(const CompareCommand& command, const Scene& scene) {
   if (command.parameter.empty())
     throw InputError("--parameter: it is missing; give the parameter that is varied");
   if (!command.duration) throw InputError("--duration: it is missing; give the time of a run in s");
@@ -39,7 +39,7 @@ void require_what_varies(const Command& command, const Scene& scene) {
 
 }  // namespace
 
-int run_sensitivity(const Command& command) {
+int run_sensitivity(const CompareCommand& command) {
   if (!command.plot.empty()) check_picture_name(command.plot);
   const Scene scene = scene_of(command);
   require_what_varies(command, scene);
@@ -58,7 +58,7 @@ int run_sensitivity(const Command& command) {
   noted.emplace_back("parameter", command.parameter);
   noted.emplace_back("from", command.from);
   noted.emplace_back("to", command.to);
-  noted.emplace_back("points", static_cast<long long>(command.runs));
+  noted.emplace_back("points", static_cast<long long>(command.points));
   noted.emplace_back("reference", options.reference);
   noted.emplace_back("duration", *command.duration);
   if (!command.second.empty()) {

@@ -8,12 +8,13 @@
 
 namespace graze {
 
-// `points`: values from A to B. Requires a duration.
-inline RunSeriesOptions series_options(const Command& command, int points) {
+// `duration`: of a run, s. `points`: values over the range.
+inline RunSeriesOptions series_options(const MotionOptions& command, const RangeOptions& range,
+                                       double duration, int points) {
   RunSeriesOptions options;
-  options.parameter = command.parameter;
-  options.values = even_values(command.from, command.to, points);
-  options.duration = *command.duration;
+  options.parameter = range.parameter;
+  options.values = even_values(range.from, range.to, points);
+  options.duration = duration;
   options.closure_speed = command.closure_speed;
   options.max_impacts = command.max_impacts;
   options.threads = command.threads;

@@ -74,21 +74,21 @@ class ProgressLine {
 
 }  // namespace
 
-Scene scene_of(const Command& command, const std::vector<std::string>& further) {
+Scene scene_of(const SceneOptions& command, const std::vector<std::string>& further) {
   if (command.scene_text) return parse_scene(*command.scene_text, command.scene, further);
   std::vector<std::string> settings = command.settings;
   settings.insert(settings.end(), further.begin(), further.end());
   return read_scene(command.scene, settings);
 }
 
-void note_call(const Command& command, RunInfo& info) {
+void note_call(const SceneOptions& command, RunInfo& info) {
   info.arguments = command.arguments;
   info.settings = command.settings;
 }
 
 std::atomic<bool> interrupted{false}, has_begun{false};
 
-StopSignal stop_signal(const Command& command) {
+StopSignal stop_signal(const CommonOptions& command) {
   using Clock = std::chrono::steady_clock;
   static const Clock::time_point called = Clock::now();
   StopSignal signal;
@@ -101,7 +101,7 @@ StopSignal stop_signal(const Command& command) {
   return signal;
 }
 
-void prepare_output(const Command& command) {
+void prepare_output(const CommonOptions& command) {
   has_begun = true;
   if (!command.out.empty()) prepare_folder(command.out);
   if (command.plot.empty()) return;
@@ -109,20 +109,22 @@ void prepare_output(const Command& command) {
   check_folder(folder.empty() ? "." : folder);
 }
 
-void warn(const Command& command, const std::vector<std::string>& warnings) {
+void warn(const CommonOptions& command, const std::vector<std::string>& warnings) {
   if (command.quiet) return;
   for (const std::string& warning : warnings)
     std::fputs(fmt::format("warning: {}\n", terminal_line(warning)).c_str(), stderr);
 }
 
-std::function<void(double)> progress_line(const Command& command, int count, const char* things) {
+std::function<void(double)> progress_line(const CommonOptions& command, int count,
+                                          const char* things) {
   if (command.quiet || ::isatty(STDERR_FILENO) == 0) return {};
   return [line = std::make_shared<ProgressLine>(command.name, count, things)](double fraction) {
     line->show(fraction);
   };
 }
 
-int conclude(const Command& command, const RunInfo& info, const Outcome& outcome, Result result) {
+int conclude(const CommonOptions& command, const RunInfo& info, const Outcome& outcome,
+             Result result) {
   const bool writes = !command.out.empty();
   const Document document = writes || command.json ? result.json() : Document();
   if (writes) {

@@ -16,7 +16,7 @@
 namespace graze {
 
 // The command's scene with its settings, and further ones.
-Scene scene_of(const Command& command, const std::vector<std::string>& further = {});
+Scene scene_of(const SceneOptions& command, const std::vector<std::string>& further = {});
 
 // Set by Ctrl-C; long work polls it and keeps what it finished.
 extern std::atomic<bool> interrupted;
@@ -24,21 +24,21 @@ extern std::atomic<bool> interrupted;
 extern std::atomic<bool> has_begun;
 
 // How the program was called, for whoever wants the result again.
-void note_call(const Command& command, RunInfo& info);
+void note_call(const SceneOptions& command, RunInfo& info);
 
 // Ctrl-C, and --max-seconds from the first call on.
-StopSignal stop_signal(const Command& command);
+StopSignal stop_signal(const CommonOptions& command);
 
 // Once the command is known to be sound and before its work begins: makes the output folder and
 // checks the picture's, so that hours of work do not end at a folder that cannot be written.
-void prepare_output(const Command& command);
+void prepare_output(const CommonOptions& command);
 
 // Prints warnings on stderr unless quiet.
-void warn(const Command& command, const std::vector<std::string>& warnings);
+void warn(const CommonOptions& command, const std::vector<std::string>& warnings);
 
 // A progress line on stderr, or nothing when stderr is no terminal or the user wants quiet. With a
 // number of `things` also how many of them are done in a second, and the time that is left.
-std::function<void(double)> progress_line(const Command& command, int count = 0,
+std::function<void(double)> progress_line(const CommonOptions& command, int count = 0,
                                           const char* things = "");
 
 // Names in the output folder, and contents.
@@ -68,20 +68,23 @@ std::function<std::string()> text_of(const Record& record) {
 }
 
 // Writes the result's files, prints it, draws it; returns the exit code of the outcome.
-int conclude(const Command& command, const RunInfo& info, const Outcome& outcome, Result result);
+int conclude(const CommonOptions& command, const RunInfo& info, const Outcome& outcome,
+             Result result);
 
-int run_check(const Command& command);
-int run_simulate(const Command& command);
-int run_orbit(const Command& command);
-int run_continue(const Command& command);
-int run_loci(const Command& command);  // continue --locus
-int run_diagram(const Command& command);
-int run_diagram_of_runs(const Command& command, const Scene& scene);  // diagram without forcing
-int run_map(const Command& command);
-int run_merge(const Command& command);
-int run_cost(const Command& command);
-int run_fit(const Command& command);
-int run_compare(const Command& command);
-int run_sensitivity(const Command& command);  // compare --sensitivity
+// What each command does; the exit code.
+int run(const CheckCommand& command);
+int run(const SimulateCommand& command);
+int run(const OrbitCommand& command);
+int run(const ContinueCommand& command);
+int run(const DiagramCommand& command);
+int run(const MapCommand& command);
+int run(const MergeCommand& command);
+int run(const CostCommand& command);
+int run(const FitCommand& command);
+int run(const CompareCommand& command);
+// Parts of them.
+int run_loci(const ContinueCommand& command);                                // --locus
+int run_diagram_of_runs(const DiagramCommand& command, const Scene& scene);  // without forcing
+int run_sensitivity(const CompareCommand& command);                          // --sensitivity
 
 }  // namespace graze

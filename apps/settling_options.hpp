@@ -7,10 +7,11 @@
 
 namespace graze {
 
-inline void set_settling(const Command& command, RowOptions& options) {
-  options.periods = command.periods.value_or(options.periods);
-  options.samples = command.samples;
-  options.exponent_periods = command.exponents;
+inline void set_settling(const MotionOptions& command, const SettlingOptions& settling,
+                         RowOptions& options) {
+  options.periods = settling.periods.value_or(options.periods);
+  options.samples = settling.samples;
+  options.exponent_periods = settling.exponents;
   options.max_impacts = command.max_impacts;
   options.closure_speed = command.closure_speed;
 }

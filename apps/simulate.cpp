@@ -9,6 +9,7 @@
 #include "graze/base/errors.hpp"
 #include "graze/report/csv/csv.hpp"
 #include "graze/report/json/json.hpp"
+#include "graze/report/names/detail/sweep_names.hpp"
 #include "graze/report/page/detail/page.hpp"
 #include "graze/report/picture/pictures.hpp"
 #include "graze/report/text/text.hpp"
@@ -23,7 +24,7 @@ namespace {
 constexpr double kSamplesPerPeriod = 100.0;
 constexpr double kPictureSamplesPerPeriod = 400.0;
 
-SimulationOptions simulation_options(const Command& command, const Scene& scene) {
+SimulationOptions simulation_options(const SimulateCommand& command, const Scene& scene) {
   SimulationOptions options;
   options.duration = command.duration;
   if (command.periods) options.periods = *command.periods;
@@ -56,12 +57,12 @@ double samples_per_period(const System& system, double count) {
 }
 
 // What the run is seen by, where that was asked for.
-std::optional<RunSection> section_of(const Command& command, const System& system,
+std::optional<RunSection> section_of(const SimulateCommand& command, const System& system,
                                      const SimulationOptions& options) {
-  if (command.run_section.empty()) return {};
+  if (!command.section) return {};
   if (!system.forcing())
     throw InputError("--section: the scene has no forcing, so its motion has no phase");
-  if (command.run_section == "stroboscopic" && command.record == "samples")
+  if (command.section == DiagramSection::kStroboscopic && command.record == "samples")
     throw InputError(
         "--section stroboscopic: it takes a sample each forcing period; leave out --record "
         "samples");
@@ -73,13 +74,12 @@ std::optional<RunSection> section_of(const Command& command, const System& syste
     throw InputError(fmt::format(
         "--transient: the run has {:g} forcing periods; give fewer, or nothing is left of it",
         end / period));
-  return RunSection(command.run_section == "stroboscopic" ? DiagramSection::kStroboscopic
-                                                          : DiagramSection::kImpact,
-                    from);
+  return RunSection(*command.section, from);
 }
 
-double sample_rate(const Command& command, const System& system, const std::optional<CutRun>& cut) {
-  if (!command.run_section.empty() && command.record != "samples") return 1.0 / system.period();
+double sample_rate(const SimulateCommand& command, const System& system,
+                   const std::optional<CutRun>& cut) {
+  if (command.section && command.record != "samples") return 1.0 / system.period();
   if (command.record != "samples") {
     const double rate = samples_per_period(system, kPictureSamplesPerPeriod);
     // Nothing settles on a hub: the whole run is looked at.
@@ -92,7 +92,7 @@ double sample_rate(const Command& command, const System& system, const std::opti
   return samples_per_period(system, kSamplesPerPeriod);
 }
 
-void note_options(const Command& command, const SimulationOptions& options,
+void note_options(const SimulateCommand& command, const SimulationOptions& options,
                   const std::optional<CutRun>& cut, double rate, RunInfo& info) {
   if (options.duration)
     info.options.emplace_back("duration", *options.duration);
@@ -101,7 +101,7 @@ void note_options(const Command& command, const SimulationOptions& options,
   info.options.emplace_back("record", command.record);
   if (command.record == "samples") info.options.emplace_back("sample_rate", rate);
   info.options.emplace_back("energy", command.keeps_balance());
-  if (!command.run_section.empty()) info.options.emplace_back("section", command.run_section);
+  if (command.section) info.options.emplace_back("section", name_of(*command.section));
   if (command.transient) info.options.emplace_back("transient", *command.transient);
   info.options.emplace_back("closure_speed", *options.closure_speed);
   info.options.emplace_back("max_impacts", options.max_impacts);
@@ -112,8 +112,8 @@ void note_options(const Command& command, const SimulationOptions& options,
 }
 
 Simulation run_listened(const System& system, const State& start, const std::optional<CutRun>& cut,
-                        const SimulationOptions& options, double rate, const Command& command,
-                        RunOutput& output) {
+                        const SimulationOptions& options, double rate,
+                        const SimulateCommand& command, RunOutput& output) {
   RunListeners listeners;
   listeners.progress = progress_line(command);
   if (output.wants_events()) listeners.event = [&](const Event& event) { output.add(event); };
@@ -125,8 +125,8 @@ Simulation run_listened(const System& system, const State& start, const std::opt
 
 }  // namespace
 
-int run_simulate(const Command& command) {
-  if (!command.plot.empty() && command.run_section.empty())
+int run(const SimulateCommand& command) {
+  if (!command.plot.empty() && !command.section)
     check_picture_or_page_name(command.plot);
   else if (!command.plot.empty())
     check_picture_name(command.plot, ".svg, .png or .pdf with --section");

@@ -24,11 +24,11 @@ TEST(LongRun, MemoryDoesNotGrowWithTheRun) {
        std::vector<std::string>{"", "--json ", "--out " + folder + "/run ",
                                 "--record samples --sample-rate 5 --out " + folder + "/samples ",
                                 "--plot " + folder + "/picture.svg "}) {
-    const double brief = peak_memory("simulate --periods 10000 " + options + kOneMode);
-    const double lengthy = peak_memory("simulate --periods 100000 " + options + kOneMode);
+    const double brief = peak_memory("simulate --periods 5000 " + options + kOneMode);
+    const double lengthy = peak_memory("simulate --periods 50000 " + options + kOneMode);
     EXPECT_GT(brief, 0.0) << options;
-    // 100000 events are 18 MiB of JSON.
-    EXPECT_LT(lengthy, brief + 4.0) << options;
+    // 50000 events are 9 MiB of JSON.
+    EXPECT_LT(lengthy, brief + 2.0) << options;
   }
 }
 

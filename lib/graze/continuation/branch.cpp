@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 #include "graze/base/linalg/decompositions.hpp"
 #include "graze/continuation/branch/detail/growing_branch.hpp"
@@ -10,10 +11,74 @@
 #include "graze/continuation/branch/detail/stepper.hpp"
 #include "graze/continuation/branch/detail/unknown_limits.hpp"
 #include "graze/continuation/special/detail/critical.hpp"
-#include "graze/continuation/special/detail/crossing_passage.hpp"
 
 namespace graze {
 namespace {
+
+// On beyond a branch point from beside which no step leads on.
+//
+// Points next to a branch point are badly determined along the branch that crosses. Where a trace
+// got stuck on one of them it is taken back a little, and on in one step of about the length by
+// which it was taken back.
+class CrossingPassage {
+ public:
+  // Refers to both, which must outlive it.
+  CrossingPassage(Corrector& corrector, Stepper& stepper)
+      : corrector_(corrector), stepper_(stepper) {}
+
+  // The point beyond, the points too near to the branch point dropped from the branch; `h` becomes
+  // the length of the step. Nothing, and the branch as it was, where that does not help either.
+  std::optional<SolutionPoint> pass(GrowingBranch& branch, double& h);
+
+ private:
+  std::optional<SolutionPoint> pass_within(GrowingBranch& branch, double reach);
+
+  Corrector& corrector_;
+  Stepper& stepper_;
+  std::optional<Vector> stuck_;  // where no step led on last time
+  double reach_ = 0.0;           // and how far the passage was from there
+};
+
+std::optional<SolutionPoint> CrossingPassage::pass(GrowingBranch& branch, double& h) {
+  const Vector x = corrector_.pack(branch.last());
+  std::optional<SolutionPoint> next;
+  for (const double part : {1.0, 3.0, 10.0, 30.0, 100.0}) {
+    h = part * kShortest * (1.0 + x.norm());
+    // Where that reach did not lead clear of the branch point a longer one may: how far points are
+    // badly determined goes with the accuracy of the equations.
+    if (stuck_ && (*stuck_ - x).norm() <= h && h <= reach_) continue;
+    next = pass_within(branch, h);
+    if (next) break;
+  }
+  stuck_ = x;
+  reach_ = h;
+  return next;
+}
+
+// Goes back half of `reach`, drops the points in between, and takes a step of nearly all of it.
+std::optional<SolutionPoint> CrossingPassage::pass_within(GrowingBranch& branch, double reach) {
+  const Vector x = corrector_.pack(branch.last());
+  const auto distance = [&](const SolutionPoint& p) { return (corrector_.pack(p) - x).norm(); };
+  std::size_t keep = branch.size();
+  while (keep > 0 && distance(branch[keep - 1]) < 0.5 * reach) --keep;
+  if (keep < 2) return {};
+  SolutionPoint base = branch[keep - 1];
+  const SolutionPoint* before = &branch[keep - 2];
+  const double back = (x - corrector_.pack(base)).dot(base.tangent) - 0.5 * reach;
+  if (back > 0.0) {
+    const std::optional<SolutionPoint> nearer =
+        corrector_.on_hyperplane(stepper_.prediction(before, base, back), base.tangent);
+    if (!nearer || nearer->orientation != base.orientation) return {};
+    before = &branch[keep - 1];
+    base = *nearer;
+  }
+  double turn = 0.0;
+  std::optional<SolutionPoint> next = stepper_.step(before, base, 0.9 * reach, turn, reach);
+  if (!next) return {};
+  branch.keep(keep);
+  if (back > 0.0) branch.add(base);
+  return next;
+}
 
 // Growth of the step after an easy one, and the turn (as a part of the largest) it aims at.
 constexpr double kGrowth = 1.5;

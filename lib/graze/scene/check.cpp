@@ -8,12 +8,10 @@
 #include <limits>
 
 #include "graze/scene/detail/choices.hpp"
-#include "graze/scene/detail/hub_check.hpp"
 #include "graze/scene/detail/keys.hpp"
-#include "graze/scene/detail/probe_check.hpp"
 #include "graze/scene/detail/range_check.hpp"
-#include "graze/scene/detail/spring_check.hpp"
 #include "graze/scene/detail/suggestion.hpp"
+#include "graze/scene/detail/table_checks.hpp"
 #include "graze/scene/detail/value_checker.hpp"
 
 namespace graze {

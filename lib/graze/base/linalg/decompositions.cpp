@@ -9,6 +9,7 @@
 #include <unsupported/Eigen/MatrixFunctions>
 
 #include "graze/base/detail/stop_scope.hpp"
+#include "graze/base/linalg/detail/dense_factors.hpp"
 #include "graze/base/linalg/detail/linear_equations.hpp"
 #include "graze/base/linalg/detail/triangular_factors.hpp"
 
@@ -139,7 +140,7 @@ constexpr double kRoundingsOfModes = 64.0;
 }  // namespace
 
 double condition_number(const Matrix& matrix) {
-  const Vector sigma = Eigen::JacobiSVD<Matrix>(matrix).singularValues();
+  const Vector sigma = singular_values(matrix).values;
   const double smallest = sigma[sigma.size() - 1];
   return smallest > 0.0 ? sigma[0] / smallest : std::numeric_limits<double>::infinity();
 }

@@ -3,14 +3,63 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <vector>
 
+#include "graze/base/angle.hpp"
 #include "graze/base/linalg/detail/dense_factors.hpp"
+#include "graze/base/linalg/detail/linear_equations.hpp"
 #include "graze/base/vector.hpp"
-#include "graze/orbit/problem/detail/held_force.hpp"
+#include "graze/system/system.hpp"
 
 namespace graze {
 namespace {
+
+// The contact force on a stop while the structure is held on its stops for ever.
+//
+// With W = diag(omega), C = diag(2 delta), B the rows, D the directions and a the gaps of the
+// closed stops, it answers the forcing by q = q_0 + Re(Q e^{i theta}), and the forces, over the
+// effective masses, are f_0 + Re(F e^{i theta}):
+//
+//   W^2 q_0 + D f_0 = load,     (W^2 - Omega^2 + i Omega C) Q + D F = amplitude,
+//   B^T q_0 = a,                 B^T Q = 0.
+//
+// The structure stays at rest where f_0 - |F| >= 0 at every closed stop.
+struct HeldForce {
+  double mean = 0.0;  // f_0, m/s^2
+  Complex swing;      // F, m/s^2
+
+  double least() const { return mean - std::abs(swing); }
+  // In [0, 2 pi), rad.
+  double phase_of_least() const { return wrapped(0.5 * kTurn - std::arg(swing)); }
+};
+
+// The force on `stop`, one of the closed ones. Nothing where the held structure is in resonance
+// without damping. Requires forcing.
+std::optional<HeldForce> held_force(const System& system, const std::vector<int>& closed,
+                                    int stop) {
+  const Eigen::Index n = system.modes(), m = static_cast<Eigen::Index>(closed.size());
+  const double frequency = system.forcing()->frequency;
+  Matrix at_rest = Matrix::Zero(n + m, n + m);
+  Vector held = Vector::Zero(n + m);
+  if (system.load()) held.head(n) = *system.load();
+  at_rest.diagonal().head(n) = system.omega.cwiseAbs2();
+  for (Eigen::Index i = 0; i < m; ++i) {
+    const Stop& one = system.stops[static_cast<std::size_t>(closed[static_cast<std::size_t>(i)])];
+    at_rest.col(n + i).head(n) = one.direction();
+    at_rest.row(n + i).head(n) = one.row.transpose();
+    held[n + i] = one.gap;
+  }
+  Eigen::MatrixXcd swinging = at_rest.cast<Complex>();
+  swinging.diagonal().head(n).array() -= frequency * frequency;
+  swinging.diagonal().head(n) += Complex(0.0, 2.0 * frequency) * system.delta().cast<Complex>();
+  ComplexVector driven = ComplexVector::Zero(n + m);
+  driven.head(n) = system.forcing()->amplitude.cast<Complex>();
+  const Eigen::Index place = n + (std::find(closed.begin(), closed.end(), stop) - closed.begin());
+  HeldForce force{LuFactors(at_rest).solve(held)[place], solve(swinging, driven)[place]};
+  if (!std::isfinite(force.least())) return {};
+  return force;
+}
 
 // Where the contact force touches zero the stop is open for a time that goes as the square root of
 // the distance: what 1e-10 of the parameter leaves of it, of a forcing period.

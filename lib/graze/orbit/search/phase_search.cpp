@@ -1,22 +1,90 @@
 #include "graze/orbit/search/detail/phase_search.hpp"
 
 #include <ceres/tiny_solver.h>
+#include <nlopt.h>
 
 #include <algorithm>
 #include <boost/random/sobol.hpp>
 #include <cmath>
 #include <limits>
 #include <memory>
+#include <optional>
 #include <random>
 
 #include "graze/base/angle.hpp"
 #include "graze/base/linalg/detail/linear_equations.hpp"
 #include "graze/base/parallel.hpp"
+#include "graze/orbit/closed_form/detail/phase_problem.hpp"
 #include "graze/orbit/problem/orbit_identity.hpp"
-#include "graze/orbit/search/detail/global_phases.hpp"
+#include "graze/orbit/search/detail/phase_deflation.hpp"
+#include "graze/orbit/search/detail/phase_search_options.hpp"
 
 namespace graze {
 namespace {
+
+// The lowest point of the phase problem on its whole torus, where local solves found none.
+//
+// Minimised is the squared residual, deflated and in units of a length, plus the squares of what is
+// negative of the approach speeds, in units of a speed: of all the points where contact holds the
+// orbits are those that approach. DIRECT (NLopt's locally biased version; Gablonsky & Kelley,
+// J. Global Optim. 21, 2001) divides the torus into boxes and needs neither derivatives nor random
+// numbers, so that it is the same everywhere; its answer is a start for a local solve, no more.
+
+// Where the equations cannot be evaluated, and the most that DIRECT is shown: one pole among the
+// values must not hide the differences between the others. NLopt takes no NaN.
+constexpr double kHighest = 1e6;
+
+struct Height {
+  const PhaseProblem& problem;
+  const PhaseDeflation& deflation;
+  const PhaseSearchOptions& options;
+  nlopt_opt search;  // that is forced to stop with the rest
+  double lowest = kHighest;
+  Vector where;
+
+  double at(const Vector& phases) {
+    if (options.stop.requested()) nlopt_force_stop(search);
+    Vector speeds;
+    const Vector r = problem.defect(phases, nullptr, &speeds) / options.length;
+    const double factor = deflation.factor(phases);
+    const double height =
+        factor * factor * r.squaredNorm() + (speeds / options.speed).cwiseMin(0.0).squaredNorm();
+    if (!(height < kHighest)) return kHighest;
+    if (height < lowest) {
+      lowest = height;
+      where = phases;
+    }
+    return height;
+  }
+};
+
+double height_at(unsigned n, const double* x, double*, void* data) {
+  return static_cast<Height*>(data)->at(Eigen::Map<const Vector>(x, n));
+}
+
+// The phases, rad, of the lowest of options.global_evaluations values; nothing where none could be
+// evaluated or NLopt refuses.
+std::optional<Vector> lowest_phases(const PhaseProblem& problem, const PhaseDeflation& deflation,
+                                    const PhaseSearchOptions& options) {
+  const auto k = static_cast<unsigned>(problem.impacts());
+  const std::unique_ptr<nlopt_opt_s, decltype(&nlopt_destroy)> direct(
+      nlopt_create(NLOPT_GN_DIRECT_L, k), &nlopt_destroy);
+  if (!direct) return {};
+  Height height{problem, deflation, options, direct.get(), kHighest, {}};
+  const Vector low = Vector::Zero(k);
+  Vector high = Vector::Constant(k, kTurn * problem.response().period());
+  high[0] = kTurn;  // a whole orbit later by a forcing period is the same orbit
+  nlopt_set_lower_bounds(direct.get(), low.data());
+  nlopt_set_upper_bounds(direct.get(), high.data());
+  nlopt_set_min_objective(direct.get(), height_at, &height);
+  nlopt_set_maxeval(direct.get(), options.global_evaluations);
+  Vector x = 0.5 * high;
+  double value = 0.0;
+  // Its word is not asked for: the lowest value was kept on the way.
+  nlopt_optimize(direct.get(), x.data(), &value);
+  if (height.where.size() == 0) return {};
+  return height.where;
+}
 
 // A residual where the equations cannot be evaluated: larger than any other, and its square is
 // still a number.

@@ -3,7 +3,7 @@
 //
 // The latter two are read off the multipliers at points within each step, so many that every
 // crossing is seen (crossing_stations.hpp, circle_crossings.hpp). Branch points are located as
-// regular solutions of a larger system (branch_crossing.hpp).
+// regular solutions of a larger system.
 #pragma once
 
 #include "graze/continuation/branch/detail/corrector.hpp"

@@ -4,7 +4,7 @@
 // Levenberg-Marquardt solve (Ceres) of the deflated phase problem, then Newton's method on the
 // problem itself. What a round has found is deflated in the next one; two rounds in a row without
 // anything new are the last. Where all that found nothing, the lowest deflated residual on the
-// whole torus is looked for (global_phases.hpp) and solved from in the same way.
+// whole torus is looked for and solved from in the same way.
 //
 // The number of threads changes nothing: the starts of a round know nothing of each other and are
 // collected in their order.

@@ -1,4 +1,4 @@
-// How long and where the phases of impacts are searched for (phase_search.hpp, global_phases.hpp).
+// How long and where the phases of impacts are searched for (phase_search.hpp).
 #pragma once
 
 #include <cstdint>

@@ -7,6 +7,11 @@
 
 namespace graze {
 
+inline constexpr SweepDirection kSweepDirections[] = {SweepDirection::kUp, SweepDirection::kDown,
+                                                      SweepDirection::kFresh};
+inline constexpr DiagramSection kDiagramSections[] = {DiagramSection::kImpact,
+                                                      DiagramSection::kStroboscopic};
+
 std::string name_of(SweepDirection direction);
 std::string name_of(SweepStart start);
 std::string name_of(SweepStatus status);
