@@ -24,8 +24,7 @@ Complex times(Complex a, Complex b) {
 }
 
 // The eigenvalues along the diagonal of a quasi-triangular matrix.
-template <class RealMatrix>
-std::vector<Complex> diagonal_values(const RealMatrix& t) {
+std::vector<Complex> diagonal_values(const Matrix& t) {
   const Index n = t.rows();
   std::vector<Complex> values;
   values.reserve(static_cast<std::size_t>(n));
@@ -48,8 +47,7 @@ std::vector<Complex> diagonal_values(const RealMatrix& t) {
 
 // A unitary change of basis that makes a quasi-triangular matrix triangular, its eigenvalues in
 // this order along the diagonal.
-template <class ComplexMatrix>
-void triangularise(ComplexMatrix& t, const std::vector<Complex>& values) {
+void triangularise(Eigen::MatrixXcd& t, const std::vector<Complex>& values) {
   const Index n = t.rows();
   for (Index i = 0; i + 1 < n; ++i) {
     if (t(i + 1, i) == 0.0) continue;
@@ -74,8 +72,7 @@ void triangularise(ComplexMatrix& t, const std::vector<Complex>& values) {
 
 // |x| |y| of the right and left vectors of the j-th eigenvalue of a triangular matrix, y^* x = 1:
 // its condition number; not finite where there is no such pair.
-template <class ComplexMatrix, class ComplexColumn>
-double condition_of(const ComplexMatrix& t, Index j, ComplexColumn& x) {
+double condition_of(const Eigen::MatrixXcd& t, Index j, ComplexVector& x) {
   const Index n = t.rows();
   const Complex value = t(j, j);
   double right = 1.0, left = 1.0;
@@ -93,45 +90,6 @@ double condition_of(const ComplexMatrix& t, Index j, ComplexColumn& x) {
     left += std::norm(x[l]);
   }
   return std::sqrt(right) * std::sqrt(left);
-}
-
-template <class RealMatrix>
-std::vector<Eigenvalue> eigenvalues_by_schur(const Matrix& matrix, ErrorBounds errors,
-                                             double uncertainty) {
-  const bool wanted = errors == ErrorBounds::kGiven;
-  const Index n = matrix.rows();
-  if (n == 0 || !matrix.allFinite()) return {};
-  // Vectors of the triangular form are as long as those of the matrix: its basis is not needed.
-  const Eigen::RealSchur<RealMatrix> decomposition(RealMatrix(matrix), false);
-  if (decomposition.info() != Eigen::Success) return {};
-  const RealMatrix& schur = decomposition.matrixT();
-  const std::vector<Complex> values = diagonal_values(schur);
-  std::vector<Eigenvalue> list;
-  list.reserve(values.size());
-  for (const Complex& value : values) list.push_back({value, 0.0});
-  if (wanted) {
-    constexpr int kMost = RealMatrix::MaxRowsAtCompileTime;
-    Eigen::Matrix<Complex, Eigen::Dynamic, Eigen::Dynamic, 0, kMost, kMost> t =
-        schur.template cast<Complex>();
-    triangularise(t, values);
-    Eigen::Matrix<Complex, Eigen::Dynamic, 1, 0, kMost, 1> x(n);
-    const double size = static_cast<double>(n), norm = matrix.norm();
-    const double roundings = size + uncertainty;
-    const double unit = std::numeric_limits<double>::epsilon() * roundings * norm;
-    const double elsner = std::pow(norm + unit, 1.0 - 1.0 / size) * std::pow(unit, 1.0 / size);
-    ScopedPoll poll;
-    bool told = true, stopped = false;  // told from zero, each by itself
-    for (Index j = 0; j < n; ++j) {
-      stopped = stopped || poll.requested_after(n * n);
-      Eigenvalue& value = list[static_cast<std::size_t>(j)];
-      value.error = stopped ? elsner : unit * condition_of(t, j, x);
-      told = told && (stopped || value.error <= std::abs(value.value));
-    }
-    if (!told) bound_together({t}, roundings, 0, list);
-    for (Eigenvalue& value : list) value.error = value.error < elsner ? value.error : elsner;
-  }
-  sort_eigenvalues(list);
-  return list;
 }
 
 // Backward error of eigenvectors in units of n eps |A|; a few come up.
@@ -168,11 +126,38 @@ void sort_eigenvalues(std::vector<Eigenvalue>& list) {
 }
 
 std::vector<Eigenvalue> eigenvalues(const Matrix& matrix, ErrorBounds errors, double uncertainty) {
-  // Up to this size, that of eight modes, without allocating.
-  constexpr int kSmall = 16;
-  using Small = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, kSmall, kSmall>;
-  return matrix.rows() <= kSmall ? eigenvalues_by_schur<Small>(matrix, errors, uncertainty)
-                                 : eigenvalues_by_schur<Matrix>(matrix, errors, uncertainty);
+  const bool wanted = errors == ErrorBounds::kGiven;
+  const Index n = matrix.rows();
+  if (n == 0 || !matrix.allFinite()) return {};
+  // Vectors of the triangular form are as long as those of the matrix: its basis is not needed.
+  const Eigen::RealSchur<Matrix> decomposition(matrix, false);
+  if (decomposition.info() != Eigen::Success) return {};
+  const Matrix& schur = decomposition.matrixT();
+  const std::vector<Complex> values = diagonal_values(schur);
+  std::vector<Eigenvalue> list;
+  list.reserve(values.size());
+  for (const Complex& value : values) list.push_back({value, 0.0});
+  if (wanted) {
+    Eigen::MatrixXcd t = schur.cast<Complex>();
+    triangularise(t, values);
+    ComplexVector x(n);
+    const double size = static_cast<double>(n), norm = matrix.norm();
+    const double roundings = size + uncertainty;
+    const double unit = std::numeric_limits<double>::epsilon() * roundings * norm;
+    const double elsner = std::pow(norm + unit, 1.0 - 1.0 / size) * std::pow(unit, 1.0 / size);
+    ScopedPoll poll;
+    bool told = true, stopped = false;  // told from zero, each by itself
+    for (Index j = 0; j < n; ++j) {
+      stopped = stopped || poll.requested_after(n * n);
+      Eigenvalue& value = list[static_cast<std::size_t>(j)];
+      value.error = stopped ? elsner : unit * condition_of(t, j, x);
+      told = told && (stopped || value.error <= std::abs(value.value));
+    }
+    if (!told) bound_together({t}, roundings, 0, list);
+    for (Eigenvalue& value : list) value.error = value.error < elsner ? value.error : elsner;
+  }
+  sort_eigenvalues(list);
+  return list;
 }
 
 ComplexModes complex_modes(const Matrix& matrix) {
@@ -195,11 +180,12 @@ ComplexModes complex_modes(const Matrix& matrix) {
 }
 
 double norm_growth_rate(const Matrix& matrix) {
-  if (matrix.rows() == 0) return 0.0;
   const Matrix symmetric = 0.5 * (matrix + matrix.transpose());
-  return Eigen::SelfAdjointEigenSolver<Matrix>(symmetric, Eigen::EigenvaluesOnly)
-      .eigenvalues()
-      .maxCoeff();
+  const std::vector<Eigenvalue> list = eigenvalues(symmetric, ErrorBounds::kLeftOut);
+  // No eigenvalue is larger; nor is one where none were found.
+  double fastest = list.empty() ? symmetric.norm() : -symmetric.norm();
+  for (const Eigenvalue& l : list) fastest = std::max(fastest, l.value.real());
+  return fastest;
 }
 
 Matrix matrix_exponential(const Matrix& matrix) {
