@@ -18,18 +18,16 @@ namespace graze {
 namespace {
 
 void add_check(CLI::App& graze, std::optional<Command>& parsed) {
-  const auto [app, options] = add_command<CheckCommand>(
+  const auto [app, command] = add_command<CheckCommand>(
       graze, parsed, "check",
       "Read a scene and say what is simulated: modes, frequencies, conditioning, flow");
-  CheckCommand& command = *options;
   app->footer(footer("check data/scenes/02_wagg_momentum.toml --set beam.modes=8"));
   add_shared(app, command);
 }
 
 void add_simulate(CLI::App& graze, std::optional<Command>& parsed) {
-  const auto [app, options] = add_command<SimulateCommand>(
+  const auto [app, command] = add_command<SimulateCommand>(
       graze, parsed, "simulate", "Follow the motion, every impact certified");
-  SimulateCommand& command = *options;
   app->footer(footer("simulate data/scenes/02_wagg_momentum.toml --duration 1 --energy"));
   add_shared(app, command);
   add_plot_or_page(app, command);
@@ -79,9 +77,8 @@ void add_simulate(CLI::App& graze, std::optional<Command>& parsed) {
 }
 
 void add_orbit(CLI::App& graze, std::optional<Command>& parsed) {
-  const auto [app, options] =
+  const auto [app, command] =
       add_command<OrbitCommand>(graze, parsed, "orbit", "Find periodic orbits, stable or not");
-  OrbitCommand& command = *options;
   app->footer(footer("orbit data/scenes/05_wagg_one_mode.toml --set forcing.frequency=40"));
   add_shared(app, command);
   add_plot_or_page(app, command);
@@ -89,7 +86,7 @@ void add_orbit(CLI::App& graze, std::optional<Command>& parsed) {
   add_closure_speed(app, command);
   app->add_option_function<std::string>(
          "--impacts",
-         [&command](const std::string& text) {
+         [&command = command](const std::string& text) {
            if (text == "any") return;
            int value = 0;
            if (!CLI::detail::lexical_cast(text, value) || value < 1)
@@ -103,9 +100,8 @@ void add_orbit(CLI::App& graze, std::optional<Command>& parsed) {
 }
 
 void add_continue(CLI::App& graze, std::optional<Command>& parsed) {
-  const auto [app, options] = add_command<ContinueCommand>(
+  const auto [app, command] = add_command<ContinueCommand>(
       graze, parsed, "continue", "Trace branches of orbits over a parameter of the scene");
-  ContinueCommand& command = *options;
   app->footer(
       footer("continue data/scenes/05_wagg_one_mode.toml --parameter forcing.frequency --from 15 "
              "--to 120"));
@@ -120,10 +116,9 @@ void add_continue(CLI::App& graze, std::optional<Command>& parsed) {
 }
 
 void add_diagram(CLI::App& graze, std::optional<Command>& parsed) {
-  const auto [app, options] = add_command<DiagramCommand>(
+  const auto [app, command] = add_command<DiagramCommand>(
       graze, parsed, "diagram",
       "Bifurcation diagram: sweep a parameter, with the branches of orbits over it");
-  DiagramCommand& command = *options;
   app->footer(
       footer("diagram data/scenes/05_wagg_one_mode.toml --parameter forcing.frequency --from 15 "
              "--to 120"));
@@ -156,20 +151,16 @@ void add_diagram(CLI::App& graze, std::optional<Command>& parsed) {
 }
 
 void add_map(CLI::App& graze, std::optional<Command>& parsed) {
-  const auto [app, options] = add_command<MapCommand>(
+  const auto [app, command] = add_command<MapCommand>(
       graze, parsed, "map",
       "What the motion settles on over two parameters, or two coordinates of its start");
-  MapCommand& command = *options;
   app->footer(
       footer("map data/scenes/05_wagg_one_mode.toml --parameter forcing.frequency --from 15 "
              "--to 120 \\\n           --second stop.gap --second-from 0.5e-3 --second-to 2e-3"));
   add_shared(app, command);
   add_plot_or_page(app, command);
   add_plane(app, command);
-  app->add_option_function<std::string>("--show", set_by_name(command.show, kMapQuantities),
-                                        "What the picture shows of every cell")
-      ->check(CLI::IsMember(names_of(kMapQuantities)))
-      ->default_str(name_of(command.show))
+  add_choice(app, "--show", command.show, kMapQuantities, "What the picture shows of every cell")
       ->type_name("WHAT");
   add_loci_over_map(app, command);
   add_settling(app, command.settling);
@@ -179,10 +170,9 @@ void add_map(CLI::App& graze, std::optional<Command>& parsed) {
 }
 
 void add_merge(CLI::App& graze, std::optional<Command>& parsed) {
-  const auto [app, options] = add_command<MergeCommand>(
+  const auto [app, command] = add_command<MergeCommand>(
       graze, parsed, "merge",
       "Join the shares of a diagram, map or comparison (--shard) to its result");
-  MergeCommand& command = *options;
   app->footer(footer("merge runs/part* --out runs/whole --plot whole.svg"));
   app->add_option("FOLDER", command.folders, "Folders that --shard wrote to")
       ->required()
@@ -198,9 +188,8 @@ void add_merge(CLI::App& graze, std::optional<Command>& parsed) {
 }
 
 void add_cost(CLI::App& graze, std::optional<Command>& parsed) {
-  const auto [app, options] =
+  const auto [app, command] =
       add_command<CostCommand>(graze, parsed, "cost", "What accuracy costs in time, flow by flow");
-  CostCommand& command = *options;
   app->footer(footer("cost data/scenes/02_wagg_momentum.toml --set stop.gap=5e-3 --plot cost.png"));
   add_shared(app, command);
   add_plot(app, command);
@@ -218,9 +207,8 @@ void add_cost(CLI::App& graze, std::optional<Command>& parsed) {
 }
 
 void add_fit(CLI::App& graze, std::optional<Command>& parsed) {
-  const auto [app, options] = add_command<FitCommand>(
+  const auto [app, command] = add_command<FitCommand>(
       graze, parsed, "fit", "Identify parameters of the scene from measurements");
-  FitCommand& command = *options;
   app->footer(
       footer("fit data/measurements/restitution.toml data/measurements/restitution.csv\n"
              "         graze fit data/measurements/contact.toml data/measurements/contact.csv \\\n"
@@ -348,12 +336,8 @@ ParsedCommand parse_command_line(int argc, char** argv) {
     std::cerr << "graze: " << empty << " (see graze " << given.get_name() << " --help)\n";
     return {std::nullopt, 2};
   }
-  std::visit(
-      [&](CommonOptions& command) {
-        command.name = given.get_name();
-        command.arguments.assign(argv + 1, argv + argc);
-      },
-      *parsed);
+  std::visit([&](CommonOptions& command) { command.arguments.assign(argv + 1, argv + argc); },
+             *parsed);
   return {parsed, 0};
 }
 

@@ -76,10 +76,8 @@ void add_ranges(CLI::App* app, CompareCommand& command) {
       ->transform(whole_number_within(2, 10'000))
       ->capture_default_str()
       ->type_name("M");
-  app->add_option_function<std::string>("--show", set_by_name(command.show, kComparedQuantities),
-                                        "What the picture shows of every cell")
-      ->check(CLI::IsMember(names_of(kComparedQuantities)))
-      ->default_str(name_of(command.show))
+  add_choice(app, "--show", command.show, kComparedQuantities,
+             "What the picture shows of every cell")
       ->type_name("WHAT");
 }
 
@@ -120,10 +118,9 @@ void relate(CLI::App* app) {
 }  // namespace
 
 void add_compare(CLI::App& graze, std::optional<Command>& parsed) {
-  const auto [app, options] = add_command<CompareCommand>(
+  const auto [app, command] = add_command<CompareCommand>(
       graze, parsed, "compare",
       "Compare motions: with another choice, with more modes, over a parameter");
-  CompareCommand& command = *options;
   app->footer(
       footer("compare data/scenes/01_wagg_2004.toml --against beam.discretisation=galerkin\n"
              "         graze compare data/scenes/02_wagg_momentum.toml --modes 1:8\n"

@@ -144,12 +144,9 @@ void add_sweep(CLI::App* app, DiagramCommand& command) {
       ->transform(whole_number_within(2, 1'000'000))
       ->capture_default_str()
       ->type_name("N");
-  app->add_option_function<std::string>(
-         "--direction", set_by_name(command.direction, kSweepDirections),
-         "up or down: each value goes on from the one before; fresh: each starts as the "
-         "scene says")
-      ->check(CLI::IsMember(names_of(kSweepDirections)))
-      ->default_str(name_of(command.direction))
+  add_choice(app, "--direction", command.direction, kSweepDirections,
+             "up or down: each value goes on from the one before; fresh: each starts as the "
+             "scene says")
       ->type_name("HOW");
   app->add_option_function<std::string>(
          "--section", set_by_name(command.section, kDiagramSections),

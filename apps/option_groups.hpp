@@ -13,13 +13,13 @@ namespace graze {
 
 // A command, and the options it reads into, which become what is parsed where it is the one given.
 template <class Kind>
-std::pair<CLI::App*, std::shared_ptr<Kind>> add_command(CLI::App& graze,
-                                                        std::optional<Command>& parsed,
-                                                        const char* name, const char* what) {
+std::pair<CLI::App*, Kind&> add_command(CLI::App& graze, std::optional<Command>& parsed,
+                                        const char* name, const char* what) {
   CLI::App* app = graze.add_subcommand(name, what);
-  auto options = std::make_shared<Kind>();
+  const auto options = std::make_shared<Kind>();
+  options->name = name;
   app->callback([options, &parsed] { parsed = *options; });
-  return {app, options};
+  return {app, *options};
 }
 
 // What stands below the options.

@@ -83,6 +83,15 @@ std::function<void(const std::string&)> set_by_name(Value& value, const List& th
   };
 }
 
+// An option that takes one of them.
+template <class Value, class List>
+CLI::Option* add_choice(CLI::App* app, const char* name, Value& value, const List& things,
+                        const char* what) {
+  return app->add_option_function<std::string>(name, set_by_name(value, things), what)
+      ->check(CLI::IsMember(names_of(things)))
+      ->default_str(name_of(value));
+}
+
 // Of two words, whether it is the second.
 inline std::function<void(const std::string&)> set_if(bool& value, const char* second) {
   return [&value, second](const std::string& word) { value = word == second; };
