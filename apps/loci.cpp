@@ -126,7 +126,7 @@ int run_loci(const ContinueCommand& command) {
   if (command.regions > 0) {
     record.regions = regions_of(command, scene, options);
     if (options.kinds.size() == kOrbitLocusKinds.size())
-      record.borders = region_borders(*record.regions, record.traced);
+      record.boundaries = region_boundaries(*record.regions, record.traced);
     record.outcome = regions_outcome(*record.regions, record.outcome);
   }
   const auto files = [&] {

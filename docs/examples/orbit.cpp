@@ -29,7 +29,7 @@ int main(int count, char** words) try {
     for (const Eigenvalue& multiplier : orbit.multipliers)
       std::printf("  multiplier %.9f %+.9fi\n", multiplier.value.real(), multiplier.value.imag());
     std::printf("  %s, %s\n", orbit.admissible ? "admissible" : "virtual",
-                !orbit.stable   ? "on the border of stability"
+                !orbit.stable   ? "on the boundary of stability"
                 : *orbit.stable ? "stable"
                                 : "unstable");
   }

@@ -37,7 +37,7 @@ TEST(LociCommand, WritesTheDocumentOfTheContract) {
       EXPECT_LE(point["value"].get<double>(), 54.5);
       EXPECT_GE(point["second"].get<double>(), 1.2e-3);
       EXPECT_LE(point["second"].get<double>(), 1.3e-3);
-      // On a grazing of the motion that has no impacts the one listed is the touch.
+      // On a grazing of the motion that has no impacts the one listed is the grazing contact.
       if (locus["label"] == "GR") {
         EXPECT_NEAR(point["speed"].get<double>(), 0.0, 1e-12);
       }

@@ -44,7 +44,7 @@ TEST(RegionsCommand, WritesTheDocument) {
   }
   EXPECT_EQ(places, 25);
   EXPECT_NEAR(share, 1.0, 1e-12);
-  EXPECT_TRUE(regions["borders"].is_null());  // the loci are not all there
+  EXPECT_TRUE(regions["boundaries"].is_null());  // the loci are not all there
   const json& counters = regions["counters"];
   EXPECT_EQ(counters["places"], 25);
   EXPECT_EQ(counters["refuted"], 0);

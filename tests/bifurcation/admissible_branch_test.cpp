@@ -20,7 +20,7 @@ void expect_admissible_branches(const Scene& scene, const std::string& parameter
     SCOPED_TRACE(testing::Message() << "branch " << branch.id);
     for (std::size_t i = 0; i < branch.points.size(); ++i) {
       const OrbitBranchPoint& point = branch.points[i];
-      // The ends may be grazings themselves, on the border within their accuracy.
+      // The ends may be grazings themselves, on the boundary within their accuracy.
       const bool grazing_end =
           (i == 0 && branch.ends[0] == OrbitBranchEnd::kGrazing) ||
           (i + 1 == branch.points.size() && branch.ends[1] == OrbitBranchEnd::kGrazing);
@@ -38,9 +38,9 @@ void expect_admissible_branches(const Scene& scene, const std::string& parameter
     for (const SpecialPoint& special : branch.special) {
       if (special.kind != SpecialKind::kGrazing) continue;
       ++grazings;
-      const double touch =
+      const double grazing =
           special.by_speed ? special.at.smallest_speed : special.at.orbit.clearance.value_or(1.0);
-      EXPECT_NEAR(touch, 0.0, 1e-9) << special.id;
+      EXPECT_NEAR(grazing, 0.0, 1e-9) << special.id;
     }
     const int ends =
         (branch.ends[0] == OrbitBranchEnd::kGrazing) + (branch.ends[1] == OrbitBranchEnd::kGrazing);
@@ -73,17 +73,17 @@ void expect_complete(const Scene& scene, const std::string& parameter, double fr
     const ClosedFormAnswer answer = closed_form(system, 0, 1);
     if (!answer.form) continue;
     int admissible = 0;
-    bool border = false;  // too near to a grazing or a fold for the grid
+    bool boundary = false;  // too near to a grazing or a fold for the grid
     for (const ImpactPoint& point : answer.form->solutions(system.stops[0].gap)) {
-      const Admissibility verdict = admissibility(system, {1, {0}}, {point});
-      admissible += verdict.admissible;
-      border = border || std::abs(verdict.smallest_speed) < 1e-9 ||
-               std::abs(verdict.clearance().value_or(1.0)) < 1e-9;
+      const Admissibility classification = admissibility(system, {1, {0}}, {point});
+      admissible += classification.admissible;
+      boundary = boundary || std::abs(classification.smallest_speed) < 1e-9 ||
+                 std::abs(classification.clearance().value_or(1.0)) < 1e-9;
     }
-    border = border ||
-             std::abs(support::fold_distance(family, value)->relative()) < support::kBesideFold;
-    if (!border) {
-      EXPECT_EQ(support::passages(result, value), admissible) << value;
+    boundary = boundary ||
+               std::abs(support::fold_distance(family, value)->relative()) < support::kBesideFold;
+    if (!boundary) {
+      EXPECT_EQ(support::segments(result, value), admissible) << value;
     }
   }
 }

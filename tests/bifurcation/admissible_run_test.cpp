@@ -38,7 +38,7 @@ void expect_all_runs(const SystemFamily& family, double from, double to, double 
     const auto speeds = orbit_speeds(family, value);
     if (speeds.empty()) continue;
     seen += static_cast<int>(speeds.size());
-    EXPECT_EQ(support::passages(result, value), static_cast<int>(speeds.size())) << value;
+    EXPECT_EQ(support::segments(result, value), static_cast<int>(speeds.size())) << value;
   }
   EXPECT_GT(seen, 0);
 }

@@ -113,7 +113,7 @@ inline int expect_closed_form(const OrbitBranches& result, const SystemFamily& f
 }
 
 // How many times the branches pass a value of the parameter.
-inline int passages(const OrbitBranches& result, double value) {
+inline int segments(const OrbitBranches& result, double value) {
   int count = 0;
   for (const OrbitBranch& branch : result.branches)
     for (std::size_t i = 0; i + 1 < branch.points.size(); ++i)

@@ -12,7 +12,7 @@ using support::expect_closed_form;
 using support::fold_distance;
 using support::FoldDistance;
 using support::kBesideFold;
-using support::passages;
+using support::segments;
 using support::special_points;
 using support::trace;
 
@@ -96,7 +96,7 @@ TEST_P(WholeComponents, BothSolutionsAreTracedWhereverThereAreTwo) {
     const double value = GetParam().from + (GetParam().to - GetParam().from) * i / 997.0;
     const auto distance = fold_distance(systems, value);
     if (!distance || std::abs(distance->relative()) < kBesideFold) continue;
-    EXPECT_EQ(passages(result, value), distance->relative() > 0.0 ? 2 : 0) << value;
+    EXPECT_EQ(segments(result, value), distance->relative() > 0.0 ? 2 : 0) << value;
   }
 }
 
@@ -150,7 +150,7 @@ void expect_other_parameter(const Scene& scene, const std::string& parameter, do
     const double value = from + (to - from) * i / 97.0;
     const auto distance = fold_distance(family, value);
     if (!distance || std::abs(distance->relative()) < support::kBesideFold) continue;
-    EXPECT_EQ(passages(result, value), distance->relative() > 0.0 ? 2 : 0) << value;
+    EXPECT_EQ(segments(result, value), distance->relative() > 0.0 ? 2 : 0) << value;
   }
 }
 

@@ -72,7 +72,7 @@ TEST(CompliantBranches, PassGrazingsOfSmoothForces) {
   for (const double side : {-1e-4, 1e-4}) {
     const System system = *family.at(value + side);
     const MotionState<double>& at = grazings[0].at.orbit.section->states[0];
-    const FollowedAnswer near = followed_orbit(system, {at.q, at.qdot}, 2, PassageOptions{});
+    const FollowedAnswer near = followed_orbit(system, {at.q, at.qdot}, 2, SegmentOptions{});
     ASSERT_TRUE(near.orbit) << near.why_not;
     EXPECT_EQ(near.orbit->impacts.size(), side < 0.0 ? 2u : 1u);
     if (side < 0.0) {

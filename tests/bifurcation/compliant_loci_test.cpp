@@ -151,7 +151,7 @@ int contacts_at(const Scene& scene, const OrbitLocusPoint& point, double gap) {
                      "stop.gap", gap));
   const std::vector<MotionState<double>>& turns = point.section->states;
   const FollowedAnswer answer = followed_orbit(system, {turns.front().q, turns.front().qdot},
-                                               static_cast<int>(turns.size()), PassageOptions{});
+                                               static_cast<int>(turns.size()), SegmentOptions{});
   EXPECT_TRUE(answer.orbit) << answer.why_not;
   return answer.orbit ? static_cast<int>(answer.orbit->impacts.size()) : 0;
 }

@@ -77,8 +77,8 @@ struct PairCase {
   std::size_t which = 0;         // of the closed form's solutions
 };
 
-// The smaller of impact speed and clearance, in units of 1 m/s and 1 m: its sign is the verdict.
-// Nothing where the closed form has no solution.
+// The smaller of impact speed and clearance, in units of 1 m/s and 1 m: its sign is the
+// classification. Nothing where the closed form has no solution.
 std::optional<double> margin(const SystemFamily& family, std::size_t which, double value) {
   const System system = *family.at(value);
   const ClosedFormAnswer answer = closed_form(system, 0, 1);

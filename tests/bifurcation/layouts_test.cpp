@@ -1,5 +1,5 @@
 // What every layout of a periodic orbit has to keep, one battery over all of them: flights from
-// impact to impact, passages from one fixed phase to the next and from release to release, with all
+// impact to impact, segments from one fixed phase to the next and from release to release, with all
 // directions held and with some, and on springs meanwhile.
 #include <gtest/gtest.h>
 
@@ -10,7 +10,7 @@
 #include <limits>
 
 #include "branch_checks.hpp"
-#include "graze/bifurcation/cut/detail/branch_borders.hpp"
+#include "graze/bifurcation/cut/detail/branch_boundaries.hpp"
 #include "graze/bifurcation/trace/detail/orbit_problems.hpp"
 #include "graze/orbit/problem/detail/solve.hpp"
 #include "graze/orbit/search/finder.hpp"
@@ -38,7 +38,7 @@ class Layouts : public ::testing::TestWithParam<Case> {
     const SystemFamily family(one.scene, one.parameter);
     value_ = family.value();
     system_ = *family.at(value_);
-    PassageOptions passage;
+    SegmentOptions segment;
     if (one.period == 0) {
       // Chatters closed so late that differences do not see it.
       orbit_ = settled_orbit(one.scene, 1e-8 * motion_scale(system_).length).orbit;
@@ -51,7 +51,7 @@ class Layouts : public ::testing::TestWithParam<Case> {
       orbit_ = found.orbits.front();
     }
     problems_.emplace(GetParam().scene, std::vector<std::string>{one.parameter},
-                      std::vector<double>{std::abs(value_)}, motion_scale(system_), passage);
+                      std::vector<double>{std::abs(value_)}, motion_scale(system_), segment);
     written_ = problems_->written(orbit_, std::array{value_});
     ASSERT_FALSE(written_.empty());
   }
@@ -87,7 +87,7 @@ TEST_P(Layouts, WriteAnOrbitAndTellItAgain) {
     const std::optional<OrbitBranchPoint> at = problem.judge(there);
     ASSERT_TRUE(at);
     EXPECT_EQ(at->orbit.period, orbit_.period);
-    EXPECT_EQ(at->orbit.holds.size(), orbit_.holds.size());
+    EXPECT_EQ(at->orbit.sticking.size(), orbit_.sticking.size());
     EXPECT_EQ(at->orbit.stable, orbit_.stable);
     // In which order does not matter, nor how much of a chatter is told.
     const double fast = 1e-3 * motion_scale(system_).speed;

@@ -233,25 +233,25 @@ std::vector<double> places(const OrbitLoci& found, const std::string& label) {
 // impacts, and each finds the other one's touch among the gaps between its own.
 TEST(OrbitLoci, TwoTouchesAreTheSameFromBothLociAndWithAnyStep) {
   const Scene scene = support::shipped_scene("05_wagg_one_mode", {"beam.modes=2", "stop.gap=2e-3"});
-  const auto double_touches = [&](double max_step) {
+  const auto double_grazings = [&](double max_step) {
     return places(loci(scene, OrbitLocusKind::kGrazing, 20.0, 60.0, 5e-4, 0.01, false, max_step),
                   "GRGR");
   };
-  const std::vector<double> touches = double_touches(0.0);
+  const std::vector<double> grazings = double_grazings(0.0);
   // Met on both loci where both are orbits there.
   int met_twice = 0;
-  for (std::size_t i = 1; i < touches.size(); ++i) {
-    const double apart = touches[i] - touches[i - 1];
-    EXPECT_TRUE(apart < 1e-9 || apart > 1e-3) << touches[i];
+  for (std::size_t i = 1; i < grazings.size(); ++i) {
+    const double apart = grazings[i] - grazings[i - 1];
+    EXPECT_TRUE(apart < 1e-9 || apart > 1e-3) << grazings[i];
     met_twice += apart < 1e-9 ? 1 : 0;
   }
   EXPECT_GE(met_twice, 4);
-  const std::vector<double> closer = double_touches(0.2);
-  EXPECT_EQ(closer.size(), touches.size());
-  for (const double touch : touches) {
+  const std::vector<double> closer = double_grazings(0.2);
+  EXPECT_EQ(closer.size(), grazings.size());
+  for (const double grazing : grazings) {
     double nearest = 1e9;
-    for (const double other : closer) nearest = std::min(nearest, std::abs(other / touch - 1.0));
-    EXPECT_LE(nearest, 1e-10) << touch;
+    for (const double other : closer) nearest = std::min(nearest, std::abs(other / grazing - 1.0));
+    EXPECT_LE(nearest, 1e-10) << grazing;
   }
 }
 

@@ -106,12 +106,12 @@ TEST(PlasticImpact, OrbitsThatStickGoOnFromWhereTheStopPushesBack) {
   double nearest = options.to;
   for (const OrbitBranchPoint& point : sticks->points) {
     nearest = std::min(nearest, point.value);
-    if (point.orbit.holds.empty()) continue;
+    if (point.orbit.sticking.empty()) continue;
     const System system = *family.at(point.value);
     const double q = system.stops[0].gap / system.stops[0].row[0];
     const double release =
         std::acos(system.omega[0] * system.omega[0] * q / system.forcing()->amplitude[0]);
-    const double phase = point.orbit.holds.back().to.phase;
+    const double phase = point.orbit.sticking.back().to.phase;
     EXPECT_LT(
         std::abs(std::remainder(std::abs(std::remainder(phase, 2.0 * std::numbers::pi)) - release,
                                 2.0 * std::numbers::pi)),

@@ -137,7 +137,7 @@ TEST(BallOnAVibratingTable, HasTheFoldOfTheTextbooks) {
 }
 
 // The same number along a solution as the value varies, other numbers for the two solutions.
-TEST(Sheets, AreToldApartAlongTheRange) {
+TEST(Families, AreToldApartAlongTheRange) {
   const SystemFamily family(
       support::shipped_scene("04_impact_oscillator", {"stop.gap=0.1", "stop.restitution=0.95",
                                                       "modal.damping_ratios=[0.02]"}),

@@ -62,7 +62,7 @@ OrbitBranches traced(double max_step) {
 }
 
 // How often branches pass a value at positive speed.
-int positive_passages(const OrbitBranches& result, double value) {
+int positive_segments(const OrbitBranches& result, double value) {
   int count = 0;
   for (const OrbitBranch& branch : result.branches)
     for (std::size_t i = 0; i + 1 < branch.points.size(); ++i) {
@@ -86,7 +86,7 @@ TEST(SpeedDependentRestitution, EveryOrbitIsTracedWhateverTheStep) {
       const double value = 1.2 + 2.8 * i / 40.0 + 1e-4;
       const int expected = oscillator.orbits(value, 20.0L);
       total += expected;
-      EXPECT_EQ(positive_passages(result, value), expected) << value << " step " << max_step;
+      EXPECT_EQ(positive_segments(result, value), expected) << value << " step " << max_step;
     }
     EXPECT_GT(total, 20);
   }

@@ -41,7 +41,7 @@ TEST(StickingBranch, EndsWhereTheChatterCompletesAtItsRelease) {
                           {.from = 0.8 * own, .to = 1.02 * critical, .start_values = 0});
     ASSERT_EQ(result.branches.size(), 1u);
     const OrbitBranch& branch = result.branches[0];
-    EXPECT_EQ(branch.holds, std::vector<int>{0});
+    EXPECT_EQ(branch.sticking, std::vector<int>{0});
     EXPECT_EQ(branch.ends[0], OrbitBranchEnd::kParameterLimit);
     EXPECT_EQ(branch.ends[1], OrbitBranchEnd::kChatterCompletes);
     ASSERT_EQ(branch.special.size(), 1u);
@@ -51,7 +51,7 @@ TEST(StickingBranch, EndsWhereTheChatterCompletesAtItsRelease) {
     EXPECT_LE(std::abs(ch.at.value / critical - 1.0), 1e-10);
     EXPECT_EQ(ch.at.value, branch.points.back().value);
     // What is left of the stuck phase, and of the contact force that sets in.
-    const OrbitHold& last = ch.at.orbit.holds.front();
+    const StickingPhase& last = ch.at.orbit.sticking.front();
     const System system = *SystemFamily(oscillator(row), row.at("parameter")).at(ch.at.value);
     EXPECT_LE(last.duration, 1e-6 * system.period());
     EXPECT_LE(last.force, 1e-6);
@@ -63,10 +63,10 @@ TEST(StickingBranch, EndsWhereTheChatterCompletesAtItsRelease) {
       ASSERT_EQ(point.orbit.multipliers.size(), 2u);
       for (const Eigenvalue& m : point.orbit.multipliers) EXPECT_EQ(m.value, Complex(0.0));
       // Released where the push ends: cos(phase) = gap.
-      const OrbitHold& hold = point.orbit.holds.front();
+      const StickingPhase& sticking = point.orbit.sticking.front();
       const double gap =
           SystemFamily(oscillator(row), row.at("parameter")).at(point.value)->stops[0].gap;
-      EXPECT_NEAR(hold.to.phase, std::acos(gap), 1e-10);
+      EXPECT_NEAR(sticking.to.phase, std::acos(gap), 1e-10);
     }
   }
 }
@@ -202,9 +202,9 @@ TEST(StickingBranch, RunsStickAsOftenAsTheirBranchSays) {
       const auto rate = [&](double side) {
         return sticks_a_period(family, special.at.value * (1.0 + side * inward * 1e-5));
       };
-      const double holds = static_cast<double>(branch.holds.size());
-      EXPECT_EQ(rate(1.0), holds) << special.at.value;
-      EXPECT_EQ(std::abs(rate(-1.0) - holds), 1.0) << special.at.value;
+      const double sticking = static_cast<double>(branch.sticking.size());
+      EXPECT_EQ(rate(1.0), sticking) << special.at.value;
+      EXPECT_EQ(std::abs(rate(-1.0) - sticking), 1.0) << special.at.value;
       ++parted;
       interrupted += special.interrupted;
     }
@@ -222,7 +222,7 @@ TEST(StickingBranch, OfTheShippedBeamRunsBetweenItsChatterPoints) {
       sticking_branches(scene, "forcing.frequency", {.from = 36.0, .to = 43.0, .start_values = 8});
   ASSERT_EQ(result.branches.size(), 1u);
   const OrbitBranch& branch = result.branches[0];
-  EXPECT_EQ(branch.holds, std::vector<int>{0});
+  EXPECT_EQ(branch.sticking, std::vector<int>{0});
   for (const OrbitBranchEnd end : branch.ends) EXPECT_EQ(end, OrbitBranchEnd::kChatterCompletes);
   const double low = branch.points.front().value, high = branch.points.back().value;
   EXPECT_NEAR(low, 37.2185, 5e-5);
@@ -281,9 +281,9 @@ TEST(StickingBranch, IsFollowedAcrossItsChatterPoints) {
         // What doubles there is another orbit, with stuck phases of its own.
         if (origin.kind == SpecialKind::kPeriodDoubling) continue;
         // Across a grazing an impact is born or lost, and no stuck phase.
-        EXPECT_EQ(
-            std::abs(static_cast<int>(branch.holds.size()) - static_cast<int>(from.holds.size())),
-            origin.kind == SpecialKind::kChatterCompletes ? 1 : 0);
+        EXPECT_EQ(std::abs(static_cast<int>(branch.sticking.size()) -
+                           static_cast<int>(from.sticking.size())),
+                  origin.kind == SpecialKind::kChatterCompletes ? 1 : 0);
         EXPECT_TRUE(std::any_of(branch.special.begin(), branch.special.end(),
                                 [&](const SpecialPoint& special) {
                                   return special.kind == origin.kind &&

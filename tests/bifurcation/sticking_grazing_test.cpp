@@ -7,7 +7,7 @@
 #include <memory>
 
 #include "branch_checks.hpp"
-#include "graze/bifurcation/cut/detail/release_borders.hpp"
+#include "graze/bifurcation/cut/detail/release_boundaries.hpp"
 #include "graze/bifurcation/loci/orbit_loci.hpp"
 #include "graze/flow/exact/detail/exact_flow.hpp"
 #include "graze/orbit/problem/detail/laid_orbit.hpp"
@@ -170,12 +170,12 @@ Scene two_modes(double gap) {
 }
 
 // How near the motion of a solution comes to the second stop, sampled and refined, less `gap`.
-double excess(const PassageEquations& equations, const SolutionPoint& at, double gap) {
+double excess(const SegmentEquations& equations, const SolutionPoint& at, double gap) {
   const System& system = *equations.system_at(at.parameter);
-  const PassageShooting& shooting = equations.shooting();
+  const SegmentShooting& shooting = equations.shooting();
   const MotionState<double> start =
       *equations.map().start_of(system, shooting.at_section(at.u, 0), shooting.theta_of(at.u));
-  PassageOptions options;
+  SegmentOptions options;
   options.closure_speed = 1e-8;
   double farthest = -1.0;
   options.flight = [&](const ContactPhase<double>& phase, const Instant<double>&, double length) {
@@ -210,15 +210,15 @@ TEST(StickingGrazing, PairsBetweenOrbitsWithTheSameEventsAreSeen) {
                                                  {.from = 0.4785, .to = 0.4835, .start_values = 1});
   ASSERT_FALSE(result.branches.empty());
   const OrbitBranchPoint& point = result.branches[0].points.front();
-  const PassageOptions options{point.orbit.section->closure_speed, 10'000'000, {}};
+  const SegmentOptions options{point.orbit.section->closure_speed, 10'000'000, {}};
   const System system = *clear.at(point.value);
   const LaidOrbit start = layouts_of(system, point.orbit, options).front();
   const auto equations_of = [&](const SystemFamily& family) {
-    return std::make_unique<PassageEquations>(family.scene(), std::vector{family.parameter()},
+    return std::make_unique<SegmentEquations>(family.scene(), std::vector{family.parameter()},
                                               std::vector{0.005}, system, start.layout, options);
   };
   const auto clear_equations = equations_of(clear), near_equations = equations_of(near);
-  const PassageEquations &without = *clear_equations, &equations = *near_equations;
+  const SegmentEquations &without = *clear_equations, &equations = *near_equations;
   ContinuationOptions range;
   range.from = 0.4785;
   range.to = 0.4835;
@@ -239,8 +239,8 @@ TEST(StickingGrazing, PairsBetweenOrbitsWithTheSameEventsAreSeen) {
   ASSERT_LT(excess(without, a, gap), 0.0);
   ASSERT_LT(excess(without, b, gap), 0.0);
   ASSERT_GT(excess(without, at(middle), gap), 0.0);
-  ReleaseBorders borders(equations, range);
-  EXPECT_FALSE(borders.goes_on(a, b));
+  ReleaseBoundaries boundaries(equations, range);
+  EXPECT_FALSE(boundaries.goes_on(a, b));
   for (const bool from_left : {true, false}) {
     double outside = from_left ? low : high, inside = middle;
     for (int i = 0; i < 45; ++i) {
@@ -250,7 +250,7 @@ TEST(StickingGrazing, PairsBetweenOrbitsWithTheSameEventsAreSeen) {
     Branch step;
     step.points = {a, b};
     step.ends = {BranchEnd::kHalted, BranchEnd::kHalted};
-    const std::optional<BranchTip> tip = borders.close(step, from_left ? 1 : 0);
+    const std::optional<BranchTip> tip = boundaries.close(step, from_left ? 1 : 0);
     ASSERT_TRUE(tip && tip->place && tip->place->special);
     EXPECT_EQ(tip->end, OrbitBranchEnd::kGrazing);
     EXPECT_FALSE(tip->place->special->by_speed);
@@ -259,7 +259,7 @@ TEST(StickingGrazing, PairsBetweenOrbitsWithTheSameEventsAreSeen) {
   // Where the stop is a little farther away there is nothing between.
   const SystemFamily beyond(two_modes(1.5188), "forcing.frequency");
   const auto untouched = equations_of(beyond);
-  ReleaseBorders none(*untouched, range);
+  ReleaseBoundaries none(*untouched, range);
   EXPECT_TRUE(none.goes_on(a, b));
 }
 

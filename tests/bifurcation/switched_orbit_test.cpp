@@ -144,7 +144,7 @@ TEST(SwitchedOrbits, DoubledBranchesEndWhereTheOrbitsOfHalfThePeriodDouble) {
 }
 
 // Across a grazing the impact sequence is rewritten: the new branch starts where the old one ends,
-// its new impact at speed zero, and on both the touch is one and the same instant.
+// its new impact at speed zero, and on both the grazing contact is one and the same instant.
 TEST(SwitchedOrbits, GrazingJoinsTheSequencesWithAndWithoutTheImpact) {
   const Scene scene = support::shipped_scene("05_wagg_one_mode");
   const OrbitBranches result = followed(scene, "forcing.frequency", 15.0, 120.0, 2);

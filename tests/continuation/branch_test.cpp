@@ -81,7 +81,7 @@ TEST(Continuation, LimitBetweenTheFoldsEndsTheBranchThere) {
   EXPECT_EQ(branch.ends[0], BranchEnd::kParameterLimit);
   EXPECT_EQ(branch.ends[1], BranchEnd::kParameterLimit);
   EXPECT_TRUE(branch.critical_of(CriticalKind::kFold)
-                  .empty());  // the upper sheet leaves at p = -1, before its fold at -2
+                  .empty());  // the upper family leaves at p = -1, before its fold at -2
   for (const SolutionPoint& point : branch.points) {
     EXPECT_GE(point.parameter, -1.0);
     EXPECT_LE(point.parameter, 5.0);

@@ -28,7 +28,7 @@ struct Case {
   bool load;
 };
 
-System random_held_system(Dice& dice, const Case& c, int modes, int stops) {
+System random_constrained_system(Dice& dice, const Case& c, int modes, int stops) {
   System system{Vector(modes), NaturalModes{Vector(modes)}, {}};
   const double equal = dice.uniform(0.02, 0.4);
   for (int j = 0; j < modes; ++j) {
@@ -187,15 +187,15 @@ bool expect_motion(const System& system, const std::vector<int>& closed, Dice& d
   return true;
 }
 
-class HeldMotionUnder : public testing::TestWithParam<Case> {};
+class ConstrainedMotionUnder : public testing::TestWithParam<Case> {};
 
-TEST_P(HeldMotionUnder, IsThatOfTheConstrainedEquations) {
+TEST_P(ConstrainedMotionUnder, IsThatOfTheConstrainedEquations) {
   int followed = 0;
   for (std::uint64_t seed = 1; seed <= 20; ++seed) {
     SCOPED_TRACE(seed);
     Dice dice(700 + seed);
     const int modes = 2 + dice.pick(5);
-    const System system = random_held_system(dice, GetParam(), modes, 2);
+    const System system = random_constrained_system(dice, GetParam(), modes, 2);
     followed += expect_motion(system, {0}, dice);
     if (modes > 2) expect_motion(system, {0, 1}, dice);
   }
@@ -203,7 +203,7 @@ TEST_P(HeldMotionUnder, IsThatOfTheConstrainedEquations) {
   EXPECT_GE(followed, GetParam().law == Law::kNormal ? 20 : 12);
 }
 
-INSTANTIATE_TEST_SUITE_P(Laws, HeldMotionUnder,
+INSTANTIATE_TEST_SUITE_P(Laws, ConstrainedMotionUnder,
                          testing::Values(Case{Law::kNormal, Decay::kNone, false},
                                          Case{Law::kNormal, Decay::kEqual, true},
                                          Case{Law::kNormal, Decay::kRayleigh, false},
@@ -219,7 +219,8 @@ TEST(HeldMotion, HoldsAtResonanceUnderAnObliqueLaw) {
   for (std::uint64_t seed = 1; seed <= 20; ++seed) {
     SCOPED_TRACE(seed);
     Dice dice(900 + seed);
-    System system = random_held_system(dice, {Law::kOblique, Decay::kNone, seed % 2 == 0}, 4, 2);
+    System system =
+        random_constrained_system(dice, {Law::kOblique, Decay::kNone, seed % 2 == 0}, 4, 2);
     const Constrained c = constrained(system, {0});
     double smallest = 1e9;
     for (const Eigenvalue& l : eigenvalues(c.projector * system.omega.cwiseAbs2().asDiagonal()))
@@ -236,7 +237,8 @@ TEST(HeldMotion, HoldsWithAFreeDirectionLeft) {
   for (std::uint64_t seed = 1; seed <= 20; ++seed) {
     SCOPED_TRACE(seed);
     Dice dice(1100 + seed);
-    System system = random_held_system(dice, {Law::kNormal, Decay::kNone, seed % 2 == 0}, 3, 2);
+    System system =
+        random_constrained_system(dice, {Law::kNormal, Decay::kNone, seed % 2 == 0}, 3, 2);
     system.omega[0] = system.omega[1] = 0.0;
     EXPECT_TRUE(expect_motion(system, {0}, dice));
     system.modal().delta = dice.vector(3, 0.1, 0.5);
@@ -250,7 +252,8 @@ TEST(HeldMotion, HoldsWithSeveralFreeMassesBesideStiffModes) {
   for (std::uint64_t seed = 1; seed <= 20; ++seed) {
     SCOPED_TRACE(seed);
     Dice dice(1300 + seed);
-    System system = random_held_system(dice, {Law::kNormal, Decay::kRatios, seed % 2 == 0}, 8, 3);
+    System system =
+        random_constrained_system(dice, {Law::kNormal, Decay::kRatios, seed % 2 == 0}, 8, 3);
     system.omega.head(3).setZero();
     system.modal().delta.head(3).setZero();
     system.modal().delta.segment(3, 3) = system.omega.segment(3, 3);
@@ -267,7 +270,7 @@ TEST(HeldMotion, LeavesAStopWithRelativeAccuracy) {
   for (std::uint64_t seed = 1; seed <= 20; ++seed) {
     SCOPED_TRACE(seed);
     Dice dice(1500 + seed);
-    System system = random_held_system(dice, {Law::kNormal, Decay::kRatios, true}, 4, 2);
+    System system = random_constrained_system(dice, {Law::kNormal, Decay::kRatios, true}, 4, 2);
     if (seed % 2 == 0) system.omega.head(3).setOnes();
     if (seed % 2 == 0) system.modal().delta.head(3) << 1.0, 1.0001, 1.0002;
     const Constrained c = constrained(system, {0});

@@ -65,7 +65,7 @@ std::string fault_of(const WatchedRun& run, const std::vector<std::string>& word
   return "";
 }
 
-struct Tally {
+struct ProgressCounter {
   std::mutex mutex;
   long cases = 0, failed = 0, asked = 0;
   double slowest = 0.0;  // s, from SIGTERM to the end
@@ -104,7 +104,7 @@ class Fuzz {
   }
 
   void keep_all() { keeps_all_ = true; }
-  Tally& tally() { return tally_; }
+  ProgressCounter& counter() { return tally_; }
 
  private:
   static std::string changed(const std::string& text, Draw& draw) {
@@ -145,7 +145,7 @@ class Fuzz {
   Materials materials_;
   RunLimits limits_;
   bool keeps_all_ = false;
-  Tally tally_;
+  ProgressCounter tally_;
 };
 
 void run_for(Fuzz& fuzz, double seconds) {
@@ -168,14 +168,14 @@ int run(const std::vector<std::string>& arguments) {
   } else {
     run_for(fuzz, std::stod(arguments[4]));
   }
-  const Tally& tally = fuzz.tally();
+  const ProgressCounter& counter = fuzz.counter();
   std::printf(
       "seed %s: %ld cases, %ld failed; %ld were sent SIGTERM, the slowest, %ld, ended %.2f s "
       "later\n",
-      arguments[3].c_str(), tally.cases, tally.failed, tally.asked, tally.slowest_case,
-      tally.slowest);
-  for (const auto& [code, cases] : tally.codes) std::printf("  exit code %d: %ld\n", code, cases);
-  return tally.failed == 0 ? 0 : 1;
+      arguments[3].c_str(), counter.cases, counter.failed, counter.asked, counter.slowest_case,
+      counter.slowest);
+  for (const auto& [code, cases] : counter.codes) std::printf("  exit code %d: %ld\n", code, cases);
+  return counter.failed == 0 ? 0 : 1;
 }
 
 }  // namespace

@@ -10,7 +10,7 @@
 #include "graze/assembly/initial_state.hpp"
 #include "graze/base/angle.hpp"
 #include "graze/flow/exact/detail/contact_phase.hpp"
-#include "graze/flow/held/detail/held_structure.hpp"
+#include "graze/flow/held/detail/constrained_structure.hpp"
 #include "graze/orbit/search/finder.hpp"
 #include "graze/structure/detail/cantilever.hpp"
 #include "support/reached.hpp"
@@ -144,17 +144,17 @@ TEST(HardCases, Z2OrbitSticks) {
       ASSERT_EQ(found.orbits.size(), 1u) << found.notes.front();
       const Orbit& orbit = found.orbits.front();
       ASSERT_TRUE(orbit.sticks());
-      ASSERT_EQ(orbit.holds.size(), 1u);
+      ASSERT_EQ(orbit.sticking.size(), 1u);
       EXPECT_TRUE(orbit.admissible);
       EXPECT_EQ(orbit.stable, std::optional<bool>(true));
-      const OrbitHold& hold = orbit.holds.front();
+      const StickingPhase& sticking = orbit.sticking.front();
       expect_reached("Z2", "orbit that sticks: release, rad",
-                     turned(hold.to.phase, std::acos(c.stop)), 1e-10);
+                     turned(sticking.to.phase, std::acos(c.stop)), 1e-10);
       expect_reached("Z2", "orbit that sticks: accumulation, s",
-                     turned(hold.from.phase, c.frequency * c.accumulation) / c.frequency, 1e-9);
+                     turned(sticking.from.phase, c.frequency * c.accumulation) / c.frequency, 1e-9);
       // The one that follows the release.
       const auto since = [&](const OrbitImpact& impact) {
-        return wrapped(impact.phase - hold.to.phase);
+        return wrapped(impact.phase - sticking.to.phase);
       };
       const auto first =
           std::min_element(orbit.impacts.begin(), orbit.impacts.end(),
@@ -365,7 +365,7 @@ Vector held_frequencies(int modes, double position) {
     row[j] = cantilever_shape(j + 1, position);
   }
   system.stops.push_back({row, 0.0, ImpactLaw{momentum_direction(row), 0.5}});
-  return HeldStructure<double>(system, {0}).reduced.omega;
+  return ConstrainedStructure<double>(system, {0}).reduced.omega;
 }
 
 TEST(HardCases, Z7FrequenciesOfTheHeldBeam) {

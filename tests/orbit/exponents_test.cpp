@@ -153,7 +153,7 @@ TEST(Exponents, OfOtherModesAreKeptWhereTheMotionSticks) {
       "02_wagg_momentum", {"beam.modes=2", "stop.restitution=0.1", "forcing.frequency=42"});
   const System system = assemble(scene);
   const SettledMotion settled = settle(system, initial_state(scene, system));
-  ASSERT_EQ(settled.kind, SettledKind::kSticks) << settled.verdict;
+  ASSERT_EQ(settled.kind, SettledKind::kSticks) << settled.classification;
   for (const int repeats : {0, settled.period}) {
     ExponentOptions options = over(200);
     options.repeats = repeats;

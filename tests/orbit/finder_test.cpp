@@ -29,7 +29,7 @@ System fruit_fly(double frequency, double gap) {
 TEST(Settled, OnOneImpactPerPeriod) {
   const System system = assemble(support::reference_scene("orbits/sdof_1_6"));
   const SettledMotion settled = settle(system, support::rest(system));
-  ASSERT_TRUE(settled.pattern) << settled.verdict;
+  ASSERT_TRUE(settled.pattern) << settled.classification;
   EXPECT_EQ(settled.pattern->period, 1);
   EXPECT_EQ(settled.pattern->impacts(), 1);
   ASSERT_EQ(settled.points.size(), 1u);
@@ -41,7 +41,7 @@ TEST(Settled, OnOneImpactPerPeriod) {
 TEST(Settled, OnOneImpactInTwoPeriods) {
   const System system = fruit_fly(4.0, 0.0);
   const SettledMotion settled = settle(system, support::state_of({-1.0}, {0.0}));
-  ASSERT_TRUE(settled.pattern) << settled.verdict;
+  ASSERT_TRUE(settled.pattern) << settled.classification;
   EXPECT_EQ(settled.pattern->period, 2);
   ASSERT_EQ(settled.pattern->impacts(), 1);
   double nearest = 1.0;
@@ -59,7 +59,7 @@ TEST(Settled, OnADoubledOrbitWhereTheSimpleOneIsUnstable) {
     EXPECT_EQ(make_orbit(system, problem, problem.pack({exact})).stable, false);
   }
   const SettledMotion settled = settle(system, support::state_of({-1.0}, {0.0}));
-  ASSERT_TRUE(settled.pattern) << settled.verdict;
+  ASSERT_TRUE(settled.pattern) << settled.classification;
   EXPECT_EQ(settled.pattern->period, 2);
   ASSERT_EQ(settled.pattern->impacts(), 2);
   EXPECT_GT(std::abs(settled.points[0].before.qdot[0] - settled.points[1].before.qdot[0]), 1e-2);
@@ -78,7 +78,8 @@ TEST(Settled, SaysWhenTheMotionComesToRest) {
   const SettledMotion settled = settle(system, support::state_of({-0.5}, {0.0}));
   EXPECT_EQ(settled.kind, SettledKind::kAtRest);
   EXPECT_FALSE(settled.pattern);
-  EXPECT_NE(settled.verdict.find("stays on the stop"), std::string::npos) << settled.verdict;
+  EXPECT_NE(settled.classification.find("stays on the stop"), std::string::npos)
+      << settled.classification;
 }
 
 TEST(Settled, SaysWhenAMotionThatSticksNeverRepeats) {
@@ -93,7 +94,8 @@ TEST(Settled, SaysWhenAMotionThatSticksNeverRepeats) {
 TEST(Settled, SaysWhenTheStopIsNeverMet) {
   const System system = fruit_fly(1.6, 100.0);
   EXPECT_FALSE(settle(system, support::rest(system)).pattern);
-  EXPECT_NE(settle(system, support::rest(system)).verdict.find("no stop"), std::string::npos);
+  EXPECT_NE(settle(system, support::rest(system)).classification.find("no stop"),
+            std::string::npos);
 }
 
 FoundOrbits find(const System& system, bool keep_virtual, std::uint64_t seed = 1) {

@@ -55,9 +55,9 @@ ImpactPoint peak(const System& system, double speed) {
 TEST(GrazingMultipliers, AreTheLimitOfThoseOfSlowImpacts) {
   for (const double damping : {0.02, 0.18715916382755424}) {
     const System system = two_modes(damping);
-    const ImpactPoint touch = peak(system, 1e-18);
-    const std::vector<Eigenvalue> limit = orbit_multipliers(system, {1, {0}}, {touch});
-    const double left = std::abs(system.stops[0].row.dot(touch.before.qdot));  // by rounding
+    const ImpactPoint grazing = peak(system, 1e-18);
+    const std::vector<Eigenvalue> limit = orbit_multipliers(system, {1, {0}}, {grazing});
+    const double left = std::abs(system.stops[0].row.dot(grazing.before.qdot));  // by rounding
     ASSERT_GT(left, 0.0);
     ASSERT_EQ(limit.size(), 4u);
     EXPECT_GT(std::abs(limit[0].value), 1e12);

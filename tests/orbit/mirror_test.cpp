@@ -66,10 +66,10 @@ TEST(Mirror, OrbitsThatStickHaveTheirImagesToo) {
     ASSERT_EQ(found.orbits.size(), 2u) << found.tried;
     const Orbit &a = found.orbits[0], &b = found.orbits[1];
     ASSERT_TRUE(a.sticks() && b.sticks());
-    ASSERT_EQ(a.holds.size(), 1u);
-    ASSERT_EQ(b.holds.size(), 1u);
-    EXPECT_EQ(a.holds[0].stop, 1 - b.holds[0].stop);
-    EXPECT_NEAR(a.holds[0].duration, b.holds[0].duration, 1e-9);
+    ASSERT_EQ(a.sticking.size(), 1u);
+    ASSERT_EQ(b.sticking.size(), 1u);
+    EXPECT_EQ(a.sticking[0].stop, 1 - b.sticking[0].stop);
+    EXPECT_NEAR(a.sticking[0].duration, b.sticking[0].duration, 1e-9);
     EXPECT_TRUE(is_image(a, b));
     EXPECT_LE(std::max(a.residual, b.residual), 1e-11);
     lists.push_back(found.orbits);
@@ -88,7 +88,7 @@ TEST(Mirror, OrbitsThatStickOnBothStopsAlikeAreListedOnce) {
   options.from_closed_form = options.from_random = false;
   const FoundOrbits found = find_orbits(system, support::rest(system), options);
   ASSERT_EQ(found.orbits.size(), 1u) << found.tried;
-  EXPECT_EQ(found.orbits[0].holds.size(), 2u);
+  EXPECT_EQ(found.orbits[0].sticking.size(), 2u);
 }
 
 TEST(Mirror, NeedsStopsThatAreOpposite) {

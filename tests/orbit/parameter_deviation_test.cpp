@@ -1,4 +1,4 @@
-// The derivative of a passage by a parameter of the scene, through chatter, sticking and release,
+// The derivative of a segment by a parameter of the scene, through chatter, sticking and release,
 // against central differences of the motion.
 #include "graze/orbit/problem/detail/parameter_deviation.hpp"
 #include "graze/assembly/initial_state.hpp"
@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "graze/assembly/system_family.hpp"
-#include "graze/orbit/problem/detail/passage.hpp"
+#include "graze/orbit/problem/detail/trajectory_segment.hpp"
 #include "graze/system/scale.hpp"
 #include "support/differences.hpp"
 #include "support/reference.hpp"
@@ -15,8 +15,8 @@ namespace graze {
 namespace {
 
 // Chatters followed so far that closing them moves nothing by more than the differences see.
-PassageOptions passage_options(const System& system) {
-  PassageOptions options;
+SegmentOptions segment_options(const System& system) {
+  SegmentOptions options;
   options.closure_speed =
       1e-7 * speed_scale(system, {Vector::Zero(system.modes()), Vector::Zero(system.modes())});
   return options;
@@ -33,13 +33,13 @@ MotionState<double> started(const System& system, const State& start) {
 }
 
 Vector end_of(const System& system, const State& start, int periods) {
-  const Passage passage =
-      pass(system, started(system, start), {periods, 0.0}, passage_options(system));
-  EXPECT_EQ(passage.failure, "");
-  return stacked({passage.end.q, passage.end.qdot});
+  const TrajectorySegment segment =
+      pass(system, started(system, start), {periods, 0.0}, segment_options(system));
+  EXPECT_EQ(segment.failure, "");
+  return stacked({segment.end.q, segment.end.qdot});
 }
 
-// At least one stuck phase ends within the passage, so that its release is passed too.
+// At least one stuck phase ends within the segment, so that its release is passed too.
 void expect_derivative(const Scene& scene, const std::string& parameter, int periods,
                        double relative_step = 1e-5) {
   SCOPED_TRACE(scene.title + ", " + parameter);
@@ -49,12 +49,12 @@ void expect_derivative(const Scene& scene, const std::string& parameter, int per
   const State start = initial_state(scene, system);
   const State rest{Vector::Zero(system.modes()), Vector::Zero(system.modes())};
   ParameterDeviation deviation(system, tangent, rest);
-  const Passage passage = pass(system, started(system, start), {periods, 0.0},
-                               passage_options(system), nullptr, &deviation);
-  ASSERT_EQ(passage.failure, "");
-  ASSERT_FALSE(passage.holds.empty());
-  EXPECT_FALSE(passage.holds.front().to_end);
-  EXPECT_GE(passage.impacts.size(), 3u);
+  const TrajectorySegment segment = pass(system, started(system, start), {periods, 0.0},
+                                         segment_options(system), nullptr, &deviation);
+  ASSERT_EQ(segment.failure, "");
+  ASSERT_FALSE(segment.sticking.empty());
+  EXPECT_FALSE(segment.sticking.front().to_end);
+  EXPECT_GE(segment.impacts.size(), 3u);
   const double step = relative_step * (value == 0.0 ? 1.0 : value);
   const Vector expected = support::central_difference(
       [&](double p) { return end_of(*family.at(p), start, periods); }, value, step);

@@ -60,9 +60,9 @@ TEST_P(SectionMapOf, SlopesAreThoseOfDifferences) {
   const System system = three_modes(GetParam());
   const SectionMap map(system, {}, {});
   const Vector x = map.pack(some_state());
-  const std::optional<Passage> passage = map.follow(system, x, 0.0, 1);
-  ASSERT_TRUE(passage);
-  ASSERT_GE(passage->contacts.size(), 2u);
+  const std::optional<TrajectorySegment> segment = map.follow(system, x, 0.0, 1);
+  ASSERT_TRUE(segment);
+  ASSERT_GE(segment->contacts.size(), 2u);
   const auto image = image_of(map, system, x);
   ASSERT_TRUE(image);
   for (Eigen::Index j = 0; j < x.size(); ++j) {
@@ -135,10 +135,10 @@ TEST_P(SectionMapOfConstantDamping, VolumesShrinkByTheDampingAlone) {
   const System system = three_modes(law);
   const SectionMap map(system, {}, {});
   const Vector x = map.pack(some_state());
-  const std::optional<Passage> passage = map.follow(system, x, 0.0, 1);
-  ASSERT_TRUE(passage);
+  const std::optional<TrajectorySegment> segment = map.follow(system, x, 0.0, 1);
+  ASSERT_TRUE(segment);
   double loaded = 0.0;
-  for (const PassedContact& contact : passage->contacts) {
+  for (const SegmentContact& contact : segment->contacts) {
     const auto periods = static_cast<double>(contact.to.period - contact.from.period);
     loaded += periods * system.period() + contact.to.local - contact.from.local;
   }
@@ -183,7 +183,7 @@ TEST(OrbitOnASpring, SolvesThePiecewiseLinearOscillator) {
   }
   // The motion settles on the stable one.
   const SettledMotion settled = settle(system, support::rest(system));
-  ASSERT_EQ(settled.kind, SettledKind::kImpacts) << settled.verdict;
+  ASSERT_EQ(settled.kind, SettledKind::kImpacts) << settled.classification;
   const auto stable = std::find_if(found.orbits.begin(), found.orbits.end(),
                                    [](const Orbit& orbit) { return orbit.stable == true; });
   ASSERT_NE(stable, found.orbits.end());
@@ -202,7 +202,7 @@ TEST(OrbitOnASpring, CountsNoImpactsWhereASpringGripsAgain) {
   EXPECT_GT(grips, 20);
   EXPECT_LE(run.result.totals.impacts, 1);
   const SettledMotion settled = settle(system, support::rest(system));
-  EXPECT_EQ(settled.kind, SettledKind::kAtRest) << settled.verdict;
+  EXPECT_EQ(settled.kind, SettledKind::kAtRest) << settled.classification;
   EXPECT_LE(settled.impacts_met, 1);
   EXPECT_TRUE(find_orbits(system, support::rest(system), {}).orbits.empty());
 }

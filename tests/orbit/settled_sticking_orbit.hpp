@@ -30,7 +30,7 @@ inline Found settled_orbit(const Scene& scene, std::optional<double> closure_spe
   SettleOptions options;
   options.closure_speed = speed;
   const SettledMotion settled = settle(found.system, start, options);
-  EXPECT_EQ(settled.kind, SettledKind::kSticks) << settled.verdict;
+  EXPECT_EQ(settled.kind, SettledKind::kSticks) << settled.classification;
   const FollowedAnswer answer =
       followed_orbit(found.system, settled.at_start, settled.period, {speed, 10'000'000, {}});
   EXPECT_TRUE(answer.orbit) << answer.why_not;
@@ -84,7 +84,7 @@ inline std::vector<int> closed_at_section(const Orbit& orbit) {
 
 // Eigenvalues of the map on the held motion's coordinates, by central differences.
 inline std::vector<Eigenvalue> differenced_multipliers(const Found& found) {
-  const HeldStructure<double> held(found.system, closed_at_section(found.orbit));
+  const ConstrainedStructure<double> held(found.system, closed_at_section(found.orbit));
   const Matrix basis = held.basis;
   const Eigen::Index m = basis.cols();
   const MotionScale scale = motion_scale(found.system);

@@ -62,7 +62,7 @@ TEST(Settled, ASlowApproachIsFollowedToItsEnd) {
       State start = half_way(system, exact);
       start.qdot *= 1.0 + 1e-3 * inside;
       const SettledMotion settled = settle(system, start, as_near_as(1e-8));
-      ASSERT_EQ(settled.kind, SettledKind::kImpacts) << settled.verdict;
+      ASSERT_EQ(settled.kind, SettledKind::kImpacts) << settled.classification;
       EXPECT_TRUE(settled.near);
       EXPECT_LT(settled.remaining, 1e-8);
       ASSERT_EQ(settled.impacts.size(), 1u);
@@ -158,9 +158,10 @@ TEST(Settled, SaysSoWhenThePeriodsDoNotSuffice) {
   EXPECT_EQ(settled.periods, 60);
   EXPECT_FALSE(settled.near);
   EXPECT_GE(settled.remaining, 1e-300);
-  EXPECT_NE(settled.verdict.find("settles on 1 impact that repeats every forcing period, but"),
-            std::string::npos)
-      << settled.verdict;
+  EXPECT_NE(
+      settled.classification.find("settles on 1 impact that repeats every forcing period, but"),
+      std::string::npos)
+      << settled.classification;
 }
 
 // The doubled orbit of the last test but two, with a budget that ends now in its first period, now
@@ -205,7 +206,7 @@ TEST(Settled, ClearMotionEndsOnItsSteadyResponse) {
   const System system = support::forced_oscillator(1.0, 0.005, 2.0, 0.8, 2.0, 1.0);
   const SettledMotion settled =
       settle(system, support::state_of({0.1}, {0.2}), as_near_as(1e-8, 1000));
-  ASSERT_EQ(settled.kind, SettledKind::kClear) << settled.verdict;
+  ASSERT_EQ(settled.kind, SettledKind::kClear) << settled.classification;
   EXPECT_TRUE(settled.near);
   EXPECT_EQ(settled.periods, 1);
   // P = 1/(1 - 4 + 2 i 0.005 2)
@@ -220,7 +221,7 @@ TEST(Settled, ABeatThatReachesTheStopIsNotClear) {
   const System system = support::forced_oscillator(1.0, 0.005, 0.4, 0.8, 2.0, 1.0);
   const SettledMotion settled =
       settle(system, support::state_of({0.3}, {0.5}), as_near_as(1e-8, 1000));
-  ASSERT_EQ(settled.kind, SettledKind::kClear) << settled.verdict;
+  ASSERT_EQ(settled.kind, SettledKind::kClear) << settled.classification;
   EXPECT_GT(settled.impacts_met, 0);
   EXPECT_GT(settled.periods, 1);
 }
@@ -231,7 +232,7 @@ TEST(Settled, FollowsChatterAndSticking) {
   const System system = support::forced_oscillator(1.0, 0.0, 0.1, 0.8, 0.3, 1.0);
   SettleOptions options = as_near_as(1e-8, 200);
   const SettledMotion settled = settle(system, support::state_of({0.1}, {0.0}), options);
-  ASSERT_EQ(settled.kind, SettledKind::kSticks) << settled.verdict;
+  ASSERT_EQ(settled.kind, SettledKind::kSticks) << settled.classification;
   EXPECT_EQ(settled.period, 1);
   EXPECT_TRUE(settled.near);
   EXPECT_TRUE(settled.sticks);

@@ -47,17 +47,17 @@ void expect_listed_events(const std::string& name, const std::vector<TableRow>& 
       for (const OrbitImpact& impact : orbit.impacts)
         consider(impact.stop, impact.phase, impact.speed - number(row, "speed"));
     }
-    for (const OrbitHold& hold : orbit.holds) {
-      if (row.at("kind") == "stick") consider(hold.stop, hold.from.phase, 0.0);
-      if (row.at("kind") == "release") consider(hold.stop, hold.to.phase, 0.0);
+    for (const StickingPhase& sticking : orbit.sticking) {
+      if (row.at("kind") == "stick") consider(sticking.stop, sticking.from.phase, 0.0);
+      if (row.at("kind") == "release") consider(sticking.stop, sticking.to.phase, 0.0);
     }
     sticks += row.at("kind") == "stick";
     releases += row.at("kind") == "release";
     EXPECT_LE(nearest, tolerance) << "row " << row.at("event");
     EXPECT_LE(std::abs(speed_miss), tolerance) << "row " << row.at("event");
   }
-  EXPECT_EQ(sticks, orbit.holds.size());
-  EXPECT_EQ(releases, orbit.holds.size());
+  EXPECT_EQ(sticks, orbit.sticking.size());
+  EXPECT_EQ(releases, orbit.sticking.size());
   EXPECT_LE(impacts, orbit.impacts.size());
   EXPECT_GE(impacts, 3u);
 }
@@ -122,8 +122,10 @@ RealVector<Real> extended_map(const Found& found, const MotionState<Real>& from,
   for (;;) {
     const Instant<Real> now = motion.instant();
     const bool last = now.period == end.period;
-    if (!motion.has_news() && last && now.local >= end.local) break;
-    const Real until = motion.has_news() ? now.local : last ? end.local : motion.flow().period();
+    if (!motion.has_pending_events() && last && now.local >= end.local) break;
+    const Real until = motion.has_pending_events() ? now.local
+                       : last                      ? end.local
+                                                   : motion.flow().period();
     const Arrival<Real> arrival = motion.fly(until);
     if (arrival.kind == ArrivalKind::kUndecided || arrival.kind == ArrivalKind::kRefused ||
         arrival.kind == ArrivalKind::kNotFinite) {
@@ -151,7 +153,7 @@ std::vector<Eigenvalue> extended_multipliers(const Found& found, const Real& clo
                                at.qdot.cast<Real>(),
                                at.contacts,
                                at.multiplicities};
-  const HeldStructure<double> held(found.system, closed_at_section(found.orbit));
+  const ConstrainedStructure<double> held(found.system, closed_at_section(found.orbit));
   const RealMatrix<Real> basis = held.basis.cast<Real>();
   const Eigen::Index n = basis.rows(), m = basis.cols();
   const Real step = 1e-12 * motion_scale(found.system).displacement;
@@ -192,7 +194,7 @@ TEST(StickingOrbit, ClosingAChatterCostsPowersOfItsSpeed) {
   // Of the accumulation, of the release, of the largest multiplier.
   const auto miss = [&](double speed) {
     const Found coarse = settled_orbit(scene, speed);
-    const OrbitHold &a = coarse.orbit.holds.front(), &b = fine.orbit.holds.front();
+    const StickingPhase &a = coarse.orbit.sticking.front(), &b = fine.orbit.sticking.front();
     return std::array<double, 3>{
         turned(a.from.phase, b.from.phase), turned(a.to.phase, b.to.phase),
         std::abs(coarse.orbit.multipliers[0].value - fine.orbit.multipliers[0].value)};

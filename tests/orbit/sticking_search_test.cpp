@@ -44,9 +44,10 @@ TEST(StickingOrbitSearch, IsFoundFromARoughGuess) {
       const FollowedAnswer answer = search_from(found, guess, found.orbit.period);
       ASSERT_TRUE(answer.orbit) << off << ": " << answer.why_not;
       EXPECT_LE(answer.orbit->residual, 1e-13);
-      ASSERT_FALSE(answer.orbit->holds.empty());
-      EXPECT_LE(turned(answer.orbit->holds.front().to.phase, found.orbit.holds.front().to.phase),
-                1e-11);
+      ASSERT_FALSE(answer.orbit->sticking.empty());
+      EXPECT_LE(
+          turned(answer.orbit->sticking.front().to.phase, found.orbit.sticking.front().to.phase),
+          1e-11);
     }
   }
 }
@@ -139,7 +140,7 @@ TEST(StickingOrbitSearch, HasACurveFromImpactToImpact) {
 }
 
 TEST(StickingOrbitSearch, SaysWhyThereIsNone) {
-  PassageOptions options;
+  SegmentOptions options;
   options.closure_speed = 1e-6;
   // Pressed onto its stop for ever.
   const System held = support::forced_oscillator(1.0, 0.0, -0.2, 0.7, 1.3, 0.1);

@@ -27,7 +27,7 @@ TEST(Spool, GivesBackWhatItTookInMemoryAndOnDisk) {
   EXPECT_TRUE(spool.empty());
   EXPECT_EQ(content_of(spool), "");
   std::string all;
-  // 0.3 MB, 3 MB and 9 MB: before, at and well after the passage from memory to the disk.
+  // 0.3 MB, 3 MB and 9 MB: before, at and well after the move from memory to the disk.
   for (int i = 0; i < 300'000; ++i) {
     const std::string line = "line " + std::to_string(i) + " of some thirty bytes\n";
     spool.append(line);

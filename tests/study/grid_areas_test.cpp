@@ -37,7 +37,7 @@ TEST(GridAreas, NegativeKeysPartWhatTheyLieBetween) {
   EXPECT_TRUE(grid_areas({-1, -1}, 2).areas.empty());
 }
 
-TEST(GridAreas, TheInnermostCellIsTheFurthestFromTheBorder) {
+TEST(GridAreas, TheInnermostCellIsTheFurthestFromTheBoundary) {
   // A square of 5, and a bar beside it.
   std::vector<int> keys(35, 1);
   for (std::size_t row = 0; row < 5; ++row)
@@ -45,10 +45,10 @@ TEST(GridAreas, TheInnermostCellIsTheFurthestFromTheBorder) {
   const GridAreas found = grid_areas(keys, 7);
   ASSERT_EQ(found.areas.size(), 2u);
   EXPECT_EQ(found.areas[0].innermost, 2u * 7 + 2);
-  // Of the bar, two wide, every cell is at a border: the one in its middle.
+  // Of the bar, two wide, every cell is at a boundary: the one in its middle.
   const std::size_t row = found.areas[1].innermost / 7;
   EXPECT_EQ(row, 2u);
-  // In a row of cells all are at a border.
+  // In a row of cells all are at a boundary.
   EXPECT_EQ(grid_areas({3, 3, 3, 3, 3}, 5).areas[0].innermost, 2u);
 }
 

@@ -17,7 +17,7 @@
 #include "graze/bifurcation/loci/orbit_loci.hpp"
 #include "graze/scene/parameter.hpp"
 #include "graze/scene/reader.hpp"
-#include "graze/study/plane/detail/region_borders.hpp"
+#include "graze/study/plane/detail/region_boundaries.hpp"
 
 namespace graze {
 namespace {
@@ -266,15 +266,15 @@ TEST(StableRegions, OfTheSimpleOrbitEndAtItsLoci) {
   const StableRegionsOptions options = plane(21.0, 70.0, 6e-4, 6e-3, 16);
   const StableRegions found = regions(scene, options);
   OrbitLoci traced = loci(scene, options);
-  const RegionBorders borders = region_borders(found, traced);
-  EXPECT_GE(borders.count, 20);
-  EXPECT_TRUE(borders.open.empty());
-  // Without the folds the border between 42 and 54 rad/s is open, and nothing else.
+  const RegionBoundaries boundaries = region_boundaries(found, traced);
+  EXPECT_GE(boundaries.count, 20);
+  EXPECT_TRUE(boundaries.open.empty());
+  // Without the folds the boundary between 42 and 54 rad/s is open, and nothing else.
   const auto is_fold = [](const OrbitLocus& locus) { return locus.kind == OrbitLocusKind::kFold; };
   traced.loci.erase(std::remove_if(traced.loci.begin(), traced.loci.end(), is_fold),
                     traced.loci.end());
-  const RegionBorders without = region_borders(found, traced);
-  EXPECT_EQ(without.count, borders.count);
+  const RegionBoundaries without = region_boundaries(found, traced);
+  EXPECT_EQ(without.count, boundaries.count);
   EXPECT_GE(without.open.size(), 5u);
   for (const auto& [i, other] : without.open) {
     const RegionPlace& place = found.places[i];
@@ -286,7 +286,7 @@ TEST(StableRegions, OfTheSimpleOrbitEndAtItsLoci) {
 }
 
 // On a plane with one locus, straight across, and places that were set by hand.
-TEST(RegionBorders, AreOpenWhereNoLocusPasses) {
+TEST(RegionBoundaries, AreOpenWhereNoLocusPasses) {
   StableRegions found;
   found.columns = found.rows = 2;
   for (const auto& [value, second, stable] :
@@ -300,8 +300,8 @@ TEST(RegionBorders, AreOpenWhereNoLocusPasses) {
     found.places.push_back(place);
   }
   OrbitLoci traced;
-  EXPECT_EQ(region_borders(found, traced).count, 2);
-  EXPECT_EQ(region_borders(found, traced).open.size(), 2u);
+  EXPECT_EQ(region_boundaries(found, traced).count, 2);
+  EXPECT_EQ(region_boundaries(found, traced).open.size(), 2u);
   OrbitLocus locus;
   for (const double second : {0.0, 0.4, 1.0}) {
     OrbitLocusPoint point;
@@ -311,11 +311,11 @@ TEST(RegionBorders, AreOpenWhereNoLocusPasses) {
     locus.points.push_back(point);
   }
   traced.loci = {locus};
-  const RegionBorders borders = region_borders(found, traced);
-  ASSERT_EQ(borders.open.size(), 1u);
-  EXPECT_EQ(borders.open[0], (std::pair<std::size_t, std::size_t>(1, 3)));
+  const RegionBoundaries boundaries = region_boundaries(found, traced);
+  ASSERT_EQ(boundaries.open.size(), 1u);
+  EXPECT_EQ(boundaries.open[0], (std::pair<std::size_t, std::size_t>(1, 3)));
   for (OrbitLocusPoint& point : traced.loci[0].points) point.admissible = false;
-  EXPECT_EQ(region_borders(found, traced).open.size(), 2u);
+  EXPECT_EQ(region_boundaries(found, traced).open.size(), 2u);
 }
 
 // Labels list each motion once, in the order of their names.

@@ -24,7 +24,7 @@ TEST(StroboscopicStates, AreWhatTheSettledMotionShows) {
     SettleOptions options;
     options.nearness = 1e-11;
     const SettledMotion settled = settle(system, initial_state(scene, system), options);
-    ASSERT_EQ(settled.kind, SettledKind::kImpacts) << settled.verdict;
+    ASSERT_EQ(settled.kind, SettledKind::kImpacts) << settled.classification;
     const ShootingProblem problem(*settled.pattern, motion_scale(system));
     const Orbit orbit = make_orbit(system, problem, problem.pack(settled.points));
     const std::vector<State> states = stroboscopic_states(system, orbit);

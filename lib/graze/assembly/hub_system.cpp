@@ -8,7 +8,7 @@
 namespace graze {
 namespace {
 
-TorqueCourse torque_course(const Torque& torque) {
+TorqueHistory torque_history(const Torque& torque) {
   if (const auto* pulse = std::get_if<TorquePulse>(&torque))
     return {{0.0, pulse->duration}, {pulse->amplitude, pulse->amplitude}};
   const TorqueTable& table = std::get<TorqueTable>(torque);
@@ -44,7 +44,7 @@ System assemble_on_hub(const Scene& scene, const ModalModel& model) {
     const double g = scene.gravity->acceleration;
     rotation.weight = WeightOnHub{g * beam.moment, g * (modes.beam.transpose() * beam.pull)};
   }
-  if (hub.torque) rotation.torque = torque_course(*hub.torque);
+  if (hub.torque) rotation.torque = torque_history(*hub.torque);
   rotation.friction = hub.friction;
   System system{modes.omega, rotation, {}};
   for (std::size_t i = 0; i < scene.stops.size(); ++i)

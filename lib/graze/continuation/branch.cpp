@@ -20,11 +20,10 @@ namespace {
 // Points next to a branch point are badly determined along the branch that crosses. Where a trace
 // got stuck on one of them it is taken back a little, and on in one step of about the length by
 // which it was taken back.
-class CrossingPassage {
+class CrossingStep {
  public:
   // Refers to both, which must outlive it.
-  CrossingPassage(Corrector& corrector, Stepper& stepper)
-      : corrector_(corrector), stepper_(stepper) {}
+  CrossingStep(Corrector& corrector, Stepper& stepper) : corrector_(corrector), stepper_(stepper) {}
 
   // The point beyond, the points too near to the branch point dropped from the branch; `h` becomes
   // the length of the step. Nothing, and the branch as it was, where that does not help either.
@@ -36,10 +35,10 @@ class CrossingPassage {
   Corrector& corrector_;
   Stepper& stepper_;
   std::optional<Vector> stuck_;  // where no step led on last time
-  double reach_ = 0.0;           // and how far the passage was from there
+  double reach_ = 0.0;           // and how far the segment was from there
 };
 
-std::optional<SolutionPoint> CrossingPassage::pass(GrowingBranch& branch, double& h) {
+std::optional<SolutionPoint> CrossingStep::pass(GrowingBranch& branch, double& h) {
   const Vector x = corrector_.pack(branch.last());
   std::optional<SolutionPoint> next;
   for (const double part : {1.0, 3.0, 10.0, 30.0, 100.0}) {
@@ -56,7 +55,7 @@ std::optional<SolutionPoint> CrossingPassage::pass(GrowingBranch& branch, double
 }
 
 // Goes back half of `reach`, drops the points in between, and takes a step of nearly all of it.
-std::optional<SolutionPoint> CrossingPassage::pass_within(GrowingBranch& branch, double reach) {
+std::optional<SolutionPoint> CrossingStep::pass_within(GrowingBranch& branch, double reach) {
   const Vector x = corrector_.pack(branch.last());
   const auto distance = [&](const SolutionPoint& p) { return (corrector_.pack(p) - x).norm(); };
   std::size_t keep = branch.size();
@@ -93,7 +92,7 @@ class Tracer {
         options_(options),
         corrector_(problem, options),
         stepper_(options, corrector_),
-        passage_(corrector_, stepper_) {}
+        segment_(corrector_, stepper_) {}
 
   Branch trace(const SolutionPoint& from, Directions directions) {
     SolutionPoint start = from;
@@ -153,7 +152,7 @@ class Tracer {
       // Below this the two ends of a step are one point in double precision.
       const double size = 1.0 + corrector_.pack(branch.last()).norm();
       if (!std::isfinite(size)) return {};
-      if (h < 1e3 * std::numeric_limits<double>::epsilon() * size) return passage_.pass(branch, h);
+      if (h < 1e3 * std::numeric_limits<double>::epsilon() * size) return segment_.pass(branch, h);
     }
   }
 
@@ -161,7 +160,7 @@ class Tracer {
   const ContinuationOptions& options_;
   Corrector corrector_;
   Stepper stepper_;
-  CrossingPassage passage_;
+  CrossingStep segment_;
 };
 
 }  // namespace

@@ -8,9 +8,9 @@ namespace {
 
 std::unique_ptr<ExactPhase<double>> exact_phase(const System& system, const PhaseKey& key) {
   if (key.closed.empty()) return std::make_unique<FreePhase<double>>(system, key);
-  HeldStructure<double> structure(system, key.closed);
+  ConstrainedStructure<double> structure(system, key.closed);
   if (structure.has_real_modes)
-    return std::make_unique<HeldPhase<double>>(system, key, std::move(structure));
+    return std::make_unique<ConstrainedPhase<double>>(system, key, std::move(structure));
   const CoupledSystem equations = couple(structure);
   return std::make_unique<CoupledPhase>(system, key, std::move(structure), equations);
 }

@@ -45,7 +45,7 @@ WalkStep MotionWalk<Real>::depart(const Instant<Real>& end) {
   const Instant<Real>& now = motion_.instant();
   // What lies at the end of an arc that is cut is decided when it is flown again, whole.
   if (std::exchange(cut_, false) && not_before(now, end)) return WalkStep::kEnd;
-  at_once_ = motion_.has_news();
+  at_once_ = motion_.has_pending_events();
   if (!at_once_) {
     if (tail_ && not_before(now, tail_->over)) {
       told_.assign(tail_->stops.rbegin(), tail_->stops.rend());

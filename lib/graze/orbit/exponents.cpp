@@ -8,8 +8,8 @@
 
 #include "graze/base/linalg/detail/growing_directions.hpp"
 #include "graze/base/linalg/detail/product_eigenvalues.hpp"
-#include "graze/orbit/problem/detail/passage.hpp"
 #include "graze/orbit/problem/detail/shooting.hpp"
+#include "graze/orbit/problem/detail/trajectory_segment.hpp"
 
 namespace graze {
 namespace {
@@ -22,9 +22,9 @@ class StroboscopicMotion {
     const MotionScale scale = motion_scale(system);
     unit_ << Vector::Constant(system.modes(), scale.displacement), scale.velocity;
     at_ = Motion<double>(system, {}, start.q, start.qdot).state();
-    passage_.closure_speed = options.closure_speed;
-    passage_.max_impacts = options.max_impacts;
-    passage_.stop = options.stop;
+    segment_.closure_speed = options.closure_speed;
+    segment_.max_impacts = options.max_impacts;
+    segment_.stop = options.stop;
   }
 
   // What becomes of directions (2N x k) within the next forcing period; nothing where it cannot be
@@ -35,17 +35,17 @@ class StroboscopicMotion {
     Deviations deviations{moved.topRows(n), moved.bottomRows(n),
                           Eigen::RowVectorXd::Zero(directions.cols())};
     at_.instant = {};
-    Passage passed = pass(system_, at_, {1, 0.0}, passage_, &deviations);
+    TrajectorySegment passed = pass(system_, at_, {1, 0.0}, segment_, &deviations);
     failure_ = passed.failure;
     if (!failure_.empty()) return {};
     at_ = std::move(passed.end);
     impacts_ = static_cast<long long>(passed.impacts.size());
     const bool stays =
-        std::any_of(passed.impacts.begin(), passed.impacts.end(), [&](const PassedImpact& impact) {
+        std::any_of(passed.impacts.begin(), passed.impacts.end(), [&](const SegmentImpact& impact) {
           const auto stop = static_cast<std::size_t>(impact.stop);
           return system_.stops[stop].restitution().at(impact.speed) == 0.0;
         });
-    rank_ = 2 * n - (!passed.holds.empty() ? 2 : stays ? 1 : 0);
+    rank_ = 2 * n - (!passed.sticking.empty() ? 2 : stays ? 1 : 0);
     Matrix image(2 * n, directions.cols());
     image << deviations.q, deviations.qdot;
     image = unit_.cwiseInverse().asDiagonal() * image;
@@ -68,7 +68,7 @@ class StroboscopicMotion {
   const System& system_;
   Vector unit_;  // of (q, q')
   MotionState<double> at_;
-  PassageOptions passage_;
+  SegmentOptions segment_;
   long long impacts_ = 0;
   Eigen::Index rank_ = 0;
   std::string failure_;

@@ -1,5 +1,5 @@
 // Lyapunov exponents of a motion through its impacts: how fast neighbouring motions part or come
-// together, from the derivative of the stroboscopic map, event by event (passage.hpp).
+// together, from the derivative of the stroboscopic map, event by event (trajectory_segment.hpp).
 //
 // A forced structure of N modes has 2N of them and, for the forcing's own phase, one that is zero
 // and is not listed. Where every impact has the constant restitution r and acts along its row,

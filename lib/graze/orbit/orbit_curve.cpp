@@ -6,8 +6,8 @@
 #include "graze/base/angle.hpp"
 #include "graze/flow/exact/detail/exact_flow.hpp"
 #include "graze/flow/variation/detail/transition.hpp"
-#include "graze/orbit/problem/detail/passage.hpp"
 #include "graze/orbit/problem/detail/shooting.hpp"
+#include "graze/orbit/problem/detail/trajectory_segment.hpp"
 
 namespace graze {
 namespace {
@@ -50,23 +50,23 @@ class FlownCurve {
         theta_(from.phase + kTurn * from.period_index) {}
 
   void fly(const MotionState<double>& start, const Instant<double>& end, double closure_speed) {
-    PassageOptions options;
+    SegmentOptions options;
     options.closure_speed = closure_speed;
     std::vector<Instant<double>> starts;
     options.flight = [&](const ContactPhase<double>& phase, const Instant<double>& at, double s) {
       starts.push_back(at);
       add(phase, s);
     };
-    const Passage passage = pass(system_, start, end, options);
+    const TrajectorySegment segment = pass(system_, start, end, options);
     for (const Instant<double>& at : starts) {
       const auto there = [&at](const Instant<double>& impact) {
         return impact.period == at.period && impact.local == at.local;
       };
       begins_at_impact_.push_back(
-          std::any_of(passage.impacts.begin(), passage.impacts.end(),
-                      [&](const PassedImpact& impact) { return there(impact.at); }) ||
-          std::any_of(passage.contacts.begin(), passage.contacts.end(),
-                      [&](const PassedContact& c) { return !c.from_start && there(c.from); }));
+          std::any_of(segment.impacts.begin(), segment.impacts.end(),
+                      [&](const SegmentImpact& impact) { return there(impact.at); }) ||
+          std::any_of(segment.contacts.begin(), segment.contacts.end(),
+                      [&](const SegmentContact& c) { return !c.from_start && there(c.from); }));
     }
   }
 

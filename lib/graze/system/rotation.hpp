@@ -17,7 +17,7 @@ namespace graze {
 
 // Torque over time, straight between its points and zero outside; it jumps where an instant stands
 // twice.
-struct TorqueCourse {
+struct TorqueHistory {
   std::vector<double> times;   // s, ascending
   std::vector<double> values;  // N m
 };
@@ -34,7 +34,7 @@ struct Rotation {
   Matrix stretch{};        // A, 1, n x n; empty: no centrifugal terms
   bool consistent = true;  // else the printed pair
   std::optional<WeightOnHub> weight{};
-  std::optional<TorqueCourse> torque{};
+  std::optional<TorqueHistory> torque{};
   std::optional<double> friction{};  // Coulomb's at the joint, N m
 };
 

@@ -7,7 +7,7 @@
 #include <map>
 #include <optional>
 
-#include "graze/bifurcation/bounds/detail/sheet_form.hpp"
+#include "graze/bifurcation/bounds/detail/solution_family_form.hpp"
 #include "graze/orbit/closed_form/closed_form.hpp"
 #include "graze/orbit/problem/orbit.hpp"
 
@@ -61,7 +61,7 @@ struct Witness {
 
 struct Cell {
   std::size_t range = 0;
-  int sheet = 1;
+  int family = 1;
   double low = 0.0, high = 0.0;
   std::optional<Witness> witness;  // of the cell that it is a half of
 };
@@ -77,26 +77,26 @@ class Search {
     result_.resolution = kResolution * ranges_.length();
     std::deque<Cell> open;
     for (std::size_t i = 0; i < all.size(); ++i)
-      for (const SystemCourse::Piece& piece : ranges_.course().pieces()) {
+      for (const SystemInterpolant::Piece& piece : ranges_.course().pieces()) {
         const double low = std::max(piece.low, all[i].from), high = std::min(piece.high, all[i].to);
-        for (const int sheet : {1, -1})
-          if (low < high) open.push_back({i, sheet, low, high, {}});
+        for (const int family : {1, -1})
+          if (low < high) open.push_back({i, family, low, high, {}});
       }
     covered_[0].resize(all.size());
     covered_[1].resize(all.size());
-    take_news();
+    take_new_branches();
     for (; !open.empty() && !tracer_.stopped(); open.pop_front()) {
       const Cell cell = open.front();
       for (const auto& [low, high] : coverage(cell).rest(cell.low, cell.high)) {
         if (high - low <= result_.resolution) continue;
-        look_at({cell.range, cell.sheet, low, high, cell.witness}, open);
+        look_at({cell.range, cell.family, low, high, cell.witness}, open);
       }
     }
     return result_;
   }
 
  private:
-  Coverage& coverage(const Cell& cell) { return covered_[cell.sheet > 0 ? 0 : 1][cell.range]; }
+  Coverage& coverage(const Cell& cell) { return covered_[cell.family > 0 ? 0 : 1][cell.range]; }
 
   void look_at(Cell cell, std::deque<Cell>& open) {
     if (result_.cells * modes_ > kMostWork) {
@@ -106,19 +106,20 @@ class Search {
     }
     ++result_.cells;
     const std::optional<SystemForms> forms = ranges_.system_over(cell.low, cell.high);
-    const auto sheet = forms ? SheetForm::over(*forms, ranges_.stop(), ranges_.period(), cell.sheet)
-                             : std::nullopt;
-    Extent no_orbit = sheet ? no_orbit_over(*forms, *sheet, cell.witness) : Extent::kNowhere;
+    const auto family =
+        forms ? SolutionFamilyForm::over(*forms, ranges_.stop(), ranges_.period(), cell.family)
+              : std::nullopt;
+    Extent no_orbit = family ? no_orbit_over(*forms, *family, cell.witness) : Extent::kNowhere;
     if (no_orbit == Extent::kEverywhere) return;
     const double middle = cell.low + 0.5 * (cell.high - cell.low);
     if (no_orbit == Extent::kNowhere) {
-      const std::optional<ImpactPoint> solution = solution_at(middle, cell.sheet);
+      const std::optional<ImpactPoint> solution = solution_at(middle, cell.family);
       if (solution && judge(*solution, middle, cell, open)) return;
-      if (sheet) no_orbit = no_orbit_over(*forms, *sheet, cell.witness);
+      if (family) no_orbit = no_orbit_over(*forms, *family, cell.witness);
       if (no_orbit == Extent::kEverywhere) return;
     }
-    open.push_back({cell.range, cell.sheet, cell.low, middle, cell.witness});
-    open.push_back({cell.range, cell.sheet, middle, cell.high, cell.witness});
+    open.push_back({cell.range, cell.family, cell.low, middle, cell.witness});
+    open.push_back({cell.range, cell.family, middle, cell.high, cell.witness});
   }
 
   // Traces the solution in the middle of a cell where it is an orbit, and looks at what is left of
@@ -126,10 +127,10 @@ class Search {
   bool judge(const ImpactPoint& solution, double middle, Cell& cell, std::deque<Cell>& open) {
     const System& system = *cursor_.at(middle);
     const ImpactPattern pattern{ranges_.period(), {ranges_.stop()}};
-    const Admissibility verdict = admissibility(system, pattern, {solution});
-    if (verdict.admissible) {
+    const Admissibility classification = admissibility(system, pattern, {solution});
+    if (classification.admissible) {
       tracer_.trace(solution, middle);
-      take_news();
+      take_new_branches();
       if (coverage(cell).rest(middle, std::nextafter(middle, cell.high)).empty())
         open.push_back(cell);
       else
@@ -137,12 +138,13 @@ class Search {
       return true;
     }
     const double flight = ranges_.period() * system.period();
-    if (verdict.nearest && verdict.nearest->gap < 0.0 && verdict.nearest->after > 0.0)
-      cell.witness = Witness{verdict.nearest->stop, verdict.nearest->after / flight};
+    if (classification.nearest && classification.nearest->gap < 0.0 &&
+        classification.nearest->after > 0.0)
+      cell.witness = Witness{classification.nearest->stop, classification.nearest->after / flight};
     return false;
   }
 
-  // Where it is certain that the sheet has no orbit: nowhere, in the middle of the cell, or all
+  // Where it is certain that the family has no orbit: nowhere, in the middle of the cell, or all
   // over it. A middle without an orbit need not be solved for, the bounds are too wide rather than
   // the witness a poor one.
   enum class Extent { kNowhere, kMiddle, kEverywhere };
@@ -150,56 +152,56 @@ class Search {
     if (form.value.high < 0.0) return Extent::kEverywhere;
     return form.middle.high < 0.0 ? Extent::kMiddle : Extent::kNowhere;
   }
-  static Extent no_orbit_over(const SystemForms& system, const SheetForm& sheet,
+  static Extent no_orbit_over(const SystemForms& system, const SolutionFamilyForm& family,
                               const std::optional<Witness>& witness) {
-    const Extent by_speed = extent_of_negative(sheet.speed());
+    const Extent by_speed = extent_of_negative(family.speed());
     if (by_speed == Extent::kEverywhere || !witness) return by_speed;
-    const auto gap = sheet.gap(system, witness->stop, witness->part);
+    const auto gap = family.gap(system, witness->stop, witness->part);
     return gap ? std::max(by_speed, extent_of_negative(*gap)) : by_speed;
   }
 
-  std::optional<ImpactPoint> solution_at(double value, int sheet) {
+  std::optional<ImpactPoint> solution_at(double value, int family) {
     const System* system = cursor_.at(value);
     if (system == nullptr) return {};
     const ClosedFormAnswer answer = closed_form(*system, ranges_.stop(), ranges_.period());
     if (!answer.form) return {};
     const double gap = system->stops[static_cast<std::size_t>(ranges_.stop())].gap;
     for (const ImpactPoint& point : answer.form->solutions(gap))
-      if (ranges_.sheet(value, point.theta) == sheet) return point;
+      if (ranges_.family(value, point.theta) == family) return point;
     return {};
   }
 
-  void take_news() {
+  void take_new_branches() {
     tracer_.news([this](const OrbitBranch& branch) { cover(branch); });
   }
 
   void cover(const OrbitBranch& branch) {
     const auto& all = ranges_.ranges();
     const OrbitBranchPoint* last = nullptr;
-    int last_sheet = 0;
+    int last_family = 0;
     std::size_t last_range = 0;
     for (const OrbitBranchPoint& point : branch.points) {
       const auto range = ranges_.range_of(point.value);
       const double phase = point.orbit.impacts.front().phase;
-      const int sheet = range ? ranges_.sheet(point.value, phase) : 0;
-      if (sheet == 0) {
+      const int family = range ? ranges_.family(point.value, phase) : 0;
+      if (family == 0) {
         last = nullptr;
         continue;
       }
-      Coverage& here = covered_[sheet > 0 ? 0 : 1][*range];
+      Coverage& here = covered_[family > 0 ? 0 : 1][*range];
       if (last != nullptr && last_range == *range) {
-        if (last_sheet == sheet) {
+        if (last_family == family) {
           here.add(last->value, point.value);
         } else {
-          // From one sheet to the other leads the nearer fold.
+          // From one family to the other leads the nearer fold.
           const bool upwards = all[*range].to - point.value < point.value - all[*range].from;
           const double fold = upwards ? all[*range].to : all[*range].from;
           here.add(point.value, fold);
-          covered_[last_sheet > 0 ? 0 : 1][*range].add(last->value, fold);
+          covered_[last_family > 0 ? 0 : 1][*range].add(last->value, fold);
         }
       }
       last = &point;
-      last_sheet = sheet;
+      last_family = family;
       last_range = *range;
     }
   }
@@ -208,7 +210,7 @@ class Search {
   const RunTracer& tracer_;
   SystemCursor cursor_;
   long long modes_;
-  std::array<std::vector<Coverage>, 2> covered_;  // by sheet and range
+  std::array<std::vector<Coverage>, 2> covered_;  // by family and range
   RunSearch result_;
 };
 

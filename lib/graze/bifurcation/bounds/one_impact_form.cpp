@@ -245,7 +245,7 @@ std::optional<MeanValueForm> repeated_impulse(const MeanValueForm& omega,
          (damped * apart);
 }
 
-int sheet_of(const SystemForms& system, int stop, int period, double theta) {
+int family_of(const SystemForms& system, int stop, int period, double theta) {
   const auto form = one_impact_form(system, stop, period);
   if (!form) return 0;
   const auto number = [](const Form& of) { return of.middle.middle(); };

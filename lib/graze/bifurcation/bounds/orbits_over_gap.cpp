@@ -48,12 +48,12 @@ System rate_of_gaps(const System& system, double length) {
 
 class GapBranch {
  public:
-  GapBranch(const System& system, const FinderOptions& options, const PassageOptions& passage)
+  GapBranch(const System& system, const FinderOptions& options, const SegmentOptions& segment)
       : system_(system),
         widened_(system),
         length_(motion_scale(system).length),
         rate_(rate_of_gaps(system, length_)),
-        shooting_(system, PassageLayout::fixed_phase(1), passage) {
+        shooting_(system, SegmentLayout::fixed_phase(1), segment) {
     problem_.evaluate = [this](const Vector& x, Parameters at) { return evaluate(x, at[0]); };
     range_.stop = options.stop;
     range_.max_step = kLongestStep;
@@ -124,18 +124,18 @@ class GapBranch {
   System widened_;
   double length_;  // of the forced motion, m
   System rate_;    // by the widening, in lengths
-  PassageShooting shooting_;
+  SegmentShooting shooting_;
   ZeroProblem problem_;
   ContinuationOptions range_;
 };
 
-void add_orbits_over_gap(const System& system, const PassageOptions& passage,
+void add_orbits_over_gap(const System& system, const SegmentOptions& segment,
                          const FinderOptions& options, FoundOrbits& found) {
   const double speed_scale = motion_scale(system).speed;
-  const PassageShooting shooting(system, PassageLayout::fixed_phase(1), passage);
+  const SegmentShooting shooting(system, SegmentLayout::fixed_phase(1), segment);
   int joined = 0;
-  for (const Vector& u : GapBranch(system, options, passage).solutions()) {
-    const FollowedAnswer answer = followed_orbit(system, shooting.unpack(system, u), passage);
+  for (const Vector& u : GapBranch(system, options, segment).solutions()) {
+    const FollowedAnswer answer = followed_orbit(system, shooting.unpack(system, u), segment);
     ++joined;
     if (!answer.orbit) continue;
     const Orbit& orbit = *answer.orbit;
@@ -161,13 +161,13 @@ FoundOrbits search_orbits(const System& system, const std::optional<State>& star
         "with more than {} modes no orbits are sought over the gaps of the stops", kMostModes));
     return found;
   }
-  PassageOptions passage;
-  passage.max_impacts = options.max_impacts;
-  passage.stop = options.stop;
+  SegmentOptions segment;
+  segment.max_impacts = options.max_impacts;
+  segment.stop = options.stop;
   const State at_rest{Vector::Zero(system.modes()), Vector::Zero(system.modes())};
-  passage.closure_speed =
+  segment.closure_speed =
       options.closure_speed.value_or(default_closure_speed(system, start.value_or(at_rest)));
-  add_orbits_over_gap(system, passage, options, found);
+  add_orbits_over_gap(system, segment, options, found);
   return found;
 }
 

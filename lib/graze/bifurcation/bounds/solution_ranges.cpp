@@ -31,7 +31,7 @@ SolutionRanges::SolutionRanges(const SystemFamily& family, int stop, int period,
     ranges_.push_back(*open);
     open.reset();
   };
-  for (const SystemCourse::Piece& piece : course_.pieces()) {
+  for (const SystemInterpolant::Piece& piece : course_.pieces()) {
     const long long allowed = left / pieces_left--;
     if (!piece.exists()) {
       close(piece.low, false);
@@ -49,7 +49,7 @@ SolutionRanges::SolutionRanges(const SystemFamily& family, int stop, int period,
     left = std::max(left - found.evaluations, 0LL);
     undecided_ += found.undecided + (piece.agrees ? 0 : 1);
     widest_ = std::max({widest_, found.widest, piece.agrees ? 0.0 : piece.high - piece.low});
-    // A fold may lie on the very border of two pieces.
+    // A fold may lie on the very boundary of two pieces.
     const int before = std::exchange(sign, found.first_sign);
     if (open && sign < 0 && !ends_everywhere) close(piece.low, true);
     if (!open && (sign > 0 || ends_everywhere)) open = Range{piece.low, 0.0, before < 0, false};
@@ -68,7 +68,7 @@ std::optional<SystemForms> SolutionRanges::system_over(double low, double high) 
       std::upper_bound(pieces.begin(), pieces.end(), low,
                        [](double value, const auto& piece) { return value < piece.low; });
   if (after == pieces.begin()) return {};
-  const SystemCourse::Piece& piece = *std::prev(after);
+  const SystemInterpolant::Piece& piece = *std::prev(after);
   if (!piece.exists() || high > piece.high) return {};
   return course_.over(piece, low, high);
 }
@@ -87,9 +87,9 @@ std::optional<std::size_t> SolutionRanges::range_of(double value) const {
   return static_cast<std::size_t>(nearest - ranges_.begin());
 }
 
-int SolutionRanges::sheet(double value, double theta) const {
+int SolutionRanges::family(double value, double theta) const {
   const std::optional<SystemForms> system = system_over(value, value);
-  return system ? sheet_of(*system, stop_, period_, theta) : 0;
+  return system ? family_of(*system, stop_, period_, theta) : 0;
 }
 
 std::optional<int> SolutionRanges::component(double value, double phase) const {
@@ -97,7 +97,7 @@ std::optional<int> SolutionRanges::component(double value, double phase) const {
   if (!range) return {};
   const int name = 2 * static_cast<int>(*range);
   if (ranges_[*range].folds()) return name;
-  return name + (sheet(value, phase) < 0 ? 1 : 0);
+  return name + (family(value, phase) < 0 ? 1 : 0);
 }
 
 }  // namespace graze

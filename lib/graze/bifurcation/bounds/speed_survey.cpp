@@ -5,7 +5,7 @@
 #include <limits>
 #include <optional>
 
-#include "graze/assembly/detail/system_course.hpp"
+#include "graze/assembly/detail/system_interpolant.hpp"
 #include "graze/base/interval/detail/isolated_zeros.hpp"
 #include "graze/bifurcation/bounds/detail/one_impact_form.hpp"
 #include "graze/orbit/closed_form/detail/periodic_response.hpp"
@@ -127,7 +127,7 @@ class Survey {
 
 SpeedSurvey survey_speeds(const SystemFamily& family, int stop, int period, double lowest,
                           double highest, bool with_virtual) {
-  const SystemCourse course(family, lowest, highest);
+  const SystemInterpolant course(family, lowest, highest);
   Survey survey(family, stop, period, with_virtual);
   survey.result.spacing = (highest - lowest) / (kValues - 1);
   auto piece = course.pieces().begin();

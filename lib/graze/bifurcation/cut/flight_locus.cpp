@@ -20,11 +20,11 @@ std::optional<LocusPlace> FlightLocus::place(const LocusSite& at,
   const std::vector<ImpactPoint> impacts = equations_.shooting().unpack(*system, at.u);
   LocusPlace place{{at.first, at.second, at.angle,
                     ordered_impacts(*system, equations_.pattern(), impacts), false},
-                   locus_margins(*system, equations_.pattern(), impacts, touch_),
+                   locus_margins(*system, equations_.pattern(), impacts, grazing_),
                    "",
                    {}};
   place.at.admissible = is_admissible(*system, place.margins);
-  if (zero && are_others_positive(*system, place.margins, *zero)) place.border = zero;
+  if (zero && are_others_positive(*system, place.margins, *zero)) place.boundary = zero;
   return place;
 }
 
@@ -32,7 +32,7 @@ std::optional<Vector> FlightLocus::margins(const LocusSite& at) const {
   const System* system = equations_.system_at(std::array{at.first, at.second});
   if (!system) return {};
   return locus_margins(*system, equations_.pattern(), equations_.shooting().unpack(*system, at.u),
-                       touch_);
+                       grazing_);
 }
 
 Vector FlightLocus::speeds(const LocusSite& at) const {
@@ -40,7 +40,7 @@ Vector FlightLocus::speeds(const LocusSite& at) const {
   if (!system) return {};
   Vector speeds =
       approach_speeds(*system, equations_.pattern(), equations_.shooting().unpack(*system, at.u));
-  if (touch_) speeds[static_cast<Eigen::Index>(*touch_)] = 0.0;  // but for rounding
+  if (grazing_) speeds[static_cast<Eigen::Index>(*grazing_)] = 0.0;  // but for rounding
   return speeds;
 }
 

@@ -8,10 +8,10 @@ namespace graze {
 namespace {
 
 // The margin of another solution that this one has become.
-const PassageMargin* partner(const PassageMargin& margin,
-                             const std::vector<PassageMargin>& others) {
-  const PassageMargin* nearest = nullptr;
-  for (const PassageMargin& other : others) {
+const SegmentMargin* partner(const SegmentMargin& margin,
+                             const std::vector<SegmentMargin>& others) {
+  const SegmentMargin* nearest = nullptr;
+  for (const SegmentMargin& other : others) {
     if (other.is_speed != margin.is_speed || other.place != margin.place ||
         other.stop != margin.stop)
       continue;
@@ -23,14 +23,15 @@ const PassageMargin* partner(const PassageMargin& margin,
 
 }  // namespace
 
-std::optional<std::vector<PassageMargin>> HiddenEvents::margins(const SolutionPoint& solution) {
+std::optional<std::vector<SegmentMargin>> HiddenEvents::margins(const SolutionPoint& solution) {
   return margins_.answer({solution.u, solution.parameter, solution.tangent},
                          [&] { return equations_.margins(solution, corrector_.range()); });
 }
 
 // Of what must stay positive between a and b, as far as it is known at both.
-std::vector<MarginCourse> HiddenEvents::courses(const SolutionPoint& a, const SolutionPoint& b) {
-  const std::optional<std::vector<PassageMargin>> at_a = margins(a), at_b = margins(b);
+std::vector<MarginInterpolant> HiddenEvents::courses(const SolutionPoint& a,
+                                                     const SolutionPoint& b) {
+  const std::optional<std::vector<SegmentMargin>> at_a = margins(a), at_b = margins(b);
   if (!at_a || !at_b) return {};
   const Vector chord = corrector_.chord(a, b);
   const double length = chord.norm();
@@ -38,9 +39,9 @@ std::vector<MarginCourse> HiddenEvents::courses(const SolutionPoint& a, const So
                step_b = std::copysign(length, chord.dot(b.tangent));
   const double narrow = still_gap(*equations_.system_at(a.parameter));
   const double still = still_speed(*equations_.system_at(a.parameter));
-  std::vector<MarginCourse> list;
-  for (const PassageMargin& start : *at_a) {
-    const PassageMargin* end = partner(start, *at_b);
+  std::vector<MarginInterpolant> list;
+  for (const SegmentMargin& start : *at_a) {
+    const SegmentMargin* end = partner(start, *at_b);
     if (!end || partner(*end, *at_a) != &start) continue;
     double from = start.value, from_rate = start.rate, to = end->value, to_rate = end->rate;
     // Where the map does not feel the impact its speed is born as the root of the distance.
@@ -51,7 +52,7 @@ std::vector<MarginCourse> HiddenEvents::courses(const SolutionPoint& a, const So
       from *= from;
       to *= to;
     }
-    list.push_back(MarginCourse::between(from, step_a * from_rate, to, step_b * to_rate));
+    list.push_back(MarginInterpolant::between(from, step_a * from_rate, to, step_b * to_rate));
     list.back().rounding = squared ? still * still : start.is_speed ? still : narrow;
   }
   return list;
@@ -59,9 +60,9 @@ std::vector<MarginCourse> HiddenEvents::courses(const SolutionPoint& a, const So
 
 std::optional<SolutionPoint> HiddenEvents::between(const SolutionPoint& a, const SolutionPoint& b,
                                                    const ReleaseReturn& at_a, int& looks) {
-  const std::vector<MarginCourse> all = courses(a, b);
+  const std::vector<MarginInterpolant> all = courses(a, b);
   if (all.empty() || looks-- <= 0 || !all_positive(all, 0.0) || !all_positive(all, 1.0)) return {};
-  std::optional<double> part = doubt_within(all);
+  std::optional<double> part = suspected_sign_change(all);
   // The ends may be of two branches with the same events.
   if (!part && !is_shown(all)) part = 0.5;
   if (!part) return {};

@@ -8,11 +8,11 @@
 namespace graze {
 namespace {
 
-// Without a border none could be located.
+// Without a boundary none could be located.
 OrbitLocusEnd end_at(const LocusPlace& place) {
-  if (!place.border) return OrbitLocusEnd::kNotConverged;
-  return place.border == LocusMargin::kFlight ? OrbitLocusEnd::kImpactsMeet
-                                              : OrbitLocusEnd::kGrazing;
+  if (!place.boundary) return OrbitLocusEnd::kNotConverged;
+  return place.boundary == LocusMargin::kFlight ? OrbitLocusEnd::kImpactsMeet
+                                                : OrbitLocusEnd::kGrazing;
 }
 
 // A trace that could be followed up to a grazing only ends on that.
@@ -20,10 +20,10 @@ OrbitLocusEnd end_of_trace(const OrbitLocus& frame, const std::vector<LocusPlace
                            std::size_t side) {
   const LocusPlace& last = side == 0 ? places.front() : places.back();
   const bool stuck = frame.ends[side] == OrbitLocusEnd::kNotConverged;
-  return stuck && last.border ? end_at(last) : frame.ends[side];
+  return stuck && last.boundary ? end_at(last) : frame.ends[side];
 }
 
-bool is_outside(const LocusPlace& place) { return !place.at.admissible && !place.border; }
+bool is_outside(const LocusPlace& place) { return !place.at.admissible && !place.boundary; }
 
 class Parts {
  public:
@@ -35,15 +35,17 @@ class Parts {
       open_outside(places_, is_outside);
     for (std::size_t i = 0; i < places_.size(); ++i) {
       LocusPlace& place = places_[i];
-      const bool border = place.border.has_value(), last = i + 1 == places_.size();
-      // On the border it grazes and does not cross; which side the last bit falls on says nothing.
-      if (border) place.at.admissible = true;
+      const bool boundary = place.boundary.has_value(), last = i + 1 == places_.size();
+      // On the boundary it grazes and does not cross; which side the last bit falls on says
+      // nothing.
+      if (boundary) place.at.admissible = true;
       const bool kept = keep_virtual_ || place.at.admissible;
       if (kept && !open_) begin(i == 0 ? end_of_trace(frame_, places_, 0) : end_at(place));
-      if (kept) add(place, border);
+      if (kept) add(place, boundary);
       if (!kept && open_) end(OrbitLocusEnd::kNotConverged);
-      // Beyond a border within the part, or at its far end.
-      if (open_ && border && !keep_virtual_ && parts_.back().points.size() > 1) end(end_at(place));
+      // Beyond a boundary within the part, or at its far end.
+      if (open_ && boundary && !keep_virtual_ && parts_.back().points.size() > 1)
+        end(end_at(place));
       if (open_ && last) end(end_of_trace(frame_, places_, 1));
     }
     std::erase_if(parts_, [](const OrbitLocus& part) { return part.points.size() < 2; });
@@ -62,10 +64,10 @@ class Parts {
     open_ = false;
   }
 
-  void add(const LocusPlace& place, bool border) {
+  void add(const LocusPlace& place, bool boundary) {
     parts_.back().points.push_back(place.at);
     std::string label = place.label;
-    if (border && place.border != LocusMargin::kFlight)
+    if (boundary && place.boundary != LocusMargin::kFlight)
       label = std::string(label_of(frame_.kind)) + "GR";
     if (!label.empty()) parts_.back().special.push_back({label, "", place.at, place.other_angle});
   }

@@ -9,9 +9,9 @@ constexpr int kMostSteps = 400;  // of a bisection that may need two for each of
 
 }  // namespace
 
-ReleaseApproach approach_border(const PassageEquations& equations, Corrector& corrector,
-                                const StopSignal& stop, const SolutionPoint& a,
-                                const SolutionPoint& b, const ReleaseReturn& at_a, bool impacts) {
+ReleaseApproach approach_boundary(const SegmentEquations& equations, Corrector& corrector,
+                                  const StopSignal& stop, const SolutionPoint& a,
+                                  const SolutionPoint& b, const ReleaseReturn& at_a, bool impacts) {
   const Vector chord = corrector.chord(a, b);
   ReleaseApproach result;
   SolutionPoint inside = a;
@@ -23,7 +23,8 @@ ReleaseApproach approach_border(const PassageEquations& equations, Corrector& co
   // Two points nearer than this are one in double precision.
   const double least =
       4.0 * std::numeric_limits<double>::epsilon() * (1.0 + corrector.pack(a).norm());
-  if (result.beyond && result.beyond->returns) result.others.emplace_back(b, result.beyond->holds);
+  if (result.beyond && result.beyond->returns)
+    result.others.emplace_back(b, result.beyond->sticking);
   // Some two steps to a bit; more of them would lead past `b`.
   double h = 0.5 * chord.norm();
   for (int step = 0; h > least && step < kMostSteps && !stop.requested(); ++step) {
@@ -40,7 +41,7 @@ ReleaseApproach approach_border(const PassageEquations& equations, Corrector& co
     if (back) {
       result.beyond = back;
       result.at_beyond = *next;
-      if (back->returns) result.others.emplace_back(*next, back->holds);
+      if (back->returns) result.others.emplace_back(*next, back->sticking);
     }
     h *= 0.5;
   }

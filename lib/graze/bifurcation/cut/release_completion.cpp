@@ -25,7 +25,7 @@ namespace {
 //   B^T q_0 = a,                 B^T Q = 0.
 //
 // The structure stays at rest where f_0 - |F| >= 0 at every closed stop.
-struct HeldForce {
+struct ConstraintForce {
   double mean = 0.0;  // f_0, m/s^2
   Complex swing;      // F, m/s^2
 
@@ -36,8 +36,8 @@ struct HeldForce {
 
 // The force on `stop`, one of the closed ones. Nothing where the held structure is in resonance
 // without damping. Requires forcing.
-std::optional<HeldForce> held_force(const System& system, const std::vector<int>& closed,
-                                    int stop) {
+std::optional<ConstraintForce> constraint_force(const System& system,
+                                                const std::vector<int>& closed, int stop) {
   const Eigen::Index n = system.modes(), m = static_cast<Eigen::Index>(closed.size());
   const double frequency = system.forcing()->frequency;
   Matrix at_rest = Matrix::Zero(n + m, n + m);
@@ -56,7 +56,7 @@ std::optional<HeldForce> held_force(const System& system, const std::vector<int>
   ComplexVector driven = ComplexVector::Zero(n + m);
   driven.head(n) = system.forcing()->amplitude.cast<Complex>();
   const Eigen::Index place = n + (std::find(closed.begin(), closed.end(), stop) - closed.begin());
-  HeldForce force{LuFactors(at_rest).solve(held)[place], solve(swinging, driven)[place]};
+  ConstraintForce force{LuFactors(at_rest).solve(held)[place], solve(swinging, driven)[place]};
   if (!std::isfinite(force.least())) return {};
   return force;
 }
@@ -66,8 +66,8 @@ std::optional<HeldForce> held_force(const System& system, const std::vector<int>
 constexpr double kInterrupted = 1e-5;
 // An opening as long as this is known to some 1e-6 of its own, of a forcing period.
 constexpr double kOpened = 1e-4;
-// Points before a border that may be flown once more instead of it, each at least half as far from
-// it as the one before.
+// Points before a boundary that may be flown once more instead of it, each at least half as far
+// from it as the one before.
 constexpr int kMostBack = 8;
 // A flight whose excursion, as its duration to the power 4, is within rounding is none: what that
 // leaves of the parameter, as its duration to the power 2, is some 1e-8 of the range.
@@ -77,8 +77,8 @@ constexpr int kMostSecants = 16;  // each doubles the digits, nearly
 // The shortest time for which a stop is let go, s; infinite where none is closed again.
 double shortest_opening(const ReleaseReturn& back, double period) {
   double shortest = std::numeric_limits<double>::infinity();
-  for (const PassedHold& first : back.passage.holds)
-    for (const PassedHold& next : back.passage.holds) {
+  for (const SegmentSticking& first : back.segment.sticking)
+    for (const SegmentSticking& next : back.segment.sticking) {
       if (next.from_start || next.stop != first.stop) continue;
       const double open = static_cast<double>(next.from.period - first.to.period) * period +
                           next.from.local - first.to.local;
@@ -94,11 +94,11 @@ bool is_interrupted(const ReleaseReturn& back, double period) {
 
 // Whether the structure is let go once in all periods and held again at once.
 bool is_at_rest(const ReleaseReturn& back, int periods, double period) {
-  return back.holds.size() == 1 && back.shortest_hold >= (periods - kInterrupted) * period;
+  return back.sticking.size() == 1 && back.shortest_sticking >= (periods - kInterrupted) * period;
 }
 
-// A solution before a border: its parameter, and what vanishes there.
-struct NearBorder {
+// A solution before a boundary: its parameter, and what vanishes there.
+struct NearBoundary {
   double parameter = 0.0, margin = 0.0;
 };
 
@@ -107,7 +107,7 @@ constexpr double kApart = 1.3;
 
 // How much the slope of the parameter over this power of the margin changes over the three nearest,
 // as a factor.
-double bend(const std::vector<NearBorder>& used, int power) {
+double bend(const std::vector<NearBoundary>& used, int power) {
   const auto slope = [&](std::size_t k) {
     return (used[k + 1].parameter - used[k].parameter) /
            (std::pow(used[k + 1].margin, power) - std::pow(used[k].margin, power));
@@ -116,13 +116,13 @@ double bend(const std::vector<NearBorder>& used, int power) {
 }
 
 // Of the nearest `count`: p_0 of p = p_0 + p_1 m^lowest + p_2 m^(lowest + 1) + ...
-double by_polynomial(const std::vector<NearBorder>& used, Eigen::Index count, int lowest) {
+double by_polynomial(const std::vector<NearBoundary>& used, Eigen::Index count, int lowest) {
   Matrix powers(count, count);
   Vector ahead(count);
-  const NearBorder& nearest = used.front();
+  const NearBoundary& nearest = used.front();
   const double unit = used[static_cast<std::size_t>(count - 1)].margin;
   for (Eigen::Index i = 0; i < count; ++i) {
-    const NearBorder& at = used[static_cast<std::size_t>(i)];
+    const NearBoundary& at = used[static_cast<std::size_t>(i)];
     ahead[i] = at.parameter - nearest.parameter;
     powers(i, 0) = 1.0;
     for (int k = 1; k < count; ++k) powers(i, k) = std::pow(at.margin / unit, lowest + k - 1);
@@ -133,9 +133,9 @@ double by_polynomial(const std::vector<NearBorder>& used, Eigen::Index count, in
 // The parameter where the margin is zero, by the polynomial through solutions at margins that grow
 // by kApart at least, from `reliable` on (two or more). Seen from the side on which the margin is
 // positive the parameter is a smooth function of it, with or without a linear term. `solutions`:
-// the nearest to the border last. Nothing where fewer are at hand.
-std::optional<double> vanishing_at(const std::vector<NearBorder>& solutions, double reliable) {
-  std::vector<NearBorder> used;
+// the nearest to the boundary last. Nothing where fewer are at hand.
+std::optional<double> vanishing_at(const std::vector<NearBoundary>& solutions, double reliable) {
+  std::vector<NearBoundary> used;
   for (auto at = solutions.rbegin(); at != solutions.rend() && std::ssize(used) < kMostSolutions;
        ++at)
     if (at->margin >= (used.empty() ? reliable : kApart * used.back().margin)) used.push_back(*at);
@@ -154,8 +154,8 @@ std::optional<double> vanishing_at(const std::vector<NearBorder>& solutions, dou
 
 // Where the stop is not let go any more, by orbits before that: bisection comes as near as an
 // opening that can be told from none.
-double last_opening(const PassageEquations& equations, const std::vector<SolutionPoint>& reached) {
-  std::vector<NearBorder> near;
+double last_opening(const SegmentEquations& equations, const std::vector<SolutionPoint>& reached) {
+  std::vector<NearBoundary> near;
   for (const SolutionPoint& point : reached)
     if (const auto back = equations.follow(point))
       near.push_back({point.parameter, shortest_opening(*back, equations.period_at(point))});
@@ -163,22 +163,23 @@ double last_opening(const PassageEquations& equations, const std::vector<Solutio
       .value_or(reached.back().parameter);
 }
 
-// The orbit met beyond, where its stuck phases are others: of those next to the border that have
+// The orbit met beyond, where its stuck phases are others: of those next to the boundary that have
 // the same ones the farthest.
 std::optional<SolutionPoint> orbit_beyond(const ReleaseApproach& approach) {
   std::optional<SolutionPoint> other;
   const auto& others = approach.others;
   for (auto known = others.rbegin(); known != others.rend(); ++known) {
-    if (known->second.size() == approach.last.holds.size() || known->second != others.back().second)
+    if (known->second.size() == approach.last.sticking.size() ||
+        known->second != others.back().second)
       break;
     other = known->first;
   }
   return other;
 }
 
-// The last of the points reached whose orbit is found once more: on the border itself rounding may
-// decide otherwise when it is flown again.
-std::optional<SolutionPoint> last_orbit(const PassageEquations& equations,
+// The last of the points reached whose orbit is found once more: on the boundary itself rounding
+// may decide otherwise when it is flown again.
+std::optional<SolutionPoint> last_orbit(const SegmentEquations& equations,
                                         const std::vector<SolutionPoint>& reached) {
   int back = 0;
   for (auto point = reached.rbegin(); point != reached.rend() && back < kMostBack; ++point, ++back)
@@ -188,7 +189,7 @@ std::optional<SolutionPoint> last_orbit(const PassageEquations& equations,
 
 }  // namespace
 
-ReleaseTip completion(const PassageEquations& equations, const ReleaseApproach& approach) {
+ReleaseTip completion(const SegmentEquations& equations, const ReleaseApproach& approach) {
   const SolutionPoint& inside = approach.reached.back();
   const ReleaseReturn& here = approach.last;
   const std::optional<ReleaseReturn>& beyond = approach.beyond;
@@ -197,7 +198,7 @@ ReleaseTip completion(const PassageEquations& equations, const ReleaseApproach& 
   bool one_more = false, cut_here = is_interrupted(here, period), cut = cut_here;
   if (beyond) {
     const double period_beyond = equations.period_at(approach.at_beyond);
-    one_more = beyond->returns && beyond->holds.size() > here.holds.size() &&
+    one_more = beyond->returns && beyond->sticking.size() > here.sticking.size() &&
                has_shrunk(*beyond, period_beyond);
     cut = cut || is_interrupted(*beyond, period_beyond);
   }
@@ -205,13 +206,13 @@ ReleaseTip completion(const PassageEquations& equations, const ReleaseApproach& 
   if ((!changes && !cut) || !approach.settled) return {};
   const bool extrapolated = !changes && cut_here;
   const double value = extrapolated ? last_opening(equations, approach.reached) : inside.parameter;
-  const std::optional<SolutionPoint> border = last_orbit(equations, approach.reached);
-  if (!border) return {};
+  const std::optional<SolutionPoint> boundary = last_orbit(equations, approach.reached);
+  if (!boundary) return {};
   const int periods = equations.period();
   const OrbitBranchEnd end = is_at_rest(here, periods, period) ? OrbitBranchEnd::kAtRest
                                                                : OrbitBranchEnd::kChatterCompletes;
   return {end,
-          border,
+          boundary,
           false,
           !changes,
           value,
@@ -219,17 +220,17 @@ ReleaseTip completion(const PassageEquations& equations, const ReleaseApproach& 
           bracket_around({inside.parameter, approach.at_beyond.parameter, value}, !extrapolated)};
 }
 
-std::optional<std::pair<double, double>> lift_off(const PassageEquations& equations, double range,
+std::optional<std::pair<double, double>> lift_off(const SegmentEquations& equations, double range,
                                                   double near) {
-  const PassageLayout& layout = equations.layout();
+  const SegmentLayout& layout = equations.layout();
   const auto held_at = [&](double value) {
     const System* system = equations.system_at(value);
-    return system ? held_force(*system, layout.closed, *layout.released)
-                  : std::optional<HeldForce>();
+    return system ? constraint_force(*system, layout.closed, *layout.released)
+                  : std::optional<ConstraintForce>();
   };
   double before = near - kTold * range, value = near;
   for (int step = 0; step < kMostSecants; ++step) {
-    const std::optional<HeldForce> a = held_at(before), b = held_at(value);
+    const std::optional<ConstraintForce> a = held_at(before), b = held_at(value);
     if (!a || !b) return {};
     if (a->least() == b->least()) break;
     const double next = value - b->least() * (value - before) / (b->least() - a->least());
@@ -238,7 +239,7 @@ std::optional<std::pair<double, double>> lift_off(const PassageEquations& equati
     value = next;
     if (value == before) break;
   }
-  const std::optional<HeldForce> there = held_at(value);
+  const std::optional<ConstraintForce> there = held_at(value);
   if (!there) return {};
   return std::pair(value, there->phase_of_least());
 }

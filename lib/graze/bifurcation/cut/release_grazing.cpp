@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "graze/bifurcation/cut/detail/touch_search.hpp"
+#include "graze/bifurcation/cut/detail/grazing_search.hpp"
 #include "graze/continuation/branch/detail/corrector.hpp"
 
 namespace graze {
@@ -10,7 +10,7 @@ namespace {
 
 // An approach nearer than this part of a length touches: a trace that comes to its end there is
 // within its shortest step, some 1e-12, of the grazing.
-constexpr double kTouches = 1e-9;
+constexpr double kGrazes = 1e-9;
 // An impact this slow, of a speed, at a point that was bisected to is one that vanishes there.
 constexpr double kStill = 1e-5;
 // Where an impact is this slow, of a speed, the trace ends: its square is a thousand times what
@@ -19,16 +19,16 @@ constexpr double kSlow = 1e-4;
 // Where on the other side an orbit without the impact is looked for, of the range.
 constexpr double kBeside = 1e-5;
 
-double length_unit(const PassageEquations& equations, const SolutionPoint& at) {
+double length_unit(const SegmentEquations& equations, const SolutionPoint& at) {
   return motion_scale(*equations.system_at(at.parameter)).length;
 }
 
-double speed_unit(const PassageEquations& equations, const SolutionPoint& at) {
+double speed_unit(const SegmentEquations& equations, const SolutionPoint& at) {
   return length_unit(equations, at) * equations.system_at(at.parameter)->forcing()->frequency;
 }
 
 // The orbit that is left where the impact vanishes: it may lie on either side.
-std::optional<SolutionPoint> without_impact(const PassageEquations& equations,
+std::optional<SolutionPoint> without_impact(const SegmentEquations& equations,
                                             const ContinuationOptions& options,
                                             const SolutionPoint& at, double grazing) {
   const std::optional<ReleaseReturn> here = equations.follow(at);
@@ -39,7 +39,7 @@ std::optional<SolutionPoint> without_impact(const PassageEquations& equations,
         solve_at(equations.problem(), options, at.u, grazing + side * beside);
     if (!other) continue;
     const std::optional<ReleaseReturn> there = equations.follow(*other);
-    if (there && there->returns && there->holds == here->holds &&
+    if (there && there->returns && there->sticking == here->sticking &&
         there->itinerary.events.size() < here->itinerary.events.size())
       return other;
   }
@@ -48,13 +48,13 @@ std::optional<SolutionPoint> without_impact(const PassageEquations& equations,
 
 }  // namespace
 
-bool touches(const PassageEquations& equations, const SolutionPoint& at) {
+bool touches(const SegmentEquations& equations, const SolutionPoint& at) {
   const std::optional<ReleaseReturn> here = equations.follow(at, true);
-  return here && here->passage.clearance() &&
-         *here->passage.clearance() <= kTouches * length_unit(equations, at);
+  return here && here->segment.clearance() &&
+         *here->segment.clearance() <= kGrazes * length_unit(equations, at);
 }
 
-ReleaseTip grazing_at(const PassageEquations& equations, const ContinuationOptions& options,
+ReleaseTip grazing_at(const SegmentEquations& equations, const ContinuationOptions& options,
                       const SolutionPoint& at, bool is_lost) {
   const std::optional<ReleaseReturn> here = equations.follow(at);
   if (!here) return {};
@@ -62,24 +62,24 @@ ReleaseTip grazing_at(const PassageEquations& equations, const ContinuationOptio
   const bool by_speed = is_lost || here->itinerary.slowest <= kStill * unit;
   if (!by_speed && !touches(equations, at)) return {};
   ReleaseTip tip{OrbitBranchEnd::kGrazing, at, by_speed, false, at.parameter, {}};
-  // As near as solutions were met, if the touch itself is not to be had.
-  const auto touch = touch_from(equations, options, at);
-  if (touch) tip.value = touch->at.parameter;
-  tip.bracket = bracket_around({at.parameter, tip.value}, touch.has_value());
+  // As near as solutions were met, if the grazing contact itself is not to be had.
+  const auto grazing = find_grazing_from(equations, options, at);
+  if (grazing) tip.value = grazing->at.parameter;
+  tip.bracket = bracket_around({at.parameter, tip.value}, grazing.has_value());
   return tip;
 }
 
-ReleaseTip grazing_ahead(const PassageEquations& equations, const ContinuationOptions& options,
+ReleaseTip grazing_ahead(const SegmentEquations& equations, const ContinuationOptions& options,
                          const SolutionPoint& a, const SolutionPoint& b) {
   const std::optional<ReleaseReturn> before = equations.follow(a), now = equations.follow(b);
-  if (!before || !now || !now->returns || now->holds != before->holds) return {};
+  if (!before || !now || !now->returns || now->sticking != before->sticking) return {};
   const double unit = speed_unit(equations, b);
   if (!(now->itinerary.slowest <= kSlow * unit &&
         now->itinerary.slowest < before->itinerary.slowest))
     return {};
-  const std::optional<FoundTouch> touch = touch_from(equations, options, b);
-  if (!touch) return {};
-  ReleaseTip tip{OrbitBranchEnd::kGrazing, b, true, false, touch->at.parameter, {}};
+  const std::optional<FoundGrazing> grazing = find_grazing_from(equations, options, b);
+  if (!grazing) return {};
+  ReleaseTip tip{OrbitBranchEnd::kGrazing, b, true, false, grazing->at.parameter, {}};
   tip.beyond = without_impact(equations, options, b, tip.value);
   tip.bracket = bracket_around({b.parameter, tip.value}, true);
   return tip;

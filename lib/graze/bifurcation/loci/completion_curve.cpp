@@ -1,6 +1,6 @@
 #include "graze/bifurcation/loci/detail/completion_curve.hpp"
 
-#include "graze/bifurcation/cut/detail/passage_locus.hpp"
+#include "graze/bifurcation/cut/detail/segment_locus.hpp"
 #include "graze/orbit/problem/detail/chatter_completion.hpp"
 
 namespace graze {
@@ -12,18 +12,18 @@ constexpr double kStep = 1e-8;
 
 }  // namespace
 
-CompletionCurve::CompletionCurve(const PassageEquations& equations)
+CompletionCurve::CompletionCurve(const SegmentEquations& equations)
     : OrbitCurve(equations, equations.shooting().size(), 0, equations.unit(0),
                  std::make_unique<ReleaseLocus>(equations, true)),
-      passages_(equations) {
+      segments_(equations) {
   problem_.problem.evaluate = [this](const Vector& y, Parameters at) {
     return with(y, at[0], condition(y, at[0]));
   };
 }
 
 std::optional<double> CompletionCurve::distance(const Vector& y, double second) const {
-  const System* system = passages_.system_at(parameters_of(y, second));
-  return system ? completion_distance(*system, passages_.shooting(), y.head(problem_.first))
+  const System* system = segments_.system_at(parameters_of(y, second));
+  return system ? completion_distance(*system, segments_.shooting(), y.head(problem_.first))
                 : std::optional<double>();
 }
 
@@ -32,7 +32,7 @@ std::optional<OrbitCurve::Condition> CompletionCurve::condition(const Vector& y,
   const auto here = distance(y, second);
   if (!here) return {};
   Condition condition{*here, Vector(y.size()), 0.0};
-  const double by = kStep * passages_.unit(1);
+  const double by = kStep * segments_.unit(1);
   for (Eigen::Index j = 0; j <= y.size(); ++j) {
     const bool moves = j < y.size();
     const Vector step = moves ? Vector(kStep * Vector::Unit(y.size(), j)) : Vector::Zero(y.size());

@@ -7,8 +7,8 @@
 #include <utility>
 
 #include "graze/bifurcation/loci/detail/completion_curve.hpp"
-#include "graze/bifurcation/loci/detail/flight_touch.hpp"
-#include "graze/bifurcation/loci/detail/touch_curve.hpp"
+#include "graze/bifurcation/loci/detail/flight_grazing.hpp"
+#include "graze/bifurcation/loci/detail/segment_grazing.hpp"
 #include "graze/bifurcation/trace/detail/orbit_kinds.hpp"
 #include "graze/continuation/branch.hpp"
 #include "graze/continuation/special/detail/crossing_tests.hpp"
@@ -37,7 +37,7 @@ void end_on_grazing(std::vector<LocusPlace>& places, std::array<OrbitLocusEnd, 2
   for (const std::size_t end : {0u, 1u}) {
     LocusPlace& last = end == 0 ? places.front() : places.back();
     if (ends[end] == OrbitLocusEnd::kNotConverged && is_on_it(last))
-      last.border = LocusMargin::kSpeed;
+      last.boundary = LocusMargin::kSpeed;
   }
 }
 
@@ -64,9 +64,9 @@ constexpr double kTouching = 1.5e-6;
 
 // Whether an approach touches because an impact beside it has all but vanished: then where its gap
 // passes zero is rounding.
-bool is_one_touch(const LocusPlace& a, const LocusPlace& b, double unit) {
+bool is_one_grazing(const LocusPlace& a, const LocusPlace& b, double unit) {
   const auto has = [](const LocusPlace& place, LocusMargin margin) {
-    return place.border == margin;
+    return place.boundary == margin;
   };
   const auto slow = [unit](const LocusPlace& place) {
     return place.margins[static_cast<Eigen::Index>(LocusMargin::kSpeed)] <= kTouching * unit;
@@ -78,15 +78,15 @@ bool is_one_touch(const LocusPlace& a, const LocusPlace& b, double unit) {
 // As an impact speed vanishes an approach touches too: one grazing, not two. A locus that was
 // started there has it among its points as well, on whatever side the last bit puts it. `unit`: of
 // speeds, m/s.
-void merge_borders(std::vector<LocusPlace>& places, const LocusOptions& options, double unit) {
+void merge_boundaries(std::vector<LocusPlace>& places, const LocusOptions& options, double unit) {
   std::vector<LocusPlace> merged;
   for (LocusPlace& place : places) {
-    const bool same = !merged.empty() && (merged.back().border || place.border) &&
+    const bool same = !merged.empty() && (merged.back().boundary || place.boundary) &&
                       (distance(merged.back().at, place.at, options) <= kOneGrazing ||
-                       is_one_touch(merged.back(), place, unit));
+                       is_one_grazing(merged.back(), place, unit));
     if (!same)
       merged.push_back(std::move(place));
-    else if (!merged.back().border || place.border == LocusMargin::kSpeed)
+    else if (!merged.back().boundary || place.boundary == LocusMargin::kSpeed)
       merged.back() = std::move(place);
   }
   places = std::move(merged);
@@ -113,11 +113,11 @@ struct LocusTracer::Within {
 };
 
 LocusTracer::LocusTracer(const Scene& scene, const std::string& first, const std::string& second,
-                         const LocusOptions& options, const PassageOptions& passage)
+                         const LocusOptions& options, const SegmentOptions& segment)
     : options_(options),
       scale_(own_scale(scene, first)),
       problems_(scene, {first, second}, {first_range(options), second_range(options)}, scale_,
-                passage) {}
+                segment) {}
 
 LocusAnswer LocusTracer::trace(const OrbitLocusStart& start) {
   const bool along =
@@ -236,22 +236,22 @@ LocusTrace LocusTracer::assembled(OrbitLocus frame, const LocusOrbits& orbits,
   if (trace.places.empty()) return trace;
   if (trace.frame.kind != OrbitLocusKind::kGrazing)
     end_on_grazing(trace.places, trace.frame.ends, scale_.speed);
-  merge_borders(trace.places, options_, scale_.speed);
+  merge_boundaries(trace.places, options_, scale_.speed);
   return trace;
 }
 
 LocusTracer::CurveStart LocusTracer::curve_at(const OrbitLocusStart& start) {
   if (start.kind == OrbitLocusKind::kChatterCompletes) return completion(start);
-  return start.followed ? passage_touch(start) : flight_touch(start);
+  return start.followed ? segment_grazing(start) : flight_grazing(start);
 }
 
-// From the touch on.
-LocusTracer::CurveStart LocusTracer::flight_touch(const OrbitLocusStart& start) {
+// From the grazing contact on.
+LocusTracer::CurveStart LocusTracer::flight_grazing(const OrbitLocusStart& start) {
   LaidOrbits& orbits = problems_.flights(start.orbit.pattern);
   const auto& flights = dynamic_cast<const FlightEquations&>(*orbits.problem);
   Curves& curves = curves_[{orbits.problem.get(), 0}];
   if (!curves.curve)
-    curves.curve = std::make_unique<FlightTouch>(flights, 0, first_range(options_));
+    curves.curve = std::make_unique<FlightGrazing>(flights, 0, first_range(options_));
   const Vector u = flights.shooting().pack(start.orbit.impacts);
   Vector y(u.size() + 1);
   y << u, start.first / first_range(options_);
@@ -259,31 +259,32 @@ LocusTracer::CurveStart LocusTracer::flight_touch(const OrbitLocusStart& start) 
 }
 
 // A touch alone is that of the motion without contacts, which repeats every period.
-LocusTracer::CurveStart LocusTracer::passage_touch(const OrbitLocusStart& start) {
+LocusTracer::CurveStart LocusTracer::segment_grazing(const OrbitLocusStart& start) {
   const std::vector<Written> list = written(start);
   if (list.empty()) return {};
-  const auto* passages = dynamic_cast<const PassageEquations*>(list.front().orbits->problem.get());
+  const auto* segments = dynamic_cast<const SegmentEquations*>(list.front().orbits->problem.get());
   const System* system =
-      passages ? passages->system_at(std::array{start.first, start.second}) : nullptr;
+      segments ? segments->system_at(std::array{start.first, start.second}) : nullptr;
   if (!system) return {};
   Vector u = list.front().u;
-  const std::vector<Touch> touches = touches_near(*system, passages->shooting(), u);
-  if (touches.empty()) return {};
-  Touch touch = touches.front();
-  if (!passages->layout().released) {
-    if (!system->stops[static_cast<std::size_t>(touch.stop)].is_compliant()) return {};
-    const std::optional<Orbit> orbit = orbit_of(*system, passages->shooting(), u, {});
-    if (passages->layout().sections > 1 && (!orbit || orbit->impacts.size() <= 1)) {
-      u = passages->shooting().at_section(u, static_cast<int>(touch.turn));
-      touch.turn = 0;
+  const std::vector<GrazingContact> grazings =
+      grazing_contacts_near(*system, segments->shooting(), u);
+  if (grazings.empty()) return {};
+  GrazingContact grazing = grazings.front();
+  if (!segments->layout().released) {
+    if (!system->stops[static_cast<std::size_t>(grazing.stop)].is_compliant()) return {};
+    const std::optional<Orbit> orbit = orbit_of(*system, segments->shooting(), u, {});
+    if (segments->layout().sections > 1 && (!orbit || orbit->impacts.size() <= 1)) {
+      u = segments->shooting().at_section(u, static_cast<int>(grazing.turn));
+      grazing.turn = 0;
       LaidOrbits& once = problems_.fixed_phase_once(*list.front().orbits);
-      passages = dynamic_cast<const PassageEquations*>(once.problem.get());
+      segments = dynamic_cast<const SegmentEquations*>(once.problem.get());
     }
   }
-  Curves& curves = curves_[{passages, touch.stop}];
-  if (!curves.curve) curves.curve = std::make_unique<TouchCurve>(*passages, touch.stop);
+  Curves& curves = curves_[{segments, grazing.stop}];
+  if (!curves.curve) curves.curve = std::make_unique<SegmentGrazing>(*segments, grazing.stop);
   Vector y(u.size() + 2);
-  y << u, start.first / passages->unit(0), passages->psi_of(u, touch);
+  y << u, start.first / segments->unit(0), segments->psi_of(u, grazing);
   return {&curves, y};
 }
 
@@ -294,12 +295,12 @@ LocusTracer::CurveStart LocusTracer::completion(const OrbitLocusStart& start) {
   const auto shortest = std::min_element(
       list.begin(), list.end(), [](const Written& a, const Written& b) { return a.held < b.held; });
   if (shortest == list.end()) return {};
-  const auto& passages = dynamic_cast<const PassageEquations&>(*shortest->orbits->problem);
-  if (!passages.layout().released) return {};
-  Curves& curves = curves_[{&passages, -1}];
-  if (!curves.curve) curves.curve = std::make_unique<CompletionCurve>(passages);
+  const auto& segments = dynamic_cast<const SegmentEquations&>(*shortest->orbits->problem);
+  if (!segments.layout().released) return {};
+  Curves& curves = curves_[{&segments, -1}];
+  if (!curves.curve) curves.curve = std::make_unique<CompletionCurve>(segments);
   Vector y(shortest->u.size() + 1);
-  y << shortest->u, start.first / passages.unit(0);
+  y << shortest->u, start.first / segments.unit(0);
   return {&curves, y};
 }
 

@@ -182,7 +182,7 @@ class LociTracer {
     if (special.at.section || (!special.at.admissible && !options_.branches.keep_virtual)) return;
     const System* system = systems_.at(std::array{special.at.value, special.at.second});
     if (!system) return;
-    for (OrbitLocusStart& lead : leads_from(*system, locus, special, tracer_.speed_unit()))
+    for (OrbitLocusStart& lead : continuations_from(*system, locus, special, tracer_.speed_unit()))
       if (wants(lead.kind)) starts.push_back(std::move(lead));
   }
 

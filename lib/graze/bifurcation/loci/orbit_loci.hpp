@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-#include "graze/bifurcation/loci/locus_leads.hpp"
+#include "graze/bifurcation/loci/locus_continuations.hpp"
 #include "graze/bifurcation/problem/orbit_locus.hpp"
 #include "graze/bifurcation/trace/orbit_branches.hpp"
 

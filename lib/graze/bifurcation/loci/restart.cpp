@@ -12,7 +12,7 @@ namespace {
 
 // Whether the orbits of a branch that sticks are none on one side of such a point, so that the
 // motion from there need not repeat it.
-bool is_border(SpecialKind kind) {
+bool is_boundary(SpecialKind kind) {
   return kind == SpecialKind::kChatterCompletes || kind == SpecialKind::kLiftOff ||
          kind == SpecialKind::kGrazing;
 }
@@ -32,7 +32,7 @@ SpecialOrbit::Followed as_followed(int period, double value, const OrbitSection&
 
 std::optional<SpecialOrbit::Followed> followed_part(const OrbitBranch& branch,
                                                     const SpecialPoint& special) {
-  const bool beyond = branch.sticks() && is_border(special.kind);
+  const bool beyond = branch.sticks() && is_boundary(special.kind);
   const OrbitBranchPoint& at = beyond ? beside(branch, special) : special.at;
   if (!at.orbit.section || at.orbit.sticks() != branch.sticks()) return {};
   return as_followed(at.orbit.period, at.value, *at.orbit.section);
@@ -40,7 +40,8 @@ std::optional<SpecialOrbit::Followed> followed_part(const OrbitBranch& branch,
 
 std::optional<OrbitLocusKind> locus_of(const SpecialOrbit& special) {
   if (special.locus) return special.locus;
-  if (special.by_push || (special.sticks() && special.kind && is_border(*special.kind))) return {};
+  if (special.by_push || (special.sticks() && special.kind && is_boundary(*special.kind)))
+    return {};
   for (const OrbitLocusKind kind : kOrbitLocusKinds)
     if (special.label == label_of(kind)) return kind;
   return {};

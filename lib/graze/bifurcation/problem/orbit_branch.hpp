@@ -72,13 +72,13 @@ struct OrbitBranch {
   int component = 0;      // connected set of solutions it is part of, from 1
   ImpactPattern pattern;  // its stops empty where the orbits stick: no number of impacts is theirs
   // Of orbits that stick: the stops that are closed by a chatter, in time order.
-  std::vector<int> holds;
+  std::vector<int> sticking;
   std::string origin;                    // id of the special point it was switched onto from, or ""
   std::vector<OrbitBranchPoint> points;  // in order along the branch, special points among them
   std::vector<SpecialPoint> special;     // in order along the branch
   std::array<OrbitBranchEnd, 2> ends{OrbitBranchEnd::kNotConverged, OrbitBranchEnd::kNotConverged};
 
-  bool sticks() const { return !holds.empty(); }
+  bool sticks() const { return !sticking.empty(); }
 };
 
 // An orbit as a point of a branch.

@@ -36,7 +36,7 @@ struct OrbitLocusPoint {
   // vanishes on GR, none sticks.
   bool admissible = false;
   // Of an orbit that is followed, whose impacts do not tell it.
-  std::vector<OrbitHold> holds{};
+  std::vector<StickingPhase> sticking{};
   std::optional<OrbitSection> section{};
 };
 
@@ -66,14 +66,14 @@ enum class OrbitLocusEnd {
 struct OrbitLocus {
   int id = 0;  // from 1
   OrbitLocusKind kind = OrbitLocusKind::kFold;
-  // Of the impacts at its points, on GR with the touch; where the orbits stick, whose impacts come
-  // and go, in place of these its stuck phases.
+  // Of the impacts at its points, on GR with the grazing contact; where the orbits stick, whose
+  // impacts come and go, in place of these its stuck phases.
   ImpactPattern pattern;
   std::vector<OrbitLocusPoint> points;  // in order along the locus, special points among them
   std::vector<OrbitLocusSpecial> special;
   std::array<OrbitLocusEnd, 2> ends{OrbitLocusEnd::kNotConverged, OrbitLocusEnd::kNotConverged};
 
-  bool sticks() const { return !points.empty() && !points.front().holds.empty(); }
+  bool sticks() const { return !points.empty() && !points.front().sticking.empty(); }
 };
 
 // A locus of critical orbits as one of equations; requires a kind that multipliers tell, LP, PD,

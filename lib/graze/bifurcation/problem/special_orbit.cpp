@@ -9,10 +9,10 @@ bool SpecialOrbit::sticks() const {
 }
 
 FollowedAnswer orbit_again(const System& system, const SpecialOrbit& special,
-                           PassageOptions passage) {
+                           SegmentOptions segment) {
   const SpecialOrbit::Followed& at = *special.followed;
-  passage.closure_speed = at.closure_speed;
-  if (special.sticks()) return orbit_through(system, at.states.front(), at.period, passage);
+  segment.closure_speed = at.closure_speed;
+  if (special.sticks()) return orbit_through(system, at.states.front(), at.period, segment);
   Orbit orbit;
   orbit.period = at.period;
   orbit.section = OrbitSection{{}, at.states, at.closure_speed};

@@ -12,15 +12,15 @@
 namespace graze {
 
 struct FollowedAnswer;
-struct PassageOptions;
+struct SegmentOptions;
 
 struct SpecialOrbit {
   std::string id, label;                  // "PD1", "PD"; on a locus "CP-1", "CP"
   std::optional<SpecialKind> kind{};      // on a branch
   std::optional<OrbitLocusKind> locus{};  // that it was found on; nothing: on a branch
   std::vector<double> values;             // of the parameter, on a locus of both
-  // Nothing of an orbit that sticks or is on compliant stops; on a locus of grazing with the touch
-  // among the impacts.
+  // Nothing of an orbit that sticks or is on compliant stops; on a locus of grazing with the
+  // grazing contact among the impacts.
   ImpactPattern pattern;
   std::vector<ImpactPoint> impacts;  // in the pattern's order
   // The branch's direction there, however long, in the units of what it moves.
@@ -47,7 +47,7 @@ struct SpecialOrbit {
 // Of a special point that is followed: the orbit, as much of it as its equations start from.
 // `system`: at its values.
 FollowedAnswer orbit_again(const System& system, const SpecialOrbit& special,
-                           PassageOptions passage);
+                           SegmentOptions segment);
 
 // Where a branch is to be traced from, without any search: from a special point, at the value that
 // the family's own scene has.

@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "graze/bifurcation/problem/detail/special_names.hpp"
-#include "graze/bifurcation/problem/touching_orbit.hpp"
+#include "graze/bifurcation/problem/grazing_orbit.hpp"
 #include "graze/bifurcation/trace/detail/orbit_kinds.hpp"
 #include "graze/continuation/switching.hpp"
 #include "graze/orbit/problem/detail/followed_orbit.hpp"
@@ -13,13 +13,13 @@
 namespace graze {
 namespace {
 
-// The orbit of a special point; without its touch where that was found on a locus of grazing,
-// unless the motion meets no stop but there.
-TouchingOrbit orbit_at(const System& system, const SpecialOrbit& special) {
-  TouchingOrbit orbit{special.pattern, special.impacts, 0};
+// The orbit of a special point; without its grazing contact where that was found on a locus of
+// grazing, unless the motion meets no stop but there.
+GrazingOrbit orbit_at(const System& system, const SpecialOrbit& special) {
+  GrazingOrbit orbit{special.pattern, special.impacts, 0};
   if (special.locus != OrbitLocusKind::kGrazing || orbit.impacts.size() == 1) return orbit;
-  orbit.touch = admissibility(system, orbit.pattern, orbit.impacts).slowest;
-  return without_touch(std::move(orbit));
+  orbit.grazing = admissibility(system, orbit.pattern, orbit.impacts).slowest;
+  return without_grazing(std::move(orbit));
 }
 
 ContinuationOptions range_of(const BranchOptions& options) {
@@ -31,11 +31,11 @@ ContinuationOptions range_of(const BranchOptions& options) {
   return range;
 }
 
-PassageOptions passage_of(const BranchOptions& options) {
-  PassageOptions passage;
-  passage.max_impacts = options.finder.max_impacts;
-  passage.stop = options.stop;
-  return passage;
+SegmentOptions segment_of(const BranchOptions& options) {
+  SegmentOptions segment;
+  segment.max_impacts = options.finder.max_impacts;
+  segment.stop = options.stop;
+  return segment;
 }
 
 // Where the branch goes two ways of which one is known.
@@ -53,9 +53,10 @@ BranchCollector::BranchCollector(const SystemFamily& family, const BranchOptions
       continuation_(range_of(options)),
       problems_(family.scene(), {family.parameter()},
                 {options.from != options.to ? std::abs(options.to - options.from) : 1.0},
-                motion_scale(*family.at(family.value())), passage_of(options)) {
-  problems_.set_borders(
-      [this](const OrbitProblem& problem) { return borders_of(problem, continuation_, options_); });
+                motion_scale(*family.at(family.value())), segment_of(options)) {
+  problems_.set_boundaries([this](const OrbitProblem& problem) {
+    return boundaries_of(problem, continuation_, options_);
+  });
   result_.scale = motion_scale(*family.at(family.value()));
   result_.range = std::abs(options.to - options.from);
 }
@@ -83,7 +84,7 @@ bool BranchCollector::trace_written(const Written& start, double value, Origin o
   if (!why.empty()) {
     notes_.insert(why);
     // At a grazing that was switched at rounding decides.
-  } else if (!origin.at_grazing && !orbits.borders->lists(*point)) {
+  } else if (!origin.at_grazing && !orbits.boundaries->lists(*point)) {
     result_.virtual_starts += origin.branch < 0 ? 1 : 0;
   } else if (!knows(orbits, *point)) {
     add(trace(orbits, *point, Directions::kBoth), origin);
@@ -119,10 +120,10 @@ std::vector<BranchCollector::Written> BranchCollector::written(const SpecialOrbi
     return {};
   }
   if (!at.followed) {
-    const TouchingOrbit orbit = orbit_at(*system, at);
+    const GrazingOrbit orbit = orbit_at(*system, at);
     return {problems_.written(orbit.pattern, orbit.impacts)};
   }
-  const FollowedAnswer answer = orbit_again(*system, at, passage_of(options_));
+  const FollowedAnswer answer = orbit_again(*system, at, segment_of(options_));
   if (!answer.orbit) notes_.insert(answer.why_not);
   return answer.orbit ? problems_.written(*answer.orbit, std::span(&value, 1))
                       : std::vector<Written>();
@@ -153,7 +154,7 @@ std::optional<SolutionPoint> BranchCollector::solution_at(const Written& written
 void BranchCollector::trace_restarted(LaidOrbits& orbits, const SolutionPoint& point,
                                       const BranchStart& start) {
   // At a grazing rounding decides.
-  if (start.at.label != label_of(SpecialKind::kGrazing) && !orbits.borders->lists(point)) {
+  if (start.at.label != label_of(SpecialKind::kGrazing) && !orbits.boundaries->lists(point)) {
     ++result_.virtual_starts;
     result_.notes.push_back(
         "the solution there is no orbit of the system (penetrating or impacting at negative "
@@ -230,7 +231,7 @@ void BranchCollector::follow() {
       for (std::size_t k = 0; k < found_[i].branch().special.size(); ++k) {
         if (options_.stop.requested()) return;
         const SpecialPoint special = found_[i].branch().special[k];
-        const SpecialLead lead = found_[i].part.leads[k];
+        const SpecialContinuation lead = found_[i].part.leads[k];
         switch_from(special, lead, {static_cast<int>(i), k, special.kind == SpecialKind::kGrazing});
       }
     first = last;
@@ -238,19 +239,19 @@ void BranchCollector::follow() {
   for (std::size_t i = first; i < found_.size() && options_.follow_depth > 0; ++i)
     for (std::size_t k = 0; k < found_[i].branch().special.size(); ++k) {
       const SpecialPoint& special = found_[i].branch().special[k];
-      const SpecialLead& lead = found_[i].part.leads[k];
+      const SpecialContinuation& lead = found_[i].part.leads[k];
       const bool leads_on = crosses(special.kind) || !lead.others.empty() ||
-                            lead.orbits->borders->across(special).has_value();
+                            lead.orbits->boundaries->across(special).has_value();
       result_.left_open += leads_on ? 1 : 0;
     }
 }
 
-bool BranchCollector::switch_from(const SpecialPoint& special, const SpecialLead& lead,
+bool BranchCollector::switch_from(const SpecialPoint& special, const SpecialContinuation& lead,
                                   Origin origin) {
   if (crosses(special.kind)) return switch_across(*lead.orbits, special, origin);
   const std::size_t known = found_.size();
   std::vector<OrbitBranchPoint> others = lead.others;
-  if (const auto across = lead.orbits->borders->across(special))
+  if (const auto across = lead.orbits->boundaries->across(special))
     others.push_back(point_of_branch(special.solution.parameter, *across));
   for (const OrbitBranchPoint& other : others)
     for (const Written& one : problems_.written(other.orbit, std::span(&other.value, 1)))

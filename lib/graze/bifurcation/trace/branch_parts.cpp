@@ -23,7 +23,7 @@ bool passes_unseen(const CriticalPoint& critical) {
 BranchPlace place_of(const LaidOrbits& orbits, const SolutionPoint& point) {
   BranchPlace place;
   std::optional<OrbitBranchPoint> at = orbits->judge(point);
-  place.listed = at && orbits.borders->lists(point);
+  place.listed = at && orbits.boundaries->lists(point);
   if (at) place.at = std::move(*at);
   return place;
 }
@@ -63,7 +63,7 @@ class Parting {
     bool is_half = false;
   };
   using Tips = std::array<std::optional<Tip>, 2>;
-  // A point of the trace, or a special point of its equations, between which borders are sought.
+  // A point of the trace, or a special point of its equations, between which boundaries are sought.
   struct Waypoint {
     const SolutionPoint* point;
     BranchPlace place;
@@ -89,8 +89,8 @@ class Parting {
     for (std::size_t i = 0; i < way.size(); ++i) {
       std::vector<BranchPlace> between;
       if (i + 1 < way.size())
-        piece.orbits->borders->pass({*way[i].point, way[i].place},
-                                    {*way[i + 1].point, way[i + 1].place}, between);
+        piece.orbits->boundaries->pass({*way[i].point, way[i].place},
+                                       {*way[i + 1].point, way[i + 1].place}, between);
       if (way[i].kept) places_.push_back({std::move(way[i].place), piece.orbits});
       for (BranchPlace& place : between) places_.push_back({std::move(place), piece.orbits});
     }
@@ -137,7 +137,7 @@ class Parting {
       half->place.end = ends_[side];
       return half;
     }
-    std::optional<BranchTip> closed = piece.orbits->borders->close(trace, side);
+    std::optional<BranchTip> closed = piece.orbits->boundaries->close(trace, side);
     if (!closed) return {};
     ends_[side] = closed->end;
     if (!closed->place) return {};

@@ -36,11 +36,11 @@ class PieceTracer {
                    Directions directions) const {
     ContinuationOptions range = options_;
     range.proceed = [&](const SolutionPoint& previous, const SolutionPoint& here) {
-      return !orbits->passes_half(previous, here) && orbits.borders->goes_on(previous, here) &&
+      return !orbits->passes_half(previous, here) && orbits.boundaries->goes_on(previous, here) &&
              !clearer_(orbits, here);
     };
     range.resolves = [&](const SolutionPoint& from, const SolutionPoint& to) {
-      return orbits.borders->resolves(from, to);
+      return orbits.boundaries->resolves(from, to);
     };
     return trace_branch(orbits->problem(), range, start, directions);
   }

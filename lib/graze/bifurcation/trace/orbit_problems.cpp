@@ -4,19 +4,19 @@
 
 #include "graze/bifurcation/problem/detail/canonical_pattern.hpp"
 #include "graze/bifurcation/problem/detail/flight_equations.hpp"
-#include "graze/bifurcation/problem/detail/passage_equations.hpp"
+#include "graze/bifurcation/problem/detail/segment_equations.hpp"
 #include "graze/orbit/problem/detail/laid_orbit.hpp"
 
 namespace graze {
 
 OrbitProblems::OrbitProblems(const Scene& scene, std::vector<std::string> parameters,
                              std::vector<double> units, const MotionScale& scale,
-                             const PassageOptions& passage)
+                             const SegmentOptions& segment)
     : scene_(scene),
       parameters_(std::move(parameters)),
       units_(std::move(units)),
       scale_(scale),
-      passage_(passage),
+      segment_(segment),
       systems_(scene, parameters_) {}
 
 LaidOrbits& OrbitProblems::keep(const OrbitLayout& layout, double closure_speed,
@@ -24,7 +24,7 @@ LaidOrbits& OrbitProblems::keep(const OrbitLayout& layout, double closure_speed,
   for (LaidOrbits& known : orbits_)
     if (known.closure_speed == closure_speed && known->orbit_layout() == layout) return known;
   orbits_.push_back({make(), {}, closure_speed});
-  if (make_borders_) orbits_.back().borders = make_borders_(*orbits_.back().problem);
+  if (make_boundaries_) orbits_.back().boundaries = make_boundaries_(*orbits_.back().problem);
   return orbits_.back();
 }
 
@@ -56,15 +56,15 @@ std::vector<OrbitProblems::Written> OrbitProblems::written(const Orbit& orbit, P
   if (!orbit.section) return {written(orbit.pattern(), orbit.points())};
   const System* system = systems_.at(at);
   if (!system) return {};
-  PassageOptions passage = passage_;
-  passage.closure_speed = orbit.section->closure_speed;
+  SegmentOptions segment = segment_;
+  segment.closure_speed = orbit.section->closure_speed;
   std::vector<Written> list;
-  for (const LaidOrbit& laid : layouts_of(*system, orbit, passage)) {
-    LaidOrbits& orbits = keep(laid.layout, passage.closure_speed, [&] {
-      return std::make_unique<PassageEquations>(scene_, parameters_, units_, *system, laid.layout,
-                                                passage);
+  for (const LaidOrbit& laid : layouts_of(*system, orbit, segment)) {
+    LaidOrbits& orbits = keep(laid.layout, segment.closure_speed, [&] {
+      return std::make_unique<SegmentEquations>(scene_, parameters_, units_, *system, laid.layout,
+                                                segment);
     });
-    const auto& equations = dynamic_cast<const PassageEquations&>(*orbits.problem);
+    const auto& equations = dynamic_cast<const SegmentEquations&>(*orbits.problem);
     list.push_back({&orbits, equations.shooting().pack(laid.theta, laid.states), laid.held});
   }
   return list;
@@ -77,9 +77,9 @@ LaidOrbits& OrbitProblems::doubled(const LaidOrbits& orbits) {
 }
 
 LaidOrbits& OrbitProblems::fixed_phase_once(const LaidOrbits& orbits) {
-  const auto& passages = dynamic_cast<const PassageEquations&>(*orbits.problem);
-  const PassageLayout once = PassageLayout::fixed_phase(1, passages.layout().theta);
-  return keep(once, orbits.closure_speed, [&] { return passages.laid(once); });
+  const auto& segments = dynamic_cast<const SegmentEquations&>(*orbits.problem);
+  const SegmentLayout once = SegmentLayout::fixed_phase(1, segments.layout().theta);
+  return keep(once, orbits.closure_speed, [&] { return segments.laid(once); });
 }
 
 LaidOrbits* OrbitProblems::clearer(const LaidOrbits& orbits, const SolutionPoint& solution) {

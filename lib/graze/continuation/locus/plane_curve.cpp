@@ -8,7 +8,7 @@
 #include "graze/continuation/branch.hpp"
 #include "graze/continuation/branch/detail/corrector.hpp"
 #include "graze/continuation/branch/detail/locate.hpp"
-#include "graze/continuation/special/detail/margin_course.hpp"
+#include "graze/continuation/special/detail/margin_interpolant.hpp"
 
 namespace graze {
 namespace {
@@ -141,7 +141,7 @@ class TestZeroSearch {
     const bool sign = value(i, k) < 0.0;
     if (sign != (value(i + 1, k) < 0.0)) return add(i, k, a, b);
     const double length = lengths_[i];
-    const std::optional<double> part = doubt_within({MarginCourse::between(
+    const std::optional<double> part = suspected_sign_change({MarginInterpolant::between(
         value(i, k), length * slope(i, k), value(i + 1, k), length * slope(i + 1, k))});
     if (!part) return;
     const std::optional<SolutionPoint> middle =

@@ -12,7 +12,7 @@
 #include "graze/continuation/branch/detail/corrector.hpp"
 #include "graze/continuation/branch/detail/locate.hpp"
 #include "graze/continuation/special/detail/circle_crossings.hpp"
-#include "graze/continuation/special/detail/crossing_stations.hpp"
+#include "graze/continuation/special/detail/crossing_samples.hpp"
 
 namespace graze {
 namespace {
@@ -100,11 +100,11 @@ std::optional<Vector> crossing_near(Corrector& corrector, const Vector& guess) {
   return {};
 }
 
-// Halvings of a piece between stations that a branch point lies in, to a step as short as the
+// Halvings of a piece between samples that a branch point lies in, to a step as short as the
 // tracer passes one with.
 constexpr int kMostHalvings = 30;
 
-// Next to a pole stations are this part of a step away from it, 2^-n: a residue that is smaller
+// Next to a pole samples are this part of a step away from it, 2^-n: a residue that is smaller
 // beside the others moves a multiplier through the circle within less.
 constexpr int kPoleHalvings = 20;
 
@@ -127,13 +127,13 @@ class CriticalSearch {
         fold.point.multipliers = multipliers_of(fold.point);
         fold.multiplier = nearest_to_one(fold.point.multipliers);
       }
-    find_stations();
+    find_samples();
     for (std::size_t i = 0; i + 1 < branch_.points.size(); ++i)
       for_each_piece(i, [&](const SolutionPoint& a, const SolutionPoint& b) {
         if (a.orientation * b.orientation < 0) add_branch_point(a, b, i);
       });
     drop_folds_at_branch_points();
-    if (!stations_.empty())
+    if (!samples_.empty())
       for (std::size_t i = 0; i + 1 < branch_.points.size(); ++i) add_crossings(i);
     std::stable_sort(branch_.critical.begin(), branch_.critical.end(),
                      [this](const CriticalPoint& a, const CriticalPoint& b) {
@@ -170,19 +170,19 @@ class CriticalSearch {
   }
 
   // Where all points have the same multipliers, the points between them that show how these move.
-  void find_stations() {
+  void find_samples() {
     const std::vector<SolutionPoint>& points = branch_.points;
     const std::size_t count = points.front().multipliers.size();
     const bool complete =
         std::all_of(points.begin(), points.end(),
                     [&](const SolutionPoint& point) { return point.multipliers.size() == count; });
     if (problem_.multipliers && complete)
-      stations_ = crossing_stations(branch_, problem_, corrector_, stop_);
-    if (problem_.poles && !stations_.empty())
+      samples_ = crossing_samples(branch_, problem_, corrector_, stop_);
+    if (problem_.poles && !samples_.empty())
       for (std::size_t i = 0; i + 1 < points.size() && !stop_.requested(); ++i) add_beside_poles(i);
   }
 
-  // Stations on either side of where a multiplier has a pole within step i.
+  // Samples on either side of where a multiplier has a pole within step i.
   void add_beside_poles(std::size_t i) {
     const SolutionPoint &a = branch_.points[i], &b = branch_.points[i + 1];
     const auto poles_at = [this](const SolutionPoint& p) {
@@ -199,34 +199,34 @@ class CriticalSearch {
       const double at = corrector_.ahead(a, *pole), aside = std::ldexp(length, -kPoleHalvings);
       for (const double s : {at - aside, at + aside}) {
         if (!(s > 0.0 && s < length)) continue;
-        std::optional<SolutionPoint> station = point_between(corrector_, a, s, a, b);
-        if (!station) continue;
-        station->multipliers =
-            problem_.multipliers(station->u, station->parameters(), ErrorBounds::kLeftOut);
-        if (station->multipliers.size() != a.multipliers.size()) continue;
-        auto& own = stations_[i];
+        std::optional<SolutionPoint> sample = point_between(corrector_, a, s, a, b);
+        if (!sample) continue;
+        sample->multipliers =
+            problem_.multipliers(sample->u, sample->parameters(), ErrorBounds::kLeftOut);
+        if (sample->multipliers.size() != a.multipliers.size()) continue;
+        auto& own = samples_[i];
         const auto behind = std::find_if(own.begin(), own.end(), [&](const SolutionPoint& other) {
           return corrector_.ahead(a, other) > s;
         });
-        own.insert(behind, std::move(*station));
+        own.insert(behind, std::move(*sample));
       }
     }
   }
 
-  // Step i from station to station.
+  // Step i from sample to sample.
   template <class Visit>
   void for_each_piece(std::size_t i, const Visit& visit) const {
     const SolutionPoint* last = &branch_.points[i];
-    if (!stations_.empty())
-      for (const SolutionPoint& station : stations_[i]) {
-        visit(*last, station);
-        last = &station;
+    if (!samples_.empty())
+      for (const SolutionPoint& sample : samples_[i]) {
+        visit(*last, sample);
+        last = &sample;
       }
     visit(*last, branch_.points[i + 1]);
   }
 
   // The tracer passes a branch point with a step so short (1e-6) that the determinant is linear
-  // over it; between stations it is halved until it is as short. That is where to look for the
+  // over it; between samples it is halved until it is as short. That is where to look for the
   // branch point itself: the ends of the step are badly determined along the branch that crosses.
   void add_branch_point(SolutionPoint a, SolutionPoint b, std::size_t i) {
     for (int halving = 0;
@@ -286,7 +286,7 @@ class CriticalSearch {
   Corrector& corrector_;
   StopSignal stop_;
   std::optional<std::chrono::steady_clock::time_point> last_;  // that work goes on to after a stop
-  std::vector<std::vector<SolutionPoint>> stations_;  // of each step; empty: none are known
+  std::vector<std::vector<SolutionPoint>> samples_;  // of each step; empty: none are known
 };
 
 }  // namespace

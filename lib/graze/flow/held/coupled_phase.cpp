@@ -2,8 +2,8 @@
 
 namespace graze {
 
-CoupledPhase::CoupledPhase(const System& system, PhaseKey key, HeldStructure<double> structure,
-                           const CoupledSystem& equations)
+CoupledPhase::CoupledPhase(const System& system, PhaseKey key,
+                           ConstrainedStructure<double> structure, const CoupledSystem& equations)
     : ExactPhase(system, std::move(key), std::move(structure)), flow_(equations), arc_(flow_) {}
 
 void CoupledPhase::start(const double& theta, const Vector& q, const Vector& qdot,

@@ -6,6 +6,6 @@ namespace graze {
 
 template class ExactPhase<double>;
 template class FreePhase<double>;
-template class HeldPhase<double>;
+template class ConstrainedPhase<double>;
 
 }  // namespace graze

@@ -17,7 +17,7 @@ Vector or_zero(const Vector& list, Eigen::Index n) {
 
 // The reduced motion with its springs, on the displacements themselves.
 SprungPhase::Equations SprungPhase::equations_of(const System& system, const PhaseKey& key) {
-  Equations equations{HeldStructure<double>(system, key.closed), {}};
+  Equations equations{ConstrainedStructure<double>(system, key.closed), {}};
   SprungSystem& sprung = equations.system;
   if (equations.structure.has_real_modes) {
     const LinearSystem<double>& modes = equations.structure.reduced;
@@ -40,7 +40,8 @@ SprungPhase::Equations SprungPhase::equations_of(const System& system, const Pha
 }
 
 void SprungPhase::add_springs(const System& system, const PhaseKey& key,
-                              const HeldStructure<double>& structure, SprungSystem& equations) {
+                              const ConstrainedStructure<double>& structure,
+                              SprungSystem& equations) {
   const auto add = [&](const std::vector<int>& stops, bool loaded) {
     for (const int i : stops) {
       const Stop& stop = system.stops[static_cast<std::size_t>(i)];
@@ -85,10 +86,10 @@ SprungPhase::SprungPhase(const System& system, const PhaseKey& key,
 
 // A spring pushes the structure off what holds it.
 void SprungPhase::add_force_weights(const System& system) {
-  for (std::size_t c = 0; c < structure_.holds.size(); ++c) {
+  for (std::size_t c = 0; c < structure_.constrained.size(); ++c) {
     const auto column = static_cast<Eigen::Index>(c);
     const Vector share = structure_.shares.col(column) / structure_.rows.col(column).squaredNorm();
-    Vector& weights = watches()[static_cast<std::size_t>(structure_.holds[c])].force_weights;
+    Vector& weights = watches()[static_cast<std::size_t>(structure_.constrained[c])].force_weights;
     weights.resize(static_cast<Eigen::Index>(springs_.size()));
     for (std::size_t k = 0; k < springs_.size(); ++k)
       weights[static_cast<Eigen::Index>(k)] =
@@ -103,7 +104,7 @@ void SprungPhase::add_powers(const System& system) {
   powers.forcing = Vector::Zero(basis.cols());
   if (system.forcing()) powers.forcing = basis.transpose() * system.forcing()->amplitude;
   powers.damping = basis.transpose() * (2.0 * system.delta()).asDiagonal() * basis;
-  for (const int i : structure_.holds) {
+  for (const int i : structure_.constrained) {
     const Stop& stop = system.stops[static_cast<std::size_t>(i)];
     // A contact force of 1 N accelerates by -direction |row|^2.
     powers.held.push_back({watches()[static_cast<std::size_t>(i)],

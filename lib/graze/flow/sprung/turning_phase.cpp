@@ -17,16 +17,16 @@ System with_joint(const System& system, Joint joint, double angle) {
 }
 
 std::vector<int> holds_of(const System& holding, const PhaseKey& key) {
-  std::vector<int> holds = key.closed;
-  if (key.joint == Joint::kHeld) holds.push_back(static_cast<int>(holding.stops.size()) - 1);
-  return holds;
+  std::vector<int> constrained = key.closed;
+  if (key.joint == Joint::kHeld) constrained.push_back(static_cast<int>(holding.stops.size()) - 1);
+  return constrained;
 }
 
 }  // namespace
 
 SprungPhase::Equations TurningPhase::equations_of(const System& holding, const PhaseKey& key) {
-  Equations equations{HeldStructure<double>(holding, holds_of(holding, key)), {}};
-  const HeldStructure<double>& structure = equations.structure;
+  Equations equations{ConstrainedStructure<double>(holding, holds_of(holding, key)), {}};
+  const ConstrainedStructure<double>& structure = equations.structure;
   SprungSystem& sprung = equations.system;
   const Eigen::Index m = structure.size();
   const LinearSystem<double>& modes = structure.reduced;
@@ -53,8 +53,8 @@ TurningPhase::TurningPhase(const System& system, const PhaseKey& key,
 TurningPhase::TurningPhase(const System& holding, const PhaseKey& key,
                            const std::optional<StepSetting>& steps)
     : SprungPhase(holding, key, equations_of(holding, key)) {
-  for (std::size_t c = 0; c < structure().holds.size(); ++c) {
-    Watch& hold = watches()[static_cast<std::size_t>(structure().holds[c])];
+  for (std::size_t c = 0; c < structure().constrained.size(); ++c) {
+    Watch& hold = watches()[static_cast<std::size_t>(structure().constrained[c])];
     hold.constant = 0.0;
     hold.of_spring = SpringWatch::kHold;
     hold.spring = static_cast<int>(c);
@@ -65,7 +65,7 @@ TurningPhase::TurningPhase(const System& holding, const PhaseKey& key,
     if (key.joint == Joint::kHeld) {
       watch.constant = *holding.rotation()->friction;
       watch.of_spring = SpringWatch::kHold;
-      watch.spring = static_cast<int>(structure().holds.size()) - 1;
+      watch.spring = static_cast<int>(structure().constrained.size()) - 1;
       for (const double factor : {-1.0, 1.0}) {
         watch.factor = factor;
         joint_watches_.push_back(watch);

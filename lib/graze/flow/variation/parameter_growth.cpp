@@ -94,9 +94,9 @@ ParameterGrowth free_growth(const System& system, const System& tangent,
 // The held motion in all N coordinates, q'' = P (load + Re(force e^{i theta}) - 2 delta q' - w^2 q)
 // with P = 1 - D (B^T D)^-1 B^T, as x' = A x on x = (rates * q, q', cos theta, sin theta, 1); and
 // how A moves with the parameter. Constraints are integrals of it, so they are kept.
-class HeldGenerator {
+class ConstrainedGenerator {
  public:
-  HeldGenerator(const System& system, const System& tangent, const std::vector<int>& closed)
+  ConstrainedGenerator(const System& system, const System& tangent, const std::vector<int>& closed)
       : n_(system.modes()), rates_(system.omega.cwiseMax(system.forcing()->frequency)) {
     const Matrix directions = directions_of(system, closed), share = contact_share(system, closed);
     const Matrix projection = Matrix::Identity(n_, n_) - directions * share;
@@ -184,7 +184,7 @@ ParameterGrowth parameter_growth(const System& system, const System& tangent,
                                  const ExactPhase<double>& phase, const State& start, double theta,
                                  double s, const Deviations& column) {
   if (phase.closed().empty()) return free_growth(system, tangent, phase, start, theta, s, column);
-  return HeldGenerator(system, tangent, phase.closed()).growth(start, theta, s, column);
+  return ConstrainedGenerator(system, tangent, phase.closed()).growth(start, theta, s, column);
 }
 
 void hold(const System& system, const System& tangent, const std::vector<int>& closed,

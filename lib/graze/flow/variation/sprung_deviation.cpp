@@ -37,7 +37,7 @@ std::vector<int> springs_of(const SprungPhase& phase) {
 
 // What the phase integrates, in all coordinates though stops hold the structure: q'' = P f. Nothing
 // where none does.
-std::optional<SprungSystem> held_system(const System& system, const SprungPhase& phase) {
+std::optional<SprungSystem> constrained_system(const System& system, const SprungPhase& phase) {
   if (phase.closed().empty()) return {};
   SprungSystem sprung = phase.equations();
   const Matrix held = projection(system, phase.closed());
@@ -258,7 +258,7 @@ Vector sizes_of(const Deviations& deviations, const Vector& scale) {
 
 Deviations sprung_deviations(const System& system, const SprungPhase& phase, const State& start,
                              double theta, double s, const Deviations& deviations) {
-  const std::optional<SprungSystem> held = held_system(system, phase);
+  const std::optional<SprungSystem> held = constrained_system(system, phase);
   Varied varied(held ? *held : phase.equations(), nullptr);
   const Deviations none{Matrix(start.q.size(), 0), Matrix(start.q.size(), 0), {}};
   varied.begin(start, theta, phase.depths(), none, Vector(0));
@@ -275,7 +275,7 @@ Deviations sprung_parameter_deviation(const System& system, const System& tangen
     source.held = projection(system, phase.closed());
     source.held_rate = projection_rate(system, tangent, phase.closed());
   }
-  const std::optional<SprungSystem> held = held_system(system, phase);
+  const std::optional<SprungSystem> held = constrained_system(system, phase);
   Varied varied(held ? *held : phase.equations(), &source);
   const auto follow = [&](const Vector& sizes) {
     return varied.end(

@@ -102,7 +102,7 @@ class Motion {
   const MotionState<Real>& departure() const { return departure_; }
   // Whether something of the present instant (impact, sticking, release) is still to be decided or
   // handed out.
-  bool has_news() const { return undecided_ || !changes_.empty(); }
+  bool has_pending_events() const { return undecided_ || !changes_.empty(); }
   bool is_closed(int stop) const { return contact(stop) == Contact::kClosed; }
   bool is_closed_anywhere() const;
   // Whether a spring is compressed.
@@ -268,7 +268,7 @@ class Motion {
   bool recheck_ = false;    // closed stops have felt an impulse
   std::vector<Change> changes_;
   std::vector<ImpactShare<Real>> shares_;  // of the last impact
-  int standstill_ = 0;                     // arrivals without flight in a row
+  int arrivals_at_once_ = 0;               // arrivals without flight in a row
   std::string refusal_;
 };
 

@@ -21,7 +21,7 @@ namespace motion_detail {
 
 // Arrivals in a row without any flight: each stop may be hit, closed and opened a few times at one
 // instant; a motion that does not get away from it after this many cannot be decided.
-inline constexpr int kMostStandstills = 1000;
+inline constexpr int kMostArrivalsAtOnce = 1000;
 
 // Whether stop a comes before stop b in an order that knows nothing of how they are listed.
 inline bool precedes(const Stop& a, const Stop& b) {
@@ -182,10 +182,11 @@ Arrival<Real> Motion<Real>::fly(const Real& until, const Real& horizon) {
   // To be asked for the news alone is no progress and no standstill.
   // Nor is a flight that the clock does not feel.
   if (now_.instant.period != start.period || now_.instant.local != start.local)
-    standstill_ = 0;
+    arrivals_at_once_ = 0;
   else if (arrival->kind != ArrivalKind::kTime)
-    ++standstill_;
-  if (standstill_ > motion_detail::kMostStandstills) arrival->kind = ArrivalKind::kUndecided;
+    ++arrivals_at_once_;
+  if (arrivals_at_once_ > motion_detail::kMostArrivalsAtOnce)
+    arrival->kind = ArrivalKind::kUndecided;
   return *arrival;
 }
 

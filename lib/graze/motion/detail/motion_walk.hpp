@@ -1,4 +1,4 @@
-// One walk along a motion: what simulations, passages, settling motions, fits and reference runs
+// One walk along a motion: what simulations, segments, settling motions, fits and reference runs
 // share. It flies from event to event, applies the impacts, sums the tails of chatters, and hands
 // out what happens one thing at a time, in the order of time.
 #pragma once

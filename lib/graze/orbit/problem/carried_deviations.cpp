@@ -35,7 +35,7 @@ bool CarriedDeviations::departed_from(int i) const {
          motion_.flown().springs().empty();
 }
 
-void CarriedDeviations::undelay(int without) {
+void CarriedDeviations::project_to_fixed_time(int without) {
   const State rate = rate_now(closed_now(), without);
   if (deviations_) move_instant(*deviations_, rate, -deviations_->delay);
   if (parameter_) parameter_->end(rate);
@@ -136,13 +136,13 @@ void CarriedDeviations::cross_surface(int i, double sign) {
   const Stop& s = stop(i);
   const double resistance = sign * surface_resistance(s.force());
   if (resistance == 0.0 || !any()) return;
-  undelay(i);
+  project_to_fixed_time(i);
   const Vector change = resistance * held(system_, closed_now(), s.row);
   if (deviations_) deviations_->qdot -= change * (s.row.transpose() * deviations_->q);
   if (parameter_) parameter_->cross(i, state_now(), change);
 }
 
-double CarriedDeviations::gap_rate(const PassageDirection& along, int i, double s) const {
+double CarriedDeviations::gap_rate(const SegmentDirection& along, int i, double s) const {
   const MotionState<double>& departure = motion_.departure();
   Deviations one{deviations_->q * along.deviations, deviations_->qdot * along.deviations,
                  deviations_->delay * along.deviations};
@@ -158,7 +158,7 @@ double CarriedDeviations::gap_rate(const PassageDirection& along, int i, double 
   return along.parameter * (rate.gap - rate.row.dot(there.q)) - stop(i).row.dot(q);
 }
 
-double CarriedDeviations::speed_rate(const PassageDirection& along, int i,
+double CarriedDeviations::speed_rate(const SegmentDirection& along, int i,
                                      const State& before) const {
   const Stop& rate = along.tangent->stops[static_cast<std::size_t>(i)];
   return stop(i).row.dot(deviations_->qdot * along.deviations) +

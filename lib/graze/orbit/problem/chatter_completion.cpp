@@ -32,7 +32,7 @@ struct Similar {
 
 // The rate at which the push falls at the release, m/s^3: the third derivative of the motion that
 // is let go is the second of its rate, on which the load has no part.
-double falling_push(const System& system, const PassageLayout& layout, const State& at,
+double falling_push(const System& system, const SegmentLayout& layout, const State& at,
                     double theta) {
   std::vector<int> held = layout.closed;
   std::erase(held, *layout.released);
@@ -46,14 +46,15 @@ double falling_push(const System& system, const PassageLayout& layout, const Sta
 }
 
 // How long before this release the stop was let go last, s.
-double last_release_before(const System& system, const Passage& passage, int stop,
+double last_release_before(const System& system, const TrajectorySegment& segment, int stop,
                            const Instant<double>& release) {
   // This release is where the force equation has it, to the accuracy of a solution.
   const double together = kShootingAccuracy * system.period();
   double since = std::numeric_limits<double>::infinity();
-  for (const PassedHold& hold : passage.holds) {
-    const double before = seconds_between(system, hold.to, release);
-    if (hold.stop == stop && !hold.to_end && before > together) since = std::min(since, before);
+  for (const SegmentSticking& sticking : segment.sticking) {
+    const double before = seconds_between(system, sticking.to, release);
+    if (sticking.stop == stop && !sticking.to_end && before > together)
+      since = std::min(since, before);
   }
   return since;
 }
@@ -89,9 +90,9 @@ double parting_ratio(double restitution) {
   return restitution * restitution / std::pow(completing_ratio(restitution), 5);
 }
 
-std::optional<double> completion_distance(const System& system, const PassageShooting& shooting,
+std::optional<double> completion_distance(const System& system, const SegmentShooting& shooting,
                                           const Vector& u) {
-  const PassageLayout& layout = shooting.layout();
+  const SegmentLayout& layout = shooting.layout();
   const SectionMap& map = shooting.map();
   const Vector x = shooting.at_section(u, 0);
   const auto chart = map.chart_at(system, x);
@@ -101,14 +102,14 @@ std::optional<double> completion_distance(const System& system, const PassageSho
   const Instant<double> release{layout.period, start->instant.local};
   const Instant<double> end =
       r > 0.0 ? release : later(release, kBeyond * system.period(), system.period());
-  const Passage passage = pass(system, *start, end, map.options());
+  const TrajectorySegment segment = pass(system, *start, end, map.options());
   const double push = falling_push(system, layout, chart->state, shooting.theta_of(u));
-  if (!passage.failure.empty() || !(push > 0.0)) return {};
+  if (!segment.failure.empty() || !(push > 0.0)) return {};
   const double frequency = system.forcing()->frequency, lambda = completing_ratio(r);
   const double w = ((1.0 - lambda) / 2.0 - (1.0 - lambda) * (1.0 - lambda) / 6.0) / r;
   std::vector<Similar> impacts;
-  const double since = last_release_before(system, passage, *layout.released, release);
-  for (const PassedImpact& one : passage.impacts) {
+  const double since = last_release_before(system, segment, *layout.released, release);
+  for (const SegmentImpact& one : segment.impacts) {
     const double s = seconds_between(system, one.at, release);
     if (one.stop != *layout.released || s >= since) continue;
     impacts.push_back({frequency * s, one.speed / (w * push * s * s) - 1.0});

@@ -8,9 +8,9 @@
 #include <utility>
 
 #include "graze/base/angle.hpp"
-#include "graze/orbit/problem/detail/passage_events.hpp"
 #include "graze/orbit/problem/detail/polish.hpp"
 #include "graze/orbit/problem/detail/release.hpp"
+#include "graze/orbit/problem/detail/segment_events.hpp"
 #include "graze/system/scale.hpp"
 
 namespace graze {
@@ -19,11 +19,11 @@ namespace {
 // How far the motion is from coming back, in units of the forced motion, largest entry: of the
 // whole state, stuck or not.
 double whole_residual(const System& system, const std::vector<MotionState<double>>& starts,
-                      const std::vector<Passage>& passages) {
+                      const std::vector<TrajectorySegment>& segments) {
   const MotionScale scale = motion_scale(system);
   double largest = 0.0;
-  for (std::size_t i = 0; i < passages.size(); ++i) {
-    const MotionState<double>&end = passages[i].end, &next = starts[(i + 1) % starts.size()];
+  for (std::size_t i = 0; i < segments.size(); ++i) {
+    const MotionState<double>&end = segments[i].end, &next = starts[(i + 1) % starts.size()];
     largest =
         std::max({largest, (end.q - next.q).cwiseAbs().maxCoeff() / scale.displacement,
                   (end.qdot - next.qdot).cwiseQuotient(scale.velocity).cwiseAbs().maxCoeff()});
@@ -34,7 +34,7 @@ double whole_residual(const System& system, const std::vector<MotionState<double
 // Where motions begin that repeat the orbit: on the sections within a stuck phase, else at the
 // starts of the forcing periods. Empty where one cannot be followed so far.
 std::vector<MotionState<double>> section_states(const System& system,
-                                                const PassageShooting& shooting, const Vector& u,
+                                                const SegmentShooting& shooting, const Vector& u,
                                                 const std::vector<MotionState<double>>& starts) {
   const double theta = shooting.theta_of(u), angle = wrapped(-theta);
   if (!shooting.layout().closed.empty() || angle == 0.0) return starts;
@@ -47,7 +47,7 @@ std::vector<MotionState<double>> section_states(const System& system,
   return states;
 }
 
-std::vector<MotionState<double>> starts_of(const System& system, const PassageShooting& shooting,
+std::vector<MotionState<double>> starts_of(const System& system, const SegmentShooting& shooting,
                                            const Vector& u) {
   std::vector<MotionState<double>> starts;
   for (int i = 0; i < shooting.layout().sections; ++i) {
@@ -61,10 +61,10 @@ std::vector<MotionState<double>> starts_of(const System& system, const PassageSh
 struct Equations {
   Vector residual;
   Matrix jacobian;
-  std::vector<Matrix> slopes;  // of the passages
+  std::vector<Matrix> slopes;  // of the segments
 };
 
-std::optional<Polished<Equations>> newton(const System& system, const PassageShooting& shooting,
+std::optional<Polished<Equations>> newton(const System& system, const SegmentShooting& shooting,
                                           const Vector& u) {
   return polish(u, [&](const Vector& at) -> std::optional<Equations> {
     Equations equations;
@@ -77,24 +77,24 @@ std::optional<Polished<Equations>> newton(const System& system, const PassageSho
 }
 
 // The first shorter period after which the motion of a solution repeats already, solved for.
-std::optional<std::pair<PassageShooting, Polished<Equations>>> shorter(
-    const System& system, const PassageShooting& shooting, const Vector& u) {
-  const PassageLayout& whole = shooting.layout();
+std::optional<std::pair<SegmentShooting, Polished<Equations>>> shorter(
+    const System& system, const SegmentShooting& shooting, const Vector& u) {
+  const SegmentLayout& whole = shooting.layout();
   for (int p = 1; p < whole.period; ++p) {
     if (whole.period % p != 0) continue;
-    PassageLayout less = whole;
+    SegmentLayout less = whole;
     less.period = p;
     less.sections = std::max(1, whole.sections * p / whole.period);
-    const PassageShooting part = shooting.over(std::move(less));
+    const SegmentShooting part = shooting.over(std::move(less));
     const Vector first = u.head(part.size());
     if (u.size() > part.size() &&
         (u.tail(u.size() - part.size()) - u.head(u.size() - part.size())).norm() >
             kShootingAccuracy * (1.0 + u.norm()))
       continue;
     const std::vector<MotionState<double>> starts = starts_of(system, part, first);
-    const std::vector<Passage> passages = part.follow(system, first);
-    if (starts.empty() || passages.empty() || closed_stops(passages.back().end) != whole.closed ||
-        !(whole_residual(system, starts, passages) <= kShootingAccuracy))
+    const std::vector<TrajectorySegment> segments = part.follow(system, first);
+    if (starts.empty() || segments.empty() || closed_stops(segments.back().end) != whole.closed ||
+        !(whole_residual(system, starts, segments) <= kShootingAccuracy))
       continue;
     if (auto solution = newton(system, part, first)) return std::pair(part, std::move(*solution));
   }
@@ -102,7 +102,7 @@ std::optional<std::pair<PassageShooting, Polished<Equations>>> shorter(
 }
 
 // Why the equations are not known there; empty where they are.
-std::string why_not_followed(const System& system, const PassageShooting& shooting,
+std::string why_not_followed(const System& system, const SegmentShooting& shooting,
                              const Vector& u) {
   std::string why;
   for (int i = 0; i < shooting.layout().sections && why.empty(); ++i)
@@ -111,7 +111,7 @@ std::string why_not_followed(const System& system, const PassageShooting& shooti
   return why;
 }
 
-FollowedAnswer solve_from(const System& system, PassageShooting shooting, const Vector& u) {
+FollowedAnswer solve_from(const System& system, SegmentShooting shooting, const Vector& u) {
   auto solution = newton(system, shooting, u);
   // Where nothing is left to solve no motion has been followed yet.
   if (!solution || u.size() == 0) {
@@ -135,13 +135,13 @@ FollowedAnswer solve_from(const System& system, PassageShooting shooting, const 
   return answer;
 }
 
-// The middle of the longest stretch of a passage during which most stops are closed, s.
-std::optional<double> stuck_instant(const System& system, const Passage& passage) {
+// The middle of the longest stretch of a segment during which most stops are closed, s.
+std::optional<double> stuck_instant(const System& system, const TrajectorySegment& segment) {
   const auto time = [&](const Instant<double>& at) { return seconds_between(system, {}, at); };
   std::vector<double> ends;
-  for (const PassedHold& hold : passage.holds) {
-    ends.push_back(time(hold.from));
-    ends.push_back(time(hold.to));
+  for (const SegmentSticking& sticking : segment.sticking) {
+    ends.push_back(time(sticking.from));
+    ends.push_back(time(sticking.to));
   }
   std::sort(ends.begin(), ends.end());
   std::optional<double> middle;
@@ -149,9 +149,10 @@ std::optional<double> stuck_instant(const System& system, const Passage& passage
   double longest = 0.0;
   for (std::size_t i = 1; i < ends.size(); ++i) {
     const double from = ends[i - 1], to = ends[i], now = 0.5 * (from + to);
-    const auto closed = std::count_if(
-        passage.holds.begin(), passage.holds.end(),
-        [&](const PassedHold& hold) { return time(hold.from) < now && now < time(hold.to); });
+    const auto closed = std::count_if(segment.sticking.begin(), segment.sticking.end(),
+                                      [&](const SegmentSticking& sticking) {
+                                        return time(sticking.from) < now && now < time(sticking.to);
+                                      });
     if (closed < most || closed == 0 || (closed == most && !(to - from > longest))) continue;
     middle = now;
     most = closed;
@@ -160,49 +161,50 @@ std::optional<double> stuck_instant(const System& system, const Passage& passage
   return middle;
 }
 
-PassageShooting stuck_at(const System& system, const MotionState<double>& at, int period,
-                         const PassageOptions& options) {
+SegmentShooting stuck_at(const System& system, const MotionState<double>& at, int period,
+                         const SegmentOptions& options) {
   const double theta = system.forcing()->phase + system.forcing()->frequency * at.instant.local;
   return {system, {period, 1, closed_stops(at), {}, theta}, options};
 }
 
 // From a motion whose first period was followed, and sticks.
 FollowedAnswer stuck_orbit(const System& system, const MotionState<double>& start,
-                           const Passage& first, int period, const PassageOptions& options) {
-  if (first.holds.empty())
+                           const TrajectorySegment& first, int period,
+                           const SegmentOptions& options) {
+  if (first.sticking.empty())
     return {{}, fmt::format("no stop is closed within {} forcing periods", period)};
   if (first.impacts.empty())
     return {{},
             fmt::format("stop {} holds the structure without any impact: no impacting orbit",
-                        first.holds.front().stop + 1)};
+                        first.sticking.front().stop + 1)};
   const std::optional<double> instant = stuck_instant(system, first);
   if (!instant) return {{}, "no stop is closed for longer than an instant"};
   const double periods = std::floor(*instant / system.period());
-  const Passage to_section =
+  const TrajectorySegment to_section =
       pass(system, start,
            {static_cast<long long>(periods),
             std::clamp(*instant - periods * system.period(), 0.0, system.period())},
            options);
   if (!to_section.failure.empty()) return {{}, to_section.failure};
-  const PassageShooting shooting = stuck_at(system, to_section.end, period, options);
+  const SegmentShooting shooting = stuck_at(system, to_section.end, period, options);
   return solve_from(system, shooting, shooting.pack({{to_section.end.q, to_section.end.qdot}}));
 }
 
 // Of a solution at a release, by a section within the stuck phase before it.
-std::optional<Orbit> orbit_at_release(const System& system, const PassageShooting& shooting,
+std::optional<Orbit> orbit_at_release(const System& system, const SegmentShooting& shooting,
                                       const Vector& u) {
   const std::optional<ReleaseReturn> back = return_of(system, shooting, u);
   if (!back || !back->returns) return {};
-  const PassageLayout& layout = shooting.layout();
+  const SegmentLayout& layout = shooting.layout();
   // Half-way back to where the last of the stops closed.
-  const Instant<double>& end = back->passage.end.instant;
+  const Instant<double>& end = back->segment.end.instant;
   double held = layout.period * system.period();
-  for (const PassedHold& hold : back->passage.holds) {
-    if (hold.from_start) continue;
-    const bool lasts = hold.to_end || hold.stop == layout.released;
+  for (const SegmentSticking& sticking : back->segment.sticking) {
+    if (sticking.from_start) continue;
+    const bool lasts = sticking.to_end || sticking.stop == layout.released;
     if (lasts &&
-        std::find(layout.closed.begin(), layout.closed.end(), hold.stop) != layout.closed.end())
-      held = std::min(held, seconds_between(system, hold.from, end));
+        std::find(layout.closed.begin(), layout.closed.end(), sticking.stop) != layout.closed.end())
+      held = std::min(held, seconds_between(system, sticking.from, end));
   }
   Instant<double> middle = end;
   middle.local -= 0.5 * held;
@@ -212,31 +214,31 @@ std::optional<Orbit> orbit_at_release(const System& system, const PassageShootin
   }
   const auto start =
       shooting.map().start_of(system, shooting.at_section(u, 0), shooting.theta_of(u));
-  const Passage to_middle = pass(system, *start, middle, shooting.map().options());
+  const TrajectorySegment to_middle = pass(system, *start, middle, shooting.map().options());
   if (!to_middle.failure.empty()) return {};
   return orbit_through(system, to_middle.end, layout.period, shooting.map().options()).orbit;
 }
 
 }  // namespace
 
-std::optional<Orbit> orbit_of(const System& system, const PassageShooting& shooting,
+std::optional<Orbit> orbit_of(const System& system, const SegmentShooting& shooting,
                               const Vector& u, std::vector<Eigenvalue> multipliers,
-                              const std::optional<Touch>& touch) {
+                              const std::optional<GrazingContact>& grazing) {
   if (shooting.layout().released) return orbit_at_release(system, shooting, u);
   const bool stuck = !shooting.layout().closed.empty();
   const std::vector<MotionState<double>> starts = starts_of(system, shooting, u);
-  const std::vector<Passage> passages = shooting.follow(system, u, true);
-  if (starts.empty() || passages.empty()) return {};
-  for (const Passage& passage : passages) {
+  const std::vector<TrajectorySegment> segments = shooting.follow(system, u, true);
+  if (starts.empty() || segments.empty()) return {};
+  for (const TrajectorySegment& segment : segments) {
     // An orbit that sticks besides has a map of lower rank, and is not one of these.
-    if (!stuck && !passage.holds.empty()) return {};
-    if (closed_stops(passage.end) != shooting.layout().closed) return {};
+    if (!stuck && !segment.sticking.empty()) return {};
+    if (closed_stops(segment.end) != shooting.layout().closed) return {};
   }
   Orbit orbit;
   orbit.period = shooting.layout().period;
-  orbit.residual = whole_residual(system, starts, passages);
-  for (const Passage& passage : passages) {
-    const std::optional<double> clearance = passage.clearance();
+  orbit.residual = whole_residual(system, starts, segments);
+  for (const TrajectorySegment& segment : segments) {
+    const std::optional<double> clearance = segment.clearance();
     if (clearance && (!orbit.clearance || *clearance < *orbit.clearance))
       orbit.clearance = clearance;
   }
@@ -244,17 +246,18 @@ std::optional<Orbit> orbit_of(const System& system, const PassageShooting& shoot
   section.closure_speed = shooting.map().options().closure_speed;
   section.states = section_states(system, shooting, u, starts);
   if (section.states.empty()) return {};
-  std::optional<MetTouch> met;
-  if (touch) {
-    const Vector x = shooting.at_section(u, static_cast<int>(touch->turn));
-    const auto at = shooting.map().within(system, x, shooting.theta_of(u), touch->angle, false, {});
+  std::optional<MetGrazing> met;
+  if (grazing) {
+    const Vector x = shooting.at_section(u, static_cast<int>(grazing->turn));
+    const auto at =
+        shooting.map().within(system, x, shooting.theta_of(u), grazing->angle, false, {});
     if (!at) return {};
-    met = MetTouch{*touch, at->at.instant, at->state};
+    met = MetGrazing{*grazing, at->at.instant, at->state};
   }
-  add_events(system, passages, shooting.periods_each(), met, orbit);
+  add_events(system, segments, shooting.periods_each(), met, orbit);
   // Contacts at speeds that are rounding are those of a structure that does not move.
   const double still = still_speed(system);
-  if (!stuck && !touch &&
+  if (!stuck && !grazing &&
       std::none_of(orbit.impacts.begin(), orbit.impacts.end(),
                    [&](const OrbitImpact& impact) { return impact.speed > still; }))
     return {};
@@ -272,26 +275,26 @@ std::vector<State> turns_of(const Orbit& orbit) {
 }
 
 FollowedAnswer followed_orbit(const System& system, const std::vector<State>& turns,
-                              const PassageOptions& options) {
-  const PassageShooting shooting(system, PassageLayout::fixed_phase(static_cast<int>(turns.size())),
+                              const SegmentOptions& options) {
+  const SegmentShooting shooting(system, SegmentLayout::fixed_phase(static_cast<int>(turns.size())),
                                  options);
   return solve_from(system, shooting, shooting.pack(turns));
 }
 
 FollowedAnswer followed_orbit(const System& system, const State& at_period_start, int period,
-                              const PassageOptions& options) {
+                              const SegmentOptions& options) {
   const MotionState<double> start =
       Motion<double>(system, {}, at_period_start.q, at_period_start.qdot).state();
   if (system.has_rigid_stop()) {
-    const Passage first = pass(system, start, {period, 0.0}, options);
+    const TrajectorySegment first = pass(system, start, {period, 0.0}, options);
     if (!first.failure.empty()) return {{}, first.failure};
-    if (!first.holds.empty() || !system.has_compliant_stop())
+    if (!first.sticking.empty() || !system.has_compliant_stop())
       return stuck_orbit(system, start, first, period, options);
   }
-  const PassageShooting shooting(system, PassageLayout::fixed_phase(period), options);
+  const SegmentShooting shooting(system, SegmentLayout::fixed_phase(period), options);
   const double local = wrapped(-system.forcing()->phase) / system.forcing()->frequency;
   const Instant<double> section{0, local < system.period() ? local : 0.0};
-  const Passage to_section = pass(system, start, section, options);
+  const TrajectorySegment to_section = pass(system, start, section, options);
   if (!to_section.failure.empty()) return {{}, to_section.failure};
   std::vector<State> turns{{to_section.end.q, to_section.end.qdot}};
   while (static_cast<int>(turns.size()) < period) {
@@ -303,10 +306,10 @@ FollowedAnswer followed_orbit(const System& system, const State& at_period_start
 }
 
 FollowedAnswer orbit_through(const System& system, const MotionState<double>& at_section,
-                             int period, const PassageOptions& options) {
+                             int period, const SegmentOptions& options) {
   if (closed_stops(at_section).empty())
     return {{}, "no stop is closed where the orbit is said to stick"};
-  const PassageShooting shooting = stuck_at(system, at_section, period, options);
+  const SegmentShooting shooting = stuck_at(system, at_section, period, options);
   const Vector u = shooting.pack({{at_section.q, at_section.qdot}});
   std::optional<Orbit> orbit =
       orbit_of(system, shooting, u, shooting.multipliers(system, u, ErrorBounds::kGiven));

@@ -38,7 +38,7 @@ std::optional<std::vector<Eigenvalue>> multipliers_at_grazing(
     const System& system, const ImpactPattern& pattern, const std::vector<ImpactPoint>& points,
     const Vector& unit, ErrorBounds errors) {
   const Eigen::Index n = system.modes();
-  std::optional<std::size_t> touch;
+  std::optional<std::size_t> grazing;
   Slow slow;
   for (std::size_t i = 0; i < points.size(); ++i) {
     const Stop& stop = stop_of(system, pattern, i);
@@ -46,12 +46,12 @@ std::optional<std::vector<Eigenvalue>> multipliers_at_grazing(
     const double size = std::abs(here.jump * here.push) *
                         stop.direction().cwiseQuotient(unit).norm() * stop.row.norm();
     if (!(size > kSingular * std::abs(here.speed))) continue;
-    if (touch) return {};
-    touch = i;
+    if (grazing) return {};
+    grazing = i;
     slow = here;
   }
-  if (!touch) return {};
-  const Stop& stop = stop_of(system, pattern, *touch);
+  if (!grazing) return {};
+  const Stop& stop = stop_of(system, pattern, *grazing);
   // S0 and x0 next to each other. The jump of velocities changes what damps them.
   Matrix moved = Matrix::Zero(2 * n, 2 * n + 1);
   moved.leftCols(2 * n).setIdentity();
@@ -62,7 +62,7 @@ std::optional<std::vector<Eigenvalue>> multipliers_at_grazing(
   moved.col(2 * n).tail(n) = slow.jump * slow.push * stop.direction();
   const ExactFlow<double> flow(system);
   for (std::size_t passed = 0; passed < points.size(); ++passed) {
-    const std::size_t i = (*touch + passed) % points.size();
+    const std::size_t i = (*grazing + passed) % points.size();
     if (passed > 0)
       moved = (saltation_matrix(system, stop_of(system, pattern, i), points[i].before,
                                 points[i].theta) *

@@ -8,28 +8,28 @@
 namespace graze {
 
 std::vector<LaidOrbit> layouts_of(const System& system, const Orbit& orbit,
-                                  const PassageOptions& options) {
-  if (!orbit.sticks()) return {{PassageLayout::fixed_phase(orbit.period), 0.0, turns_of(orbit)}};
+                                  const SegmentOptions& options) {
+  if (!orbit.sticks()) return {{SegmentLayout::fixed_phase(orbit.period), 0.0, turns_of(orbit)}};
   std::vector<LaidOrbit> found;
   const MotionState<double>& start = orbit.section->states.front();
-  const Passage round =
+  const TrajectorySegment round =
       pass(system, start, {start.instant.period + orbit.period, start.instant.local}, options);
-  for (const PassedHold& hold : round.holds) {
-    if (hold.to_end) continue;
-    const Passage there = pass(system, start, hold.to, options);
+  for (const SegmentSticking& sticking : round.sticking) {
+    if (sticking.to_end) continue;
+    const TrajectorySegment there = pass(system, start, sticking.to, options);
     if (!there.failure.empty()) continue;
     LaidOrbit one;
-    PassageLayout& layout = one.layout;
+    SegmentLayout& layout = one.layout;
     layout.period = orbit.period;
-    layout.released = hold.stop;
+    layout.released = sticking.stop;
     for (std::size_t i = 0; i < there.end.contacts.size(); ++i)
-      if (static_cast<int>(i) == hold.stop || there.end.contacts[i] == Contact::kClosed)
+      if (static_cast<int>(i) == sticking.stop || there.end.contacts[i] == Contact::kClosed)
         layout.closed.push_back(static_cast<int>(i));
-    one.theta = wrapped(system.forcing()->frequency * hold.to.local + system.forcing()->phase);
+    one.theta = wrapped(system.forcing()->frequency * sticking.to.local + system.forcing()->phase);
     one.states = {{there.end.q, there.end.qdot}};
-    one.held = seconds_between(system, hold.from, hold.to);
-    for (const PassedHold& before : round.holds)
-      if (hold.from_start && before.to_end && before.stop == hold.stop)
+    one.held = seconds_between(system, sticking.from, sticking.to);
+    for (const SegmentSticking& before : round.sticking)
+      if (sticking.from_start && before.to_end && before.stop == sticking.stop)
         one.held += seconds_between(system, before.from, before.to);
     found.push_back(std::move(one));
   }

@@ -19,23 +19,23 @@ namespace graze {
 namespace {
 
 // What an impact and the flight after it do to a deviation.
-struct ImpactPassage {
+struct ImpactSegment {
   Matrix saltation;
   FlowMatrix flow;
   double duration;  // s
 };
 
-std::vector<ImpactPassage> impact_passages(const System& system, const ImpactPattern& pattern,
+std::vector<ImpactSegment> impact_segments(const System& system, const ImpactPattern& pattern,
                                            const std::vector<ImpactPoint>& points) {
   const ExactFlow<double> flow(system);
-  std::vector<ImpactPassage> passages;
+  std::vector<ImpactSegment> segments;
   for (std::size_t i = 0; i < points.size(); ++i) {
     const Stop& stop = stop_of(system, pattern, i);
     const double duration = flight_time(system, pattern, points, i);
-    passages.push_back({saltation_matrix(system, stop, points[i].before, points[i].theta),
+    segments.push_back({saltation_matrix(system, stop, points[i].before, points[i].theta),
                         flow_matrix(system, flow, duration), duration});
   }
-  return passages;
+  return segments;
 }
 
 // Impact factors larger than eps^(-1/4), in units of the flow, are taken apart (see orbit.hpp).
@@ -157,8 +157,8 @@ std::optional<bool> stability(const std::vector<Eigenvalue>& multipliers) {
 std::vector<Matrix> impact_factors(const System& system, const ImpactPattern& pattern,
                                    const std::vector<ImpactPoint>& points) {
   std::vector<Matrix> factors;
-  for (const ImpactPassage& passage : impact_passages(system, pattern, points))
-    factors.push_back(passage.flow.times(passage.saltation));
+  for (const ImpactSegment& segment : impact_segments(system, pattern, points))
+    factors.push_back(segment.flow.times(segment.saltation));
   return factors;
 }
 
@@ -187,10 +187,10 @@ std::vector<Eigenvalue> orbit_multipliers(const System& system, const ImpactPatt
   std::vector<Matrix> factors;
   double violent = kViolentNorm, uncertainty = 0.0;
   std::ptrdiff_t most_violent = -1;
-  for (const ImpactPassage& passage : impact_passages(system, pattern, points)) {
-    Matrix factor = scaled(passage.flow.times(passage.saltation));
+  for (const ImpactSegment& segment : impact_segments(system, pattern, points)) {
+    Matrix factor = scaled(segment.flow.times(segment.saltation));
     const double violence = factor.norm();
-    uncertainty = std::max(uncertainty, rounding_of_flow(system, factor, passage.duration));
+    uncertainty = std::max(uncertainty, rounding_of_flow(system, factor, segment.duration));
     if (violence <= kViolentNorm) {
       factors.push_back(std::move(factor));
       continue;
@@ -199,9 +199,9 @@ std::vector<Eigenvalue> orbit_multipliers(const System& system, const ImpactPatt
       violent = violence;
       most_violent = static_cast<std::ptrdiff_t>(factors.size());
     }
-    factors.push_back(scaled(passage.saltation));
-    factors.push_back(scaled(passage.flow.times(Matrix::Identity(2 * n, 2 * n))));
-    uncertainty = std::max(uncertainty, rounding_of_flow(system, factors.back(), passage.duration));
+    factors.push_back(scaled(segment.saltation));
+    factors.push_back(scaled(segment.flow.times(Matrix::Identity(2 * n, 2 * n))));
+    uncertainty = std::max(uncertainty, rounding_of_flow(system, factors.back(), segment.duration));
   }
   // The second factor is the first one to be made triangular, before any change of basis mixes its
   // columns: those that are large next to grazing stay apart from the others.
@@ -274,9 +274,9 @@ Orbit make_orbit(const System& system, const ShootingProblem& problem, const Vec
   orbit.residual = problem.residual(system, solution).cwiseAbs().maxCoeff();
   orbit.multipliers = std::move(multipliers);
   orbit.stable = stability(orbit.multipliers);
-  const Admissibility verdict = admissibility(system, problem.pattern(), points);
-  orbit.admissible = verdict.admissible;
-  orbit.clearance = verdict.clearance();
+  const Admissibility classification = admissibility(system, problem.pattern(), points);
+  orbit.admissible = classification.admissible;
+  orbit.clearance = classification.clearance();
   return orbit;
 }
 

@@ -21,7 +21,7 @@ struct OrbitInstant {
 
 // What became of an impact at a compliant stop.
 struct OrbitContact {
-  double duration = 0.0;     // s; 0: a touch, in which nothing happens
+  double duration = 0.0;     // s; 0: a grazing contact, in which nothing happens
   double speed_after = 0.0;  // away from the stop, m/s
   double peak_force = 0.0;   // N
   double taken = 0.0;        // of the structure's energy, J
@@ -37,7 +37,7 @@ struct OrbitImpact {
 };
 
 // A stop closed from the end of its chatter (or an impact with r = 0) to its release.
-struct OrbitHold {
+struct StickingPhase {
   int stop = 0;
   OrbitInstant from, to;
   double duration = 0.0;  // s; of the whole orbit where it is never released
@@ -59,8 +59,8 @@ struct Orbit {
   // In time order from the smallest (period_index, phase). Where a chatter completes, the impacts
   // that were resolved: their number depends on the closure speed.
   std::vector<OrbitImpact> impacts;
-  std::vector<OrbitHold> holds{};       // in time order; none: it does not stick
-  std::vector<Eigenvalue> multipliers;  // of the map over p periods, largest modulus first
+  std::vector<StickingPhase> sticking{};  // in time order; none: it does not stick
+  std::vector<Eigenvalue> multipliers;    // of the map over p periods, largest modulus first
   // Nothing when a multiplier sits on the unit circle within its error.
   std::optional<bool> stable;
   // Clear of every stop between the impacts, every impact speed positive; what sticks is held by
@@ -73,7 +73,7 @@ struct Orbit {
   // Of an orbit that was followed; nothing where its impacts and the arcs between them tell it.
   std::optional<OrbitSection> section{};
 
-  bool sticks() const { return !holds.empty(); }
+  bool sticks() const { return !sticking.empty(); }
   // For the shooting equations, which know of no sticking and no compliant stops.
   ImpactPattern pattern() const;
   std::vector<ImpactPoint> points() const;

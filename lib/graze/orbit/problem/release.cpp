@@ -16,39 +16,39 @@ constexpr double kGone = 1e-6;
 
 }  // namespace
 
-std::optional<ReleaseReturn> return_of(const System& system, const PassageShooting& shooting,
+std::optional<ReleaseReturn> return_of(const System& system, const SegmentShooting& shooting,
                                        const Vector& u, bool minima) {
-  std::vector<Passage> passages = shooting.follow(system, u, minima);
-  if (passages.empty()) return {};
-  const PassageLayout& layout = shooting.layout();
+  std::vector<TrajectorySegment> segments = shooting.follow(system, u, minima);
+  if (segments.empty()) return {};
+  const SegmentLayout& layout = shooting.layout();
   ReleaseReturn result;
-  result.passage = std::move(passages.front());
-  const Instant<double>& end = result.passage.end.instant;
-  const std::vector<const PassedHold*> begun = holds_begun(result.passage);
-  result.itinerary = itinerary_of(result.passage, still_speed(system));
-  result.shortest_hold = std::numeric_limits<double>::infinity();
+  result.segment = std::move(segments.front());
+  const Instant<double>& end = result.segment.end.instant;
+  const std::vector<const SegmentSticking*> begun = sticking_begun(result.segment);
+  result.itinerary = itinerary_of(result.segment, still_speed(system));
+  result.shortest_sticking = std::numeric_limits<double>::infinity();
   // The release is where the force equation has it, to the accuracy of a solution.
   const double together = kShootingAccuracy * system.period();
-  for (const PassedHold* hold : begun) {
-    result.holds.push_back(hold->stop);
-    double duration = seconds_between(system, hold->from, hold->to);
-    const bool at_end = hold->to_end || seconds_between(system, hold->to, end) <= together;
-    if (hold->stop == layout.released && at_end) result.returns = true;
-    if (hold->to_end)
-      for (const PassedHold& rest : result.passage.holds)
-        if (rest.from_start && rest.stop == hold->stop)
+  for (const SegmentSticking* sticking : begun) {
+    result.sticking.push_back(sticking->stop);
+    double duration = seconds_between(system, sticking->from, sticking->to);
+    const bool at_end = sticking->to_end || seconds_between(system, sticking->to, end) <= together;
+    if (sticking->stop == layout.released && at_end) result.returns = true;
+    if (sticking->to_end)
+      for (const SegmentSticking& rest : result.segment.sticking)
+        if (rest.from_start && rest.stop == sticking->stop)
           duration += seconds_between(system, rest.from, rest.to);
-    result.shortest_hold = std::min(result.shortest_hold, duration);
+    result.shortest_sticking = std::min(result.shortest_sticking, duration);
   }
   for (const int i : layout.closed)
     if (i != layout.released &&
-        result.passage.end.contacts[static_cast<std::size_t>(i)] != Contact::kClosed)
+        result.segment.end.contacts[static_cast<std::size_t>(i)] != Contact::kClosed)
       result.returns = false;
   return result;
 }
 
 bool has_shrunk(const ReleaseReturn& back, double period) {
-  return back.shortest_hold <= kGone * period;
+  return back.shortest_sticking <= kGone * period;
 }
 
 }  // namespace graze

@@ -70,14 +70,14 @@ State rate_of(const System& system, const MotionState<double>& at) {
 }
 
 SectionMap::SectionMap(const System& reference, std::vector<int> closed,
-                       const PassageOptions& options)
+                       const SegmentOptions& options)
     : options_(options), closed_(std::move(closed)) {
   const Eigen::Index n = reference.modes();
   const MotionScale scale = motion_scale(reference);
   basis_ = Matrix::Identity(n, n);
   Vector speeds = scale.velocity;
   if (!closed_.empty()) {
-    const HeldStructure<double> held(reference, closed_);
+    const ConstrainedStructure<double> held(reference, closed_);
     basis_ = held.basis;
     speeds = scale.displacement * held.reduced.omega.cwiseMax(reference.forcing()->frequency);
   }
@@ -178,11 +178,11 @@ std::optional<SectionMap::Image> SectionMap::image(const System& system, const V
     std::optional<ParameterDeviation> parameter;
     if (k < tangents.size())
       parameter.emplace(system, *tangents[k], chart_rate(system, *tangents[k], chart->state));
-    Passage passage = pass(system, *start, end, options_, k == 0 ? &deviations : nullptr,
-                           parameter ? &*parameter : nullptr);
-    if (!passage.failure.empty()) return {};
+    TrajectorySegment segment = pass(system, *start, end, options_, k == 0 ? &deviations : nullptr,
+                                     parameter ? &*parameter : nullptr);
+    if (!segment.failure.empty()) return {};
     if (parameter) image.by_parameters.col(static_cast<Eigen::Index>(k)) = pack(parameter->value());
-    if (k == 0) image.end = std::move(passage.end);
+    if (k == 0) image.end = std::move(segment.end);
   }
   image.image = pack({image.end.q, image.end.qdot});
   const Matrix slopes = seen(deviations.q, deviations.qdot);
@@ -204,32 +204,33 @@ std::string SectionMap::why_no_image(const System& system, const Vector& x, doub
   return pass(system, *start, {periods, start->instant.local}, options_, &deviations).failure;
 }
 
-std::optional<Passage> SectionMap::follow(const System& system, const Vector& x, double theta,
-                                          int periods, bool minima) const {
+std::optional<TrajectorySegment> SectionMap::follow(const System& system, const Vector& x,
+                                                    double theta, int periods, bool minima) const {
   const std::optional<MotionState<double>> start = start_of(system, x, theta);
   if (!start) return {};
-  PassageOptions options = options_;
+  SegmentOptions options = options_;
   options.minima = minima;
-  Passage passage = pass(system, *start, {periods, start->instant.local}, options);
-  if (!passage.failure.empty()) return {};
-  return passage;
+  TrajectorySegment segment = pass(system, *start, {periods, start->instant.local}, options);
+  if (!segment.failure.empty()) return {};
+  return segment;
 }
 
-std::optional<Passage> SectionMap::follow_along(const System& system, const Vector& x, double theta,
-                                                int periods, bool moves, const System& tangent,
-                                                const Vector& direction,
-                                                double parameter_rate) const {
+std::optional<TrajectorySegment> SectionMap::follow_along(const System& system, const Vector& x,
+                                                          double theta, int periods, bool moves,
+                                                          const System& tangent,
+                                                          const Vector& direction,
+                                                          double parameter_rate) const {
   const std::optional<Chart> chart = chart_at(system, x);
   const std::optional<MotionState<double>> start = start_of(system, x, theta);
   if (!chart || !start) return {};
   Deviations deviations = start_deviations(system, *start, *chart, moves);
   ParameterDeviation parameter(system, tangent, chart_rate(system, tangent, chart->state));
-  PassageOptions options = options_;
-  options.along = PassageDirection{direction, parameter_rate, &tangent};
-  Passage passage =
+  SegmentOptions options = options_;
+  options.along = SegmentDirection{direction, parameter_rate, &tangent};
+  TrajectorySegment segment =
       pass(system, *start, {periods, start->instant.local}, options, &deviations, &parameter);
-  if (!passage.failure.empty()) return {};
-  return passage;
+  if (!segment.failure.empty()) return {};
+  return segment;
 }
 
 std::optional<SectionMap::Within> SectionMap::within(
@@ -242,11 +243,11 @@ std::optional<SectionMap::Within> SectionMap::within(
   const Instant<double> end = later(start->instant, angle / frequency, system.period());
   Within within;
   Deviations deviations = start_deviations(system, *start, *chart, moves);
-  Passage passage = pass(system, *start, end, options_, &deviations);
-  if (!passage.failure.empty()) return {};
+  TrajectorySegment segment = pass(system, *start, end, options_, &deviations);
+  if (!segment.failure.empty()) return {};
   within.by_state = {deviations.q.rightCols(size()), deviations.qdot.rightCols(size()), {}};
   if (moves) within.by_start = {deviations.q.col(0), deviations.qdot.col(0)};
-  within.at = std::move(passage.end);
+  within.at = std::move(segment.end);
   within.state = {within.at.q, within.at.qdot};
   for (const System* tangent : tangents) {
     ParameterDeviation parameter(system, *tangent, chart_rate(system, *tangent, chart->state));

@@ -41,7 +41,7 @@ double restitution_of(const Stop& stop, double speed) {
 }  // namespace
 
 std::optional<State> period_end_after(const System& system, const ImpactPoint& impact, int stop,
-                                      const PassageOptions& passage) {
+                                      const SegmentOptions& segment) {
   const double local =
       wrapped(impact.theta - system.forcing()->phase) / system.forcing()->frequency;
   if (!(local < system.period())) return {};
@@ -49,19 +49,19 @@ std::optional<State> period_end_after(const System& system, const ImpactPoint& i
       Motion<double>(system, {0, local}, impact.before.q, impact.before.qdot).state();
   // Rounding may have left it beyond the surface.
   before.contacts[static_cast<std::size_t>(stop)] = Contact::kTouching;
-  const Passage passed = pass(system, before, {1, 0.0}, passage);
+  const TrajectorySegment passed = pass(system, before, {1, 0.0}, segment);
   if (!passed.failure.empty()) return {};
   return State{passed.end.q, passed.end.qdot};
 }
 
 std::vector<State> closed_form_contacts(const System& system, int period,
-                                        const PassageOptions& passage) {
+                                        const SegmentOptions& segment) {
   std::vector<State> starts;
   for (std::size_t i = 0; i < system.stops.size(); ++i) {
     const Stop& stop = system.stops[i];
     // The two solutions have speeds of their own.
     for (std::size_t which = 0; which < 2 && stop.is_compliant(); ++which) {
-      if (passage.stop.requested()) return starts;
+      if (segment.stop.requested()) return starts;
       double speed = motion_scale(system).speed;
       std::optional<ImpactPoint> point;
       for (int round = 0; round < kRounds && speed > 0.0; ++round) {
@@ -76,7 +76,7 @@ std::vector<State> closed_form_contacts(const System& system, int period,
         speed = stop.row.dot(point->before.qdot);
       }
       if (!point || !(speed > 0.0)) continue;
-      if (const auto start = period_end_after(system, *point, static_cast<int>(i), passage))
+      if (const auto start = period_end_after(system, *point, static_cast<int>(i), segment))
         starts.push_back(*start);
     }
   }
@@ -84,12 +84,12 @@ std::vector<State> closed_form_contacts(const System& system, int period,
 }
 
 std::vector<State> rough_contacts(const System& system, int stop, int period, int count,
-                                  double speed, std::uint64_t seed, const PassageOptions& passage) {
+                                  double speed, std::uint64_t seed, const SegmentOptions& segment) {
   std::vector<State> starts;
   for (const std::vector<ImpactPoint>& guess :
        rough_guesses(system, {period, {stop}}, count, speed, seed)) {
-    if (passage.stop.requested()) break;
-    if (const auto start = period_end_after(system, guess.front(), stop, passage))
+    if (segment.stop.requested()) break;
+    if (const auto start = period_end_after(system, guess.front(), stop, segment))
       starts.push_back(*start);
   }
   return starts;

@@ -60,10 +60,10 @@ class Finder {
         scale_(motion_scale(system)),
         compliant_(system.has_compliant_stop()) {
     const State at_rest{Vector::Zero(system.modes()), Vector::Zero(system.modes())};
-    passage_.closure_speed =
+    segment_.closure_speed =
         options.closure_speed.value_or(default_closure_speed(system, start.value_or(at_rest)));
-    passage_.max_impacts = options.max_impacts;
-    passage_.stop = options.stop;
+    segment_.max_impacts = options.max_impacts;
+    segment_.stop = options.stop;
   }
 
   FoundOrbits find() {
@@ -101,12 +101,12 @@ class Finder {
     const SettledMotion settled = settle(system_, *start_, settle_options);
     const bool sticks = settled.kind == SettledKind::kSticks;
     if (!sticks && settled.kind != SettledKind::kImpacts) {
-      found_.notes.push_back(settled.verdict);
+      found_.notes.push_back(settled.classification);
       return;
     }
-    const FollowedAnswer answer = keep(orbit_near(system_, settled, passage_), found_.simulation);
+    const FollowedAnswer answer = keep(orbit_near(system_, settled, segment_), found_.simulation);
     if (!answer.orbit) {
-      found_.notes.push_back(settled.verdict + (sticks ? "; " : ", but ") + answer.why_not);
+      found_.notes.push_back(settled.classification + (sticks ? "; " : ", but ") + answer.why_not);
       return;
     }
     const Orbit& orbit = *answer.orbit;
@@ -114,8 +114,8 @@ class Finder {
         orbit.sticks()
             ? fmt::format("{}; solved for, it is a ({}, {}) orbit that sticks, its chatters summed "
                           "below {:.4g} m/s",
-                          settled.verdict, orbit.period, orbit.impacts.size(),
-                          passage_.closure_speed)
+                          settled.classification, orbit.period, orbit.impacts.size(),
+                          segment_.closure_speed)
             : fmt::format("from the scene's initial state the motion settles on a ({}, {}) orbit",
                           orbit.period, orbit.impacts.size()));
   }
@@ -134,9 +134,9 @@ class Finder {
   }
 
   void from_closed_form_contacts() {
-    for (const State& start : closed_form_contacts(system_, options_.period, passage_))
+    for (const State& start : closed_form_contacts(system_, options_.period, segment_))
       if (!options_.stop.requested())
-        keep(followed_orbit(system_, start, options_.period, passage_), found_.closed_form);
+        keep(followed_orbit(system_, start, options_.period, segment_), found_.closed_form);
   }
 
   void from_rough_contacts() {
@@ -146,9 +146,9 @@ class Finder {
     for (int stop = 0; stop < static_cast<int>(system_.stops.size()); ++stop) {
       ++found_.patterns;
       for (const State& start : rough_contacts(system_, stop, options_.period, guesses,
-                                               speed_scale(), options_.random_seed, passage_)) {
+                                               speed_scale(), options_.random_seed, segment_)) {
         if (options_.stop.requested()) return;
-        keep(followed_orbit(system_, start, options_.period, passage_), found_.random);
+        keep(followed_orbit(system_, start, options_.period, segment_), found_.random);
       }
     }
   }
@@ -260,8 +260,8 @@ class Finder {
 
   bool surely_virtual(const PhaseSolution& solution, const std::vector<ImpactPoint>& points) const {
     if (solution.speeds.minCoeff() < -kSurely * speed_scale()) return true;
-    const Admissibility verdict = admissibility(system_, solution.pattern, points);
-    return verdict.nearest && verdict.nearest->gap < -kSurely * scale_.length;
+    const Admissibility classification = admissibility(system_, solution.pattern, points);
+    return classification.nearest && classification.nearest->gap < -kSurely * scale_.length;
   }
 
   void from_rough_guesses(const ImpactPattern& pattern) {
@@ -314,7 +314,7 @@ class Finder {
     if (!opposite) return;
     for (const Orbit& orbit : std::vector<Orbit>(found_.orbits)) {
       if (!(orbit.admissible || options_.keep_virtual)) continue;
-      if (const auto image = mirrored_orbit(system_, orbit, *opposite, passage_)) keep(*image);
+      if (const auto image = mirrored_orbit(system_, orbit, *opposite, segment_)) keep(*image);
     }
   }
 
@@ -356,7 +356,7 @@ class Finder {
   const FinderOptions& options_;
   MotionScale scale_;
   bool compliant_;  // a stop is, and every orbit is followed
-  PassageOptions passage_;
+  SegmentOptions segment_;
   FoundOrbits found_;
 };
 

@@ -44,7 +44,7 @@ std::optional<std::vector<int>> opposite_stops(const System& system) {
 
 std::optional<Orbit> mirrored_orbit(const System& system, const Orbit& orbit,
                                     const std::vector<int>& opposite,
-                                    const PassageOptions& options) {
+                                    const SegmentOptions& options) {
   if (!orbit.section) return mirrored_impacts(system, orbit, opposite);
   const MotionState<double>& at = orbit.section->states.front();
   MotionState<double> image = at;
@@ -56,13 +56,13 @@ std::optional<Orbit> mirrored_orbit(const System& system, const Orbit& orbit,
     image.contacts[other] = at.contacts[i];
     image.multiplicities[other] = at.multiplicities[i];
   }
-  PassageOptions closing = options;
+  SegmentOptions closing = options;
   closing.closure_speed = orbit.section->closure_speed;
   if (!closed_stops(image).empty())
     return orbit_through(system, image, orbit.period, closing).orbit;
-  const Passage passage = pass(system, image, {image.instant.period + 1, 0.0}, closing);
-  if (!passage.failure.empty()) return {};
-  return followed_orbit(system, {passage.end.q, passage.end.qdot}, orbit.period, closing).orbit;
+  const TrajectorySegment segment = pass(system, image, {image.instant.period + 1, 0.0}, closing);
+  if (!segment.failure.empty()) return {};
+  return followed_orbit(system, {segment.end.q, segment.end.qdot}, orbit.period, closing).orbit;
 }
 
 }  // namespace graze

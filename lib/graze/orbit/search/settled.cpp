@@ -165,11 +165,11 @@ class Settling {
     const int p = repetition();
     if (p == 0) return;
     const Pattern motion = pattern_of_last(p);
-    const bool touches = history_.contacts_since(history_.periods() - p).any;
-    const bool impacts_alone = motion.pattern.impacts() > 0 && !touches;
+    const bool grazings = history_.contacts_since(history_.periods() - p).any;
+    const bool impacts_alone = motion.pattern.impacts() > 0 && !grazings;
     if (!options_.nearness) {
       // A drift too slow to see may still lead to the stop: being clear of it takes certainty.
-      if (impacts_alone || touches) conclude_periodic(p);
+      if (impacts_alone || grazings) conclude_periodic(p);
       return;
     }
     if (impacts_alone && history_.periods() >= next_solve_) {
@@ -321,9 +321,9 @@ class Settling {
   bool end(SettledKind kind, const std::string& what) {
     over_ = true;
     result_.kind = kind;
-    result_.verdict = fmt::format("from {} the motion {}", options_.from, what);
+    result_.classification = fmt::format("from {} the motion {}", options_.from, what);
     if (options_.nearness > 0.0 && result_.period > 0 && !result_.near)
-      result_.verdict +=
+      result_.classification +=
           fmt::format(", but {} within {}",
                       std::isfinite(result_.remaining)
                           ? fmt::format("comes no nearer than {:.3g}", result_.remaining)

@@ -46,7 +46,7 @@ struct SettledMotion {
   // not be minimal: where deviations alternate in sign, two periods agree before one does.
   std::optional<ImpactPattern> pattern;
   std::vector<ImpactPoint> points;
-  std::string verdict;  // a sentence: what the motion does
+  std::string classification;  // a sentence: what the motion does
 };
 
 struct SettleOptions {
@@ -60,7 +60,7 @@ struct SettleOptions {
   // periods.
   std::optional<double> nearness;
   long long tail = 100;                            // periods kept where nothing repeats
-  std::string from = "the scene's initial state";  // for the verdict: where it starts
+  std::string from = "the scene's initial state";  // for the classification: where it starts
   StopSignal stop;
 };
 

@@ -26,7 +26,7 @@ std::optional<Orbit> orbit_near(const System& system, const ImpactPattern& patte
 }
 
 FollowedAnswer orbit_near(const System& system, const SettledMotion& settled,
-                          const PassageOptions& options) {
+                          const SegmentOptions& options) {
   if (!settled.pattern) return followed_orbit(system, settled.at_start, settled.period, options);
   FollowedAnswer answer{orbit_near(system, *settled.pattern, settled.points), ""};
   if (!answer.orbit) answer.why_not = "no orbit was confirmed there";
@@ -34,7 +34,7 @@ FollowedAnswer orbit_near(const System& system, const SettledMotion& settled,
 }
 
 std::optional<Orbit> orbit_near(const System& system, const Orbit& neighbour,
-                                const PassageOptions& options) {
+                                const SegmentOptions& options) {
   return neighbour.section ? followed_orbit(system, turns_of(neighbour), options).orbit
                            : orbit_near(system, neighbour.pattern(), neighbour.points());
 }

@@ -7,7 +7,7 @@
 
 #include "graze/bifurcation/loci/orbit_loci.hpp"
 #include "graze/record/records.hpp"
-#include "graze/study/plane/detail/region_borders.hpp"
+#include "graze/study/plane/detail/region_boundaries.hpp"
 #include "graze/study/plane/stable_regions.hpp"
 
 namespace graze {
@@ -15,8 +15,8 @@ namespace graze {
 struct LociRecord {
   RunInfo info;
   OrbitLoci traced;
-  std::optional<StableRegions> regions;  // where they were asked for
-  std::optional<RegionBorders> borders;  // of these, where loci of all kinds were traced
+  std::optional<StableRegions> regions;        // where they were asked for
+  std::optional<RegionBoundaries> boundaries;  // of these, where loci of all kinds were traced
   double from = 0.0, to = 0.0, second_from = 0.0, second_to = 0.0;
   std::string unit, second_unit;  // of the parameters
   std::vector<std::string> warnings;

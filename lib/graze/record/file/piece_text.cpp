@@ -118,7 +118,7 @@ void fields(Archive& archive, SettledMotion& motion) {
   archive(motion.kind), archive(motion.period), archive(motion.near), archive(motion.remaining);
   archive(motion.sticks), archive(motion.at_start), archive(motion.at_end);
   archive(motion.periods), archive(motion.impacts_met), archive(motion.impacts);
-  archive(motion.period_states), archive(motion.verdict);
+  archive(motion.period_states), archive(motion.classification);
 }
 template <class Archive>
 void fields(Archive& archive, Exponents& exponents) {

@@ -147,11 +147,12 @@ std::string stuck_csv(const OrbitRecord& record) {
       "orbit,stop,from_period_index,from_phase,to_period_index,to_phase,duration,force,"
       "smallest_force\n";
   for (std::size_t i = 0; i < record.found.orbits.size(); ++i) {
-    for (const OrbitHold& hold : record.found.orbits[i].holds)
-      fmt::format_to(std::back_inserter(text), "{},{},{},{},{},{},{},{},{}\n", i + 1, hold.stop + 1,
-                     hold.from.period_index, csv_cell(hold.from.phase), hold.to.period_index,
-                     csv_cell(hold.to.phase), csv_cell(hold.duration), csv_cell(hold.force),
-                     csv_cell(hold.smallest_force));
+    for (const StickingPhase& sticking : record.found.orbits[i].sticking)
+      fmt::format_to(std::back_inserter(text), "{},{},{},{},{},{},{},{},{}\n", i + 1,
+                     sticking.stop + 1, sticking.from.period_index, csv_cell(sticking.from.phase),
+                     sticking.to.period_index, csv_cell(sticking.to.phase),
+                     csv_cell(sticking.duration), csv_cell(sticking.force),
+                     csv_cell(sticking.smallest_force));
   }
   return text;
 }

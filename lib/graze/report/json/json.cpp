@@ -53,13 +53,13 @@ void add_section(const Orbit& orbit, Json& json) {
 void add_sticking(const Orbit& orbit, Json& json) {
   if (!orbit.sticks()) return;
   Json phases = Json::array();
-  for (const OrbitHold& hold : orbit.holds)
-    phases.push_back({{"stop", hold.stop + 1},
-                      {"from", instant_json(hold.from)},
-                      {"to", instant_json(hold.to)},
-                      {"duration", json_number(hold.duration)},
-                      {"force", json_number(hold.force)},
-                      {"smallest_force", json_maybe(hold.smallest_force)}});
+  for (const StickingPhase& sticking : orbit.sticking)
+    phases.push_back({{"stop", sticking.stop + 1},
+                      {"from", instant_json(sticking.from)},
+                      {"to", instant_json(sticking.to)},
+                      {"duration", json_number(sticking.duration)},
+                      {"force", json_number(sticking.force)},
+                      {"smallest_force", json_maybe(sticking.smallest_force)}});
   json["stuck_phases"] = phases;
   add_section(orbit, json);
   json["closure_speed"] = json_number(orbit.section->closure_speed);
@@ -338,7 +338,7 @@ std::string to_json(const BranchRecord& record) {
          {"component", branch.component},
          {"period", branch.pattern.period},
          {"impacts", branch.sticks() ? Json(nullptr) : Json(branch.pattern.impacts())},
-         {"stops", stops_of(branch.sticks() ? branch.holds : branch.pattern.stops)},
+         {"stops", stops_of(branch.sticks() ? branch.sticking : branch.pattern.stops)},
          {"stuck", branch.sticks()},
          {"origin", branch.origin.empty() ? Json(nullptr) : Json(branch.origin)},
          {"ends", {name_of(branch.ends[0]), name_of(branch.ends[1])}},

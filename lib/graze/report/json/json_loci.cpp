@@ -26,16 +26,16 @@ Json listed_json(const StableRegions& regions, const std::vector<OrbitAtPlace>& 
   return list;
 }
 
-Json borders_json(const StableRegions& regions, const RegionBorders& borders) {
+Json boundaries_json(const StableRegions& regions, const RegionBoundaries& boundaries) {
   Json open = Json::array();
-  for (const auto& [i, other] : borders.open) {
+  for (const auto& [i, other] : boundaries.open) {
     const RegionPlace &a = regions.places[i], &b = regions.places[other];
     open.push_back({{"value", json_number(a.value)},
                     {"second", json_number(a.second)},
                     {"to_value", json_number(b.value)},
                     {"to_second", json_number(b.second)}});
   }
-  return {{"count", borders.count}, {"without_locus", open}};
+  return {{"count", boundaries.count}, {"without_locus", open}};
 }
 
 Json regions_json(const StableRegions& regions) {
@@ -95,8 +95,8 @@ std::string to_json(const LociRecord& record) {
   document["counters"] = loci_counters_json(record.traced);
   if (record.regions) {
     document["regions"] = regions_json(*record.regions);
-    document["regions"]["borders"] =
-        record.borders ? borders_json(*record.regions, *record.borders) : Json(nullptr);
+    document["regions"]["boundaries"] =
+        record.boundaries ? boundaries_json(*record.regions, *record.boundaries) : Json(nullptr);
   }
   return document_text(document);
 }

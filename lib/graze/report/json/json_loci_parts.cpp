@@ -14,7 +14,7 @@ Json point_json(OrbitLocusKind kind, const OrbitLocusPoint& point) {
   json["speed"] = json_number(point.impacts.front().speed);
   if (kind == OrbitLocusKind::kTorus) json["angle"] = json_number(point.angle);
   json["admissible"] = point.admissible;
-  if (point.impacts.size() < 2 || !point.holds.empty()) return json;
+  if (point.impacts.size() < 2 || !point.sticking.empty()) return json;
   Json at = Json::array();
   for (const OrbitImpact& impact : point.impacts)
     at.push_back({{"stop", impact.stop + 1},

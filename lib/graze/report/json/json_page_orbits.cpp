@@ -29,7 +29,7 @@ int samples_per_period(const PageSource& source, const System& system, long long
                   page_samples(system, periods, source.most_samples) / static_cast<int>(periods));
 }
 
-struct Course {
+struct SampledTest {
   std::vector<float> t, x, v;  // forcing periods, m, m/s; NaN where it jumps
 
   void add(double time, double displacement, double velocity) {
@@ -43,7 +43,7 @@ struct Course {
   }
 };
 
-Json place_json(const System& system, const SeenPlace& place, const Course& course) {
+Json place_json(const System& system, const SeenPlace& place, const SampledTest& course) {
   Json stops = Json::array();
   std::string name = place.stops.size() > 1 ? "stops" : "stop";
   for (const SeenStop& stop : place.stops) {
@@ -101,10 +101,11 @@ std::string orbit_command(const PageSource& source, const Orbit& orbit,
 
 Json stuck_json(const Orbit& orbit, const System& system) {
   Json phases = Json::array();
-  for (const OrbitHold& hold : orbit.holds) {
-    const double from = in_periods(hold.from);
-    phases.push_back(
-        {{"stop", hold.stop + 1}, {"from", from}, {"to", from + hold.duration / system.period()}});
+  for (const StickingPhase& sticking : orbit.sticking) {
+    const double from = in_periods(sticking.from);
+    phases.push_back({{"stop", sticking.stop + 1},
+                      {"from", from},
+                      {"to", from + sticking.duration / system.period()}});
   }
   return phases;
 }
@@ -173,7 +174,7 @@ Json motion_json(const PageSource& source, const System& system, const PageMotio
   for (const SeenPlace& shown : places_seen(system, first))
     for (const SeenPlace& place : seen.places) {
       if (place.stops.front().index != shown.stops.front().index) continue;
-      Course course;
+      SampledTest course;
       for (const MotionPoint& point : place.motion)
         // A point at which the velocity jumps belongs to both sides; the sides are there as well.
         if (std::isfinite(point.velocity))
@@ -248,7 +249,7 @@ Json page_orbit(const PageSource& source, const System& system, const Orbit& orb
         {json_number(multiplier.value.real()), json_number(multiplier.value.imag())});
   const int first = orbit.impacts.empty() ? 0 : orbit.impacts.front().stop;
   for (const SeenPlace& place : places_seen(system, first)) {
-    Course course;
+    SampledTest course;
     for (const std::vector<CurveSample>& flight :
          orbit_curve(system, orbit, place.stops.front().index,
                      samples_per_period(source, system, orbit.period))) {

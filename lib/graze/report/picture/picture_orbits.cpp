@@ -175,9 +175,9 @@ class OrbitsPicture {
             course.row({unit * theta, length_.factor * sample.displacement});
         }
       course.gap();
-      for (const OrbitHold& hold : orbit.holds) {
-        const double from = hold.from.phase + kTurn * hold.from.period_index - shift;
-        const double to = from + hold.duration * record_.system.forcing()->frequency;
+      for (const StickingPhase& sticking : orbit.sticking) {
+        const double from = sticking.from.phase + kTurn * sticking.from.period_index - shift;
+        const double to = from + sticking.duration * record_.system.forcing()->frequency;
         if (to > 0.0 && from < whole)
           stuck.row({unit * std::max(from, 0.0), unit * std::min(to, whole)});
       }

@@ -79,7 +79,7 @@ std::string energy_text(const System& system, const EnergyBalance& balance) {
 // Of the impacts of an orbit that closes a chatter only the first and the last are shown.
 constexpr std::size_t kShownImpacts = 8;
 
-std::string holds_text(const std::vector<Orbit>& orbits) {
+std::string sticking_text(const std::vector<Orbit>& orbits) {
   Table table({"orbit", "stuck on stop", "from phase (rad)", "to phase (rad)", "duration (s)",
                "force (N)", "smallest force (N)"});
   for (std::size_t i = 0; i < orbits.size(); ++i) {
@@ -88,11 +88,11 @@ std::string holds_text(const std::vector<Orbit>& orbits) {
                  ? fmt::format("{:.12f}", instant.phase)
                  : fmt::format("{:.12f}, period {}", instant.phase, instant.period_index);
     };
-    for (const OrbitHold& hold : orbits[i].holds)
-      table.add({fmt::format("{}", i + 1), fmt::format("{}", hold.stop + 1), at(hold.from),
-                 at(hold.to), fmt::format("{:.9g}", hold.duration),
-                 fmt::format("{:.6g}", hold.force),
-                 hold.smallest_force ? fmt::format("{:.6g}", *hold.smallest_force) : "-"});
+    for (const StickingPhase& sticking : orbits[i].sticking)
+      table.add({fmt::format("{}", i + 1), fmt::format("{}", sticking.stop + 1), at(sticking.from),
+                 at(sticking.to), fmt::format("{:.9g}", sticking.duration),
+                 fmt::format("{:.6g}", sticking.force),
+                 sticking.smallest_force ? fmt::format("{:.6g}", *sticking.smallest_force) : "-"});
   }
   return table.empty() ? "" : table.text() + "\n";
 }
@@ -187,7 +187,7 @@ std::string to_text(const OrbitRecord& record) {
     }
   }
   if (!table.empty()) text += table.text() + "\n";
-  text += holds_text(record.found.orbits);
+  text += sticking_text(record.found.orbits);
   text += contacts_text(record.found.orbits);
   return text + notes_text(record.found.notes) + ending(record.outcome);
 }

@@ -56,23 +56,23 @@ std::string list_of(const LociRecord& record, const std::vector<OrbitAtPlace>& o
   return text;
 }
 
-std::string borders_text(const LociRecord& record) {
+std::string boundaries_text(const LociRecord& record) {
   const StableRegions& regions = *record.regions;
-  const RegionBorders& borders = *record.borders;
+  const RegionBoundaries& boundaries = *record.boundaries;
   std::string text = fmt::format(
       "between {} pairs of places side by side the ({},{}) orbit begins or ceases to be stable; a "
       "locus passes between {} of them\n",
-      borders.count, regions.period, regions.impacts,
-      borders.count - static_cast<int>(borders.open.size()));
-  const std::size_t shown = std::min(borders.open.size(), kMostListed);
+      boundaries.count, regions.period, regions.impacts,
+      boundaries.count - static_cast<int>(boundaries.open.size()));
+  const std::size_t shown = std::min(boundaries.open.size(), kMostListed);
   for (std::size_t i = 0; i < shown; ++i) {
-    const RegionPlace& a = regions.places[borders.open[i].first];
-    const RegionPlace& b = regions.places[borders.open[i].second];
+    const RegionPlace& a = regions.places[boundaries.open[i].first];
+    const RegionPlace& b = regions.places[boundaries.open[i].second];
     text += fmt::format("note: no locus passes between ({:.9g}, {:.9g}) and ({:.9g}, {:.9g})\n",
                         a.value, a.second, b.value, b.second);
   }
-  if (shown < borders.open.size())
-    text += fmt::format("note: so for {} pairs more\n", borders.open.size() - shown);
+  if (shown < boundaries.open.size())
+    text += fmt::format("note: so for {} pairs more\n", boundaries.open.size() - shown);
   return text;
 }
 
@@ -99,7 +99,7 @@ std::string regions_text(const LociRecord& record) {
         "{} of those that settled on a ({},{}) orbit are on one that the closed form had not "
         "given\n",
         regions.missed.size(), regions.period, regions.impacts);
-  if (record.borders) text += borders_text(record);
+  if (record.boundaries) text += boundaries_text(record);
   text += list_of(record, regions.refuted,
                   "is stable by its multipliers, but a motion beside it left it");
   text += list_of(record, regions.missed, "was found by simulation, not by the closed form");

@@ -115,7 +115,7 @@ class AttractorSearch {
              known.orbit->period == neighbour.period;
     };
     if (is_searched(neighbour)) return std::any_of(found_.list.begin(), found_.list.end(), is_like);
-    const std::optional<Orbit> orbit = orbit_near(system_, neighbour, passage_options());
+    const std::optional<Orbit> orbit = orbit_near(system_, neighbour, segment_options());
     if (!orbit || orbit->stable != true || !orbit->admissible) return false;
     if (knows(*orbit)) return true;
     if (is_searched(*orbit)) found_.missed.push_back(*orbit);
@@ -125,10 +125,10 @@ class AttractorSearch {
 
   // That a motion which repeats has settled on.
   std::optional<Orbit> solve(const SettledMotion& motion) const {
-    return orbit_near(system_, motion, passage_options()).orbit;
+    return orbit_near(system_, motion, segment_options()).orbit;
   }
 
-  PassageOptions passage_options() const {
+  SegmentOptions segment_options() const {
     return {options_.closure_speed, options_.max_impacts, options_.stop};
   }
 
@@ -179,7 +179,7 @@ class AttractorSearch {
       if (orbit && orbit->stable != false) return add_settled(*orbit, motion.at_start);
     }
     if (motion.kind == SettledKind::kImpactBudget || motion.kind == SettledKind::kRefused) {
-      found_.message = motion.verdict;
+      found_.message = motion.classification;
       return;
     }
     const AttractorKind listed = kind == AttractorKind::kOrbit ? AttractorKind::kOther : kind;

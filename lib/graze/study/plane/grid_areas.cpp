@@ -68,7 +68,7 @@ class Grid {
     return static_cast<double>(whole);
   }
 
-  // Edges from each cell to the nearest one at the area's border.
+  // Edges from each cell to the nearest one at the area's boundary.
   std::vector<int> depths_of(const std::vector<std::size_t>& cells) const {
     const auto index = [&](std::size_t cell) {
       return static_cast<std::size_t>(std::lower_bound(cells.begin(), cells.end(), cell) -
@@ -77,17 +77,18 @@ class Grid {
     std::vector<int> depths(cells.size(), -1);
     std::deque<std::size_t> waiting;
     for (const std::size_t cell : cells) {
-      bool at_border = false;
-      const int count = visit_neighbours(
-          cell, [&](std::size_t other) { at_border = at_border || keys_[other] != keys_[cell]; });
-      if (!at_border && count == 4) continue;
+      bool at_boundary = false;
+      const int count = visit_neighbours(cell, [&](std::size_t other) {
+        at_boundary = at_boundary || keys_[other] != keys_[cell];
+      });
+      if (!at_boundary && count == 4) continue;
       depths[index(cell)] = 0;
       waiting.push_back(cell);
     }
     while (!waiting.empty()) {
       const std::size_t cell = waiting.front();
       waiting.pop_front();
-      // All around are of the area: what borders on another one has its depth already.
+      // All around are of the area: what boundaries on another one has its depth already.
       visit_neighbours(cell, [&](std::size_t other) {
         if (keys_[other] != keys_[cell] || depths[index(other)] >= 0) return;
         depths[index(other)] = depths[index(cell)] + 1;

@@ -9,7 +9,7 @@
 #include "graze/assembly/initial_state.hpp"
 #include "graze/base/errors.hpp"
 #include "graze/base/parallel.hpp"
-#include "graze/base/tally.hpp"
+#include "graze/base/progress_counter.hpp"
 #include "graze/motion/simulation.hpp"
 #include "graze/scene/parameter.hpp"
 #include "graze/study/plane/detail/grid_areas.hpp"
@@ -83,11 +83,11 @@ class RegionFinder {
   }
 
   void look_everywhere() {
-    Tally tally([&](double part) { tell(kOwnPart * part); }, result_.places.size());
+    ProgressCounter counter([&](double part) { tell(kOwnPart * part); }, result_.places.size());
     for_each_index(result_.places.size(), options_.threads, [&](std::size_t i) {
       if (stopped()) return;
       look(i);
-      tally.add();
+      counter.add();
     });
   }
 

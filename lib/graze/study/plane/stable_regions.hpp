@@ -45,7 +45,7 @@ struct RegionArea {
   StableNames stable;
   std::size_t places = 0;
   double share = 0.0;     // of all places of the plane
-  std::size_t inner = 0;  // the place furthest from the area's border
+  std::size_t inner = 0;  // the place furthest from the area's boundary
 };
 
 // An orbit at a place.

@@ -53,7 +53,7 @@ bool settle_row(const Scene& scene, const System& system, const State& start,
   row.motion = settle(system, start, settling);
   if (!is_finished(row.motion)) return false;
   row.status = status_of(row.motion);
-  row.message = row.status == SweepStatus::kSettled ? "" : row.motion.verdict;
+  row.message = row.status == SweepStatus::kSettled ? "" : row.motion.classification;
   if (options.exponent_periods == 0 || !was_followed(row.status)) return true;
   ExponentOptions exponents;
   exponents.periods = options.exponent_periods;

@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "graze/base/parallel.hpp"
-#include "graze/base/tally.hpp"
+#include "graze/base/progress_counter.hpp"
 
 namespace graze {
 
@@ -68,13 +68,13 @@ MadePieces<Piece> make_pieces(const std::string& kind, std::size_t count, const 
                               const Make& make) {
   MadePieces<Piece> made;
   made.pieces.resize(count);
-  Tally tally(options.progress, options.share.count(count));
+  ProgressCounter counter(options.progress, options.share.count(count));
   for_each_index(count, options.threads, [&](std::size_t i) {
     if (!options.share.has(i) || options.stop.requested()) return;
     made.pieces[i] = options.memory.get(piece_name(kind, i), [&] { return make(i); });
-    if (made.pieces[i]) tally.add();
+    if (made.pieces[i]) counter.add();
   });
-  made.is_complete = tally.is_complete();
+  made.is_complete = counter.is_complete();
   return made;
 }
 

@@ -7,8 +7,8 @@
 #include "graze/base/angle.hpp"
 #include "graze/flow/exact/detail/exact_flow.hpp"
 #include "graze/flow/variation/detail/transition.hpp"
-#include "graze/orbit/problem/detail/passage.hpp"
 #include "graze/orbit/problem/detail/shooting.hpp"
+#include "graze/orbit/problem/detail/trajectory_segment.hpp"
 
 namespace graze {
 namespace {
@@ -17,13 +17,13 @@ namespace {
 std::vector<State> flown_states(const System& system, const Orbit& orbit) {
   const OrbitSection& section = *orbit.section;
   const int periods = orbit.period / static_cast<int>(section.states.size());
-  PassageOptions options;
+  SegmentOptions options;
   options.closure_speed = section.closure_speed;
   std::vector<State> states;
   for (const MotionState<double>& from : section.states)
     for (int n = 1; n <= periods; ++n) {
-      const Passage passage = pass(system, from, {from.instant.period + n, 0.0}, options);
-      states.push_back({passage.end.q, passage.end.qdot});
+      const TrajectorySegment segment = pass(system, from, {from.instant.period + n, 0.0}, options);
+      states.push_back({segment.end.q, segment.end.qdot});
     }
   // The first of them starts the period after that of the section.
   const int first = (section.at.period_index + 1) % orbit.period;

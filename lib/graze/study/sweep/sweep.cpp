@@ -8,7 +8,7 @@
 #include "graze/base/detail/even_values.hpp"
 #include "graze/base/errors.hpp"
 #include "graze/base/parallel.hpp"
-#include "graze/base/tally.hpp"
+#include "graze/base/progress_counter.hpp"
 #include "graze/orbit/search/detail/clear_state.hpp"
 #include "graze/scene/parameter.hpp"
 #include "graze/system/scale.hpp"
@@ -24,18 +24,18 @@ class Sweeper {
   Sweep finish() {
     const std::size_t block = sweep_block(options_.direction);
     const std::size_t blocks = (rows_.size() + block - 1) / block;
-    Tally tally(options_.progress, options_.share.count(rows_.size(), block));
+    ProgressCounter counter(options_.progress, options_.share.count(rows_.size(), block));
     for_each_index(blocks, options_.threads, [&](std::size_t b) {
       if (!options_.share.has(b)) return;
       const std::size_t end = std::min((b + 1) * block, rows_.size());
       for (std::size_t k = b * block; k < end; ++k) {
         at(k) = row("row", k, k == b * block ? nullptr : &*at(k - 1));
         if (!at(k)) return;
-        tally.add();
+        counter.add();
       }
     });
     if (block > 1 && options_.share.is_all()) join_blocks(blocks, block);
-    return collect(tally.is_complete());
+    return collect(counter.is_complete());
   }
 
  private:

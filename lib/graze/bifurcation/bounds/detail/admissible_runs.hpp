@@ -1,12 +1,12 @@
-// The runs of orbits among the (p, 1) solutions of a stop: along each of the two sheets over every
-// interval with solutions (solution_ranges.hpp), every part that is an orbit of the system.
+// The runs of orbits among the (p, 1) solutions of a stop: along each of the two families over
+// every interval with solutions (solution_ranges.hpp), every part that is an orbit of the system.
 //
 // What is not yet covered by a traced branch is halved until over each cell one instant is beyond a
-// stop all over it, or the impact speed is negative, as sheet_form.hpp bounds them; or until the
-// solution in the middle of a cell is an orbit, which is traced at once and covers what it covers.
-// So no run is passed over but in cells narrower than kResolution (next to the ends of runs and
-// folds, which no cell can hold), or in those that the budget leaves over; the widest of these are
-// told.
+// stop all over it, or the impact speed is negative, as solution_family_form.hpp bounds them; or
+// until the solution in the middle of a cell is an orbit, which is traced at once and covers what
+// it covers. So no run is passed over but in cells narrower than kResolution (next to the ends of
+// runs and folds, which no cell can hold), or in those that the budget leaves over; the widest of
+// these are told.
 #pragma once
 
 #include <functional>

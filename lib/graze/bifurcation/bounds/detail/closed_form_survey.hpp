@@ -28,7 +28,7 @@ class ClosedFormSurvey {
   // whose restitution is constant.
   ClosedFormSurvey(const SystemFamily& family, int stop, int period, double lowest, double highest);
 
-  // A solution of each sheet in every interval.
+  // A solution of each family in every interval.
   void start_in_every_range();
   // One in every run of samples at which the solution is an orbit of the system; of those before it
   // was asked to stop (stop_scope.hpp).

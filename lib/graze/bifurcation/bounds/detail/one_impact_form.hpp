@@ -29,7 +29,7 @@
 
 #include <optional>
 
-#include "graze/assembly/detail/system_course.hpp"
+#include "graze/assembly/detail/system_interpolant.hpp"
 
 namespace graze {
 
@@ -62,6 +62,6 @@ std::optional<MeanValueForm> repeated_impulse(const MeanValueForm& omega,
 // A solution's place among the two at a value: 1 or -1, and the same along either of them as long
 // as they do not meet in a fold. `theta`: impact phase, rad. `system`: at that value. 0 where it
 // cannot be told.
-int sheet_of(const SystemForms& system, int stop, int period, double theta);
+int family_of(const SystemForms& system, int stop, int period, double theta);
 
 }  // namespace graze

@@ -3,17 +3,17 @@
 //
 // The proof is a bound: F of one_impact_form.hpp is taken apart into cells over each of which it
 // keeps its sign or falls or rises throughout, in outward rounded intervals. What it rests on is
-// the course of the system's numbers (system_course.hpp): exact over parameters of which these are
-// polynomials up to the third degree, such as the forcing frequency, and an interpolation to 1e-12
-// over others. It is no proof where cells are left undecided: two folds that agree to half of all
-// digits, or more oscillations than the budget of cells resolves. Those are counted, and the widest
-// one says what width of interval may have been passed over.
+// the course of the system's numbers (system_interpolant.hpp): exact over parameters of which these
+// are polynomials up to the third degree, such as the forcing frequency, and an interpolation to
+// 1e-12 over others. It is no proof where cells are left undecided: two folds that agree to half of
+// all digits, or more oscillations than the budget of cells resolves. Those are counted, and the
+// widest one says what width of interval may have been passed over.
 #pragma once
 
 #include <optional>
 #include <vector>
 
-#include "graze/assembly/detail/system_course.hpp"
+#include "graze/assembly/detail/system_interpolant.hpp"
 
 namespace graze {
 
@@ -34,15 +34,15 @@ class SolutionRanges {
   int undecided() const { return undecided_; }                  // cells
   double widest_undecided() const { return widest_; }
 
-  const SystemCourse& course() const { return course_; }
+  const SystemInterpolant& course() const { return course_; }
   int stop() const { return stop_; }
   int period() const { return period_; }
   double length() const { return length_; }  // of the range that was looked through
 
   // The place in the list of the interval that a value lies in, or beyond by its rounding.
   std::optional<std::size_t> range_of(double value) const;
-  // Which of the two solutions at a value has this impact phase: see sheet_of.
-  int sheet(double value, double theta) const;
+  // Which of the two solutions at a value has this impact phase: see family_of.
+  int family(double value, double theta) const;
   // The system over a cell, or at a value; nothing where the scene does not allow it throughout.
   std::optional<SystemForms> system_over(double low, double high) const;
 
@@ -51,7 +51,7 @@ class SolutionRanges {
   std::optional<int> component(double value, double phase) const;
 
  private:
-  SystemCourse course_;
+  SystemInterpolant course_;
   int stop_, period_;
   double length_;
   std::vector<Range> ranges_;

@@ -9,10 +9,10 @@ namespace graze {
 
 class FlightLocus : public LocusOrbits {
  public:
-  // Refers to the equations over two parameters. `touch`: the impact at zero speed, on a locus of
+  // Refers to the equations over two parameters. `grazing`: the impact at zero speed, on a locus of
   // grazing.
-  explicit FlightLocus(const FlightEquations& equations, std::optional<std::size_t> touch = {})
-      : equations_(equations), touch_(touch) {}
+  explicit FlightLocus(const FlightEquations& equations, std::optional<std::size_t> grazing = {})
+      : equations_(equations), grazing_(grazing) {}
 
   std::optional<LocusPlace> place(const LocusSite& at,
                                   std::optional<LocusMargin> zero) const override;
@@ -26,7 +26,7 @@ class FlightLocus : public LocusOrbits {
   Vector speeds(const LocusSite& at) const;
 
   const FlightEquations& equations_;
-  std::optional<std::size_t> touch_;
+  std::optional<std::size_t> grazing_;
 };
 
 }  // namespace graze

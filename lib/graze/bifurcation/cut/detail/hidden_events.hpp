@@ -2,25 +2,25 @@
 // and lost again, an approach touches and is clear again, or the two orbits are of two branches.
 //
 // The speeds of the impacts and the gaps of the approaches outside the chatters come with their
-// rates at both ends; the cubic through them tells where to look (margin_course.hpp). What is found
-// there is decided by the motion itself.
+// rates at both ends; the cubic through them tells where to look (margin_interpolant.hpp). What is
+// found there is decided by the motion itself.
 #pragma once
 
 #include <optional>
 #include <tuple>
 #include <vector>
 
-#include "graze/bifurcation/problem/detail/passage_equations.hpp"
 #include "graze/bifurcation/problem/detail/remembered.hpp"
+#include "graze/bifurcation/problem/detail/segment_equations.hpp"
 #include "graze/continuation/branch/detail/corrector.hpp"
-#include "graze/continuation/special/detail/margin_course.hpp"
+#include "graze/continuation/special/detail/margin_interpolant.hpp"
 
 namespace graze {
 
 class HiddenEvents {
  public:
   // Refers to both, which must outlive it.
-  HiddenEvents(const PassageEquations& equations, Corrector& corrector)
+  HiddenEvents(const SegmentEquations& equations, Corrector& corrector)
       : equations_(equations), corrector_(corrector) {}
 
   // A solution between a and b, which both have the events of `at_a`, that has not; or a
@@ -30,13 +30,13 @@ class HiddenEvents {
                                        const ReleaseReturn& at_a, int& looks);
 
  private:
-  std::optional<std::vector<PassageMargin>> margins(const SolutionPoint& solution);
-  std::vector<MarginCourse> courses(const SolutionPoint& a, const SolutionPoint& b);
+  std::optional<std::vector<SegmentMargin>> margins(const SolutionPoint& solution);
+  std::vector<MarginInterpolant> courses(const SolutionPoint& a, const SolutionPoint& b);
 
-  const PassageEquations& equations_;
+  const SegmentEquations& equations_;
   Corrector& corrector_;
   // By unknowns, parameter and tangent.
-  Remembered<std::tuple<Vector, double, Vector>, std::optional<std::vector<PassageMargin>>>
+  Remembered<std::tuple<Vector, double, Vector>, std::optional<std::vector<SegmentMargin>>>
       margins_;
 };
 

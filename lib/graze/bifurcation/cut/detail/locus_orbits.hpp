@@ -1,5 +1,5 @@
 // What the orbits along a locus are, and where they cease to be that: of flights that are
-// prescribed (flight_locus.hpp) or of passages that are followed (passage_locus.hpp).
+// prescribed (flight_locus.hpp) or of segments that are followed (segment_locus.hpp).
 #pragma once
 
 #include <algorithm>

@@ -15,7 +15,7 @@ struct LocusPlace {
   OrbitLocusPoint at;
   Vector margins;
   std::string label;                    // of a point of codimension two, or ""
-  std::optional<LocusMargin> border;    // what vanishes here and forbids the orbit beyond
+  std::optional<LocusMargin> boundary;  // what vanishes here and forbids the orbit beyond
   std::optional<double> other_angle{};  // as of OrbitLocusSpecial
 };
 

@@ -1,12 +1,12 @@
 // The way from an orbit that sticks towards a solution with other events, as far as the events stay
-// what they are: the border between the two is bisected to the last digits of arclength.
+// what they are: the boundary between the two is bisected to the last digits of arclength.
 #pragma once
 
 #include <optional>
 #include <utility>
 #include <vector>
 
-#include "graze/bifurcation/problem/detail/passage_equations.hpp"
+#include "graze/bifurcation/problem/detail/segment_equations.hpp"
 #include "graze/continuation/branch/detail/corrector.hpp"
 
 namespace graze {
@@ -18,14 +18,14 @@ struct ReleaseApproach {
   // Of the nearest solution met beyond, if its motion could be followed.
   std::optional<ReleaseReturn> beyond;
   SolutionPoint at_beyond;
-  // Orbits met beyond with the stops that they stick to, those nearest to the border last.
+  // Orbits met beyond with the stops that they stick to, those nearest to the boundary last.
   std::vector<std::pair<SolutionPoint, std::vector<int>>> others;
   bool settled = false;  // to the last digits
 };
 
 // From `a`, whose events are those of `at_a`, towards `b`; `impacts`: see has_same_events().
-ReleaseApproach approach_border(const PassageEquations& equations, Corrector& corrector,
-                                const StopSignal& stop, const SolutionPoint& a,
-                                const SolutionPoint& b, const ReleaseReturn& at_a, bool impacts);
+ReleaseApproach approach_boundary(const SegmentEquations& equations, Corrector& corrector,
+                                  const StopSignal& stop, const SolutionPoint& a,
+                                  const SolutionPoint& b, const ReleaseReturn& at_a, bool impacts);
 
 }  // namespace graze

@@ -18,19 +18,19 @@
 
 #include "graze/bifurcation/cut/detail/release_approach.hpp"
 #include "graze/bifurcation/cut/detail/release_tip.hpp"
-#include "graze/bifurcation/problem/detail/passage_equations.hpp"
+#include "graze/bifurcation/problem/detail/segment_equations.hpp"
 
 namespace graze {
 
-// The CH or LO at the border that was approached; none where the border is something else, or
+// The CH or LO at the boundary that was approached; none where the boundary is something else, or
 // cannot be told to the last digits.
-ReleaseTip completion(const PassageEquations& equations, const ReleaseApproach& approach);
+ReleaseTip completion(const SegmentEquations& equations, const ReleaseApproach& approach);
 
 // Where the force that holds the structure at rest touches zero, as the value of the parameter and
 // the phase, rad. Flights near that are too short to tell from none; the force is smooth across it.
 // `near` is a value within what they tell; nothing where the force does not vanish there. `range`:
 // of the parameter.
-std::optional<std::pair<double, double>> lift_off(const PassageEquations& equations, double range,
+std::optional<std::pair<double, double>> lift_off(const SegmentEquations& equations, double range,
                                                   double near);
 
 }  // namespace graze

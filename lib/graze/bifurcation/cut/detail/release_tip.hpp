@@ -1,5 +1,5 @@
 // What is met where solutions of the equations of orbits that stick stop being orbits with the same
-// events (a border), or where a branch of them comes to an end (its tip).
+// events (a boundary), or where a branch of them comes to an end (its tip).
 #pragma once
 
 #include <optional>
@@ -9,14 +9,14 @@
 namespace graze {
 
 struct ReleaseTip {
-  // CH, LO or GR at a border; "not converged" where what is there cannot be told.
+  // CH, LO or GR at a boundary; "not converged" where what is there cannot be told.
   OrbitBranchEnd end = OrbitBranchEnd::kNotConverged;
-  std::optional<SolutionPoint> border;  // the special point there, where there is one
-  bool by_speed = false;                // of a grazing: an impact loses its speed
-  bool interrupted = false;             // of CH and LO: a stuck phase is cut in two
-  double value = 0.0;                   // of the parameter there
-  std::optional<SolutionPoint> beyond;  // an orbit on the other side, where one was met
-  Bracket bracket{};                    // of the border
+  std::optional<SolutionPoint> boundary;  // the special point there, where there is one
+  bool by_speed = false;                  // of a grazing: an impact loses its speed
+  bool interrupted = false;               // of CH and LO: a stuck phase is cut in two
+  double value = 0.0;                     // of the parameter there
+  std::optional<SolutionPoint> beyond;    // an orbit on the other side, where one was met
+  Bracket bracket{};                      // of the boundary
 };
 
 }  // namespace graze

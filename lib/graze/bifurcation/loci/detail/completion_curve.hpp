@@ -6,20 +6,20 @@
 #pragma once
 
 #include "graze/bifurcation/loci/detail/orbit_curve.hpp"
-#include "graze/bifurcation/problem/detail/passage_equations.hpp"
+#include "graze/bifurcation/problem/detail/segment_equations.hpp"
 
 namespace graze {
 
 class CompletionCurve : public OrbitCurve {
  public:
   // Of orbits at a release of the stop on which the chatter completes.
-  explicit CompletionCurve(const PassageEquations& equations);
+  explicit CompletionCurve(const SegmentEquations& equations);
 
  private:
   std::optional<double> distance(const Vector& y, double second) const;
   std::optional<Condition> condition(const Vector& y, double second) const;
 
-  const PassageEquations& passages_;
+  const SegmentEquations& segments_;
 };
 
 }  // namespace graze

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "graze/bifurcation/loci/detail/orbit_curve.hpp"
-#include "graze/bifurcation/loci/locus_leads.hpp"
+#include "graze/bifurcation/loci/locus_continuations.hpp"
 #include "graze/bifurcation/trace/detail/orbit_problems.hpp"
 #include "graze/continuation/locus/locus.hpp"
 
@@ -29,10 +29,10 @@ struct LocusAnswer {
 // One thread at a time.
 class LocusTracer {
  public:
-  // Requires that the scene allows its own values. Refers to the scene. `passage`: as of
+  // Requires that the scene allows its own values. Refers to the scene. `segment`: as of
   // OrbitProblems.
   LocusTracer(const Scene& scene, const std::string& first, const std::string& second,
-              const LocusOptions& options, const PassageOptions& passage);
+              const LocusOptions& options, const SegmentOptions& segment);
   LocusTracer(const LocusTracer&) = delete;
   LocusTracer& operator=(const LocusTracer&) = delete;
 
@@ -46,7 +46,7 @@ class LocusTracer {
     std::unique_ptr<LocusOrbits> orbits;
     std::map<OrbitLocusKind, std::vector<Locus>> traced;
   };
-  // Curves of a kind of one layout, of touches at one stop.
+  // Curves of a kind of one layout, of grazing contacts at one stop.
   struct Curves {
     std::unique_ptr<OrbitCurve> curve;
     std::vector<Branch> traced{};
@@ -63,8 +63,8 @@ class LocusTracer {
   LocusAnswer trace_critical(const OrbitLocusStart& start);
   LocusAnswer trace_along(const OrbitLocusStart& start);
   CurveStart curve_at(const OrbitLocusStart& start);
-  CurveStart flight_touch(const OrbitLocusStart& start);
-  CurveStart passage_touch(const OrbitLocusStart& start);
+  CurveStart flight_grazing(const OrbitLocusStart& start);
+  CurveStart segment_grazing(const OrbitLocusStart& start);
   CurveStart completion(const OrbitLocusStart& start);
   LocusTrace as_trace(OrbitLocusKind kind, const LocusOrbits& orbits, const Locus& locus) const;
   LocusTrace as_trace(OrbitLocusKind kind, const OrbitCurve& curve, const PlaneCurve& traced) const;

@@ -1,5 +1,5 @@
-// Loci of orbits by a condition of their own besides the equations of the orbits: a touch at no
-// speed (flight_touch.hpp, touch_curve.hpp), a chatter that just completes
+// Loci of orbits by a condition of their own besides the equations of the orbits: a grazing contact
+// at no speed (flight_grazing.hpp, segment_grazing.hpp), a chatter that just completes
 // (completion_curve.hpp). Their unknown is (u, first/range, ..), over the second parameter.
 #pragma once
 

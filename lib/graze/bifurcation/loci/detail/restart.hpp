@@ -4,7 +4,7 @@
 #include <optional>
 #include <vector>
 
-#include "graze/bifurcation/loci/locus_leads.hpp"
+#include "graze/bifurcation/loci/locus_continuations.hpp"
 #include "graze/bifurcation/loci/orbit_loci.hpp"
 #include "graze/bifurcation/problem/special_orbit.hpp"
 #include "graze/bifurcation/trace/orbit_branches.hpp"

@@ -18,9 +18,10 @@ class FlightEquations : public OrbitProblem {
   OrbitLayout orbit_layout() const override { return pattern(); }
   int period() const override { return pattern().period; }
 
-  // Of a branch: the impacts of a solution; requires its value to be allowed, as do the verdicts.
+  // Of a branch: the impacts of a solution; requires its value to be allowed, as do the
+  // classifications.
   std::vector<ImpactPoint> points(const SolutionPoint& solution) const;
-  // The verdict without multipliers.
+  // The classification without multipliers.
   Admissibility admissibility_of(const SolutionPoint& solution) const;
   OrbitBranchPoint orbit_at(const SolutionPoint& solution) const;
 

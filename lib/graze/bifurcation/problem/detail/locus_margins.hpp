@@ -18,29 +18,29 @@ enum class LocusMargin {
 };
 inline constexpr Eigen::Index kLocusMargins = 5;
 
-// Where a touching orbit comes nearest to a stop besides its touch and its impacts.
+// Where a touching orbit comes nearest to a stop besides its grazing contact and its impacts.
 struct ApproachBeside {
-  std::size_t impact = 0;  // it comes after; where no impact has a speed the touch
+  std::size_t impact = 0;  // it comes after; where no impact has a speed the grazing contact
   int stop = 0;            // index from 0
   State start;             // of the flight in which it is
   double theta = 0.0;      // phase there, rad
   double after = 0.0;      // s later
   double gap = 0.0;        // m
 };
-// The smallest interior minimum of any stop's gap but for the touch, which flights pass as they
-// pass any other approach. Nothing where there is none.
+// The smallest interior minimum of any stop's gap but for the grazing contact, which flights pass
+// as they pass any other approach. Nothing where there is none.
 std::optional<ApproachBeside> approach_beside(const System& system, const ImpactPattern& pattern,
                                               const std::vector<ImpactPoint>& impacts,
-                                              std::size_t touch);
+                                              std::size_t grazing);
 
 // Of every impact, m/s.
 Vector approach_speeds(const System& system, const ImpactPattern& pattern,
                        const std::vector<ImpactPoint>& impacts);
 
-// Indexed by LocusMargin; a margin that does not apply is 1. `touch`: the impact at zero speed, on
-// a locus of grazing orbits.
+// Indexed by LocusMargin; a margin that does not apply is 1. `grazing`: the impact at zero speed,
+// on a locus of grazing orbits.
 Vector locus_margins(const System& system, const ImpactPattern& pattern,
-                     const std::vector<ImpactPoint>& impacts, std::optional<std::size_t> touch);
+                     const std::vector<ImpactPoint>& impacts, std::optional<std::size_t> grazing);
 
 // Whether all are positive, speeds above what is known of them.
 bool is_admissible(const System& system, const Vector& margins);

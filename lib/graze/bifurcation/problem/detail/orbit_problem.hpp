@@ -1,7 +1,7 @@
 // Periodic orbits of one layout over parameters of the scene, one for a branch and two for a locus:
 // their equations as a zero problem, and the orbits of its solutions. Motions between the nodes of
-// a layout are prescribed flights (flight_equations.hpp) or passages that are followed
-// (passage_equations.hpp).
+// a layout are prescribed flights (flight_equations.hpp) or segments that are followed
+// (segment_equations.hpp).
 #pragma once
 
 #include <memory>
@@ -13,14 +13,14 @@
 #include "graze/assembly/system_family.hpp"
 #include "graze/bifurcation/problem/orbit_branch.hpp"
 #include "graze/continuation/branch.hpp"
-#include "graze/orbit/problem/detail/passage_shooting.hpp"
+#include "graze/orbit/problem/detail/segment_shooting.hpp"
 #include "graze/orbit/problem/detail/shooting.hpp"
 
 namespace graze {
 
-// The nodes of its orbits and what lies between: flights from impact to impact, or passages from
+// The nodes of its orbits and what lies between: flights from impact to impact, or segments from
 // section to section.
-using OrbitLayout = std::variant<ImpactPattern, PassageLayout>;
+using OrbitLayout = std::variant<ImpactPattern, SegmentLayout>;
 
 // Remembers the system of the values asked for last: one thread at a time.
 class OrbitProblem {

@@ -1,5 +1,5 @@
-// A traced branch, judged point by point and divided at its borders into branches of orbits of the
-// same kind.
+// A traced branch, judged point by point and divided at its boundaries into branches of orbits of
+// the same kind.
 #pragma once
 
 #include <vector>
@@ -9,17 +9,17 @@
 namespace graze {
 
 // Where a special point of a branch leads.
-struct SpecialLead {
+struct SpecialContinuation {
   LaidOrbits* orbits = nullptr;            // whose equations it solves
   std::vector<OrbitBranchPoint> others{};  // as of BranchPlace
 };
 
 struct BranchPart {
   OrbitBranch branch;
-  std::vector<SpecialLead> leads;  // of its special points
+  std::vector<SpecialContinuation> leads;  // of its special points
 };
 
-// The parts that are listed. Pieces that lead beyond a border are cut off there.
+// The parts that are listed. Pieces that lead beyond a boundary are cut off there.
 std::vector<BranchPart> parts_of(std::vector<BranchPiece>& pieces);
 
 }  // namespace graze

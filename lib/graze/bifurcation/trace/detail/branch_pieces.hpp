@@ -8,7 +8,7 @@
 #include <memory>
 #include <vector>
 
-#include "graze/bifurcation/cut/detail/branch_borders.hpp"
+#include "graze/bifurcation/cut/detail/branch_boundaries.hpp"
 #include "graze/bifurcation/problem/detail/orbit_problem.hpp"
 
 namespace graze {
@@ -16,7 +16,7 @@ namespace graze {
 // The orbits of one layout, to be traced.
 struct LaidOrbits {
   std::unique_ptr<OrbitProblem> problem;
-  std::unique_ptr<BranchBorders> borders;
+  std::unique_ptr<BranchBoundaries> boundaries;
   double closure_speed = 0.0;  // m/s, by which their chatters are closed
 
   OrbitProblem* operator->() const { return problem.get(); }
@@ -31,7 +31,7 @@ struct BranchPiece {
 using Clearer = std::function<LaidOrbits*(const LaidOrbits& orbits, const SolutionPoint& solution)>;
 
 // In order along the branch; each piece but the first begins with the orbit that the one before it
-// ends with. Its solutions go on as its borders allow; its period is not halved but at the ends.
+// ends with. Its solutions go on as its boundaries allow; its period is not halved but at the ends.
 std::vector<BranchPiece> trace_pieces(const Clearer& clearer, LaidOrbits& orbits,
                                       const ContinuationOptions& options,
                                       const SolutionPoint& start, Directions directions);

@@ -15,15 +15,15 @@ namespace graze {
 class OrbitProblems {
  public:
   // Refers to the scene. `units`: the lengths of the parameters' ranges. `scale`: of the unknowns
-  // of flights. `passage`: but for the closure speed, which is that of the orbits.
+  // of flights. `segment`: but for the closure speed, which is that of the orbits.
   OrbitProblems(const Scene& scene, std::vector<std::string> parameters, std::vector<double> units,
-                const MotionScale& scale, const PassageOptions& passage);
+                const MotionScale& scale, const SegmentOptions& segment);
   OrbitProblems(const OrbitProblems&) = delete;
   OrbitProblems& operator=(const OrbitProblems&) = delete;
 
-  // What a problem is traced with, of its borders; none are made before this is set.
-  using MakeBorders = std::function<std::unique_ptr<BranchBorders>(const OrbitProblem&)>;
-  void set_borders(MakeBorders make) { make_borders_ = std::move(make); }
+  // What a problem is traced with, of its boundaries; none are made before this is set.
+  using MakeBoundaries = std::function<std::unique_ptr<BranchBoundaries>(const OrbitProblem&)>;
+  void set_boundaries(MakeBoundaries make) { make_boundaries_ = std::move(make); }
 
   // An orbit in the unknowns of its problem.
   struct Written {
@@ -55,9 +55,9 @@ class OrbitProblems {
   std::vector<std::string> parameters_;
   std::vector<double> units_;
   MotionScale scale_;
-  PassageOptions passage_;
+  SegmentOptions segment_;
   SystemCursor systems_;
-  MakeBorders make_borders_;
+  MakeBoundaries make_boundaries_;
   std::deque<LaidOrbits> orbits_;  // references to them stay valid
 };
 

@@ -2,7 +2,7 @@
 // orientation, period doublings and tori from its multipliers.
 //
 // The latter two are read off the multipliers at points within each step, so many that every
-// crossing is seen (crossing_stations.hpp, circle_crossings.hpp). Branch points are located as
+// crossing is seen (crossing_samples.hpp, circle_crossings.hpp). Branch points are located as
 // regular solutions of a larger system.
 #pragma once
 

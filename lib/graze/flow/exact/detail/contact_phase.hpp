@@ -4,7 +4,7 @@
 // Six of them stand behind this contract, chosen once for each phase (phase_choice.hpp):
 //
 //   FreePhase      nothing holds the structure: its modes in closed form        exact_phase.hpp
-//   HeldPhase      closed stops hold it, and it has real modes there            exact_phase.hpp
+//   ConstrainedPhase      closed stops hold it, and it has real modes there exact_phase.hpp
 //   CoupledPhase   the same where oblique laws or damping couple its modes      coupled_phase.hpp
 //   SteppedPhase   any of these, integrated step by step instead                stepped_phase.hpp
 //   SprungPhase    springs are compressed                                       sprung_phase.hpp

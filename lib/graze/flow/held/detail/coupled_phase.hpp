@@ -9,7 +9,7 @@ class CoupledPhase final : public ExactPhase<double> {
  public:
   using ContactPhase<double>::start;
   // `equations` are those of the structure (couple()).
-  CoupledPhase(const System& system, PhaseKey key, HeldStructure<double> structure,
+  CoupledPhase(const System& system, PhaseKey key, ConstrainedStructure<double> structure,
                const CoupledSystem& equations);
 
   std::string refusal() const override { return flow_.instability(); }

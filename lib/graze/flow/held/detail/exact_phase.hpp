@@ -4,8 +4,8 @@
 #include <vector>
 
 #include "graze/flow/exact/detail/contact_phase.hpp"
+#include "graze/flow/held/detail/constrained_structure.hpp"
 #include "graze/flow/held/detail/coupled_flow.hpp"
-#include "graze/flow/held/detail/held_structure.hpp"
 
 namespace graze {
 
@@ -14,9 +14,9 @@ class ExactPhase : public ContactPhase<Real> {
  public:
   using ContactPhase<Real>::start;
   // `structure` is that of the closed stops of the key.
-  ExactPhase(const System& system, PhaseKey key, HeldStructure<Real> structure);
+  ExactPhase(const System& system, PhaseKey key, ConstrainedStructure<Real> structure);
 
-  const HeldStructure<Real>& structure() const { return structure_; }
+  const ConstrainedStructure<Real>& structure() const { return structure_; }
   const std::vector<Observable<Real>>& observables() const { return observables_; }
   // The gap of an open stop along the arc, for `window` seconds; `from_zero`: it starts on the
   // stop. Holds until the arc ends, or is asked for with another window.
@@ -43,7 +43,7 @@ class ExactPhase : public ContactPhase<Real> {
                          const Real& window, bool from_zero) const = 0;
   virtual Real start_phase() const = 0;
 
-  HeldStructure<Real> structure_;
+  ConstrainedStructure<Real> structure_;
   std::vector<Observable<Real>> observables_;  // of every stop: gap, or contact force where closed
   struct KeptCurve {
     bool known = false, from_zero = false;
@@ -72,9 +72,9 @@ class FreePhase final : public ExactPhase<Real> {
 };
 
 template <class Real>
-class HeldPhase final : public ExactPhase<Real> {
+class ConstrainedPhase final : public ExactPhase<Real> {
  public:
-  HeldPhase(const System& system, PhaseKey key, HeldStructure<Real> structure);
+  ConstrainedPhase(const System& system, PhaseKey key, ConstrainedStructure<Real> structure);
 
   // Where the structure that is held has no real modes.
   std::string refusal() const override;

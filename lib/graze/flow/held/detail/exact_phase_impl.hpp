@@ -10,7 +10,8 @@
 namespace graze {
 
 template <class Real>
-ExactPhase<Real>::ExactPhase(const System& system, PhaseKey key, HeldStructure<Real> structure)
+ExactPhase<Real>::ExactPhase(const System& system, PhaseKey key,
+                             ConstrainedStructure<Real> structure)
     : ContactPhase<Real>(std::move(key)),
       structure_(std::move(structure)),
       observables_(structure_.observables(system)),
@@ -89,7 +90,7 @@ Real ExactPhase<Real>::force_rate(int stop) const {
 
 template <class Real>
 FreePhase<Real>::FreePhase(const System& system, PhaseKey key)
-    : ExactPhase<Real>(system, std::move(key), HeldStructure<Real>(system, {})),
+    : ExactPhase<Real>(system, std::move(key), ConstrainedStructure<Real>(system, {})),
       flow_(this->structure().reduced),
       arc_(flow_) {}
 
@@ -115,26 +116,28 @@ bool FreePhase<Real>::set_curve(ArcCurve<Real>& curve, const Observable<Real>& o
 }
 
 template <class Real>
-HeldPhase<Real>::HeldPhase(const System& system, PhaseKey key, HeldStructure<Real> structure)
+ConstrainedPhase<Real>::ConstrainedPhase(const System& system, PhaseKey key,
+                                         ConstrainedStructure<Real> structure)
     : ExactPhase<Real>(system, std::move(key), std::move(structure)),
       flow_(this->structure().reduced),
       arc_(flow_) {}
 
 template <class Real>
-std::string HeldPhase<Real>::refusal() const {
+std::string ConstrainedPhase<Real>::refusal() const {
   if (this->structure().has_real_modes) return {};
   return "the constrained motion has no real modes; it is followed in double precision only";
 }
 
 template <class Real>
-void HeldPhase<Real>::start(const Real& theta, const RealVector<Real>& q,
-                            const RealVector<Real>& qdot, const Real& /*time*/) {
+void ConstrainedPhase<Real>::start(const Real& theta, const RealVector<Real>& q,
+                                   const RealVector<Real>& qdot, const Real& /*time*/) {
   this->forget_curves();
   arc_.start(theta, this->structure().coordinates(q), this->structure().rates(qdot));
 }
 
 template <class Real>
-void HeldPhase<Real>::state(const Real& s, RealVector<Real>& q, RealVector<Real>& qdot) const {
+void ConstrainedPhase<Real>::state(const Real& s, RealVector<Real>& q,
+                                   RealVector<Real>& qdot) const {
   const Eigen::Index m = this->structure().size();
   RealVector<Real> y(m), ydot(m);
   arc_.state(s, y, ydot);
@@ -143,8 +146,8 @@ void HeldPhase<Real>::state(const Real& s, RealVector<Real>& q, RealVector<Real>
 }
 
 template <class Real>
-bool HeldPhase<Real>::set_curve(ArcCurve<Real>& curve, const Observable<Real>& observable,
-                                const Real& window, bool from_zero) const {
+bool ConstrainedPhase<Real>::set_curve(ArcCurve<Real>& curve, const Observable<Real>& observable,
+                                       const Real& window, bool from_zero) const {
   curve.restart(arc_, observable, window, from_zero);
   return true;
 }

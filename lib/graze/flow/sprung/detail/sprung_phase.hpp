@@ -23,7 +23,7 @@ class SprungPhase : public IntegratedPhase {
   // `steps`: the method is the scene's, not the one that suits contacts.
   SprungPhase(const System& system, const PhaseKey& key, const std::optional<StepSetting>& steps);
 
-  const HeldStructure<double>& structure() const final { return structure_; }
+  const ConstrainedStructure<double>& structure() const final { return structure_; }
   std::string refusal() const final { return refusal_; }
   // What it integrates, and the depths at the start of the arc, m: of the loaded springs, then of
   // the parted ones.
@@ -38,7 +38,7 @@ class SprungPhase : public IntegratedPhase {
 
  protected:
   struct Equations {
-    HeldStructure<double> structure;
+    ConstrainedStructure<double> structure;
     SprungSystem system;
     std::string refusal{};
   };
@@ -61,7 +61,7 @@ class SprungPhase : public IntegratedPhase {
   const Vector& start_qdot() const { return qdot_; }
   // The springs of a phase for what it integrates.
   static void add_springs(const System& system, const PhaseKey& key,
-                          const HeldStructure<double>& structure, SprungSystem& equations);
+                          const ConstrainedStructure<double>& structure, SprungSystem& equations);
 
  private:
   static Equations equations_of(const System& system, const PhaseKey& key);
@@ -72,7 +72,7 @@ class SprungPhase : public IntegratedPhase {
   void watch_springs(const MotionState<double>& now, std::vector<Watched>& list) final;
   std::optional<Arrival<double>> left_at_once(const MotionState<double>& now) const final;
 
-  HeldStructure<double> structure_;
+  ConstrainedStructure<double> structure_;
   SprungSystem equations_;
   std::string refusal_;
   std::vector<int> springs_;                         // the stops that they are of

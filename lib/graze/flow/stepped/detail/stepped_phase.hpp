@@ -16,7 +16,7 @@ class IntegratedPhase : public ContactPhase<double> {
  public:
   using ContactPhase<double>::start;
   StepFlow& steps() const { return *steps_; }
-  virtual const HeldStructure<double>& structure() const = 0;
+  virtual const ConstrainedStructure<double>& structure() const = 0;
   void state(const double& s, Vector& q, Vector& qdot) const override;
   Arrival<double> first_event(const MotionState<double>& now,
                               const Flight<double>& flight) override;
@@ -58,7 +58,7 @@ class SteppedPhase final : public IntegratedPhase {
  public:
   SteppedPhase(std::unique_ptr<ExactPhase<double>> exact, const StepSetting& setting);
 
-  const HeldStructure<double>& structure() const override { return exact_->structure(); }
+  const ConstrainedStructure<double>& structure() const override { return exact_->structure(); }
   std::string refusal() const override { return exact_->refusal(); }
   void start(const double& theta, const Vector& q, const Vector& qdot, const double& time) override;
   CurvePoint<double> gap_rate(int stop, int order) const override {

@@ -1,5 +1,5 @@
-// What a passage (passage.hpp) carries along with its motion: the deviations of its start and the
-// one by a parameter, event by event.
+// What a segment (trajectory_segment.hpp) carries along with its motion: the deviations of its
+// start and the one by a parameter, event by event.
 #pragma once
 
 #include <vector>
@@ -12,7 +12,7 @@ namespace graze {
 
 // A direction in which the start and the parameter move: weights of the deviations, one for each,
 // and of the parameter's own.
-struct PassageDirection {
+struct SegmentDirection {
   Vector deviations;
   double parameter = 0.0;
   const System* tangent = nullptr;  // derivative of the system by the parameter
@@ -40,12 +40,12 @@ class CarriedDeviations {
   // Into a contact with a compliant stop at its surface, or with the sign -1 out of it.
   void cross_surface(int stop, double sign);
   // Back to the instant of the undisturbed motion; its rate but for one spring.
-  void undelay(int without = -1);
+  void project_to_fixed_time(int without = -1);
 
   // How the gap at a stop, s after the departure of the flight just flown, moves along a direction.
-  double gap_rate(const PassageDirection& along, int stop, double s) const;
+  double gap_rate(const SegmentDirection& along, int stop, double s) const;
   // How the speed of an impact moves, the deviations being those at the contact.
-  double speed_rate(const PassageDirection& along, int stop, const State& before) const;
+  double speed_rate(const SegmentDirection& along, int stop, const State& before) const;
 
   std::vector<int> closed_now() const;
 

@@ -22,7 +22,7 @@
 
 #include <optional>
 
-#include "graze/orbit/problem/detail/passage_shooting.hpp"
+#include "graze/orbit/problem/detail/segment_shooting.hpp"
 
 namespace graze {
 
@@ -35,7 +35,7 @@ double parting_ratio(double restitution);
 // d, in units of the longest time constant that the forcing leaves, 1/Omega; of a motion from a
 // release, on the stop that is released. Requires a layout with one section there. Smooth; nothing
 // where the motion cannot be followed, or no chatter leads to that release.
-std::optional<double> completion_distance(const System& system, const PassageShooting& shooting,
+std::optional<double> completion_distance(const System& system, const SegmentShooting& shooting,
                                           const Vector& u);
 
 }  // namespace graze

@@ -1,4 +1,4 @@
-// Periodic orbits whose motion is followed from section to section (passage_shooting.hpp): those
+// Periodic orbits whose motion is followed from section to section (segment_shooting.hpp): those
 // that stick, or close a chatter, and those on compliant stops.
 //
 // The motion is certified event by event, so that a solution is admissible: gaps are clear between
@@ -14,8 +14,8 @@
 #include <string>
 #include <vector>
 
-#include "graze/orbit/problem/detail/passage_shooting.hpp"
-#include "graze/orbit/problem/detail/touch.hpp"
+#include "graze/orbit/problem/detail/grazing_contact.hpp"
+#include "graze/orbit/problem/detail/segment_shooting.hpp"
 #include "graze/orbit/problem/orbit.hpp"
 
 namespace graze {
@@ -29,26 +29,26 @@ struct FollowedAnswer {
 // forcing periods; on rigid stops alone one that sticks. Requires forcing. The guess has to lie
 // where Newton's method converges; a simulated motion that repeats to 1e-6 does.
 FollowedAnswer followed_orbit(const System& system, const State& at_period_start, int period,
-                              const PassageOptions& options);
+                              const SegmentOptions& options);
 
 // The orbit near one on compliant stops with these states at the starts of its forcing periods.
 FollowedAnswer followed_orbit(const System& system, const std::vector<State>& turns,
-                              const PassageOptions& options);
+                              const SegmentOptions& options);
 
 // The orbit that repeats, after `period` forcing periods, a motion that is known to do so, from a
 // state within a stuck phase. Nothing is solved; its residual says how nearly it repeats. No orbit
 // where the motion does not come back to that stuck phase.
 FollowedAnswer orbit_through(const System& system, const MotionState<double>& at_section,
-                             int period, const PassageOptions& options);
+                             int period, const SegmentOptions& options);
 
 // The orbit of a solution with these multipliers (at a release those of a section within the stuck
-// phase before it are found in place of them); with `touch` as an impact at speed 0 with a contact
-// in which nothing happens. No orbit without any impact,
-// where a rigid stop is stuck to and none is closed at the section, where the motion does not come
-// back to those that are, or cannot be followed.
-std::optional<Orbit> orbit_of(const System& system, const PassageShooting& shooting,
+// phase before it are found in place of them); with `grazing` as an impact at speed 0 with a
+// contact in which nothing happens. No orbit without any impact, where a rigid stop is stuck to and
+// none is closed at the section, where the motion does not come back to those that are, or cannot
+// be followed.
+std::optional<Orbit> orbit_of(const System& system, const SegmentShooting& shooting,
                               const Vector& u, std::vector<Eigenvalue> multipliers,
-                              const std::optional<Touch>& touch = {});
+                              const std::optional<GrazingContact>& grazing = {});
 
 // The states at the starts of its forcing periods; requires an orbit on compliant stops.
 std::vector<State> turns_of(const Orbit& orbit);

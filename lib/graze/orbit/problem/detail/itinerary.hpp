@@ -1,10 +1,10 @@
-// What happens in a passage besides its chatters: how many impacts of a chatter are resolved before
+// What happens in a segment besides its chatters: how many impacts of a chatter are resolved before
 // its tail is summed means nothing.
 #pragma once
 
 #include <vector>
 
-#include "graze/orbit/problem/detail/passage.hpp"
+#include "graze/orbit/problem/detail/trajectory_segment.hpp"
 
 namespace graze {
 
@@ -18,16 +18,16 @@ struct Itinerary {
   Instant<double> slowest_at{};
 };
 
-// The stuck phases that begin within the passage, in time order.
-std::vector<const PassedHold*> holds_begun(const Passage& passage);
+// The stuck phases that begin within the segment, in time order.
+std::vector<const SegmentSticking*> sticking_begun(const TrajectorySegment& segment);
 
 // `still`, m/s: impacts no faster are rounding; see still_speed().
-Itinerary itinerary_of(const Passage& passage, double still);
+Itinerary itinerary_of(const TrajectorySegment& segment, double still);
 
 // What must stay positive for the itinerary to stay what it is, and its rate along a direction: the
 // speed of an impact, or the gap at an interior approach that is not between two impacts of one
 // chatter.
-struct PassageMargin {
+struct SegmentMargin {
   bool is_speed = false;
   std::size_t place = 0;  // how many impacts of the itinerary come before it
   int stop = 0;
@@ -35,7 +35,7 @@ struct PassageMargin {
   double value = 0.0, rate = 0.0;  // m/s or m, and along the direction
 };
 
-// In time order, of a passage that was followed along a direction.
-std::vector<PassageMargin> margins_of(const Passage& passage, double still);
+// In time order, of a segment that was followed along a direction.
+std::vector<SegmentMargin> margins_of(const TrajectorySegment& segment, double still);
 
 }  // namespace graze

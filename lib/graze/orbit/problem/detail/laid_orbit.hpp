@@ -1,4 +1,4 @@
-// By which layouts an orbit that is followed can be continued (passage_shooting.hpp).
+// By which layouts an orbit that is followed can be continued (segment_shooting.hpp).
 #pragma once
 
 #include <vector>
@@ -9,7 +9,7 @@ namespace graze {
 
 // An orbit on the sections of a layout.
 struct LaidOrbit {
-  PassageLayout layout;
+  SegmentLayout layout;
   double theta = 0.0;  // of its sections, rad
   std::vector<State> states;
   double held = 0.0;  // how long the stop that is released there was closed, s
@@ -19,6 +19,6 @@ struct LaidOrbit {
 // sticks: its releases, that of the most closed stops first, and of these the one after the longest
 // stuck phase; none where its stops are never let go. Else its fixed phase.
 std::vector<LaidOrbit> layouts_of(const System& system, const Orbit& orbit,
-                                  const PassageOptions& options);
+                                  const SegmentOptions& options);
 
 }  // namespace graze

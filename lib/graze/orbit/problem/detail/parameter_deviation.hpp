@@ -1,9 +1,9 @@
 // The deviation to the motion of a system that is a little different, event by event, per unit of
-// the parameter that moves the system along its tangent: the derivative of a passage by a parameter
+// the parameter that moves the system along its tangent: the derivative of a segment by a parameter
 // of the scene.
 //
-// Carried like the deviations of a start (passage.hpp), on its own events, with what the parameter
-// itself moves:
+// Carried like the deviations of a start (trajectory_segment.hpp), on its own events, with what the
+// parameter itself moves:
 //   contact  b.dq + db.q = da at the deviated contact,  dt' = dt - (b.dq + db.q - da)/v;
 //   impact   the derivative of the jump at fixed position, by its speeds, rows, directions and r;
 //   closure  as an impact with r = 0;
@@ -20,11 +20,11 @@ namespace graze {
 
 class ParameterDeviation {
  public:
-  // `start`: how the state at the start of the passage moves, at a fixed forcing phase. Refers to
+  // `start`: how the state at the start of the segment moves, at a fixed forcing phase. Refers to
   // both systems. Requires forcing.
   ParameterDeviation(const System& system, const System& tangent, const State& start);
 
-  // Of the state at hand; at a fixed forcing phase again once the passage has ended.
+  // Of the state at hand; at a fixed forcing phase again once the segment has ended.
   State value() const { return {column_.q.col(0), column_.qdot.col(0)}; }
 
   // Along a flight of s seconds from `start` at phase theta. What it adds to b.dq + db.q - da at a

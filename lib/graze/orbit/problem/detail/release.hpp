@@ -1,31 +1,31 @@
 // What becomes of the motion of an orbit that sticks from the release at which it is continued
-// (passage_shooting.hpp).
+// (segment_shooting.hpp).
 #pragma once
 
 #include <optional>
 #include <vector>
 
 #include "graze/orbit/problem/detail/itinerary.hpp"
-#include "graze/orbit/problem/detail/passage_shooting.hpp"
+#include "graze/orbit/problem/detail/segment_shooting.hpp"
 
 namespace graze {
 
 // What became of the motion from a release.
 struct ReleaseReturn {
-  Passage passage;
+  TrajectorySegment segment;
   // The stops that were closed by a chatter (or an impact with r = 0), in time order.
-  std::vector<int> holds;
+  std::vector<int> sticking;
   bool returns = false;  // to the same stops, released at the section
   // The shortest of these stuck phases, s; infinite where there is none.
-  double shortest_hold = 0.0;
+  double shortest_sticking = 0.0;
   // What happens. Its events change where an impact is born or lost, but also where two impacts at
   // the head of a chatter come to be equally fast.
   Itinerary itinerary{};
 };
 
 // Requires a layout with one section, at a release. Nothing where the motion cannot be followed.
-// `minima`: as in PassageOptions.
-std::optional<ReleaseReturn> return_of(const System& system, const PassageShooting& shooting,
+// `minima`: as in SegmentOptions.
+std::optional<ReleaseReturn> return_of(const System& system, const SegmentShooting& shooting,
                                        const Vector& u, bool minima = false);
 
 // Whether a stuck phase of the motion has shrunk to nothing. `period` of the forcing, s.

@@ -16,7 +16,7 @@
 #include <string>
 #include <vector>
 
-#include "graze/orbit/problem/detail/passage.hpp"
+#include "graze/orbit/problem/detail/trajectory_segment.hpp"
 
 namespace graze {
 
@@ -24,9 +24,9 @@ class SectionMap {
  public:
   // `reference`: the system whose rows and units make the coordinates. Requires forcing. `closed`:
   // C in rising order, with independent rows.
-  SectionMap(const System& reference, std::vector<int> closed, const PassageOptions& options);
+  SectionMap(const System& reference, std::vector<int> closed, const SegmentOptions& options);
 
-  const PassageOptions& options() const { return options_; }
+  const SegmentOptions& options() const { return options_; }
   const std::vector<int>& closed() const { return closed_; }
   Eigen::Index size() const { return unit_.size(); }  // 2(N - m)
   const Vector& unit() const { return unit_; }        // of x
@@ -64,13 +64,14 @@ class SectionMap {
                              bool moves, std::span<const System* const> tangents) const;
   // Why there is none; empty where there is.
   std::string why_no_image(const System& system, const Vector& x, double theta, int periods) const;
-  // The motion over as many periods; nothing likewise. `minima`: as in PassageOptions.
-  std::optional<Passage> follow(const System& system, const Vector& x, double theta, int periods,
-                                bool minima = false) const;
+  // The motion over as many periods; nothing likewise. `minima`: as in SegmentOptions.
+  std::optional<TrajectorySegment> follow(const System& system, const Vector& x, double theta,
+                                          int periods, bool minima = false) const;
   // Followed along a direction of (theta where it moves, x) and of the parameter.
-  std::optional<Passage> follow_along(const System& system, const Vector& x, double theta,
-                                      int periods, bool moves, const System& tangent,
-                                      const Vector& direction, double parameter_rate) const;
+  std::optional<TrajectorySegment> follow_along(const System& system, const Vector& x, double theta,
+                                                int periods, bool moves, const System& tangent,
+                                                const Vector& direction,
+                                                double parameter_rate) const;
 
   // The motion at a forcing angle after the section, angle >= 0.
   struct Within {
@@ -90,7 +91,7 @@ class SectionMap {
   Deviations start_deviations(const System& system, const MotionState<double>& start,
                               const Chart& chart, bool moves) const;
 
-  PassageOptions options_;
+  SegmentOptions options_;
   std::vector<int> closed_;
   Matrix basis_;  // U, N x (N - m)
   Vector unit_;   // of (y, y')

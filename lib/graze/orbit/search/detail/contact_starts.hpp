@@ -11,21 +11,21 @@
 #include <cstdint>
 #include <vector>
 
-#include "graze/orbit/problem/detail/passage.hpp"
 #include "graze/orbit/problem/detail/shooting.hpp"
+#include "graze/orbit/problem/detail/trajectory_segment.hpp"
 
 namespace graze {
 
 // From just before an impact on this stop, through what becomes of it, to the end of the forcing
 // period. Nothing where the motion cannot be followed so far.
 std::optional<State> period_end_after(const System& system, const ImpactPoint& impact, int stop,
-                                      const PassageOptions& passage);
+                                      const SegmentOptions& segment);
 
 std::vector<State> closed_form_contacts(const System& system, int period,
-                                        const PassageOptions& passage);
+                                        const SegmentOptions& segment);
 
 // On this stop, no more than `count`; `speed`, m/s, of the forced motion.
 std::vector<State> rough_contacts(const System& system, int stop, int period, int count,
-                                  double speed, std::uint64_t seed, const PassageOptions& passage);
+                                  double speed, std::uint64_t seed, const SegmentOptions& segment);
 
 }  // namespace graze

@@ -17,6 +17,6 @@ std::optional<std::vector<int>> opposite_stops(const System& system);
 // to its section. `opposite` as above.
 std::optional<Orbit> mirrored_orbit(const System& system, const Orbit& orbit,
                                     const std::vector<int>& opposite,
-                                    const PassageOptions& options);
+                                    const SegmentOptions& options);
 
 }  // namespace graze

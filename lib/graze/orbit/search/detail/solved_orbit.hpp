@@ -22,10 +22,10 @@ std::optional<Orbit> orbit_near(const System& system, const ImpactPattern& patte
 
 // That a motion which repeats has settled on. Requires forcing.
 FollowedAnswer orbit_near(const System& system, const SettledMotion& settled,
-                          const PassageOptions& options);
+                          const SegmentOptions& options);
 
 // What an orbit of another system nearby has become; requires one that does not stick.
 std::optional<Orbit> orbit_near(const System& system, const Orbit& neighbour,
-                                const PassageOptions& options);
+                                const SegmentOptions& options);
 
 }  // namespace graze

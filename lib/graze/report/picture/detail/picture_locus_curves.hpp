@@ -14,7 +14,7 @@
 namespace graze {
 
 // Points of a locus from `first` to `last` whose orbits all are, or are not, some of the system.
-// Where the verdict changes both parts have the point.
+// Where the classification changes both parts have the point.
 struct LocusPart {
   bool is_real = true;
   std::size_t first = 0, last = 0;

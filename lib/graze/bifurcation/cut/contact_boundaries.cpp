@@ -1,0 +1,176 @@
+#include "graze/bifurcation/cut/detail/contact_boundaries.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <utility>
+
+#include "graze/bifurcation/cut/detail/grazing_search.hpp"
+#include "graze/continuation/branch/detail/locate.hpp"
+
+namespace graze {
+namespace {
+
+// The stop of a contact that only one of two orbits has; nothing where they have the same.
+std::optional<int> stop_of_difference(const std::vector<int>& a, const std::vector<int>& b) {
+  std::vector<int> difference;
+  std::set_symmetric_difference(a.begin(), a.end(), b.begin(), b.end(),
+                                std::back_inserter(difference));
+  return difference.empty() ? std::nullopt : std::optional(difference.front());
+}
+
+// Of the contacts of a place, in rising order; none where it is no orbit.
+std::vector<int> stops_of(const BranchPlace& place) {
+  std::vector<int> stops = place.at.orbit.pattern().stops;
+  std::sort(stops.begin(), stops.end());
+  return stops;
+}
+
+}  // namespace
+
+bool ContactBoundaries::resolves(const SolutionPoint& from, const SolutionPoint& to) {
+  const std::optional<int> stop =
+      stop_of_difference(equations_.stops_met(from), equations_.stops_met(to));
+  // Across a corner the tangents say nothing.
+  if (!stop || !equations_.sets_in_smoothly(from, *stop)) return true;
+  // What is this short shows all there is.
+  if ((to.u - from.u).norm() <= kOnePoint * (1.0 + from.u.norm())) return true;
+  const std::optional<FoundGrazing> grazing =
+      find_grazing_between(equations_, options_, from, to, *stop);
+  return grazing && grazing->at.tangent.dot(from.tangent) >= std::cos(options_.max_turn);
+}
+
+// `approach`: an approach touches there, else a contact loses its speed.
+BranchPlace ContactBoundaries::boundary(const SolutionPoint& at,
+                                        std::optional<OrbitBranchPoint> orbit,
+                                        bool approach) const {
+  BranchPlace place;
+  place.end = OrbitBranchEnd::kGrazing;
+  place.listed = orbit.has_value();
+  if (!orbit) return place;
+  place.at = std::move(*orbit);
+  place.special = SpecialPoint{SpecialKind::kGrazing, "", place.at, {}, !approach, at};
+  return place;
+}
+
+// The contacts of the orbits on both sides tell it, in whatever order.
+void ContactBoundaries::pass(const JudgedPoint& a, const JudgedPoint& b,
+                             std::vector<BranchPlace>& places) {
+  const std::vector<int> before = stops_of(a.place), after = stops_of(b.place);
+  const std::optional<int> stop = stop_of_difference(before, after);
+  if (!stop) return;
+  const bool born = before.size() < after.size();
+  if (auto grazing = find_grazing_between(equations_, options_, a.point, b.point, *stop)) {
+    grazing->at.bracket =
+        bracket_around({a.point.parameter, b.point.parameter, grazing->at.parameter}, true);
+    for (const bool approach : {born, !born})
+      places.push_back(boundary(grazing->at,
+                                approach ? equations_.judge_without(grazing->at, grazing->contact)
+                                         : equations_.judge_grazing(grazing->at, grazing->contact),
+                                approach));
+  } else {
+    const std::optional<SolutionPoint> at =
+        grazing_between(a.point, b.point, before.size(), after.size());
+    const bool met = std::min(before.size(), after.size()) > 0;
+    for (const bool approach : {born, !born})
+      places.push_back(at && (met || !approach) ? boundary(*at, equations_.judge(*at), approach)
+                                                : boundary(a.point, {}, approach));
+  }
+  places.back().begins = true;
+}
+
+// How far an orbit is from a grazing, m or m^2/s^2: in proportion to the distance along the
+// branch.
+std::optional<double> ContactBoundaries::margin_of(const SolutionPoint& point, bool speed,
+                                                   std::size_t impacts) const {
+  const std::optional<OrbitBranchPoint> at = equations_.judge(point);
+  if (!at || at->orbit.impacts.size() != impacts) return {};
+  if (speed) return at->smallest_speed * at->smallest_speed;
+  return at->orbit.clearance;
+}
+
+// A margin that a trace which no step leads on from has come near enough to: 1e-5 of the speed of
+// the forced motion, or 1e-10 of its length.
+double ContactBoundaries::near_enough(bool speed) const {
+  constexpr double kPart = 1e-10;
+  const double size = speed ? equations_.speed_unit() : 1.0;
+  return kPart * (speed ? size * size : equations_.length());
+}
+
+// Where the force of a stop sets in with a jump the map has a corner at a grazing and the trace
+// cannot turn it. It is gone up to from its last points, where they lead onto one.
+std::optional<BranchTip> ContactBoundaries::close(Branch& trace, std::size_t side) {
+  const std::size_t count = trace.points.size();
+  if (trace.ends[side] != BranchEnd::kNotConverged || count < 2) return {};
+  const SolutionPoint& before = trace.points[side == 0 ? 1 : count - 2];
+  const SolutionPoint& last = trace.points[side == 0 ? 0 : count - 1];
+  const std::size_t impacts = equations_.stops_met(last).size();
+  for (const bool speed : {false, true}) {
+    const std::optional<SolutionPoint> corner = corner_beyond(before, last, speed, impacts);
+    if (!corner) continue;
+    if (side == 0) {
+      trace.points.insert(trace.points.begin(), *corner);
+      for (CriticalPoint& critical : trace.critical) ++critical.after;
+    } else {
+      trace.points.push_back(*corner);
+    }
+    return BranchTip{OrbitBranchEnd::kGrazing,
+                     boundary(*corner, equations_.judge(*corner), !speed)};
+  }
+  return {};
+}
+
+// By secants of the margin, from one side; nothing where they lead nowhere near.
+std::optional<SolutionPoint> ContactBoundaries::corner_beyond(SolutionPoint before,
+                                                              SolutionPoint last, bool speed,
+                                                              std::size_t impacts) const {
+  constexpr int kMostRounds = 40;
+  std::optional<double> from = margin_of(before, speed, impacts),
+                        to = margin_of(last, speed, impacts);
+  if (!from || !to) return {};
+  if (*to <= near_enough(speed)) {
+    last.bracket = bracket_around({last.parameter}, true);
+    return last;
+  }
+  if (!(*to < *from)) return {};
+  const double first = *from;
+  for (int round = 0; round < kMostRounds && 1e-12 * first < *to; ++round) {
+    // Not quite there: beyond, the motion is another one.
+    const double part = 0.9 * *to / (*from - *to);
+    if (!(part > 0.0) || (round == 0 && part > 1.0)) return {};
+    SolutionPoint guess = last;
+    guess.u += part * (last.u - before.u);
+    const double value = last.parameter + part * (last.parameter - before.parameter);
+    const std::optional<SolutionPoint> next =
+        solve_at(equations_.problem(), options_, guess.u, value);
+    const std::optional<double> left = next ? margin_of(*next, speed, impacts) : std::nullopt;
+    if (!left || !(*left < *to)) break;
+    before = std::exchange(last, *next);
+    from = std::exchange(to, left);
+  }
+  if (!(*to <= 1e-3 * first)) return {};
+  // Seen from one side alone: as far beyond as the last secant says.
+  const double ahead = *to / (*from - *to) * (last.parameter - before.parameter);
+  last.bracket =
+      bracket_around({last.parameter, last.parameter + ahead}, *to <= near_enough(speed));
+  return last;
+}
+
+// The gap of an approach falls through zero in proportion to the distance; beyond, the square of
+// the speed of the contact grows with it.
+std::optional<SolutionPoint> ContactBoundaries::grazing_between(const SolutionPoint& a,
+                                                                const SolutionPoint& b,
+                                                                std::size_t before,
+                                                                std::size_t after) const {
+  const std::size_t fewer = std::min(before, after);
+  const double sign = before < after ? 1.0 : -1.0;
+  const auto test = [&](const SolutionPoint& point) {
+    const std::optional<OrbitBranchPoint> at = equations_.judge(point);
+    const std::size_t here = at ? at->orbit.impacts.size() : 0;
+    if (here > fewer) return -sign * at->smallest_speed * at->smallest_speed;
+    return sign * (at && at->orbit.clearance ? std::abs(*at->orbit.clearance) : 1.0);
+  };
+  return locate(equations_.problem(), options_, a, b, test);
+}
+
+}  // namespace graze

@@ -1,0 +1,46 @@
+// Boundaries of orbits that are followed from stroboscopic section to section, on compliant stops:
+// where a contact is born or lost (GR). Where the force of its stop sets in continuously the branch
+// goes on smoothly, with orbits of other contacts; where it sets in with a jump the map has a
+// corner there and the trace ends as it may. Solutions whose motion meets no stop are another
+// matter.
+#pragma once
+
+#include "graze/bifurcation/cut/detail/branch_boundaries.hpp"
+#include "graze/bifurcation/problem/detail/segment_equations.hpp"
+
+namespace graze {
+
+class ContactBoundaries : public BranchBoundaries {
+ public:
+  // Refers to both, which must outlive it.
+  ContactBoundaries(const SegmentEquations& equations, const ContinuationOptions& options)
+      : equations_(equations), options_(options) {}
+
+  bool lists(const SolutionPoint& solution) const override {
+    return equations_.judge(solution).has_value();
+  }
+  bool goes_on(const SolutionPoint& /*previous*/, const SolutionPoint& here) override {
+    return lists(here);
+  }
+  // Where a contact is born or lost within the step its grazing lies there too, and the branch has
+  // not turned too far up to that.
+  bool resolves(const SolutionPoint& from, const SolutionPoint& to) override;
+  void pass(const JudgedPoint& a, const JudgedPoint& b, std::vector<BranchPlace>& places) override;
+  std::optional<BranchTip> close(Branch& trace, std::size_t side) override;
+
+ private:
+  BranchPlace boundary(const SolutionPoint& at, std::optional<OrbitBranchPoint> orbit,
+                       bool approach) const;
+  std::optional<double> margin_of(const SolutionPoint& point, bool speed,
+                                  std::size_t impacts) const;
+  double near_enough(bool speed) const;
+  std::optional<SolutionPoint> corner_beyond(SolutionPoint before, SolutionPoint last, bool speed,
+                                             std::size_t impacts) const;
+  std::optional<SolutionPoint> grazing_between(const SolutionPoint& a, const SolutionPoint& b,
+                                               std::size_t before, std::size_t after) const;
+
+  const SegmentEquations& equations_;
+  const ContinuationOptions& options_;
+};
+
+}  // namespace graze

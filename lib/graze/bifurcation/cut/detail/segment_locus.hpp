@@ -1,0 +1,68 @@
+// Orbits that are followed along a locus. On compliant stops it ends where their motion meets no
+// stop any more; orbits that stick stay on it as long as their stuck phases, and the impacts that
+// lead to none, are the same: it ends at CH or GR, which is bracketed.
+#pragma once
+
+#include "graze/bifurcation/cut/detail/locus_orbits.hpp"
+#include "graze/bifurcation/problem/detail/segment_equations.hpp"
+
+namespace graze {
+
+// How far apart, in units of the unknowns and ranges of the parameters, an orbit and what is none
+// any more may be where a locus ends between them.
+inline constexpr double kLocusBracket = 1e-7;
+
+class FixedPhaseLocus : public LocusOrbits {
+ public:
+  // Refers to the equations over two parameters.
+  explicit FixedPhaseLocus(const SegmentEquations& equations) : equations_(equations) {
+    tolerance = SegmentEquations::critical_tolerance();
+  }
+  std::optional<LocusPlace> place(const LocusSite& at,
+                                  std::optional<LocusMargin> zero) const override;
+  ImpactPattern pattern(const std::vector<LocusPlace>& places) const override;
+  bool goes_on(const LocusSite& /*previous*/, const LocusSite& here) const override {
+    return place(here, {}).has_value();
+  }
+
+ protected:
+  const System* system_at(const LocusSite& at) const {
+    return equations_.system_at(std::array{at.first, at.second});
+  }
+  const SegmentEquations& equations_;
+};
+
+class ReleaseLocus : public FixedPhaseLocus {
+ public:
+  // `completing`: along CH, where every motion means one whose chatter completes, on either side;
+  // whether it still sticks is rounding.
+  explicit ReleaseLocus(const SegmentEquations& equations, bool completing = false);
+
+  std::optional<LocusPlace> place(const LocusSite& at,
+                                  std::optional<LocusMargin> zero) const override;
+  bool goes_on(const LocusSite& previous, const LocusSite& here) const override;
+  bool resolves(const LocusSite& from, const LocusSite& to) const override;
+  OrbitLocusEnd end_between(const LocusSite& inner, const LocusSite& outer) const override;
+  OrbitLocusEnd end_at(const LocusSite& last) const override;
+
+ protected:
+  // Whose segments are those of its orbits.
+  virtual std::optional<SegmentShooting> shooting_at(const LocusSite& /*at*/) const {
+    return equations_.shooting();
+  }
+  // With its section at the release itself, where no stuck phase may be left.
+  std::optional<LocusPlace> place_at_release(const LocusSite& at,
+                                             const std::optional<GrazingContact>& grazing) const;
+
+ private:
+  // `minima`: as in SegmentOptions.
+  std::optional<ReleaseReturn> return_at(const LocusSite& at, bool minima) const;
+  // What happens from the release on; nothing where the motion is none of this layout.
+  std::optional<Itinerary> itinerary_at(const LocusSite& at) const;
+  // How the locus ends between neighbours; nothing where it goes on.
+  std::optional<OrbitLocusEnd> change(const LocusSite& before, const LocusSite& now) const;
+
+  bool completing_;
+};
+
+}  // namespace graze

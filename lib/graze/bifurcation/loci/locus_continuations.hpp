@@ -1,0 +1,37 @@
+// What other loci pass a special point of a locus: from a point of codimension two on one kind they
+// are started on the others, so that a locus which no slice meets is found where it meets another.
+#pragma once
+
+#include <vector>
+
+#include "graze/bifurcation/problem/grazing_orbit.hpp"
+#include "graze/bifurcation/problem/orbit_locus.hpp"
+
+namespace graze {
+
+// A special point of orbits, at or near a locus.
+struct OrbitLocusStart {
+  OrbitLocusKind kind = OrbitLocusKind::kFold;
+  GrazingOrbit orbit;  // in its canonical order; on GR from the grazing contact on
+  double first = 0.0, second = 0.0;
+  Complex multiplier = 1.0;         // of NS: one of the pair
+  std::optional<Orbit> followed{};  // in place of `orbit`: one that is followed
+};
+
+// An orbit at a special point as a start of its locus. For one of grazing it is written from its
+// touch on, an impact whose speed vanishes (`by_speed`) or the nearest approach; nothing where
+// there is no approach. `system`: at these values.
+struct LocusStartPlace {
+  double first = 0.0, second = 0.0;
+  Complex multiplier = 1.0;  // the critical one
+};
+std::optional<OrbitLocusStart> locus_start(const System& system, OrbitLocusKind kind,
+                                           const GrazingOrbit& orbit, bool by_speed,
+                                           const LocusStartPlace& place);
+
+// `system`: at the special point; `speed_unit`, m/s, of the forced motion.
+std::vector<OrbitLocusStart> continuations_from(const System& system, const OrbitLocus& locus,
+                                                const OrbitLocusSpecial& special,
+                                                double speed_unit);
+
+}  // namespace graze

@@ -1,0 +1,44 @@
+#include "graze/flow/held/detail/constrained_structure.hpp"
+
+#include "graze/base/linalg/detail/dense_factors.hpp"
+#include "graze/base/linalg/detail/linear_equations.hpp"
+#include "graze/flow/held/detail/constrained_structure_impl.hpp"
+
+namespace graze {
+
+template struct ConstrainedStructure<double>;
+
+CoupledSystem couple(ConstrainedStructure<double>& held) {
+  const Eigen::Index n = held.rows.rows(), m = held.size();
+  // Left inverse of the basis that knows nothing of the directions: Z^T U = I, Z^T D = 0.
+  Matrix whole(n, n);
+  whole << held.basis, held.directions;
+  const Matrix left = LuFactors(whole).inverse().topRows(m);
+  CoupledSystem coupled;
+  coupled.damping = left * (2.0 * held.whole.delta).asDiagonal() * held.basis;
+  if (held.is_normal) {
+    coupled.stiffness = held.reduced.omega.cwiseAbs2().asDiagonal();
+    coupled.load = held.balanced_load();
+  } else {
+    held.left = left;
+    // From w U, that soft and free directions see nothing of the rounding of stiff ones.
+    coupled.stiffness = left * held.whole.omega.asDiagonal() * held.stretched;
+    coupled.load = -left * held.whole.omega.cwiseAbs2().cwiseProduct(held.rest);
+    if (held.whole.load.size() > 0) coupled.load += left * held.whole.load;
+    const PivotedLu<double> stiffness(coupled.stiffness);
+    if (held.reduced.omega.minCoeff() > 0.0 && stiffness.is_invertible()) {
+      const Vector balance = stiffness.solve(coupled.load);
+      if (balance.norm() <= kLargestAmplification * held.whole.reach) {
+        held.rest += held.basis * balance;
+        coupled.load.setZero();
+      }
+    }
+  }
+  coupled.force = held.whole.forced ? Vector(left * held.whole.amplitude) : Vector(Vector::Zero(m));
+  coupled.frequency = held.whole.forced ? held.whole.frequency : 0.0;
+  const double slowest = std::max(held.whole.frequency, 1e-3 * held.reduced.omega.maxCoeff());
+  coupled.scale = held.reduced.omega.cwiseMax(slowest > 0.0 ? slowest : 1.0);
+  return coupled;
+}
+
+}  // namespace graze

@@ -1,0 +1,71 @@
+// The structure while closed stops (and a joint that does not turn) hold it.
+//
+// Closed stops keep b_i.q = a_i by accelerations -d_i lambda_i along the directions of their
+// impulses:
+//
+//   q'' = P (g - 2 delta q' - w^2 q),  P = I - D (B^T D)^-1 B^T,
+//   lambda = (B^T D)^-1 B^T (g - 2 delta q' - w^2 q),   contact force = lambda_i/(b_i.b_i).
+//
+// This is again a linear system, on the reduced coordinates y of q = q_c + U y with B^T U = 0. For
+// the momentum law and proportional damping (equal decay rates or Rayleigh's) it decouples into
+// real modes, those of the structure held at its stops, and everything that holds in free flight
+// holds here; otherwise see couple().
+#pragma once
+
+#include <vector>
+
+#include "graze/flow/exact/detail/arc_curve.hpp"
+#include "graze/flow/held/detail/coupled_flow.hpp"
+
+namespace graze {
+
+template <class Real>
+struct ConstrainedStructure {
+  // `constrained`: indices of stops with linearly independent rows; none: the structure is free,
+  // and all that is empty below it is.
+  ConstrainedStructure(const System& system, std::vector<int> constrained);
+
+  bool is_free() const { return constrained.empty(); }
+  Eigen::Index size() const { return reduced.omega.size(); }  // of y, m
+  // y and y' of a state, and back.
+  RealVector<Real> coordinates(const RealVector<Real>& q) const {
+    return is_free() ? q : RealVector<Real>(basis.transpose() * (q - rest));
+  }
+  RealVector<Real> rates(const RealVector<Real>& qdot) const {
+    return is_free() ? qdot : RealVector<Real>(basis.transpose() * qdot);
+  }
+  RealVector<Real> displacements(const RealVector<Real>& y) const {
+    return is_free() ? y : RealVector<Real>(rest + basis * y);
+  }
+  RealVector<Real> velocities(const RealVector<Real>& ydot) const {
+    return is_free() ? ydot : RealVector<Real>(basis * ydot);
+  }
+  // Of every stop of the system that it was made from, on y: the gap, or its contact force where it
+  // holds.
+  std::vector<Observable<Real>> observables(const System& system) const;
+  // The column that belongs to a stop that holds.
+  Eigen::Index column_of(int stop) const;
+
+  std::vector<int> constrained;
+  LinearSystem<Real> whole;           // of all coordinates
+  RealMatrix<Real> rows, directions;  // B, D: N x constrained stops
+  RealMatrix<Real> shares;     // lambda_i = share_i.(free acceleration): N x constrained stops
+  RealMatrix<Real> basis;      // U, N x m
+  RealVector<Real> rest;       // q_c
+  LinearSystem<Real> reduced;  // its real modes; else of these their frequencies alone
+  bool has_real_modes = true;
+  bool is_normal = true;       // impulses act along the rows
+  RealMatrix<Real> stretched;  // w U, as it was decomposed
+  Matrix left;                 // left inverse of U that knows nothing of oblique
+                               // directions (couple()); empty where there are none
+
+ private:
+  void reduce(const System& system);
+  RealVector<Real> balanced_load();
+  friend CoupledSystem couple(ConstrainedStructure<double>& structure);
+};
+
+// Of a structure without real modes: the equations of its y. Moves its q_c.
+CoupledSystem couple(ConstrainedStructure<double>& structure);
+
+}  // namespace graze

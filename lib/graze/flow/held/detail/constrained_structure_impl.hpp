@@ -1,0 +1,165 @@
+// Definitions of constrained_structure.hpp; included by one translation unit per scalar.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "graze/base/linalg/detail/dense_factors.hpp"
+#include "graze/flow/exact/detail/exact_flow_impl.hpp"
+#include "graze/flow/held/detail/constrained_structure.hpp"
+#include "graze/flow/held/detail/contact_share.hpp"
+
+namespace graze {
+namespace constrained_structure_detail {
+
+// Roundings by which decay rates may miss alpha + beta w^2 and a direction b/(b.b).
+inline constexpr int kRoundings = 16;
+
+// Decay rates proportional to mass and stiffness: delta_j = alpha + beta w_j^2.
+template <class Real>
+struct ProportionalDamping {
+  Real alpha = 0, beta = 0;
+};
+
+template <class Real>
+std::optional<ProportionalDamping<Real>> proportional_damping(const LinearSystem<Real>& system) {
+  using std::abs;
+  const Eigen::Index n = system.omega.size();
+  const RealVector<Real> stiffness = system.omega.cwiseAbs2();
+  Eigen::Index low = 0, high = 0;
+  for (Eigen::Index j = 1; j < n; ++j) {
+    if (stiffness[j] < stiffness[low]) low = j;
+    if (stiffness[j] > stiffness[high]) high = j;
+  }
+  ProportionalDamping<Real> law;
+  if (system.delta[high] != system.delta[low] && stiffness[high] > stiffness[low])
+    law.beta = (system.delta[high] - system.delta[low]) / (stiffness[high] - stiffness[low]);
+  law.alpha = system.delta[low] - law.beta * stiffness[low];
+  for (Eigen::Index j = 0; j < n; ++j) {
+    const Real miss = abs(system.delta[j] - law.alpha - law.beta * stiffness[j]);
+    // The decay rates come in double precision, whatever the scalar.
+    if (miss > kRoundings * std::numeric_limits<double>::epsilon() * system.delta[j]) return {};
+  }
+  return law;
+}
+
+template <class Real>
+bool is_normal(const RealVector<Real>& row, const RealVector<Real>& direction) {
+  const RealVector<Real> normal = row / row.squaredNorm();
+  return (direction - normal).norm() <=
+         kRoundings * std::numeric_limits<double>::epsilon() * normal.norm();
+}
+
+}  // namespace constrained_structure_detail
+
+template <class Real>
+ConstrainedStructure<Real>::ConstrainedStructure(const System& system, std::vector<int> list)
+    : constrained(std::move(list)), whole(linear_system<Real>(system)) {
+  if (is_free())
+    reduced = whole;
+  else
+    reduce(system);
+}
+
+// Coordinates in which the held structure has real modes: U = Q V, Q an orthonormal basis of what
+// the rows leave free, V the right singular vectors of w Q. The singular values are the
+// frequencies, with an error of eps times the largest one (of their squares it would be far worse).
+template <class Real>
+void ConstrainedStructure<Real>::reduce(const System& system) {
+  using namespace constrained_structure_detail;
+  rows = rows_of(system, constrained).template cast<Real>();
+  directions = directions_of(system, constrained).template cast<Real>();
+  shares = rows * PivotedLu<Real>(directions.transpose() * rows).inverse();
+  const Eigen::Index n = rows.rows(), k = rows.cols(), m = n - k;
+  const RealMatrix<Real> all = orthonormal_columns<Real>(rows, n);
+  RealVector<Real> gaps(k);
+  for (Eigen::Index i = 0; i < k; ++i)
+    gaps[i] =
+        Real(system.stops[static_cast<std::size_t>(constrained[static_cast<std::size_t>(i)])].gap);
+  // The shortest q with B^T q = a.
+  rest = rows * PivotedLu<Real>(rows.transpose() * rows).solve(gaps);
+  basis = all.rightCols(m);
+  reduced.omega.resize(m);
+  stretched.resize(n, m);
+  if (m > 0) {
+    const RealMatrix<Real> root = whole.omega.asDiagonal() * basis;
+    const SingularValues<Real> factors = singular_values<Real>(root);
+    basis = (basis * factors.right).rowwise().reverse().eval();
+    reduced.omega = factors.values.reverse();
+    // Within the error of the singular values a mode is free.
+    const Real smallest =
+        Real(static_cast<int>(n)) * std::numeric_limits<Real>::epsilon() * reduced.omega[m - 1];
+    for (Real& w : reduced.omega)
+      if (w <= smallest) w = 0;
+    stretched = factors.left.rowwise().reverse() * reduced.omega.asDiagonal();
+  }
+  reduced.forced = whole.forced;
+  reduced.frequency = whole.frequency;
+  reduced.phase = whole.phase;
+  reduced.reach = whole.reach;
+
+  for (Eigen::Index i = 0; i < k; ++i)
+    is_normal =
+        is_normal && constrained_structure_detail::is_normal<Real>(rows.col(i), directions.col(i));
+  const std::optional<ProportionalDamping<Real>> damping = proportional_damping(whole);
+  has_real_modes = m == 0 || (is_normal && (damping || m == 1));
+  reduced.delta = RealVector<Real>::Zero(m);
+  if (whole.forced) reduced.amplitude = RealVector<Real>::Zero(m);
+  if (!has_real_modes) return;
+  for (Eigen::Index j = 0; j < m; ++j)
+    reduced.delta[j] =
+        damping ? Real(damping->alpha + damping->beta * reduced.omega[j] * reduced.omega[j])
+                : Real(whole.delta.dot(basis.col(j).cwiseAbs2()));
+  if (whole.forced) reduced.amplitude = basis.transpose() * whole.amplitude;
+  reduced.load = balanced_load();
+}
+
+// Moves what is held to where its stiffness balances the load, so that nothing large has to cancel;
+// returns the load that is left to modes too soft for it.
+template <class Real>
+RealVector<Real> ConstrainedStructure<Real>::balanced_load() {
+  RealVector<Real> load = -stretched.transpose() * whole.omega.cwiseProduct(rest);
+  if (whole.load.size() > 0) load += basis.transpose() * whole.load;
+  for (Eigen::Index j = 0; j < load.size(); ++j) {
+    const Real w = reduced.omega[j];
+    if (!(w > 0 && exact_flow_detail::rests_within_reach(load[j], w, whole.reach))) continue;
+    rest += basis.col(j) * (load[j] / (w * w));
+    load[j] = 0;
+  }
+  return load;
+}
+
+template <class Real>
+Eigen::Index ConstrainedStructure<Real>::column_of(int stop) const {
+  return std::find(constrained.begin(), constrained.end(), stop) - constrained.begin();
+}
+
+template <class Real>
+std::vector<Observable<Real>> ConstrainedStructure<Real>::observables(const System& system) const {
+  std::vector<Observable<Real>> list;
+  for (std::size_t i = 0; i < system.stops.size(); ++i) {
+    const RealVector<Real> row = system.stops[i].row.template cast<Real>();
+    const Eigen::Index column = column_of(static_cast<int>(i));
+    Observable<Real> seen;
+    if (column == static_cast<Eigen::Index>(constrained.size())) {
+      seen = gap_observable<Real>(row, Real(system.stops[i].gap));
+    } else {
+      const RealVector<Real> share = shares.col(column);
+      const Real unit = Real(1) / row.squaredNorm();
+      seen.displacement = -unit * whole.omega.cwiseAbs2().cwiseProduct(share);
+      seen.velocity = -2 * unit * whole.delta.cwiseProduct(share);
+      if (whole.load.size() > 0) seen.constant = unit * share.dot(whole.load);
+      if (whole.forced) seen.harmonic.re = unit * share.dot(whole.amplitude);
+    }
+    if (!is_free()) {
+      seen.constant += seen.displacement.dot(rest);
+      seen.displacement = (basis.transpose() * seen.displacement).eval();
+      if (seen.velocity.size() > 0) seen.velocity = (basis.transpose() * seen.velocity).eval();
+    }
+    list.push_back(std::move(seen));
+  }
+  return list;
+}
+
+}  // namespace graze

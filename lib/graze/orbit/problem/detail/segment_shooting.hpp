@@ -1,0 +1,116 @@
+// Periodic motion whose segments are followed, as a system of equations between sections.
+//
+// Every section lies at one forcing phase theta, with the same stops C closed (none: a
+// stroboscopic section), and x_i tells the state on it (section_map.hpp). Unknown are x_1, .., x_n,
+//
+//   P(x_i) - x_{i+1} = 0,   cyclic, P the motion over p/n forcing periods,
+//
+// so that no long product of slopes enters the equations. Where a stop is released at the section
+// its phase is unknown too, u = (theta, x_1, ..), and with it goes
+//
+//   force(theta, x_1) = 0,   the contact force of that stop falls to zero.
+//
+// With as many stops closed as there are modes nothing is left of the x_i, and of the equations the
+// force alone.
+//
+// P goes on being continuous where a chatter no longer completes: the motion then comes near the
+// stop instead of to rest on it. Such a solution is no orbit; it lets the end of a branch be
+// bracketed from both sides.
+#pragma once
+
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "graze/orbit/problem/detail/itinerary.hpp"
+#include "graze/orbit/problem/detail/section_map.hpp"
+#include "graze/orbit/problem/detail/shooting.hpp"
+
+namespace graze {
+
+// Where the sections of a periodic motion lie.
+struct SegmentLayout {
+  int period = 1;                 // p
+  int sections = 1;               // n, of which p is a multiple
+  std::vector<int> closed{};      // C, in rising order
+  std::optional<int> released{};  // of these, where theta is unknown
+  double theta = 0.0;             // else, rad
+
+  // Orbits of p forcing periods on stroboscopic sections, one in each.
+  static SegmentLayout fixed_phase(int period, double theta = 0.0) {
+    return {period, period, {}, {}, theta};
+  }
+  bool operator==(const SegmentLayout&) const = default;
+};
+
+// A product left^T A(multiplier) right of the equations' A(mu), without conjugation.
+struct SegmentProduct {
+  ComplexVector left, right;
+  Complex multiplier;
+};
+
+class SegmentShooting {
+ public:
+  // `reference`: see SectionMap.
+  SegmentShooting(const System& reference, SegmentLayout layout, const SegmentOptions& options);
+
+  const SegmentLayout& layout() const { return layout_; }
+  const SectionMap& map() const { return map_; }
+  // Orbits of another layout with the same stops closed, in the same coordinates.
+  SegmentShooting over(SegmentLayout layout) const;
+  SegmentShooting leaving_out(const LeftOut& one) const;
+
+  Eigen::Index size() const { return head() + layout_.sections * map_.size(); }
+  Eigen::Index head() const { return layout_.released ? 1 : 0; }  // where x_1 begins
+  // What the unknowns may come round by: a turn at the phase, else zero.
+  Vector wrap() const;
+  double theta_of(const Vector& u) const { return layout_.released ? u[0] : layout_.theta; }
+  // x_i, i from 0.
+  Vector at_section(const Vector& u, int i) const {
+    return u.segment(head() + i * map_.size(), map_.size());
+  }
+  int periods_each() const { return layout_.period / layout_.sections; }
+  Vector pack(double theta, const std::vector<State>& states) const;
+  Vector pack(const std::vector<State>& states) const { return pack(layout_.theta, states); }
+  std::vector<State> unpack(const System& system, const Vector& u) const;
+
+  // With all derivatives, for the parameters that move the system along these tangents; nothing
+  // where a segment cannot be followed. `factors`: the slope of each segment at fixed phases.
+  std::optional<ShootingLinearisation> linearise(const System& system, const Vector& u,
+                                                 std::span<const System* const> tangents,
+                                                 std::vector<Matrix>* factors = nullptr) const;
+  // Of a solution: those of the product of the slopes, and 2m zeros, exactly: the held motion has
+  // forgotten what came before. Empty where a segment cannot be followed.
+  std::vector<Eigenvalue> multipliers(const System& system, const Vector& u,
+                                      ErrorBounds errors) const;
+  std::vector<Eigenvalue> multipliers(const System& system, const std::vector<Matrix>& factors,
+                                      ErrorBounds errors) const;
+  // What each product comes to, as far as it hangs on the x_i of one section (and on theta and the
+  // parameters); nothing as above.
+  std::optional<ComplexVector> products(const System& system, const Vector& u, int section,
+                                        const std::vector<SegmentProduct>& products) const;
+
+  // The segments from section to section; empty where one cannot be followed.
+  std::vector<TrajectorySegment> follow(const System& system, const Vector& u,
+                                        bool minima = false) const;
+  // What must stay positive for their events to stay what they are, in time order; `direction`:
+  // rates of the unknowns, and of the parameter that moves the system along `tangent`.
+  std::optional<std::vector<SegmentMargin>> margins(const System& system, const Vector& u,
+                                                    const System& tangent, const Vector& direction,
+                                                    double parameter_rate) const;
+
+ private:
+  // The force at the section and its derivatives.
+  struct Force {
+    double value = 0.0, by_theta = 0.0;
+    Eigen::RowVectorXd by_x, by_parameters;
+  };
+  Force force(const System& system, const Vector& u, const SectionMap::Chart& chart,
+              std::span<const System* const> tangents) const;
+
+  SegmentLayout layout_;
+  SectionMap map_;
+  double push_ = 1.0;  // unit of the force equation, m/s^2
+};
+
+}  // namespace graze

@@ -1,0 +1,113 @@
+// One segment of the hybrid motion between two instants, with its impacts, closed chatters, stuck
+// phases and releases, certified as in a run; and what becomes of small deviations from it.
+//
+// The derivative of the map from start to end, event by event (docs/theory.md, Orbits that stick):
+//   impact   the derivative of the jump at fixed position, shared with the stops that are touched;
+//   closure  as an impact with r = 0 on that stop: what it closes on forgets its deviation along
+//            (b.q, b.q'). State and derivative err by O(v_c^3);
+//   release  the identity: the contact force vanishes there and (q', q'') is continuous;
+//   contact with a compliant stop: as sprung_deviation.hpp says.
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "graze/base/default_budget.hpp"
+#include "graze/base/stop_signal.hpp"
+#include "graze/motion/detail/motion.hpp"
+#include "graze/orbit/problem/detail/carried_deviations.hpp"
+
+namespace graze {
+
+// A stop that is as if it were not there for a while, s after the start, around an approach that
+// just touches it. So a segment that grazes is followed on either side of the grazing, where the
+// approach stays away or would be an impact, by one motion that is smooth. The gap is open when
+// that while begins and when it ends.
+struct LeftOut {
+  int stop = 0;
+  double from = 0.0, to = 0.0;
+};
+
+struct SegmentOptions {
+  double closure_speed = 0.0;  // m/s: below it the tail of a chatter is summed
+  long long max_impacts = kDefaultImpactBudget;
+  StopSignal stop{};
+  bool minima = false;  // look for the minima of gaps and contact forces
+  // Of speeds and approaches, along it, the rates: with deviations and a parameter's deviation
+  // only.
+  std::optional<SegmentDirection> along{};
+  std::optional<LeftOut> left_out{};
+  // Called for every flight: the phase as it was flown, when it began, how long it was, s.
+  std::function<void(const ContactPhase<double>&, const Instant<double>&, double)> flight{};
+};
+
+struct SegmentImpact {
+  int stop = 0;
+  Instant<double> at;
+  double speed = 0.0;  // m/s, before
+  State before;
+  double rate = 0.0;  // of the speed, with `along`
+};
+
+// An interior local minimum of a gap.
+struct SegmentApproach {
+  int stop = 0;
+  std::size_t impacts = 0;       // passed before it
+  double after = 0.0;            // s since the event before it
+  double gap = 0.0, rate = 0.0;  // m, and along the direction
+};
+
+// A stop that is closed: from the end of its chatter, or from the start of the segment.
+struct SegmentSticking {
+  int stop = 0;
+  Instant<double> from, to;
+  bool from_start = false, to_end = false;  // cut by the ends of the segment
+  double force = 0.0;                       // contact force at `from`, N
+  std::optional<double> smallest_force;     // interior local minimum, N; with `minima`
+};
+
+// A contact at a compliant stop, from its entry until its force is gone for good: a spring that
+// grips again below the surface goes on with it. One that the start of the segment cuts has no
+// speed.
+struct SegmentContact {
+  int stop = 0;
+  Instant<double> from, to;
+  bool from_start = false, to_end = false;  // cut by the ends of the segment
+  double speed = 0.0, speed_after = 0.0;    // towards the stop and away from it, m/s
+  double peak_force = 0.0;                  // N
+  double taken = 0.0;                       // of the structure's energy, J
+  State before;
+  bool parted = false;  // its force is gone, below the surface
+};
+
+// Where a gap is least between the impacts.
+struct SegmentMinimum {
+  int stop = 0;
+  Instant<double> at;
+  double gap = 0.0;  // m
+};
+
+struct TrajectorySegment {
+  std::string failure;  // a sentence where the end was not reached; empty: it was
+  MotionState<double> end;
+  std::vector<SegmentImpact> impacts;
+  std::vector<SegmentSticking> sticking;  // by the instant at which they end
+  std::vector<SegmentContact> contacts;   // likewise
+  // The smallest interior local minimum of a gap; with `minima`.
+  std::optional<SegmentMinimum> lowest{};
+  std::optional<double> clearance() const {  // m
+    return lowest ? std::optional(lowest->gap) : std::nullopt;
+  }
+  std::vector<SegmentApproach> approaches;  // with `along`
+};
+
+// Follows the motion from `start` to `end`. With `deviations`, those of the start become those of
+// the end (both at unmoved instants); fails where two stops are hit at one instant, where the map
+// has no derivative. `parameter` likewise, at unmoved forcing phases.
+TrajectorySegment pass(const System& system, const MotionState<double>& start,
+                       const Instant<double>& end, const SegmentOptions& options,
+                       Deviations* deviations = nullptr, ParameterDeviation* parameter = nullptr);
+
+}  // namespace graze
