@@ -67,6 +67,44 @@ TEST_F(Compliant, ContactsComeWithTheirForceAndRestitution) {
   EXPECT_EQ(json::parse(again.out)["events"], events);
 }
 
+// 100 kg on 1e4 N/m thrown with 1 m/s at a spring of 1e6 N/m that it touches: u = sin(W t)/W with
+// W^2 = (1e4 + 1e6)/100, and the contact force is 1e6 u.
+TEST_F(Compliant, AContactCutByTheEndTellsItsForce) {
+  std::ofstream(scratch_ / "scene.toml") << R"(
+[modal]
+frequencies = [10.0]
+
+[[stop]]
+shape = [0.1]
+gap = 0.0
+
+[stop.spring]
+stiffness = 1e6
+exponent = 1.0
+
+[initial]
+qdot = [10.0]
+
+[[probe]]
+shape = [0.1]
+)";
+  const std::string scene = (scratch_ / "scene.toml").string();
+  const double w = std::sqrt(1.01e4);
+  for (const std::string time : {"0.01", "0.015", "0.03"}) {
+    const Finished run = run_graze("simulate --json --duration " + time + " " + scene);
+    ASSERT_EQ(run.code, 0) << run.err;
+    EXPECT_NEAR(json::parse(run.out)["final"]["forces"][0].get<double>(),
+                1e6 * std::sin(w * std::stod(time)) / w, 1e-7);
+  }
+  // A place of a modal structure is no distance along a beam.
+  const Finished curve = run_graze(
+      "compare --sensitivity --json --parameter stop.gap --from 0 --to 1e-3 --points 2 "
+      "--duration 0.01 " +
+      scene);
+  ASSERT_EQ(curve.code, 0) << curve.err;
+  EXPECT_TRUE(json::parse(curve.out)["probes"][0]["position"].is_null());
+}
+
 TEST_F(Compliant, InversionIsExact) {
   const Finished run = run_graze(
       "simulate --json --duration 0.5 --set 'stop.spring.damping.inversion=\"exact\"' " + file());

@@ -100,7 +100,7 @@ class Follower {
     if (observation_.forces) {
       observed_.forces.setZero(static_cast<Eigen::Index>(system_.stops.size()));
       for (int i = 0; i < observed_.forces.size(); ++i)
-        observed_.forces[i] = motion_.is_closed(i) ? motion_.force(i) : motion_.spring_force(i);
+        observed_.forces[i] = motion_.contact_force(i);
     }
     observation_.state(observed_);
   }

@@ -53,9 +53,8 @@ class Run {
     for (int i = 0; i < stops(); ++i) {
       if (walk_.is_stuck(i)) result_.stuck.push_back(i);
       // What is refused at an instant leaves the forces as they were before it.
-      const bool is_known =
-          !motion_.has_pending_events() || result_.outcome == RunOutcome::kRefused;
-      result_.forces.push_back(motion_.is_closed(i) && is_known ? motion_.force(i) : 0.0);
+      const bool known = !motion_.has_pending_events() || result_.outcome == RunOutcome::kRefused;
+      result_.forces.push_back(known ? motion_.contact_force(i) : 0.0);
     }
     result_.totals = state_.totals;
     result_.evaluations += motion_.step_evaluations();

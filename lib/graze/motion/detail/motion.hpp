@@ -120,6 +120,8 @@ class Motion {
   const ContactPhase<Real>& flown() const { return *flown_; }
   // The gap at a stop along the arc that starts now, for `window` seconds; holds until it is flown.
   const ArcCurve<Real>& gap_ahead(int stop, const Real& window);
+  // Force between structure and stop at the present instant, N; 0 where it is open.
+  Real contact_force(int stop) { return is_closed(stop) ? force(stop) : spring_force(stop); }
   // Contact force of a closed stop at the present instant, N.
   Real force(int stop) { return start_phase().force_at(stop, Real(0), now_.q, now_.qdot); }
   // gap - row.q at the present instant.

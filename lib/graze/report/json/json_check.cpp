@@ -54,12 +54,8 @@ Json probes_json(const Scene& scene, const System& system) {
   Json probes = Json::array();
   const std::vector<ProbeRow> rows = probe_rows(scene, system);
   for (std::size_t i = 0; i < rows.size(); ++i) {
-    probes.push_back({{"quantity", probe_quantity_name(rows[i].quantity)},
-                      {"unit", probe_unit(rows[i].quantity)},
-                      {"position", scene.beam() && !is_of_hub(rows[i].quantity)
-                                       ? json_number(scene.probes[i].position)
-                                       : Json(nullptr)},
-                      {"row", json_list(rows[i].row)}});
+    probes.push_back(probe_json(scene.probes[i]));
+    probes.back()["row"] = json_list(rows[i].row);
   }
   return probes;
 }

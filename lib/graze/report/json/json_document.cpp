@@ -2,6 +2,7 @@
 
 #include <variant>
 
+#include "graze/assembly/probes.hpp"
 #include "graze/base/detail/terminal_text.hpp"
 
 namespace graze {
@@ -21,6 +22,13 @@ Json document_head(const RunInfo& info, const Outcome& outcome,
   if (!outcome.message.empty()) document["message"] = outcome.message;
   if (!warnings.empty()) document["warnings"] = warnings;
   return document;
+}
+
+Json probe_json(const Probe& probe) {
+  const bool on_beam = probe.shape.empty() && !is_of_hub(probe.quantity);
+  return {{"quantity", probe_quantity_name(probe.quantity)},
+          {"unit", probe_unit(probe.quantity)},
+          {"position", on_beam ? json_number(probe.position) : Json(nullptr)}};
 }
 
 std::string document_text(const Json& document) {

@@ -24,10 +24,7 @@ Json run_json(const ValueRun& run) {
 
 Json probes_json(const std::vector<Probe>& probes) {
   Json json = Json::array();
-  for (const Probe& probe : probes)
-    json.push_back({{"quantity", probe_quantity_name(probe.quantity)},
-                    {"unit", probe_unit(probe.quantity)},
-                    {"position", json_number(probe.position)}});
+  for (const Probe& probe : probes) json.push_back(probe_json(probe));
   return json;
 }
 

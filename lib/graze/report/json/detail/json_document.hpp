@@ -10,8 +10,13 @@
 
 namespace graze {
 
+struct Probe;
+
 Json document_head(const RunInfo& info, const Outcome& outcome,
                    const std::vector<std::string>& warnings);
+
+// Quantity, unit and, of a place on a beam, its position, m.
+Json probe_json(const Probe& probe);
 
 // File names and titles may hold bytes that are no UTF-8; they are replaced, not thrown over.
 std::string document_text(const Json& document);

@@ -1,0 +1,62 @@
+#!/usr/bin/env bash
+# Writes the page docs/validation.md from what the cases of tests/validation reached (GRAZE_VALIDATION):
+#   bash tests/validation/table.sh NOTES PAGE
+set -euo pipefail
+notes=$1
+page=$2
+temporary=$(mktemp "$page.XXXXXX")
+trap 'rm -f "$temporary"' EXIT
+{
+  cat <<'HEADER'
+# Graze against published numbers
+
+Nobody who writes a simulator should choose what it is checked against. The numbers on this page were published by others:
+reference files and manuals of other programs, tables of papers, closed forms. The scenes are in `data/validation`, the
+numbers with their sources in `data/validation/published.toml`. `bash tests/validation.sh` runs every case, compares and
+writes this page anew; the same comparison is part of `bash tests/run.sh`.
+
+How close is close enough is not chosen by hand. A published number counts as exact to one unit of its last printed digit,
+and a number with all the digits of a double to 1e-13 of its size. Where a number is less exact than it is printed, an
+independent computation (a script of `tests/reference/validation` in extended precision) stands beside it. Graze then has
+to agree with that to 1e-10, and the last column says who errs. Where a source gives a formula, or the system alone, there
+is only the number that is computed apart; the column of published numbers then has the formula or a dash. Deviations are
+Graze minus published, relative.
+
+HEADER
+  LC_ALL=C sort -u "$notes" | awk -F'\t' '
+    function size(x) { return x < 0 ? -x : x }
+    function part(a, b) { return b == 0 ? size(a) : size(a/b) }
+    function anchor(text) {
+      text = tolower(text); gsub(/[^a-z0-9 _-]/, "", text); gsub(/ /, "-", text); return text
+    }
+    substr($1, 4, 1) == "a" {
+      ++cases; source[cases] = $3 == "" ? $2 : "[" $2 "](" $3 ")"; title[cases] = $4; scene[cases] = $5; command[cases] = $6
+    }
+    # what, published, Graze, Graze - published, published, off what it is held to, allowed, independent, script,
+    # because, "printed"
+    substr($1, 4, 1) == "b" {
+      ++count[cases]
+      off = part($5, $6); held = part($7, $9 == "" ? $6 : $9)
+      if ($12 != "") { ++printed[cases]; if (off > worst[cases]) worst[cases] = off }
+      if ($9 != "") { ++apart[cases]; if (held > beside[cases]) beside[cases] = held }
+      if ($8 > 0 && $7/$8 > most[cases]) most[cases] = $7/$8
+      remark = $9 == "" ? $11 : "computed apart: " $9 (held == 0 ? "" : sprintf(", from which Graze is %.0e off", held)) ($11 == "" ? "" : ". " $11)
+      rows[cases] = rows[cases] sprintf("| %s | %s | %s | %s | %s |\n", $2, $3, $4, $12 == "" ? "-" : off == 0 ? "0" : sprintf("%.1e", off), remark)
+    }
+    END {
+      print "## The cases\n"
+      print "| case | numbers | printed by the source, largest deviation | computed apart, largest deviation | share of what is allowed |"
+      print "|---|---|---|---|---|"
+      for (i = 1; i <= cases; ++i)
+        printf "| [%s](#%s) | %d | %s | %s | %.0f %% |\n", title[i], anchor(title[i]), count[i],
+          printed[i] ? sprintf("%d, %.0e", printed[i], worst[i]) : "-", apart[i] ? sprintf("%d, %.0e", apart[i], beside[i]) : "-", 100*most[i]
+      for (i = 1; i <= cases; ++i) {
+        printf "\n## %s\n\nSource: %s. Scene: [%s](../data/validation/%s).\nCommand: `graze %s`.\n\n", title[i], source[i], scene[i], scene[i], command[i]
+        print "| what | published | Graze | relative deviation | remark |"
+        print "|---|---|---|---|---|"
+        printf "%s", rows[i]
+      }
+    }'
+} > "$temporary"
+chmod 644 "$temporary"
+mv "$temporary" "$page"
