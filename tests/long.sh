@@ -5,6 +5,7 @@
 # - every command of tests/results/commands.txt under the address and undefined-behaviour sanitizers;
 # - the program so built against scenes, options and journals that are nearly right, FUZZ_SECONDS
 #   (default 300) long;
+# - the scripts that the independent numbers of data/validation are from, against those numbers;
 # - one command of each kind under valgrind, which sees reads of what was never written.
 # About an hour on two cores; the logs are left in build/long. Exit 1 when anything was found.
 set -uo pipefail
@@ -25,6 +26,10 @@ failed=0
 
 echo "== pages"
 bash tests/docs/long.sh > "$logs/pages.log" 2>&1 || { failed=1; tail -n 20 "$logs/pages.log"; }
+
+echo "== validation"
+python3 -c 'import mpmath' 2> /dev/null || sudo -n apt-get install -y python3-mpmath || apt-get install -y python3-mpmath
+python3 tests/validation/check_scripts.py || failed=1
 
 echo "== sanitizers"
 bash tests/results/write.sh build-dev/graze "$logs/sanitized" > "$logs/sanitized.log"

@@ -194,6 +194,33 @@ TEST(CompliantOrbits, ComeWithTheirContacts) {
             std::string::npos);
 }
 
+// Without damping and between elastic springs the motion over a period keeps volumes (Liouville):
+// multipliers never lie all inside the unit circle, and those of a motion that is not unstable lie
+// on it. On which side rounding has them says nothing.
+TEST(CompliantOrbits, OfAConservativeStructureAreNeverStable) {
+  int on_the_circle = 0;
+  for (const std::string frequency : {"0.4", "0.5", "0.55", "0.6", "0.7", "0.8"}) {
+    const Finished run =
+        run_graze("orbit --json --impacts 2 --start random --set forcing.frequency=" + frequency +
+                  " " + std::string(GRAZE_SOURCE_DIR) + "/data/validation/den_hartog_mikina.toml");
+    ASSERT_TRUE(run.code == 0 || run.code == 3) << run.err;
+    const json document = json::parse(run.out);
+    for (const json& orbit : document["orbits"]) {
+      double largest = 0.0;
+      for (const json& multiplier : orbit["multipliers"])
+        largest =
+            std::max(largest, std::hypot(multiplier[0].get<double>(), multiplier[1].get<double>()));
+      if (largest > 1.0 + 1e-6) {
+        EXPECT_EQ(orbit["stable"], false);
+        continue;
+      }
+      EXPECT_TRUE(orbit["stable"].is_null()) << frequency << ": " << orbit["stable"];
+      ++on_the_circle;
+    }
+  }
+  EXPECT_GE(on_the_circle, 6);
+}
+
 TEST(CompliantOrbits, GoOnFromTheirSpecialPoints) {
   ScratchFolder scratch;
   const std::string folder = (scratch / "run").string();

@@ -236,5 +236,19 @@ TEST(Exceptions, FitCommands) {
   }
 }
 
+// A reader who is to wait is told how long: the page has the time that exceptions.txt gives, as
+// "about 45 s", where it is ten seconds or more.
+TEST(Exceptions, TellTheirTimes) {
+  for (const Exception& exception : exceptions()) {
+    std::smatch time;
+    if (exception.kind != "long" ||
+        !std::regex_search(exception.reason, time, std::regex("\\b(\\d\\d+ s|\\d+ minutes)\\b")))
+      continue;
+    EXPECT_NE(visible_text(read_text(kRoot / exception.page)).find("about " + time[1].str()),
+              std::string::npos)
+        << exception.page << ": " << exception.command << " takes " << time[1];
+  }
+}
+
 }  // namespace
 }  // namespace graze::support

@@ -15,9 +15,6 @@ namespace graze {
 
 namespace {
 
-// Slopes of the map are known to about this, in its units: ten times what a step of the deviations
-// is.
-constexpr double kMapAccuracy = 10.0 * kDeviationTolerance;
 // On rigid stops alone they are the closed forms of flights, to rounding.
 constexpr double kRigidAccuracy = 4.0 * std::numeric_limits<double>::epsilon();
 // The test for a multiplier is formed from slopes: it vanishes to what these are known to, times

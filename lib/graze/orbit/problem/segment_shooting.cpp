@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <limits>
 #include <utility>
 
 #include "graze/base/angle.hpp"
@@ -183,7 +184,9 @@ std::vector<Eigenvalue> SegmentShooting::multipliers(const System& system,
                                                      ErrorBounds errors) const {
   std::vector<Eigenvalue> list;
   if (map_.size() > 0) {
-    list = product_eigenvalues(factors, errors);
+    const double roundings =
+        system.has_compliant_stop() ? kMapAccuracy / std::numeric_limits<double>::epsilon() : 0.0;
+    list = product_eigenvalues(factors, errors, roundings);
     if (static_cast<Eigen::Index>(list.size()) != map_.size()) return {};
   }
   list.resize(static_cast<std::size_t>(2 * system.modes()), {Complex(0.0), 0.0});

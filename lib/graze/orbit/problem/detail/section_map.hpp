@@ -16,9 +16,14 @@
 #include <string>
 #include <vector>
 
+#include "graze/flow/variation/detail/sprung_deviation.hpp"
 #include "graze/orbit/problem/detail/trajectory_segment.hpp"
 
 namespace graze {
+
+// Slopes of the map through contacts on springs are known to about this, in its units: ten times
+// what a step of the deviations is. On rigid stops alone they are closed forms, to rounding.
+inline constexpr double kMapAccuracy = 10.0 * kDeviationTolerance;
 
 class SectionMap {
  public:
