@@ -37,3 +37,13 @@ POINTS = [
     ('4', 'up_1', 62748.3433698932, 1.95e-5), ('4', 'up_2', 66009.5615955707, 1.3e-5),
     ('4', 'up_3', 68794.4908921848, 1.9e-5), ('4', 'down_1', 67775.1052840776, 1.6e-5),
 ]
+
+for kappa in ('0.4', '4'):
+    structure = rod(kappa)
+    for of, name, W, tau in POINTS:
+        if of != kappa:
+            continue
+        orbit = structure.at_frequency(W, mpf(tau))
+        print(f'rod_{kappa}_{name}_phase', mp.nstr(orbit.phase, 20))
+        print(f'rod_{kappa}_{name}_duration', mp.nstr(orbit.tau, 20))
+        print(f'rod_{kappa}_{name}_peak_force', mp.nstr(orbit.peak_force(), 20))
