@@ -47,12 +47,12 @@ struct SteppedBeam {
 // The displacements times a frequency, then the velocities: Graze's scaling (step_flow.hpp), with
 // which one tolerance means the same here and there.
 template <std::size_t Modes>
-using SampledTest = std::array<double, 2 * Modes>;
+using BeamState = std::array<double, 2 * Modes>;
 
 template <std::size_t Modes>
 class BareBeam {
  public:
-  using State = SampledTest<Modes>;
+  using State = BeamState<Modes>;
   static constexpr std::size_t kModes = Modes;
 
   explicit BareBeam(const SteppedBeam& beam)
@@ -121,8 +121,8 @@ double zero_within(const Gap& gap, double from, double to) {
 
 template <std::size_t Modes>
 void step_with_rk4(BareBeam<Modes>& beam, const StepSetting& setting, double end) {
-  odeint::runge_kutta4<SampledTest<Modes>> stepper;
-  SampledTest<Modes> x = beam.start, before = x, within = x;
+  odeint::runge_kutta4<BeamState<Modes>> stepper;
+  BeamState<Modes> x = beam.start, before = x, within = x;
   for (double t = 0.0; t < end;) {
     before = x;
     stepper.do_step(std::ref(beam), before, t, x, setting.step);
@@ -144,11 +144,11 @@ void step_with_rk4(BareBeam<Modes>& beam, const StepSetting& setting, double end
 
 template <std::size_t Modes>
 void step_with_dopri5(BareBeam<Modes>& beam, const StepSetting& setting, double end) {
-  using Method = odeint::runge_kutta_dopri5<SampledTest<Modes>>;
+  using Method = odeint::runge_kutta_dopri5<BeamState<Modes>>;
   auto stepper = odeint::make_dense_output(setting.tolerance * setting.speed, setting.tolerance,
                                            setting.longest, Method());
   stepper.initialize(beam.start, 0.0, setting.longest);
-  SampledTest<Modes> x{};
+  BeamState<Modes> x{};
   while (stepper.current_time() < end) {
     stepper.do_step(std::ref(beam));
     if (beam.gap(stepper.current_state()) > 0.0) continue;

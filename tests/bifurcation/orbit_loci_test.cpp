@@ -231,7 +231,7 @@ std::vector<double> places(const OrbitLoci& found, const std::string& label) {
 
 // Where an orbit touches twice two loci of grazing cross. They are of different sequences of
 // impacts, and each finds the other one's touch among the gaps between its own.
-TEST(OrbitLoci, TwoTouchesAreTheSameFromBothLociAndWithAnyStep) {
+TEST(OrbitLoci, TwoGrazingContactsAreTheSameFromBothLociAndWithAnyStep) {
   const Scene scene = support::shipped_scene("05_wagg_one_mode", {"beam.modes=2", "stop.gap=2e-3"});
   const auto double_grazings = [&](double max_step) {
     return places(loci(scene, OrbitLocusKind::kGrazing, 20.0, 60.0, 5e-4, 0.01, false, max_step),

@@ -18,11 +18,11 @@ MarginInterpolant line(double start, double end) {
 
 TEST(MarginInterpolant, IsTheCubicThroughBothEnds) {
   // 2 - s + 3 s^2 - 5 s^3
-  const MarginInterpolant course = MarginInterpolant::between(2.0, -1.0, -1.0, -10.0);
+  const MarginInterpolant interpolant = MarginInterpolant::between(2.0, -1.0, -1.0, -10.0);
   for (const double s : {0.0, 0.2, 0.7, 1.0})
-    EXPECT_NEAR(course.at(s), 2.0 - s + 3.0 * s * s - 5.0 * s * s * s, 1e-15);
-  EXPECT_EQ(course.error(0.0), 0.0);
-  EXPECT_EQ(course.error(1.0), 0.0);
+    EXPECT_NEAR(interpolant.at(s), 2.0 - s + 3.0 * s * s - 5.0 * s * s * s, 1e-15);
+  EXPECT_EQ(interpolant.error(0.0), 0.0);
+  EXPECT_EQ(interpolant.error(1.0), 0.0);
 }
 
 TEST(MarginInterpolant, ADipBelowZeroIsLookedAtWhereItIsDeepest) {
@@ -73,9 +73,9 @@ TEST(MarginInterpolant, OfAQuantityKnownAtOneEndHalfThePieceIsAsked) {
 }
 
 TEST(MarginInterpolant, WithinRoundingNothingIsTold) {
-  MarginInterpolant course = parabola(-1e-14, 0.5, 1e-13);
-  course.rounding = 1e-12;
-  EXPECT_FALSE(suspected_sign_change({course}));
+  MarginInterpolant interpolant = parabola(-1e-14, 0.5, 1e-13);
+  interpolant.rounding = 1e-12;
+  EXPECT_FALSE(suspected_sign_change({interpolant}));
 }
 
 }  // namespace

@@ -110,7 +110,7 @@ TEST(TurningStructure, HoldsHoldWhatTheyHold) {
   const Vector y = q.rightCols(3) * Vector::LinSpaced(3, 0.001, 0.01);
   const Vector v = q.rightCols(3) * Vector::LinSpaced(3, -0.3, 1.0);
   const Vector force = turning.structure.force({y, v}, 0.0);
-  const Vector a = turning.acceleration(force, y), f = turning.holds(force, y);
+  const Vector a = turning.acceleration(force, y), f = turning.hold_forces(force, y);
   EXPECT_LT((rows.transpose() * a).norm(), 1e-13 * a.norm());
   const Vector inertial =
       a + turning.structure.added_inertia(y) * turning.structure.rate(a) * system.rotation()->angle;

@@ -35,7 +35,7 @@ class CrossingStep {
   Corrector& corrector_;
   Stepper& stepper_;
   std::optional<Vector> stuck_;  // where no step led on last time
-  double reach_ = 0.0;           // and how far the segment was from there
+  double reach_ = 0.0;           // and how far pass() reached from there
 };
 
 std::optional<SolutionPoint> CrossingStep::pass(GrowingBranch& branch, double& h) {
@@ -92,7 +92,7 @@ class Tracer {
         options_(options),
         corrector_(problem, options),
         stepper_(options, corrector_),
-        segment_(corrector_, stepper_) {}
+        crossing_(corrector_, stepper_) {}
 
   Branch trace(const SolutionPoint& from, Directions directions) {
     SolutionPoint start = from;
@@ -152,7 +152,7 @@ class Tracer {
       // Below this the two ends of a step are one point in double precision.
       const double size = 1.0 + corrector_.pack(branch.last()).norm();
       if (!std::isfinite(size)) return {};
-      if (h < 1e3 * std::numeric_limits<double>::epsilon() * size) return segment_.pass(branch, h);
+      if (h < 1e3 * std::numeric_limits<double>::epsilon() * size) return crossing_.pass(branch, h);
     }
   }
 
@@ -160,7 +160,7 @@ class Tracer {
   const ContinuationOptions& options_;
   Corrector corrector_;
   Stepper stepper_;
-  CrossingStep segment_;
+  CrossingStep crossing_;
 };
 
 }  // namespace

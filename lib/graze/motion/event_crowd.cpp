@@ -21,34 +21,34 @@ constexpr std::array<std::pair<EventKind, const char*>, 6> kNames{
      {EventKind::kStick, "stick"},
      {EventKind::kRelease, "release"}}};
 
-struct ProgressCounter {
+struct EventCount {
   int stop = 0;
   long long all = 0;
   std::array<long long, kNames.size()> of_kind{};
   double slowest = 0.0, fastest = 0.0;  // of the impacts and contacts, m/s
 };
 
-std::string text_of(const ProgressCounter& counter) {
-  std::string text = fmt::format("stop {}", counter.stop + 1);
+std::string text_of(const EventCount& counted) {
+  std::string text = fmt::format("stop {}", counted.stop + 1);
   for (std::size_t k = 0; k < kNames.size(); ++k) {
-    const long long n = counter.of_kind[k];
+    const long long n = counted.of_kind[k];
     if (n == 0) continue;
     text += fmt::format(", {} {}{}", n, kNames[k].second, n == 1 ? "" : "s");
     if (kNames[k].first == EventKind::kImpact || kNames[k].first == EventKind::kContact)
-      text += fmt::format(" at {:.1e} to {:.1e} m/s", counter.slowest, counter.fastest);
+      text += fmt::format(" at {:.1e} to {:.1e} m/s", counted.slowest, counted.fastest);
   }
   return text;
 }
 
-void count(ProgressCounter& counter, EventKind kind, double speed) {
+void count(EventCount& counted, EventKind kind, double speed) {
   const auto place = std::find_if(kNames.begin(), kNames.end(),
                                   [kind](const auto& name) { return name.first == kind; });
-  ++counter.of_kind[static_cast<std::size_t>(place - kNames.begin())];
-  ++counter.all;
+  ++counted.of_kind[static_cast<std::size_t>(place - kNames.begin())];
+  ++counted.all;
   if (kind != EventKind::kImpact && kind != EventKind::kContact) return;
-  const bool first = counter.fastest == 0.0;
-  counter.slowest = first ? speed : std::min(counter.slowest, speed);
-  counter.fastest = std::max(counter.fastest, speed);
+  const bool first = counted.fastest == 0.0;
+  counted.slowest = first ? speed : std::min(counted.slowest, speed);
+  counted.fastest = std::max(counted.fastest, speed);
 }
 
 }  // namespace
@@ -61,22 +61,21 @@ std::string EventCrowd::sentence(double span) const {
   if (count_ < kKept) return {};
   const double took = last_[(count_ - 1) % kKept].time - last_[count_ % kKept].time;
   if (!(took < kCrowded * span)) return {};
-  std::vector<ProgressCounter> tallies;
+  std::vector<EventCount> counts;
   for (const Kept& kept : last_) {
-    auto own = std::find_if(tallies.begin(), tallies.end(), [&](const ProgressCounter& counter) {
-      return counter.stop == kept.stop;
-    });
-    if (own == tallies.end()) own = tallies.insert(tallies.end(), ProgressCounter{kept.stop});
+    auto own = std::find_if(counts.begin(), counts.end(),
+                            [&](const EventCount& counted) { return counted.stop == kept.stop; });
+    if (own == counts.end()) own = counts.insert(counts.end(), EventCount{kept.stop});
     count(*own, kept.kind, kept.speed);
   }
-  std::sort(tallies.begin(), tallies.end(), [](const ProgressCounter& a, const ProgressCounter& b) {
+  std::sort(counts.begin(), counts.end(), [](const EventCount& a, const EventCount& b) {
     return std::pair(-a.all, a.stop) < std::pair(-b.all, b.stop);
   });
   std::string text = fmt::format("; the last {} events took {:.2g} s: ", kKept, took);
-  for (std::size_t i = 0; i < std::min(tallies.size(), kMostStops); ++i)
-    text += (i > 0 ? "; " : "") + text_of(tallies[i]);
-  if (tallies.size() > kMostStops)
-    text += fmt::format("; and {} stops more", tallies.size() - kMostStops);
+  for (std::size_t i = 0; i < std::min(counts.size(), kMostStops); ++i)
+    text += (i > 0 ? "; " : "") + text_of(counts[i]);
+  if (counts.size() > kMostStops)
+    text += fmt::format("; and {} stops more", counts.size() - kMostStops);
   return text;
 }
 

@@ -22,9 +22,9 @@ class StroboscopicMotion {
     const MotionScale scale = motion_scale(system);
     unit_ << Vector::Constant(system.modes(), scale.displacement), scale.velocity;
     at_ = Motion<double>(system, {}, start.q, start.qdot).state();
-    segment_.closure_speed = options.closure_speed;
-    segment_.max_impacts = options.max_impacts;
-    segment_.stop = options.stop;
+    segment_options_.closure_speed = options.closure_speed;
+    segment_options_.max_impacts = options.max_impacts;
+    segment_options_.stop = options.stop;
   }
 
   // What becomes of directions (2N x k) within the next forcing period; nothing where it cannot be
@@ -35,7 +35,7 @@ class StroboscopicMotion {
     Deviations deviations{moved.topRows(n), moved.bottomRows(n),
                           Eigen::RowVectorXd::Zero(directions.cols())};
     at_.instant = {};
-    TrajectorySegment passed = pass(system_, at_, {1, 0.0}, segment_, &deviations);
+    TrajectorySegment passed = pass(system_, at_, {1, 0.0}, segment_options_, &deviations);
     failure_ = passed.failure;
     if (!failure_.empty()) return {};
     at_ = std::move(passed.end);
@@ -68,7 +68,7 @@ class StroboscopicMotion {
   const System& system_;
   Vector unit_;  // of (q, q')
   MotionState<double> at_;
-  SegmentOptions segment_;
+  SegmentOptions segment_options_;
   long long impacts_ = 0;
   Eigen::Index rank_ = 0;
   std::string failure_;

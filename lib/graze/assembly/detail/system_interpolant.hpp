@@ -41,7 +41,7 @@ class SystemInterpolant {
     double low = 0.0, high = 0.0;
     std::vector<Vector> powers;  // of (value - middle)/half, from 0 on, of all numbers; none where
                                  // the scene does not allow the values
-    bool agrees = true;          // to the tolerance of the course
+    bool agrees = true;          // to kInterpolantTolerance
     bool exists() const { return !powers.empty(); }
   };
   const std::vector<Piece>& pieces() const { return pieces_; }

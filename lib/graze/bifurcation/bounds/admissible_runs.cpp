@@ -77,7 +77,7 @@ class Search {
     result_.resolution = kResolution * ranges_.length();
     std::deque<Cell> open;
     for (std::size_t i = 0; i < all.size(); ++i)
-      for (const SystemInterpolant::Piece& piece : ranges_.course().pieces()) {
+      for (const SystemInterpolant::Piece& piece : ranges_.interpolant().pieces()) {
         const double low = std::max(piece.low, all[i].from), high = std::min(piece.high, all[i].to);
         for (const int family : {1, -1})
           if (low < high) open.push_back({i, family, low, high, {}});
@@ -172,7 +172,7 @@ class Search {
   }
 
   void take_new_branches() {
-    tracer_.news([this](const OrbitBranch& branch) { cover(branch); });
+    tracer_.new_branches([this](const OrbitBranch& branch) { cover(branch); });
   }
 
   void cover(const OrbitBranch& branch) {

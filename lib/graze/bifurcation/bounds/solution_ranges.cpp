@@ -18,11 +18,14 @@ constexpr long long kMostWork = 1LL << 20;
 
 SolutionRanges::SolutionRanges(const SystemFamily& family, int stop, int period, double lowest,
                                double highest)
-    : course_(family, lowest, highest), stop_(stop), period_(period), length_(highest - lowest) {
+    : interpolant_(family, lowest, highest),
+      stop_(stop),
+      period_(period),
+      length_(highest - lowest) {
   bool ends_everywhere = false;  // at zeros, though there are solutions on both sides
   int sign = 0;                  // of F; 0 before the first piece and after a gap between pieces
   long long left = kMostWork / family.scene().modes();
-  auto pieces_left = static_cast<long long>(course_.pieces().size());
+  auto pieces_left = static_cast<long long>(interpolant_.pieces().size());
   std::optional<Range> open;
   const auto close = [&](double at, bool folds) {
     if (!open) return;
@@ -31,7 +34,7 @@ SolutionRanges::SolutionRanges(const SystemFamily& family, int stop, int period,
     ranges_.push_back(*open);
     open.reset();
   };
-  for (const SystemInterpolant::Piece& piece : course_.pieces()) {
+  for (const SystemInterpolant::Piece& piece : interpolant_.pieces()) {
     const long long allowed = left / pieces_left--;
     if (!piece.exists()) {
       close(piece.low, false);
@@ -39,7 +42,7 @@ SolutionRanges::SolutionRanges(const SystemFamily& family, int stop, int period,
       continue;
     }
     const auto f = [&](double low, double high) -> std::optional<MeanValueForm> {
-      const auto form = one_impact_form(course_.over(piece, low, high), stop_, period_);
+      const auto form = one_impact_form(interpolant_.over(piece, low, high), stop_, period_);
       if (!form) return {};
       ends_everywhere = form->free_speed;
       return form->fold_function();
@@ -63,14 +66,14 @@ SolutionRanges::SolutionRanges(const SystemFamily& family, int stop, int period,
 }
 
 std::optional<SystemForms> SolutionRanges::system_over(double low, double high) const {
-  const auto& pieces = course_.pieces();
+  const auto& pieces = interpolant_.pieces();
   const auto after =
       std::upper_bound(pieces.begin(), pieces.end(), low,
                        [](double value, const auto& piece) { return value < piece.low; });
   if (after == pieces.begin()) return {};
   const SystemInterpolant::Piece& piece = *std::prev(after);
   if (!piece.exists() || high > piece.high) return {};
-  return course_.over(piece, low, high);
+  return interpolant_.over(piece, low, high);
 }
 
 std::optional<std::size_t> SolutionRanges::range_of(double value) const {

@@ -127,15 +127,15 @@ class Survey {
 
 SpeedSurvey survey_speeds(const SystemFamily& family, int stop, int period, double lowest,
                           double highest, bool with_virtual) {
-  const SystemInterpolant course(family, lowest, highest);
+  const SystemInterpolant interpolant(family, lowest, highest);
   Survey survey(family, stop, period, with_virtual);
   survey.result.spacing = (highest - lowest) / (kValues - 1);
-  auto piece = course.pieces().begin();
+  auto piece = interpolant.pieces().begin();
   for (int i = 0; i < kValues; ++i) {
     const double value =
         i + 1 == kValues ? highest : std::min(highest, lowest + i * survey.result.spacing);
     while (value > piece->high) ++piece;
-    if (piece->exists()) survey.look_at(value, course.over(*piece, value, value));
+    if (piece->exists()) survey.look_at(value, interpolant.over(*piece, value, value));
   }
   return std::move(survey.result);
 }

@@ -72,8 +72,8 @@ std::vector<OrbitMargin> GrazingSamples::approaches(const SeenSolution& solution
 }
 
 // Of all that may come to zero between a and b; none where the classification cannot change.
-std::vector<MarginInterpolant> GrazingSamples::courses(const SeenSolution& a,
-                                                       const SeenSolution& b) const {
+std::vector<MarginInterpolant> GrazingSamples::interpolants(const SeenSolution& a,
+                                                            const SeenSolution& b) const {
   const double step = arclength(corrector_, *a.point, *b.point);
   const double still = still_speed(*equations_.system_at(a.point->parameters()));
   std::vector<MarginInterpolant> list;
@@ -93,12 +93,13 @@ std::vector<MarginInterpolant> GrazingSamples::courses(const SeenSolution& a,
 }
 
 void GrazingSamples::add_approaches(const SeenSolution& a, const SeenSolution& b, double step,
-                                    double level, std::vector<MarginInterpolant>& courses) const {
+                                    double level,
+                                    std::vector<MarginInterpolant>& interpolants) const {
   const double rounding = still_gap(*equations_.system_at(a.point->parameters()));
   const std::vector<OrbitMargin> at_a = approaches(a, level), at_b = approaches(b, level);
-  const auto add = [&](MarginInterpolant course) {
-    course.rounding = rounding;
-    courses.push_back(course);
+  const auto add = [&](MarginInterpolant interpolant) {
+    interpolant.rounding = rounding;
+    interpolants.push_back(interpolant);
   };
   for (const OrbitMargin& start : at_a) {
     const OrbitMargin* end = partner(start, at_b, 0.5 * step);
@@ -116,7 +117,7 @@ void GrazingSamples::add_approaches(const SeenSolution& a, const SeenSolution& b
 
 std::optional<SolutionPoint> GrazingSamples::suspected(const SeenSolution& a,
                                                        const SeenSolution& b) {
-  const std::vector<MarginInterpolant> all = courses(a, b);
+  const std::vector<MarginInterpolant> all = interpolants(a, b);
   // Where the classification at an end depends on something else these say nothing.
   if (all.empty() || all_positive(all, 0.0) != a.admissible ||
       all_positive(all, 1.0) != b.admissible)

@@ -34,7 +34,7 @@ class GrazingSearch {
       const std::optional<ZeroEvaluation> at = equations_.grazing(y, {}, grazing.stop);
       if (!at || !at->jacobian.allFinite()) return {};
       if (at->residual.cwiseAbs().maxCoeff() <= options_.residual_tolerance && last <= kSettled)
-        return boundary(y, *at, grazing.stop);
+        return found_at(y, *at, grazing.stop);
       const Vector step = LuFactors(at->jacobian).solve(at->residual);
       const double size = step.norm();
       if (!std::isfinite(size) || (size > kContraction * last && size > kSettled)) return {};
@@ -58,17 +58,17 @@ class GrazingSearch {
   }
 
  private:
-  std::optional<FoundGrazing> boundary(const Vector& y, const ZeroEvaluation& at, int stop) {
+  std::optional<FoundGrazing> found_at(const Vector& y, const ZeroEvaluation& at, int stop) {
     const Eigen::Index n = y.size() - 2;
     const std::optional<GrazingContact> grazing = equations_.grazing_at(y, {}, stop);
     if (!grazing) return {};
-    FoundGrazing boundary;
-    boundary.at.u = y.head(n);
-    boundary.at.parameter = y[n] * corrector_.range();
-    boundary.at.residual = at.residual.head(n).cwiseAbs().maxCoeff();
-    boundary.at.tangent = null_vector(Matrix(at.jacobian.topLeftCorner(n, n + 1)));
-    boundary.contact = *grazing;
-    return boundary;
+    FoundGrazing found;
+    found.at.u = y.head(n);
+    found.at.parameter = y[n] * corrector_.range();
+    found.at.residual = at.residual.head(n).cwiseAbs().maxCoeff();
+    found.at.tangent = null_vector(Matrix(at.jacobian.topLeftCorner(n, n + 1)));
+    found.contact = *grazing;
+    return found;
   }
 
   const SegmentEquations& equations_;
@@ -95,12 +95,12 @@ std::optional<FoundGrazing> find_grazing_between(const SegmentEquations& equatio
   for (const SolutionPoint* from : {&a, &b})
     for (const GrazingContact& grazing : equations.grazing_contacts_near(*from)) {
       if (grazing.stop != stop) continue;
-      const std::optional<FoundGrazing> boundary = search.near(*from, grazing);
+      const std::optional<FoundGrazing> found = search.near(*from, grazing);
       const std::optional<double> part =
-          boundary ? search.part_between(a, b, boundary->at) : std::nullopt;
+          found ? search.part_between(a, b, found->at) : std::nullopt;
       if (!part || !(*part < nearest)) continue;
       nearest = *part;
-      best = boundary;
+      best = found;
     }
   if (!best) return {};
   // The orientation is constant along a branch, whereas where it turns back the tangents may be

@@ -29,8 +29,8 @@ std::optional<std::vector<SegmentMargin>> HiddenEvents::margins(const SolutionPo
 }
 
 // Of what must stay positive between a and b, as far as it is known at both.
-std::vector<MarginInterpolant> HiddenEvents::courses(const SolutionPoint& a,
-                                                     const SolutionPoint& b) {
+std::vector<MarginInterpolant> HiddenEvents::interpolants(const SolutionPoint& a,
+                                                          const SolutionPoint& b) {
   const std::optional<std::vector<SegmentMargin>> at_a = margins(a), at_b = margins(b);
   if (!at_a || !at_b) return {};
   const Vector chord = corrector_.chord(a, b);
@@ -60,7 +60,7 @@ std::vector<MarginInterpolant> HiddenEvents::courses(const SolutionPoint& a,
 
 std::optional<SolutionPoint> HiddenEvents::between(const SolutionPoint& a, const SolutionPoint& b,
                                                    const ReleaseReturn& at_a, int& looks) {
-  const std::vector<MarginInterpolant> all = courses(a, b);
+  const std::vector<MarginInterpolant> all = interpolants(a, b);
   if (all.empty() || looks-- <= 0 || !all_positive(all, 0.0) || !all_positive(all, 1.0)) return {};
   std::optional<double> part = suspected_sign_change(all);
   // The ends may be of two branches with the same events.

@@ -23,7 +23,7 @@ constexpr double kBorn = 1e-2;
 // have shrunk to less.
 constexpr double kSlow = 5e-3;
 
-std::vector<int> holds_of(const Itinerary& itinerary) {
+std::vector<int> sticking_of(const Itinerary& itinerary) {
   std::vector<int> sticking;
   std::ranges::copy_if(itinerary.events, std::back_inserter(sticking),
                        [](int event) { return event < 0; });
@@ -88,7 +88,7 @@ std::optional<OrbitLocusEnd> ReleaseLocus::change(const LocusSite& a, const Locu
   const std::optional<Itinerary> before = itinerary_at(a), now = itinerary_at(b);
   if (!before || !now)
     return completing_ ? OrbitLocusEnd::kNotConverged : OrbitLocusEnd::kChatterCompletes;
-  if (holds_of(*before) != holds_of(*now)) return OrbitLocusEnd::kChatterCompletes;
+  if (sticking_of(*before) != sticking_of(*now)) return OrbitLocusEnd::kChatterCompletes;
   const double speed = equations_.speed_unit();
   const bool born = now->events.size() > before->events.size();
   const bool grazes = before->events == now->events

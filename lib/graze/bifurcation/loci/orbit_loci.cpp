@@ -172,18 +172,18 @@ class LociTracer {
       starts.pop_front();
       for (std::size_t i = known; i < result_.loci.size(); ++i)
         for (const OrbitLocusSpecial& special : result_.loci[i].special)
-          add_leads(result_.loci[i], special, starts);
+          add_continuations(result_.loci[i], special, starts);
     }
   }
 
-  void add_leads(const OrbitLocus& locus, const OrbitLocusSpecial& special,
-                 std::deque<OrbitLocusStart>& starts) {
-    // Of orbits that are followed no leads are known.
+  void add_continuations(const OrbitLocus& locus, const OrbitLocusSpecial& special,
+                         std::deque<OrbitLocusStart>& starts) {
+    // Of orbits that are followed no continuations are known.
     if (special.at.section || (!special.at.admissible && !options_.branches.keep_virtual)) return;
     const System* system = systems_.at(std::array{special.at.value, special.at.second});
     if (!system) return;
-    for (OrbitLocusStart& lead : continuations_from(*system, locus, special, tracer_.speed_unit()))
-      if (wants(lead.kind)) starts.push_back(std::move(lead));
+    for (OrbitLocusStart& start : continuations_from(*system, locus, special, tracer_.speed_unit()))
+      if (wants(start.kind)) starts.push_back(std::move(start));
   }
 
   void begin_one(const OrbitLocusStart& start) {

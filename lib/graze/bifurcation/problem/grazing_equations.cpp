@@ -1,4 +1,4 @@
-// Touches in the equations of followed orbits.
+// Grazing contacts in the equations of followed orbits.
 #include <algorithm>
 #include <cmath>
 

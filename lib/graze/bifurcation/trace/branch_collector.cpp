@@ -31,11 +31,11 @@ ContinuationOptions range_of(const BranchOptions& options) {
   return range;
 }
 
-SegmentOptions segment_of(const BranchOptions& options) {
-  SegmentOptions segment;
-  segment.max_impacts = options.finder.max_impacts;
-  segment.stop = options.stop;
-  return segment;
+SegmentOptions segment_options(const BranchOptions& options) {
+  SegmentOptions result;
+  result.max_impacts = options.finder.max_impacts;
+  result.stop = options.stop;
+  return result;
 }
 
 // Where the branch goes two ways of which one is known.
@@ -53,7 +53,7 @@ BranchCollector::BranchCollector(const SystemFamily& family, const BranchOptions
       continuation_(range_of(options)),
       problems_(family.scene(), {family.parameter()},
                 {options.from != options.to ? std::abs(options.to - options.from) : 1.0},
-                motion_scale(*family.at(family.value())), segment_of(options)) {
+                motion_scale(*family.at(family.value())), segment_options(options)) {
   problems_.set_boundaries([this](const OrbitProblem& problem) {
     return boundaries_of(problem, continuation_, options_);
   });
@@ -123,7 +123,7 @@ std::vector<BranchCollector::Written> BranchCollector::written(const SpecialOrbi
     const GrazingOrbit orbit = orbit_at(*system, at);
     return {problems_.written(orbit.pattern, orbit.impacts)};
   }
-  const FollowedAnswer answer = orbit_again(*system, at, segment_of(options_));
+  const FollowedAnswer answer = orbit_again(*system, at, segment_options(options_));
   if (!answer.orbit) notes_.insert(answer.why_not);
   return answer.orbit ? problems_.written(*answer.orbit, std::span(&value, 1))
                       : std::vector<Written>();
@@ -231,27 +231,28 @@ void BranchCollector::follow() {
       for (std::size_t k = 0; k < found_[i].branch().special.size(); ++k) {
         if (options_.stop.requested()) return;
         const SpecialPoint special = found_[i].branch().special[k];
-        const SpecialContinuation lead = found_[i].part.leads[k];
-        switch_from(special, lead, {static_cast<int>(i), k, special.kind == SpecialKind::kGrazing});
+        const SpecialContinuation continuation = found_[i].part.continuations[k];
+        switch_from(special, continuation,
+                    {static_cast<int>(i), k, special.kind == SpecialKind::kGrazing});
       }
     first = last;
   }
   for (std::size_t i = first; i < found_.size() && options_.follow_depth > 0; ++i)
     for (std::size_t k = 0; k < found_[i].branch().special.size(); ++k) {
       const SpecialPoint& special = found_[i].branch().special[k];
-      const SpecialContinuation& lead = found_[i].part.leads[k];
-      const bool leads_on = crosses(special.kind) || !lead.others.empty() ||
-                            lead.orbits->boundaries->across(special).has_value();
+      const SpecialContinuation& continuation = found_[i].part.continuations[k];
+      const bool leads_on = crosses(special.kind) || !continuation.others.empty() ||
+                            continuation.orbits->boundaries->across(special).has_value();
       result_.left_open += leads_on ? 1 : 0;
     }
 }
 
-bool BranchCollector::switch_from(const SpecialPoint& special, const SpecialContinuation& lead,
-                                  Origin origin) {
-  if (crosses(special.kind)) return switch_across(*lead.orbits, special, origin);
+bool BranchCollector::switch_from(const SpecialPoint& special,
+                                  const SpecialContinuation& continuation, Origin origin) {
+  if (crosses(special.kind)) return switch_across(*continuation.orbits, special, origin);
   const std::size_t known = found_.size();
-  std::vector<OrbitBranchPoint> others = lead.others;
-  if (const auto across = lead.orbits->boundaries->across(special))
+  std::vector<OrbitBranchPoint> others = continuation.others;
+  if (const auto across = continuation.orbits->boundaries->across(special))
     others.push_back(point_of_branch(special.solution.parameter, *across));
   for (const OrbitBranchPoint& other : others)
     for (const Written& one : problems_.written(other.orbit, std::span(&other.value, 1)))

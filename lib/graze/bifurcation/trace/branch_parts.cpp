@@ -75,7 +75,7 @@ class Parting {
     part.branch.ends[1] = end;
     if (!met.place.special) return;
     part.branch.special.push_back(std::move(*met.place.special));
-    part.leads.push_back({met.orbits, std::move(met.place.others)});
+    part.continuations.push_back({met.orbits, std::move(met.place.others)});
   }
 
   void visit(std::size_t index) {

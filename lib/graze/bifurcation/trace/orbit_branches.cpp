@@ -142,7 +142,7 @@ class OrbitTracer {
     tracer.trace = [this, pattern](const ImpactPoint& point, double value) {
       branches_.trace_from(pattern, {point}, value);
     };
-    tracer.news = [this, pattern, next = std::size_t{0}](const auto& hand_over) mutable {
+    tracer.new_branches = [this, pattern, next = std::size_t{0}](const auto& hand_over) mutable {
       for (; next < branches_.found().size(); ++next) {
         const OrbitBranch& branch = branches_.found()[next].branch();
         if (branch.pattern == pattern) hand_over(branch);

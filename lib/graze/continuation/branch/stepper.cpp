@@ -91,7 +91,7 @@ std::optional<SolutionPoint> Stepper::step(const SolutionPoint* before, const So
   turn = angle(next->tangent, here.tangent);
   if (turn > options_.max_turn) return {};
   if (!leads_back(x, *next, chord)) return {};
-  // Two families of one fold run opposite ways. At a branch point the orientation does change; a
+  // The two sides of one fold run opposite ways. At a branch point the orientation does change; a
   // step as short as this has nowhere to jump to.
   if (next->orientation * here.orientation < 0 &&
       chord.norm() > std::max(passing, kShortest * (1.0 + x.norm())))

@@ -66,12 +66,12 @@ struct SampledTest {
 };
 
 // Divided difference over nodes [from, from + count).
-double divided_difference(const SampledTest& course, std::size_t from, std::size_t count) {
-  std::vector<double> d(course.value.begin() + static_cast<std::ptrdiff_t>(from),
-                        course.value.begin() + static_cast<std::ptrdiff_t>(from + count));
+double divided_difference(const SampledTest& sampled, std::size_t from, std::size_t count) {
+  std::vector<double> d(sampled.value.begin() + static_cast<std::ptrdiff_t>(from),
+                        sampled.value.begin() + static_cast<std::ptrdiff_t>(from + count));
   for (std::size_t level = 1; level < count; ++level)
     for (std::size_t k = 0; k + level < count; ++k)
-      d[k] = (d[k + 1] - d[k]) / (course.at[from + k + level] - course.at[from + k]);
+      d[k] = (d[k + 1] - d[k]) / (sampled.at[from + k + level] - sampled.at[from + k]);
   return d[0];
 }
 
@@ -82,25 +82,25 @@ struct Estimate {
 // The cubic through four nodes around the piece and what it may miss, at evenly spaced places.
 class CubicInterpolant {
  public:
-  explicit CubicInterpolant(const SampledTest& course) : course_(course) {
-    const std::size_t count = course.at.size();
-    start_ = std::min(course.first > 0 ? course.first - 1 : 0, count - 4);
+  explicit CubicInterpolant(const SampledTest& sampled) : sampled_(sampled) {
+    const std::size_t count = sampled.at.size();
+    start_ = std::min(sampled.first > 0 ? sampled.first - 1 : 0, count - 4);
     for (std::size_t order = 1; order <= 4; ++order)
-      newton_[order - 1] = divided_difference(course, start_, order);
+      newton_[order - 1] = divided_difference(sampled, start_, order);
     for (const std::size_t from : {start_ > 0 ? start_ - 1 : start_, start_})
       if (from + 5 <= count)
-        fourth_ = std::max(fourth_, std::abs(divided_difference(course, from, 5)));
+        fourth_ = std::max(fourth_, std::abs(divided_difference(sampled, from, 5)));
   }
 
   // From one of the nodes on, `ahead` (1 or -1), the cubic's error grows at once: how far away the
   // parabola there, turned towards zero by that error, is lowest. `sign`: of the value there.
   double lowest_beside(std::size_t node, double ahead, double sign) const {
-    const double s = course_.at[node];
-    const double x = s - course_.at[start_], y = s - course_.at[start_ + 1],
-                 z = s - course_.at[start_ + 2];
+    const double s = sampled_.at[node];
+    const double x = s - sampled_.at[start_], y = s - sampled_.at[start_ + 1],
+                 z = s - sampled_.at[start_ + 2];
     double error_rate = kVariation * fourth_;
     for (std::size_t k = start_; k < start_ + 4; ++k)
-      if (k != node) error_rate *= std::abs(s - course_.at[k]);
+      if (k != node) error_rate *= std::abs(s - sampled_.at[k]);
     const double slope = newton_[1] + newton_[2] * (x + y) + newton_[3] * (x * y + x * z + y * z);
     const double bend = 2.0 * newton_[2] + 2.0 * newton_[3] * (x + y + z);
     return (error_rate - ahead * sign * slope) / (sign * bend);
@@ -109,7 +109,7 @@ class CubicInterpolant {
   Estimate at(double s) const {
     Estimate estimate{newton_[3], kVariation * fourth_};
     for (std::size_t k = 4; k-- > 0;) {
-      const double offset = s - course_.at[start_ + k];
+      const double offset = s - sampled_.at[start_ + k];
       if (k < 3) estimate.value = estimate.value * offset + newton_[k];
       estimate.error *= std::abs(offset);
     }
@@ -117,7 +117,7 @@ class CubicInterpolant {
   }
 
  private:
-  const SampledTest& course_;
+  const SampledTest& sampled_;
   std::size_t start_ = 0;
   std::array<double, 4> newton_{};
   double fourth_ = 0.0;
@@ -162,14 +162,14 @@ std::optional<SuspectedChange> suspected_change(const CubicInterpolant& cubic, d
 }
 
 // Where a test may have changed sign and changed it back within the piece; nothing where it cannot.
-std::optional<SuspectedChange> suspected_sign_change(const SampledTest& course) {
-  const double length = course.at[course.first + 1];
-  if (course.at.size() < 5) return SuspectedChange{0.5 * length, 1.0};
-  const double start = course.value[course.first], end = course.value[course.first + 1];
-  const CubicInterpolant cubic(course);
+std::optional<SuspectedChange> suspected_sign_change(const SampledTest& sampled) {
+  const double length = sampled.at[sampled.first + 1];
+  if (sampled.at.size() < 5) return SuspectedChange{0.5 * length, 1.0};
+  const double start = sampled.value[sampled.first], end = sampled.value[sampled.first + 1];
+  const CubicInterpolant cubic(sampled);
   return start * end < 0.0
              ? suspected_change(cubic, length, start, end)
-             : suspected_return(cubic, course.first, length, start > 0.0 ? 1.0 : -1.0);
+             : suspected_return(cubic, sampled.first, length, start > 0.0 ? 1.0 : -1.0);
 }
 
 class SampleSearch {
@@ -227,8 +227,8 @@ class SampleSearch {
     if (move > kLargestMove) worst = SuspectedChange{0.5 * (b.at - a.at), 1.0};
     for (std::size_t test = 0; test < kCrossingTests; ++test) {
       if (!a.tests[test].known || !b.tests[test].known) continue;
-      const std::optional<SuspectedChange> doubt = suspected_sign_change(sampled(test));
-      if (doubt && (!worst || doubt->size > worst->size)) worst = doubt;
+      const std::optional<SuspectedChange> suspected = suspected_sign_change(sampled(test));
+      if (suspected && (!worst || suspected->size > worst->size)) worst = suspected;
     }
     const SolutionPoint &from = branch_.points[step], &to = branch_.points[step + 1];
     if (!worst || b.at - a.at <= kShortestPiece * length(from, to)) return false;
@@ -260,14 +260,14 @@ class SampleSearch {
     for (std::size_t k = 1; k <= behind; ++k) nodes.push_back(&ahead_[ahead_.size() - k]);
     double largest = -std::numeric_limits<double>::infinity();
     for (const Node* node : nodes) largest = std::max(largest, node->tests[test].log_size);
-    SampledTest course;
-    course.first = before - 1;
+    SampledTest result;
+    result.first = before - 1;
     for (const Node* node : nodes) {
-      course.at.push_back(node->at - passed_.back().at);
-      course.value.push_back(node->tests[test].sign *
+      result.at.push_back(node->at - passed_.back().at);
+      result.value.push_back(node->tests[test].sign *
                              std::exp(node->tests[test].log_size - largest));
     }
-    return course;
+    return result;
   }
 
   const Branch& branch_;

@@ -55,15 +55,15 @@ std::vector<double> zeros(const Cubic& c, double from, double to) {
 
 struct Smallest {
   double value = std::numeric_limits<double>::infinity();
-  const MarginInterpolant* course = nullptr;
+  const MarginInterpolant* interpolant = nullptr;
 };
 
-Smallest smallest_at(const std::vector<MarginInterpolant>& courses, double s) {
+Smallest smallest_at(const std::vector<MarginInterpolant>& interpolants, double s) {
   Smallest smallest;
-  for (const MarginInterpolant& course : courses) {
-    if (s < course.from || s > course.to) continue;
-    const double here = course.at(s);
-    if (here < smallest.value) smallest = {here, &course};
+  for (const MarginInterpolant& interpolant : interpolants) {
+    if (s < interpolant.from || s > interpolant.to) continue;
+    const double here = interpolant.at(s);
+    if (here < smallest.value) smallest = {here, &interpolant};
   }
   return smallest;
 }
@@ -75,71 +75,73 @@ struct Run {
   bool known = false;  // farther from zero than rounding
 };
 
-std::vector<Run> runs_of(const std::vector<MarginInterpolant>& courses) {
+std::vector<Run> runs_of(const std::vector<MarginInterpolant>& interpolants) {
   std::vector<double> breaks = {0.0, 1.0};
-  for (const MarginInterpolant& course : courses) {
-    breaks.push_back(course.from);
-    breaks.push_back(course.to);
-    for (const double s : extrema(course.coefficients, course.from, course.to)) breaks.push_back(s);
-    for (const double s : zeros(course.coefficients, course.from, course.to)) breaks.push_back(s);
+  for (const MarginInterpolant& interpolant : interpolants) {
+    breaks.push_back(interpolant.from);
+    breaks.push_back(interpolant.to);
+    for (const double s : extrema(interpolant.coefficients, interpolant.from, interpolant.to))
+      breaks.push_back(s);
+    for (const double s : zeros(interpolant.coefficients, interpolant.from, interpolant.to))
+      breaks.push_back(s);
   }
   std::sort(breaks.begin(), breaks.end());
   std::vector<Run> runs;
   for (std::size_t i = 0; i + 1 < breaks.size(); ++i) {
     if (!(breaks[i + 1] > breaks[i])) continue;
     const double middle = 0.5 * (breaks[i] + breaks[i + 1]);
-    const Smallest inside = smallest_at(courses, middle);
+    const Smallest inside = smallest_at(interpolants, middle);
     const bool positive = inside.value > 0.0;
     if (runs.empty() || runs.back().positive != positive) runs.push_back({positive, 0.0, middle});
     for (const double s : {breaks[i], middle, breaks[i + 1]}) {
-      const Smallest here = smallest_at(courses, s);
-      if (!here.course || (here.value > 0.0) != positive || s <= 0.0 || s >= 1.0) continue;
+      const Smallest here = smallest_at(interpolants, s);
+      if (!here.interpolant || (here.value > 0.0) != positive || s <= 0.0 || s >= 1.0) continue;
       if (std::abs(here.value) < runs.back().depth) continue;
       runs.back().depth = std::abs(here.value);
       runs.back().place = s;
-      runs.back().known = std::abs(here.value) > here.course->rounding;
+      runs.back().known = std::abs(here.value) > here.interpolant->rounding;
     }
   }
   return runs;
 }
 
 // Whether the smallest, next to an extremum of it, may reach zero there all the same.
-bool may_reach_zero(const std::vector<MarginInterpolant>& courses, const MarginInterpolant& course,
-                    double s, double more_error = 0.0) {
-  const Smallest smallest = smallest_at(courses, s);
-  const double size = std::abs(course.at(s));
+bool may_reach_zero(const std::vector<MarginInterpolant>& interpolants,
+                    const MarginInterpolant& interpolant, double s, double more_error = 0.0) {
+  const Smallest smallest = smallest_at(interpolants, s);
+  const double size = std::abs(interpolant.at(s));
   // What lies beyond the smallest does not matter.
-  if (smallest.value < course.at(s) - course.error(s)) return false;
-  return size > course.rounding && size <= course.error(s) + more_error;
+  if (smallest.value < interpolant.at(s) - interpolant.error(s)) return false;
+  return size > interpolant.rounding && size <= interpolant.error(s) + more_error;
 }
 
 }  // namespace
 
 MarginInterpolant MarginInterpolant::between(double start, double start_rate, double end,
                                              double end_rate) {
-  MarginInterpolant course;
+  MarginInterpolant interpolant;
   const double rise = end - start;
-  course.coefficients = {start, start_rate, 3.0 * rise - 2.0 * start_rate - end_rate,
-                         start_rate + end_rate - 2.0 * rise};
+  interpolant.coefficients = {start, start_rate, 3.0 * rise - 2.0 * start_rate - end_rate,
+                              start_rate + end_rate - 2.0 * rise};
   for (const double s : {0.25, 0.5, 0.75})
-    course.bend = std::max(course.bend, std::abs(course.at(s) - start - s * rise));
-  return course;
+    interpolant.bend = std::max(interpolant.bend, std::abs(interpolant.at(s) - start - s * rise));
+  return interpolant;
 }
 
 MarginInterpolant MarginInterpolant::from_start(double start, double rate) {
-  MarginInterpolant course;
-  course.coefficients = {start, rate, 0.0, 0.0};
-  course.to = 0.5;
-  course.bend = std::abs(rate);
-  return course;
+  MarginInterpolant interpolant;
+  interpolant.coefficients = {start, rate, 0.0, 0.0};
+  interpolant.to = 0.5;
+  interpolant.bend = std::abs(rate);
+  return interpolant;
 }
 
 MarginInterpolant MarginInterpolant::to_end(double end, double rate) {
-  MarginInterpolant course;
-  course.coefficients = {end - rate, rate, 0.0, 0.0};
-  course.from = 0.5;
-  course.bend = std::abs(rate);
-  return course;
+  MarginInterpolant interpolant;
+  interpolant.coefficients = {end - rate, rate, 0.0, 0.0};
+  interpolant.from = 0.5;
+  interpolant.bend = std::abs(rate);
+  return interpolant;
 }
 
 double MarginInterpolant::at(double s) const { return value(coefficients, s); }
@@ -149,39 +151,43 @@ double MarginInterpolant::error(double s) const {
   return kError * bend * shape * shape;
 }
 
-bool is_shown(const std::vector<MarginInterpolant>& courses) {
-  return std::all_of(courses.begin(), courses.end(), [](const MarginInterpolant& course) {
-    const auto& c = course.coefficients;
-    const double change = c[1] + c[2] + c[3], end_rate = c[1] + 2.0 * c[2] + 3.0 * c[3];
-    const double size = std::max({std::abs(change), std::abs(c[1]), std::abs(end_rate)});
-    const double missed = 0.5 * std::abs(c[3]);  // rate at both ends less twice the change
-    return size <= course.rounding || missed <= kShown * size;
-  });
+bool is_shown(const std::vector<MarginInterpolant>& interpolants) {
+  return std::all_of(
+      interpolants.begin(), interpolants.end(), [](const MarginInterpolant& interpolant) {
+        const auto& c = interpolant.coefficients;
+        const double change = c[1] + c[2] + c[3], end_rate = c[1] + 2.0 * c[2] + 3.0 * c[3];
+        const double size = std::max({std::abs(change), std::abs(c[1]), std::abs(end_rate)});
+        const double missed = 0.5 * std::abs(c[3]);  // rate at both ends less twice the change
+        return size <= interpolant.rounding || missed <= kShown * size;
+      });
 }
 
-bool all_positive(const std::vector<MarginInterpolant>& courses, double s) {
-  return smallest_at(courses, s).value > 0.0;
+bool all_positive(const std::vector<MarginInterpolant>& interpolants, double s) {
+  return smallest_at(interpolants, s).value > 0.0;
 }
 
-std::optional<double> suspected_sign_change(const std::vector<MarginInterpolant>& courses) {
-  const std::vector<Run> runs = runs_of(courses);
+std::optional<double> suspected_sign_change(const std::vector<MarginInterpolant>& interpolants) {
+  const std::vector<Run> runs = runs_of(interpolants);
   for (std::size_t i = 1; i + 1 < runs.size(); ++i)
     if (runs[i].known) return runs[i].place;
-  for (const MarginInterpolant& course : courses) {
-    for (const double s : extrema(course.coefficients, course.from, course.to)) {
+  for (const MarginInterpolant& interpolant : interpolants) {
+    for (const double s : extrema(interpolant.coefficients, interpolant.from, interpolant.to)) {
       // Least where positive, largest where negative: those that come nearest to zero.
-      const double curvature = 2.0 * course.coefficients[2] + 6.0 * course.coefficients[3] * s;
-      if (curvature * course.at(s) > 0.0 && may_reach_zero(courses, course, s)) return s;
+      const double curvature =
+          2.0 * interpolant.coefficients[2] + 6.0 * interpolant.coefficients[3] * s;
+      if (curvature * interpolant.at(s) > 0.0 && may_reach_zero(interpolants, interpolant, s))
+        return s;
     }
     // Where one grows into another that falls, the smaller of both is largest.
-    for (const MarginInterpolant& other : courses) {
-      if (&other <= &course) continue;
+    for (const MarginInterpolant& other : interpolants) {
+      if (&other <= &interpolant) continue;
       Cubic difference;
       for (std::size_t k = 0; k < 4; ++k)
-        difference[k] = course.coefficients[k] - other.coefficients[k];
-      for (const double s :
-           zeros(difference, std::max(course.from, other.from), std::min(course.to, other.to)))
-        if (course.at(s) < 0.0 && may_reach_zero(courses, course, s, other.error(s))) return s;
+        difference[k] = interpolant.coefficients[k] - other.coefficients[k];
+      for (const double s : zeros(difference, std::max(interpolant.from, other.from),
+                                  std::min(interpolant.to, other.to)))
+        if (interpolant.at(s) < 0.0 && may_reach_zero(interpolants, interpolant, s, other.error(s)))
+          return s;
     }
   }
   return {};

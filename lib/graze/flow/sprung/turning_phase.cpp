@@ -16,7 +16,7 @@ System with_joint(const System& system, Joint joint, double angle) {
   return holding;
 }
 
-std::vector<int> holds_of(const System& holding, const PhaseKey& key) {
+std::vector<int> constrained_stops(const System& holding, const PhaseKey& key) {
   std::vector<int> constrained = key.closed;
   if (key.joint == Joint::kHeld) constrained.push_back(static_cast<int>(holding.stops.size()) - 1);
   return constrained;
@@ -25,7 +25,7 @@ std::vector<int> holds_of(const System& holding, const PhaseKey& key) {
 }  // namespace
 
 SprungPhase::Equations TurningPhase::equations_of(const System& holding, const PhaseKey& key) {
-  Equations equations{ConstrainedStructure<double>(holding, holds_of(holding, key)), {}};
+  Equations equations{ConstrainedStructure<double>(holding, constrained_stops(holding, key)), {}};
   const ConstrainedStructure<double>& structure = equations.structure;
   SprungSystem& sprung = equations.system;
   const Eigen::Index m = structure.size();
@@ -104,8 +104,8 @@ SprungPhase::AtStart TurningPhase::at_start() const {
 
 double TurningPhase::force_at(int stop, const double& s, const Vector& q,
                               const Vector& qdot) const {
-  return turning().holds(turning().structure.force({q, qdot}, s) - spring_push(q, qdot),
-                         q)[structure().column_of(stop)];
+  return turning().hold_forces(turning().structure.force({q, qdot}, s) - spring_push(q, qdot),
+                               q)[structure().column_of(stop)];
 }
 
 double TurningPhase::force_rate(int stop) const {

@@ -14,7 +14,7 @@ Vector Turning::jerk(const TurningMotion& at, const Vector& acceleration,
   return this->acceleration(force_rate - change * structure.angle_row(), at.y);
 }
 
-Vector Turning::holds(const Vector& force, const Vector& y) const {
+Vector Turning::hold_forces(const Vector& force, const Vector& y) const {
   const Vector moved = acceleration(force, y);
   return across * (force - moved -
                    (structure.added_inertia(y) * structure.rate(moved)) * structure.angle_row());

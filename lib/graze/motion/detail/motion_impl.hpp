@@ -179,8 +179,8 @@ Arrival<Real> Motion<Real>::fly(const Real& until, const Real& horizon) {
   if (!arrival && !(until > now_.instant.local)) arrival = stay();
   if (!arrival) arrival = arrive(search(until, horizon), until);
   if (arrival->kind == ArrivalKind::kContact && crowded()) arrival->kind = ArrivalKind::kRefused;
-  // To be asked for the news alone is no progress and no standstill.
-  // Nor is a flight that the clock does not feel.
+  // To be asked for pending events alone is no progress, but is not counted; a flight that the
+  // clock does not feel is none either.
   if (now_.instant.period != start.period || now_.instant.local != start.local)
     arrivals_at_once_ = 0;
   else if (arrival->kind != ArrivalKind::kTime)
@@ -199,7 +199,7 @@ int Motion<Real>::first_of(const ContactPhase<Real>& phase) {
                                         : phase.springs().loaded.front();
 }
 
-// A flight of no length, for the news alone.
+// A flight of no length, for pending events alone.
 template <class Real>
 Arrival<Real> Motion<Real>::stay() {
   departure_ = now_;

@@ -90,11 +90,12 @@ void CarriedDeviations::meet(const Arrival<double>& arrival, const Eigen::RowVec
   deviations_->q -= s.row * (s.row.transpose() * deviations_->q) / s.row.squaredNorm();
 }
 
-void CarriedDeviations::meet_at_once(const Arrival<double>& news) {
+void CarriedDeviations::meet_at_once(const Arrival<double>& arrival) {
   if (!any()) return;
   const std::vector<int> closed = closed_now();
-  if (deviations_) meet(news, stop(news.stop).row.transpose() * deviations_->q, closed);
-  if (parameter_) parameter_->meet_at_once(news.stop, state_now(), rate_now(closed), news.speed);
+  if (deviations_) meet(arrival, stop(arrival.stop).row.transpose() * deviations_->q, closed);
+  if (parameter_)
+    parameter_->meet_at_once(arrival.stop, state_now(), rate_now(closed), arrival.speed);
 }
 
 // The derivative of q'+ = q'- - D (B^T D)^-1 (v- - target) over the stops that act.

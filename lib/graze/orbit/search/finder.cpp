@@ -60,10 +60,10 @@ class Finder {
         scale_(motion_scale(system)),
         compliant_(system.has_compliant_stop()) {
     const State at_rest{Vector::Zero(system.modes()), Vector::Zero(system.modes())};
-    segment_.closure_speed =
+    segment_options_.closure_speed =
         options.closure_speed.value_or(default_closure_speed(system, start.value_or(at_rest)));
-    segment_.max_impacts = options.max_impacts;
-    segment_.stop = options.stop;
+    segment_options_.max_impacts = options.max_impacts;
+    segment_options_.stop = options.stop;
   }
 
   FoundOrbits find() {
@@ -104,7 +104,8 @@ class Finder {
       found_.notes.push_back(settled.classification);
       return;
     }
-    const FollowedAnswer answer = keep(orbit_near(system_, settled, segment_), found_.simulation);
+    const FollowedAnswer answer =
+        keep(orbit_near(system_, settled, segment_options_), found_.simulation);
     if (!answer.orbit) {
       found_.notes.push_back(settled.classification + (sticks ? "; " : ", but ") + answer.why_not);
       return;
@@ -115,7 +116,7 @@ class Finder {
             ? fmt::format("{}; solved for, it is a ({}, {}) orbit that sticks, its chatters summed "
                           "below {:.4g} m/s",
                           settled.classification, orbit.period, orbit.impacts.size(),
-                          segment_.closure_speed)
+                          segment_options_.closure_speed)
             : fmt::format("from the scene's initial state the motion settles on a ({}, {}) orbit",
                           orbit.period, orbit.impacts.size()));
   }
@@ -134,9 +135,9 @@ class Finder {
   }
 
   void from_closed_form_contacts() {
-    for (const State& start : closed_form_contacts(system_, options_.period, segment_))
+    for (const State& start : closed_form_contacts(system_, options_.period, segment_options_))
       if (!options_.stop.requested())
-        keep(followed_orbit(system_, start, options_.period, segment_), found_.closed_form);
+        keep(followed_orbit(system_, start, options_.period, segment_options_), found_.closed_form);
   }
 
   void from_rough_contacts() {
@@ -145,10 +146,11 @@ class Finder {
     const int guesses = std::min(options_.random_guesses, std::max(4, 64 / (modes * modes)));
     for (int stop = 0; stop < static_cast<int>(system_.stops.size()); ++stop) {
       ++found_.patterns;
-      for (const State& start : rough_contacts(system_, stop, options_.period, guesses,
-                                               speed_scale(), options_.random_seed, segment_)) {
+      for (const State& start :
+           rough_contacts(system_, stop, options_.period, guesses, speed_scale(),
+                          options_.random_seed, segment_options_)) {
         if (options_.stop.requested()) return;
-        keep(followed_orbit(system_, start, options_.period, segment_), found_.random);
+        keep(followed_orbit(system_, start, options_.period, segment_options_), found_.random);
       }
     }
   }
@@ -314,7 +316,8 @@ class Finder {
     if (!opposite) return;
     for (const Orbit& orbit : std::vector<Orbit>(found_.orbits)) {
       if (!(orbit.admissible || options_.keep_virtual)) continue;
-      if (const auto image = mirrored_orbit(system_, orbit, *opposite, segment_)) keep(*image);
+      if (const auto image = mirrored_orbit(system_, orbit, *opposite, segment_options_))
+        keep(*image);
     }
   }
 
@@ -356,7 +359,7 @@ class Finder {
   const FinderOptions& options_;
   MotionScale scale_;
   bool compliant_;  // a stop is, and every orbit is followed
-  SegmentOptions segment_;
+  SegmentOptions segment_options_;
   FoundOrbits found_;
 };
 

@@ -165,11 +165,11 @@ class Settling {
     const int p = repetition();
     if (p == 0) return;
     const Pattern motion = pattern_of_last(p);
-    const bool grazings = history_.contacts_since(history_.periods() - p).any;
-    const bool impacts_alone = motion.pattern.impacts() > 0 && !grazings;
+    const bool contacts = history_.contacts_since(history_.periods() - p).any;
+    const bool impacts_alone = motion.pattern.impacts() > 0 && !contacts;
     if (!options_.nearness) {
       // A drift too slow to see may still lead to the stop: being clear of it takes certainty.
-      if (impacts_alone || grazings) conclude_periodic(p);
+      if (impacts_alone || contacts) conclude_periodic(p);
       return;
     }
     if (impacts_alone && history_.periods() >= next_solve_) {

@@ -29,7 +29,7 @@ int samples_per_period(const PageSource& source, const System& system, long long
                   page_samples(system, periods, source.most_samples) / static_cast<int>(periods));
 }
 
-struct SampledTest {
+struct PlaceSeries {
   std::vector<float> t, x, v;  // forcing periods, m, m/s; NaN where it jumps
 
   void add(double time, double displacement, double velocity) {
@@ -43,7 +43,7 @@ struct SampledTest {
   }
 };
 
-Json place_json(const System& system, const SeenPlace& place, const SampledTest& course) {
+Json place_json(const System& system, const SeenPlace& place, const PlaceSeries& series) {
   Json stops = Json::array();
   std::string name = place.stops.size() > 1 ? "stops" : "stop";
   for (const SeenStop& stop : place.stops) {
@@ -52,9 +52,9 @@ Json place_json(const System& system, const SeenPlace& place, const SampledTest&
   }
   return {{"name", system.stops.size() > 1 ? name : "the stop"},
           {"stops", stops},
-          {"t", packed(course.t)},
-          {"x", packed(course.x)},
-          {"v", packed(course.v)}};
+          {"t", packed(series.t)},
+          {"x", packed(series.x)},
+          {"v", packed(series.v)}};
 }
 
 // The place that is hit first comes first.
@@ -174,14 +174,14 @@ Json motion_json(const PageSource& source, const System& system, const PageMotio
   for (const SeenPlace& shown : places_seen(system, first))
     for (const SeenPlace& place : seen.places) {
       if (place.stops.front().index != shown.stops.front().index) continue;
-      SampledTest course;
+      PlaceSeries series;
       for (const MotionPoint& point : place.motion)
         // A point at which the velocity jumps belongs to both sides; the sides are there as well.
         if (std::isfinite(point.velocity))
-          course.add(point.time / period, point.displacement, point.velocity);
+          series.add(point.time / period, point.displacement, point.velocity);
         else
-          course.gap();
-      places.push_back(place_json(system, place, course));
+          series.gap();
+      places.push_back(place_json(system, place, series));
       for (const SeenStop& stop : place.stops)
         for (const TimeSpan& span : stuck_phases(record, stop.index, seen.window))
           stuck.push_back(
@@ -249,15 +249,15 @@ Json page_orbit(const PageSource& source, const System& system, const Orbit& orb
         {json_number(multiplier.value.real()), json_number(multiplier.value.imag())});
   const int first = orbit.impacts.empty() ? 0 : orbit.impacts.front().stop;
   for (const SeenPlace& place : places_seen(system, first)) {
-    SampledTest course;
+    PlaceSeries series;
     for (const std::vector<CurveSample>& flight :
          orbit_curve(system, orbit, place.stops.front().index,
                      samples_per_period(source, system, orbit.period))) {
       for (const CurveSample& sample : flight)
-        course.add(sample.theta / kTurn, sample.displacement, sample.velocity);
-      course.gap();
+        series.add(sample.theta / kTurn, sample.displacement, sample.velocity);
+      series.gap();
     }
-    places.push_back(place_json(system, place, course));
+    places.push_back(place_json(system, place, series));
   }
   return {{"name", orbit_name(orbit)},
           {"value", value ? Json(*value) : Json(nullptr)},

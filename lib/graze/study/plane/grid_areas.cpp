@@ -88,7 +88,7 @@ class Grid {
     while (!waiting.empty()) {
       const std::size_t cell = waiting.front();
       waiting.pop_front();
-      // All around are of the area: what boundaries on another one has its depth already.
+      // All around are of the area: what borders on another one has its depth already.
       visit_neighbours(cell, [&](std::size_t other) {
         if (keys_[other] != keys_[cell] || depths[index(other)] >= 0) return;
         depths[index(other)] = depths[index(cell)] + 1;

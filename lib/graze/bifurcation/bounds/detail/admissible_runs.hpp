@@ -31,7 +31,7 @@ struct RunTracer {
   // Traces the branch through a solution.
   std::function<void(const ImpactPoint& point, double value)> trace;
   // Hands over the listed branches of the stop's (p, 1) orbits, those since the last call only.
-  std::function<void(const std::function<void(const OrbitBranch&)>&)> news;
+  std::function<void(const std::function<void(const OrbitBranch&)>&)> new_branches;
   std::function<bool()> stopped;
 };
 

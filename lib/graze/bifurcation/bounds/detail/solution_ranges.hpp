@@ -3,10 +3,10 @@
 //
 // The proof is a bound: F of one_impact_form.hpp is taken apart into cells over each of which it
 // keeps its sign or falls or rises throughout, in outward rounded intervals. What it rests on is
-// the course of the system's numbers (system_interpolant.hpp): exact over parameters of which these
-// are polynomials up to the third degree, such as the forcing frequency, and an interpolation to
-// 1e-12 over others. It is no proof where cells are left undecided: two folds that agree to half of
-// all digits, or more oscillations than the budget of cells resolves. Those are counted, and the
+// the interpolant of the system's numbers (system_interpolant.hpp): exact over parameters of which
+// these are polynomials up to the third degree, such as the forcing frequency, and an interpolation
+// to 1e-12 over others. It is no proof where cells are left undecided: two folds that agree to half
+// of all digits, or more oscillations than the budget of cells resolves. Those are counted, and the
 // widest one says what width of interval may have been passed over.
 #pragma once
 
@@ -34,7 +34,7 @@ class SolutionRanges {
   int undecided() const { return undecided_; }                  // cells
   double widest_undecided() const { return widest_; }
 
-  const SystemInterpolant& course() const { return course_; }
+  const SystemInterpolant& interpolant() const { return interpolant_; }
   int stop() const { return stop_; }
   int period() const { return period_; }
   double length() const { return length_; }  // of the range that was looked through
@@ -51,7 +51,7 @@ class SolutionRanges {
   std::optional<int> component(double value, double phase) const;
 
  private:
-  SystemInterpolant course_;
+  SystemInterpolant interpolant_;
   int stop_, period_;
   double length_;
   std::vector<Range> ranges_;

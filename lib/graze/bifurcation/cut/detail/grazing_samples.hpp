@@ -55,9 +55,9 @@ class GrazingSamples {
   // In which the branch runs there.
   OrbitDirection direction(const SolutionPoint& point) const;
   std::vector<OrbitMargin> approaches(const SeenSolution& solution, double level) const;
-  std::vector<MarginInterpolant> courses(const SeenSolution& a, const SeenSolution& b) const;
+  std::vector<MarginInterpolant> interpolants(const SeenSolution& a, const SeenSolution& b) const;
   void add_approaches(const SeenSolution& a, const SeenSolution& b, double step, double level,
-                      std::vector<MarginInterpolant>& courses) const;
+                      std::vector<MarginInterpolant>& interpolants) const;
   // The solution between a and b to be looked at next; nothing where none is in doubt.
   std::optional<SolutionPoint> suspected(const SeenSolution& a, const SeenSolution& b);
 

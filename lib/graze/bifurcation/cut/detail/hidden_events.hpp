@@ -31,7 +31,7 @@ class HiddenEvents {
 
  private:
   std::optional<std::vector<SegmentMargin>> margins(const SolutionPoint& solution);
-  std::vector<MarginInterpolant> courses(const SolutionPoint& a, const SolutionPoint& b);
+  std::vector<MarginInterpolant> interpolants(const SolutionPoint& a, const SolutionPoint& b);
 
   const SegmentEquations& equations_;
   Corrector& corrector_;

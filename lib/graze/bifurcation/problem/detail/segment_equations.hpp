@@ -105,12 +105,12 @@ class SegmentEquations : public OrbitProblem {
     Eigen::Index turn = 0;
     double angle = 0.0;  // within it, rad
   };
-  // Of y as touching() has it.
+  // Of y as grazing() has it.
   Place place_of(const Vector& y) const;
   // psi of a grazing contact of the orbit u.
   double psi_of(const Vector& u, const GrazingContact& grazing) const;
-  // The motions of y without the impact that the grazing contact would be (touch.hpp), over all
-  // parameters.
+  // The motions of y without the impact that the grazing contact would be (grazing_contact.hpp),
+  // over all parameters.
   std::optional<SegmentShooting> without_grazing(const Vector& y, Parameters all, int stop) const;
   // The equations of an orbit that touches a stop at no speed, in y = (u, first/unit, psi) over the
   // parameters behind the first one. Nothing where the motion cannot be followed, or the values are

@@ -61,7 +61,8 @@ class BranchCollector {
   // Keeps the parts of a trace.
   void add(std::vector<BranchPiece> pieces, Origin origin);
   // Whether another branch leads away from there that was not known.
-  bool switch_from(const SpecialPoint& special, const SpecialContinuation& lead, Origin origin);
+  bool switch_from(const SpecialPoint& special, const SpecialContinuation& continuation,
+                   Origin origin);
   bool switch_across(LaidOrbits& known, const SpecialPoint& special, Origin origin);
 
   const SystemFamily& family_;

@@ -16,7 +16,7 @@ struct SpecialContinuation {
 
 struct BranchPart {
   OrbitBranch branch;
-  std::vector<SpecialContinuation> leads;  // of its special points
+  std::vector<SpecialContinuation> continuations;  // of its special points
 };
 
 // The parts that are listed. Pieces that lead beyond a boundary are cut off there.

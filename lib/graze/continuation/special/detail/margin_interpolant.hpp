@@ -32,13 +32,13 @@ struct MarginInterpolant {
 
 // Where to look within the piece for changes of sign that its ends do not show; nothing where it is
 // clear of them. Where there are no quantities nothing changes.
-std::optional<double> suspected_sign_change(const std::vector<MarginInterpolant>& courses);
+std::optional<double> suspected_sign_change(const std::vector<MarginInterpolant>& interpolants);
 
 // Whether the rates at the ends account for the changes between them, as far as to a part: else the
 // piece is too long to show how a quantity moves, or its ends are not of one branch.
-bool is_shown(const std::vector<MarginInterpolant>& courses);
+bool is_shown(const std::vector<MarginInterpolant>& interpolants);
 
 // Whether all of them are positive there.
-bool all_positive(const std::vector<MarginInterpolant>& courses, double s);
+bool all_positive(const std::vector<MarginInterpolant>& interpolants, double s);
 
 }  // namespace graze

@@ -3,12 +3,12 @@
 //
 // Six of them stand behind this contract, chosen once for each phase (phase_choice.hpp):
 //
-//   FreePhase      nothing holds the structure: its modes in closed form        exact_phase.hpp
-//   ConstrainedPhase      closed stops hold it, and it has real modes there exact_phase.hpp
-//   CoupledPhase   the same where oblique laws or damping couple its modes      coupled_phase.hpp
-//   SteppedPhase   any of these, integrated step by step instead                stepped_phase.hpp
-//   SprungPhase    springs are compressed                                       sprung_phase.hpp
-//   TurningPhase   the structure turns on a hub, with springs or without        turning_phase.hpp
+//   FreePhase         nothing holds the structure: its modes in closed form    exact_phase.hpp
+//   ConstrainedPhase  closed stops hold it, and it has real modes there        exact_phase.hpp
+//   CoupledPhase      the same where oblique laws or damping couple its modes  coupled_phase.hpp
+//   SteppedPhase      any of these, integrated step by step instead            stepped_phase.hpp
+//   SprungPhase       springs are compressed                                   sprung_phase.hpp
+//   TurningPhase      the structure turns on a hub, with springs or without    turning_phase.hpp
 //
 // In 50 digits there are the first two, which have nothing but closed forms.
 #pragma once

@@ -67,7 +67,7 @@ inline Vector Sprung::spring_push(const State& z) const {
 inline double Sprung::hold_force(int hold, double s, const State& z) {
   spread(z);
   const Turning& turning = *system_.turning;
-  return turning.holds(turning.structure.force({y_, ydot_}, s) - spring_push(z), y_)[hold];
+  return turning.hold_forces(turning.structure.force({y_, ydot_}, s) - spring_push(z), y_)[hold];
 }
 
 inline double Sprung::hold_rate(int hold, double s, const State& z) {

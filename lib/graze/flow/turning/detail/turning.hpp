@@ -1,7 +1,7 @@
 // A structure that turns and what holds it: stops that it is closed on, a joint that does not slip.
 //
 // Held displacements are y_c + U x with orthonormal columns U across the rows B of what holds; the
-// forces f of the holds act along B:
+// forces f that hold it act along B:
 //
 //   U^T M U x'' = U^T h,   M y'' = h - B f   =>   f = (B^T B)^-1 B^T (h - M y'')
 //
@@ -26,7 +26,7 @@ struct Turning {
   Vector acceleration(const Vector& force, const Vector& y) const;
   Vector jerk(const TurningMotion& at, const Vector& acceleration, const Vector& force_rate) const;
   // f, N, in the order of the rows; and f'.
-  Vector holds(const Vector& force, const Vector& y) const;
+  Vector hold_forces(const Vector& force, const Vector& y) const;
   Vector hold_rates(const TurningMotion& at, const Vector& acceleration,
                     const Vector& force_rate) const;
 };

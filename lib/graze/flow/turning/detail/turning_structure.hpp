@@ -1,8 +1,8 @@
 // The forces and the inertia of a structure on a hub that turns (system/rotation.hpp), at a state.
 //
 // Beside what is linear the mass matrix is the identity and one dyad, so that its inverse is known:
-// (I + m e e^T)^-1 h = h - e m (e.h)/(1 + m e.e), here on all coordinates or on those that holds
-// leave free (turning.hpp). Rates are along the motion: no differences.
+// (I + m e e^T)^-1 h = h - e m (e.h)/(1 + m e.e), here on all coordinates or on those that are
+// not held (turning.hpp). Rates are along the motion: no differences.
 #pragma once
 
 #include "graze/flow/exact/motion_state.hpp"

@@ -33,7 +33,7 @@ class CarriedDeviations {
   // Along the flight just flown; at a contact, to the deviated motion's own contact.
   void carry(const Arrival<double>& arrival);
   // Thrown back onto a stop without any flight.
-  void meet_at_once(const Arrival<double>& news);
+  void meet_at_once(const Arrival<double>& arrival);
   void jump(const std::vector<ImpactShare<double>>& shares, const Vector& qdot_before);
   // Put to rest on these stops, at the end of a chatter that was summed.
   void close(const std::vector<int>& stops, const State& before);

@@ -10,7 +10,7 @@
 
 namespace graze {
 
-// A touch, where an orbit has one.
+// A grazing contact, where an orbit has one.
 struct MetGrazing {
   GrazingContact grazing;
   Instant<double> at;  // counted within its segment
