@@ -338,6 +338,16 @@ TEST(Architecture, TestsWriteIntoFoldersOfTheirOwn) {
   }
 }
 
+// std::get of a variant that a call returns by value is a reference into what is gone with the
+// line.
+TEST(Architecture, NothingRefersIntoAVariantThatACallReturns) {
+  const std::regex reference(R"(&\s*\w+ = \*?std::get<[\w:]+>\([\w.>-]+\(.*\)\);)");
+  for (const char* folder : {"lib", "apps", "tests"})
+    for (const fs::path& file : sources(folder))
+      for (const std::string& line : lines(file))
+        EXPECT_FALSE(std::regex_search(line, reference)) << name_of(file) << ": " << line;
+}
+
 // Eigenvalues of a formed product lose all that is smaller than its rounding (decision 0008), and
 // a product is not seen by its type. So rooms beside base take those of factors, but for files
 // whose matrix comes as one: a generator, or what a motion followed once round gives.

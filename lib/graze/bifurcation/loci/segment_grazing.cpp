@@ -108,7 +108,7 @@ SegmentGrazing::SegmentGrazing(const SegmentEquations& equations, int stop)
 
 std::vector<SolutionPoint> SegmentGrazing::rewritings(const SolutionPoint& point) const {
   // The other sections at a release are other equations.
-  const auto& layout = std::get<SegmentLayout>(equations_.orbit_layout());
+  const auto layout = std::get<SegmentLayout>(equations_.orbit_layout());
   if (layout.released) return {point};
   const Eigen::Index size = problem_.first, n = size / equations_.period();
   std::vector<SolutionPoint> list;
