@@ -10,17 +10,26 @@ trap 'rm -f "$temporary"' EXIT
   cat <<'HEADER'
 # Graze against published numbers
 
-Nobody who writes a simulator should choose what it is checked against. The numbers on this page were published by others:
-reference files and manuals of other programs, tables of papers, closed forms. The scenes are in `data/validation`, the
-numbers with their sources in `data/validation/published.toml`. `bash tests/validation.sh` runs every case, compares and
-writes this page anew; the same comparison is part of `bash tests/run.sh`.
+Nobody who writes a simulator should choose what it is checked against. The cases on this page were published by others:
+reference files and manuals of other programs, tables of papers, closed forms. Some sources print numbers; others give a
+formula, or the system alone, and then the number is computed apart, in a script of `tests/reference/validation` that does
+not use Graze. The last cases, of hard motions, are not published at all and say so.
 
-How close is close enough is not chosen by hand. A published number counts as exact to one unit of its last printed digit,
-and a number with all the digits of a double to 1e-13 of its size. Where a number is less exact than it is printed, an
-independent computation (a script of `tests/reference/validation` in extended precision) stands beside it. Graze then has
-to agree with that to 1e-10, and the last column says who errs. Where a source gives a formula, or the system alone, there
-is only the number that is computed apart; the column of published numbers then has the formula or a dash. Deviations are
-Graze minus published, relative.
+The scenes are in `data/validation`, the numbers with their sources in `data/validation/published.toml`.
+`bash tests/validation.sh` runs every case, compares and writes this page anew; the same comparison is part of
+`bash tests/run.sh`.
+
+How close is close enough:
+
+- A printed number counts as exact to one unit of its last digit, and one with all the digits of a double to 1e-13 of
+  its size.
+- Where a printed number is less exact than that, the number computed apart stands beside it. Graze then has to agree
+  with that to 1e-10, relative, and the remark says who errs.
+- Where a source prints no number, Graze has to agree with the number computed apart to the same 1e-10. The column of
+  published numbers has the source's formula or a dash.
+- Where a tolerance is another, the remark says why.
+
+Deviations are |Graze - published|/|published|, of a published 0 |Graze|.
 
 HEADER
   LC_ALL=C sort -u "$notes" | awk -F'\t' '
@@ -30,7 +39,9 @@ HEADER
       text = tolower(text); gsub(/[^a-z0-9 _-]/, "", text); gsub(/ /, "-", text); return text
     }
     substr($1, 4, 1) == "a" {
-      ++cases; source[cases] = $3 == "" ? $2 : "[" $2 "](" $3 ")"; title[cases] = $4; scene[cases] = $5; command[cases] = $6
+      ++cases; name = $2; sub(/ \(commit.*/, "", name); sub(/: .*/, "", name)
+      if (!(name in first)) { first[name] = cases; names[++sources] = name }
+      of[cases] = name; source[cases] = $3 == "" ? $2 : "[" $2 "](" $3 ")"; title[cases] = $4; scene[cases] = $5; command[cases] = $6
     }
     # what, published, Graze, Graze - published, published, off what it is held to, allowed, independent, script,
     # because, "printed"
@@ -40,11 +51,27 @@ HEADER
       if ($12 != "") { ++printed[cases]; if (off > worst[cases]) worst[cases] = off }
       if ($9 != "") { ++apart[cases]; if (held > beside[cases]) beside[cases] = held }
       if ($8 > 0 && $7/$8 > most[cases]) most[cases] = $7/$8
-      remark = $9 == "" ? $11 : "computed apart: " $9 (held == 0 ? "" : sprintf(", from which Graze is %.0e off", held)) ($11 == "" ? "" : ". " $11)
+      remark = $9 == "" ? $11 : "Computed apart: " $9 (held == 0 ? "" : sprintf(", Graze %.0e off", held)) "." ($11 == "" ? "" : " " $11)
       rows[cases] = rows[cases] sprintf("| %s | %s | %s | %s | %s |\n", $2, $3, $4, $12 == "" ? "-" : off == 0 ? "0" : sprintf("%.1e", off), remark)
     }
     END {
-      print "## The cases\n"
+      for (i = 1; i <= cases; ++i) {
+        n = of[i]; ++how[n]; numbers[n] += count[i]; sum_printed[n] += printed[i]; sum_apart[n] += apart[i]
+        if (worst[i] > source_worst[n]) source_worst[n] = worst[i]
+        if (beside[i] > source_beside[n]) source_beside[n] = beside[i]
+      }
+      print "## The sources\n"
+      print "The link goes to the first case of a source.\n"
+      print "| source | cases | numbers | printed by the source, largest deviation | computed apart, largest deviation |"
+      print "|---|---|---|---|---|"
+      for (i = 1; i <= sources; ++i) {
+        n = names[i]
+        printf "| [%s](#%s) | %d | %d | %s | %s |\n", n, anchor(title[first[n]]), how[n], numbers[n],
+          sum_printed[n] ? sprintf("%d, %.0e", sum_printed[n], source_worst[n]) : "-",
+          sum_apart[n] ? sprintf("%d, %.0e", sum_apart[n], source_beside[n]) : "-"
+      }
+      print "\n## The cases\n"
+      print "The last column has the largest deviation of a case as a share of what is allowed.\n"
       print "| case | numbers | printed by the source, largest deviation | computed apart, largest deviation | share of what is allowed |"
       print "|---|---|---|---|---|"
       for (i = 1; i <= cases; ++i)
