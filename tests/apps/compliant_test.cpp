@@ -70,25 +70,8 @@ TEST_F(Compliant, ContactsComeWithTheirForceAndRestitution) {
 // 100 kg on 1e4 N/m thrown with 1 m/s at a spring of 1e6 N/m that it touches: u = sin(W t)/W with
 // W^2 = (1e4 + 1e6)/100, and the contact force is 1e6 u.
 TEST_F(Compliant, AContactCutByTheEndTellsItsForce) {
-  std::ofstream(scratch_ / "scene.toml") << R"(
-[modal]
-frequencies = [10.0]
-
-[[stop]]
-shape = [0.1]
-gap = 0.0
-
-[stop.spring]
-stiffness = 1e6
-exponent = 1.0
-
-[initial]
-qdot = [10.0]
-
-[[probe]]
-shape = [0.1]
-)";
-  const std::string scene = (scratch_ / "scene.toml").string();
+  const std::string scene =
+      std::string(GRAZE_SOURCE_DIR) + "/data/validation/code_aster_sdnd101.toml";
   const double w = std::sqrt(1.01e4);
   for (const std::string time : {"0.01", "0.015", "0.03"}) {
     const Finished run = run_graze("simulate --json --duration " + time + " " + scene);
@@ -99,7 +82,7 @@ shape = [0.1]
   // A place of a modal structure is no distance along a beam.
   const Finished curve = run_graze(
       "compare --sensitivity --json --parameter stop.gap --from 0 --to 1e-3 --points 2 "
-      "--duration 0.01 " +
+      "--duration 0.01 --set 'probe.shape=[0.1]' " +
       scene);
   ASSERT_EQ(curve.code, 0) << curve.err;
   EXPECT_TRUE(json::parse(curve.out)["probes"][0]["position"].is_null());

@@ -2,10 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
-#include <sstream>
 #include <utility>
 
+#include "apps/program.hpp"
 #include "graze/scene/detail/document.hpp"
 
 namespace graze::support {
@@ -74,8 +73,11 @@ PublishedValue value_of(const Node& node) {
     value.within = *within->as<double>();
     if (value.because.empty()) refuse(*within, "a tolerance of its own needs a reason (because)");
   }
-  if (const Node* absolute = find_member(table_of(node), "absolute"))
-    value.absolute = absolute->as<bool>() && *absolute->as<bool>();
+  if (const Node* absolute = find_member(table_of(node), "absolute")) {
+    if (!absolute->as<bool>() || !value.within)
+      refuse(*absolute, "absolute is true or false, of the tolerance within");
+    value.absolute = *absolute->as<bool>();
+  }
   if (find_member(table_of(node), "independent")) {
     value.independent = number_of(node, "independent");
     value.script = text_of(node, "script");
@@ -109,10 +111,7 @@ const PublishedSource& PublishedTable::source_of(const PublishedCase& one) const
 }
 
 PublishedTable published_table(const std::filesystem::path& file) {
-  std::ifstream stream(file, std::ios::binary);
-  std::ostringstream text;
-  text << stream.rdbuf();
-  const Node root = read_document(text.str(), file.string());
+  const Node root = read_document(read_text(file), file.string());
   allow_only(root, {"source", "case"});
   PublishedTable table;
   if (const Node* sources = find_member(table_of(root), "source"))

@@ -18,6 +18,8 @@ one number of a motion that does not repeat; that of the next four windows of th
 import math
 from mpmath import mp, mpf, cos, cosh, exp, findroot, pi, sin, sinh, sqrt
 
+from timoshenko import waves
+
 mp.dps = 60
 
 E, nu, rho, L = mpf("2.07e11"), mpf("0.3"), mpf(7870), 4 * mpf("0.609")
@@ -34,11 +36,7 @@ class Shape:
     """v = cos ax - cosh bx + r (sin ax - p/s sinh bx), th = -p sin ax - s sinh bx + r p (cos ax - cosh bx)."""
 
     def __init__(self, w):
-        stretch, slide = rho * w ** 2 / E, rho * w ** 2 / shear
-        half = (stretch + slide) / 2
-        root = sqrt(half ** 2 - stretch * slide + rho * A * w ** 2 / (E * I))
-        self.a, self.b = sqrt(half + root), sqrt(root - half)
-        self.p, self.s = (self.a ** 2 - slide) / self.a, (self.b ** 2 + slide) / self.b
+        self.a, self.b, self.p, self.s = waves(w, E, rho, A, I, shear)
         a, b, p, s = self.a, self.b, self.p, self.s
         sa, ca, sb, cb = sin(a * L), cos(a * L), sinh(b * L), cosh(b * L)
         self.moment = (-p * a * ca - s * b * cb, -p * a * sa - p * b * sb)           # th' at L, parts of 1 and of r

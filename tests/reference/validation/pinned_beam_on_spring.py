@@ -19,6 +19,8 @@ with ten bending modes, and with eight Euler-Bernoulli modes.
 """
 from mpmath import mp, mpf, cos, cosh, findroot, pi, sin, sinh, sqrt, tan, tanh
 
+from timoshenko import waves
+
 mp.dps = 30
 
 E, rho, side, L, turn, ratio = mpf("6.7e10"), mpf(2400), mpf("0.014"), mpf("0.783"), mpf("-3.8"), mpf("0.01")
@@ -32,11 +34,7 @@ class Shape:
     """v = sin(a x) + r sinh(b x), th = p cos(a x) + r s cosh(b x) of frequency w: pinned at 0, no moment at L."""
 
     def __init__(self, w):
-        stretch, slide = rho * w ** 2 / E, rho * w ** 2 / shear
-        half = (stretch + slide) / 2
-        root = sqrt(half ** 2 - stretch * slide + rho * A * w ** 2 / (E * I))
-        self.a, self.b = sqrt(half + root), sqrt(root - half)
-        self.p, self.s = (self.a ** 2 - slide) / self.a, (self.b ** 2 + slide) / self.b
+        self.a, self.b, self.p, self.s = waves(w, E, rho, A, I, shear)
         self.r = self.p * self.a * sin(self.a * L) / (self.s * self.b * sinh(self.b * L))
 
     def shear_at_tip(self):
