@@ -102,7 +102,9 @@ struct SimulateCommand : MotionOptions {
   bool energy = false;                // keep the energy balance
   // A picture of the motion shows the energy balance.
   bool keeps_balance() const { return energy || (!plot.empty() && !section); }
-  std::string resume;  // file or folder; empty: from the scene's initial state
+  bool amplitudes = false;                // measure the motion
+  std::optional<double> amplitudes_from;  // s
+  std::string resume;                     // file or folder; empty: from the scene's initial state
   std::optional<DiagramSection> section;
   std::optional<long long> transient;  // forcing periods that it leaves out
 };

@@ -54,6 +54,15 @@ void add_simulate(CLI::App& graze, std::optional<Command>& parsed) {
       "--energy", command.energy,
       "Keep the energy balance: the work of every effect, and what is missing in their sum "
       "(--plot keeps it too)");
+  CLI::Option* amplitudes = app->add_flag(
+      "--amplitudes", command.amplitudes,
+      "Measure the motion: largest, smallest and root mean square values at the probes and stops, "
+      "forces and impulses of the stops");
+  app->add_option("--amplitudes-from", command.amplitudes_from,
+                  "With --amplitudes: time that they are measured from, s (default: 0)")
+      ->check(at_least("a time in s, 0 or more", 0.0))
+      ->type_name("S")
+      ->needs(amplitudes);
   auto* section =
       app->add_option_function<std::string>(
              "--section", set_by_name(command.section, kDiagramSections),

@@ -3,6 +3,7 @@
 #include "graze/assembly/detail/system_warnings.hpp"
 #include "graze/assembly/initial_state.hpp"
 #include "graze/bifurcation/bounds/detail/orbits_over_gap.hpp"
+#include "graze/orbit/orbit_amplitudes.hpp"
 #include "graze/orbit/search/detail/spread_starts.hpp"
 #include "graze/report/csv/csv.hpp"
 #include "graze/report/json/json.hpp"
@@ -40,6 +41,9 @@ int run(const OrbitCommand& command) {
     add_settled_orbits(record.system, options,
                        record.system.has_compliant_stop() ? kSprungSpreadWork : kSpreadWork,
                        record.found);
+  record.places = measured_places(scene, record.system);
+  for (const Orbit& orbit : record.found.orbits)
+    record.amplitudes.push_back(orbit_amplitudes(record.system, orbit, rows_of(record.places)));
   record.outcome = orbit_outcome(record.found, options, options.stop.reason());
   return conclude(command, record.info, record.outcome,
                   {json_of(record),

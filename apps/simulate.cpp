@@ -1,6 +1,8 @@
 // graze simulate: the motion from the scene's initial state, or on from where an earlier run ended.
 #include <fmt/format.h>
 
+#include <cmath>
+
 #include "graze/assembly/assembly.hpp"
 #include "graze/assembly/detail/system_warnings.hpp"
 #include "graze/assembly/initial_state.hpp"
@@ -32,6 +34,8 @@ SimulationOptions simulation_options(const SimulateCommand& command, const Scene
   options.energy = command.keeps_balance();
   options.closure_speed = command.closure_speed;
   options.stop = stop_signal(command);
+  if (command.amplitudes)
+    options.measure = MeasureOptions{{}, command.amplitudes_from.value_or(0.0)};
   if (!scene.forcing && !options.duration)
     throw InputError(
         fmt::format("{}the scene has no forcing, so it has no forcing periods; give "
@@ -101,6 +105,7 @@ void note_options(const SimulateCommand& command, const SimulationOptions& optio
   info.options.emplace_back("record", command.record);
   if (command.record == "samples") info.options.emplace_back("sample_rate", rate);
   info.options.emplace_back("energy", command.keeps_balance());
+  if (options.measure) info.options.emplace_back("amplitudes_from", options.measure->from);
   if (command.section) info.options.emplace_back("section", name_of(*command.section));
   if (command.transient) info.options.emplace_back("transient", *command.transient);
   info.options.emplace_back("closure_speed", *options.closure_speed);
@@ -138,10 +143,15 @@ int run(const SimulateCommand& command) {
   const State start = initial_state(scene, record.system);
   SimulationOptions options = simulation_options(command, scene);
   options.steps = step_choice(scene, record.system, start);
+  if (options.measure) {
+    record.places = measured_places(scene, record.system);
+    options.measure->rows = rows_of(record.places);
+  }
   std::optional<CutRun> cut;
   if (!command.resume.empty()) {
     cut = read_cut_run(command, record.system, record.info);
     check_end(*cut, options, record.system);
+    if (options.measure) options.measure->from = std::fmax(options.measure->from, cut->time);
   }
   std::optional<RunSection> section = section_of(command, record.system, options);
   if (!options.closure_speed)

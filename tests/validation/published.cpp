@@ -60,7 +60,7 @@ std::string number_of(const Node& table, const std::string& key) {
 
 PublishedValue value_of(const Node& node) {
   allow_only(node, {"what", "at", "published", "formula", "within", "absolute", "independent",
-                    "script", "because"});
+                    "script", "printed_as", "because"});
   PublishedValue value{text_of(node, "what"), text_of(node, "at")};
   if (find_member(table_of(node), "published"))
     value.published = number_of(node, "published");
@@ -81,6 +81,7 @@ PublishedValue value_of(const Node& node) {
   if (find_member(table_of(node), "independent")) {
     value.independent = number_of(node, "independent");
     value.script = text_of(node, "script");
+    value.printed_as = text_or(node, "printed_as", "");
   }
   return value;
 }

@@ -23,7 +23,9 @@ struct PublishedValue {
   std::optional<double> within{};
   bool absolute = false;
   std::optional<std::string> independent{};
-  std::string script{};   // that computes it, from the project's root
+  std::string script{};      // that computes it, from the project's root
+  std::string printed_as{};  // the name that the script prints before it; required of a number with
+                             // so few digits that any other may be the same
   std::string because{};  // who errs and by what, or why the tolerance is another
 
   // What Graze is held to, and by how much it may be off, in the number's own unit.

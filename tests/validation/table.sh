@@ -29,6 +29,10 @@ How close is close enough:
   published numbers has the source's formula or a dash.
 - Where a tolerance is another, the remark says why.
 
+Two papers that such a page is expected to have print no number of a motion that could stand here: A. B. Nordmark, J. Sound
+Vib. 145 (1991) 279, and W. Chin, E. Ott, H. E. Nusse and C. Grebogi, Phys. Rev. E 50 (1994) 4427. They derive what becomes of
+a motion beside a grazing; the hard cases G of `tests/hard` follow orbits into theirs, against closed forms.
+
 Deviations are |Graze - published|/|published|, of a published 0 |Graze|.
 
 HEADER

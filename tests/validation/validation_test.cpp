@@ -175,9 +175,11 @@ TEST(LastDigit, IsThatOfTheNumberAsItIsWritten) {
 
 TEST(ResultPath, GoesByKeysIndicesAndFilters) {
   const nlohmann::json document = nlohmann::json::parse(
-      R"({"events": [{"kind": "impact", "t": 1}, {"kind": "stick", "t": 2}, {"kind": "impact", "t": 3}]})");
+      R"({"events": [{"kind": "impact", "t": 1}, {"kind": "stick", "t": 2}, {"kind": "impact", "t": 3}],
+          "rms": [3, 4]})");
   EXPECT_EQ(result_at(document, "events/1/t"), 2);
   EXPECT_EQ(result_at(document, "events/kind=impact/1/t"), 3);
+  EXPECT_EQ(result_at(document, "rms/0 + rms/1"), 5);
   EXPECT_THROW(result_at(document, "events/kind=impact/2/t"), std::out_of_range);
   EXPECT_THROW(result_at(document, "runs"), std::out_of_range);
 }

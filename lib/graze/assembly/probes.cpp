@@ -57,6 +57,28 @@ std::vector<ProbeRow> probe_rows(const Scene& scene, const System& system) {
   return rows;
 }
 
+std::string MeasuredPlace::name() const {
+  return probe ? "probe " + std::to_string(*probe + 1) : "stop " + std::to_string(*stop + 1);
+}
+
+std::vector<MeasuredPlace> measured_places(const Scene& scene, const System& system) {
+  std::vector<MeasuredPlace> places;
+  int index = 0;
+  for (const ProbeRow& probe : probe_rows(scene, system))
+    places.push_back({index++, {}, probe_unit(probe.quantity), {probe.row, probe.of_velocity}});
+  for (std::size_t i = 0; i < system.stops.size(); ++i) {
+    const double side = scene.stops[i].side == Side::kBelow ? -1.0 : 1.0;
+    places.push_back({{}, static_cast<int>(i), "m", {side * system.stops[i].row, false}});
+  }
+  return places;
+}
+
+std::vector<MeasuredRow> rows_of(const std::vector<MeasuredPlace>& places) {
+  std::vector<MeasuredRow> rows;
+  for (const MeasuredPlace& place : places) rows.push_back(place.seen);
+  return rows;
+}
+
 std::string probe_unit(ProbeQuantity quantity) {
   switch (quantity) {
     case ProbeQuantity::kDisplacement:

@@ -6,11 +6,13 @@
 // the hub's angle or rate; the factor stands beside the row.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "graze/base/vector.hpp"
 #include "graze/scene/scene.hpp"
+#include "graze/system/measured_row.hpp"
 #include "graze/system/system.hpp"
 
 namespace graze {
@@ -30,6 +32,21 @@ std::vector<ProbeRow> probe_rows(const Scene& scene);
 
 // The same on the coordinates of the system that the scene became.
 std::vector<ProbeRow> probe_rows(const Scene& scene, const System& system);
+
+// A place whose motion is measured: a probe, or the structure at a stop, whose displacement is u as
+// the scene has it, on whichever side the stop stands.
+struct MeasuredPlace {
+  std::optional<int> probe{}, stop{};  // one of them, index from 0
+  std::string unit;                    // as of probe_unit()
+  MeasuredRow seen;                    // on the coordinates of the system
+
+  std::string name() const;  // "probe 1", "stop 1"
+};
+
+std::vector<MeasuredRow> rows_of(const std::vector<MeasuredPlace>& places);
+
+// The probes, then the stops.
+std::vector<MeasuredPlace> measured_places(const Scene& scene, const System& system);
 
 // "m", "m/s", "rad", "rad/s", or "" of a strain.
 std::string probe_unit(ProbeQuantity quantity);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "graze/motion/detail/contact_forces.hpp"
 #include "graze/motion/detail/energy_changes.hpp"
 
 namespace graze {
@@ -19,15 +20,7 @@ bool Sampler::hand_out(Motion<double>& motion, double start_time, double flight,
     if (s > flight) return true;
     if (!goes_on()) return false;
     phase.state(s, sample.state.q, sample.state.qdot);
-    sample.forces.assign(system_.stops.size(), 0.0);
-    for (const int i : phase.closed())
-      sample.forces[static_cast<std::size_t>(i)] =
-          phase.force_at(i, s, sample.state.q, sample.state.qdot);
-    for (const int i : phase.springs().loaded) {
-      const Stop& stop = system_.stops[static_cast<std::size_t>(i)];
-      sample.forces[static_cast<std::size_t>(i)] =
-          stop.force().at(stop.row.dot(sample.state.q) - stop.gap, stop.row.dot(sample.state.qdot));
-    }
+    contact_forces(system_, phase, s, sample.state, sample.forces);
     if (energy_) {
       sample.energy = balance;
       sample.energy->work = balance.work + work_along(system_, phase, s);

@@ -9,6 +9,7 @@
 #include "graze/base/angle.hpp"
 #include "graze/base/detail/stop_poll.hpp"
 #include "graze/contact/detail/impulse.hpp"
+#include "graze/motion/detail/amplitude_meter.hpp"
 #include "graze/motion/detail/energy_changes.hpp"
 #include "graze/motion/detail/event_crowd.hpp"
 #include "graze/motion/detail/motion_walk.hpp"
@@ -18,11 +19,6 @@
 
 namespace graze {
 namespace {
-
-Instant<double> end_of(const System& system, const SimulationOptions& options) {
-  if (!options.duration) return {options.periods, 0.0};
-  return later<double>({}, *options.duration, system.period());
-}
 
 class Run {
  public:
@@ -34,8 +30,10 @@ class Run {
         motion_(system, state.motion, options.steps),
         walk_(system, motion_, state.closure_speed, Tails::kTold, state.tail),
         state_(state),
-        end_(end_of(system, options)),
-        sampler_(system, listeners.sample, listeners.sample_rate, options.energy) {
+        end_(options.duration ? later<double>({}, *options.duration, system.period())
+                              : Instant<double>{options.periods, 0.0}),
+        sampler_(system, listeners.sample, listeners.sample_rate, options.energy),
+        meter_(system, options.measure) {
     motion_.stop_on(options.stop);
     note_gaps();
     if (options.energy && !state_.keeps_balance)
@@ -62,6 +60,7 @@ class Run {
       state_.balance.now = mechanical_energy(system_, last.q, last.qdot);
       result_.energy = state_.balance;
     }
+    result_.amplitudes = meter_.result();
     // An arc that was cut by the end of the run is flown again, whole, by one that goes on from it.
     state_.tail = walk_.tail();
     result_.state = is_cut_ ? cut_arc_ : state_;
@@ -185,6 +184,7 @@ class Run {
       return false;
     if (options_.energy && flight > 0.0)
       state_.balance.work = state_.balance.work + work_along(system_, motion_.flown(), flight);
+    meter_.add_flight(motion_.flown(), motion_.flow().phase(walk_.departure()), start_time, flight);
     const double deepest = graze::follow(state_.contacts, motion_.flown(), flight);
     if (deepest > 0.0) note_gap(-deepest, state_.totals);
     const std::vector<int>& closed = motion_.flown().closed();
@@ -235,6 +235,13 @@ class Run {
   Event event_at(EventKind kind, int i) const {
     return {kind, time(), motion_.instant().period, i};
   }
+  Event arrival_at(EventKind kind, int i, double speed) {
+    Event event = event_at(kind, i);
+    event.speed = speed;
+    if (system_.forcing()) event.phase = wrapped(motion_.flow().phase(motion_.instant()));
+    note_gap_at(i);
+    return event;
+  }
 
   void emit(const Event& event) {
     state_.started = true;
@@ -252,15 +259,13 @@ class Run {
     impact_energy(system_, walk_.shares(), motion_.q(), walk_.qdot_before(), motion_.qdot(),
                   impact_energy_);
     enter_energy(impact_energy_.total);
+    meter_.add_impact(walk_.shares(), time());
     for (const ImpactEnergy::Hit& hit : impact_energy_.hits) enter_hit(hit.share, hit.change);
   }
 
   void enter_hit(const ImpactShare<double>& share, double energy_change) {
-    Event event = event_at(EventKind::kImpact, share.stop);
-    event.speed = share.speed;
+    Event event = arrival_at(EventKind::kImpact, share.stop, share.speed);
     event.energy_change = energy_change;
-    if (system_.forcing()) event.phase = wrapped(motion_.flow().phase(motion_.instant()));
-    note_gap_at(share.stop);
     ++state_.totals.impacts;
     if (stop(share.stop).restitution().clamps_at(share.speed)) ++state_.totals.clamped_restitutions;
     state_.streaks[static_cast<std::size_t>(share.stop)].add(share.speed);
@@ -270,12 +275,10 @@ class Run {
   SpringContact& contact_at(int i) { return state_.contacts[static_cast<std::size_t>(i)]; }
 
   void balance_entry(int i) {
-    Event event = event_at(EventKind::kContact, i);
-    event.speed = motion_.approach_speed(i);
-    if (system_.forcing()) event.phase = wrapped(motion_.flow().phase(motion_.instant()));
-    note_gap_at(i);
+    const Event event = arrival_at(EventKind::kContact, i, motion_.approach_speed(i));
     // One that grips again below the surface, on its way out, is no new impact.
     if (event.speed >= 0.0) ++state_.totals.impacts;
+    if (event.speed >= 0.0) meter_.add_contact(i, event.time);
     SpringContact& contact = contact_at(i);
     contact = {time(), event.speed, 0.0, 0.0, motion_.spring_energy(i), contact.change_before};
     emit(event);
@@ -337,10 +340,6 @@ class Run {
       ++state_.totals.chatters;
       emit(chatter_event(i));
     }
-    announce_stick(i);
-  }
-
-  void announce_stick(int i) {
     Event event = event_at(EventKind::kStick, i);
     // It is held because its force is not negative; what falls below zero is rounding.
     event.force = std::fmax(motion_.force(i), 0.0);
@@ -372,6 +371,7 @@ class Run {
   Vector before_;               // velocities before an instant is decided
   ImpactEnergy impact_energy_;  // kept for the memory
   Sampler sampler_;
+  AmplitudeMeter meter_;
   EventCrowd crowd_;
   StopPoll poll_;
   long long work_ = 0;  // since it was asked last

@@ -11,6 +11,7 @@
 #include "graze/base/stop_signal.hpp"
 #include "graze/flow/exact/motion_state.hpp"
 #include "graze/flow/stepped/step_setting.hpp"
+#include "graze/motion/amplitudes.hpp"
 #include "graze/motion/chatter_tail.hpp"
 #include "graze/motion/run_events.hpp"
 #include "graze/motion/sample.hpp"
@@ -33,8 +34,9 @@ struct SimulationOptions {
   long long max_impacts = kDefaultImpactBudget;
   // Speed below which a chatter is summed, m/s; see default_closure_speed.
   std::optional<double> closure_speed;
-  bool energy = false;                 // keep the energy balance
-  std::optional<StepSetting> steps{};  // integrate step by step; absent: the exact flow
+  bool energy = false;                      // keep the energy balance
+  std::optional<MeasureOptions> measure{};  // absent: it is not
+  std::optional<StepSetting> steps{};       // integrate step by step; absent: the exact flow
   StopSignal stop;
 };
 
@@ -87,6 +89,7 @@ struct Simulation {
   std::vector<double> forces;  // contact forces at the end, N, one per stop
   RunTotals totals;
   std::optional<EnergyBalance> energy;
+  std::optional<Amplitudes> amplitudes;  // where they were asked for
   // Of gaps and contact forces in search of events, and of the equations of motion on springs; with
   // `steps` of the equations of motion alone.
   long long evaluations = 0;

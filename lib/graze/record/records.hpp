@@ -59,6 +59,7 @@ struct SimulationRecord {
   RunInfo info;
   System system;
   std::vector<ProbeRow> probes{};
+  std::vector<MeasuredPlace> places{};  // at which it was measured; empty unless that was asked for
   Simulation run;
   EventExcerpt excerpt;               // empty unless recorded
   std::vector<Event> events;          // the end of the run, for pictures
@@ -72,6 +73,8 @@ struct OrbitRecord {
   RunInfo info;
   System system;
   FoundOrbits found;
+  std::vector<MeasuredPlace> places{};   // at which the orbits are measured
+  std::vector<Amplitudes> amplitudes{};  // of every orbit
   std::vector<std::string> warnings;
   Outcome outcome;
 };

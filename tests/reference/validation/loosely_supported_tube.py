@@ -165,21 +165,21 @@ GAUSS = [(float(x), float(weight)) for x, weight in zip(NODES, WEIGHTS)]
 
 
 def root_mean_squares(tube, windows):
-    """Of the force at the free end in windows one after the other."""
+    """Of the force at the free end in windows one after the other: of both sides together, and of each."""
     told = []
     for start, end in windows:
-        total = [0.0]
+        total = [0.0, 0.0]
 
         def record(tube, law, h):
             for i in (6, 7):
                 if tube.closed[i]:
-                    total[0] += sum(weight * h / 2 * value(law[i], h * (x + 1) / 2) ** 2 for x, weight in GAUSS)
+                    total[i - 6] += sum(weight * h / 2 * value(law[i], h * (x + 1) / 2) ** 2 for x, weight in GAUSS)
 
         while tube.t < start:
             tube.step(start, lambda *_: None)
         while tube.t < end:
             tube.step(end, record)
-        told.append(math.sqrt(total[0] / (end - start)))
+        told.append([math.sqrt(part / (end - start)) for part in (sum(total), *total)])
     return told
 
 
@@ -187,11 +187,11 @@ found = modes()
 for j, (w, _) in enumerate(found, 1):
     print(f"frequency_{j}", mp.nstr(w, 20))
 stiff = Tube(found, 1.75e6)
-print("rms_1.75e6", f"{root_mean_squares(stiff, [(0.17, 0.25)])[0]:.10g}")
+print("rms_1.75e6", *(f"{rms:.12g}" for rms in root_mean_squares(stiff, [(0.17, 0.25)])[0]))
 tube = Tube(found, 1e5)
 windows = [(0.17 + 0.08 * n, 0.25 + 0.08 * n) for n in range(5)]
 for (start, end), rms in zip(windows, root_mean_squares(tube, windows)):
-    print("rms_1e5" + ("" if start == 0.17 else f"_from_{start:.2f}_to_{end:.2f}"), f"{rms:.10g}")
+    print("rms_1e5" + ("" if start == 0.17 else f"_from_{start:.2f}_to_{end:.2f}"), *(f"{part:.12g}" for part in rms))
 for name, motion, shown in (("1e5", tube, (1, 2, 5, 10, 20, 40, 60, 80, 98)), ("1.75e6", stiff, (1, 2, 5, 10, 20))):
     print(f"contacts_{name}_until_0.25", sum(1 for t, _ in motion.contacts if t <= 0.25))
     for n in shown:

@@ -46,4 +46,5 @@ for kappa in ('0.4', '4'):
         orbit = structure.at_frequency(W, mpf(tau))
         print(f'rod_{kappa}_{name}_phase', mp.nstr(orbit.phase, 20))
         print(f'rod_{kappa}_{name}_duration', mp.nstr(orbit.tau, 20))
+        print(f'rod_{kappa}_{name}_reach', mp.nstr(orbit.reach(), 20))
         print(f'rod_{kappa}_{name}_peak_force', mp.nstr(orbit.peak_force(), 20))

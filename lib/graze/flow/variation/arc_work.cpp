@@ -1,54 +1,14 @@
 #include "graze/flow/variation/arc_work.hpp"
 
+#include <cmath>
+#include <limits>
+
 #include "graze/flow/held/detail/exact_phase.hpp"
 #include "graze/flow/sprung/detail/sprung_phase.hpp"
-
-#include <algorithm>
-#include <boost/math/quadrature/gauss.hpp>
-#include <cmath>
-#include <functional>
-#include <limits>
+#include "graze/flow/variation/detail/signal.hpp"
 
 namespace graze {
 namespace {
-
-// Re(size e^{rate s})
-struct SignalTerm {
-  Complex size, rate;
-};
-using Signal = std::vector<SignalTerm>;
-
-// integral of e^{l s}, without cancellation for small l s.
-Complex exponential_integral(Complex l, double s) {
-  const double growth = std::expm1(l.real() * s), turn = l.imag() * s;
-  const double half = std::sin(0.5 * turn);
-  const Complex change(growth * std::cos(turn) - 2.0 * half * half,
-                       (1.0 + growth) * std::sin(turn));
-  return l == 0.0 ? Complex(s) : change / l;
-}
-
-// integral of a b over [0, s]: Re x Re y = Re(x y + x y*)/2.
-double product_integral(const Signal& a, const Signal& b, double s) {
-  double sum = 0.0;
-  for (const SignalTerm& x : a)
-    for (const SignalTerm& y : b)
-      sum +=
-          0.5 * (x.size * y.size * exponential_integral(x.rate + y.rate, s) +
-                 x.size * std::conj(y.size) * exponential_integral(x.rate + std::conj(y.rate), s))
-                    .real();
-  return sum;
-}
-
-// Panels over which nothing turns or decays by more than one radian; there 15 nodes integrate to
-// rounding (the error is of order (1/2)^30/30!).
-double panel_integral(const std::function<double(double)>& f, double s, double quickest) {
-  using Rule = boost::math::quadrature::gauss<double, 15>;
-  const double panels = std::ceil(std::fmax(quickest * s, 1.0));
-  double sum = 0.0;
-  for (double k = 0.0; k < panels; ++k)
-    sum += Rule::integrate(f, s * (k / panels), s * ((k + 1.0) / panels));
-  return sum;
-}
 
 // The harmonic velocity response of a mode, from the forcing phase theta on.
 SignalTerm harmonic_velocity(const ModeFlow<double>& mode, double frequency, double theta) {
@@ -151,44 +111,6 @@ void add_real_modes(const Arc<double>& arc, double s, Work& work) {
       work.dissipation += 2.0 * mode.delta * product_integral(velocity, velocity, s);
     if (flow.forced()) work.forcing += mode.force * product_integral(force, velocity, s);
   }
-}
-
-// The states of a coupled motion and its inputs, z = (x, u cos theta, u sin theta, u) with z' = E z
-// and u as large as x, that inputs cost no digits. Every power is a quadratic form in z, so that
-// the moments of a flight give all works at once.
-struct Moments {
-  Matrix integral;    // of z z^T over the flight
-  double unit = 1.0;  // u
-};
-
-// Over h with 2 |E| h <= 1 by the Taylor series of z z^T, of which 18 terms are exact to rounding
-// (1/19! < eps); then doubled: the integral over 2h is M(h) + e^(Eh) M(h) e^(Eh)^T.
-Moments moments_along(const CoupledArc& arc, double s) {
-  FirstOrderSystem system = arc.flow().first_order();
-  const double inputs = system.load.norm() + system.force.norm();
-  const double size = arc.start_state().norm() + inputs / system.generator.norm();
-  const double unit = size > 0.0 ? size : 1.0;
-  system.load /= unit;
-  system.force /= unit;
-  const Matrix whole = extended_generator(system, s);
-  const int doublings = std::clamp(std::ilogb(whole.norm()), -2, 1024) + 2;
-  const Matrix generator = std::ldexp(1.0, -doublings) * whole;
-  Vector z(whole.rows());
-  z << arc.start_state(), unit * std::cos(arc.start_phase()), unit * std::sin(arc.start_phase()),
-      unit;
-  Matrix term = std::ldexp(s, -doublings) * z * z.transpose();
-  Moments moments{term, unit};
-  for (int k = 1; k <= 18; ++k) {
-    const Matrix next = generator * term;
-    term = (next + next.transpose()) / (k + 1);
-    moments.integral += term;
-  }
-  Matrix step = matrix_exponential(generator);
-  for (int k = 0; k < doublings; ++k) {
-    moments.integral += (step * moments.integral * step.transpose()).eval();
-    step = (step * step).eval();
-  }
-  return moments;
 }
 
 // Whether the force of a stop has no part along the motion b.q' = 0 that it allows: d = b/(b.b), to

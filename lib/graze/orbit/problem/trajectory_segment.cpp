@@ -247,7 +247,7 @@ class Follower {
       ++hits;
       ++impacts_;
       segment_.impacts.push_back(
-          {share.stop, motion_.instant(), share.speed, before,
+          {share.stop, motion_.instant(), share.speed, share.impulse, before,
            options_.along ? carried_.speed_rate(*options_.along, share.stop, before) : 0.0});
     }
     if (impacts_ > options_.max_impacts) return out_of_impacts();

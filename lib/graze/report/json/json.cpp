@@ -4,6 +4,7 @@
 
 #include "graze/bifurcation/problem/detail/special_names.hpp"
 #include "graze/report/detail/names.hpp"
+#include "graze/report/json/detail/json_amplitudes.hpp"
 #include "graze/report/json/detail/json_document.hpp"
 #include "graze/report/json/detail/json_value.hpp"
 #include "graze/report/names/detail/sweep_names.hpp"
@@ -293,6 +294,11 @@ Document to_json(const SimulationRecord& record, Spool& events) {
   document["final"] = final_json(record.system, record.run);
   document["totals"] = totals_json(record.run.totals);
   if (record.run.energy) document["energy"] = energy_json(record.system, *record.run.energy);
+  if (record.run.amplitudes) {
+    add_amplitudes(record.places, *record.run.amplitudes, document);
+    document["measured_time"] = json_number(record.run.amplitudes->duration);
+    add_amplitude_units(record.places, document["units"]);
+  }
   if (record.section) document["section"] = section_json(*record.section);
   const std::string whole = document_text(document);
   // Quotes inside strings are escaped, so this is found once, where it stands.
@@ -304,10 +310,14 @@ Document to_json(const SimulationRecord& record, Spool& events) {
 std::string to_json(const OrbitRecord& record) {
   Json document = document_head(record.info, record.outcome, record.warnings);
   Json orbits = Json::array();
-  for (const Orbit& orbit : record.found.orbits) orbits.push_back(orbit_json(orbit));
+  for (std::size_t i = 0; i < record.found.orbits.size(); ++i) {
+    orbits.push_back(orbit_json(record.found.orbits[i]));
+    add_amplitudes(record.places, record.amplitudes[i], orbits.back());
+  }
   document["units"] = {{"phase", "rad"},  {"speed", "m/s"},      {"clearance", "m"},
                        {"residual", "1"}, {"duration", "s"},     {"force", "N"},
                        {"q", "kg^1/2 m"}, {"qdot", "kg^1/2 m/s"}};
+  add_amplitude_units(record.places, document["units"]);
   document["orbits"] = orbits;
   const auto count = [](const StartCount& c) {
     return Json{{"tried", c.tried}, {"converged", c.converged}};

@@ -9,6 +9,7 @@
 #include "graze/record/records.hpp"
 #include "graze/report/detail/names.hpp"
 #include "graze/report/text/detail/table.hpp"
+#include "graze/report/text/detail/text_amplitudes.hpp"
 
 namespace graze {
 namespace {
@@ -150,6 +151,9 @@ std::string to_text(const SimulationRecord& record) {
   if (record.section)
     text += fmt::format("{:<24} {} points from {:.6g} s on\n", "section",
                         record.section->points().size(), record.section->from());
+  if (run.amplitudes)
+    text += fmt::format("\nmeasured over {:.9g} s\n", run.amplitudes->duration) +
+            amplitudes_text(record.places, {*run.amplitudes}, "");
   if (run.energy) text += "\n" + energy_text(record.system, *run.energy);
   return text + notes_text(record.notes) + ending(record.outcome);
 }

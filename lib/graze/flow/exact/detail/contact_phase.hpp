@@ -53,6 +53,7 @@ struct Flight {
 template <class Real>
 class ExactPhase;
 class SprungPhase;
+class StepFlow;
 
 template <class Real>
 class ContactPhase {
@@ -97,6 +98,8 @@ class ContactPhase {
   virtual const ExactPhase<Real>* exact() const { return nullptr; }
   // What is integrated on springs or on a hub; null where nothing of that is there.
   virtual const SprungPhase* sprung() const { return nullptr; }
+  // What integrates it step by step; null where its closed form is the motion.
+  virtual StepFlow* stepped() const { return nullptr; }
 
  protected:
   // Flights are to be cut to this, s; infinite but for matrix exponentials, and for a torque that

@@ -21,8 +21,12 @@ class ExactPhase : public ContactPhase<Real> {
   // The gap of an open stop along the arc, for `window` seconds; `from_zero`: it starts on the
   // stop. Holds until the arc ends, or is asked for with another window.
   const ArcCurve<Real>& gap(int stop, const Real& window, bool from_zero) const;
-  // The contact force of a closed stop, N (in units of the modal mass).
-  ArcCurve<Real> force(int stop, const Real& window) const;
+  // The contact force of a closed stop, N (in units of the modal mass); any observable of the
+  // structure's coordinates y and y'.
+  ArcCurve<Real> force(int stop, const Real& window) const {
+    return curve(observables_[static_cast<std::size_t>(stop)], window);
+  }
+  ArcCurve<Real> curve(const Observable<Real>& observable, const Real& window) const;
   // The reduced motion, one of them: in real modes, and in modes that do not decouple.
   virtual const Arc<Real>* arc() const { return nullptr; }
   virtual const CoupledArc* coupled_arc() const { return nullptr; }

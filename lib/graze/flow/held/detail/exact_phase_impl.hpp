@@ -36,9 +36,10 @@ const ArcCurve<Real>& ExactPhase<Real>::gap(int stop, const Real& window, bool f
 }
 
 template <class Real>
-ArcCurve<Real> ExactPhase<Real>::force(int stop, const Real& window) const {
+ArcCurve<Real> ExactPhase<Real>::curve(const Observable<Real>& observable,
+                                       const Real& window) const {
   ArcCurve<Real> curve;
-  set_curve(curve, observables_[static_cast<std::size_t>(stop)], window, false);
+  set_curve(curve, observable, window, false);
   return curve;
 }
 

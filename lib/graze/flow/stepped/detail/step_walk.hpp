@@ -100,6 +100,17 @@ class WalkingFlow final : public StepFlow {
     walk_.rates.whole(within_, x);
   }
 
+  void each_step(double until, const std::function<void(double, double)>& visit) override {
+    walk_.begin(start_);
+    for (double from = 0.0; from < until;) {
+      walk_.step();
+      const double to = std::min(walk_.to(), until);
+      if (!(to > from)) return;
+      visit(from, to);
+      from = to;
+    }
+  }
+
   SprungWorks works(double s) override {
     if constexpr (kSprung) {
       reach(s);

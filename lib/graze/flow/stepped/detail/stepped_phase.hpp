@@ -16,6 +16,7 @@ class IntegratedPhase : public ContactPhase<double> {
  public:
   using ContactPhase<double>::start;
   StepFlow& steps() const { return *steps_; }
+  StepFlow* stepped() const final { return steps_.get(); }
   virtual const ConstrainedStructure<double>& structure() const = 0;
   void state(const double& s, Vector& q, Vector& qdot) const override;
   Arrival<double> first_event(const MotionState<double>& now,

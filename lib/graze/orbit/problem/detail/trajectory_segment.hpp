@@ -46,7 +46,8 @@ struct SegmentOptions {
 struct SegmentImpact {
   int stop = 0;
   Instant<double> at;
-  double speed = 0.0;  // m/s, before
+  double speed = 0.0;    // m/s, before
+  double impulse = 0.0;  // along the stop's direction, m/s
   State before;
   double rate = 0.0;  // of the speed, with `along`
 };

@@ -1,0 +1,105 @@
+#include "graze/flow/variation/detail/arc_integrals.hpp"
+
+#include <cmath>
+#include <optional>
+
+#include "graze/flow/variation/detail/signal.hpp"
+
+namespace graze {
+namespace {
+
+Complex complex(const PlanarNumber<double>& number) { return {number.re, number.im}; }
+
+// Nothing where a mode has no exponential form.
+std::optional<Signal> signal_of(const Arc<double>& arc, const Observable<double>& observable) {
+  const ExactFlow<double>& flow = arc.flow();
+  Complex harmonic = complex(observable.harmonic);
+  const Complex turn(0.0, flow.frequency());
+  double constant = observable.constant;
+  Signal signal;
+  for (int j = 0; j < flow.modes(); ++j) {
+    const ModeFlow<double>& mode = flow.mode(j);
+    const double x = observable.displacement[j];
+    const double v = observable.velocity.size() > 0 ? observable.velocity[j] : 0.0;
+    const auto add = [&](const Complex& size, const Complex& rate) {
+      signal.push_back({(x + v * rate) * size, rate});
+    };
+    const PlanarNumber<double>& amplitude = arc.amplitude(j);
+    if (mode.kind == ModeKind::kOscillatory) {
+      add(complex(amplitude), {-mode.first, mode.second});
+    } else if (mode.kind == ModeKind::kOverdamped) {
+      add(amplitude.re, -mode.first);
+      add(amplitude.im, -mode.second);
+    } else {
+      return {};
+    }
+    harmonic += (x + v * turn) * complex(mode.forced);
+    constant += x * mode.offset;
+  }
+  if (constant != 0.0) signal.push_back({constant, 0.0});
+  if (harmonic != 0.0) signal.push_back({harmonic * complex(arc.start_turn()), turn});
+  return signal;
+}
+
+// Of Re(size e^{rate s}) e^{-i theta}.
+Complex turned_integral(const Signal& signal, double theta, double frequency, double s) {
+  const Complex back(0.0, -frequency);
+  Complex sum = 0.0;
+  for (const SignalTerm& term : signal)
+    sum += 0.5 * (term.size * exponential_integral(term.rate + back, s) +
+                  std::conj(term.size) * exponential_integral(std::conj(term.rate) + back, s));
+  return std::polar(1.0, -theta) * sum;
+}
+
+ArcIntegrals by_panels(const ExactPhase<double>& phase, const Arc<double>& arc,
+                       const Observable<double>& observable, double s) {
+  const ExactFlow<double>& flow = arc.flow();
+  double quickest = 0.0;
+  for (int j = 0; j < flow.modes(); ++j)
+    quickest = std::fmax(quickest, flow.mode(j).omega + 2.0 * flow.mode(j).delta);
+  // Of the square, and of the product with the forcing.
+  quickest = 2.0 * std::fmax(quickest, flow.frequency());
+  const ArcCurve<double> curve = phase.curve(observable, s);
+  const auto value = [&](double at) { return curve.at(at, 0).value; };
+  const auto part = [&](auto of) {
+    return panel_integral([&](double at) { return value(at) * of(at); }, s, quickest);
+  };
+  const double theta = arc.start_phase();
+  return {part([](double) { return 1.0; }),
+          part(value),
+          {part([&](double at) { return std::cos(theta + flow.frequency() * at); }),
+           -part([&](double at) { return std::sin(theta + flow.frequency() * at); })}};
+}
+
+ArcIntegrals coupled_integrals(const CoupledArc& arc, const Observable<double>& observable,
+                               double s) {
+  const Moments moments = moments_along(arc, s);
+  const Eigen::Index m = observable.displacement.size();
+  Vector weight = Vector::Zero(2 * m + 3);
+  weight.head(m) = observable.displacement.cwiseQuotient(arc.flow().scale());
+  if (observable.velocity.size() > 0) weight.segment(m, m) = observable.velocity;
+  weight.tail(3) << observable.harmonic.re, -observable.harmonic.im, observable.constant;
+  weight.tail(3) /= moments.unit;
+  const Vector with = moments.integral * weight;
+  return {with[2 * m + 2] / moments.unit,
+          weight.dot(with),
+          {with[2 * m] / moments.unit, -with[2 * m + 1] / moments.unit}};
+}
+
+}  // namespace
+
+ArcIntegrals integrals_along(const ExactPhase<double>& phase, const Observable<double>& observable,
+                             double s) {
+  const Arc<double>* arc = phase.arc();
+  if (!arc) return coupled_integrals(*phase.coupled_arc(), observable, s);
+  const std::optional<Signal> signal = signal_of(*arc, observable);
+  if (!signal) return by_panels(phase, *arc, observable, s);
+  ArcIntegrals integrals;
+  for (const SignalTerm& term : *signal)
+    integrals.value += (term.size * exponential_integral(term.rate, s)).real();
+  integrals.square = product_integral(*signal, *signal, s);
+  integrals.turned = turned_integral(*signal, arc->start_phase(), arc->flow().frequency(), s);
+  return integrals;
+}
+
+}  // namespace graze

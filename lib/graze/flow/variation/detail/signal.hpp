@@ -1,0 +1,38 @@
+// Integrals over a flight of what is a sum of exponentials along it, of products of such, and of
+// what has no such form.
+#pragma once
+
+#include <functional>
+#include <vector>
+
+#include "graze/base/vector.hpp"
+#include "graze/flow/held/detail/coupled_flow.hpp"
+
+namespace graze {
+
+// Re(size e^{rate s})
+struct SignalTerm {
+  Complex size, rate;
+};
+using Signal = std::vector<SignalTerm>;
+
+// integral of e^{l s} over [0, s], without cancellation for small l s.
+Complex exponential_integral(Complex l, double s);
+
+// integral of a b over [0, s].
+double product_integral(const Signal& a, const Signal& b, double s);
+
+// integral of f over [0, s] on panels over which nothing turns or decays by more than one radian,
+// `quickest` in rad/s: there 15 nodes integrate to rounding (the error is of order (1/2)^30/30!).
+double panel_integral(const std::function<double(double)>& f, double s, double quickest);
+
+// The states of a coupled motion and its inputs, z = (x, u cos theta, u sin theta, u) with z' = E z
+// and u as large as x, that inputs cost no digits. Everything linear in the motion is a form in z,
+// so that the moments of a flight give all integrals at once.
+struct Moments {
+  Matrix integral;    // of z z^T over the flight
+  double unit = 1.0;  // u
+};
+Moments moments_along(const CoupledArc& arc, double s);
+
+}  // namespace graze

@@ -1,0 +1,70 @@
+#include "graze/flow/variation/detail/signal.hpp"
+
+#include <algorithm>
+#include <boost/math/quadrature/gauss.hpp>
+#include <cmath>
+
+#include "graze/base/linalg/decompositions.hpp"
+
+namespace graze {
+
+Complex exponential_integral(Complex l, double s) {
+  const double growth = std::expm1(l.real() * s), turn = l.imag() * s;
+  const double half = std::sin(0.5 * turn);
+  const Complex change(growth * std::cos(turn) - 2.0 * half * half,
+                       (1.0 + growth) * std::sin(turn));
+  return l == 0.0 ? Complex(s) : change / l;
+}
+
+// Re x Re y = Re(x y + x y*)/2.
+double product_integral(const Signal& a, const Signal& b, double s) {
+  double sum = 0.0;
+  for (const SignalTerm& x : a)
+    for (const SignalTerm& y : b)
+      sum +=
+          0.5 * (x.size * y.size * exponential_integral(x.rate + y.rate, s) +
+                 x.size * std::conj(y.size) * exponential_integral(x.rate + std::conj(y.rate), s))
+                    .real();
+  return sum;
+}
+
+double panel_integral(const std::function<double(double)>& f, double s, double quickest) {
+  using Rule = boost::math::quadrature::gauss<double, 15>;
+  const double panels = std::ceil(std::fmax(quickest * s, 1.0));
+  double sum = 0.0;
+  for (double k = 0.0; k < panels; ++k)
+    sum += Rule::integrate(f, s * (k / panels), s * ((k + 1.0) / panels));
+  return sum;
+}
+
+// Over h with 2 |E| h <= 1 by the Taylor series of z z^T, of which 18 terms are exact to rounding
+// (1/19! < eps); then doubled: the integral over 2h is M(h) + e^(Eh) M(h) e^(Eh)^T.
+Moments moments_along(const CoupledArc& arc, double s) {
+  FirstOrderSystem system = arc.flow().first_order();
+  const double inputs = system.load.norm() + system.force.norm();
+  const double size = arc.start_state().norm() + inputs / system.generator.norm();
+  const double unit = size > 0.0 ? size : 1.0;
+  system.load /= unit;
+  system.force /= unit;
+  const Matrix whole = extended_generator(system, s);
+  const int doublings = std::clamp(std::ilogb(whole.norm()), -2, 1024) + 2;
+  const Matrix generator = std::ldexp(1.0, -doublings) * whole;
+  Vector z(whole.rows());
+  z << arc.start_state(), unit * std::cos(arc.start_phase()), unit * std::sin(arc.start_phase()),
+      unit;
+  Matrix term = std::ldexp(s, -doublings) * z * z.transpose();
+  Moments moments{term, unit};
+  for (int k = 1; k <= 18; ++k) {
+    const Matrix next = generator * term;
+    term = (next + next.transpose()) / (k + 1);
+    moments.integral += term;
+  }
+  Matrix step = matrix_exponential(generator);
+  for (int k = 0; k < doublings; ++k) {
+    moments.integral += (step * moments.integral * step.transpose()).eval();
+    step = (step * step).eval();
+  }
+  return moments;
+}
+
+}  // namespace graze

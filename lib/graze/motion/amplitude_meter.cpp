@@ -1,0 +1,237 @@
+#include "graze/motion/detail/amplitude_meter.hpp"
+
+#include <array>
+#include <boost/math/interpolators/barycentric_rational.hpp>
+#include <boost/math/quadrature/gauss.hpp>
+#include <utility>
+
+#include "graze/base/detail/bracketed_zero.hpp"
+#include "graze/flow/stepped/detail/step_flow.hpp"
+#include "graze/flow/variation/detail/arc_integrals.hpp"
+#include "graze/motion/detail/clearance.hpp"
+#include "graze/motion/detail/contact_forces.hpp"
+
+namespace graze {
+namespace {
+
+// Of a step: its ends, and the nodes of Gauss' rule between them, in rising order.
+constexpr std::size_t kNodes = 9;
+using Nodes = std::array<double, kNodes>;
+
+struct StepRule {
+  Nodes at, weight;  // s; of the ends zero
+};
+
+StepRule rule_over(double from, double to) {
+  using Rule = boost::math::quadrature::gauss<double, kNodes - 2>;
+  const double middle = 0.5 * (from + to), half = 0.5 * (to - from);
+  StepRule rule{};
+  rule.at.front() = from;
+  rule.at.back() = to;
+  for (std::size_t k = 0; k < Rule::abscissa().size(); ++k)
+    for (const double side : {-1.0, 1.0}) {
+      const std::size_t place = kNodes / 2 + (side > 0.0 ? k : -k);
+      rule.at[place] = middle + side * half * Rule::abscissa()[k];
+      rule.weight[place] = half * Rule::weights()[k];
+    }
+  return rule;
+}
+
+// The extremes of the polynomial through the nodes.
+template <class Note>
+void note_between(const Nodes& at, const Nodes& values, const Note& note) {
+  const boost::math::barycentric_rational<double> polynomial(at.data(), values.data(), kNodes,
+                                                             kNodes - 1);
+  const auto slope = [&](double s) { return polynomial.prime(s); };
+  double before = slope(at.front());
+  note(values.front());
+  for (std::size_t k = 1; k < kNodes; ++k) {
+    const double after = slope(at[k]);
+    if (before * after < 0.0)
+      note(polynomial(bracketed_zero(slope, {at[k - 1], before}, {at[k], after}).first));
+    note(values[k]);
+    before = after;
+  }
+}
+
+Observable<double> negative(Observable<double> observable) {
+  observable.constant = -observable.constant;
+  observable.displacement = -observable.displacement;
+  observable.velocity = -observable.velocity;
+  observable.harmonic = {-observable.harmonic.re, -observable.harmonic.im};
+  return observable;
+}
+
+// row.q and row.q' on the coordinates that a phase leaves free.
+Observable<double> displacement_of(const ConstrainedStructure<double>& structure,
+                                   const Vector& row) {
+  if (structure.is_free()) return {0.0, row, {}, {}};
+  return {row.dot(structure.rest), structure.basis.transpose() * row, {}, {}};
+}
+
+Observable<double> velocity_of(const ConstrainedStructure<double>& structure, const Vector& row) {
+  const Vector on = structure.is_free() ? row : Vector(structure.basis.transpose() * row);
+  return {0.0, Vector::Zero(on.size()), on, {}};
+}
+
+// The smallest value over the window [from, to] that is lower than `below`; minus infinity where
+// the search could not be finished.
+double lowest_along(const ExactPhase<double>& phase, const Observable<double>& observable,
+                    double from, double to, double below) {
+  const ArcCurve<double> curve = phase.curve(observable, to);
+  double lowest = std::min({below, curve.at(from, 0).value, curve.at(to, 0).value});
+  if (from == 0.0) {
+    const std::optional<GapMinimum> minimum = lowest_minimum(curve, 0, lowest);
+    return minimum ? std::min(minimum->gap, lowest) : lowest;
+  }
+  for (const GapMinimum& minimum : minima_below(curve, 0, lowest))
+    if (minimum.s > from) lowest = std::min(lowest, minimum.gap);
+  return lowest;
+}
+
+template <class Extent>
+void extend(const ExactPhase<double>& phase, const Observable<double>& observable, double from,
+            double to, Extent& extent) {
+  extent.lowest = lowest_along(phase, observable, from, to, extent.lowest);
+  extent.highest = -lowest_along(phase, negative(observable), from, to, -extent.highest);
+}
+
+template <class Sums>
+void integrate(const ExactPhase<double>& phase, const Observable<double>& observable, double from,
+               double to, Sums& sums) {
+  const auto add = [&](double s, double sign) {
+    const ArcIntegrals part = integrals_along(phase, observable, s);
+    sums.value += sign * part.value;
+    sums.square += sign * part.square;
+    sums.turned += sign * part.turned;
+  };
+  add(to, 1.0);
+  if (from > 0.0) add(from, -1.0);
+}
+
+}  // namespace
+
+AmplitudeMeter::AmplitudeMeter(const System& system, const std::optional<MeasureOptions>& options)
+    : system_(system),
+      options_(options),
+      measured_(options ? options->rows.size() : 0),
+      loads_(system.stops.size()) {}
+
+void AmplitudeMeter::Extent::note(double value) {
+  highest = std::max(highest, value);
+  lowest = std::min(lowest, value);
+}
+
+void AmplitudeMeter::add_impact(const std::vector<ImpactShare<double>>& shares, double time) {
+  if (!measures(time)) return;
+  for (const ImpactShare<double>& share : shares) {
+    Load& at = load(share.stop);
+    const Stop& stop = system_.stops[static_cast<std::size_t>(share.stop)];
+    if (share.hit) ++at.impacts;
+    at.impulse += share.impulse / stop.row.squaredNorm();
+    at.struck = at.struck || share.impulse > 0.0;
+  }
+}
+
+void AmplitudeMeter::add_contact(int stop, double time) {
+  if (measures(time)) ++load(stop).impacts;
+}
+
+void AmplitudeMeter::add_flight(const ContactPhase<double>& phase, double theta, double time,
+                                double seconds) {
+  const double from = options_ ? std::max(options_->from - time, 0.0) : seconds;
+  if (!(seconds > from)) return;
+  duration_ += seconds - from;
+  if (phase.stepped())
+    add_steps(phase, theta, from, seconds);
+  else
+    add_exact(phase, from, seconds);
+}
+
+void AmplitudeMeter::add_exact(const ContactPhase<double>& of, double from, double to) {
+  const ExactPhase<double>& phase = *of.exact();
+  const std::vector<MeasuredRow>& rows = options_->rows;
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    const Observable<double> velocity = velocity_of(phase.structure(), rows[i].row);
+    const Observable<double> own =
+        rows[i].of_velocity ? velocity : displacement_of(phase.structure(), rows[i].row);
+    extend(phase, own, from, to, measured_[i].sums.extent);
+    integrate(phase, own, from, to, measured_[i].sums);
+    if (!rows[i].of_velocity) extend(phase, velocity, from, to, measured_[i].speed);
+  }
+  for (const int i : phase.closed()) {
+    const Observable<double>& force = phase.observables()[static_cast<std::size_t>(i)];
+    Sums& sums = loads_[static_cast<std::size_t>(i)].force;
+    extend(phase, force, from, to, sums.extent);
+    integrate(phase, force, from, to, sums);
+  }
+}
+
+void AmplitudeMeter::add_steps(const ContactPhase<double>& phase, double theta, double from,
+                               double to) {
+  phase.stepped()->each_step(to, [&](double begin, double end) {
+    if (end > from) add_step(phase, theta, std::max(begin, from), end);
+  });
+}
+
+void AmplitudeMeter::add_step(const ContactPhase<double>& phase, double theta, double from,
+                              double to) {
+  const StepRule rule = rule_over(from, to);
+  const std::vector<MeasuredRow>& rows = options_->rows;
+  const double frequency = system_.forcing() ? system_.forcing()->frequency : 0.0;
+  std::vector<Nodes> values(rows.size()), rates(rows.size()), forces(loads_.size());
+  State state{Vector(system_.modes()), Vector(system_.modes())};
+  std::vector<double> force;
+  for (std::size_t k = 0; k < kNodes; ++k) {
+    phase.state(rule.at[k], state.q, state.qdot);
+    contact_forces(system_, phase, rule.at[k], state, force);
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+      rates[i][k] = rows[i].row.dot(state.qdot);
+      values[i][k] = rows[i].of_velocity ? rates[i][k] : rows[i].row.dot(state.q);
+    }
+    for (std::size_t i = 0; i < loads_.size(); ++i) forces[i][k] = force[i];
+  }
+  const auto add = [&](const Nodes& of, Sums& sums) {
+    note_between(rule.at, of, [&](double value) { sums.extent.note(value); });
+    for (std::size_t k = 0; k < kNodes; ++k) {
+      sums.value += rule.weight[k] * of[k];
+      sums.square += rule.weight[k] * of[k] * of[k];
+      sums.turned += rule.weight[k] * of[k] * std::polar(1.0, -theta - frequency * rule.at[k]);
+    }
+  };
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    add(values[i], measured_[i].sums);
+    if (!rows[i].of_velocity)
+      note_between(rule.at, rates[i], [&](double value) { measured_[i].speed.note(value); });
+  }
+  for (std::size_t i = 0; i < loads_.size(); ++i)
+    if (forces[i] != Nodes{}) add(forces[i], loads_[i].force);
+}
+
+std::optional<Amplitudes> AmplitudeMeter::result() const {
+  if (!options_) return {};
+  Amplitudes result;
+  result.duration = duration_;
+  const bool passed = duration_ > 0.0;
+  for (const auto& [sums, speed] : measured_) {
+    Amplitude& row = result.rows.emplace_back();
+    if (!passed) continue;
+    row.highest = sums.extent.highest;
+    row.lowest = sums.extent.lowest;
+    row.mean = sums.value / duration_;
+    row.rms = std::sqrt(std::fmax(sums.square, 0.0) / duration_);
+    if (speed.highest >= speed.lowest) row.speed = std::fmax(speed.highest, -speed.lowest);
+    if (system_.forcing()) row.harmonic = 2.0 / duration_ * sums.turned;
+  }
+  for (const Load& load : loads_) {
+    StopLoad& stop = result.stops.emplace_back();
+    stop.impacts = load.impacts;
+    stop.impulse = load.impulse + load.force.value;
+    if (load.struck) continue;
+    stop.peak_force = std::fmax(load.force.extent.highest, 0.0);
+    stop.rms_force = passed ? std::sqrt(std::fmax(load.force.square, 0.0) / duration_) : 0.0;
+  }
+  return result;
+}
+
+}  // namespace graze

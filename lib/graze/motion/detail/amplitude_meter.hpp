@@ -1,0 +1,69 @@
+// Measures a motion flight by flight (amplitudes.hpp). Along closed forms the extremes are those of
+// certified searches and the means integrals in closed form; where the motion is integrated step by
+// step, both are those of the polynomial through nine states within each step, which the steps are
+// short enough for.
+#pragma once
+
+#include <limits>
+#include <optional>
+#include <vector>
+
+#include "graze/flow/exact/detail/contact_phase.hpp"
+#include "graze/motion/amplitudes.hpp"
+#include "graze/motion/detail/motion.hpp"
+
+namespace graze {
+
+class AmplitudeMeter {
+ public:
+  // Refers to the system. Without options nothing is measured, and nothing it is told costs
+  // anything.
+  AmplitudeMeter(const System& system, const std::optional<MeasureOptions>& options);
+
+  // A flight that began at forcing phase theta, rad, and at a time, s, and took so many seconds.
+  void add_flight(const ContactPhase<double>& phase, double theta, double time, double seconds);
+  // The shares of an impact, and a contact that begins at a compliant stop.
+  void add_impact(const std::vector<ImpactShare<double>>& shares, double time);
+  void add_contact(int stop, double time);
+
+  // All zeros where no time has passed.
+  std::optional<Amplitudes> result() const;
+
+ private:
+  struct Extent {
+    double highest = -std::numeric_limits<double>::infinity();
+    double lowest = std::numeric_limits<double>::infinity();
+    void note(double value);
+  };
+  struct Sums {
+    Extent extent;
+    double value = 0.0, square = 0.0;  // integrals over time
+    Complex turned = 0.0;
+  };
+  // Of a row: itself, and its rate unless it is a velocity.
+  struct Measured {
+    Sums sums;
+    Extent speed;
+  };
+  struct Load {
+    long long impacts = 0;
+    double impulse = 0.0;
+    bool struck = false;  // by an impact that has no force
+    Sums force;
+  };
+
+  void add_exact(const ContactPhase<double>& phase, double from, double to);
+  void add_steps(const ContactPhase<double>& phase, double theta, double from, double to);
+  void add_step(const ContactPhase<double>& phase, double theta, double from, double to);
+
+  bool measures(double time) const { return options_ && time >= options_->from; }
+  Load& load(int stop) { return loads_[static_cast<std::size_t>(stop)]; }
+
+  const System& system_;
+  const std::optional<MeasureOptions> options_;
+  std::vector<Measured> measured_;
+  std::vector<Load> loads_;
+  double duration_ = 0.0;
+};
+
+}  // namespace graze

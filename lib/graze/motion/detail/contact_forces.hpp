@@ -1,0 +1,14 @@
+// The forces of the stops within a phase.
+#pragma once
+
+#include <vector>
+
+#include "graze/flow/exact/detail/contact_phase.hpp"
+
+namespace graze {
+
+// s seconds after the start of the phase, in this state: of every stop, N; 0 where it is open.
+void contact_forces(const System& system, const ContactPhase<double>& phase, double s,
+                    const State& state, std::vector<double>& forces);
+
+}  // namespace graze

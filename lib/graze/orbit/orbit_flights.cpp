@@ -1,0 +1,64 @@
+#include "graze/orbit/detail/orbit_flights.hpp"
+
+#include <algorithm>
+
+#include "graze/base/angle.hpp"
+#include "graze/flow/held/detail/exact_phase.hpp"
+#include "graze/orbit/problem/detail/shooting.hpp"
+
+namespace graze {
+namespace {
+
+bool begins_at_impact(const TrajectorySegment& segment, const Instant<double>& at) {
+  const auto there = [&at](const Instant<double>& impact) {
+    return impact.period == at.period && impact.local == at.local;
+  };
+  return std::any_of(segment.impacts.begin(), segment.impacts.end(),
+                     [&](const SegmentImpact& impact) { return there(impact.at); }) ||
+         std::any_of(segment.contacts.begin(), segment.contacts.end(),
+                     [&](const SegmentContact& c) { return !c.from_start && there(c.from); });
+}
+
+FlownOrbit fly_segments(const System& system, const Orbit& orbit, const FlightVisitor& visit) {
+  const OrbitSection& section = *orbit.section;
+  const long long periods = orbit.period / static_cast<long long>(section.states.size());
+  const double frequency = system.forcing()->frequency;
+  double theta = section.at.phase + kTurn * section.at.period_index;
+  std::vector<Instant<double>> starts;
+  SegmentOptions options;
+  options.closure_speed = section.closure_speed;
+  options.flight = [&](const ContactPhase<double>& phase, const Instant<double>& at,
+                       double seconds) {
+    starts.push_back(at);
+    visit(phase, theta, seconds);
+    theta += frequency * seconds;
+  };
+  FlownOrbit flown;
+  for (const MotionState<double>& state : section.states) {
+    starts.clear();
+    flown.segments.push_back(
+        pass(system, state, {state.instant.period + periods, state.instant.local}, options));
+    for (const Instant<double>& at : starts)
+      flown.begins_at_impact.push_back(begins_at_impact(flown.segments.back(), at));
+  }
+  return flown;
+}
+
+}  // namespace
+
+FlownOrbit fly_orbit(const System& system, const Orbit& orbit, const FlightVisitor& visit) {
+  if (orbit.section) return fly_segments(system, orbit, visit);
+  FreePhase<double> phase(system, {});
+  const std::vector<ImpactPoint> points = orbit.points();
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const double next =
+        i + 1 < points.size() ? points[i + 1].theta : points.front().theta + kTurn * orbit.period;
+    const auto hit = static_cast<std::size_t>(orbit.impacts[i].stop);
+    const State after = after_impact(system.stops[hit], points[i].before);
+    phase.start(points[i].theta, after.q, after.qdot, 0.0);
+    visit(phase, points[i].theta, (next - points[i].theta) / system.forcing()->frequency);
+  }
+  return {std::vector<bool>(points.size(), true), {}};
+}
+
+}  // namespace graze
