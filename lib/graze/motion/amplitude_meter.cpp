@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "graze/base/detail/bracketed_zero.hpp"
+#include "graze/base/linalg/detail/dense_factors.hpp"
 #include "graze/flow/stepped/detail/step_flow.hpp"
 #include "graze/flow/variation/detail/arc_integrals.hpp"
 #include "graze/motion/detail/clearance.hpp"
@@ -28,12 +29,12 @@ StepRule rule_over(double from, double to) {
   StepRule rule{};
   rule.at.front() = from;
   rule.at.back() = to;
-  for (std::size_t k = 0; k < Rule::abscissa().size(); ++k)
-    for (const double side : {-1.0, 1.0}) {
-      const std::size_t place = kNodes / 2 + (side > 0.0 ? k : -k);
-      rule.at[place] = middle + side * half * Rule::abscissa()[k];
-      rule.weight[place] = half * Rule::weights()[k];
-    }
+  constexpr std::size_t kMiddle = kNodes / 2;
+  for (std::size_t k = 0; k < Rule::abscissa().size(); ++k) {
+    rule.at[kMiddle + k] = middle + half * Rule::abscissa()[k];
+    rule.at[kMiddle - k] = middle - half * Rule::abscissa()[k];
+    rule.weight[kMiddle + k] = rule.weight[kMiddle - k] = half * Rule::weights()[k];
+  }
   return rule;
 }
 
@@ -135,6 +136,24 @@ void AmplitudeMeter::add_impact(const std::vector<ImpactShare<double>>& shares, 
 
 void AmplitudeMeter::add_contact(int stop, double time) {
   if (measures(time)) ++load(stop).impacts;
+}
+
+// taken = sum_i direction_i p_i
+void AmplitudeMeter::add_closure(const std::vector<int>& stops, const Vector& taken, double time) {
+  if (!measures(time)) return;
+  const auto n = static_cast<Eigen::Index>(stops.size());
+  const auto stop = [&](Eigen::Index a) -> const Stop& {
+    return system_.stops[static_cast<std::size_t>(stops[static_cast<std::size_t>(a)])];
+  };
+  Matrix acting(n, n);
+  Vector speeds(n);
+  for (Eigen::Index a = 0; a < n; ++a) {
+    speeds[a] = stop(a).row.dot(taken);
+    for (Eigen::Index b = 0; b < n; ++b) acting(a, b) = stop(a).row.dot(stop(b).direction());
+  }
+  const Vector impulses = PivotedLu<double>(acting).solve(speeds);
+  for (Eigen::Index a = 0; a < n; ++a)
+    load(stops[static_cast<std::size_t>(a)]).impulse += impulses[a] / stop(a).row.squaredNorm();
 }
 
 void AmplitudeMeter::add_flight(const ContactPhase<double>& phase, double theta, double time,

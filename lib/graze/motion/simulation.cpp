@@ -75,8 +75,7 @@ class Run {
 
   // False when the run is over.
   bool proceed() {
-    const WalkStep step = walk_.next(end_);
-    switch (step) {
+    switch (walk_.next(end_)) {
       case WalkStep::kDeparture:
         return depart();
       case WalkStep::kFlight:
@@ -312,6 +311,7 @@ class Run {
         {walk_.closed().q_before, walk_.closed().qdot_before}, {motion_.q(), motion_.qdot()},
         state_.balance.work);
     enter_energy(change);
+    meter_.add_closure(walk_.closed().closed, walk_.closed().qdot_before - motion_.qdot(), time());
     const auto last =
         std::max_element(shares.begin(), shares.end(),
                          [](const auto& a, const auto& b) { return a.speed < b.speed; });

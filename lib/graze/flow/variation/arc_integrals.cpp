@@ -60,15 +60,15 @@ ArcIntegrals by_panels(const ExactPhase<double>& phase, const Arc<double>& arc,
   // Of the square, and of the product with the forcing.
   quickest = 2.0 * std::fmax(quickest, flow.frequency());
   const ArcCurve<double> curve = phase.curve(observable, s);
-  const auto value = [&](double at) { return curve.at(at, 0).value; };
-  const auto part = [&](auto of) {
-    return panel_integral([&](double at) { return value(at) * of(at); }, s, quickest);
-  };
-  const double theta = arc.start_phase();
-  return {part([](double) { return 1.0; }),
-          part(value),
-          {part([&](double at) { return std::cos(theta + flow.frequency() * at); }),
-           -part([&](double at) { return std::sin(theta + flow.frequency() * at); })}};
+  ArcIntegrals integrals;
+  visit_nodes(s, quickest, [&](double at, double weight) {
+    const double value = curve.at(at, 0).value;
+    integrals.value += weight * value;
+    integrals.square += weight * value * value;
+    integrals.turned +=
+        weight * value * std::polar(1.0, -arc.start_phase() - flow.frequency() * at);
+  });
+  return integrals;
 }
 
 ArcIntegrals coupled_integrals(const CoupledArc& arc, const Observable<double>& observable,

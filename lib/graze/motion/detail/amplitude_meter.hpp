@@ -25,6 +25,10 @@ class AmplitudeMeter {
   // The shares of an impact, and a contact that begins at a compliant stop.
   void add_impact(const std::vector<ImpactShare<double>>& shares, double time);
   void add_contact(int stop, double time);
+  // What is left of a chatter that is summed: the stops that the structure is put to rest on, and
+  // the velocities that this takes away. They hold it from then on, so that the impulse may be
+  // negative.
+  void add_closure(const std::vector<int>& stops, const Vector& taken, double time);
 
   // All zeros where no time has passed.
   std::optional<Amplitudes> result() const;

@@ -106,6 +106,8 @@ class Follower {
       case WalkStep::kImpact:
         return impact();
       case WalkStep::kChatter:
+        segment_.closures.push_back(
+            {walk_.closed().closed, walk_.closed().qdot_before - motion_.qdot()});
         carried_.close(walk_.closed().closed,
                        {walk_.closed().q_before, walk_.closed().qdot_before});
         return true;

@@ -22,8 +22,11 @@ Complex exponential_integral(Complex l, double s);
 // integral of a b over [0, s].
 double product_integral(const Signal& a, const Signal& b, double s);
 
-// integral of f over [0, s] on panels over which nothing turns or decays by more than one radian,
-// `quickest` in rad/s: there 15 nodes integrate to rounding (the error is of order (1/2)^30/30!).
+// Visits the nodes of Gauss' rule with their weights, s, over [0, s] in panels over which nothing
+// turns or decays by more than one radian, `quickest` in rad/s: there 15 nodes integrate to rounding
+// (the error is of order (1/2)^30/30!).
+void visit_nodes(double s, double quickest, const std::function<void(double, double)>& visit);
+// integral of f over [0, s] by these.
 double panel_integral(const std::function<double(double)>& f, double s, double quickest);
 
 // The states of a coupled motion and its inputs, z = (x, u cos theta, u sin theta, u) with z' = E z

@@ -83,6 +83,13 @@ struct SegmentContact {
   bool parted = false;  // its force is gone, below the surface
 };
 
+// What is left of a chatter where it is summed: the stops that hold the structure from then on, and
+// the velocities that it is put to rest from.
+struct SegmentClosure {
+  std::vector<int> stops;
+  Vector taken;  // kg^1/2 m/s, N
+};
+
 // Where a gap is least between the impacts.
 struct SegmentMinimum {
   int stop = 0;
@@ -96,6 +103,7 @@ struct TrajectorySegment {
   std::vector<SegmentImpact> impacts;
   std::vector<SegmentSticking> sticking;  // by the instant at which they end
   std::vector<SegmentContact> contacts;   // likewise
+  std::vector<SegmentClosure> closures;
   // The smallest interior local minimum of a gap; with `minima`.
   std::optional<SegmentMinimum> lowest{};
   std::optional<double> clearance() const {  // m
