@@ -10,6 +10,10 @@ namespace graze {
 // Throws InputError for a range or a step that cannot be used.
 BranchOptions branch_options(const BranchingOptions& command);
 
+// What a picture shows in place of impact speeds; throws InputError where there is no such place.
+std::optional<Shown> shown_of(const BranchingOptions& command,
+                              const std::vector<MeasuredPlace>& places);
+void note_amplitudes(const BranchingOptions& command, RunInfo& info);
 // Whether and how far other branches are switched to.
 void note_following(const BranchingOptions& command, RunInfo& info);
 

@@ -63,7 +63,10 @@ struct OrbitSearchOptions : MotionOptions {
 // Their branches over a parameter.
 struct BranchingOptions : OrbitSearchOptions, RangeOptions {
   std::optional<double> max_step;
-  bool follows = false;  // onto other branches at special points
+  bool amplitudes = false;             // how large the motions are, of orbits and rows
+  std::optional<ShownQuantity> curve;  // what of that a picture shows; else impact speeds
+  std::string curve_at;                // "probe.1", "stop.2"; empty: the first place
+  bool follows = false;                // onto other branches at special points
   int depth = 2;
 };
 

@@ -119,6 +119,7 @@ void add_continue(CLI::App& graze, std::optional<Command>& parsed) {
   add_orbit_search(app, command);
   add_range(app, command);
   add_branch_kind(app, command);
+  add_curve(app, command);
   add_closure_speed(app, command);
   add_locus(app, command);
   add_restart(app, command);
@@ -146,6 +147,7 @@ void add_diagram(CLI::App& graze, std::optional<Command>& parsed) {
       ->capture_default_str()
       ->type_name("P");
   add_branch_kind(app, command);
+  add_curve(app, command);
   CLI::Option* duration =
       app->add_option("--duration", command.duration,
                       "Where no forcing repeats the motion: time of the one run at each value, s")

@@ -41,6 +41,7 @@ BranchOptions branch_options(const BranchingOptions& command) {
   BranchOptions options;
   options.period = command.period;
   options.impacts = command.impacts.value_or(1);
+  options.response = command.amplitudes || options.impacts == 0;
   options.follow_depth = command.follows ? command.depth : 0;
   options.from = command.from;
   options.to = command.to;
@@ -58,6 +59,28 @@ BranchOptions branch_options(const BranchingOptions& command) {
 void note_following(const BranchingOptions& command, RunInfo& info) {
   info.options.emplace_back("follow", command.follows ? "all" : "none");
   if (command.follows) info.options.emplace_back("depth", static_cast<long long>(command.depth));
+}
+
+std::optional<Shown> shown_of(const BranchingOptions& command,
+                              const std::vector<MeasuredPlace>& places) {
+  if (!command.curve) return {};
+  std::string known;
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    const MeasuredPlace& place = places[i];
+    if (is_of_stop(*command.curve) && !place.stop) continue;
+    const std::string name = place.probe ? fmt::format("probe.{}", *place.probe + 1)
+                                         : fmt::format("stop.{}", *place.stop + 1);
+    if (command.curve_at.empty() || command.curve_at == name) return Shown{*command.curve, i};
+    known += (known.empty() ? "" : ", ") + name;
+  }
+  throw InputError(
+      fmt::format("--at: '{}' is not allowed; give one of {}", command.curve_at, known));
+}
+
+void note_amplitudes(const BranchingOptions& command, RunInfo& info) {
+  if (command.amplitudes) info.options.emplace_back("amplitudes", true);
+  if (command.curve) info.options.emplace_back("show", std::string(name_of(*command.curve)));
+  if (!command.curve_at.empty()) info.options.emplace_back("at", command.curve_at);
 }
 
 namespace {
@@ -111,6 +134,7 @@ int run(const ContinueCommand& command) {
                       parameter_unit(scene, command.parameter),
                       {},
                       {}};
+  record.shown = shown_of(command, measured_places(scene, record.system));
   // A range that reaches beyond what the scene allows is the user's error, not a broken branch.
   for (const double value : {command.from, command.to})
     with_parameter(scene, command.parameter, value);
@@ -123,6 +147,7 @@ int run(const ContinueCommand& command) {
   if (command.closure_speed)
     record.info.options.emplace_back("closure_speed", *command.closure_speed);
   note_following(command, record.info);
+  note_amplitudes(command, record.info);
   if (restart)
     record_restart(command, record.info);
   else
@@ -132,6 +157,8 @@ int run(const ContinueCommand& command) {
   prepare_output(command);
   record.traced = trace_orbits(family, options);
   options.progress = nullptr;
+  if (command.amplitudes)
+    record.amplitudes = measure_branches(family, record.traced, command.threads);
   record.outcome = branch_outcome(record.traced, options);
   return conclude(command, record.info, record.outcome,
                   {json_of(record),

@@ -28,6 +28,7 @@ SweepOptions sweep_options(const DiagramCommand& command, const StopSignal& stop
   options.points = command.points;
   options.direction = command.direction;
   set_settling(command, command.settling, options);
+  options.measure = command.amplitudes;
   options.threads = command.threads;
   options.stop = stop;
   options.progress = progress_line(command, options.points, "values");
@@ -42,6 +43,7 @@ void note_rows(const DiagramCommand& command, const SweepOptions& options, RunIn
   info.options.emplace_back("points", static_cast<long long>(command.points));
   info.options.emplace_back("direction", name_of(command.direction));
   note_settling(options, info);
+  note_amplitudes(command, info);
 }
 
 void note_rest(const DiagramCommand& command, RunInfo& info) {
@@ -63,9 +65,13 @@ std::optional<Outcome> add_branches(const DiagramCommand& command, const SystemF
   traced.parameter = command.parameter;
   if (!command.branches) return {};
   traced = trace_orbits(family, options);
+  if (command.amplitudes)
+    record.branches.amplitudes = measure_branches(family, traced, command.threads);
   const Outcome outcome = branch_outcome(traced, options);
   if (outcome.name == "no_orbit") traced.notes.push_back(outcome.message);
-  if (record.section == DiagramSection::kImpact)
+  if (record.branches.shown)
+    record.curves = {amplitude_curves(record.branches)};
+  else if (record.section == DiagramSection::kImpact)
     record.curves = {impact_curves(traced)};
   else
     record.curves = stroboscopic_curves(family, traced);
@@ -107,6 +113,9 @@ int run(const DiagramCommand& command) {
                      parameter_unit(scene, command.parameter),
                      {},
                      {}};
+  const std::vector<MeasuredPlace> places = measured_places(scene, record.branches.system);
+  record.branches.shown = shown_of(command, places);
+  if (command.amplitudes) record.branches.amplitudes.places = places;
   note_call(command, record.branches.info);
   note_rows(command, options, record.branches.info);
   record.branches.warnings = system_warnings(scene, record.branches.system);

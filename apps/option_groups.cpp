@@ -206,10 +206,34 @@ void add_journal(CLI::App* app, JournalOptions& options) {
       ->type_name("k/n");
 }
 
+void add_curve(CLI::App* app, BranchingOptions& command) {
+  app->add_flag("--amplitudes", command.amplitudes,
+                "Measure the motions: largest, smallest, mean and root mean square values at the "
+                "probes and stops, peak velocities, forces; the response without impacts is a "
+                "branch too");
+  app->add_option_function<std::string>(
+         "--show",
+         [&command](const std::string& name) {
+           for (const ShownQuantity quantity : kShownQuantities)
+             if (name == name_of(quantity)) command.curve = quantity;
+           command.amplitudes = true;
+         },
+         "With pictures and pages: a response curve in place of impact speeds; implies "
+         "--amplitudes")
+      ->check(CLI::IsMember(names_of(kShownQuantities)))
+      ->type_name("WHAT");
+  app->add_option("--at", command.curve_at,
+                  "With --show: the place, e.g. probe.1 or stop.2 (default: the first probe, else "
+                  "the first stop)")
+      ->type_name("PLACE")
+      ->needs("--show");
+}
+
 void add_branch_kind(CLI::App* app, BranchingOptions& command) {
   app->add_option("--impacts", command.impacts,
-                  "Impacts per orbit, on all stops together (default: 1, and orbits that stick)")
-      ->transform(whole_number_within(1, 64))
+                  "Impacts per orbit, on all stops together; 0: the response that meets no stop, "
+                  "alone (default: 1, and orbits that stick)")
+      ->transform(whole_number_within(0, 64))
       ->type_name("K");
   app->add_option_function<std::string>(
          "--follow", set_if(command.follows, "all"),

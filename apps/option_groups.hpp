@@ -46,6 +46,7 @@ void add_plane(CLI::App* app, MapCommand& command);
 // Going on with what a folder holds, and a share of the work.
 void add_journal(CLI::App* app, JournalOptions& options);
 // Which orbits' branches are traced, and how far from the first.
+void add_curve(CLI::App* app, BranchingOptions& command);
 void add_branch_kind(CLI::App* app, BranchingOptions& command);
 // Loci over a map, with the orbits that they are of.
 void add_loci_over_map(CLI::App* app, MapCommand& command);

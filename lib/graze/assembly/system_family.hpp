@@ -23,11 +23,11 @@ class SystemFamily {
   // System, and its derivative by the parameter, at a value; nothing where the scene does not allow
   // that value (a negative length, a stop off the beam).
   std::optional<System> at(double value) const;
+  // The scene there, likewise.
+  std::optional<Scene> scene_at(double value) const;
   std::optional<System> tangent_at(double value) const;
 
  private:
-  std::optional<Scene> scene_at(double value) const;
-
   Scene scene_;
   std::string parameter_;
 };

@@ -47,8 +47,16 @@ FlownOrbit fly_segments(const System& system, const Orbit& orbit, const FlightVi
 }  // namespace
 
 FlownOrbit fly_orbit(const System& system, const Orbit& orbit, const FlightVisitor& visit) {
-  if (orbit.section) return fly_segments(system, orbit, visit);
   FreePhase<double> phase(system, {});
+  if (!orbit.meets_stops() && orbit.section) {
+    // The free motion alone, as it is known: a stop that it touches does nothing to it.
+    const OrbitSection& section = *orbit.section;
+    const MotionState<double>& start = section.states.front();
+    phase.start(section.at.phase, start.q, start.qdot, 0.0);
+    visit(phase, section.at.phase, orbit.period * system.period());
+    return {{false}, {}};
+  }
+  if (orbit.section) return fly_segments(system, orbit, visit);
   const std::vector<ImpactPoint> points = orbit.points();
   for (std::size_t i = 0; i < points.size(); ++i) {
     const double next =

@@ -44,6 +44,23 @@ std::vector<DiagramCurve> impact_curves(const OrbitBranches& traced) {
   return curves;
 }
 
+std::vector<DiagramCurve> amplitude_curves(const BranchRecord& record) {
+  const BranchAmplitudes& amplitudes = record.amplitudes;
+  std::vector<DiagramCurve> curves;
+  for (const BranchAmplitudes::Measured& measured : amplitudes.branches) {
+    const auto heights = [&](const std::vector<Amplitudes>& of) {
+      std::vector<std::vector<double>> list;
+      for (const Amplitudes& one : of) {
+        const std::optional<double> value = shown_value(*record.shown, amplitudes.places, one);
+        list.push_back(value ? std::vector<double>{*value} : std::vector<double>());
+      }
+      return list;
+    };
+    curves.push_back({heights(measured.points), heights(measured.special)});
+  }
+  return curves;
+}
+
 std::vector<std::vector<DiagramCurve>> stroboscopic_curves(const SystemFamily& family,
                                                            const OrbitBranches& traced) {
   std::vector<std::vector<DiagramCurve>> by_stop(family.scene().stops.size());

@@ -7,11 +7,13 @@
 #include <vector>
 
 #include "graze/assembly/probes.hpp"
+#include "graze/bifurcation/trace/branch_amplitudes.hpp"
 #include "graze/bifurcation/trace/orbit_branches.hpp"
 #include "graze/motion/simulation.hpp"
 #include "graze/orbit/search/finder.hpp"
 #include "graze/record/file/run_info.hpp"
 #include "graze/record/section.hpp"
+#include "graze/record/shown_quantity.hpp"
 
 namespace graze {
 
@@ -87,6 +89,8 @@ struct BranchRecord {
   std::string unit;  // of the parameter
   std::vector<std::string> warnings;
   Outcome outcome;
+  BranchAmplitudes amplitudes{};  // empty unless they were asked for
+  std::optional<Shown> shown{};   // of them, in a picture; else impact speeds
 };
 
 // What a balance holds of the effects that the system has, J: no load without gravity, no impacts

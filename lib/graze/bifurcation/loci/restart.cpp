@@ -53,6 +53,8 @@ std::vector<SpecialOrbit> special_orbits(const OrbitBranches& traced, const Syst
   std::vector<SpecialOrbit> list;
   for (const OrbitBranch& branch : traced.branches)
     for (const SpecialPoint& special : branch.special) {
+      // The response goes on in closed form; nothing is restarted from it.
+      if (!special.at.orbit.meets_stops()) continue;
       SpecialOrbit one;
       one.id = special.id;
       one.label = label_of(special.kind);

@@ -12,7 +12,9 @@ namespace graze {
 
 struct BranchOptions {
   int period = 1;   // p
-  int impacts = 1;  // k, on all stops together
+  int impacts = 1;  // k, on all stops together; 0: none are sought
+  // The response that meets no stop too, where it is clear of them (period 1).
+  bool response = false;
   double from = 0.0, to = 0.0;
   double max_step = 0.0;  // of the parameter; 0: a fiftieth of the range
   // Start values across the range, besides the scene's own; with any, also the starts that a survey

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "graze/bifurcation/problem/detail/response_equations.hpp"
 #include "graze/bifurcation/problem/detail/special_names.hpp"
 #include "graze/bifurcation/problem/grazing_orbit.hpp"
 #include "graze/bifurcation/trace/detail/orbit_kinds.hpp"
@@ -72,6 +73,15 @@ bool BranchCollector::trace_from(const Orbit& orbit, double value) {
   const std::vector<Written> ways = problems_.written(orbit, std::span(&value, 1));
   if (ways.empty()) notes_.insert("an orbit whose closed stops never let go is not continued");
   return !ways.empty() && trace_written(ways.front(), value, {});
+}
+
+void BranchCollector::trace_response(double value) {
+  LaidOrbits& orbits = problems_.response();
+  const auto& equations = dynamic_cast<const ResponseEquations&>(*orbits.problem);
+  const std::optional<Vector> u = equations.unknowns_at(value);
+  if (!u) return;
+  const std::optional<SolutionPoint> point = solve_at(orbits->problem(), continuation_, *u, value);
+  if (point && !knows(orbits, *point)) add(trace(orbits, *point, Directions::kBoth), {});
 }
 
 bool BranchCollector::trace_written(const Written& start, double value, Origin origin) {

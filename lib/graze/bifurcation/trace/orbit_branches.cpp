@@ -41,8 +41,9 @@ class OrbitTracer {
   OrbitBranches trace() {
     if (options_.start)
       branches_.trace_from_special(*options_.start);
-    else
+    else if (options_.impacts > 0)
       trace_from_search();
+    if (options_.response && !options_.start && options_.period == 1) trace_response();
     branches_.follow();
     const double speed_scale = result_.scale.speed;
     result_.branches =
@@ -73,6 +74,13 @@ class OrbitTracer {
         !compliant_)
       trace_from_surveys();
     result_.sought.stopped = options_.stop.requested();
+  }
+
+  // One trace reaches all of it, unless values between are not allowed, or it has none there.
+  void trace_response() {
+    if (family_.value() >= lowest_ && family_.value() <= highest_)
+      branches_.trace_response(family_.value());
+    for (const double value : {lowest_, highest_}) branches_.trace_response(value);
   }
 
   // The scene's own value, and values spread over the range; in one round of several.

@@ -4,6 +4,7 @@
 #include "graze/bifurcation/cut/detail/flight_boundaries.hpp"
 #include "graze/bifurcation/cut/detail/flight_locus.hpp"
 #include "graze/bifurcation/cut/detail/release_boundaries.hpp"
+#include "graze/bifurcation/cut/detail/response_boundaries.hpp"
 #include "graze/bifurcation/cut/detail/segment_locus.hpp"
 
 namespace graze {
@@ -13,6 +14,8 @@ std::unique_ptr<BranchBoundaries> boundaries_of(const OrbitProblem& problem,
                                                 const BranchOptions& options) {
   if (const auto* flights = dynamic_cast<const FlightEquations*>(&problem))
     return std::make_unique<FlightBoundaries>(*flights, continuation, options);
+  if (const auto* response = dynamic_cast<const ResponseEquations*>(&problem))
+    return std::make_unique<ResponseBoundaries>(*response, continuation, options);
   const auto& segments = dynamic_cast<const SegmentEquations&>(problem);
   if (segments.layout().released)
     return std::make_unique<ReleaseBoundaries>(segments, continuation, options.follow_depth > 0);

@@ -4,6 +4,7 @@
 
 #include "graze/bifurcation/problem/detail/canonical_pattern.hpp"
 #include "graze/bifurcation/problem/detail/flight_equations.hpp"
+#include "graze/bifurcation/problem/detail/response_equations.hpp"
 #include "graze/bifurcation/problem/detail/segment_equations.hpp"
 #include "graze/orbit/problem/detail/laid_orbit.hpp"
 
@@ -32,6 +33,11 @@ LaidOrbits& OrbitProblems::flights(const ImpactPattern& pattern) {
   return keep(pattern, 0.0, [&] {
     return std::make_unique<FlightEquations>(scene_, parameters_, pattern, scale_);
   });
+}
+
+LaidOrbits& OrbitProblems::response() {
+  return keep(ImpactPattern{}, 0.0,
+              [&] { return std::make_unique<ResponseEquations>(scene_, parameters_, scale_); });
 }
 
 OrbitProblems::Written OrbitProblems::written(const ImpactPattern& pattern,

@@ -74,6 +74,8 @@ struct Orbit {
   std::optional<OrbitSection> section{};
 
   bool sticks() const { return !sticking.empty(); }
+  // Else it is the response of the free structure.
+  bool meets_stops() const { return sticks() || !impacts.empty(); }
   // For the shooting equations, which know of no sticking and no compliant stops.
   ImpactPattern pattern() const;
   std::vector<ImpactPoint> points() const;

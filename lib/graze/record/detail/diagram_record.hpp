@@ -34,6 +34,9 @@ inline constexpr double kSlowestShown = 1e-3;
 // many times slower than the fastest.
 std::vector<DiagramCurve> impact_curves(const OrbitBranches& traced);
 
+// What is shown of the amplitudes along the branches, one height a point; requires both.
+std::vector<DiagramCurve> amplitude_curves(const BranchRecord& record);
+
 // The displacements at each stop at t = 0, T, 2T, .. along the branches.
 std::vector<std::vector<DiagramCurve>> stroboscopic_curves(const SystemFamily& family,
                                                            const OrbitBranches& traced);

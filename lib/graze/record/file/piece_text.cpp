@@ -127,9 +127,28 @@ void fields(Archive& archive, Exponents& exponents) {
   archive(exponents.end);
 }
 template <class Archive>
+void fields(Archive& archive, Complex& number) {
+  double re = number.real(), im = number.imag();
+  archive(re), archive(im);
+  number = {re, im};
+}
+template <class Archive>
+void fields(Archive& archive, Amplitude& row) {
+  archive(row.highest), archive(row.lowest), archive(row.mean), archive(row.rms);
+  archive(row.speed), archive(row.harmonic);
+}
+template <class Archive>
+void fields(Archive& archive, StopLoad& load) {
+  archive(load.impacts), archive(load.impulse), archive(load.peak_force), archive(load.rms_force);
+}
+template <class Archive>
+void fields(Archive& archive, Amplitudes& amplitudes) {
+  archive(amplitudes.duration), archive(amplitudes.rows), archive(amplitudes.stops);
+}
+template <class Archive>
 void fields(Archive& archive, SweepRow& row) {
   archive(row.value), archive(row.status), archive(row.start), archive(row.motion);
-  archive(row.stop_states), archive(row.exponents), archive(row.message);
+  archive(row.stop_states), archive(row.exponents), archive(row.amplitudes), archive(row.message);
 }
 template <class Archive>
 void fields(Archive& archive, AttractorClass& attractor) {

@@ -8,6 +8,7 @@
 #include "graze/bifurcation/problem/detail/special_names.hpp"
 #include "graze/record/records.hpp"
 #include "graze/record/section.hpp"
+#include "graze/report/csv/detail/csv_amplitudes.hpp"
 #include "graze/report/csv/detail/csv_cell.hpp"
 #include "graze/report/detail/names.hpp"
 #include "graze/system/detail/hub_state.hpp"
@@ -177,16 +178,22 @@ std::string contacts_csv(const OrbitRecord& record) {
 std::string branches_csv(const BranchRecord& record) {
   std::string text =
       "branch,component,period,impacts,value,phase,speed,stable,admissible,unstable_multipliers,"
-      "clearance,stuck\n";
-  for (const OrbitBranch& branch : record.traced.branches)
-    for (const OrbitBranchPoint& point : branch.points) {
-      fmt::format_to(std::back_inserter(text), "{},{},{},{},{},{},{},{},{},{},{},{}\n", branch.id,
+      "clearance,stuck";
+  text += amplitude_columns(record.amplitudes.places) + "\n";
+  for (std::size_t i = 0; i < record.traced.branches.size(); ++i) {
+    const OrbitBranch& branch = record.traced.branches[i];
+    for (std::size_t k = 0; k < branch.points.size(); ++k) {
+      const OrbitBranchPoint& point = branch.points[k];
+      const Amplitudes* measured =
+          record.amplitudes.empty() ? nullptr : &record.amplitudes.branches[i].points[k];
+      fmt::format_to(std::back_inserter(text), "{},{},{},{},{},{},{},{},{},{},{},{}{}\n", branch.id,
                      branch.component, branch.pattern.period, point.orbit.impacts.size(),
                      csv_cell(point.value), first_phase(point.orbit), first_speed(point.orbit),
                      csv_cell(point.orbit.stable), point.orbit.admissible ? 1 : 0,
                      point.unstable_multipliers, csv_cell(point.orbit.clearance),
-                     branch.sticks() ? 1 : 0);
+                     branch.sticks() ? 1 : 0, amplitude_cells(record.amplitudes.places, measured));
     }
+  }
   return text;
 }
 

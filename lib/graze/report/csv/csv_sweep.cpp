@@ -3,6 +3,7 @@
 #include <iterator>
 
 #include "graze/report/csv/csv.hpp"
+#include "graze/report/csv/detail/csv_amplitudes.hpp"
 #include "graze/report/csv/detail/csv_cell.hpp"
 #include "graze/report/names/detail/sweep_names.hpp"
 
@@ -10,7 +11,9 @@ namespace graze {
 std::string sweep_csv(const DiagramRecord& record) {
   std::string text =
       "value,start,status,attractor,period,impacts,periods,remaining,sample,stop,period_index,"
-      "phase,speed,displacement,velocity\n";
+      "phase,speed,displacement,velocity";
+  const std::vector<MeasuredPlace>& places = record.branches.amplitudes.places;
+  text += amplitude_columns(places) + "\n";
   for (const SweepRow& row : record.swept.rows) {
     const AttractorClass attractor = attractor_class(row);
     const bool repeats = attractor.period > 0;
@@ -20,21 +23,23 @@ std::string sweep_csv(const DiagramRecord& record) {
         repeats && attractor.kind != SettledKind::kSticks ? fmt::format("{}", attractor.impacts)
                                                           : "",
         row.motion.periods, repeats ? csv_cell(row.motion.remaining) : "");
+    const std::string end =
+        amplitude_cells(places, row.amplitudes ? &*row.amplitudes : nullptr) + "\n";
     int sample = 0;
     if (record.section == DiagramSection::kImpact)
       for (const MetImpact& impact : row.motion.impacts)
-        fmt::format_to(std::back_inserter(text), "{},{},{},{},{},{},,\n", start, ++sample,
+        fmt::format_to(std::back_inserter(text), "{},{},{},{},{},{},,{}", start, ++sample,
                        impact.stop + 1, period_index(row, impact), csv_cell(impact_phase(impact)),
-                       csv_cell(impact.speed));
+                       csv_cell(impact.speed), end);
     else
       for (const SweepRow::StopState& state : row.stop_states) {
-        fmt::format_to(std::back_inserter(text), "{},{},{},{},,,{},{}\n", start, sample + 1,
+        fmt::format_to(std::back_inserter(text), "{},{},{},{},,,{},{}{}", start, sample + 1,
                        state.stop + 1, static_cast<std::size_t>(sample) / stops_seen(row),
-                       csv_cell(state.displacement), csv_cell(state.velocity));
+                       csv_cell(state.displacement), csv_cell(state.velocity), end);
         ++sample;
       }
     // A value without samples has its line all the same.
-    if (sample == 0) fmt::format_to(std::back_inserter(text), "{},,,,,,,\n", start);
+    if (sample == 0) fmt::format_to(std::back_inserter(text), "{},,,,,,,{}", start, end);
   }
   return text;
 }

@@ -338,11 +338,19 @@ std::string to_json(const BranchRecord& record) {
   document["units"] = {{"value", record.unit}, {"phase", "rad"},       {"speed", "m/s"},
                        {"clearance", "m"},     {"duration", "s"},      {"force", "N"},
                        {"q", "kg^1/2 m"},      {"qdot", "kg^1/2 m/s"}, {"closure_speed", "m/s"}};
+  add_amplitude_units(record.amplitudes.places, document["units"]);
   Json branches = Json::array();
   for (const OrbitBranch& branch : record.traced.branches) {
     Json points = Json::array(), special = Json::array();
     for (const OrbitBranchPoint& point : branch.points) points.push_back(point_json(point));
     for (const SpecialPoint& s : branch.special) special.push_back(special_json(s));
+    if (!record.amplitudes.empty()) {
+      const auto& measured = record.amplitudes.branches[branches.size()];
+      for (std::size_t k = 0; k < points.size(); ++k)
+        add_amplitudes(record.amplitudes.places, measured.points[k], points[k]);
+      for (std::size_t k = 0; k < special.size(); ++k)
+        add_amplitudes(record.amplitudes.places, measured.special[k], special[k]);
+    }
     branches.push_back(
         {{"id", branch.id},
          {"component", branch.component},

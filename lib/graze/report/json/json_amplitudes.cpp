@@ -42,7 +42,7 @@ Json load_json(std::size_t index, const StopLoad& load, double duration) {
 void add_amplitudes(const std::vector<MeasuredPlace>& places, const Amplitudes& measured,
                     Json& json) {
   Json amplitudes = Json::array(), loads = Json::array();
-  for (std::size_t i = 0; i < places.size(); ++i)
+  for (std::size_t i = 0; i < measured.rows.size(); ++i)
     amplitudes.push_back(amplitude_json(places[i], measured.rows[i]));
   for (std::size_t i = 0; i < measured.stops.size(); ++i)
     loads.push_back(load_json(i, measured.stops[i], measured.duration));
@@ -51,6 +51,7 @@ void add_amplitudes(const std::vector<MeasuredPlace>& places, const Amplitudes& 
 }
 
 void add_amplitude_units(const std::vector<MeasuredPlace>& places, Json& units) {
+  if (places.empty()) return;
   for (const MeasuredPlace& place : places)
     if (place.probe) units["probe_" + std::to_string(*place.probe + 1)] = place.unit;
   units.update({{"amplitude", "m"},

@@ -1,3 +1,4 @@
+#include "graze/report/json/detail/json_amplitudes.hpp"
 #include "graze/report/json/detail/json_document.hpp"
 #include "graze/report/json/detail/json_value.hpp"
 #include "graze/report/json/json.hpp"
@@ -24,7 +25,8 @@ Json samples_json(const SweepRow& row, DiagramSection section) {
   return {{"stops", stops}, {"displacements", first}, {"velocities", second}};
 }
 
-Json row_json(const SweepRow& row, DiagramSection section) {
+Json row_json(const SweepRow& row, DiagramSection section,
+              const std::vector<MeasuredPlace>& places) {
   const AttractorClass attractor = attractor_class(row);
   const bool repeats = attractor.period > 0, sticks = attractor.kind == SettledKind::kSticks;
   Json json = {{"value", json_number(row.value)},
@@ -44,6 +46,7 @@ Json row_json(const SweepRow& row, DiagramSection section) {
     if (!row.exponents->failure.empty()) json["exponent_message"] = row.exponents->failure;
   }
   json.update(samples_json(row, section));
+  if (row.amplitudes) add_amplitudes(places, *row.amplitudes, json);
   return json;
 }
 
@@ -63,7 +66,8 @@ std::string to_json(const DiagramRecord& record) {
                       {"from", json_number(swept.rows[range.first].value)},
                       {"to", json_number(swept.rows[range.last].value)},
                       {"values", range.last - range.first + 1}});
-  for (const SweepRow& row : swept.rows) rows.push_back(row_json(row, record.section));
+  for (const SweepRow& row : swept.rows)
+    rows.push_back(row_json(row, record.section, record.branches.amplitudes.places));
   document["sweep"] = {{"section", name_of(record.section)},
                        {"direction", name_of(swept.options.direction)},
                        {"nearness", swept.options.nearness},

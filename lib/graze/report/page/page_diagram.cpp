@@ -303,7 +303,8 @@ void DiagramPage::add_observables(const std::vector<PageObservable>& observables
 void write_page(const std::string& file, const BranchRecord& record, const SystemFamily& family) {
   DiagramPage page(record, family);
   page.set_view("Branches of orbits", record.traced.notes);
-  const std::vector<PageObservable> observables = impact_observables(record.traced);
+  std::vector<PageObservable> observables = impact_observables(record.traced);
+  if (record.shown) observables.insert(observables.begin(), amplitude_observables(record).front());
   page.add_observables(observables, nullptr);
   page.add_branches(observables);
   page.write(file);
@@ -312,9 +313,10 @@ void write_page(const std::string& file, const BranchRecord& record, const Syste
 void write_page(const std::string& file, const DiagramRecord& record, const SystemFamily& family) {
   DiagramPage page(record.branches, family);
   page.set_view("Bifurcation diagram", record.branches.traced.notes);
-  const std::vector<PageObservable> observables = record.section == DiagramSection::kImpact
-                                                      ? impact_observables(record.branches.traced)
-                                                      : stroboscopic_observables(record);
+  const std::vector<PageObservable> observables =
+      record.branches.shown                       ? amplitude_observables(record.branches)
+      : record.section == DiagramSection::kImpact ? impact_observables(record.branches.traced)
+                                                  : stroboscopic_observables(record);
   page.add_observables(observables, &record.swept);
   page.add_sweep(record.swept, observables);
   page.add_exponents(record.swept);

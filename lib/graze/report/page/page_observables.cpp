@@ -78,6 +78,20 @@ std::vector<PageObservable> impact_observables(const OrbitBranches& traced) {
   return list;
 }
 
+std::vector<PageObservable> amplitude_observables(const BranchRecord& record) {
+  const Shown shown = *record.shown;
+  const std::vector<MeasuredPlace>& places = record.amplitudes.places;
+  std::vector<PageObservable> list;
+  list.push_back({name_of(shown.quantity), shown_title(shown, places), shown_unit(shown, places),
+                  true, true, amplitude_curves(record), [shown, places](const SweepRow& row) {
+                    const std::optional<double> value =
+                        row.amplitudes ? shown_value(shown, places, *row.amplitudes) : std::nullopt;
+                    return value ? std::vector<double>{*value} : std::vector<double>();
+                  }});
+  if (!record.traced.branches.empty()) list.push_back(multiplier_of(record.traced));
+  return list;
+}
+
 std::vector<PageObservable> stroboscopic_observables(const DiagramRecord& record) {
   std::vector<PageObservable> list;
   const std::vector<SeenPlace> places = places_of(record.branches.system);

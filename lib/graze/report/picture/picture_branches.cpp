@@ -13,7 +13,10 @@ constexpr std::size_t kColumns = 2;  // of the legend: the names of special poin
 
 GnuplotScript branches_script(const BranchRecord& record) {
   const OrbitBranches& traced = record.traced;
-  const std::vector<DiagramCurve> curves = impact_curves(traced);
+  const std::vector<DiagramCurve> curves =
+      record.shown ? amplitude_curves(record) : impact_curves(traced);
+  const std::string unit =
+      record.shown ? shown_unit(*record.shown, record.amplitudes.places) : "m/s";
   AxisRange speeds;
   speeds.include(0.0);
   for (const DiagramCurve& curve : curves)
@@ -21,7 +24,7 @@ GnuplotScript branches_script(const BranchRecord& record) {
       for (const double height : heights) speeds.include(height);
   const AxisUnit parameter =
       axis_unit(record.unit, std::max(std::abs(record.from), std::abs(record.to)));
-  const AxisUnit speed = axis_unit("m/s", std::max(speeds.high, -speeds.low));
+  const AxisUnit speed = axis_unit(unit, std::max(speeds.high, -speeds.low));
   PicturePlane plane{parameter.factor, speed.factor, {}, {}};
   plane.x.include(parameter.factor * record.from);
   plane.x.include(parameter.factor * record.to);
@@ -52,7 +55,9 @@ GnuplotScript branches_script(const BranchRecord& record) {
   set_parameter_axis(script, traced.parameter, plane.x, parameter.unit);
   script.command("set yrange " + y.text());
   script.command(fmt::format("set ytics {:.6g}", y.tic_step(8)));
-  name_vertical_axis(script, "impact speed", speed.unit);
+  name_vertical_axis(
+      script, record.shown ? shown_title(*record.shown, record.amplitudes.places) : "impact speed",
+      speed.unit);
   if (traced.branches.empty())
     script.command("set label 'no branch was found' at graph 0.5, graph 0.5 center");
   std::vector<std::string> layers = branches.layers();

@@ -54,12 +54,22 @@ bool is_shown(const SweepRow& row) {
   return row.status == SweepStatus::kNotPeriodic || row.motion.period > 0;
 }
 
+std::optional<double> shown_height(const BranchRecord& record, const SweepRow& row) {
+  if (!row.amplitudes) return {};
+  return shown_value(*record.shown, record.amplitudes.places, *row.amplitudes);
+}
+
 // The motion's dots: speeds of impacts, or displacements where `stop` is.
 std::vector<DotAt> dots_of(const DiagramRecord& record, int stop) {
   std::vector<DotAt> dots;
   for (const SweepRow& row : record.swept.rows) {
     if (!is_shown(row)) continue;
     const Dot kind = kind_of(row);
+    if (record.branches.shown) {
+      if (const std::optional<double> height = shown_height(record.branches, row))
+        dots.push_back({row.value, *height, kind});
+      continue;
+    }
     if (record.section == DiagramSection::kImpact)
       for (const MetImpact& impact : row.motion.impacts)
         dots.push_back({row.value, impact.speed, kind});
@@ -89,7 +99,10 @@ class DiagramPicture {
     x_.include(x_unit_.factor * branches.from);
     x_.include(x_unit_.factor * branches.to);
     x_.settle(0.0);
-    if (record.section == DiagramSection::kImpact) {
+    if (branches.shown) {
+      add_panel(shown_title(*branches.shown, branches.amplitudes.places),
+                shown_unit(*branches.shown, branches.amplitudes.places), 0);
+    } else if (record.section == DiagramSection::kImpact) {
       add_panel("impact speed", "m/s", 0);
     } else {
       const std::vector<SeenPlace> places = places_of(branches.system);
@@ -140,7 +153,7 @@ class DiagramPicture {
 
  private:
   // The axes span what the sweep and the branches reach.
-  void add_panel(const std::string& name, const char* unit, int stop) {
+  void add_panel(const std::string& name, const std::string& unit, int stop) {
     static const std::vector<DiagramCurve> kNone;
     const std::vector<DiagramCurve>& curves =
         record_.curves.empty() ? kNone : record_.curves[static_cast<std::size_t>(stop)];

@@ -46,7 +46,8 @@ struct SweepRow {
   // Where they were asked for and the motion could be followed that far: of the multipliers where
   // it repeats, else of an average.
   std::optional<Exponents> exponents;
-  std::string message;  // a sentence where there is something to say
+  std::optional<Amplitudes> amplitudes;  // over what is shown of it, where they were asked for
+  std::string message;                   // a sentence where there is something to say
 };
 
 // What rows that belong together have in common, in the order in which they are listed.
@@ -71,6 +72,7 @@ struct RowOptions {
   // Forcing periods over which Lyapunov exponents are averaged where nothing repeats; 0: none are
   // wanted.
   long long exponent_periods = 0;
+  bool measure = false;  // at the places of the scene (measured_places)
   StopSignal stop{};
 };
 

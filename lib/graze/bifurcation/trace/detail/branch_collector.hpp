@@ -24,6 +24,8 @@ class BranchCollector {
   bool trace_from(const Orbit& orbit, double value);
   bool trace_from(const ImpactPattern& pattern, const std::vector<ImpactPoint>& impacts,
                   double value);
+  // The response that meets no stop, through its solution at a value.
+  void trace_response(double value);
   // From a special point, at the family's own value.
   void trace_from_special(const BranchStart& start);
   // Switches at the special points, those of one depth after the other.

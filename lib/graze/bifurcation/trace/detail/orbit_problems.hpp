@@ -33,6 +33,8 @@ class OrbitProblems {
   };
   // Of one pattern, its impacts in this order.
   LaidOrbits& flights(const ImpactPattern& pattern);
+  // Without impacts: the response that meets no stop (ResponseEquations).
+  LaidOrbits& response();
   // In the pattern's canonical order, and from every impact that it may begin with.
   Written written(const ImpactPattern& pattern, const std::vector<ImpactPoint>& impacts);
   std::vector<Written> rewritings(const ImpactPattern& pattern,

@@ -24,6 +24,9 @@ struct PageObservable {
 // Speed and phase of the impacts; of branches the largest multiplier too.
 std::vector<PageObservable> impact_observables(const OrbitBranches& traced);
 
+// What is shown of the amplitudes, and the largest multiplier; requires both.
+std::vector<PageObservable> amplitude_observables(const BranchRecord& record);
+
 // Displacements and velocities at the stops, of a stroboscopic diagram.
 std::vector<PageObservable> stroboscopic_observables(const DiagramRecord& record);
 

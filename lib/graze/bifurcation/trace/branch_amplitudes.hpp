@@ -1,0 +1,27 @@
+// How large the orbits of branches are, point by point: what response curves show.
+#pragma once
+
+#include <vector>
+
+#include "graze/assembly/probes.hpp"
+#include "graze/assembly/system_family.hpp"
+#include "graze/bifurcation/trace/orbit_branches_values.hpp"
+#include "graze/motion/amplitudes.hpp"
+
+namespace graze {
+
+struct BranchAmplitudes {
+  struct Measured {
+    std::vector<Amplitudes> points, special;  // in their order
+  };
+  std::vector<MeasuredPlace> places;  // of the scene's own value; rows may move with the parameter
+  std::vector<Measured> branches;     // in their order
+
+  bool empty() const { return places.empty(); }
+};
+
+// On several cores, 0: all.
+BranchAmplitudes measure_branches(const SystemFamily& family, const OrbitBranches& traced,
+                                  int threads);
+
+}  // namespace graze
