@@ -32,6 +32,8 @@ for name, W, tau in POINTS:
 for name, low, high in (('grazing_upper', 1.0, 1.2), ('grazing_lower', 0.8, 1.0)):
     print(name, mp.nstr(oscillator.grazing(mpf(low), mpf(high)), 20))
 for name, tau, W in (('fold_upper', 0.3057, 1.557), ('fold_lower', 0.006, 1.091972)):
-    print(name, mp.nstr(oscillator.fold(tau, W).W, 20))
+    fold = oscillator.fold(tau, W)
+    print(name, mp.nstr(fold.W, 20))
+    print(name + '_reach', mp.nstr(fold.reach(), 20))
 for name, tau, W in (('doubling_upper', 0.26, 0.95), ('doubling_lower', 0.06, 0.8975)):
     print(name, mp.nstr(oscillator.multiplier_point(tau, W).W, 20))

@@ -93,7 +93,8 @@ void ResponseBoundaries::pass(const JudgedPoint& a, const JudgedPoint& b,
   for (const double value : values)
     if (std::optional<BranchPlace> place = grazing(value)) {
       inside = !inside;
-      place->begins = inside;
+      // Of solutions that are listed on either side nothing ends.
+      place->begins = inside && !branches_.keep_virtual;
       places.push_back(std::move(*place));
     }
 }
