@@ -50,6 +50,7 @@ int run(const OrbitCommand& command) {
                    text_of(record),
                    [&] {
                      return NamedFiles{{"orbits.csv", orbits_csv(record)},
+                                       {"profiles.csv", profiles_csv(record)},
                                        {"stuck.csv", stuck_csv(record)},
                                        {"contacts.csv", contacts_csv(record)}};
                    },

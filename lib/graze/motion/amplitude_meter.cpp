@@ -130,7 +130,7 @@ void AmplitudeMeter::add_impact(const std::vector<ImpactShare<double>>& shares, 
     const Stop& stop = system_.stops[static_cast<std::size_t>(share.stop)];
     if (share.hit) ++at.impacts;
     at.impulse += share.impulse / stop.row.squaredNorm();
-    at.struck = at.struck || share.impulse > 0.0;
+    at.struck = at.struck || share.impulse != 0.0;
   }
 }
 

@@ -40,8 +40,7 @@ std::vector<std::vector<CurveSample>> from_impact_to_impact(
 }  // namespace
 
 std::vector<std::vector<CurveSample>> orbit_curve(const System& system, const Orbit& orbit,
-                                                  int stop, int per_period) {
-  const Vector& row = system.stops[static_cast<std::size_t>(stop)].row;
+                                                  const Vector& row, int per_period) {
   const double frequency = system.forcing()->frequency;
   // The hops of a chatter are short and still curves, and so are contacts.
   const double least = orbit.section ? 12.0 : 1.0;

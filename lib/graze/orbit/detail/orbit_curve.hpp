@@ -9,13 +9,13 @@ namespace graze {
 
 struct CurveSample {
   double theta = 0.0;         // forcing phase counted from the orbit's first period, rad
-  double displacement = 0.0;  // row.q at the stop, into the stop, m
+  double displacement = 0.0;  // row.q, of a stop's into the stop, m
   double velocity = 0.0;      // row.q', m/s
 };
 
 // One list per flight from impact to impact, ends included, at least `per_period` samples in a
-// forcing period; seen at stop `stop` (index from 0).
+// forcing period; seen along a row.
 std::vector<std::vector<CurveSample>> orbit_curve(const System& system, const Orbit& orbit,
-                                                  int stop, int per_period);
+                                                  const Vector& row, int per_period);
 
 }  // namespace graze

@@ -29,6 +29,9 @@ std::string samples_csv_row(const System& system, const Sample& sample,
 std::string section_csv(const RunSection& section);
 
 std::string orbits_csv(const OrbitRecord& record);
+// Their motions over one period: a line a sample, flight by flight from impact to impact with the
+// ends of each, so that an impact has a line before and one after it.
+std::string profiles_csv(const OrbitRecord& record);
 // The stuck phases of the orbits.
 std::string stuck_csv(const OrbitRecord& record);
 // Their contacts at compliant stops.

@@ -250,9 +250,9 @@ Json page_orbit(const PageSource& source, const System& system, const Orbit& orb
   const int first = orbit.impacts.empty() ? 0 : orbit.impacts.front().stop;
   for (const SeenPlace& place : places_seen(system, first)) {
     PlaceSeries series;
-    for (const std::vector<CurveSample>& flight :
-         orbit_curve(system, orbit, place.stops.front().index,
-                     samples_per_period(source, system, orbit.period))) {
+    for (const std::vector<CurveSample>& flight : orbit_curve(
+             system, orbit, system.stops[static_cast<std::size_t>(place.stops.front().index)].row,
+             samples_per_period(source, system, orbit.period))) {
       for (const CurveSample& sample : flight)
         series.add(sample.theta / kTurn, sample.displacement, sample.velocity);
       series.gap();

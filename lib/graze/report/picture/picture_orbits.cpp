@@ -52,7 +52,9 @@ class OrbitsPicture {
     if (!orbits_.empty()) stop_ = orbits_.front()->impacts.front().stop;
     AxisRange displacement, velocity;
     for (const Orbit* orbit : orbits_) {
-      flights_.push_back(orbit_curve(record.system, *orbit, stop_, kSamplesPerPeriod));
+      flights_.push_back(orbit_curve(record.system, *orbit,
+                                     record.system.stops[static_cast<std::size_t>(stop_)].row,
+                                     kSamplesPerPeriod));
       for (const auto& flight : flights_.back())
         for (const CurveSample& sample : flight) {
           displacement.include(sample.displacement);
