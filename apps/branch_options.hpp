@@ -13,7 +13,7 @@ BranchOptions branch_options(const BranchingOptions& command);
 // What a picture shows in place of impact speeds; throws InputError where there is no such place.
 std::optional<Shown> shown_of(const BranchingOptions& command,
                               const std::vector<MeasuredPlace>& places);
-void note_amplitudes(const BranchingOptions& command, RunInfo& info);
+void note_shown(const BranchingOptions& command, RunInfo& info);
 // Whether and how far other branches are switched to.
 void note_following(const BranchingOptions& command, RunInfo& info);
 

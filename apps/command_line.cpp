@@ -153,9 +153,9 @@ void add_diagram(CLI::App& graze, std::optional<Command>& parsed) {
                       "Where no forcing repeats the motion: time of the one run at each value, s")
           ->check(above_zero())
           ->type_name("S");
-  for (const char* of_sweep :
-       {"--direction", "--section", "--periods", "--samples", "--branches", "--exponents",
-        "--period", "--impacts", "--max-step", "--follow", "--depth"})
+  for (const char* of_sweep : {"--direction", "--section", "--periods", "--samples", "--branches",
+                               "--exponents", "--period", "--impacts", "--max-step", "--follow",
+                               "--depth", "--amplitudes", "--show", "--at"})
     duration->excludes(app->get_option(of_sweep));
   add_limits(app, command);
   add_journal(app, command.journal);

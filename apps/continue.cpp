@@ -42,6 +42,8 @@ BranchOptions branch_options(const BranchingOptions& command) {
   options.period = command.period;
   options.impacts = command.impacts.value_or(1);
   options.response = command.amplitudes || options.impacts == 0;
+  if (options.impacts == 0 && options.period != 1)
+    throw InputError("--period: the response that meets no stop has period 1; leave it out");
   options.follow_depth = command.follows ? command.depth : 0;
   options.from = command.from;
   options.to = command.to;
@@ -77,8 +79,7 @@ std::optional<Shown> shown_of(const BranchingOptions& command,
       fmt::format("--at: '{}' is not allowed; give one of {}", command.curve_at, known));
 }
 
-void note_amplitudes(const BranchingOptions& command, RunInfo& info) {
-  if (command.amplitudes) info.options.emplace_back("amplitudes", true);
+void note_shown(const BranchingOptions& command, RunInfo& info) {
   if (command.curve) info.options.emplace_back("show", std::string(name_of(*command.curve)));
   if (!command.curve_at.empty()) info.options.emplace_back("at", command.curve_at);
 }
@@ -147,7 +148,8 @@ int run(const ContinueCommand& command) {
   if (command.closure_speed)
     record.info.options.emplace_back("closure_speed", *command.closure_speed);
   note_following(command, record.info);
-  note_amplitudes(command, record.info);
+  if (command.amplitudes) record.info.options.emplace_back("amplitudes", true);
+  note_shown(command, record.info);
   if (restart)
     record_restart(command, record.info);
   else
@@ -158,7 +160,7 @@ int run(const ContinueCommand& command) {
   record.traced = trace_orbits(family, options);
   options.progress = nullptr;
   if (command.amplitudes)
-    record.amplitudes = measure_branches(family, record.traced, command.threads);
+    record.amplitudes = measure_branches(family, record.traced, command.threads, options.stop);
   record.outcome = branch_outcome(record.traced, options);
   return conclude(command, record.info, record.outcome,
                   {json_of(record),

@@ -43,11 +43,12 @@ void note_rows(const DiagramCommand& command, const SweepOptions& options, RunIn
   info.options.emplace_back("points", static_cast<long long>(command.points));
   info.options.emplace_back("direction", name_of(command.direction));
   note_settling(options, info);
-  note_amplitudes(command, info);
+  if (command.amplitudes) info.options.emplace_back("amplitudes", true);
 }
 
 void note_rest(const DiagramCommand& command, RunInfo& info) {
   info.options.emplace_back("section", name_of(command.section));
+  note_shown(command, info);
   info.options.emplace_back("branches", command.branches ? "all" : "none");
   if (command.branches) {
     info.options.emplace_back("period", static_cast<long long>(command.period));
@@ -66,7 +67,7 @@ std::optional<Outcome> add_branches(const DiagramCommand& command, const SystemF
   if (!command.branches) return {};
   traced = trace_orbits(family, options);
   if (command.amplitudes)
-    record.branches.amplitudes = measure_branches(family, traced, command.threads);
+    record.branches.amplitudes = measure_branches(family, traced, command.threads, options.stop);
   const Outcome outcome = branch_outcome(traced, options);
   if (outcome.name == "no_orbit") traced.notes.push_back(outcome.message);
   if (record.branches.shown)

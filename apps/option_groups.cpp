@@ -293,6 +293,8 @@ void add_locus(CLI::App* app, ContinueCommand& command) {
       app, command,
       "Trace loci of special points over two parameters instead of branches: LP, PD, NS, GR, "
       "several with commas, or all");
+  for (const char* of_branches : {"--amplitudes", "--show", "--at"})
+    locus->excludes(app->get_option(of_branches));
   CLI::Option* second = app->add_option("--second", command.second,
                                         "With --locus: path of the second parameter, e.g. stop.gap")
                             ->type_name("NAME")

@@ -110,6 +110,28 @@ TEST(ResponseCurve, SaysWhatPlacesThereAre) {
   EXPECT_EQ(run_graze("continue " + kRange + "--at stop.1").code, 2);
 }
 
+TEST(ResponseCurve, IsRefusedWhereThereIsNone) {
+  const std::string ball =
+      scene("06_bouncing_ball.toml") +
+      " --parameter gravity.acceleration --from 5 --to 9 --points 3 --duration 1 ";
+  EXPECT_EQ(run_graze("diagram " + ball + "--show rms").code, 2);
+  const std::string loci =
+      "continue " + kRange + "--second stop.gap --second-from 0.05 --second-to 0.1 --locus GR ";
+  EXPECT_EQ(run_graze(loci + "--amplitudes").code, 2);
+  EXPECT_EQ(run_graze(loci + "--show rms").code, 2);
+  EXPECT_EQ(run_graze(loci + "--impacts 0").code, 2);
+  EXPECT_EQ(run_graze("continue " + kRange + "--impacts 0 --period 2").code, 2);
+}
+
+TEST(ResponseCurve, OfAnotherQuantityIsDrawnFromTheSameRows) {
+  const ScratchFolder scratch;
+  const std::string line =
+      "diagram " + kRange + "--points 3 --out " + (scratch / "out").string() + " --show ";
+  ASSERT_EQ(run_graze(line + "rms").code, 0);
+  const Finished again = run_graze(line + "max --resume");
+  EXPECT_EQ(again.code, 0) << again.err;
+}
+
 TEST(ResponseCurve, OfTheResponseAlone) {
   const json found = document("continue " + kOscillator +
                               " --parameter forcing.frequency --from 0.5 --to 1.7 --impacts 0");

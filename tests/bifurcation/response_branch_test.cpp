@@ -138,6 +138,44 @@ TEST(ResponseBranches, EndAtWhicheverStopIsMetFirst) {
   EXPECT_NEAR(result.branches[0].special[0].at.value, 0.02 * 0.07 / size_at(0.7), 1e-15);
 }
 
+// Two stops that are touched at once, which rounding tells apart: still one grazing each way.
+TEST(ResponseBranches, EndOnceWhereSeveralStopsAreTouched) {
+  for (const double part : {3.0, 0.7, 0.1, 7.0}) {
+    const std::string other =
+        "[[stop]]\nshape = [" + std::to_string(part) +
+        "]\nrestitution = 0.5\nside = \"below\"\ngap = " + std::to_string(0.1 * part) + "\n";
+    const Scene scene = oscillator(kStop + "0.1\n" + other);
+    const OrbitBranches result = response(SystemFamily(scene, "forcing.frequency"), 0.5, 1.7);
+    ASSERT_EQ(result.branches.size(), 2u) << part;
+    for (const int side : {0, 1}) {
+      const OrbitBranch& branch = result.branches[static_cast<std::size_t>(side)];
+      ASSERT_EQ(branch.special.size(), 1u) << part;
+      EXPECT_NEAR(branch.special[0].at.value, frequency_of(0.1, side == 0 ? -1.0 : 1.0), 1e-14);
+    }
+    EXPECT_EQ(result.cut_short, 0);
+    const OrbitBranches grown = response(SystemFamily(scene, "forcing.amplitude"), 0.001, 0.3);
+    ASSERT_EQ(grown.branches.size(), 1u) << part;
+    EXPECT_EQ(grown.branches[0].ends[1], OrbitBranchEnd::kGrazing);
+  }
+}
+
+// Undamped resonances at 1, 2 and 3 rad/s part it; every part is found.
+TEST(ResponseBranches, AreFoundBetweenUndampedResonances) {
+  const Scene scene = parse_scene(
+      "[modal]\nfrequencies = [1.0, 2.0, 3.0]\nparticipation = [1.0, 1.0, 1.0]\n"
+      "[forcing]\namplitude = 0.01\nfrequency = 0.7\n"
+      "[[stop]]\nshape = [1.0, 0.5, 0.5]\nrestitution = 0.5\ngap = 0.1\n",
+      "three modes");
+  const OrbitBranches result = response(SystemFamily(scene, "forcing.frequency"), 0.2, 4.0);
+  ASSERT_EQ(result.branches.size(), 4u);
+  for (const OrbitBranch& branch : result.branches)
+    for (const SpecialPoint& special : branch.special) {
+      const double w = special.at.value;
+      EXPECT_NEAR(std::abs(0.01 / (1.0 - w * w) + 0.005 / (4.0 - w * w) + 0.005 / (9.0 - w * w)),
+                  0.1, 1e-12);
+    }
+}
+
 // Slopes by every parameter against differences.
 TEST(Response, MovesWithEveryParameter) {
   const Scene scene = oscillator(kStop + "0.1\n[gravity]\nacceleration = 0.03\n");

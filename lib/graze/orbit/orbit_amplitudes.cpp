@@ -12,10 +12,9 @@ Amplitudes orbit_amplitudes(const System& system, const Orbit& orbit,
       system, orbit, [&](const ContactPhase<double>& phase, double theta, double seconds) {
         meter.add_flight(phase, theta, 0.0, seconds);
       });
-  // An orbit that was followed counts those of its segments: impacts at one instant share impulses.
   for (const TrajectorySegment& segment : flown.segments) {
-    for (const SegmentImpact& impact : segment.impacts)
-      meter.add_impact({{impact.stop, impact.speed, 0.0, impact.impulse, true}}, 0.0);
+    for (const std::vector<ImpactShare<double>>& shares : segment.shares)
+      meter.add_impact(shares, 0.0);
     for (const SegmentClosure& closure : segment.closures)
       meter.add_closure(closure.stops, closure.taken, 0.0);
   }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include "graze/base/detail/bracketed_zero.hpp"
@@ -68,7 +69,19 @@ std::optional<BranchPlace> ResponseBoundaries::grazing(double value) const {
   return place;
 }
 
-// A touch of one stop is a boundary only where the motion is clear of all others.
+double ResponseBoundaries::smallest_clearance(double value) const {
+  const std::optional<Vector> known = equations_.unknowns_at(value);
+  if (!known) return -std::numeric_limits<double>::infinity();
+  const System& system = *equations_.system_at(value);
+  const std::optional<Response> response = response_of(system);
+  double smallest = std::numeric_limits<double>::infinity();
+  for (const Stop& stop : system.stops) smallest = std::min(smallest, response->clearance(stop));
+  return smallest;
+}
+
+// A touch of a stop is a boundary where the motion is clear of all of them on one side of it alone.
+// Where several stops are touched within rounding of each other that is one of the touches,
+// whatever rounding says of the motion between them.
 void ResponseBoundaries::pass(const JudgedPoint& a, const JudgedPoint& b,
                               std::vector<BranchPlace>& places) {
   const double from = std::min(a.point.parameter, b.point.parameter);
@@ -78,25 +91,24 @@ void ResponseBoundaries::pass(const JudgedPoint& a, const JudgedPoint& b,
   const std::size_t stops = system->stops.size();
   std::vector<double> values;
   for (std::size_t stop = 0; stop < stops; ++stop)
-    for (const double value : touched(stop, from, to)) {
-      bool clear = true;
-      for (std::size_t other = 0; other < stops; ++other) {
-        const auto at = other == stop ? std::nullopt : clearance(other, value);
-        clear = clear && (other == stop || (at && at->value >= 0.0));
-      }
-      if (clear) values.push_back(value);
-    }
+    for (const double value : touched(stop, from, to)) values.push_back(value);
   std::sort(values.begin(), values.end());
   values.erase(std::unique(values.begin(), values.end()), values.end());
-  if (a.point.parameter > b.point.parameter) std::reverse(values.begin(), values.end());
-  bool inside = a.place.at.orbit.admissible;
-  for (const double value : values)
-    if (std::optional<BranchPlace> place = grazing(value)) {
-      inside = !inside;
-      // Of solutions that are listed on either side nothing ends.
-      place->begins = inside && !branches_.keep_virtual;
-      places.push_back(std::move(*place));
-    }
+  std::vector<bool> clear;  // below the first, between them, above the last
+  for (std::size_t i = 0; i <= values.size(); ++i) {
+    const double low = i == 0 ? from : values[i - 1], high = i == values.size() ? to : values[i];
+    clear.push_back(smallest_clearance(low + 0.5 * (high - low)) >= 0.0);
+  }
+  const bool falls = a.point.parameter > b.point.parameter;
+  for (std::size_t k = 0; k < values.size(); ++k) {
+    const std::size_t i = falls ? values.size() - 1 - k : k;
+    if (clear[i] == clear[i + 1]) continue;
+    std::optional<BranchPlace> place = grazing(values[i]);
+    if (!place) continue;
+    // Of solutions that are listed on either side nothing ends.
+    place->begins = clear[falls ? i : i + 1] && !branches_.keep_virtual;
+    places.push_back(std::move(*place));
+  }
 }
 
 }  // namespace graze

@@ -6,7 +6,7 @@
 namespace graze {
 
 BranchAmplitudes measure_branches(const SystemFamily& family, const OrbitBranches& traced,
-                                  int threads) {
+                                  int threads, const StopSignal& stop) {
   BranchAmplitudes result;
   result.places = measured_places(family.scene(), assemble(family.scene()));
   result.branches.resize(traced.branches.size());
@@ -26,6 +26,7 @@ BranchAmplitudes measure_branches(const SystemFamily& family, const OrbitBranche
       tasks.push_back({&branch.special[k].at, &measured.special[k]});
   }
   for_each_index(tasks.size(), threads, [&](std::size_t k) {
+    if (stop.requested()) return;
     const std::optional<Scene> scene = family.scene_at(tasks[k].at->value);
     if (!scene) return;
     const System system = assemble(*scene);

@@ -20,8 +20,8 @@ struct BranchAmplitudes {
   bool empty() const { return places.empty(); }
 };
 
-// On several cores, 0: all.
+// On several cores, 0: all. What is not measured once it is stopped has no rows.
 BranchAmplitudes measure_branches(const SystemFamily& family, const OrbitBranches& traced,
-                                  int threads);
+                                  int threads, const StopSignal& stop = {});
 
 }  // namespace graze

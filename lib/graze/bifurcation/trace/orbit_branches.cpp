@@ -76,20 +76,24 @@ class OrbitTracer {
     result_.sought.stopped = options_.stop.requested();
   }
 
-  // One trace reaches all of it, unless values between are not allowed, or it has none there.
+  // One trace reaches all of it that undamped resonances, or values that are not allowed, do not
+  // part.
   void trace_response() {
-    if (family_.value() >= lowest_ && family_.value() <= highest_)
-      branches_.trace_response(family_.value());
-    for (const double value : {lowest_, highest_}) branches_.trace_response(value);
+    for (const double value : start_values()) branches_.trace_response(value);
   }
 
-  // The scene's own value, and values spread over the range; in one round of several.
-  void trace_from_values(const FinderOptions& finder, double round, double rounds) {
+  std::vector<double> start_values() const {
     std::vector<double> values;
     if (family_.value() >= lowest_ && family_.value() <= highest_)
       values.push_back(family_.value());
     for (int i = 0; i < options_.start_values; ++i)
       values.push_back(lowest_ + (highest_ - lowest_) * i / std::max(options_.start_values - 1, 1));
+    return values;
+  }
+
+  // The scene's own value, and values spread over the range; in one round of several.
+  void trace_from_values(const FinderOptions& finder, double round, double rounds) {
+    const std::vector<double> values = start_values();
     result_.sought.start_values = static_cast<int>(values.size());
     if (options_.start_values > 1)
       result_.sought.start_spacing = (highest_ - lowest_) / (options_.start_values - 1);

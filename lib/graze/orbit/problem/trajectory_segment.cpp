@@ -243,13 +243,14 @@ class Follower {
 
   bool impact() {
     const State before{motion_.q(), walk_.qdot_before()};
+    segment_.shares.push_back(walk_.shares());
     int hits = 0;
     for (const ImpactShare<double>& share : walk_.shares()) {
       if (!share.hit) continue;
       ++hits;
       ++impacts_;
       segment_.impacts.push_back(
-          {share.stop, motion_.instant(), share.speed, share.impulse, before,
+          {share.stop, motion_.instant(), share.speed, before,
            options_.along ? carried_.speed_rate(*options_.along, share.stop, before) : 0.0});
     }
     if (impacts_ > options_.max_impacts) return out_of_impacts();

@@ -46,8 +46,7 @@ struct SegmentOptions {
 struct SegmentImpact {
   int stop = 0;
   Instant<double> at;
-  double speed = 0.0;    // m/s, before
-  double impulse = 0.0;  // along the stop's direction, m/s
+  double speed = 0.0;  // m/s, before
   State before;
   double rate = 0.0;  // of the speed, with `along`
 };
@@ -104,6 +103,8 @@ struct TrajectorySegment {
   std::vector<SegmentSticking> sticking;  // by the instant at which they end
   std::vector<SegmentContact> contacts;   // likewise
   std::vector<SegmentClosure> closures;
+  // Of every instant with an impact the shares of all stops that are touched, held ones too.
+  std::vector<std::vector<ImpactShare<double>>> shares;
   // The smallest interior local minimum of a gap; with `minima`.
   std::optional<SegmentMinimum> lowest{};
   std::optional<double> clearance() const {  // m
