@@ -153,7 +153,7 @@ std::string to_text(const SimulationRecord& record) {
                         record.section->points().size(), record.section->from());
   if (run.amplitudes)
     text += fmt::format("\nmeasured over {:.9g} s\n", run.amplitudes->duration) +
-            amplitudes_text(record.places, {*run.amplitudes}, "");
+            amplitudes_text(record.places, *run.amplitudes);
   if (run.energy) text += "\n" + energy_text(record.system, *run.energy);
   return text + notes_text(record.notes) + ending(record.outcome);
 }

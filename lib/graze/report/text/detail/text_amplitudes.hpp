@@ -1,4 +1,4 @@
-// Private to this room. How large motions are, at places and at stops.
+// Private to this room. How large a motion is, at places and at stops.
 #pragma once
 
 #include <string>
@@ -9,9 +9,7 @@
 
 namespace graze {
 
-// Of one motion, or of several that are numbered under this heading ("orbit"); empty where nothing
-// was measured.
-std::string amplitudes_text(const std::vector<MeasuredPlace>& places,
-                            const std::vector<Amplitudes>& measured, const std::string& numbered);
+// Two tables.
+std::string amplitudes_text(const std::vector<MeasuredPlace>& places, const Amplitudes& measured);
 
 }  // namespace graze
