@@ -66,7 +66,8 @@ struct BranchingOptions : OrbitSearchOptions, RangeOptions {
   bool amplitudes = false;             // how large the motions are, of orbits and rows
   std::optional<ShownQuantity> curve;  // what of that a picture shows; else impact speeds
   std::string curve_at;                // "probe.1", "stop.2"; empty: the first place
-  bool follows = false;                // onto other branches at special points
+  bool measures() const { return amplitudes || curve; }
+  bool follows = false;  // onto other branches at special points
   int depth = 2;
 };
 

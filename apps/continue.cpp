@@ -41,7 +41,7 @@ BranchOptions branch_options(const BranchingOptions& command) {
   BranchOptions options;
   options.period = command.period;
   options.impacts = command.impacts.value_or(1);
-  options.response = command.amplitudes || options.impacts == 0;
+  options.response = command.measures() || options.impacts == 0;
   if (options.impacts == 0 && options.period != 1)
     throw InputError("--period: the response that meets no stop has period 1; leave it out");
   options.follow_depth = command.follows ? command.depth : 0;
@@ -70,8 +70,7 @@ std::optional<Shown> shown_of(const BranchingOptions& command,
   for (std::size_t i = 0; i < places.size(); ++i) {
     const MeasuredPlace& place = places[i];
     if (is_of_stop(*command.curve) && !place.stop) continue;
-    const std::string name = place.probe ? fmt::format("probe.{}", *place.probe + 1)
-                                         : fmt::format("stop.{}", *place.stop + 1);
+    const std::string name = place.name('.');
     if (command.curve_at.empty() || command.curve_at == name) return Shown{*command.curve, i};
     known += (known.empty() ? "" : ", ") + name;
   }
@@ -148,7 +147,7 @@ int run(const ContinueCommand& command) {
   if (command.closure_speed)
     record.info.options.emplace_back("closure_speed", *command.closure_speed);
   note_following(command, record.info);
-  if (command.amplitudes) record.info.options.emplace_back("amplitudes", true);
+  if (command.measures()) record.info.options.emplace_back("amplitudes", true);
   note_shown(command, record.info);
   if (restart)
     record_restart(command, record.info);
@@ -159,7 +158,7 @@ int run(const ContinueCommand& command) {
   prepare_output(command);
   record.traced = trace_orbits(family, options);
   options.progress = nullptr;
-  if (command.amplitudes)
+  if (command.measures())
     record.amplitudes = measure_branches(family, record.traced, command.threads, options.stop);
   record.outcome = branch_outcome(record.traced, options);
   return conclude(command, record.info, record.outcome,

@@ -28,7 +28,7 @@ SweepOptions sweep_options(const DiagramCommand& command, const StopSignal& stop
   options.points = command.points;
   options.direction = command.direction;
   set_settling(command, command.settling, options);
-  options.measure = command.amplitudes;
+  options.measure = command.measures();
   options.threads = command.threads;
   options.stop = stop;
   options.progress = progress_line(command, options.points, "values");
@@ -43,7 +43,7 @@ void note_rows(const DiagramCommand& command, const SweepOptions& options, RunIn
   info.options.emplace_back("points", static_cast<long long>(command.points));
   info.options.emplace_back("direction", name_of(command.direction));
   note_settling(options, info);
-  if (command.amplitudes) info.options.emplace_back("amplitudes", true);
+  if (command.measures()) info.options.emplace_back("amplitudes", true);
 }
 
 void note_rest(const DiagramCommand& command, RunInfo& info) {
@@ -66,7 +66,7 @@ std::optional<Outcome> add_branches(const DiagramCommand& command, const SystemF
   traced.parameter = command.parameter;
   if (!command.branches) return {};
   traced = trace_orbits(family, options);
-  if (command.amplitudes)
+  if (command.measures())
     record.branches.amplitudes = measure_branches(family, traced, command.threads, options.stop);
   const Outcome outcome = branch_outcome(traced, options);
   if (outcome.name == "no_orbit") traced.notes.push_back(outcome.message);
@@ -116,7 +116,7 @@ int run(const DiagramCommand& command) {
                      {}};
   const std::vector<MeasuredPlace> places = measured_places(scene, record.branches.system);
   record.branches.shown = shown_of(command, places);
-  if (command.amplitudes) record.branches.amplitudes.places = places;
+  if (command.measures()) record.branches.amplitudes.places = places;
   note_call(command, record.branches.info);
   note_rows(command, options, record.branches.info);
   record.branches.warnings = system_warnings(scene, record.branches.system);

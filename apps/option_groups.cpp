@@ -212,12 +212,7 @@ void add_curve(CLI::App* app, BranchingOptions& command) {
                 "probes and stops, peak velocities, forces; the response without impacts is a "
                 "branch too");
   app->add_option_function<std::string>(
-         "--show",
-         [&command](const std::string& name) {
-           for (const ShownQuantity quantity : kShownQuantities)
-             if (name == name_of(quantity)) command.curve = quantity;
-           command.amplitudes = true;
-         },
+         "--show", set_by_name(command.curve, kShownQuantities),
          "With pictures and pages: a response curve in place of impact speeds; implies "
          "--amplitudes")
       ->check(CLI::IsMember(names_of(kShownQuantities)))

@@ -42,8 +42,9 @@ int run(const OrbitCommand& command) {
                        record.system.has_compliant_stop() ? kSprungSpreadWork : kSpreadWork,
                        record.found);
   record.places = measured_places(scene, record.system);
+  const std::vector<MeasuredRow> rows = rows_of(record.places);
   for (const Orbit& orbit : record.found.orbits)
-    record.amplitudes.push_back(orbit_amplitudes(record.system, orbit, rows_of(record.places)));
+    record.amplitudes.push_back(orbit_amplitudes(record.system, orbit, rows));
   record.outcome = orbit_outcome(record.found, options, options.stop.reason());
   return conclude(command, record.info, record.outcome,
                   {json_of(record),

@@ -34,8 +34,6 @@ SimulationOptions simulation_options(const SimulateCommand& command, const Scene
   options.energy = command.keeps_balance();
   options.closure_speed = command.closure_speed;
   options.stop = stop_signal(command);
-  if (command.amplitudes)
-    options.measure = MeasureOptions{{}, command.amplitudes_from.value_or(0.0)};
   if (!scene.forcing && !options.duration)
     throw InputError(
         fmt::format("{}the scene has no forcing, so it has no forcing periods; give "
@@ -143,9 +141,9 @@ int run(const SimulateCommand& command) {
   const State start = initial_state(scene, record.system);
   SimulationOptions options = simulation_options(command, scene);
   options.steps = step_choice(scene, record.system, start);
-  if (options.measure) {
+  if (command.amplitudes) {
     record.places = measured_places(scene, record.system);
-    options.measure->rows = rows_of(record.places);
+    options.measure = MeasureOptions{rows_of(record.places), command.amplitudes_from.value_or(0.0)};
   }
   std::optional<CutRun> cut;
   if (!command.resume.empty()) {

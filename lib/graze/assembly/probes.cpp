@@ -57,8 +57,8 @@ std::vector<ProbeRow> probe_rows(const Scene& scene, const System& system) {
   return rows;
 }
 
-std::string MeasuredPlace::name() const {
-  return probe ? "probe " + std::to_string(*probe + 1) : "stop " + std::to_string(*stop + 1);
+std::string MeasuredPlace::name(char between) const {
+  return (probe ? "probe" : "stop") + (between + std::to_string((probe ? *probe : *stop) + 1));
 }
 
 std::vector<MeasuredPlace> measured_places(const Scene& scene, const System& system) {

@@ -40,7 +40,7 @@ struct MeasuredPlace {
   std::string unit;                    // as of probe_unit()
   MeasuredRow seen;                    // on the coordinates of the system
 
-  std::string name() const;  // "probe 1", "stop 1"
+  std::string name(char between = ' ') const;  // "probe 1", "stop.1", ..
 };
 
 std::vector<MeasuredRow> rows_of(const std::vector<MeasuredPlace>& places);

@@ -6,8 +6,7 @@ void contact_forces(const System& system, const ContactPhase<double>& phase, dou
                     const State& state, std::vector<double>& forces) {
   forces.assign(system.stops.size(), 0.0);
   for (const int i : phase.closed())
-    if (i < static_cast<int>(forces.size()))
-      forces[static_cast<std::size_t>(i)] = phase.force_at(i, s, state.q, state.qdot);
+    forces[static_cast<std::size_t>(i)] = phase.force_at(i, s, state.q, state.qdot);
   for (const int i : phase.springs().loaded) {
     const Stop& stop = system.stops[static_cast<std::size_t>(i)];
     forces[static_cast<std::size_t>(i)] =

@@ -46,18 +46,18 @@ std::vector<std::vector<CurveSample>> orbit_curve(const System& system, const Or
   const double least = orbit.section ? 12.0 : 1.0;
   State state{Vector(system.modes()), Vector(system.modes())};
   std::vector<std::vector<CurveSample>> flights;
-  const FlownOrbit flown = fly_orbit(
-      system, orbit, [&](const ContactPhase<double>& phase, double theta, double seconds) {
-        const double turn = frequency * seconds;
-        const int count = static_cast<int>(std::fmax(least, std::ceil(turn / kTurn * per_period)));
-        flights.emplace_back();
-        for (int k = 0; k <= count; ++k) {
-          phase.state(seconds * k / count, state.q, state.qdot);
-          flights.back().push_back(
-              {theta + turn * k / count, row.dot(state.q), row.dot(state.qdot)});
-        }
-      });
-  return from_impact_to_impact(flights, flown.begins_at_impact, kTurn * orbit.period);
+  OrbitListeners listeners;
+  listeners.flight = [&](const ContactPhase<double>& phase, double theta, double seconds) {
+    const double turn = frequency * seconds;
+    const int count = static_cast<int>(std::fmax(least, std::ceil(turn / kTurn * per_period)));
+    flights.emplace_back();
+    for (int k = 0; k <= count; ++k) {
+      phase.state(seconds * k / count, state.q, state.qdot);
+      flights.back().push_back({theta + turn * k / count, row.dot(state.q), row.dot(state.qdot)});
+    }
+  };
+  const std::vector<bool> begins_at_impact = fly_orbit(system, orbit, listeners);
+  return from_impact_to_impact(flights, begins_at_impact, kTurn * orbit.period);
 }
 
 }  // namespace graze

@@ -19,7 +19,8 @@ bool begins_at_impact(const TrajectorySegment& segment, const Instant<double>& a
                      [&](const SegmentContact& c) { return !c.from_start && there(c.from); });
 }
 
-FlownOrbit fly_segments(const System& system, const Orbit& orbit, const FlightVisitor& visit) {
+std::vector<bool> fly_segments(const System& system, const Orbit& orbit,
+                               const OrbitListeners& listeners) {
   const OrbitSection& section = *orbit.section;
   const long long periods = orbit.period / static_cast<long long>(section.states.size());
   const double frequency = system.forcing()->frequency;
@@ -30,43 +31,50 @@ FlownOrbit fly_segments(const System& system, const Orbit& orbit, const FlightVi
   options.flight = [&](const ContactPhase<double>& phase, const Instant<double>& at,
                        double seconds) {
     starts.push_back(at);
-    visit(phase, theta, seconds);
+    listeners.flight(phase, theta, seconds);
     theta += frequency * seconds;
   };
-  FlownOrbit flown;
+  options.impact = listeners.impact;
+  options.closure = listeners.closure;
+  std::vector<bool> begins;
   for (const MotionState<double>& state : section.states) {
     starts.clear();
-    flown.segments.push_back(
-        pass(system, state, {state.instant.period + periods, state.instant.local}, options));
-    for (const Instant<double>& at : starts)
-      flown.begins_at_impact.push_back(begins_at_impact(flown.segments.back(), at));
+    const TrajectorySegment segment =
+        pass(system, state, {state.instant.period + periods, state.instant.local}, options);
+    for (const Instant<double>& at : starts) begins.push_back(begins_at_impact(segment, at));
   }
-  return flown;
+  return begins;
 }
 
 }  // namespace
 
-FlownOrbit fly_orbit(const System& system, const Orbit& orbit, const FlightVisitor& visit) {
+std::vector<bool> fly_orbit(const System& system, const Orbit& orbit,
+                            const OrbitListeners& listeners) {
   FreePhase<double> phase(system, {});
   if (!orbit.meets_stops() && orbit.section) {
     // The free motion alone, as it is known: a stop that it touches does nothing to it.
     const OrbitSection& section = *orbit.section;
     const MotionState<double>& start = section.states.front();
     phase.start(section.at.phase, start.q, start.qdot, 0.0);
-    visit(phase, section.at.phase, orbit.period * system.period());
-    return {{false}, {}};
+    listeners.flight(phase, section.at.phase, orbit.period * system.period());
+    return {false};
   }
-  if (orbit.section) return fly_segments(system, orbit, visit);
+  if (orbit.section) return fly_segments(system, orbit, listeners);
   const std::vector<ImpactPoint> points = orbit.points();
   for (std::size_t i = 0; i < points.size(); ++i) {
     const double next =
         i + 1 < points.size() ? points[i + 1].theta : points.front().theta + kTurn * orbit.period;
-    const auto hit = static_cast<std::size_t>(orbit.impacts[i].stop);
-    const State after = after_impact(system.stops[hit], points[i].before);
+    const OrbitImpact& impact = orbit.impacts[i];
+    const Stop& stop = system.stops[static_cast<std::size_t>(impact.stop)];
+    if (listeners.impact)
+      listeners.impact({{impact.stop, impact.speed, 0.0,
+                         (1.0 + stop.restitution().at(impact.speed)) * impact.speed, true}});
+    const State after = after_impact(stop, points[i].before);
     phase.start(points[i].theta, after.q, after.qdot, 0.0);
-    visit(phase, points[i].theta, (next - points[i].theta) / system.forcing()->frequency);
+    listeners.flight(phase, points[i].theta,
+                     (next - points[i].theta) / system.forcing()->frequency);
   }
-  return {std::vector<bool>(points.size(), true), {}};
+  return std::vector<bool>(points.size(), true);
 }
 
 }  // namespace graze

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <utility>
 
 #include "graze/base/detail/bracketed_zero.hpp"
@@ -69,14 +68,10 @@ std::optional<BranchPlace> ResponseBoundaries::grazing(double value) const {
   return place;
 }
 
-double ResponseBoundaries::smallest_clearance(double value) const {
-  const std::optional<Vector> known = equations_.unknowns_at(value);
-  if (!known) return -std::numeric_limits<double>::infinity();
-  const System& system = *equations_.system_at(value);
-  const std::optional<Response> response = response_of(system);
-  double smallest = std::numeric_limits<double>::infinity();
-  for (const Stop& stop : system.stops) smallest = std::min(smallest, response->clearance(stop));
-  return smallest;
+bool ResponseBoundaries::is_clear(double value) const {
+  const System* system = equations_.system_at(value);
+  const std::optional<Response> response = system ? response_of(*system) : std::nullopt;
+  return response && response->clearance(system->stops).value_or(0.0) >= 0.0;
 }
 
 // A touch of a stop is a boundary where the motion is clear of all of them on one side of it alone.
@@ -97,7 +92,7 @@ void ResponseBoundaries::pass(const JudgedPoint& a, const JudgedPoint& b,
   std::vector<bool> clear;  // below the first, between them, above the last
   for (std::size_t i = 0; i <= values.size(); ++i) {
     const double low = i == 0 ? from : values[i - 1], high = i == values.size() ? to : values[i];
-    clear.push_back(smallest_clearance(low + 0.5 * (high - low)) >= 0.0);
+    clear.push_back(is_clear(low + 0.5 * (high - low)));
   }
   const bool falls = a.point.parameter > b.point.parameter;
   for (std::size_t k = 0; k < values.size(); ++k) {

@@ -1,6 +1,5 @@
 #include "graze/bifurcation/problem/detail/response_equations.hpp"
 
-#include "graze/flow/exact/detail/exact_flow.hpp"
 #include "graze/flow/held/detail/exact_phase.hpp"
 
 namespace graze {

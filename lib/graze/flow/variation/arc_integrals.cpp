@@ -75,11 +75,7 @@ ArcIntegrals coupled_integrals(const CoupledArc& arc, const Observable<double>& 
                                double s) {
   const Moments moments = moments_along(arc, s);
   const Eigen::Index m = observable.displacement.size();
-  Vector weight = Vector::Zero(2 * m + 3);
-  weight.head(m) = observable.displacement.cwiseQuotient(arc.flow().scale());
-  if (observable.velocity.size() > 0) weight.segment(m, m) = observable.velocity;
-  weight.tail(3) << observable.harmonic.re, -observable.harmonic.im, observable.constant;
-  weight.tail(3) /= moments.unit;
+  const Vector weight = weights_of(observable, arc, moments);
   const Vector with = moments.integral * weight;
   return {with[2 * m + 2] / moments.unit,
           weight.dot(with),

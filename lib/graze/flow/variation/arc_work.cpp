@@ -136,12 +136,8 @@ void add_coupled(const System& system, const ExactPhase<double>& phase, double s
   for (const int i : phase.closed()) {
     const Stop& stop = system.stops[static_cast<std::size_t>(i)];
     if (acts_along_row(stop)) continue;
-    const Observable<double>& force = phase.observables()[static_cast<std::size_t>(i)];
-    Vector weight = Vector::Zero(2 * m + 3);
-    weight.head(m) = force.displacement.cwiseQuotient(arc.flow().scale());
-    if (force.velocity.size() > 0) weight.segment(m, m) = force.velocity;
-    weight.tail(3) << force.harmonic.re, -force.harmonic.im, force.constant;
-    weight.tail(3) /= moments.unit;
+    const Vector weight =
+        weights_of(phase.observables()[static_cast<std::size_t>(i)], arc, moments);
     // A contact force of 1 N accelerates by -direction |row|^2.
     work.constraint -= stop.row.squaredNorm() * stop.direction().dot(velocity * weight);
   }

@@ -76,4 +76,15 @@ Moments moments_along(const CoupledArc& arc, double s) {
   return moments;
 }
 
+Vector weights_of(const Observable<double>& observable, const CoupledArc& arc,
+                  const Moments& moments) {
+  const Eigen::Index m = observable.displacement.size();
+  Vector weight = Vector::Zero(2 * m + 3);
+  weight.head(m) = observable.displacement.cwiseQuotient(arc.flow().scale());
+  if (observable.velocity.size() > 0) weight.segment(m, m) = observable.velocity;
+  weight.tail(3) << observable.harmonic.re, -observable.harmonic.im, observable.constant;
+  weight.tail(3) /= moments.unit;
+  return weight;
+}
+
 }  // namespace graze

@@ -29,6 +29,15 @@ double Response::clearance(const Stop& stop) const {
   return stop.gap - stop.row.dot(offset) - std::abs(swing);
 }
 
+std::optional<double> Response::clearance(const std::vector<Stop>& stops) const {
+  std::optional<double> smallest;
+  for (const Stop& stop : stops) {
+    const double here = clearance(stop);
+    smallest = std::min(smallest.value_or(here), here);
+  }
+  return smallest;
+}
+
 std::optional<Response> response_of(const System& system) {
   const Eigen::Index n = system.modes();
   Response response{ComplexVector(n), Vector::Zero(n)};
@@ -94,10 +103,7 @@ Orbit response_orbit(const System& system, const Response& response) {
   orbit.section = OrbitSection{{}, {state}, 0.0};
   orbit.multipliers = response_multipliers(system);
   orbit.stable = stability(orbit.multipliers);
-  for (const Stop& stop : system.stops) {
-    const double clearance = response.clearance(stop);
-    orbit.clearance = std::min(orbit.clearance.value_or(clearance), clearance);
-  }
+  orbit.clearance = response.clearance(system.stops);
   orbit.admissible = orbit.clearance.value_or(0.0) >= 0.0;
   return orbit;
 }

@@ -19,6 +19,8 @@ struct Response {
   State at(double theta, double frequency) const;
   // How far a stop is from the motion, m; negative: by how much it penetrates.
   double clearance(const Stop& stop) const;
+  // From the nearest of them; nothing where there are none.
+  std::optional<double> clearance(const std::vector<Stop>& stops) const;
 };
 
 // Nothing where there is none, or more than one: at an undamped resonance, of a free mass.

@@ -106,8 +106,8 @@ class Follower {
       case WalkStep::kImpact:
         return impact();
       case WalkStep::kChatter:
-        segment_.closures.push_back(
-            {walk_.closed().closed, walk_.closed().qdot_before - motion_.qdot()});
+        if (options_.closure)
+          options_.closure(walk_.closed().closed, walk_.closed().qdot_before - motion_.qdot());
         carried_.close(walk_.closed().closed,
                        {walk_.closed().q_before, walk_.closed().qdot_before});
         return true;
@@ -243,7 +243,7 @@ class Follower {
 
   bool impact() {
     const State before{motion_.q(), walk_.qdot_before()};
-    segment_.shares.push_back(walk_.shares());
+    if (options_.impact) options_.impact(walk_.shares());
     int hits = 0;
     for (const ImpactShare<double>& share : walk_.shares()) {
       if (!share.hit) continue;

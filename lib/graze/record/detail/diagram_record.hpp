@@ -37,6 +37,9 @@ std::vector<DiagramCurve> impact_curves(const OrbitBranches& traced);
 // What is shown of the amplitudes along the branches, one height a point; requires both.
 std::vector<DiagramCurve> amplitude_curves(const BranchRecord& record);
 
+// The same of a row of the sweep over them.
+std::optional<double> shown_height(const BranchRecord& record, const SweepRow& row);
+
 // The displacements at each stop at t = 0, T, 2T, .. along the branches.
 std::vector<std::vector<DiagramCurve>> stroboscopic_curves(const SystemFamily& family,
                                                            const OrbitBranches& traced);

@@ -11,20 +11,15 @@ constexpr const char* kOfPlaces[] = {"amplitude", "max", "min",      "half_range
                                      "mean",      "rms", "harmonic", "peak_velocity"};
 constexpr const char* kOfStops[] = {"impact_rate", "impulse", "peak_force", "rms_force"};
 
-std::string prefix(const char* kind, int index) {
-  return "," + std::string(kind) + "_" + std::to_string(index + 1) + "_";
-}
-
 }  // namespace
 
 std::string amplitude_columns(const std::vector<MeasuredPlace>& places) {
   std::string text;
   for (const MeasuredPlace& place : places)
-    for (const char* name : kOfPlaces)
-      text += (place.probe ? prefix("probe", *place.probe) : prefix("stop", *place.stop)) + name;
+    for (const char* name : kOfPlaces) text += "," + place.name('_') + "_" + name;
   for (const MeasuredPlace& place : places)
     if (place.stop)
-      for (const char* name : kOfStops) text += prefix("stop", *place.stop) + name;
+      for (const char* name : kOfStops) text += "," + place.name('_') + "_" + name;
   return text;
 }
 

@@ -12,18 +12,13 @@ namespace {
 
 constexpr int kSamplesPerPeriod = 200;
 
-std::string column(const MeasuredPlace& place) {
-  return place.probe ? fmt::format("probe_{}", *place.probe + 1)
-                     : fmt::format("stop_{}", *place.stop + 1);
-}
-
 }  // namespace
 
 std::string profiles_csv(const OrbitRecord& record) {
   std::string text = "orbit,flight,time,phase";
   for (const MeasuredPlace& place : record.places) {
-    text += "," + column(place);
-    if (!place.seen.of_velocity) text += "," + column(place) + "_velocity";
+    text += "," + place.name('_');
+    if (!place.seen.of_velocity) text += "," + place.name('_') + "_velocity";
   }
   text += "\n";
   for (std::size_t k = 0; k < record.found.orbits.size(); ++k) {

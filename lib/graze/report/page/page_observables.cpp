@@ -83,10 +83,9 @@ std::vector<PageObservable> amplitude_observables(const BranchRecord& record) {
   const std::vector<MeasuredPlace>& places = record.amplitudes.places;
   std::vector<PageObservable> list;
   list.push_back({name_of(shown.quantity), shown_title(shown, places), shown_unit(shown, places),
-                  true, true, amplitude_curves(record), [shown, places](const SweepRow& row) {
-                    const std::optional<double> value =
-                        row.amplitudes ? shown_value(shown, places, *row.amplitudes) : std::nullopt;
-                    return value ? std::vector<double>{*value} : std::vector<double>();
+                  true, true, amplitude_curves(record), [&record](const SweepRow& row) {
+                    const std::optional<double> height = shown_height(record, row);
+                    return height ? std::vector<double>{*height} : std::vector<double>();
                   }});
   if (!record.traced.branches.empty()) list.push_back(multiplier_of(record.traced));
   return list;

@@ -54,11 +54,6 @@ bool is_shown(const SweepRow& row) {
   return row.status == SweepStatus::kNotPeriodic || row.motion.period > 0;
 }
 
-std::optional<double> shown_height(const BranchRecord& record, const SweepRow& row) {
-  if (!row.amplitudes) return {};
-  return shown_value(*record.shown, record.amplitudes.places, *row.amplitudes);
-}
-
 // The motion's dots: speeds of impacts, or displacements where `stop` is.
 std::vector<DotAt> dots_of(const DiagramRecord& record, int stop) {
   std::vector<DotAt> dots;

@@ -30,8 +30,7 @@ class ResponseBoundaries : public BranchBoundaries {
   std::optional<Clearance> clearance(std::size_t stop, double value) const;
   // Where a stop is touched between these values, in order.
   std::vector<double> touched(std::size_t stop, double from, double to) const;
-  // Of all stops, m; minus infinity where there is no response.
-  double smallest_clearance(double value) const;
+  bool is_clear(double value) const;
   std::optional<BranchPlace> grazing(double value) const;
 
   const ResponseEquations& equations_;

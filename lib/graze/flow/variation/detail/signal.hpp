@@ -23,8 +23,8 @@ Complex exponential_integral(Complex l, double s);
 double product_integral(const Signal& a, const Signal& b, double s);
 
 // Visits the nodes of Gauss' rule with their weights, s, over [0, s] in panels over which nothing
-// turns or decays by more than one radian, `quickest` in rad/s: there 15 nodes integrate to rounding
-// (the error is of order (1/2)^30/30!).
+// turns or decays by more than one radian, `quickest` in rad/s: there 15 nodes integrate to
+// rounding (the error is of order (1/2)^30/30!).
 void visit_nodes(double s, double quickest, const std::function<void(double, double)>& visit);
 // integral of f over [0, s] by these.
 double panel_integral(const std::function<double(double)>& f, double s, double quickest);
@@ -37,5 +37,8 @@ struct Moments {
   double unit = 1.0;  // u
 };
 Moments moments_along(const CoupledArc& arc, double s);
+// An observable as a form in z.
+Vector weights_of(const Observable<double>& observable, const CoupledArc& arc,
+                  const Moments& moments);
 
 }  // namespace graze

@@ -41,6 +41,11 @@ struct SegmentOptions {
   std::optional<LeftOut> left_out{};
   // Called for every flight: the phase as it was flown, when it began, how long it was, s.
   std::function<void(const ContactPhase<double>&, const Instant<double>&, double)> flight{};
+  // Of every impact, with the shares of all stops that are touched, held ones too.
+  std::function<void(const std::vector<ImpactShare<double>>&)> impact{};
+  // Where a chatter is summed: the stops that hold the structure from then on, and the velocities
+  // that it is put to rest from, kg^1/2 m/s.
+  std::function<void(const std::vector<int>&, const Vector&)> closure{};
 };
 
 struct SegmentImpact {
@@ -82,13 +87,6 @@ struct SegmentContact {
   bool parted = false;  // its force is gone, below the surface
 };
 
-// What is left of a chatter where it is summed: the stops that hold the structure from then on, and
-// the velocities that it is put to rest from.
-struct SegmentClosure {
-  std::vector<int> stops;
-  Vector taken;  // kg^1/2 m/s, N
-};
-
 // Where a gap is least between the impacts.
 struct SegmentMinimum {
   int stop = 0;
@@ -102,9 +100,6 @@ struct TrajectorySegment {
   std::vector<SegmentImpact> impacts;
   std::vector<SegmentSticking> sticking;  // by the instant at which they end
   std::vector<SegmentContact> contacts;   // likewise
-  std::vector<SegmentClosure> closures;
-  // Of every instant with an impact the shares of all stops that are touched, held ones too.
-  std::vector<std::vector<ImpactShare<double>>> shares;
   // The smallest interior local minimum of a gap; with `minima`.
   std::optional<SegmentMinimum> lowest{};
   std::optional<double> clearance() const {  // m

@@ -24,7 +24,7 @@ struct PageObservable {
 // Speed and phase of the impacts; of branches the largest multiplier too.
 std::vector<PageObservable> impact_observables(const OrbitBranches& traced);
 
-// What is shown of the amplitudes, and the largest multiplier; requires both.
+// What is shown of the amplitudes, and the largest multiplier; requires both. Refers to the record.
 std::vector<PageObservable> amplitude_observables(const BranchRecord& record);
 
 // Displacements and velocities at the stops, of a stroboscopic diagram.
