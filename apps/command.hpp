@@ -11,6 +11,7 @@
 #include "graze/record/detail/comparison_record.hpp"
 #include "graze/record/detail/map_record.hpp"
 #include "graze/record/section.hpp"
+#include "graze/report/picture/picture_request.hpp"
 #include "graze/study/sweep/shared_work.hpp"
 #include "graze/study/sweep/sweep.hpp"
 
@@ -21,9 +22,9 @@ struct CommonOptions {
   std::vector<std::string> arguments;  // all of them, as they were given
   bool json = false;
   bool quiet = false;
-  std::string out;   // folder; empty: none
-  std::string plot;  // file; empty: none
-  int threads = 0;   // 0: all cores
+  std::string out;  // folder; empty: none
+  PictureRequest plot;
+  int threads = 0;  // 0: all cores
   double max_seconds = 3600.0;
 };
 

@@ -13,6 +13,7 @@
 #include "graze/scene/detail/suggestion.hpp"
 #include "option_groups.hpp"
 #include "option_values.hpp"
+#include "picture_options.hpp"
 
 namespace graze {
 namespace {
@@ -30,7 +31,7 @@ void add_simulate(CLI::App& graze, std::optional<Command>& parsed) {
       graze, parsed, "simulate", "Follow the motion, every impact certified");
   app->footer(footer("simulate data/scenes/02_wagg_momentum.toml --duration 1 --energy"));
   add_shared(app, command);
-  add_plot_or_page(app, command);
+  add_picture(app, command, {.page = true, .ranges = true});
   auto* duration =
       app->add_option("--duration", command.duration, "Simulated time, s; needed without forcing")
           ->check(at_least("a number of seconds, 0 or more", 0.0))
@@ -90,7 +91,7 @@ void add_orbit(CLI::App& graze, std::optional<Command>& parsed) {
       add_command<OrbitCommand>(graze, parsed, "orbit", "Find periodic orbits, stable or not");
   app->footer(footer("orbit data/scenes/05_wagg_one_mode.toml --set forcing.frequency=40"));
   add_shared(app, command);
-  add_plot_or_page(app, command);
+  add_picture(app, command, {.page = true});
   add_orbit_search(app, command);
   add_closure_speed(app, command);
   app->add_option_function<std::string>(
@@ -115,7 +116,8 @@ void add_continue(CLI::App& graze, std::optional<Command>& parsed) {
       footer("continue data/scenes/05_wagg_one_mode.toml --parameter forcing.frequency --from 15 "
              "--to 120"));
   add_shared(app, command);
-  add_plot_or_page(app, command);
+  add_picture(app, command,
+              {.page = true, .ranges = true, .scales = true, .labels = true, .multipliers = true});
   add_orbit_search(app, command);
   add_range(app, command);
   add_branch_kind(app, command);
@@ -133,7 +135,8 @@ void add_diagram(CLI::App& graze, std::optional<Command>& parsed) {
       footer("diagram data/scenes/05_wagg_one_mode.toml --parameter forcing.frequency --from 15 "
              "--to 120"));
   add_shared(app, command);
-  add_plot_or_page(app, command);
+  add_picture(app, command,
+              {.page = true, .ranges = true, .scales = true, .labels = true, .multipliers = true});
   add_range(app, command);
   add_sweep(app, command);
   add_closure_speed(app, command);
@@ -169,7 +172,7 @@ void add_map(CLI::App& graze, std::optional<Command>& parsed) {
       footer("map data/scenes/05_wagg_one_mode.toml --parameter forcing.frequency --from 15 "
              "--to 120 \\\n           --second stop.gap --second-from 0.5e-3 --second-to 2e-3"));
   add_shared(app, command);
-  add_plot_or_page(app, command);
+  add_picture(app, command, {.page = true, .ranges = true, .labels = true});
   add_plane(app, command);
   add_choice(app, "--show", command.show, kMapQuantities, "What the picture shows of every cell")
       ->type_name("WHAT");
@@ -190,7 +193,8 @@ void add_merge(CLI::App& graze, std::optional<Command>& parsed) {
       ->type_name("DIR ...");
   add_output(app, command);
   app->get_option("--out")->required();
-  add_plot_or_page(app, command);
+  add_picture(app, command,
+              {.page = true, .ranges = true, .scales = true, .labels = true, .multipliers = true});
   app->add_option("--max-seconds", command.max_seconds,
                   "Most computing time, s; what was reached by then is printed")
       ->check(above_zero())
@@ -203,7 +207,7 @@ void add_cost(CLI::App& graze, std::optional<Command>& parsed) {
       add_command<CostCommand>(graze, parsed, "cost", "What accuracy costs in time, flow by flow");
   app->footer(footer("cost data/scenes/02_wagg_momentum.toml --set stop.gap=5e-3 --plot cost.png"));
   add_shared(app, command);
-  add_plot(app, command);
+  add_picture(app, command, {.ranges = true});
   app->add_option("--impacts", command.impacts,
                   "Impacts over which flows are compared (default 20)")
       ->transform(whole_number_within(1, 1'000'000))
@@ -229,7 +233,7 @@ void add_fit(CLI::App& graze, std::optional<Command>& parsed) {
                   "Measurements (CSV): speed,restitution; time and stop of impacts; or time and "
                   "force1, gap1, displacement1, velocity1, penetration1, q1, qdot1, ..")
       ->required();
-  add_plot(app, command);
+  add_picture(app, command, {.ranges = true});
   app->add_option("--parameter", command.sought,
                   "A parameter that is fitted and the values between which it is sought; as often "
                   "as wanted. Also record.start, initial.q.1, initial.qdot.1, .. Of restitutions "

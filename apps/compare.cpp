@@ -7,6 +7,7 @@
 #include "graze/assembly/initial_state.hpp"
 #include "graze/base/errors.hpp"
 #include "graze/base/parallel.hpp"
+#include "graze/report/chart/charts.hpp"
 #include "graze/report/csv/csv.hpp"
 #include "graze/report/json/json.hpp"
 #include "graze/report/names/detail/comparison_names.hpp"
@@ -31,7 +32,7 @@ constexpr double kPeriodsRun = 50.0, kPeriodsShown = 4.0;
 bool is_over_plane(const CompareCommand& command) { return !command.parameter.empty(); }
 
 void check_options(const CompareCommand& command) {
-  if (!command.plot.empty()) check_picture_name(command.plot);
+  if (!command.plot.empty()) check_picture_name(command.plot.file);
   if (command.against.empty() == (command.most_modes == 0))
     throw InputError(
         "compare: give what is compared, one of --against KEY=VALUE, --modes A:B and "
@@ -155,7 +156,7 @@ int compare_motions(const CompareCommand& command) {
                         record.names[i] + ", for the picture: " + shown.message};
   }
   const auto draw = [&] {
-    if (!record.differences.empty()) draw_comparison(command.plot, record);
+    if (!record.differences.empty()) draw_chart(command.plot, record.info, chart_of(record));
   };
   return conclude(command, record.info, record.outcome,
                   {json_of(record),

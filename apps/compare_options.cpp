@@ -10,6 +10,7 @@
 #include "graze/report/names/detail/comparison_names.hpp"
 #include "option_groups.hpp"
 #include "option_values.hpp"
+#include "picture_options.hpp"
 
 namespace graze {
 namespace {
@@ -128,7 +129,7 @@ void add_compare(CLI::App& graze, std::optional<Command>& parsed) {
              "           --duration 0.2 --parameter stop.spring.damping.coefficient --from 0 "
              "--to 1000"));
   add_shared(app, command);
-  add_plot(app, command);
+  add_picture(app, command, {.ranges = true});
   add_what_is_compared(app, command);
   add_ranges(app, command);
   add_of_sensitivity(app, command);

@@ -117,7 +117,7 @@ void start_from(const Restart& restart, const ContinueCommand& command, BranchOp
 
 int run(const ContinueCommand& command) {
   if (!command.locus.empty()) return run_loci(command);
-  if (!command.plot.empty()) check_picture_or_page_name(command.plot);
+  if (!command.plot.empty()) check_picture_or_page_name(command.plot.file);
   const Scene given = scene_of(command);
   require_exact_flow(given, "branches are traced");
   const std::optional<Restart> restart = read_restart(command, given);
@@ -171,8 +171,8 @@ int run(const ContinueCommand& command) {
                                                     special_orbits(record.traced, record.system))};
                    },
                    [&] {
-                     if (is_page_name(command.plot))
-                       write_page(command.plot, record, family);
+                     if (is_page_name(command.plot.file))
+                       write_page(command.plot.file, record, family);
                      else
                        draw_branches(command.plot, record);
                    },

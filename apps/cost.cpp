@@ -6,6 +6,7 @@
 #include "graze/assembly/detail/system_warnings.hpp"
 #include "graze/assembly/initial_state.hpp"
 #include "graze/record/detail/cost_record.hpp"
+#include "graze/report/chart/charts.hpp"
 #include "graze/report/csv/csv.hpp"
 #include "graze/report/json/json.hpp"
 #include "graze/report/picture/pictures.hpp"
@@ -36,7 +37,7 @@ ContactOrders contact_orders_of(const System& system, const State& start,
 }  // namespace
 
 int run(const CostCommand& command) {
-  if (!command.plot.empty()) check_picture_name(command.plot);
+  if (!command.plot.empty()) check_picture_name(command.plot.file);
   const Scene scene = scene_of(command);
   CostRecord record;
   record.info = run_info(command.name, command.scene, scene);
@@ -88,7 +89,7 @@ int run(const CostCommand& command) {
                                        {"costs_of_corrector.csv", corrector_costs_csv(record)},
                                        {"costs_of_contact.csv", contact_orders_csv(record)}};
                    },
-                   [&] { draw_costs(command.plot, record); },
+                   [&] { draw_chart(command.plot, record.info, chart_of(record)); },
                    {}});
 }
 

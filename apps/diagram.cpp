@@ -82,12 +82,12 @@ std::optional<Outcome> add_branches(const DiagramCommand& command, const SystemF
 }  // namespace
 
 int run(const DiagramCommand& command) {
-  if (!command.plot.empty()) check_picture_or_page_name(command.plot);
+  if (!command.plot.empty()) check_picture_or_page_name(command.plot.file);
   check_journal_options(command, command.journal);
   const Scene scene = scene_of(command);
   if (!scene.forcing) {
-    if (is_page_name(command.plot))
-      throw InputError(command.plot +
+    if (is_page_name(command.plot.file))
+      throw InputError(command.plot.file +
                        ": pages show motions that repeat with a forcing, and this scene has none; "
                        "its diagram is drawn as .svg, .png or .pdf");
     return run_diagram_of_runs(command, scene);
@@ -153,8 +153,8 @@ int run(const DiagramCommand& command) {
                    text_of(record),
                    files,
                    [&] {
-                     if (is_page_name(command.plot))
-                       write_page(command.plot, record, family);
+                     if (is_page_name(command.plot.file))
+                       write_page(command.plot.file, record, family);
                      else
                        draw_diagram(command.plot, record);
                    },

@@ -3,6 +3,7 @@
 #include "graze/assembly/detail/system_warnings.hpp"
 #include "graze/base/errors.hpp"
 #include "graze/record/detail/run_diagram_record.hpp"
+#include "graze/report/chart/charts.hpp"
 #include "graze/report/csv/csv.hpp"
 #include "graze/report/json/json.hpp"
 #include "graze/report/picture/pictures.hpp"
@@ -70,7 +71,7 @@ int run_diagram_of_runs(const DiagramCommand& command, const Scene& scene) {
        [&] {
          return NamedFiles{{"sweep.csv", run_impacts_csv(record)}, {"runs.csv", runs_csv(record)}};
        },
-       [&] { draw_run_diagram(command.plot, record); },
+       [&] { draw_chart(command.plot, record.info, chart_of(record)); },
        {}});
 }
 

@@ -8,6 +8,7 @@
 #include "graze/assembly/detail/system_warnings.hpp"
 #include "graze/base/errors.hpp"
 #include "graze/record/detail/fit_record.hpp"
+#include "graze/report/chart/charts.hpp"
 #include "graze/report/csv/csv.hpp"
 #include "graze/report/json/json.hpp"
 #include "graze/report/picture/pictures.hpp"
@@ -57,7 +58,7 @@ void note_options(const FitCommand& command, const FitOptions& options, RunInfo&
 }  // namespace
 
 int run(const FitCommand& command) {
-  if (!command.plot.empty()) check_picture_name(command.plot);
+  if (!command.plot.empty()) check_picture_name(command.plot.file);
   const Scene scene = scene_of(command);
   require_exact(scene);
   FitRecord record;
@@ -95,7 +96,8 @@ int run(const FitCommand& command) {
                    text_of(record),
                    files,
                    [&] {
-                     if (!record.result.series.empty()) draw_fit(command.plot, record);
+                     if (!record.result.series.empty())
+                       draw_chart(command.plot, record.info, chart_of(record));
                    },
                    {}});
 }

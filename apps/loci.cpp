@@ -100,7 +100,7 @@ StableRegions regions_of(const ContinueCommand& command, const Scene& scene,
 }  // namespace
 
 int run_loci(const ContinueCommand& command) {
-  if (!command.plot.empty()) check_picture_name(command.plot);
+  if (!command.plot.empty()) check_picture_name(command.plot.file);
   const Scene given = scene_of(command);
   require_exact_flow(given, "loci are traced");
   const std::optional<Restart> restart = read_restart(command, given);

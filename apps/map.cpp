@@ -58,7 +58,7 @@ void trace_over(const MapCommand& command, const Scene& scene, const LociOptions
 }
 
 void check_options(const MapCommand& command) {
-  if (!command.plot.empty()) check_picture_or_page_name(command.plot);
+  if (!command.plot.empty()) check_picture_or_page_name(command.plot.file);
   check_journal_options(command, command.journal);
   if (command.show == MapQuantity::kExponent && command.settling.exponents == 0)
     throw InputError(
@@ -82,7 +82,7 @@ int run(const MapCommand& command) {
   std::optional<LociOptions> loci;
   if (!command.locus.empty()) loci = loci_options(command, scene);
   AttractorMapOptions options = map_options(command);
-  if (is_page_name(command.plot)) check_map_page(command.plot, options);
+  if (is_page_name(command.plot.file)) check_map_page(command.plot.file, options);
   MapRecord record;
   record.info = run_info(command.name, command.scene, scene);
   record.x_unit = number_unit(scene, options.x.name);
@@ -116,8 +116,8 @@ int run(const MapCommand& command) {
                    text_of(record),
                    files,
                    [&] {
-                     if (is_page_name(command.plot))
-                       write_page(command.plot, record, scene);
+                     if (is_page_name(command.plot.file))
+                       write_page(command.plot.file, record, scene);
                      else
                        draw_map(command.plot, record);
                    },

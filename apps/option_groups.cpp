@@ -45,20 +45,6 @@ void add_output(CLI::App* app, CommonOptions& command) {
   app->add_flag("--quiet", command.quiet, "No progress, no warnings");
 }
 
-void add_plot(CLI::App* app, CommonOptions& command) {
-  app->add_option(
-         "--plot", command.plot,
-         "Draw a picture into this .svg, .png or .pdf; the gnuplot script is kept beside it")
-      ->type_name("FILE");
-}
-
-void add_plot_or_page(CLI::App* app, CommonOptions& command) {
-  app->add_option("--plot", command.plot,
-                  "Draw a picture into this .svg, .png or .pdf, the gnuplot script is kept beside "
-                  "it; or into this .html, a page to look into with a browser")
-      ->type_name("FILE");
-}
-
 void add_closure_speed(CLI::App* app, MotionOptions& command) {
   app->add_option("--closure-speed", command.closure_speed, kClosureSpeed)
       ->check(at_least("a speed in m/s, 0 or more", 0.0))

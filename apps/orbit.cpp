@@ -16,11 +16,11 @@
 
 namespace graze {
 int run(const OrbitCommand& command) {
-  if (!command.plot.empty()) check_picture_or_page_name(command.plot);
+  if (!command.plot.empty()) check_picture_or_page_name(command.plot.file);
   const Scene scene = scene_of(command);
   require_exact_flow(scene, "orbits are solved for");
   require_forcing_and_stop(scene);
-  OrbitRecord record{run_info(command.name, command.scene, scene), assemble(scene), {}, {}, {}};
+  OrbitRecord record{run_info(command.name, command.scene, scene), assemble(scene), {}, {}, {}, {}, {}};
   note_call(command, record.info);
   record_search(command, record.info);
   record.warnings = system_warnings(scene, record.system);
@@ -56,8 +56,8 @@ int run(const OrbitCommand& command) {
                                        {"contacts.csv", contacts_csv(record)}};
                    },
                    [&] {
-                     if (is_page_name(command.plot))
-                       write_page(command.plot, record);
+                     if (is_page_name(command.plot.file))
+                       write_page(command.plot.file, record);
                      else
                        draw_orbits(command.plot, record);
                    },

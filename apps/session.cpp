@@ -105,7 +105,7 @@ void prepare_output(const CommonOptions& command) {
   has_begun = true;
   if (!command.out.empty()) prepare_folder(command.out);
   if (command.plot.empty()) return;
-  const std::filesystem::path folder = std::filesystem::path(command.plot).parent_path();
+  const std::filesystem::path folder = std::filesystem::path(command.plot.file).parent_path();
   check_folder(folder.empty() ? "." : folder);
 }
 

@@ -130,9 +130,9 @@ Simulation run_listened(const System& system, const State& start, const std::opt
 
 int run(const SimulateCommand& command) {
   if (!command.plot.empty() && !command.section)
-    check_picture_or_page_name(command.plot);
+    check_picture_or_page_name(command.plot.file);
   else if (!command.plot.empty())
-    check_picture_name(command.plot, ".svg, .png or .pdf with --section");
+    check_picture_name(command.plot.file, ".svg, .png or .pdf with --section");
   const Scene scene = scene_of(command);
   SimulationRecord record;
   record.info = run_info(command.name, command.scene, scene);
@@ -191,8 +191,8 @@ int run(const SimulateCommand& command) {
                    [&] {
                      if (record.section)
                        draw_section(command.plot, record);
-                     else if (is_page_name(command.plot))
-                       write_page(command.plot, record, scene);
+                     else if (is_page_name(command.plot.file))
+                       write_page(command.plot.file, record, scene);
                      else
                        draw_simulation(command.plot, record);
                    },

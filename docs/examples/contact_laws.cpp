@@ -235,7 +235,7 @@ void draw(const std::string& file) {
   script.command("set xlabel 'restitution asked for'");
   script.command("set label 'restitution of the contact' at screen 0.04, graph 0.5 center rotate");
   script.plot(layers);
-  draw_picture(file, script, 1.05);
+  draw_picture(file, RunInfo{}, script, 1.05);
 }
 
 }  // namespace

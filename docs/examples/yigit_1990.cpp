@@ -205,7 +205,7 @@ void draw(const std::string& file) {
     }
   }
   script.command("unset multiplot");
-  draw_picture(file, script, 0.75);
+  draw_picture(file, RunInfo{}, script, 0.75);
 }
 
 }  // namespace

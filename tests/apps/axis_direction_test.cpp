@@ -97,13 +97,13 @@ TEST(AxisDirections, OfAStopBelowAndAProbeAreOpposite) {
       run_graze("simulate --periods 4 --quiet --set probe.1.position=0.3 --plot " +
                 (scratch / "x.svg").string() + " " + scene("02_wagg_momentum.toml"));
   ASSERT_EQ(run.code, 0) << run.err;
-  const std::string script = read_text(scratch / "x.gp");
+  const std::string columns = read_text(scratch / "x.dat");
   const auto extremes = [&](const std::string& data) {
-    std::istringstream stream(script.substr(script.find("$" + data + " <<")));
+    std::istringstream stream(columns.substr(columns.find("# [" + data + "]")));
     std::string line;
     std::getline(stream, line);
     double low = 0.0, high = 0.0, time = 0.0, value = 0.0;
-    while (std::getline(stream, line) && line != "EOD")
+    while (std::getline(stream, line) && !line.starts_with('#'))
       if (std::istringstream(line) >> time >> value)
         low = std::min(low, value), high = std::max(high, value);
     return std::pair{low, high};

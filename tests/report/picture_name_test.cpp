@@ -24,7 +24,7 @@ TEST(PictureNames, ScriptsTellACommandThatDrawsThem) {
     GnuplotScript script;
     script.command("set xrange [0:1]");
     script.plot({"x notitle"});
-    draw_picture((scratch / (name + ".svg")).string(), script);
+    draw_picture((scratch / (name + ".svg")).string(), RunInfo{}, script);
     const std::string text = read_text(scratch / (name + ".gp"));
     const std::size_t at = text.find(": gnuplot ") + 2;
     const std::string command = text.substr(at, text.find('\n') - at);

@@ -11,7 +11,6 @@
 #include "apps/program.hpp"
 #include "graze/base/errors.hpp"
 #include "graze/report/picture/detail/picture_motion.hpp"
-#include "graze/report/picture/detail/special_marks.hpp"
 #include "support/systems.hpp"
 
 namespace graze {
@@ -237,14 +236,14 @@ BranchRecord relabelled_branch() {
   return record;
 }
 
-// Rows of numbers of a data set of a script, those of each line apart.
-std::vector<std::vector<std::pair<double, double>>> lines_in(const std::string& script,
+// Rows of numbers of a data set beside a script, those of each line apart.
+std::vector<std::vector<std::pair<double, double>>> lines_in(const std::string& data,
                                                              const std::string& name) {
   std::vector<std::vector<std::pair<double, double>>> lines(1);
-  const std::size_t start = script.find("$" + name + " << EOD\n");
+  const std::size_t start = data.find("# [" + name + "]\n");
   if (start == std::string::npos) return {};
-  std::istringstream rows(script.substr(script.find('\n', start) + 1));
-  for (std::string row; std::getline(rows, row) && row != "EOD";) {
+  std::istringstream rows(data.substr(data.find('\n', start) + 1));
+  for (std::string row; std::getline(rows, row) && !row.starts_with("#");) {
     std::istringstream numbers(row);
     double x = 0.0, y = 0.0;
     if (numbers >> x >> y)
@@ -252,15 +251,16 @@ std::vector<std::vector<std::pair<double, double>>> lines_in(const std::string& 
     else if (!lines.back().empty())
       lines.emplace_back();
   }
+  if (lines.back().empty()) lines.pop_back();
   return lines;
 }
 
 TEST(DrawBranches, ShowsEveryImpactOfAnOrbitAsACurveOfItsOwn) {
   const ScratchFolder scratch;
   draw_branches((scratch / "x.svg").string(), relabelled_branch());
-  const std::string script = read_text(scratch / "x.gp");
+  const std::string data = read_text(scratch / "x.dat");
   std::size_t curves = 0;
-  for (const auto& line : lines_in(script, "stable")) {
+  for (const auto& line : lines_in(data, "stable")) {
     if (line.empty()) continue;
     ++curves;
     EXPECT_EQ(line.size(), 7U);
@@ -269,7 +269,7 @@ TEST(DrawBranches, ShowsEveryImpactOfAnOrbitAsACurveOfItsOwn) {
   }
   EXPECT_EQ(curves, 2U);
   // The fold is marked on both.
-  const auto marks = lines_in(script, "LP");
+  const auto marks = lines_in(data, "LP");
   ASSERT_EQ(marks.size(), 1U);
   EXPECT_EQ(marks[0].size(), 2U);
 }
@@ -287,14 +287,6 @@ TEST(DrawBranches, AMultiplierThatPassesTheCircleIsNoOpenStability) {
   EXPECT_EQ(drawn().find("stability open"), std::string::npos);
   points[3].orbit.stable.reset();
   EXPECT_NE(drawn().find("stability open"), std::string::npos);
-}
-
-TEST(SpecialMarks, AreToldApartByTheirShape) {
-  std::set<int> shapes;
-  for (const char* label : {"LP", "BP", "PD", "NS", "GR", "CH", "LO", "of a later version"})
-    EXPECT_TRUE(shapes.insert(special_mark(label).point).second) << label;
-  // The dots of a sweep.
-  EXPECT_FALSE(shapes.contains(7));
 }
 
 std::vector<ProbeRow> probes_of(const std::vector<ProbeQuantity>& quantities) {

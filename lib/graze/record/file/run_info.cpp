@@ -16,6 +16,7 @@ RunInfo run_info(const std::string& command, const std::string& scene_file, cons
   info.version = version();
   info.command = command;
   info.scene_file = scene_file;
+  info.scene_title = scene.title;
   info.scene_text = write_scene(scene);
   info.scene_sha256 = sha256(info.scene_text);
   return info;

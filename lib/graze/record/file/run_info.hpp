@@ -16,6 +16,7 @@ struct RunInfo {
   std::string version;
   std::string command;                                       // "simulate"
   std::string scene_file;                                    // as given
+  std::string scene_title;                                   // of the scene; empty: none
   std::string scene_text;                                    // the scene in force, as TOML
   std::string scene_sha256;                                  // of scene_text
   std::vector<std::pair<std::string, OptionValue>> options;  // those that were given or used

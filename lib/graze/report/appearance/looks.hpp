@@ -26,9 +26,9 @@ inline constexpr const char* kStuckShade = "#F8DA98";
 enum class MarkShape { kNone, kDot, kCircle, kSquare, kDiamond, kUp, kDown, kPentagon, kCross };
 
 struct Look {
-  std::string id;     // "stable", "LP", "clear"
-  std::string title;  // of the legend: "fold (LP)"
-  std::string colour;
+  std::string id = {};     // "stable", "LP", "clear"
+  std::string title = {};  // of the legend: "fold (LP)"
+  std::string colour = {};
   // Lengths of strokes and of the gaps behind them, in widths of the line; empty: solid.
   std::vector<int> dashes = {};
   double width = 1.8;  // of the line, points
@@ -57,7 +57,8 @@ const Look& dot_look(const std::string& id);
 // Grounds of cells, by what their motion settles on: the motions that always look alike, then the
 // colours that others have by their number of cells.
 std::span<const Look> ground_looks();
-const Look& ground_look(const std::string& id);  // "clear", "(1,1)", "sticks", "wild", "none", ..
+const Look& ground_look(const std::string& id);   // of an id that is there
+const Look* fixed_ground(const std::string& id);  // null where none always looks alike
 std::span<const char* const> other_grounds();
 
 // Colours of curves that share a panel, one after the other.

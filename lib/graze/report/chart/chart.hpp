@@ -11,15 +11,13 @@
 
 namespace graze {
 
-enum class AxisScale { kLinear, kLog, kDecibel };
-
 struct ChartAxis {
-  std::string name;  // may use gnuplot's markup: "q_{1}"; \n begins a new line
-  std::string unit;  // SI, "" for a pure number
-  AxisRange range;   // of the values, SI; empty: of what is drawn
+  std::string name = {};  // may use gnuplot's markup: "q_{1}"; \n begins a new line
+  std::string unit = {};  // SI, "" for a pure number
+  AxisRange range = {};   // of the values, SI; empty: of what is drawn
   AxisScale scale = AxisScale::kLinear;
-  std::string path = {};      // of the parameter that it is, "forcing.frequency"; or none
-  bool from_zero = false;     // zero belongs to the range
+  std::string path = {};            // of the parameter that it is, "forcing.frequency"; or none
+  bool from_zero = false;           // zero belongs to the range
   std::optional<double> most = {};  // the range holds no value above
 };
 

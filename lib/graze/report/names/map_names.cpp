@@ -64,6 +64,10 @@ std::string cell_name(const AttractorMap& map, const MapCell& cell) {
                          : attractor_label(cell.attractor);
 }
 
+bool is_clear(const MapCell& cell) {
+  return cell.is_known && cell.attractor.period > 0 && attractor_kind(cell.attractor) == "clear";
+}
+
 double cell_value(const MapCell& cell, MapQuantity quantity) {
   constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
   if (!cell.is_known || cell.attractor.status == SweepStatus::kNoStart) return kNone;
@@ -75,7 +79,7 @@ double cell_value(const MapCell& cell, MapQuantity quantity) {
     case MapQuantity::kExponent:
       return cell.exponent.value_or(kNone);
     case MapQuantity::kSpeed:
-      return cell.peak_speed;
+      return is_clear(cell) ? kNone : cell.peak_speed;
     case MapQuantity::kStuck:
       return cell.stuck_part;
   }

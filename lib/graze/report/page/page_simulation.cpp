@@ -136,9 +136,9 @@ class SimulationPage {
     for (const ProbePanels::Panel& panel : probes.panels()) {
       std::vector<PageCurve> curves;
       for (const SeenProbe& probe : panel.probes)
-        if (curves.size() < ProbePanels::kMostCurves)
+        if (curves.size() < curve_colours().size())
           curves.push_back(
-              {fmt::format("probe {}", probe.number), kCurveColours[curves.size()], probe.curve});
+              {fmt::format("probe {}", probe.number), curve_colours()[curves.size()], probe.curve});
       std::string name = panel.name();
       std::replace(name.begin(), name.end(), '\n', ' ');
       add_curve_panel(name, panel.si_unit, curves, false);
@@ -147,7 +147,7 @@ class SimulationPage {
     for (const SeenForce& seen : seen_.forces)
       forces.push_back(
           {several_stops() ? fmt::format("force at stop {}", seen.stop + 1) : "contact force",
-           kCurveColours[static_cast<std::size_t>(seen.stop) % std::size(kCurveColours)],
+           curve_colours()[static_cast<std::size_t>(seen.stop) % curve_colours().size()],
            seen.force});
     for (const EnergyTerm& term : seen_.energy)
       energy.push_back(

@@ -6,6 +6,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cmath>
 #include <cstdio>
@@ -121,27 +122,80 @@ std::string drawn(const std::string& file, const std::string& script) {
   return picture;
 }
 
-// The same picture three times: text of 7 points on a width of 12 cm, still read in a column.
+// How large a picture is, and how heavy what is in it: the same picture in every file format. Text
+// of 7 points on a width of 12 cm is still read in a column; on a wall lines are heavier.
+struct Sheet {
+  double centimetres = 12.0;
+  double weight = 1.0;  // of lines and marks, by those of paper
+};
+Sheet sheet_of(PictureStyle style) {
+  return style == PictureStyle::kSlide ? Sheet{24.0, 1.5} : Sheet{};
+}
+
 // Points in units of `mark` look alike, too.
-std::string terminal(const std::filesystem::path& file, double proportion) {
-  const std::string extension = file.extension().string();
+std::string terminal(const PictureRequest& request, double proportion) {
+  const std::string extension = std::filesystem::path(request.file).extension().string();
+  const Sheet sheet = sheet_of(request.style);
+  const double size = sheet.centimetres / 12.0, heavy = size * sheet.weight;
   if (extension == ".png")
     return fmt::format(
-        "set terminal pngcairo enhanced font 'DejaVu Sans,11' fontscale 2.6 linewidth 3 "
-        "pointscale 3.4 dashlength 0.7 size 1360,{:.0f} background '#FFFFFF'\n"
+        "set terminal pngcairo enhanced font 'DejaVu Sans,11' fontscale {:.4g} linewidth {:.4g} "
+        "pointscale {:.4g} dashlength 0.7 size {:.0f},{:.0f} background '#FFFFFF'\n"
         "mark = 1\n",
-        1360.0 * proportion);
+        2.6 * size, 3.0 * heavy, 3.4 * heavy, 1360.0 * size, 1360.0 * size * proportion);
   if (extension == ".pdf")
     return fmt::format(
-        "set terminal pdfcairo enhanced font 'DejaVu Sans,11' fontscale 0.64 linewidth 1.1 "
-        "pointscale 0.9 dashlength 0.7 size 12cm,{:.4g}cm background '#FFFFFF'\n"
+        "set terminal pdfcairo enhanced font 'DejaVu Sans,11' fontscale {:.4g} linewidth {:.4g} "
+        "pointscale {:.4g} dashlength 0.7 size {:.4g}cm,{:.4g}cm background '#FFFFFF'\n"
         "mark = 1\n",
-        12.0 * proportion);
+        0.64 * size, 1.1 * heavy, 0.9 * heavy, sheet.centimetres, sheet.centimetres * proportion);
   return fmt::format(
-      "set terminal svg enhanced font 'DejaVu Sans,11' fontscale 1.4 linewidth 1.4 dashlength 0.7 "
-      "size 640,{:.0f} background '#FFFFFF'\n"
-      "mark = 1.6\n",
-      640.0 * proportion);
+      "set terminal svg enhanced font 'DejaVu Sans,11' fontscale {:.4g} linewidth {:.4g} "
+      "dashlength 0.7 size {:.0f},{:.0f} background '#FFFFFF'\n"
+      "mark = {:.4g}\n",
+      1.4 * size, 1.4 * heavy, 640.0 * size, 640.0 * size * proportion, 1.6 * heavy);
+}
+
+// Of the picture's width, for the title at the head.
+constexpr double kTitleRoom = 0.045;
+// Characters that fit there.
+constexpr std::size_t kTitleLength = 92;
+
+std::size_t characters_in(const std::string& text) {
+  return static_cast<std::size_t>(
+      std::count_if(text.begin(), text.end(), [](char c) { return (c & 0xC0) != 0x80; }));
+}
+
+// No longer than the head of a picture; the rest is in the result.
+std::string shortened(const std::string& text) {
+  if (characters_in(text) <= kTitleLength) return text;
+  std::string kept;
+  std::size_t count = 0;
+  for (const char c : text) {
+    if ((c & 0xC0) != 0x80 && ++count >= kTitleLength) break;
+    kept += c;
+  }
+  return kept + "…";
+}
+
+// What the picture is of: the scene's title, else its file, and what was set in it.
+std::string title_of(const PictureRequest& request, const RunInfo& info) {
+  if (request.title) return *request.title;
+  std::string title = info.scene_title.empty()
+                          ? std::filesystem::path(info.scene_file).filename().string()
+                          : info.scene_title;
+  for (std::size_t i = 0; i < info.settings.size(); ++i)
+    title += (i == 0 ? (title.empty() ? "" : " · ") : ", ") + info.settings[i];
+  return shortened(title);
+}
+
+// The lines before the script: all that depends on the file and on its title.
+std::string head_of(const PictureRequest& request, const RunInfo& info, double proportion) {
+  const std::string title = title_of(request, info);
+  const double room = title.empty() ? 0.0 : kTitleRoom;
+  return "set encoding utf8\n" + terminal(request, proportion + room) +
+         fmt::format("body = {:.6g}\ncaption = {}\n", proportion / (proportion + room),
+                     plain_gnuplot_string(title));
 }
 
 // gnuplot takes a leading | for a command and a leading ~ for a home.
@@ -169,13 +223,30 @@ void PlotTable::gap() {
 void GnuplotScript::command(const std::string& line) { text_ += line + "\n"; }
 
 void GnuplotScript::data(const std::string& name, const PlotTable& table) {
-  text_ += "$" + name + " << EOD\n" + table.text() + "EOD\n";
+  if (table.empty() || !known_.insert(name).second) return;
+  // Two blank lines part data sets; one is known by the comment above it.
+  data_ += (data_.empty() ? "# [" : "\n\n# [") + name + "]\n" + table.text();
 }
 
 void GnuplotScript::plot(const std::vector<std::string>& layers) {
+  const bool first = !has_caption_;
+  has_caption_ = true;
+  // A tag of its own, so that it goes before the next panel.
+  if (first)
+    text_ += "set label 99 caption at screen 0.02, screen 1 offset 0, -0.8 left font ',8'\n";
   text_ += "plot ";
-  for (const std::string& layer : layers) text_ += layer + ", \\\n     ";
+  for (const std::string& layer : layers) {
+    if (!layer.starts_with('$')) {
+      text_ += layer + ", \\\n     ";
+      continue;
+    }
+    const std::size_t end = std::min(layer.find(' '), layer.size());
+    const std::string name = layer.substr(1, end - 1);
+    if (known_.contains(name))
+      text_ += "data index '[" + name + "]'" + layer.substr(end) + ", \\\n     ";
+  }
   text_ += "NaN notitle\n";
+  if (first) text_ += "unset label 99\n";
 }
 
 std::string gnuplot_string(const std::string& text) {
@@ -185,6 +256,17 @@ std::string gnuplot_string(const std::string& text) {
     quoted += c;
   }
   return quoted + "'";
+}
+
+std::string plain_gnuplot_string(const std::string& text) {
+  std::string plain;
+  for (const char c : text) {
+    if (c == '_' || c == '^' || c == '{' || c == '}' || c == '@' || c == '&' || c == '~' ||
+        c == '\\')
+      plain += '\\';
+    plain += c;
+  }
+  return gnuplot_string(plain);
 }
 
 namespace {
@@ -214,39 +296,73 @@ std::string pixel_terminal(const PixelLayer& layer) {
                      layer.height);
 }
 
-void draw(const std::string& file, const std::string& head, const std::string& layers,
-          const GnuplotScript& script, const std::string& picture) {
+std::string data_line(const std::string& file) { return "data = " + gnuplot_string(file) + "\n"; }
+
+// What is kept beside a picture, and the picture.
+struct Drawing {
+  std::string picture;
+  std::string script;  // all but the comment that it begins with
+  std::string data;
+};
+
+void write(const std::string& file, const Drawing& drawing) {
   const std::filesystem::path path(file);
   // What begins with a minus or a tilde would be an option or a home.
   const std::string script_name = path.stem().string() + ".gp";
   const bool special = script_name.front() == '-' || script_name.front() == '~';
   const std::string comment = fmt::format("# Draws {}: gnuplot {}\n", path.filename().string(),
                                           shell_word((special ? "./" : "") + script_name));
-  write_file(path, picture);
-  write_file(std::filesystem::path(path).replace_extension(".gp"),
-             comment + layers + head + output(path) + script.text());
+  write_file(path, drawing.picture);
+  write_file(std::filesystem::path(path).replace_extension(".gp"), comment + drawing.script);
+  write_file(std::filesystem::path(path).replace_extension(".dat"), drawing.data);
+}
+
+// As gnuplot takes it, from the folder that it is in.
+std::string beside(const std::string& file, const char* extension) {
+  const std::string name =
+      std::filesystem::path(file).replace_extension(extension).filename().string();
+  const bool special =
+      name.front() == '|' || name.front() == '~' || name.front() == '-' || name.front() == '<';
+  return (special ? "./" : "") + name;
 }
 
 }  // namespace
 
-void draw_picture(const std::string& file, const GnuplotScript& script, double proportion) {
-  const std::string head = "set encoding utf8\n" + terminal(file, proportion);
-  draw(file, head, "", script, drawn(file, head + script.text()));
+void draw_picture(const PictureRequest& request, const RunInfo& info, const GnuplotScript& script,
+                  double proportion) {
+  const std::string head = head_of(request, info, proportion);
+  const ScratchFile data;
+  write_file(data.path(), script.data_text());
+  const std::string picture = drawn(request.file, head + data_line(data.path()) + script.text());
+  write(request.file,
+        {picture,
+         head + output(request.file) + data_line(beside(request.file, ".dat")) + script.text(),
+         script.data_text()});
 }
 
-void draw_picture(const std::string& file, const GnuplotScript& script, double proportion,
-                  const PixelLayer& layer) {
-  const std::string head = "set encoding utf8\n" + terminal(file, proportion);
-  const ScratchFile scratch;
-  write_file(scratch.path(), drawn(file, pixel_terminal(layer) + layer.script.text()));
+void draw_picture(const PictureRequest& request, const RunInfo& info, const GnuplotScript& script,
+                  double proportion, const PixelLayer& layer) {
+  const std::string head = head_of(request, info, proportion);
+  const ScratchFile data, dots, scratch;
+  write_file(data.path(), script.data_text());
+  write_file(dots.path(), layer.script.data_text());
+  const auto pixels = [&](const std::string& data_file) {
+    return pixel_terminal(layer) + "body = 1\ncaption = ''\n" + data_line(data_file);
+  };
+  write_file(scratch.path(), drawn(request.file, pixels(dots.path()) + layer.script.text()));
   const std::string picture =
-      drawn(file, head + "pixels = " + gnuplot_string(scratch.path()) + "\n" + script.text());
+      drawn(request.file, head + data_line(data.path()) +
+                              "pixels = " + gnuplot_string(scratch.path()) + "\n" + script.text());
+  const std::string kept_data = beside(request.file, ".dat");
   const std::filesystem::path kept =
-      std::filesystem::path(file).replace_extension(".dots.png").filename();
-  draw(file, head,
-       pixel_terminal(layer) + output(kept) + layer.script.text() +
-           "set output\nreset\npixels = " + gnuplot_string(kept.string()) + "\n",
-       script, picture);
+      std::filesystem::path(request.file).replace_extension(".dots.png").filename();
+  const std::string separator =
+      layer.script.data_text().empty() || script.data_text().empty() ? "" : "\n\n";
+  write(request.file, {picture,
+                       pixels(kept_data) + output(kept) + layer.script.text() +
+                           "set output\nreset\npixels = " + gnuplot_string(kept.string()) + "\n" +
+                           head + output(request.file) + data_line(kept_data) + script.text(),
+                       layer.script.data_text() + separator + script.data_text()});
 }
 
 }  // namespace graze

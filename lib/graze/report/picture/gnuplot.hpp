@@ -1,9 +1,13 @@
-// Gnuplot scripts that carry their data, and the pictures that gnuplot draws from them.
+// Gnuplot scripts with their data, and the pictures that gnuplot draws from them.
 #pragma once
 
 #include <initializer_list>
+#include <set>
 #include <string>
 #include <vector>
+
+#include "graze/record/file/run_info.hpp"
+#include "graze/report/picture/picture_request.hpp"
 
 namespace graze {
 
@@ -22,31 +26,39 @@ class PlotTable {
   std::size_t rows_ = 0;
 };
 
-// A gnuplot script in the making, all but its terminal and output. Point sizes in units of the
-// variable `mark`, which comes with the terminal, look the same in every file format.
+// A gnuplot script in the making, all but its terminal and output, and its data, which stand in a
+// file of their own. Point sizes in units of the variable `mark`, which comes with the terminal,
+// look the same in every file format. Heights on the screen are in units of the variable `body`,
+// above which the picture's caption stands.
 class GnuplotScript {
  public:
   void command(const std::string& line);
-  // Makes the table known as $name.
+  // Makes the table known as $name, for layers that begin with it.
   void data(const std::string& name, const PlotTable& table);
   // One plot of several layers, each as gnuplot writes it: "$name using 1:2 with lines"; without
-  // layers the bare axes, so ranges have to be set.
+  // layers the bare axes, so ranges have to be set. Layers of empty tables are left out.
   void plot(const std::vector<std::string>& layers);
 
   const std::string& text() const { return text_; }
+  const std::string& data_text() const { return data_; }
 
  private:
-  std::string text_;
+  std::string text_, data_;
+  std::set<std::string> known_;  // tables with rows
+  bool has_caption_ = false;
 };
 
 // `text` as a gnuplot string; _ and ^ in it lower and raise, {} group.
 std::string gnuplot_string(const std::string& text);
+// The same of words that are no markup.
+std::string plain_gnuplot_string(const std::string& text);
 
-// Draws the script into `file` (.svg, .png or .pdf), `proportion` times as high as wide, and keeps
-// it beside the picture as .gp, so that `gnuplot name.gp`, run in that folder, draws the picture
-// again. Throws FileError, leaving both files as they were, when gnuplot is missing or fails, or
-// the folder cannot be written to.
-void draw_picture(const std::string& file, const GnuplotScript& script, double proportion = 0.75);
+// Draws the script, `proportion` times as high as wide, into the file that is asked for, and keeps
+// it beside the picture as x.gp with its data as x.dat, so that `gnuplot x.gp`, run in that folder,
+// draws the picture again. Throws FileError, leaving all files as they were, when gnuplot is
+// missing or fails, or the folder cannot be written to.
+void draw_picture(const PictureRequest& request, const RunInfo& info, const GnuplotScript& script,
+                  double proportion = 0.75);
 
 // A layer of very many dots, drawn as pixels. A vector picture that held each of them as a shape
 // would be megabytes large.
@@ -58,7 +70,7 @@ struct PixelLayer {
 // The same with a layer of pixels: where `script` is run, the variable `pixels` names a PNG file
 // that shows the layer on a transparent ground. The script that is kept makes that file, x.dots.png
 // for x.svg, anew.
-void draw_picture(const std::string& file, const GnuplotScript& script, double proportion,
-                  const PixelLayer& layer);
+void draw_picture(const PictureRequest& request, const RunInfo& info, const GnuplotScript& script,
+                  double proportion, const PixelLayer& layer);
 
 }  // namespace graze

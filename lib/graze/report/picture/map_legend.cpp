@@ -1,57 +1,72 @@
 #include "graze/report/picture/detail/map_legend.hpp"
 
-#include <iterator>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
 #include <map>
 #include <utility>
 
 #include "graze/report/names/detail/map_names.hpp"
+#include "graze/report/names/detail/sweep_names.hpp"
 
 namespace graze {
 namespace {
 
-// Attractors that repeat, by their cells; what never does is dark.
+// Attractors that repeat, by their cells. The first of a kind has the kind's ground; others of that
+// kind, and other kinds, have the next that is free; the rest are told of together.
 void add_attractors(const AttractorMap& map, MapLegend& legend) {
-  constexpr std::size_t kOthers = static_cast<std::size_t>(-1);
-  std::size_t orbits = 0;
-  bool others = false;
+  constexpr std::size_t kRest = static_cast<std::size_t>(-1);
+  std::size_t next = 0, rest = 0;
+  std::map<std::string, int> given;  // grounds of kinds
   for (std::size_t i = 0; i < map.attractors.size(); ++i) {
     const std::string name = attractor_name(map, i);
-    const bool wild = map.attractors[i].attractor.status == SweepStatus::kNotPeriodic;
-    const bool named = wild || orbits < std::size(kOrbitCells);
-    legend.kinds.push_back({name, named ? legend.entries.size() : kOthers});
-    if (named) legend.entries.push_back({name, wild ? kWildCell : kOrbitCells[orbits++]});
-    others = others || !named;
+    const Look* fixed = ground_of(map.attractors[i].attractor);
+    std::string colour;
+    if (fixed && given[fixed->id]++ == 0)
+      colour = fixed->colour;
+    else if (next < other_grounds().size())
+      colour = other_grounds()[next++];
+    legend.kinds.push_back({name, colour.empty() ? kRest : legend.entries.size()});
+    if (!colour.empty()) legend.entries.push_back({name, colour});
+    if (colour.empty()) ++rest;
   }
-  if (!others) return;
+  if (rest == 0) return;
   for (MapLegend::Kind& kind : legend.kinds)
-    if (kind.entry == kOthers) kind.entry = legend.entries.size();
-  legend.entries.push_back({"other orbits", kOtherCell});
+    if (kind.entry == kRest) kind.entry = legend.entries.size();
+  legend.entries.push_back(
+      {rest == 1 ? legend.kinds.back().name : fmt::format("{} other motions", rest),
+       ground_look("other").colour});
 }
 
-// What has no motion is pale.
-const char* colour_without_attractor(const MapCell& cell) {
-  return cell.attractor.status == SweepStatus::kNoStart ? kNoCell : kOtherCell;
-}
+// What cells without a motion are, one after the other.
+constexpr std::array kWithout = {"#EEEEEE", "#D0D0D0", "#A8A8A8", "#888888"};
 
 }  // namespace
+
+const Look* ground_of(const AttractorClass& attractor) {
+  if (attractor.status == SweepStatus::kNotPeriodic) return &ground_look("wild");
+  if (attractor.period == 0) return nullptr;
+  if (attractor.kind == SettledKind::kSticks || attractor.kind == SettledKind::kAtRest)
+    return &ground_look("sticks");
+  return fixed_ground(attractor_label(attractor));
+}
 
 MapLegend map_legend(const AttractorMap& map) {
   MapLegend legend;
   add_attractors(map, legend);
   const auto without = [](const MapCell& cell) { return cell.is_known && cell.place < 0; };
-  std::map<std::pair<std::string, std::string>, int> rest;  // name and colour: the kind
+  std::map<std::string, int> rest;  // the kind, by name
   for (const MapCell& cell : map.cells)
-    if (without(cell))
-      rest.emplace(std::pair(cell_name(map, cell), colour_without_attractor(cell)), 0);
-  for (auto& [shown, kind] : rest) {
+    if (without(cell)) rest.emplace(cell_name(map, cell), 0);
+  std::size_t next = 0;
+  for (auto& [name, kind] : rest) {
     kind = static_cast<int>(legend.kinds.size());
-    legend.kinds.push_back({shown.first, legend.entries.size()});
-    legend.entries.push_back({shown.first, shown.second});
+    legend.kinds.push_back({name, legend.entries.size()});
+    legend.entries.push_back({name, kWithout[std::min(next++, kWithout.size() - 1)]});
   }
   for (const MapCell& cell : map.cells)
-    legend.kind_of.push_back(without(cell)
-                                 ? rest.at({cell_name(map, cell), colour_without_attractor(cell)})
-                                 : cell.place);
+    legend.kind_of.push_back(without(cell) ? rest.at(cell_name(map, cell)) : cell.place);
   return legend;
 }
 

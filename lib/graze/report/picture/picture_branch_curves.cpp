@@ -2,43 +2,39 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <set>
 #include <utility>
 
 #include "graze/bifurcation/problem/detail/special_names.hpp"
+#include "graze/report/names/detail/sweep_names.hpp"
+#include "graze/report/picture/detail/gnuplot_looks.hpp"
 
 namespace graze {
 namespace {
 
-const SpecialMark kVirtualMark = {"", 7, 0.6, kGrey};
+const Look& look_of(std::size_t kind) { return line_looks()[kind]; }
+
+std::string branch_name(const OrbitBranch& branch) {
+  if (branch.sticks()) return fmt::format("({},stick)", branch.pattern.period);
+  if (branch.pattern.impacts() == 0) return "no impact";
+  return fmt::format("({},{})", branch.pattern.period, branch.pattern.impacts());
+}
 
 }  // namespace
-
-struct BranchCurves::KindStyle {
-  const char *name, *title;
-  double width;
-  const char *dashes, *colour;
-};
-
-const BranchCurves::KindStyle& BranchCurves::style_of(std::size_t kind) {
-  static const std::array<KindStyle, kLineKinds> kStyles = {
-      {{"virtual", "virtual", 0.9, "solid", kGrey},
-       {"open", "stability open", 1.8, "(2,3)", kBlack},
-       {"unstable", "unstable", 1.8, "(8,5)", kVermillion},
-       {"stable", "stable", 2.2, "solid", kBlue}}};
-  return kStyles[kind];
-}
 
 BranchCurves::BranchCurves(const std::vector<OrbitBranch>& branches,
                            const std::vector<DiagramCurve>& curves, const PicturePlane& plane,
                            double weight, std::string prefix)
-    : weight_(weight), prefix_(std::move(prefix)) {
-  const BranchLines made = branch_lines(branches, curves, plane);
-  for (const BranchLine& line : made.lines) {
+    : branches_(branches), weight_(weight), prefix_(std::move(prefix)) {
+  if (curves.empty()) return;
+  made_ = branch_lines(branches, curves, plane);
+  for (const BranchLine& line : made_.lines) {
     PlotTable& table = line.is_dot() ? lone_[line.kind] : lines_[line.kind];
     if (!line.is_dot()) table.gap();
     for (const BranchLine::Node& node : line.nodes) table.row({node.x, node.y});
   }
-  for (const BranchMark& mark : made.marks) {
+  for (const BranchMark& mark : made_.marks) {
     const SpecialPoint& special = branches[mark.branch].special[mark.special];
     PlotTable& table = special.at.orbit.admissible ? marks_[special.kind] : virtual_marks_;
     for (const double y : mark.y) table.row({mark.x, y});
@@ -48,63 +44,88 @@ BranchCurves::BranchCurves(const std::vector<OrbitBranch>& branches,
 
 void BranchCurves::write(GnuplotScript& script) const {
   for (std::size_t kind = 0; kind < kLineKinds; ++kind) {
-    const std::string name = prefix_ + style_of(kind).name;
-    if (!lines_[kind].empty()) script.data(name, lines_[kind]);
-    if (!lone_[kind].empty()) script.data("lone_" + name, lone_[kind]);
+    script.data(prefix_ + look_of(kind).id, lines_[kind]);
+    script.data(prefix_ + "lone_" + look_of(kind).id, lone_[kind]);
   }
-  for (const auto& [kind, table] : marks_)
-    if (!table.empty()) script.data(prefix_ + label_of(kind), table);
-  if (!virtual_marks_.empty()) script.data(prefix_ + "virtual_marks", virtual_marks_);
-}
-
-std::string BranchCurves::line(std::size_t kind) const {
-  const KindStyle& style = style_of(kind);
-  return fmt::format("with lines lw {:.3g} dt {} lc rgb '{}'", weight_ * style.width, style.dashes,
-                     style.colour);
-}
-
-std::string BranchCurves::mark(const SpecialMark& mark) const {
-  return fmt::format("with points pt {} ps {:.2f}*mark lw {} lc rgb '{}'", mark.point,
-                     mark.size * crowded_mark_size(marked_), mark.width, mark.colour);
+  for (const auto& [kind, table] : marks_) script.data(prefix_ + label_of(kind), table);
+  script.data(prefix_ + "virtual_marks", virtual_marks_);
 }
 
 std::vector<std::string> BranchCurves::layers() const {
   std::vector<std::string> layers;
   for (std::size_t kind = 0; kind < kLineKinds; ++kind) {
-    const std::string name = prefix_ + style_of(kind).name;
-    if (!lines_[kind].empty()) layers.push_back("$" + name + " " + line(kind));
-    if (!lone_[kind].empty())
-      layers.push_back(
-          fmt::format("$lone_{} with points pt 7 ps 0.4 lc rgb '{}'", name, style_of(kind).colour));
+    const Look& look = look_of(kind);
+    layers.push_back("$" + prefix_ + look.id + " " + line_of(look, weight_));
+    layers.push_back(fmt::format("${}lone_{} with points pt 7 ps 0.4 lc rgb '{}'", prefix_, look.id,
+                                 look.colour));
   }
-  if (!virtual_marks_.empty())
-    layers.push_back("$" + prefix_ + "virtual_marks " + mark(kVirtualMark));
-  for (const auto& [kind, table] : marks_) {
-    if (table.empty()) continue;
-    const SpecialMark style = special_mark(label_of(kind));
-    const std::string name = "$" + prefix_ + label_of(kind);
-    // Filled with the paper's white, so that the curve does not run through the outline.
-    if (style.ground > 0)
-      layers.push_back(fmt::format("{} with points pt {} ps {:.2f}*mark lc rgb '#FFFFFF'", name,
-                                   style.ground, style.size * crowded_mark_size(marked_)));
-    layers.push_back(name + " " + mark(style));
-  }
+  const double size = crowded_mark_size(marked_);
+  add_marks(layers, "$" + prefix_ + "virtual_marks", virtual_special_look(), size);
+  for (const auto& [kind, table] : marks_)
+    add_marks(layers, "$" + prefix_ + label_of(kind), special_look(label_of(kind)), size);
   return layers;
 }
 
 std::vector<std::string> BranchCurves::legend() const {
   std::vector<std::string> entries;
+  const auto add = [&](const std::string& how, const std::string& title) {
+    entries.push_back("NaN " + how + " title " + gnuplot_string(title));
+  };
   for (std::size_t kind = kLineKinds; kind-- > 0;)
     if (!lines_[kind].empty() || !lone_[kind].empty())
-      entries.push_back(fmt::format("NaN {} title '{}'", line(kind), style_of(kind).title));
+      add(line_of(look_of(kind), weight_), look_of(kind).title);
+  const double size = crowded_mark_size(marked_);
   for (const auto& [kind, table] : marks_) {
-    const SpecialMark style = special_mark(label_of(kind));
-    if (!table.empty())
-      entries.push_back(fmt::format("NaN {} title {}", mark(style), gnuplot_string(style.title)));
+    Look look = special_look(label_of(kind));
+    if (!table.empty()) add(mark_of(look, size), look.id.empty() ? label_of(kind) : look.title);
   }
   if (!virtual_marks_.empty())
-    entries.push_back("NaN " + mark(kVirtualMark) + " title 'virtual special point'");
+    add(mark_of(virtual_special_look(), size), virtual_special_look().title);
   return entries;
+}
+
+void BranchCurves::label(GnuplotScript& script, LabelRoom& room, LabelChoice choice) const {
+  for (const BranchLine& line : made_.lines)
+    for (std::size_t i = 0; i + 1 < line.nodes.size(); ++i)
+      room.add_line(line.nodes[i].x, line.nodes[i].y, line.nodes[i + 1].x, line.nodes[i + 1].y);
+  for (const BranchMark& mark : made_.marks)
+    for (const double y : mark.y) room.add_mark(mark.x, y);
+  if (choice == LabelChoice::kNone) return;
+  // What ends one branch and begins the next is one point with two ids: one label tells of both.
+  std::map<std::pair<double, double>, std::string> named;
+  std::vector<std::pair<double, double>> order;
+  for (const BranchMark& mark : made_.marks) {
+    if (mark.y.empty()) continue;
+    const std::pair<double, double> at{mark.x, mark.y.front()};
+    const SpecialPoint& special = branches_[mark.branch].special[mark.special];
+    if (!special.at.orbit.admissible) continue;
+    std::string& text = named[at];
+    if (text.empty()) order.push_back(at);
+    text += (text.empty() ? "" : ", ") + special.id;
+  }
+  for (const auto& at : order) room.write(script, named[at], at.first, at.second);
+  if (choice == LabelChoice::kAll) label_branches(script, room);
+}
+
+// Each branch once, on its line of the best kind.
+void BranchCurves::label_branches(GnuplotScript& script, LabelRoom& room) const {
+  constexpr std::size_t kPlaces = 24;
+  for (std::size_t b = 0; b < branches_.size(); ++b) {
+    int best = -1;
+    for (const BranchLine& line : made_.lines)
+      if (line.branch == b) best = std::max(best, static_cast<int>(line.kind));
+    std::vector<std::pair<double, double>> places;
+    std::size_t nodes = 0;
+    for (const BranchLine& line : made_.lines)
+      if (line.branch == b && static_cast<int>(line.kind) == best) nodes += line.nodes.size();
+    std::size_t at = 0;
+    const std::size_t stride = nodes / kPlaces + 1;
+    for (const BranchLine& line : made_.lines)
+      if (line.branch == b && static_cast<int>(line.kind) == best)
+        for (const BranchLine::Node& node : line.nodes)
+          if (at++ % stride == stride / 2) places.emplace_back(node.x, node.y);
+    room.write(script, branch_name(branches_[b]), places);
+  }
 }
 
 }  // namespace graze

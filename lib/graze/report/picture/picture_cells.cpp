@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <cstdlib>
+#include <map>
 #include <utility>
 
 #include "graze/report/picture/detail/picture_locus_curves.hpp"
@@ -13,7 +14,8 @@
 namespace graze {
 namespace {
 
-constexpr double kHeight = 0.75;  // of the picture over its width, without a legend of loci
+constexpr double kHeight = 0.75;  // of the picture over its width, without a legend
+constexpr const char* kClear = "clear of the stops";
 // Columns of the legend, of names that are short and of others.
 constexpr std::size_t kColumns = 3, kColumnsOfLong = 2, kLong = 14;
 
@@ -24,70 +26,99 @@ constexpr std::array kAboutZero = {"#2166AC", "#92C5DE", "#F7F7F7", "#F4A582", "
 
 class CellPicture {
  public:
-  explicit CellPicture(const DrawnPlane& drawn) : plane_(drawn.plane), loci_(drawn.loci) {
-    x_unit_ = axis_unit(drawn.x_unit, std::max(std::abs(plane_.x.from), std::abs(plane_.x.to)));
-    y_unit_ = axis_unit(drawn.y_unit, std::max(std::abs(plane_.y.from), std::abs(plane_.y.to)));
-    x_ = range_of(plane_.x, x_unit_.factor);
-    y_ = range_of(plane_.y, y_unit_.factor);
-  }
+  CellPicture(const PictureRequest& request, const DrawnPlane& drawn)
+      : request_(request),
+        info_(drawn.info),
+        plane_(drawn.plane),
+        loci_(drawn.loci),
+        x_(request.x, drawn.x_unit, ends_of(plane_.x), 0.0),
+        y_(request.y, drawn.y_unit, ends_of(plane_.y), 0.0) {}
 
-  void draw(const std::string& file, const CellColours& colours) {
-    const bool has_long = std::any_of(colours.legend.begin(), colours.legend.end(),
-                                      [](const auto& entry) { return entry.first.size() > kLong; });
-    std::vector<std::string> legend;
-    for (const auto& [name, colour] : colours.legend)
-      legend.push_back(
-          fmt::format("NaN with points pt 5 ps 1.1 lc rgb '{}' title '{}'", colour, name));
-    begin(legend.size(), has_long ? kColumnsOfLong : kColumns, 0.04);
+  void draw(const CellColours& colours) {
+    begin(legend_of(colours.legend), 0.04);
     write_cells(colours.of);
-    plot(std::move(legend));
-    draw_picture(file, script_, proportion_);
+    plot({});
+    draw_picture(request_, info_, script_, proportion_);
   }
 
-  void draw(const std::string& file, const CellNumbers& numbers) {
+  void draw(const CellNumbers& numbers) {
     bar_ = cell_bar(plane_.cells(), numbers.of, numbers.scale);
-    begin(0, kColumns, 0.2);
+    std::map<std::string, std::string> grounds;  // of what has no number
+    for (std::size_t i = 0; i < plane_.cells(); ++i)
+      if (!std::isfinite(numbers.of(i))) grounds[numbers.without(i)];
+    constexpr std::array kGrounds = {"#FFFFFF", "#E2E2E2", "#BDBDBD", "#989898"};
+    std::size_t next = 0;
+    std::vector<std::pair<std::string, std::string>> legend;
+    // White is what is clear of the stops, in every picture that has such cells.
+    if (const auto clear = grounds.find(kClear); clear != grounds.end()) {
+      clear->second = kGrounds[0];
+      legend.emplace_back(std::string(kClear) + " (blank)", clear->second);
+    }
+    for (auto& [name, colour] : grounds) {
+      if (!colour.empty()) continue;
+      colour = kGrounds[std::min(++next, kGrounds.size() - 1)];
+      legend.emplace_back(name, colour);
+    }
+    begin(legend_of(legend), 0.2);
     write_cells([&](std::size_t cell) {
       const double value = numbers.of(cell);
-      if (std::isfinite(value)) return bar_.at(value);
-      return numbers.is_known(cell) ? colour_of(kNoCell) : Colour{};
+      return std::isfinite(value) ? bar_.at(value) : colour_of(grounds.at(numbers.without(cell)));
     });
     plot({colour_bar(numbers.title)});
-    draw_picture(file, script_, proportion_);
+    draw_picture(request_, info_, script_, proportion_);
   }
 
  private:
-  static AxisRange range_of(const PlaneAxis& axis, double factor) {
+  static std::vector<double> ends_of(const PlaneAxis& axis) {
     const AxisRange range = cell_range(axis);
-    return {factor * range.low, factor * range.high};
+    return {range.low, range.high};
   }
 
-  // Axes with room at the foot for `entries` of the legend; that of loci takes its own below.
-  void begin(std::size_t entries, std::size_t columns, double right) {
+  // A white ground has an outline.
+  std::vector<std::string> legend_of(
+      const std::vector<std::pair<std::string, std::string>>& entries) {
+    columns_ = kColumns;
+    std::vector<std::string> legend;
+    for (const auto& [name, colour] : entries) {
+      if (name.size() > kLong) columns_ = kColumnsOfLong;
+      legend.push_back(
+          fmt::format("NaN with boxes lc rgb '{}' lw 0.5 fs solid border lc rgb '{}' "
+                      "title {}",
+                      colour, kGrey, gnuplot_string(name)));
+    }
+    return legend;
+  }
+
+  // Axes with room at the foot for the legend; that of cells and loci takes its own below.
+  void begin(std::vector<std::string> legend, double right) {
     set_style(script_);
-    if (loci_)
-      draw_locus_curves(*loci_, {x_unit_.factor, y_unit_.factor, x_, y_}, LociGround::kColours,
-                        script_, loci_drawn_);
-    if (loci_) columns = kColumnsOfLong;
-    const std::size_t all = entries + loci_drawn_.legend.size();
-    const double more = legend_height(all, columns) - legend_height(entries, columns);
-    proportion_ *= 1.0 + more;
+    legend_ = std::move(legend);
+    const PicturePlane plane{x_.factor(), y_.factor(), x_.range(), y_.range()};
+    if (loci_) {
+      columns_ = kColumnsOfLong;
+      draw_locus_curves(*loci_, plane, LociGround::kColours, script_, loci_drawn_);
+      LabelRoom room(plane, kLociWidth, kLociHeight);
+      label_loci(*loci_, plane, request_.labels, room, script_);
+    }
+    legend_.insert(legend_.end(), loci_drawn_.legend.begin(), loci_drawn_.legend.end());
+    const double more = kHeight * legend_height(legend_.size(), columns_);
+    proportion_ = kHeight + more;
     Margins margins;
     margins.right = right;
-    margins.bottom = (margins.bottom + legend_height(all, columns)) / (1.0 + more);
-    margins.top = (has_hertz_axis(plane_.x.name) ? kHertzMargin : margins.top) / (1.0 + more);
+    margins.bottom = (kHeight * margins.bottom + more) / proportion_;
+    margins.top =
+        kHeight * (has_hertz_axis(plane_.x.name) ? kHertzMargin : margins.top) / proportion_;
     set_margins(script_, margins);
-    if (all > 0) set_legend(script_, margins, columns);
-    set_parameter_axis(script_, plane_.x.name, x_, x_unit_.unit);
-    script_.command("set yrange " + y_.text());
-    script_.command(fmt::format("set ytics {:.6g}", y_.tic_step(8)));
-    name_vertical_axis(script_, parameter_title(plane_.y.name), y_unit_.unit);
+    if (!legend_.empty()) set_legend(script_, margins, columns_);
+    set_parameter_axis(script_, plane_.x.name, x_.range(), x_.unit());
+    y_.set_vertical(script_, 8);
+    name_vertical_axis(script_, parameter_title(plane_.y.name), y_.unit());
   }
 
   // Cells, loci over them, and what else there is.
   void plot(std::vector<std::string> others) {
     std::vector<std::string> layers = {"$cells using 1:2:3:4:5 with rgbimage notitle"};
-    for (const auto* more : {&loci_drawn_.curves, &others, &loci_drawn_.legend})
+    for (const auto* more : {&loci_drawn_.curves, &others, &legend_})
       layers.insert(layers.end(), more->begin(), more->end());
     script_.plot(layers);
   }
@@ -96,8 +127,8 @@ class CellPicture {
     PlotTable table;
     for (std::size_t i = 0; i < plane_.cells(); ++i) {
       const Colour colour = colour_of_cell(i);
-      table.row({x_unit_.factor * plane_.x_at(i), y_unit_.factor * plane_.y_at(i),
-                 std::round(colour.red), std::round(colour.green), std::round(colour.blue)});
+      table.row({x_.of(plane_.x_at(i)), y_.of(plane_.y_at(i)), std::round(colour.red),
+                 std::round(colour.green), std::round(colour.blue)});
     }
     script_.data("cells", table);
   }
@@ -112,18 +143,21 @@ class CellPicture {
     script_.command(fmt::format("set cbtics {:.6g}", bar_.range.tic_step(6)));
     script_.command("set cblabel " + title + " offset 1.5");
     PlotTable ends;
-    ends.row({x_.low, y_.low, bar_.range.low});
-    ends.row({x_.high, y_.high, bar_.range.high});
+    ends.row({x_.range().low, y_.range().low, bar_.range.low});
+    ends.row({x_.range().high, y_.range().high, bar_.range.high});
     script_.data("ends", ends);
     return "$ends using 1:2:3 with points pt 7 ps 0 lc palette notitle";
   }
 
+  const PictureRequest& request_;
+  const RunInfo& info_;
   const Plane& plane_;
   const OrbitLoci* loci_;
+  ShownAxis x_, y_;
   LociDrawn loci_drawn_;
   GnuplotScript script_;
-  AxisUnit x_unit_, y_unit_;
-  AxisRange x_, y_;
+  std::vector<std::string> legend_;
+  std::size_t columns_ = kColumns;
   CellBar bar_;
   double proportion_ = kHeight;
 };
@@ -170,12 +204,14 @@ AxisRange cell_range(const PlaneAxis& axis) {
   return range;
 }
 
-void draw_cells(const std::string& file, const DrawnPlane& plane, const CellColours& colours) {
-  CellPicture(plane).draw(file, colours);
+void draw_cells(const PictureRequest& request, const DrawnPlane& plane,
+                const CellColours& colours) {
+  CellPicture(request, plane).draw(colours);
 }
 
-void draw_cells(const std::string& file, const DrawnPlane& plane, const CellNumbers& numbers) {
-  CellPicture(plane).draw(file, numbers);
+void draw_cells(const PictureRequest& request, const DrawnPlane& plane,
+                const CellNumbers& numbers) {
+  CellPicture(request, plane).draw(numbers);
 }
 
 }  // namespace graze

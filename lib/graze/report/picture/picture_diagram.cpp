@@ -1,12 +1,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <optional>
+#include <deque>
+#include <map>
 
+#include "graze/report/picture/detail/diagram_panels.hpp"
+#include "graze/report/picture/detail/gnuplot_looks.hpp"
 #include "graze/report/picture/detail/picture_branch_curves.hpp"
-#include "graze/report/picture/detail/picture_motion.hpp"
 #include "graze/report/picture/pictures.hpp"
 
 namespace graze {
@@ -16,296 +17,257 @@ namespace {
 constexpr double kOnePanel = 0.75;                // of a picture with one, in all
 constexpr double kPanel = 0.36, kBetween = 0.05;  // of several: each, and what is between two
 constexpr int kPixels = 2000;                     // across a picture of 12 cm
-constexpr std::size_t kColumns = 2;
-constexpr std::size_t kMostPanels = 4;
-constexpr double kDeepest = 2.0;      // exponents shown below zero, by those above
-constexpr double kLineWeight = 0.55;  // thinner than without the dots under the curves
+constexpr double kWidth = 12.0;                   // cm
+constexpr std::size_t kColumns = 2;               // of the legend: names of points are long
+constexpr double kThin = 0.55;                    // of curves over dots, by those without
 
-// In the order in which they are drawn.
-enum Dot : std::size_t { kLower, kWild, kPeriodic, kDots };
-struct DotStyle {
-  const char *name, *title, *colour;
-};
-constexpr std::array<DotStyle, kDots> kDotStyles = {{{"lower", "other exponents", kOrange},
-                                                     {"wild", "sweep: not periodic", kGrey},
-                                                     {"periodic", "sweep: periodic", kBlack}}};
+// One pair of axes with what is drawn in it, in the axes' units.
+struct DrawnPanel {
+  DrawnPanel(const DiagramPanel& of, const AxisRequest& asked, std::vector<double> heights)
+      : panel(of), axis(asked, of.unit, heights, 0.05, of.from_zero), plane{1.0,   1.0,
+                                                                            {},    axis.range(),
+                                                                            false, axis.is_log()} {}
 
-struct DotAt {
-  double x, y;
-  Dot kind;
-};
-
-Dot kind_of(const SweepRow& row) {
-  return row.status == SweepStatus::kNotPeriodic ? kWild : kPeriodic;
-}
-
-// One pair of axes: all impacts, or the displacement at one place.
-struct Panel {
-  std::string name;  // of the vertical axis
-  std::vector<DotAt> dots;
-  AxisUnit unit;
-  AxisRange y;
-  std::array<PlotTable, kDots> tables;
+  const DiagramPanel& panel;
+  ShownAxis axis;
+  PicturePlane plane;
+  std::map<std::string, PlotTable> tables;  // of dots, by look
+  std::map<std::string, std::size_t> counts;
+  std::vector<DiagramCurve> curves;  // of the axis
   std::optional<BranchCurves> branches;
-  bool of_exponents = false;
 };
 
-bool is_shown(const SweepRow& row) {
-  return row.status == SweepStatus::kNotPeriodic || row.motion.period > 0;
-}
-
-// The motion's dots: speeds of impacts, or displacements where `stop` is.
-std::vector<DotAt> dots_of(const DiagramRecord& record, int stop) {
-  std::vector<DotAt> dots;
-  for (const SweepRow& row : record.swept.rows) {
-    if (!is_shown(row)) continue;
-    const Dot kind = kind_of(row);
-    if (record.branches.shown) {
-      if (const std::optional<double> height = shown_height(record.branches, row))
-        dots.push_back({row.value, *height, kind});
-      continue;
-    }
-    if (record.section == DiagramSection::kImpact)
-      for (const MetImpact& impact : row.motion.impacts)
-        dots.push_back({row.value, impact.speed, kind});
-    else
-      for (const SweepRow::StopState& state : row.stop_states)
-        if (state.stop == stop) dots.push_back({row.value, state.displacement, kind});
-  }
-  return dots;
-}
-
-// None for minus infinity.
-std::vector<DotAt> exponent_dots(const DiagramRecord& record) {
-  std::vector<DotAt> dots;
-  for (const SweepRow& row : record.swept.rows)
-    for (Eigen::Index j = 0; row.exponents && j < row.exponents->values.size(); ++j)
-      if (std::isfinite(row.exponents->values[j]))
-        dots.push_back({row.value, row.exponents->values[j], j > 0 ? kLower : kind_of(row)});
-  return dots;
+std::vector<double> heights_of(const DiagramPanel& panel) {
+  std::vector<double> heights;
+  const auto add = [&](double height) {
+    heights.push_back(std::clamp(height, panel.least, panel.most));
+  };
+  for (const DiagramPanel::Dot& dot : panel.dots) add(dot.height);
+  for (const DiagramCurve& curve : panel.curves)
+    for (const std::vector<double>& point : curve.points)
+      for (const double height : point) add(height);
+  return heights;
 }
 
 class DiagramPicture {
  public:
-  DiagramPicture(const DiagramRecord& record, bool as_pixels)
-      : record_(record), as_pixels_(as_pixels) {
-    const BranchRecord& branches = record.branches;
-    x_unit_ = axis_unit(branches.unit, std::max(std::abs(branches.from), std::abs(branches.to)));
-    x_.include(x_unit_.factor * branches.from);
-    x_.include(x_unit_.factor * branches.to);
-    x_.settle(0.0);
-    if (branches.shown) {
-      add_panel(shown_title(*branches.shown, branches.amplitudes.places),
-                shown_unit(*branches.shown, branches.amplitudes.places), 0);
-    } else if (record.section == DiagramSection::kImpact) {
-      add_panel("impact speed", "m/s", 0);
-    } else {
-      const std::vector<SeenPlace> places = places_of(branches.system);
-      for (const SeenPlace& place : places)
-        if (panels_.size() < kMostPanels)
-          add_panel(branches.system.stops.size() == 1 ? "displacement\ntowards the stop"
-                                                      : fmt::format("displacement\ntowards stop {}",
-                                                                    place.stops.front().index + 1),
-                    "m", place.stops.front().index);
-    }
-    if (record.swept.options.exponent_periods > 0) add_exponents();
+  DiagramPicture(const PictureRequest& request, const BranchRecord& record,
+                 const DiagramRecord* diagram)
+      : request_(request),
+        record_(record),
+        panels_(diagram_panels(record, diagram, request.multipliers)),
+        has_dots_(diagram != nullptr),
+        x_(request.x, record.unit, {record.from, record.to}, 0.0) {
+    for (const DiagramPanel& panel : panels_) add(panel);
+    // Pixels are evenly spaced, which a logarithmic axis is not.
+    as_pixels_ = has_dots_ && !request.file.ends_with(".png") && !x_.is_log() &&
+                 std::none_of(drawn_.begin(), drawn_.end(),
+                              [](const DrawnPanel& panel) { return panel.axis.is_log(); });
     lay_out();
   }
 
   double proportion() const { return height_; }
+  bool as_pixels() const { return as_pixels_; }
 
   GnuplotScript script() {
     set_style(script_);
-    for (const Panel& panel : panels_) {
+    for (const DrawnPanel& panel : drawn_) {
       panel.branches->write(script_);
       if (!as_pixels_) write_dots(panel, script_);
     }
-    if (panels_.size() > 1) script_.command("set multiplot");
-    for (std::size_t i = 0; i < panels_.size(); ++i) draw(i);
-    if (panels_.size() > 1) script_.command("unset multiplot");
+    if (drawn_.size() > 1) script_.command("set multiplot");
+    for (std::size_t i = 0; i < drawn_.size(); ++i) draw(i);
+    if (drawn_.size() > 1) script_.command("unset multiplot");
     return script_;
   }
 
   // The dots alone, the insides of the axes one below the other over the whole of a canvas.
   PixelLayer dots() const {
     PixelLayer layer;
-    const auto count = static_cast<double>(panels_.size());
+    const auto count = static_cast<double>(drawn_.size());
     layer.width = static_cast<int>(kPixels * (1.0 - margins_.left - margins_.right));
-    layer.height = panel_pixels() * static_cast<int>(panels_.size());
+    layer.height = panel_pixels() * static_cast<int>(drawn_.size());
     layer.script.command("unset border\nunset tics\nunset key");
-    for (const Panel& panel : panels_) write_dots(panel, layer.script);
-    if (panels_.size() > 1) layer.script.command("set multiplot");
-    for (std::size_t i = 0; i < panels_.size(); ++i) {
+    for (const DrawnPanel& panel : drawn_) write_dots(panel, layer.script);
+    if (drawn_.size() > 1) layer.script.command("set multiplot");
+    for (std::size_t i = 0; i < drawn_.size(); ++i) {
       const auto above = static_cast<double>(i);
       set_margins(layer.script, {0.0, 0.0, (count - above - 1.0) / count, above / count});
-      layer.script.command("set xrange " + x_.text() + "\nset yrange " + panels_[i].y.text());
+      layer.script.command("set xrange " + x_.range().text() + "\nset yrange " +
+                           drawn_[i].plane.y.text());
       // Points of size 1 are some 5 pixels wide here, so a dot is 0.3 mm at most.
-      layer.script.plot(dot_layers(panels_[i], 1.0));
+      layer.script.plot(dot_layers(drawn_[i], 1.0));
     }
-    if (panels_.size() > 1) layer.script.command("unset multiplot");
+    if (drawn_.size() > 1) layer.script.command("unset multiplot");
     return layer;
   }
 
  private:
-  // The axes span what the sweep and the branches reach.
-  void add_panel(const std::string& name, const std::string& unit, int stop) {
-    static const std::vector<DiagramCurve> kNone;
-    const std::vector<DiagramCurve>& curves =
-        record_.curves.empty() ? kNone : record_.curves[static_cast<std::size_t>(stop)];
-    Panel panel{name, dots_of(record_, stop), {}, {}, {}, {}};
-    AxisRange y;
-    for (const DotAt& dot : panel.dots) y.include(dot.y);
-    for (const DiagramCurve& curve : curves)
-      for (const std::vector<double>& heights : curve.points)
-        for (const double height : heights) y.include(height);
-    if (record_.section == DiagramSection::kImpact || y.empty()) y.include(0.0);
-    panel.unit = axis_unit(unit, std::max(std::abs(y.low), std::abs(y.high)));
-    panel.y = {panel.unit.factor * y.low, panel.unit.factor * y.high};
-    panel.y.settle(0.05);
-    for (const DotAt& dot : panel.dots)
-      panel.tables[dot.kind].row({x_unit_.factor * dot.x, panel.unit.factor * dot.y});
-    panel.branches.emplace(
-        curves.empty() ? std::vector<OrbitBranch>() : record_.branches.traced.branches, curves,
-        PicturePlane{x_unit_.factor, panel.unit.factor, x_, panel.y}, kLineWeight,
-        fmt::format("panel{}_", panels_.size() + 1));
-    panels_.push_back(std::move(panel));
+  void add(const DiagramPanel& panel) {
+    // What is asked of the vertical axis holds for what the picture is of.
+    DrawnPanel& drawn =
+        drawn_.emplace_back(panel, panel.scales ? request_.y : AxisRequest{}, heights_of(panel));
+    drawn.plane.x = x_.range();
+    drawn.plane.x_is_log = x_.is_log();
+    drawn.plane.x_factor = x_.factor();
+    for (const DiagramPanel::Dot& dot : panel.dots) {
+      drawn.tables[dot.look->id].row({x_.of(dot.value), drawn.axis.of(dot.height)});
+      ++drawn.counts[dot.look->id];
+    }
+    drawn.curves = panel.curves;
+    for (DiagramCurve& curve : drawn.curves)
+      for (auto* list : {&curve.points, &curve.special})
+        for (std::vector<double>& point : *list)
+          for (double& height : point) height = drawn.axis.of(height);
+    drawn.branches.emplace(record_.traced.branches, drawn.curves, drawn.plane,
+                           has_dots_ ? kThin : 1.0, data_prefix(drawn_.size()));
   }
 
-  void add_exponents() {
-    Panel panel{"Lyapunov\nexponents", exponent_dots(record_), {}, {}, {}, {}, true};
-    AxisRange y;
-    y.include(0.0);
-    // Superstable orbits reach down without bound, and so do all other exponents; what
-    // tells order from chaos lies about zero.
-    for (const DotAt& dot : panel.dots)
-      if (dot.kind != kLower) y.include(dot.y);
-    if (y.high > 0.0) y.low = std::max(y.low, -kDeepest * y.high);
-    panel.unit = {1.0, "1/s"};
-    panel.y = y;
-    panel.y.settle(0.05);
-    for (const DotAt& dot : panel.dots) panel.tables[dot.kind].row({x_unit_.factor * dot.x, dot.y});
-    panel.branches.emplace(std::vector<OrbitBranch>(), std::vector<DiagramCurve>(),
-                           PicturePlane{x_unit_.factor, 1.0, x_, panel.y}, kLineWeight,
-                           fmt::format("panel{}_", panels_.size() + 1));
-    panels_.push_back(std::move(panel));
+  static std::string data_prefix(std::size_t panel) {
+    return panel == 1 ? "" : fmt::format("panel{}_", panel);
   }
 
   void lay_out() {
-    margins_.bottom += legend_height(legend().size(), kColumns);
-    if (has_hertz_axis(parameter())) margins_.top = kHertzMargin;
-    if (panels_.size() > 1) margins_.left += 0.01;  // their names take two lines
-    const double around = kOnePanel * (margins_.top + margins_.bottom);
-    const auto count = static_cast<double>(panels_.size());
-    panel_height_ = panels_.size() == 1 ? kOnePanel - around : kPanel;
-    height_ = around + count * panel_height_ + (count - 1.0) * kBetween;
+    const double legend = kOnePanel * legend_height(legend_entries().size(), kColumns);
+    Margins margins;  // of a single panel, as parts of the width
+    margins.bottom = kOnePanel * margins.bottom + legend;
+    margins.top = kOnePanel * (has_hertz_axis(parameter()) ? kHertzMargin : margins.top);
+    const auto count = static_cast<double>(drawn_.size());
+    panel_height_ = drawn_.size() == 1 ? kOnePanel - margins.top - margins.bottom : kPanel;
+    height_ = margins.top + count * panel_height_ + (count - 1.0) * kBetween + margins.bottom;
+    margins_ = margins;
   }
 
-  const std::string& parameter() const { return record_.branches.traced.parameter; }
+  const std::string& parameter() const { return record_.traced.parameter; }
   int panel_pixels() const { return static_cast<int>(kPixels * panel_height_); }
 
   void draw(std::size_t i) {
-    const Panel& panel = panels_[i];
-    const bool last = i + 1 == panels_.size();
-    const double top =
-        kOnePanel * margins_.top + static_cast<double>(i) * (panel_height_ + kBetween);
+    const DrawnPanel& panel = drawn_[i];
+    const bool last = i + 1 == drawn_.size();
+    const double top = margins_.top + static_cast<double>(i) * (panel_height_ + kBetween);
     Margins margins = margins_;
     margins.top = top / height_;
     margins.bottom = 1.0 - (top + panel_height_) / height_;
-    script_.command("unset label\nunset key");
+    script_.command("unset label\nunset arrow\nunset key");
     set_margins(script_, margins);
     if (last) set_legend(script_, margins, kColumns);
-    set_parameter_axis(script_, parameter(), x_, x_unit_.unit, {.below = last, .above = i == 0});
-    script_.command("set yrange " + panel.y.text());
-    script_.command(fmt::format("set ytics {:.6g}", panel.y.tic_step(panels_.size() > 1 ? 5 : 8)));
-    // Two lines take the room beside them.
-    name_vertical_axis(script_, panel.name, panel.unit.unit,
-                       panel.name.find('\n') != std::string::npos ? 0.015 : 0.03);
-    if (panel.of_exponents)
+    set_parameter_axis(script_, parameter(), x_.range(), x_.unit(),
+                       {.below = last, .above = i == 0}, x_.is_log());
+    panel.axis.set_vertical(script_, drawn_.size() > 1 ? 5 : 8);
+    name_axis(panel);
+    if (panel.panel.level)
       script_.command(fmt::format(
-          "set arrow 1 from graph 0, first 0 to graph 1, first 0 nohead back lw 0.5 lc rgb '{}'",
-          kGrey));
-    if (panel.dots.empty() && record_.curves.empty() && !panel.of_exponents)
-      script_.command("set label 'no impacts' at graph 0.5, graph 0.5 center");
+          "set arrow from graph 0, first {0:.9g} to graph 1, first {0:.9g} nohead back lw 0.5 lc "
+          "rgb '{1}'",
+          panel.axis.of(*panel.panel.level), kGrey));
+    if (panel.panel.dots.empty() && panel.curves.empty())
+      script_.command(fmt::format("set label '{}' at graph 0.5, graph 0.5 center",
+                                  has_dots_ ? "no impacts" : "no branch was found"));
+    if (!panel.curves.empty()) label(panel);
     std::vector<std::string> layers = sweep_layers(i);
     for (const std::string& layer : panel.branches->layers()) layers.push_back(layer);
     if (last)
-      for (const std::string& entry : legend()) layers.push_back(entry);
+      for (const std::string& entry : legend_entries()) layers.push_back(entry);
     script_.plot(layers);
   }
 
+  // In a low panel over two lines, which take the room beside them.
+  void name_axis(const DrawnPanel& panel) {
+    std::string name = panel.panel.name;
+    const std::size_t space = name.find(' ', name.size() / 3);
+    const bool breaks = drawn_.size() > 1 && name.size() > 18 && space != std::string::npos;
+    if (breaks) name[space] = '\n';
+    name_vertical_axis(script_, name, panel.axis.unit(), breaks ? 0.015 : 0.03);
+  }
+
+  void label(const DrawnPanel& panel) {
+    LabelRoom room(panel.plane, kWidth * (1.0 - margins_.left - margins_.right),
+                   kWidth * panel_height_);
+    for (const DiagramPanel::Dot& dot : panel.panel.dots)
+      room.add_dot(x_.of(dot.value), panel.axis.of(dot.height));
+    panel.branches->label(script_, room, panel.panel.scales ? request_.labels : LabelChoice::kNone);
+  }
+
   std::vector<std::string> sweep_layers(std::size_t i) const {
-    const Panel& panel = panels_[i];
+    const DrawnPanel& panel = drawn_[i];
     if (!as_pixels_) return dot_layers(panel, 0.16);
-    if (panel.dots.empty()) return {};
+    if (panel.panel.dots.empty()) return {};
     // The whole canvas, placed so that this panel's part lies over the axes, which cut off the
     // rest.
+    const auto below = static_cast<double>(drawn_.size() - 1 - i);
     const PixelLayer layer = dots();
-    const double dx = x_.span() / layer.width, dy = panel.y.span() / panel_pixels();
-    const auto below = static_cast<double>(panels_.size() - 1 - i);
+    const double dx = panel.plane.x.span() / layer.width,
+                 dy = panel.plane.y.span() / panel_pixels();
     return {
         fmt::format("pixels binary filetype=png origin=({:.12g},{:.12g}) "
                     "dx={:.12g} dy={:.12g} with rgbalpha",
-                    x_.low + dx / 2.0, panel.y.low + dy / 2.0 - below * panel.y.span(), dx, dy)};
+                    panel.plane.x.low + dx / 2.0,
+                    panel.plane.y.low + dy / 2.0 - below * panel.plane.y.span(), dx, dy)};
   }
 
-  std::string data_name(const Panel& panel, std::size_t kind) const {
-    return fmt::format("panel{}_{}", &panel - panels_.data() + 1, kDotStyles[kind].name);
+  std::string data_name(const DrawnPanel& panel, const std::string& look) const {
+    const auto at = std::find_if(drawn_.begin(), drawn_.end(),
+                                 [&](const DrawnPanel& any) { return &any == &panel; });
+    return fmt::format("panel{}_{}", at - drawn_.begin() + 1, look);
   }
 
-  void write_dots(const Panel& panel, GnuplotScript& script) const {
-    for (std::size_t k = 0; k < kDots; ++k)
-      if (!panel.tables[k].empty()) script.data(data_name(panel, k), panel.tables[k]);
+  void write_dots(const DrawnPanel& panel, GnuplotScript& script) const {
+    for (const auto& [look, table] : panel.tables) script.data(data_name(panel, look), table);
   }
 
-  // Motions that never repeat fill areas: their dots shrink as they crowd.
-  static double dot_size(const Panel& panel, std::size_t kind) {
-    if (kind != kWild) return 1.0;
-    const auto crowd = std::count_if(panel.dots.begin(), panel.dots.end(),
-                                     [](auto& dot) { return dot.kind == kWild; });
-    return std::clamp(std::sqrt(4000.0 / static_cast<double>(crowd)), 0.5, 1.0);
-  }
-
-  std::vector<std::string> dot_layers(const Panel& panel, double size) const {
+  // In the order of the looks' drawing: periodic motions lie over others, the largest exponents
+  // over lower ones. Motions that never repeat fill areas: their dots shrink as they crowd.
+  std::vector<std::string> dot_layers(const DrawnPanel& panel, double size) const {
     std::vector<std::string> layers;
-    for (std::size_t k = 0; k < kDots; ++k)
-      if (!panel.tables[k].empty())
-        layers.push_back(fmt::format("${} with points pt 7 ps {:.3g} lc rgb '{}'",
-                                     data_name(panel, k), size * dot_size(panel, k),
-                                     kDotStyles[k].colour));
+    for (const char* id : {"lower", "wild", "largest", "periodic"}) {
+      if (!panel.tables.contains(id)) continue;
+      const double crowd = static_cast<double>(panel.counts.at(id));
+      const double part =
+          id == std::string("wild") ? std::clamp(std::sqrt(4000.0 / crowd), 0.5, 1.0) : 1.0;
+      layers.push_back(fmt::format("${} with points pt 7 ps {:.3g} lc rgb '{}'",
+                                   data_name(panel, id), size * part, dot_look(id).colour));
+    }
     return layers;
   }
 
-  // Every panel shows the same rows, and all but that of the exponents the same branches.
-  std::vector<std::string> legend() const {
-    const Panel& panel = panels_.front();
+  // Every panel shows the same rows and the same branches; each thing stands once.
+  std::vector<std::string> legend_entries() const {
     std::vector<std::string> entries;
-    for (std::size_t k = kDots; k-- > 0;)
-      if (std::any_of(panels_.begin(), panels_.end(),
-                      [&](const Panel& any) { return !any.tables[k].empty(); }))
+    for (const Look& look : dot_looks())
+      if (std::any_of(drawn_.begin(), drawn_.end(),
+                      [&](const DrawnPanel& any) { return any.tables.contains(look.id); }))
         entries.push_back(fmt::format("NaN with points pt 7 ps 0.35 lc rgb '{}' title '{}'",
-                                      kDotStyles[k].colour, kDotStyles[k].title));
-    for (const std::string& entry : panel.branches->legend()) entries.push_back(entry);
+                                      look.colour, look.title));
+    if (!drawn_.empty())
+      for (const std::string& entry : drawn_.front().branches->legend()) entries.push_back(entry);
     return entries;
   }
 
-  const DiagramRecord& record_;
-  bool as_pixels_;
-  AxisUnit x_unit_;
-  AxisRange x_;
-  std::vector<Panel> panels_;
-  Margins margins_;
+  const PictureRequest& request_;
+  const BranchRecord& record_;
+  std::vector<DiagramPanel> panels_;
+  bool has_dots_, as_pixels_ = false;
+  ShownAxis x_;
+  std::deque<DrawnPanel> drawn_;  // their places do not change
+  Margins margins_;               // of the picture, as parts of its width
   double panel_height_ = 0.0, height_ = 0.0;
   GnuplotScript script_;
 };
 
 }  // namespace
 
-void draw_diagram(const std::string& file, const DiagramRecord& record) {
-  const bool as_pixels = !file.ends_with(".png");
-  DiagramPicture picture(record, as_pixels);
+void draw_branches(const PictureRequest& request, const BranchRecord& record) {
+  DiagramPicture picture(request, record, nullptr);
   const GnuplotScript script = picture.script();
-  if (!as_pixels) return draw_picture(file, script, picture.proportion());
-  draw_picture(file, script, picture.proportion(), picture.dots());
+  draw_picture(request, record.info, script, picture.proportion());
+}
+
+void draw_diagram(const PictureRequest& request, const DiagramRecord& record) {
+  DiagramPicture picture(request, record.branches, &record);
+  const GnuplotScript script = picture.script();
+  const RunInfo& info = record.branches.info;
+  if (!picture.as_pixels()) return draw_picture(request, info, script, picture.proportion());
+  draw_picture(request, info, script, picture.proportion(), picture.dots());
 }
 
 }  // namespace graze

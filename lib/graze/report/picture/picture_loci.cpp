@@ -1,17 +1,6 @@
-#include <fmt/format.h>
-#include <fmt/ranges.h>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <map>
-#include <set>
-
 #include "graze/record/detail/loci_record.hpp"
-#include "graze/report/picture/detail/picture_branch_curves.hpp"
 #include "graze/report/picture/detail/picture_locus_curves.hpp"
 #include "graze/report/picture/detail/picture_regions.hpp"
-#include "graze/report/picture/detail/special_marks.hpp"
 #include "graze/report/picture/picture_style.hpp"
 #include "graze/report/picture/pictures.hpp"
 
@@ -20,40 +9,12 @@ namespace {
 
 constexpr double kProportion = 0.75;  // height by width, without the tints' legend
 constexpr std::size_t kColumns = 2;
-// More labels than this cover one another, and the curves.
-constexpr std::size_t kMostLabels = 24;
 
-// What stands at one place in the plane is named in one label.
-void label_special_points(GnuplotScript& script, const OrbitLoci& traced,
-                          const PicturePlane& plane) {
-  constexpr double kOnePlace = 1e-3;  // of the axes
-  struct Label {
-    double x = 0.0, y = 0.0;
-    std::set<std::string> names;
-  };
-  std::vector<Label> labels;
-  for (const OrbitLocus& locus : traced.loci)
-    for (const OrbitLocusSpecial& special : locus.special) {
-      const double x = plane.x_factor * special.at.value, y = plane.y_factor * special.at.second;
-      auto same = std::find_if(labels.begin(), labels.end(), [&](const Label& label) {
-        return std::hypot((label.x - x) / plane.x.span(), (label.y - y) / plane.y.span()) <=
-               kOnePlace;
-      });
-      if (same == labels.end()) same = labels.insert(labels.end(), {x, y, {}});
-      same->names.insert(special.label);
-    }
-  if (labels.size() > kMostLabels) return;
-  for (const Label& label : labels)
-    script.command(fmt::format("set label {} at {:.9g}, {:.9g} left offset 0.6, 0.5 front",
-                               gnuplot_string(fmt::format("{}", fmt::join(label.names, ", "))),
-                               label.x, label.y));
-}
-
-void draw_regions(const StableRegions& regions, const PicturePlane& plane, GnuplotScript& script,
-                  LociDrawn& drawn) {
+void draw_regions(const StableRegions& regions, const PicturePlane& plane, LabelRoom& room,
+                  GnuplotScript& script, LociDrawn& drawn) {
   const RegionTints tints(regions, plane);
   tints.write(script);
-  tints.label(script);
+  tints.label(script, room);
   drawn.curves = tints.layers();
   drawn.legend = tints.legend();
 }
@@ -63,43 +24,38 @@ struct LociPicture {
   double proportion = kProportion;
 };
 
-LociPicture loci_picture(const LociRecord& record) {
+LociPicture loci_picture(const PictureRequest& request, const LociRecord& record) {
   const OrbitLoci& traced = record.traced;
-  const AxisUnit first =
-      axis_unit(record.unit, std::max(std::abs(record.from), std::abs(record.to)));
-  const AxisUnit second = axis_unit(
-      record.second_unit, std::max(std::abs(record.second_from), std::abs(record.second_to)));
-  AxisRange x, y;
-  x.include(first.factor * record.from);
-  x.include(first.factor * record.to);
-  x.settle(0.0);
-  y.include(second.factor * record.second_from);
-  y.include(second.factor * record.second_to);
-  y.settle(0.0);
-  const PicturePlane plane{first.factor, second.factor, x, y};
+  const ShownAxis first(request.x, record.unit, {record.from, record.to}, 0.0);
+  const ShownAxis second(request.y, record.second_unit, {record.second_from, record.second_to},
+                         0.0);
+  const PicturePlane plane{first.factor(), second.factor(), first.range(),
+                           second.range(), first.is_log(),  second.is_log()};
   LociPicture picture;
   GnuplotScript& script = picture.script;
   set_style(script);
   LociDrawn drawn;
-  if (record.regions) draw_regions(*record.regions, plane, script, drawn);
-  const std::size_t tints = drawn.legend.size();
-  draw_locus_curves(traced, plane, LociGround::kPaper, script, drawn);
-  label_special_points(script, traced, plane);
+  LabelRoom room(plane, kLociWidth, kLociHeight);
+  PicturePlane whole = plane;  // what the regions are of, whatever part of it is shown
+  whole.x = {}, whole.y = {};
+  for (const double end : {record.from, record.to}) whole.x.include(first.of(end));
+  for (const double end : {record.second_from, record.second_to}) whole.y.include(second.of(end));
+  if (record.regions) draw_regions(*record.regions, whole, room, script, drawn);
+  draw_locus_curves(traced, plane, record.regions ? LociGround::kColours : LociGround::kPaper,
+                    script, drawn);
+  label_loci(traced, plane, request.labels, room, script);
+  // The legend takes its room below, not from the axes.
+  const double legend = kProportion * legend_height(drawn.legend.size(), kColumns);
+  picture.proportion = kProportion + legend;
   Margins margins;
-  margins.bottom += legend_height(drawn.legend.size(), kColumns);
-  if (has_hertz_axis(traced.first)) margins.top = kHertzMargin;
-  // The legend of the tints takes its room below, not from the axes.
-  const double more = legend_height(drawn.legend.size(), kColumns) -
-                      legend_height(drawn.legend.size() - tints, kColumns);
-  picture.proportion *= 1.0 + more;
-  margins.bottom /= 1.0 + more;
-  margins.top /= 1.0 + more;
+  margins.bottom = (kProportion * margins.bottom + legend) / picture.proportion;
+  margins.top = kProportion * (has_hertz_axis(traced.first) ? kHertzMargin : margins.top) /
+                picture.proportion;
   set_margins(script, margins);
   set_legend(script, margins, kColumns);
-  set_parameter_axis(script, traced.first, x, first.unit);
-  script.command("set yrange " + y.text());
-  script.command(fmt::format("set ytics {:.6g}", y.tic_step(8)));
-  name_vertical_axis(script, parameter_title(traced.second), second.unit);
+  set_parameter_axis(script, traced.first, first.range(), first.unit(), {}, first.is_log());
+  second.set_vertical(script, 8);
+  name_vertical_axis(script, parameter_title(traced.second), second.unit());
   if (traced.loci.empty() && !record.regions)
     script.command("set label 'no locus was found' at graph 0.5, graph 0.5 center");
   drawn.curves.insert(drawn.curves.end(), drawn.legend.begin(), drawn.legend.end());
@@ -109,9 +65,9 @@ LociPicture loci_picture(const LociRecord& record) {
 
 }  // namespace
 
-void draw_loci(const std::string& file, const LociRecord& record) {
-  const LociPicture picture = loci_picture(record);
-  draw_picture(file, picture.script, picture.proportion);
+void draw_loci(const PictureRequest& request, const LociRecord& record) {
+  const LociPicture picture = loci_picture(request, record);
+  draw_picture(request, record.info, picture.script, picture.proportion);
 }
 
 }  // namespace graze

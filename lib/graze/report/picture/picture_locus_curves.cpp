@@ -1,26 +1,19 @@
 #include "graze/report/picture/detail/picture_locus_curves.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
-#include <array>
+#include <algorithm>
+#include <cmath>
 #include <map>
+#include <set>
 
-#include "graze/report/picture/detail/special_marks.hpp"
+#include "graze/report/picture/detail/gnuplot_looks.hpp"
+#include "graze/report/picture/detail/label_room.hpp"
 #include "graze/report/picture/picture_style.hpp"
 
 namespace graze {
 namespace {
-
-struct KindStyle {
-  OrbitLocusKind kind;
-  const char *title, *colour, *dashes;
-};
-constexpr std::array<KindStyle, 5> kStyles = {
-    {{OrbitLocusKind::kFold, "fold (LP)", kBlue, "solid"},
-     {OrbitLocusKind::kPeriodDoubling, "period doubling (PD)", kVermillion, "(10,4)"},
-     {OrbitLocusKind::kTorus, "torus (NS)", kPurple, "(10,3,2,3)"},
-     {OrbitLocusKind::kGrazing, "grazing (GR)", kGreen, "(2,3)"},
-     {OrbitLocusKind::kChatterCompletes, "completion (CH)", kOrange, "(14,3,2,3,2,3)"}}};
 
 // Of each kind its parts that are orbits of the system, and of all kinds those that are not.
 struct LocusLayers {
@@ -61,33 +54,60 @@ void draw_locus_curves(const OrbitLoci& traced, const PicturePlane& plane, LociG
                        GnuplotScript& script, LociDrawn& drawn) {
   LocusLayers layers;
   for (const OrbitLocus& locus : traced.loci) add(locus, plane.x_factor, plane.y_factor, layers);
-  const bool on_colours = ground == LociGround::kColours;
   // Thinner as they crowd.
-  const double weight = crowded_mark_size(traced.loci.size());
-  const auto draw = [&](const std::string& name, const PlotTable& table, const char* title,
-                        const std::string& how) {
+  const double weight = 1.3 * crowded_mark_size(traced.loci.size());
+  const auto draw = [&](const std::string& name, const PlotTable& table, const Look& look) {
     if (table.empty()) return;
     script.data(name, table);
-    drawn.curves.push_back(fmt::format("${} using 1:2 with {} notitle", name, how));
-    drawn.legend.push_back(fmt::format("NaN with {} title '{}'", how, title));
+    const std::string line = line_of(look, weight);
+    if (ground == LociGround::kColours)
+      drawn.curves.push_back(
+          fmt::format("${} using 1:2 with lines lw {:.3g} dt solid lc rgb "
+                      "'#FFFFFF' notitle",
+                      name, weight * look.width + 1.4));
+    drawn.curves.push_back(fmt::format("${} using 1:2 {} notitle", name, line));
+    drawn.legend.push_back(fmt::format("NaN {} title '{}'", line, look.title));
   };
-  draw("virtual", layers.not_real, "virtual",
-       fmt::format("lines lw 1.0 dt solid lc rgb '{}'", on_colours ? "white" : kGrey));
-  for (const KindStyle& style : kStyles) {
-    const PlotTable& table = layers.real[style.kind];
-    const std::string name = label_of(style.kind);
-    draw(name, table, style.title,
-         fmt::format("lines lw {:.3g} dt {} lc rgb '{}'", 2.4 * weight, style.dashes,
-                     on_colours ? kBlack : style.colour));
-    if (on_colours && !table.empty())
-      drawn.curves.insert(drawn.curves.end() - 1,
-                          fmt::format("${} using 1:2 with lines lw {:.3g} dt solid lc rgb 'white' "
-                                      "notitle",
-                                      name, 3.6 * weight));
+  const std::span<const Look> looks = locus_looks();
+  draw("virtual", layers.not_real, looks.back());
+  for (const OrbitLocusKind kind : kOrbitLocusKinds)
+    for (const Look& look : looks)
+      if (look.id == label_of(kind)) draw(look.id, layers.real[kind], look);
+  const std::string dots =
+      mark_of(codimension_two_look(), crowded_mark_size(special_count(traced) / 4));
+  if (layers.special.empty()) return;
+  script.data("special", layers.special);
+  drawn.curves.push_back("$special using 1:2 " + dots + " notitle");
+  drawn.legend.push_back(fmt::format("NaN {} title '{}'", dots, codimension_two_look().title));
+}
+
+void label_loci(const OrbitLoci& traced, const PicturePlane& plane, LabelChoice choice,
+                LabelRoom& room, GnuplotScript& script) {
+  if (choice == LabelChoice::kNone) return;
+  struct Named {
+    double x = 0.0, y = 0.0;
+    std::set<std::string> ids;
+  };
+  std::vector<Named> points;  // what stands at one place is named in one label
+  for (const OrbitLocus& locus : traced.loci) {
+    for (std::size_t i = 0; i + 1 < locus.points.size(); ++i)
+      room.add_line(plane.x_factor * locus.points[i].value, plane.y_factor * locus.points[i].second,
+                    plane.x_factor * locus.points[i + 1].value,
+                    plane.y_factor * locus.points[i + 1].second);
+    for (const OrbitLocusSpecial& special : locus.special) {
+      constexpr double kOnePlace = 1e-3;  // of the axes
+      const double x = plane.x_factor * special.at.value, y = plane.y_factor * special.at.second;
+      auto same = std::find_if(points.begin(), points.end(), [&](const Named& point) {
+        return std::hypot((point.x - x) / plane.x.span(), (point.y - y) / plane.y.span()) <=
+               kOnePlace;
+      });
+      if (same == points.end()) same = points.insert(points.end(), {x, y, {}});
+      same->ids.insert(special.id);
+      room.add_mark(x, y);
+    }
   }
-  draw("special", layers.special, "codimension two",
-       fmt::format("points pt 7 ps {:.3g}*mark lc rgb '{}'",
-                   0.6 * crowded_mark_size(special_count(traced) / 4), kBlack));
+  for (const Named& point : points)
+    room.write(script, fmt::format("{}", fmt::join(point.ids, ", ")), point.x, point.y);
 }
 
 }  // namespace graze

@@ -19,20 +19,23 @@ CellColours attractor_colours(const AttractorMap& map) {
 
 }  // namespace
 
-void draw_map(const std::string& file, const MapRecord& record) {
+void draw_map(const PictureRequest& request, const MapRecord& record) {
   const AttractorMap& map = record.map;
-  const DrawnPlane plane{map.options, record.x_unit, record.y_unit,
+  const DrawnPlane plane{record.info, map.options, record.x_unit, record.y_unit,
                          record.loci ? &*record.loci : nullptr};
   if (record.shown == MapQuantity::kAttractor) {
-    draw_cells(file, plane, attractor_colours(map));
+    draw_cells(request, plane, attractor_colours(map));
     return;
   }
   CellNumbers numbers;
   numbers.of = [&](std::size_t i) { return cell_value(map.cells[i], record.shown); };
-  numbers.is_known = [&](std::size_t i) { return map.cells[i].is_known; };
+  numbers.without = [&](std::size_t i) {
+    const MapCell& cell = map.cells[i];
+    return is_clear(cell) ? "clear of the stops" : cell_name(map, cell);
+  };
   numbers.title = axis_label(title_of(record.shown), unit_of(record.shown));
   numbers.scale = scale_of(record.shown);
-  draw_cells(file, plane, numbers);
+  draw_cells(request, plane, numbers);
 }
 
 }  // namespace graze

@@ -261,10 +261,10 @@ class OrbitsPicture {
 
 }  // namespace
 
-void draw_orbits(const std::string& file, const OrbitRecord& record) {
+void draw_orbits(const PictureRequest& request, const OrbitRecord& record) {
   OrbitsPicture picture(record);
   const GnuplotScript script = picture.script();
-  draw_picture(file, script, picture.proportion());
+  draw_picture(request, record.info, script, picture.proportion());
 }
 
 }  // namespace graze

@@ -48,7 +48,7 @@ bool ProbePanels::labelled() const {
 void ProbePanels::draw(std::size_t i, GnuplotScript& script, PanelColumn& column,
                        double time_factor) const {
   const Panel& panel = panels_[i];
-  const std::size_t shown = std::min(panel.probes.size(), kMostCurves);
+  const std::size_t shown = std::min(panel.probes.size(), curve_colours().size());
   AxisRange values;
   for (std::size_t k = 0; k < shown; ++k) values.include(range_of(panel.probes[k].curve));
   const AxisUnit axis = axis_unit(panel.si_unit, largest(values));
@@ -64,9 +64,9 @@ void ProbePanels::draw(std::size_t i, GnuplotScript& script, PanelColumn& column
     const SeenProbe& probe = panel.probes[k];
     const std::string data = fmt::format("probe{}", probe.number);
     script.data(data, table_of(probe.curve, time_factor, axis.factor));
-    layers.push_back(fmt::format("${} with lines lw 1.2 lc rgb '{}'", data, kCurveColours[k]));
+    layers.push_back(fmt::format("${} with lines lw 1.2 lc rgb '{}'", data, curve_colours()[k]));
     labels.push_back({axis.factor * probe.curve.back().value, fmt::format("probe {}", probe.number),
-                      kCurveColours[k]});
+                      curve_colours()[k]});
   }
   if (panel.probes.size() > 1) label_curves(script, labels, range, column.label_line());
   if (shown < panel.probes.size())

@@ -12,21 +12,10 @@ namespace {
 
 enum Tint : int { kAsked, kDoubled, kClear, kAskedAndMore, kSeveral, kSticking, kRest, kTints };
 
-// Grounds that the colour-blind tell apart and black lines are read on (P. Tol, Colour Schemes,
-// SRON/EPS/TN/09-002, 2021, the pale scheme), with that of stuck phases.
-constexpr std::array<const char*, kTints> kColours = {"#BBCCEE", "#FFCCCC",   "#EEEEBB", "#CCDDAA",
-                                                      "#CCEEFF", kStuckShade, "#DDDDDD"};
-
 // The smallest place that a label takes, as parts of the axes: so much for each character and for
 // each line.
 constexpr double kCharacter = 0.014, kLine = 0.055;
 constexpr std::size_t kMostLabels = 24;
-
-// The outline, of the same colour, covers the hair of white that smoothed edges leave between two.
-std::string fill_of(int tint) {
-  const char* colour = kColours[static_cast<std::size_t>(tint)];
-  return fmt::format("lc rgb '{}' lw 0.3 fs solid border lc rgb '{}'", colour, colour);
-}
 
 int tint_of(const StableNames& stable, int period, int impacts) {
   const MotionName asked{AttractorKind::kOrbit, period, impacts};
@@ -182,6 +171,40 @@ void RegionTints::write(GnuplotScript& script) const {
     if (!tables[tint].empty()) script.data(fmt::format("stable{}", tint), tables[tint]);
 }
 
+// The asked motion and its doubled one have their own ground in every picture.
+std::string RegionTints::colour_of(int tint) const {
+  const auto of_motion = [&](int times, std::size_t other) -> std::string {
+    const Look* fixed = fixed_ground(asked(times));
+    return fixed ? fixed->colour : other_grounds()[other];
+  };
+  switch (tint) {
+    case kAsked:
+      return of_motion(1, 0);
+    case kDoubled:
+      return of_motion(2, 1);
+    case kClear:
+      return ground_look("clear").colour;
+    case kAskedAndMore:
+      return ground_look("asked and more").colour;
+    case kSeveral:
+      return ground_look("several").colour;
+    case kSticking:
+      return ground_look("sticks").colour;
+    default:
+      return ground_look("other").colour;
+  }
+}
+
+// The outline, of the same colour, covers the hair of white that smoothed edges leave between two.
+std::string RegionTints::fill_of(int tint) const {
+  const std::string colour = colour_of(tint);
+  return fmt::format("lc rgb '{0}' lw 0.3 fs solid border lc rgb '{0}'", colour);
+}
+
+std::string RegionTints::asked(int times) const {
+  return name_of({AttractorKind::kOrbit, times * regions_.period, times * regions_.impacts});
+}
+
 std::vector<std::string> RegionTints::layers() const {
   std::vector<std::string> layers;
   for (int tint = 0; tint < kTints; ++tint)
@@ -191,18 +214,17 @@ std::vector<std::string> RegionTints::layers() const {
 }
 
 std::string RegionTints::tint_title(int tint) const {
-  const std::string asked = name_of({AttractorKind::kOrbit, regions_.period, regions_.impacts});
   switch (tint) {
     case kAsked:
-      return asked + " alone";
+      return asked(1) + " alone";
     case kDoubled:
-      return name_of({AttractorKind::kOrbit, 2 * regions_.period, 2 * regions_.impacts}) + " alone";
+      return asked(2) + " alone";
     case kClear:
       return "no impact alone";
     case kAskedAndMore:
-      return asked + " and others";
+      return asked(1) + " and others";
     case kSeveral:
-      return "several, no " + asked;
+      return "several, no " + asked(1);
     case kSticking:
       return "sticks alone";
     default:
@@ -219,13 +241,14 @@ std::vector<std::string> RegionTints::legend() const {
   return entries;
 }
 
-void RegionTints::label(GnuplotScript& script) const {
+void RegionTints::label(GnuplotScript& script, LabelRoom& room_for_words) const {
   const std::size_t count = std::min(regions_.areas.size(), kMostLabels);
   for (std::size_t i = 0; i < count; ++i) {
     const std::vector<std::string> lines = lines_of(regions_.areas[i].stable);
     if (lines.empty()) continue;
     const std::optional<Room> room = room_for(regions_, static_cast<int>(i), lines);
     if (!room) continue;
+    room_for_words.take(lines, x(room->column), y(room->row));
     for (std::size_t k = 0; k < lines.size(); ++k) {
       const double above = 0.5 * static_cast<double>(lines.size() - 1) - static_cast<double>(k);
       script.command(

@@ -99,7 +99,7 @@ class SectionPicture {
 
  private:
   static const char* colour_of(int stop) {
-    return kCurveColours[static_cast<std::size_t>(stop) % std::size(kCurveColours)];
+    return curve_colours()[static_cast<std::size_t>(stop) % curve_colours().size()];
   }
 
   // Dots shrink as they crowd.
@@ -127,10 +127,11 @@ class SectionPicture {
 
 }  // namespace
 
-void draw_section(const std::string& file, const SimulationRecord& record) {
+void draw_section(const PictureRequest& request, const SimulationRecord& record) {
   const SectionPicture picture(record);
-  if (file.ends_with(".png")) return draw_picture(file, picture.script(false), kHeight);
-  draw_picture(file, picture.script(true), kHeight, picture.dots());
+  if (request.file.ends_with(".png"))
+    return draw_picture(request, record.info, picture.script(false), kHeight);
+  draw_picture(request, record.info, picture.script(true), kHeight, picture.dots());
 }
 
 }  // namespace graze

@@ -251,7 +251,7 @@ class SimulationPicture {
     std::vector<CurveLabel> labels;
     for (const SeenForce& seen : seen_.forces) {
       const char* colour =
-          kCurveColours[static_cast<std::size_t>(seen.stop) % std::size(kCurveColours)];
+          curve_colours()[static_cast<std::size_t>(seen.stop) % curve_colours().size()];
       const std::string name = fmt::format("force{}", seen.stop + 1);
       script_.data(name, table_of(seen.force, time_.factor, force_.factor));
       layers.push_back(line(name, colour));
@@ -327,9 +327,9 @@ class SimulationPicture {
 
 }  // namespace
 
-void draw_simulation(const std::string& file, const SimulationRecord& record) {
+void draw_simulation(const PictureRequest& request, const SimulationRecord& record) {
   SimulationPicture picture(record);
-  draw_picture(file, picture.script(), picture.proportion());
+  draw_picture(request, record.info, picture.script(), picture.proportion());
 }
 
 }  // namespace graze

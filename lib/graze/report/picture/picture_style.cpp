@@ -88,6 +88,11 @@ void AxisRange::settle(double margin) {
 
 std::string AxisRange::text() const { return fmt::format("[{:.12g}:{:.12g}]", low, high); }
 
+double AxisRange::part(double value, bool is_log) const {
+  if (is_log) return std::log(value / low) / std::log(high / low);
+  return (value - low) / span();
+}
+
 double AxisRange::tic_step(int most) const {
   double step = std::pow(10.0, std::floor(std::log10(span() / most)));
   for (const double more : {2.0, 2.5, 2.0})
@@ -105,8 +110,8 @@ void set_style(GnuplotScript& script) {
 void set_margins(GnuplotScript& script, const Margins& margins) {
   script.command(fmt::format("set lmargin at screen {:.4g}", margins.left));
   script.command(fmt::format("set rmargin at screen {:.4g}", 1.0 - margins.right));
-  script.command(fmt::format("set bmargin at screen {:.4g}", margins.bottom));
-  script.command(fmt::format("set tmargin at screen {:.4g}", 1.0 - margins.top));
+  script.command(fmt::format("set bmargin at screen {:.4g}*body", margins.bottom));
+  script.command(fmt::format("set tmargin at screen {:.4g}*body", 1.0 - margins.top));
 }
 
 void name_vertical_axis(GnuplotScript& script, const std::string& name, const std::string& unit,
@@ -129,7 +134,7 @@ double legend_height(std::size_t entries, std::size_t columns) {
 
 void set_legend(GnuplotScript& script, const Margins& margins, std::size_t columns) {
   script.command(
-      fmt::format("set key at screen {:.4g}, screen 0.01 center bottom horizontal "
+      fmt::format("set key at screen {:.4g}, screen 0.01*body center bottom horizontal "
                   "maxcols {} Left reverse samplen 2 font ',9'",
                   0.5 * (1.0 + margins.left - margins.right), columns));
 }
@@ -173,11 +178,23 @@ std::string parameter_title(const std::string& path) {
 
 bool has_hertz_axis(const std::string& parameter) { return parameter == "forcing.frequency"; }
 
+namespace {
+
+// Tics of a logarithmic axis: powers of ten, named so where there are several.
+std::string log_tics(const AxisRange& range, char axis) {
+  const bool has_decades = range.high / range.low >= 100.0;
+  return fmt::format("set logscale {0}\nset {0}tics auto\nset format {0} '{1}'", axis,
+                     has_decades ? "10^{%L}" : "%h");
+}
+
+}  // namespace
+
 void set_parameter_axis(GnuplotScript& script, const std::string& parameter, const AxisRange& range,
-                        const std::string& unit, AxisNames names) {
+                        const std::string& unit, AxisNames names, bool is_log) {
   script.command("set xrange " + range.text());
-  script.command(fmt::format("set xtics {:.6g}", range.tic_step(7)));
-  script.command(names.below ? "set format x '%h'" : "set format x ''");
+  script.command(is_log ? log_tics(range, 'x')
+                        : fmt::format("set xtics {:.6g}\nset format x '%h'", range.tic_step(7)));
+  if (!names.below) script.command("set format x ''");
   script.command(names.below ? "set xlabel " + axis_label(parameter_title(parameter), unit)
                              : "unset xlabel");
   if (!has_hertz_axis(parameter)) return;
@@ -185,8 +202,57 @@ void set_parameter_axis(GnuplotScript& script, const std::string& parameter, con
   if (!names.above) return;
   const AxisRange hertz{range.low / kTurn, range.high / kTurn};
   script.command("set x2range " + hertz.text());
-  script.command(fmt::format("set x2tics {:.6g}", hertz.tic_step(9)));
+  script.command(is_log ? "set logscale x2\nset x2tics auto"
+                        : fmt::format("set x2tics {:.6g}", hertz.tic_step(9)));
   script.command("set x2label 'forcing frequency (Hz)'");
+}
+
+ShownAxis::ShownAxis(const AxisRequest& request, const std::string& si_unit,
+                     const std::vector<double>& values, double margin, bool from_zero)
+    : scale_(request.scale) {
+  // Six decades are what an eye compares; smaller values lie at the low end.
+  constexpr double kSmallest = 1e-6;
+  AxisRange shown;
+  for (const double value : values) {
+    const double size = scale_ == AxisScale::kDecibel ? std::abs(value) : value;
+    if (scale_ == AxisScale::kLinear || size > 0.0) shown.include(size);
+  }
+  if (scale_ == AxisScale::kLinear && (from_zero || shown.empty())) shown.include(0.0);
+  if (request.low) shown.low = *request.low;
+  if (request.high) shown.high = *request.high;
+  if (scale_ == AxisScale::kLinear) {
+    unit_ = axis_unit(si_unit, std::max(std::abs(shown.low), std::abs(shown.high)));
+    range_ = {unit_.factor * shown.low, unit_.factor * shown.high};
+    range_.settle(margin);
+    if (request.low) range_.low = unit_.factor * *request.low;
+    if (request.high) range_.high = unit_.factor * *request.high;
+    return;
+  }
+  if (!(shown.high > 0.0)) shown.high = 1.0;
+  if (!request.low) shown.low = std::max(shown.low, kSmallest * shown.high);
+  if (!(shown.low > 0.0 && shown.low < shown.high)) shown.low = 0.1 * shown.high;
+  if (scale_ == AxisScale::kLog) {
+    unit_ = axis_unit(si_unit, shown.high);
+    range_ = {unit_.factor * shown.low, unit_.factor * shown.high};
+    return;
+  }
+  unit_ = {1.0, si_unit.empty() ? "dB" : "dB re 1 " + si_unit};
+  range_ = {20.0 * std::log10(shown.low), 20.0 * std::log10(shown.high)};
+  if (!request.low && !request.high) range_.settle(margin);
+}
+
+double ShownAxis::of(double value) const {
+  if (scale_ == AxisScale::kLinear) return unit_.factor * value;
+  const double size = scale_ == AxisScale::kDecibel ? std::abs(value) : value;
+  if (!(size > 0.0)) return std::isnan(size) ? size : range_.low;
+  return scale_ == AxisScale::kDecibel ? 20.0 * std::log10(size) : unit_.factor * size;
+}
+
+void ShownAxis::set_vertical(GnuplotScript& script, int most_tics) const {
+  script.command("set yrange " + range_.text());
+  script.command(is_log() ? log_tics(range_, 'y')
+                          : fmt::format("unset logscale y\nset format y '%h'\nset ytics {:.6g}",
+                                        range_.tic_step(most_tics)));
 }
 
 }  // namespace graze

@@ -3,22 +3,12 @@
 
 #include <limits>
 #include <string>
+#include <vector>
 
+#include "graze/report/appearance/looks.hpp"
 #include "graze/report/picture/gnuplot.hpp"
 
 namespace graze {
-
-// Colours that the colour-blind tell apart (M. Okabe, K. Ito, Color Universal Design, 2008).
-inline constexpr const char* kBlue = "#0072B2";
-inline constexpr const char* kVermillion = "#D55E00";
-inline constexpr const char* kGreen = "#009E73";
-inline constexpr const char* kBlack = "#000000";
-inline constexpr const char* kOrange = "#E69F00";
-inline constexpr const char* kSky = "#56B4E9";
-inline constexpr const char* kPurple = "#CC79A7";
-inline constexpr const char* kGrey = "#999999";
-inline constexpr const char* kStopShade = "#DDDDDD";
-inline constexpr const char* kStuckShade = "#F8DA98";
 
 // How SI values are shown on an axis: `factor` times the value, in `unit`.
 struct AxisUnit {
@@ -44,6 +34,8 @@ struct AxisRange {
   // Wide enough to draw on, whatever was included; then a part of the span more on both sides.
   void settle(double margin);
   std::string text() const;  // "[low:high]"
+  // Where a value stands between the ends, 0 to 1; on a logarithmic axis by its logarithm.
+  double part(double value, bool is_log = false) const;
   // 1, 2 or 5 times a power of ten: the smallest step with at most `most` tics.
   double tic_step(int most) const;
 };
@@ -78,6 +70,29 @@ struct AxisNames {
   bool below = true, above = true;
 };
 void set_parameter_axis(GnuplotScript& script, const std::string& parameter, const AxisRange& range,
-                        const std::string& unit, AxisNames names = {});
+                        const std::string& unit, AxisNames names = {}, bool is_log = false);
+
+// How SI values are shown on an axis: as `of` makes them, in `unit`. Logarithmic axes show what is
+// above zero, decibels (20 log10, re 1 of the SI unit) sizes; what is not is at the axis' low end.
+class ShownAxis {
+ public:
+  // `values`: what the axis has to show, SI. Of a linear axis `margin`, a part of its span, is left
+  // free on both sides, and zero belongs to it where it is `from_zero`.
+  ShownAxis(const AxisRequest& request, const std::string& si_unit,
+            const std::vector<double>& values, double margin, bool from_zero = false);
+
+  double of(double value) const;
+  const std::string& unit() const { return unit_.unit; }
+  double factor() const { return unit_.factor; }  // of an axis that is not in decibels
+  const AxisRange& range() const { return range_; }
+  bool is_log() const { return scale_ == AxisScale::kLog; }
+  // The commands of the vertical axis: its range, its scale, at most so many tics.
+  void set_vertical(GnuplotScript& script, int most_tics) const;
+
+ private:
+  AxisScale scale_;
+  AxisUnit unit_;
+  AxisRange range_;
+};
 
 }  // namespace graze

@@ -1,10 +1,13 @@
-// Results as pictures. Gnuplot draws them; the script stays beside the picture with all its data,
-// so that a picture can be changed and drawn again without the run: x.svg comes with x.gp.
+// Results as pictures. Gnuplot draws them; the script and its data stay beside the picture, so that
+// it can be changed and drawn again without the run: x.svg comes with x.gp and x.dat.
 #pragma once
 
 #include <string>
 
+#include "graze/record/file/run_info.hpp"
 #include "graze/record/record_names.hpp"
+#include "graze/report/chart/chart.hpp"
+#include "graze/report/picture/picture_request.hpp"
 
 namespace graze {
 
@@ -20,55 +23,37 @@ void check_picture_name(const std::string& file, const char* allowed = ".svg, .p
 // where there were any; the energy, when the samples carry its balance, and the work done on it
 // since the first sample. Below, the phase portraits of the first two places. Without stops all of
 // it for the first modal coordinate.
-void draw_simulation(const std::string& file, const SimulationRecord& record);
+void draw_simulation(const PictureRequest& request, const SimulationRecord& record);
 
 // The Poincare section of the run: speed over phase of its impacts, or velocity over displacement
 // once a forcing period; a colour for each stop. In .svg and .pdf the dots are pixels of 0.06 mm.
-void draw_section(const std::string& file, const SimulationRecord& record);
+void draw_section(const PictureRequest& request, const SimulationRecord& record);
 
-// Error over computing time per forcing period, both logarithmic: a line for each flow with a mark
-// for each of its settings, open marks where the sequence of impacts was lost, and the settings
-// that no other beats in both.
-void draw_costs(const std::string& file, const CostRecord& record);
-
-// What was measured as dots, with the fitted model as a line, a panel each series (the first four);
-// below each the residuals, with bars of their uncertainties where they are known.
-void draw_fit(const std::string& file, const FitRecord& record);
-
-// s1 and s2 of the first three probes over the parameter, in per cent, a line for each value of the
-// other one.
-void draw_sensitivity(const std::string& file, const SensitivityRecord& record);
-
-// Single runs over a parameter: the speed of every impact as a dot, a panel for each of the first
-// three stops; below, the largest size that each of the first three probes saw.
-void draw_run_diagram(const std::string& file, const RunDiagramRecord& record);
+// A chart of any result (chart/charts.hpp).
+void draw_chart(const PictureRequest& request, const RunInfo& info, const Chart& chart);
 
 // The plane of two numbers, a colour for each attractor, or a scale of colours for what is shown;
 // over it the loci, each kind in a dash of its own.
-void draw_map(const std::string& file, const MapRecord& record);
+void draw_map(const PictureRequest& request, const MapRecord& record);
 
-// The recorded samples of two motions over time at the first stop, the second one dashed:
-// displacement and velocity. Of a series of modes the differences from one to the next, on a
-// logarithmic axis.
-void draw_comparison(const std::string& file, const ComparisonRecord& record);
 // Over a plane, a colour for what both motions settle on, or for a difference.
-void draw_comparison(const std::string& file, const ComparisonMapRecord& record);
+void draw_comparison(const PictureRequest& request, const ComparisonMapRecord& record);
 
 // Phase portrait of the orbits found, at most eight of them, seen at the stop of the first one's
 // first impact.
-void draw_orbits(const std::string& file, const OrbitRecord& record);
+void draw_orbits(const PictureRequest& request, const OrbitRecord& record);
 
 // The speed of every impact against the parameter, with stability and special points.
-void draw_branches(const std::string& file, const BranchRecord& record);
+void draw_branches(const PictureRequest& request, const BranchRecord& record);
 
 // Loci in the plane of two parameters, each kind in a colour and a dash of its own; parts whose
 // orbits are none of the system grey. Points of codimension two are marked, and named while they
 // are few.
-void draw_loci(const std::string& file, const LociRecord& record);
+void draw_loci(const PictureRequest& request, const LociRecord& record);
 
 // Every sample of the sweep as a dot against the parameter: impact speeds, or displacements towards
 // the stops, a panel each; over them the branches, stable and unstable, with their special points.
 // In .svg and .pdf the dots are pixels of 0.06 mm, all else is lines and text.
-void draw_diagram(const std::string& file, const DiagramRecord& record);
+void draw_diagram(const PictureRequest& request, const DiagramRecord& record);
 
 }  // namespace graze

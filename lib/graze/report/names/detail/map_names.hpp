@@ -24,7 +24,10 @@ std::string attractor_name(const AttractorMap& map, std::size_t attractor);
 // Of a cell, "(2,1)", "clear", "no start", ..
 std::string cell_name(const AttractorMap& map, const MapCell& cell);
 
-// Of a cell as a number; not finite where it has none.
+// Whether what the cell settles on meets no stop.
+bool is_clear(const MapCell& cell);
+
+// Of a cell as a number; not finite where it has none: no speed where nothing is met.
 double cell_value(const MapCell& cell, MapQuantity quantity);
 
 }  // namespace graze

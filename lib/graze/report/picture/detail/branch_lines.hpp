@@ -16,6 +16,11 @@ namespace graze {
 struct PicturePlane {
   double x_factor = 1.0, y_factor = 1.0;
   AxisRange x, y;
+  bool x_is_log = false, y_is_log = false;
+
+  // Where a point stands between the axes' ends, 0 to 1.
+  double across(double at) const { return x.part(at, x_is_log); }
+  double up(double at) const { return y.part(at, y_is_log); }
 };
 
 // In the order in which they are drawn: what is seen in an experiment lies on top.

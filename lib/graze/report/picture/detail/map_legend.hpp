@@ -1,5 +1,6 @@
 // What the cells of a map are by what they settle on, and the entries of a legend that stand for
-// these kinds: the attractors that repeat with the most cells have a colour each.
+// these kinds: motions that always look alike have their ground (appearance/looks.hpp), of the
+// others those with the most cells one each.
 #pragma once
 
 #include <string>
@@ -22,6 +23,9 @@ struct MapLegend {
   std::vector<Kind> kinds;   // the attractors in their order, then what cells without one are
   std::vector<int> kind_of;  // of every cell; -1: it was not run
 };
+
+// The ground that all motions of a kind have in every map; null where it goes by number of cells.
+const Look* ground_of(const AttractorClass& attractor);
 
 MapLegend map_legend(const AttractorMap& map);
 

@@ -18,14 +18,6 @@ struct Colour {
 };
 Colour colour_of(const std::string& hex);  // "#0072B2"
 
-// What several kinds of cells look like in every picture.
-inline constexpr const char* kWildCell = "#444444";  // never repeats
-inline constexpr const char* kOtherCell = "#BBBBBB";
-inline constexpr const char* kNoCell = "#EEEEEE";  // has no motion
-// Orbits, one after the other.
-inline constexpr const char* kOrbitCells[] = {kSky,  kOrange,   kGreen,     kPurple,
-                                              kBlue, "#F0E442", kVermillion};
-
 struct CellColours {
   std::function<Colour(std::size_t cell)> of;
   std::vector<std::pair<std::string, std::string>> legend;  // name, colour
@@ -53,21 +45,23 @@ CellBar cell_bar(std::size_t cells, const std::function<double(std::size_t cell)
 AxisRange cell_range(const PlaneAxis& axis);
 
 struct CellNumbers {
-  std::function<double(std::size_t cell)> of;      // not finite: none
-  std::function<bool(std::size_t cell)> is_known;  // false: white
-  std::string title;                               // of the bar beside the axes, a gnuplot string
+  std::function<double(std::size_t cell)> of;  // not finite: none
+  // Why it has none: "clear of the stops", "not run", ..; one ground each, and the legend says so.
+  std::function<std::string(std::size_t cell)> without;
+  std::string title;  // of the bar beside the axes, a gnuplot string
   CellScale scale = CellScale::kFromZero;
 };
 
-// A plane with the SI units of its axes, and the loci over it, or null.
+// A plane with what made it, the SI units of its axes, and the loci over it, or null.
 struct DrawnPlane {
+  const RunInfo& info;
   const Plane& plane;
   std::string x_unit, y_unit;
   const OrbitLoci* loci = nullptr;
 };
 
 // Throw FileError as the pictures do.
-void draw_cells(const std::string& file, const DrawnPlane& plane, const CellColours& colours);
-void draw_cells(const std::string& file, const DrawnPlane& plane, const CellNumbers& numbers);
+void draw_cells(const PictureRequest& request, const DrawnPlane& plane, const CellColours& colours);
+void draw_cells(const PictureRequest& request, const DrawnPlane& plane, const CellNumbers& numbers);
 
 }  // namespace graze

@@ -18,9 +18,6 @@ using DrawnCurve = std::vector<DrawnPoint>;
 // every hair's breadth of the picture.
 inline constexpr std::size_t kMostPoints = 12'000;
 
-// Of curves that share a panel, one after the other.
-inline constexpr const char* kCurveColours[] = {kBlue, kVermillion, kGreen, kOrange, kPurple, kSky};
-
 // Rows of time and value, each times its factor.
 PlotTable table_of(const DrawnCurve& curve, double time_factor, double factor);
 

@@ -1,6 +1,6 @@
 // Loci of special points in a picture of the plane of two parameters: each kind in a colour and a
 // dash of its own, parts whose orbits are none of the system grey, points of codimension two as
-// dots. Every picture that shows loci has them from here.
+// dots with their ids. Every picture that shows loci has them from here.
 #pragma once
 
 #include <cstddef>
@@ -9,6 +9,7 @@
 
 #include "graze/bifurcation/loci/orbit_loci.hpp"
 #include "graze/report/picture/detail/branch_lines.hpp"
+#include "graze/report/picture/detail/label_room.hpp"
 #include "graze/report/picture/gnuplot.hpp"
 
 namespace graze {
@@ -26,11 +27,18 @@ struct LociDrawn {
   std::vector<std::string> curves, legend;
 };
 
-// On colours of their own, curves are black on white and told apart by their dashes.
+// On colours of their own, curves have a white seam.
 enum class LociGround { kPaper, kColours };
 
 // Writes their data and adds to what is drawn.
 void draw_locus_curves(const OrbitLoci& traced, const PicturePlane& plane, LociGround ground,
                        GnuplotScript& script, LociDrawn& drawn);
+
+// Names the points of codimension two, where names are wanted: beside them, covering none.
+void label_loci(const OrbitLoci& traced, const PicturePlane& plane, LabelChoice choice,
+                LabelRoom& room, GnuplotScript& script);
+
+// Of the axes that loci are drawn in, cm.
+inline constexpr double kLociWidth = 9.36, kLociHeight = 5.4;
 
 }  // namespace graze

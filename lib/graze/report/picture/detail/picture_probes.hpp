@@ -28,7 +28,6 @@ class ProbePanels {
     std::string name() const;  // in two lines
   };
   const std::vector<Panel>& panels() const { return panels_; }
-  static constexpr std::size_t kMostCurves = std::size(kCurveColours);  // shown in a panel
 
  private:
   std::vector<Panel> panels_;

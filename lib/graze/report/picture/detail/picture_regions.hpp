@@ -4,7 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "graze/report/picture/detail/picture_branch_curves.hpp"
+#include "graze/report/picture/detail/branch_lines.hpp"
+#include "graze/report/picture/detail/label_room.hpp"
 #include "graze/study/plane/stable_regions.hpp"
 
 namespace graze {
@@ -19,8 +20,8 @@ class RegionTints {
   std::vector<std::string> layers() const;
   // Each kind of tint that there is, once.
   std::vector<std::string> legend() const;
-  // Names the areas that have room for it.
-  void label(GnuplotScript& script) const;
+  // Names the areas that have room for it, and takes that room.
+  void label(GnuplotScript& script, LabelRoom& room) const;
 
  private:
   struct Box {
@@ -32,6 +33,10 @@ class RegionTints {
   int tint_at(int column, int row) const;
   std::vector<Box> boxes() const;
   std::string tint_title(int tint) const;
+  std::string colour_of(int tint) const;
+  std::string fill_of(int tint) const;
+  // The motion that the loci are of, so many times its period and impacts: "(2,2)".
+  std::string asked(int times) const;
   double x(double column) const;
   double y(double row) const;
 

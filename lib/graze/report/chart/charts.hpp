@@ -1,0 +1,29 @@
+// Results as charts (chart.hpp): what their pictures and their pages draw.
+#pragma once
+
+#include "graze/record/record_names.hpp"
+#include "graze/report/chart/chart.hpp"
+
+namespace graze {
+
+// What was measured as dots, with the fitted model as a line, a panel each series; below each the
+// residuals, with bars of their uncertainties where they are known.
+Chart chart_of(const FitRecord& record);
+
+// Error over computing time per forcing period, both logarithmic: a line for each flow with a mark
+// for each of its settings, the settings that no other beats in both, and the tolerance that the
+// scene allows; below, where a stop is compliant, the order of steps across a contact.
+Chart chart_of(const CostRecord& record);
+
+// Two motions over time at the first stop, displacement and velocity. Of a series of numbers of
+// modes the sizes of the differences from one to the next.
+Chart chart_of(const ComparisonRecord& record);
+
+// s1 and s2 of the probes over the parameter, in per cent, a curve for each value of the other one.
+Chart chart_of(const SensitivityRecord& record);
+
+// Single runs over a parameter: the speed of every impact as a dot, a panel each stop; below, the
+// largest size that each probe saw.
+Chart chart_of(const RunDiagramRecord& record);
+
+}  // namespace graze

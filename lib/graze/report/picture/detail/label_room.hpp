@@ -1,0 +1,57 @@
+// Room for words beside what a panel shows: a label covers no mark and no other label, and crosses
+// lines and dots only where there is no place without.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "graze/report/picture/detail/branch_lines.hpp"
+#include "graze/report/picture/gnuplot.hpp"
+
+namespace graze {
+
+class LabelRoom {
+ public:
+  // A panel so wide and high, cm of a picture 12 cm wide, with these axes.
+  LabelRoom(const PicturePlane& plane, double width, double height);
+
+  // What is there already, in the units of the axes.
+  void add_line(double x0, double y0, double x1, double y1);
+  void add_dot(double x, double y);
+  void add_mark(double x, double y);
+  // Lines of text about a place.
+  void take(const std::vector<std::string>& lines, double x, double y);
+
+  // Writes the text near a place, as near as there is room for it, with a thin line to it from
+  // farther away; false where there is none.
+  bool write(GnuplotScript& script, const std::string& text, double x, double y);
+  // The same at the best of several places: on a curve, which it stands beside.
+  bool write(GnuplotScript& script, const std::string& text,
+             const std::vector<std::pair<double, double>>& places);
+
+ private:
+  struct Box {
+    double left = 0.0, right = 0.0, low = 0.0, high = 0.0;  // cm
+  };
+  struct Found {
+    Box box;
+    double cost = 0.0;
+    double x = 0.0, y = 0.0;  // of the place that it is of, cm
+    double away = 0.0;        // cm
+  };
+
+  double cm_x(double x) const { return width_ * plane_.across(x); }
+  double cm_y(double y) const { return height_ * plane_.up(y); }
+  void fill(const Box& box, unsigned char with);
+  std::optional<double> cost_of(const Box& box) const;
+  std::optional<Found> best_near(const std::string& text, double x, double y, bool on_curve) const;
+  void put(GnuplotScript& script, const std::string& text, const Found& found);
+
+  PicturePlane plane_;
+  double width_, height_;
+  int columns_, rows_;
+  std::vector<unsigned char> taken_;  // by cells: a line 1, a dot 2, a mark or a label 255
+};
+
+}  // namespace graze

@@ -1,0 +1,83 @@
+#include "graze/report/picture/detail/diagram_panels.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "graze/report/page/detail/page_observables.hpp"
+
+namespace graze {
+namespace {
+
+constexpr std::size_t kMostPlaces = 4;
+constexpr double kDeepest = 2.0;  // exponents shown below zero, by those above
+
+const Look& look_of(const SweepRow& row) {
+  return dot_look(row.status == SweepStatus::kNotPeriodic ? "wild" : "periodic");
+}
+
+DiagramPanel panel_of(const PageObservable& observable, const Sweep* swept) {
+  DiagramPanel panel{observable.name, observable.unit};
+  panel.curves = observable.curves;
+  panel.from_zero = observable.from_zero;
+  panel.level = observable.reference;
+  panel.most = observable.most;
+  if (!swept || !observable.heights) return panel;
+  for (const SweepRow& row : swept->rows)
+    if (has_dots(row))
+      for (const double height : observable.heights(row))
+        panel.dots.push_back({row.value, height, &look_of(row)});
+  return panel;
+}
+
+// None for minus infinity.
+DiagramPanel exponent_panel(const Sweep& swept) {
+  DiagramPanel panel{"Lyapunov exponents", "1/s"};
+  double highest = 0.0;
+  for (const SweepRow& row : swept.rows)
+    for (Eigen::Index j = 0; row.exponents && j < row.exponents->values.size(); ++j) {
+      const double height = row.exponents->values[j];
+      if (!std::isfinite(height)) continue;
+      if (j == 0) highest = std::max(highest, height);
+      panel.dots.push_back({row.value, height, &dot_look(j > 0 ? "lower" : "largest")});
+    }
+  // The largest lie on top.
+  std::stable_partition(panel.dots.begin(), panel.dots.end(), [](const DiagramPanel::Dot& dot) {
+    return dot.look == &dot_look("lower");
+  });
+  panel.from_zero = true;
+  panel.level = 0.0;
+  // Superstable orbits reach down without bound, and so do all other exponents; what tells order
+  // from chaos lies about zero.
+  double lowest = 0.0;
+  for (const DiagramPanel::Dot& dot : panel.dots)
+    if (dot.look == &dot_look("largest")) lowest = std::min(lowest, dot.height);
+  panel.least = highest > 0.0 ? std::max(lowest, -kDeepest * highest) : lowest;
+  return panel;
+}
+
+}  // namespace
+
+std::vector<DiagramPanel> diagram_panels(const BranchRecord& record, const DiagramRecord* diagram,
+                                         bool multipliers) {
+  const Sweep* swept = diagram ? &diagram->swept : nullptr;
+  const std::vector<PageObservable> observables =
+      record.shown ? amplitude_observables(record)
+      : diagram && diagram->section == DiagramSection::kStroboscopic
+          ? stroboscopic_observables(*diagram)
+          : impact_observables(record.traced);
+  std::vector<DiagramPanel> panels;
+  for (const PageObservable& observable : observables) {
+    const bool of_multipliers = observable.key == "multiplier";
+    // Of several observables of a motion the picture shows the first, and displacements everywhere.
+    const bool is_main =
+        &observable == observables.data() ||
+        (observable.key.starts_with("displacement_") && panels.size() < kMostPlaces);
+    if (!is_main && !(of_multipliers && multipliers)) continue;
+    panels.push_back(panel_of(observable, swept));
+    panels.back().scales = is_main;
+  }
+  if (swept && swept->options.exponent_periods > 0) panels.push_back(exponent_panel(*swept));
+  return panels;
+}
+
+}  // namespace graze

@@ -1,0 +1,167 @@
+#include "graze/report/picture/detail/label_room.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+
+namespace graze {
+namespace {
+
+// All in cm of a picture 12 cm wide.
+constexpr double kCell = 0.05;
+constexpr double kCharacter = 0.135, kLine = 0.26;  // of a label's letters
+constexpr double kMark = 0.16;                      // half of a mark's width, with its outline
+// How far from its place a label may stand, nearest first.
+constexpr std::array kAway = {0.06, 0.22, 0.45, 0.8};
+constexpr double kLeader = 0.3;  // farther labels have a line to their place
+constexpr unsigned char kOnLine = 1, kOnDot = 2, kOnMark = 255;
+
+double characters_of(const std::string& text) {
+  return static_cast<double>(
+      std::count_if(text.begin(), text.end(), [](char c) { return (c & 0xC0) != 0x80; }));
+}
+
+}  // namespace
+
+LabelRoom::LabelRoom(const PicturePlane& plane, double width, double height)
+    : plane_(plane),
+      width_(width),
+      height_(height),
+      columns_(static_cast<int>(std::ceil(width / kCell))),
+      rows_(static_cast<int>(std::ceil(height / kCell))),
+      taken_(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_)) {}
+
+void LabelRoom::fill(const Box& box, unsigned char with) {
+  const auto cell = [](double at, int count) {
+    return static_cast<int>(std::clamp(std::floor(at / kCell), -1.0, static_cast<double>(count)));
+  };
+  for (int row = std::max(0, cell(box.low, rows_));
+       row <= std::min(rows_ - 1, cell(box.high, rows_)); ++row)
+    for (int column = std::max(0, cell(box.left, columns_));
+         column <= std::min(columns_ - 1, cell(box.right, columns_)); ++column) {
+      unsigned char& taken = taken_[static_cast<std::size_t>(row * columns_ + column)];
+      taken = std::max(taken, with);
+    }
+}
+
+void LabelRoom::add_line(double x0, double y0, double x1, double y1) {
+  double ax = cm_x(x0), ay = cm_y(y0), bx = cm_x(x1), by = cm_y(y1);
+  if (!std::isfinite(ax + ay + bx + by)) return;
+  // Only what runs near the panel: next to a grazing a line may have no bound.
+  if (std::max(ax, bx) < 0.0 || std::min(ax, bx) > width_ || std::max(ay, by) < 0.0 ||
+      std::min(ay, by) > height_)
+    return;
+  const double most = 2.0 * (width_ + height_);
+  const double length = std::min(std::hypot(bx - ax, by - ay), most);
+  const int steps = static_cast<int>(std::ceil(length / kCell)) + 1;
+  for (int i = 0; i <= steps; ++i) {
+    const double part = static_cast<double>(i) / steps;
+    const double x = ax + part * (bx - ax), y = ay + part * (by - ay);
+    fill({x, x, y, y}, kOnLine);
+  }
+}
+
+void LabelRoom::add_dot(double x, double y) {
+  const double at_x = cm_x(x), at_y = cm_y(y);
+  if (std::isfinite(at_x + at_y)) fill({at_x, at_x, at_y, at_y}, kOnDot);
+}
+
+void LabelRoom::add_mark(double x, double y) {
+  const double at_x = cm_x(x), at_y = cm_y(y);
+  if (std::isfinite(at_x + at_y))
+    fill({at_x - kMark, at_x + kMark, at_y - kMark, at_y + kMark}, kOnMark);
+}
+
+void LabelRoom::take(const std::vector<std::string>& lines, double x, double y) {
+  double longest = 0.0;
+  for (const std::string& line : lines) longest = std::max(longest, characters_of(line));
+  const double half_width = 0.5 * kCharacter * longest;
+  const double half_height = 0.75 * kLine * static_cast<double>(lines.size());
+  fill({cm_x(x) - half_width, cm_x(x) + half_width, cm_y(y) - half_height, cm_y(y) + half_height},
+       kOnMark);
+}
+
+// Nothing where the box covers a mark or a label, or reaches out of the panel.
+std::optional<double> LabelRoom::cost_of(const Box& box) const {
+  if (box.left < 0.0 || box.right > width_ || box.low < 0.0 || box.high > height_) return {};
+  double cost = 0.0;
+  for (int row = static_cast<int>(box.low / kCell);
+       row <= std::min(rows_ - 1, static_cast<int>(box.high / kCell)); ++row)
+    for (int column = static_cast<int>(box.left / kCell);
+         column <= std::min(columns_ - 1, static_cast<int>(box.right / kCell)); ++column) {
+      const unsigned char taken = taken_[static_cast<std::size_t>(row * columns_ + column)];
+      if (taken == kOnMark) return {};
+      cost += taken;
+    }
+  return cost;
+}
+
+std::optional<LabelRoom::Found> LabelRoom::best_near(const std::string& text, double x, double y,
+                                                     bool on_curve) const {
+  const double at_x = cm_x(x), at_y = cm_y(y);
+  if (!(at_x >= 0.0 && at_x <= width_ && at_y >= 0.0 && at_y <= height_)) return {};
+  const double half_width = 0.5 * kCharacter * characters_of(text), half_height = 0.5 * kLine;
+  const double clear = on_curve ? 0.0 : kMark;
+  std::optional<Found> best;
+  for (const double away : kAway) {
+    if (on_curve && away > kLeader) break;
+    // From the upper right round, as a reader looks for a label.
+    for (int k = 0; k < 16; ++k) {
+      const double angle = std::numbers::pi * (0.25 + k / 8.0);
+      const double c = std::cos(angle), s = std::sin(angle);
+      // So far out that the box just leaves a circle about the place.
+      const double reach = clear + away;
+      const double box_x = at_x + reach * c + half_width * std::clamp(1.5 * c, -1.0, 1.0);
+      const double box_y = at_y + reach * s + half_height * std::clamp(1.5 * s, -1.0, 1.0);
+      const Box box{box_x - half_width, box_x + half_width, box_y - half_height,
+                    box_y + half_height};
+      const std::optional<double> cost = cost_of(box);
+      if (!cost) continue;
+      // A label over ten cells of lines may as well stand a millimetre away.
+      const double all = *cost + 100.0 * away + 0.1 * k;
+      if (!best || all < best->cost) best = {{box, all, at_x, at_y, away}};
+    }
+  }
+  return best;
+}
+
+void LabelRoom::put(GnuplotScript& script, const std::string& text, const Found& found) {
+  const Box& box = found.box;
+  const double x = 0.5 * (box.left + box.right), y = 0.5 * (box.low + box.high);
+  if (found.away > kLeader) {
+    const double to_x = std::clamp(found.x, box.left, box.right);
+    const double to_y = std::clamp(found.y, box.low, box.high);
+    const double length = std::hypot(to_x - found.x, to_y - found.y);
+    const double part = length > 0.0 ? std::min(kMark / length, 1.0) : 0.0;
+    script.command(fmt::format(
+        "set arrow from graph {:.5f}, graph {:.5f} to graph {:.5f}, graph {:.5f} nohead front lw "
+        "0.5 lc rgb '{}'",
+        (found.x + part * (to_x - found.x)) / width_, (found.y + part * (to_y - found.y)) / height_,
+        to_x / width_, to_y / height_, kGrey));
+  }
+  script.command(fmt::format("set label {} at graph {:.5f}, graph {:.5f} center front font ',8'",
+                             gnuplot_string(text), x / width_, y / height_));
+  fill(box, kOnMark);
+}
+
+bool LabelRoom::write(GnuplotScript& script, const std::string& text, double x, double y) {
+  const std::optional<Found> found = best_near(text, x, y, false);
+  if (found) put(script, text, *found);
+  return found.has_value();
+}
+
+bool LabelRoom::write(GnuplotScript& script, const std::string& text,
+                      const std::vector<std::pair<double, double>>& places) {
+  std::optional<Found> best;
+  for (const auto& [x, y] : places) {
+    const std::optional<Found> found = best_near(text, x, y, true);
+    if (found && (!best || found->cost < best->cost)) best = found;
+  }
+  if (best) put(script, text, *best);
+  return best.has_value();
+}
+
+}  // namespace graze

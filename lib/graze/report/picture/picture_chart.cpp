@@ -1,0 +1,293 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <set>
+
+#include "graze/report/chart/chart.hpp"
+#include "graze/report/picture/detail/gnuplot_looks.hpp"
+#include "graze/report/picture/detail/label_room.hpp"
+#include "graze/report/picture/detail/picture_curve.hpp"
+#include "graze/report/picture/pictures.hpp"
+
+namespace graze {
+namespace {
+
+// Centimetres of a picture 12 cm wide.
+constexpr double kWidth = 12.0, kLeft = 2.16, kRight = 0.48;
+constexpr double kHead = 0.36, kHertz = 1.35;     // above the axes, and with an axis in Hz
+constexpr double kAxisText = 1.4;                 // tics and name of a horizontal axis
+constexpr double kBetween = 0.4, kBeside = 1.55;  // two panels
+constexpr double kLegendLine = 0.33;              // of a legend at the foot
+constexpr std::size_t kLong = 34;  // of a legend's entry: longer ones have a line each
+
+// The values that the axis has to show. A logarithmic one shows all that is above zero.
+AxisRequest request_of(const ChartAxis& axis, const std::vector<double>& values,
+                       const AxisRequest& asked) {
+  AxisRequest request = asked;
+  request.scale = axis.scale;
+  if (!axis.range.empty()) {
+    if (!request.low) request.low = axis.range.low;
+    if (!request.high) request.high = axis.range.high;
+  }
+  if (axis.scale != AxisScale::kLog || (request.low && request.high)) return request;
+  double low = std::numeric_limits<double>::infinity(), high = 0.0;
+  for (const double value : values) {
+    if (!(value > 0.0) || !std::isfinite(value)) continue;
+    low = std::min(low, value);
+    high = std::max(high, value);
+  }
+  if (!(low < high)) low = 0.5 * std::max(high, 1e-300), high = 4.0 * low;
+  const double room = std::pow(high / low, 0.06);
+  if (!request.low) request.low = low / room;
+  if (!request.high) request.high = high * room;
+  return request;
+}
+
+std::vector<double> values_of(const ChartPanel& panel, std::vector<double> ChartSeries::*part,
+                              bool upright) {
+  std::vector<double> values;
+  for (const ChartSeries& series : panel.series)
+    for (std::size_t i = 0; i < (series.*part).size(); ++i) {
+      const double value = (series.*part)[i];
+      values.push_back(value);
+      if (upright && i < series.error.size())
+        for (const double end : {value - series.error[i], value + series.error[i]})
+          values.push_back(end);
+    }
+  if (upright) values.insert(values.end(), panel.levels.begin(), panel.levels.end());
+  return values;
+}
+
+bool is_alike(const ChartAxis& a, const ChartAxis& b) {
+  return a.name == b.name && a.path == b.path && a.scale == b.scale && a.unit == b.unit;
+}
+
+class ChartPicture {
+ public:
+  ChartPicture(const PictureRequest& request, const Chart& chart)
+      : request_(request), chart_(chart) {
+    gather_legend();
+    lay_out();
+  }
+
+  double proportion() const { return total_ / kWidth; }
+
+  GnuplotScript script() {
+    set_style(script_);
+    script_.command("set multiplot");
+    double top = head_;
+    for (std::size_t row = 0; row < chart_.rows.size(); ++row) {
+      const std::vector<ChartPanel>& panels = chart_.rows[row];
+      for (std::size_t i = 0; i < panels.size(); ++i) draw(row, i, top);
+      top += panels.front().height + (shares_below(row) ? kBetween : kAxisText + kBetween);
+    }
+    script_.command("unset multiplot");
+    return script_;
+  }
+
+ private:
+  void gather_legend() {
+    std::set<std::string> known;
+    for (const std::vector<ChartPanel>& row : chart_.rows)
+      for (const ChartPanel& panel : row) {
+        for (const ChartSeries& series : panel.series)
+          if (!series.title.empty() && known.insert(series.title).second)
+            add_entries(series, legend_);
+        for (const ChartFill& fill : panel.fills)
+          if (!fill.title.empty() && known.insert(fill.title).second)
+            legend_.push_back(fmt::format("NaN with boxes fs solid noborder lc rgb '{}' title {}",
+                                          fill.colour, gnuplot_string(fill.title)));
+      }
+    for (const std::string& title : known)
+      if (title.size() > kLong) columns_ = 1;
+    columns_ = std::min<std::size_t>(columns_, std::max<std::size_t>(known.size(), 1));
+  }
+
+  static void add_entries(const ChartSeries& series, std::vector<std::string>& entries) {
+    const std::string title = " title " + gnuplot_string(series.title);
+    entries.push_back("NaN " + layer_of(series) + title);
+  }
+
+  static std::string layer_of(const ChartSeries& series) {
+    const Look& look = series.look;
+    if (series.is_line && series.has_marks)
+      return fmt::format("with linespoints lw {:.3g}{} pt {} ps {:.2f}*mark lc rgb '{}'",
+                         look.width, dashes_of(look), point_type(look), look.size, look.colour);
+    if (series.is_line) return line_of(look);
+    if (!series.error.empty())
+      return fmt::format("using 1:2:3 with yerrorbars pt {} ps {:.2f}*mark lw 0.7 lc rgb '{}'",
+                         point_type(look), look.size, look.colour);
+    return mark_of(look);
+  }
+
+  // Whether the row below has the same horizontal axis, and its name.
+  bool shares_below(std::size_t row) const {
+    return row + 1 < chart_.rows.size() && chart_.rows[row].size() == 1 &&
+           chart_.rows[row + 1].size() == 1 &&
+           is_alike(chart_.rows[row].front().x, chart_.rows[row + 1].front().x);
+  }
+
+  void lay_out() {
+    head_ = kHead;
+    if (has_hertz_axis(chart_.rows.front().front().x.path)) head_ = kHertz;
+    total_ = head_;
+    for (std::size_t row = 0; row < chart_.rows.size(); ++row)
+      total_ += chart_.rows[row].front().height +
+                (shares_below(row) ? kBetween : kAxisText + (is_last(row) ? 0.0 : kBetween));
+    const std::size_t lines = legend_.empty() ? 0 : (legend_.size() + columns_ - 1) / columns_;
+    total_ += kLegendLine * static_cast<double>(lines) + 0.1;
+  }
+
+  bool is_last(std::size_t row) const { return row + 1 == chart_.rows.size(); }
+
+  // The values along the axis of all panels that share it.
+  std::vector<double> across_of(std::size_t row, std::size_t i) const {
+    std::vector<double> values;
+    const ChartAxis& own = chart_.rows[row][i].x;
+    for (const std::vector<ChartPanel>& panels : chart_.rows)
+      for (const ChartPanel& panel : panels)
+        if (is_alike(panel.x, own)) {
+          const std::vector<double> more = values_of(panel, &ChartSeries::x, false);
+          values.insert(values.end(), more.begin(), more.end());
+        }
+    return values;
+  }
+
+  void draw(std::size_t row, std::size_t i, double top) {
+    const std::vector<ChartPanel>& panels = chart_.rows[row];
+    const ChartPanel& panel = panels[i];
+    const auto count = static_cast<double>(panels.size());
+    const double width = (kWidth - kLeft - kRight - (count - 1.0) * kBeside) / count;
+    const double left = kLeft + static_cast<double>(i) * (width + kBeside);
+    const std::vector<double> across = across_of(row, i);
+    const std::vector<double> up = values_of(panel, &ChartSeries::y, true);
+    const bool is_first = row == 0 && i == 0;
+    const ShownAxis x(request_of(panel.x, across, request_.x), panel.x.unit, across,
+                      panel.x.path.empty() ? 0.02 : 0.0, panel.x.from_zero);
+    const ShownAxis y(request_of(panel.y, up, is_first ? request_.y : AxisRequest{}), panel.y.unit,
+                      up, 0.06, panel.y.from_zero);
+    script_.command("unset label\nunset arrow\nunset object\nunset key");
+    set_margins(script_, {.left = left / kWidth,
+                          .right = 1.0 - (left + width) / kWidth,
+                          .bottom = 1.0 - (top + panel.height) / total_,
+                          .top = top / total_});
+    set_horizontal(panel, x, row, panels.size());
+    y.set_vertical(script_, panel.height < 2.0 ? 3 : 6);
+    if (i == 0 || !is_alike(panel.y, panels[i - 1].y))
+      name_vertical_axis(script_, panel.y.name, y.unit(), (left - 1.92) / kWidth);
+    draw_ground(panel, x, y);
+    plot(row, i, x, y, {x.factor(), y.factor(), x.range(), y.range(), x.is_log(), y.is_log()},
+         width);
+  }
+
+  void set_horizontal(const ChartPanel& panel, const ShownAxis& x, std::size_t row,
+                      std::size_t count) {
+    const bool below = !shares_below(row);
+    if (!panel.x.path.empty()) {
+      set_parameter_axis(script_, panel.x.path, x.range(), x.unit(),
+                         {.below = below, .above = row == 0}, x.is_log());
+      return;
+    }
+    script_.command("set border 3\nunset x2tics\nunset x2label");
+    script_.command("set xrange " + x.range().text());
+    script_.command(x.is_log()
+                        ? "set logscale x\nset xtics auto\nset format x '10^{%L}'"
+                        : fmt::format("unset logscale x\nset format x '%h'\nset xtics {:.6g}",
+                                      x.range().tic_step(count == 1 ? 7 : 4)));
+    if (!below) script_.command("set format x ''");
+    script_.command(below ? "set xlabel " + axis_label(panel.x.name, x.unit()) : "unset xlabel");
+  }
+
+  void draw_ground(const ChartPanel& panel, const ShownAxis& x, const ShownAxis& y) {
+    const auto at = [](const ShownAxis& axis, double value) {
+      return std::isfinite(value) ? std::clamp(axis.of(value), axis.range().low, axis.range().high)
+             : value > 0.0        ? axis.range().high
+                                  : axis.range().low;
+    };
+    for (const ChartFill& fill : panel.fills) {
+      const ShownAxis& axis = fill.is_upright ? y : x;
+      const double from = at(axis, fill.from), to = at(axis, fill.to);
+      script_.command(fmt::format(
+          fmt::runtime(fill.is_upright
+                           ? "set object rectangle from graph 0, first {:.9g} to graph "
+                             "1, first {:.9g} behind fillcolor rgb '{}' fillstyle solid "
+                             "noborder"
+                           : "set object rectangle from first {:.9g}, graph 0 to first "
+                             "{:.9g}, graph 1 behind fillcolor rgb '{}' fillstyle solid "
+                             "noborder"),
+          from, to, fill.colour));
+    }
+    for (const double level : panel.levels)
+      script_.command(fmt::format(
+          "set arrow from graph 0, first {0:.9g} to graph 1, first {0:.9g} nohead back lw 0.5 lc "
+          "rgb '{1}'",
+          y.of(level), kGrey));
+    if (!panel.remark.empty())
+      script_.command(
+          fmt::format("set label {} at graph 0.5, graph 0.5 center", gnuplot_string(panel.remark)));
+  }
+
+  void plot(std::size_t row, std::size_t i, const ShownAxis& x, const ShownAxis& y,
+            const PicturePlane& plane, double width) {
+    const ChartPanel& panel = chart_.rows[row][i];
+    LabelRoom room(plane, width, panel.height);
+    std::vector<std::string> layers;
+    for (std::size_t k = 0; k < panel.series.size(); ++k) {
+      const ChartSeries& series = panel.series[k];
+      const std::string name = fmt::format("row{}_{}_series{}", row + 1, i + 1, k + 1);
+      script_.data(name, table_of(series, x, y, panel.labels.empty() ? nullptr : &room));
+      layers.push_back("$" + name + " " + layer_of(series));
+    }
+    for (const ChartLabel& label : panel.labels)
+      room.write(script_, label.text, x.of(label.x), y.of(label.y));
+    if (is_last(row) && i + 1 == chart_.rows[row].size() && !legend_.empty()) {
+      script_.command(
+          fmt::format("set key at screen {:.4g}, screen {:.4g}*body center bottom horizontal "
+                      "maxcols {} Left reverse samplen 2 font ',9'",
+                      0.5 * (kWidth + kLeft - kRight) / kWidth, 0.08 / total_, columns_));
+      layers.insert(layers.end(), legend_.begin(), legend_.end());
+    }
+    script_.plot(layers);
+  }
+
+  static PlotTable table_of(const ChartSeries& series, const ShownAxis& x, const ShownAxis& y,
+                            LabelRoom* room) {
+    PlotTable table;
+    // Long curves as the band between their extremes.
+    if (series.is_line && series.x.size() > kMostPoints && series.error.empty()) {
+      DrawnCurve curve;
+      for (std::size_t i = 0; i < series.x.size(); ++i)
+        curve.push_back({x.of(series.x[i]), y.of(series.y[i])});
+      return graze::table_of(curve, 1.0, 1.0);
+    }
+    for (std::size_t i = 0; i < series.x.size(); ++i) {
+      const double across = x.of(series.x[i]), up = y.of(series.y[i]);
+      if (series.error.empty())
+        table.row({across, up});
+      else
+        table.row({across, up, y.factor() * series.error[i]});
+      if (room && series.has_marks) room->add_mark(across, up);
+      if (room && i > 0) room->add_line(x.of(series.x[i - 1]), y.of(series.y[i - 1]), across, up);
+    }
+    return table;
+  }
+
+  const PictureRequest& request_;
+  const Chart& chart_;
+  GnuplotScript script_;
+  std::vector<std::string> legend_;
+  std::size_t columns_ = 2;
+  double head_ = kHead, total_ = 0.0;
+};
+
+}  // namespace
+
+void draw_chart(const PictureRequest& request, const RunInfo& info, const Chart& chart) {
+  ChartPicture picture(request, chart);
+  const GnuplotScript script = picture.script();
+  draw_picture(request, info, script, picture.proportion());
+}
+
+}  // namespace graze

@@ -1,0 +1,33 @@
+#include "graze/report/picture/picture_request.hpp"
+
+namespace graze {
+
+const char* name_of(LabelChoice choice) {
+  switch (choice) {
+    case LabelChoice::kNone:
+      return "none";
+    case LabelChoice::kSpecial:
+      return "special";
+    case LabelChoice::kAll:
+      break;
+  }
+  return "all";
+}
+
+const char* name_of(PictureStyle style) {
+  return style == PictureStyle::kSlide ? "slide" : "paper";
+}
+
+const char* name_of(AxisScale scale) {
+  switch (scale) {
+    case AxisScale::kLinear:
+      return "linear";
+    case AxisScale::kLog:
+      return "log";
+    case AxisScale::kDecibel:
+      break;
+  }
+  return "dB";
+}
+
+}  // namespace graze
