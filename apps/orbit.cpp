@@ -5,6 +5,7 @@
 #include "graze/bifurcation/bounds/detail/orbits_over_gap.hpp"
 #include "graze/orbit/orbit_amplitudes.hpp"
 #include "graze/orbit/search/detail/spread_starts.hpp"
+#include "graze/report/chart/charts.hpp"
 #include "graze/report/csv/csv.hpp"
 #include "graze/report/json/json.hpp"
 #include "graze/report/page/detail/page.hpp"
@@ -20,7 +21,8 @@ int run(const OrbitCommand& command) {
   const Scene scene = scene_of(command);
   require_exact_flow(scene, "orbits are solved for");
   require_forcing_and_stop(scene);
-  OrbitRecord record{run_info(command.name, command.scene, scene), assemble(scene), {}, {}, {}, {}, {}};
+  OrbitRecord record{
+      run_info(command.name, command.scene, scene), assemble(scene), {}, {}, {}, {}, {}};
   note_call(command, record.info);
   record_search(command, record.info);
   record.warnings = system_warnings(scene, record.system);
@@ -59,7 +61,7 @@ int run(const OrbitCommand& command) {
                      if (is_page_name(command.plot.file))
                        write_page(command.plot.file, record);
                      else
-                       draw_orbits(command.plot, record);
+                       draw_chart(command.plot, record.info, chart_of(record));
                    },
                    {}});
 }

@@ -50,6 +50,7 @@ struct ChartPanel {
   std::vector<ChartLabel> labels = {};
   std::vector<ChartFill> fills = {};
   std::vector<double> levels = {};  // lines across at these values of y
+  std::string heading = {};         // above the axes
   double height = 2.6;              // cm of a picture 12 cm wide
   std::string remark = {};          // within the axes, where there is nothing to draw
 };

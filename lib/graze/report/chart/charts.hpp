@@ -6,6 +6,11 @@
 
 namespace graze {
 
+// The orbits found, at most eight, a row each: the motion at the stop of the first one's first
+// impact over the orbit's periods, its impacts marked and its stuck phases shaded, and the phase
+// portrait.
+Chart chart_of(const OrbitRecord& record);
+
 // What was measured as dots, with the fitted model as a line, a panel each series; below each the
 // residuals, with bars of their uncertainties where they are known.
 Chart chart_of(const FitRecord& record);

@@ -14,6 +14,7 @@
 #include <cstring>
 #include <filesystem>
 #include <memory>
+#include <vector>
 
 #include "graze/base/errors.hpp"
 #include "graze/record/file/detail/files.hpp"
@@ -156,10 +157,9 @@ std::string terminal(const PictureRequest& request, double proportion) {
       1.4 * size, 1.4 * heavy, 640.0 * size, 640.0 * size * proportion, 1.6 * heavy);
 }
 
-// Of the picture's width, for the title at the head.
-constexpr double kTitleRoom = 0.045;
-// Characters that fit there.
-constexpr std::size_t kTitleLength = 92;
+// Of the picture's width, for each line of the title at the head.
+constexpr double kTitleRoom = 0.032, kTitleMargin = 0.013;
+constexpr std::size_t kTitleLength = 82;  // characters that fit there
 
 std::size_t characters_in(const std::string& text) {
   return static_cast<std::size_t>(
@@ -178,24 +178,35 @@ std::string shortened(const std::string& text) {
   return kept + "…";
 }
 
-// What the picture is of: the scene's title, else its file, and what was set in it.
-std::string title_of(const PictureRequest& request, const RunInfo& info) {
-  if (request.title) return *request.title;
-  std::string title = info.scene_title.empty()
-                          ? std::filesystem::path(info.scene_file).filename().string()
-                          : info.scene_title;
-  for (std::size_t i = 0; i < info.settings.size(); ++i)
-    title += (i == 0 ? (title.empty() ? "" : " · ") : ", ") + info.settings[i];
-  return shortened(title);
+// What the picture is of, in a line or two: the scene's title, else its file, and what was set in
+// it.
+std::vector<std::string> title_of(const PictureRequest& request, const RunInfo& info) {
+  if (request.title && request.title->empty()) return {};
+  if (request.title) return {shortened(*request.title)};
+  const std::string title = info.scene_title.empty()
+                                ? std::filesystem::path(info.scene_file).filename().string()
+                                : info.scene_title;
+  std::string settings;
+  for (const std::string& setting : info.settings)
+    settings += (settings.empty() ? "" : ", ") + setting;
+  if (title.empty() && settings.empty()) return {};
+  if (settings.empty()) return {shortened(title)};
+  const std::string both = title + " · " + settings;
+  if (characters_in(both) <= kTitleLength) return {both};
+  return {shortened(title), shortened(settings)};
 }
 
 // The lines before the script: all that depends on the file and on its title.
 std::string head_of(const PictureRequest& request, const RunInfo& info, double proportion) {
-  const std::string title = title_of(request, info);
-  const double room = title.empty() ? 0.0 : kTitleRoom;
+  const std::vector<std::string> title = title_of(request, info);
+  const double room =
+      title.empty() ? 0.0 : kTitleMargin + kTitleRoom * static_cast<double>(title.size());
+  std::string caption;
+  for (const std::string& line : title)
+    caption += (caption.empty() ? "" : ".\"\\n\".") + plain_gnuplot_string(line);
   return "set encoding utf8\n" + terminal(request, proportion + room) +
          fmt::format("body = {:.6g}\ncaption = {}\n", proportion / (proportion + room),
-                     plain_gnuplot_string(title));
+                     caption.empty() ? "''" : caption);
 }
 
 // gnuplot takes a leading | for a command and a leading ~ for a home.

@@ -16,10 +16,12 @@ namespace {
 
 // Centimetres of a picture 12 cm wide.
 constexpr double kWidth = 12.0, kLeft = 2.16, kRight = 0.48;
-constexpr double kHead = 0.36, kHertz = 1.35;     // above the axes, and with an axis in Hz
-constexpr double kAxisText = 1.4;                 // tics and name of a horizontal axis
-constexpr double kBetween = 0.4, kBeside = 1.55;  // two panels
-constexpr double kLegendLine = 0.33;              // of a legend at the foot
+constexpr double kHead = 0.36, kHertz = 1.35;    // above the axes, and with an axis in Hz
+constexpr double kAxisText = 1.45;               // tics and name of a horizontal axis
+constexpr double kBetween = 0.4, kBeside = 1.3;  // two panels
+constexpr double kNamed = 2.15;                  // the same where both name their vertical axis
+constexpr double kHeading = 0.42;                // a line above a panel
+constexpr double kLegendLine = 0.37;             // of a legend at the foot
 constexpr std::size_t kLong = 34;  // of a legend's entry: longer ones have a line each
 
 // The values that the axis has to show. A logarithmic one shows all that is above zero.
@@ -77,12 +79,14 @@ class ChartPicture {
   GnuplotScript script() {
     set_style(script_);
     script_.command("set multiplot");
-    double top = head_;
+    double top = 0.0;
     for (std::size_t row = 0; row < chart_.rows.size(); ++row) {
       const std::vector<ChartPanel>& panels = chart_.rows[row];
+      top += above(row);
       for (std::size_t i = 0; i < panels.size(); ++i) draw(row, i, top);
-      top += panels.front().height + (shares_below(row) ? kBetween : kAxisText + kBetween);
+      top += panels.front().height;
     }
+    draw_legend();
     script_.command("unset multiplot");
     return script_;
   }
@@ -122,25 +126,35 @@ class ChartPicture {
     return mark_of(look);
   }
 
-  // Whether the row below has the same horizontal axis, and its name.
+  // Whether the row below has the same horizontal axes, and names them.
   bool shares_below(std::size_t row) const {
-    return row + 1 < chart_.rows.size() && chart_.rows[row].size() == 1 &&
-           chart_.rows[row + 1].size() == 1 &&
-           is_alike(chart_.rows[row].front().x, chart_.rows[row + 1].front().x);
+    if (row + 1 >= chart_.rows.size() || chart_.rows[row].size() != chart_.rows[row + 1].size())
+      return false;
+    for (std::size_t i = 0; i < chart_.rows[row].size(); ++i)
+      if (!is_alike(chart_.rows[row][i].x, chart_.rows[row + 1][i].x)) return false;
+    return true;
+  }
+
+  bool has_heading(std::size_t row) const {
+    const std::vector<ChartPanel>& panels = chart_.rows[row];
+    return std::any_of(panels.begin(), panels.end(),
+                       [](const ChartPanel& panel) { return !panel.heading.empty(); });
+  }
+  // From the foot of the panels above to the head of these.
+  double above(std::size_t row) const {
+    const double heading = has_heading(row) ? kHeading : 0.0;
+    if (row == 0)
+      return heading + (has_hertz_axis(chart_.rows.front().front().x.path) ? kHertz : kHead);
+    return heading + kBetween + (shares_below(row - 1) ? 0.0 : kAxisText);
   }
 
   void lay_out() {
-    head_ = kHead;
-    if (has_hertz_axis(chart_.rows.front().front().x.path)) head_ = kHertz;
-    total_ = head_;
+    total_ = kAxisText;
     for (std::size_t row = 0; row < chart_.rows.size(); ++row)
-      total_ += chart_.rows[row].front().height +
-                (shares_below(row) ? kBetween : kAxisText + (is_last(row) ? 0.0 : kBetween));
+      total_ += above(row) + chart_.rows[row].front().height;
     const std::size_t lines = legend_.empty() ? 0 : (legend_.size() + columns_ - 1) / columns_;
     total_ += kLegendLine * static_cast<double>(lines) + 0.1;
   }
-
-  bool is_last(std::size_t row) const { return row + 1 == chart_.rows.size(); }
 
   // The values along the axis of all panels that share it.
   std::vector<double> across_of(std::size_t row, std::size_t i) const {
@@ -159,8 +173,9 @@ class ChartPicture {
     const std::vector<ChartPanel>& panels = chart_.rows[row];
     const ChartPanel& panel = panels[i];
     const auto count = static_cast<double>(panels.size());
-    const double width = (kWidth - kLeft - kRight - (count - 1.0) * kBeside) / count;
-    const double left = kLeft + static_cast<double>(i) * (width + kBeside);
+    const double beside = count > 1.0 && is_alike(panel.y, panels[1 - i].y) ? kBeside : kNamed;
+    const double width = (kWidth - kLeft - kRight - (count - 1.0) * beside) / count;
+    const double left = kLeft + static_cast<double>(i) * (width + beside);
     const std::vector<double> across = across_of(row, i);
     const std::vector<double> up = values_of(panel, &ChartSeries::y, true);
     const bool is_first = row == 0 && i == 0;
@@ -176,7 +191,9 @@ class ChartPicture {
     set_horizontal(panel, x, row, panels.size());
     y.set_vertical(script_, panel.height < 2.0 ? 3 : 6);
     if (i == 0 || !is_alike(panel.y, panels[i - 1].y))
-      name_vertical_axis(script_, panel.y.name, y.unit(), (left - 1.92) / kWidth);
+      name_vertical_axis(
+          script_, panel.y.name, y.unit(),
+          (left - (panel.y.name.find('\n') == std::string::npos ? 1.8 : 2.0)) / kWidth);
     draw_ground(panel, x, y);
     plot(row, i, x, y, {x.factor(), y.factor(), x.range(), y.range(), x.is_log(), y.is_log()},
          width);
@@ -224,6 +241,10 @@ class ChartPicture {
           "set arrow from graph 0, first {0:.9g} to graph 1, first {0:.9g} nohead back lw 0.5 lc "
           "rgb '{1}'",
           y.of(level), kGrey));
+    if (!panel.heading.empty())
+      script_.command(fmt::format("set label {} at graph 0, graph {:.4g} left font ',9'",
+                                  gnuplot_string(panel.heading),
+                                  1.0 + 0.5 * kHeading / panel.height));
     if (!panel.remark.empty())
       script_.command(
           fmt::format("set label {} at graph 0.5, graph 0.5 center", gnuplot_string(panel.remark)));
@@ -242,14 +263,23 @@ class ChartPicture {
     }
     for (const ChartLabel& label : panel.labels)
       room.write(script_, label.text, x.of(label.x), y.of(label.y));
-    if (is_last(row) && i + 1 == chart_.rows[row].size() && !legend_.empty()) {
-      script_.command(
-          fmt::format("set key at screen {:.4g}, screen {:.4g}*body center bottom horizontal "
-                      "maxcols {} Left reverse samplen 2 font ',9'",
-                      0.5 * (kWidth + kLeft - kRight) / kWidth, 0.08 / total_, columns_));
-      layers.insert(layers.end(), legend_.begin(), legend_.end());
-    }
     script_.plot(layers);
+  }
+
+  // In axes of its own, invisible and as wide as the picture: gnuplot makes no legend wider than
+  // its axes.
+  void draw_legend() {
+    if (legend_.empty()) return;
+    script_.command(
+        "unset label\nunset arrow\nunset object\nunset border\nunset tics\nunset x2tics");
+    script_.command(
+        "unset xlabel\nunset x2label\nunset logscale\nset xrange [0:1]\nset yrange [0:1]");
+    set_margins(script_, {.left = kLeft / kWidth, .right = kRight / kWidth, .bottom = 0, .top = 0});
+    script_.command(
+        fmt::format("set key at screen {:.4g}, screen {:.4g}*body center bottom horizontal maxcols "
+                    "{} Left reverse samplen 2 font ',9'",
+                    0.5 * (kWidth + kLeft - kRight) / kWidth, 0.08 / total_, columns_));
+    script_.plot(legend_);
   }
 
   static PlotTable table_of(const ChartSeries& series, const ShownAxis& x, const ShownAxis& y,
@@ -279,7 +309,7 @@ class ChartPicture {
   GnuplotScript script_;
   std::vector<std::string> legend_;
   std::size_t columns_ = 2;
-  double head_ = kHead, total_ = 0.0;
+  double total_ = 0.0;
 };
 
 }  // namespace

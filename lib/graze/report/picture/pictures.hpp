@@ -39,10 +39,6 @@ void draw_map(const PictureRequest& request, const MapRecord& record);
 // Over a plane, a colour for what both motions settle on, or for a difference.
 void draw_comparison(const PictureRequest& request, const ComparisonMapRecord& record);
 
-// Phase portrait of the orbits found, at most eight of them, seen at the stop of the first one's
-// first impact.
-void draw_orbits(const PictureRequest& request, const OrbitRecord& record);
-
 // The speed of every impact against the parameter, with stability and special points.
 void draw_branches(const PictureRequest& request, const BranchRecord& record);
 

@@ -1,0 +1,204 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "graze/base/angle.hpp"
+#include "graze/orbit/detail/orbit_curve.hpp"
+#include "graze/record/records.hpp"
+#include "graze/report/chart/charts.hpp"
+
+namespace graze {
+namespace {
+
+constexpr std::size_t kMostOrbits = 8;
+constexpr int kSamplesPerPeriod = 400;
+
+using Flights = std::vector<std::vector<CurveSample>>;
+
+const Look& line_look(const Orbit& orbit) {
+  const char* id = !orbit.admissible      ? "virtual"
+                   : !orbit.stable        ? "open"
+                   : orbit.stable == true ? "stable"
+                                          : "unstable";
+  const std::span<const Look> looks = line_looks();
+  return *std::find_if(looks.begin(), looks.end(), [&](const Look& look) { return look.id == id; });
+}
+
+// "(1,1) stable, v = 0.1353 m/s", with several impacts "(2,3) stable, v ≤ 0.1353 m/s"
+std::string heading_of(const Orbit& orbit) {
+  const std::string name = orbit.meets_stops()
+                               ? fmt::format("({},{})", orbit.period, orbit.impacts.size())
+                               : std::string("no impact");
+  std::string text = name + (orbit.sticks() ? " sticks, " : " ") + line_look(orbit).title;
+  if (orbit.impacts.empty()) return text;
+  double fastest = orbit.impacts.front().speed;
+  for (const OrbitImpact& impact : orbit.impacts) fastest = std::max(fastest, impact.speed);
+  return text + fmt::format(", v {} {}{:.4g} m/s", orbit.impacts.size() == 1 ? "=" : "≤",
+                            fastest < 0.0 ? "−" : "", std::abs(fastest));
+}
+
+// One row of panels of an orbit: its motion over time, and its phase portrait.
+class OrbitRow {
+ public:
+  OrbitRow(const System& system, const Orbit& orbit, int stop, double end)
+      : orbit_(orbit),
+        frequency_(system.forcing()->frequency),
+        whole_(kTurn * orbit.period),
+        look_(line_look(orbit)) {
+    look_.width = 1.5;
+    const bool has_stop = !system.stops.empty();
+    const auto index = static_cast<std::size_t>(stop);
+    const Vector row = has_stop ? system.stops[index].row : Vector::Unit(system.modes(), 0);
+    const std::string unit = has_stop ? "m" : "kg^1/2 m";
+    const std::string where = !has_stop                 ? " q_1"
+                              : system.stops.size() > 1 ? fmt::format(" → stop {}", stop + 1)
+                                                        : " → stop";
+    motion_ = {{.name = "time", .unit = "s"}, {.name = "displacement\n" + where, .unit = unit}};
+    motion_.x.range = {0.0, end};
+    portrait_ = {{.name = "displacement" + where, .unit = unit},
+                 {.name = "velocity\n" + where, .unit = unit + "/s"}};
+    motion_.height = portrait_.height = 3.0;
+    motion_.heading = heading_of(orbit);
+    portrait_.levels = {0.0};
+    flights_ = orbit_curve(system, orbit, row, kSamplesPerPeriod);
+    add_curves();
+    add_impacts();
+    add_stuck();
+    if (has_stop) add_stop(system.stops[index].gap);
+  }
+
+  std::vector<ChartPanel> panels() const { return {motion_, portrait_}; }
+
+ private:
+  // What was cut at the end of the orbit's last period begins anew at its start.
+  void add_curves() {
+    ChartSeries course{look_.title, look_, true, false, {}, {}};
+    ChartSeries portrait = course;
+    const double gap = std::numeric_limits<double>::quiet_NaN();
+    for (const double shift : {whole_, 0.0}) {
+      for (const auto& flight : flights_)
+        for (const CurveSample& sample : flight) {
+          const double theta = sample.theta - shift;
+          if (theta < 0.0 || theta > whole_) continue;
+          course.x.push_back(theta / frequency_);
+          course.y.push_back(sample.displacement);
+        }
+      course.x.push_back(gap), course.y.push_back(gap);
+    }
+    for (const auto& flight : flights_) {
+      for (const CurveSample& sample : flight) {
+        portrait.x.push_back(sample.displacement);
+        portrait.y.push_back(sample.velocity);
+      }
+      portrait.x.push_back(gap), portrait.y.push_back(gap);
+    }
+    motion_.series.push_back(course);
+    portrait_.series.push_back(portrait);
+  }
+
+  // The flight that ends at an impact is followed, across the jump of its velocity, by the next.
+  void add_impacts() {
+    if (orbit_.impacts.empty()) return;
+    ChartSeries marks{"impact", {.colour = kVermillion, .mark = MarkShape::kDot, .size = 0.55},
+                      false,    true,
+                      {},       {}};
+    ChartSeries jumps{"", {.colour = look_.colour, .dashes = {3, 4}, .width = 1.0}, true, false, {},
+                      {}};
+    ChartSeries approaches = marks;
+    for (std::size_t k = 0; k < flights_.size(); ++k) {
+      const CurveSample &before = flights_[k].back(),
+                        &after = flights_[(k + 1) % flights_.size()].front();
+      if (before.velocity == after.velocity) continue;
+      double theta = std::fmod(before.theta, whole_);
+      marks.x.push_back((theta < 0.0 ? theta + whole_ : theta) / frequency_);
+      marks.y.push_back(before.displacement);
+      approaches.x.push_back(before.displacement);
+      approaches.y.push_back(before.velocity);
+      for (const double velocity :
+           {before.velocity, after.velocity, std::numeric_limits<double>::quiet_NaN()}) {
+        jumps.x.push_back(before.displacement);
+        jumps.y.push_back(velocity);
+      }
+    }
+    // Where a chatter completes there is no end to them, and crowds are no marks.
+    if (marks.x.size() > 40) marks.look.size = approaches.look.size = 0.3;
+    motion_.series.push_back(marks);
+    portrait_.series.push_back(jumps);
+    portrait_.series.push_back(approaches);
+  }
+
+  void add_stuck() {
+    for (const StickingPhase& sticking : orbit_.sticking)
+      for (const double shift : {whole_, 0.0}) {
+        const double from = sticking.from.phase + kTurn * sticking.from.period_index - shift;
+        const double to = from + sticking.duration * frequency_;
+        if (to > 0.0 && from < whole_)
+          motion_.fills.push_back({false, std::max(from, 0.0) / frequency_,
+                                   std::min(to, whole_) / frequency_, "stuck", kStuckShade});
+      }
+  }
+
+  void add_stop(double gap) {
+    constexpr double kBeyond = std::numeric_limits<double>::infinity();
+    motion_.fills.push_back({true, gap, kBeyond, "behind the stop", kStopShade});
+    portrait_.fills.push_back({false, gap, kBeyond, "behind the stop", kStopShade});
+  }
+
+  const Orbit& orbit_;
+  double frequency_, whole_;
+  Look look_;
+  Flights flights_;
+  ChartPanel motion_, portrait_;
+};
+
+// Both axes of displacement are to show the stop, where it is not far off.
+void set_ranges(Chart& chart, std::optional<double> gap) {
+  AxisRange displacement, velocity;
+  for (const std::vector<ChartPanel>& row : chart.rows)
+    for (std::size_t i = 0; i < row[1].series.front().x.size(); ++i) {
+      displacement.include(row[1].series.front().x[i]);
+      velocity.include(row[1].series.front().y[i]);
+    }
+  if (gap && std::abs(*gap) <= 3.0 * std::max(std::abs(displacement.low), displacement.high))
+    displacement.include(*gap);
+  displacement.settle(0.08);
+  velocity.settle(0.08);
+  // Orbits side by side are drawn in one scale.
+  for (std::vector<ChartPanel>& row : chart.rows) {
+    row[0].y.range = row[1].x.range = displacement;
+    row[1].y.range = velocity;
+  }
+}
+
+}  // namespace
+
+Chart chart_of(const OrbitRecord& record) {
+  Chart chart{"Periodic orbits", {}};
+  const std::vector<Orbit>& orbits = record.found.orbits;
+  const std::size_t shown = std::min(orbits.size(), kMostOrbits);
+  if (shown == 0) {
+    ChartPanel none{{.name = "time", .unit = "s"}, {.name = "displacement", .unit = "m"}};
+    none.remark = "no orbit was found";
+    chart.rows = {{none}};
+    return chart;
+  }
+  int stop = 0, periods = 1;
+  for (std::size_t i = shown; i-- > 0;) {
+    if (!orbits[i].impacts.empty()) stop = orbits[i].impacts.front().stop;
+    periods = std::max(periods, orbits[i].period);
+  }
+  for (std::size_t i = 0; i < shown; ++i)
+    chart.rows.push_back(OrbitRow(record.system, orbits[i], stop,
+                                  periods * kTurn / record.system.forcing()->frequency)
+                             .panels());
+  if (shown < orbits.size())
+    chart.rows.front()[1].heading = fmt::format("the first {} of {} orbits", shown, orbits.size());
+  const std::vector<Stop>& stops = record.system.stops;
+  set_ranges(chart, stops.empty() ? std::nullopt
+                                  : std::optional(stops[static_cast<std::size_t>(stop)].gap));
+  return chart;
+}
+
+}  // namespace graze
