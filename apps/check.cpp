@@ -6,7 +6,9 @@
 #include "graze/assembly/initial_state.hpp"
 #include "graze/flow/detail/phase_choice.hpp"
 #include "graze/record/records.hpp"
+#include "graze/report/chart/charts.hpp"
 #include "graze/report/json/json.hpp"
+#include "graze/report/picture/pictures.hpp"
 #include "graze/report/text/text.hpp"
 #include "graze/study/cost/detail/step_choice.hpp"
 #include "session.hpp"
@@ -34,6 +36,7 @@ std::vector<std::string> unstable_stops(const System& system) {
 }  // namespace
 
 int run(const CheckCommand& command) {
+  if (!command.plot.empty()) check_picture_name(command.plot.file);
   const Scene scene = scene_of(command);
   CheckRecord record{run_info(command.name, command.scene, scene),
                      scene,
@@ -53,8 +56,13 @@ int run(const CheckCommand& command) {
     record.warnings.push_back(warning);
   warn(command, record.warnings);
   prepare_output(command);
+  note_call(command, record.info);
   return conclude(command, record.info, record.outcome,
-                  {json_of(record), text_of(record), {}, {}, {}});
+                  {json_of(record),
+                   text_of(record),
+                   {},
+                   [&] { draw_chart(command.plot, record.info, mode_shapes_chart(record)); },
+                   {}});
 }
 
 }  // namespace graze

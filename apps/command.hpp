@@ -10,6 +10,7 @@
 #include "graze/base/default_budget.hpp"
 #include "graze/record/detail/comparison_record.hpp"
 #include "graze/record/detail/map_record.hpp"
+#include "graze/record/run_picture.hpp"
 #include "graze/record/section.hpp"
 #include "graze/report/picture/picture_request.hpp"
 #include "graze/study/sweep/shared_work.hpp"
@@ -97,7 +98,7 @@ struct RestartOptions {
   bool switched = false;      // onto the other branch there
 };
 
-struct CheckCommand : SceneOptions {};
+struct CheckCommand : SceneOptions {};  // a picture shows the mode shapes
 
 struct SimulateCommand : MotionOptions {
   std::optional<double> duration;  // s
@@ -112,6 +113,8 @@ struct SimulateCommand : MotionOptions {
   std::string resume;                     // file or folder; empty: from the scene's initial state
   std::optional<DiagramSection> section;
   std::optional<long long> transient;  // forcing periods that it leaves out
+  RunPicture show = RunPicture::kMotion;
+  std::vector<double> shape_times;  // s, of the shapes shown
 };
 
 struct OrbitCommand : OrbitSearchOptions {};

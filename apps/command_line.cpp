@@ -24,6 +24,7 @@ void add_check(CLI::App& graze, std::optional<Command>& parsed) {
       "Read a scene and say what is simulated: modes, frequencies, conditioning, flow");
   app->footer(footer("check data/scenes/02_wagg_momentum.toml --set beam.modes=8"));
   add_shared(app, command);
+  add_picture(app, command, {});
 }
 
 void add_simulate(CLI::App& graze, std::optional<Command>& parsed) {
@@ -78,6 +79,18 @@ void add_simulate(CLI::App& graze, std::optional<Command>& parsed) {
       ->transform(whole_number("a whole number, 0 or more", 0.0, kMostCounted))
       ->type_name("K")
       ->needs(section);
+  add_choice(app, "--show", command.show, kRunPictures,
+             "With --plot: the motion; returns (each impact over the one before, with --section "
+             "impact); spectrum (amplitudes over the frequency, of the last 64 forcing periods); "
+             "or shapes (of the beam, with --shapes-at)")
+      ->type_name("WHAT")
+      ->needs("--plot");
+  app->add_option("--shapes-at", command.shape_times,
+                  "With --show shapes: times, s, several with commas")
+      ->check(at_least("a time in s, 0 or more", 0.0))
+      ->delimiter(',')
+      ->type_name("T,..")
+      ->needs("--show");
   add_closure_speed(app, command);
   app->add_option("--resume", command.resume,
                   "Go on from the state.toml that --out left, given as file or folder; the end "

@@ -54,7 +54,7 @@ void add_picture(CLI::App* app, CommonOptions& command, const PictureFeatures& f
       ->group(kGroup);
   const auto fits = [](CLI::Option* option) { option->group(kGroup)->needs("--plot"); };
   fits(app->add_option("--title", plot.title,
-                       "Line at the head of the picture, '' for none (default: the scene's title "
+                       "Line at the head of the picture, or none (default: the scene's title "
                        "and what --set changed)")
            ->type_name("TEXT"));
   fits(add_choice(app, "--style", plot.style, kPictureStyles,

@@ -1,5 +1,6 @@
 #include "run_output.hpp"
 
+#include <cmath>
 #include <filesystem>
 #include <system_error>
 
@@ -26,7 +27,8 @@ std::filesystem::path spool_folder(const SimulateCommand& command) {
 }  // namespace
 
 RunOutput::RunOutput(const SimulateCommand& command, const System& system,
-                     const std::vector<ProbeRow>& probes, std::optional<RunSection> section)
+                     const std::vector<ProbeRow>& probes, std::optional<RunSection> section,
+                     const Rate& rate)
     : system_(system),
       probes_(probes),
       records_events_(command.record != "none"),
@@ -34,7 +36,9 @@ RunOutput::RunOutput(const SimulateCommand& command, const System& system,
       writes_document_(command.json || !command.out.empty()),
       draws_(!command.plot.empty() && !section),
       events_(spool_folder(command)),
-      section_(std::move(section)) {
+      section_(std::move(section)),
+      rate_(rate),
+      most_samples_(command.show == RunPicture::kSpectrum ? kSpectrumSamples : kPictureSamples) {
   if (command.out.empty()) return;
   const std::filesystem::path folder = command.out;
   if (records_events_) {
@@ -62,7 +66,8 @@ void RunOutput::add(const Event& event) {
 
 void RunOutput::add(const Sample& sample) {
   if (section_) section_->add(system_, sample);
-  if (sample_table_) sample_table_->append(samples_csv_row(system_, sample, probes_));
+  const bool tabled = std::llround(sample.time * rate_.rate) % rate_.stride == 0;
+  if (sample_table_ && tabled) sample_table_->append(samples_csv_row(system_, sample, probes_));
   if (draws_) {
     last_samples_.push_back(sample);
     trim();
@@ -71,7 +76,7 @@ void RunOutput::add(const Sample& sample) {
 
 // Events from before the oldest sample would stand outside the picture.
 void RunOutput::trim() {
-  while (last_samples_.size() > kPictureSamples) last_samples_.pop_front();
+  while (last_samples_.size() > most_samples_) last_samples_.pop_front();
   while (!last_events_.empty() &&
          (last_events_.size() > kPictureEvents ||
           (!last_samples_.empty() && last_events_.front().time < last_samples_.front().time)))

@@ -12,17 +12,24 @@
 
 namespace graze {
 
-// The end of a run that pictures show.
-inline constexpr std::size_t kPictureSamples = 12 * 400;  // 12 forcing periods
+// The end of a run that pictures show: 12 forcing periods, and of spectra 64.
+inline constexpr std::size_t kPictureSamples = 12 * 400, kSpectrumSamples = 64 * 400;
 
 // Takes what the run hands out: rows of the tables in the output folder, the events of the
 // document, and the few that the printed table and the picture show. Memory stays bounded however
 // long the run is. Throws FileError where something cannot be written.
 class RunOutput {
  public:
+  // How often it is handed a sample, 1/s, and every how many of them stands in the table: a picture
+  // wants more than a table may hold.
+  struct Rate {
+    double rate = 0.0;
+    long long stride = 1;
+  };
   // `system` and `probes` must outlive it.
   RunOutput(const SimulateCommand& command, const System& system,
-            const std::vector<ProbeRow>& probes, std::optional<RunSection> section);
+            const std::vector<ProbeRow>& probes, std::optional<RunSection> section,
+            const Rate& rate);
 
   void add(const Event& event);
   void add(const Sample& sample);
@@ -54,6 +61,8 @@ class RunOutput {
   std::deque<Event> last_events_;
   std::deque<Sample> last_samples_;
   std::optional<RunSection> section_;
+  Rate rate_;
+  std::size_t most_samples_;
 };
 
 }  // namespace graze

@@ -4,11 +4,13 @@
 #include <cmath>
 
 #include "graze/assembly/assembly.hpp"
+#include "graze/assembly/beam_shape.hpp"
 #include "graze/assembly/detail/system_warnings.hpp"
 #include "graze/assembly/initial_state.hpp"
 #include "graze/assembly/probes.hpp"
 #include "graze/base/angle.hpp"
 #include "graze/base/errors.hpp"
+#include "graze/report/chart/charts.hpp"
 #include "graze/report/csv/csv.hpp"
 #include "graze/report/json/json.hpp"
 #include "graze/report/names/detail/sweep_names.hpp"
@@ -48,6 +50,38 @@ SimulationOptions simulation_options(const SimulateCommand& command, const Scene
   if (command.sample_rate && command.record != "samples")
     throw InputError("--sample-rate: it needs --record samples");
   return options;
+}
+
+void check_shown(const SimulateCommand& command, const Scene& scene) {
+  if (command.show == RunPicture::kReturns && command.section != DiagramSection::kImpact)
+    throw InputError("--show returns: it shows impacts; give --section impact too");
+  if (command.show == RunPicture::kSpectrum && command.section)
+    throw InputError("--show spectrum: it shows the motion; leave out --section");
+  if ((command.show == RunPicture::kShapes) == command.shape_times.empty())
+    throw InputError("--show shapes: it goes with --shapes-at T1,T2,.., and that with it");
+  if (command.show != RunPicture::kShapes) return;
+  if (!scene.beam() || scene.hub)
+    throw InputError(
+        "--show shapes: only a beam that is clamped has a shape; this scene has another structure");
+  if (!command.resume.empty())
+    throw InputError("--show shapes: the motion before --resume is not known; leave it out");
+}
+
+// The motion is followed to each of the instants, as exactly as any run.
+std::vector<BeamShape> shapes_of(const SimulateCommand& command, const Scene& scene,
+                                 const System& system, const State& start,
+                                 SimulationOptions options) {
+  constexpr int kPlaces = 201;
+  const BeamRows rows = beam_rows(scene, kPlaces);
+  options.measure.reset();
+  std::vector<BeamShape> shapes;
+  for (const double time : command.shape_times) {
+    options.duration = time;
+    const Simulation run = simulate(system, start, options, {});
+    const Vector deflection = rows.rows * run.final.q;
+    shapes.push_back({run.end_time, rows.x, {deflection.begin(), deflection.end()}});
+  }
+  return shapes;
 }
 
 // 1/s. The slowest mode stands in for the forcing where there is none.
@@ -94,6 +128,19 @@ double sample_rate(const SimulateCommand& command, const System& system,
   return samples_per_period(system, kSamplesPerPeriod);
 }
 
+// As fine as pictures are, however coarse the table: a power of two times its rate, so that its
+// samples stay what they are to the bit.
+RunOutput::Rate listening_rate(const SimulateCommand& command, const System& system, double rate) {
+  RunOutput::Rate made{rate, 1};
+  if (command.plot.empty() || command.section || command.record != "samples") return made;
+  while (made.rate < samples_per_period(system, kPictureSamplesPerPeriod) &&
+         made.stride < (1LL << 20)) {
+    made.rate *= 2.0;
+    made.stride *= 2;
+  }
+  return made;
+}
+
 void note_options(const SimulateCommand& command, const SimulationOptions& options,
                   const std::optional<CutRun>& cut, double rate, RunInfo& info) {
   if (options.duration)
@@ -134,6 +181,7 @@ int run(const SimulateCommand& command) {
   else if (!command.plot.empty())
     check_picture_name(command.plot.file, ".svg, .png or .pdf with --section");
   const Scene scene = scene_of(command);
+  check_shown(command, scene);
   SimulationRecord record;
   record.info = run_info(command.name, command.scene, scene);
   record.system = assemble(scene);
@@ -157,7 +205,8 @@ int run(const SimulateCommand& command) {
         cut ? cut->state.closure_speed
             : default_closure_speed(record.system, start, scene.solver.tolerance);
   const double rate = sample_rate(command, record.system, cut);
-  if (cut) place_samples(*cut, rate);
+  const RunOutput::Rate listened = listening_rate(command, record.system, rate);
+  if (cut) place_samples(*cut, listened.rate);
   note_options(command, options, cut, rate, record.info);
   record.warnings = system_warnings(scene, record.system);
   warn(command, record.warnings);
@@ -167,14 +216,17 @@ int run(const SimulateCommand& command) {
 
   prepare_output(command);
   note_call(command, record.info);
-  RunOutput output(command, record.system, record.probes, std::move(section));
-  record.run = run_listened(record.system, start, cut, options, rate, command, output);
+  RunOutput output(command, record.system, record.probes, std::move(section), listened);
+  record.run = run_listened(record.system, start, cut, options, listened.rate, command, output);
   record.outcome = simulation_outcome(record.run);
   for (const std::string& warning : simulation_warnings(record.system, record.run)) {
     record.warnings.push_back(warning);
     warn(command, {warning});
   }
   output.show_in(record);
+  record.shown = command.show;
+  if (command.show == RunPicture::kShapes)
+    record.shapes = shapes_of(command, scene, record.system, start, options);
   const CutRun state{record.info.version,
                      record.info.scene_sha256,
                      record.outcome.name,
@@ -189,7 +241,13 @@ int run(const SimulateCommand& command) {
   return conclude(command, record.info, record.outcome,
                   {[&] { return to_json(record, output.events()); }, text_of(record), files,
                    [&] {
-                     if (record.section)
+                     if (command.show == RunPicture::kReturns)
+                       draw_chart(command.plot, record.info, returns_chart(record));
+                     else if (command.show == RunPicture::kSpectrum)
+                       draw_chart(command.plot, record.info, spectrum_chart(record));
+                     else if (command.show == RunPicture::kShapes)
+                       draw_chart(command.plot, record.info, shapes_chart(record, scene));
+                     else if (record.section)
                        draw_section(command.plot, record);
                      else if (is_page_name(command.plot.file))
                        write_page(command.plot.file, record, scene);

@@ -12,6 +12,7 @@
 #include "graze/motion/simulation.hpp"
 #include "graze/orbit/search/finder.hpp"
 #include "graze/record/file/run_info.hpp"
+#include "graze/record/run_picture.hpp"
 #include "graze/record/section.hpp"
 #include "graze/record/shown_quantity.hpp"
 
@@ -63,10 +64,12 @@ struct SimulationRecord {
   std::vector<ProbeRow> probes{};
   std::vector<MeasuredPlace> places{};  // at which it was measured; empty unless that was asked for
   Simulation run;
-  EventExcerpt excerpt;               // empty unless recorded
-  std::vector<Event> events;          // the end of the run, for pictures
-  std::vector<Sample> samples;        // the end of the run, for pictures
-  std::optional<RunSection> section;  // where it was asked for
+  EventExcerpt excerpt;                    // empty unless recorded
+  std::vector<Event> events;               // the end of the run, for pictures
+  std::vector<Sample> samples;             // the end of the run, for pictures
+  std::optional<RunSection> section;       // where it was asked for
+  RunPicture shown = RunPicture::kMotion;  // in a picture
+  std::vector<BeamShape> shapes{};         // at the instants that were asked for
   std::vector<std::string> warnings, notes;
   Outcome outcome;
 };

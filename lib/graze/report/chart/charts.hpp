@@ -3,6 +3,7 @@
 
 #include "graze/record/record_names.hpp"
 #include "graze/report/chart/chart.hpp"
+#include "graze/scene/scene.hpp"
 
 namespace graze {
 
@@ -30,5 +31,17 @@ Chart chart_of(const SensitivityRecord& record);
 // Single runs over a parameter: the speed of every impact as a dot, a panel each stop; below, the
 // largest size that each probe saw.
 Chart chart_of(const RunDiagramRecord& record);
+
+// The first six mode shapes of a beam, each by its largest value.
+Chart mode_shapes_chart(const CheckRecord& record);
+
+// The shapes of the beam at the record's instants, with its stops.
+Chart shapes_chart(const SimulationRecord& record, const Scene& scene);
+
+// Amplitudes over the frequency at the places of the stops, of the samples that the record holds.
+Chart spectrum_chart(const SimulationRecord& record);
+
+// The speed and the phase of each impact of the record's section over those of the one before.
+Chart returns_chart(const SimulationRecord& record);
 
 }  // namespace graze

@@ -181,7 +181,7 @@ std::string shortened(const std::string& text) {
 // What the picture is of, in a line or two: the scene's title, else its file, and what was set in
 // it.
 std::vector<std::string> title_of(const PictureRequest& request, const RunInfo& info) {
-  if (request.title && request.title->empty()) return {};
+  if (request.title == "none") return {};
   if (request.title) return {shortened(*request.title)};
   const std::string title = info.scene_title.empty()
                                 ? std::filesystem::path(info.scene_file).filename().string()

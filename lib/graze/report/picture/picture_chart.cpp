@@ -22,7 +22,7 @@ constexpr double kBetween = 0.4, kBeside = 1.3;  // two panels
 constexpr double kNamed = 2.15;                  // the same where both name their vertical axis
 constexpr double kHeading = 0.42;                // a line above a panel
 constexpr double kLegendLine = 0.37;             // of a legend at the foot
-constexpr std::size_t kLong = 34;  // of a legend's entry: longer ones have a line each
+constexpr std::size_t kLong = 27;  // of a legend's entry: longer ones have a line each
 
 // The values that the axis has to show. A logarithmic one shows all that is above zero.
 AxisRequest request_of(const ChartAxis& axis, const std::vector<double>& values,

@@ -31,7 +31,7 @@ struct PictureRequest {
   bool empty() const { return file.empty(); }  // no picture is asked for
 
   std::string file;                  // .svg, .png or .pdf
-  std::optional<std::string> title;  // the line at the head; else scene and changed parameters
+  std::optional<std::string> title;  // the line at the head, or "none"; else scene and settings
   LabelChoice labels = LabelChoice::kAll;
   PictureStyle style = PictureStyle::kPaper;
   bool multipliers = false;  // of branches, in a panel of their own

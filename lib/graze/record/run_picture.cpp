@@ -1,0 +1,19 @@
+#include "graze/record/run_picture.hpp"
+
+namespace graze {
+
+const char* name_of(RunPicture picture) {
+  switch (picture) {
+    case RunPicture::kMotion:
+      return "motion";
+    case RunPicture::kReturns:
+      return "returns";
+    case RunPicture::kSpectrum:
+      return "spectrum";
+    case RunPicture::kShapes:
+      break;
+  }
+  return "shapes";
+}
+
+}  // namespace graze

@@ -1,0 +1,80 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "graze/assembly/beam_shape.hpp"
+#include "graze/base/angle.hpp"
+#include "graze/record/records.hpp"
+#include "graze/report/chart/charts.hpp"
+
+namespace graze {
+namespace {
+
+constexpr int kPlaces = 201;  // along the beam
+constexpr std::size_t kMostModes = 6;
+// So that neighbours differ by more than their colour.
+const std::vector<std::vector<int>> kDashes = {
+    {}, {8, 4}, {3, 3}, {10, 3, 2, 3}, {14, 3, 2, 3, 2, 3}, {2, 4}};
+
+ChartPanel beam_panel(const char* name, const char* unit) {
+  ChartPanel panel{{.name = "place along the beam x", .unit = "m"}, {.name = name, .unit = unit}};
+  panel.height = 5.0;
+  panel.levels = {0.0};
+  return panel;
+}
+
+// Where the stops stand, as short bars: "stop 1" at its place and gap.
+void add_stops(const Scene& scene, ChartPanel& panel) {
+  ChartSeries stops{
+      "stop", {.colour = kBlack, .mark = MarkShape::kSquare, .size = 0.7}, false, true, {}, {}};
+  for (const SceneStop& stop : scene.stops) {
+    stops.x.push_back(stop.position);
+    stops.y.push_back(stop.side == Side::kAbove ? stop.gap : -stop.gap);
+  }
+  if (!stops.x.empty()) panel.series.push_back(stops);
+}
+
+}  // namespace
+
+Chart mode_shapes_chart(const CheckRecord& record) {
+  ChartPanel panel = beam_panel("mode shape / its largest value", "");
+  if (!record.scene.beam()) {
+    panel.remark = "a structure given by its modes has no shape to draw";
+    return {"Mode shapes", {{panel}}};
+  }
+  const BeamRows rows = beam_rows(record.scene, kPlaces);
+  const auto modes = std::min(static_cast<std::size_t>(rows.rows.cols()), kMostModes);
+  for (std::size_t j = 0; j < modes; ++j) {
+    const Vector shape = rows.rows.col(static_cast<Eigen::Index>(j));
+    const double largest = shape.cwiseAbs().maxCoeff();
+    const double frequency = record.system.omega[static_cast<Eigen::Index>(j)];
+    ChartSeries series{
+        fmt::format("mode {}: {:.4g} rad/s ({:.4g} Hz)", j + 1, frequency, frequency / kTurn),
+        {.colour = curve_colours()[j], .dashes = kDashes[j]},
+        true,
+        false,
+        rows.x,
+        {}};
+    for (const double value : shape) series.y.push_back(value / largest);
+    panel.series.push_back(series);
+  }
+  return {"Mode shapes", {{panel}}};
+}
+
+Chart shapes_chart(const SimulationRecord& record, const Scene& scene) {
+  ChartPanel panel = beam_panel("displacement u", "m");
+  for (std::size_t i = 0; i < record.shapes.size(); ++i) {
+    const BeamShape& shape = record.shapes[i];
+    const std::size_t look = i % curve_colours().size();
+    panel.series.push_back({fmt::format("t = {:.6g} s", shape.time),
+                            {.colour = curve_colours()[look], .dashes = kDashes[look]},
+                            true,
+                            false,
+                            shape.x,
+                            shape.deflection});
+  }
+  add_stops(scene, panel);
+  return {"Shapes of the beam", {{panel}}};
+}
+
+}  // namespace graze

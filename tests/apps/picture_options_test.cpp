@@ -1,0 +1,199 @@
+// The options of pictures, by what the scripts and their data say.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <filesystem>
+#include <map>
+#include <numbers>
+#include <regex>
+#include <sstream>
+
+#include "program.hpp"
+
+namespace graze {
+namespace {
+
+const std::string kOscillator = std::string(GRAZE_SOURCE_DIR) +
+                                "/data/validation/nlvib_oscillator.toml"
+                                " --parameter forcing.frequency --from 0.5 --to 1.7 ";
+const std::string kOneMode =
+    scene("05_wagg_one_mode.toml") + " --parameter forcing.frequency --from 15 --to 120 ";
+
+class PictureOptions : public testing::Test {
+ protected:
+  // The script that a command leaves.
+  std::string script(const std::string& command) {
+    const Finished run = run_graze(command + " --quiet --plot " + (scratch / "x.svg").string());
+    EXPECT_EQ(run.code, 0) << run.err;
+    return read_text(scratch / "x.gp");
+  }
+  std::string refusal(const std::string& command) {
+    const Finished run = run_graze(command + " --quiet --plot " + (scratch / "y.svg").string());
+    EXPECT_EQ(run.code, 2) << command;
+    EXPECT_FALSE(std::filesystem::exists(scratch / "y.svg"));
+    return run.err;
+  }
+  // Rows of two numbers of a data set.
+  std::vector<std::pair<double, double>> data(const std::string& name) {
+    std::istringstream text(read_text(scratch / "x.dat"));
+    std::vector<std::pair<double, double>> rows;
+    bool within = false;
+    for (std::string line; std::getline(text, line);) {
+      if (line.starts_with("#")) within = line == "# [" + name + "]";
+      std::istringstream numbers(line);
+      double x = 0.0, y = 0.0;
+      if (within && numbers >> x >> y) rows.emplace_back(x, y);
+    }
+    return rows;
+  }
+
+  ScratchFolder scratch;
+};
+
+TEST_F(PictureOptions, TheTitleIsTheSceneAndWhatWasSet) {
+  const std::string command = "continue " + kOneMode + "--set stop.gap=2e-3 ";
+  EXPECT_NE(script(command).find("caption = 'Wagg''s cantilever with its first mode alone · "
+                                 "stop.gap=2e-3'"),
+            std::string::npos);
+  EXPECT_NE(script(command + "--title 'a_b {c}'").find("caption = 'a\\_b \\{c\\}'"),
+            std::string::npos);
+  const std::string none = script(command + "--title none");
+  EXPECT_NE(none.find("body = 1\ncaption = ''"), std::string::npos);
+}
+
+TEST_F(PictureOptions, RangesAreThoseAskedFor) {
+  const std::string text =
+      script("continue " + kOneMode + "--x-range 20:60 --y-range :0.3 --labels none");
+  EXPECT_NE(text.find("set xrange [20:60]"), std::string::npos);
+  EXPECT_TRUE(std::regex_search(text, std::regex(R"(set yrange \[-[0-9.e-]+:0.3\])"))) << text;
+}
+
+// Clear of the stop the oscillator's amplitude is |A / (1 - w^2 + i c w)|, with A = .02, c = .05.
+TEST_F(PictureOptions, DecibelsAndLogarithmsAreOfTheAmplitude) {
+  const auto closed_form = [](double w) { return 0.02 / std::hypot(1.0 - w * w, 0.05 * w); };
+  const std::string command = "continue " + kOscillator + "--impacts 0 --show amplitude ";
+  EXPECT_NE(script(command + "--y-scale dB").find("(dB re 1 m)"), std::string::npos);
+  int compared = 0;
+  for (const auto& [w, height] : data("stable"))
+    if (closed_form(w) < 0.0999) {
+      EXPECT_NEAR(height, 20.0 * std::log10(closed_form(w)), 1e-6) << w;
+      ++compared;
+    }
+  EXPECT_GT(compared, 20);
+  const std::string text = script(command + "--y-scale log --x-scale log");
+  EXPECT_NE(text.find("set logscale y"), std::string::npos);
+  EXPECT_NE(text.find("set logscale x"), std::string::npos);
+  EXPECT_NE(refusal(command + "--x-scale dB").find("dB"), std::string::npos);
+}
+
+// Letters of a label are at most .27 cm high and .135 cm wide each in a panel of 9.36 cm.
+TEST_F(PictureOptions, LabelsCoverNoMarkAndNoOtherLabel) {
+  const std::string text = script("continue " + kOneMode + "--follow all --max-step 0.5");
+  struct Box {
+    double left, right, low, high;
+    std::string name;
+  };
+  const double width = 9.36;
+  double low = 0.0, high = 0.0, from = 15.0, to = 120.0;
+  std::smatch found;
+  ASSERT_TRUE(std::regex_search(text, found, std::regex(R"(set yrange \[([^:]+):([^\]]+)\])")));
+  low = std::stod(found[1]), high = std::stod(found[2]);
+  // The panel is as high as the margins leave it, of a picture 12 cm wide.
+  ASSERT_TRUE(std::regex_search(text, found, std::regex(R"(set terminal svg.* size (\d+),(\d+))")));
+  const double picture = 12.0 * std::stod(found[2]) / std::stod(found[1]);
+  ASSERT_TRUE(std::regex_search(text, found, std::regex(R"(body = ([0-9.]+))")));
+  const double body = picture * std::stod(found[1]);
+  const auto margin = [&](const std::string& name) {
+    EXPECT_TRUE(
+        std::regex_search(text, found, std::regex("set " + name + " at screen ([0-9.]+)\\*body")));
+    return std::stod(found[1]);
+  };
+  const double height = body * (margin("tmargin") - margin("bmargin"));
+  std::vector<Box> boxes;
+  std::istringstream lines(text);
+  const std::regex label(R"(set label '([^']+)' at graph ([0-9.]+), graph ([0-9.]+) center)");
+  for (std::string line; std::getline(lines, line);) {
+    if (!std::regex_search(line, found, label)) continue;
+    const double x = width * std::stod(found[2]), y = height * std::stod(found[3]);
+    const double half = 0.5 * 0.135 * static_cast<double>(found[1].length());
+    boxes.push_back({x - half, x + half, y - 0.12, y + 0.12, found[1]});
+  }
+  ASSERT_GT(boxes.size(), 10U);
+  const auto apart = [](const Box& a, const Box& b) {
+    constexpr double kCell = 0.05;  // labels are placed by cells
+    return a.right <= b.left + kCell || b.right <= a.left + kCell || a.high <= b.low + kCell ||
+           b.high <= a.low + kCell;
+  };
+  for (std::size_t i = 0; i < boxes.size(); ++i)
+    for (std::size_t j = i + 1; j < boxes.size(); ++j)
+      EXPECT_TRUE(apart(boxes[i], boxes[j])) << boxes[i].name << " and " << boxes[j].name;
+  for (const char* kind : {"LP", "PD", "GR"})
+    for (const auto& [x, y] : data(kind)) {
+      const double at_x = width * (x - from) / (to - from),
+                   at_y = height * (y - low) / (high - low);
+      for (const Box& box : boxes)
+        EXPECT_FALSE(at_x > box.left && at_x < box.right && at_y > box.low && at_y < box.high)
+            << box.name << " covers the " << kind << " at " << x;
+    }
+  EXPECT_EQ(script("continue " + kOneMode + "--labels none").find("'PD1'"), std::string::npos);
+  const std::string special = script("continue " + kOneMode + "--labels special");
+  EXPECT_NE(special.find("'PD1'"), std::string::npos);
+  EXPECT_EQ(special.find("'(1,1)'"), std::string::npos);
+}
+
+TEST_F(PictureOptions, ASlideIsTwiceAsLargeWithHeavierLines) {
+  const std::string paper = script("continue " + kOneMode);
+  const std::string slide = script("continue " + kOneMode + "--style slide");
+  EXPECT_NE(paper.find("fontscale 1.4 linewidth 1.4 dashlength 0.7 size 640,"), std::string::npos);
+  EXPECT_NE(slide.find("fontscale 2.8 linewidth 4.2 dashlength 0.7 size 1280,"), std::string::npos);
+}
+
+// The script and the data that are kept draw the picture again.
+TEST_F(PictureOptions, ThePictureIsDrawnAgainByItsScript) {
+  for (const std::string& command : std::vector<std::string>{
+           "continue " + kOneMode, "diagram " + kOneMode + "--points 20 --exponents 50"}) {
+    script(command);
+    const std::string before = read_text(scratch / "x.svg");
+    std::filesystem::remove(scratch / "x.svg");
+    ASSERT_EQ(std::system(("cd " + scratch.string() + " && gnuplot x.gp").c_str()), 0);
+    EXPECT_EQ(read_text(scratch / "x.svg"), before);
+  }
+}
+
+TEST_F(PictureOptions, AreRefusedWithAReason) {
+  const std::string command = "continue " + kOneMode;
+  EXPECT_NE(refusal(command + "--x-range 5").find("--x-range: '5' is not allowed"),
+            std::string::npos);
+  EXPECT_NE(refusal(command + "--y-range 2:1").find("the smaller one first"), std::string::npos);
+  EXPECT_EQ(run_graze(command + "--labels all").code, 2);  // no picture
+}
+
+// The samples of the table do not change with the picture, which takes more of them.
+TEST_F(PictureOptions, RecordedSamplesAreTheSameWithAPicture) {
+  const auto samples = [&](const std::string& more) {
+    const std::string folder = (scratch / "out").string();
+    const Finished run = run_graze("simulate " + scene("05_wagg_one_mode.toml") +
+                                   " --periods 20 --record samples --out " + folder + more);
+    EXPECT_EQ(run.code, 0) << run.err;
+    return read_text(scratch / "out" / "samples.csv");
+  };
+  const std::string plain = samples("");
+  EXPECT_EQ(samples(" --energy --plot " + (scratch / "x.svg").string()).size() > plain.size(),
+            true);
+  const std::string drawn = samples(" --plot " + (scratch / "x.svg").string());
+  std::istringstream a(plain), b(drawn);
+  std::string line_a, line_b;
+  std::size_t rows = 0;
+  std::getline(a, line_a), std::getline(b, line_b);
+  for (; std::getline(a, line_a); ++rows) {
+    ASSERT_TRUE(std::getline(b, line_b));
+    EXPECT_TRUE(line_b.starts_with(line_a)) << line_a << "\n" << line_b;
+  }
+  EXPECT_FALSE(std::getline(b, line_b));
+  EXPECT_EQ(rows, 2000U);
+  // Four hundred samples a forcing period, twelve of them.
+  EXPECT_GT(data("displacement1").size(), 4000U);
+}
+
+}  // namespace
+}  // namespace graze
