@@ -187,8 +187,7 @@ void add_map(CLI::App& graze, std::optional<Command>& parsed) {
   add_shared(app, command);
   add_picture(app, command, {.page = true, .ranges = true, .labels = true});
   add_plane(app, command);
-  add_choice(app, "--show", command.show, kMapQuantities, "What the picture shows of every cell")
-      ->type_name("WHAT");
+  add_map_show(app, command);
   add_loci_over_map(app, command);
   add_settling(app, command.settling);
   add_closure_speed(app, command);

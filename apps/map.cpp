@@ -5,6 +5,7 @@
 
 #include <optional>
 
+#include "branch_options.hpp"
 #include "graze/assembly/assembly.hpp"
 #include "graze/assembly/detail/system_warnings.hpp"
 #include "graze/base/errors.hpp"
@@ -32,6 +33,7 @@ AttractorMapOptions map_options(const MapCommand& command) {
   static_cast<Plane&>(options) =
       plane_of(command, command, command.first_points, command.second_points);
   set_settling(command, command.settling, options);
+  options.measure = command.measures();
   options.threads = command.threads;
   options.stop = stop_signal(command);
   return options;
@@ -41,6 +43,7 @@ AttractorMapOptions map_options(const MapCommand& command) {
 void note_cells(const AttractorMapOptions& options, RunInfo& info) {
   note_plane(options, info);
   note_settling(options, info);
+  if (options.measure) info.options.emplace_back("amplitudes", true);
 }
 
 // Loci of the orbits over the map, and how the whole ended.
@@ -87,9 +90,13 @@ int run(const MapCommand& command) {
   record.info = run_info(command.name, command.scene, scene);
   record.x_unit = number_unit(scene, options.x.name);
   record.y_unit = number_unit(scene, options.y.name);
-  record.shown = command.show;
+  const System system = assemble(scene);
+  const std::vector<MeasuredPlace> places = measured_places(scene, system);
+  record.measured = shown_of(command, places);
+  record.shown = record.measured ? MapQuantity::kMeasured : command.show;
+  if (command.measures()) record.places = places;
   note_cells(options, record.info);
-  record.warnings = system_warnings(scene, assemble(scene));
+  record.warnings = system_warnings(scene, system);
   warn(command, record.warnings);
   prepare_output(command);
   note_call(command, record.info);
@@ -102,7 +109,10 @@ int run(const MapCommand& command) {
   record.map = map_attractors(scene, options);
   options.progress = nullptr;
   if (!command.journal.share.is_all()) return conclude_share(command, *journal, record.map.stopped);
-  record.info.options.emplace_back("show", name_of(command.show));
+  if (record.measured)
+    note_shown(command, record.info);
+  else
+    record.info.options.emplace_back("show", name_of(command.show));
   record.info.options.emplace_back("max_seconds", command.max_seconds);
   record.outcome = map_outcome(record.map);
   if (loci) trace_over(command, scene, *loci, record);

@@ -5,6 +5,7 @@
 #include <cstdio>
 
 #include "graze/base/errors.hpp"
+#include "graze/report/names/detail/map_names.hpp"
 #include "option_values.hpp"
 
 namespace graze {
@@ -203,6 +204,30 @@ void add_curve(CLI::App* app, BranchingOptions& command) {
          "--amplitudes")
       ->check(CLI::IsMember(names_of(kShownQuantities)))
       ->type_name("WHAT");
+  app->add_option("--at", command.curve_at,
+                  "With --show: the place, e.g. probe.1 or stop.2 (default: the first probe, else "
+                  "the first stop)")
+      ->type_name("PLACE")
+      ->needs("--show");
+}
+
+void add_map_show(CLI::App* app, MapCommand& command) {
+  std::vector<std::string> names = names_of(kMapQuantities);
+  for (const std::string& name : names_of(kShownQuantities)) names.push_back(name);
+  app->add_option_function<std::string>(
+         "--show",
+         [&command](const std::string& word) {
+           set_by_name(command.show, kMapQuantities)(word);
+           set_by_name(command.curve, kShownQuantities)(word);
+         },
+         "What the picture shows of every cell: what it settles on, or how large that is at a "
+         "place")
+      ->check(CLI::IsMember(names))
+      ->default_str(name_of(command.show))
+      ->type_name("WHAT");
+  app->add_flag("--amplitudes", command.amplitudes,
+                "Measure the motions of all cells at the probes and stops, as --show amplitude and "
+                "the like do");
   app->add_option("--at", command.curve_at,
                   "With --show: the place, e.g. probe.1 or stop.2 (default: the first probe, else "
                   "the first stop)")

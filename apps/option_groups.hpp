@@ -46,6 +46,8 @@ void add_journal(CLI::App* app, JournalOptions& options);
 // Which orbits' branches are traced, and how far from the first.
 void add_curve(CLI::App* app, BranchingOptions& command);
 void add_branch_kind(CLI::App* app, BranchingOptions& command);
+// What a map shows of its cells.
+void add_map_show(CLI::App* app, MapCommand& command);
 // Loci over a map, with the orbits that they are of.
 void add_loci_over_map(CLI::App* app, MapCommand& command);
 // Loci instead of branches.

@@ -101,6 +101,39 @@ TEST(ResponseCurve, IsDrawnWithItsOwnAxis) {
   }
 }
 
+// Clear of the stop the amplitude is |A / (1 - w^2 + i c w)| in every cell, with A = .02, c = .05.
+TEST(ResponseCurve, OfAMapIsTheClosedFormWhereItIsClear) {
+  const ScratchFolder scratch;
+  const std::string plane =
+      " --parameter forcing.frequency --from 0.5 --to 1.7 --points 7 --second "
+      "stop.gap --second-from 0.05 --second-to 0.3 --second-points 4 ";
+  const std::string base = std::string("map ") + GRAZE_SOURCE_DIR +
+                           "/data/validation/nlvib_oscillator.toml" + plane + "--quiet ";
+  const Finished run = run_graze(base + "--json --show amplitude --out " + scratch.string() +
+                                 " --plot " + (scratch / "x.svg").string());
+  ASSERT_EQ(run.code, 0) << run.err;
+  const json document = json::parse(run.out);
+  const json& amplitude = document["cells"]["amplitudes"][0]["amplitude"];
+  ASSERT_EQ(amplitude.size(), 28U);
+  int clear = 0;
+  for (int j = 0; j < 4; ++j)
+    for (int i = 0; i < 7; ++i) {
+      const double w = 0.5 + 0.2 * i, gap = 0.05 + 0.25 / 3.0 * j;
+      const double linear = 0.02 / std::hypot(1.0 - w * w, 0.05 * w);
+      const auto cell = static_cast<std::size_t>(7 * j + i);
+      if (document["cells"]["peak_speed"][cell] != 0.0) {
+        EXPECT_GT(amplitude[cell].get<double>(), gap);
+        continue;
+      }
+      EXPECT_LT(linear, gap);
+      EXPECT_NEAR(amplitude[cell].get<double>(), linear, 1e-8 * linear);
+      ++clear;
+    }
+  EXPECT_GT(clear, 10);
+  EXPECT_NE(read_text(scratch / "x.gp").find("amplitude at "), std::string::npos);
+  EXPECT_EQ(run_graze(base + "--show peak-force --at probe.1").code, 2);
+}
+
 TEST(ResponseCurve, SaysWhatPlacesThereAre) {
   const Finished none = run_graze("continue " + kRange + "--show peak-force --at probe.1");
   EXPECT_EQ(none.code, 2);

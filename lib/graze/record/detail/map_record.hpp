@@ -17,7 +17,8 @@ enum class MapQuantity {
   kImpacts,   // a forcing period
   kExponent,  // the largest, 1/s
   kSpeed,     // of the fastest impact, m/s
-  kStuck      // part of the time
+  kStuck,     // part of the time
+  kMeasured   // how large the motion is
 };
 
 struct MapRecord {
@@ -26,6 +27,8 @@ struct MapRecord {
   std::optional<OrbitLoci> loci;  // of special points over it, where they were asked for
   std::string x_unit, y_unit;
   MapQuantity shown = MapQuantity::kAttractor;
+  std::vector<MeasuredPlace> places{};  // at which motions are measured; none unless asked for
+  std::optional<Shown> measured{};      // what is shown of that
   std::vector<std::string> warnings;
   Outcome outcome;
 };

@@ -159,7 +159,7 @@ template <class Archive>
 void fields(Archive& archive, MapCell& cell) {
   archive(cell.is_known), archive(cell.attractor), archive(cell.place);
   archive(cell.impacts_per_period), archive(cell.peak_speed), archive(cell.stuck_part);
-  archive(cell.exponent), archive(cell.message);
+  archive(cell.exponent), archive(cell.amplitudes), archive(cell.message);
 }
 template <class Archive>
 void fields(Archive& archive, SettledCell& settled) {

@@ -1,3 +1,6 @@
+#include <algorithm>
+
+#include "graze/report/json/detail/json_amplitudes.hpp"
 #include "graze/report/json/detail/json_document.hpp"
 #include "graze/report/json/detail/json_loci.hpp"
 #include "graze/report/json/detail/json_plane.hpp"
@@ -20,6 +23,28 @@ Json attractor_json(const AttractorMap& map, std::size_t i) {
           {"sticks", sticks},
           {"cells", one.cells},
           {"first", Json::array({map.options.x_at(one.first), map.options.y_at(one.first)})}};
+}
+
+// Of every place the quantities that are shown there, a list of all cells each.
+Json measured_json(const MapRecord& record) {
+  Json list = Json::array();
+  for (std::size_t i = 0; i < record.places.size(); ++i) {
+    Json place = {{record.places[i].stop ? "stop" : "probe",
+                   record.places[i].stop.value_or(record.places[i].probe.value_or(0)) + 1}};
+    for (const ShownQuantity quantity : kShownQuantities) {
+      if (is_of_stop(quantity) && !record.places[i].stop) continue;
+      Json values = Json::array();
+      for (const MapCell& cell : record.map.cells)
+        values.push_back(cell.amplitudes ? json_maybe(shown_value({quantity, i}, record.places,
+                                                                  *cell.amplitudes))
+                                         : Json(nullptr));
+      std::string key = name_of(quantity);
+      std::replace(key.begin(), key.end(), '-', '_');
+      place[key] = values;
+    }
+    list.push_back(place);
+  }
+  return list;
 }
 
 }  // namespace
@@ -49,6 +74,11 @@ std::string to_json(const MapRecord& record) {
                        {"peak_speed", speed},
                        {"stuck_part", stuck}};
   if (map.options.exponent_periods > 0) document["cells"]["exponent"] = exponent;
+  if (!record.places.empty()) {
+    document["cells"]["amplitudes"] = measured_json(record);
+    document["units"] = Json::object();
+    add_amplitude_units(record.places, document["units"]);
+  }
   if (record.loci) {
     document["loci"] = loci_json(*record.loci);
     document["counters"] = loci_counters_json(*record.loci);

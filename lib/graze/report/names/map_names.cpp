@@ -16,6 +16,8 @@ std::string name_of(MapQuantity quantity) {
       return "exponent";
     case MapQuantity::kSpeed:
       return "speed";
+    case MapQuantity::kMeasured:
+      return "measured";
     case MapQuantity::kStuck:
       break;
   }
@@ -32,6 +34,8 @@ std::string title_of(MapQuantity quantity) {
       return "largest exponent";
     case MapQuantity::kSpeed:
       return "speed of the fastest impact";
+    case MapQuantity::kMeasured:
+      return "how large the motion is";
     case MapQuantity::kStuck:
       break;
   }
@@ -79,11 +83,27 @@ double cell_value(const MapCell& cell, MapQuantity quantity) {
     case MapQuantity::kExponent:
       return cell.exponent.value_or(kNone);
     case MapQuantity::kSpeed:
-      return is_clear(cell) ? kNone : cell.peak_speed;
+      return cell.peak_speed;
     case MapQuantity::kStuck:
       return cell.stuck_part;
+    case MapQuantity::kMeasured:
+      break;
   }
   return kNone;
+}
+
+DrawnQuantity drawn_quantity(const MapRecord& record, MapQuantity quantity) {
+  static constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+  if (quantity == MapQuantity::kMeasured)
+    return {shown_title(*record.measured, record.places),
+            shown_unit(*record.measured, record.places), [&record](const MapCell& cell) {
+              if (!cell.amplitudes) return kNone;
+              return shown_value(*record.measured, record.places, *cell.amplitudes).value_or(kNone);
+            }};
+  return {title_of(quantity), unit_of(quantity), [quantity](const MapCell& cell) {
+            const bool blank = quantity == MapQuantity::kSpeed && is_clear(cell);
+            return blank ? kNone : cell_value(cell, quantity);
+          }};
 }
 
 }  // namespace graze

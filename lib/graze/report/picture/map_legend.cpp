@@ -71,6 +71,7 @@ MapLegend map_legend(const AttractorMap& map) {
 }
 
 CellScale scale_of(MapQuantity quantity) {
+  if (quantity == MapQuantity::kMeasured) return CellScale::kAsIs;
   return quantity == MapQuantity::kExponent ? CellScale::kUnbounded : CellScale::kFromZero;
 }
 

@@ -1,3 +1,6 @@
+#include <algorithm>
+#include <cmath>
+
 #include "graze/report/names/detail/map_names.hpp"
 #include "graze/report/picture/detail/map_legend.hpp"
 #include "graze/report/picture/pictures.hpp"
@@ -28,12 +31,18 @@ void draw_map(const PictureRequest& request, const MapRecord& record) {
     return;
   }
   CellNumbers numbers;
-  numbers.of = [&](std::size_t i) { return cell_value(map.cells[i], record.shown); };
+  const DrawnQuantity drawn = drawn_quantity(record, record.shown);
+  double largest = 0.0;
+  for (const MapCell& cell : map.cells)
+    if (const double value = std::abs(drawn.of(cell)); std::isfinite(value))
+      largest = std::max(largest, value);
+  const AxisUnit unit = axis_unit(drawn.unit, largest);
+  numbers.of = [&](std::size_t i) { return unit.factor * drawn.of(map.cells[i]); };
   numbers.without = [&](std::size_t i) {
     const MapCell& cell = map.cells[i];
     return is_clear(cell) ? "clear of the stops" : cell_name(map, cell);
   };
-  numbers.title = axis_label(title_of(record.shown), unit_of(record.shown));
+  numbers.title = axis_label(drawn.title, unit.unit);
   numbers.scale = scale_of(record.shown);
   draw_cells(request, plane, numbers);
 }

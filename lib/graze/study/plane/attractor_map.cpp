@@ -81,7 +81,9 @@ class Mapper {
       const Scene scene = scene_at(scene_, map_.options, i);
       const System system = assemble(scene);
       if (!settle_row(scene, system, initial_state(scene, system), map_.options, row)) return {};
+      if (map_.options.measure && !measure_row(scene, system, map_.options, row)) return {};
       look_at(scene, system, row, cell);
+      cell.amplitudes = row.amplitudes;
     } catch (const InputError& error) {
       row.status = SweepStatus::kNoStart;
       row.message = error.what();

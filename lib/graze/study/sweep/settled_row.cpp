@@ -1,6 +1,7 @@
 #include "graze/study/sweep/settled_row.hpp"
 
 #include "graze/assembly/initial_state.hpp"
+#include "graze/assembly/probes.hpp"
 #include "graze/orbit/search/detail/clear_state.hpp"
 #include "graze/system/scale.hpp"
 
@@ -89,6 +90,17 @@ SimulationOptions on_from_settled(const Scene& scene, const System& system, cons
 }
 
 // Orbits are the same in whichever of their periods they are seen first.
+bool measure_row(const Scene& scene, const System& system, const RowOptions& options,
+                 SweepRow& row) {
+  if (!was_followed(row.status)) return true;
+  SimulationOptions run = on_from_settled(scene, system, row, options);
+  run.stop = options.stop;
+  run.measure = MeasureOptions{rows_of(measured_places(scene, system))};
+  const Simulation again = simulate(system, row.motion.at_end, run);
+  if (again.outcome == RunOutcome::kReachedEnd) row.amplitudes = again.amplitudes;
+  return again.outcome != RunOutcome::kInterrupted && again.outcome != RunOutcome::kTimeBudget;
+}
+
 bool are_same_period_states(const MotionScale& scale, const std::vector<State>& left,
                             const std::vector<State>& right, double apart) {
   if (left.size() != right.size()) return false;

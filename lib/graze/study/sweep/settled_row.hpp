@@ -94,6 +94,11 @@ long long shown_periods(const SweepRow& row, const RowOptions& options);
 SimulationOptions on_from_settled(const Scene& scene, const System& system, const SweepRow& row,
                                   const RowOptions& options);
 
+// Fills amplitudes: of what the motion has settled on, over the periods shown of it. False where it
+// was stopped before that was done.
+bool measure_row(const Scene& scene, const System& system, const RowOptions& options,
+                 SweepRow& row);
+
 // Whether two motions that repeat are the same orbit, seen in whichever of its periods: states at
 // the starts of their periods no further apart than this part of the scale.
 bool are_same_period_states(const MotionScale& scale, const std::vector<State>& left,

@@ -5,7 +5,6 @@
 
 #include "graze/assembly/assembly.hpp"
 #include "graze/assembly/initial_state.hpp"
-#include "graze/assembly/probes.hpp"
 #include "graze/base/detail/even_values.hpp"
 #include "graze/base/errors.hpp"
 #include "graze/base/parallel.hpp"
@@ -72,21 +71,11 @@ class Sweeper {
       row.motion.pattern.reset();
       row.motion.points.clear();
       keep_stop_states(system, row);
-      if (options_.measure && was_followed(row.status) && !measure(scene, system, row)) return {};
+      if (options_.measure && !measure_row(scene, system, options_, row)) return {};
     } catch (const InputError& error) {
       row.message = error.what();
     }
     return row;
-  }
-
-  // False where it was stopped.
-  bool measure(const Scene& scene, const System& system, SweepRow& row) const {
-    SimulationOptions run = on_from_settled(scene, system, row, options_);
-    run.stop = options_.stop;
-    run.measure = MeasureOptions{rows_of(measured_places(scene, system))};
-    const Simulation again = simulate(system, row.motion.at_end, run);
-    if (again.outcome == RunOutcome::kReachedEnd) row.amplitudes = again.amplitudes;
-    return again.outcome != RunOutcome::kInterrupted && again.outcome != RunOutcome::kTimeBudget;
   }
 
   static void keep_stop_states(const System& system, SweepRow& row) {

@@ -1,6 +1,7 @@
 // The words in which results speak of a map.
 #pragma once
 
+#include <functional>
 #include <string>
 
 #include "graze/record/detail/map_record.hpp"
@@ -27,7 +28,15 @@ std::string cell_name(const AttractorMap& map, const MapCell& cell);
 // Whether what the cell settles on meets no stop.
 bool is_clear(const MapCell& cell);
 
-// Of a cell as a number; not finite where it has none: no speed where nothing is met.
+// Of a cell as a number; not finite where it has none.
 double cell_value(const MapCell& cell, MapQuantity quantity);
+
+// What a picture shows of cells: not finite where there is nothing to show, as no speed where
+// nothing is met. Refers to the record.
+struct DrawnQuantity {
+  std::string title, unit;  // SI
+  std::function<double(const MapCell&)> of;
+};
+DrawnQuantity drawn_quantity(const MapRecord& record, MapQuantity quantity);
 
 }  // namespace graze

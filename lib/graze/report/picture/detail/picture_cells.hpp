@@ -24,7 +24,8 @@ struct CellColours {
 };
 
 enum class CellScale {
-  kFromZero,  // from dark to bright
+  kAsIs,      // from dark to bright
+  kFromZero,  // the same with zero among them
   kSigned,    // away from zero in two hues
   kUnbounded  // likewise, only as far below zero as above: smaller ones may have no bound
 };

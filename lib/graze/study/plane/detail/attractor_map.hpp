@@ -26,10 +26,11 @@ struct MapCell {
   // A forcing period; nothing where it comes to rest: how many a chatter has is a matter of the
   // speed at which it is summed.
   std::optional<double> impacts_per_period;
-  double peak_speed = 0.0;         // of its impacts, m/s; 0 where it has none
-  double stuck_part = 0.0;         // of the time, on any stop
-  std::optional<double> exponent;  // the largest, 1/s; minus infinity where all are lost
-  std::string message;             // a sentence where there is something to say
+  double peak_speed = 0.0;                 // of its impacts, m/s; 0 where it has none
+  double stuck_part = 0.0;                 // of the time, on any stop
+  std::optional<double> exponent;          // the largest, 1/s; minus infinity where all are lost
+  std::optional<Amplitudes> amplitudes{};  // where they were asked for
+  std::string message;                     // a sentence where there is something to say
 };
 
 // A cell with the states at the starts of its periods where motions are told apart by them; the
