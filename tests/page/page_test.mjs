@@ -118,7 +118,7 @@ inPage('the legend hides by type', () => diagram, async (page) => {
 
 inPage('what is shown can be switched', () => diagram, async (page) => {
   const names = await page.$$eval('#observable option', (list) => list.map((option) => option.textContent));
-  assert.deepEqual(names, ['impact speed', 'forcing phase of the impact', 'largest multiplier, modulus']);
+  assert.deepEqual(names, ['impact speed', 'forcing phase of the impact', 'largest multiplier, modulus', 'forcing frequency Ω']);
   const speed = await pixelsOf(page, '#dots');
   await page.selectOption('#observable', 'phase');
   assert.match(await range(page), /^forcing phase of the impact from .* rad over/);
@@ -242,9 +242,9 @@ inPage('exponents stand below, and are zoomed along', () => exponents, async (pa
   const strip = () => page.$eval('#chart canvas', (canvas, part) => {
     const top = Math.round(part * canvas.height);
     const { data } = canvas.getContext('2d').getImageData(0, top, canvas.width, canvas.height - top - 60);
-    let blue = 0;  // #0072B2
-    for (let i = 0; i < data.length; i += 4) if (data[i] < 60 && data[i + 2] > 140 && data[i + 3] > 200) ++blue;
-    return blue;
+    let indigo = 0;  // #332288
+    for (let i = 0; i < data.length; i += 4) if (data[i] < 70 && data[i + 1] < 60 && data[i + 2] > 110 && data[i + 3] > 200) ++indigo;
+    return indigo;
   }, 1 - 172 / height);
   const before = await strip();
   assert.ok(before > 100, `${before}`);

@@ -2,7 +2,7 @@
 //   node x_test.mjs PROGRAM SCENES CHROMIUM
 import assert from 'node:assert/strict';
 import { execFileSync, execSync } from 'node:child_process';
-import { mkdtempSync, rmSync } from 'node:fs';
+import { mkdtempSync, readFileSync, rmSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { after, before, test } from 'node:test';
@@ -55,3 +55,44 @@ export function inPage(name, file, act, options) {
 export const ground = (page) => page.$eval('body', (body) => getComputedStyle(body).backgroundColor);
 
 export const packed = (kind, array) => ({ [kind]: Buffer.from(array.buffer).toString('base64') });
+
+// What a button saves: its name and its bytes.
+export async function saved(page, button) {
+  const [download] = await Promise.all([page.waitForEvent('download'), page.click(button)]);
+  const file = join(folder, `saved ${download.suggestedFilename()}`);
+  await download.saveAs(file);
+  return { name: download.suggestedFilename(), bytes: readFileSync(file) };
+}
+
+// The rows of a CSV file, each by the names of its columns.
+export function rowsOf(csv) {
+  const lines = csv.toString('utf8').replace(/^\ufeff/, '').trim().split('\n')
+    .map((line) => [...line.matchAll(/(?:^|,)(?:"((?:[^"]|"")*)"|([^,]*))/g)].map(([, quoted, bare]) => quoted?.replaceAll('""', '"') ?? bare));
+  const [head, ...rows] = lines;
+  return rows.map((row) => Object.fromEntries(head.map((name, i) => [name, row[i]])));
+}
+
+// A table that the program wrote beside a page.
+export const written = (...path) => rowsOf(readFileSync(join(folder, ...path)));
+
+// Of an image that was saved: how wide and high, and its pixels as "#rrggbb".
+export async function imageOf(page, bytes) {
+  const { width, height, data } = await page.evaluate(async (source) => {
+    const image = new Image();
+    image.src = `data:image/png;base64,${source}`;
+    await image.decode();
+    const canvas = document.createElement('canvas');
+    Object.assign(canvas, { width: image.width, height: image.height });
+    const context = canvas.getContext('2d');
+    context.drawImage(image, 0, 0);
+    return { width: image.width, height: image.height, data: Array.from(context.getImageData(0, 0, image.width, image.height).data) };
+  }, bytes.toString('base64'));
+  const at = (x, y) => `#${[0, 1, 2].map((k) => data[4 * (y * width + x) + k].toString(16).padStart(2, '0')).join('')}`;
+  // How many pixels of a colour lie between two heights.
+  const count = (colour, top = 0, bottom = height) => {
+    let found = 0;
+    for (let y = top; y < bottom; ++y) for (let x = 0; x < width; ++x) if (at(x, y) === colour) ++found;
+    return found;
+  };
+  return { width, height, at, count };
+}

@@ -45,13 +45,16 @@ std::vector<DiagramCurve> impact_curves(const OrbitBranches& traced) {
 }
 
 std::vector<DiagramCurve> amplitude_curves(const BranchRecord& record) {
-  const BranchAmplitudes& amplitudes = record.amplitudes;
+  return amplitude_curves(record.amplitudes, *record.shown);
+}
+
+std::vector<DiagramCurve> amplitude_curves(const BranchAmplitudes& amplitudes, const Shown& shown) {
   std::vector<DiagramCurve> curves;
   for (const BranchAmplitudes::Measured& measured : amplitudes.branches) {
     const auto heights = [&](const std::vector<Amplitudes>& of) {
       std::vector<std::vector<double>> list;
       for (const Amplitudes& one : of) {
-        const std::optional<double> value = shown_value(*record.shown, amplitudes.places, one);
+        const std::optional<double> value = shown_value(shown, amplitudes.places, one);
         list.push_back(value ? std::vector<double>{*value} : std::vector<double>());
       }
       return list;

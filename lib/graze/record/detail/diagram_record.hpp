@@ -36,6 +36,8 @@ std::vector<DiagramCurve> impact_curves(const OrbitBranches& traced);
 
 // What is shown of the amplitudes along the branches, one height a point; requires both.
 std::vector<DiagramCurve> amplitude_curves(const BranchRecord& record);
+// The same of another number of them.
+std::vector<DiagramCurve> amplitude_curves(const BranchAmplitudes& amplitudes, const Shown& shown);
 
 // The same of a row of the sweep over them.
 std::optional<double> shown_height(const BranchRecord& record, const SweepRow& row);

@@ -19,12 +19,16 @@ export function pixelScale({ low, high, colours }, none) {
     ? pixels[Math.max(0, Math.min(kSteps - 1, Math.round((value - low) * scale)))] : none);
 }
 
+export function barTics(quantity) {
+  return Array.from({ length: kTics }, (_, i) => quantity.low + (i / (kTics - 1)) * (quantity.high - quantity.low))
+    .map((value) => number(value, 3));
+}
+
 export function fillBar(root, quantity, none) {
-  const tics = Array.from({ length: kTics }, (_, i) => quantity.low + (i / (kTics - 1)) * (quantity.high - quantity.low));
   const scale = element('div', { class: 'scale' });
   scale.style.background = `linear-gradient(to right, ${quantity.colours.join(', ')})`;
   root.replaceChildren(
     element('span', {}, axisName(quantity)),
-    element('div', { class: 'tics' }, scale, ...tics.map((value) => element('span', {}, number(value, 3)))),
+    element('div', { class: 'tics' }, scale, ...barTics(quantity).map((text) => element('span', {}, text))),
     element('span', { class: 'none' }, cellSwatch(none), 'no number'));
 }

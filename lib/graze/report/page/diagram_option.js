@@ -1,136 +1,119 @@
-// The picture over a parameter as ECharts draws it: axes, lines of branches, marks of special
-// points. The dots of the sweep lie under it (dot_layer.js).
+// A diagram as ECharts draws it: axes, lines of branches, marks of special points. The dots of the
+// sweep lie under it (dot_layer.js).
 import { axis, hertzAxis, kCommon } from './echarts_parts.js';
-import { axisName } from './format.js';
-import { kLineKinds, kLowerKind, markOf } from './marks.js';
+import { pen, specialLook, stamp } from './marks.js';
+import { nearAxes } from './near_axes.js';
 
 const kStrip = 120, kBetween = 26;  // height of a panel below the picture, and what is above it, px
 
 // The grids one below the other: the picture, then the strips.
-function grids(view, height) {
-  const top = view.parameter.hertz ? 52 : 16, bottom = 52, left = 76, right = 22;
-  const below = view.strips.length * (kStrip + kBetween);
+function grids(strips, hertz, height) {
+  const top = hertz ? 52 : 16, bottom = 52, left = 76, right = 22;
+  const below = strips.length * (kStrip + kBetween);
   const main = { left, right, top, height: Math.max(120, height - top - bottom - below) };
-  return [main, ...view.strips.map((_, i) => ({
+  return [main, ...strips.map((_, i) => ({
     left, right, height: kStrip, top: top + main.height + kBetween + i * (kStrip + kBetween),
   }))];
 }
 
-function xAxes(view, colours) {
-  const { parameter } = view;
-  const low = parameter.factor * Math.min(parameter.from, parameter.to);
-  const high = parameter.factor * Math.max(parameter.from, parameter.to);
-  const axes = [0, ...view.strips].map((_, i) => {
-    const last = i === view.strips.length;
-    const made = axis(colours, last ? axisName(parameter) : '', low, high, { gridIndex: i, nameGap: 30 });
-    if (!last) made.axisLabel = { show: false };
-    return made;
-  });
-  if (parameter.hertz)
-    axes.push(hertzAxis(colours, low, high));
-  return axes;
-}
-
-function yAxes(view, shown, colours) {
-  const of = (quantity, gridIndex) => axis(colours, axisName(quantity), quantity.factor * quantity.low,
-    quantity.factor * quantity.high, { gridIndex, nameGap: 54 });
-  return [of(shown, 0), ...view.strips.map((strip, i) => ({ ...of(strip, i + 1), splitNumber: 3 }))];
-}
-
-// A line as far as it runs near the axes: next to a grazing a multiplier has no bound, and along a
-// path of a billion pixels no canvas draws dashes.
-function nearAxes(line, shown) {
-  const span = shown.high - shown.low;
-  const low = shown.low - span, high = shown.high + span;
-  const nodes = [];
-  const inside = (i) => i >= 0 && i < line.y.length && line.y[i] >= low && line.y[i] <= high;
-  const end = (i, outside) => {
-    const y = line.y[outside] > high ? high : low;
-    const part = (y - line.y[i]) / (line.y[outside] - line.y[i]);
-    return [line.x[i] + part * (line.x[outside] - line.x[i]), y];
-  };
-  for (let i = 0; i < line.x.length; ++i) {
-    if (!inside(i)) continue;
-    if (i > 0 && !inside(i - 1)) nodes.push([NaN, NaN], end(i, i - 1));
-    nodes.push([line.x[i], line.y[i]]);
-    if (i + 1 < line.x.length && !inside(i + 1)) nodes.push(end(i, i + 1), [NaN, NaN]);
-  }
-  return nodes;
-}
-
 // All lines of a kind in one series, broken where one ends.
-function lineSeries(view, shown, kind, shows, colours) {
-  const style = kLineKinds[kind];
+function lineSeries(picture, kind) {
+  const { view, geometry, ranges, theme, shows } = picture;
+  const look = view.looks.lines[kind];
   const data = [];
-  if (shows(style.type))
-    for (const line of view.lines[shown.key] ?? []) {
-      if (line.kind !== kind) continue;
-      for (const [x, y] of nearAxes(line, shown)) data.push([view.parameter.factor * x, shown.factor * y]);
-      data.push([NaN, NaN]);
-    }
+  if (shows(look.id))
+    for (const line of geometry.lines)
+      if (line.kind === kind) for (const point of nearAxes(line, ranges.x, ranges.y)) data.push(point);
   return {
-    id: `line ${style.type}`, type: 'line', data, showSymbol: false, silent: true, animation: false,
-    symbol: 'none', z: 3 + kind,
-    lineStyle: { color: colours[style.colour], width: style.width, type: style.dash },
+    id: `line ${look.id}`, type: 'line', data, showSymbol: false, silent: true, animation: false, symbol: 'none', z: 3 + kind,
+    lineStyle: pen(look, theme),
   };
 }
 
-function markSeries(view, shown, type, shows, colours) {
-  const mark = markOf(type);
-  const data = [];
-  if (shows(type))
-    for (const special of view.special)
-      if (special.type === type)
-        for (const height of special.y[shown.key] ?? [])
-          data.push([view.parameter.factor * special.value, shown.factor * height]);
+function markSeries({ view, geometry, theme, shows, labels }, type) {
+  const look = specialLook(view.looks, type);
+  const marks = shows(type) ? geometry.marks.filter(({ special }) => special.type === type) : [];
   return {
-    id: `mark ${type}`, type: 'scatter', data, silent: true, animation: false, z: 10,
-    symbol: `path://${mark.path}`, symbolSize: mark.small ? 7 : 12,
-    itemStyle: {
-      color: mark.filled ? colours[mark.colour] : colours.paper, borderColor: colours[mark.colour],
-      borderWidth: 1.8, opacity: 1,
-    },
+    id: `mark ${type}`, type: 'scatter', silent: true, animation: false, z: 10, ...stamp(look, theme),
+    data: marks.map(({ special, x, y }) => ({ value: [x, y], name: special.id })),
+    label: markLabel(theme, labels), labelLayout: { hideOverlap: true },
+  };
+}
+
+// The name of a mark above it.
+export function markLabel(theme, show) {
+  return {
+    show, formatter: '{b}', position: 'top', distance: 3, fontSize: 11, color: theme.colours.ink,
+    textBorderColor: theme.colours.paper, textBorderWidth: 2.5,
+  };
+}
+
+function referenceLine(theme, data) {
+  return {
+    symbol: 'none', silent: true, label: { show: false }, lineStyle: { color: theme.colours.faint, type: 'solid', width: 1 }, data,
   };
 }
 
 // Its largest values, over the others if those are shown.
-function stripSeries(view, strip, i, shows, colours) {
-  const dots = (id, { values, heights }, colour, z) => {
-    const data = Array.from(values, (value, k) => [view.parameter.factor * value, strip.factor * heights[k]]);
-    return {
-      id, type: 'scatter', xAxisIndex: i + 1, yAxisIndex: i + 1, data, clip: true, silent: true, animation: false,
-      symbolSize: strip.values.length > 2000 ? 2 : 3, z, itemStyle: { color: colours[colour], opacity: 1 },
-    };
-  };
-  const largest = dots(`strip ${i}`, strip, 'blue', 4);
-  if (strip.reference !== undefined)
-    largest.markLine = {
-      symbol: 'none', silent: true, label: { show: false },
-      lineStyle: { color: colours.faint, type: 'solid', width: 1 },
-      data: [{ yAxis: strip.factor * strip.reference }],
-    };
-  const none = { values: [], heights: [] };
-  return [dots(`strip ${i} lower`, shows(kLowerKind.type) ? strip.lower : none, kLowerKind.colour, 3), largest];
+function stripSeries({ view, geometry, theme, shows }, strip, i) {
+  const dots = (id, { values, heights }, look, z) => ({
+    id, type: 'scatter', xAxisIndex: i + 1, yAxisIndex: i + 1, clip: true, silent: true, animation: false,
+    data: Array.from(values, (value, k) => [geometry.x.of(value), strip.factor * heights[k]]),
+    symbolSize: strip.values.length > 2000 ? 2 : 3, z, itemStyle: { color: theme.shade(look.colour), opacity: 1 },
+  });
+  const { largest, lower } = view.looks.dots;
+  const top = dots(`strip ${i}`, strip, largest, 4);
+  if (strip.reference !== undefined) top.markLine = referenceLine(theme, [{ yAxis: strip.factor * strip.reference }]);
+  return [dots(`strip ${i} lower`, shows(lower.id) ? strip.lower : { values: [], heights: [] }, lower, 3), top];
 }
 
-export function diagramOption(view, shown, shows, colours, height) {
-  const x = xAxes(view, colours);
+function references({ geometry, theme }) {
+  const data = ['x', 'y'].flatMap((name) => {
+    const at = geometry[name].of(geometry[name].quantity.reference);
+    return Number.isFinite(at) ? [{ [`${name}Axis`]: at }] : [];
+  });
+  return data.length > 0 ? referenceLine(theme, data) : undefined;
+}
+
+// Panels below show the same parameter.
+export function stripsOf(view, scale) { return scale.quantity === view.parameter ? view.strips : []; }
+
+// `picture`: { view, geometry, ranges: { x, y }, theme, shows(type), labels }.
+export function diagramOption(picture, height) {
+  const { view, geometry, ranges, theme } = picture;
+  const { colours } = theme;
+  const strips = stripsOf(view, geometry.x);
+  const hertz = view.parameter.hertz && geometry.x.quantity === view.parameter && geometry.x.kind === 'linear';
+  const x = [0, ...strips].map((_, i) => {
+    const last = i === strips.length;
+    const made = axis(colours, last ? geometry.x.name : '', ...ranges.x, { gridIndex: i, nameGap: 30 });
+    if (!last) made.axisLabel = { show: false };
+    return made;
+  });
+  if (hertz) x.push(hertzAxis(colours, ...ranges.x));
+  const y = [axis(colours, geometry.y.name, ...ranges.y, { gridIndex: 0, nameGap: 54 }),
+    ...strips.map((strip, i) => axis(colours, `${strip.name} (${strip.unit})`, strip.factor * strip.low, strip.factor * strip.high,
+      { gridIndex: i + 1, nameGap: 54, splitNumber: 3 }))];
   const types = [...new Set(view.special.map((special) => special.type))];
-  const series = kLineKinds.map((_, kind) => lineSeries(view, shown, kind, shows, colours));
-  if (shown.reference !== undefined)
-    series[0].markLine = {
-      symbol: 'none', silent: true, label: { show: false },
-      lineStyle: { color: colours.faint, type: 'solid', width: 1 },
-      data: [{ yAxis: shown.factor * shown.reference }],
-    };
-  series.push(...types.map((type) => markSeries(view, shown, type, shows, colours)));
-  series.push(...view.strips.flatMap((strip, i) => stripSeries(view, strip, i, shows, colours)));
+  const series = view.looks.lines.map((_, kind) => lineSeries(picture, kind));
+  series[0].markLine = references(picture);
+  series.push(...types.map((type) => markSeries(picture, type)), ...strips.flatMap((strip, i) => stripSeries(picture, strip, i)));
   return {
-    ...kCommon,
-    grid: grids(view, height), xAxis: x, yAxis: yAxes(view, shown, colours), series,
+    ...kCommon, grid: grids(strips, hertz, height), xAxis: x, yAxis: y, series,
     dataZoom: [
       { id: 'across', type: 'inside', xAxisIndex: x.map((_, i) => i), filterMode: 'none', minSpan: 1e-7 },
       { id: 'upright', type: 'inside', yAxisIndex: [0], filterMode: 'none', minSpan: 1e-7, zoomOnMouseWheel: 'shift' },
     ],
+  };
+}
+
+// The axes' tics for what is in view, to be merged into an option: logarithmic ones depend on it.
+export function diagramTics(view, { x, y }, inView) {
+  const strips = stripsOf(view, x);
+  const across = x.tics(...inView.x);
+  const silent = across.axisTick ? { axisTick: across.axisTick } : {};
+  return {
+    xAxis: [...strips.map(() => silent), across],
+    yAxis: [y.tics(...inView.y)],
   };
 }

@@ -1,51 +1,58 @@
-// The picture over a parameter: a sweep's dots, branches, special points. The pointer or the arrow
-// keys choose a point, a click or Enter opens its orbit.
-import { keepZoom, planeInView } from './axes_in_view.js';
-import { diagramOption } from './diagram_option.js';
+// The picture over a parameter, or of two other quantities: a sweep's dots, branches, special points.
+// The pointer or the arrow keys choose a point, a click or Enter opens its orbit.
+import { keepZoom, partInView, planeInView } from './axes_in_view.js';
+import { AxisChoice } from './axis_choice.js';
+import { diagramTable } from './diagram_csv.js';
+import { DiagramGeometry } from './diagram_geometry.js';
+import { diagramOption, diagramTics, stripsOf } from './diagram_option.js';
 import { DotLayer } from './dot_layer.js';
 import { init } from './echarts_parts.js';
+import { ExportTools } from './export_tools.js';
 import { measure } from './format.js';
 import { Hover } from './hover.js';
+import { LabelTool } from './label_tool.js';
 import { diagramEntries, Legend } from './legend.js';
-import { kLineKinds, markOf } from './marks.js';
-import { nearestDot, nearestNode, nearestSpecial } from './nearest.js';
+import { nearestDot, nearestMark, nearestNode } from './nearest.js';
+import { specialTitle } from './special_title.js';
 import { ZoomTools } from './zoom_tools.js';
 
 const kReach = 14;  // px
+const kStable = 3;  // kind of a line
 
 export class DiagramView {
-  // `openOrbit(index, value)` shows an orbit of the page.
+  // `openOrbit(index, value, title)` shows an orbit of the page.
   constructor(view, theme, openOrbit) {
     Object.assign(this, { view, theme, openOrbit });
-    this.shown = view.observables[0];
     this.stage = document.getElementById('stage');
     this.root = document.getElementById('chart');
     this.chart = init(this.root, null, { renderer: 'canvas' });
     this.dots = new DotLayer(document.getElementById('dots'));
     this.hover = new Hover(document.getElementById('hover'), document.getElementById('ring'));
-    this.legend = new Legend(document.getElementById('legend'), theme, diagramEntries(view), () => this.draw());
+    this.legend = new Legend(document.getElementById('legend'), theme, [], () => this.draw());
     this.zoom = new ZoomTools(this.chart, this.root);
-    this.fillObservables();
-    this.draw();
+    this.labels = new LabelTool(view.special.length > 0, () => this.draw());
+    this.axes = new AxisChoice([...view.observables, view.parameter], { x: view.parameter, y: view.observables[0] }, () => this.drawAxes());
+    this.export = new ExportTools({ theme, chart: this.chart, legend: this.legend, under: this.dots.canvas, table: () => this.table() });
+    this.drawAxes();
     this.listen();
   }
 
-  fillObservables() {
-    const select = document.getElementById('observable');
-    for (const observable of this.view.observables) select.add(new Option(observable.name, observable.key));
-    select.addEventListener('change', () => {
-      this.shown = this.view.observables.find((observable) => observable.key === select.value);
-      this.chosen = null;
-      this.zoom.whole();
-      this.draw();
-    });
-    document.getElementById('observables').hidden = this.view.observables.length < 2;
+  // Of what was chosen for the axes.
+  drawAxes() {
+    const { x, y } = this.axes.scales;
+    this.geometry = new DiagramGeometry(this.view, x, y);
+    this.ranges = { x: this.geometry.range('x') ?? [0, 1], y: this.geometry.range('y') ?? [0, 1] };
+    this.legend.entries = diagramEntries(this.view, this.geometry, stripsOf(this.view, x));
+    this.legend.draw();
+    this.chosen = null;
+    if (this.chart.getOption()) this.zoom.whole();
+    this.draw();
   }
 
   listen() {
     this.theme.onChange(() => { this.legend.draw(); this.draw(); });
     new ResizeObserver(() => { this.chart.resize(); this.draw(); }).observe(this.stage);
-    this.chart.on('datazoom', () => { this.hover.hide(); this.drawDots(); });
+    this.chart.on('datazoom', () => this.zoomed());
     const zr = this.chart.getZr();
     zr.on('mousemove', (event) => this.point(event.offsetX, event.offsetY));
     zr.on('globalout', () => this.hover.hide());
@@ -56,32 +63,55 @@ export class DiagramView {
     this.root.addEventListener('keydown', (event) => this.key(event));
   }
 
+  shows(type) { return this.legend.shows(type); }
+
+  tics(dataZoom) {
+    const part = (id, range) => partInView(range, dataZoom.find((zoom) => zoom.id === id));
+    return diagramTics(this.view, this.geometry, { x: part('across', this.ranges.x), y: part('upright', this.ranges.y) });
+  }
+
   draw() {
-    const shows = (type) => this.legend.shows(type);
-    const option = diagramOption(this.view, this.shown, shows, this.theme.colours, this.root.clientHeight);
+    const { view, geometry, ranges, theme } = this;
+    const picture = { view, geometry, ranges, theme, shows: (type) => this.shows(type), labels: this.labels.on };
+    const option = diagramOption(picture, this.root.clientHeight);
     keepZoom(this.chart, option);
+    const tics = this.tics(option.dataZoom);
+    for (const name of ['xAxis', 'yAxis'])
+      tics[name].forEach((more, i) => {
+        const axis = option[name][i];
+        Object.assign(axis, { ...more, axisTick: { ...axis.axisTick, ...more.axisTick }, axisLabel: { ...axis.axisLabel, ...more.axisLabel } });
+      });
     this.chart.setOption(option, { notMerge: true });
     this.hover.hide();
     this.drawDots();
   }
 
-  plane() {
-    return planeInView(this.chart, this.view.parameter.factor, this.shown.factor);
+  // ECharts takes no option while it tells of a zoom.
+  zoomed() {
+    this.hover.hide();
+    this.drawDots();
+    if (this.geometry.x.kind !== 'log' && this.geometry.y.kind !== 'log') return;
+    clearTimeout(this.waiting);
+    this.waiting = setTimeout(() => {
+      const { xAxis, yAxis } = this.tics(this.chart.getOption().dataZoom);
+      this.chart.setOption({ xAxis, yAxis });
+    });
   }
 
   drawDots() {
-    const plane = this.plane();
-    const { sweep, parameter } = this.view;
-    const shown = [this.legend.shows('periodic'), this.legend.shows('wild')];
-    if (sweep) this.dots.draw(sweep, sweep.dots[this.shown.key], plane, shown, this.theme.colours);
-    const range = (quantity, [low, high]) => `${measure(quantity, low)} to ${measure(quantity, high)}`;
+    this.plane = planeInView(this.chart);
+    const { sweep, looks } = this.view;
+    const { x, y, cloud } = this.geometry;
+    const kinds = [looks.dots.periodic, looks.dots.wild];
+    this.dots.draw(cloud, sweep?.wild, this.plane, kinds.map(({ id }) => this.shows(id)), kinds.map(({ colour }) => this.theme.shade(colour)));
+    const range = (scale, [low, high]) => `${scale.measure(low)} to ${scale.measure(high)}`;
     this.root.setAttribute('aria-label',
-      `${this.shown.name} from ${range(this.shown, plane.y)} over ${parameter.name} from ` +
-      `${range(parameter, plane.x)}. Arrow keys go from point to point, Enter opens the orbit.`);
+      `${y.quantity.name} from ${range(y, this.plane.y)} over ${x.quantity.name} from ${range(x, this.plane.x)}. ` +
+      'Arrow keys go from point to point, Enter opens the orbit.');
   }
 
   nearest(px, py) {
-    const plane = this.plane();
+    const { plane, geometry } = this;
     if (px < plane.left - kReach || px > plane.right + kReach || py < plane.top - kReach || py > plane.bottom + kReach)
       return null;
     const perPixel = {
@@ -89,13 +119,10 @@ export class DiagramView {
       y: (plane.y[1] - plane.y[0]) / (plane.bottom - plane.top),
     };
     const place = { x: plane.x[0] + (px - plane.left) * perPixel.x, y: plane.y[1] - (py - plane.top) * perPixel.y };
-    const { sweep, lines, special } = this.view;
-    const { key } = this.shown;
-    const shows = (type) => this.legend.shows(type);
-    const mark = nearestSpecial(special, key, place, perPixel, kReach, shows);
+    const mark = nearestMark(geometry.marks, place, perPixel, kReach, ({ special }) => this.shows(special.type));
     if (mark) return mark;  // there are few, and they lie on all else
-    const node = nearestNode(lines[key] ?? [], place, perPixel, kReach, (kind) => shows(kLineKinds[kind].type));
-    const dot = sweep?.dots[key] ? nearestDot(sweep, sweep.dots[key], place, perPixel, kReach, shows) : null;
+    const node = nearestNode(geometry.lines, place, perPixel, kReach, ({ kind }) => this.shows(this.view.looks.lines[kind].id));
+    const dot = geometry.cloud ? nearestDot(geometry.cloud, this.view.sweep.wild, place, perPixel, kReach, (type) => this.shows(type)) : null;
     if (node && dot) return node.distance <= dot.distance + 2 ? node : dot;
     return node ?? dot;
   }
@@ -109,61 +136,67 @@ export class DiagramView {
 
   show(found) {
     this.chosen = found;
-    const [x, y] = this.chart.convertToPixel({ gridIndex: 0 },
-      [this.view.parameter.factor * found.value, this.shown.factor * found.height]);
-    const values = [[this.view.parameter.name, measure(this.view.parameter, found.value, 7)]];
-    this.hover.show({ x, y }, this.titleOf(found), [...values, ...this.valuesOf(found)],
-      this.orbitOf(found) === null ? '' : 'click: the orbit');
+    const [x, y] = this.chart.convertToPixel({ gridIndex: 0 }, [found.x, found.y]);
+    this.hover.show({ x, y }, this.titleOf(found), this.valuesOf(found), this.orbitOf(found) === null ? '' : 'click: the orbit');
   }
 
   titleOf(found) {
-    if (found.kind === 'special') return `${found.special.id}: ${markOf(found.special.label).title}`;
+    if (found.kind === 'special') return specialTitle(this.view, found.special);
     if (found.kind === 'dot') return `sweep: ${this.view.sweep.labels[this.view.sweep.label[found.row]]}`;
     const branch = this.view.branches[found.line.branch];
-    return `branch ${branch.id}, ${branch.name}: ${kLineKinds[found.line.kind].title}`;
+    return `branch ${branch.id}, ${branch.name}: ${this.view.looks.lines[found.line.kind].title}`;
+  }
+
+  // SI.
+  valueOf(quantity, found) {
+    if (found.kind === 'dot') return this.geometry.dotValue(quantity, found.row, found.dot);
+    if (found.kind === 'special') return this.geometry.valueAt(quantity, 0, -1 - this.view.special.indexOf(found.special), found.index);
+    return this.geometry.valueAt(quantity, found.line.branch, found.line.point[found.node], found.line.index?.[found.node] ?? 0);
   }
 
   valuesOf(found) {
-    if (found.kind === 'special') {
-      const shown = [this.shown.name, measure(this.shown, found.height)];
-      return [shown, ...found.special.more];
-    }
+    const { parameter, sweep, observables, stops } = this.view;
+    const { x, y, counted } = this.geometry;
+    const shown = new Set([parameter, y.quantity, x.quantity]);
+    // All that a dot has; where it is no single impact, of the motion.
+    if (found.kind === 'dot')
+      for (const quantity of observables)
+        if (sweep.dots[quantity.key] && (counted || quantity.of_motion)) shown.add(quantity);
     const values = [];
-    if (found.kind === 'dot') {
-      const { sweep } = this.view;
-      for (const observable of this.view.observables)
-        if (sweep.dots[observable.key]) values.push([observable.name, measure(observable, sweep.dots[observable.key][found.dot])]);
-      if (sweep.stop && this.view.stops > 1) values.push(['at stop', String(sweep.stop[found.dot])]);
-      return values;
+    for (const quantity of shown) {
+      const value = this.valueOf(quantity, found);
+      if (Number.isFinite(value)) values.push([quantity.name, measure(quantity, value, quantity === parameter ? 7 : 5)]);
     }
-    values.push([this.shown.name, measure(this.shown, found.height)]);
-    const unstable = this.pointOf(found) === null ? null
-      : this.view.branches[found.line.branch].unstable[this.pointOf(found)];
-    if (unstable !== null) values.push(['multipliers outside the circle', String(unstable)]);
+    if (found.kind === 'special') return [...values, ...found.special.more];
+    if (found.kind === 'dot' && counted && sweep.stop && stops > 1) values.push(['at stop', String(sweep.stop[found.dot])]);
+    if (found.kind === 'point' && found.line.point[found.node] >= 0)
+      values.push(['multipliers outside the circle', String(this.view.branches[found.line.branch].unstable[found.line.point[found.node]])]);
     return values;
   }
 
-  // The index of a node's point in its branch; null on a special point, which lies between two.
-  pointOf(found) {
-    const point = found.line.point[found.node];
-    return point < 0 ? null : point;
+  // The special point that is found, or null.
+  specialOf(found) {
+    if (found.kind === 'special') return found.special;
+    if (found.kind === 'point' && found.line.point[found.node] < 0) return this.view.special[-1 - found.line.point[found.node]];
+    return null;
   }
 
   // The orbit that the page has of it, or the nearest on its branch; null where there is none.
   orbitOf(found) {
     const valid = (index) => (index >= 0 ? index : null);
-    if (found.kind === 'special') return valid(found.special.orbit);
-    if (found.kind === 'dot') return valid(nearestKept(this.view.sweep.orbit, found.row,
-      (row) => this.view.sweep.label[row] === this.view.sweep.label[found.row]));
-    const point = found.line.point[found.node];
-    if (point < 0) return valid(this.view.special[-1 - point].orbit);
-    return valid(nearestKept(this.view.branches[found.line.branch].orbit, point, () => true));
+    const special = this.specialOf(found);
+    if (special) return valid(special.orbit);
+    const { sweep, branches } = this.view;
+    if (found.kind === 'dot')
+      return valid(nearestKept(sweep.orbit, found.row, (row) => sweep.label[row] === sweep.label[found.row]));
+    return valid(nearestKept(branches[found.line.branch].orbit, found.line.point[found.node], () => true));
   }
 
   open(found) {
     const orbit = this.orbitOf(found);
+    const special = this.specialOf(found);
     this.show(found);
-    if (orbit !== null) this.openOrbit(orbit, found.value);
+    if (orbit !== null) this.openOrbit(orbit, this.valueOf(this.view.parameter, found), special && specialTitle(this.view, special));
   }
 
   key(event) {
@@ -176,27 +209,38 @@ export class DiagramView {
 
   // To the next point of the line, the next row of the sweep, or the first point of all.
   step(by) {
-    const { sweep, lines } = this.view;
-    const { key } = this.shown;
+    const { lines, cloud } = this.geometry;
     const last = this.chosen;
-    if (last?.kind === 'point' && lines[key]?.includes(last.line)) {
-      const node = Math.max(0, Math.min(last.line.x.length - 1, last.node + by));
-      return this.show({ ...last, node, value: last.line.x[node], height: last.line.y[node] });
+    if (last?.kind === 'point' && lines.includes(last.line)) return this.showNode(last.line, last.node, by);
+    if (last?.kind === 'dot' && cloud) {
+      const { values } = this.view.sweep;
+      return this.showRow(last.row, values[0] <= values[values.length - 1] ? by : -by);
     }
-    if (last?.kind === 'dot' && sweep?.dots[key]) {
-      let row = last.row;
-      const up = sweep.values[0] <= sweep.values[sweep.values.length - 1] ? by : -by;
-      do row += up; while (row >= 0 && row < sweep.values.length && sweep.first[row] === sweep.first[row + 1]);
-      if (row < 0 || row >= sweep.values.length) return undefined;
-      const dot = sweep.first[row];
-      return this.show({ kind: 'dot', row, dot, value: sweep.values[row], height: sweep.dots[key][dot] });
-    }
-    const line = lines[key]?.find((part) => part.kind === 3) ?? lines[key]?.[0];
-    if (line) return this.show({ kind: 'point', line, node: 0, value: line.x[0], height: line.y[0] });
-    if (!sweep?.dots[key]?.length) return undefined;
-    const row = sweep.first.findIndex((at) => at > 0) - 1;
-    return this.show({ kind: 'dot', row, dot: 0, value: sweep.values[row], height: sweep.dots[key][0] });
+    const line = lines.find((part) => part.kind === kStable) ?? lines[0];
+    if (line) return this.showNode(line, -1, 1);
+    return cloud ? this.showRow(-1, 1) : undefined;
   }
+
+  // The next node or row that is somewhere.
+  showNode(line, from, by) {
+    for (let node = from + by; node >= 0 && node < line.x.length; node += by)
+      if (Number.isFinite(line.x[node]) && Number.isFinite(line.y[node]))
+        return this.show({ kind: 'point', line, node, x: line.x[node], y: line.y[node] });
+    return undefined;
+  }
+
+  showRow(from, by) {
+    const { cloud } = this.geometry;
+    const rows = this.view.sweep.values.length;
+    for (let row = from + by; row >= 0 && row < rows; row += by) {
+      const at = cloud.row.indexOf(row);
+      if (at >= 0 && Number.isFinite(cloud.x[at]) && Number.isFinite(cloud.y[at]))
+        return this.show({ kind: 'dot', row, dot: cloud.dot[at], x: cloud.x[at], y: cloud.y[at] });
+    }
+    return undefined;
+  }
+
+  table() { return diagramTable(this.view, this.geometry, this.plane, (type) => this.shows(type)); }
 }
 
 // The entry of `orbits` at `from`, or the nearest one that is kept and `alike`; -1 where none is.

@@ -14,17 +14,17 @@ export class DotLayer {
     this.canvas = canvas;
   }
 
-  // `sweep`: of the view; `heights`: one for each dot, SI; `plane`: { left, top, right, bottom } in
-  // CSS pixels and the ranges { x: [low, high], y: [low, high] } that it spans, SI; `shown`: whether
-  // dots of rows with wild = 0 and 1 are.
-  draw(sweep, heights, plane, shown, colours) {
+  // `cloud`: places of the dots, as numbers along the axes, and rows; null: none. `wild`: of each row;
+  // `plane`: { left, top, right, bottom } in CSS pixels and the ranges { x: [low, high], y: [low, high] }
+  // that it spans; `shown`: whether dots of rows with wild = 0 and 1 are; `inks`: their colours.
+  draw(cloud, wild, plane, shown, inks) {
     const ratio = window.devicePixelRatio || 1;
     const width = Math.round(this.canvas.clientWidth * ratio);
     const height = Math.round(this.canvas.clientHeight * ratio);
     this.canvas.width = width;
     this.canvas.height = height;
     this.drawn = 0;
-    if (!heights || width === 0 || height === 0) return;
+    if (!cloud || width === 0 || height === 0) return;
     const box = {
       left: Math.round(plane.left * ratio), top: Math.round(plane.top * ratio),
       width: Math.round((plane.right - plane.left) * ratio),
@@ -33,31 +33,28 @@ export class DotLayer {
     if (box.width < 1 || box.height < 1) return;
     const context = this.canvas.getContext('2d');
     const image = context.createImageData(box.width, box.height);
-    const counts = [0, 1].map((kind) => (shown[kind] ? this.count(sweep, heights, plane, box, kind) : null));
+    const counts = [0, 1].map((kind) => (shown[kind] ? this.count(cloud, wild, plane, box, kind) : null));
     const sizes = counts.map((count) => (count ? dotSize(count.total, ratio) : 0));
     for (const kind of [1, 0])
       if (counts[kind]?.total > 0)
-        paint(image, counts[kind], sizes[kind], channels(kind === 0 ? colours.black : colours.grey), kind === 1);
+        paint(image, counts[kind], sizes[kind], channels(inks[kind]), kind === 1);
     context.putImageData(image, box.left, box.top);
     this.drawn = counts.reduce((sum, count) => sum + (count?.total ?? 0), 0);
   }
 
   // How many dots of a kind have their middle on each pixel.
-  count(sweep, heights, plane, box, kind) {
+  count(cloud, wild, plane, box, kind) {
     const count = { pixels: new Uint16Array(box.width * box.height), total: 0 };
     const xScale = box.width / (plane.x[1] - plane.x[0]);
     const yScale = box.height / (plane.y[1] - plane.y[0]);
-    for (let row = 0; row < sweep.values.length; ++row) {
-      if (sweep.wild[row] !== kind) continue;
-      const x = Math.floor((sweep.values[row] - plane.x[0]) * xScale);
-      if (x < 0 || x >= box.width) continue;
-      for (let i = sweep.first[row]; i < sweep.first[row + 1]; ++i) {
-        const y = Math.floor((plane.y[1] - heights[i]) * yScale);
-        if (!(y >= 0 && y < box.height)) continue;
-        const at = y * box.width + x;
-        if (count.pixels[at] < 65535) ++count.pixels[at];
-        ++count.total;
-      }
+    for (let i = 0; i < cloud.x.length; ++i) {
+      if (wild[cloud.row[i]] !== kind) continue;
+      const x = Math.floor((cloud.x[i] - plane.x[0]) * xScale);
+      const y = Math.floor((plane.y[1] - cloud.y[i]) * yScale);
+      if (!(x >= 0 && x < box.width && y >= 0 && y < box.height)) continue;
+      const at = y * box.width + x;
+      if (count.pixels[at] < 65535) ++count.pixels[at];
+      ++count.total;
     }
     return count;
   }

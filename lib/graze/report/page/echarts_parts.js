@@ -4,10 +4,11 @@ import {
   DataZoomInsideComponent, GridComponent, MarkAreaComponent, MarkLineComponent,
 } from 'echarts/components';
 import { init, use } from 'echarts/core';
+import { LabelLayout } from 'echarts/features';
 import { CanvasRenderer } from 'echarts/renderers';
 
 use([LineChart, ScatterChart, GridComponent, DataZoomInsideComponent, MarkAreaComponent,
-  MarkLineComponent, CanvasRenderer]);
+  MarkLineComponent, LabelLayout, CanvasRenderer]);
 
 export { init };
 

@@ -1,10 +1,10 @@
 // The legend: a button for each type of what is shown, which hides it and shows it again.
 import { element } from './format.js';
-import { dotSwatch, kDotKinds, kLineKinds, kLowerKind, lineSwatch, markOf, markSwatch } from './marks.js';
+import { lookSwatch, specialLook } from './marks.js';
 
 export class Legend {
-  // `entries`: { type, title, swatch(colours) }; they may be others when it is drawn again. `changed`
-  // is called after a click.
+  // `entries`: { type, title, swatch(theme) }; they may be others when it is drawn again. `changed` is
+  // called after a click.
   constructor(root, theme, entries, changed) {
     Object.assign(this, { root, theme, entries, changed });
     this.hidden = new Set();
@@ -13,11 +13,14 @@ export class Legend {
 
   shows(type) { return !this.hidden.has(type); }
 
+  // Those that are switched on.
+  get shown() { return this.entries.filter(({ type }) => this.shows(type)); }
+
   draw() {
     this.root.replaceChildren(...this.entries.map((entry) => element('button', {
       type: 'button', 'data-type': entry.type, 'aria-pressed': String(this.shows(entry.type)),
       onclick: (event) => this.toggle(entry.type, event.currentTarget),
-    }, entry.swatch(this.theme.colours), entry.title)));
+    }, entry.swatch(this.theme), entry.title)));
   }
 
   toggle(type, button) {
@@ -27,23 +30,19 @@ export class Legend {
   }
 }
 
-// Of a picture over a parameter: only what it has.
-export function diagramEntries(view) {
+// Of a thing with a look of the program.
+export function lookEntry(look, type = look.id) {
+  return { type, title: look.title, swatch: (theme) => lookSwatch(look, theme) };
+}
+
+// Of a diagram: only what it has over its axes, and in panels below. What lies on top stands first.
+export function diagramEntries({ looks, sweep }, { cloud, lines, marks }, strips) {
   const entries = [];
-  const wild = view.sweep ? view.sweep.wild : new Uint8Array();
-  const crowd = (kind, found) => {
-    if (found) entries.push({ ...kind, swatch: (colours) => dotSwatch(kind, colours) });
-  };
-  crowd(kDotKinds[0], wild.includes(0));
-  crowd(kDotKinds[1], wild.includes(1));
-  const drawn = new Set(Object.values(view.lines).flat().map((line) => line.kind));
-  for (let kind = kLineKinds.length; kind-- > 0;)
-    if (drawn.has(kind))
-      entries.push({ ...kLineKinds[kind], swatch: (colours) => lineSwatch(kLineKinds[kind], colours) });
-  for (const type of new Set(view.special.map((special) => special.type))) {
-    const mark = markOf(type);
-    entries.push({ type, title: mark.title, swatch: (colours) => markSwatch(mark, colours) });
-  }
-  if (view.strips.length > 0) entries.push({ ...kLowerKind, swatch: (colours) => dotSwatch(kLowerKind, colours) });
+  if (cloud && sweep.wild.includes(0)) entries.push(lookEntry(looks.dots.periodic));
+  if (cloud && sweep.wild.includes(1)) entries.push(lookEntry(looks.dots.wild));
+  const drawn = new Set(lines.map((line) => line.kind));
+  for (let kind = looks.lines.length; kind-- > 0;) if (drawn.has(kind)) entries.push(lookEntry(looks.lines[kind]));
+  for (const type of new Set(marks.map(({ special }) => special.type))) entries.push(lookEntry(specialLook(looks, type), type));
+  if (strips.length > 0) entries.push(lookEntry(looks.dots.lower));
   return entries;
 }

@@ -1,38 +1,58 @@
-// Loci of special points over a map: lines with a border like the ground of the
-// page, told apart by their dashes.
-import { dotSwatch, kCodimensionTwo, kLocusKinds, lineSwatch } from './marks.js';
+// Loci of special points over a map: lines with a border like the ground of the page, which are seen
+// on any colour, and the points of codimension two with their names.
+import { markLabel } from './diagram_option.js';
+import { lookEntry } from './legend.js';
+import { pen, stamp } from './marks.js';
 
 const kBorder = 1.6;  // px on both sides
 
+// In the order of the legend; what is no orbit of the system lies below the others.
+function locusLooks({ looks, loci }) {
+  const drawn = new Set((loci?.lines ?? []).map(({ kind }) => kind));
+  return looks.loci.filter(({ id }) => drawn.has(id));
+}
+
+// What a locus is called in the legend, where kinds of cells have names of their own.
+const typeOf = (look) => `locus ${look.id}`;
+
 export function lociEntries(view) {
   if (!view.loci) return [];
-  const drawn = new Set(view.loci.lines.map(({ kind }) => kind));
-  const entries = kLocusKinds.filter(({ type }) => drawn.has(type))
-    .map((kind) => ({ ...kind, swatch: (colours) => lineSwatch(kind, colours) }));
-  if (view.loci.special.length > 0)
-    entries.push({ ...kCodimensionTwo, swatch: (colours) => dotSwatch(kCodimensionTwo, colours) });
+  const entries = locusLooks(view).map((look) => lookEntry(look, typeOf(look)));
+  if (view.loci.special.length > 0) entries.push(lookEntry(view.looks.codimension_two));
   return entries;
 }
 
-// `shows(type)`: whether the legend has it switched on.
-export function lociSeries(view, shows, colours) {
+// Points of codimension two that the legend shows, as { special, x, y } with numbers along the axes.
+export function codimensionTwoMarks(view, shows) {
+  if (!view.loci || !shows(view.looks.codimension_two.id)) return [];
+  return view.loci.special.map((special) => ({ special, x: view.x.factor * special.x, y: view.y.factor * special.y }));
+}
+
+// Lines that the legend shows, with their looks.
+export function shownLoci(view, shows) {
+  return locusLooks(view).filter((look) => shows(typeOf(look)))
+    .map((look) => ({ look, line: view.loci.lines.find(({ kind }) => kind === look.id) }));
+}
+
+// `shows(type)`: whether the legend has it switched on; `labels`: whether points are named.
+export function lociSeries(view, shows, theme, labels) {
   if (!view.loci) return [];
-  const at = (x, y) => [view.x.factor * x, view.y.factor * y];
+  const shown = new Map(shownLoci(view, shows).map(({ look, line }) => [look.id, line]));
   const series = [];
-  kLocusKinds.forEach((kind, i) => {
-    const line = view.loci.lines.find((part) => part.kind === kind.type);
-    if (!line) return;
-    const data = shows(kind.type) ? Array.from(line.x, (x, k) => at(x, line.y[k])) : [];
+  locusLooks(view).forEach((look, i) => {
+    const line = shown.get(look.id);
+    const data = line ? Array.from(line.x, (x, k) => [view.x.factor * x, view.y.factor * line.y[k]]) : [];
     const drawn = (id, z, lineStyle) => ({ id, type: 'line', data, showSymbol: false, silent: true, z, lineStyle });
-    if (kind.colour !== 'paper')
-      series.push(drawn(`border ${kind.type}`, 3 + i, { color: colours.paper, width: kind.width + 2 * kBorder, type: 'solid' }));
-    series.push(drawn(`locus ${kind.type}`, 10 + i, { color: colours[kind.colour], width: kind.width, type: kind.dash }));
+    const style = pen(look, theme);
+    const below = look.id === 'virtual' ? -1 : 0;
+    if (view.cells) series.push(drawn(`border ${look.id}`, 3 + i, { color: theme.colours.paper, width: style.width + 2 * kBorder, type: 'solid' }));
+    series.push(drawn(`locus ${look.id}`, 10 + i + 10 * below, style));
   });
   if (view.loci.special.length > 0)
     series.push({
-      id: 'codimension two', type: 'scatter', silent: true, symbolSize: 7, z: 18,
-      data: shows(kCodimensionTwo.type) ? view.loci.special.map(({ x, y }) => at(x, y)) : [],
-      itemStyle: { color: colours.black, borderColor: colours.paper, borderWidth: 1, opacity: 1 },
+      id: 'codimension two', type: 'scatter', silent: true, z: 20, ...stamp(view.looks.codimension_two, theme, 0.8),
+      data: codimensionTwoMarks(view, shows).map(({ special, x, y }) => ({ value: [x, y], name: special.id })),
+      label: markLabel(theme, labels), labelLayout: { hideOverlap: true },
     });
   return series;
 }

@@ -3,12 +3,15 @@
 import { keepZoom, planeInView } from './axes_in_view.js';
 import { cellCommand } from './cell_command.js';
 import { CellAxis, CellLayer, pixelOf } from './cell_layer.js';
-import { fillBar, pixelScale } from './colour_bar.js';
+import { barTics, fillBar, pixelScale } from './colour_bar.js';
+import { CsvTable, digits } from './csv_table.js';
 import { axis, hertzAxis, init, kCommon } from './echarts_parts.js';
+import { ExportTools } from './export_tools.js';
 import { axisName, measure, number } from './format.js';
 import { Hover } from './hover.js';
+import { LabelTool } from './label_tool.js';
 import { Legend } from './legend.js';
-import { lociEntries, lociSeries } from './loci_layer.js';
+import { codimensionTwoMarks, lociEntries, lociSeries, shownLoci } from './loci_layer.js';
 import { cellSwatch } from './marks.js';
 import { OrbitPanel } from './orbit_panel.js';
 import { ZoomTools } from './zoom_tools.js';
@@ -30,6 +33,10 @@ export class MapView {
     this.orbitPanel = new OrbitPanel(view, theme, () => window.dispatchEvent(new Event('resize')), () => this.mark(null));
     this.panel = this.orbitPanel.panel;
     this.zoom = new ZoomTools(this.chart, this.root);
+    this.labels = new LabelTool(view.loci?.special.length > 0, () => this.drawLoci());
+    this.export = new ExportTools({
+      theme, chart: this.chart, legend: this.legend, under: this.layer.canvas, bar: () => this.bar(), table: () => this.table(),
+    });
     document.getElementById('hint').textContent = 'wheel: zoom · shift + wheel: zoom upright · drag: move · click: the cell';
     this.fillQuantities();
     this.fillLegend();
@@ -42,13 +49,13 @@ export class MapView {
   fillLegend() {
     const kinds = this.shown === kAttractor ? this.cells.entries : [];
     this.legend.entries = [...kinds.map(({ name, colour }, i) => ({
-      type: String(i), title: name, swatch: () => cellSwatch(this.theme.shade(colour)),
+      type: String(i), title: name, swatch: (theme) => cellSwatch(theme.shade(colour)),
     })), ...lociEntries(this.view)];
     this.legend.root.hidden = this.legend.entries.length === 0;
     this.legend.draw();
   }
 
-  loci() { return lociSeries(this.view, (type) => this.legend.shows(type), this.theme.colours); }
+  loci() { return lociSeries(this.view, (type) => this.legend.shows(type), this.theme, this.labels.on); }
 
   drawLoci() { this.chart.setOption({ series: this.loci() }); }
 
@@ -97,7 +104,7 @@ export class MapView {
       yAxis: axis(colours, axisName(y), y.factor * y.low, y.factor * y.high, { ...none, nameGap: 54 }),
       series: [...this.loci(), {
         id: 'chosen', type: 'scatter', data: this.chosenData(), silent: true, symbol: 'rect', symbolSize: 11, z: 20,
-        itemStyle: { color: 'transparent', borderColor: colours.black, borderWidth: 2.5, opacity: 1, shadowColor: colours.paper, shadowBlur: 3 },
+        itemStyle: { color: 'transparent', borderColor: colours.ink, borderWidth: 2.5, opacity: 1, shadowColor: colours.paper, shadowBlur: 3 },
       }],
       dataZoom: [
         zoom('across', { xAxisIndex: across.map((_, i) => i) }, this.columns.count),
@@ -119,7 +126,7 @@ export class MapView {
       const pixels = kinds.map(({ entry }) => (this.legend.shows(String(entry)) ? pixelOf(this.theme.shade(entries[entry].colour)) : 0));
       this.layer.paint((cell) => pixels[kind[cell]] ?? 0);
     } else {
-      const none = this.theme.colours.none;
+      const none = this.theme.shade(this.view.looks.none);
       const pixel = pixelScale(this.shown, pixelOf(none));
       const { values } = this.shown;
       this.layer.paint((cell) => (kinds[kind[cell]] ? pixel(values[cell]) : 0));
@@ -135,6 +142,36 @@ export class MapView {
     const range = (quantity, [low, high]) => `${quantity.name} from ${measure(quantity, low)} to ${measure(quantity, high)}`;
     this.root.setAttribute('aria-label', `Map of the ${this.shown.name} over ${range(x, this.plane.x)} and ` +
       `${range(y, this.plane.y)}. Arrow keys go from cell to cell, Enter opens one.`);
+  }
+
+  // For the image of the picture.
+  bar() {
+    if (this.shown === kAttractor) return null;
+    return { name: axisName(this.shown), colours: this.shown.colours, tics: barTics(this.shown) };
+  }
+
+  // The cells in view that the legend shows, and the loci over them.
+  table() {
+    const { x, y } = this.view;
+    const { kinds, kind } = this.cells;
+    const shown = this.shown === kAttractor ? [] : [axisName(this.shown)];
+    const [first, second] = [axisName(x), axisName(y)];
+    const table = new CsvTable(['series', 'of', first, second, ...shown]);
+    const isSeen = (u, v) => u >= this.plane.x[0] && u <= this.plane.x[1] && v >= this.plane.y[0] && v <= this.plane.y[1];
+    for (let cell = 0; cell < kind.length; ++cell) {
+      const values = this.valuesAt(cell);
+      const known = kinds[kind[cell]];
+      if (!known || !isSeen(...values) || (shown.length === 0 && !this.legend.shows(String(known.entry)))) continue;
+      table.row(['series', 'cell'], ['of', known.name], [first, digits(x.factor * values[0])], [second, digits(y.factor * values[1])],
+        ...shown.map((name) => [name, digits(this.shown.factor * this.shown.values[cell], 8)]));
+    }
+    const shows = (type) => this.legend.shows(type);
+    const add = (series, of, u, v) => {
+      if (isSeen(u, v)) table.row(['series', series], ['of', of], [first, digits(x.factor * u)], [second, digits(y.factor * v)]);
+    };
+    for (const { look, line } of shownLoci(this.view, shows)) line.x.forEach((u, k) => add('locus', look.title, u, line.y[k]));
+    for (const { special } of codimensionTwoMarks(this.view, shows)) add('codimension two', special.id, special.x, special.y);
+    return table;
   }
 
   cellAt(px, py) {

@@ -3,6 +3,12 @@
 import { axis, kCommon } from './echarts_parts.js';
 import { axisName } from './format.js';
 
+// The colours of a motion on this ground: { motion, impact, stop, stuck, colours }.
+export function motionInks({ looks }, theme) {
+  const inks = Object.fromEntries(['motion', 'impact', 'stop', 'stuck'].map((name) => [name, theme.shade(looks[name])]));
+  return { ...inks, colours: theme.colours };
+}
+
 // A curve as pieces between jumps, each a list of indices; it is cut where a sample is not finite.
 export function pieces(place) {
   const list = [[]];
@@ -72,22 +78,23 @@ function scaled(place, axes) {
   };
 }
 
-// The inside of the stops, as areas between a stop and the border of the axes.
-export function stopAreas(stops, [low, high], name, colours) {
+// The inside of the stops, as areas of a colour between a stop and the border of the axes.
+export function stopAreas(stops, [low, high], name, ground) {
   return stops.map((stop) => [
-    { [name]: stop.place, itemStyle: { color: colours.stop, opacity: 0.75 } },
+    { [name]: stop.place, itemStyle: { color: ground, opacity: 0.75 } },
     { [name]: stop.sense > 0 ? high : low },
   ]);
 }
 
-export function seriesOption(orbit, seen, colours) {
+export function seriesOption(orbit, seen, inks) {
+  const { colours } = inks;
   const { place, length } = scaled(seen);
   const y = extent(place.x, ...place.stops.map((stop) => stop.place));
   const x = orbit.span ?? [0, orbit.period];
   const stuck = orbit.stuck.filter((phase) => place.stops.some((stop) => stop.index === phase.stop))
     .flatMap(({ from, to }) => (orbit.period && to > orbit.period
       ? [[from, orbit.period], [0, to - orbit.period]] : [[from, to]]))
-    .map(([from, to]) => [{ xAxis: from, yAxis: y[0], itemStyle: { color: colours.stuck, opacity: 0.8 } }, { xAxis: to, yAxis: y[1] }]);
+    .map(([from, to]) => [{ xAxis: from, yAxis: y[0], itemStyle: { color: inks.stuck, opacity: 0.8 } }, { xAxis: to, yAxis: y[1] }]);
   const impacts = orbit.impacts.flatMap((impact) => {
     const stop = place.stops.find(({ index }) => index === impact.stop);
     return stop ? [[impact.t, stop.place]] : [];
@@ -99,12 +106,12 @@ export function seriesOption(orbit, seen, colours) {
     series: [
       {
         id: 'motion', type: 'line', data: wrapped(orbit, place), showSymbol: false, silent: true, z: 4,
-        lineStyle: { color: colours.blue, width: 1.8 },
-        markArea: { silent: true, data: [...stuck, ...stopAreas(place.stops, y, 'yAxis', colours)] },
+        lineStyle: { color: inks.motion, width: 1.8 },
+        markArea: { silent: true, data: [...stuck, ...stopAreas(place.stops, y, 'yAxis', inks.stop)] },
       },
       {
         id: 'impacts', type: 'scatter', data: impacts, silent: true, z: 6, symbolSize: impacts.length > 60 ? 4 : 7,
-        itemStyle: { color: colours.vermillion, opacity: 1 },
+        itemStyle: { color: inks.impact, opacity: 1 },
       },
     ],
   };
@@ -122,7 +129,8 @@ export function jumpsOf(orbit, place) {
   return jumps;
 }
 
-export function portraitOption(orbit, seen, colours, axes = null) {
+export function portraitOption(orbit, seen, inks, axes = null) {
+  const { colours } = inks;
   const { place, length, speed } = scaled(seen, axes);
   const x = extent(place.x, ...place.stops.map((stop) => stop.place));
   const y = extent(place.v, 0);
@@ -134,16 +142,17 @@ export function portraitOption(orbit, seen, colours, axes = null) {
     xAxis: axis(colours, axisName(length), x[0], x[1], { nameGap: 26, splitNumber: 3 }),
     yAxis: axis(colours, axisName(speed), y[0], y[1], { nameGap: 38, splitNumber: 4 }),
     series: [
-      { ...line('flights', flights, { color: colours.blue, width: 1.6 }), z: 4,
-        markArea: { silent: true, data: stopAreas(place.stops, x, 'xAxis', colours) } },
-      { ...line('jumps', jumps, { color: colours.vermillion, width: 1.2, type: [4, 3] }), z: 5 },
+      { ...line('flights', flights, { color: inks.motion, width: 1.6 }), z: 4,
+        markArea: { silent: true, data: stopAreas(place.stops, x, 'xAxis', inks.stop) } },
+      { ...line('jumps', jumps, { color: inks.impact, width: 1.2, type: [4, 3] }), z: 5 },
     ],
   };
 }
 
 const kFarOut = 4;  // modulus
 
-export function circleOption(orbit, colours, size) {
+export function circleOption(orbit, inks, size) {
+  const { colours } = inks;
   const turn = Array.from({ length: 181 }, (_, k) => [Math.cos((k * Math.PI) / 90), Math.sin((k * Math.PI) / 90)]);
   const modulus = ([re, im]) => Math.hypot(re, im);
   const inside = orbit.multipliers.filter((multiplier) => modulus(multiplier) <= 1);
@@ -157,7 +166,7 @@ export function circleOption(orbit, colours, size) {
   const proportion = Math.max(0.2, (size.height - top - bottom) / (size.width - left - right));
   const x = proportion < 1 ? reach / proportion : reach, y = proportion < 1 ? reach : reach * proportion;
   const points = (id, data, colour, symbol = 'circle') => ({
-    id, type: 'scatter', data, silent: true, symbol, symbolSize: 8, z: 5, itemStyle: { color: colours[colour], opacity: 1 },
+    id, type: 'scatter', data, silent: true, symbol, symbolSize: 8, z: 5, itemStyle: { color: colour, opacity: 1 },
   });
   return {
     ...kCommon, grid: { left, right, top, bottom },
@@ -165,8 +174,8 @@ export function circleOption(orbit, colours, size) {
     yAxis: axis(colours, 'Im multiplier', -y, y, { nameGap: 34, splitNumber: 4 }),
     series: [
       { id: 'circle', type: 'line', data: turn, showSymbol: false, silent: true, lineStyle: { color: colours.faint, width: 1.2 } },
-      points('inside', inside, 'blue'), points('outside', near, 'vermillion'),
-      points('far', far, 'vermillion', 'diamond'),
+      points('inside', inside, inks.motion), points('outside', near, inks.impact),
+      points('far', far, inks.impact, 'diamond'),
     ],
   };
 }

@@ -1,7 +1,7 @@
 // What is told of one orbit: three pictures, its impacts, the command that makes it again.
 import { init } from './echarts_parts.js';
 import { element, measure, number, table } from './format.js';
-import { circleOption, portraitOption, seriesOption } from './orbit_charts.js';
+import { circleOption, motionInks, portraitOption, seriesOption } from './orbit_charts.js';
 import { Panel } from './panel.js';
 
 const kMostImpacts = 200;  // listed
@@ -18,9 +18,10 @@ export class OrbitPanel {
     window.addEventListener('resize', () => this.fit());
   }
 
-  // `asked`: the parameter's value of the point that was chosen, which may lie beside the orbit's.
-  open(orbit, asked = null) {
-    const opened = this.panel.open(orbit.name, this.factsOf(orbit));
+  // `asked`: the parameter's value of the point that was chosen, which may lie beside the orbit's;
+  // `title`: in place of the orbit's name.
+  open(orbit, asked = null, title = null) {
+    const opened = this.panel.open(title ?? orbit.name, this.factsOf(orbit));
     this.describe(orbit, asked);
     this.show(orbit);
     if (opened) this.panel.focus();
@@ -46,15 +47,15 @@ export class OrbitPanel {
   draw() {
     if (!this.orbit || !this.charts) return;
     const place = this.orbit.places[Number(this.places.value) || 0];
-    const { colours } = this.theme;
+    const inks = motionInks(this.view, this.theme);
     const [series, portrait, circle] = this.charts;
-    series.setOption(seriesOption(this.orbit, place, colours), true);
-    portrait.setOption(portraitOption(this.orbit, place, colours), true);
+    series.setOption(seriesOption(this.orbit, place, inks), true);
+    portrait.setOption(portraitOption(this.orbit, place, inks), true);
     const root = circle.getDom();
     root.hidden = this.orbit.multipliers.length === 0;
     this.fit();
     if (!root.hidden)
-      circle.setOption(circleOption(this.orbit, colours, { width: root.clientWidth, height: root.clientHeight }), true);
+      circle.setOption(circleOption(this.orbit, inks, { width: root.clientWidth, height: root.clientHeight }), true);
   }
 
   fit() {

@@ -1,19 +1,21 @@
 // The phase portraits of several orbits in one picture; a click on a curve, or on its row in the
 // table, opens it.
+import { CsvTable, digits } from './csv_table.js';
 import { axis, init, kCommon } from './echarts_parts.js';
+import { ExportTools } from './export_tools.js';
 import { measure } from './format.js';
 import { Hover } from './hover.js';
 import { Legend } from './legend.js';
-import { lineSwatch } from './marks.js';
+import { lookSwatch, pen } from './marks.js';
 import { jumpsOf, towards, unitOf } from './orbit_charts.js';
 import { ZoomTools } from './zoom_tools.js';
 
-const kColours = ['blue', 'vermillion', 'green', 'black', 'orange', 'sky', 'purple', 'grey'];
 const kReach = 12;  // px
 
-function styleOf(orbit, i) {
-  const dash = !orbit.admissible ? [2, 3] : orbit.stable ? 'solid' : [7, 4];
-  return { colour: kColours[i % kColours.length], width: 2, dash };
+// A colour for each orbit, and the dashes of its stability.
+function lookOf(orbit, i, { curves, lines }) {
+  const id = !orbit.admissible ? 'open' : orbit.stable ? 'stable' : 'unstable';
+  return { ...lines.find((line) => line.id === id), colour: curves[i % curves.length], width: 1.8 };
 }
 
 export class OrbitsView {
@@ -25,10 +27,11 @@ export class OrbitsView {
     this.hover = new Hover(document.getElementById('hover'), document.getElementById('ring'));
     document.getElementById('observables').hidden = true;
     const entries = this.orbits.map((orbit, i) => ({
-      type: String(i), title: `${orbit.name}, ${orbit.stability}`, swatch: (colours) => lineSwatch(styleOf(orbit, i), colours),
+      type: String(i), title: `${orbit.name}, ${orbit.stability}`, swatch: (drawnOn) => lookSwatch(lookOf(orbit, i, view.looks), drawnOn),
     }));
     this.legend = new Legend(document.getElementById('legend'), theme, entries, () => this.draw());
     this.zoom = new ZoomTools(this.chart, this.root);
+    this.export = new ExportTools({ theme, chart: this.chart, legend: this.legend, table: () => this.table() });
     this.measureAxes();
     this.draw();
     this.listen();
@@ -58,16 +61,15 @@ export class OrbitsView {
 
   series() {
     return this.orbits.flatMap((orbit, i) => {
-      const place = this.places()[i], style = styleOf(orbit, i);
+      const place = this.places()[i], style = pen(lookOf(orbit, i, this.view.looks), this.theme);
       const shown = this.legend.shows(String(i));
-      const colour = this.theme.colours[style.colour];
       const line = (id, points, lineStyle) => ({
-        id: `${id} ${i}`, type: 'line', showSymbol: false, silent: true, z: 3, lineStyle: { color: colour, ...lineStyle },
+        id: `${id} ${i}`, type: 'line', showSymbol: false, silent: true, z: 3, lineStyle,
         data: shown ? points.map(([x, v]) => [this.x.factor * x, this.y.factor * v]) : [],
       });
       return [
-        line('orbit', Array.from(place.t, (_, k) => [place.x[k], place.v[k]]), { width: style.width, type: style.dash }),
-        line('jumps', jumpsOf(orbit, place).flatMap(([from, to]) => [from, to, [NaN, NaN]]), { width: 1, type: [2, 3] }),
+        line('orbit', Array.from(place.t, (_, k) => [place.x[k], place.v[k]]), style),
+        line('jumps', jumpsOf(orbit, place).flatMap(([from, to]) => [from, to, [NaN, NaN]]), { color: style.color, width: 1, type: [2, 3] }),
       ];
     });
   }
@@ -80,7 +82,7 @@ export class OrbitsView {
     if (series.length > 0)
       series[0].markArea = {
         silent: true, data: this.places()[0].stops.map((stop) => [
-          { xAxis: this.x.factor * stop.place, itemStyle: { color: colours.stop, opacity: 0.75 } },
+          { xAxis: this.x.factor * stop.place, itemStyle: { color: this.theme.shade(this.view.looks.stop), opacity: 0.75 } },
           { xAxis: this.x.factor * this.x.range[stop.sense > 0 ? 1 : 0] },
         ]),
       };
@@ -98,6 +100,22 @@ export class OrbitsView {
     const [x, y] = ['xAxis', 'yAxis'].map((name) => this.chart.getModel().getComponent(name).axis.scale.getExtent());
     this.root.setAttribute('aria-label', `Phase portraits: velocity from ${y.join(' to ')} ${this.y.unit} over ` +
       `displacement from ${x.join(' to ')} ${this.x.unit}. The table below opens each orbit.`);
+  }
+
+  // The points of the curves in view.
+  table() {
+    const [x, y] = ['xAxis', 'yAxis'].map((name) => this.chart.getModel().getComponent(name).axis.scale.getExtent());
+    const names = ['time (forcing periods)', ...[this.x, this.y].map(({ name, unit }) => `${name} (${unit})`)];
+    const table = new CsvTable(['orbit', 'stability', ...names]);
+    this.places().forEach((place, i) => {
+      if (!this.legend.shows(String(i))) return;
+      for (let k = 0; k < place.t.length; ++k) {
+        const values = [place.t[k], this.x.factor * place.x[k], this.y.factor * place.v[k]];
+        if (!(values[1] >= x[0] && values[1] <= x[1] && values[2] >= y[0] && values[2] <= y[1])) continue;
+        table.row(['orbit', `${i + 1} ${this.orbits[i].name}`], ['stability', this.orbits[i].stability], ...names.map((name, n) => [name, digits(values[n], 8)]));
+      }
+    });
+    return table;
   }
 
   listen() {

@@ -14,6 +14,7 @@
 #include "graze/record/file/detail/files.hpp"
 #include "graze/report/json/detail/json_page.hpp"
 #include "graze/report/json/json.hpp"
+#include "graze/report/page/detail/page_looks.hpp"
 #include "graze/report/page/detail/page_template.hpp"
 #include "graze/report/picture/pictures.hpp"
 #include "graze/report/text/detail/shell_word.hpp"
@@ -106,11 +107,9 @@ Json page_axis(const std::string& name, const std::string& si_unit, AxisRange ra
   if (range.empty()) range.include(0.0);
   range.settle(margin);
   const AxisUnit unit = axis_unit(si_unit, std::max(std::abs(range.low), std::abs(range.high)));
-  return {{"name", plain_text(name)},
-          {"unit", plain_text(unit.unit)},
-          {"factor", unit.factor},
-          {"low", range.low},
-          {"high", range.high}};
+  return {{"name", plain_text(name)},  {"unit", plain_text(unit.unit)},
+          {"si", plain_text(si_unit)}, {"factor", unit.factor},
+          {"low", range.low},          {"high", range.high}};
 }
 
 std::string page_command(const RunInfo& info, const std::string& command,
@@ -126,6 +125,7 @@ Json page_view(const RunInfo& info, const Outcome& outcome,
   Json view;
   view["head"] = document_head(info, outcome, warnings);
   view["notes"] = notes;
+  view["looks"] = page_looks();
   std::string made = "graze";
   for (const std::string& argument : info.arguments) made += " " + shell_word(argument);
   view["made"] = made;

@@ -5,11 +5,12 @@
 
 #include "graze/base/parallel.hpp"
 #include "graze/bifurcation/problem/detail/special_names.hpp"
+#include "graze/report/appearance/looks.hpp"
 #include "graze/report/json/detail/json_page_orbits.hpp"
 #include "graze/report/names/detail/sweep_names.hpp"
 #include "graze/report/page/detail/page.hpp"
+#include "graze/report/page/detail/page_curves.hpp"
 #include "graze/report/page/detail/page_observables.hpp"
-#include "graze/report/picture/detail/branch_lines.hpp"
 
 namespace graze {
 namespace {
@@ -44,6 +45,7 @@ class DiagramPage {
     parameter["from"] = record_.from;
     parameter["to"] = record_.to;
     parameter["hertz"] = has_hertz_axis(path);
+    parameter["has_logarithm"] = std::max(record_.from, record_.to) > 0.0;
     view_["parameter"] = parameter;
     view_["stops"] = record_.system.stops.size();
     view_["subtitle"] = family_.scene().title;
@@ -97,35 +99,56 @@ class DiagramPage {
   Json view_, orbits_;
 };
 
+// The dots of all rows, one after the other; of what a motion has one of, one a row.
+struct DotLists {
+  std::vector<std::int32_t> first{0};  // dot of each row
+  std::vector<std::uint8_t> stop;      // of each dot that is an impact
+  std::vector<std::vector<float>> values;
+
+  explicit DotLists(std::size_t observables) : values(observables) {}
+
+  // Whether the row has any.
+  bool add(const SweepRow& row, const std::vector<PageObservable>& observables) {
+    bool any = false;
+    std::size_t dots = 0;
+    for (std::size_t i = 0; i < observables.size(); ++i) {
+      if (!observables[i].heights) continue;
+      const std::vector<double> heights =
+          has_dots(row) ? observables[i].heights(row) : std::vector<double>();
+      any = any || !heights.empty();
+      if (observables[i].is_of_motion)
+        values[i].push_back(static_cast<float>(heights.empty() ? std::nan("") : heights.front()));
+      else
+        values[i].insert(values[i].end(), heights.begin(), heights.end());
+      if (!observables[i].is_of_motion) dots = heights.size();
+    }
+    first.push_back(first.back() + static_cast<std::int32_t>(dots));
+    for (std::size_t k = 0; k < std::min(dots, row.motion.impacts.size()); ++k)
+      stop.push_back(static_cast<std::uint8_t>(row.motion.impacts[k].stop + 1));
+    return any;
+  }
+};
+
 void DiagramPage::add_sweep(const Sweep& swept, const std::vector<PageObservable>& observables) {
   std::vector<double> values;
-  std::vector<std::int32_t> first{0}, label, stops;
-  std::vector<std::uint8_t> wild, stop;
+  std::vector<std::int32_t> label;
+  std::vector<std::uint8_t> wild;
   std::vector<std::string> labels;
   std::vector<std::size_t> shown;
-  std::vector<std::vector<float>> heights(observables.size());
+  DotLists lists(observables.size());
   for (const SweepRow& row : swept.rows) {
     values.push_back(row.value);
     const std::string name = attractor_label(attractor_class(row));
     const auto known = std::find(labels.begin(), labels.end(), name);
     label.push_back(static_cast<std::int32_t>(known - labels.begin()));
     if (known == labels.end()) labels.push_back(name);
-    const std::size_t before = heights.front().size();
-    for (std::size_t i = 0; i < observables.size(); ++i)
-      if (observables[i].heights && has_dots(row))
-        for (const double height : observables[i].heights(row))
-          heights[i].push_back(static_cast<float>(height));
-    const bool any = heights.front().size() > before;
+    const bool any = lists.add(row, observables);
     if (any) shown.push_back(values.size() - 1);
-    for (std::size_t i = before; i < heights.front().size() && !row.motion.impacts.empty(); ++i)
-      stop.push_back(static_cast<std::uint8_t>(
-          row.motion.impacts[std::min(i - before, row.motion.impacts.size() - 1)].stop + 1));
-    first.push_back(static_cast<std::int32_t>(heights.front().size()));
     wild.push_back(!any ? 2 : row.status == SweepStatus::kNotPeriodic ? 1 : 0);
   }
   Json dots = Json::object();
   for (std::size_t i = 0; i < observables.size(); ++i)
-    if (observables[i].heights) dots[observables[i].key] = packed(heights[i]);
+    if (observables[i].heights) dots[observables[i].key] = packed(lists.values[i]);
   std::vector<std::size_t> kept;
   for (const std::size_t i : kept_of(shown.size(), std::min(fit_, kMostOfSweeps)))
     kept.push_back(shown[i]);
@@ -141,11 +164,11 @@ void DiagramPage::add_sweep(const Sweep& swept, const std::vector<PageObservable
                     {"label", packed(label)},
                     {"labels", labels},
                     {"wild", packed(wild)},
-                    {"first", packed(first)},
+                    {"first", packed(lists.first)},
                     {"dots", dots},
                     {"orbit", packed(orbits)}};
-  if (observables.front().key == "speed" && record_.system.stops.size() > 1)
-    view_["sweep"]["stop"] = packed(stop);
+  if (dots.contains("speed") && record_.system.stops.size() > 1)
+    view_["sweep"]["stop"] = packed(lists.stop);
 }
 
 void DiagramPage::add_exponents(const Sweep& swept) {
@@ -178,8 +201,11 @@ void DiagramPage::add_exponents(const Sweep& swept) {
 
 Json DiagramPage::branch_json(const OrbitBranch& branch, std::size_t most) {
   std::vector<std::int32_t> unstable;
-  for (const OrbitBranchPoint& point : branch.points)
+  std::vector<double> values;
+  for (const OrbitBranchPoint& point : branch.points) {
     unstable.push_back(point.unstable_multipliers);
+    values.push_back(point.value);
+  }
   const std::vector<std::int32_t> orbits =
       keep(branch.points.size(), kept_of(branch.points.size(), most),
            [&](std::size_t k) { return orbit_at(branch.points[k]); });
@@ -187,6 +213,7 @@ Json DiagramPage::branch_json(const OrbitBranch& branch, std::size_t most) {
           {"name", branch.sticks()
                        ? fmt::format("({},stick)", branch.pattern.period)
                        : fmt::format("({},{})", branch.pattern.period, branch.pattern.impacts())},
+          {"value", packed(values)},
           {"unstable", packed(unstable)},
           {"orbit", packed(orbits)}};
 }
@@ -211,18 +238,17 @@ Json DiagramPage::special_json(std::size_t branch, std::size_t index,
   Json heights = Json::object();
   for (const PageObservable& observable : observables) {
     if (observable.curves.empty()) continue;
-    std::vector<double> values = observable.curves[branch].special[index];
-    // One mark is enough for all that a chatter shows.
-    if (special.at.orbit.sticks() && values.size() > 1) values.resize(1);
-    heights[observable.key] = json_list(values);
+    heights[observable.key] = json_list(observable.curves[branch].special[index]);
   }
-  return {{"type", special.at.orbit.admissible ? label : "virtual"},
+  return {{"type", special.at.orbit.admissible ? label : virtual_special_look().id},
           {"label", label},
           {"id", special.id},
           {"branch", from.id},
           {"value", json_number(special.at.value)},
           {"more", more},
           {"orbit", orbit.front()},
+          // One mark is enough for all that a chatter shows.
+          {"marks", special.at.orbit.sticks() ? 1 : 1000},
           {"y", heights}};
 }
 
@@ -231,49 +257,17 @@ void DiagramPage::add_branches(const std::vector<PageObservable>& observables) {
   const std::size_t most = std::min(fit_, kMostOfBranches);
   std::size_t points = 0;
   for (const OrbitBranch& branch : branches) points += branch.points.size();
-  Json list = Json::array(), special = Json::array(), lines = Json::object();
+  Json list = Json::array(), special = Json::array();
   for (std::size_t i = 0; i < branches.size(); ++i) {
     const std::size_t share = points > most ? most * branches[i].points.size() / points : points;
     list.push_back(branch_json(branches[i], std::max<std::size_t>(2, share)));
     for (std::size_t k = 0; k < branches[i].special.size(); ++k)
       special.push_back(special_json(i, k, observables));
   }
-  std::vector<int> first_special;  // of each branch, in the list of all
-  int count = 0;
-  for (const OrbitBranch& branch : branches) {
-    first_special.push_back(count);
-    count += static_cast<int>(branch.special.size());
-  }
-  for (const PageObservable& observable : observables) {
-    if (observable.curves.empty()) continue;
-    PicturePlane plane;
-    plane.x.include(record_.from);
-    plane.x.include(record_.to);
-    for (const DiagramCurve& curve : observable.curves)
-      for (const std::vector<double>& heights : curve.points)
-        for (const double height : heights) plane.y.include(height);
-    plane.x.settle(0.0);
-    plane.y.settle(0.0);
-    Json drawn = Json::array();
-    for (const BranchLine& line : branch_lines(branches, observable.curves, plane).lines) {
-      std::vector<double> x, y;
-      std::vector<std::int32_t> point;
-      for (const BranchLine::Node& node : line.nodes) {
-        x.push_back(node.x);
-        y.push_back(node.y);
-        point.push_back(node.point >= 0 ? node.point : node.point - first_special[line.branch]);
-      }
-      drawn.push_back({{"branch", line.branch},
-                       {"kind", static_cast<int>(line.kind)},
-                       {"x", packed(x)},
-                       {"y", packed(y)},
-                       {"point", packed(point)}});
-    }
-    lines[observable.key] = drawn;
-  }
   view_["branches"] = list;
   view_["special"] = special;
-  view_["lines"] = lines;
+  view_["lines"] = page_lines(record_, observables);
+  view_["values"] = page_values(observables);
 }
 
 void DiagramPage::add_observables(const std::vector<PageObservable>& observables,
@@ -281,7 +275,6 @@ void DiagramPage::add_observables(const std::vector<PageObservable>& observables
   Json list = Json::array();
   for (const PageObservable& observable : observables) {
     AxisRange range;
-    if (observable.from_zero) range.include(0.0);
     const auto include = [&](double height) { range.include(std::min(height, observable.most)); };
     for (const DiagramCurve& curve : observable.curves)
       for (const std::vector<double>& heights : curve.points)
@@ -290,8 +283,13 @@ void DiagramPage::add_observables(const std::vector<PageObservable>& observables
       for (const SweepRow& row : swept->rows)
         if (has_dots(row))
           for (const double height : observable.heights(row)) include(height);
+    const bool has_logarithm = range.high > 0.0;
+    if (observable.from_zero) range.include(0.0);
     Json axis = page_axis(observable.name, observable.unit, range);
+    axis["has_logarithm"] = has_logarithm;
     axis["key"] = observable.key;
+    axis["of_motion"] = observable.is_of_motion;
+    if (observable.turn) axis["turn"] = *observable.turn;
     if (observable.reference) axis["reference"] = *observable.reference;
     list.push_back(axis);
   }
@@ -303,8 +301,7 @@ void DiagramPage::add_observables(const std::vector<PageObservable>& observables
 void write_page(const std::string& file, const BranchRecord& record, const SystemFamily& family) {
   DiagramPage page(record, family);
   page.set_view("Branches of orbits", record.traced.notes);
-  std::vector<PageObservable> observables = impact_observables(record.traced);
-  if (record.shown) observables.insert(observables.begin(), amplitude_observables(record).front());
+  const std::vector<PageObservable> observables = page_observables(record, nullptr);
   page.add_observables(observables, nullptr);
   page.add_branches(observables);
   page.write(file);
@@ -313,10 +310,7 @@ void write_page(const std::string& file, const BranchRecord& record, const Syste
 void write_page(const std::string& file, const DiagramRecord& record, const SystemFamily& family) {
   DiagramPage page(record.branches, family);
   page.set_view("Bifurcation diagram", record.branches.traced.notes);
-  const std::vector<PageObservable> observables =
-      record.branches.shown                       ? amplitude_observables(record.branches)
-      : record.section == DiagramSection::kImpact ? impact_observables(record.branches.traced)
-                                                  : stroboscopic_observables(record);
+  const std::vector<PageObservable> observables = page_observables(record);
   page.add_observables(observables, &record.swept);
   page.add_sweep(record.swept, observables);
   page.add_exponents(record.swept);

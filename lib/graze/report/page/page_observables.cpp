@@ -30,13 +30,17 @@ std::vector<DiagramCurve> curves_of(const OrbitBranches& traced, const Height& h
   return curves;
 }
 
+// In the order of the speeds of `impact_curves`: where a chatter completes, the fastest first.
 std::vector<double> phases_of(const Orbit& orbit) {
+  std::vector<OrbitImpact> impacts = orbit.impacts;
+  if (orbit.sticks() && !impacts.empty()) {
+    const double least = kSlowestShown * leading_impact(orbit).speed;
+    std::erase_if(impacts, [&](const OrbitImpact& impact) { return impact.speed < least; });
+    std::stable_sort(impacts.begin(), impacts.end(),
+                     [](const OrbitImpact& a, const OrbitImpact& b) { return a.speed > b.speed; });
+  }
   std::vector<double> phases;
-  const double least = orbit.sticks() && !orbit.impacts.empty()
-                           ? kSlowestShown * leading_impact(orbit).speed
-                           : -1e300;
-  for (const OrbitImpact& impact : orbit.impacts)
-    if (impact.speed >= least) phases.push_back(impact.phase);
+  for (const OrbitImpact& impact : impacts) phases.push_back(impact.phase);
   return phases;
 }
 
@@ -48,25 +52,16 @@ std::vector<double> largest_multiplier(const Orbit& orbit) {
   return {largest};
 }
 
-PageObservable multiplier_of(const OrbitBranches& traced) {
-  PageObservable made{"multiplier", "largest multiplier, modulus",         "", true,
-                      false,        curves_of(traced, largest_multiplier), {}};
-  made.reference = 1.0;
-  made.most = kLargestMultiplier;
-  return made;
-}
+using Observables = std::vector<PageObservable>;
 
-}  // namespace
-
-std::vector<PageObservable> impact_observables(const OrbitBranches& traced) {
-  std::vector<PageObservable> list;
+void add_impacts(const OrbitBranches& traced, Observables& list) {
   list.push_back(
-      {"speed", "impact speed", "m/s", true, true, impact_curves(traced), [](const SweepRow& row) {
+      {"speed", "impact speed", "m/s", false, true, impact_curves(traced), [](const SweepRow& row) {
          std::vector<double> speeds;
          for (const MetImpact& impact : row.motion.impacts) speeds.push_back(impact.speed);
          return speeds;
        }});
-  list.push_back({"phase", "forcing phase of the impact", "rad", true, true,
+  list.push_back({"phase", "forcing phase of the impact", "rad", false, true,
                   curves_of(traced, phases_of), [](const SweepRow& row) {
                     std::vector<double> phases;
                     for (const MetImpact& impact : row.motion.impacts)
@@ -74,32 +69,17 @@ std::vector<PageObservable> impact_observables(const OrbitBranches& traced) {
                     return phases;
                   }});
   list.back().most = kTurn;
-  if (!traced.branches.empty()) list.push_back(multiplier_of(traced));
-  return list;
+  list.back().turn = kTurn;
 }
 
-std::vector<PageObservable> amplitude_observables(const BranchRecord& record) {
-  const Shown shown = *record.shown;
-  const std::vector<MeasuredPlace>& places = record.amplitudes.places;
-  std::vector<PageObservable> list;
-  list.push_back({name_of(shown.quantity), shown_title(shown, places), shown_unit(shown, places),
-                  true, true, amplitude_curves(record), [&record](const SweepRow& row) {
-                    const std::optional<double> height = shown_height(record, row);
-                    return height ? std::vector<double>{*height} : std::vector<double>();
-                  }});
-  if (!record.traced.branches.empty()) list.push_back(multiplier_of(record.traced));
-  return list;
-}
-
-std::vector<PageObservable> stroboscopic_observables(const DiagramRecord& record) {
-  std::vector<PageObservable> list;
-  const std::vector<SeenPlace> places = places_of(record.branches.system);
-  for (const SeenPlace& place : places) {
-    if (list.size() == 2 * kMostPlaces) break;
+void add_stroboscopic(const DiagramRecord& record, Observables& list) {
+  const std::size_t stops = record.branches.system.stops.size();
+  std::size_t shown = 0;
+  for (const SeenPlace& place : places_of(record.branches.system)) {
+    if (shown++ == kMostPlaces) break;
     const int stop = place.stops.front().index;
     const auto index = static_cast<std::size_t>(stop);
-    const std::string which =
-        record.branches.system.stops.size() > 1 ? fmt::format("stop {}", stop + 1) : "the stop";
+    const std::string which = stops > 1 ? fmt::format("stop {}", stop + 1) : "the stop";
     const auto heights = [stop](double SweepRow::StopState::*part) {
       return [stop, part](const SweepRow& row) {
         std::vector<double> values;
@@ -109,19 +89,99 @@ std::vector<PageObservable> stroboscopic_observables(const DiagramRecord& record
       };
     };
     list.push_back({fmt::format("displacement_{}", stop + 1), "displacement towards " + which, "m",
-                    false, true,
+                    false, false,
                     record.curves.empty() ? std::vector<DiagramCurve>() : record.curves[index],
                     heights(&SweepRow::StopState::displacement)});
     list.push_back({fmt::format("velocity_{}", stop + 1),
                     "velocity towards " + which,
                     "m/s",
                     false,
-                    true,
+                    false,
                     {},
                     heights(&SweepRow::StopState::velocity)});
   }
-  if (!record.branches.traced.branches.empty())
-    list.push_back(multiplier_of(record.branches.traced));
+}
+
+bool has_any(const std::vector<DiagramCurve>& curves) {
+  const auto is_there = [](const std::vector<double>& heights) { return !heights.empty(); };
+  return std::any_of(curves.begin(), curves.end(), [&](const DiagramCurve& curve) {
+    return std::any_of(curve.points.begin(), curve.points.end(), is_there);
+  });
+}
+
+// The number of a picture first of them, which a picture without branches and dots has too.
+void add_amplitudes(const BranchRecord& record, const Sweep* swept, Observables& list) {
+  const std::vector<MeasuredPlace>& places = record.amplitudes.places;
+  const auto is_shown = [&](const Shown& shown) {
+    return record.shown && record.shown->quantity == shown.quantity &&
+           record.shown->place == shown.place;
+  };
+  for (std::size_t place = 0; place < places.size(); ++place)
+    for (const ShownQuantity quantity : kShownQuantities) {
+      const Shown shown{quantity, place};
+      if (is_of_stop(quantity) && !places[place].stop) continue;
+      const auto heights = [shown, &places](const SweepRow& row) {
+        const std::optional<double> value =
+            row.amplitudes ? shown_value(shown, places, *row.amplitudes) : std::nullopt;
+        return value ? std::vector<double>{*value} : std::vector<double>();
+      };
+      PageObservable made{std::string(name_of(quantity)) + "." + places[place].name('.'),
+                          shown_title(shown, places),
+                          shown_unit(shown, places),
+                          true,
+                          true,
+                          amplitude_curves(record.amplitudes, shown),
+                          heights};
+      const bool in_sweep =
+          swept && std::any_of(swept->rows.begin(), swept->rows.end(),
+                               [&](const SweepRow& row) { return !heights(row).empty(); });
+      if (is_shown(shown))
+        list.insert(list.begin(), std::move(made));
+      else if (in_sweep || has_any(made.curves))
+        list.push_back(std::move(made));
+    }
+}
+
+void add_multiplier(const OrbitBranches& traced, Observables& list) {
+  if (traced.branches.empty()) return;
+  PageObservable made{"multiplier", "largest multiplier, modulus",        "", true,
+                      true,         curves_of(traced, largest_multiplier)};
+  made.reference = 1.0;
+  made.most = kLargestMultiplier;
+  list.push_back(std::move(made));
+}
+
+void add_exponent(const Sweep* swept, Observables& list) {
+  if (!swept || swept->options.exponent_periods == 0) return;
+  PageObservable made{"exponent", "largest exponent", "1/s", true};
+  made.heights = [](const SweepRow& row) {
+    return row.exponents && row.exponents->values.size() > 0
+               ? std::vector<double>{row.exponents->values[0]}
+               : std::vector<double>();
+  };
+  made.reference = 0.0;
+  list.push_back(std::move(made));
+}
+
+}  // namespace
+
+std::vector<PageObservable> page_observables(const BranchRecord& record, const Sweep* swept) {
+  Observables list;
+  add_impacts(record.traced, list);
+  add_amplitudes(record, swept, list);
+  add_multiplier(record.traced, list);
+  add_exponent(swept, list);
+  return list;
+}
+
+std::vector<PageObservable> page_observables(const DiagramRecord& record) {
+  if (record.section == DiagramSection::kImpact)
+    return page_observables(record.branches, &record.swept);
+  Observables list;
+  add_stroboscopic(record, list);
+  add_amplitudes(record.branches, &record.swept, list);
+  add_multiplier(record.branches.traced, list);
+  add_exponent(&record.swept, list);
   return list;
 }
 

@@ -1,14 +1,9 @@
 // A motion over time as ECharts draws it: panels one below the other, over one axis of time.
 import { axis, kCommon } from './echarts_parts.js';
-import { stopAreas } from './orbit_charts.js';
+import { motionInks, stopAreas } from './orbit_charts.js';
 
 const kHeights = { displacement: 170, velocity: 150, curves: 130 }, kBetween = 14, kTop = 12, kBottom = 50;  // px
 const kMostMarks = 3000, kMostJumps = 200;  // beyond, jumps would fill the panel
-
-export const kRunEntries = {
-  impacts: { type: 'impacts', title: 'impact', colour: 'vermillion' },
-  stuck: { type: 'stuck', title: 'stuck', colour: 'stuck' },
-};
 
 // How high all panels are together.
 export function runHeight(view) {
@@ -67,22 +62,22 @@ function zeroLine(panel, colours) {
   } : undefined;
 }
 
-function motionSeries(view, panel, i, shows, colours) {
+function motionSeries(view, panel, i, shows, inks) {
   const place = view.places[panel.place];
   const moves = panel.kind === 'displacement';
   const range = [panel.factor * panel.low, panel.factor * panel.high];
   const stuck = !shows('stuck') ? [] : place.stuck.map(([from, to]) => [
-    { xAxis: view.time.factor * from, yAxis: range[0], itemStyle: { color: colours.stuck, opacity: 0.8 } },
+    { xAxis: view.time.factor * from, yAxis: range[0], itemStyle: { color: inks.stuck, opacity: 0.8 } },
     { xAxis: view.time.factor * to, yAxis: range[1] }]);
-  const stops = moves ? stopAreas(place.stops.map((stop) => ({ ...stop, place: panel.factor * stop.place })), range, 'yAxis', colours) : [];
+  const stops = moves ? stopAreas(place.stops.map((stop) => ({ ...stop, place: panel.factor * stop.place })), range, 'yAxis', inks.stop) : [];
   const marks = moves
-    ? { id: `impacts ${i}`, type: 'scatter', itemStyle: { color: colours.vermillion, opacity: 1 } }
-    : { id: `jumps ${i}`, type: 'line', showSymbol: false, lineStyle: { color: colours.vermillion, width: 1, type: [4, 3] } };
+    ? { id: `impacts ${i}`, type: 'scatter', itemStyle: { color: inks.impact, opacity: 1 } }
+    : { id: `jumps ${i}`, type: 'line', showSymbol: false, lineStyle: { color: inks.impact, width: 1, type: [4, 3] } };
   const common = { xAxisIndex: i, yAxisIndex: i, silent: true, animation: false };
   return [{
-    ...common, id: `motion ${i}`, type: 'line', showSymbol: false, z: 4, lineStyle: { color: colours.blue, width: 1.5 },
+    ...common, id: `motion ${i}`, type: 'line', showSymbol: false, z: 4, lineStyle: { color: inks.motion, width: 1.5 },
     data: points(view, panel, place.t, moves ? place.x : place.v),
-    markArea: { silent: true, data: [...stuck, ...stops] }, markLine: moves ? undefined : zeroLine(panel, colours),
+    markArea: { silent: true, data: [...stuck, ...stops] }, markLine: moves ? undefined : zeroLine(panel, inks.colours),
   }, { ...common, z: 6, data: [], ...marks }];
 }
 
@@ -99,6 +94,7 @@ function curveSeries(view, panel, i, shows, theme) {
 export function runOption(view, shows, theme, height) {
   const { time, panels } = view;
   const { colours } = theme;
+  const inks = motionInks(view, theme);
   const last = panels.length - 1;
   return {
     ...kCommon, grid: grids(view, height),
@@ -110,7 +106,7 @@ export function runOption(view, shows, theme, height) {
       panel.factor * panel.low, panel.factor * panel.high,
       { gridIndex: i, nameGap: 56, splitNumber: 3, nameTextStyle: { color: colours.ink, fontSize: 12, lineHeight: 14 } })),
     series: panels.flatMap((panel, i) => (panel.kind === 'curves'
-      ? curveSeries(view, panel, i, shows, theme) : motionSeries(view, panel, i, shows, colours))),
+      ? curveSeries(view, panel, i, shows, theme) : motionSeries(view, panel, i, shows, inks))),
     dataZoom: [{ id: 'across', type: 'inside', xAxisIndex: panels.map((_, i) => i), filterMode: 'none', minSpan: 1e-5 }],
   };
 }

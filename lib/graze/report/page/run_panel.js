@@ -2,7 +2,7 @@
 // the command that follows it again.
 import { init } from './echarts_parts.js';
 import { element, measure, number, table } from './format.js';
-import { portraitOption } from './orbit_charts.js';
+import { motionInks, portraitOption } from './orbit_charts.js';
 import { Panel } from './panel.js';
 import { impactsWithin } from './run_option.js';
 
@@ -60,10 +60,10 @@ export class RunPanel {
     this.listImpacts(inside);
     this.tellRemark();
     const { theme, view } = this;
-    const option = portraitOption({ period: null }, this.portrayed(), theme.colours, view);
+    const option = portraitOption({ period: null }, this.portrayed(), motionInks(view, theme), view);
     option.series.push(...['kept', 'pointed'].map((id) => ({
       id, type: 'scatter', silent: true, symbolSize: 10, z: 8, data: this.markAt(this[id]),
-      itemStyle: { color: id === 'kept' ? theme.colours.black : 'transparent', borderColor: theme.colours.black, borderWidth: 2, opacity: 1 },
+      itemStyle: { color: id === 'kept' ? theme.colours.ink : 'transparent', borderColor: theme.colours.ink, borderWidth: 2, opacity: 1 },
     })));
     this.chart.setOption(option, true);
     document.getElementById('orbit-portrait').setAttribute('aria-label',

@@ -1,13 +1,15 @@
 // A motion over time: displacement, velocity, forces, energy. The pointer or the arrow keys choose a
 // moment, a click or Enter keeps it; beside it stands the phase portrait of what is in view.
 import { keepZoom } from './axes_in_view.js';
+import { CsvTable, digits } from './csv_table.js';
 import { init } from './echarts_parts.js';
-import { measure } from './format.js';
+import { ExportTools } from './export_tools.js';
+import { axisName, measure } from './format.js';
 import { Hover } from './hover.js';
 import { Legend } from './legend.js';
-import { cellSwatch, dotSwatch, lineSwatch } from './marks.js';
+import { cellSwatch, lookSwatch } from './marks.js';
 import { RunPanel } from './run_panel.js';
-import { kRunEntries, marksDependOnView, runHeight, runMarks, runOption } from './run_option.js';
+import { impactsWithin, marksDependOnView, runHeight, runMarks, runOption } from './run_option.js';
 import { ZoomTools } from './zoom_tools.js';
 
 const kReach = 10;  // px
@@ -47,6 +49,7 @@ export class RunView {
     this.legend = new Legend(document.getElementById('legend'), theme, this.entries(), () => this.draw());
     this.zoom = new ZoomTools(this.chart, this.root);
     this.panel = new RunPanel(view, theme);
+    this.export = new ExportTools({ theme, chart: this.chart, legend: this.legend, table: () => this.table() });
     this.draw();
     this.listen();
   }
@@ -54,16 +57,15 @@ export class RunView {
   entries() {
     const { view } = this;
     const entries = [];
-    const { impacts, stuck } = kRunEntries;
     if (view.places.some((place) => place.impacts.t.length > 0))
-      entries.push({ ...impacts, swatch: (colours) => dotSwatch(impacts, colours) });
+      entries.push({ type: 'impacts', title: 'impact', swatch: (theme) => lookSwatch({ mark: 'dot', colour: view.looks.impact, size: 0.6 }, theme) });
     if (view.places.some((place) => place.stuck.length > 0))
-      entries.push({ ...stuck, swatch: (colours) => cellSwatch(colours.stuck) });
+      entries.push({ type: 'stuck', title: 'stuck', swatch: (theme) => cellSwatch(theme.shade(view.looks.stuck)) });
     view.panels.forEach((panel, i) => {
       if (panel.curves?.length > 1)
         panel.curves.forEach((curve, k) => entries.push({
           type: `${i} ${k}`, title: curve.name,
-          swatch: () => lineSwatch({ colour: this.theme.shade(curve.colour), width: 2, dash: 'solid' }, {}),
+          swatch: (theme) => lookSwatch({ mark: 'none', colour: curve.colour, width: 1.8, dashes: [] }, theme),
         }));
     });
     return entries;
@@ -154,6 +156,40 @@ export class RunView {
     if (panel.curves) return panel.curves.map((curve) => ({ ...curve, name: panel.curves.length > 1 ? curve.name : panel.name }));
     const { t, x, v } = this.view.places[panel.place];
     return [{ name: panel.more ? `${panel.name} ${panel.more}` : panel.name, t, y: panel.kind === 'displacement' ? x : v }];
+  }
+
+  // The curves and impacts in view. What several curves have at one time stands in one row, and where a
+  // curve jumps there are two.
+  table() {
+    const { time, panels, places } = this.view;
+    const [low, high] = this.window;
+    const rows = new Map();
+    const columns = [axisName(time)];
+    const add = (t, again, column, value) => {
+      const key = `${t} ${again}`;
+      if (!rows.has(key)) rows.set(key, { t, again, cells: [] });
+      rows.get(key).cells.push([column, digits(value, 8)]);
+    };
+    panels.forEach((panel, i) => this.curvesOf(i).forEach(({ name, t, y }, k) => {
+      if (panel.curves?.length > 1 && !this.shows(`${i} ${k}`)) return;
+      const column = axisName({ name, unit: panel.unit });
+      columns.push(column);
+      for (let n = 0, again = 0; n < t.length; ++n) {
+        if (!(t[n] >= low && t[n] <= high) || !Number.isFinite(y[n])) continue;
+        again = n > 0 && t[n] === t[n - 1] ? again + 1 : 0;
+        add(t[n], again, column, panel.factor * y[n]);
+      }
+    }));
+    if (this.shows('impacts')) places.forEach((place) => {
+      const names = ['before', 'after'].map((when) => `velocity ${when} the impact${place.name ? ` at ${place.name}` : ''} (${this.view.speed.unit})`);
+      for (const k of impactsWithin(place.impacts, this.window))
+        ['before', 'after'].forEach((when, n) => add(place.impacts.t[k], 0, names[n], this.view.speed.factor * place.impacts[when][k]));
+      if (place.impacts.t.length > 0) columns.push(...names);
+    });
+    const table = new CsvTable(columns);
+    for (const { t, cells } of [...rows.values()].sort((a, b) => a.t - b.t || a.again - b.again))
+      table.row([columns[0], digits(time.factor * t)], ...cells);
+    return table;
   }
 
   // Names and values at a moment.

@@ -1,7 +1,8 @@
 // Below the picture: special points or orbits as a table that keys reach too, what the run said, and
 // what made it.
 import { element, measure, number, table } from './format.js';
-import { markOf } from './marks.js';
+import { specialLook } from './marks.js';
+import { specialTitle } from './special_title.js';
 
 function folded(title, open, ...content) {
   const details = element('details', open ? { open: '' } : {}, element('summary', {}, title), ...content);
@@ -14,8 +15,8 @@ function opener(text, open) {
 
 function specialTable(view, openOrbit) {
   const rows = view.special.map((special) => [
-    special.orbit >= 0 ? opener(special.id, () => openOrbit(special.orbit, special.value)) : special.id,
-    markOf(special.label).title, measure(view.parameter, special.value, 10), String(special.branch),
+    special.orbit >= 0 ? opener(special.id, () => openOrbit(special.orbit, special.value, specialTitle(view, special))) : special.id,
+    specialLook(view.looks, special.label).title, measure(view.parameter, special.value, 10), String(special.branch),
     special.more.map(([name, value]) => `${name} ${value}`).join(', '),
   ]);
   return table([['', 'special point', view.parameter.name, 'branch', ''], ...rows]);
@@ -61,6 +62,8 @@ export function fillTables(root, view, orbits, open) {
   if (view.special?.length > 0)
     parts.push(folded(`${view.special.length} special points`, view.special.length <= 12, specialTable(view, open)));
   if (view.kind === 'orbits' && orbits.count > 0) parts.push(orbitTable(view, orbits, open));
+  for (const { name, columns, rows } of view.tables ?? [])
+    parts.push(folded(name, rows.length <= 12, table([columns, ...rows])));
   const said = [...(view.head.warnings ?? []), ...(view.notes ?? [])];
   if (said.length > 0)
     parts.push(folded(`${said.length} ${said.length === 1 ? 'note' : 'notes'} of the run`, said.length <= 3,

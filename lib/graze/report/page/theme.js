@@ -1,16 +1,13 @@
-// Light and dark. The colours are those of the pictures, by M. Okabe and K. Ito (Color Universal
-// Design, 2008); on dark ground blue is lighter, as it would be hard to see, and black is white;
-// in maps what is dark for never repeating and pale for no motion changes places.
-const kLight = {
-  blue: '#0072B2', vermillion: '#D55E00', green: '#009E73', black: '#000000', orange: '#E69F00',
-  sky: '#56B4E9', purple: '#CC79A7', grey: '#999999',
-  paper: '#FFFFFF', ink: '#1B1B1B', faint: '#5C5C5C', line: '#DADADA', stop: '#DDDDDD',
-  stuck: '#F8DA98', yellow: '#F0E442', wild: '#444444', other: '#BBBBBB', none: '#EEEEEE',
-};
-const kDark = {
-  ...kLight, blue: '#3D9BE0', vermillion: '#F0803C', black: '#F2F2F2', grey: '#8A8F96',
-  paper: '#15181C', ink: '#E8E8E8', faint: '#A8ADB3', line: '#333A42', stop: '#3A4048',
-  stuck: '#5C4A1C', wild: '#D9D9D9', other: '#6D737B', none: '#262B31',
+// Light and dark. What a kind of thing looks like on light ground the program says (view.looks); on
+// dark ground colours that would be hard to see are lighter and black is white, and in maps what is
+// dark for never repeating and pale for no motion change places.
+const kLight = { paper: '#FFFFFF', ink: '#1B1B1B', faint: '#5C5C5C', line: '#DADADA' };
+const kDark = { paper: '#15181C', ink: '#E8E8E8', faint: '#A8ADB3', line: '#333A42' };
+
+const kOnDark = {
+  '#000000': '#F2F2F2', '#FFFFFF': '#15181C', '#0072B2': '#3D9BE0', '#D55E00': '#F0803C', '#AA3377': '#DB77AE',
+  '#332288': '#A093F2', '#999999': '#8A8F96', '#DDDDDD': '#3A4048', '#F8DA98': '#5C4A1C', '#5A5A5A': '#D9D9D9',
+  '#444444': '#D9D9D9', '#BBBBBB': '#6D737B', '#EEEEEE': '#262B31',
 };
 
 export class Theme {
@@ -32,11 +29,8 @@ export class Theme {
     for (const listener of this.listeners) listener();
   }
 
-  // A colour of the pictures as it is on this ground.
-  shade(colour) {
-    const name = Object.keys(kLight).find((known) => kLight[known] === colour);
-    return name ? this.colours[name] : colour;
-  }
+  // A colour of the program, "#0072B2", as it is on this ground.
+  shade(colour) { return this.dark ? kOnDark[colour] ?? colour : colour; }
 
   onChange(listener) { this.listeners.push(listener); }
 }

@@ -24,10 +24,12 @@ export class ZoomTools {
     this.listenToRectangle(document.getElementById('select'), document.getElementById('rectangle'));
   }
 
-  // Each way as parts of the axes in view, from the left and from below: [0, 1] is all of it.
-  zoomTo(parts) {
-    const batch = this.chart.getOption().dataZoom.map(({ id, start, end }) => {
-      const [from, to] = parts[id].map((part) => start + part * (end - start));
+  // Each way as parts of the axes in view, from the left and from below: [0, 1] is all of it. Of all
+  // panels, or of one and those that are zoomed with it.
+  zoomTo(parts, panel = null) {
+    const isOf = ({ xAxisIndex, yAxisIndex }) => panel === null || [xAxisIndex ?? yAxisIndex].flat().includes(panel);
+    const batch = this.chart.getOption().dataZoom.filter(isOf).map(({ id, start, end }) => {
+      const [from, to] = parts[id.split(' ')[0]].map((part) => start + part * (end - start));
       const width = Math.min(100, to - from);
       const first = Math.max(0, Math.min(100 - width, from));
       return { dataZoomId: id, start: first, end: first + width };
@@ -43,7 +45,7 @@ export class ZoomTools {
 
   whole() {
     this.chart.dispatchAction({
-      type: 'dataZoom', batch: ['across', 'upright'].map((dataZoomId) => ({ dataZoomId, start: 0, end: 100 })),
+      type: 'dataZoom', batch: this.chart.getOption().dataZoom.map(({ id }) => ({ dataZoomId: id, start: 0, end: 100 })),
     });
   }
 
@@ -77,13 +79,15 @@ export class ZoomTools {
       const start = from, end = place(event);
       from = null;
       if (!start || Math.abs(end.x - start.x) < 4 || Math.abs(end.y - start.y) < 4) return;
-      const grid = this.chart.getModel().getComponent('grid', 0).coordinateSystem.getRect();
+      const boxes = this.chart.getOption().grid.map((_, i) => this.chart.getModel().getComponent('grid', i).coordinateSystem.getRect());
+      const panel = Math.max(0, boxes.findIndex((box) => box.contain(start.x, start.y)));
+      const grid = boxes[panel];
       const part = (value) => Math.max(0, Math.min(1, value));
       const across = [start.x, end.x].map((x) => part((x - grid.x) / grid.width));
       const upright = [start.y, end.y].map((y) => part(1 - (y - grid.y) / grid.height));
       const sorted = (parts) => parts.sort((a, b) => a - b);
       this.select(false);
-      this.zoomTo({ across: sorted(across), upright: sorted(upright) });
+      this.zoomTo({ across: sorted(across), upright: sorted(upright) }, panel);
     });
   }
 }

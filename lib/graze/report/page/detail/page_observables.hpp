@@ -1,5 +1,5 @@
-// What a page can show over the parameter: of the dots of a sweep and of
-// branches, one at a time.
+// What a page can show of motions over a parameter, or over one another: numbers of the dots of a
+// sweep and of the points of branches.
 #pragma once
 
 #include <functional>
@@ -11,24 +11,25 @@
 
 namespace graze {
 
-// What can be shown over the parameter.
 struct PageObservable {
-  std::string key, name, unit;
-  bool from_zero = false, has_dots = true;
-  std::vector<DiagramCurve> curves;                             // one a branch, or none
-  std::function<std::vector<double>(const SweepRow&)> heights;  // of a row's dots
-  std::optional<double> reference = std::nullopt;               // a line across
-  double most = 1e300;                                          // of the axis
+  std::string key, name, unit;  // SI
+  // Whether a motion has one value, else one for each of its impacts or forcing periods.
+  bool is_of_motion = false;
+  bool from_zero = false;
+  std::vector<DiagramCurve> curves = {};  // one a branch, or none
+  // Of a row's dots; none: dots do not have it.
+  std::function<std::vector<double>(const SweepRow&)> heights = {};
+  std::optional<double> reference = {};  // a line across
+  double most = 1e300;                   // of the axis
+  std::optional<double> turn = {};       // of an angle, after which it is the same
 };
 
-// Speed and phase of the impacts; of branches the largest multiplier too.
-std::vector<PageObservable> impact_observables(const OrbitBranches& traced);
+// All that the records hold, the one that a picture shows first. `swept`: the sweep, or none. They
+// refer to the records.
+std::vector<PageObservable> page_observables(const BranchRecord& record, const Sweep* swept);
 
-// What is shown of the amplitudes, and the largest multiplier; requires both. Refers to the record.
-std::vector<PageObservable> amplitude_observables(const BranchRecord& record);
-
-// Displacements and velocities at the stops, of a stroboscopic diagram.
-std::vector<PageObservable> stroboscopic_observables(const DiagramRecord& record);
+// The same of a stroboscopic diagram: displacements and velocities at the stops in place of speeds.
+std::vector<PageObservable> page_observables(const DiagramRecord& record);
 
 // Whether a row's motion is shown.
 bool has_dots(const SweepRow& row);

@@ -1,0 +1,56 @@
+#include "graze/report/page/detail/page_looks.hpp"
+
+#include <array>
+
+#include "graze/report/appearance/looks.hpp"
+
+namespace graze {
+namespace {
+
+const char* name_of(MarkShape shape) {
+  static constexpr std::array kNames = {"none", "dot",  "circle",   "square", "diamond",
+                                        "up",   "down", "pentagon", "cross"};
+  return kNames[static_cast<std::size_t>(shape)];
+}
+
+template <class Looks>
+Json list_of(const Looks& looks) {
+  Json list = Json::array();
+  for (const Look& look : looks) list.push_back(look_json(look));
+  return list;
+}
+
+template <class Looks>
+Json by_id(const Looks& looks) {
+  Json named = Json::object();
+  for (const Look& look : looks) named[look.id] = look_json(look);
+  return named;
+}
+
+}  // namespace
+
+Json look_json(const Look& look) {
+  return {{"id", look.id},         {"title", look.title}, {"colour", look.colour},
+          {"dashes", look.dashes}, {"width", look.width}, {"mark", name_of(look.mark)},
+          {"open", look.open},     {"size", look.size}};
+}
+
+Json page_looks() {
+  Json special = by_id(special_looks());
+  special[virtual_special_look().id] = look_json(virtual_special_look());
+  special["other"] = look_json(special_look(""));
+  const std::span<const char* const> curves = curve_colours();
+  return {{"lines", list_of(line_looks())},
+          {"special", special},
+          {"loci", list_of(locus_looks())},
+          {"codimension_two", look_json(codimension_two_look())},
+          {"dots", by_id(dot_looks())},
+          {"curves", std::vector<std::string>(curves.begin(), curves.end())},
+          {"none", ground_look("none").colour},
+          {"motion", kBlue},
+          {"impact", kVermillion},
+          {"stop", kStopShade},
+          {"stuck", kStuckShade}};
+}
+
+}  // namespace graze
