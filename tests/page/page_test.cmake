@@ -1,4 +1,4 @@
-# Runs the tests of pages in Chromium: cmake -DPROGRAM=.. -DSOURCE=.. -DSCENES=.. -DSCRATCH=.. -P ..
+# Runs the tests of pages in Chromium: cmake -DPROGRAM=.. -DCHARTS=.. -DSOURCE=.. -DSCENES=.. -DSCRATCH=.. -P ..
 # Without a browser, npm or the page it is skipped; where CI is set, that is a failure.
 find_program(NODE NAMES node nodejs)
 find_program(NPM npm)
@@ -33,7 +33,7 @@ if(NOT EXISTS ${SCRATCH}/packages_${lock})
 endif()
 file(GLOB modules ${SOURCE}/*.mjs)
 file(COPY ${modules} DESTINATION ${SCRATCH})
-foreach(test page_test diagram_axes_test export_test map_test run_test)
-  execute_process(COMMAND ${NODE} ${test}.mjs ${PROGRAM} ${SCENES} ${CHROMIUM}
+foreach(test page_test diagram_axes_test export_test charts_test map_test run_test)
+  execute_process(COMMAND ${NODE} ${test}.mjs ${PROGRAM} ${SCENES} ${CHROMIUM} ${CHARTS}
     WORKING_DIRECTORY ${SCRATCH} COMMAND_ERROR_IS_FATAL ANY)
 endforeach()

@@ -1,5 +1,5 @@
 // What the tests of pages have in common: pages of commands, and what is asked of them in a browser.
-//   node x_test.mjs PROGRAM SCENES CHROMIUM
+//   node x_test.mjs PROGRAM SCENES CHROMIUM CHARTS
 import assert from 'node:assert/strict';
 import { execFileSync, execSync } from 'node:child_process';
 import { mkdtempSync, readFileSync, rmSync } from 'node:fs';
@@ -8,7 +8,7 @@ import { join } from 'node:path';
 import { after, before, test } from 'node:test';
 import { openPage, startBrowser } from './browser.mjs';
 
-const [program, scenes, chromium] = process.argv.slice(2);
+const [program, scenes, chromium, charts] = process.argv.slice(2);
 export const folder = mkdtempSync(join(tmpdir(), 'graze page '));  // a blank, as in names of users
 export const scene = (name) => join(scenes, name);
 export let browser;
@@ -24,6 +24,13 @@ after(async () => {
 export function pageOf(name, ...arguments_) {
   const file = join(folder, name);
   execFileSync(program, [...arguments_, '--quiet', '--plot', file], { stdio: ['ignore', 'ignore', 'inherit'] });
+  return file;
+}
+
+// The page of the chart of chart_page.cpp.
+export function pageOfChart(name) {
+  const file = join(folder, name);
+  execFileSync(charts, [file]);
   return file;
 }
 

@@ -38,7 +38,7 @@ export class AxisScale {
     const values = logTics(low, high);
     return {
       axisTick: { customValues: values },
-      axisLabel: { customValues: values, formatter: (value) => power(value) },
+      axisLabel: { customValues: values, showMinLabel: true, showMaxLabel: true, formatter: (value) => power(value) },
     };
   }
 }
