@@ -32,7 +32,7 @@ void add_simulate(CLI::App& graze, std::optional<Command>& parsed) {
       graze, parsed, "simulate", "Follow the motion, every impact certified");
   app->footer(footer("simulate data/scenes/02_wagg_momentum.toml --duration 1 --energy"));
   add_shared(app, command);
-  add_picture(app, command, {.page = true, .ranges = true});
+  add_picture(app, command, {.ranges = true});
   auto* duration =
       app->add_option("--duration", command.duration, "Simulated time, s; needed without forcing")
           ->check(at_least("a number of seconds, 0 or more", 0.0))
@@ -104,7 +104,7 @@ void add_orbit(CLI::App& graze, std::optional<Command>& parsed) {
       add_command<OrbitCommand>(graze, parsed, "orbit", "Find periodic orbits, stable or not");
   app->footer(footer("orbit data/scenes/05_wagg_one_mode.toml --set forcing.frequency=40"));
   add_shared(app, command);
-  add_picture(app, command, {.page = true});
+  add_picture(app, command, {});
   add_orbit_search(app, command);
   add_closure_speed(app, command);
   app->add_option_function<std::string>(
@@ -129,8 +129,7 @@ void add_continue(CLI::App& graze, std::optional<Command>& parsed) {
       footer("continue data/scenes/05_wagg_one_mode.toml --parameter forcing.frequency --from 15 "
              "--to 120"));
   add_shared(app, command);
-  add_picture(app, command,
-              {.page = true, .ranges = true, .scales = true, .labels = true, .multipliers = true});
+  add_picture(app, command, {.ranges = true, .scales = true, .labels = true, .multipliers = true});
   add_orbit_search(app, command);
   add_range(app, command);
   add_branch_kind(app, command);
@@ -148,8 +147,7 @@ void add_diagram(CLI::App& graze, std::optional<Command>& parsed) {
       footer("diagram data/scenes/05_wagg_one_mode.toml --parameter forcing.frequency --from 15 "
              "--to 120"));
   add_shared(app, command);
-  add_picture(app, command,
-              {.page = true, .ranges = true, .scales = true, .labels = true, .multipliers = true});
+  add_picture(app, command, {.ranges = true, .scales = true, .labels = true, .multipliers = true});
   add_range(app, command);
   add_sweep(app, command);
   add_closure_speed(app, command);
@@ -185,7 +183,7 @@ void add_map(CLI::App& graze, std::optional<Command>& parsed) {
       footer("map data/scenes/05_wagg_one_mode.toml --parameter forcing.frequency --from 15 "
              "--to 120 \\\n           --second stop.gap --second-from 0.5e-3 --second-to 2e-3"));
   add_shared(app, command);
-  add_picture(app, command, {.page = true, .ranges = true, .labels = true});
+  add_picture(app, command, {.ranges = true, .labels = true});
   add_plane(app, command);
   add_map_show(app, command);
   add_loci_over_map(app, command);
@@ -205,8 +203,7 @@ void add_merge(CLI::App& graze, std::optional<Command>& parsed) {
       ->type_name("DIR ...");
   add_output(app, command);
   app->get_option("--out")->required();
-  add_picture(app, command,
-              {.page = true, .ranges = true, .scales = true, .labels = true, .multipliers = true});
+  add_picture(app, command, {.ranges = true, .scales = true, .labels = true, .multipliers = true});
   app->add_option("--max-seconds", command.max_seconds,
                   "Most computing time, s; what was reached by then is printed")
       ->check(above_zero())

@@ -2,12 +2,12 @@
 // parameters; a series of modes, each next to the one more.
 #include <fmt/format.h>
 
+#include "chart_output.hpp"
 #include "graze/assembly/assembly.hpp"
 #include "graze/assembly/detail/system_warnings.hpp"
 #include "graze/assembly/initial_state.hpp"
 #include "graze/base/errors.hpp"
 #include "graze/base/parallel.hpp"
-#include "graze/report/chart/charts.hpp"
 #include "graze/report/csv/csv.hpp"
 #include "graze/report/json/json.hpp"
 #include "graze/report/names/detail/comparison_names.hpp"
@@ -32,7 +32,7 @@ constexpr double kPeriodsRun = 50.0, kPeriodsShown = 4.0;
 bool is_over_plane(const CompareCommand& command) { return !command.parameter.empty(); }
 
 void check_options(const CompareCommand& command) {
-  if (!command.plot.empty()) check_picture_name(command.plot.file);
+  if (!command.plot.empty()) check_picture_or_page_name(command.plot.file);
   if (command.against.empty() == (command.most_modes == 0))
     throw InputError(
         "compare: give what is compared, one of --against KEY=VALUE, --modes A:B and "
@@ -156,7 +156,7 @@ int compare_motions(const CompareCommand& command) {
                         record.names[i] + ", for the picture: " + shown.message};
   }
   const auto draw = [&] {
-    if (!record.differences.empty()) draw_chart(command.plot, record.info, chart_of(record));
+    if (!record.differences.empty()) draw_chart_or_page(command.plot, record);
   };
   return conclude(command, record.info, record.outcome,
                   {json_of(record),
@@ -179,6 +179,7 @@ int compare_over_plane(const CompareCommand& command) {
   record.info = run_info(command.name, command.scene, one);
   record.one = "the scene";
   record.other = other_name(command);
+  record.against = command.against;
   record.x_unit = number_unit(one, options.x.name);
   record.y_unit = number_unit(one, options.y.name);
   record.shown = command.show;
@@ -207,7 +208,12 @@ int compare_over_plane(const CompareCommand& command) {
                    [&] {
                      return NamedFiles{{"comparison.csv", comparison_csv(record)}};
                    },
-                   [&] { draw_comparison(command.plot, record); },
+                   [&] {
+                     if (is_page_name(command.plot.file))
+                       write_page(command.plot.file, record, one);
+                     else
+                       draw_comparison(command.plot, record);
+                   },
                    {}});
 }
 

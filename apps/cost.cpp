@@ -2,14 +2,13 @@
 #include <cmath>
 #include <functional>
 
+#include "chart_output.hpp"
 #include "graze/assembly/assembly.hpp"
 #include "graze/assembly/detail/system_warnings.hpp"
 #include "graze/assembly/initial_state.hpp"
 #include "graze/record/detail/cost_record.hpp"
-#include "graze/report/chart/charts.hpp"
 #include "graze/report/csv/csv.hpp"
 #include "graze/report/json/json.hpp"
-#include "graze/report/picture/pictures.hpp"
 #include "graze/report/text/text.hpp"
 #include "graze/study/cost/detail/step_choice.hpp"
 #include "graze/system/scale.hpp"
@@ -37,7 +36,7 @@ ContactOrders contact_orders_of(const System& system, const State& start,
 }  // namespace
 
 int run(const CostCommand& command) {
-  if (!command.plot.empty()) check_picture_name(command.plot.file);
+  if (!command.plot.empty()) check_picture_or_page_name(command.plot.file);
   const Scene scene = scene_of(command);
   CostRecord record;
   record.info = run_info(command.name, command.scene, scene);
@@ -89,7 +88,7 @@ int run(const CostCommand& command) {
                                        {"costs_of_corrector.csv", corrector_costs_csv(record)},
                                        {"costs_of_contact.csv", contact_orders_csv(record)}};
                    },
-                   [&] { draw_chart(command.plot, record.info, chart_of(record)); },
+                   [&] { draw_chart_or_page(command.plot, record); },
                    {}});
 }
 

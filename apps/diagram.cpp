@@ -85,13 +85,7 @@ int run(const DiagramCommand& command) {
   if (!command.plot.empty()) check_picture_or_page_name(command.plot.file);
   check_journal_options(command, command.journal);
   const Scene scene = scene_of(command);
-  if (!scene.forcing) {
-    if (is_page_name(command.plot.file))
-      throw InputError(command.plot.file +
-                       ": pages show motions that repeat with a forcing, and this scene has none; "
-                       "its diagram is drawn as .svg, .png or .pdf");
-    return run_diagram_of_runs(command, scene);
-  }
+  if (!scene.forcing) return run_diagram_of_runs(command, scene);
   if (command.duration)
     throw InputError(
         "--duration: it is not allowed here; this scene's motion repeats with its forcing and is "

@@ -1,12 +1,11 @@
 // graze diagram of a motion that no forcing repeats: one run at each value of a parameter.
+#include "chart_output.hpp"
 #include "graze/assembly/assembly.hpp"
 #include "graze/assembly/detail/system_warnings.hpp"
 #include "graze/base/errors.hpp"
 #include "graze/record/detail/run_diagram_record.hpp"
-#include "graze/report/chart/charts.hpp"
 #include "graze/report/csv/csv.hpp"
 #include "graze/report/json/json.hpp"
-#include "graze/report/picture/pictures.hpp"
 #include "graze/report/text/text.hpp"
 #include "graze/scene/detail/start_coordinate.hpp"
 #include "journals.hpp"
@@ -71,7 +70,7 @@ int run_diagram_of_runs(const DiagramCommand& command, const Scene& scene) {
        [&] {
          return NamedFiles{{"sweep.csv", run_impacts_csv(record)}, {"runs.csv", runs_csv(record)}};
        },
-       [&] { draw_chart(command.plot, record.info, chart_of(record)); },
+       [&] { draw_chart_or_page(command.plot, record); },
        {}});
 }
 

@@ -1,5 +1,6 @@
 // graze fit: parameters of the scene from measurements.
 #include "graze/fit/fit.hpp"
+#include "chart_output.hpp"
 
 #include <fmt/format.h>
 
@@ -8,10 +9,8 @@
 #include "graze/assembly/detail/system_warnings.hpp"
 #include "graze/base/errors.hpp"
 #include "graze/record/detail/fit_record.hpp"
-#include "graze/report/chart/charts.hpp"
 #include "graze/report/csv/csv.hpp"
 #include "graze/report/json/json.hpp"
-#include "graze/report/picture/pictures.hpp"
 #include "graze/report/text/text.hpp"
 #include "session.hpp"
 
@@ -58,7 +57,7 @@ void note_options(const FitCommand& command, const FitOptions& options, RunInfo&
 }  // namespace
 
 int run(const FitCommand& command) {
-  if (!command.plot.empty()) check_picture_name(command.plot.file);
+  if (!command.plot.empty()) check_picture_or_page_name(command.plot.file);
   const Scene scene = scene_of(command);
   require_exact(scene);
   FitRecord record;
@@ -96,8 +95,7 @@ int run(const FitCommand& command) {
                    text_of(record),
                    files,
                    [&] {
-                     if (!record.result.series.empty())
-                       draw_chart(command.plot, record.info, chart_of(record));
+                     if (!record.result.series.empty()) draw_chart_or_page(command.plot, record);
                    },
                    {}});
 }

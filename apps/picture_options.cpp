@@ -43,13 +43,10 @@ void read_range(const std::string& option, const std::string& text, AxisRequest&
 
 void add_picture(CLI::App* app, CommonOptions& command, const PictureFeatures& features) {
   PictureRequest& plot = command.plot;
-  app->add_option("--plot", plot.file,
-                  features.page
-                      ? "Draw a picture into this .svg, .png or .pdf, the gnuplot script and its "
-                        "data are kept beside it; or into this .html, a page to look into with a "
-                        "browser"
-                      : "Draw a picture into this .svg, .png or .pdf; the gnuplot script and its "
-                        "data are kept beside it")
+  app->add_option(
+         "--plot", plot.file,
+         "Draw a picture into this .svg, .png or .pdf, the gnuplot script and its data are "
+         "kept beside it; or into this .html, a page to look into with a browser")
       ->type_name("FILE")
       ->group(kGroup);
   const auto fits = [](CLI::Option* option) { option->group(kGroup)->needs("--plot"); };

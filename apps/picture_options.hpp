@@ -9,7 +9,6 @@ namespace graze {
 
 // What a command's pictures have that may be asked for, besides title and style.
 struct PictureFeatures {
-  bool page = false;         // .html too
   bool ranges = false;       // of the axes
   bool scales = false;       // of the axes, logarithmic or in decibels
   bool labels = false;       // beside special points and curves

@@ -3,14 +3,13 @@
 
 #include <algorithm>
 
+#include "chart_output.hpp"
 #include "graze/assembly/assembly.hpp"
 #include "graze/assembly/detail/system_warnings.hpp"
 #include "graze/base/errors.hpp"
 #include "graze/record/detail/sensitivity_record.hpp"
-#include "graze/report/chart/charts.hpp"
 #include "graze/report/csv/csv.hpp"
 #include "graze/report/json/json.hpp"
-#include "graze/report/picture/pictures.hpp"
 #include "graze/report/text/text.hpp"
 #include "graze/scene/parameter.hpp"
 #include "series_options.hpp"
@@ -41,7 +40,7 @@ void require_what_varies(const CompareCommand& command, const Scene& scene) {
 }  // namespace
 
 int run_sensitivity(const CompareCommand& command) {
-  if (!command.plot.empty()) check_picture_name(command.plot.file);
+  if (!command.plot.empty()) check_picture_or_page_name(command.plot.file);
   const Scene scene = scene_of(command);
   require_what_varies(command, scene);
   SensitivityOptions options = sensitivity_options(command);
@@ -81,8 +80,7 @@ int run_sensitivity(const CompareCommand& command) {
                      return NamedFiles{{"sensitivity.csv", sensitivity_csv(record)}};
                    },
                    [&] {
-                     if (!record.curves.empty())
-                       draw_chart(command.plot, record.info, chart_of(record));
+                     if (!record.curves.empty()) draw_chart_or_page(command.plot, record);
                    },
                    {}});
 }

@@ -250,7 +250,7 @@ int run(const SimulateCommand& command) {
                      else if (record.section)
                        draw_section(command.plot, record);
                      else if (is_page_name(command.plot.file))
-                       write_page(command.plot.file, record, scene);
+                       write_page(command.plot.file, record);
                      else
                        draw_simulation(command.plot, record);
                    },

@@ -160,19 +160,12 @@ TEST(Page, NamesAreCheckedBeforeTheWork) {
   EXPECT_NE(gif.err.find("x.gif: the name of a picture ends in .svg, .png, .pdf or .html"),
             std::string::npos)
       << gif.err;
-  for (const std::string& line :
-       {"compare --sensitivity --plot x.html " + scene("20_yigit_sensitivity.toml") +
-            " --parameter hub.inertia --from 1 --to 2",
-        "cost --plot x.html " + kOneMode,
-        "continue --locus all --parameter forcing.frequency --from 20 --to 60 --second stop.gap "
-        "--second-from 1e-3 --second-to 2e-3 --plot x.html " +
-            kOneMode}) {
-    const Finished run = run_graze(line);
-    EXPECT_EQ(run.code, 2) << line;
-    EXPECT_NE(run.err.find("pages are drawn by simulate, orbit, continue, diagram and map"),
-              std::string::npos)
-        << run.err;
-  }
+  const Finished section = run_graze("simulate --section impact --plot x.html " + kOneMode);
+  EXPECT_EQ(section.code, 2);
+  EXPECT_NE(section.err.find("x.html: this is not drawn as a page; the name ends in .svg, .png or "
+                             ".pdf with --section"),
+            std::string::npos)
+      << section.err;
 }
 
 const std::string kBasins =
@@ -300,15 +293,59 @@ TEST(Page, AnyRunIsAPage) {
   }
 }
 
-TEST(Page, ADiagramOfSingleRunsIsAPicture) {
+// The runs of the document are the dots and the table of the page.
+TEST(Page, ADiagramOfSingleRunsIsAChart) {
   if (!built_with_page()) GTEST_SKIP() << "built without npm";
-  const Finished run = run_graze(
-      "diagram --plot x.html --duration 1 --parameter stop.restitution "
-      "--from 0.5 --to 0.9 " +
-      scene("06_bouncing_ball.toml"));
-  EXPECT_EQ(run.code, 2);
-  EXPECT_NE(run.err.find("pages show motions that repeat with a forcing"), std::string::npos)
-      << run.err;
+  const ScratchFolder scratch;
+  const std::string file = (scratch / "x.html").string();
+  const Finished run = run_graze("diagram --json --quiet --plot " + file +
+                                 " --duration 1 --points 5 --parameter stop.restitution --from 0.5 "
+                                 "--to 0.9 " +
+                                 scene("06_bouncing_ball.toml"));
+  ASSERT_EQ(run.code, 0) << run.err;
+  const json document = json::parse(run.out), view = data_of(read_text(file), "view");
+  EXPECT_EQ(view["kind"], "chart");
+  std::vector<double> speeds, found;
+  for (const json& row : document["runs"])
+    for (const json& impact : row["impacts"]) speeds.push_back(impact["speed"]);
+  for (const json& series : view["rows"][0][0]["series"])
+    for (const double speed : unpacked<double>(series["y"]["f64"]))
+      if (std::isfinite(speed)) found.push_back(speed);
+  std::sort(speeds.begin(), speeds.end());
+  std::sort(found.begin(), found.end());
+  EXPECT_EQ(found, speeds);
+  EXPECT_GT(found.size(), 4u);
+  EXPECT_EQ(view["tables"][0]["rows"].size(), 5u);
+  EXPECT_EQ(view["tables"][0]["rows"][4][0], "0.9");
+}
+
+// Regions are the cells of the page, loci its lines.
+TEST(Page, HoldsTheLociOfTheDocument) {
+  if (!built_with_page()) GTEST_SKIP() << "built without npm";
+  const ScratchFolder scratch;
+  const std::string file = (scratch / "x.html").string();
+  const std::string line =
+      "continue --json --quiet --locus PD --parameter forcing.frequency --from 20 --to 70 --second "
+      "stop.gap --second-from 0.5e-3 --second-to 2e-3 --slices 1 --plot " +
+      file + " " + kOneMode;
+  const Finished loci = run_graze(line);
+  ASSERT_EQ(loci.code, 0) << loci.err;
+  const json view = data_of(read_text(file), "view"), document = json::parse(loci.out);
+  EXPECT_TRUE(view["cells"].is_null());
+  std::size_t points = 0, drawn = 0;
+  for (const json& locus : document["loci"]) points += locus["points"].size();
+  for (const json& part : view["loci"]["lines"])
+    for (const double x : unpacked<double>(part["x"]["f64"])) drawn += std::isfinite(x);
+  EXPECT_GT(points, 20u);
+  EXPECT_GE(drawn, points);  // where they cease to be orbits, both parts have the point
+  const Finished regions = run_graze(line + " --regions 4");
+  ASSERT_EQ(regions.code, 0) << regions.err;
+  const json plane = data_of(read_text(file), "view"), places = json::parse(regions.out)["regions"];
+  const auto kind = unpacked<std::uint8_t>(plane["cells"]["kind"]["u8"]);
+  ASSERT_EQ(kind.size(), 16u);
+  EXPECT_EQ(unpacked<double>(plane["x"]["values"]["f64"]),
+            (std::vector<double>{26.25, 38.75, 51.25, 63.75}));
+  EXPECT_EQ(plane["command"]["after"], " --period 1");
 }
 
 }  // namespace

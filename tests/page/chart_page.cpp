@@ -88,7 +88,8 @@ int main(int, char** arguments) {
   info.version = "0";
   info.command = "fit";
   info.scene_file = "scene.toml";
+  info.scene_title = "By hand";
   Chart chart{"All of a chart", {{values()}, {residuals()}, {decades(), nothing()}}};
-  graze::write_page(arguments[1], chart, info, {"fitted", ""}, {}, "By hand",
+  graze::write_page(arguments[1], chart, info, {"fitted", ""}, {},
                     {{"Fitted parameters", {"name", "value (m)"}, {{"stop.gap", "0.001"}}}});
 }

@@ -33,7 +33,7 @@ if(NOT EXISTS ${SCRATCH}/packages_${lock})
 endif()
 file(GLOB modules ${SOURCE}/*.mjs)
 file(COPY ${modules} DESTINATION ${SCRATCH})
-foreach(test page_test diagram_axes_test export_test charts_test map_test run_test)
+foreach(test page_test diagram_axes_test export_test charts_test results_test map_test run_test)
   execute_process(COMMAND ${NODE} ${test}.mjs ${PROGRAM} ${SCENES} ${CHROMIUM} ${CHARTS}
     WORKING_DIRECTORY ${SCRATCH} COMMAND_ERROR_IS_FATAL ANY)
 endforeach()

@@ -36,7 +36,8 @@ struct ComparisonRecord {
 
 struct ComparisonMapRecord {
   RunInfo info;
-  std::string one, other;  // names of the scenes
+  std::string one, other;            // names of the scenes
+  std::vector<std::string> against;  // "KEY=VALUE" of what makes the other
   ComparisonMap map;
   std::string x_unit, y_unit;
   ComparedQuantity shown = ComparedQuantity::kAttractor;

@@ -43,6 +43,23 @@ struct PlaceSeries {
   }
 };
 
+// In what unit numbers of that size are shown, as on the axis of a picture.
+template <class Numbers>
+Json unit_json(const std::string& si_unit, const Numbers& numbers) {
+  double largest = 0.0;
+  for (const double number : numbers)
+    if (std::isfinite(number)) largest = std::max(largest, std::abs(number));
+  const AxisUnit unit = axis_unit(si_unit, largest);
+  return {{"factor", unit.factor}, {"unit", plain_text(unit.unit)}};
+}
+
+Json clearance_json(const Orbit& orbit) {
+  if (!orbit.clearance || !std::isfinite(*orbit.clearance)) return nullptr;
+  Json json = unit_json("m", std::vector<double>{*orbit.clearance});
+  json["value"] = *orbit.clearance;
+  return json;
+}
+
 Json place_json(const System& system, const SeenPlace& place, const PlaceSeries& series) {
   Json stops = Json::array();
   std::string name = place.stops.size() > 1 ? "stops" : "stop";
@@ -52,6 +69,8 @@ Json place_json(const System& system, const SeenPlace& place, const PlaceSeries&
   }
   return {{"name", system.stops.size() > 1 ? name : "the stop"},
           {"stops", stops},
+          {"length", unit_json("m", series.x)},
+          {"speed", unit_json("m/s", series.v)},
           {"t", packed(series.t)},
           {"x", packed(series.x)},
           {"v", packed(series.v)}};
@@ -187,6 +206,8 @@ Json motion_json(const PageSource& source, const System& system, const PageMotio
           stuck.push_back(
               {{"stop", stop.index + 1}, {"from", span.start / period}, {"to", span.end / period}});
     }
+  std::vector<double> speeds;
+  for (const Event& impact : met) speeds.push_back(impact.speed);
   const std::string name = attractor_label(motion.attractor);
   const std::string shown =
       repeats ? ""
@@ -201,6 +222,7 @@ Json motion_json(const PageSource& source, const System& system, const PageMotio
           {"stable", nullptr},
           {"clearance", nullptr},
           {"multipliers", Json::array()},
+          {"speed", unit_json("m/s", speeds)},
           {"impacts", impacts},
           {"stuck", stuck},
           {"places", places},
@@ -247,6 +269,8 @@ Json page_orbit(const PageSource& source, const System& system, const Orbit& orb
   for (const Eigenvalue& multiplier : orbit.multipliers)
     multipliers.push_back(
         {json_number(multiplier.value.real()), json_number(multiplier.value.imag())});
+  std::vector<double> speeds;
+  for (const OrbitImpact& impact : orbit.impacts) speeds.push_back(impact.speed);
   const int first = orbit.impacts.empty() ? 0 : orbit.impacts.front().stop;
   for (const SeenPlace& place : places_seen(system, first)) {
     PlaceSeries series;
@@ -265,8 +289,9 @@ Json page_orbit(const PageSource& source, const System& system, const Orbit& orb
           {"stability", stability(orbit)},
           {"admissible", orbit.admissible},
           {"stable", json_maybe(orbit.stable)},
-          {"clearance", json_maybe(orbit.clearance)},
+          {"clearance", clearance_json(orbit)},
           {"multipliers", multipliers},
+          {"speed", unit_json("m/s", speeds)},
           {"impacts", impacts},
           {"stuck", stuck_json(orbit, system)},
           {"places", places},

@@ -21,7 +21,7 @@ export function pixelScale({ low, high, colours }, none) {
 
 export function barTics(quantity) {
   return Array.from({ length: kTics }, (_, i) => quantity.low + (i / (kTics - 1)) * (quantity.high - quantity.low))
-    .map((value) => number(value, 3));
+    .map((value) => number(quantity.factor * value, 3));
 }
 
 export function fillBar(root, quantity, none) {

@@ -3,6 +3,7 @@
 import { markLabel } from './diagram_option.js';
 import { lookEntry } from './legend.js';
 import { pen, stamp } from './marks.js';
+import { nearestMark, nearestNode } from './nearest.js';
 
 const kBorder = 1.6;  // px on both sides
 
@@ -55,4 +56,21 @@ export function lociSeries(view, shows, theme, labels) {
       label: markLabel(theme, labels), labelLayout: { hideOverlap: true },
     });
   return series;
+}
+
+// The point of codimension two, or else of a locus, within reach of a place in pixels, as { title, x, y }
+// with SI values; null without any.
+export function nearestOfLoci(view, shows, plane, [px, py], reach) {
+  if (!view.loci) return null;
+  const perPixel = {
+    x: (plane.x[1] - plane.x[0]) / (plane.right - plane.left), y: (plane.y[1] - plane.y[0]) / (plane.bottom - plane.top),
+  };
+  const place = { x: plane.x[0] + (px - plane.left) * perPixel.x, y: plane.y[1] - (py - plane.top) * perPixel.y };
+  if (px < plane.left || px > plane.right || py < plane.top || py > plane.bottom) return null;
+  const marks = shows(view.looks.codimension_two.id) ? view.loci.special : [];
+  const mark = nearestMark(marks, place, perPixel, reach, () => true);
+  if (mark) return { title: mark.title, x: mark.x, y: mark.y };
+  const lines = shownLoci(view, shows).map(({ look, line }) => ({ look, ...line }));
+  const node = nearestNode(lines, place, perPixel, 0.7 * reach, () => true);
+  return node && { title: node.line.look.title, x: node.x, y: node.y };
 }

@@ -4,25 +4,27 @@ import { keepZoom, planeInView } from './axes_in_view.js';
 import { cellCommand } from './cell_command.js';
 import { CellAxis, CellLayer, pixelOf } from './cell_layer.js';
 import { barTics, fillBar, pixelScale } from './colour_bar.js';
-import { CsvTable, digits } from './csv_table.js';
 import { axis, hertzAxis, init, kCommon } from './echarts_parts.js';
 import { ExportTools } from './export_tools.js';
-import { axisName, measure, number } from './format.js';
+import { axisName, measure } from './format.js';
 import { Hover } from './hover.js';
 import { LabelTool } from './label_tool.js';
 import { Legend } from './legend.js';
-import { codimensionTwoMarks, lociEntries, lociSeries, shownLoci } from './loci_layer.js';
+import { lociEntries, lociSeries, nearestOfLoci } from './loci_layer.js';
+import { mapTable } from './map_csv.js';
 import { cellSwatch } from './marks.js';
 import { OrbitPanel } from './orbit_panel.js';
 import { ZoomTools } from './zoom_tools.js';
 
-const kAttractor = { key: 'attractor', name: 'attractor' };
+const kReach = 8;  // px
 
 export class MapView {
   constructor(view, orbits, theme) {
     Object.assign(this, { view, orbits, theme, cells: view.cells });
-    this.quantities = [kAttractor, ...view.numbers];
-    this.shown = this.quantities.find(({ key }) => key === view.shown) ?? kAttractor;
+    this.kinds = { key: 'attractor', name: view.cells?.name ?? 'loci' };
+    this.quantities = [this.kinds, ...view.numbers];
+    this.shown = this.quantities.find(({ key }) => key === view.shown) ?? this.kinds;
+    // Loci alone have no cells.
     this.columns = new CellAxis(view.x.values);
     this.rows = new CellAxis(view.y.values);
     this.root = document.getElementById('chart');
@@ -37,7 +39,8 @@ export class MapView {
     this.export = new ExportTools({
       theme, chart: this.chart, legend: this.legend, under: this.layer.canvas, bar: () => this.bar(), table: () => this.table(),
     });
-    document.getElementById('hint').textContent = 'wheel: zoom · shift + wheel: zoom upright · drag: move · click: the cell';
+    document.getElementById('hint').textContent = `wheel: zoom · shift + wheel: zoom upright · drag: move${this.cells ? ' · click: the cell' : ''}`;
+    document.getElementById('observables').hidden = this.quantities.length < 2;
     this.fillQuantities();
     this.fillLegend();
     this.draw();
@@ -47,7 +50,7 @@ export class MapView {
 
   // The kinds of cells where they have the colours, and the loci.
   fillLegend() {
-    const kinds = this.shown === kAttractor ? this.cells.entries : [];
+    const kinds = this.cells && this.shown === this.kinds ? this.cells.entries : [];
     this.legend.entries = [...kinds.map(({ name, colour }, i) => ({
       type: String(i), title: name, swatch: (theme) => cellSwatch(theme.shade(colour)),
     })), ...lociEntries(this.view)];
@@ -79,7 +82,9 @@ export class MapView {
     zr.on('mousemove', (event) => {
       const cell = this.cellAt(event.offsetX, event.offsetY);
       zr.setCursorStyle(cell === null ? 'default' : 'pointer');
-      if (cell === null) this.hover.hide();
+      const found = nearestOfLoci(this.view, (type) => this.legend.shows(type), this.plane, [event.offsetX, event.offsetY], kReach);
+      if (found) this.showLocus(found);
+      else if (cell === null) this.hover.hide();
       else this.show(cell);
     });
     zr.on('globalout', () => this.hover.hide());
@@ -98,7 +103,7 @@ export class MapView {
     const across = [axis(colours, axisName(x), low, high, { ...none, nameGap: 30 })];
     if (x.hertz) across.push(hertzAxis(colours, low, high));
     // No deeper than two cells.
-    const zoom = (id, axes, cells) => ({ id, type: 'inside', ...axes, filterMode: 'none', minSpan: Math.min(100, 200 / cells) });
+    const zoom = (id, axes, cells) => ({ id, type: 'inside', ...axes, filterMode: 'none', minSpan: cells > 0 ? Math.min(100, 200 / cells) : 1e-6 });
     const option = {
       ...kCommon, grid: { left: 76, right: 22, top: x.hertz ? 52 : 16, bottom: 52 }, xAxis: across,
       yAxis: axis(colours, axisName(y), y.factor * y.low, y.factor * y.high, { ...none, nameGap: 54 }),
@@ -119,10 +124,11 @@ export class MapView {
 
   // Every cell its colour, and the legend or the bar that tells of it.
   colour() {
+    if (!this.cells) return;
     const { kind, kinds, entries } = this.cells;
     const bar = document.getElementById('bar');
-    bar.hidden = this.shown === kAttractor;
-    if (this.shown === kAttractor) {
+    bar.hidden = this.shown === this.kinds;
+    if (this.shown === this.kinds) {
       const pixels = kinds.map(({ entry }) => (this.legend.shows(String(entry)) ? pixelOf(this.theme.shade(entries[entry].colour)) : 0));
       this.layer.paint((cell) => pixels[kind[cell]] ?? 0);
     } else {
@@ -138,44 +144,25 @@ export class MapView {
   drawCells() {
     const { x, y } = this.view;
     this.plane = planeInView(this.chart, x.factor, y.factor);
-    this.layer.draw(this.plane);
+    if (this.cells) this.layer.draw(this.plane);
     const range = (quantity, [low, high]) => `${quantity.name} from ${measure(quantity, low)} to ${measure(quantity, high)}`;
     this.root.setAttribute('aria-label', `Map of the ${this.shown.name} over ${range(x, this.plane.x)} and ` +
-      `${range(y, this.plane.y)}. Arrow keys go from cell to cell, Enter opens one.`);
+      `${range(y, this.plane.y)}.${this.cells ? ' Arrow keys go from cell to cell, Enter opens one.' : ''}`);
   }
 
   // For the image of the picture.
   bar() {
-    if (this.shown === kAttractor) return null;
+    if (this.shown === this.kinds) return null;
     return { name: axisName(this.shown), colours: this.shown.colours, tics: barTics(this.shown) };
   }
 
-  // The cells in view that the legend shows, and the loci over them.
   table() {
-    const { x, y } = this.view;
-    const { kinds, kind } = this.cells;
-    const shown = this.shown === kAttractor ? [] : [axisName(this.shown)];
-    const [first, second] = [axisName(x), axisName(y)];
-    const table = new CsvTable(['series', 'of', first, second, ...shown]);
-    const isSeen = (u, v) => u >= this.plane.x[0] && u <= this.plane.x[1] && v >= this.plane.y[0] && v <= this.plane.y[1];
-    for (let cell = 0; cell < kind.length; ++cell) {
-      const values = this.valuesAt(cell);
-      const known = kinds[kind[cell]];
-      if (!known || !isSeen(...values) || (shown.length === 0 && !this.legend.shows(String(known.entry)))) continue;
-      table.row(['series', 'cell'], ['of', known.name], [first, digits(x.factor * values[0])], [second, digits(y.factor * values[1])],
-        ...shown.map((name) => [name, digits(this.shown.factor * this.shown.values[cell], 8)]));
-    }
-    const shows = (type) => this.legend.shows(type);
-    const add = (series, of, u, v) => {
-      if (isSeen(u, v)) table.row(['series', series], ['of', of], [first, digits(x.factor * u)], [second, digits(y.factor * v)]);
-    };
-    for (const { look, line } of shownLoci(this.view, shows)) line.x.forEach((u, k) => add('locus', look.title, u, line.y[k]));
-    for (const { special } of codimensionTwoMarks(this.view, shows)) add('codimension two', special.id, special.x, special.y);
-    return table;
+    return mapTable(this.view, this.shown === this.kinds ? null : this.shown, (cell) => this.valuesAt(cell), this.plane, (type) => this.legend.shows(type));
   }
 
   cellAt(px, py) {
     const { left, right, top, bottom, x, y } = this.plane;
+    if (!this.cells) return null;
     if (px < left || px > right || py < top || py > bottom) return null;
     const column = this.columns.placeOf(x[0] + ((px - left) / (right - left)) * (x[1] - x[0]));
     const row = this.rows.placeOf(y[1] - ((py - top) / (bottom - top)) * (y[1] - y[0]));
@@ -196,10 +183,16 @@ export class MapView {
     const values = this.valuesAt(cell);
     const told = (quantity) => {
       const value = quantity.values[cell];
-      const text = value === -Infinity ? '−∞' : number(value, digits);
-      return [quantity.name, quantity.unit && text !== '–' ? `${text} ${quantity.unit}` : text];
+      return [quantity.name, value === -Infinity ? '−∞' : Number.isFinite(value) ? measure(quantity, value, digits) : '–'];
     };
     return [[x.name, measure(x, values[0], 7)], [y.name, measure(y, values[1], 7)], ...numbers.map(told)];
+  }
+
+  // Of a locus, or of a point of codimension two.
+  showLocus({ title, x, y }) {
+    const [left, top] = this.chart.convertToPixel({ gridIndex: 0 }, [this.view.x.factor * x, this.view.y.factor * y]);
+    this.hover.show({ x: left, y: top }, title,
+      [[this.view.x.name, measure(this.view.x, x, 7)], [this.view.y.name, measure(this.view.y, y, 7)]], '');
   }
 
   show(cell) {
@@ -269,6 +262,7 @@ export class MapView {
 
   // To the cell beside, as seen.
   key(event) {
+    if (!this.cells) return;
     const step = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1] }[event.key];
     if (step) {
       const { count } = this.columns;

@@ -50,14 +50,6 @@ function extent(values, ...more) {
   return [low - room, high + room];
 }
 
-// Numbers of an axis as people choose them: mm for what is small in m, and so on.
-export function unitOf(si, values) {
-  let largest = 0;
-  for (const value of values) if (Number.isFinite(value)) largest = Math.max(largest, Math.abs(value));
-  if (largest === 0 || largest >= 0.1) return { factor: 1, unit: si };
-  return largest >= 1e-4 ? { factor: 1e3, unit: `m${si}` } : { factor: 1e6, unit: `µ${si}` };
-}
-
 // Which way what is shown of a place counts: " towards stop 2", or nothing where there is no stop.
 export function towards({ stops, name }) {
   if (stops.length === 0) return '';
@@ -67,8 +59,8 @@ export function towards({ stops, name }) {
 // `axes`: name, unit and factor of both, where they are not a length and a speed.
 function scaled(place, axes) {
   const named = (quantity) => ({ ...quantity, name: quantity.name + towards(place) });
-  const length = named(axes?.length ?? { name: 'displacement', ...unitOf('m', place.x) });
-  const speed = named(axes?.speed ?? { name: 'velocity', ...unitOf('m/s', place.v) });
+  const length = named(axes?.length ?? { name: 'displacement', ...place.length });
+  const speed = named(axes?.speed ?? { name: 'velocity', ...place.speed });
   return {
     length, speed,
     place: {

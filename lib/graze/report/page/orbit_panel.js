@@ -38,7 +38,7 @@ export class OrbitPanel {
       root.hidden = orbit === null;
       if (orbit) root.setAttribute('aria-label', [`${what} of ${orbit.name}`, ...this.factsOf(orbit)].join(', '));
     }
-    this.listImpacts(orbit?.impacts ?? []);
+    this.listImpacts(orbit?.impacts ?? [], orbit?.speed);
     if (orbit === null) return;
     this.charts ??= Object.keys(kPictures).map((name) => init(document.getElementById(`orbit-${name}`)));
     this.draw();
@@ -69,7 +69,7 @@ export class OrbitPanel {
     if (orbit.stability) facts.push(orbit.stability);
     if (orbit.multipliers.length > 0)
       facts.push(`largest multiplier ${number(Math.max(...orbit.multipliers.map(([re, im]) => Math.hypot(re, im))), 4)} in modulus`);
-    if (orbit.clearance !== null) facts.push(`clearance between impacts ${number(1e3 * orbit.clearance, 4)} mm`);
+    if (orbit.clearance !== null) facts.push(`clearance between impacts ${measure(orbit.clearance, orbit.clearance.value, 4)}`);
     return facts;
   }
 
@@ -82,13 +82,13 @@ export class OrbitPanel {
     this.panel.tellCommand(orbit.command);
   }
 
-  listImpacts(impacts) {
+  listImpacts(impacts, unit) {
     const root = document.getElementById('orbit-impacts');
     if (impacts.length === 0) return root.replaceChildren();
-    const rows = impacts.slice(0, kMostImpacts).map(({ t, stop, speed }) => [number(t, 6), String(stop), number(speed, 6)]);
+    const rows = impacts.slice(0, kMostImpacts).map(({ t, stop, speed }) => [number(t, 6), String(stop), number(unit.factor * speed, 6)]);
     const left = impacts.length - rows.length;
     return root.replaceChildren(
-      table([['impact at (periods)', 'stop', 'speed (m/s)'], ...rows]),
+      table([['impact at (periods)', 'stop', `speed (${unit.unit})`], ...rows]),
       left > 0 ? element('p', {}, `and ${left} more`) : '');
   }
 }

@@ -7,7 +7,7 @@ import { measure } from './format.js';
 import { Hover } from './hover.js';
 import { Legend } from './legend.js';
 import { lookSwatch, pen } from './marks.js';
-import { jumpsOf, towards, unitOf } from './orbit_charts.js';
+import { jumpsOf, towards } from './orbit_charts.js';
 import { ZoomTools } from './zoom_tools.js';
 
 const kReach = 12;  // px
@@ -47,6 +47,9 @@ export class OrbitsView {
     const places = this.orbits.length > 0 ? this.places() : [];
     const displacements = [...places.flatMap((place) => [...place.x]), ...places.flatMap((place) => place.stops.map((stop) => stop.place))];
     const velocities = places.flatMap((place) => [...place.v]);
+    // Of the largest motion, as on the axis of a picture.
+    const unitOf = (name) => (places.length === 0 ? { factor: 1, unit: '' }
+      : places.map((place) => place[name]).reduce((best, unit) => (unit.factor < best.factor ? unit : best)));
     const range = (values) => {
       const finite = values.filter(Number.isFinite);
       const low = finite.reduce((least, value) => Math.min(least, value), Infinity);
@@ -55,8 +58,8 @@ export class OrbitsView {
       return finite.length > 0 ? [low - room, high + room] : [-1, 1];
     };
     const way = this.orbits.length > 0 ? towards(this.orbits[0].places[0]) : '';
-    this.x = { name: `displacement${way}`, range: range(displacements), ...unitOf('m', displacements) };
-    this.y = { name: `velocity${way}`, range: range(velocities), ...unitOf('m/s', velocities) };
+    this.x = { name: `displacement${way}`, range: range(displacements), ...unitOf('length') };
+    this.y = { name: `velocity${way}`, range: range(velocities), ...unitOf('speed') };
   }
 
   series() {

@@ -124,6 +124,7 @@ Json page_view(const RunInfo& info, const Outcome& outcome,
                const std::vector<std::string>& warnings, const std::vector<std::string>& notes) {
   Json view;
   view["head"] = document_head(info, outcome, warnings);
+  view["subtitle"] = info.scene_title;
   view["notes"] = notes;
   view["looks"] = page_looks();
   std::string made = "graze";

@@ -84,13 +84,20 @@ Json panel_json(const ChartPanel& panel) {
 
 }  // namespace
 
+Json tables_json(const std::vector<PageTable>& tables) {
+  Json list = Json::array();
+  for (const PageTable& table : tables)
+    if (!table.rows.empty())
+      list.push_back({{"name", table.name}, {"columns", table.columns}, {"rows", table.rows}});
+  return list;
+}
+
 void write_page(const std::string& file, const Chart& chart, const RunInfo& info,
                 const Outcome& outcome, const std::vector<std::string>& warnings,
-                const std::string& scene_title, const std::vector<PageTable>& tables) {
+                const std::vector<PageTable>& tables) {
   Json view = page_view(info, outcome, warnings, {});
   view["kind"] = "chart";
   view["title"] = plain_text(chart.title);
-  view["subtitle"] = scene_title;
   Json rows = Json::array();
   for (const std::vector<ChartPanel>& row : chart.rows) {
     Json panels = Json::array();
@@ -98,11 +105,7 @@ void write_page(const std::string& file, const Chart& chart, const RunInfo& info
     rows.push_back(std::move(panels));
   }
   view["rows"] = rows;
-  Json list = Json::array();
-  for (const PageTable& table : tables)
-    if (!table.rows.empty())
-      list.push_back({{"name", table.name}, {"columns", table.columns}, {"rows", table.rows}});
-  view["tables"] = list;
+  view["tables"] = tables_json(tables);
   write_page_file(file, view, Json::array());
 }
 

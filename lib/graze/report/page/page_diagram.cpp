@@ -48,7 +48,6 @@ class DiagramPage {
     parameter["has_logarithm"] = std::max(record_.from, record_.to) > 0.0;
     view_["parameter"] = parameter;
     view_["stops"] = record_.system.stops.size();
-    view_["subtitle"] = family_.scene().title;
     // Panels of their own below the picture: name, unit, factor, low, high, values and heights.
     view_["strips"] = Json::array();
   }

@@ -74,6 +74,8 @@ void add_impacts(const OrbitBranches& traced, Observables& list) {
 
 void add_stroboscopic(const DiagramRecord& record, Observables& list) {
   const std::size_t stops = record.branches.system.stops.size();
+  // Where a picture shows an amplitude, these are the curves of that.
+  const bool has_curves = !record.branches.shown && !record.curves.empty();
   std::size_t shown = 0;
   for (const SeenPlace& place : places_of(record.branches.system)) {
     if (shown++ == kMostPlaces) break;
@@ -89,8 +91,7 @@ void add_stroboscopic(const DiagramRecord& record, Observables& list) {
       };
     };
     list.push_back({fmt::format("displacement_{}", stop + 1), "displacement towards " + which, "m",
-                    false, false,
-                    record.curves.empty() ? std::vector<DiagramCurve>() : record.curves[index],
+                    false, false, has_curves ? record.curves[index] : std::vector<DiagramCurve>(),
                     heights(&SweepRow::StopState::displacement)});
     list.push_back({fmt::format("velocity_{}", stop + 1),
                     "velocity towards " + which,

@@ -31,11 +31,10 @@ class SimulationPage {
     seen_.places.resize(seen_.places.size() - places_left_out_);
   }
 
-  Json view(const Scene& scene) {
+  Json view() {
     Json view = page_view(record_.info, record_.outcome, record_.warnings, record_.notes);
     view["kind"] = "run";
     view["title"] = "Motion";
-    view["subtitle"] = scene.title;
     view["time"] = page_axis("time", "s", {seen_.window.start, seen_.window.end}, 0.0);
     AxisRange displacement, velocity;
     Json places = Json::array();
@@ -198,8 +197,8 @@ class SimulationPage {
 
 }  // namespace
 
-void write_page(const std::string& file, const SimulationRecord& record, const Scene& scene) {
-  write_page_file(file, SimulationPage(record).view(scene), Json::array());
+void write_page(const std::string& file, const SimulationRecord& record) {
+  write_page_file(file, SimulationPage(record).view(), Json::array());
 }
 
 }  // namespace graze

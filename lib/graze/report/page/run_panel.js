@@ -85,14 +85,15 @@ export class RunPanel {
 
   listImpacts(inside) {
     const { impacts } = this.place;
-    const { time } = this.view;
+    const { time, speed } = this.view;
     const root = document.getElementById('orbit-impacts');
     if (inside.length === 0) return root.replaceChildren();
     const rows = inside.slice(0, kMostImpacts).map((k) => [
-      number(time.factor * impacts.t[k], 7), String(this.stopOf(this.index, k)), number(impacts.before[k], 6), number(impacts.after[k], 6)]);
+      number(time.factor * impacts.t[k], 7), String(this.stopOf(this.index, k)),
+      ...[impacts.before, impacts.after].map((values) => number(speed.factor * values[k], 6))]);
     const left = inside.length - rows.length;
     return root.replaceChildren(
-      table([[`impact at (${time.unit})`, 'stop', 'before (m/s)', 'after (m/s)'], ...rows]),
+      table([[`impact at (${time.unit})`, 'stop', `before (${speed.unit})`, `after (${speed.unit})`], ...rows]),
       left > 0 ? element('p', {}, `and ${left} more`) : '');
   }
 

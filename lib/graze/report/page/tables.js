@@ -26,9 +26,9 @@ function orbitTable(view, orbits, openOrbit) {
   const rows = Array.from({ length: orbits.count }, (_, i) => {
     const orbit = orbits.get(i);
     const fastest = Math.max(...orbit.impacts.map((impact) => impact.speed));
-    return [opener(orbit.name, () => openOrbit(i, null)), orbit.stability, String(orbit.impacts.length), number(fastest)];
+    return [opener(orbit.name, () => openOrbit(i, null)), orbit.stability, String(orbit.impacts.length), orbit.impacts.length > 0 ? measure(orbit.speed, fastest) : '–'];
   });
-  return table([['orbit', '', 'impacts', 'fastest (m/s)'], ...rows]);
+  return table([['orbit', '', 'impacts', 'fastest'], ...rows]);
 }
 
 // What the cells of a map settle on; the label opens the first cell that does.
@@ -39,12 +39,13 @@ function kindTable(view, openCell) {
     opener(name, () => openCell(first)), String(cells), `${number((100 * cells) / kind.length, 4)} %`,
     measure(view.x, view.x.values[first % columns], 7), measure(view.y, view.y.values[Math.floor(first / columns)], 7)]);
   return folded(`${rows.length} kinds of cells`, rows.length <= 12,
-    table([['settles on', 'cells', 'part', `first at ${view.x.name}`, view.y.name], ...rows]));
+    table([[view.cells.name, 'cells', 'part', `first at ${view.x.name}`, view.y.name], ...rows]));
 }
 
 function codimensionTwoTable(view) {
-  const rows = view.loci.special.map(({ id, x, y }) => [id, measure(view.x, x, 10), measure(view.y, y, 10)]);
-  return folded(`${rows.length} points of codimension two`, rows.length <= 12, table([['', view.x.name, view.y.name], ...rows]));
+  const rows = view.loci.special.map((special) => [
+    special.title, measure(view.x, special.x, 10), measure(view.y, special.y, 10)]);
+  return folded(`${rows.length} points of codimension two`, rows.length <= 12, table([['special point', view.x.name, view.y.name], ...rows]));
 }
 
 function madeBy(head, made) {
@@ -57,7 +58,7 @@ function madeBy(head, made) {
 // `open` shows an orbit of the page, or a cell of a map.
 export function fillTables(root, view, orbits, open) {
   const parts = [];
-  if (view.kind === 'map') parts.push(kindTable(view, open));
+  if (view.kind === 'map' && view.cells) parts.push(kindTable(view, open));
   if (view.loci?.special.length > 0) parts.push(codimensionTwoTable(view));
   if (view.special?.length > 0)
     parts.push(folded(`${view.special.length} special points`, view.special.length <= 12, specialTable(view, open)));

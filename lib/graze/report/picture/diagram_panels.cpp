@@ -61,17 +61,14 @@ std::vector<DiagramPanel> diagram_panels(const BranchRecord& record, const Diagr
                                          bool multipliers) {
   const Sweep* swept = diagram ? &diagram->swept : nullptr;
   const std::vector<PageObservable> observables =
-      record.shown ? amplitude_observables(record)
-      : diagram && diagram->section == DiagramSection::kStroboscopic
-          ? stroboscopic_observables(*diagram)
-          : impact_observables(record.traced);
+      diagram ? page_observables(*diagram) : page_observables(record, nullptr);
   std::vector<DiagramPanel> panels;
   for (const PageObservable& observable : observables) {
     const bool of_multipliers = observable.key == "multiplier";
     // Of several observables of a motion the picture shows the first, and displacements everywhere.
-    const bool is_main =
-        &observable == observables.data() ||
-        (observable.key.starts_with("displacement_") && panels.size() < kMostPlaces);
+    const bool is_main = &observable == observables.data() ||
+                         (!record.shown && observable.key.starts_with("displacement_") &&
+                          panels.size() < kMostPlaces);
     if (!is_main && !(of_multipliers && multipliers)) continue;
     panels.push_back(panel_of(observable, swept));
     panels.back().scales = is_main;

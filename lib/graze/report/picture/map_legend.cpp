@@ -7,6 +7,7 @@
 #include <map>
 #include <utility>
 
+#include "graze/report/names/detail/comparison_names.hpp"
 #include "graze/report/names/detail/map_names.hpp"
 #include "graze/report/names/detail/sweep_names.hpp"
 
@@ -67,6 +68,44 @@ MapLegend map_legend(const AttractorMap& map) {
   }
   for (const MapCell& cell : map.cells)
     legend.kind_of.push_back(without(cell) ? rest.at(cell_name(map, cell)) : cell.place);
+  return legend;
+}
+
+MapLegend comparison_legend(const ComparisonMap& map) {
+  std::map<std::string, std::size_t> counts;
+  std::map<std::string, std::string> colours;
+  for (const ComparedCell& cell : map.cells) {
+    if (!cell.is_known) continue;
+    const std::string name = cell_name(cell);
+    ++counts[name];
+    if (!is_comparable(cell))
+      colours[name] = ground_look("none").colour;
+    else if (!cell.difference.is_same_attractor)
+      colours[name] = ground_look("differs").colour;
+    else if (const Look* fixed = ground_of(cell.one))
+      colours[name] = fixed->colour;
+  }
+  std::vector<std::pair<std::string, std::size_t>> order(counts.begin(), counts.end());
+  std::stable_sort(order.begin(), order.end(),
+                   [](const auto& a, const auto& b) { return a.second > b.second; });
+  MapLegend legend;
+  std::map<std::string, int> kinds;
+  std::vector<std::size_t> rest;  // kinds without a colour of their own
+  std::size_t next = 0;
+  for (const auto& [name, count] : order) {
+    if (!colours.contains(name) && next < other_grounds().size())
+      colours[name] = other_grounds()[next++];
+    kinds[name] = static_cast<int>(legend.kinds.size());
+    if (!colours.contains(name)) rest.push_back(legend.kinds.size());
+    legend.kinds.push_back({name, legend.entries.size()});
+    if (colours.contains(name)) legend.entries.push_back({name, colours[name]});
+  }
+  for (const std::size_t kind : rest) legend.kinds[kind].entry = legend.entries.size();
+  if (!rest.empty())
+    legend.entries.push_back(
+        {fmt::format("both one of {} other motions", rest.size()), ground_look("other").colour});
+  for (const ComparedCell& cell : map.cells)
+    legend.kind_of.push_back(cell.is_known ? kinds.at(cell_name(cell)) : -1);
   return legend;
 }
 

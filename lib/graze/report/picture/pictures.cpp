@@ -15,10 +15,7 @@ void check_picture_name(const std::string& file, const char* allowed) {
   const std::string extension = path.extension().string();
   if (extension == ".html")
     throw InputError(
-        fmt::format("{}: pages are drawn by simulate, orbit, continue, diagram and map; here the "
-                    "name ends in .svg, .png or "
-                    ".pdf",
-                    file));
+        fmt::format("{}: this is not drawn as a page; the name ends in {}", file, allowed));
   if (extension != ".svg" && extension != ".png" && extension != ".pdf")
     throw InputError(fmt::format("{}: the name of a picture ends in {}", file, allowed));
   const auto control = [](char c) { return std::iscntrl(static_cast<unsigned char>(c)) != 0; };

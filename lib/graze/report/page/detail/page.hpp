@@ -6,6 +6,7 @@
 
 #include "graze/assembly/system_family.hpp"
 #include "graze/record/detail/diagram_record.hpp"
+#include "graze/record/detail/loci_record.hpp"
 #include "graze/record/detail/map_record.hpp"
 
 namespace graze {
@@ -36,6 +37,20 @@ void write_page(const std::string& file, const DiagramRecord& record, const Syst
 void write_page(const std::string& file, const MapRecord& record, const Scene& scene);
 
 // The recorded samples over time, as draw_simulation (pictures.hpp) shows them.
-void write_page(const std::string& file, const SimulationRecord& record, const Scene& scene);
+void write_page(const std::string& file, const SimulationRecord& record);
+
+// The plane of two parameters with the loci, over what is stable where, if that was looked for.
+// `scene`: the one in force.
+void write_page(const std::string& file, const LociRecord& record, const Scene& scene);
+
+// What two scenes have in common over a plane. `scene`: the first of them.
+void write_page(const std::string& file, const ComparisonMapRecord& record, const Scene& scene);
+
+// Charts (report/chart) of the results, with tables of their numbers.
+void write_page(const std::string& file, const FitRecord& record);
+void write_page(const std::string& file, const CostRecord& record);
+void write_page(const std::string& file, const ComparisonRecord& record);
+void write_page(const std::string& file, const SensitivityRecord& record);
+void write_page(const std::string& file, const RunDiagramRecord& record);
 
 }  // namespace graze

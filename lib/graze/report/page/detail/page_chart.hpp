@@ -7,6 +7,7 @@
 #include "graze/record/file/run_info.hpp"
 #include "graze/record/records.hpp"
 #include "graze/report/chart/chart.hpp"
+#include "graze/report/json/detail/json_value.hpp"
 
 namespace graze {
 
@@ -20,6 +21,9 @@ struct PageTable {
 // Throws FileError, leaving the file as it was, where it cannot be written.
 void write_page(const std::string& file, const Chart& chart, const RunInfo& info,
                 const Outcome& outcome, const std::vector<std::string>& warnings,
-                const std::string& scene_title, const std::vector<PageTable>& tables = {});
+                const std::vector<PageTable>& tables = {});
+
+// As a view has them (view.tables).
+Json tables_json(const std::vector<PageTable>& tables);
 
 }  // namespace graze

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "graze/record/detail/comparison_record.hpp"
 #include "graze/record/detail/map_record.hpp"
 #include "graze/report/picture/detail/picture_cells.hpp"
 
@@ -28,6 +29,8 @@ struct MapLegend {
 const Look* ground_of(const AttractorClass& attractor);
 
 MapLegend map_legend(const AttractorMap& map);
+// By what both motions of a cell settle on; where they differ it shows.
+MapLegend comparison_legend(const ComparisonMap& map);
 
 // How what is shown of the cells, other than by kind, becomes colours.
 CellScale scale_of(MapQuantity quantity);

@@ -23,6 +23,11 @@ class RegionTints {
   // Names the areas that have room for it, and takes that room.
   void label(GnuplotScript& script, LabelRoom& room) const;
 
+  // Of every place, -1: none; and what each tint says and looks like.
+  const std::vector<int>& tints() const { return tints_; }
+  std::string tint_title(int tint) const;
+  std::string colour_of(int tint) const;
+
  private:
   struct Box {
     int first = 0, last = 0;  // columns
@@ -32,8 +37,6 @@ class RegionTints {
 
   int tint_at(int column, int row) const;
   std::vector<Box> boxes() const;
-  std::string tint_title(int tint) const;
-  std::string colour_of(int tint) const;
   std::string fill_of(int tint) const;
   // The motion that the loci are of, so many times its period and impacts: "(2,2)".
   std::string asked(int times) const;
