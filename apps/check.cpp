@@ -1,14 +1,13 @@
 // graze check: what a scene means.
 #include <fmt/format.h>
 
+#include "chart_output.hpp"
 #include "graze/assembly/assembly.hpp"
 #include "graze/assembly/detail/system_warnings.hpp"
 #include "graze/assembly/initial_state.hpp"
 #include "graze/flow/detail/phase_choice.hpp"
 #include "graze/record/records.hpp"
-#include "graze/report/chart/charts.hpp"
 #include "graze/report/json/json.hpp"
-#include "graze/report/picture/pictures.hpp"
 #include "graze/report/text/text.hpp"
 #include "graze/study/cost/detail/step_choice.hpp"
 #include "session.hpp"
@@ -36,7 +35,7 @@ std::vector<std::string> unstable_stops(const System& system) {
 }  // namespace
 
 int run(const CheckCommand& command) {
-  if (!command.plot.empty()) check_picture_name(command.plot.file);
+  if (!command.plot.empty()) check_picture_or_page_name(command.plot.file);
   const Scene scene = scene_of(command);
   CheckRecord record{run_info(command.name, command.scene, scene),
                      scene,
@@ -61,7 +60,7 @@ int run(const CheckCommand& command) {
                   {json_of(record),
                    text_of(record),
                    {},
-                   [&] { draw_chart(command.plot, record.info, mode_shapes_chart(record)); },
+                   [&] { draw_chart_or_page(command.plot, record, mode_shapes_chart(record)); },
                    {}});
 }
 

@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "chart_output.hpp"
 #include "graze/assembly/assembly.hpp"
 #include "graze/assembly/beam_shape.hpp"
 #include "graze/assembly/detail/system_warnings.hpp"
@@ -10,7 +11,6 @@
 #include "graze/assembly/probes.hpp"
 #include "graze/base/angle.hpp"
 #include "graze/base/errors.hpp"
-#include "graze/report/chart/charts.hpp"
 #include "graze/report/csv/csv.hpp"
 #include "graze/report/json/json.hpp"
 #include "graze/report/names/detail/sweep_names.hpp"
@@ -176,7 +176,8 @@ Simulation run_listened(const System& system, const State& start, const std::opt
 }  // namespace
 
 int run(const SimulateCommand& command) {
-  if (!command.plot.empty() && !command.section)
+  // Sections themselves have no page.
+  if (!command.plot.empty() && (!command.section || command.show == RunPicture::kReturns))
     check_picture_or_page_name(command.plot.file);
   else if (!command.plot.empty())
     check_picture_name(command.plot.file, ".svg, .png or .pdf with --section");
@@ -242,11 +243,11 @@ int run(const SimulateCommand& command) {
                   {[&] { return to_json(record, output.events()); }, text_of(record), files,
                    [&] {
                      if (command.show == RunPicture::kReturns)
-                       draw_chart(command.plot, record.info, returns_chart(record));
+                       draw_chart_or_page(command.plot, record, returns_chart(record));
                      else if (command.show == RunPicture::kSpectrum)
-                       draw_chart(command.plot, record.info, spectrum_chart(record));
+                       draw_chart_or_page(command.plot, record, spectrum_chart(record));
                      else if (command.show == RunPicture::kShapes)
-                       draw_chart(command.plot, record.info, shapes_chart(record, scene));
+                       draw_chart_or_page(command.plot, record, shapes_chart(record, scene));
                      else if (record.section)
                        draw_section(command.plot, record);
                      else if (is_page_name(command.plot.file))

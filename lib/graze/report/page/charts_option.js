@@ -6,6 +6,7 @@ import { pen, stamp } from './marks.js';
 
 const kPixels = 58;  // of a centimetre of a picture
 const kLeft = 92, kRight = 20, kTop = 14, kHertzTop = 52, kBottom = 50, kBetween = 22, kBeside = 96;  // px
+const kHeading = 17;  // above its panel, px
 const kMany = 300;  // marks, beyond which they are small
 const kWhole = 0.6;  // of a mark's size where there are that many
 
@@ -29,7 +30,7 @@ function rowHeights(view, panels) {
   return view.rows.map((row, r) => {
     const inRow = panels.filter((panel) => panel.row === r);
     return {
-      above: inRow.some(hasHertz) ? kHertzTop : r === 0 ? kTop : 0,
+      above: (inRow.some(hasHertz) ? kHertzTop : r === 0 ? kTop : 0) + (inRow.some(({ heading }) => heading) ? kHeading : 0),
       height: kPixels * Math.max(...row.map(({ height }) => height)),
       below: inRow.some((panel) => !sharesAxis(panels, panel)) ? kBottom : kBetween,
     };
@@ -133,8 +134,13 @@ export function chartsOption(view, drawn, theme, shows, labels, size) {
       dataZoom.find(({ xAxisIndex }) => xAxisIndex?.includes(i)).xAxisIndex.push(across.length);
       across.push({ ...hertzAxis(colours, ...ranges.x), gridIndex: i });
     }
+  const places = grids(view, panels, size);
   return {
-    ...kCommon, grid: grids(view, panels, size), xAxis: across,
+    ...kCommon, grid: places, xAxis: across,
+    title: panels.flatMap(({ heading }, i) => (heading ? [{
+      text: heading, left: places[i].left, top: places[i].top - kHeading, padding: 0,
+      textStyle: { color: colours.ink, fontSize: 12, fontWeight: 'normal' },
+    }] : [])),
     yAxis: drawn.map(({ i, y, ranges }) => axis(colours, y.name, ...ranges.y, {
       gridIndex: i, nameGap: 52, splitNumber: 4, nameTextStyle: { color: colours.ink, fontSize: 12, lineHeight: 14 },
     })),

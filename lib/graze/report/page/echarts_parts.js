@@ -1,14 +1,14 @@
 // The parts of Apache ECharts that the page uses; what is not named here is not in the page.
 import { LineChart, ScatterChart } from 'echarts/charts';
 import {
-  DataZoomInsideComponent, GridComponent, MarkAreaComponent, MarkLineComponent,
+  DataZoomInsideComponent, GridComponent, MarkAreaComponent, MarkLineComponent, TitleComponent,
 } from 'echarts/components';
 import { init, use } from 'echarts/core';
 import { LabelLayout } from 'echarts/features';
 import { CanvasRenderer } from 'echarts/renderers';
 
 use([LineChart, ScatterChart, GridComponent, DataZoomInsideComponent, MarkAreaComponent,
-  MarkLineComponent, LabelLayout, CanvasRenderer]);
+  MarkLineComponent, TitleComponent, LabelLayout, CanvasRenderer]);
 
 export { init };
 

@@ -79,6 +79,7 @@ Json panel_json(const ChartPanel& panel) {
           {"fills", fills},
           {"levels", panel.levels},
           {"height", panel.height},
+          {"heading", plain_text(panel.heading)},
           {"remark", plain_text(panel.remark)}};
 }
 

@@ -123,17 +123,22 @@ Json attractors_json(const AttractorMap& map) {
   return cells_json(cells);
 }
 
-Json numbers_json(const AttractorMap& map) {
+Json numbers_json(const MapRecord& record) {
+  const AttractorMap& map = record.map;
   Json numbers = Json::array();
+  const auto add = [&](MapQuantity quantity) {
+    const DrawnQuantity drawn = drawn_quantity(record, quantity);
+    numbers.push_back(number_json({name_of(quantity), drawn.title, drawn.unit, scale_of(quantity),
+                                   [&](std::size_t i) { return drawn.of(map.cells[i]); }},
+                                  map.cells.size()));
+  };
   for (const MapQuantity quantity : kMapQuantities) {
     if (quantity == MapQuantity::kAttractor ||
         (quantity == MapQuantity::kExponent && map.options.exponent_periods == 0))
       continue;
-    const auto of = [&](std::size_t i) { return cell_value(map.cells[i], quantity); };
-    numbers.push_back(number_json(
-        {name_of(quantity), title_of(quantity), unit_of(quantity), scale_of(quantity), of},
-        map.cells.size()));
+    add(quantity);
   }
+  if (record.measured) add(MapQuantity::kMeasured);
   return numbers;
 }
 
@@ -157,7 +162,7 @@ void write_page(const std::string& file, const MapRecord& record, const Scene& s
   view["cells"] = attractors_json(map);
   view["shown"] = name_of(record.shown);
   view["samples"] = map.options.samples;
-  view["numbers"] = numbers_json(map);
+  view["numbers"] = numbers_json(record);
   view["command"] = command_json(record, scene);
   Json orbits = Json::array();
   view["motions"] = cell_motions_json(record, scene, orbits);
