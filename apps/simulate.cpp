@@ -60,28 +60,25 @@ void check_shown(const SimulateCommand& command, const Scene& scene) {
   if ((command.show == RunPicture::kShapes) == command.shape_times.empty())
     throw InputError("--show shapes: it goes with --shapes-at T1,T2,.., and that with it");
   if (command.show != RunPicture::kShapes) return;
-  if (!scene.beam() || scene.hub)
+  if (!beam_places(scene, 2))
     throw InputError(
         "--show shapes: only a beam that is clamped has a shape; this scene has another structure");
   if (!command.resume.empty())
     throw InputError("--show shapes: the motion before --resume is not known; leave it out");
 }
 
+constexpr int kShapePlaces = 201, kMovingPlaces = 41;  // along a beam
+
 // The motion is followed to each of the instants, as exactly as any run.
-std::vector<BeamShape> shapes_of(const SimulateCommand& command, const Scene& scene,
-                                 const System& system, const State& start,
-                                 SimulationOptions options) {
-  constexpr int kPlaces = 201;
-  const BeamRows rows = beam_rows(scene, kPlaces);
+void add_shapes(const std::vector<double>& times, const State& start, SimulationOptions options,
+                SimulationRecord& record) {
   options.measure.reset();
-  std::vector<BeamShape> shapes;
-  for (const double time : command.shape_times) {
+  for (const double time : times) {
     options.duration = time;
-    const Simulation run = simulate(system, start, options, {});
-    const Vector deflection = rows.rows * run.final.q;
-    shapes.push_back({run.end_time, rows.x, {deflection.begin(), deflection.end()}});
+    const Simulation run = simulate(record.system, start, options, {});
+    const Vector u = record.beam->rows * run.final.q;
+    record.shapes.push_back({run.end_time, record.beam->x, {u.begin(), u.end()}});
   }
-  return shapes;
 }
 
 // 1/s. The slowest mode stands in for the forcing where there is none.
@@ -226,8 +223,10 @@ int run(const SimulateCommand& command) {
   }
   output.show_in(record);
   record.shown = command.show;
-  if (command.show == RunPicture::kShapes)
-    record.shapes = shapes_of(command, scene, record.system, start, options);
+  if (command.show == RunPicture::kShapes || is_page_name(command.plot.file))
+    record.beam =
+        beam_places(scene, command.show == RunPicture::kShapes ? kShapePlaces : kMovingPlaces);
+  if (command.show == RunPicture::kShapes) add_shapes(command.shape_times, start, options, record);
   const CutRun state{record.info.version,
                      record.info.scene_sha256,
                      record.outcome.name,
@@ -247,7 +246,7 @@ int run(const SimulateCommand& command) {
                      else if (command.show == RunPicture::kSpectrum)
                        draw_chart_or_page(command.plot, record, spectrum_chart(record));
                      else if (command.show == RunPicture::kShapes)
-                       draw_chart_or_page(command.plot, record, shapes_chart(record, scene));
+                       draw_chart_or_page(command.plot, record, shapes_chart(record));
                      else if (record.section)
                        draw_section(command.plot, record);
                      else if (is_page_name(command.plot.file))

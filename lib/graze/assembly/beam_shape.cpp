@@ -4,8 +4,9 @@
 
 namespace graze {
 
-BeamRows beam_rows(const Scene& scene, int places) {
-  BeamRows made;
+std::optional<BeamPlaces> beam_places(const Scene& scene, int places) {
+  if (!scene.beam() || scene.hub) return {};
+  BeamPlaces made;
   Scene seen = scene;
   seen.probes.clear();
   for (int i = 0; i < places; ++i) {
@@ -15,8 +16,12 @@ BeamRows beam_rows(const Scene& scene, int places) {
     seen.probes.push_back(probe);
   }
   const std::vector<ProbeRow> rows = probe_rows(seen);
-  made.rows.resize(places, rows.empty() ? 0 : rows.front().row.size());
+  made.rows.resize(places, rows.front().row.size());
   for (int i = 0; i < places; ++i) made.rows.row(i) = rows[static_cast<std::size_t>(i)].row;
+  for (const SceneStop& stop : scene.stops) {
+    const bool is_above = stop.side == Side::kAbove;
+    made.stops.push_back({stop.position, is_above ? stop.gap : -stop.gap, is_above});
+  }
   return made;
 }
 

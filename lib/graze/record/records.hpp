@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "graze/assembly/beam_shape.hpp"
 #include "graze/assembly/probes.hpp"
 #include "graze/bifurcation/trace/branch_amplitudes.hpp"
 #include "graze/bifurcation/trace/orbit_branches.hpp"
@@ -70,6 +71,7 @@ struct SimulationRecord {
   std::optional<RunSection> section;       // where it was asked for
   RunPicture shown = RunPicture::kMotion;  // in a picture
   std::vector<BeamShape> shapes{};         // at the instants that were asked for
+  std::optional<BeamPlaces> beam{};        // where its shape is shown
   std::vector<std::string> warnings, notes;
   Outcome outcome;
 };

@@ -24,12 +24,12 @@ ChartPanel beam_panel(const char* name, const char* unit) {
 }
 
 // Where the stops stand, as short bars: "stop 1" at its place and gap.
-void add_stops(const Scene& scene, ChartPanel& panel) {
+void add_stops(const std::vector<BeamStop>& all, ChartPanel& panel) {
   ChartSeries stops{
       "stop", {.colour = kBlack, .mark = MarkShape::kSquare, .size = 0.7}, false, true, {}, {}};
-  for (const SceneStop& stop : scene.stops) {
-    stops.x.push_back(stop.position);
-    stops.y.push_back(stop.side == Side::kAbove ? stop.gap : -stop.gap);
+  for (const BeamStop& stop : all) {
+    stops.x.push_back(stop.x);
+    stops.y.push_back(stop.u);
   }
   if (!stops.x.empty()) panel.series.push_back(stops);
 }
@@ -38,14 +38,14 @@ void add_stops(const Scene& scene, ChartPanel& panel) {
 
 Chart mode_shapes_chart(const CheckRecord& record) {
   ChartPanel panel = beam_panel("mode shape / its largest value", "");
-  if (!record.scene.beam()) {
-    panel.remark = "a structure given by its modes has no shape to draw";
+  const std::optional<BeamPlaces> places = beam_places(record.scene, kPlaces);
+  if (!places) {
+    panel.remark = "only a beam that is clamped has shapes to draw";
     return {"Mode shapes", {{panel}}};
   }
-  const BeamRows rows = beam_rows(record.scene, kPlaces);
-  const auto modes = std::min(static_cast<std::size_t>(rows.rows.cols()), kMostModes);
+  const auto modes = std::min(static_cast<std::size_t>(places->rows.cols()), kMostModes);
   for (std::size_t j = 0; j < modes; ++j) {
-    const Vector shape = rows.rows.col(static_cast<Eigen::Index>(j));
+    const Vector shape = places->rows.col(static_cast<Eigen::Index>(j));
     const double largest = shape.cwiseAbs().maxCoeff();
     const double frequency = record.system.omega[static_cast<Eigen::Index>(j)];
     ChartSeries series{
@@ -53,7 +53,7 @@ Chart mode_shapes_chart(const CheckRecord& record) {
         {.colour = curve_colours()[j], .dashes = kDashes[j]},
         true,
         false,
-        rows.x,
+        places->x,
         {}};
     for (const double value : shape) series.y.push_back(value / largest);
     panel.series.push_back(series);
@@ -61,7 +61,7 @@ Chart mode_shapes_chart(const CheckRecord& record) {
   return {"Mode shapes", {{panel}}};
 }
 
-Chart shapes_chart(const SimulationRecord& record, const Scene& scene) {
+Chart shapes_chart(const SimulationRecord& record) {
   ChartPanel panel = beam_panel("displacement u", "m");
   for (std::size_t i = 0; i < record.shapes.size(); ++i) {
     const BeamShape& shape = record.shapes[i];
@@ -73,7 +73,7 @@ Chart shapes_chart(const SimulationRecord& record, const Scene& scene) {
                             shape.x,
                             shape.deflection});
   }
-  add_stops(scene, panel);
+  if (record.beam) add_stops(record.beam->stops, panel);
   return {"Shapes of the beam", {{panel}}};
 }
 

@@ -3,7 +3,6 @@
 
 #include "graze/record/record_names.hpp"
 #include "graze/report/chart/chart.hpp"
-#include "graze/scene/scene.hpp"
 
 namespace graze {
 
@@ -36,7 +35,7 @@ Chart chart_of(const RunDiagramRecord& record);
 Chart mode_shapes_chart(const CheckRecord& record);
 
 // The shapes of the beam at the record's instants, with its stops.
-Chart shapes_chart(const SimulationRecord& record, const Scene& scene);
+Chart shapes_chart(const SimulationRecord& record);
 
 // Amplitudes over the frequency at the places of the stops, of the samples that the record holds.
 Chart spectrum_chart(const SimulationRecord& record);

@@ -7,6 +7,7 @@
 #include "graze/assembly/probes.hpp"
 #include "graze/report/json/detail/json_page.hpp"
 #include "graze/report/page/detail/page.hpp"
+#include "graze/report/page/detail/page_beam.hpp"
 #include "graze/report/picture/detail/picture_motion.hpp"
 #include "graze/report/picture/detail/picture_probes.hpp"
 #include "graze/report/picture/detail/picture_stops.hpp"
@@ -53,6 +54,7 @@ class SimulationPage {
     add_motion(view["length"], view["speed"]);
     add_curves();
     view["panels"] = panels_;
+    view["beam"] = beam_json(record_);
     if (places_left_out_ > 0)
       view["notes"].push_back(fmt::format("the page shows the first {} of {} places with stops",
                                           seen_.places.size(),

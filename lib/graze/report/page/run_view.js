@@ -1,6 +1,7 @@
 // A motion over time: displacement, velocity, forces, energy. The pointer or the arrow keys choose a
 // moment, a click or Enter keeps it; beside it stands the phase portrait of what is in view.
 import { keepZoom } from './axes_in_view.js';
+import { BeamFigure } from './beam_figure.js';
 import { CsvTable, digits } from './csv_table.js';
 import { init } from './echarts_parts.js';
 import { ExportTools } from './export_tools.js';
@@ -49,6 +50,7 @@ export class RunView {
     this.legend = new Legend(document.getElementById('legend'), theme, this.entries(), () => this.draw());
     this.zoom = new ZoomTools(this.chart, this.root);
     this.panel = new RunPanel(view, theme);
+    if (view.beam) this.beam = new BeamFigure(document.getElementById('beam'), view, theme);
     this.export = new ExportTools({ theme, chart: this.chart, legend: this.legend, table: () => this.table() });
     this.draw();
     this.listen();
@@ -125,6 +127,7 @@ export class RunView {
     const { x, width } = this.box(0);
     this.window = [x, x + width].map((px) => this.chart.convertFromPixel({ xAxisIndex: 0 }, px) / time.factor);
     this.panel.look(this.window);
+    this.beam?.look(this.window);
     this.root.setAttribute('aria-label', `Motion from ${measure(time, this.window[0])} to ${measure(time, this.window[1])}: ` +
       `${panels.map((panel) => panel.name).join(', ')}. Arrow keys go from impact to impact, Enter keeps the moment.`);
   }
@@ -231,6 +234,7 @@ export class RunView {
     Object.assign(this.cursor.style, { left: `${x}px`, top: `${this.box(0).y}px`, height: `${end.y + end.height - this.box(0).y}px` });
     this.cursor.hidden = false;
     this.panel.point(moment.time);
+    this.beam?.showTime(moment.time);
   }
 
   hideMoment() {
