@@ -79,7 +79,7 @@ export class RunPanel {
     for (let i = 0; i < place.t.length; ++i) if (place.t[i] >= low && place.t[i] <= high) seen.push(i);
     const last = seen.slice(-kMostPortrayed);
     return {
-      stops: place.stops.filter((stop) => this.isNear(stop)), t: last.map((i) => (Number.isFinite(place.v[i]) ? place.t[i] : NaN)), x: last.map((i) => place.x[i]), v: last.map((i) => place.v[i]),
+      name: place.name, stops: place.stops.filter((stop) => this.isNear(stop)), t: last.map((i) => (Number.isFinite(place.v[i]) ? place.t[i] : NaN)), x: last.map((i) => place.x[i]), v: last.map((i) => place.v[i]),
     };
   }
 
