@@ -147,6 +147,10 @@ void LabelRoom::put(GnuplotScript& script, const std::string& text, const Found&
   fill(box, kOnMark);
 }
 
+bool LabelRoom::are_one_place(double x, double y, double other_x, double other_y) const {
+  return std::hypot(cm_x(x) - cm_x(other_x), cm_y(y) - cm_y(other_y)) < 0.25 * kMark;
+}
+
 bool LabelRoom::write(GnuplotScript& script, const std::string& text, double x, double y) {
   const std::optional<Found> found = best_near(text, x, y, false);
   if (found) put(script, text, *found);

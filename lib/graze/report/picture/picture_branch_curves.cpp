@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <set>
 #include <utility>
 
 #include "graze/bifurcation/problem/detail/special_names.hpp"
@@ -92,18 +91,21 @@ void BranchCurves::label(GnuplotScript& script, LabelRoom& room, LabelChoice cho
     for (const double y : mark.y) room.add_mark(mark.x, y);
   if (choice == LabelChoice::kNone) return;
   // What ends one branch and begins the next is one point with two ids: one label tells of both.
-  std::map<std::pair<double, double>, std::string> named;
-  std::vector<std::pair<double, double>> order;
+  struct Named {
+    double x = 0.0, y = 0.0;
+    std::string ids;
+  };
+  std::vector<Named> points;
   for (const BranchMark& mark : made_.marks) {
-    if (mark.y.empty()) continue;
-    const std::pair<double, double> at{mark.x, mark.y.front()};
     const SpecialPoint& special = branches_[mark.branch].special[mark.special];
-    if (!special.at.orbit.admissible) continue;
-    std::string& text = named[at];
-    if (text.empty()) order.push_back(at);
-    text += (text.empty() ? "" : ", ") + special.id;
+    if (mark.y.empty() || !special.at.orbit.admissible) continue;
+    auto same = std::find_if(points.begin(), points.end(), [&](const Named& point) {
+      return room.are_one_place(point.x, point.y, mark.x, mark.y.front());
+    });
+    if (same == points.end()) same = points.insert(points.end(), {mark.x, mark.y.front(), ""});
+    same->ids += (same->ids.empty() ? "" : ", ") + special.id;
   }
-  for (const auto& at : order) room.write(script, named[at], at.first, at.second);
+  for (const Named& point : points) room.write(script, point.ids, point.x, point.y);
   if (choice == LabelChoice::kAll) label_branches(script, room);
 }
 

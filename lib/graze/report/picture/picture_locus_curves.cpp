@@ -95,11 +95,9 @@ void label_loci(const OrbitLoci& traced, const PicturePlane& plane, LabelChoice 
                     plane.x_factor * locus.points[i + 1].value,
                     plane.y_factor * locus.points[i + 1].second);
     for (const OrbitLocusSpecial& special : locus.special) {
-      constexpr double kOnePlace = 1e-3;  // of the axes
       const double x = plane.x_factor * special.at.value, y = plane.y_factor * special.at.second;
       auto same = std::find_if(points.begin(), points.end(), [&](const Named& point) {
-        return std::hypot((point.x - x) / plane.x.span(), (point.y - y) / plane.y.span()) <=
-               kOnePlace;
+        return room.are_one_place(point.x, point.y, x, y);
       });
       if (same == points.end()) same = points.insert(points.end(), {x, y, {}});
       same->ids.insert(special.id);

@@ -23,6 +23,9 @@ class LabelRoom {
   // Lines of text about a place.
   void take(const std::vector<std::string>& lines, double x, double y);
 
+  // Whether two places look like one.
+  bool are_one_place(double x, double y, double other_x, double other_y) const;
+
   // Writes the text near a place, as near as there is room for it, with a thin line to it from
   // farther away; false where there is none.
   bool write(GnuplotScript& script, const std::string& text, double x, double y);
