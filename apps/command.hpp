@@ -13,6 +13,7 @@
 #include "graze/record/run_picture.hpp"
 #include "graze/record/section.hpp"
 #include "graze/report/picture/picture_request.hpp"
+#include "graze/report/text/text.hpp"
 #include "graze/study/sweep/shared_work.hpp"
 #include "graze/study/sweep/sweep.hpp"
 
@@ -23,6 +24,7 @@ struct CommonOptions {
   std::vector<std::string> arguments;  // all of them, as they were given
   bool json = false;
   bool quiet = false;
+  TextOptions text;  // of what is printed
   std::string out;  // folder; empty: none
   PictureRequest plot;
   int threads = 0;  // 0: all cores

@@ -11,6 +11,7 @@
 #include "graze/record/file/run_info.hpp"
 #include "graze/report/names/detail/map_names.hpp"
 #include "graze/scene/detail/suggestion.hpp"
+#include "help_format.hpp"
 #include "option_groups.hpp"
 #include "option_values.hpp"
 #include "picture_options.hpp"
@@ -33,6 +34,7 @@ void add_simulate(CLI::App& graze, std::optional<Command>& parsed) {
   app->footer(footer("simulate data/scenes/02_wagg_momentum.toml --duration 1 --energy"));
   add_shared(app, command);
   add_picture(app, command, {.ranges = true});
+  begin_group(app, "Motion");
   auto* duration =
       app->add_option("--duration", command.duration, "Simulated time, s; needed without forcing")
           ->check(at_least("a number of seconds, 0 or more", 0.0))
@@ -65,6 +67,7 @@ void add_simulate(CLI::App& graze, std::optional<Command>& parsed) {
       ->check(at_least("a time in s, 0 or more", 0.0))
       ->type_name("S")
       ->needs(amplitudes);
+  begin_group(app, "Section");
   auto* section =
       app->add_option_function<std::string>(
              "--section", set_by_name(command.section, kDiagramSections),
@@ -92,6 +95,7 @@ void add_simulate(CLI::App& graze, std::optional<Command>& parsed) {
       ->type_name("T,..")
       ->needs("--show");
   add_closure_speed(app, command);
+  begin_group(app, "Motion");
   app->add_option("--resume", command.resume,
                   "Go on from the state.toml that --out left, given as file or folder; the end "
                   "still counts from t = 0")
@@ -107,6 +111,7 @@ void add_orbit(CLI::App& graze, std::optional<Command>& parsed) {
   add_picture(app, command, {});
   add_orbit_search(app, command);
   add_closure_speed(app, command);
+  begin_group(app, "Search for orbits");
   app->add_option_function<std::string>(
          "--impacts",
          [&command = command](const std::string& text) {
@@ -126,8 +131,8 @@ void add_continue(CLI::App& graze, std::optional<Command>& parsed) {
   const auto [app, command] = add_command<ContinueCommand>(
       graze, parsed, "continue", "Trace branches of orbits over a parameter of the scene");
   app->footer(
-      footer("continue data/scenes/05_wagg_one_mode.toml --parameter forcing.frequency --from 15 "
-             "--to 120"));
+      footer("continue data/scenes/05_wagg_one_mode.toml --parameter forcing.frequency \\\n"
+             "           --from 15 --to 120"));
   add_shared(app, command);
   add_picture(app, command, {.ranges = true, .scales = true, .labels = true, .multipliers = true});
   add_orbit_search(app, command);
@@ -144,13 +149,14 @@ void add_diagram(CLI::App& graze, std::optional<Command>& parsed) {
       graze, parsed, "diagram",
       "Bifurcation diagram: sweep a parameter, with the branches of orbits over it");
   app->footer(
-      footer("diagram data/scenes/05_wagg_one_mode.toml --parameter forcing.frequency --from 15 "
-             "--to 120"));
+      footer("diagram data/scenes/05_wagg_one_mode.toml --parameter forcing.frequency \\\n"
+             "           --from 15 --to 120"));
   add_shared(app, command);
   add_picture(app, command, {.ranges = true, .scales = true, .labels = true, .multipliers = true});
   add_range(app, command);
   add_sweep(app, command);
   add_closure_speed(app, command);
+  begin_group(app, "Branches");
   app->add_option_function<std::string>("--branches", set_if(command.branches, "all"),
                                         "Branches over the sweep: all, or none")
       ->check(CLI::IsMember({"none", "all"}))
@@ -162,6 +168,7 @@ void add_diagram(CLI::App& graze, std::optional<Command>& parsed) {
       ->type_name("P");
   add_branch_kind(app, command);
   add_curve(app, command);
+  begin_group(app, "Sweep");
   CLI::Option* duration =
       app->add_option("--duration", command.duration,
                       "Where no forcing repeats the motion: time of the one run at each value, s")
@@ -179,12 +186,13 @@ void add_map(CLI::App& graze, std::optional<Command>& parsed) {
   const auto [app, command] = add_command<MapCommand>(
       graze, parsed, "map",
       "What the motion settles on over two parameters, or two coordinates of its start");
-  app->footer(
-      footer("map data/scenes/05_wagg_one_mode.toml --parameter forcing.frequency --from 15 "
-             "--to 120 \\\n           --second stop.gap --second-from 0.5e-3 --second-to 2e-3"));
+  app->footer(footer(
+      "map data/scenes/05_wagg_one_mode.toml --parameter forcing.frequency \\\n"
+      "           --from 15 --to 120 --second stop.gap --second-from 0.5e-3 --second-to 2e-3"));
   add_shared(app, command);
   add_picture(app, command, {.ranges = true, .labels = true});
   add_plane(app, command);
+  begin_group(app, "Pictures");
   add_map_show(app, command);
   add_loci_over_map(app, command);
   add_settling(app, command.settling);
@@ -204,6 +212,7 @@ void add_merge(CLI::App& graze, std::optional<Command>& parsed) {
   add_output(app, command);
   app->get_option("--out")->required();
   add_picture(app, command, {.ranges = true, .scales = true, .labels = true, .multipliers = true});
+  begin_group(app, kNumericsGroup);
   app->add_option("--max-seconds", command.max_seconds,
                   "Most computing time, s; what was reached by then is printed")
       ->check(above_zero())
@@ -217,6 +226,7 @@ void add_cost(CLI::App& graze, std::optional<Command>& parsed) {
   app->footer(footer("cost data/scenes/02_wagg_momentum.toml --set stop.gap=5e-3 --plot cost.png"));
   add_shared(app, command);
   add_picture(app, command, {.ranges = true});
+  begin_group(app, "Comparison");
   app->add_option("--impacts", command.impacts,
                   "Impacts over which flows are compared (default 20)")
       ->transform(whole_number_within(1, 1'000'000))
@@ -243,6 +253,7 @@ void add_fit(CLI::App& graze, std::optional<Command>& parsed) {
                   "force1, gap1, displacement1, velocity1, penetration1, q1, qdot1, ..")
       ->required();
   add_picture(app, command, {.ranges = true});
+  begin_group(app, "Fit");
   app->add_option("--parameter", command.sought,
                   "A parameter that is fitted and the values between which it is sought; as often "
                   "as wanted. Also record.start, initial.q.1, initial.qdot.1, .. Of restitutions "
@@ -324,6 +335,7 @@ ParsedCommand parse_command_line(int argc, char** argv) {
   std::optional<Command> parsed;
   CLI::App app{"Graze: impacting flexible structures - motion, periodic orbits, branches", "graze"};
   app.set_version_flag("--version", "graze " + version());
+  app.formatter(std::make_shared<HelpFormat>());
   app.set_help_flag("-h,--help", "Print this help");
   app.require_subcommand(1);
   app.footer(

@@ -18,6 +18,7 @@ namespace {
 constexpr int kMostModes = 64;
 
 void add_what_is_compared(CLI::App* app, CompareCommand& command) {
+  begin_group(app, "Comparison");
   app->add_option("--against", command.against,
                   "The other scene: this one with a key changed, as with --set; as often as wanted")
       ->type_name("KEY=VALUE")
@@ -54,6 +55,7 @@ void add_what_is_compared(CLI::App* app, CompareCommand& command) {
 }
 
 void add_ranges(CLI::App* app, CompareCommand& command) {
+  begin_group(app, "Parameters");
   app->add_option("--parameter", command.parameter, "Path of the parameter, e.g. stop.gap")
       ->type_name("NAME");
   app->add_option("--from", command.from, "Start of the parameter's range")
@@ -83,6 +85,7 @@ void add_ranges(CLI::App* app, CompareCommand& command) {
 }
 
 void add_of_sensitivity(CLI::App* app, CompareCommand& command) {
+  begin_group(app, "Sensitivity");
   app->add_option("--second-values", command.second_values,
                   "With --sensitivity: values of the other parameter, with commas")
       ->delimiter(',')
@@ -133,6 +136,7 @@ void add_compare(CLI::App& graze, std::optional<Command>& parsed) {
   add_what_is_compared(app, command);
   add_ranges(app, command);
   add_of_sensitivity(app, command);
+  begin_group(app, "Motion");
   app->add_option("--duration", command.duration,
                   "Time of a run, s (default: 50 forcing periods, of which --plot shows the end)")
       ->check(above_zero())

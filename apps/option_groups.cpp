@@ -17,6 +17,8 @@ constexpr const char* kClosureSpeed =
 
 }  // namespace
 
+void begin_group(CLI::App* app, const char* heading) { app->option_defaults()->group(heading); }
+
 std::string footer(const std::string& example) {
   return "Example: graze " + example +
          "\nExit codes: 0 done; 2 usage or scene error; 3 numerics could not do it, what was\n"
@@ -24,6 +26,7 @@ std::string footer(const std::string& example) {
 }
 
 void add_shared(CLI::App* app, SceneOptions& command) {
+  begin_group(app, "Scene");
   app->add_option("SCENE", command.scene, "Scene file (TOML)")->required();
   app->add_option("--set", command.settings,
                   "Replace or add one key of the scene, e.g. stop.gap=2e-3; as often as wanted")
@@ -34,25 +37,35 @@ void add_shared(CLI::App* app, SceneOptions& command) {
 }
 
 void add_output(CLI::App* app, CommonOptions& command) {
+  begin_group(app, kOutputGroup);
   app->add_flag("--json", command.json, "Print one JSON document and nothing else on stdout");
   app->add_option("--out", command.out, "Write result.json, scene.toml and tables into this folder")
       ->type_name("DIR");
+  app->add_flag("--quiet", command.quiet, "No progress, no warnings");
+  app->add_flag_callback(
+      "--wide", [&command] { command.text.width = kAnyWidth; },
+      fmt::format("Tables and sentences as wide as they are (default: {} characters)",
+                  command.text.width));
+  app->add_flag("--verbose", command.text.verbose,
+                "Also residuals, counts and notes that tell how the numerics went");
+  begin_group(app, kNumericsGroup);
   app->add_option("--threads", command.threads,
                   "Threads to use, 0 (default) for all cores; results do not depend on it")
       ->transform(whole_number(
           fmt::format("a whole number from 1 to {:.0f}, or 0 for all cores", kMostThreads), 0.0,
           kMostThreads))
       ->type_name("N");
-  app->add_flag("--quiet", command.quiet, "No progress, no warnings");
 }
 
 void add_closure_speed(CLI::App* app, MotionOptions& command) {
+  begin_group(app, kNumericsGroup);
   app->add_option("--closure-speed", command.closure_speed, kClosureSpeed)
       ->check(at_least("a speed in m/s, 0 or more", 0.0))
       ->type_name("V");
 }
 
 void add_limits(CLI::App* app, MotionOptions& command) {
+  begin_group(app, kNumericsGroup);
   app->add_option("--max-impacts", command.max_impacts,
                   "Most impacts of one simulated motion; it then ends and says so")
       ->transform(whole_number("a whole number from 1", 1.0, kMostCounted))
@@ -67,6 +80,7 @@ void add_limits(CLI::App* app, MotionOptions& command) {
 
 void add_orbit_search(CLI::App* app, OrbitSearchOptions& command) {
   add_limits(app, command);
+  begin_group(app, "Search for orbits");
   app->add_option("--period", command.period, "Forcing periods p after which the orbit repeats")
       ->transform(whole_number("a whole number from 1", 1.0, kMostPeriods))
       ->each([&command](const std::string&) { command.period_given = true; })
@@ -89,6 +103,7 @@ void add_orbit_search(CLI::App* app, OrbitSearchOptions& command) {
 }
 
 void add_range(CLI::App* app, BranchingOptions& command) {
+  begin_group(app, "Parameter");
   app->add_option("--parameter", command.parameter, "Path of the parameter, e.g. forcing.frequency")
       ->required()
       ->type_name("NAME");
@@ -107,6 +122,7 @@ void add_range(CLI::App* app, BranchingOptions& command) {
 }
 
 void add_following(CLI::App* app, SettlingOptions& options) {
+  begin_group(app, "Motions at each value");
   app->add_option("--periods", options.periods,
                   "Forcing periods run at a value, at most (default 1000); fewer once it settled")
       ->transform(whole_number("a whole number from 1", 1.0, kMostCounted))
@@ -127,6 +143,7 @@ void add_settling(CLI::App* app, SettlingOptions& options) {
 }
 
 void add_sweep(CLI::App* app, DiagramCommand& command) {
+  begin_group(app, "Sweep");
   app->add_option("--points", command.points, "Values from A to B, both among them")
       ->transform(whole_number_within(2, 1'000'000))
       ->capture_default_str()
@@ -146,6 +163,7 @@ void add_sweep(CLI::App* app, DiagramCommand& command) {
 }
 
 void add_plane(CLI::App* app, MapCommand& command) {
+  begin_group(app, "Parameters");
   const auto points = [app](const char* name, int& number, const char* what) {
     app->add_option(name, number, what)
         ->transform(whole_number_within(2, 10'000))
@@ -172,6 +190,7 @@ void add_plane(CLI::App* app, MapCommand& command) {
 }
 
 void add_journal(CLI::App* app, JournalOptions& options) {
+  begin_group(app, "Long work");
   app->add_flag("--resume", options.goes_on,
                 "Go on with what an earlier run left in the folder of --out, whatever ended it; "
                 "what it finished is not done again");
@@ -194,6 +213,7 @@ void add_journal(CLI::App* app, JournalOptions& options) {
 }
 
 void add_curve(CLI::App* app, BranchingOptions& command) {
+  begin_group(app, "Response curves");
   app->add_flag("--amplitudes", command.amplitudes,
                 "Measure the motions: largest, smallest, mean and root mean square values at the "
                 "probes and stops, peak velocities, forces; the response without impacts is a "
@@ -236,6 +256,7 @@ void add_map_show(CLI::App* app, MapCommand& command) {
 }
 
 void add_branch_kind(CLI::App* app, BranchingOptions& command) {
+  begin_group(app, "Branches");
   app->add_option("--impacts", command.impacts,
                   "Impacts per orbit, on all stops together; 0: the response that meets no stop, "
                   "alone (default: 1, and orbits that stick)")
@@ -278,6 +299,7 @@ void add_slices(CLI::App* app, LocusTracingOptions& command, CLI::Option* locus)
 }  // namespace
 
 void add_loci_over_map(CLI::App* app, MapCommand& command) {
+  begin_group(app, "Loci of special points");
   CLI::Option* locus = add_locus_kinds(
       app, command,
       "Draw the loci of special points over the map: LP, PD, NS, GR, several with commas, or all");
@@ -295,6 +317,7 @@ void add_loci_over_map(CLI::App* app, MapCommand& command) {
 }
 
 void add_locus(CLI::App* app, ContinueCommand& command) {
+  begin_group(app, "Loci of special points");
   CLI::Option* locus = add_locus_kinds(
       app, command,
       "Trace loci of special points over two parameters instead of branches: LP, PD, NS, GR, "
@@ -323,6 +346,7 @@ void add_locus(CLI::App* app, ContinueCommand& command) {
 }
 
 void add_restart(CLI::App* app, ContinueCommand& command) {
+  begin_group(app, "Restart");
   CLI::Option* restart =
       app->add_option("--restart", command.restart.folder,
                       "Start from a special point of the run that --out left in this folder, in "

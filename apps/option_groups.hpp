@@ -11,6 +11,10 @@
 
 namespace graze {
 
+// Headings that options of several groups and commands stand below.
+inline constexpr const char* kOutputGroup = "Output";
+inline constexpr const char* kNumericsGroup = "Numerics and limits";
+
 // A command, and the options it reads into, which become what is parsed where it is the one given.
 template <class Kind>
 std::pair<CLI::App*, Kind&> add_command(CLI::App& graze, std::optional<Command>& parsed,
@@ -18,9 +22,13 @@ std::pair<CLI::App*, Kind&> add_command(CLI::App& graze, std::optional<Command>&
   CLI::App* app = graze.add_subcommand(name, what);
   const auto options = std::make_shared<Kind>();
   options->name = name;
+  app->get_help_ptr()->group(kOutputGroup);
   app->callback([options, &parsed] { parsed = *options; });
   return {app, *options};
 }
+
+// The options added next stand below this heading of --help.
+void begin_group(CLI::App* app, const char* heading);
 
 // What stands below the options.
 std::string footer(const std::string& example);

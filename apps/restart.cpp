@@ -67,7 +67,7 @@ std::optional<Restart> read_restart(const ContinueCommand& command, const Scene&
 double value_in_range(const Restart& restart, const std::string& parameter, double from,
                       double to) {
   with_parameter(restart.scene, parameter, from);  // throws where there is none
-  const double value = *find_parameter(restart.scene, parameter);
+  const double value = *parameter_value(restart.scene, parameter);
   if (value < std::min(from, to) || value > std::max(from, to))
     throw InputError(
         fmt::format("--label: {} has {} = {:.9g}, which the range from {:g} to {:g} does not hold",
@@ -78,7 +78,7 @@ double value_in_range(const Restart& restart, const std::string& parameter, doub
 void note_values(const Restart& restart, const std::string& parameter, RunInfo& info) {
   for (const std::string& name : restart.parameters)
     if (name != parameter)
-      info.settings.push_back(fmt::format("{}={}", name, *find_parameter(restart.scene, name)));
+      info.settings.push_back(fmt::format("{}={}", name, *parameter_value(restart.scene, name)));
 }
 
 void record_restart(const ContinueCommand& command, RunInfo& info) {

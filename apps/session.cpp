@@ -142,7 +142,9 @@ int conclude(const CommonOptions& command, const RunInfo& info, const Outcome& o
     for (PendingFile& file : files) file.sync();
     for (PendingFile& file : files) file.commit();
   }
-  print(command.json ? document : Document(terminal_text(result.text())));
+  print(command.json
+            ? document
+            : Document(fitted_lines(terminal_text(result.text(command.text)), command.text)));
   if (!command.plot.empty()) result.draw();
   if (outcome.name == "interrupted") return 130;
   return outcome.message.empty() ? 0 : 3;

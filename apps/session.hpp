@@ -47,7 +47,7 @@ using NamedFiles = std::vector<std::pair<std::string, std::string>>;
 // What a command ends with, each made only where it is wanted.
 struct Result {
   std::function<Document()> json;
-  std::function<std::string()> text;
+  std::function<std::string(const TextOptions&)> text;
   std::function<NamedFiles()> files;  // beside the document; empty: none
   std::function<void()> draw;
   std::vector<PendingFile> tables;  // files that have grown on the way
@@ -57,14 +57,14 @@ struct Result {
 template <class Record>
 std::function<Document()> json_of(const Record&& record) = delete;
 template <class Record>
-std::function<std::string()> text_of(const Record&& record) = delete;
+std::function<std::string(const TextOptions&)> text_of(const Record&& record) = delete;
 template <class Record>
 std::function<Document()> json_of(const Record& record) {
   return [&record] { return Document(to_json(record)); };
 }
 template <class Record>
-std::function<std::string()> text_of(const Record& record) {
-  return [&record] { return to_text(record); };
+std::function<std::string(const TextOptions&)> text_of(const Record& record) {
+  return [&record](const TextOptions& options) { return to_text(record, options); };
 }
 
 // Writes the result's files, prints it, draws it; returns the exit code of the outcome.

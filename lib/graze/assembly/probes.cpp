@@ -65,10 +65,14 @@ std::vector<MeasuredPlace> measured_places(const Scene& scene, const System& sys
   std::vector<MeasuredPlace> places;
   int index = 0;
   for (const ProbeRow& probe : probe_rows(scene, system))
-    places.push_back({index++, {}, probe_unit(probe.quantity), {probe.row, probe.of_velocity}});
+    places.push_back({index++,
+                      {},
+                      unit_in(scene.units, probe_unit(probe.quantity)),
+                      {probe.row, probe.of_velocity}});
   for (std::size_t i = 0; i < system.stops.size(); ++i) {
     const double side = scene.stops[i].side == Side::kBelow ? -1.0 : 1.0;
-    places.push_back({{}, static_cast<int>(i), "m", {side * system.stops[i].row, false}});
+    places.push_back(
+        {{}, static_cast<int>(i), unit_in(scene.units, "m"), {side * system.stops[i].row, false}});
   }
   return places;
 }

@@ -37,7 +37,7 @@ std::vector<ProbeRow> probe_rows(const Scene& scene, const System& system);
 // the scene has it, on whichever side the stop stands.
 struct MeasuredPlace {
   std::optional<int> probe{}, stop{};  // one of them, index from 0
-  std::string unit;                    // as of probe_unit()
+  std::string unit;                    // of probe_unit(), "" of a scene without units
   MeasuredRow seen;                    // on the coordinates of the system
 
   std::string name(char between = ' ') const;  // "probe 1", "stop.1", ..

@@ -10,7 +10,7 @@ SystemFamily::SystemFamily(Scene scene, std::string parameter)
   parameter_direction(scene_, parameter_);  // throws for an unknown name
 }
 
-double SystemFamily::value() const { return *find_parameter(scene_, parameter_); }
+double SystemFamily::value() const { return *parameter_value(scene_, parameter_); }
 
 std::optional<Scene> SystemFamily::scene_at(double value) const {
   try {

@@ -193,7 +193,7 @@ class Fit {
   // Units that hold an exponent which is itself fitted are written with its letter.
   void name_units(const Scene& fitted) {
     for (FittedParameter& parameter : result_.parameters) {
-      if (find_parameter(fitted, parameter.name) == nullptr ||
+      if (!parameter_value(fitted, parameter.name) ||
           parameter_unit(fitted, parameter.name) == parameter.unit)
         continue;
       parameter.unit = parameter.name.ends_with(".stiffness") ? "N/m^n" : "N s/m^(n+1)";

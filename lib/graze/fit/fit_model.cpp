@@ -49,14 +49,14 @@ void FitModel::add(const std::string& name) {
   std::string unit;
   if (moves && name == kRecordStart) {
     parameter.target = Target::kClock;
-    unit = "s";
+    unit = unit_in(scene_.units, "s");
   } else if (moves && names_start_coordinate(name)) {
     parameter.target = Target::kInitialState;
     value = start_coordinate(scene_, name);
-    unit = start_coordinate_unit(name);
+    unit = number_unit(scene_, name);
   } else {
     parameter_direction(scene_, name);  // throws for an unknown name
-    value = *find_parameter(scene_, name);
+    value = *parameter_value(scene_, name);
     unit = parameter_unit(scene_, name);
     if (!moves) {
       check_restitution(name);

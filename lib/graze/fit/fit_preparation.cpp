@@ -34,7 +34,7 @@ bool is_first_coefficient(const std::string& name) {
 }
 
 void check_limit(const Scene& scene, const SoughtParameter& parameter, double value) {
-  if (!std::isfinite(value) || find_parameter(scene, parameter.name) == nullptr) return;
+  if (!std::isfinite(value) || !parameter_value(scene, parameter.name)) return;
   try {
     with_parameter(scene, parameter.name, value);
   } catch (const InputError& error) {

@@ -142,7 +142,8 @@ class Reader {
 
   void add_series(const std::string& name, const std::string& unit, std::size_t c,
                   Quantity quantity = Quantity::kCoordinate, int index = 0) {
-    MeasuredSeries series{name, unit, quantity, index, numbers(c), uncertainty(name, unit)};
+    MeasuredSeries series{name,       unit_in(scene_.units, unit), quantity, index,
+                          numbers(c), uncertainty(name, unit)};
     if (result_.series.empty())
       for (const std::size_t row : kept_) result_.places.push_back(table_.place(row, c));
     result_.series.push_back(std::move(series));

@@ -82,6 +82,9 @@ void check_forcing(const Scene& scene) {
   const ValueChecker checker(scene, "forcing");
   const Forcing& forcing = *scene.forcing;
   const ModalStructure* modal = scene.modal();
+  if (forcing.frequency.in_hertz && scene.units == Units::kNone)
+    checker.fail("frequency_hz",
+                 "Hz is a unit and the scene has units = \"none\", it must be frequency");
   if (modal == nullptr && forcing.kind == ForcingKind::kModal) {
     checker.fail("kind", "modal forcing needs [modal], it must be base or distributed");
   }

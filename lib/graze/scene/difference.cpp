@@ -31,6 +31,7 @@ void strip(Scene& scene) {
   scene.initial.reset();
   scene.probes.clear();
   scene.solver = {};
+  if (scene.forcing) scene.forcing->frequency.write_in_hertz(false);
 }
 
 }  // namespace

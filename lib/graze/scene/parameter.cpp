@@ -64,10 +64,30 @@ InputError unknown_parameter(const Scene& scene, const std::string& path) {
                                 joined(shortened(names), "and")));
 }
 
+// Of a path that names the forcing frequency: whether in Hz. Nothing of any other.
+std::optional<bool> written_in_hertz(const Scene& scene, const std::string& path) {
+  const bool in_hertz = path == "forcing.frequency_hz";
+  if (!scene.forcing || (!in_hertz && path != "forcing.frequency")) return {};
+  if (in_hertz && scene.units == Units::kNone) return {};
+  return in_hertz;
+}
+
 }  // namespace
 
 double* find_parameter(Scene& scene, const std::string& path) {
+  if (const std::optional<bool> in_hertz = written_in_hertz(scene, path))
+    scene.forcing->frequency.write_in_hertz(*in_hertz);
   return found_number(scene, path, false);
+}
+
+std::optional<double> parameter_value(const Scene& scene, const std::string& path) {
+  if (const std::optional<bool> in_hertz = written_in_hertz(scene, path)) {
+    Frequency frequency = scene.forcing->frequency;
+    frequency.write_in_hertz(*in_hertz);
+    return frequency.written;
+  }
+  const double* number = found_number(scene, path, false);
+  return number ? std::optional<double>(*number) : std::nullopt;
 }
 
 const double* find_parameter(const Scene& scene, const std::string& path) {
@@ -114,7 +134,9 @@ bool leaves_structure(const std::string& path) {
          (begins("stop.") && (contains(".gap") || contains(".restitution") || contains(".spring")));
 }
 
-std::string parameter_unit(const Scene& scene, const std::string& path) {
+namespace {
+
+std::string si_unit(const Scene& scene, const std::string& path) {
   // Of some keys it depends on others.
   const std::string name = without_number(path);
   if (name.starts_with("stop.restitution"))
@@ -134,6 +156,12 @@ std::string parameter_unit(const Scene& scene, const std::string& path) {
   }
   const KeyRow* row = key_row(path);
   return row ? row->unit : "";
+}
+
+}  // namespace
+
+std::string parameter_unit(const Scene& scene, const std::string& path) {
+  return unit_in(scene.units, si_unit(scene, path));
 }
 
 }  // namespace graze

@@ -5,6 +5,7 @@
 // tangents alike.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -12,9 +13,14 @@
 
 namespace graze {
 
-// The number that `path` names, or null when the scene has no such continuous parameter.
+// The number that `path` names, or null when the scene has no such continuous parameter. Whoever
+// asks for the forcing frequency in Hz ("forcing.frequency_hz") or in rad/s ("forcing.frequency")
+// has it written that way from then on; a const scene has it only the way in which it is written.
 double* find_parameter(Scene& scene, const std::string& path);
 const double* find_parameter(const Scene& scene, const std::string& path);
+
+// Its value, in the unit of `path`; nothing when the scene has no such continuous parameter.
+std::optional<double> parameter_value(const Scene& scene, const std::string& path);
 
 // All continuous parameters that this scene has, for messages and suggestions.
 std::vector<std::string> parameter_names(const Scene& scene);
@@ -31,7 +37,8 @@ Scene parameter_direction(const Scene& scene, const std::string& path);
 // all values: forcing, gravity, gaps and restitutions come on top of it.
 bool leaves_structure(const std::string& path);
 
-// "rad/s", "m", .. of a parameter, for tables and axes; "" for a pure number.
+// "rad/s", "m", .. of a parameter, for tables and axes; "" for a pure number, and for all of
+// a scene without units.
 std::string parameter_unit(const Scene& scene, const std::string& path);
 
 }  // namespace graze

@@ -174,6 +174,14 @@ void prepare(const TableReader& table, const Node& node, Damping& damping, const
   if (table.has("rayleigh")) damping = RayleighDamping{};
 }
 
+void prepare(const TableReader& table, const Node&, Forcing& forcing, const Scene&) {
+  forcing.frequency.in_hertz = table.has("frequency_hz");
+  if (table.has("frequency_hz") && table.has("frequency"))
+    table.fail("frequency_hz",
+               "forcing.frequency is given already, the table must hold exactly one of frequency "
+               "and frequency_hz");
+}
+
 void prepare(const TableReader& table, const Node&, Spring& spring, const Scene&) {
   if (table.has("radii") || table.has("moduli") || table.has("poisson")) spring.geometry.emplace();
 }

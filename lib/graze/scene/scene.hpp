@@ -10,12 +10,16 @@
 #include <variant>
 #include <vector>
 
+#include "graze/base/angle.hpp"
 #include "graze/base/default_tolerance.hpp"
 #include "graze/base/errors.hpp"
 #include "graze/contact/contact_force.hpp"
 #include "graze/contact/hertz_stiffness.hpp"
 
 namespace graze {
+
+// Whether a scene's numbers are in SI units or pure numbers.
+enum class Units { kSi, kNone };
 
 enum class Projection { kGalerkin, kCollocation };
 enum class Side { kAbove, kBelow };
@@ -88,11 +92,30 @@ struct RayleighDamping {
 };
 using Damping = std::variant<ViscousDamping, DampingRatios, RayleighDamping>;
 
+// A frequency as the scene writes it, in rad/s or in Hz; as a number it is in rad/s.
+struct Frequency {
+  double written = 0.0;   // > 0
+  bool in_hertz = false;  // what is written: Hz, else rad/s
+
+  operator double() const { return in_hertz ? kTurn * written : written; }
+  // Of a number in rad/s, and written so.
+  Frequency& operator=(double angular) {
+    written = angular;
+    in_hertz = false;
+    return *this;
+  }
+  // The same frequency, written in that way.
+  void write_in_hertz(bool hertz) {
+    if (hertz != in_hertz) written = hertz ? written / kTurn : kTurn * written;
+    in_hertz = hertz;
+  }
+};
+
 // amplitude * cos(frequency t + phase)
 struct Forcing {
   ForcingKind kind = ForcingKind::kBase;
   double amplitude = 0.0;  // base: m; distributed: N/m; modal: 1
-  double frequency = 0.0;  // rad/s, > 0
+  Frequency frequency{};   // > 0
   double phase = 0.0;      // rad
 };
 
@@ -191,6 +214,7 @@ using Origins = std::map<std::string, SourceLocation>;
 
 struct Scene {
   std::string title;
+  Units units = Units::kSi;
   std::variant<Beam, ModalStructure> structure;
   std::optional<Hub> hub{};  // of a beam
   std::optional<Damping> damping;
@@ -207,6 +231,11 @@ struct Scene {
   // Number of the structure's modes N; a hub adds its angle to them.
   int modes() const;
 };
+
+// A unit as the results of a scene are told in: itself, "" where the scene's numbers are pure.
+inline std::string unit_in(Units units, const std::string& unit) {
+  return units == Units::kSi ? unit : "";
+}
 
 // An error about `key`, located where the key (or else the nearest table above it) was written.
 InputError scene_error(const Scene& scene, const std::string& key, const std::string& sentence);

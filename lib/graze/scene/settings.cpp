@@ -149,6 +149,13 @@ Node& entry_of(NodeList& list, const std::string& part, const std::string& path,
   return list[index - 1];
 }
 
+// Of two ways to write one number, the setting's takes the place of the scene's.
+void remove_other_way(NodeTable& table, const std::string& path, const std::string& key) {
+  if (path != "forcing" || (key != "frequency" && key != "frequency_hz")) return;
+  const std::string other = key == "frequency" ? "frequency_hz" : "frequency";
+  std::erase_if(table, [&](const Member& member) { return member.key == other; });
+}
+
 // The member, made as `made` where it is missing.
 Node& member_of(NodeTable& table, const std::string& key, Node made) {
   if (Node* member = find_member(table, key)) {
@@ -177,6 +184,7 @@ void apply_setting(Node& root, const std::string& text) {
       if (tables) {
         made = Node{NodeList(), place};
       }
+      remove_other_way(*table, path, parts[k]);
       at = &member_of(*table, parts[k], std::move(made));
       if (auto* list = at->as<NodeList>(); list != nullptr && tables) {
         const std::size_t number = index_of(parts[k + 1]);

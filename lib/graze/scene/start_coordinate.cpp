@@ -25,11 +25,6 @@ double& start_coordinate(Scene& scene, const std::string& name) {
       name, scene.modes(), scene.modes(), scene.hub ? ", initial.angle and initial.rate" : ""));
 }
 
-std::string start_coordinate_unit(const std::string& name) {
-  const KeyRow* row = key_row(name);
-  return row ? row->unit : "";
-}
-
 Scene with_number(const Scene& scene, const std::string& name, double value) {
   if (!names_start_coordinate(name)) return with_parameter(scene, name, value);
   Scene changed = scene;
@@ -41,7 +36,8 @@ std::string number_unit(const Scene& scene, const std::string& name) {
   if (!names_start_coordinate(name)) return parameter_unit(scene, name);
   Scene copy = scene;
   start_coordinate(copy, name);  // throws for a name that it does not have
-  return start_coordinate_unit(name);
+  const KeyRow* row = key_row(name);
+  return row ? unit_in(scene.units, row->unit) : "";
 }
 
 }  // namespace graze

@@ -44,7 +44,8 @@ class Writer : public SchemaVisitor {
   template <class Value>
   void choice(const Key& key, Value value, const auto& choices) {
     // What is asked for beyond the usual stands there only where it is.
-    if (std::is_same_v<Value, bool> && value == choices.front().value) return;
+    constexpr bool is_beyond = std::is_same_v<Value, bool> || std::is_same_v<Value, Units>;
+    if (is_beyond && value == choices.front().value) return;
     add(key, quoted(name_among(choices, value)));
   }
   void table(const TableKey& key, const auto& value) {

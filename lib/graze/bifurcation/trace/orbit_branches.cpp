@@ -50,9 +50,14 @@ class OrbitTracer {
         put_in_order(branches_.take(), Components(highest_ - lowest_, speed_scale),
                      [this](const OrbitBranch& branch) { return connected_set(branch); });
     // What the simulation does is worth a line only where it explains that there is nothing else.
-    if (!result_.branches.empty() && !compliant_) result_.notes.clear();
+    if (!result_.branches.empty() && !compliant_) {
+      result_.notes.clear();
+      result_.details.clear();
+    }
+    // That nothing is missing is no news, that something may be is.
     if (options_.impacts == 1 && !options_.start && !compliant_)
-      result_.notes.push_back(in_words(result_.sought, family_.parameter(), options_.period));
+      (result_.sought.complete() ? result_.details : result_.notes)
+          .push_back(in_words(result_.sought, family_.parameter(), options_.period));
     for (const std::string& note : branches_.notes()) result_.notes.push_back(note);
     result_.stopped = options_.stop.reason();
     return std::move(result_);
@@ -184,7 +189,10 @@ class OrbitTracer {
     FoundOrbits found = find_orbits(*system, start, finder);
     // On rigid stops alone those have a search of their own.
     if (!compliant_) std::erase_if(found.orbits, [](const Orbit& orbit) { return orbit.sticks(); });
-    if (result_.notes.empty()) result_.notes = found.notes;
+    if (result_.notes.empty()) {
+      result_.notes = found.notes;
+      result_.details = found.details;
+    }
     return std::move(found.orbits);
   }
 

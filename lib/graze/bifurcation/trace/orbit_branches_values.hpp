@@ -18,7 +18,8 @@ struct OrbitBranches {
   // their tangents are given in.
   MotionScale scale;
   double range = 1.0;
-  std::vector<std::string> notes;      // sentences
+  std::vector<std::string> notes;      // sentences: what is missing or wrong, what the motion does
+  std::vector<std::string> details;    // sentences about the numerics, for who looks into them
   long long shooting_evaluations = 0;  // of the shooting equations, all points together
   long long rejected_steps = 0;
   int starts = 0;          // solutions offered as starts

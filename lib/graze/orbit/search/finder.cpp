@@ -111,14 +111,16 @@ class Finder {
       return;
     }
     const Orbit& orbit = *answer.orbit;
-    found_.notes.push_back(
-        orbit.sticks()
-            ? fmt::format("{}; solved for, it is a ({}, {}) orbit that sticks, its chatters summed "
-                          "below {:.4g} m/s",
-                          settled.classification, orbit.period, orbit.impacts.size(),
-                          segment_options_.closure_speed)
-            : fmt::format("from the scene's initial state the motion settles on a ({}, {}) orbit",
-                          orbit.period, orbit.impacts.size()));
+    if (!orbit.sticks()) {
+      found_.notes.push_back(
+          fmt::format("from the scene's initial state the motion settles on a ({}, {}) orbit",
+                      orbit.period, orbit.impacts.size()));
+      return;
+    }
+    found_.notes.push_back(fmt::format("{}; solved for, it is a ({}, {}) orbit that sticks",
+                                       settled.classification, orbit.period, orbit.impacts.size()));
+    found_.details.push_back(
+        fmt::format("its chatters are summed below {:.4g} m/s", segment_options_.closure_speed));
   }
 
   // Keeps the orbit that a start led to, where it is asked for.

@@ -17,6 +17,7 @@ RunInfo run_info(const std::string& command, const std::string& scene_file, cons
   info.command = command;
   info.scene_file = scene_file;
   info.scene_title = scene.title;
+  info.units = scene.units;
   info.scene_text = write_scene(scene);
   info.scene_sha256 = sha256(info.scene_text);
   return info;

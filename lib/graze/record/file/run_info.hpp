@@ -22,6 +22,7 @@ struct RunInfo {
   std::vector<std::pair<std::string, OptionValue>> options;  // those that were given or used
   // To call the program again: its arguments, and "NAME=VALUE" of what was set in the scene.
   std::vector<std::string> arguments{}, settings{};
+  Units units = Units::kSi;  // of the scene, in which its results are told
 };
 
 // "0.1.0"

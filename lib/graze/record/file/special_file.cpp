@@ -251,7 +251,7 @@ SpecialPoints parse_special_points(const std::string& text, const std::string& n
   SpecialPoints special{table.word("version"), table.word("scene_sha256"), {}, {}};
   special.parameters = table.words("parameters");
   for (const std::string& parameter : special.parameters)
-    if (!find_parameter(scene, parameter))
+    if (!parameter_value(scene, parameter))
       table.fail("parameters", fmt::format("the scene has no parameter {}", quoted(parameter)));
   if (special.parameters.empty() || special.parameters.size() > 2)
     table.fail("parameters", "there are one or two");

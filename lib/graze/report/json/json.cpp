@@ -300,7 +300,7 @@ Document to_json(const SimulationRecord& record, Spool& events) {
     add_amplitude_units(record.places, document["units"]);
   }
   if (record.section) document["section"] = section_json(*record.section);
-  const std::string whole = document_text(document);
+  const std::string whole = document_text(std::move(document), record.info);
   // Quotes inside strings are escaped, so this is found once, where it stands.
   const std::string opening = "\n \"events\": [";
   const std::size_t at = whole.find(opening + "]") + opening.size();
@@ -328,8 +328,8 @@ std::string to_json(const OrbitRecord& record) {
                         {"global", count(record.found.global)}};
   document["patterns_searched"] = record.found.patterns;
   document["left_out_as_inadmissible"] = record.found.inadmissible;
-  document["notes"] = record.found.notes;
-  return document_text(document);
+  document["notes"] = all_notes(record.found.notes, record.found.details);
+  return document_text(std::move(document), record.info);
 }
 
 std::string to_json(const BranchRecord& record) {
@@ -376,8 +376,8 @@ std::string to_json(const BranchRecord& record) {
       {"switched", record.traced.switched},
       {"left_open", record.traced.left_open}};
   document["search"] = search_json(record.traced);
-  document["notes"] = record.traced.notes;
-  return document_text(document);
+  document["notes"] = all_notes(record.traced.notes, record.traced.details);
+  return document_text(std::move(document), record.info);
 }
 
 }  // namespace graze

@@ -104,7 +104,7 @@ std::string to_json(const CheckRecord& record) {
   document["step"] = json_maybe(record.scene.solver.step);
   document["longest_stable_step"] =
       record.steps ? json_number(record.steps->longest) : Json(nullptr);
-  return document_text(document);
+  return document_text(std::move(document), record.info);
 }
 
 }  // namespace graze

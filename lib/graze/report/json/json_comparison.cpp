@@ -44,7 +44,7 @@ std::string to_json(const ComparisonRecord& record) {
   document["differences"] = Json::array();
   for (const MotionDifference& difference : record.differences)
     document["differences"].push_back(difference_json(difference));
-  return document_text(document);
+  return document_text(std::move(document), record.info);
 }
 
 std::string to_json(const ComparisonMapRecord& record) {
@@ -71,7 +71,7 @@ std::string to_json(const ComparisonMapRecord& record) {
                                            : Json(nullptr));
     document["cells"][name_of(quantity)] = values;
   }
-  return document_text(document);
+  return document_text(std::move(document), record.info);
 }
 
 }  // namespace graze

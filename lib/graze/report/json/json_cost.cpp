@@ -106,7 +106,7 @@ std::string to_json(const CostRecord& record) {
                              {"allowed_error", costs.allowed},
                              {"flow", best ? Json(best->flow) : Json(nullptr)},
                              {"setting", best ? Json(best->setting) : Json(nullptr)}};
-  return document_text(document);
+  return document_text(std::move(document), record.info);
 }
 
 }  // namespace graze

@@ -6,6 +6,19 @@
 #include "graze/base/detail/terminal_text.hpp"
 
 namespace graze {
+namespace {
+
+// Leaves no unit in a document, wherever it names one.
+void remove_units(Json& json) {
+  if (json.is_object()) {
+    json.erase("units");
+    if (json.contains("unit")) json["unit"] = "";
+  }
+  if (json.is_structured())
+    for (Json& part : json) remove_units(part);
+}
+
+}  // namespace
 
 Json document_head(const RunInfo& info, const Outcome& outcome,
                    const std::vector<std::string>& warnings) {
@@ -29,6 +42,17 @@ Json probe_json(const Probe& probe) {
   return {{"quantity", probe_quantity_name(probe.quantity)},
           {"unit", probe_unit(probe.quantity)},
           {"position", on_beam ? json_number(probe.position) : Json(nullptr)}};
+}
+
+std::string document_text(Json document, const RunInfo& info) {
+  if (info.units == Units::kNone) remove_units(document);
+  return document_text(document);
+}
+
+std::vector<std::string> all_notes(std::vector<std::string> notes,
+                                   const std::vector<std::string>& details) {
+  notes.insert(notes.end(), details.begin(), details.end());
+  return notes;
 }
 
 std::string document_text(const Json& document) {

@@ -70,7 +70,7 @@ std::string to_json(const FitRecord& record) {
   document["series"] = Json::array();
   for (const FittedSeries& series : result.series)
     document["series"].push_back(series_json(series));
-  return document_text(document);
+  return document_text(std::move(document), record.info);
 }
 
 }  // namespace graze

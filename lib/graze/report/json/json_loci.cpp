@@ -98,7 +98,7 @@ std::string to_json(const LociRecord& record) {
     document["regions"]["boundaries"] =
         record.boundaries ? boundaries_json(*record.regions, *record.boundaries) : Json(nullptr);
   }
-  return document_text(document);
+  return document_text(std::move(document), record.info);
 }
 
 }  // namespace graze

@@ -83,7 +83,7 @@ std::string to_json(const MapRecord& record) {
     document["loci"] = loci_json(*record.loci);
     document["counters"] = loci_counters_json(*record.loci);
   }
-  return document_text(document);
+  return document_text(std::move(document), record.info);
 }
 
 }  // namespace graze

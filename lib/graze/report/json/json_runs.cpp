@@ -38,7 +38,7 @@ std::string to_json(const RunDiagramRecord& record) {
   document["probes"] = probes_json(record.probes);
   document["runs"] = Json::array();
   for (const ValueRun& run : record.runs) document["runs"].push_back(run_json(run));
-  return document_text(document);
+  return document_text(std::move(document), record.info);
 }
 
 std::string to_json(const SensitivityRecord& record) {
@@ -64,7 +64,7 @@ std::string to_json(const SensitivityRecord& record) {
          {"points", points},
          {"reference", run_json(curve.reference)}});
   }
-  return document_text(document);
+  return document_text(std::move(document), record.info);
 }
 
 }  // namespace graze

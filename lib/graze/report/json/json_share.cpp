@@ -10,7 +10,7 @@ std::string to_json(const ShareRecord& record) {
   document["share"] = {{"part", record.share.part}, {"of", record.share.of},
                        {"journal", record.journal}, {"piece", record.piece},
                        {"kept", record.kept},       {"due", record.due}};
-  return document_text(document);
+  return document_text(std::move(document), record.info);
 }
 
 }  // namespace graze

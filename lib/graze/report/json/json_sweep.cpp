@@ -77,7 +77,7 @@ std::string to_json(const DiagramRecord& record) {
                        {"impacts", swept.impacts},
                        {"ranges", ranges},
                        {"rows", rows}};
-  return document_text(document);
+  return document_text(std::move(document), record.branches.info);
 }
 
 }  // namespace graze

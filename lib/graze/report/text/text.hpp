@@ -1,26 +1,41 @@
 // Results in words and tables, for a terminal.
 #pragma once
 
+#include <limits>
 #include <string>
 
 #include "graze/record/record_names.hpp"
 
 namespace graze {
 
-std::string to_text(const CheckRecord& record);
-std::string to_text(const SimulationRecord& record);
-std::string to_text(const OrbitRecord& record);
-std::string to_text(const BranchRecord& record);
-std::string to_text(const LociRecord& record);
-std::string regions_text(const LociRecord& record);  // requires regions
-std::string to_text(const DiagramRecord& record);
-std::string to_text(const RunDiagramRecord& record);
-std::string to_text(const MapRecord& record);
-std::string to_text(const ComparisonRecord& record);
-std::string to_text(const ComparisonMapRecord& record);
-std::string to_text(const ShareRecord& record);
-std::string to_text(const CostRecord& record);
-std::string to_text(const FitRecord& record);
-std::string to_text(const SensitivityRecord& record);
+// How much is told, and in which room.
+struct TextOptions {
+  std::size_t width = 100;  // characters of a line, at most
+  bool verbose = false;     // with what only tells how the numerics went
+};
+
+// As wide as lines are.
+inline constexpr std::size_t kAnyWidth = std::numeric_limits<std::size_t>::max();
+
+std::string to_text(const CheckRecord& record, const TextOptions& options = {});
+std::string to_text(const SimulationRecord& record, const TextOptions& options = {});
+std::string to_text(const OrbitRecord& record, const TextOptions& options = {});
+std::string to_text(const BranchRecord& record, const TextOptions& options = {});
+std::string to_text(const LociRecord& record, const TextOptions& options = {});
+// Requires regions.
+std::string regions_text(const LociRecord& record, const TextOptions& options = {});
+std::string to_text(const DiagramRecord& record, const TextOptions& options = {});
+std::string to_text(const RunDiagramRecord& record, const TextOptions& options = {});
+std::string to_text(const MapRecord& record, const TextOptions& options = {});
+std::string to_text(const ComparisonRecord& record, const TextOptions& options = {});
+std::string to_text(const ComparisonMapRecord& record, const TextOptions& options = {});
+std::string to_text(const ShareRecord& record, const TextOptions& options = {});
+std::string to_text(const CostRecord& record, const TextOptions& options = {});
+std::string to_text(const FitRecord& record, const TextOptions& options = {});
+std::string to_text(const SensitivityRecord& record, const TextOptions& options = {});
+
+// The same lines, none wider than it may be where blanks allow it: sentences go on below
+// themselves.
+std::string fitted_lines(const std::string& text, const TextOptions& options);
 
 }  // namespace graze

@@ -8,7 +8,7 @@
 #include "graze/base/angle.hpp"
 #include "graze/base/detail/terminal_text.hpp"
 #include "graze/record/records.hpp"
-#include "graze/report/text/detail/table.hpp"
+#include "graze/report/text/detail/text_units.hpp"
 #include "graze/report/text/text.hpp"
 #include "graze/study/cost/detail/step_choice.hpp"
 #include "graze/system/detail/hub_state.hpp"
@@ -24,14 +24,15 @@ std::string damping_text(const SceneStop& stop, const ContactForce& law) {
 
 // Asked and given, a line of each.
 std::string requests_text(const Scene& scene) {
+  const TextUnits in(scene.units);
   std::string text;
   for (std::size_t i = 0; i < scene.stops.size(); ++i) {
     if (!scene.stops[i].spring) continue;
     const std::optional<RequestedRestitution> asked = requested_restitution(*scene.stops[i].spring);
     if (!asked) continue;
     text += fmt::format("stop {}: asked for restitution {:g}", i + 1, asked->requested);
-    if (asked->speed) text += fmt::format(" at {:g} m/s", *asked->speed);
-    if (asked->mass) text += fmt::format(" of {:g} kg", *asked->mass);
+    if (asked->speed) text += " at " + in.quantity(*asked->speed, 6, "m/s");
+    if (asked->mass) text += " of " + in.quantity(*asked->mass, 6, "kg");
     text += fmt::format(", one such contact gives {:.6g}", asked->effective);
     text += asked->exact_coefficient
                 ? fmt::format("; exact with the coefficient {:.6g}\n", *asked->exact_coefficient)
@@ -55,14 +56,15 @@ std::string title(const Scene& scene) {
 }
 
 std::string damping_text(const Scene& scene) {
+  const TextUnits in(scene.units);
   if (!scene.damping)
     return scene.modal() && !scene.modal()->damping_ratios.empty() ? "a ratio for each mode"
                                                                    : "none";
   if (const auto* viscous = std::get_if<ViscousDamping>(&*scene.damping))
-    return fmt::format("viscous, {:g} N s/m^2", viscous->coefficient);
+    return "viscous, " + in.quantity(viscous->coefficient, 6, "N s/m^2");
   if (const auto* rayleigh = std::get_if<RayleighDamping>(&*scene.damping))
-    return fmt::format("Rayleigh, mass {:g} 1/s, stiffness {:g} s", rayleigh->mass,
-                       rayleigh->stiffness);
+    return fmt::format("Rayleigh, mass {}, stiffness {}", in.quantity(rayleigh->mass, 6, "1/s"),
+                       in.quantity(rayleigh->stiffness, 6, "s"));
   return "a ratio for each mode";
 }
 
@@ -70,11 +72,12 @@ std::string flow_text(const CheckRecord& record) {
   const FlowDecision decision = flow_decision(record.scene);
   if (!record.steps) return fmt::format("{}: {}", flow_name(decision.flow), decision.reason);
   const Solver& solver = record.scene.solver;
+  const TextUnits in(record.scene.units);
   const std::string steps = solver.step
-                                ? fmt::format("steps of {:g} s", *solver.step)
+                                ? "steps of " + in.quantity(*solver.step, 6, "s")
                                 : fmt::format("steps by their error, {:g}", solver.tolerance);
-  return fmt::format("{}: {}; stable up to {:.6g} s; a contact shows at the ends of steps only",
-                     flow_name(solver.flow), steps, record.steps->longest);
+  return fmt::format("{}: {}; stable up to {}; a contact shows at the ends of steps only",
+                     flow_name(solver.flow), steps, in.quantity(record.steps->longest, 6, "s"));
 }
 
 // A line of the list of effects.
@@ -90,51 +93,70 @@ std::string structure_text(const Scene& scene) {
   return fmt::format("given by {} mode{}", scene.modes(), plural);
 }
 
-std::string torque_text(const std::optional<Torque>& torque) {
+std::string torque_text(const std::optional<Torque>& torque, const TextUnits& in) {
   if (!torque) return "none: nothing drives the hub";
   if (const auto* pulse = std::get_if<TorquePulse>(&*torque))
-    return fmt::format("{:g} N m for {:g} s, then none", pulse->amplitude, pulse->duration);
+    return fmt::format("{} for {}, then none", in.quantity(pulse->amplitude, 6, "N m"),
+                       in.quantity(pulse->duration, 6, "s"));
   const auto& table = std::get<TorqueTable>(*torque);
-  return fmt::format("{} points from {:g} to {:g} s, straight between them, none outside",
-                     table.times.size(), table.times.front(), table.times.back());
+  return fmt::format("{} points from {} to {}, straight between them, none outside",
+                     table.times.size(), digits_text(table.times.front(), 6),
+                     in.quantity(table.times.back(), 6, "s"));
 }
 
-std::string hub_effects(const Hub& hub) {
-  return effect("hub",
-                fmt::format("radius {:g} m, inertia {:g} kg m^2, {}", hub.radius, hub.inertia,
-                            hub.equations == HubEquations::kConsistent
-                                ? "equations that conserve energy"
-                                : "equations as in the paper")) +
-         effect("torque", torque_text(hub.torque)) +
+std::string hub_effects(const Hub& hub, const TextUnits& in) {
+  return effect("hub", fmt::format("radius {}, inertia {}, {}", in.quantity(hub.radius, 6, "m"),
+                                   in.quantity(hub.inertia, 6, "kg m^2"),
+                                   hub.equations == HubEquations::kConsistent
+                                       ? "equations that conserve energy"
+                                       : "equations as in the paper")) +
+         effect("torque", torque_text(hub.torque, in)) +
          effect("centrifugal", hub.centrifugal ? "terms with the square of the rate" : "none") +
          effect("friction", hub.friction
-                                ? fmt::format("Coulomb's at the joint, {:g} N m", *hub.friction)
+                                ? "Coulomb's at the joint, " + in.quantity(*hub.friction, 6, "N m")
                                 : "none at the joint");
 }
 
-std::string forcing_text(const Forcing& forcing) {
+// In both units where the scene has any, first in the one that it is written in.
+std::string frequency_text(const Frequency& frequency, const TextUnits& in) {
+  const double omega = frequency;
+  if (in("Hz").empty()) return digits_text(omega, 6);
+  const std::string angular = digits_text(omega, 6) + " rad/s";
+  const std::string hertz = digits_text(omega / kTurn, 6) + " Hz";
+  return frequency.in_hertz ? hertz + " = " + angular : angular + " = " + hertz;
+}
+
+std::string forcing_text(const Forcing& forcing, const TextUnits& in) {
   const bool base = forcing.kind == ForcingKind::kBase;
   const bool load = forcing.kind == ForcingKind::kDistributed;
-  return fmt::format("{}, amplitude {:g}{}, {:g} rad/s = {:.6g} Hz, period {:.6g} s",
+  return fmt::format("{}, amplitude {}, {}{}, period {}",
                      base ? "moving clamp" : (load ? "distributed load" : "modal"),
-                     forcing.amplitude, base ? " m" : (load ? " N/m" : ""), forcing.frequency,
-                     forcing.frequency / kTurn, kTurn / forcing.frequency);
+                     in.quantity(forcing.amplitude, 6, base ? "m" : (load ? "N/m" : "")),
+                     in("Hz").empty() ? "frequency " : "", frequency_text(forcing.frequency, in),
+                     in.quantity(kTurn / forcing.frequency, 6, "s"));
 }
 
 std::string gravity_text(const Scene& scene) {
   if (!scene.gravity) return "none";
-  return fmt::format("{:g} m/s^2 along {}", scene.gravity->acceleration,
+  return fmt::format("{} along {}",
+                     TextUnits(scene.units).quantity(scene.gravity->acceleration, 6, "m/s^2"),
                      scene.hub ? "-u at angle 0" : "+u");
 }
 
 std::string stop_text(const Scene& scene, const SceneStop& stop) {
+  const TextUnits in(scene.units);
   const std::string place = fmt::format(
-      "{}{}, gap {:g} m, ", scene.beam() ? fmt::format("at x = {:g} m, ", stop.position) : "",
-      stop.side == Side::kAbove ? "above" : "below", stop.gap);
+      "{}{}, gap {}, ",
+      scene.beam() ? fmt::format("at x = {}, ", in.quantity(stop.position, 6, "m")) : "",
+      stop.side == Side::kAbove ? "above" : "below", in.quantity(stop.gap, 6, "m"));
   if (stop.spring) {
     const ContactForce law = spring_law(*stop.spring);
-    return place + fmt::format("compliant: {:g} N/m^{:g} {}, parts where its {} is gone",
-                               law.stiffness, law.exponent, damping_text(stop, law),
+    // A pure number has its exponent told by itself.
+    const std::string exponent = fmt::format("{:g}", law.exponent);
+    const std::string unit = in("N/m^" + exponent);
+    return place + fmt::format("compliant: {}{} {}, parts where its {} is gone",
+                               quantity_text(law.stiffness, 6, unit),
+                               unit.empty() ? " x^" + exponent : "", damping_text(stop, law),
                                law.separation == Separation::kAtZeroForce ? "force" : "depth");
   }
   return place + fmt::format("restitution {}, {} impulse", restitution_text(stop.restitution),
@@ -142,21 +164,24 @@ std::string stop_text(const Scene& scene, const SceneStop& stop) {
 }
 
 std::string probe_text(const Scene& scene, const Probe& probe) {
-  const std::string unit = probe_unit(probe.quantity);
+  const TextUnits in(scene.units);
+  const std::string unit = in(probe_unit(probe.quantity));
   return fmt::format("{}{}{}", probe_quantity_name(probe.quantity),
                      unit.empty() ? "" : fmt::format(" ({})", unit),
                      is_of_hub(probe.quantity) ? " of the hub"
-                     : scene.beam()            ? fmt::format(" at x = {:g} m", probe.position)
+                     : scene.beam()            ? " at x = " + in.quantity(probe.position, 6, "m")
                                                : std::string());
 }
 
 std::string simulated_effects(const CheckRecord& record) {
   const Scene& scene = record.scene;
+  const TextUnits in(scene.units);
   std::string text = effect("structure", structure_text(scene));
-  if (scene.hub) text += hub_effects(*scene.hub);
+  if (scene.hub) text += hub_effects(*scene.hub, in);
   text += effect("damping", damping_text(scene));
   // A hub is driven by its torque.
-  if (!scene.hub) text += effect("forcing", scene.forcing ? forcing_text(*scene.forcing) : "none");
+  if (!scene.hub)
+    text += effect("forcing", scene.forcing ? forcing_text(*scene.forcing, in) : "none");
   text += effect("gravity", gravity_text(scene));
   for (std::size_t i = 0; i < scene.stops.size(); ++i)
     text += effect(fmt::format("stop {}", i + 1), stop_text(scene, scene.stops[i]));
@@ -168,26 +193,35 @@ std::string simulated_effects(const CheckRecord& record) {
 
 }  // namespace
 
-std::string to_text(const CheckRecord& record) {
+std::string to_text(const CheckRecord& record, const TextOptions& options) {
   std::string text = title(record.scene) + "Simulated:\n" + simulated_effects(record) + "\n";
   const System& system = record.system;
-  Table modes({"mode", "frequency (rad/s)", "frequency (Hz)", "decay rate (1/s)", "damping ratio",
-               "modal force (kg^1/2 m/s^2)"});
+  const TextUnits in(record.scene.units);
+  const bool has_hertz = !in("Hz").empty();
+  std::vector<std::string> header = {"mode", in.head("frequency", "rad/s")};
+  if (has_hertz) header.emplace_back("frequency (Hz)");
+  header.insert(header.end(), {in.head("decay rate", "1/s"), "damping ratio",
+                               in.head("modal force", "kg^1/2 m/s^2")});
+  Table modes(header);
   const Vector decay = decay_rates(system);
-  for (Eigen::Index j = 0; j < system.omega.size(); ++j)
-    modes.add({fmt::format("{}", j + 1), fmt::format("{:.8g}", system.omega[j]),
-               fmt::format("{:.6g}", system.omega[j] / kTurn), fmt::format("{:.6g}", decay[j]),
-               system.omega[j] > 0.0 ? fmt::format("{:.4g}", decay[j] / system.omega[j]) : "-",
-               system.forcing() ? fmt::format("{:.6g}", system.forcing()->amplitude[j]) : "-"});
-  text += modes.text();
+  const double largest = system.forcing() ? system.forcing()->amplitude.cwiseAbs().maxCoeff() : 0.0;
+  for (Eigen::Index j = 0; j < system.omega.size(); ++j) {
+    std::vector<std::string> row = {std::to_string(j + 1), digits_text(system.omega[j], 8)};
+    if (has_hertz) row.push_back(digits_text(system.omega[j] / kTurn, 6));
+    row.push_back(digits_text(decay[j], 6));
+    row.push_back(system.omega[j] > 0.0 ? digits_text(decay[j] / system.omega[j], 4) : "-");
+    row.push_back(system.forcing() ? digits_text(system.forcing()->amplitude[j], 6, largest) : "-");
+    modes.add(row);
+  }
+  text += modes.text(options.width);
   if (!system.stops.empty()) text += "\n";
   for (std::size_t i = 0; i < system.stops.size(); ++i)
-    text += fmt::format("stop {}: effective mass at the contact {:.6g} kg\n", i + 1,
-                        1.0 / system.stops[i].row.squaredNorm());
+    text += fmt::format("stop {}: effective mass at the contact {}\n", i + 1,
+                        in.quantity(1.0 / system.stops[i].row.squaredNorm(), 6, "kg"));
   text += requests_text(record.scene);
   if (record.closure_speed)
-    text += fmt::format("a chatter is summed once it is slower than {:.4g} m/s (--closure-speed)\n",
-                        *record.closure_speed);
+    text += fmt::format("a chatter is summed once it is slower than {} (--closure-speed)\n",
+                        in.quantity(*record.closure_speed, 4, "m/s"));
   if (record.collocation_condition > 0.0)
     text +=
         fmt::format("collocation matrix: condition number {:.4g}\n", record.collocation_condition);

@@ -6,20 +6,23 @@
 
 #include "graze/report/names/detail/comparison_names.hpp"
 #include "graze/report/names/detail/sweep_names.hpp"
-#include "graze/report/text/detail/table.hpp"
+#include "graze/report/text/detail/folding.hpp"
+#include "graze/report/text/detail/sentences.hpp"
 #include "graze/report/text/detail/text_plane.hpp"
+#include "graze/report/text/detail/text_units.hpp"
 #include "graze/report/text/text.hpp"
 
 namespace graze {
 namespace {
 
-std::string number(const std::optional<double>& value, const char* format = "{:.6g}") {
-  return value && std::isfinite(*value) ? fmt::format(fmt::runtime(format), *value) : "-";
+std::string number(const std::optional<double>& value, int digits = 6) {
+  return value && std::isfinite(*value) ? digits_text(*value, digits) : "-";
 }
 
-std::string motions_text(const ComparisonRecord& record) {
-  Table table({"motion", "settles on", "first impact (s)", "its speed (m/s)", "mean energy (J)",
-               "taken by stops (J/period)"});
+std::string motions_text(const ComparisonRecord& record, const TextOptions& options) {
+  const TextUnits in(record.info.units);
+  Table table({"motion", "settles on", in.head("first impact", "s"), in.head("its speed", "m/s"),
+               in.head("mean energy", "J"), in.head("taken by stops", "J/period")});
   for (std::size_t i = 0; i < record.motions.size(); ++i) {
     const ComparedMotion& motion = record.motions[i];
     std::optional<double> time, speed;
@@ -27,32 +30,33 @@ std::string motions_text(const ComparisonRecord& record) {
       time = motion.first.front().time;
       speed = motion.first.front().speed;
     }
-    table.add({record.names[i], attractor_label(motion.attractor), number(time, "{:.9g}"),
-               number(speed), number(motion.energy), number(motion.taken)});
+    table.add({record.names[i], attractor_label(motion.attractor), number(time, 9), number(speed),
+               number(motion.energy), number(motion.taken)});
   }
-  return table.text();
+  return table.text(options.width);
 }
 
 // Of each motion from the one before.
-std::string differences_text(const ComparisonRecord& record) {
+std::string differences_text(const ComparisonRecord& record, const TextOptions& options) {
   Table table({"difference", "first impacts that agree", "first impact (periods)", "its speed (%)",
                "displacement (%)", "velocity (%)", "mean energy (%)", "taken by stops (%)"});
   for (std::size_t i = 0; i < record.differences.size(); ++i) {
     const MotionDifference& difference = record.differences[i];
     const auto percent = [](std::optional<double> part) {
       if (part) *part *= 100.0;
-      return number(part, "{:.4g}");
+      return number(part, 4);
     };
     table.add({fmt::format("{} to {}", record.names[i], record.names[i + 1]),
                fmt::format("{} of {}", difference.agreeing, difference.first),
-               number(difference.first_time, "{:.4g}"), percent(difference.first_speed),
+               number(difference.first_time, 4), percent(difference.first_speed),
                percent(difference.displacement), percent(difference.velocity),
                percent(difference.energy), percent(difference.taken)});
   }
-  return table.text();
+  return table.text(options.width);
 }
 
-std::string first_impacts_text(const ComparisonRecord& record) {
+std::string first_impacts_text(const ComparisonRecord& record, const TextOptions& options) {
+  const TextUnits in(record.info.units);
   const std::vector<RunImpact>&one = record.motions[0].first, &other = record.motions[1].first;
   bool several = false;  // stops are hit
   for (const std::vector<RunImpact>* impacts : {&one, &other})
@@ -60,7 +64,7 @@ std::string first_impacts_text(const ComparisonRecord& record) {
   std::vector<std::string> header = {"impact"};
   for (int motion = 0; motion < 2; ++motion) {
     if (several) header.emplace_back("stop");
-    header.insert(header.end(), {"time (s)", "speed (m/s)"});
+    header.insert(header.end(), {in.head("time", "s"), in.head("speed", "m/s")});
   }
   Table table(header);
   for (std::size_t k = 0; k < std::max(one.size(), other.size()); ++k) {
@@ -68,13 +72,13 @@ std::string first_impacts_text(const ComparisonRecord& record) {
     for (const std::vector<RunImpact>* impacts : {&one, &other}) {
       const bool has = k < impacts->size();
       if (several) row.push_back(has ? std::to_string((*impacts)[k].stop + 1) : "-");
-      row.push_back(has ? fmt::format("{:.9f}", (*impacts)[k].time) : "-");
-      row.push_back(has ? fmt::format("{:.9g}", (*impacts)[k].speed) : "-");
+      row.push_back(has ? decimals_text((*impacts)[k].time, 9) : "-");
+      row.push_back(has ? digits_text((*impacts)[k].speed, 9) : "-");
     }
     table.add(row);
   }
   return fmt::format("first impacts: {}, then {}\n", record.names[0], record.names[1]) +
-         table.text();
+         table.text(options.width);
 }
 
 // "median 0.12, nine in ten below 0.5, largest 2" of the sizes.
@@ -90,17 +94,15 @@ std::string spread_text(std::vector<double> sizes) {
 
 }  // namespace
 
-std::string to_text(const ComparisonRecord& record) {
-  std::string text = motions_text(record);
-  if (!record.differences.empty()) text += "\n" + differences_text(record);
+std::string to_text(const ComparisonRecord& record, const TextOptions& options) {
+  std::string text = motions_text(record, options);
+  if (!record.differences.empty()) text += "\n" + differences_text(record, options);
   if (record.motions.size() == 2 && record.differences[0].first > 0)
-    text += "\n" + first_impacts_text(record);
-  if (!record.outcome.message.empty())
-    text += fmt::format("\n{}: {}\n", record.outcome.name, record.outcome.message);
-  return text;
+    text += "\n" + first_impacts_text(record, options);
+  return text + (record.outcome.message.empty() ? "" : "\n" + ending(record.outcome));
 }
 
-std::string to_text(const ComparisonMapRecord& record) {
+std::string to_text(const ComparisonMapRecord& record, const TextOptions& options) {
   const ComparisonMap& map = record.map;
   std::map<std::string, std::size_t> names;
   for (const ComparedCell& cell : map.cells) ++names[cell_name(cell)];
@@ -110,11 +112,19 @@ std::string to_text(const ComparisonMapRecord& record) {
   std::string text = fmt::format("{} against {}: {}", record.one, record.other,
                                  plane_text(map.options, record.x_unit, record.y_unit));
   Table table({"settle on", "cells", "part"});
-  for (const auto& [name, cells] : counts)
-    table.add({name, std::to_string(cells),
-               fmt::format("{:.2f} %", 100.0 * static_cast<double>(cells) /
-                                           static_cast<double>(map.cells.size()))});
-  text += table.text() + "\n";
+  std::vector<std::size_t> sizes;
+  for (const auto& [name, cells] : counts) sizes.push_back(cells);
+  const std::size_t all = map.cells.size();
+  const std::vector<bool> is_folded = folded_groups(sizes, all);
+  Folded folded;
+  for (std::size_t i = 0; i < counts.size(); ++i) {
+    const auto& [name, cells] = counts[i];
+    if (is_folded[i])
+      folded.add(cells);
+    else
+      table.add({name, std::to_string(cells), share_text(cells, all)});
+  }
+  text += table.text(options.width) + folded.text(all) + "\n";
   for (const ComparedQuantity quantity : kComparedQuantities) {
     if (quantity == ComparedQuantity::kAttractor) continue;
     std::vector<double> sizes;
@@ -125,9 +135,7 @@ std::string to_text(const ComparisonMapRecord& record) {
     text += fmt::format("{}: {} ({} cells)\n", title_of(quantity), spread_text(std::move(sizes)),
                         count);
   }
-  if (!record.outcome.message.empty())
-    text += fmt::format("\n{}: {}\n", record.outcome.name, record.outcome.message);
-  return text;
+  return text + (record.outcome.message.empty() ? "" : "\n" + ending(record.outcome));
 }
 
 }  // namespace graze

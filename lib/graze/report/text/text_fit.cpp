@@ -3,6 +3,8 @@
 #include <cmath>
 
 #include "graze/record/detail/fit_record.hpp"
+#include "graze/report/text/detail/number_text.hpp"
+#include "graze/report/text/detail/sentences.hpp"
 #include "graze/report/text/detail/table.hpp"
 #include "graze/report/text/text.hpp"
 #include "graze/scene/detail/suggestion.hpp"
@@ -10,33 +12,31 @@
 namespace graze {
 namespace {
 
-std::string number(double value) {
-  return std::isfinite(value) ? fmt::format("{:.10g}", value) : "-";
-}
+std::string number(double value) { return std::isfinite(value) ? digits_text(value, 10) : "-"; }
 
 std::string limits_text(const FittedParameter& parameter) {
   const bool low = std::isfinite(parameter.low), high = std::isfinite(parameter.high);
   if (!low && !high) return "none";
-  return fmt::format("{}..{}", low ? fmt::format("{:.6g}", parameter.low) : "",
-                     high ? fmt::format("{:.6g}", parameter.high) : "");
+  return fmt::format("{}..{}", low ? digits_text(parameter.low, 6) : "",
+                     high ? digits_text(parameter.high, 6) : "");
 }
 
-std::string parameters_text(const FitResult& result) {
+std::string parameters_text(const FitResult& result, const TextOptions& options) {
   Table table({"parameter", "value", "uncertainty", "95 % interval", "start", "limits"});
   for (const FittedParameter& parameter : result.parameters) {
     std::string uncertainty = parameter.at_limit ? "at its limit" : "-", interval = "-";
     if (parameter.uncertainty) {
-      uncertainty = fmt::format("{:.3g}", *parameter.uncertainty);
-      interval = fmt::format("{} .. {}", fmt::format("{:.8g}", parameter.interval_low),
-                             fmt::format("{:.8g}", parameter.interval_high));
+      uncertainty = digits_text(*parameter.uncertainty, 3);
+      interval = fmt::format("{} .. {}", digits_text(parameter.interval_low, 8),
+                             digits_text(parameter.interval_high, 8));
     }
     table.add({with_unit(parameter.name, parameter.unit), number(parameter.value), uncertainty,
-               interval, fmt::format("{:.6g}", parameter.start), limits_text(parameter)});
+               interval, digits_text(parameter.start, 6), limits_text(parameter)});
   }
-  return table.text();
+  return table.text(options.width);
 }
 
-std::string correlations_text(const FitResult& result) {
+std::string correlations_text(const FitResult& result, const TextOptions& options) {
   if (result.parameters.size() < 2) return "";
   std::vector<std::string> header = {"correlation"};
   for (const FittedParameter& parameter : result.parameters) header.push_back(parameter.name);
@@ -50,11 +50,11 @@ std::string correlations_text(const FitResult& result) {
               ? NAN
               : result.correlations(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j));
       any = any || std::isfinite(value);
-      row.push_back(std::isfinite(value) ? fmt::format("{:.3f}", value) : "-");
+      row.push_back(std::isfinite(value) ? decimals_text(value, 3) : "-");
     }
     table.add(row);
   }
-  return any ? "\n" + table.text() : "";
+  return any ? "\n" + table.text(options.width) : "";
 }
 
 std::string residuals_text(const FitResult& result) {
@@ -77,10 +77,11 @@ std::string residuals_text(const FitResult& result) {
 
 }  // namespace
 
-std::string to_text(const FitRecord& record) {
+std::string to_text(const FitRecord& record, const TextOptions& options) {
   const FitResult& result = record.result;
   std::string text = fmt::format("{} in {}\n\n", name_of(result.kind), record.data_file);
-  text += parameters_text(result) + correlations_text(result) + "\n" + residuals_text(result);
+  text += parameters_text(result, options) + correlations_text(result, options) + "\n" +
+          residuals_text(result);
   if (result.quantile > 0.0)
     text +=
         fmt::format("intervals: {:.4g} standard uncertainties, {}\n", result.quantile,
@@ -89,11 +90,10 @@ std::string to_text(const FitRecord& record) {
                         : fmt::format("Student's t with {} degrees of freedom", result.freedom));
   if (!record.unused_columns.empty())
     text += fmt::format("columns that are not used: {}\n", joined(record.unused_columns, "and"));
-  text += fmt::format("least sum of squares by {}; {} evaluations of the model\n", result.method,
-                      result.evaluations);
-  if (!record.outcome.message.empty())
-    text += fmt::format("{}: {}\n", record.outcome.name, record.outcome.message);
-  return text;
+  if (options.verbose)
+    text += fmt::format("least sum of squares by {}; {} evaluations of the model\n", result.method,
+                        result.evaluations);
+  return text + ending(record.outcome);
 }
 
 }  // namespace graze

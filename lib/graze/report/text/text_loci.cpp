@@ -5,6 +5,8 @@
 #include "graze/bifurcation/loci/orbit_loci.hpp"
 #include "graze/record/detail/loci_record.hpp"
 #include "graze/report/detail/names.hpp"
+#include "graze/report/text/detail/number_text.hpp"
+#include "graze/report/text/detail/sentences.hpp"
 #include "graze/report/text/detail/table.hpp"
 #include "graze/report/text/text.hpp"
 
@@ -16,12 +18,12 @@ std::string span(const OrbitLocus& locus, double OrbitLocusPoint::*of) {
   const auto [low, high] = std::minmax_element(
       locus.points.begin(), locus.points.end(),
       [of](const OrbitLocusPoint& a, const OrbitLocusPoint& b) { return a.*of < b.*of; });
-  return fmt::format("{:.7g} .. {:.7g}", (*low).*of, (*high).*of);
+  return fmt::format("{} .. {}", digits_text((*low).*of, 7), digits_text((*high).*of, 7));
 }
 
 }  // namespace
 
-std::string to_text(const LociRecord& record) {
+std::string to_text(const LociRecord& record, const TextOptions& options) {
   const OrbitLoci& traced = record.traced;
   const std::string first = with_unit(traced.first, record.unit);
   const std::string second = with_unit(traced.second, record.second_unit);
@@ -37,27 +39,28 @@ std::string to_text(const LociRecord& record) {
          span(locus, &OrbitLocusPoint::second),
          closed ? name_of(locus.ends[0]) : name_of(locus.ends[0]) + ", " + name_of(locus.ends[1])});
     for (const OrbitLocusSpecial& s : locus.special)
-      special.add({s.id, fmt::format("{}", locus.id), fmt::format("{:.13g}", s.at.value),
-                   fmt::format("{:.13g}", s.at.second)});
+      special.add({s.id, fmt::format("{}", locus.id), digits_text(s.at.value, 13),
+                   digits_text(s.at.second, 13)});
   }
   std::string text;
-  if (!loci.empty()) text += loci.text() + "\n";
-  if (!special.empty()) text += special.text() + "\n";
-  const std::string counted =
-      fmt::format("{} special point{}, {} evaluations of the shooting equations\n", traced.starts,
-                  traced.starts == 1 ? "" : "s", traced.shooting_evaluations);
+  if (!loci.empty()) text += loci.text(options.width) + "\n";
+  if (!special.empty()) text += special.text(options.width) + "\n";
+  const auto number = [](int count, const char* of) {
+    return fmt::format("{} {}{}", count, of, count == 1 ? "" : "s");
+  };
   // Without slices there is one start, given.
-  text += traced.slices == 0
-              ? counted
-              : fmt::format(
-                    "{} slices of the plane, {}note: a locus that crosses none of the "
-                    "slices and meets no other is not found; --slices looks closer\n",
-                    traced.slices, counted);
+  text +=
+      (traced.slices == 0 ? "" : fmt::format("{} of the plane, ", number(traced.slices, "slice"))) +
+      number(traced.starts, "special point") + " to start from\n";
+  if (options.verbose)
+    text += fmt::format("{} evaluations of the shooting equations\n", traced.shooting_evaluations);
+  if (traced.slices > 0)
+    text +=
+        "note: a locus that crosses none of the slices and meets no other is not found; --slices "
+        "looks closer\n";
   if (record.regions && traced.loci.empty()) text += "note: no locus was met\n";
-  if (record.regions) text += "\n" + regions_text(record);
-  const Outcome& outcome = record.outcome;
-  if (!outcome.message.empty()) text += fmt::format("{}: {}\n", outcome.name, outcome.message);
-  return text;
+  if (record.regions) text += "\n" + regions_text(record, options);
+  return text + ending(record.outcome);
 }
 
 }  // namespace graze

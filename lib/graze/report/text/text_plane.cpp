@@ -2,12 +2,14 @@
 
 #include <fmt/format.h>
 
+#include "graze/report/text/detail/number_text.hpp"
+
 namespace graze {
 namespace {
 
 std::string axis_text(const PlaneAxis& axis, const std::string& unit) {
-  return fmt::format("{} from {:g} to {:g}{}{}", axis.name, axis.from, axis.to,
-                     unit.empty() ? "" : " ", unit);
+  return fmt::format("{} from {} to {}", axis.name, digits_text(axis.from, 6),
+                     quantity_text(axis.to, 6, unit));
 }
 
 }  // namespace

@@ -3,6 +3,8 @@
 #include <algorithm>
 
 #include "graze/record/detail/loci_record.hpp"
+#include "graze/report/text/detail/folding.hpp"
+#include "graze/report/text/detail/number_text.hpp"
 #include "graze/report/text/detail/table.hpp"
 #include "graze/report/text/text.hpp"
 #include "graze/study/plane/stable_regions.hpp"
@@ -10,36 +12,30 @@
 namespace graze {
 namespace {
 
-constexpr std::size_t kMostAreas = 20;
 constexpr std::size_t kMostListed = 5;
 
-std::string quantity(double value, const std::string& unit) {
-  return fmt::format("{:.4g}{}{}", value, unit.empty() ? "" : " ", unit);
-}
-
-std::string table_of(const LociRecord& record) {
+std::string table_of(const LociRecord& record, const TextOptions& options) {
   const StableRegions& regions = *record.regions;
-  Table table({"region", "stable", "places", "share (%)",
-               with_unit(record.traced.first, record.unit),
+  Table table({"region", "stable", "places", "share", with_unit(record.traced.first, record.unit),
                with_unit(record.traced.second, record.second_unit)});
-  const std::size_t shown = std::min(regions.areas.size(), kMostAreas);
-  std::size_t left_out = regions.places.size();
-  for (std::size_t i = 0; i < shown; ++i) {
+  std::vector<std::size_t> sizes;
+  for (const RegionArea& area : regions.areas) sizes.push_back(area.places);
+  const std::size_t all = regions.places.size();
+  const std::vector<bool> is_folded = folded_groups(sizes, all);
+  Folded folded;
+  for (std::size_t i = 0; i < regions.areas.size(); ++i) {
     const RegionArea& area = regions.areas[i];
+    if (is_folded[i]) {
+      folded.add(area.places);
+      continue;
+    }
     const RegionPlace& inner = regions.places[area.inner];
     const std::string label = label_of(area.stable);
     table.add({fmt::format("{}", i + 1), label.empty() ? "-" : label,
-               fmt::format("{}", area.places), fmt::format("{:.1f}", 100.0 * area.share),
-               fmt::format("{:.7g}", inner.value), fmt::format("{:.7g}", inner.second)});
-    left_out -= area.places;
+               fmt::format("{}", area.places), share_text(area.places, all),
+               digits_text(inner.value, 7), digits_text(inner.second, 7)});
   }
-  if (table.empty()) return "";
-  std::string text = table.text();
-  if (shown < regions.areas.size())
-    text += fmt::format(
-        "and {} smaller ones with {} places together\n", regions.areas.size() - shown,
-        left_out - (regions.places.size() - static_cast<std::size_t>(regions.finished)));
-  return text;
+  return table.empty() ? "" : table.text(options.width) + folded.text(all);
 }
 
 std::string list_of(const LociRecord& record, const std::vector<OrbitAtPlace>& orbits,
@@ -78,18 +74,20 @@ std::string boundaries_text(const LociRecord& record) {
 
 }  // namespace
 
-std::string regions_text(const LociRecord& record) {
+std::string regions_text(const LociRecord& record, const TextOptions& options) {
   const StableRegions& regions = *record.regions;
-  std::string text = table_of(record) + "\n";
+  std::string text = table_of(record, options) + "\n";
   text += fmt::format(
       "{} by {} places; what is smaller than {} by {} may be missed, and what neither the closed "
       "form nor a simulation leads to\n",
-      regions.columns, regions.rows, quantity(regions.cell, record.unit),
-      quantity(regions.second_cell, record.second_unit));
-  text += fmt::format("{} motions were followed, and handed on from place to place in {} rounds\n",
-                      regions.simulated, regions.rounds);
+      regions.columns, regions.rows, quantity_text(regions.cell, 4, record.unit),
+      quantity_text(regions.second_cell, 4, record.second_unit));
+  if (options.verbose)
+    text +=
+        fmt::format("{} motions were followed, and handed on from place to place in {} rounds\n",
+                    regions.simulated, regions.rounds);
   text += fmt::format(
-      "{} of these motions started beside a stable orbit: {} settled on it, {} came back too "
+      "{} motions started beside a stable orbit: {} settled on it, {} came back too "
       "slowly "
       "to be sure, {} left it\n",
       regions.confirmed + regions.undecided + static_cast<long long>(regions.refuted.size()),

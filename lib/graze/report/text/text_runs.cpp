@@ -4,7 +4,8 @@
 
 #include "graze/assembly/probes.hpp"
 #include "graze/record/detail/run_diagram_record.hpp"
-#include "graze/report/text/detail/table.hpp"
+#include "graze/report/text/detail/sentences.hpp"
+#include "graze/report/text/detail/text_units.hpp"
 #include "graze/report/text/text.hpp"
 
 namespace graze {
@@ -12,8 +13,8 @@ namespace {
 
 // "0.12" or "0.12 .. 0.34".
 std::string range_text(double low, double high) {
-  if (low == high) return fmt::format("{:.6g}", low);
-  return fmt::format("{:.6g} .. {:.6g}", low, high);
+  if (low == high) return digits_text(low, 6);
+  return fmt::format("{} .. {}", digits_text(low, 6), digits_text(high, 6));
 }
 
 bool is_alike(const ValueRun& a, const ValueRun& b) {
@@ -26,7 +27,7 @@ std::vector<std::string> range_row(const RunDiagramRecord& record, std::size_t f
   const std::vector<ValueRun>& runs = record.runs;
   const std::size_t impacts = runs[first].impacts.size();
   std::vector<std::string> row = {
-      fmt::format("{:.8g}", runs[first].value), fmt::format("{:.8g}", runs[last].value),
+      digits_text(runs[first].value, 8), digits_text(runs[last].value, 8),
       std::to_string(last - first + 1),
       std::to_string(impacts) + (runs[first].outcome == RunOutcome::kReachedEnd ? "" : ", cut")};
   const auto range = [&](auto part) {
@@ -50,17 +51,17 @@ std::vector<std::string> range_row(const RunDiagramRecord& record, std::size_t f
 
 }  // namespace
 
-std::string to_text(const RunDiagramRecord& record) {
+std::string to_text(const RunDiagramRecord& record, const TextOptions& options) {
+  const TextUnits in(record.info.units);
   std::vector<std::string> header = {with_unit("from", record.unit), with_unit("to", record.unit),
                                      "values", "impacts"};
   if (record.stops > 0) {
-    header.emplace_back("first (s)");
-    header.emplace_back("its speed (m/s)");
+    header.push_back(in.head("first", "s"));
+    header.push_back(in.head("its speed", "m/s"));
   }
   for (std::size_t i = 0; i < record.probes.size(); ++i)
-    header.push_back(
-        with_unit(fmt::format("peak {}", i + 1), probe_unit(record.probes[i].quantity)));
-  Table table(header);
+    header.push_back(in.head(fmt::format("peak {}", i + 1), probe_unit(record.probes[i].quantity)));
+  Table table(header, {2, {}});
   std::size_t impacts = 0;
   for (std::size_t first = 0, last = 0; first < record.runs.size(); first = last + 1) {
     last = first;
@@ -69,13 +70,11 @@ std::string to_text(const RunDiagramRecord& record) {
     table.add(range_row(record, first, last));
     impacts += (last - first + 1) * record.runs[first].impacts.size();
   }
-  std::string text = fmt::format("runs of {:g} s over {}, each from the scene's initial state\n",
-                                 record.duration, record.parameter);
-  if (!table.empty()) text += table.text() + "\n";
+  std::string text = fmt::format("runs of {} over {}, each from the scene's initial state\n",
+                                 in.quantity(record.duration, 6, "s"), record.parameter);
+  if (!table.empty()) text += table.text(options.width) + "\n";
   text += fmt::format("{} values, {} impacts\n", record.runs.size(), impacts);
-  if (!record.outcome.message.empty())
-    text += fmt::format("{}: {}\n", record.outcome.name, record.outcome.message);
-  return text;
+  return text + ending(record.outcome);
 }
 
 }  // namespace graze

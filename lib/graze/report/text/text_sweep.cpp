@@ -3,9 +3,12 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 
 #include "graze/report/names/detail/sweep_names.hpp"
-#include "graze/report/text/detail/table.hpp"
+#include "graze/report/text/detail/folding.hpp"
+#include "graze/report/text/detail/sentences.hpp"
+#include "graze/report/text/detail/text_units.hpp"
 #include "graze/report/text/text.hpp"
 
 namespace graze {
@@ -41,42 +44,62 @@ std::string largest_exponents(const Sweep& swept, const AttractorRange& range) {
     high = std::max(high, exponents->values[0]);
   }
   if (!any) return "-";
-  return low == high ? fmt::format("{:.4g}", low) : fmt::format("{:.4g} .. {:.4g}", low, high);
+  return low == high ? digits_text(low, 4)
+                     : fmt::format("{} .. {}", digits_text(low, 4), digits_text(high, 4));
+}
+
+// The values that the motion settles on something alike, row by row; what it settles on at few of
+// all values is folded.
+std::string ranges_text(const DiagramRecord& record, const TextOptions& options) {
+  const Sweep& swept = record.swept;
+  const TextUnits in(record.branches.info.units);
+  std::vector<std::string> header = {with_unit("from", record.branches.unit),
+                                     with_unit("to", record.branches.unit), "values", "settles on"};
+  const bool has_exponents = swept.options.exponent_periods > 0;
+  if (has_exponents) header.push_back(in.head("largest exponent", "1/s"));
+  Table table(header);
+  const std::vector<AttractorRange> ranges = attractor_ranges(swept.rows);
+  std::map<std::string, std::size_t> values;  // by what the motion settles on
+  for (const AttractorRange& range : ranges)
+    values[attractor_label(range.attractor)] += range.last - range.first + 1;
+  std::vector<std::size_t> sizes;
+  for (const auto& [label, count] : values) sizes.push_back(count);
+  const std::size_t all = swept.rows.size();
+  const std::vector<bool> is_folded = folded_groups(sizes, all);
+  Folded folded;
+  for (std::size_t i = 0; const auto& [label, count] : values)
+    if (is_folded[i++]) folded.add(count);
+  for (const AttractorRange& range : ranges) {
+    const std::string label = attractor_label(range.attractor);
+    if (is_folded[static_cast<std::size_t>(std::distance(values.begin(), values.find(label)))])
+      continue;
+    std::vector<std::string> row = {digits_text(swept.rows[range.first].value, 8),
+                                    digits_text(swept.rows[range.last].value, 8),
+                                    fmt::format("{}", range.last - range.first + 1), label};
+    if (has_exponents) row.push_back(largest_exponents(swept, range));
+    table.add(row);
+  }
+  return table.empty() ? "" : table.text(options.width) + folded.text(all) + "\n";
 }
 
 }  // namespace
 
-std::string to_text(const DiagramRecord& record) {
+std::string to_text(const DiagramRecord& record, const TextOptions& options) {
   const Sweep& swept = record.swept;
-  const std::string unit =
-      record.branches.unit.empty() ? "" : fmt::format(" ({})", record.branches.unit);
-  std::vector<std::string> header = {"from" + unit, "to" + unit, "values", "settles on"};
-  const bool has_exponents = swept.options.exponent_periods > 0;
-  if (has_exponents) header.emplace_back("largest exponent (1/s)");
-  Table ranges(header);
-  for (const AttractorRange& range : attractor_ranges(swept.rows)) {
-    std::vector<std::string> row = {fmt::format("{:.8g}", swept.rows[range.first].value),
-                                    fmt::format("{:.8g}", swept.rows[range.last].value),
-                                    fmt::format("{}", range.last - range.first + 1),
-                                    attractor_label(range.attractor)};
-    if (has_exponents) row.push_back(largest_exponents(swept, range));
-    ranges.add(row);
-  }
   std::string text = fmt::format("sweep over {}, {}\n", swept.parameter,
                                  swept.options.direction == SweepDirection::kFresh
                                      ? "each value from the scene's initial state"
                                      : name_of(swept.options.direction));
-  if (!ranges.empty()) text += ranges.text() + "\n";
+  text += ranges_text(record, options);
   text += fmt::format("{} values, {} forcing periods, {} impacts\n", swept.rows.size(),
                       swept.periods, swept.impacts);
   text += approaching_note(swept);
   if (record.branches.traced.branches.empty()) {
-    for (const std::string& note : record.branches.traced.notes) text += "note: " + note + "\n";
-    const Outcome& outcome = record.branches.outcome;
-    if (!outcome.message.empty()) text += fmt::format("{}: {}\n", outcome.name, outcome.message);
-    return text;
+    const OrbitBranches& traced = record.branches.traced;
+    return text + notes_text(traced.notes, traced.details, options) +
+           ending(record.branches.outcome);
   }
-  return text + "\n" + to_text(record.branches);
+  return text + "\n" + to_text(record.branches, options);
 }
 
 }  // namespace graze

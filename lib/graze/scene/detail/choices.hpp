@@ -23,6 +23,8 @@ const char* name_among(const Choices& choices, Value value) {
   return "";
 }
 
+inline constexpr std::array kUnitWords{Choice{"SI", Units::kSi}, Choice{"none", Units::kNone}};
+
 enum class TorqueKind { kPulse, kTable };
 
 inline constexpr std::array kProjections{Choice{"galerkin", Projection::kGalerkin},

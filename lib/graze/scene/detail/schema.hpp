@@ -149,7 +149,18 @@ void describe(auto& v, Of<Forcing> auto& forcing, const Scene& scene) {
   v.number(Key{"amplitude", "m, N/m or 1, by kind", kAny, "of the cosine"}.as(
                modal ? "a number" : "a number, in m (base) or N/m (distributed)"),
            forcing.amplitude);
-  v.number({"frequency", "rad/s", kPositive, "Omega"}, forcing.frequency);
+  // One number in one of two ways.
+  const bool in_hertz = forcing.frequency.in_hertz;
+  MayHold angular(in_hertz ? nullptr : &forcing.frequency.written);
+  MayHold hertz(in_hertz ? &forcing.frequency.written : nullptr);
+  v.number(Key{"frequency", "rad/s", kPositive, "Omega"}
+               .needed("required without `frequency_hz`")
+               .where(bool(angular)),
+           *angular);
+  v.number(Key{"frequency_hz", "Hz", kPositive, "Omega/(2 pi); not with `units = \"none\"`"}
+               .needed("in place of `frequency`")
+               .where(bool(hertz)),
+           *hertz);
   v.number(Key{"phase", "rad", kAny, "psi, forcing phase at t = 0"}.or_else(), forcing.phase);
 }
 
@@ -325,6 +336,11 @@ void describe(auto& v, Of<Solver> auto& solver, const Scene&) {
 void describe(auto& v, Of<Scene> auto& scene) {
   v.text(Key{"title", "", own_rule("a string"), "heads the output of `check`"}.or_else("none"),
          scene.title);
+  v.choice(Key{"units", "", kAny,
+               "none: the numbers are pure ones, and results are told without units; the units in "
+               "this reference then only tell how they belong together"}
+               .or_else(),
+           scene.units, kUnitWords);
   v.table({"beam"}, std::get_if<Beam>(&scene.structure));
   v.table({"hub"}, scene.hub);
   v.table({"modal"}, std::get_if<ModalStructure>(&scene.structure));

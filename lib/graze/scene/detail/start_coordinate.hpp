@@ -16,9 +16,6 @@ bool names_start_coordinate(const std::string& name);
 // InputError where the scene has no such number.
 double& start_coordinate(Scene& scene, const std::string& name);
 
-// "kg^1/2 m", "kg^1/2 m/s", "rad" or "rad/s".
-std::string start_coordinate_unit(const std::string& name);
-
 // The scene with a parameter or a number of its start changed, and the unit of either. Throw
 // InputError as with_parameter and start_coordinate do.
 Scene with_number(const Scene& scene, const std::string& name, double value);

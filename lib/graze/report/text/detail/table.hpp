@@ -9,15 +9,27 @@ namespace graze {
 // The head of a column, "gap (m)"; the name alone of a pure number.
 std::string with_unit(const std::string& name, const std::string& unit);
 
-// Columns line up on the right; the header row comes first.
+// How the columns of a table belong together, for one that is too wide.
+struct TableColumns {
+  std::size_t keys = 1;              // the first ones, which say what a row is
+  std::vector<std::size_t> parts{};  // where a new part begins
+};
+
+// Columns line up on the right; the header row comes first. A table that is wider than it may be
+// has its heads and then its lists ("GR at 1, GR at 2") broken into lines; what is still too wide
+// is cut into blocks, one below the other, that repeat the keys and leave out rows of which they
+// show nothing else. Only a single column too wide by itself stays so.
 class Table {
  public:
-  explicit Table(std::vector<std::string> header) : rows_{std::move(header)} {}
+  explicit Table(std::vector<std::string> header, TableColumns columns = {})
+      : columns_{std::move(columns)}, rows_{std::move(header)} {}
   void add(std::vector<std::string> row) { rows_.push_back(std::move(row)); }
   bool empty() const { return rows_.size() == 1; }
-  std::string text() const;
+  // `most`: characters of a line.
+  std::string text(std::size_t most) const;
 
  private:
+  TableColumns columns_;
   std::vector<std::vector<std::string>> rows_;
 };
 

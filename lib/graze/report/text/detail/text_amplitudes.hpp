@@ -6,10 +6,12 @@
 
 #include "graze/assembly/probes.hpp"
 #include "graze/motion/amplitudes.hpp"
+#include "graze/report/text/text.hpp"
 
 namespace graze {
 
 // Two tables.
-std::string amplitudes_text(const std::vector<MeasuredPlace>& places, const Amplitudes& measured);
+std::string amplitudes_text(const std::vector<MeasuredPlace>& places, const Amplitudes& measured,
+                            Units units, const TextOptions& options);
 
 }  // namespace graze

@@ -1,0 +1,19 @@
+// How --help lists the options of a command.
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <string>
+
+namespace graze {
+
+// Lines of at most 100 characters; behind what an option does stand the words that it takes, its
+// default and the options that it does not go with, where its description does not tell them.
+class HelpFormat : public CLI::Formatter {
+ public:
+  std::string make_description(const CLI::App* app) const override;
+  std::string make_subcommand(const CLI::App* app) const override;
+  std::string make_option_opts(const CLI::Option* option) const override;
+  std::string make_option_desc(const CLI::Option* option) const override;
+};
+
+}  // namespace graze
