@@ -32,6 +32,13 @@ std::string HelpFormat::make_description(const CLI::App* app) const {
   return fitted_lines(app->get_description(), {}) + "\n";
 }
 
+// One empty line between groups.
+std::string HelpFormat::make_help(const CLI::App* app, std::string name,
+                                  CLI::AppFormatMode mode) const {
+  return CLI::detail::find_and_replace(CLI::Formatter::make_help(app, std::move(name), mode),
+                                       "\n\n\n", "\n\n");
+}
+
 std::string HelpFormat::make_subcommand(const CLI::App* app) const {
   std::ostringstream out;
   CLI::detail::format_help(out, app->get_name(),
@@ -53,7 +60,7 @@ std::string HelpFormat::make_option_desc(const CLI::Option* option) const {
   const bool told = std::all_of(choices.begin(), choices.end(), [&](const std::string& choice) {
     return text.find(choice) != std::string::npos;
   });
-  if (!told) text += fmt::format(": {}", fmt::join(choices, ", "));
+  if (!told) text += fmt::format(" (one of {})", fmt::join(choices, ", "));
   const std::string standard = option->get_default_str();
   if (!standard.empty() && text.find("default") == std::string::npos)
     text += fmt::format(" (default: {})", standard);

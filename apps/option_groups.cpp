@@ -302,7 +302,8 @@ void add_loci_over_map(CLI::App* app, MapCommand& command) {
   begin_group(app, "Loci of special points");
   CLI::Option* locus = add_locus_kinds(
       app, command,
-      "Draw the loci of special points over the map: LP, PD, NS, GR, several with commas, or all");
+      "Draw the loci of special points over the map: LP, PD, NS, GR, CH, several with commas, "
+      "or all");
   add_slices(app, command, locus);
   app->add_option("--period", command.period, "With --locus: forcing periods p of the orbits")
       ->transform(whole_number("a whole number from 1", 1.0, kMostPeriods))
@@ -321,7 +322,7 @@ void add_locus(CLI::App* app, ContinueCommand& command) {
   CLI::Option* locus = add_locus_kinds(
       app, command,
       "Trace loci of special points over two parameters instead of branches: LP, PD, NS, GR, "
-      "several with commas, or all");
+      "CH, several with commas, or all");
   for (const char* of_branches : {"--amplitudes", "--show", "--at"})
     locus->excludes(app->get_option(of_branches));
   CLI::Option* second = app->add_option("--second", command.second,

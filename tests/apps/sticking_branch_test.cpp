@@ -76,7 +76,8 @@ TEST(StickingBranchCommand, PrintsTheBranch) {
   const Finished run = run_graze("continue" + kRange + kForcedChatter);
   ASSERT_EQ(run.code, 0) << run.err;
   EXPECT_NE(run.out.find("(1, stick)"), std::string::npos) << run.out;
-  EXPECT_NE(run.out.find("CH at 0.51349414"), std::string::npos) << run.out;
+  EXPECT_NE(run.out.find("CH1"), std::string::npos) << run.out;
+  EXPECT_NE(run.out.find("0.51349413687"), std::string::npos) << run.out;
 }
 
 TEST(StickingBranchCommand, IsDrawnInBothPictures) {

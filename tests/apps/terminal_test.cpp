@@ -135,7 +135,7 @@ TEST(Terminal, HelpHasHeadings) {
   const std::string help = run_graze("continue --help").out;
   std::size_t before = 0;
   for (const char* heading :
-       {"Scene:", "Output:", "Numerics and limits:", "Search for orbits:", "Parameter:",
+       {"Output:", "Scene:", "Numerics and limits:", "Search for orbits:", "Parameter:",
         "Branches:", "Response curves:", "Loci of special points:", "Restart:"}) {
     const std::size_t at = help.find(std::string("\n") + heading + "\n");
     EXPECT_NE(at, std::string::npos) << heading << "\n" << help;

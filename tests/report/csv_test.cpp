@@ -105,7 +105,7 @@ TEST(SamplesCsv, EndsWithTheProbes) {
 TEST(Table, ColumnsLineUpOnTheRight) {
   Table table({"a", "long"});
   table.add({"123", "4"});
-  EXPECT_EQ(table.text(), "    a   long\n  123      4\n");
+  EXPECT_EQ(table.text(100), "    a   long\n  123      4\n");
 }
 
 }  // namespace

@@ -7,7 +7,9 @@
 namespace graze {
 namespace {
 
-constexpr std::size_t kIndent = 2, kGap = 3;  // blanks before the first column, between others
+constexpr std::size_t kIndent = 2;  // blanks before the first column
+// and between others, as many as a table has room for.
+constexpr std::size_t kWideGap = 3, kNarrowGap = 2;
 
 using Lines = std::vector<std::string>;
 
@@ -21,20 +23,32 @@ std::size_t widest_of(const Lines& lines) {
 struct Layout {
   std::vector<std::vector<Lines>> rows;
   std::vector<std::size_t> widths;
+  std::size_t gap = kWideGap;
 };
 
-// With heads of up to so many lines, and lists broken or not.
-Layout laid_out(const std::vector<std::vector<std::string>>& rows, std::size_t head_lines,
-                bool breaks_lists) {
+// How a table is made narrower.
+struct Fitting {
+  std::size_t head_lines = 1;  // that heads are broken into, at most
+  bool breaks_lists = false;
+  std::size_t gap = kWideGap;
+};
+
+// The ways to do so, in the order in which they are tried: what costs lines comes last.
+constexpr Fitting kFittings[] = {{1, false, kWideGap},   {2, false, kWideGap}, {3, false, kWideGap},
+                                 {3, false, kNarrowGap}, {1, true, kWideGap},  {2, true, kWideGap},
+                                 {3, true, kNarrowGap}};
+
+Layout laid_out(const std::vector<std::vector<std::string>>& rows, const Fitting& fitting) {
   Layout layout;
+  layout.gap = fitting.gap;
   layout.widths.assign(rows.front().size(), 0);
   for (std::size_t r = 0; r < rows.size(); ++r) {
     layout.rows.emplace_back();
     for (std::size_t i = 0; i < rows[r].size(); ++i) {
       const std::string& cell = rows[r][i];
-      layout.rows.back().push_back(r == 0         ? balanced_lines(cell, head_lines)
-                                   : breaks_lists ? list_lines(cell)
-                                                  : Lines{cell});
+      layout.rows.back().push_back(r == 0                 ? balanced_lines(cell, fitting.head_lines)
+                                   : fitting.breaks_lists ? list_lines(cell)
+                                                          : Lines{cell});
       layout.widths[i] = std::max(layout.widths[i], widest_of(layout.rows.back().back()));
     }
   }
@@ -45,8 +59,9 @@ Layout laid_out(const std::vector<std::vector<std::string>>& rows, std::size_t h
 using Block = std::vector<std::size_t>;
 
 std::size_t total_width(const Layout& layout, const Block& block) {
-  std::size_t width = kIndent - kGap;
-  for (const std::size_t i : block) width += kGap + layout.widths[i];
+  std::size_t width = kIndent;
+  for (const std::size_t i : block)
+    width += layout.widths[i] + (i == block.front() ? 0 : layout.gap);
   return width;
 }
 
@@ -88,7 +103,7 @@ std::string line_of(const Layout& layout, const std::vector<Lines>& row, const B
     const std::size_t above = is_head ? height - row[i].size() : 0;
     const std::string cell =
         line >= above && line - above < row[i].size() ? row[i][line - above] : "";
-    text += std::string(text.empty() ? kIndent : kGap, ' ') +
+    text += std::string(text.empty() ? kIndent : layout.gap, ' ') +
             std::string(layout.widths[i] - width_of(cell), ' ') + cell;
   }
   return text.substr(0, text.find_last_not_of(' ') + 1) + "\n";
@@ -115,14 +130,12 @@ std::string with_unit(const std::string& name, const std::string& unit) {
 }
 
 std::string Table::text(std::size_t most) const {
-  constexpr std::size_t kMostHeadLines = 3;
   Layout layout;
-  for (const bool breaks_lists : {false, true})
-    for (std::size_t lines = 1; lines <= kMostHeadLines; ++lines) {
-      layout = laid_out(rows_, lines, breaks_lists);
-      const Block all = all_columns(layout);
-      if (total_width(layout, all) <= most) return text_of(layout, all, columns_.keys, true);
-    }
+  for (const Fitting& fitting : kFittings) {
+    layout = laid_out(rows_, fitting);
+    const Block all = all_columns(layout);
+    if (total_width(layout, all) <= most) return text_of(layout, all, columns_.keys, true);
+  }
   std::string text;
   for (std::size_t first = columns_.keys, end = 0; first < layout.widths.size(); first = end) {
     end = block_end(layout, columns_, first, most);

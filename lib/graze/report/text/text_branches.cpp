@@ -14,17 +14,22 @@
 namespace graze {
 namespace {
 
-std::string end_text(OrbitBranchEnd kind, const OrbitBranchPoint& point) {
-  return kind == OrbitBranchEnd::kClosed
-             ? name_of(kind)
-             : fmt::format("{} at {}", name_of(kind), digits_text(point.value, 8));
+// An end by the special point there, "GR1", which the other table tells of; the range's own limits
+// are known, any other place is told.
+std::string end_text(const OrbitBranch& branch, std::size_t which) {
+  const OrbitBranchEnd kind = branch.ends[which];
+  const OrbitBranchPoint& point = which == 0 ? branch.points.front() : branch.points.back();
+  const std::string name = name_of(kind);
+  for (const SpecialPoint& special : branch.special)
+    if (special.at.value == point.value && special.id.starts_with(name)) return special.id;
+  if (kind == OrbitBranchEnd::kParameterLimit) return name;
+  return fmt::format("{} at {}", name, digits_text(point.value, 8));
 }
 
 std::string ends_text(const OrbitBranch& branch) {
   return branch.ends[0] == OrbitBranchEnd::kClosed
              ? name_of(branch.ends[0])
-             : end_text(branch.ends[0], branch.points.front()) + ", " +
-                   end_text(branch.ends[1], branch.points.back());
+             : end_text(branch, 0) + ", " + end_text(branch, 1);
 }
 
 std::string branches_text(const BranchRecord& record, const TextOptions& options) {
