@@ -18,7 +18,7 @@ std::string largest_of(const Matrix& part, Eigen::Index probe) {
   double most = 0.0;
   for (const double value : part.col(probe))
     if (std::isfinite(value)) most = std::fmax(most, std::abs(value));
-  return fmt::format("{:.2f} %", 100.0 * most);
+  return decimals_text(100.0 * most, 2) + " %";
 }
 
 }  // namespace
