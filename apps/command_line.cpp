@@ -82,6 +82,7 @@ void add_simulate(CLI::App& graze, std::optional<Command>& parsed) {
       ->transform(whole_number("a whole number, 0 or more", 0.0, kMostCounted))
       ->type_name("K")
       ->needs(section);
+  begin_group(app, "Pictures");
   add_choice(app, "--show", command.show, kRunPictures,
              "With --plot: the motion; returns (each impact over the one before, with --section "
              "impact); spectrum (amplitudes over the frequency, of the last 64 forcing periods); "

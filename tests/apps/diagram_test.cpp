@@ -126,7 +126,8 @@ TEST(Diagram, DrawsInEveryFormatAndKeepsThemSmall) {
     const std::size_t first = picture.find(entry);
     ASSERT_NE(first, std::string::npos);
     EXPECT_EQ(picture.find(entry, first + 1), std::string::npos);
-    EXPECT_EQ(names_in(scratch.string()), (std::vector<std::string>{"d.dat", "d.gp", "d.png", "d.svg"}));
+    EXPECT_EQ(names_in(scratch.string()),
+              (std::vector<std::string>{"d.dat", "d.gp", "d.png", "d.svg"}));
   }
 }
 
