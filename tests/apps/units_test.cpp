@@ -51,6 +51,65 @@ TEST(UnitsNone, NothingPrintedHasAUnit) {
   EXPECT_TRUE(std::regex_search(run.out, unit)) << run.out;
 }
 
+// Of everything that is drawn: the scripts of the pictures, and the data of the pages.
+TEST(UnitsNone, NothingDrawnHasAUnit) {
+  const ScratchFolder folder;
+  const std::string pure = pure_scene(folder);
+  const std::regex unit(R"(\((µ|m|n|k|M)?(m|s|N|J|rad|Hz)([ /^][^)]*)?\))");
+  const std::regex unit_of_page(R"("unit":"[^"]*[A-Za-z]|"hertz":true)");
+  const std::string picture = (folder / "x.svg").string(), page = (folder / "x.html").string(),
+                    script = (folder / "x.gp").string();
+  const std::vector<std::string> commands = {
+      "simulate --energy ",
+      "simulate --section impact ",
+      "simulate --record samples --show spectrum ",
+      "orbit ",
+      "continue --parameter forcing.frequency --from 2.5 --to 3 ",
+      "continue --parameter forcing.frequency --from 2.5 --to 3 --show amplitude --at stop.1 ",
+      "diagram --parameter forcing.frequency --from 2.5 --to 3 --points 5 --exponents 20 ",
+      "map --parameter forcing.frequency --from 2.5 --to 3 --points 3 --second stop.gap"
+      " --second-from 0 --second-to 0.1 --second-points 3 --show speed ",
+      "compare --against stop.restitution=0.7 "};
+  for (const std::string& command : commands) {
+    const Finished run = run_graze(command + "--plot " + picture + " " + pure);
+    ASSERT_TRUE(run.code == 0 || run.code == 3) << command << run.err;
+    std::smatch found;
+    const std::string text = read_text(script);
+    ASSERT_FALSE(text.empty()) << command;
+    EXPECT_FALSE(std::regex_search(text, found, unit)) << command << found.str();
+    if (command.find("--section") != std::string::npos ||
+        command.find("spectrum") != std::string::npos)
+      continue;  // no page
+    const Finished paged = run_graze(command + "--plot " + page + " " + pure);
+    ASSERT_TRUE(paged.code == 0 || paged.code == 3) << command << paged.err;
+    const std::string view = read_text(page);
+    const std::size_t data = view.find("id=\"view\"");
+    ASSERT_NE(data, std::string::npos) << command;
+    const std::string json = view.substr(data, view.find("</script>", data) - data);
+    EXPECT_FALSE(std::regex_search(json, found, unit_of_page)) << command << found.str();
+  }
+  // The patterns find what they are to find.
+  const std::string with_units = pure_scene(folder, "");
+  run_graze(commands[0] + "--plot " + picture + " " + with_units);
+  EXPECT_TRUE(std::regex_search(read_text(script), unit));
+  run_graze(commands[6] + "--plot " + picture + " " + with_units);
+  EXPECT_NE(read_text(script).find("(Hz)"), std::string::npos);
+}
+
+// Over Hz the axis is one in Hz, and has no second one.
+TEST(FrequencyInHertz, IsTheAxisOfPictures) {
+  const ScratchFolder folder;
+  const std::string picture = (folder / "x.svg").string();
+  const Finished run =
+      run_graze("continue " + scene("05_wagg_one_mode.toml") +
+                " --parameter forcing.frequency_hz --from 2.5 --to 13 --plot " + picture);
+  ASSERT_EQ(run.code, 0) << run.err;
+  const std::string script = read_text(folder / "x.gp");
+  EXPECT_NE(script.find("forcing frequency (Hz)"), std::string::npos) << script;
+  EXPECT_EQ(script.find("x2label"), std::string::npos) << script;
+  EXPECT_EQ(script.find("rad/s"), std::string::npos) << script;
+}
+
 TEST(UnitsNone, ChangesNoNumber) {
   const ScratchFolder folder;
   const std::string command = "orbit --json ";

@@ -73,9 +73,11 @@ void add_stops(const std::vector<MotionSeen>& seen, ChartPanel& panel) {
 Chart motions_chart(const ComparisonRecord& record) {
   std::vector<MotionSeen> seen;
   for (const SimulationRecord& run : record.runs) seen.push_back(motion_seen(run));
-  const ChartAxis time{.name = "time", .unit = "s"};
-  ChartPanel displacement{time, {.name = "displacement\ntowards the stop", .unit = "m"}};
-  ChartPanel velocity{time, {.name = "velocity\ntowards the stop", .unit = "m/s"}};
+  const Units units = record.info.units;
+  const ChartAxis time{.name = "time", .unit = unit_in(units, "s")};
+  ChartPanel displacement{time,
+                          {.name = "displacement\ntowards the stop", .unit = unit_in(units, "m")}};
+  ChartPanel velocity{time, {.name = "velocity\ntowards the stop", .unit = unit_in(units, "m/s")}};
   displacement.height = velocity.height = 3.6;
   for (std::size_t i = 0; i < seen.size(); ++i) {
     displacement.series.push_back(

@@ -49,17 +49,17 @@ ChartAxis time_axis(const FlowCosts& costs) {
           .scale = AxisScale::kLog};
 }
 
-ChartAxis error_axis(const FlowCosts& costs) {
+ChartAxis error_axis(const FlowCosts& costs, Units units) {
   if (costs.impacts == 0)
     return {.name = "largest error of displacement / amplitude", .scale = AxisScale::kLog};
   return {.name = costs.compliant ? "largest error of the time of a contact"
                                   : "largest error of an impact time",
-          .unit = "s",
+          .unit = unit_in(units, "s"),
           .scale = AxisScale::kLog};
 }
 
-ChartPanel flows_panel(const FlowCosts& costs) {
-  ChartPanel panel{time_axis(costs), error_axis(costs)};
+ChartPanel flows_panel(const FlowCosts& costs, Units units) {
+  ChartPanel panel{time_axis(costs), error_axis(costs, units)};
   panel.height = 6.0;
   double least = INFINITY, most = 0.0;
   for (const auto& [flow, look] : flow_looks()) {
@@ -145,7 +145,7 @@ std::vector<ChartPanel> contact_panels(const std::vector<ContactOrder>& lines) {
 }  // namespace
 
 Chart chart_of(const CostRecord& record) {
-  Chart chart{"What accuracy costs", {{flows_panel(record.costs)}}};
+  Chart chart{"What accuracy costs", {{flows_panel(record.costs, record.info.units)}}};
   if (record.contact && !record.contact->lines.empty())
     chart.rows.push_back(contact_panels(record.contact->lines));
   return chart;

@@ -42,7 +42,7 @@ std::string heading_of(const Orbit& orbit) {
 // One row of panels of an orbit: its motion over time, and its phase portrait.
 class OrbitRow {
  public:
-  OrbitRow(const System& system, const Orbit& orbit, int stop, double end)
+  OrbitRow(const System& system, const Orbit& orbit, int stop, double end, Units units)
       : orbit_(orbit),
         frequency_(system.forcing()->frequency),
         whole_(kTurn * orbit.period),
@@ -51,14 +51,16 @@ class OrbitRow {
     const bool has_stop = !system.stops.empty();
     const auto index = static_cast<std::size_t>(stop);
     const Vector row = has_stop ? system.stops[index].row : Vector::Unit(system.modes(), 0);
-    const std::string unit = has_stop ? "m" : "kg^1/2 m";
+    const std::string unit = unit_in(units, has_stop ? "m" : "kg^1/2 m");
+    const std::string speed_unit = unit_in(units, has_stop ? "m/s" : "kg^1/2 m/s");
     const std::string where = !has_stop                 ? " q_1"
                               : system.stops.size() > 1 ? fmt::format(" → stop {}", stop + 1)
                                                         : " → stop";
-    motion_ = {{.name = "time", .unit = "s"}, {.name = "displacement\n" + where, .unit = unit}};
+    motion_ = {{.name = "time", .unit = unit_in(units, "s")},
+               {.name = "displacement\n" + where, .unit = unit}};
     motion_.x.range = {0.0, end};
     portrait_ = {{.name = "displacement" + where, .unit = unit},
-                 {.name = "velocity\n" + where, .unit = unit + "/s"}};
+                 {.name = "velocity\n" + where, .unit = speed_unit}};
     motion_.height = portrait_.height = 3.0;
     motion_.heading = heading_of(orbit);
     portrait_.levels = {0.0};
@@ -179,7 +181,8 @@ Chart chart_of(const OrbitRecord& record) {
   const std::vector<Orbit>& orbits = record.found.orbits;
   const std::size_t shown = std::min(orbits.size(), kMostOrbits);
   if (shown == 0) {
-    ChartPanel none{{.name = "time", .unit = "s"}, {.name = "displacement", .unit = "m"}};
+    ChartPanel none{{.name = "time", .unit = unit_in(record.info.units, "s")},
+                    {.name = "displacement", .unit = unit_in(record.info.units, "m")}};
     none.remark = "no orbit was found";
     chart.rows = {{none}};
     return chart;
@@ -191,7 +194,8 @@ Chart chart_of(const OrbitRecord& record) {
   }
   for (std::size_t i = 0; i < shown; ++i)
     chart.rows.push_back(OrbitRow(record.system, orbits[i], stop,
-                                  periods * kTurn / record.system.forcing()->frequency)
+                                  periods * kTurn / record.system.forcing()->frequency,
+                                  record.info.units)
                              .panels());
   if (shown < orbits.size())
     chart.rows.front()[1].heading = fmt::format("the first {} of {} orbits", shown, orbits.size());

@@ -26,7 +26,7 @@ ChartPanel impacts_panel(const RunDiagramRecord& record, int stop) {
   ChartPanel panel{parameter_axis(record.parameter, record.unit),
                    {.name = record.stops == 1 ? "impact speed"
                                               : fmt::format("impact speed\nat stop {}", stop + 1),
-                    .unit = "m/s",
+                    .unit = unit_in(record.info.units, "m/s"),
                     .from_zero = true}};
   panel.x.range.include(record.from);
   panel.x.range.include(record.to);
@@ -48,7 +48,7 @@ ChartPanel peaks_panel(const RunDiagramRecord& record, std::size_t probe) {
   const ProbeQuantity quantity = record.probes[probe].quantity;
   ChartPanel panel{parameter_axis(record.parameter, record.unit),
                    {.name = fmt::format("largest\n|{}|", probe_quantity_name(quantity)),
-                    .unit = probe_unit(quantity),
+                    .unit = unit_in(record.info.units, probe_unit(quantity)),
                     .from_zero = true}};
   panel.x.range.include(record.from);
   panel.x.range.include(record.to);

@@ -16,8 +16,9 @@ constexpr std::size_t kMostModes = 6;
 const std::vector<std::vector<int>> kDashes = {
     {}, {8, 4}, {3, 3}, {10, 3, 2, 3}, {14, 3, 2, 3, 2, 3}, {2, 4}};
 
-ChartPanel beam_panel(const char* name, const char* unit) {
-  ChartPanel panel{{.name = "place along the beam x", .unit = "m"}, {.name = name, .unit = unit}};
+ChartPanel beam_panel(const char* name, const char* unit, Units units) {
+  ChartPanel panel{{.name = "place along the beam x", .unit = unit_in(units, "m")},
+                   {.name = name, .unit = unit_in(units, unit)}};
   panel.height = 5.0;
   panel.levels = {0.0};
   return panel;
@@ -37,7 +38,7 @@ void add_stops(const std::vector<BeamStop>& all, ChartPanel& panel) {
 }  // namespace
 
 Chart mode_shapes_chart(const CheckRecord& record) {
-  ChartPanel panel = beam_panel("mode shape / its largest value", "");
+  ChartPanel panel = beam_panel("mode shape / its largest value", "", record.info.units);
   const std::optional<BeamPlaces> places = beam_places(record.scene, kPlaces);
   if (!places) {
     panel.remark = "only a beam that is clamped has shapes to draw";
@@ -49,7 +50,9 @@ Chart mode_shapes_chart(const CheckRecord& record) {
     const double largest = shape.cwiseAbs().maxCoeff();
     const double frequency = record.system.omega[static_cast<Eigen::Index>(j)];
     ChartSeries series{
-        fmt::format("mode {}: {:.4g} rad/s ({:.4g} Hz)", j + 1, frequency, frequency / kTurn),
+        record.info.units == Units::kSi
+            ? fmt::format("mode {}: {:.4g} rad/s ({:.4g} Hz)", j + 1, frequency, frequency / kTurn)
+            : fmt::format("mode {}: {:.4g}", j + 1, frequency),
         {.colour = curve_colours()[j], .dashes = kDashes[j]},
         true,
         false,
@@ -62,16 +65,17 @@ Chart mode_shapes_chart(const CheckRecord& record) {
 }
 
 Chart shapes_chart(const SimulationRecord& record) {
-  ChartPanel panel = beam_panel("displacement u", "m");
+  ChartPanel panel = beam_panel("displacement u", "m", record.info.units);
   for (std::size_t i = 0; i < record.shapes.size(); ++i) {
     const BeamShape& shape = record.shapes[i];
     const std::size_t look = i % curve_colours().size();
-    panel.series.push_back({fmt::format("t = {:.6g} s", shape.time),
-                            {.colour = curve_colours()[look], .dashes = kDashes[look]},
-                            true,
-                            false,
-                            shape.x,
-                            shape.deflection});
+    panel.series.push_back(
+        {fmt::format("t = {:.6g}{}", shape.time, record.info.units == Units::kSi ? " s" : ""),
+         {.colour = curve_colours()[look], .dashes = kDashes[look]},
+         true,
+         false,
+         shape.x,
+         shape.deflection});
   }
   if (record.beam) add_stops(record.beam->stops, panel);
   return {"Shapes of the beam", {{panel}}};

@@ -38,6 +38,7 @@ Spectrum amplitude_spectrum(const std::vector<double>& values, double rate) {
 
 Chart spectrum_chart(const SimulationRecord& record) {
   Chart chart{"Amplitude spectrum", {}};
+  const Units units = record.info.units;
   const std::vector<Sample>& samples = record.samples;
   const std::vector<SeenPlace> places = places_of(record.system);
   const double rate = samples.size() < 2 ? 0.0
@@ -48,12 +49,13 @@ Chart spectrum_chart(const SimulationRecord& record) {
     if (chart.rows.size() == kMostPlaces) break;
     const bool has_stop = !place.stops.empty();
     ChartPanel panel{
-        {.name = "frequency", .unit = "Hz"},
+        {.name = units == Units::kSi ? "frequency" : "frequency / 2π",
+         .unit = unit_in(units, "Hz")},
         {.name = !has_stop ? std::string("amplitude of q_1")
                  : record.system.stops.size() > 1
                      ? fmt::format("amplitude\nat stop {}", place.stops.front().index + 1)
                      : "amplitude at the stop",
-         .unit = has_stop ? "m" : "kg^1/2 m",
+         .unit = unit_in(units, has_stop ? "m" : "kg^1/2 m"),
          .scale = AxisScale::kLog}};
     panel.height = 4.0;
     std::vector<double> values;
@@ -79,10 +81,12 @@ Chart spectrum_chart(const SimulationRecord& record) {
 
 Chart returns_chart(const SimulationRecord& record) {
   Chart chart{"Return map of the impacts", {}};
-  ChartPanel speed{{.name = "impact speed", .unit = "m/s"},
-                   {.name = "speed of\nthe next impact", .unit = "m/s"}};
-  ChartPanel phase{{.name = "phase of the impact", .unit = "rad"},
-                   {.name = "phase of\nthe next impact", .unit = "rad"}};
+  const Units units = record.info.units;
+  const std::string speeds = unit_in(units, "m/s"), phases = unit_in(units, "rad");
+  ChartPanel speed{{.name = "impact speed", .unit = speeds},
+                   {.name = "speed of\nthe next impact", .unit = speeds}};
+  ChartPanel phase{{.name = "phase of the impact", .unit = phases},
+                   {.name = "phase of\nthe next impact", .unit = phases}};
   // More dots than a vector picture should hold; the last ones.
   constexpr std::size_t kMost = 20'000;
   const std::vector<SectionPoint>& points = record.section->points();

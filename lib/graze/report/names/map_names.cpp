@@ -96,11 +96,13 @@ DrawnQuantity drawn_quantity(const MapRecord& record, MapQuantity quantity) {
   static constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
   if (quantity == MapQuantity::kMeasured)
     return {shown_title(*record.measured, record.places),
-            shown_unit(*record.measured, record.places), [&record](const MapCell& cell) {
+            unit_in(record.info.units, shown_unit(*record.measured, record.places)),
+            [&record](const MapCell& cell) {
               if (!cell.amplitudes) return kNone;
               return shown_value(*record.measured, record.places, *cell.amplitudes).value_or(kNone);
             }};
-  return {title_of(quantity), unit_of(quantity), [quantity](const MapCell& cell) {
+  return {title_of(quantity), unit_in(record.info.units, unit_of(quantity)),
+          [quantity](const MapCell& cell) {
             const bool blank = quantity == MapQuantity::kSpeed && is_clear(cell);
             return blank ? kNone : cell_value(cell, quantity);
           }};

@@ -35,7 +35,7 @@ Json axis_json(const ChartAxis& axis, const AxisRange& drawn, double margin) {
   json["scale"] = name_of_scale(axis.scale);
   // On a logarithmic axis what is drawn is known only where it is drawn.
   json["given"] = given;
-  json["hertz"] = has_hertz_axis(axis.path);
+  json["hertz"] = has_hertz_axis(axis.path, axis.unit);
   return json;
 }
 

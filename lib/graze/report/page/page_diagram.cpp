@@ -44,7 +44,7 @@ class DiagramPage {
     parameter["path"] = path;
     parameter["from"] = record_.from;
     parameter["to"] = record_.to;
-    parameter["hertz"] = has_hertz_axis(path);
+    parameter["hertz"] = has_hertz_axis(path, record_.unit);
     parameter["has_logarithm"] = std::max(record_.from, record_.to) > 0.0;
     view_["parameter"] = parameter;
     view_["stops"] = record_.system.stops.size();
@@ -190,7 +190,7 @@ void DiagramPage::add_exponents(const Sweep& swept) {
   }
   // Superstable orbits reach down without bound; what tells order from chaos lies about zero.
   if (range.high > 0.0) range.low = std::max(range.low, -kDeepest * range.high);
-  Json strip = page_axis("exponents", "1/s", range);
+  Json strip = page_axis("exponents", unit_in(record_.info.units, "1/s"), range);
   strip["reference"] = 0.0;
   strip["values"] = packed(values);
   strip["heights"] = packed(heights);

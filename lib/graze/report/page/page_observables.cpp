@@ -54,14 +54,15 @@ std::vector<double> largest_multiplier(const Orbit& orbit) {
 
 using Observables = std::vector<PageObservable>;
 
-void add_impacts(const OrbitBranches& traced, Observables& list) {
-  list.push_back(
-      {"speed", "impact speed", "m/s", false, true, impact_curves(traced), [](const SweepRow& row) {
-         std::vector<double> speeds;
-         for (const MetImpact& impact : row.motion.impacts) speeds.push_back(impact.speed);
-         return speeds;
-       }});
-  list.push_back({"phase", "forcing phase of the impact", "rad", false, true,
+void add_impacts(const OrbitBranches& traced, Units units, Observables& list) {
+  list.push_back({"speed", "impact speed", unit_in(units, "m/s"), false, true,
+                  impact_curves(traced), [](const SweepRow& row) {
+                    std::vector<double> speeds;
+                    for (const MetImpact& impact : row.motion.impacts)
+                      speeds.push_back(impact.speed);
+                    return speeds;
+                  }});
+  list.push_back({"phase", "forcing phase of the impact", unit_in(units, "rad"), false, true,
                   curves_of(traced, phases_of), [](const SweepRow& row) {
                     std::vector<double> phases;
                     for (const MetImpact& impact : row.motion.impacts)
@@ -90,12 +91,13 @@ void add_stroboscopic(const DiagramRecord& record, Observables& list) {
         return values;
       };
     };
-    list.push_back({fmt::format("displacement_{}", stop + 1), "displacement towards " + which, "m",
-                    false, false, has_curves ? record.curves[index] : std::vector<DiagramCurve>(),
+    list.push_back({fmt::format("displacement_{}", stop + 1), "displacement towards " + which,
+                    unit_in(record.branches.info.units, "m"), false, false,
+                    has_curves ? record.curves[index] : std::vector<DiagramCurve>(),
                     heights(&SweepRow::StopState::displacement)});
     list.push_back({fmt::format("velocity_{}", stop + 1),
                     "velocity towards " + which,
-                    "m/s",
+                    unit_in(record.branches.info.units, "m/s"),
                     false,
                     false,
                     {},
@@ -128,7 +130,7 @@ void add_amplitudes(const BranchRecord& record, const Sweep* swept, Observables&
       };
       PageObservable made{std::string(name_of(quantity)) + "." + places[place].name('.'),
                           shown_title(shown, places),
-                          shown_unit(shown, places),
+                          unit_in(record.info.units, shown_unit(shown, places)),
                           true,
                           true,
                           amplitude_curves(record.amplitudes, shown),
@@ -152,9 +154,9 @@ void add_multiplier(const OrbitBranches& traced, Observables& list) {
   list.push_back(std::move(made));
 }
 
-void add_exponent(const Sweep* swept, Observables& list) {
+void add_exponent(const Sweep* swept, Units units, Observables& list) {
   if (!swept || swept->options.exponent_periods == 0) return;
-  PageObservable made{"exponent", "largest exponent", "1/s", true};
+  PageObservable made{"exponent", "largest exponent", unit_in(units, "1/s"), true};
   made.heights = [](const SweepRow& row) {
     return row.exponents && row.exponents->values.size() > 0
                ? std::vector<double>{row.exponents->values[0]}
@@ -168,10 +170,10 @@ void add_exponent(const Sweep* swept, Observables& list) {
 
 std::vector<PageObservable> page_observables(const BranchRecord& record, const Sweep* swept) {
   Observables list;
-  add_impacts(record.traced, list);
+  add_impacts(record.traced, record.info.units, list);
   add_amplitudes(record, swept, list);
   add_multiplier(record.traced, list);
-  add_exponent(swept, list);
+  add_exponent(swept, record.info.units, list);
   return list;
 }
 
@@ -182,7 +184,7 @@ std::vector<PageObservable> page_observables(const DiagramRecord& record) {
   add_stroboscopic(record, list);
   add_amplitudes(record.branches, &record.swept, list);
   add_multiplier(record.branches.traced, list);
-  add_exponent(&record.swept, list);
+  add_exponent(&record.swept, record.branches.info.units, list);
   return list;
 }
 

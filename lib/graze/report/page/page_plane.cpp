@@ -92,7 +92,7 @@ Json plane_axis_json(const PlaneAxis& axis, const std::string& unit) {
 Json plane_axis_json(const std::string& parameter, const std::string& unit, AxisRange range) {
   Json json = page_axis(parameter_title(parameter), unit, range, 0.0);
   json["path"] = parameter;
-  json["hertz"] = has_hertz_axis(parameter);
+  json["hertz"] = has_hertz_axis(parameter, unit);
   json["values"] = packed(std::vector<double>());
   return json;
 }

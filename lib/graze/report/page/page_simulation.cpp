@@ -36,7 +36,9 @@ class SimulationPage {
     Json view = page_view(record_.info, record_.outcome, record_.warnings, record_.notes);
     view["kind"] = "run";
     view["title"] = "Motion";
-    view["time"] = page_axis("time", "s", {seen_.window.start, seen_.window.end}, 0.0);
+    const Units units = record_.info.units;
+    view["time"] =
+        page_axis("time", unit_in(units, "s"), {seen_.window.start, seen_.window.end}, 0.0);
     AxisRange displacement, velocity;
     Json places = Json::array();
     for (const SeenPlace& place : seen_.places) {
@@ -47,9 +49,9 @@ class SimulationPage {
       places.push_back(place_json(place));
     }
     view["length"] = page_axis(no_stops() ? "first mode q₁" : "displacement",
-                               no_stops() ? "kg^1/2 m" : "m", displacement);
+                               unit_in(units, no_stops() ? "kg^1/2 m" : "m"), displacement);
     view["speed"] = page_axis(no_stops() ? "rate of q₁" : "velocity",
-                              no_stops() ? "kg^1/2 m/s" : "m/s", velocity);
+                              unit_in(units, no_stops() ? "kg^1/2 m/s" : "m/s"), velocity);
     view["places"] = places;
     add_motion(view["length"], view["speed"]);
     add_curves();
@@ -112,7 +114,7 @@ class SimulationPage {
       AxisRange range;
       for (const MotionPoint& point : place.motion) range.include(point.displacement);
       // A stop far off the motion would press it flat.
-      StopMarks(place.stops, range, {}, several_stops()).include(range);
+      StopMarks(place.stops, range, {}, several_stops(), record_.info.units).include(range);
       add_panel("displacement", length, range);
       set_place(i);
     }
@@ -153,9 +155,11 @@ class SimulationPage {
     for (const EnergyTerm& term : seen_.energy)
       energy.push_back(
           {energy.empty() ? term.name : "work of " + term.name, term.colour, term.curve});
-    if (!forces.empty()) add_curve_panel("contact force", "N", forces, true);
+    if (!forces.empty())
+      add_curve_panel("contact force", unit_in(record_.info.units, "N"), forces, true);
     if (energy.empty()) return;
-    add_curve_panel(energy.size() > 1 ? "energy, work" : "energy", "J", energy, true);
+    add_curve_panel(energy.size() > 1 ? "energy, work" : "energy", unit_in(record_.info.units, "J"),
+                    energy, true);
     if (energy.size() > 1 && seen_.window.start > 0.0)
       panels_.back()["more"] = fmt::format("since {:.5g} s", seen_.window.start);
   }

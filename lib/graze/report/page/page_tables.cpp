@@ -108,11 +108,13 @@ PageTable motions_table(const ComparisonRecord& record) {
   table.words("settles on", each(motions, [](const ComparedMotion& motion) {
                 return attractor_label(motion.attractor);
               }));
-  table.numbers("first impact", "s", each(motions, of_first(&RunImpact::time)), 9);
-  table.numbers("its speed", "m/s", each(motions, of_first(&RunImpact::speed)));
-  table.numbers("mean energy", "J",
+  table.numbers("first impact", unit_in(record.info.units, "s"),
+                each(motions, of_first(&RunImpact::time)), 9);
+  table.numbers("its speed", unit_in(record.info.units, "m/s"),
+                each(motions, of_first(&RunImpact::speed)));
+  table.numbers("mean energy", unit_in(record.info.units, "J"),
                 each(motions, [](const ComparedMotion& motion) { return known(motion.energy); }));
-  table.numbers("taken by stops a period", "J",
+  table.numbers("taken by stops a period", unit_in(record.info.units, "J"),
                 each(motions, [](const ComparedMotion& motion) { return known(motion.taken); }));
   return table.take();
 }
@@ -175,7 +177,9 @@ std::vector<PageTable> page_tables(const CostRecord& record) {
   Columns table("Flows and settings");
   table.words("flow", each(costs.rows, [](const FlowCost& row) { return row.flow; }));
   table.words("setting", each(costs.rows, [](const FlowCost& row) { return row.setting; }));
-  table.words(costs.impacts > 0 ? "error of impacts (s)" : "error / amplitude",
+  table.words(costs.impacts > 0
+                  ? record.info.units == Units::kSi ? "error of impacts (s)" : "error of impacts"
+                  : "error / amplitude",
               each(costs.rows,
                    [](const FlowCost& row) { return number_text(known(row.compared.error), 2); }));
   table.words("time" + per, each(costs.rows, [](const FlowCost& row) {
@@ -224,12 +228,14 @@ std::vector<PageTable> page_tables(const RunDiagramRecord& record) {
                        (run.outcome == RunOutcome::kReachedEnd ? "" : ", cut");
               }));
   if (record.stops > 0) {
-    table.numbers("first impact", "s", each(runs, of_first(&RunImpact::time)));
-    table.numbers("its speed", "m/s", each(runs, of_first(&RunImpact::speed)));
+    table.numbers("first impact", unit_in(record.info.units, "s"),
+                  each(runs, of_first(&RunImpact::time)));
+    table.numbers("its speed", unit_in(record.info.units, "m/s"),
+                  each(runs, of_first(&RunImpact::speed)));
   }
   for (std::size_t i = 0; i < record.probes.size(); ++i)
     table.numbers(fmt::format("largest size at probe {}", i + 1),
-                  probe_unit(record.probes[i].quantity),
+                  unit_in(record.info.units, probe_unit(record.probes[i].quantity)),
                   each(runs, [i](const ValueRun& run) { return run.peaks[i]; }));
   return {table.take()};
 }

@@ -30,8 +30,8 @@ DiagramPanel panel_of(const PageObservable& observable, const Sweep* swept) {
 }
 
 // None for minus infinity.
-DiagramPanel exponent_panel(const Sweep& swept) {
-  DiagramPanel panel{"Lyapunov exponents", "1/s"};
+DiagramPanel exponent_panel(const Sweep& swept, Units units) {
+  DiagramPanel panel{"Lyapunov exponents", unit_in(units, "1/s")};
   double highest = 0.0;
   for (const SweepRow& row : swept.rows)
     for (Eigen::Index j = 0; row.exponents && j < row.exponents->values.size(); ++j) {
@@ -73,7 +73,8 @@ std::vector<DiagramPanel> diagram_panels(const BranchRecord& record, const Diagr
     panels.push_back(panel_of(observable, swept));
     panels.back().scales = is_main;
   }
-  if (swept && swept->options.exponent_periods > 0) panels.push_back(exponent_panel(*swept));
+  if (swept && swept->options.exponent_periods > 0)
+    panels.push_back(exponent_panel(*swept, record.info.units));
   return panels;
 }
 

@@ -106,8 +106,9 @@ class CellPicture {
     Margins margins;
     margins.right = right;
     margins.bottom = (kHeight * margins.bottom + more) / proportion_;
-    margins.top =
-        kHeight * (has_hertz_axis(plane_.x.name) ? kHertzMargin : margins.top) / proportion_;
+    margins.top = kHeight *
+                  (has_hertz_axis(plane_.x.name, x_.unit()) ? kHertzMargin : margins.top) /
+                  proportion_;
     set_margins(script_, margins);
     if (!legend_.empty()) set_legend(script_, margins, columns_);
     set_parameter_axis(script_, plane_.x.name, x_.range(), x_.unit());

@@ -144,7 +144,10 @@ class ChartPicture {
   double above(std::size_t row) const {
     const double heading = has_heading(row) ? kHeading : 0.0;
     if (row == 0)
-      return heading + (has_hertz_axis(chart_.rows.front().front().x.path) ? kHertz : kHead);
+      return heading +
+             (has_hertz_axis(chart_.rows.front().front().x.path, chart_.rows.front().front().x.unit)
+                  ? kHertz
+                  : kHead);
     return heading + kBetween + (shares_below(row - 1) ? 0.0 : kAxisText);
   }
 

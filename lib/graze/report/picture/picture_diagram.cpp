@@ -131,7 +131,8 @@ class DiagramPicture {
     const double legend = kOnePanel * legend_height(legend_entries().size(), kColumns);
     Margins margins;  // of a single panel, as parts of the width
     margins.bottom = kOnePanel * margins.bottom + legend;
-    margins.top = kOnePanel * (has_hertz_axis(parameter()) ? kHertzMargin : margins.top);
+    margins.top =
+        kOnePanel * (has_hertz_axis(parameter(), record_.unit) ? kHertzMargin : margins.top);
     const auto count = static_cast<double>(drawn_.size());
     panel_height_ = drawn_.size() == 1 ? kOnePanel - margins.top - margins.bottom : kPanel;
     height_ = margins.top + count * panel_height_ + (count - 1.0) * kBetween + margins.bottom;

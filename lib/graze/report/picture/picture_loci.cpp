@@ -49,7 +49,8 @@ LociPicture loci_picture(const PictureRequest& request, const LociRecord& record
   picture.proportion = kProportion + legend;
   Margins margins;
   margins.bottom = (kProportion * margins.bottom + legend) / picture.proportion;
-  margins.top = kProportion * (has_hertz_axis(traced.first) ? kHertzMargin : margins.top) /
+  margins.top = kProportion *
+                (has_hertz_axis(traced.first, record.unit) ? kHertzMargin : margins.top) /
                 picture.proportion;
   set_margins(script, margins);
   set_legend(script, margins, kColumns);

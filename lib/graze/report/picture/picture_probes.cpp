@@ -30,7 +30,7 @@ std::string ProbePanels::Panel::name() const {
   return first + "\nprobes";
 }
 
-ProbePanels::ProbePanels(const std::vector<SeenProbe>& probes) {
+ProbePanels::ProbePanels(const std::vector<SeenProbe>& probes, Units units) : units_(units) {
   for (const SeenProbe& probe : probes) {
     const std::string unit = probe_unit(probe.quantity);
     auto panel = std::find_if(panels_.begin(), panels_.end(),
@@ -51,7 +51,7 @@ void ProbePanels::draw(std::size_t i, GnuplotScript& script, PanelColumn& column
   const std::size_t shown = std::min(panel.probes.size(), curve_colours().size());
   AxisRange values;
   for (std::size_t k = 0; k < shown; ++k) values.include(range_of(panel.probes[k].curve));
-  const AxisUnit axis = axis_unit(panel.si_unit, largest(values));
+  const AxisUnit axis = axis_unit(unit_in(units_, panel.si_unit), largest(values));
   AxisRange range;
   range.include(axis.factor * values.low);
   range.include(axis.factor * values.high);

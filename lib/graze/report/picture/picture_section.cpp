@@ -33,8 +33,10 @@ class SectionPicture {
       up.include(point.up);
     }
     if (is_of_impacts_) up.include(0.0);
-    x_unit_ = is_of_impacts_ ? AxisUnit{1.0, "rad"} : axis_unit("m", largest(across));
-    y_unit_ = axis_unit("m/s", largest(up));
+    const Units units = record.info.units;
+    x_unit_ = is_of_impacts_ ? AxisUnit{1.0, unit_in(units, "rad")}
+                             : axis_unit(unit_in(units, "m"), largest(across));
+    y_unit_ = axis_unit(unit_in(units, "m/s"), largest(up));
     x_ = {x_unit_.factor * across.low, x_unit_.factor * across.high};
     y_ = {y_unit_.factor * up.low, y_unit_.factor * up.high};
     x_.settle(0.05);

@@ -28,15 +28,16 @@ std::string line(const std::string& data, const char* colour, double width = 1.2
 class SimulationPicture {
  public:
   explicit SimulationPicture(const SimulationRecord& record)
-      : record_(record), seen_(motion_seen(record)), probes_(seen_.probes) {
+      : record_(record), seen_(motion_seen(record)), probes_(seen_.probes, record.info.units) {
     places_left_out_ = seen_.places.size() - std::min(seen_.places.size(), kMostPlaces);
     seen_.places.resize(seen_.places.size() - places_left_out_);
     measure_motion();
     for (const SeenForce& seen : seen_.forces) force_range_.include(range_of(seen.force));
-    force_ = axis_unit("N", largest(force_range_));
+    force_ = axis_unit(unit_in(record.info.units, "N"), largest(force_range_));
     for (const EnergyTerm& term : seen_.energy) energy_range_.include(range_of(term.curve));
-    energy_ = axis_unit("J", largest(energy_range_));
-    time_ = axis_unit("s", std::max(std::abs(seen_.window.start), std::abs(seen_.window.end)));
+    energy_ = axis_unit(unit_in(record.info.units, "J"), largest(energy_range_));
+    time_ = axis_unit(unit_in(record.info.units, "s"),
+                      std::max(std::abs(seen_.window.start), std::abs(seen_.window.end)));
     window_ = {time_.factor * seen_.window.start, time_.factor * seen_.window.end};
     if (!(window_.span() > 0.0)) window_.high = window_.low + 1.0;
     lay_out();
@@ -85,10 +86,12 @@ class SimulationPicture {
         velocity.include(point.velocity);
       }
     // Without a stop the picture shows a modal coordinate, which is no length.
-    length_ = axis_unit(no_stops() ? "kg^1/2 m" : "m", largest(displacement));
-    speed_ = axis_unit(no_stops() ? "kg^1/2 m/s" : "m/s", largest(velocity));
+    const Units units = record_.info.units;
+    length_ = axis_unit(unit_in(units, no_stops() ? "kg^1/2 m" : "m"), largest(displacement));
+    speed_ = axis_unit(unit_in(units, no_stops() ? "kg^1/2 m/s" : "m/s"), largest(velocity));
     for (const SeenPlace& place : seen_.places)
-      stops_.emplace_back(place.stops, displacement_range(place.motion), length_, several_stops());
+      stops_.emplace_back(place.stops, displacement_range(place.motion), length_, several_stops(),
+                          units);
   }
 
   AxisRange displacement_range(std::span<const MotionPoint> motion) const {

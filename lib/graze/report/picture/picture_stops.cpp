@@ -13,8 +13,8 @@ constexpr double kNameRoom = 0.16;  // of the axis
 }  // namespace
 
 StopMarks::StopMarks(const std::vector<SeenStop>& stops, const AxisRange& motion,
-                     const AxisUnit& unit, bool named)
-    : unit_(unit), named_(named) {
+                     const AxisUnit& unit, bool named, Units units)
+    : unit_(unit), named_(named), units_(units) {
   const double reach = 4.0 * std::max(motion.empty() ? 0.0 : motion.span(), 0.25 * largest(motion));
   for (const SeenStop& stop : stops) {
     const bool near =
@@ -65,7 +65,7 @@ void StopMarks::draw(GnuplotScript& script, const AxisRange& range, double spaci
     double& taken = stop.sense > 0.0 ? above : below;
     const double height = (taken + 0.5 * kNameRoom) / (1.0 + kNameRoom);
     taken += kNameRoom;
-    const AxisUnit unit = axis_unit("m", std::abs(stop.place));
+    const AxisUnit unit = axis_unit(unit_in(units_, "m"), std::abs(stop.place));
     script.command(fmt::format(
         "set label '{} at {}{:.4g} {} {}' at graph 0.99, graph {:.4g} right font ',9'", name(stop),
         stop.place < 0.0 ? "−" : "", unit.factor * std::abs(stop.place), unit.unit,

@@ -142,6 +142,7 @@ void set_legend(GnuplotScript& script, const Margins& margins, std::size_t colum
 std::string parameter_title(const std::string& path) {
   static const std::map<std::string, std::string> kTitles = {
       {"forcing.frequency", "forcing frequency Ω"},
+      {"forcing.frequency_hz", "forcing frequency"},
       {"forcing.amplitude", "forcing amplitude"},
       {"forcing.phase", "forcing phase"},
       {"damping.viscous", "viscous damping η"},
@@ -176,7 +177,9 @@ std::string parameter_title(const std::string& path) {
   return title;
 }
 
-bool has_hertz_axis(const std::string& parameter) { return parameter == "forcing.frequency"; }
+bool has_hertz_axis(const std::string& parameter, const std::string& unit) {
+  return parameter == "forcing.frequency" && !unit.empty();
+}
 
 namespace {
 
@@ -197,7 +200,7 @@ void set_parameter_axis(GnuplotScript& script, const std::string& parameter, con
   if (!names.below) script.command("set format x ''");
   script.command(names.below ? "set xlabel " + axis_label(parameter_title(parameter), unit)
                              : "unset xlabel");
-  if (!has_hertz_axis(parameter)) return;
+  if (!has_hertz_axis(parameter, unit)) return;
   script.command(names.above ? "set border 7" : "set border 3\nunset x2tics\nunset x2label");
   if (!names.above) return;
   const AxisRange hertz{range.low / kTurn, range.high / kTurn};

@@ -65,7 +65,8 @@ std::string parameter_title(const std::string& path);
 // over a forcing frequency (rad/s) also one in Hz above the axes, which takes its room there. Names
 // are left out where another panel has them.
 inline constexpr double kHertzMargin = 0.145;  // of a picture 3/4 as high as wide
-bool has_hertz_axis(const std::string& parameter);
+// Of a parameter in its unit, "" of a scene without units.
+bool has_hertz_axis(const std::string& parameter, const std::string& unit);
 struct AxisNames {
   bool below = true, above = true;
 };

@@ -13,7 +13,7 @@ namespace graze {
 
 class ProbePanels {
  public:
-  explicit ProbePanels(const std::vector<SeenProbe>& probes);
+  ProbePanels(const std::vector<SeenProbe>& probes, Units units);
 
   std::size_t count() const { return panels_.size(); }
   // Whether curves have labels at the right: where a panel has several.
@@ -30,6 +30,7 @@ class ProbePanels {
   const std::vector<Panel>& panels() const { return panels_; }
 
  private:
+  Units units_;
   std::vector<Panel> panels_;
 };
 

@@ -12,9 +12,10 @@ namespace graze {
 // only named, on its side of the panel.
 class StopMarks {
  public:
-  // `motion` is what the panel shows, in `unit`; stops are named where there are several.
+  // `motion` is what the panel shows, in `unit`; stops are named where there are several, and far
+  // ones with their place in the scene's units.
   StopMarks(const std::vector<SeenStop>& stops, const AxisRange& motion, const AxisUnit& unit,
-            bool named);
+            bool named, Units units);
 
   bool drawn() const { return !near_.empty(); }
   // Makes the axis span the stops that are drawn.
@@ -38,6 +39,7 @@ class StopMarks {
 
   AxisUnit unit_;
   bool named_;
+  Units units_;
   std::vector<SeenStop> near_, far_;
 };
 
