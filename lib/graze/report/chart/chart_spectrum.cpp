@@ -82,11 +82,11 @@ Chart spectrum_chart(const SimulationRecord& record) {
 Chart returns_chart(const SimulationRecord& record) {
   Chart chart{"Return map of the impacts", {}};
   const Units units = record.info.units;
-  const std::string speeds = unit_in(units, "m/s"), phases = unit_in(units, "rad");
-  ChartPanel speed{{.name = "impact speed", .unit = speeds},
-                   {.name = "speed of\nthe next impact", .unit = speeds}};
-  ChartPanel phase{{.name = "phase of the impact", .unit = phases},
-                   {.name = "phase of\nthe next impact", .unit = phases}};
+  const std::string of_speed = unit_in(units, "m/s"), of_phase = unit_in(units, "rad");
+  ChartPanel speed{{.name = "impact speed", .unit = of_speed},
+                   {.name = "speed of\nthe next impact", .unit = of_speed}};
+  ChartPanel phase{{.name = "phase of the impact", .unit = of_phase},
+                   {.name = "phase of\nthe next impact", .unit = of_phase}};
   // More dots than a vector picture should hold; the last ones.
   constexpr std::size_t kMost = 20'000;
   const std::vector<SectionPoint>& points = record.section->points();

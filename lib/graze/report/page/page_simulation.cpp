@@ -135,7 +135,7 @@ class SimulationPage {
   }
 
   void add_curves() {
-    const ProbePanels probes(seen_.probes);
+    const ProbePanels probes(seen_.probes, record_.info.units);
     for (const ProbePanels::Panel& panel : probes.panels()) {
       std::vector<PageCurve> curves;
       for (const SeenProbe& probe : panel.probes)
@@ -144,7 +144,7 @@ class SimulationPage {
               {fmt::format("probe {}", probe.number), curve_colours()[curves.size()], probe.curve});
       std::string name = panel.name();
       std::replace(name.begin(), name.end(), '\n', ' ');
-      add_curve_panel(name, panel.si_unit, curves, false);
+      add_curve_panel(name, unit_in(record_.info.units, panel.si_unit), curves, false);
     }
     std::vector<PageCurve> forces, energy;
     for (const SeenForce& seen : seen_.forces)
