@@ -44,8 +44,8 @@ inPage('a map is drawn in the colours of the picture', () => basins, async (page
   const titles = await page.$$eval('#legend button', (list) => list.map((button) => button.textContent));
   assert.deepEqual(titles, ['(1,1)', 'clear', 'no start']);
   assert.ok(await pixelsOf(page, '#dots') > 100_000);
-  assert.equal(await colourAt(page, await placeOfCell(page, [0, 49], [40, 41])), '#56b4e9');
-  assert.equal(await colourAt(page, await placeOfCell(page, [39, 49], [20, 41])), '#e69f00');  // rests at the start
+  assert.equal(await colourAt(page, await placeOfCell(page, [0, 49], [40, 41])), '#77aadd');  // (1,1)
+  assert.equal(await colourAt(page, await placeOfCell(page, [39, 49], [20, 41])), '#d5edf7');  // rests at the start
   assert.equal(await colourAt(page, await placeOfCell(page, [48, 49], [20, 41])), '#eeeeee');
   assert.match(await range(page), /^Map of the attractor over q₁ at the start from −4\.1 kg\^½ m to 0\.8 kg\^½ m and dq₁\/dt/);
 });
@@ -90,7 +90,7 @@ inPage('wheel and buttons zoom', () => basins, async (page) => {
   await page.mouse.wheel(0, -500);
   await settled(page);
   assert.notEqual(await range(page), whole);
-  assert.equal(await colourAt(page, place), '#e69f00');  // what is under the pointer stays there
+  assert.equal(await colourAt(page, place), '#d5edf7');  // what is under the pointer stays there
   assert.match(await text(page, '#hover'), /^(clear.*)?$/);
   await page.click('#zoom-reset');
   assert.equal(await range(page), whole);

@@ -59,11 +59,12 @@ function curveSeries({ panel, i, x, y, ranges }, theme, shows) {
     const count = shows(series.title) ? series.x.length : 0;
     const points = Array.from({ length: count }, (_, n) => [x.of(series.x[n]), y.of(series.y[n])]);
     const parts = [];
+    const over = 4 + 2 * k;  // those that come later lie on top
     if (series.line)
-      parts.push({ ...common, id: `curve ${i} ${k}`, type: 'line', data: points, showSymbol: false, z: 4 + k, lineStyle: pen(series.look, theme) });
-    if (series.error) parts.push(errorBars(series, points, { id: `error ${i} ${k}`, z: 4 + k }, y, ranges.y, theme, common));
+      parts.push({ ...common, id: `curve ${i} ${k}`, type: 'line', data: points, showSymbol: false, z: over, lineStyle: pen(series.look, theme) });
+    if (series.error) parts.push(errorBars(series, points, { id: `error ${i} ${k}`, z: over }, y, ranges.y, theme, common));
     if (series.marks)
-      parts.push({ ...common, id: `marks ${i} ${k}`, type: 'scatter', data: points.filter((point) => point.every(Number.isFinite)), z: 40 + k,
+      parts.push({ ...common, id: `marks ${i} ${k}`, type: 'scatter', data: points.filter((point) => point.every(Number.isFinite)), z: over + 1,
         ...stamp(series.look, theme, points.length > kMany ? kWhole : 1) });
     return parts;
   });
@@ -97,10 +98,10 @@ function groundSeries({ panel, i, x, y, ranges }, theme, shows, labels) {
       data: panel.levels.map((level) => ({ yAxis: y.of(level) })).filter(({ yAxis }) => Number.isFinite(yAxis)),
     },
   }, {
-    ...common, id: `words ${i}`, type: 'scatter', symbolSize: 1, z: 60, data: words, itemStyle: { color: 'transparent' },
+    ...common, id: `words ${i}`, type: 'scatter', symbolSize: 1, z: 100, data: words, itemStyle: { color: 'transparent' },
     label: { ...markLabel(theme, labels), position: 'right' }, labelLayout: { hideOverlap: true },
   }, {
-    ...common, id: `remark ${i}`, type: 'scatter', symbolSize: 1, z: 61, data: panel.remark ? [{ value: middle, name: panel.remark }] : [],
+    ...common, id: `remark ${i}`, type: 'scatter', symbolSize: 1, z: 101, data: panel.remark ? [{ value: middle, name: panel.remark }] : [],
     itemStyle: { color: 'transparent' }, label: { ...markLabel(theme, true), position: 'inside', fontSize: 13 },
   }];
 }

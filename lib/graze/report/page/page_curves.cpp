@@ -12,7 +12,7 @@ namespace {
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 
 // The plane that distances along a branch are measured in.
-PicturePlane plane_of(const BranchRecord& record, const PageObservable& observable) {
+PicturePlane plane_of(const BranchRecord& record, const MotionObservable& observable) {
   PicturePlane plane;
   plane.x.include(record.from);
   plane.x.include(record.to);
@@ -31,7 +31,7 @@ int place_among(const std::vector<double>& values, double value, int before) {
   return static_cast<int>(std::find(values.begin(), values.end(), value) - values.begin());
 }
 
-Json line_json(const BranchLine& line, const PageObservable& observable, int first_special) {
+Json line_json(const BranchLine& line, const MotionObservable& observable, int first_special) {
   const DiagramCurve& curve = observable.curves[line.branch];
   std::vector<std::int32_t> point, index;
   int before = 0;
@@ -51,7 +51,7 @@ Json line_json(const BranchLine& line, const PageObservable& observable, int fir
 
 }  // namespace
 
-Json page_lines(const BranchRecord& record, const std::vector<PageObservable>& observables) {
+Json page_lines(const BranchRecord& record, const std::vector<MotionObservable>& observables) {
   const std::vector<OrbitBranch>& branches = record.traced.branches;
   std::vector<int> first_special;  // of each branch, in the list of all
   int count = 0;
@@ -60,7 +60,7 @@ Json page_lines(const BranchRecord& record, const std::vector<PageObservable>& o
     count += static_cast<int>(branch.special.size());
   }
   Json layouts = Json::object();
-  for (const PageObservable& observable : observables) {
+  for (const MotionObservable& observable : observables) {
     const std::string layout = observable.is_of_motion ? "motion" : observable.key;
     if (observable.curves.empty() || layouts.contains(layout)) continue;
     Json list = Json::array();
@@ -72,9 +72,9 @@ Json page_lines(const BranchRecord& record, const std::vector<PageObservable>& o
   return layouts;
 }
 
-Json page_values(const std::vector<PageObservable>& observables) {
+Json page_values(const std::vector<MotionObservable>& observables) {
   Json all = Json::object();
-  for (const PageObservable& observable : observables) {
+  for (const MotionObservable& observable : observables) {
     if (observable.curves.empty()) continue;
     Json list = Json::array();
     for (const DiagramCurve& curve : observable.curves) {

@@ -10,7 +10,7 @@
 #include "graze/report/names/detail/sweep_names.hpp"
 #include "graze/report/page/detail/page.hpp"
 #include "graze/report/page/detail/page_curves.hpp"
-#include "graze/report/page/detail/page_observables.hpp"
+#include "graze/report/picture/detail/motion_observables.hpp"
 
 namespace graze {
 namespace {
@@ -52,10 +52,10 @@ class DiagramPage {
     view_["strips"] = Json::array();
   }
 
-  void add_sweep(const Sweep& swept, const std::vector<PageObservable>& observables);
+  void add_sweep(const Sweep& swept, const std::vector<MotionObservable>& observables);
   void add_exponents(const Sweep& swept);
-  void add_branches(const std::vector<PageObservable>& observables);
-  void add_observables(const std::vector<PageObservable>& observables, const Sweep* swept);
+  void add_branches(const std::vector<MotionObservable>& observables);
+  void add_observables(const std::vector<MotionObservable>& observables, const Sweep* swept);
   void write(const std::string& file) { write_page_file(file, view_, orbits_); }
 
  private:
@@ -89,7 +89,7 @@ class DiagramPage {
 
   Json branch_json(const OrbitBranch& branch, std::size_t most);
   Json special_json(std::size_t branch, std::size_t index,
-                    const std::vector<PageObservable>& observables);
+                    const std::vector<MotionObservable>& observables);
 
   const BranchRecord& record_;
   const SystemFamily& family_;
@@ -107,7 +107,7 @@ struct DotLists {
   explicit DotLists(std::size_t observables) : values(observables) {}
 
   // Whether the row has any.
-  bool add(const SweepRow& row, const std::vector<PageObservable>& observables) {
+  bool add(const SweepRow& row, const std::vector<MotionObservable>& observables) {
     bool any = false;
     std::size_t dots = 0;
     for (std::size_t i = 0; i < observables.size(); ++i) {
@@ -128,7 +128,7 @@ struct DotLists {
   }
 };
 
-void DiagramPage::add_sweep(const Sweep& swept, const std::vector<PageObservable>& observables) {
+void DiagramPage::add_sweep(const Sweep& swept, const std::vector<MotionObservable>& observables) {
   std::vector<double> values;
   std::vector<std::int32_t> label;
   std::vector<std::uint8_t> wild;
@@ -218,7 +218,7 @@ Json DiagramPage::branch_json(const OrbitBranch& branch, std::size_t most) {
 }
 
 Json DiagramPage::special_json(std::size_t branch, std::size_t index,
-                               const std::vector<PageObservable>& observables) {
+                               const std::vector<MotionObservable>& observables) {
   const OrbitBranch& from = record_.traced.branches[branch];
   const SpecialPoint& special = from.special[index];
   const std::string label = label_of(special.kind);
@@ -235,7 +235,7 @@ Json DiagramPage::special_json(std::size_t branch, std::size_t index,
   const std::vector<std::int32_t> orbit =
       keep(1, {0}, [&](std::size_t) { return orbit_at(special.at); });
   Json heights = Json::object();
-  for (const PageObservable& observable : observables) {
+  for (const MotionObservable& observable : observables) {
     if (observable.curves.empty()) continue;
     heights[observable.key] = json_list(observable.curves[branch].special[index]);
   }
@@ -251,7 +251,7 @@ Json DiagramPage::special_json(std::size_t branch, std::size_t index,
           {"y", heights}};
 }
 
-void DiagramPage::add_branches(const std::vector<PageObservable>& observables) {
+void DiagramPage::add_branches(const std::vector<MotionObservable>& observables) {
   const std::vector<OrbitBranch>& branches = record_.traced.branches;
   const std::size_t most = std::min(fit_, kMostOfBranches);
   std::size_t points = 0;
@@ -269,10 +269,10 @@ void DiagramPage::add_branches(const std::vector<PageObservable>& observables) {
   view_["values"] = page_values(observables);
 }
 
-void DiagramPage::add_observables(const std::vector<PageObservable>& observables,
+void DiagramPage::add_observables(const std::vector<MotionObservable>& observables,
                                   const Sweep* swept) {
   Json list = Json::array();
-  for (const PageObservable& observable : observables) {
+  for (const MotionObservable& observable : observables) {
     AxisRange range;
     const auto include = [&](double height) { range.include(std::min(height, observable.most)); };
     for (const DiagramCurve& curve : observable.curves)
@@ -300,7 +300,7 @@ void DiagramPage::add_observables(const std::vector<PageObservable>& observables
 void write_page(const std::string& file, const BranchRecord& record, const SystemFamily& family) {
   DiagramPage page(record, family);
   page.set_view("Branches of orbits", record.traced.notes);
-  const std::vector<PageObservable> observables = page_observables(record, nullptr);
+  const std::vector<MotionObservable> observables = motion_observables(record, nullptr);
   page.add_observables(observables, nullptr);
   page.add_branches(observables);
   page.write(file);
@@ -309,7 +309,7 @@ void write_page(const std::string& file, const BranchRecord& record, const Syste
 void write_page(const std::string& file, const DiagramRecord& record, const SystemFamily& family) {
   DiagramPage page(record.branches, family);
   page.set_view("Bifurcation diagram", record.branches.traced.notes);
-  const std::vector<PageObservable> observables = page_observables(record);
+  const std::vector<MotionObservable> observables = motion_observables(record);
   page.add_observables(observables, &record.swept);
   page.add_sweep(record.swept, observables);
   page.add_exponents(record.swept);

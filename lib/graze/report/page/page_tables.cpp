@@ -22,8 +22,14 @@ namespace {
 constexpr const char* kNothing = "–";
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 
+// "−3.4·10⁻⁵"
 std::string number_text(double value, int digits) {
-  return std::isfinite(value) ? fmt::format("{:.{}g}", value, digits) : kNothing;
+  if (!std::isfinite(value)) return kNothing;
+  std::string text = fmt::format("{:.{}g}", std::abs(value), digits);
+  if (const std::size_t power = text.find('e'); power != std::string::npos)
+    text = text.substr(0, power) + "·" +
+           plain_text(fmt::format("10^{{{}}}", std::stoi(text.substr(power + 1))));
+  return (value < 0.0 ? "−" : "") + text;
 }
 
 // A table that is filled column by column.
@@ -155,9 +161,10 @@ std::string largest_percent(const Matrix& part, Eigen::Index probe) {
 
 std::string measured_text(double value, const std::string& si_unit, int digits) {
   if (!std::isfinite(value)) return kNothing;
+  if (si_unit.empty()) return number_text(value, digits);
   const AxisUnit unit = axis_unit(si_unit, std::abs(value));
-  const std::string number = number_text(unit.factor * value, digits);
-  return unit.unit.empty() ? number : number + " " + plain_text(unit.unit);
+  return number_text(unit.factor * value, digits) + (unit.unit.starts_with("10^") ? "·" : " ") +
+         plain_text(unit.unit);
 }
 
 std::vector<PageTable> page_tables(const FitRecord& record) {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "graze/report/page/detail/page_observables.hpp"
+#include "graze/report/picture/detail/motion_observables.hpp"
 
 namespace graze {
 namespace {
@@ -15,7 +15,7 @@ const Look& look_of(const SweepRow& row) {
   return dot_look(row.status == SweepStatus::kNotPeriodic ? "wild" : "periodic");
 }
 
-DiagramPanel panel_of(const PageObservable& observable, const Sweep* swept) {
+DiagramPanel panel_of(const MotionObservable& observable, const Sweep* swept) {
   DiagramPanel panel{observable.name, observable.unit};
   panel.curves = observable.curves;
   panel.from_zero = observable.from_zero;
@@ -60,10 +60,10 @@ DiagramPanel exponent_panel(const Sweep& swept, Units units) {
 std::vector<DiagramPanel> diagram_panels(const BranchRecord& record, const DiagramRecord* diagram,
                                          bool multipliers) {
   const Sweep* swept = diagram ? &diagram->swept : nullptr;
-  const std::vector<PageObservable> observables =
-      diagram ? page_observables(*diagram) : page_observables(record, nullptr);
+  const std::vector<MotionObservable> observables =
+      diagram ? motion_observables(*diagram) : motion_observables(record, nullptr);
   std::vector<DiagramPanel> panels;
-  for (const PageObservable& observable : observables) {
+  for (const MotionObservable& observable : observables) {
     const bool of_multipliers = observable.key == "multiplier";
     // Of several observables of a motion the picture shows the first, and displacements everywhere.
     const bool is_main = &observable == observables.data() ||

@@ -6,7 +6,7 @@
 
 #include "graze/record/records.hpp"
 #include "graze/report/json/detail/json_value.hpp"
-#include "graze/report/page/detail/page_observables.hpp"
+#include "graze/report/picture/detail/motion_observables.hpp"
 
 namespace graze {
 
@@ -14,10 +14,10 @@ namespace graze {
 // A line has its branch and its kind (LineKind), the points of the branch that it goes through
 // (special points of the page: -1 - index) and, but for "motion", which of a point's values each
 // node is.
-Json page_lines(const BranchRecord& record, const std::vector<PageObservable>& observables);
+Json page_lines(const BranchRecord& record, const std::vector<MotionObservable>& observables);
 
 // By key, a list of the branches: the values of all points one after the other, SI, and but for
 // those that a motion has one of, where the values of each point begin.
-Json page_values(const std::vector<PageObservable>& observables);
+Json page_values(const std::vector<MotionObservable>& observables);
 
 }  // namespace graze

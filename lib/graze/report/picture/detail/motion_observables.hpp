@@ -1,5 +1,5 @@
-// What a page can show of motions over a parameter, or over one another: numbers of the dots of a
-// sweep and of the points of branches.
+// What pictures and pages can show of motions over a parameter, or over one another: numbers of the
+// dots of a sweep and of the points of branches.
 #pragma once
 
 #include <functional>
@@ -11,7 +11,7 @@
 
 namespace graze {
 
-struct PageObservable {
+struct MotionObservable {
   std::string key, name, unit;  // SI
   // Whether a motion has one value, else one for each of its impacts or forcing periods.
   bool is_of_motion = false;
@@ -26,10 +26,10 @@ struct PageObservable {
 
 // All that the records hold, the one that a picture shows first. `swept`: the sweep, or none. They
 // refer to the records.
-std::vector<PageObservable> page_observables(const BranchRecord& record, const Sweep* swept);
+std::vector<MotionObservable> motion_observables(const BranchRecord& record, const Sweep* swept);
 
 // The same of a stroboscopic diagram: displacements and velocities at the stops in place of speeds.
-std::vector<PageObservable> page_observables(const DiagramRecord& record);
+std::vector<MotionObservable> motion_observables(const DiagramRecord& record);
 
 // Whether a row's motion is shown.
 bool has_dots(const SweepRow& row);

@@ -1,4 +1,4 @@
-#include "graze/report/page/detail/page_observables.hpp"
+#include "graze/report/picture/detail/motion_observables.hpp"
 
 #include <fmt/format.h>
 
@@ -52,7 +52,7 @@ std::vector<double> largest_multiplier(const Orbit& orbit) {
   return {largest};
 }
 
-using Observables = std::vector<PageObservable>;
+using Observables = std::vector<MotionObservable>;
 
 void add_impacts(const OrbitBranches& traced, Units units, Observables& list) {
   list.push_back({"speed", "impact speed", unit_in(units, "m/s"), false, true,
@@ -128,13 +128,13 @@ void add_amplitudes(const BranchRecord& record, const Sweep* swept, Observables&
             row.amplitudes ? shown_value(shown, places, *row.amplitudes) : std::nullopt;
         return value ? std::vector<double>{*value} : std::vector<double>();
       };
-      PageObservable made{std::string(name_of(quantity)) + "." + places[place].name('.'),
-                          shown_title(shown, places),
-                          unit_in(record.info.units, shown_unit(shown, places)),
-                          true,
-                          true,
-                          amplitude_curves(record.amplitudes, shown),
-                          heights};
+      MotionObservable made{std::string(name_of(quantity)) + "." + places[place].name('.'),
+                            shown_title(shown, places),
+                            unit_in(record.info.units, shown_unit(shown, places)),
+                            true,
+                            true,
+                            amplitude_curves(record.amplitudes, shown),
+                            heights};
       const bool in_sweep =
           swept && std::any_of(swept->rows.begin(), swept->rows.end(),
                                [&](const SweepRow& row) { return !heights(row).empty(); });
@@ -147,8 +147,8 @@ void add_amplitudes(const BranchRecord& record, const Sweep* swept, Observables&
 
 void add_multiplier(const OrbitBranches& traced, Observables& list) {
   if (traced.branches.empty()) return;
-  PageObservable made{"multiplier", "largest multiplier, modulus",        "", true,
-                      true,         curves_of(traced, largest_multiplier)};
+  MotionObservable made{"multiplier", "largest multiplier, modulus",        "", true,
+                        true,         curves_of(traced, largest_multiplier)};
   made.reference = 1.0;
   made.most = kLargestMultiplier;
   list.push_back(std::move(made));
@@ -156,7 +156,7 @@ void add_multiplier(const OrbitBranches& traced, Observables& list) {
 
 void add_exponent(const Sweep* swept, Units units, Observables& list) {
   if (!swept || swept->options.exponent_periods == 0) return;
-  PageObservable made{"exponent", "largest exponent", unit_in(units, "1/s"), true};
+  MotionObservable made{"exponent", "largest exponent", unit_in(units, "1/s"), true};
   made.heights = [](const SweepRow& row) {
     return row.exponents && row.exponents->values.size() > 0
                ? std::vector<double>{row.exponents->values[0]}
@@ -168,7 +168,7 @@ void add_exponent(const Sweep* swept, Units units, Observables& list) {
 
 }  // namespace
 
-std::vector<PageObservable> page_observables(const BranchRecord& record, const Sweep* swept) {
+std::vector<MotionObservable> motion_observables(const BranchRecord& record, const Sweep* swept) {
   Observables list;
   add_impacts(record.traced, record.info.units, list);
   add_amplitudes(record, swept, list);
@@ -177,9 +177,9 @@ std::vector<PageObservable> page_observables(const BranchRecord& record, const S
   return list;
 }
 
-std::vector<PageObservable> page_observables(const DiagramRecord& record) {
+std::vector<MotionObservable> motion_observables(const DiagramRecord& record) {
   if (record.section == DiagramSection::kImpact)
-    return page_observables(record.branches, &record.swept);
+    return motion_observables(record.branches, &record.swept);
   Observables list;
   add_stroboscopic(record, list);
   add_amplitudes(record.branches, &record.swept, list);
