@@ -155,6 +155,35 @@ TEST(FrequencyInHertz, BranchesAreInHertz) {
   EXPECT_EQ(text.find("rad/s"), std::string::npos) << text;
 }
 
+// Limits, value and uncertainty of a fit are in the unit of the name.
+TEST(FrequencyInHertz, IsFittedInHertz) {
+  const std::string data = std::string(GRAZE_SOURCE_DIR) + "/data/measurements/response";
+  const std::string command = "fit --json --quiet " + data + ".toml " + data +
+                              ".csv --parameter stop.gap=4e-3:6e-3"
+                              " --parameter damping.viscous=0.001:0.2 --parameter ";
+  // 27 and 29.5 rad/s.
+  const Finished hertz =
+      run_graze(command + "forcing.frequency_hz=4.29718346348117:4.69507082120350");
+  const Finished angular = run_graze(command + "forcing.frequency=27:29.5");
+  ASSERT_EQ(hertz.code, 0) << hertz.err;
+  const json in_hertz = json::parse(hertz.out)["parameters"].back(),
+             in_angular = json::parse(angular.out)["parameters"].back();
+  ASSERT_EQ(in_hertz["name"], "forcing.frequency_hz");
+  EXPECT_EQ(in_hertz["unit"], "Hz");
+  // The data were made with 28.3 rad/s; both runs end where the sum of squares is flat.
+  const double uncertainty = in_angular["uncertainty"];
+  EXPECT_NEAR(kTwoPi * in_hertz["value"].get<double>(), in_angular["value"].get<double>(),
+              1e-3 * uncertainty);
+  EXPECT_NEAR(kTwoPi * in_hertz["uncertainty"].get<double>(), uncertainty, 1e-3 * uncertainty);
+}
+
+TEST(FrequencyInHertz, IsCheckedInBothUnits) {
+  const Finished run =
+      run_graze("check " + scene("05_wagg_one_mode.toml") + " --set forcing.frequency_hz=4.5");
+  // 9 pi rad/s.
+  EXPECT_NE(run.out.find("4.5 Hz = 28.2743 rad/s"), std::string::npos) << run.out;
+}
+
 // What a run leaves has the frequency as it was given.
 TEST(FrequencyInHertz, IsKeptInTheFolder) {
   const ScratchFolder folder;
