@@ -96,7 +96,7 @@ TEST_F(Compliant, InversionIsExact) {
 }
 
 TEST_F(Compliant, CheckSaysWhatTheStopIs) {
-  const Finished run = run_graze("check " + file());
+  const Finished run = run_graze("check --wide " + file());
   ASSERT_EQ(run.code, 0) << run.err;
   EXPECT_NE(run.out.find("compliant: 1e+08 N/m^1.5 with hunt-crossley damping 1.5e+08"),
             std::string::npos)
