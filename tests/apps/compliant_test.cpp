@@ -96,7 +96,7 @@ TEST_F(Compliant, InversionIsExact) {
 }
 
 TEST_F(Compliant, CheckSaysWhatTheStopIs) {
-  const Finished run = run_graze("check --wide " + file());
+  const Finished run = run_graze("check " + file());
   ASSERT_EQ(run.code, 0) << run.err;
   EXPECT_NE(run.out.find("compliant: 1e+08 N/m^1.5 with hunt-crossley damping 1.5e+08"),
             std::string::npos)
@@ -104,7 +104,7 @@ TEST_F(Compliant, CheckSaysWhatTheStopIs) {
 }
 
 TEST_F(Compliant, CheckSaysWhatWasAskedForAndWhatItGives) {
-  const Finished run = run_graze("check " + file());
+  const Finished run = run_graze("check --wide " + file());
   ASSERT_EQ(run.code, 0) << run.err;
   EXPECT_NE(run.out.find("stop 1: asked for restitution 0.5 at 0.5 m/s, one such contact gives "
                          "0.662962; exact with the coefficient "),
