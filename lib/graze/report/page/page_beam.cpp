@@ -38,8 +38,8 @@ Json beam_json(const SimulationRecord& record) {
           {"t", packed(t)},
           {"q", packed(q)},
           {"stops", stops},
-          {"along", page_axis("place along the beam", "m", along, 0.0)},
-          {"bent", page_axis("displacement", "m", bent, 0.05)}};
+          {"along", page_axis("place along the beam", unit_in(record.info.units, "m"), along, 0.0)},
+          {"bent", page_axis("displacement", unit_in(record.info.units, "m"), bent, 0.05)}};
 }
 
 }  // namespace graze
