@@ -128,7 +128,7 @@ TEST_F(Compliant, CheckSaysWhatWasAskedForAndWhatItGives) {
 
 TEST_F(Compliant, CheckNamesTheMassAndTheOnset) {
   const Finished run = run_graze(
-      "check --set 'stop.spring={stiffness=1e6,exponent=1,damping={model=\"lee-wang-2\","
+      "check --wide --set 'stop.spring={stiffness=1e6,exponent=1,damping={model=\"lee-wang-2\","
       "restitution=0.5,mass=2.0,onset=1e-6},release=\"position\"}' " +
       file());
   ASSERT_EQ(run.code, 0) << run.err;
@@ -172,7 +172,7 @@ TEST(CompliantOrbits, ComeWithTheirContacts) {
   }
   EXPECT_EQ(lines_of((scratch / "run" / "contacts.csv").string())[0],
             "orbit,impact,stop,duration,peak_force,effective_restitution,energy_change");
-  EXPECT_NE(run_graze("orbit --set forcing.frequency=2.4 " + kOscillator)
+  EXPECT_NE(run_graze("orbit --wide --set forcing.frequency=2.4 " + kOscillator)
                 .out.find("effective restitution"),
             std::string::npos);
 }

@@ -106,7 +106,7 @@ TEST(CostCommand, ShowsNewtonsStepsConverging) {
 }
 
 TEST(CostCommand, NamesTheSpanWithoutImpacts) {
-  const Finished run = run_graze("cost --duration 1 --set stop.gap=1 " + kOneMode);
+  const Finished run = run_graze("cost --wide --duration 1 --set stop.gap=1 " + kOneMode);
   EXPECT_EQ(run.code, 0) << run.err;
   EXPECT_NE(run.out.find("error / amplitude"), std::string::npos);
   EXPECT_NE(run.out.find("no impacts, 1 s"), std::string::npos) << run.out;
@@ -123,7 +123,7 @@ TEST(CostCommand, SaysWhenTheImpactsAreSpent) {
 
 // Without forcing costs are per second of motion.
 TEST(CostCommand, NamesWhatItsTimesArePer) {
-  const Finished ball = run_graze("cost " + scene("06_bouncing_ball.toml"));
+  const Finished ball = run_graze("cost --wide " + scene("06_bouncing_ball.toml"));
   ASSERT_EQ(ball.code, 0) << ball.err;
   EXPECT_NE(ball.out.find("time / s "), std::string::npos) << ball.out;
   EXPECT_EQ(ball.out.find("period"), std::string::npos) << ball.out;
@@ -194,13 +194,14 @@ TEST(CostCommand, ComparesContactsWithACompliantStop) {
 }
 
 TEST(CostCommand, PrintsTheOrderAcrossAContact) {
-  const Finished run = run_graze("cost --duration 0.02 " + scene("11_body_meets_stop.toml"));
+  const Finished run = run_graze("cost --wide --duration 0.02 " + scene("11_body_meets_stop.toml"));
   ASSERT_EQ(run.code, 0) << run.err;
   for (const char* text : {"error of contacts (s)", "same contacts",
                            "Order of rk4 across one contact: 0.1 kg at 0.1 m/s",
                            "Hertz, not located", "\n            order ", "\n       exact flow "})
     EXPECT_NE(run.out.find(text), std::string::npos) << text << " in\n" << run.out;
-  const Finished away = run_graze("cost --duration 0.005 " + scene("11_body_meets_stop.toml"));
+  const Finished away =
+      run_graze("cost --wide --duration 0.005 " + scene("11_body_meets_stop.toml"));
   EXPECT_NE(away.out.find("Order across a contact: no contact with a compliant stop begins"),
             std::string::npos)
       << away.out;

@@ -57,13 +57,13 @@ TEST(FitCommand, FindsTheValuesBehindTheShippedMeasurements) {
 }
 
 TEST(FitCommand, SaysWhatItFound) {
-  const Finished run = run_graze("fit " + kResponse);
+  const Finished run = run_graze("fit --wide --verbose " + kResponse);
   ASSERT_EQ(run.code, 0) << run.err;
   for (const char* part :
        {"response in ", "95 % interval", "damping.viscous (N s/m^2)", "0.001..0.2", "correlation",
         "displacement1: 300 values", "Student's t with 298 degrees of freedom", "BOBYQA"})
     EXPECT_NE(run.out.find(part), std::string::npos) << part << "\n" << run.out;
-  const Finished known = run_graze("fit --sigma 5e-5 " + kResponse);
+  const Finished known = run_graze("fit --wide --sigma 5e-5 " + kResponse);
   EXPECT_NE(known.out.find("intervals: 1.96 standard uncertainties, from the uncertainties of the "
                            "data"),
             std::string::npos)
@@ -169,7 +169,7 @@ TEST(FitCommand, WithoutAnEndSaysWhyAndWhatItHas) {
   EXPECT_EQ(run.code, 3);
   EXPECT_EQ(json::parse(run.out)["outcome"], "budget");
   EXPECT_EQ(json::parse(run.out)["parameters"][0]["uncertainty"], nullptr);
-  run = run_graze("fit " + pair("response") + " --parameter forcing.phase=-1:1 " +
+  run = run_graze("fit --wide " + pair("response") + " --parameter forcing.phase=-1:1 " +
                   "--parameter beam.density=8000:9000 --parameter beam.area=1e-5:2e-5");
   EXPECT_EQ(run.code, 3);
   EXPECT_NE(

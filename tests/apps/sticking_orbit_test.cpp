@@ -65,7 +65,7 @@ TEST(StickingOrbitCommand, FollowsAChatterToTheClosureSpeed) {
 }
 
 TEST(StickingOrbitCommand, PrintsATableOfStuckPhases) {
-  const Finished run = run_graze("orbit " + kForcedChatter);
+  const Finished run = run_graze("orbit --wide " + kForcedChatter);
   ASSERT_EQ(run.code, 0) << run.err;
   EXPECT_NE(run.out.find("stuck on stop"), std::string::npos) << run.out;
   EXPECT_NE(run.out.find("1.369438406005"), std::string::npos) << run.out;  // acos 0.2
