@@ -74,7 +74,7 @@ export async function saved(page, button) {
 // The rows of a CSV file, each by the names of its columns.
 export function rowsOf(csv) {
   const lines = csv.toString('utf8').replace(/^\ufeff/, '').trim().split('\n')
-    .map((line) => [...line.matchAll(/(?:^|,)(?:"((?:[^"]|"")*)"|([^,]*))/g)].map(([, quoted, bare]) => quoted?.replaceAll('""', '"') ?? bare));
+    .map((line) => [...`,${line}`.matchAll(/,(?:"((?:[^"]|"")*)"|([^,]*))/g)].map(([, quoted, bare]) => quoted?.replaceAll('""', '"') ?? bare));
   const [head, ...rows] = lines;
   return rows.map((row) => Object.fromEntries(head.map((name, i) => [name, row[i]])));
 }

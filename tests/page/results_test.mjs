@@ -8,7 +8,7 @@ import { again, folder, inPage, isShown, pageOf, range, rowsOf, saved, scene, te
 const oneMode = scene('05_wagg_one_mode.toml');
 const plane = ['--parameter', 'forcing.frequency', '--from', '20', '--to', '100', '--second', 'stop.gap', '--second-from', '0.5e-3',
   '--second-to', '2e-3'];
-let fit, motions, agreement, loci, regions;
+let fit, motions, agreement, loci, regions, sensitivity, cost;
 
 before(() => {
   const measured = (name) => scene(join('..', 'measurements', name));
@@ -20,6 +20,9 @@ before(() => {
   loci = pageOf('loci.html', 'continue', oneMode, '--locus', 'PD,LP,GR', ...plane, '--slices', '2', '--out', join(folder, 'loci'));
   regions = pageOf('regions.html', 'continue', oneMode, '--locus', 'PD', ...plane, '--slices', '1', '--regions', '8',
     '--out', join(folder, 'regions'));
+  sensitivity = pageOf('sensitivity.html', 'compare', scene('20_yigit_sensitivity.toml'), '--sensitivity', '--duration', '0.2',
+    '--parameter', 'stop.spring.damping.coefficient', '--from', '0', '--to', '1000', '--points', '3', '--out', join(folder, 'sensitivity'));
+  cost = pageOf('cost.html', 'cost', scene('04_impact_oscillator.toml'), '--out', join(folder, 'cost'));
 });
 
 const titles = (page) => page.$$eval('#legend button', (list) => list.map((button) => button.textContent));
@@ -135,4 +138,32 @@ inPage('regions are cells under the loci, named by what is stable there', () => 
   const { outcome, orbits } = again(command);
   // What is stable there is among what the command finds, where it is an orbit with impacts.
   if (/^\(1,1\)/.test(title)) assert.ok(outcome === 'found' && orbits.some(({ period, impacts, stable }) => period === 1 && impacts === 1 && stable));
+});
+
+inPage('sensitivities are curves over the parameter', () => sensitivity, async (page) => {
+  const rows = await csvOf(page);
+  const table = written('sensitivity', 'sensitivity.csv');
+  const of = (column, list) => list.map((row) => row[column]).filter((value) => value !== '' && value !== undefined).map(Number).sort((a, b) => a - b);
+  const s1 = Object.keys(rows[0]).filter((name) => /^s(₁|_?1)/.test(name));
+  const expected = Object.keys(table[0]).filter((name) => name.startsWith('s1')).flatMap((name) => of(name, table)).sort((a, b) => a - b);
+  const found = s1.flatMap((name) => of(name, rows)).sort((a, b) => a - b);
+  assert.ok(expected.length >= 3);
+  assert.equal(found.length, expected.length);
+  assert.ok(expected.some((value) => value !== 0));
+  // In per cent.
+  found.forEach((value, i) => assert.ok(Math.abs(value - 100 * expected[i]) <= 1e-9 * Math.abs(value) + 1e-12, `${value} is not ${expected[i]}`));
+  assert.match(await text(page, '#tables'), /Largest sensitivitiesprobe\|s1\| \(%\)\|s2\| \(%\)1 /);
+});
+
+inPage('costs are lines over logarithmic axes', () => cost, async (page) => {
+  assert.match(await range(page), /^largest error of an impact time from .* µs to .* µs over computing time per forcing period from .* [mµ]?s to /);
+  const legend = await titles(page);
+  const flows = new Set(written('cost', 'costs.csv').map(({ flow }) => flow));
+  assert.ok(flows.size > 2);
+  for (const flow of flows) assert.ok(legend.some((title) => title.includes(flow)), `${flow} in ${legend}`);
+  await page.focus('#chart');
+  await page.keyboard.press('ArrowRight');
+  assert.match(await text(page, '#hover'), /computing time per forcing period[\d.]+(·10[⁻\d⁰¹²³⁴⁵⁶⁷⁸⁹]+)? [mµ]?slargest error/);
+  const told = await page.$$eval('#tables details:first-of-type tbody tr', (list) => list.length);
+  assert.equal(told, written('cost', 'costs.csv').length);
 });

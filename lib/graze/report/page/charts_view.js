@@ -184,10 +184,17 @@ export class ChartsView {
     if (isThere(node)) this.show({ ...next, node });
   }
 
+  // Of each panel those of x and of y; upright axes of one name are told apart by their panels.
+  columns() {
+    const named = this.drawn.map(({ x, y }) => [columnOf(x), columnOf(y)].map((column) => ({ ...column, name: plain(column.name) })));
+    const upright = named.map(([, { name }]) => name);
+    return named.map(([x, y], i) => [x, upright.indexOf(y.name) === i ? y : { ...y, name: `${y.name}, panel ${i + 1}` }]);
+  }
+
   // The points in view of all that the legend shows.
   table() {
     const table = new CsvTable(['series']);
-    const axes = this.drawn.map(({ x, y }) => [columnOf(x), columnOf(y)].map((column) => ({ ...column, name: plain(column.name) })));
+    const axes = this.columns();
     for (const [x, y] of axes) for (const { name } of [x, y]) table.column(name);
     this.lines.forEach((lines, i) => {
       const [x, y] = axes[i];

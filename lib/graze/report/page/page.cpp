@@ -87,8 +87,12 @@ std::string plain_text(const std::string& markup) {
   const std::map<char, std::string>* shifted = nullptr;
   for (std::size_t i = 0; i < text.size(); ++i) {
     const char c = text[i];
-    if (c == '\\') continue;
-    if ((c == '^' || c == '_') && i + 1 < text.size() && text[i + 1] == '{') {
+    const std::map<char, std::string>& single = c == '^' ? kRaised : kLowered;
+    if (c == '\\') {
+      if (++i < text.size()) plain += text[i];
+    } else if ((c == '^' || c == '_') && i + 1 < text.size() && single.contains(text[i + 1])) {
+      plain += single.at(text[++i]);
+    } else if ((c == '^' || c == '_') && i + 1 < text.size() && text[i + 1] == '{') {
       shifted = c == '^' ? &kRaised : &kLowered;
       ++i;
     } else if (shifted && c == '}') {
