@@ -21,12 +21,17 @@ export function pen(look, theme, width = look.width * kPoint) {
   return { color: theme.shade(look.colour), width, type: dashes.length > 0 ? dashes : 'solid' };
 }
 
-// A mark's style, and of `many` marks a smaller one's.
+// What is larger, and open, is a ring about other marks.
+const kLargestMark = 1.3;
+
+// A mark's style, or that of `part` of its size. Open marks hide the line that they are on; rings about
+// other marks hide nothing.
 export function stamp(look, theme, part = 1) {
   const colour = theme.shade(look.colour);
+  const open = look.size > kLargestMark ? 'transparent' : theme.colours.paper;
   return {
     symbol: `path://${kPaths[look.mark]}`, symbolSize: kMarkSize * look.size * part,
-    itemStyle: { color: look.open ? theme.colours.paper : colour, borderColor: colour, borderWidth: kOutline * part, opacity: 1 },
+    itemStyle: { color: look.open ? open : colour, borderColor: colour, borderWidth: kOutline * part, opacity: 1 },
   };
 }
 
@@ -60,7 +65,7 @@ function sampleLine(look, theme) {
 }
 
 function sampleMark(look, theme, x) {
-  const scale = 0.6 * look.size;
+  const scale = 0.6 * Math.min(look.size, 1);  // what the legend has room for
   const colour = theme.shade(look.colour);
   return svg('path', {
     d: kPaths[look.mark], transform: `translate(${x - 10 * scale} ${7 - 10 * scale}) scale(${scale})`,
