@@ -9,6 +9,15 @@ export async function startBrowser(executablePath) {
 
 export async function openPage(browser, file, { colorScheme = 'light' } = {}) {
   const context = await browser.newContext({ viewport: { width: 1360, height: 860 }, colorScheme, offline: true });
+  // What a page writes, in its text or on its canvases, is for people.
+  await context.addInitScript(() => {
+    window.words = new Set();
+    const { fillText } = CanvasRenderingContext2D.prototype;
+    CanvasRenderingContext2D.prototype.fillText = function write(text, ...rest) {
+      window.words.add(String(text));
+      return fillText.call(this, text, ...rest);
+    };
+  });
   const page = await context.newPage();
   const wrong = [];
   const address = pathToFileURL(file).href;
@@ -21,7 +30,15 @@ export async function openPage(browser, file, { colorScheme = 'light' } = {}) {
   await page.goto(address);
   await page.waitForSelector('html[data-ready]');
   await settled(page);
-  return { page, wrong, close: () => context.close() };
+  const check = async () => {
+    const words = await page.evaluate(() => [...window.words, document.body.innerText]);
+    if (words.length < 3) wrong.push('written: nothing');
+    for (const text of words) {
+      const slip = /undefined|NaN|Infinity|\[object/.exec(text);
+      if (slip) wrong.push(`written: ${text.slice(Math.max(0, slip.index - 60), slip.index + 60)}`);
+    }
+  };
+  return { page, wrong, check, close: () => context.close() };
 }
 
 // Until what was asked for is drawn.

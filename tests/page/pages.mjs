@@ -8,7 +8,7 @@ import { join } from 'node:path';
 import { after, before, test } from 'node:test';
 import { openPage, startBrowser } from './browser.mjs';
 
-const [program, scenes, chromium, charts] = process.argv.slice(2);
+export const [program, scenes, chromium, charts] = process.argv.slice(2);
 export const folder = mkdtempSync(join(tmpdir(), 'graze page '));  // a blank, as in names of users
 export const scene = (name) => join(scenes, name);
 export let browser;
@@ -51,6 +51,7 @@ export function inPage(name, file, act, options) {
     const opened = await openPage(browser, file(), options);
     try {
       await act(opened.page);
+      await opened.check();
       assert.deepEqual(opened.wrong, []);
     } finally {
       await opened.close();

@@ -1,8 +1,11 @@
 // The page of a simulated motion, in a browser.
 import assert from 'node:assert/strict';
+import { execFileSync } from 'node:child_process';
+import { readFileSync } from 'node:fs';
+import { join } from 'node:path';
 import { before, test } from 'node:test';
 import { openPage, pixelsOf, placeOf, settled } from './browser.mjs';
-import { again, browser, ground, inPage, isShown, pageOf, range, scene, text } from './pages.mjs';
+import { again, browser, folder, ground, inPage, isShown, pageOf, program, range, rowsOf, scene, text } from './pages.mjs';
 
 let sticks, supports, far, ball;
 
@@ -12,6 +15,14 @@ before(() => {
   far = pageOf('far.html', 'simulate', scene('07_two_stops.toml'), '--duration', '1', '--set', 'stop.2.gap=0.3');
   ball = pageOf('ball.html', 'simulate', scene('06_bouncing_ball.toml'), '--duration', '1');
 });
+
+// The rows of the samples of the run of `sticks` at a rate.
+async function recordedAt(rate) {
+  const out = join(folder, 'recorded');
+  execFileSync(program, ['simulate', scene('02_wagg_momentum.toml'), '--duration', '1', '--record', 'samples',
+    '--sample-rate', String(rate), '--out', out, '--quiet'], { stdio: 'ignore' });
+  return rowsOf(readFileSync(join(out, 'samples.csv')));
+}
 
 async function places(page) {
   const box = await (await page.$('#chart')).boundingBox();
@@ -27,6 +38,36 @@ inPage('a motion is drawn, with impacts, stuck phase, force and energy', () => s
   const titles = await page.$$eval('#legend button', (list) => list.map((button) => button.textContent));
   assert.deepEqual(titles, ['impact', 'stuck', 'energy', 'work of forcing', 'work of damping', 'work of impacts']);
   assert.match(await text(page, '#orbit-facts'), /^0 s to 1 s · 82 impacts$/);
+});
+
+// The stop of this scene stands below the tip: what goes towards it is minus u.
+inPage('the beam bends as its tip moves, and plays', () => sticks, async (page) => {
+  assert.ok(await isShown(page, '#beam'));
+  const tip = async (k) => {
+    await page.$eval('#beam input', (slider, to) => { slider.value = to; slider.dispatchEvent(new Event('input')); }, k);
+    const [, time, u] = /^t = ([\d.]+) s, tip at (−?[\d.e·⁻⁰¹²³⁴⁵⁶⁷⁸⁹−]+) mm$/.exec(await text(page, '#beam output'));
+    return { time: Number(time), u: Number(u.replace('−', '-')) };
+  };
+  // The same moments by the table of a run that records them, 400 samples a forcing period.
+  const rate = 400 * 28.3 / (2 * Math.PI);
+  const rows = await recordedAt(rate);
+  for (const k of [100, 700, 1500]) {
+    const { time, u } = await tip(k);
+    const row = rows[k];
+    assert.ok(Math.abs(time - Number(row.time)) < 1e-5, `${time} ${row.time}`);
+    const expected = 1e3 * (Number(row.gap1) - 1.05e-3);  // mm
+    assert.ok(Math.abs(u - expected) < 1e-3 * Math.abs(expected) + 1e-5, `${u} ${expected}`);
+  }
+  const drawn = () => page.$eval('#beam path[stroke-width="3"]', (path) => path.getAttribute('d'));
+  const before = await drawn();
+  await page.click('#beam button');
+  await page.waitForFunction((last) => document.querySelector('#beam path[stroke-width="3"]').getAttribute('d') !== last, before);
+  await page.click('#beam button');
+  assert.equal(await text(page, '#beam button'), 'Play');
+});
+
+inPage('what has no length has no beam', () => ball, async (page) => {
+  assert.ok(!await isShown(page, '#beam'));
 });
 
 inPage('the pointer is told the moment under it', () => sticks, async (page) => {
