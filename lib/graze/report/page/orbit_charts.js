@@ -58,7 +58,8 @@ export function towards({ stops, name }) {
 
 // `axes`: name, unit and factor of both, where they are not a length and a speed.
 function scaled(place, axes) {
-  const named = (quantity) => ({ ...quantity, name: quantity.name + towards(place) });
+  // In two lines, as the pictures are small.
+  const named = (quantity) => ({ ...quantity, name: `${quantity.name}\n${towards(place).trim()}`.trim() });
   const length = named(axes?.length ?? { name: 'displacement', ...place.length });
   const speed = named(axes?.speed ?? { name: 'velocity', ...place.speed });
   return {
@@ -69,6 +70,8 @@ function scaled(place, axes) {
     },
   };
 }
+
+function twoLines(colours) { return { nameTextStyle: { color: colours.ink, fontSize: 12, lineHeight: 14 } }; }
 
 // The inside of the stops, as areas of a colour between a stop and the border of the axes.
 export function stopAreas(stops, [low, high], name, ground) {
@@ -92,9 +95,9 @@ export function seriesOption(orbit, seen, inks) {
     return stop ? [[impact.t, stop.place]] : [];
   });
   return {
-    ...kCommon, grid: { left: 62, right: 14, top: 10, bottom: 42 },
+    ...kCommon, grid: { left: 74, right: 14, top: 10, bottom: 42, outerBoundsMode: 'none' },
     xAxis: axis(colours, 'time (forcing periods)', x[0], x[1], { nameGap: 26 }),
-    yAxis: axis(colours, axisName(length), y[0], y[1], { nameGap: 44, splitNumber: 4 }),
+    yAxis: axis(colours, axisName(length), y[0], y[1], { nameGap: 40, splitNumber: 4, ...twoLines(colours) }),
     series: [
       {
         id: 'motion', type: 'line', data: wrapped(orbit, place), showSymbol: false, silent: true, z: 4,
@@ -130,9 +133,9 @@ export function portraitOption(orbit, seen, inks, axes = null) {
   const jumps = jumpsOf(orbit, place).flatMap(([from, to]) => [from, to, [NaN, NaN]]);
   const line = (id, data, style) => ({ id, type: 'line', data, showSymbol: false, silent: true, lineStyle: style });
   return {
-    ...kCommon, grid: { left: 56, right: 10, top: 10, bottom: 42 },
-    xAxis: axis(colours, axisName(length), x[0], x[1], { nameGap: 26, splitNumber: 3 }),
-    yAxis: axis(colours, axisName(speed), y[0], y[1], { nameGap: 38, splitNumber: 4 }),
+    ...kCommon, grid: { left: 78, right: 10, top: 10, bottom: 56, outerBoundsMode: 'none' },
+    xAxis: axis(colours, axisName(length), x[0], x[1], { nameGap: 24, splitNumber: 3, ...twoLines(colours) }),
+    yAxis: axis(colours, axisName(speed), y[0], y[1], { nameGap: 38, splitNumber: 4, ...twoLines(colours) }),
     series: [
       { ...line('flights', flights, { color: inks.motion, width: 1.6 }), z: 4,
         markArea: { silent: true, data: stopAreas(place.stops, x, 'xAxis', inks.stop) } },
