@@ -11,7 +11,7 @@ namespace graze {
 BranchOptions branch_options(const BranchingOptions& command);
 
 // What a picture shows in place of impact speeds; throws InputError where there is no such place.
-std::optional<Shown> shown_of(const BranchingOptions& command,
+std::optional<Shown> shown_of(std::optional<ShownQuantity> quantity, const std::string& at,
                               const std::vector<MeasuredPlace>& places);
 void note_shown(const BranchingOptions& command, RunInfo& info);
 // Whether and how far other branches are switched to.

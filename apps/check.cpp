@@ -1,7 +1,6 @@
 // graze check: what a scene means.
 #include <fmt/format.h>
 
-#include "chart_output.hpp"
 #include "graze/assembly/assembly.hpp"
 #include "graze/assembly/detail/system_warnings.hpp"
 #include "graze/assembly/initial_state.hpp"
@@ -35,7 +34,7 @@ std::vector<std::string> unstable_stops(const System& system) {
 }  // namespace
 
 int run(const CheckCommand& command) {
-  if (!command.plot.empty()) check_picture_or_page_name(command.plot.file);
+  check_plot<CheckRecord>(command);
   const Scene scene = scene_of(command);
   CheckRecord record{run_info(command.name, command.scene, scene),
                      scene,
@@ -56,12 +55,7 @@ int run(const CheckCommand& command) {
   warn(command, record.warnings);
   prepare_output(command);
   note_call(command, record.info);
-  return conclude(command, record.info, record.outcome,
-                  {json_of(record),
-                   text_of(record),
-                   {},
-                   [&] { draw_chart_or_page(command.plot, record, mode_shapes_chart(record)); },
-                   {}});
+  return conclude(command, record, scene);
 }
 
 }  // namespace graze

@@ -25,7 +25,7 @@ struct CommonOptions {
   bool json = false;
   bool quiet = false;
   TextOptions text;  // of what is printed
-  std::string out;  // folder; empty: none
+  std::string out;   // folder; empty: none
   PictureRequest plot;
   int threads = 0;  // 0: all cores
   double max_seconds = 3600.0;
@@ -147,6 +147,11 @@ struct MergeCommand : CommonOptions {
   std::vector<std::string> folders;
 };
 
+struct ViewCommand : CommonOptions {
+  std::string result;    // folder, or the document in it
+  std::string show, at;  // what a picture shows, in the words of the command; empty: as before
+};
+
 struct CostCommand : MotionOptions {
   int impacts = 20;
   std::optional<double> duration;  // s
@@ -179,7 +184,7 @@ struct CompareCommand : MotionOptions, RangeOptions, SecondRangeOptions {
 
 using Command =
     std::variant<CheckCommand, SimulateCommand, OrbitCommand, ContinueCommand, DiagramCommand,
-                 MapCommand, MergeCommand, CostCommand, FitCommand, CompareCommand>;
+                 MapCommand, MergeCommand, ViewCommand, CostCommand, FitCommand, CompareCommand>;
 
 struct ParsedCommand {
   std::optional<Command> command;

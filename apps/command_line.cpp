@@ -25,7 +25,7 @@ void add_check(CLI::App& graze, std::optional<Command>& parsed) {
       "Read a scene and say what is simulated: modes, frequencies, conditioning, flow");
   app->footer(footer("check data/scenes/02_wagg_momentum.toml --set beam.modes=8"));
   add_shared(app, command);
-  add_picture(app, command, {});
+  add_picture(app, command, kFeatures<CheckRecord>);
 }
 
 void add_simulate(CLI::App& graze, std::optional<Command>& parsed) {
@@ -33,7 +33,7 @@ void add_simulate(CLI::App& graze, std::optional<Command>& parsed) {
       graze, parsed, "simulate", "Follow the motion, every impact certified");
   app->footer(footer("simulate data/scenes/02_wagg_momentum.toml --duration 1 --energy"));
   add_shared(app, command);
-  add_picture(app, command, {.ranges = true});
+  add_picture(app, command, kFeatures<SimulationRecord>);
   begin_group(app, "Motion");
   auto* duration =
       app->add_option("--duration", command.duration, "Simulated time, s; needed without forcing")
@@ -109,7 +109,7 @@ void add_orbit(CLI::App& graze, std::optional<Command>& parsed) {
       add_command<OrbitCommand>(graze, parsed, "orbit", "Find periodic orbits, stable or not");
   app->footer(footer("orbit data/scenes/05_wagg_one_mode.toml --set forcing.frequency=40"));
   add_shared(app, command);
-  add_picture(app, command, {});
+  add_picture(app, command, kFeatures<OrbitRecord>);
   add_orbit_search(app, command);
   add_closure_speed(app, command);
   begin_group(app, "Search for orbits");
@@ -135,7 +135,7 @@ void add_continue(CLI::App& graze, std::optional<Command>& parsed) {
       footer("continue data/scenes/05_wagg_one_mode.toml --parameter forcing.frequency \\\n"
              "           --from 15 --to 120"));
   add_shared(app, command);
-  add_picture(app, command, {.ranges = true, .scales = true, .labels = true, .multipliers = true});
+  add_picture(app, command, kFeatures<BranchRecord>);
   add_orbit_search(app, command);
   add_range(app, command);
   add_branch_kind(app, command);
@@ -153,7 +153,7 @@ void add_diagram(CLI::App& graze, std::optional<Command>& parsed) {
       footer("diagram data/scenes/05_wagg_one_mode.toml --parameter forcing.frequency \\\n"
              "           --from 15 --to 120"));
   add_shared(app, command);
-  add_picture(app, command, {.ranges = true, .scales = true, .labels = true, .multipliers = true});
+  add_picture(app, command, kFeatures<DiagramRecord>);
   add_range(app, command);
   add_sweep(app, command);
   add_closure_speed(app, command);
@@ -191,7 +191,7 @@ void add_map(CLI::App& graze, std::optional<Command>& parsed) {
       "map data/scenes/05_wagg_one_mode.toml --parameter forcing.frequency \\\n"
       "           --from 15 --to 120 --second stop.gap --second-from 0.5e-3 --second-to 2e-3"));
   add_shared(app, command);
-  add_picture(app, command, {.ranges = true, .labels = true});
+  add_picture(app, command, kFeatures<MapRecord>);
   add_plane(app, command);
   begin_group(app, "Pictures");
   add_map_show(app, command);
@@ -212,7 +212,7 @@ void add_merge(CLI::App& graze, std::optional<Command>& parsed) {
       ->type_name("DIR ...");
   add_output(app, command);
   app->get_option("--out")->required();
-  add_picture(app, command, {.ranges = true, .scales = true, .labels = true, .multipliers = true});
+  add_picture(app, command, kAllFeatures);
   begin_group(app, kNumericsGroup);
   app->add_option("--max-seconds", command.max_seconds,
                   "Most computing time, s; what was reached by then is printed")
@@ -221,12 +221,33 @@ void add_merge(CLI::App& graze, std::optional<Command>& parsed) {
       ->type_name("S");
 }
 
+void add_view(CLI::App& graze, std::optional<Command>& parsed) {
+  const auto [app, command] = add_command<ViewCommand>(
+      graze, parsed, "view", "Print and draw the result in a folder that --out wrote");
+  app->footer(footer("view runs/map --show speed --plot speed.svg"));
+  app->add_option("RESULT", command.result,
+                  "Folder that --out of a command wrote, or the result.json in it")
+      ->required()
+      ->type_name("DIR");
+  add_printing(app, command);
+  add_picture(app, command, kAllFeatures);
+  begin_group(app, "Pictures");
+  CLI::Option* show =
+      app->add_option("--show", command.show,
+                      "What the picture shows, in the words of --show of the command that made the "
+                      "result (default: what it was asked for)")
+          ->type_name("WHAT");
+  app->add_option("--at", command.at, "Of response curves: the place, e.g. probe.1 or stop.2")
+      ->type_name("PLACE")
+      ->needs(show);
+}
+
 void add_cost(CLI::App& graze, std::optional<Command>& parsed) {
   const auto [app, command] =
       add_command<CostCommand>(graze, parsed, "cost", "What accuracy costs in time, flow by flow");
   app->footer(footer("cost data/scenes/02_wagg_momentum.toml --set stop.gap=5e-3 --plot cost.png"));
   add_shared(app, command);
-  add_picture(app, command, {.ranges = true});
+  add_picture(app, command, kFeatures<CostRecord>);
   begin_group(app, "Comparison");
   app->add_option("--impacts", command.impacts,
                   "Impacts over which flows are compared (default 20)")
@@ -253,7 +274,7 @@ void add_fit(CLI::App& graze, std::optional<Command>& parsed) {
                   "Measurements (CSV): speed,restitution; time and stop of impacts; or time and "
                   "force1, gap1, displacement1, velocity1, penetration1, q1, qdot1, ..")
       ->required();
-  add_picture(app, command, {.ranges = true});
+  add_picture(app, command, kFeatures<FitRecord>);
   begin_group(app, "Fit");
   app->add_option("--parameter", command.sought,
                   "A parameter that is fitted and the values between which it is sought; as often "
@@ -318,8 +339,8 @@ std::string empty_option(const CLI::App& command) {
 // A sentence about a first word that is no command, or "".
 std::string unknown_command(int argc, char** argv, const CLI::App& app) {
   if (argc < 2)
-    return "give a command: check, simulate, orbit, continue, diagram, map, merge, cost, fit or "
-           "compare";
+    return "give a command: check, simulate, orbit, continue, diagram, map, merge, view, cost, fit "
+           "or compare";
   const std::string word = argv[1];
   std::vector<std::string> names;
   for (const CLI::App* command : app.get_subcommands({})) names.push_back(command->get_name());
@@ -349,6 +370,7 @@ ParsedCommand parse_command_line(int argc, char** argv) {
   add_diagram(app, parsed);
   add_map(app, parsed);
   add_merge(app, parsed);
+  add_view(app, parsed);
   add_cost(app, parsed);
   add_fit(app, parsed);
   add_compare(app, parsed);

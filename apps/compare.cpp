@@ -2,7 +2,6 @@
 // parameters; a series of modes, each next to the one more.
 #include <fmt/format.h>
 
-#include "chart_output.hpp"
 #include "graze/assembly/assembly.hpp"
 #include "graze/assembly/detail/system_warnings.hpp"
 #include "graze/assembly/initial_state.hpp"
@@ -11,7 +10,6 @@
 #include "graze/report/csv/csv.hpp"
 #include "graze/report/json/json.hpp"
 #include "graze/report/names/detail/comparison_names.hpp"
-#include "graze/report/picture/pictures.hpp"
 #include "graze/report/text/text.hpp"
 #include "graze/scene/detail/start_coordinate.hpp"
 #include "graze/study/cost/detail/step_choice.hpp"
@@ -32,7 +30,7 @@ constexpr double kPeriodsRun = 50.0, kPeriodsShown = 4.0;
 bool is_over_plane(const CompareCommand& command) { return !command.parameter.empty(); }
 
 void check_options(const CompareCommand& command) {
-  if (!command.plot.empty()) check_picture_or_page_name(command.plot.file);
+  check_plot<ComparisonRecord>(command);
   if (command.against.empty() == (command.most_modes == 0))
     throw InputError(
         "compare: give what is compared, one of --against KEY=VALUE, --modes A:B and "
@@ -111,8 +109,10 @@ SimulationRecord shown_run(const CompareCommand& command, const Scene& scene,
   return record;
 }
 
+// Now, or later from the folder.
 bool draws_motions(const CompareCommand& command, const ComparisonRecord& record) {
-  return !command.plot.empty() && record.modes.empty() && !record.differences.empty();
+  const bool draws = !command.plot.empty() || !command.out.empty();
+  return draws && record.modes.empty() && !record.differences.empty();
 }
 
 int compare_motions(const CompareCommand& command) {
@@ -121,6 +121,7 @@ int compare_motions(const CompareCommand& command) {
   const auto add = [&](const std::string& name, const std::vector<std::string>& settings) {
     scenes.push_back(comparable(command, settings));
     record.names.push_back(name);
+    record.settings.push_back(settings);
   };
   if (command.most_modes == 0) {
     add("the scene", {});
@@ -155,18 +156,10 @@ int compare_motions(const CompareCommand& command) {
       record.outcome = {shown.name == "interrupted" ? shown.name : "budget",
                         record.names[i] + ", for the picture: " + shown.message};
   }
-  const auto draw = [&] {
-    if (!record.differences.empty()) draw_chart_or_page(command.plot, record);
-  };
-  return conclude(command, record.info, record.outcome,
-                  {json_of(record),
-                   text_of(record),
-                   [&] {
-                     return NamedFiles{{"comparison.csv", comparison_csv(record)},
-                                       {"first_impacts.csv", first_impacts_csv(record)}};
-                   },
-                   draw,
-                   {}});
+  return conclude(command, record, scenes.front(), [&] {
+    return NamedFiles{{"comparison.csv", comparison_csv(record)},
+                      {"first_impacts.csv", first_impacts_csv(record)}};
+  });
 }
 
 int compare_over_plane(const CompareCommand& command) {
@@ -202,19 +195,9 @@ int compare_over_plane(const CompareCommand& command) {
   record.info.options.emplace_back("show", name_of(command.show));
   record.info.options.emplace_back("max_seconds", command.max_seconds);
   record.outcome = comparison_map_outcome(record.map);
-  return conclude(command, record.info, record.outcome,
-                  {json_of(record),
-                   text_of(record),
-                   [&] {
-                     return NamedFiles{{"comparison.csv", comparison_csv(record)}};
-                   },
-                   [&] {
-                     if (is_page_name(command.plot.file))
-                       write_page(command.plot.file, record, one);
-                     else
-                       draw_comparison(command.plot, record);
-                   },
-                   {}});
+  return conclude(command, record, one, [&] {
+    return NamedFiles{{"comparison.csv", comparison_csv(record)}};
+  });
 }
 
 }  // namespace

@@ -132,7 +132,7 @@ void add_compare(CLI::App& graze, std::optional<Command>& parsed) {
              "           --duration 0.2 --parameter stop.spring.damping.coefficient --from 0 "
              "--to 1000"));
   add_shared(app, command);
-  add_picture(app, command, {.ranges = true});
+  add_picture(app, command, kFeatures<ComparisonRecord>);
   add_what_is_compared(app, command);
   add_ranges(app, command);
   add_of_sensitivity(app, command);

@@ -11,8 +11,6 @@
 #include "graze/bifurcation/loci/detail/restart.hpp"
 #include "graze/report/csv/csv.hpp"
 #include "graze/report/json/json.hpp"
-#include "graze/report/page/detail/page.hpp"
-#include "graze/report/picture/pictures.hpp"
 #include "graze/report/text/text.hpp"
 #include "graze/scene/parameter.hpp"
 #include "graze/study/cost/detail/step_choice.hpp"
@@ -63,19 +61,18 @@ void note_following(const BranchingOptions& command, RunInfo& info) {
   if (command.follows) info.options.emplace_back("depth", static_cast<long long>(command.depth));
 }
 
-std::optional<Shown> shown_of(const BranchingOptions& command,
+std::optional<Shown> shown_of(std::optional<ShownQuantity> quantity, const std::string& at,
                               const std::vector<MeasuredPlace>& places) {
-  if (!command.curve) return {};
+  if (!quantity) return {};
   std::string known;
   for (std::size_t i = 0; i < places.size(); ++i) {
     const MeasuredPlace& place = places[i];
-    if (is_of_stop(*command.curve) && !place.stop) continue;
+    if (is_of_stop(*quantity) && !place.stop) continue;
     const std::string name = place.name('.');
-    if (command.curve_at.empty() || command.curve_at == name) return Shown{*command.curve, i};
+    if (at.empty() || at == name) return Shown{*quantity, i};
     known += (known.empty() ? "" : ", ") + name;
   }
-  throw InputError(
-      fmt::format("--at: '{}' is not allowed; give one of {}", command.curve_at, known));
+  throw InputError(fmt::format("--at: '{}' is not allowed; give one of {}", at, known));
 }
 
 void note_shown(const BranchingOptions& command, RunInfo& info) {
@@ -117,7 +114,7 @@ void start_from(const Restart& restart, const ContinueCommand& command, BranchOp
 
 int run(const ContinueCommand& command) {
   if (!command.locus.empty()) return run_loci(command);
-  if (!command.plot.empty()) check_picture_or_page_name(command.plot.file);
+  check_plot<BranchRecord>(command);
   const Scene given = scene_of(command);
   require_exact_flow(given, "branches are traced");
   const std::optional<Restart> restart = read_restart(command, given);
@@ -134,7 +131,7 @@ int run(const ContinueCommand& command) {
                       parameter_unit(scene, command.parameter),
                       {},
                       {}};
-  record.shown = shown_of(command, measured_places(scene, record.system));
+  record.shown = shown_of(command.curve, command.curve_at, measured_places(scene, record.system));
   // A range that reaches beyond what the scene allows is the user's error, not a broken branch.
   for (const double value : {command.from, command.to})
     with_parameter(scene, command.parameter, value);
@@ -161,22 +158,12 @@ int run(const ContinueCommand& command) {
   if (command.measures())
     record.amplitudes = measure_branches(family, record.traced, command.threads, options.stop);
   record.outcome = branch_outcome(record.traced, options);
-  return conclude(command, record.info, record.outcome,
-                  {json_of(record),
-                   text_of(record),
-                   [&] {
-                     return NamedFiles{{"branches.csv", branches_csv(record)},
-                                       {"special.csv", special_csv(record)},
-                                       special_file(record.info, {command.parameter},
-                                                    special_orbits(record.traced, record.system))};
-                   },
-                   [&] {
-                     if (is_page_name(command.plot.file))
-                       write_page(command.plot.file, record, family);
-                     else
-                       draw_branches(command.plot, record);
-                   },
-                   {}});
+  return conclude(command, record, scene, [&] {
+    return NamedFiles{{"branches.csv", branches_csv(record)},
+                      {"special.csv", special_csv(record)},
+                      special_file(record.info, {command.parameter},
+                                   special_orbits(record.traced, record.system))};
+  });
 }
 
 }  // namespace graze

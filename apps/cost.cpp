@@ -2,7 +2,6 @@
 #include <cmath>
 #include <functional>
 
-#include "chart_output.hpp"
 #include "graze/assembly/assembly.hpp"
 #include "graze/assembly/detail/system_warnings.hpp"
 #include "graze/assembly/initial_state.hpp"
@@ -36,7 +35,7 @@ ContactOrders contact_orders_of(const System& system, const State& start,
 }  // namespace
 
 int run(const CostCommand& command) {
-  if (!command.plot.empty()) check_picture_or_page_name(command.plot.file);
+  check_plot<CostRecord>(command);
   const Scene scene = scene_of(command);
   CostRecord record;
   record.info = run_info(command.name, command.scene, scene);
@@ -78,18 +77,13 @@ int run(const CostCommand& command) {
     tell(1.0);
   }
   record.outcome = cost_outcome(record.costs, options.stop.reason());
-  return conclude(command, record.info, record.outcome,
-                  {json_of(record),
-                   text_of(record),
-                   [&] {
-                     return NamedFiles{{"costs.csv", costs_csv(record)},
-                                       {"costs_of_modes.csv", mode_costs_csv(record)},
-                                       {"costs_of_closure.csv", closure_costs_csv(record)},
-                                       {"costs_of_corrector.csv", corrector_costs_csv(record)},
-                                       {"costs_of_contact.csv", contact_orders_csv(record)}};
-                   },
-                   [&] { draw_chart_or_page(command.plot, record); },
-                   {}});
+  return conclude(command, record, scene, [&] {
+    return NamedFiles{{"costs.csv", costs_csv(record)},
+                      {"costs_of_modes.csv", mode_costs_csv(record)},
+                      {"costs_of_closure.csv", closure_costs_csv(record)},
+                      {"costs_of_corrector.csv", corrector_costs_csv(record)},
+                      {"costs_of_contact.csv", contact_orders_csv(record)}};
+  });
 }
 
 }  // namespace graze

@@ -8,7 +8,6 @@
 #include "graze/report/json/json.hpp"
 #include "graze/report/names/detail/sweep_names.hpp"
 #include "graze/report/page/detail/page.hpp"
-#include "graze/report/picture/pictures.hpp"
 #include "graze/report/text/text.hpp"
 #include "graze/scene/parameter.hpp"
 #include "graze/study/cost/detail/step_choice.hpp"
@@ -82,7 +81,7 @@ std::optional<Outcome> add_branches(const DiagramCommand& command, const SystemF
 }  // namespace
 
 int run(const DiagramCommand& command) {
-  if (!command.plot.empty()) check_picture_or_page_name(command.plot.file);
+  check_plot<DiagramRecord>(command);
   check_journal_options(command, command.journal);
   const Scene scene = scene_of(command);
   if (!scene.forcing) return run_diagram_of_runs(command, scene);
@@ -109,7 +108,7 @@ int run(const DiagramCommand& command) {
                      {},
                      {}};
   const std::vector<MeasuredPlace> places = measured_places(scene, record.branches.system);
-  record.branches.shown = shown_of(command, places);
+  record.branches.shown = shown_of(command.curve, command.curve_at, places);
   if (command.measures()) record.branches.amplitudes.places = places;
   note_call(command, record.branches.info);
   note_rows(command, options, record.branches.info);
@@ -142,17 +141,7 @@ int run(const DiagramCommand& command) {
     if (command.settling.exponents > 0) list.emplace_back("exponents.csv", exponents_csv(record));
     return list;
   };
-  return conclude(command, record.branches.info, record.branches.outcome,
-                  {json_of(record),
-                   text_of(record),
-                   files,
-                   [&] {
-                     if (is_page_name(command.plot.file))
-                       write_page(command.plot.file, record, family);
-                     else
-                       draw_diagram(command.plot, record);
-                   },
-                   {}});
+  return conclude(command, record, scene, files);
 }
 
 }  // namespace graze

@@ -1,5 +1,4 @@
 // graze diagram of a motion that no forcing repeats: one run at each value of a parameter.
-#include "chart_output.hpp"
 #include "graze/assembly/assembly.hpp"
 #include "graze/assembly/detail/system_warnings.hpp"
 #include "graze/base/errors.hpp"
@@ -29,6 +28,7 @@ void require_what_is_shown(const DiagramCommand& command, const Scene& scene) {
 }  // namespace
 
 int run_diagram_of_runs(const DiagramCommand& command, const Scene& scene) {
+  check_plot<RunDiagramRecord>(command);
   require_what_is_shown(command, scene);
   RunSeriesOptions options = series_options(command, command, *command.duration, command.points);
   RunDiagramRecord record;
@@ -63,15 +63,9 @@ int run_diagram_of_runs(const DiagramCommand& command, const Scene& scene) {
     return conclude_share(command, *journal, options.stop.reason());
   noted.emplace_back("max_seconds", command.max_seconds);
   record.outcome = run_diagram_outcome(record.runs, options.values.size(), options.stop.reason());
-  return conclude(
-      command, record.info, record.outcome,
-      {json_of(record),
-       text_of(record),
-       [&] {
-         return NamedFiles{{"sweep.csv", run_impacts_csv(record)}, {"runs.csv", runs_csv(record)}};
-       },
-       [&] { draw_chart_or_page(command.plot, record); },
-       {}});
+  return conclude(command, record, scene, [&] {
+    return NamedFiles{{"sweep.csv", run_impacts_csv(record)}, {"runs.csv", runs_csv(record)}};
+  });
 }
 
 }  // namespace graze

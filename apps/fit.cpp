@@ -1,6 +1,5 @@
 // graze fit: parameters of the scene from measurements.
 #include "graze/fit/fit.hpp"
-#include "chart_output.hpp"
 
 #include <fmt/format.h>
 
@@ -57,7 +56,7 @@ void note_options(const FitCommand& command, const FitOptions& options, RunInfo&
 }  // namespace
 
 int run(const FitCommand& command) {
-  if (!command.plot.empty()) check_picture_or_page_name(command.plot.file);
+  check_plot<FitRecord>(command);
   const Scene scene = scene_of(command);
   require_exact(scene);
   FitRecord record;
@@ -90,14 +89,7 @@ int run(const FitCommand& command) {
     if (!fitted.empty()) list.emplace_back("fitted.toml", fitted);
     return list;
   };
-  return conclude(command, record.info, record.outcome,
-                  {json_of(record),
-                   text_of(record),
-                   files,
-                   [&] {
-                     if (!record.result.series.empty()) draw_chart_or_page(command.plot, record);
-                   },
-                   {}});
+  return conclude(command, record, scene, files);
 }
 
 }  // namespace graze

@@ -46,8 +46,7 @@ int conclude_share(const CommonOptions& command, const Journal& journal, StopRea
   // Its tables are those of the whole, which the journals make.
   CommonOptions printed = command;
   printed.out.clear();
-  return conclude(printed, record.info, record.outcome,
-                  {json_of(record), text_of(record), {}, {}, {}});
+  return conclude(printed, record.info, record.outcome, {json_of(record), text_of(record)});
 }
 
 }  // namespace graze

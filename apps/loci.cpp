@@ -12,8 +12,6 @@
 #include "graze/record/detail/loci_record.hpp"
 #include "graze/report/csv/csv.hpp"
 #include "graze/report/json/json.hpp"
-#include "graze/report/page/detail/page.hpp"
-#include "graze/report/picture/pictures.hpp"
 #include "graze/report/text/text.hpp"
 #include "graze/scene/parameter.hpp"
 #include "graze/study/cost/detail/step_choice.hpp"
@@ -101,7 +99,7 @@ StableRegions regions_of(const ContinueCommand& command, const Scene& scene,
 }  // namespace
 
 int run_loci(const ContinueCommand& command) {
-  if (!command.plot.empty()) check_picture_or_page_name(command.plot.file);
+  check_plot<LociRecord>(command);
   const Scene given = scene_of(command);
   require_exact_flow(given, "loci are traced");
   const std::optional<Restart> restart = read_restart(command, given);
@@ -138,17 +136,7 @@ int run_loci(const ContinueCommand& command) {
     if (record.regions) list.emplace_back("regions.csv", regions_csv(*record.regions));
     return list;
   };
-  return conclude(command, record.info, record.outcome,
-                  {json_of(record),
-                   text_of(record),
-                   files,
-                   [&] {
-                     if (is_page_name(command.plot.file))
-                       write_page(command.plot.file, record, scene);
-                     else
-                       draw_loci(command.plot, record);
-                   },
-                   {}});
+  return conclude(command, record, scene, files);
 }
 
 }  // namespace graze

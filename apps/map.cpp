@@ -14,7 +14,6 @@
 #include "graze/report/json/json.hpp"
 #include "graze/report/names/detail/map_names.hpp"
 #include "graze/report/page/detail/page.hpp"
-#include "graze/report/picture/pictures.hpp"
 #include "graze/report/text/text.hpp"
 #include "graze/scene/detail/start_coordinate.hpp"
 #include "graze/study/cost/detail/step_choice.hpp"
@@ -61,7 +60,7 @@ void trace_over(const MapCommand& command, const Scene& scene, const LociOptions
 }
 
 void check_options(const MapCommand& command) {
-  if (!command.plot.empty()) check_picture_or_page_name(command.plot.file);
+  check_plot<MapRecord>(command);
   check_journal_options(command, command.journal);
   if (command.show == MapQuantity::kExponent && command.settling.exponents == 0)
     throw InputError(
@@ -92,7 +91,7 @@ int run(const MapCommand& command) {
   record.y_unit = number_unit(scene, options.y.name);
   const System system = assemble(scene);
   const std::vector<MeasuredPlace> places = measured_places(scene, system);
-  record.measured = shown_of(command, places);
+  record.measured = shown_of(command.curve, command.curve_at, places);
   record.shown = record.measured ? MapQuantity::kMeasured : command.show;
   if (command.measures()) record.places = places;
   note_cells(options, record.info);
@@ -121,17 +120,7 @@ int run(const MapCommand& command) {
     if (record.loci) list.emplace_back("loci.csv", loci_csv(*record.loci));
     return list;
   };
-  return conclude(command, record.info, record.outcome,
-                  {json_of(record),
-                   text_of(record),
-                   files,
-                   [&] {
-                     if (is_page_name(command.plot.file))
-                       write_page(command.plot.file, record, scene);
-                     else
-                       draw_map(command.plot, record);
-                   },
-                   {}});
+  return conclude(command, record, scene, files);
 }
 
 }  // namespace graze

@@ -36,11 +36,9 @@ void add_shared(CLI::App* app, SceneOptions& command) {
   add_output(app, command);
 }
 
-void add_output(CLI::App* app, CommonOptions& command) {
+void add_printing(CLI::App* app, CommonOptions& command) {
   begin_group(app, kOutputGroup);
   app->add_flag("--json", command.json, "Print one JSON document and nothing else on stdout");
-  app->add_option("--out", command.out, "Write result.json, scene.toml and tables into this folder")
-      ->type_name("DIR");
   app->add_flag("--quiet", command.quiet, "No progress, no warnings");
   app->add_flag_callback(
       "--wide", [&command] { command.text.width = kAnyWidth; },
@@ -48,6 +46,14 @@ void add_output(CLI::App* app, CommonOptions& command) {
                   command.text.width));
   app->add_flag("--verbose", command.text.verbose,
                 "Also residuals, counts and notes that tell how the numerics went");
+}
+
+void add_output(CLI::App* app, CommonOptions& command) {
+  add_printing(app, command);
+  app->add_option(
+         "--out", command.out,
+         "Write result.json, scene.toml, record.json (for graze view) and tables into this folder")
+      ->type_name("DIR");
   begin_group(app, kNumericsGroup);
   app->add_option("--threads", command.threads,
                   "Threads to use, 0 (default) for all cores; results do not depend on it")

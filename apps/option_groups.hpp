@@ -35,6 +35,7 @@ std::string footer(const std::string& example);
 
 void add_shared(CLI::App* app, SceneOptions& command);
 // Parts of it.
+void add_printing(CLI::App* app, CommonOptions& command);
 void add_output(CLI::App* app, CommonOptions& command);
 void add_closure_speed(CLI::App* app, MotionOptions& command);
 void add_limits(CLI::App* app, MotionOptions& command);

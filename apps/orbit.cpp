@@ -5,11 +5,8 @@
 #include "graze/bifurcation/bounds/detail/orbits_over_gap.hpp"
 #include "graze/orbit/orbit_amplitudes.hpp"
 #include "graze/orbit/search/detail/spread_starts.hpp"
-#include "graze/report/chart/charts.hpp"
 #include "graze/report/csv/csv.hpp"
 #include "graze/report/json/json.hpp"
-#include "graze/report/page/detail/page.hpp"
-#include "graze/report/picture/pictures.hpp"
 #include "graze/report/text/text.hpp"
 #include "graze/study/cost/detail/step_choice.hpp"
 #include "search_options.hpp"
@@ -17,7 +14,7 @@
 
 namespace graze {
 int run(const OrbitCommand& command) {
-  if (!command.plot.empty()) check_picture_or_page_name(command.plot.file);
+  check_plot<OrbitRecord>(command);
   const Scene scene = scene_of(command);
   require_exact_flow(scene, "orbits are solved for");
   require_forcing_and_stop(scene);
@@ -48,22 +45,12 @@ int run(const OrbitCommand& command) {
   for (const Orbit& orbit : record.found.orbits)
     record.amplitudes.push_back(orbit_amplitudes(record.system, orbit, rows));
   record.outcome = orbit_outcome(record.found, options, options.stop.reason());
-  return conclude(command, record.info, record.outcome,
-                  {json_of(record),
-                   text_of(record),
-                   [&] {
-                     return NamedFiles{{"orbits.csv", orbits_csv(record)},
-                                       {"profiles.csv", profiles_csv(record)},
-                                       {"stuck.csv", stuck_csv(record)},
-                                       {"contacts.csv", contacts_csv(record)}};
-                   },
-                   [&] {
-                     if (is_page_name(command.plot.file))
-                       write_page(command.plot.file, record);
-                     else
-                       draw_chart(command.plot, record.info, chart_of(record));
-                   },
-                   {}});
+  return conclude(command, record, scene, [&] {
+    return NamedFiles{{"orbits.csv", orbits_csv(record)},
+                      {"profiles.csv", profiles_csv(record)},
+                      {"stuck.csv", stuck_csv(record)},
+                      {"contacts.csv", contacts_csv(record)}};
+  });
 }
 
 }  // namespace graze

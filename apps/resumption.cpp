@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <cmath>
 #include <filesystem>
 #include <limits>
 
@@ -32,9 +31,7 @@ void check_end(const CutRun& cut, const SimulationOptions& options, const System
 }
 
 void place_samples(CutRun& cut, double rate) {
-  constexpr double kMost = 0x1p62;
-  if (cut.sample_rate != rate)
-    cut.state.samples = static_cast<long long>(std::fmin(std::ceil(cut.time * rate), kMost));
+  if (cut.sample_rate != rate) cut.state.samples = samples_before(cut.time, rate);
 }
 
 }  // namespace graze

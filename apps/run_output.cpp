@@ -1,5 +1,6 @@
 #include "run_output.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <system_error>
@@ -15,6 +16,8 @@ namespace {
 
 // A picture shows the end of a run, this much of it at most.
 constexpr std::size_t kPictureEvents = 100'000;
+// What is kept for a picture that nobody asked for yet has so many numbers, some megabytes.
+constexpr std::size_t kStoredNumbers = 100'000;
 
 // Beside the results, where room for them is needed anyway, or else among the temporary files.
 std::filesystem::path spool_folder(const SimulateCommand& command) {
@@ -34,11 +37,14 @@ RunOutput::RunOutput(const SimulateCommand& command, const System& system,
       records_events_(command.record != "none"),
       records_samples_(command.record == "samples"),
       writes_document_(command.json || !command.out.empty()),
-      draws_(!command.plot.empty() && !section),
+      samples_all_(!command.plot.empty() || records_samples_),
+      draws_((!command.plot.empty() || !command.out.empty()) && !section),
       events_(spool_folder(command)),
       section_(std::move(section)),
       rate_(rate),
       most_samples_(command.show == RunPicture::kSpectrum ? kSpectrumSamples : kPictureSamples) {
+  const auto numbers = static_cast<std::size_t>(2 * system.modes());
+  if (command.plot.empty()) most_samples_ = std::min(kPictureSamples, kStoredNumbers / numbers + 1);
   if (command.out.empty()) return;
   const std::filesystem::path folder = command.out;
   if (records_events_) {
@@ -58,7 +64,7 @@ void RunOutput::add(const Event& event) {
     if (writes_document_) add_event_json(event, events_);
     if (event_table_) event_table_->append(events_csv_row(event));
   }
-  if (draws_) {
+  if (draws_ && event.time >= shown_from_) {
     last_events_.push_back(event);
     trim();
   }
@@ -72,6 +78,12 @@ void RunOutput::add(const Sample& sample) {
     last_samples_.push_back(sample);
     trim();
   }
+}
+
+double RunOutput::samples_from(double end) {
+  if (draws_ && !samples_all_)
+    shown_from_ = std::max(0.0, end - static_cast<double>(most_samples_ - 1) / rate_.rate);
+  return shown_from_;
 }
 
 // Events from before the oldest sample would stand outside the picture.

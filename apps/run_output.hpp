@@ -34,6 +34,9 @@ class RunOutput {
   void add(const Event& event);
   void add(const Sample& sample);
 
+  // s: from when on samples are wanted of a run until `end`, s.
+  double samples_from(double end);
+
   bool wants_events() const {
     return records_events_ || draws_ || is_seen(DiagramSection::kImpact);
   }
@@ -54,7 +57,9 @@ class RunOutput {
 
   const System& system_;
   const std::vector<ProbeRow>& probes_;
-  bool records_events_, records_samples_, writes_document_, draws_;
+  // Draws: now, or later from the folder.
+  bool records_events_, records_samples_, writes_document_, samples_all_, draws_;
+  double shown_from_ = 0.0;  // s
   std::optional<PendingFile> event_table_, sample_table_;
   Spool events_;
   EventExcerpt excerpt_;

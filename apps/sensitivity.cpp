@@ -3,7 +3,6 @@
 
 #include <algorithm>
 
-#include "chart_output.hpp"
 #include "graze/assembly/assembly.hpp"
 #include "graze/assembly/detail/system_warnings.hpp"
 #include "graze/base/errors.hpp"
@@ -40,7 +39,7 @@ void require_what_varies(const CompareCommand& command, const Scene& scene) {
 }  // namespace
 
 int run_sensitivity(const CompareCommand& command) {
-  if (!command.plot.empty()) check_picture_or_page_name(command.plot.file);
+  check_plot<SensitivityRecord>(command);
   const Scene scene = scene_of(command);
   require_what_varies(command, scene);
   SensitivityOptions options = sensitivity_options(command);
@@ -73,16 +72,9 @@ int run_sensitivity(const CompareCommand& command) {
   record.outcome =
       sensitivity_outcome(record.curves, std::max<std::size_t>(options.seconds.size(), 1),
                           options.series.stop.reason());
-  return conclude(command, record.info, record.outcome,
-                  {json_of(record),
-                   text_of(record),
-                   [&] {
-                     return NamedFiles{{"sensitivity.csv", sensitivity_csv(record)}};
-                   },
-                   [&] {
-                     if (!record.curves.empty()) draw_chart_or_page(command.plot, record);
-                   },
-                   {}});
+  return conclude(command, record, scene, [&] {
+    return NamedFiles{{"sensitivity.csv", sensitivity_csv(record)}};
+  });
 }
 
 }  // namespace graze

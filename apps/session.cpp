@@ -9,21 +9,12 @@
 
 #include "graze/base/detail/terminal_text.hpp"
 #include "graze/base/errors.hpp"
+#include "graze/record/file/detail/checksum.hpp"
 #include "graze/record/file/spool.hpp"
 #include "graze/scene/reader.hpp"
 
 namespace graze {
 namespace {
-
-void print(const Document& document) {
-  const auto check = [](bool good) {
-    if (!good) throw FileError("standard output: cannot write the result");
-  };
-  document.read([&](std::string_view piece) {
-    check(std::fwrite(piece.data(), 1, piece.size(), stdout) == piece.size());
-  });
-  check(std::fflush(stdout) == 0);
-}
 
 // Called by one thread at a time.
 class ProgressLine {
@@ -123,6 +114,20 @@ std::function<void(double)> progress_line(const CommonOptions& command, int coun
   };
 }
 
+std::string printed_text(const CommonOptions& command, const std::string& text) {
+  return fitted_lines(terminal_text(text), command.text);
+}
+
+void print(const std::function<void(const TextSink&)>& read) {
+  const auto check = [](bool good) {
+    if (!good) throw FileError("standard output: cannot write the result");
+  };
+  read([&](std::string_view piece) {
+    check(std::fwrite(piece.data(), 1, piece.size(), stdout) == piece.size());
+  });
+  check(std::fflush(stdout) == 0);
+}
+
 int conclude(const CommonOptions& command, const RunInfo& info, const Outcome& outcome,
              Result result) {
   const bool writes = !command.out.empty();
@@ -130,22 +135,28 @@ int conclude(const CommonOptions& command, const RunInfo& info, const Outcome& o
   if (writes) {
     const std::filesystem::path folder = command.out;
     std::vector<PendingFile>& files = result.tables;
+    Checksum sum;  // of what was added last
     const auto add = [&](const std::string& name, const Document& content) {
+      sum = {};
       files.emplace_back(folder / name);
-      content.read([&](std::string_view piece) { files.back().append(piece); });
+      content.read([&](std::string_view piece) {
+        sum.add(piece);
+        files.back().append(piece);
+      });
     };
     if (result.files)
       for (const auto& [name, content] : result.files()) add(name, content);
-    add("scene.toml", info.scene_text);
-    add("result.json", document);
+    add(kSceneFile, info.scene_text);
+    add(kDocumentFile, document);
+    if (result.record) add(kRecordFile, result.record(sum.text()));
     // Where one of them does not fit on the disk, none takes its place.
     for (PendingFile& file : files) file.sync();
     for (PendingFile& file : files) file.commit();
   }
-  print(command.json
-            ? document
-            : Document(fitted_lines(terminal_text(result.text(command.text)), command.text)));
-  if (!command.plot.empty()) result.draw();
+  const Document printed =
+      command.json ? document : Document(printed_text(command, result.text(command.text)));
+  print([&](const TextSink& sink) { printed.read(sink); });
+  if (!command.plot.empty() && result.draw) result.draw();
   if (outcome.name == "interrupted") return 130;
   return outcome.message.empty() ? 0 : 3;
 }

@@ -8,9 +8,13 @@
 #include <vector>
 
 #include "command.hpp"
+#include "drawing.hpp"
 #include "graze/record/file/detail/files.hpp"
 #include "graze/record/file/spool.hpp"
 #include "graze/record/records.hpp"
+#include "graze/record/stored/detail/record_file.hpp"
+#include "graze/report/json/json.hpp"
+#include "graze/report/text/text.hpp"
 #include "graze/scene/scene.hpp"
 
 namespace graze {
@@ -48,9 +52,11 @@ using NamedFiles = std::vector<std::pair<std::string, std::string>>;
 struct Result {
   std::function<Document()> json;
   std::function<std::string(const TextOptions&)> text;
-  std::function<NamedFiles()> files;  // beside the document; empty: none
-  std::function<void()> draw;
-  std::vector<PendingFile> tables;  // files that have grown on the way
+  std::function<NamedFiles()> files{};  // beside the document; empty: none
+  std::function<void()> draw{};
+  std::vector<PendingFile> tables{};  // files that have grown on the way
+  // The record as a file, for graze view, from the checksum of the document; empty: none.
+  std::function<std::string(const std::string& document_checksum)> record{};
 };
 
 // The document and the text of a record, which has to outlive them.
@@ -71,6 +77,31 @@ std::function<std::string(const TextOptions&)> text_of(const Record& record) {
 int conclude(const CommonOptions& command, const RunInfo& info, const Outcome& outcome,
              Result result);
 
+// The same for a record of a motion in `scene`, with further files of it. `result`: what is told
+// of it otherwise than of other records.
+template <class Record>
+int conclude(const CommonOptions& command, const Record& record, const Scene& scene,
+             std::function<NamedFiles()> files = {}, Result result = {}) {
+  if constexpr (requires { to_json(record); })
+    if (!result.json) result.json = json_of(record);
+  result.text = text_of(record);
+  result.files = std::move(files);
+  if constexpr (requires { draw(command, record, scene); })
+    result.draw = [&] {
+      if (nothing_to_draw(record).empty()) draw(command, record, scene);
+    };
+  result.record = [&](const std::string& document_checksum) {
+    return record_file_text(info_of(record), record_kind<Record>(), record_text(record),
+                            document_checksum);
+  };
+  return conclude(command, info_of(record), outcome_of(record), std::move(result));
+}
+
+// A result's text as it is printed.
+std::string printed_text(const CommonOptions& command, const std::string& text);
+// Prints on stdout what `read` hands out. Throws FileError.
+void print(const std::function<void(const TextSink&)>& read);
+
 // What each command does; the exit code.
 int run(const CheckCommand& command);
 int run(const SimulateCommand& command);
@@ -82,6 +113,7 @@ int run(const MergeCommand& command);
 int run(const CostCommand& command);
 int run(const FitCommand& command);
 int run(const CompareCommand& command);
+int run(const ViewCommand& command);
 // Parts of them.
 int run_loci(const ContinueCommand& command);                                // --locus
 int run_diagram_of_runs(const DiagramCommand& command, const Scene& scene);  // without forcing

@@ -3,7 +3,6 @@
 
 #include <cmath>
 
-#include "chart_output.hpp"
 #include "graze/assembly/assembly.hpp"
 #include "graze/assembly/beam_shape.hpp"
 #include "graze/assembly/detail/system_warnings.hpp"
@@ -14,8 +13,6 @@
 #include "graze/report/csv/csv.hpp"
 #include "graze/report/json/json.hpp"
 #include "graze/report/names/detail/sweep_names.hpp"
-#include "graze/report/page/detail/page.hpp"
-#include "graze/report/picture/pictures.hpp"
 #include "graze/report/text/text.hpp"
 #include "graze/study/cost/detail/step_choice.hpp"
 #include "resumption.hpp"
@@ -66,8 +63,6 @@ void check_shown(const SimulateCommand& command, const Scene& scene) {
   if (!command.resume.empty())
     throw InputError("--show shapes: the motion before --resume is not known; leave it out");
 }
-
-constexpr int kShapePlaces = 201, kMovingPlaces = 41;  // along a beam
 
 // The motion is followed to each of the instants, as exactly as any run.
 void add_shapes(const std::vector<double>& times, const State& start, SimulationOptions options,
@@ -166,6 +161,8 @@ Simulation run_listened(const System& system, const State& start, const std::opt
   if (output.wants_events()) listeners.event = [&](const Event& event) { output.add(event); };
   if (output.wants_samples()) listeners.sample = [&](const Sample& sample) { output.add(sample); };
   listeners.sample_rate = rate;
+  listeners.sample_from = output.samples_from(
+      options.duration.value_or(static_cast<double>(options.periods) * system.period()));
   return cut ? resume(system, cut->state, options, listeners)
              : simulate(system, start, options, listeners);
 }
@@ -173,11 +170,7 @@ Simulation run_listened(const System& system, const State& start, const std::opt
 }  // namespace
 
 int run(const SimulateCommand& command) {
-  // Sections themselves have no page.
-  if (!command.plot.empty() && (!command.section || command.show == RunPicture::kReturns))
-    check_picture_or_page_name(command.plot.file);
-  else if (!command.plot.empty())
-    check_picture_name(command.plot.file, ".svg, .png or .pdf with --section");
+  check_plot_of_run(command, command.section.has_value(), command.show);
   const Scene scene = scene_of(command);
   check_shown(command, scene);
   SimulationRecord record;
@@ -223,38 +216,24 @@ int run(const SimulateCommand& command) {
   }
   output.show_in(record);
   record.shown = command.show;
-  if (command.show == RunPicture::kShapes || is_page_name(command.plot.file))
-    record.beam =
-        beam_places(scene, command.show == RunPicture::kShapes ? kShapePlaces : kMovingPlaces);
+  place_beam(command, scene, record);
   if (command.show == RunPicture::kShapes) add_shapes(command.shape_times, start, options, record);
-  const CutRun state{record.info.version,
-                     record.info.scene_sha256,
-                     record.outcome.name,
-                     record.run.end_time,
-                     command.record == "samples" ? std::optional<double>(rate) : std::nullopt,
-                     record.run.state};
+  CutRun state{record.info.version,
+               record.info.scene_sha256,
+               record.outcome.name,
+               record.run.end_time,
+               command.record == "samples" ? std::optional<double>(rate) : std::nullopt,
+               record.run.state};
+  // Those of a picture are none to go on with.
+  if (!state.sample_rate) state.state.samples = 0;
   const auto files = [&] {
     NamedFiles list = {{kStateFile, write_run_state(state)}};
     if (record.section) list.emplace_back("section.csv", section_csv(*record.section));
     return list;
   };
-  return conclude(command, record.info, record.outcome,
-                  {[&] { return to_json(record, output.events()); }, text_of(record), files,
-                   [&] {
-                     if (command.show == RunPicture::kReturns)
-                       draw_chart_or_page(command.plot, record, returns_chart(record));
-                     else if (command.show == RunPicture::kSpectrum)
-                       draw_chart_or_page(command.plot, record, spectrum_chart(record));
-                     else if (command.show == RunPicture::kShapes)
-                       draw_chart_or_page(command.plot, record, shapes_chart(record));
-                     else if (record.section)
-                       draw_section(command.plot, record);
-                     else if (is_page_name(command.plot.file))
-                       write_page(command.plot.file, record);
-                     else
-                       draw_simulation(command.plot, record);
-                   },
-                   output.take_tables()});
+  return conclude(
+      command, record, scene, files,
+      {[&] { return to_json(record, output.events()); }, {}, {}, {}, output.take_tables()});
 }
 
 }  // namespace graze

@@ -81,9 +81,9 @@ TEST(Diagram, WritesItsTablesWhole) {
     const Finished run = run_graze("diagram " + kBistable + "--section " + section +
                                    " --direction down --out " + folder);
     EXPECT_EQ(run.code, 0) << run.err;
-    const std::vector<std::string> names = {"branches.csv", "result.json", "rows.journal",
-                                            "scene.toml",   "special.csv", "special.toml",
-                                            "sweep.csv"};
+    const std::vector<std::string> names = {"branches.csv", "record.json", "result.json",
+                                            "rows.journal", "scene.toml",  "special.csv",
+                                            "special.toml", "sweep.csv"};
     EXPECT_EQ(names_in(folder), names);
     const std::vector<std::string> lines = lines_of(folder + "/sweep.csv");
     EXPECT_EQ(lines.front(),

@@ -77,7 +77,7 @@ TEST(FitCommand, WritesItsFiles) {
                                  (scratch / "fit.svg").string() + " " + kResponse);
   ASSERT_EQ(run.code, 0) << run.err;
   EXPECT_EQ(names_in(out), (std::vector<std::string>{"fit.csv", "fitted.toml", "parameters.csv",
-                                                     "result.json", "scene.toml"}));
+                                                     "record.json", "result.json", "scene.toml"}));
   EXPECT_EQ(read_text(scratch / "run" / "result.json"), run.out);
   const json document = json::parse(run.out);
   EXPECT_EQ(document["data"]["kind"], "response");

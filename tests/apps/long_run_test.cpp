@@ -44,7 +44,8 @@ TEST(LongRun, InterruptKeepsWhatWasFinishedAndExitsWith130) {
     EXPECT_GT(document["totals"]["impacts"].get<long long>(), 0);
     EXPECT_EQ(document["totals"]["impacts"], document["events"].size());
     EXPECT_EQ(names_in(folder),
-              (std::vector<std::string>{"events.csv", "result.json", "scene.toml", "state.toml"}));
+              (std::vector<std::string>{"events.csv", "record.json", "result.json", "scene.toml",
+                                        "state.toml"}));
     EXPECT_TRUE(read_text(folder + "/result.json") == run.out);
     EXPECT_EQ(lines_of(folder + "/events.csv").size(), document["events"].size() + 1);
   }
@@ -95,7 +96,7 @@ TEST(LongRun, AFullDiskLeavesNothingBehind) {
     EXPECT_EQ(run.code, 4) << blocks;
     EXPECT_EQ(run.out, "") << blocks;
     EXPECT_NE(run.err.find("cannot write"), std::string::npos) << run.err;
-    EXPECT_EQ(names_in(folder).size(), 4U) << blocks;
+    EXPECT_EQ(names_in(folder).size(), 5U) << blocks;
     EXPECT_TRUE(read_text(folder + "/events.csv") == before) << blocks;
   }
 }

@@ -217,8 +217,9 @@ TEST(Simulate, TablesHoldWhatTheDocumentHolds) {
       "--sample-rate 200 --out " +
       folder + " " + kMomentum);
   ASSERT_EQ(run.code, 0) << run.err;
-  EXPECT_EQ(names_in(folder), (std::vector<std::string>{"events.csv", "result.json", "samples.csv",
-                                                        "scene.toml", "state.toml"}));
+  EXPECT_EQ(names_in(folder),
+            (std::vector<std::string>{"events.csv", "record.json", "result.json", "samples.csv",
+                                      "scene.toml", "state.toml"}));
   EXPECT_EQ(read_text(folder + "/result.json"), run.out);
   const json document = json::parse(run.out);
   const std::vector<std::string> events = lines_of(folder + "/events.csv");

@@ -97,6 +97,31 @@ TEST(Simulation, StopsWhenInterrupted) {
 
 // The oblique law makes the held structure grow (tests/flow/contact_phase_test.cpp): the run is
 // refused at its start, and hands out no sample there, whether in one piece or resumed.
+// A sample has its time whether or not those before it are handed out.
+TEST(Simulation, SamplesBeginWhereTheyAreWanted) {
+  System system{Vector::Constant(1, 2.0), NaturalModes{Vector::Zero(1)}, {}};
+  SimulationOptions options;
+  options.duration = 1.0;
+  const auto samples_from = [&](double from) {
+    std::vector<Sample> samples;
+    RunListeners listeners;
+    listeners.sample = [&](const Sample& sample) { samples.push_back(sample); };
+    listeners.sample_rate = 10.0;
+    listeners.sample_from = from;
+    simulate(system, state_of({0.5}, {0.0}), options, listeners);
+    return samples;
+  };
+  ASSERT_EQ(samples_from(0.0).size(), 11u);
+  const std::vector<Sample> late = samples_from(0.75);
+  ASSERT_EQ(late.size(), 3u);
+  for (int i = 0; i < 3; ++i) {
+    const Sample& sample = late[static_cast<std::size_t>(i)];
+    EXPECT_EQ(sample.time, (8 + i) / 10.0);
+    EXPECT_NEAR(sample.state.q[0], 0.5 * std::cos(2.0 * sample.time), 1e-14);
+  }
+  EXPECT_TRUE(samples_from(7.0).empty());
+}
+
 TEST(Simulation, ARefusedStartHasNoSamplesHoweverOftenItIsResumed) {
   System system{Eigen::Vector2d(3.0, 1.0), NaturalModes{Vector::Zero(2)}, {}};
   const Vector row = Eigen::Vector2d(1.0, 1.0);

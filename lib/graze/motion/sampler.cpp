@@ -12,10 +12,12 @@ bool Sampler::hand_out(Motion<double>& motion, double start_time, double flight,
                        const std::function<bool()>& goes_on) {
   Sample& sample = sample_;
   const ContactPhase<double>& phase = motion.flown();
+  const double rate = listeners_.sample_rate;
+  samples = std::max(samples, samples_before(listeners_.sample_from, rate));
   sample.state.q.resize(system_.modes());
   sample.state.qdot.resize(system_.modes());
   for (;;) {
-    sample.time = static_cast<double>(samples) / rate_;
+    sample.time = static_cast<double>(samples) / rate;
     const double s = std::max(sample.time - start_time, 0.0);
     if (s > flight) return true;
     if (!goes_on()) return false;
@@ -26,7 +28,7 @@ bool Sampler::hand_out(Motion<double>& motion, double start_time, double flight,
       sample.energy->work = balance.work + work_along(system_, phase, s);
       sample.energy->now = mechanical_energy(system_, sample.state.q, sample.state.qdot);
     }
-    listener_(sample);
+    listeners_.sample(sample);
     ++samples;
   }
 }

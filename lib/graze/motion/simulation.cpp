@@ -32,7 +32,7 @@ class Run {
         state_(state),
         end_(options.duration ? later<double>({}, *options.duration, system.period())
                               : Instant<double>{options.periods, 0.0}),
-        sampler_(system, listeners.sample, listeners.sample_rate, options.energy),
+        sampler_(system, listeners, options.energy),
         meter_(system, options.measure) {
     motion_.stop_on(options.stop);
     note_gaps();

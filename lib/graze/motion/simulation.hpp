@@ -24,6 +24,7 @@ struct RunListeners {
   std::function<void(const Event&)> event;
   std::function<void(const Sample&)> sample;
   double sample_rate = 0.0;                       // 1/s, with `sample`
+  double sample_from = 0.0;                       // s, of the first sample at the earliest
   std::function<void(double fraction)> progress;  // once per forcing period
 };
 
@@ -73,7 +74,7 @@ struct RunState {
   RunTotals totals;
   bool keeps_balance = false;
   EnergyBalance balance;
-  long long samples = 0;       // handed out so far
+  long long samples = 0;       // counted so far
   double closure_speed = 0.0;  // m/s
 };
 

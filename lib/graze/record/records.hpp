@@ -4,6 +4,7 @@
 #include <deque>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "graze/assembly/beam_shape.hpp"
@@ -44,6 +45,11 @@ struct CheckRecord {
 // The first and the last events of a run, which may have any number of them.
 class EventExcerpt {
  public:
+  EventExcerpt() = default;
+  // As it was read from where it was written.
+  EventExcerpt(long long count, std::vector<Event> first, std::deque<Event> last)
+      : count_(count), first_(std::move(first)), last_(std::move(last)) {}
+
   void add(const Event& event);
   long long count() const { return count_; }
   const std::vector<Event>& first() const { return first_; }

@@ -2,6 +2,7 @@
 // one run.
 #pragma once
 
+#include <utility>
 #include <vector>
 
 #include "graze/motion/simulation.hpp"
@@ -27,6 +28,9 @@ class RunSection {
   RunSection() = default;
   // From a time on, s.
   RunSection(DiagramSection kind, double from) : kind_(kind), from_(from) {}
+  // As it was read from where it was written.
+  RunSection(DiagramSection kind, double from, std::vector<SectionPoint> points, long long left_out)
+      : kind_(kind), from_(from), points_(std::move(points)), left_out_(left_out) {}
 
   void add(const Event& event);
   void add(const System& system, const Sample& sample);

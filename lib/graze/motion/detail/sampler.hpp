@@ -4,28 +4,27 @@
 #include <functional>
 
 #include "graze/motion/detail/motion.hpp"
-#include "graze/motion/sample.hpp"
+#include "graze/motion/simulation.hpp"
 
 namespace graze {
 
 class Sampler {
  public:
-  // Refers to the system and the listener. `rate`: 1/s. `energy`: samples come with the balance.
-  Sampler(const System& system, const std::function<void(const Sample&)>& listener, double rate,
-          bool energy)
-      : system_(system), listener_(listener), rate_(rate), energy_(energy) {}
+  // Refers to the system and the listeners. `energy`: samples come with the balance.
+  Sampler(const System& system, const RunListeners& listeners, bool energy)
+      : system_(system), listeners_(listeners), energy_(energy) {}
 
   // Those of the arc that the motion has flown last, which began at `start_time` and took `flight`,
-  // s; `samples` counts them from t = 0 on. `balance`: as it stands at the start of the arc. False
-  // as soon as `goes_on` says so: an arc can hold any number of samples.
+  // s; `samples` counts them from t = 0 on, those before the first that is wanted too. `balance`:
+  // as it stands at the start of the arc. False as soon as `goes_on` says so: an arc can hold any
+  // number of samples.
   bool hand_out(Motion<double>& motion, double start_time, double flight,
                 const EnergyBalance& balance, long long& samples,
                 const std::function<bool()>& goes_on);
 
  private:
   const System& system_;
-  const std::function<void(const Sample&)>& listener_;
-  double rate_;
+  const RunListeners& listeners_;
   bool energy_;
   Sample sample_;  // the last one handed out; kept for the memory
 };

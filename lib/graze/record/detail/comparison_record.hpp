@@ -24,8 +24,9 @@ enum class ComparedQuantity {
 // Motions of a scene and of others, each next to the one before.
 struct ComparisonRecord {
   RunInfo info;
-  std::vector<std::string> names;  // of the scenes: "the scene", "beam.modes=5"
-  std::vector<int> modes;          // of each where that is what they differ in; else none
+  std::vector<std::string> names;                    // of the scenes: "the scene", "beam.modes=5"
+  std::vector<std::vector<std::string>> settings{};  // of each beside those of the first
+  std::vector<int> modes;  // of each where that is what they differ in; else none
   CompareOptions options;
   std::vector<ComparedMotion> motions;
   std::vector<MotionDifference> differences;  // of each but the first from the one before

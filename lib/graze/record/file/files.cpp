@@ -42,7 +42,8 @@ void write_file(const std::filesystem::path& file, std::string_view text) {
   pending.commit();
 }
 
-std::string read_file(const std::filesystem::path& file, std::size_t most) {
+void read_pieces(const std::filesystem::path& file,
+                 const std::function<bool(std::string_view)>& use) {
   std::error_code no_matter;  // what cannot be looked at cannot be opened either
   if (std::filesystem::is_directory(file, no_matter)) fail(file, "read", EISDIR);
   if (is_named_pipe(file))
@@ -51,13 +52,21 @@ std::string read_file(const std::filesystem::path& file, std::size_t most) {
   errno = 0;
   std::ifstream stream(file, std::ios::binary);
   if (!stream) fail(file, "read", errno != 0 ? errno : EIO);
-  std::string text;
   std::string piece(64 * 1024, '\0');
-  while (stream && text.size() <= most) {
+  bool goes_on = true;
+  while (stream && goes_on) {
     stream.read(piece.data(), static_cast<std::streamsize>(piece.size()));
-    text.append(piece.data(), static_cast<std::size_t>(stream.gcount()));
+    goes_on = use(std::string_view(piece).substr(0, static_cast<std::size_t>(stream.gcount())));
   }
   if (stream.bad()) fail(file, "read", EIO);
+}
+
+std::string read_file(const std::filesystem::path& file, std::size_t most) {
+  std::string text;
+  read_pieces(file, [&](std::string_view piece) {
+    text += piece;
+    return text.size() <= most;
+  });
   if (text.size() > most) text.resize(most + 1);
   return text;
 }

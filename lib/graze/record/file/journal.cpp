@@ -7,13 +7,13 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <boost/crc.hpp>
 #include <cerrno>
 #include <cstring>
 #include <string_view>
 #include <utility>
 
 #include "graze/base/errors.hpp"
+#include "graze/record/file/detail/checksum.hpp"
 
 namespace graze {
 namespace {
@@ -21,12 +21,6 @@ namespace {
 constexpr const char* kHead = "head";
 constexpr std::size_t kChecksum = 8;  // hexadecimal digits
 constexpr std::size_t kChunk = 1 << 20;
-
-std::string checksum(std::string_view text) {
-  boost::crc_32_type crc;
-  crc.process_bytes(text.data(), text.size());
-  return fmt::format("{:08x}", crc.checksum());
-}
 
 std::string line_of(const std::string& name, const std::string& text) {
   const std::string body = name + "\t" + text;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <string>
 #include <string_view>
 
@@ -33,8 +34,12 @@ class PendingFile {
 // Writes `text` as the whole content of `file`. Throws FileError, leaving `file` as it was.
 void write_file(const std::filesystem::path& file, std::string_view text);
 
-// The file's content, but no more than `most` bytes and one. Throws FileError, and InputError
-// for a named pipe (named_pipe.hpp).
+// Hands out the file's content piece by piece while `use` says that it goes on. Throws FileError,
+// and InputError for a named pipe (named_pipe.hpp).
+void read_pieces(const std::filesystem::path& file,
+                 const std::function<bool(std::string_view)>& use);
+
+// The file's content, but no more than `most` bytes and one. Throws as read_pieces does.
 std::string read_file(const std::filesystem::path& file, std::size_t most);
 
 // Checks that the folder is there and that files can be made in it. Throws FileError.

@@ -10,7 +10,6 @@
 
 namespace graze {
 
-// A row's pattern and points are not written; a sweep keeps none.
 std::string piece_text(const SweepRow& row);
 std::string piece_text(const SettledCell& cell);
 std::string piece_text(const ValueRun& run);

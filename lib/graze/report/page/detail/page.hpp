@@ -8,6 +8,7 @@
 #include "graze/record/detail/diagram_record.hpp"
 #include "graze/record/detail/loci_record.hpp"
 #include "graze/record/detail/map_record.hpp"
+#include "graze/record/record_names.hpp"
 
 namespace graze {
 

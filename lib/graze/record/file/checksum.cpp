@@ -1,0 +1,29 @@
+#include "graze/record/file/detail/checksum.hpp"
+
+#include <fmt/format.h>
+
+#include <boost/crc.hpp>
+
+namespace graze {
+
+void Checksum::add(std::string_view text) {
+  // Goes on from what is left of the text before.
+  boost::crc_32_type crc;
+  crc.reset(remainder_);
+  crc.process_bytes(text.data(), text.size());
+  remainder_ = crc.get_interim_remainder();
+}
+
+std::string Checksum::text() const {
+  boost::crc_32_type crc;
+  crc.reset(remainder_);
+  return fmt::format("{:08x}", crc.checksum());
+}
+
+std::string checksum(std::string_view text) {
+  Checksum sum;
+  sum.add(text);
+  return sum.text();
+}
+
+}  // namespace graze
