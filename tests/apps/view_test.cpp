@@ -36,7 +36,16 @@ std::vector<Drawn> all_drawn() {
   const std::string beam = scene("02_wagg_momentum.toml"), ball = scene("06_bouncing_ball.toml");
   const std::string branch =
       " --parameter forcing.frequency --from 58 --to 62 --max-step 0.5 " + kOneMode;
+  const std::string plane =
+      "continue --locus LP,GR --parameter forcing.frequency --from 50 --to 60 --second stop.gap "
+      "--second-from 1e-3 --second-to 1.2e-3 --slices 2 --regions 3 " +
+      kOneMode;
   return {
+      {"check", "check " + beam},
+      {"check_page", "check " + beam, "p.html"},
+      {"returns", "simulate --periods 60 --section impact --show returns " + beam},
+      {"spectrum", "simulate --periods 70 --show spectrum " + beam},
+      {"shapes", "simulate --periods 5 --show shapes --shapes-at 0.1,0.2 " + beam},
       {"simulate", "simulate --periods 30 --amplitudes " + beam},
       {"simulate_samples", "simulate --periods 5 --record samples --energy " + beam},
       {"simulate_page", "simulate --periods 30 " + scene("16_strain_gauge.toml"), "p.html"},
@@ -53,10 +62,8 @@ std::vector<Drawn> all_drawn() {
        " --title 'A title' --style slide --labels none --multipliers --y-scale log --x-range "
        "59:61"},
       {"response", "continue --show rms --at stop.1" + branch},
-      {"loci",
-       "continue --locus LP,GR --parameter forcing.frequency --from 50 --to 60 --second stop.gap "
-       "--second-from 1e-3 --second-to 1.2e-3 --slices 2 --regions 3 " +
-           kOneMode},
+      {"loci", plane},
+      {"loci_page", plane, "p.html"},
       {"diagram", kSweep + kOneMode},
       {"diagram_page", kSweep + "--exponents 30 " + kOneMode, "p.html"},
       {"diagram_stroboscopic", kSweep + "--section stroboscopic " + kOneMode},
@@ -64,6 +71,7 @@ std::vector<Drawn> all_drawn() {
       {"diagram_of_runs",
        "diagram --duration 1.8 --points 7 --parameter stop.gap --from 0.5 --to 2 " + ball},
       {"map", "map --show speed --periods 200" + kPlane + kOneMode},
+      {"map_measured", "map --show rms --at stop.1 --periods 200" + kPlane + kOneMode},
       {"map_page", "map --locus GR --slices 2 --periods 200" + kPlane + kOneMode, "p.html"},
       {"basins",
        "map --periods 200 --parameter initial.q.1 --from -1e-5 --to 1e-5 --points 4 --second "
@@ -77,6 +85,10 @@ std::vector<Drawn> all_drawn() {
        "--duration 0.05 " +
            scene("20_yigit_sensitivity.toml")},
       {"cost", "cost --impacts 3 " + kOneMode},
+      {"compare_map_page",
+       "compare --periods 200 --against stop.restitution=0.7" + kPlane + kOneMode, "p.html"},
+      {"fit_page", "fit " + measured("restitution.toml") + " " + measured("restitution.csv"),
+       "p.html"},
       {"fit", "fit " + measured("restitution.toml") + " " + measured("restitution.csv")},
   };
 }
@@ -254,6 +266,23 @@ TEST(ViewLater, DrawsWithoutAPlotBefore) {
   }
 }
 
+TEST(ViewLater, ShowsTheMotionOfASpectrum) {
+  const ScratchFolder scratch;
+  const std::string run = (scratch / "run").string(), line = "simulate --periods 70 " + kOneMode;
+  std::filesystem::create_directory(scratch / "once");
+  const std::string once = (scratch / "once" / "p.svg").string();
+  const std::string again = (scratch / "p.svg").string();
+  ASSERT_EQ(run_graze(line + " --show spectrum --out " + run + " --plot " + once).code, 0);
+  ASSERT_EQ(run_graze(line + " --plot " + once).code, 0);
+  ASSERT_EQ(run_graze("view " + run + " --show motion --plot " + again).code, 0);
+  for (const char* end : {"p.gp", "p.dat"})
+    EXPECT_EQ(read_text(scratch / end), read_text(scratch / "once" / end)) << end;
+  EXPECT_EQ(run_graze("view " + run + " --show returns --plot " + again).code, 2);
+  EXPECT_EQ(run_graze("view " + run + " --show shapes --plot " + again).code, 2);
+  ASSERT_EQ(run_graze(line + " --out " + run).code, 0);
+  EXPECT_EQ(run_graze("view " + run + " --show spectrum --plot " + again).code, 2);
+}
+
 TEST(ViewLater, ShowsAnotherQuantity) {
   const ScratchFolder scratch;
   const std::string run = (scratch / "map").string(), branches = (scratch / "branches").string();
@@ -264,7 +293,8 @@ TEST(ViewLater, ShowsAnotherQuantity) {
   ASSERT_EQ(run_graze(line + " --show impacts --plot " + once).code, 0);
   ASSERT_EQ(run_graze(line).code, 0);
   ASSERT_EQ(run_graze("view " + run + " --show impacts --plot " + again).code, 0);
-  EXPECT_EQ(read_text(scratch / "p.gp"), read_text(scratch / "once" / "p.gp"));
+  for (const char* end : {"p.gp", "p.dat"})
+    EXPECT_EQ(read_text(scratch / end), read_text(scratch / "once" / end)) << end;
   const Finished unknown = run_graze("view " + run + " --show colour --plot " + again);
   EXPECT_EQ(unknown.code, 2);
   EXPECT_NE(unknown.err.find("give one of attractor, impacts"), std::string::npos) << unknown.err;
@@ -276,7 +306,8 @@ TEST(ViewLater, ShowsAnotherQuantity) {
   ASSERT_EQ(run_graze(trace + " --out " + branches + " --show max --plot " + once).code, 0);
   ASSERT_EQ(run_graze(trace + " --out " + branches).code, 0);
   ASSERT_EQ(run_graze("view " + branches + " --show max --plot " + again).code, 0);
-  EXPECT_EQ(read_text(scratch / "p.gp"), read_text(scratch / "once" / "p.gp"));
+  for (const char* end : {"p.gp", "p.dat"})
+    EXPECT_EQ(read_text(scratch / end), read_text(scratch / "once" / end)) << end;
   EXPECT_EQ(run_graze("view " + branches + " --show max --at probe.7 --plot " + again).code, 2);
 }
 
