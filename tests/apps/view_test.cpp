@@ -45,7 +45,7 @@ std::vector<Drawn> all_drawn() {
       {"check_page", "check " + beam, "p.html"},
       {"returns", "simulate --periods 60 --section impact --show returns " + beam},
       {"spectrum", "simulate --periods 70 --show spectrum " + beam},
-      {"shapes", "simulate --periods 5 --show shapes --shapes-at 0.1,0.2 " + beam},
+      {"shapes", "simulate --periods 5 --shapes-at 0.1,0.2 --show shapes " + beam},
       {"simulate", "simulate --periods 30 --amplitudes " + beam},
       {"simulate_samples", "simulate --periods 5 --record samples --energy " + beam},
       {"simulate_page", "simulate --periods 30 " + scene("16_strain_gauge.toml"), "p.html"},

@@ -1,7 +1,6 @@
 // A run: the motion from its initial state until its end or its budget, event by event.
 #pragma once
 
-#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -14,19 +13,10 @@
 #include "graze/motion/amplitudes.hpp"
 #include "graze/motion/chatter_tail.hpp"
 #include "graze/motion/run_events.hpp"
-#include "graze/motion/sample.hpp"
+#include "graze/motion/run_listeners.hpp"
 #include "graze/motion/spring_contact.hpp"
 
 namespace graze {
-
-// Who wants to hear of the run as it goes; an empty function is never called and costs nothing.
-struct RunListeners {
-  std::function<void(const Event&)> event;
-  std::function<void(const Sample&)> sample;
-  double sample_rate = 0.0;                       // 1/s, with `sample`
-  double sample_from = 0.0;                       // s, of the first sample at the earliest
-  std::function<void(double fraction)> progress;  // once per forcing period
-};
 
 struct SimulationOptions {
   // The end: `duration` seconds after t = 0 when given, else `periods` forcing periods.
