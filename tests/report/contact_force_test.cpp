@@ -5,7 +5,7 @@
 
 #include "graze/assembly/assembly.hpp"
 #include "graze/assembly/initial_state.hpp"
-#include "graze/report/picture/detail/picture_motion.hpp"
+#include "graze/report/chart/detail/motion_seen.hpp"
 #include "support/reference.hpp"
 
 namespace graze {

@@ -10,7 +10,7 @@
 
 #include "apps/program.hpp"
 #include "graze/base/errors.hpp"
-#include "graze/report/picture/detail/picture_motion.hpp"
+#include "graze/report/chart/detail/motion_seen.hpp"
 #include "support/systems.hpp"
 
 namespace graze {

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "graze/report/appearance/looks.hpp"
-#include "graze/report/picture/picture_style.hpp"
+#include "graze/report/chart/axis.hpp"
 
 namespace graze {
 

@@ -4,8 +4,8 @@
 
 #include "graze/record/detail/comparison_record.hpp"
 #include "graze/report/chart/charts.hpp"
+#include "graze/report/chart/detail/motion_seen.hpp"
 #include "graze/report/names/detail/comparison_names.hpp"
-#include "graze/report/picture/detail/picture_motion.hpp"
 
 namespace graze {
 namespace {

@@ -8,8 +8,8 @@
 
 #include "graze/record/records.hpp"
 #include "graze/report/chart/charts.hpp"
+#include "graze/report/chart/detail/motion_seen.hpp"
 #include "graze/report/chart/spectrum.hpp"
-#include "graze/report/picture/detail/picture_motion.hpp"
 
 namespace graze {
 

@@ -11,7 +11,7 @@
 #include "graze/orbit/detail/orbit_curve.hpp"
 #include "graze/orbit/search/finder.hpp"
 #include "graze/report/names/detail/sweep_names.hpp"
-#include "graze/report/picture/detail/picture_motion.hpp"
+#include "graze/report/chart/detail/motion_seen.hpp"
 
 namespace graze {
 namespace {

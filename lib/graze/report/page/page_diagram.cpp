@@ -10,7 +10,7 @@
 #include "graze/report/names/detail/sweep_names.hpp"
 #include "graze/report/page/detail/page.hpp"
 #include "graze/report/page/detail/page_curves.hpp"
-#include "graze/report/picture/detail/motion_observables.hpp"
+#include "graze/report/chart/detail/motion_observables.hpp"
 
 namespace graze {
 namespace {

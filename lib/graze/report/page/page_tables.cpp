@@ -12,9 +12,9 @@
 #include "graze/record/detail/fit_record.hpp"
 #include "graze/record/detail/run_diagram_record.hpp"
 #include "graze/record/detail/sensitivity_record.hpp"
+#include "graze/report/chart/axis.hpp"
 #include "graze/report/json/detail/json_page.hpp"
 #include "graze/report/names/detail/sweep_names.hpp"
-#include "graze/report/picture/picture_style.hpp"
 
 namespace graze {
 namespace {

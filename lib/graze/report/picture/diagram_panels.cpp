@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "graze/report/picture/detail/motion_observables.hpp"
+#include "graze/report/chart/detail/motion_observables.hpp"
 
 namespace graze {
 namespace {

@@ -63,16 +63,6 @@ PlotTable table_of(const DrawnCurve& curve, double time_factor, double factor) {
   return table;
 }
 
-AxisRange range_of(const DrawnCurve& curve) {
-  AxisRange range;
-  for (const DrawnPoint& point : curve) range.include(point.value);
-  return range;
-}
-
-double largest(const AxisRange& range) {
-  return range.empty() ? 0.0 : std::max(std::abs(range.low), std::abs(range.high));
-}
-
 void label_curves(GnuplotScript& script, std::vector<CurveLabel> labels, const AxisRange& axis,
                   double spacing) {
   if (labels.empty()) return;

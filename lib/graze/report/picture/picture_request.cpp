@@ -18,16 +18,4 @@ const char* name_of(PictureStyle style) {
   return style == PictureStyle::kSlide ? "slide" : "paper";
 }
 
-const char* name_of(AxisScale scale) {
-  switch (scale) {
-    case AxisScale::kLinear:
-      return "linear";
-    case AxisScale::kLog:
-      return "log";
-    case AxisScale::kDecibel:
-      break;
-  }
-  return "dB";
-}
-
 }  // namespace graze

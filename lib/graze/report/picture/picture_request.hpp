@@ -5,9 +5,9 @@
 #include <string>
 #include <utility>
 
-namespace graze {
+#include "graze/report/chart/axis.hpp"
 
-enum class AxisScale { kLinear, kLog, kDecibel };
+namespace graze {
 
 // An axis as its reader wants it; what is not given follows from what is drawn.
 struct AxisRequest {
@@ -41,11 +41,8 @@ struct PictureRequest {
 inline constexpr LabelChoice kLabelChoices[] = {LabelChoice::kNone, LabelChoice::kSpecial,
                                                 LabelChoice::kAll};
 inline constexpr PictureStyle kPictureStyles[] = {PictureStyle::kPaper, PictureStyle::kSlide};
-inline constexpr AxisScale kAxisScales[] = {AxisScale::kLinear, AxisScale::kLog,
-                                            AxisScale::kDecibel};
 
 const char* name_of(LabelChoice choice);  // "special"
 const char* name_of(PictureStyle style);  // "paper"
-const char* name_of(AxisScale scale);     // "dB"
 
 }  // namespace graze

@@ -4,7 +4,8 @@
 #include <cmath>
 #include <map>
 
-#include "graze/report/picture/detail/picture_motion.hpp"
+#include "graze/report/chart/detail/motion_seen.hpp"
+#include "graze/report/picture/detail/picture_curve.hpp"
 #include "graze/report/picture/picture_style.hpp"
 #include "graze/report/picture/pictures.hpp"
 

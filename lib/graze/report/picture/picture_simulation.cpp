@@ -6,8 +6,9 @@
 #include <span>
 #include <utility>
 
+#include "graze/report/chart/detail/motion_seen.hpp"
 #include "graze/report/picture/detail/picture_column.hpp"
-#include "graze/report/picture/detail/picture_motion.hpp"
+#include "graze/report/picture/detail/picture_curve.hpp"
 #include "graze/report/picture/detail/picture_probes.hpp"
 #include "graze/report/picture/detail/picture_stops.hpp"
 #include "graze/report/picture/pictures.hpp"

@@ -1,44 +1,17 @@
-// What the pictures have in common: colours, units of axes, ranges, labels.
+// What the pictures have in common: axes, margins, legends.
 #pragma once
 
-#include <limits>
 #include <string>
 #include <vector>
 
 #include "graze/report/appearance/looks.hpp"
+#include "graze/report/chart/axis.hpp"
 #include "graze/report/picture/gnuplot.hpp"
 
 namespace graze {
 
-// How SI values are shown on an axis: `factor` times the value, in `unit`.
-struct AxisUnit {
-  double factor = 1.0;
-  std::string unit;  // "" for a pure number
-};
-
-// The unit in which values up to `largest` are read best: "mm" for "m", or "10^{-3} kg^1/2 m".
-AxisUnit axis_unit(const std::string& si_unit, double largest);
-
 // "gap (mm)", or the name alone for a pure number; the name may use gnuplot's markup.
 std::string axis_label(const std::string& name, const std::string& unit);
-
-// What an axis spans, in its own unit.
-struct AxisRange {
-  double low = std::numeric_limits<double>::infinity();
-  double high = -std::numeric_limits<double>::infinity();
-
-  bool empty() const { return !(low <= high); }
-  double span() const { return high - low; }
-  void include(double value);  // ignored unless finite, and below 1e300
-  void include(const AxisRange& other);
-  // Wide enough to draw on, whatever was included; then a part of the span more on both sides.
-  void settle(double margin);
-  std::string text() const;  // "[low:high]"
-  // Where a value stands between the ends, 0 to 1; on a logarithmic axis by its logarithm.
-  double part(double value, bool is_log = false) const;
-  // 1, 2 or 5 times a power of ten: the smallest step with at most `most` tics.
-  double tic_step(int most) const;
-};
 
 // Axes, fonts and line ends that all pictures share.
 void set_style(GnuplotScript& script);
@@ -58,15 +31,10 @@ void name_vertical_axis(GnuplotScript& script, const std::string& name, const st
 double legend_height(std::size_t entries, std::size_t columns);
 void set_legend(GnuplotScript& script, const Margins& margins, std::size_t columns);
 
-// The label of a parameter given by its path, without the unit.
-std::string parameter_title(const std::string& path);
-
 // The horizontal axis of a picture over a parameter: its range, in the axis' unit, and its tics;
 // over a forcing frequency (rad/s) also one in Hz above the axes, which takes its room there. Names
 // are left out where another panel has them.
 inline constexpr double kHertzMargin = 0.145;  // of a picture 3/4 as high as wide
-// Of a parameter in its unit, "" of a scene without units.
-bool has_hertz_axis(const std::string& parameter, const std::string& unit);
 struct AxisNames {
   bool below = true, above = true;
 };

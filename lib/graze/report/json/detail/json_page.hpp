@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "graze/record/records.hpp"
+#include "graze/report/chart/axis.hpp"
 #include "graze/report/json/detail/json_value.hpp"
-#include "graze/report/picture/picture_style.hpp"
 
 namespace graze {
 
@@ -21,8 +21,8 @@ Json packed(const std::vector<std::uint8_t>& numbers);
 // "10^{-3} kg^1/2 m" as "10⁻³ kg^½ m", "q_{1}" and "q_1" as "q₁"; other markup is taken away.
 std::string plain_text(const std::string& markup);
 
-// A quantity with its axis: name, unit, SI unit, factor (from SI to the unit) and the range, SI, with a part
-// of it more on both sides.
+// A quantity with its axis: name, unit, SI unit, factor (from SI to the unit) and the range, SI,
+// with a part of it more on both sides.
 Json page_axis(const std::string& name, const std::string& si_unit, AxisRange range,
                double margin = 0.05);
 

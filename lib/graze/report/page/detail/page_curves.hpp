@@ -6,7 +6,7 @@
 
 #include "graze/record/records.hpp"
 #include "graze/report/json/detail/json_value.hpp"
-#include "graze/report/picture/detail/motion_observables.hpp"
+#include "graze/report/chart/detail/motion_observables.hpp"
 
 namespace graze {
 

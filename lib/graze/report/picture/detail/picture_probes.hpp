@@ -6,8 +6,9 @@
 #include <string>
 #include <vector>
 
+#include "graze/report/chart/detail/motion_seen.hpp"
 #include "graze/report/picture/detail/picture_column.hpp"
-#include "graze/report/picture/detail/picture_motion.hpp"
+#include "graze/report/picture/detail/picture_curve.hpp"
 
 namespace graze {
 

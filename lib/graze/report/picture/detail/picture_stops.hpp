@@ -4,7 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "graze/report/picture/detail/picture_motion.hpp"
+#include "graze/report/chart/detail/motion_seen.hpp"
+#include "graze/report/picture/detail/picture_curve.hpp"
 
 namespace graze {
 

@@ -1,10 +1,12 @@
-#include "graze/report/picture/detail/picture_motion.hpp"
+#include "graze/report/chart/detail/motion_seen.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <functional>
 #include <iterator>
 #include <optional>
+
+#include "graze/report/appearance/looks.hpp"
 
 namespace graze {
 namespace {

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "graze/record/records.hpp"
-#include "graze/report/picture/detail/picture_curve.hpp"
+#include "graze/report/chart/detail/drawn_curve.hpp"
 
 namespace graze {
 

@@ -1,4 +1,4 @@
-#include "graze/report/picture/detail/motion_observables.hpp"
+#include "graze/report/chart/detail/motion_observables.hpp"
 
 #include <fmt/format.h>
 
@@ -6,8 +6,8 @@
 #include <cmath>
 
 #include "graze/base/angle.hpp"
+#include "graze/report/chart/detail/motion_seen.hpp"
 #include "graze/report/names/detail/sweep_names.hpp"
-#include "graze/report/picture/detail/picture_motion.hpp"
 
 namespace graze {
 namespace {

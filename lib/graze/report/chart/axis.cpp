@@ -1,0 +1,141 @@
+#include "graze/report/chart/axis.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+
+namespace graze {
+
+const char* name_of(AxisScale scale) {
+  switch (scale) {
+    case AxisScale::kLinear:
+      return "linear";
+    case AxisScale::kLog:
+      return "log";
+    case AxisScale::kDecibel:
+      break;
+  }
+  return "dB";
+}
+
+AxisUnit axis_unit(const std::string& si_unit, double largest) {
+  if (!(largest > 0.0)) return {1.0, si_unit};
+  struct Named {
+    const char* si;
+    double below;  // of the largest value, in SI
+    AxisUnit unit;
+  };
+  // The first that fits; a unit's last entry takes what is larger.
+  static const std::array<Named, 15> kNamed = {{{"m", 1e-4, {1e6, "µm"}},
+                                                {"m", 0.1, {1e3, "mm"}},
+                                                {"m/s", 1e-5, {1e6, "µm/s"}},
+                                                {"m/s", 0.02, {1e3, "mm/s"}},
+                                                {"s", 1e-3, {1e6, "µs"}},
+                                                {"s", 0.5, {1e3, "ms"}},
+                                                {"N", 5e-4, {1e6, "µN"}},
+                                                {"N", 0.5, {1e3, "mN"}},
+                                                {"J", 5e-7, {1e9, "nJ"}},
+                                                {"J", 5e-4, {1e6, "µJ"}},
+                                                {"J", 0.5, {1e3, "mJ"}},
+                                                {"J", 1e4, {1e0, "J"}},
+                                                {"Pa", 1e6, {1e0, "Pa"}},
+                                                {"Pa", 1e9, {1e-6, "MPa"}},
+                                                {"Pa", 1e300, {1e-9, "GPa"}}}};
+  for (const Named& named : kNamed)
+    if (si_unit == named.si && largest < named.below && named.unit.factor * largest >= 0.02)
+      return named.unit;
+  // Numbers that would not fit beside an axis leave their power of a thousand to the unit.
+  if (largest >= 0.02 && largest < 1e5) return {1.0, si_unit};
+  const int power = 3 * static_cast<int>(std::floor(std::log10(largest) / 3.0));
+  return {std::pow(10.0, -power),
+          fmt::format("10^{{{}}}{}{}", power, si_unit.empty() ? "" : " ", si_unit)};
+}
+
+void AxisRange::include(double value) {
+  // A run that left double precision must not take the axis with it.
+  if (!(std::abs(value) < 1e300)) return;
+  low = std::min(low, value);
+  high = std::max(high, value);
+}
+
+void AxisRange::include(const AxisRange& other) {
+  if (other.empty()) return;
+  include(other.low);
+  include(other.high);
+}
+
+void AxisRange::settle(double margin) {
+  if (empty()) low = 0.0, high = 1.0;
+  // Below this the tics of a double axis can no longer be told apart.
+  const double size = std::max(std::abs(low), std::abs(high));
+  const double least = size > 0.0 ? 1e-9 * size : 1.0;
+  if (span() < least) {
+    const double more = size > 0.0 ? 0.05 * size : 1.0;
+    low -= more;
+    high += more;
+  }
+  const double more = margin * span();
+  low -= more;
+  high += more;
+}
+
+std::string AxisRange::text() const { return fmt::format("[{:.12g}:{:.12g}]", low, high); }
+
+double AxisRange::part(double value, bool is_log) const {
+  if (is_log) return std::log(value / low) / std::log(high / low);
+  return (value - low) / span();
+}
+
+double AxisRange::tic_step(int most) const {
+  double step = std::pow(10.0, std::floor(std::log10(span() / most)));
+  for (const double more : {2.0, 2.5, 2.0})
+    if (span() / step > most) step *= more;
+  return step;
+}
+
+std::string parameter_title(const std::string& path) {
+  static const std::map<std::string, std::string> kTitles = {
+      {"forcing.frequency", "forcing frequency Ω"},
+      {"forcing.frequency_hz", "forcing frequency"},
+      {"forcing.amplitude", "forcing amplitude"},
+      {"forcing.phase", "forcing phase"},
+      {"damping.viscous", "viscous damping η"},
+      {"beam.length", "beam length"},
+      {"beam.density", "density"},
+      {"beam.area", "area of the cross-section"},
+      {"beam.youngs_modulus", "Young’s modulus"},
+      {"beam.second_moment", "second moment of area"},
+      {"hub.torque.amplitude", "torque of the hub"},
+      {"hub.torque.duration", "duration of the torque"},
+      {"hub.inertia", "inertia of the hub"},
+      {"initial.rate", "first rate of the hub"},
+      {"gap", "gap"},
+      {"position", "position of the stop"},
+      {"restitution", "coefficient of restitution"},
+  };
+  const auto known = kTitles.find(path);
+  if (known != kTitles.end()) return known->second;
+  if (path.starts_with("stop.")) {
+    std::string key = path.substr(5), which;
+    if (const std::size_t dot = key.find('.'); dot != std::string::npos) {
+      which = ", stop " + key.substr(0, dot);
+      key = key.substr(dot + 1);
+    }
+    const auto of_stop = kTitles.find(key);
+    if (of_stop != kTitles.end()) return of_stop->second + which;
+  }
+  if (path.starts_with("initial.qdot.")) return "dq_{" + path.substr(13) + "}/dt at the start";
+  if (path.starts_with("initial.q.")) return "q_{" + path.substr(10) + "} at the start";
+  std::string title;
+  for (char c : path) title += c == '_' ? std::string("\\_") : std::string(1, c);
+  return title;
+}
+
+bool has_hertz_axis(const std::string& parameter, const std::string& unit) {
+  return parameter == "forcing.frequency" && !unit.empty();
+}
+
+}  // namespace graze
