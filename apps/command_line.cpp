@@ -1,7 +1,6 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
-#include <algorithm>
 #include <iostream>
 
 #include "command.hpp"
@@ -10,11 +9,11 @@
 #include "graze/base/errors.hpp"
 #include "graze/record/file/run_info.hpp"
 #include "graze/report/names/detail/map_names.hpp"
-#include "graze/scene/detail/suggestion.hpp"
 #include "help_format.hpp"
 #include "option_groups.hpp"
 #include "option_values.hpp"
 #include "picture_options.hpp"
+#include "usage_errors.hpp"
 
 namespace graze {
 namespace {
@@ -306,49 +305,6 @@ void add_fit(CLI::App& graze, std::optional<Command>& parsed) {
       ->type_name("N");
   add_closure_speed(app, command);
   add_limits(app, command);
-}
-
-// A sentence about a word that the command does not know, or "".
-std::string unknown_option(const CLI::App& app) {
-  if (app.get_subcommands().empty()) return "";
-  const CLI::App& command = *app.get_subcommands().front();
-  std::vector<std::string> names;
-  for (const CLI::Option* option : command.get_options()) names.push_back(option->get_name());
-  for (const std::string& word : command.remaining()) {
-    if (word.rfind('-', 0) != 0) continue;
-    const std::string close = closest_name(word, names);
-    return fmt::format("'{}' is no option of {}{}", word, command.get_name(),
-                       close.empty() ? "" : fmt::format("; did you mean '{}'?", close));
-  }
-  return "";
-}
-
-// A sentence about an option without a value, as `--out "$FOLDER"` gives where nothing is in
-// FOLDER, or
-// "". Settings have their own sentence.
-std::string empty_option(const CLI::App& command) {
-  for (const CLI::Option* option : command.get_options()) {
-    const std::vector<std::string>& values = option->results();
-    if (option->get_name() != "--set" && option->get_expected_max() > 0 &&
-        std::find(values.begin(), values.end(), "") != values.end())
-      return fmt::format("{}: the value is empty", option->get_name());
-  }
-  return "";
-}
-
-// A sentence about a first word that is no command, or "".
-std::string unknown_command(int argc, char** argv, const CLI::App& app) {
-  if (argc < 2)
-    return "give a command: check, simulate, orbit, continue, diagram, map, merge, view, cost, fit "
-           "or compare";
-  const std::string word = argv[1];
-  std::vector<std::string> names;
-  for (const CLI::App* command : app.get_subcommands({})) names.push_back(command->get_name());
-  if (std::find(names.begin(), names.end(), word) != names.end()) return "";
-  if (word.rfind('-', 0) == 0) return fmt::format("'{}': options come after the command", word);
-  const std::string close = closest_name(word, names);
-  return close.empty() ? fmt::format("'{}' is no command", word)
-                       : fmt::format("'{}' is no command; did you mean '{}'?", word, close);
 }
 
 }  // namespace

@@ -122,7 +122,7 @@ TEST(Terminal, NoLineIsWiderThanAHundredCharacters) {
 
 TEST(Terminal, HelpFitsToo) {
   for (const char* command : {"", "check ", "simulate ", "orbit ", "continue ", "diagram ", "map ",
-                              "merge ", "cost ", "fit ", "compare "}) {
+                              "merge ", "cost ", "fit ", "compare ", "view "}) {
     const Finished help = run_graze(std::string(command) + "--help");
     EXPECT_EQ(help.code, 0);
     for (const std::string& line : printed_lines(help.out))
