@@ -11,6 +11,7 @@
 #include "apps/program.hpp"
 #include "graze/base/errors.hpp"
 #include "graze/report/chart/detail/motion_seen.hpp"
+#include "graze/report/picture/detail/picture_curve.hpp"
 #include "support/systems.hpp"
 
 namespace graze {

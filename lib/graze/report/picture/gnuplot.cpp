@@ -124,7 +124,7 @@ std::string drawn(const std::string& file, const std::string& script) {
 }
 
 // How large a picture is, and how heavy what is in it: the same picture in every file format. Text
-// of 7 points on a width of 12 cm is still read in a column; on a wall lines are heavier.
+// of 8 points on a width of 12 cm is still read in a column of 8 cm; on a wall lines are heavier.
 struct Sheet {
   double centimetres = 12.0;
   double weight = 1.0;  // of lines and marks, by those of paper
@@ -143,23 +143,23 @@ std::string terminal(const PictureRequest& request, double proportion) {
         "set terminal pngcairo enhanced font 'DejaVu Sans,11' fontscale {:.4g} linewidth {:.4g} "
         "pointscale {:.4g} dashlength 0.7 size {:.0f},{:.0f} background '#FFFFFF'\n"
         "mark = 1\n",
-        2.6 * size, 3.0 * heavy, 3.4 * heavy, 1360.0 * size, 1360.0 * size * proportion);
+        2.95 * size, 3.0 * heavy, 3.4 * heavy, 1360.0 * size, 1360.0 * size * proportion);
   if (extension == ".pdf")
     return fmt::format(
         "set terminal pdfcairo enhanced font 'DejaVu Sans,11' fontscale {:.4g} linewidth {:.4g} "
         "pointscale {:.4g} dashlength 0.7 size {:.4g}cm,{:.4g}cm background '#FFFFFF'\n"
         "mark = 1\n",
-        0.64 * size, 1.1 * heavy, 0.9 * heavy, sheet.centimetres, sheet.centimetres * proportion);
+        0.726 * size, 1.1 * heavy, 0.9 * heavy, sheet.centimetres, sheet.centimetres * proportion);
   return fmt::format(
       "set terminal svg enhanced font 'DejaVu Sans,11' fontscale {:.4g} linewidth {:.4g} "
       "dashlength 0.7 size {:.0f},{:.0f} background '#FFFFFF'\n"
       "mark = {:.4g}\n",
-      1.4 * size, 1.4 * heavy, 640.0 * size, 640.0 * size * proportion, 1.6 * heavy);
+      1.59 * size, 1.4 * heavy, 640.0 * size, 640.0 * size * proportion, 1.6 * heavy);
 }
 
 // Of the picture's width, for each line of the title at the head.
 constexpr double kTitleRoom = 0.032, kTitleMargin = 0.013;
-constexpr std::size_t kTitleLength = 82;  // characters that fit there
+constexpr std::size_t kTitleLength = 76;  // characters that fit there
 
 std::size_t characters_in(const std::string& text) {
   return static_cast<std::size_t>(

@@ -20,6 +20,7 @@ constexpr double kHead = 0.36, kHertz = 1.35;    // above the axes, and with an 
 constexpr double kAxisText = 1.45;               // tics and name of a horizontal axis
 constexpr double kBetween = 0.4, kBeside = 1.3;  // two panels
 constexpr double kNamed = 2.15;                  // the same where both name their vertical axis
+constexpr double kLetter = 0.2;                  // of the name of a vertical axis
 constexpr double kHeading = 0.42;                // a line above a panel
 constexpr double kLegendLine = 0.37;             // of a legend at the foot
 constexpr std::size_t kLong = 27;  // of a legend's entry: longer ones have a line each
@@ -193,10 +194,12 @@ class ChartPicture {
                           .top = top / total_});
     set_horizontal(panel, x, row, panels.size());
     y.set_vertical(script_, panel.height < 2.0 ? 3 : 6);
-    if (i == 0 || !is_alike(panel.y, panels[i - 1].y))
-      name_vertical_axis(
-          script_, panel.y.name, y.unit(),
-          (left - (panel.y.name.find('\n') == std::string::npos ? 1.8 : 2.0)) / kWidth);
+    if (i == 0 || !is_alike(panel.y, panels[i - 1].y)) {
+      const std::string name =
+          in_two_lines(panel.y.name, static_cast<std::size_t>(panel.height / kLetter));
+      const double from_axis = name.find('\n') == std::string::npos ? 1.8 : 2.0;
+      name_vertical_axis(script_, name, y.unit(), (left - from_axis) / kWidth);
+    }
     draw_ground(panel, x, y);
     plot(row, i, x, y, {x.factor(), y.factor(), x.range(), y.range(), x.is_log(), y.is_log()},
          width);

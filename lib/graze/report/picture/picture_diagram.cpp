@@ -174,10 +174,8 @@ class DiagramPicture {
 
   // In a low panel over two lines, which take the room beside them.
   void name_axis(const DrawnPanel& panel) {
-    std::string name = panel.panel.name;
-    const std::size_t space = name.find(' ', name.size() / 3);
-    const bool breaks = drawn_.size() > 1 && name.size() > 18 && space != std::string::npos;
-    if (breaks) name[space] = '\n';
+    const std::string name = in_two_lines(panel.panel.name, drawn_.size() > 1 ? 18 : 30);
+    const bool breaks = name.find('\n') != std::string::npos;
     name_vertical_axis(script_, name, panel.axis.unit(), breaks ? 0.015 : 0.03);
   }
 

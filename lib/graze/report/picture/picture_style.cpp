@@ -52,6 +52,17 @@ void name_vertical_axis(GnuplotScript& script, const std::string& name, const st
   }
 }
 
+std::string in_two_lines(std::string name, std::size_t most) {
+  if (name.size() <= most || name.find('\n') != std::string::npos) return name;
+  const std::size_t middle = name.size() / 2;
+  const std::size_t before = name.rfind(' ', middle), after = name.find(' ', middle);
+  const std::size_t none = std::string::npos;
+  if (before == none && after == none) return name;
+  const bool is_before = after == none || (before != none && middle - before <= after - middle);
+  name[is_before ? before : after] = '\n';
+  return name;
+}
+
 double legend_height(std::size_t entries, std::size_t columns) {
   const std::size_t lines = (entries + columns - 1) / columns;
   return 0.012 + 0.036 * static_cast<double>(lines);
