@@ -52,6 +52,13 @@ TEST(Documentation, LinksLeadToFiles) {
       EXPECT_TRUE(fs::exists(page.parent_path() / link)) << page << " links " << link;
 }
 
+// A merge that was not finished is no page.
+TEST(Documentation, HoldsNoMarksOfAMerge) {
+  for (const fs::path& page : pages())
+    for (const char* mark : {"\n<<<<<<< ", "\n=======\n", "\n>>>>>>> "})
+      EXPECT_EQ(text_of(page).find(mark), std::string::npos) << page << " holds" << mark;
+}
+
 TEST(Documentation, NamesSourceFilesThatAreThere) {
   std::set<std::string> rooms;
   for (const fs::directory_entry& entry : fs::directory_iterator(kRoot / "lib" / "graze"))
