@@ -55,8 +55,9 @@ TEST(RegionsCommand, WritesTheDocument) {
 
 TEST(RegionsCommand, WritesATableAndAPicture) {
   const ScratchFolder folder;
-  const Finished run = run_graze("continue --locus all --regions 4 --out " + folder.string() +
-                                 " --plot " + (folder / "plane.svg").string() + kPlane + kOneMode);
+  const Finished run =
+      run_graze("continue --wide --locus all --regions 4 --out " + folder.string() + " --plot " +
+                (folder / "plane.svg").string() + kPlane + kOneMode);
   ASSERT_EQ(run.code, 0) << run.err;
   const std::vector<std::string> lines = lines_of(folder / "regions.csv");
   ASSERT_EQ(lines.size(), 17u);
