@@ -145,7 +145,8 @@ TEST_F(PictureOptions, ASlideIsTwiceAsLargeWithHeavierLines) {
   const std::string paper = script("continue " + kOneMode);
   const std::string slide = script("continue " + kOneMode + "--style slide");
   EXPECT_NE(paper.find("fontscale 1.59 linewidth 1.4 dashlength 0.7 size 640,"), std::string::npos);
-  EXPECT_NE(slide.find("fontscale 3.18 linewidth 4.2 dashlength 0.7 size 1280,"), std::string::npos);
+  EXPECT_NE(slide.find("fontscale 3.18 linewidth 4.2 dashlength 0.7 size 1280,"),
+            std::string::npos);
 }
 
 // The script and the data that are kept draw the picture again.

@@ -21,9 +21,9 @@ OrbitBranches searched(const std::vector<std::string>& settings, bool keep_virtu
 }
 
 bool says(const OrbitBranches& result, const std::string& words) {
-  return std::any_of(result.notes.begin(), result.notes.end(), [&](const std::string& note) {
-    return note.find(words) != std::string::npos;
-  });
+  const auto has = [&](const std::string& note) { return note.find(words) != std::string::npos; };
+  return std::any_of(result.notes.begin(), result.notes.end(), has) ||
+         std::any_of(result.details.begin(), result.details.end(), has);
 }
 
 TEST(ComponentSearches, OfAClosedFormAreComplete) {

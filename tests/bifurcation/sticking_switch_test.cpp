@@ -130,9 +130,9 @@ TEST(StickingBranch, ChattersAreClosedByTheScenesTolerance) {
   char words[64];
   std::snprintf(words, sizeof words, "summed below %.4g m/s", speed);
   EXPECT_TRUE(
-      std::any_of(traced.notes.begin(), traced.notes.end(),
+      std::any_of(traced.details.begin(), traced.details.end(),
                   [&](const std::string& note) { return note.find(words) != std::string::npos; }))
-      << words << " in: " << (traced.notes.empty() ? "" : traced.notes.front());
+      << words << " in: " << (traced.details.empty() ? "" : traced.details.front());
 }
 
 }  // namespace

@@ -59,7 +59,7 @@ class OrbitRow {
     motion_ = {{.name = "time", .unit = unit_in(units, "s")},
                {.name = "displacement\n" + where, .unit = unit}};
     motion_.x.range = {0.0, end};
-    portrait_ = {{.name = "displacement", .unit = unit},
+    portrait_ = {{.name = has_stop ? "towards the stop" : "q_1", .unit = unit},
                  {.name = "velocity\n" + where, .unit = speed_unit}};
     motion_.height = portrait_.height = 3.0;
     motion_.heading = heading_of(orbit);

@@ -54,6 +54,10 @@ void name_vertical_axis(GnuplotScript& script, const std::string& name, const st
 
 std::string in_two_lines(std::string name, std::size_t most) {
   if (name.size() <= most || name.find('\n') != std::string::npos) return name;
+  if (const std::size_t way = name.find(" towards "); way != std::string::npos) {
+    name[way] = '\n';
+    return name;
+  }
   const std::size_t middle = name.size() / 2;
   const std::size_t before = name.rfind(' ', middle), after = name.find(' ', middle);
   const std::size_t none = std::string::npos;

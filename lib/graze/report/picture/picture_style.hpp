@@ -27,7 +27,8 @@ void set_margins(GnuplotScript& script, const Margins& margins);
 void name_vertical_axis(GnuplotScript& script, const std::string& name, const std::string& unit,
                         double place = 0.03);
 
-// A name that is longer than so many letters over two lines, broken near its middle.
+// A name that is longer than so many letters over two lines, broken before its direction, else near
+// its middle.
 std::string in_two_lines(std::string name, std::size_t most);
 
 // Room at the foot for a legend of `entries` in `columns`, and the legend there.
