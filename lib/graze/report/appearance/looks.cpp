@@ -45,7 +45,7 @@ const std::vector<Look> kLoci = {
     {.id = "LP", .title = "fold (LP)", .colour = kBlack},
     {.id = "PD", .title = "period doubling (PD)", .colour = kPurple, .dashes = {10, 4}},
     {.id = "NS", .title = "torus (NS)", .colour = kSky, .dashes = {10, 3, 2, 3}},
-    {.id = "GR", .title = "grazing (GR)", .colour = kGreen, .dashes = {2, 3}},
+    {.id = "GR", .title = "grazing (GR)", .colour = kGreen, .dashes = {4, 4}},
     {.id = "CH", .title = "chatter ends (CH)", .colour = kOrange, .dashes = {14, 3, 2, 3, 2, 3}},
     {.id = "virtual", .title = "virtual", .colour = kGrey, .width = 0.9}};
 

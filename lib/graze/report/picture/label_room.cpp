@@ -107,7 +107,7 @@ std::optional<LabelRoom::Found> LabelRoom::best_near(const std::string& text, do
   const double clear = on_curve ? 0.0 : kMark;
   std::optional<Found> best;
   for (const double away : kAway) {
-    if (on_curve && away > kLeader) break;
+    if ((on_curve || is_crowded_) && away > kLeader) break;
     // From the upper right round, as a reader looks for a label.
     for (int k = 0; k < 16; ++k) {
       const double angle = std::numbers::pi * (0.25 + k / 8.0);

@@ -105,6 +105,8 @@ void BranchCurves::label(GnuplotScript& script, LabelRoom& room, LabelChoice cho
     if (same == points.end()) same = points.insert(points.end(), {mark.x, mark.y.front(), ""});
     same->ids += (same->ids.empty() ? "" : ", ") + special.id;
   }
+  constexpr std::size_t kMany = 24;
+  if (points.size() > kMany) room.keep_near();
   for (const Named& point : points) room.write(script, point.ids, point.x, point.y);
   if (choice == LabelChoice::kAll) label_branches(script, room);
 }

@@ -16,8 +16,8 @@ namespace {
 
 // Centimetres of a picture 12 cm wide.
 constexpr double kWidth = 12.0, kLeft = 2.16, kRight = 0.48;
-constexpr double kHead = 0.36, kHertz = 1.35;    // above the axes, and with an axis in Hz
-constexpr double kAxisText = 1.45;               // tics and name of a horizontal axis
+constexpr double kHead = 0.36, kHertz = 1.55;    // above the axes, and with an axis in Hz
+constexpr double kAxisText = 1.55;               // tics and name of a horizontal axis
 constexpr double kBetween = 0.4, kBeside = 1.3;  // two panels
 constexpr double kNamed = 2.15;                  // the same where both name their vertical axis
 constexpr double kLetter = 0.2;                  // of the name of a vertical axis
@@ -283,7 +283,7 @@ class ChartPicture {
     set_margins(script_, {.left = kLeft / kWidth, .right = kRight / kWidth, .bottom = 0, .top = 0});
     script_.command(
         fmt::format("set key at screen {:.4g}, screen {:.4g}*body center bottom horizontal maxcols "
-                    "{} Left reverse samplen 2 font ',9'",
+                    "{} Left reverse samplen 2 font ',8'",
                     0.5 * (kWidth + kLeft - kRight) / kWidth, 0.08 / total_, columns_));
     script_.plot(legend_);
   }

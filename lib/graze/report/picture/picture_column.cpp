@@ -14,7 +14,7 @@ constexpr double kWidth = 12.0;
 constexpr double kLeft = 2.5, kRight = 0.5, kRightWithLabels = 1.85;
 constexpr double kLegend = 0.65, kNoLegend = 0.3;  // at the head
 constexpr double kBetween = 0.35;                  // two panels over the same time axis
-constexpr double kAxisText = 1.3;                  // tics and name of a horizontal axis
+constexpr double kAxisText = 1.5;                  // tics and name of a horizontal axis
 constexpr double kNextInRow = 1.7;                 // left of the second panel in the row, its tics
 constexpr double kNamePlace = 0.02;                // of a vertical axis, as a part of the width
 
@@ -98,7 +98,7 @@ void PanelColumn::name_vertical(const std::string& name, const std::string& unit
 void PanelColumn::set_legend() {
   script_.command(fmt::format(
       "set key at screen {:.4g}, screen {:.4g}*body right center horizontal Left reverse "
-      "samplen 1.5 font ',9'",
+      "samplen 1.5 font ',8'",
       1.0 - right_ / kWidth, 1.0 - 0.5 * kLegend / total_));
 }
 

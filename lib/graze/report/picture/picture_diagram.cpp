@@ -174,7 +174,7 @@ class DiagramPicture {
 
   // In a low panel over two lines, which take the room beside them.
   void name_axis(const DrawnPanel& panel) {
-    const std::string name = in_two_lines(panel.panel.name, drawn_.size() > 1 ? 18 : 30);
+    const std::string name = in_two_lines(panel.panel.name, drawn_.size() > 1 ? 17 : 30);
     const bool breaks = name.find('\n') != std::string::npos;
     name_vertical_axis(script_, name, panel.axis.unit(), breaks ? 0.015 : 0.03);
   }

@@ -18,7 +18,7 @@ void set_style(GnuplotScript& script);
 
 // Places the axes: what stays free on each side, as parts of the picture.
 struct Margins {
-  double left = 0.18, right = 0.04, bottom = 0.16, top = 0.04;
+  double left = 0.18, right = 0.04, bottom = 0.175, top = 0.04;
 };
 void set_margins(GnuplotScript& script, const Margins& margins);
 
@@ -38,7 +38,7 @@ void set_legend(GnuplotScript& script, const Margins& margins, std::size_t colum
 // The horizontal axis of a picture over a parameter: its range, in the axis' unit, and its tics;
 // over a forcing frequency (rad/s) also one in Hz above the axes, which takes its room there. Names
 // are left out where another panel has them.
-inline constexpr double kHertzMargin = 0.145;  // of a picture 3/4 as high as wide
+inline constexpr double kHertzMargin = 0.165;  // of a picture 3/4 as high as wide
 struct AxisNames {
   bool below = true, above = true;
 };

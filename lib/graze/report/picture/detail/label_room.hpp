@@ -23,6 +23,8 @@ class LabelRoom {
   // Lines of text about a place.
   void take(const std::vector<std::string>& lines, double x, double y);
 
+  // No label stands away from its place from here on: lines to many would be a net.
+  void keep_near() { is_crowded_ = true; }
   // Whether two places look like one.
   bool are_one_place(double x, double y, double other_x, double other_y) const;
 
@@ -54,6 +56,7 @@ class LabelRoom {
   PicturePlane plane_;
   double width_, height_;
   int columns_, rows_;
+  bool is_crowded_ = false;
   std::vector<unsigned char> taken_;  // by cells: a line 1, a dot 2, a mark or a label 255
 };
 
