@@ -1,4 +1,5 @@
-# Runs the tests of pages in Chromium: cmake -DPROGRAM=.. -DCHARTS=.. -DSOURCE=.. -DSCENES=.. -DSCRATCH=.. -P ..
+# Runs a file of tests of pages in Chromium, or without -DTEST installs what they need:
+#   cmake [-DTEST=x_test.mjs] -DPROGRAM=.. -DCHARTS=.. -DSOURCE=.. -DSCENES=.. -DSCRATCH=.. -P ..
 # Without a browser, npm or the page it is skipped; where CI is set, that is a failure.
 find_program(NODE NAMES node nodejs)
 find_program(NPM npm)
@@ -22,18 +23,18 @@ if(missing)
   return()
 endif()
 
-set(files ${SOURCE}/package.json ${SOURCE}/package-lock.json ${SOURCE}/.npmrc)
-file(MAKE_DIRECTORY ${SCRATCH})
-file(SHA256 ${SOURCE}/package-lock.json lock)
-if(NOT EXISTS ${SCRATCH}/packages_${lock})
-  file(COPY ${files} DESTINATION ${SCRATCH})
-  execute_process(COMMAND ${NPM} ci --ignore-scripts --no-audit --no-fund --loglevel=error
-    WORKING_DIRECTORY ${SCRATCH} COMMAND_ERROR_IS_FATAL ANY)
-  file(TOUCH ${SCRATCH}/packages_${lock})
+if(NOT DEFINED TEST)
+  file(MAKE_DIRECTORY ${SCRATCH})
+  file(SHA256 ${SOURCE}/package-lock.json lock)
+  if(NOT EXISTS ${SCRATCH}/packages_${lock})
+    file(COPY ${SOURCE}/package.json ${SOURCE}/package-lock.json ${SOURCE}/.npmrc DESTINATION ${SCRATCH})
+    execute_process(COMMAND ${NPM} ci --ignore-scripts --no-audit --no-fund --loglevel=error
+      WORKING_DIRECTORY ${SCRATCH} COMMAND_ERROR_IS_FATAL ANY)
+    file(TOUCH ${SCRATCH}/packages_${lock})
+  endif()
+  file(GLOB modules ${SOURCE}/*.mjs)
+  file(COPY ${modules} DESTINATION ${SCRATCH})
+  return()
 endif()
-file(GLOB modules ${SOURCE}/*.mjs)
-file(COPY ${modules} DESTINATION ${SCRATCH})
-foreach(test page_test diagram_axes_test export_test charts_test results_test map_test run_test)
-  execute_process(COMMAND ${NODE} ${test}.mjs ${PROGRAM} ${SCENES} ${CHROMIUM} ${CHARTS}
-    WORKING_DIRECTORY ${SCRATCH} COMMAND_ERROR_IS_FATAL ANY)
-endforeach()
+execute_process(COMMAND ${NODE} ${TEST} ${PROGRAM} ${SCENES} ${CHROMIUM} ${CHARTS}
+  WORKING_DIRECTORY ${SCRATCH} COMMAND_ERROR_IS_FATAL ANY)
