@@ -146,12 +146,23 @@ void check_plot(const CommonOptions& command, const PictureFeatures& features) {
   const auto refuse = [](const char* options, const char* what) {
     throw InputError(fmt::format("{}: pictures of this result have no {}", options, what));
   };
+  for (const auto& [axis, name] : {std::pair(&plot.x, "--x-range"), {&plot.y, "--y-range"}})
+    if (axis->scale != AxisScale::kLinear &&
+        ((axis->low && *axis->low <= 0.0) || (axis->high && *axis->high <= 0.0)))
+      throw InputError(fmt::format(
+          "{}: a logarithmic axis shows what is above zero; give ends above zero", name));
   const bool ranges = plot.x.low || plot.x.high || plot.y.low || plot.y.high;
   const bool scales = plot.x.scale != plain.x.scale || plot.y.scale != plain.y.scale;
   if (ranges && !features.ranges) refuse("--x-range, --y-range", "ranges to choose");
   if (scales && !features.scales) refuse("--x-scale, --y-scale", "scales to choose");
   if (plot.labels != plain.labels && !features.labels) refuse("--labels", "labels to choose");
   if (plot.multipliers && !features.multipliers) refuse("--multipliers", "branches");
+  const bool asks = ranges || scales || plot.labels != plain.labels || plot.multipliers ||
+                    plot.title || plot.style != plain.style;
+  if (asks && is_page_name(plot.file))
+    throw InputError(plot.file +
+                     ": --title, --style, --labels, ranges, scales and --multipliers are of "
+                     "pictures; a page has tools for what it shows");
 }
 
 void check_plot_of_run(const CommonOptions& command, bool has_section, RunPicture shown) {

@@ -1,7 +1,9 @@
 // graze simulate: the motion from the scene's initial state, or on from where an earlier run ended.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "graze/assembly/assembly.hpp"
 #include "graze/assembly/beam_shape.hpp"
@@ -64,15 +66,26 @@ void check_shown(const SimulateCommand& command, const Scene& scene) {
     throw InputError("--show shapes: the motion before --resume is not known; leave it out");
 }
 
-// The motion is followed to each of the instants, as exactly as any run.
-void add_shapes(const std::vector<double>& times, const State& start, SimulationOptions options,
+// The motion is followed on from each instant to the next, as exactly as any run. What ends it
+// early ends the shapes.
+void add_shapes(std::vector<double> times, const State& start, SimulationOptions options,
                 SimulationRecord& record) {
   options.measure.reset();
+  std::sort(times.begin(), times.end());
+  times.erase(std::unique(times.begin(), times.end()), times.end());
+  std::optional<Simulation> run;
   for (const double time : times) {
     options.duration = time;
-    const Simulation run = simulate(record.system, start, options, {});
-    const Vector u = record.beam->rows * run.final.q;
-    record.shapes.push_back({run.end_time, record.beam->x, {u.begin(), u.end()}});
+    run = run ? resume(record.system, run->state, options, {})
+              : simulate(record.system, start, options, {});
+    const Outcome outcome = simulation_outcome(*run);
+    if (outcome.name != "reached_end") {
+      record.outcome = {outcome.name, fmt::format("the shape at {:.6g} was not reached: {}", time,
+                                                  outcome.message)};
+      return;
+    }
+    const Vector u = record.beam->rows * run->final.q;
+    record.shapes.push_back({time, record.beam->x, {u.begin(), u.end()}});
   }
 }
 
@@ -82,6 +95,12 @@ double samples_per_period(const System& system, double count) {
   // A hub turns freely; what it carries does not.
   const double slowest = system.turns() ? system.omega[1] : system.omega.minCoeff();
   return slowest > 0.0 ? count * slowest / kTurn : count;
+}
+
+// s.
+double end_of(const SimulationOptions& options, const System& system) {
+  return options.duration ? *options.duration
+                          : static_cast<double>(options.periods) * system.period();
 }
 
 // What the run is seen by, where that was asked for.
@@ -94,8 +113,7 @@ std::optional<RunSection> section_of(const SimulateCommand& command, const Syste
     throw InputError(
         "--section stroboscopic: it takes a sample each forcing period; leave out --record "
         "samples");
-  const double period = system.period();
-  const double end = options.duration.value_or(static_cast<double>(options.periods) * period);
+  const double period = system.period(), end = end_of(options, system);
   const double from =
       command.transient ? static_cast<double>(*command.transient) * period : 0.1 * end;
   if (from >= end && end > 0.0)
@@ -161,8 +179,7 @@ Simulation run_listened(const System& system, const State& start, const std::opt
   if (output.wants_events()) listeners.event = [&](const Event& event) { output.add(event); };
   if (output.wants_samples()) listeners.sample = [&](const Sample& sample) { output.add(sample); };
   listeners.sample_rate = rate;
-  listeners.sample_from = output.samples_from(
-      options.duration.value_or(static_cast<double>(options.periods) * system.period()));
+  listeners.sample_from = output.samples_from(end_of(options, system));
   return cut ? resume(system, cut->state, options, listeners)
              : simulate(system, start, options, listeners);
 }
@@ -179,6 +196,10 @@ int run(const SimulateCommand& command) {
   record.probes = probe_rows(scene, record.system);
   const State start = initial_state(scene, record.system);
   SimulationOptions options = simulation_options(command, scene);
+  for (const double time : command.shape_times)
+    if (time > end_of(options, record.system))
+      throw InputError(fmt::format("--shapes-at: {:g} lies beyond the end of the run, {:.6g}", time,
+                                   end_of(options, record.system)));
   options.steps = step_choice(scene, record.system, start);
   if (command.amplitudes) {
     record.places = measured_places(scene, record.system);

@@ -97,7 +97,7 @@ TEST(AxisDirections, OfAStopBelowAndAProbeAreOpposite) {
       run_graze("simulate --periods 4 --quiet --set probe.1.position=0.3 --plot " +
                 (scratch / "x.svg").string() + " " + scene("02_wagg_momentum.toml"));
   ASSERT_EQ(run.code, 0) << run.err;
-  const std::string columns = read_text(scratch / "x.dat");
+  const std::string columns = read_text(scratch / "x.gp.dat");
   const auto extremes = [&](const std::string& data) {
     std::istringstream stream(columns.substr(columns.find("# [" + data + "]")));
     std::string line;

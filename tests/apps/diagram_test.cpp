@@ -127,7 +127,7 @@ TEST(Diagram, DrawsInEveryFormatAndKeepsThemSmall) {
     ASSERT_NE(first, std::string::npos);
     EXPECT_EQ(picture.find(entry, first + 1), std::string::npos);
     EXPECT_EQ(names_in(scratch.string()),
-              (std::vector<std::string>{"d.dat", "d.gp", "d.png", "d.svg"}));
+              (std::vector<std::string>{"d.gp", "d.gp.dat", "d.png", "d.svg"}));
   }
 }
 

@@ -55,7 +55,7 @@ TEST(LociCommand, WritesTablesAndAPicture) {
             "id,label,locus,value,second,angle,phase,speed,admissible");
   EXPECT_EQ(
       names_in(folder / ""),
-      (std::vector<std::string>{"loci.csv", "plane.dat", "plane.gp", "plane.svg", "record.json",
+      (std::vector<std::string>{"loci.csv", "plane.gp", "plane.gp.dat", "plane.svg", "record.json",
                                 "result.json", "scene.toml", "special.csv", "special.toml"}));
 }
 

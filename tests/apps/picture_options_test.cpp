@@ -35,7 +35,7 @@ class PictureOptions : public testing::Test {
   }
   // Rows of two numbers of a data set.
   std::vector<std::pair<double, double>> data(const std::string& name) {
-    std::istringstream text(read_text(scratch / "x.dat"));
+    std::istringstream text(read_text(scratch / "x.gp.dat"));
     std::vector<std::pair<double, double>> rows;
     bool within = false;
     for (std::string line; std::getline(text, line);) {
@@ -86,7 +86,7 @@ TEST_F(PictureOptions, DecibelsAndLogarithmsAreOfTheAmplitude) {
   EXPECT_NE(refusal(command + "--x-scale dB").find("dB"), std::string::npos);
 }
 
-// Letters of a label are at most .27 cm high and .135 cm wide each in a panel of 9.36 cm.
+// Letters of a label are measured to be .167 cm wide at most, in a panel of 9.36 cm.
 TEST_F(PictureOptions, LabelsCoverNoMarkAndNoOtherLabel) {
   const std::string text = script("continue " + kOneMode + "--follow all --max-step 0.5");
   struct Box {
@@ -115,7 +115,7 @@ TEST_F(PictureOptions, LabelsCoverNoMarkAndNoOtherLabel) {
   for (std::string line; std::getline(lines, line);) {
     if (!std::regex_search(line, found, label)) continue;
     const double x = width * std::stod(found[2]), y = height * std::stod(found[3]);
-    const double half = 0.5 * 0.135 * static_cast<double>(found[1].length());
+    const double half = 0.5 * 0.167 * static_cast<double>(found[1].length());
     boxes.push_back({x - half, x + half, y - 0.12, y + 0.12, found[1]});
   }
   ASSERT_GT(boxes.size(), 10U);

@@ -259,7 +259,7 @@ std::vector<std::vector<std::pair<double, double>>> lines_in(const std::string& 
 TEST(DrawBranches, ShowsEveryImpactOfAnOrbitAsACurveOfItsOwn) {
   const ScratchFolder scratch;
   draw_branches((scratch / "x.svg").string(), relabelled_branch());
-  const std::string data = read_text(scratch / "x.dat");
+  const std::string data = read_text(scratch / "x.gp.dat");
   std::size_t curves = 0;
   for (const auto& line : lines_in(data, "stable")) {
     if (line.empty()) continue;

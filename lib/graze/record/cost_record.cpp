@@ -27,11 +27,12 @@ std::string reference_name(const FlowCosts& costs) {
                      kReferenceTolerance);
 }
 
-std::string compared_span(const FlowCosts& costs) {
-  if (costs.impacts == 0) return fmt::format("no impacts, {:.6g} s", costs.end_time);
-  return fmt::format("first {} {}{}, {:.6g} s", costs.impacts,
+std::string compared_span(const FlowCosts& costs, Units units) {
+  const std::string second = units == Units::kSi ? " s" : "";
+  if (costs.impacts == 0) return fmt::format("no impacts, {:.6g}{}", costs.end_time, second);
+  return fmt::format("first {} {}{}, {:.6g}{}", costs.impacts,
                      costs.compliant ? "contact" : "impact", costs.impacts == 1 ? "" : "s",
-                     costs.end_time);
+                     costs.end_time, second);
 }
 
 }  // namespace graze

@@ -74,6 +74,14 @@ std::optional<bool> written_in_hertz(const Scene& scene, const std::string& path
 
 }  // namespace
 
+bool are_same_parameter(const std::string& first, const std::string& second) {
+  const auto plain = [](const std::string& path) -> std::string {
+    if (path == "forcing.frequency_hz") return "forcing.frequency";
+    return path.starts_with("stop.1.") ? "stop." + path.substr(7) : path;
+  };
+  return plain(first) == plain(second);
+}
+
 double* find_parameter(Scene& scene, const std::string& path) {
   if (const std::optional<bool> in_hertz = written_in_hertz(scene, path))
     scene.forcing->frequency.write_in_hertz(*in_hertz);

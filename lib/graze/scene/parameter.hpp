@@ -33,6 +33,10 @@ Scene with_parameter(const Scene& scene, const std::string& path, double value);
 // direction in which structure and system differentiate. Throws InputError for an unknown name.
 Scene parameter_direction(const Scene& scene, const std::string& path);
 
+// Whether two paths name the same number: the forcing frequency in rad/s and in Hz, the first stop
+// with and without its number.
+bool are_same_parameter(const std::string& first, const std::string& second);
+
 // Whether the structure between the stops, its modes and their shapes at the stops, is the same at
 // all values: forcing, gravity, gaps and restitutions come on top of it.
 bool leaves_structure(const std::string& path);

@@ -60,7 +60,7 @@ class LociTracer {
         range_(options_of(options)),
         tracer_(scene, first, second, range_,
                 {0.0, options.branches.finder.max_impacts, options.branches.stop}) {
-    if (first == second)
+    if (are_same_parameter(first, second))
       throw InputError(first + ": a locus takes two parameters that differ from one another");
     result_.first = first;
     result_.second = second;

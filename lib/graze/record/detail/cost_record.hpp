@@ -37,6 +37,6 @@ Outcome cost_outcome(const FlowCosts& costs, StopReason stopped);
 std::string reference_name(const FlowCosts& costs);
 
 // "first 20 impacts, 2.5 s", "first 20 contacts, 2.5 s" or "no impacts, 2.5 s"
-std::string compared_span(const FlowCosts& costs);
+std::string compared_span(const FlowCosts& costs, Units units);
 
 }  // namespace graze

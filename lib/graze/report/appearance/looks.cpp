@@ -9,7 +9,6 @@
 namespace graze {
 namespace {
 
-// No two special points of one shape, none of them a sweep's dot.
 const std::vector<Look> kLines = {
     {.id = "virtual", .title = "virtual", .colour = kGrey, .width = 0.9},
     {.id = "open", .title = "stability open", .colour = kBlack, .dashes = {2, 3}},
@@ -27,6 +26,7 @@ Look mark(const char* id, const char* title, const char* colour, MarkShape shape
           .size = size};
 }
 
+// No two of one shape, none of them a sweep's dot.
 const std::vector<Look> kSpecial = {
     mark("LP", "fold (LP)", kBlack, MarkShape::kCircle, true, 0.9),
     mark("BP", "branch point (BP)", kBlack, MarkShape::kCross, false, 1.0),

@@ -75,9 +75,8 @@ Chart motions_chart(const ComparisonRecord& record) {
   for (const SimulationRecord& run : record.runs) seen.push_back(motion_seen(run));
   const Units units = record.info.units;
   const ChartAxis time{.name = "time", .unit = unit_in(units, "s")};
-  ChartPanel displacement{time,
-                          {.name = "displacement\ntowards the stop", .unit = unit_in(units, "m")}};
-  ChartPanel velocity{time, {.name = "velocity\ntowards the stop", .unit = unit_in(units, "m/s")}};
+  ChartPanel displacement{time, {.name = "displacement\n→ stop", .unit = unit_in(units, "m")}};
+  ChartPanel velocity{time, {.name = "velocity\n→ stop", .unit = unit_in(units, "m/s")}};
   displacement.height = velocity.height = 3.6;
   for (std::size_t i = 0; i < seen.size(); ++i) {
     displacement.series.push_back(

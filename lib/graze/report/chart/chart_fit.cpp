@@ -34,19 +34,20 @@ std::string series_title(const std::string& name) {
 
 std::vector<double> numbers(const Vector& values) { return {values.begin(), values.end()}; }
 
-ChartAxis abscissa_axis(const FitResult& result) {
+ChartAxis abscissa_axis(const FitResult& result, Units units) {
   const Abscissa abscissa = abscissa_of(result.kind);
   ChartAxis axis;
   axis.name = result.kind == MeasurementKind::kRestitution   ? "approach speed v"
               : result.kind == MeasurementKind::kImpactTimes ? "impact"
                                                              : "time";
-  axis.unit = abscissa.unit;
+  axis.unit = unit_in(units, abscissa.unit);
   return axis;
 }
 
-ChartPanel values_panel(const FitResult& result, std::size_t k, bool many) {
+ChartPanel values_panel(const FitResult& result, std::size_t k, bool many, Units units) {
   const FittedSeries& series = result.series[k];
-  ChartPanel panel{abscissa_axis(result), {.name = series_title(series.name), .unit = series.unit}};
+  ChartPanel panel{abscissa_axis(result, units),
+                   {.name = series_title(series.name), .unit = unit_in(units, series.unit)}};
   panel.height = 3.6;
   panel.series.push_back(
       {"measured",
@@ -66,9 +67,10 @@ ChartPanel values_panel(const FitResult& result, std::size_t k, bool many) {
   return panel;
 }
 
-ChartPanel residual_panel(const FitResult& result, std::size_t k, bool many) {
+ChartPanel residual_panel(const FitResult& result, std::size_t k, bool many, Units units) {
   const FittedSeries& series = result.series[k];
-  ChartPanel panel{abscissa_axis(result), {.name = "residual", .unit = series.unit}};
+  ChartPanel panel{abscissa_axis(result, units),
+                   {.name = "residual", .unit = unit_in(units, series.unit)}};
   const Vector missed = series.measured - series.predicted;
   panel.series.push_back({"",
                           {.colour = kBlue, .mark = MarkShape::kDot, .size = many ? 0.4 : 0.6},
@@ -89,8 +91,8 @@ Chart chart_of(const FitRecord& record) {
   const FitResult& result = record.result;
   const bool many = result.at.size() > kManyDots;
   for (std::size_t k = 0; k < std::min(result.series.size(), kMostSeries); ++k) {
-    chart.rows.push_back({values_panel(result, k, many)});
-    chart.rows.push_back({residual_panel(result, k, many)});
+    chart.rows.push_back({values_panel(result, k, many, record.info.units)});
+    chart.rows.push_back({residual_panel(result, k, many, record.info.units)});
   }
   return chart;
 }

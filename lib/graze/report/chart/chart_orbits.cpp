@@ -8,6 +8,7 @@
 #include "graze/orbit/detail/orbit_curve.hpp"
 #include "graze/record/records.hpp"
 #include "graze/report/chart/charts.hpp"
+#include "graze/report/chart/detail/motion_seen.hpp"
 
 namespace graze {
 namespace {
@@ -27,7 +28,7 @@ const Look& line_look(const Orbit& orbit) {
 }
 
 // "(1,1) stable, v = 0.1353 m/s", with several impacts "(2,3) stable, v ≤ 0.1353 m/s"
-std::string heading_of(const Orbit& orbit) {
+std::string heading_of(const Orbit& orbit, Units units) {
   const std::string name = orbit.meets_stops()
                                ? fmt::format("({},{})", orbit.period, orbit.impacts.size())
                                : std::string("no impact");
@@ -35,40 +36,42 @@ std::string heading_of(const Orbit& orbit) {
   if (orbit.impacts.empty()) return text;
   double fastest = orbit.impacts.front().speed;
   for (const OrbitImpact& impact : orbit.impacts) fastest = std::max(fastest, impact.speed);
-  return text + fmt::format(", v {} {}{:.4g} m/s", orbit.impacts.size() == 1 ? "=" : "≤",
-                            fastest < 0.0 ? "−" : "", std::abs(fastest));
+  return text + fmt::format(", v {} {}{:.4g}{}", orbit.impacts.size() == 1 ? "=" : "≤",
+                            fastest < 0.0 ? "−" : "", std::abs(fastest),
+                            units == Units::kSi ? " m/s" : "");
 }
 
 // One row of panels of an orbit: its motion over time, and its phase portrait.
 class OrbitRow {
  public:
-  OrbitRow(const System& system, const Orbit& orbit, int stop, double end, Units units)
+  // `end`: of the axis of time, s.
+  OrbitRow(const System& system, const Orbit& orbit, const SeenPlace& place, double end,
+           Units units)
       : orbit_(orbit),
         frequency_(system.forcing()->frequency),
         whole_(kTurn * orbit.period),
         look_(line_look(orbit)) {
     look_.width = 1.5;
-    const bool has_stop = !system.stops.empty();
-    const auto index = static_cast<std::size_t>(stop);
-    const Vector row = has_stop ? system.stops[index].row : Vector::Unit(system.modes(), 0);
+    const bool has_stop = !place.stops.empty();
     const std::string unit = unit_in(units, has_stop ? "m" : "kg^1/2 m");
     const std::string speed_unit = unit_in(units, has_stop ? "m/s" : "kg^1/2 m/s");
-    const std::string where = !has_stop                 ? " q_1"
-                              : system.stops.size() > 1 ? fmt::format(" → stop {}", stop + 1)
-                                                        : " → stop";
+    const std::string stop = system.stops.size() > 1 && has_stop
+                                 ? fmt::format("stop {}", place.stops.front().index + 1)
+                                 : "stop";
+    const std::string where = has_stop ? " → " + stop : " q_1";
     motion_ = {{.name = "time", .unit = unit_in(units, "s")},
                {.name = "displacement\n" + where, .unit = unit}};
     motion_.x.range = {0.0, end};
-    portrait_ = {{.name = has_stop ? "towards the stop" : "q_1", .unit = unit},
+    portrait_ = {{.name = has_stop ? "towards " + stop : "q_1", .unit = unit},
                  {.name = "velocity\n" + where, .unit = speed_unit}};
     motion_.height = portrait_.height = 3.0;
-    motion_.heading = heading_of(orbit);
+    motion_.heading = heading_of(orbit, units);
     portrait_.levels = {0.0};
-    flights_ = orbit_curve(system, orbit, row, kSamplesPerPeriod);
+    flights_ = orbit_curve(system, orbit, place.row, kSamplesPerPeriod);
     add_curves();
     add_impacts();
     add_stuck();
-    if (has_stop) add_stop(system.stops[index].gap);
+    for (const SeenStop& seen : place.stops) add_stop(seen);
   }
 
   std::vector<ChartPanel> panels() const { return {motion_, portrait_}; }
@@ -142,10 +145,10 @@ class OrbitRow {
       }
   }
 
-  void add_stop(double gap) {
-    constexpr double kBeyond = std::numeric_limits<double>::infinity();
-    motion_.fills.push_back({true, gap, kBeyond, "behind the stop", kStopShade});
-    portrait_.fills.push_back({false, gap, kBeyond, "behind the stop", kStopShade});
+  void add_stop(const SeenStop& stop) {
+    const double beyond = stop.sense * std::numeric_limits<double>::infinity();
+    motion_.fills.push_back({true, stop.place, beyond, "behind the stop", kStopShade});
+    portrait_.fills.push_back({false, stop.place, beyond, "behind the stop", kStopShade});
   }
 
   const Orbit& orbit_;
@@ -155,16 +158,17 @@ class OrbitRow {
   ChartPanel motion_, portrait_;
 };
 
-// Both axes of displacement are to show the stop, where it is not far off.
-void set_ranges(Chart& chart, std::optional<double> gap) {
+// Both axes of displacement are to show the stops, where they are not far off.
+void set_ranges(Chart& chart, const std::vector<SeenStop>& stops) {
   AxisRange displacement, velocity;
   for (const std::vector<ChartPanel>& row : chart.rows)
     for (std::size_t i = 0; i < row[1].series.front().x.size(); ++i) {
       displacement.include(row[1].series.front().x[i]);
       velocity.include(row[1].series.front().y[i]);
     }
-  if (gap && std::abs(*gap) <= 3.0 * std::max(std::abs(displacement.low), displacement.high))
-    displacement.include(*gap);
+  const double largest = std::max(std::abs(displacement.low), std::abs(displacement.high));
+  for (const SeenStop& stop : stops)
+    if (std::abs(stop.place) <= 3.0 * largest) displacement.include(stop.place);
   displacement.settle(0.08);
   velocity.settle(0.08);
   // Orbits side by side are drawn in one scale.
@@ -192,16 +196,20 @@ Chart chart_of(const OrbitRecord& record) {
     if (!orbits[i].impacts.empty()) stop = orbits[i].impacts.front().stop;
     periods = std::max(periods, orbits[i].period);
   }
+  const std::vector<SeenPlace> places = places_of(record.system);
+  const auto at_stop = std::find_if(places.begin(), places.end(), [&](const SeenPlace& any) {
+    return std::any_of(any.stops.begin(), any.stops.end(),
+                       [&](const SeenStop& seen) { return seen.index == stop; });
+  });
+  const SeenPlace& place = at_stop == places.end() ? places.front() : *at_stop;
   for (std::size_t i = 0; i < shown; ++i)
-    chart.rows.push_back(OrbitRow(record.system, orbits[i], stop,
+    chart.rows.push_back(OrbitRow(record.system, orbits[i], place,
                                   periods * kTurn / record.system.forcing()->frequency,
                                   record.info.units)
                              .panels());
   if (shown < orbits.size())
     chart.rows.front()[1].heading = fmt::format("the first {} of {} orbits", shown, orbits.size());
-  const std::vector<Stop>& stops = record.system.stops;
-  set_ranges(chart, stops.empty() ? std::nullopt
-                                  : std::optional(stops[static_cast<std::size_t>(stop)].gap));
+  set_ranges(chart, place.stops);
   return chart;
 }
 

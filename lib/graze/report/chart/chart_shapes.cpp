@@ -71,7 +71,8 @@ Chart shapes_chart(const SimulationRecord& record) {
     const std::size_t look = i % curve_colours().size();
     panel.series.push_back(
         {fmt::format("t = {:.6g}{}", shape.time, record.info.units == Units::kSi ? " s" : ""),
-         {.colour = curve_colours()[look], .dashes = kDashes[look]},
+         {.colour = curve_colours()[look],
+          .dashes = kDashes[(i + i / kDashes.size()) % kDashes.size()]},
          true,
          false,
          shape.x,

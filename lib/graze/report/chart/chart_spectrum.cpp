@@ -61,7 +61,10 @@ Chart spectrum_chart(const SimulationRecord& record) {
     std::vector<double> values;
     for (const Sample& sample : samples) values.push_back(place.row.dot(sample.state.q));
     const Spectrum spectrum = amplitude_spectrum(values, rate);
-    if (spectrum.frequency.empty()) panel.remark = "no samples were recorded";
+    if (spectrum.frequency.empty()) {
+      panel.remark = "too few samples for a spectrum";
+      panel.y.scale = AxisScale::kLinear;
+    }
     // Beyond twenty forcing frequencies a smooth motion has nothing, and impacts little.
     const auto forcing = record.system.forcing();
     const double most =
@@ -84,9 +87,9 @@ Chart returns_chart(const SimulationRecord& record) {
   const Units units = record.info.units;
   const std::string of_speed = unit_in(units, "m/s"), of_phase = unit_in(units, "rad");
   ChartPanel speed{{.name = "impact speed", .unit = of_speed},
-                   {.name = "speed of\nthe next impact", .unit = of_speed}};
-  ChartPanel phase{{.name = "phase of the impact", .unit = of_phase},
-                   {.name = "phase of\nthe next impact", .unit = of_phase}};
+                   {.name = "speed of\nthe next", .unit = of_speed}};
+  ChartPanel phase{{.name = "phase", .unit = of_phase},
+                   {.name = "phase of\nthe next", .unit = of_phase}};
   // More dots than a vector picture should hold; the last ones.
   constexpr std::size_t kMost = 20'000;
   const std::vector<SectionPoint>& points = record.section->points();

@@ -76,7 +76,7 @@ std::string to_json(const CostRecord& record) {
   const FlowCosts& costs = record.costs;
   Json document = document_head(record.info, record.outcome, record.warnings);
   document["reference"] = reference_name(costs);
-  document["span"] = compared_span(costs);
+  document["span"] = compared_span(costs, record.info.units);
   if (!costs.reference_message.empty()) document["reference_message"] = costs.reference_message;
   document["impacts"] = costs.impacts;
   document["end_time"] = costs.end_time;

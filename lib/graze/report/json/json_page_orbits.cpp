@@ -10,8 +10,8 @@
 #include "graze/motion/simulation.hpp"
 #include "graze/orbit/detail/orbit_curve.hpp"
 #include "graze/orbit/search/finder.hpp"
-#include "graze/report/names/detail/sweep_names.hpp"
 #include "graze/report/chart/detail/motion_seen.hpp"
+#include "graze/report/names/detail/sweep_names.hpp"
 
 namespace graze {
 namespace {
@@ -45,22 +45,23 @@ struct PlaceSeries {
 
 // In what unit numbers of that size are shown, as on the axis of a picture.
 template <class Numbers>
-Json unit_json(const std::string& si_unit, const Numbers& numbers) {
+Json unit_json(Units units, const std::string& si_unit, const Numbers& numbers) {
   double largest = 0.0;
   for (const double number : numbers)
     if (std::isfinite(number)) largest = std::max(largest, std::abs(number));
-  const AxisUnit unit = axis_unit(si_unit, largest);
+  const AxisUnit unit = axis_unit(unit_in(units, si_unit), largest);
   return {{"factor", unit.factor}, {"unit", plain_text(unit.unit)}};
 }
 
-Json clearance_json(const Orbit& orbit) {
+Json clearance_json(const Orbit& orbit, Units units) {
   if (!orbit.clearance || !std::isfinite(*orbit.clearance)) return nullptr;
-  Json json = unit_json("m", std::vector<double>{*orbit.clearance});
+  Json json = unit_json(units, "m", std::vector<double>{*orbit.clearance});
   json["value"] = *orbit.clearance;
   return json;
 }
 
-Json place_json(const System& system, const SeenPlace& place, const PlaceSeries& series) {
+Json place_json(const System& system, const SeenPlace& place, const PlaceSeries& series,
+                Units units) {
   Json stops = Json::array();
   std::string name = place.stops.size() > 1 ? "stops" : "stop";
   for (const SeenStop& stop : place.stops) {
@@ -69,8 +70,8 @@ Json place_json(const System& system, const SeenPlace& place, const PlaceSeries&
   }
   return {{"name", system.stops.size() > 1 ? name : "the stop"},
           {"stops", stops},
-          {"length", unit_json("m", series.x)},
-          {"speed", unit_json("m/s", series.v)},
+          {"length", unit_json(units, "m", series.x)},
+          {"speed", unit_json(units, "m/s", series.v)},
           {"t", packed(series.t)},
           {"x", packed(series.x)},
           {"v", packed(series.v)}};
@@ -200,7 +201,7 @@ Json motion_json(const PageSource& source, const System& system, const PageMotio
           series.add(point.time / period, point.displacement, point.velocity);
         else
           series.gap();
-      places.push_back(place_json(system, place, series));
+      places.push_back(place_json(system, place, series, source.info.units));
       for (const SeenStop& stop : place.stops)
         for (const TimeSpan& span : stuck_phases(record, stop.index, seen.window))
           stuck.push_back(
@@ -222,7 +223,7 @@ Json motion_json(const PageSource& source, const System& system, const PageMotio
           {"stable", nullptr},
           {"clearance", nullptr},
           {"multipliers", Json::array()},
-          {"speed", unit_json("m/s", speeds)},
+          {"speed", unit_json(source.info.units, "m/s", speeds)},
           {"impacts", impacts},
           {"stuck", stuck},
           {"places", places},
@@ -281,7 +282,7 @@ Json page_orbit(const PageSource& source, const System& system, const Orbit& orb
         series.add(sample.theta / kTurn, sample.displacement, sample.velocity);
       series.gap();
     }
-    places.push_back(place_json(system, place, series));
+    places.push_back(place_json(system, place, series, source.info.units));
   }
   return {{"name", orbit_name(orbit)},
           {"value", value ? Json(*value) : Json(nullptr)},
@@ -289,9 +290,9 @@ Json page_orbit(const PageSource& source, const System& system, const Orbit& orb
           {"stability", stability(orbit)},
           {"admissible", orbit.admissible},
           {"stable", json_maybe(orbit.stable)},
-          {"clearance", clearance_json(orbit)},
+          {"clearance", clearance_json(orbit, source.info.units)},
           {"multipliers", multipliers},
-          {"speed", unit_json("m/s", speeds)},
+          {"speed", unit_json(source.info.units, "m/s", speeds)},
           {"impacts", impacts},
           {"stuck", stuck_json(orbit, system)},
           {"places", places},

@@ -24,11 +24,12 @@ export function barTics(quantity) {
     .map((value) => number(quantity.factor * value, 3));
 }
 
-export function fillBar(root, quantity, none) {
+// `without`: names and colours of what has no number.
+export function fillBar(root, quantity, without) {
   const scale = element('div', { class: 'scale' });
   scale.style.background = `linear-gradient(to right, ${quantity.colours.join(', ')})`;
   root.replaceChildren(
     element('span', {}, axisName(quantity)),
     element('div', { class: 'tics' }, scale, ...barTics(quantity).map((text) => element('span', {}, text))),
-    element('span', { class: 'none' }, cellSwatch(none), 'no number'));
+    ...without.map(([name, colour]) => element('span', { class: 'none' }, cellSwatch(colour), name)));
 }

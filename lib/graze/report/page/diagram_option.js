@@ -1,6 +1,7 @@
 // A diagram as ECharts draws it: axes, lines of branches, marks of special points. The dots of the
 // sweep lie under it (dot_layer.js).
 import { axis, hertzAxis, kCommon } from './echarts_parts.js';
+import { axisName } from './format.js';
 import { pen, specialLook, stamp } from './marks.js';
 import { nearAxes } from './near_axes.js';
 
@@ -92,7 +93,7 @@ export function diagramOption(picture, height) {
   });
   if (hertz) x.push(hertzAxis(colours, ...ranges.x));
   const y = [axis(colours, geometry.y.name, ...ranges.y, { gridIndex: 0, nameGap: 54 }),
-    ...strips.map((strip, i) => axis(colours, `${strip.name} (${strip.unit})`, strip.factor * strip.low, strip.factor * strip.high,
+    ...strips.map((strip, i) => axis(colours, axisName(strip), strip.factor * strip.low, strip.factor * strip.high,
       { gridIndex: i + 1, nameGap: 54, splitNumber: 3 }))];
   const types = [...new Set(view.special.map((special) => special.type))];
   const series = view.looks.lines.map((_, kind) => lineSeries(picture, kind));

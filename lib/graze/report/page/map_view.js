@@ -135,8 +135,14 @@ export class MapView {
       const none = this.theme.shade(this.view.looks.none);
       const pixel = pixelScale(this.shown, pixelOf(none));
       const { values } = this.shown;
-      this.layer.paint((cell) => (kinds[kind[cell]] ? pixel(values[cell]) : 0));
-      fillBar(bar, this.shown, none);
+      // What is clear of the stops is blank, as in the pictures.
+      const clear = kinds.map(({ name }) => name.startsWith('clear'));
+      const isBlank = (cell) => clear[kind[cell]] && !Number.isFinite(values[cell]);
+      const without = [];
+      if (kind.some((_, cell) => isBlank(cell))) without.push(['clear of the stops (blank)', this.theme.colours.paper]);
+      if (kind.some((at, cell) => kinds[at] && !clear[at] && !Number.isFinite(values[cell]))) without.push(['no number', none]);
+      this.layer.paint((cell) => (kinds[kind[cell]] && !isBlank(cell) ? pixel(values[cell]) : 0));
+      fillBar(bar, this.shown, without);
     }
     this.drawCells();
   }

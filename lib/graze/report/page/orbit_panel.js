@@ -1,6 +1,6 @@
 // What is told of one orbit: three pictures, its impacts, the command that makes it again.
 import { init } from './echarts_parts.js';
-import { element, measure, number, table } from './format.js';
+import { axisName, element, measure, number, table } from './format.js';
 import { circleOption, motionInks, portraitOption, seriesOption } from './orbit_charts.js';
 import { Panel } from './panel.js';
 
@@ -88,7 +88,7 @@ export class OrbitPanel {
     const rows = impacts.slice(0, kMostImpacts).map(({ t, stop, speed }) => [number(t, 6), String(stop), number(unit.factor * speed, 6)]);
     const left = impacts.length - rows.length;
     return root.replaceChildren(
-      table([['impact at (periods)', 'stop', `speed (${unit.unit})`], ...rows]),
+      table([['impact at (periods)', 'stop', axisName({ name: 'speed', unit: unit.unit })], ...rows]),
       left > 0 ? element('p', {}, `and ${left} more`) : '');
   }
 }

@@ -3,7 +3,7 @@
 import { CsvTable, digits } from './csv_table.js';
 import { axis, init, kCommon } from './echarts_parts.js';
 import { ExportTools } from './export_tools.js';
-import { measure } from './format.js';
+import { axisName, measure } from './format.js';
 import { Hover } from './hover.js';
 import { Legend } from './legend.js';
 import { lookSwatch, pen } from './marks.js';
@@ -79,7 +79,7 @@ export class OrbitsView {
 
   draw() {
     const { colours } = this.theme;
-    const named = (quantity, more) => axis(colours, `${quantity.name} (${quantity.unit})`,
+    const named = (quantity, more) => axis(colours, axisName(quantity),
       quantity.factor * quantity.range[0], quantity.factor * quantity.range[1], more);
     const series = this.series();
     if (series.length > 0)
@@ -108,7 +108,7 @@ export class OrbitsView {
   // The points of the curves in view.
   table() {
     const [x, y] = ['xAxis', 'yAxis'].map((name) => this.chart.getModel().getComponent(name).axis.scale.getExtent());
-    const names = ['time (forcing periods)', ...[this.x, this.y].map(({ name, unit }) => `${name} (${unit})`)];
+    const names = ['time (forcing periods)', ...[this.x, this.y].map(({ name, unit }) => axisName({ name, unit }))];
     const table = new CsvTable(['orbit', 'stability', ...names]);
     this.places().forEach((place, i) => {
       if (!this.legend.shows(String(i))) return;

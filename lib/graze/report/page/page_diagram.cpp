@@ -6,11 +6,11 @@
 #include "graze/base/parallel.hpp"
 #include "graze/bifurcation/problem/detail/special_names.hpp"
 #include "graze/report/appearance/looks.hpp"
+#include "graze/report/chart/detail/motion_observables.hpp"
 #include "graze/report/json/detail/json_page_orbits.hpp"
 #include "graze/report/names/detail/sweep_names.hpp"
 #include "graze/report/page/detail/page.hpp"
 #include "graze/report/page/detail/page_curves.hpp"
-#include "graze/report/chart/detail/motion_observables.hpp"
 
 namespace graze {
 namespace {
@@ -231,7 +231,8 @@ Json DiagramPage::special_json(std::size_t branch, std::size_t index,
                          ? fmt::format(" ± {:.6g}i", std::abs(special.multiplier->imag()))
                          : "")});
   if (const auto impact = special.impact())
-    more.push_back({"phase", fmt::format("{:.6g} rad", impact->phase)});
+    more.push_back({"phase", fmt::format("{:.6g}{}", impact->phase,
+                                         record_.info.units == Units::kSi ? " rad" : "")});
   const std::vector<std::int32_t> orbit =
       keep(1, {0}, [&](std::size_t) { return orbit_at(special.at); });
   Json heights = Json::object();

@@ -5,10 +5,10 @@
 #include <iterator>
 
 #include "graze/assembly/probes.hpp"
+#include "graze/report/chart/detail/motion_seen.hpp"
 #include "graze/report/json/detail/json_page.hpp"
 #include "graze/report/page/detail/page.hpp"
 #include "graze/report/page/detail/page_beam.hpp"
-#include "graze/report/chart/detail/motion_seen.hpp"
 #include "graze/report/picture/detail/picture_probes.hpp"
 #include "graze/report/picture/detail/picture_stops.hpp"
 

@@ -1,5 +1,6 @@
 // A motion over time as ECharts draws it: panels one below the other, over one axis of time.
 import { axis, kCommon } from './echarts_parts.js';
+import { axisName } from './format.js';
 import { motionInks, stopAreas } from './orbit_charts.js';
 
 const kHeights = { displacement: 170, velocity: 150, curves: 130 }, kBetween = 14, kTop = 12, kBottom = 50;  // px
@@ -99,7 +100,7 @@ export function runOption(view, shows, theme, height) {
   return {
     ...kCommon, grid: grids(view, height),
     xAxis: panels.map((_, i) => ({
-      ...axis(colours, i === last ? `${time.name} (${time.unit})` : '', time.factor * time.low, time.factor * time.high, { gridIndex: i, nameGap: 28 }),
+      ...axis(colours, i === last ? axisName(time) : '', time.factor * time.low, time.factor * time.high, { gridIndex: i, nameGap: 28 }),
       ...(i === last ? {} : { axisLabel: { show: false } }),
     })),
     yAxis: panels.map((panel, i) => axis(colours, `${panel.name}\n${panel.more ? `${panel.more} ` : ''}${panel.unit ? `(${panel.unit})` : ''}`,

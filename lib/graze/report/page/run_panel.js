@@ -1,7 +1,7 @@
 // Beside a motion: its phase portrait over the time in view, the moment that was chosen, the impacts,
 // the command that follows it again.
 import { init } from './echarts_parts.js';
-import { element, measure, number, table } from './format.js';
+import { axisName, element, measure, number, table } from './format.js';
 import { motionInks, portraitOption } from './orbit_charts.js';
 import { Panel } from './panel.js';
 import { impactsWithin } from './run_option.js';
@@ -93,7 +93,7 @@ export class RunPanel {
       ...[impacts.before, impacts.after].map((values) => number(speed.factor * values[k], 6))]);
     const left = inside.length - rows.length;
     return root.replaceChildren(
-      table([[`impact at (${time.unit})`, 'stop', `before (${speed.unit})`, `after (${speed.unit})`], ...rows]),
+      table([[axisName({ name: 'impact at', unit: time.unit }), 'stop', axisName({ name: 'before', unit: speed.unit }), axisName({ name: 'after', unit: speed.unit })], ...rows]),
       left > 0 ? element('p', {}, `and ${left} more`) : '');
   }
 

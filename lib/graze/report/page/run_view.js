@@ -184,7 +184,7 @@ export class RunView {
       }
     }));
     if (this.shows('impacts')) places.forEach((place) => {
-      const names = ['before', 'after'].map((when) => `velocity ${when} the impact${place.name ? ` at ${place.name}` : ''} (${this.view.speed.unit})`);
+      const names = ['before', 'after'].map((when) => axisName({ name: `velocity ${when} the impact${place.name ? ` at ${place.name}` : ''}`, unit: this.view.speed.unit }));
       for (const k of impactsWithin(place.impacts, this.window))
         ['before', 'after'].forEach((when, n) => add(place.impacts.t[k], 0, names[n], this.view.speed.factor * place.impacts[when][k]));
       if (place.impacts.t.length > 0) columns.push(...names);

@@ -7,6 +7,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <cctype>
 #include <cerrno>
 #include <cmath>
 #include <cstdio>
@@ -272,6 +273,10 @@ std::string gnuplot_string(const std::string& text) {
 std::string plain_gnuplot_string(const std::string& text) {
   std::string plain;
   for (const char c : text) {
+    if (std::iscntrl(static_cast<unsigned char>(c)) != 0) {
+      plain += ' ';
+      continue;
+    }
     if (c == '_' || c == '^' || c == '{' || c == '}' || c == '@' || c == '&' || c == '~' ||
         c == '\\')
       plain += '\\';
@@ -325,7 +330,8 @@ void write(const std::string& file, const Drawing& drawing) {
                                           shell_word((special ? "./" : "") + script_name));
   write_file(path, drawing.picture);
   write_file(std::filesystem::path(path).replace_extension(".gp"), comment + drawing.script);
-  write_file(std::filesystem::path(path).replace_extension(".dat"), drawing.data);
+  // No name that a user's measurements would have.
+  write_file(std::filesystem::path(path).replace_extension(".gp.dat"), drawing.data);
 }
 
 // As gnuplot takes it, from the folder that it is in.
@@ -347,7 +353,7 @@ void draw_picture(const PictureRequest& request, const RunInfo& info, const Gnup
   const std::string picture = drawn(request.file, head + data_line(data.path()) + script.text());
   write(request.file,
         {picture,
-         head + output(request.file) + data_line(beside(request.file, ".dat")) + script.text(),
+         head + output(request.file) + data_line(beside(request.file, ".gp.dat")) + script.text(),
          script.data_text()});
 }
 
@@ -364,7 +370,7 @@ void draw_picture(const PictureRequest& request, const RunInfo& info, const Gnup
   const std::string picture =
       drawn(request.file, head + data_line(data.path()) +
                               "pixels = " + gnuplot_string(scratch.path()) + "\n" + script.text());
-  const std::string kept_data = beside(request.file, ".dat");
+  const std::string kept_data = beside(request.file, ".gp.dat");
   const std::filesystem::path kept =
       std::filesystem::path(request.file).replace_extension(".dots.png").filename();
   const std::string separator =

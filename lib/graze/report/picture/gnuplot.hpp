@@ -54,9 +54,9 @@ std::string gnuplot_string(const std::string& text);
 std::string plain_gnuplot_string(const std::string& text);
 
 // Draws the script, `proportion` times as high as wide, into the file that is asked for, and keeps
-// it beside the picture as x.gp with its data as x.dat, so that `gnuplot x.gp`, run in that folder,
-// draws the picture again. Throws FileError, leaving all files as they were, when gnuplot is
-// missing or fails, or the folder cannot be written to.
+// it beside the picture as x.gp with its data as x.gp.dat, so that `gnuplot x.gp`, run in that
+// folder, draws the picture again. Throws FileError, leaving all files as they were, when gnuplot
+// is missing or fails, or the folder cannot be written to.
 void draw_picture(const PictureRequest& request, const RunInfo& info, const GnuplotScript& script,
                   double proportion = 0.75);
 

@@ -12,8 +12,8 @@ namespace {
 
 // All in cm of a picture 12 cm wide.
 constexpr double kCell = 0.05;
-constexpr double kCharacter = 0.135, kLine = 0.26;  // of a label's letters
-constexpr double kMark = 0.16;                      // half of a mark's width, with its outline
+constexpr double kCharacter = 0.17, kLine = 0.3;  // of a label's letters
+constexpr double kMark = 0.16;                    // half of a mark's width, with its outline
 // How far from its place a label may stand, nearest first.
 constexpr std::array kAway = {0.06, 0.22, 0.45, 0.8};
 constexpr double kLeader = 0.3;  // farther labels have a line to their place

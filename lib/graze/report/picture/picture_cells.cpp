@@ -59,7 +59,7 @@ class CellPicture {
       colour = kGrounds[std::min(++next, kGrounds.size() - 1)];
       legend.emplace_back(name, colour);
     }
-    begin(legend_of(legend), 0.2);
+    begin(legend_of(legend), 0.23);
     write_cells([&](std::size_t cell) {
       const double value = numbers.of(cell);
       return std::isfinite(value) ? bar_.at(value) : colour_of(grounds.at(numbers.without(cell)));
@@ -142,7 +142,7 @@ class CellPicture {
     script_.command("set palette defined (" + palette + ")");
     script_.command("set cbrange " + bar_.range.text());
     script_.command(fmt::format("set cbtics {:.6g}", bar_.range.tic_step(6)));
-    script_.command("set cblabel " + title + " offset 1.5");
+    script_.command("set label " + title + " at screen 0.982, graph 0.5 center rotate");
     PlotTable ends;
     ends.row({x_.range().low, y_.range().low, bar_.range.low});
     ends.row({x_.range().high, y_.range().high, bar_.range.high});

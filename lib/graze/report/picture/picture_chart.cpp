@@ -15,12 +15,12 @@ namespace graze {
 namespace {
 
 // Centimetres of a picture 12 cm wide.
-constexpr double kWidth = 12.0, kLeft = 2.16, kRight = 0.48;
+constexpr double kWidth = 12.0, kLeft = 2.36, kRight = 0.48;
 constexpr double kHead = 0.36, kHertz = 1.55;    // above the axes, and with an axis in Hz
 constexpr double kAxisText = 1.55;               // tics and name of a horizontal axis
 constexpr double kBetween = 0.4, kBeside = 1.3;  // two panels
-constexpr double kNamed = 2.15;                  // the same where both name their vertical axis
-constexpr double kLetter = 0.2;                  // of the name of a vertical axis
+constexpr double kNamed = 2.4;                   // the same where both name their vertical axis
+constexpr double kLetter = 0.18;                 // of the name of a vertical axis
 constexpr double kHeading = 0.42;                // a line above a panel
 constexpr double kLegendLine = 0.37;             // of a legend at the foot
 constexpr std::size_t kLong = 27;  // of a legend's entry: longer ones have a line each
@@ -160,6 +160,12 @@ class ChartPicture {
     total_ += kLegendLine * static_cast<double>(lines) + 0.1;
   }
 
+  // That a name may have beside its unit, as long as the panel is high.
+  static std::size_t letters_of(const ChartPanel& panel, const std::string& unit) {
+    const auto letters = static_cast<std::size_t>(panel.height / kLetter);
+    return letters - std::min(letters, unit.empty() ? 0 : unit.size() + 3);
+  }
+
   // The values along the axis of all panels that share it.
   std::vector<double> across_of(std::size_t row, std::size_t i) const {
     std::vector<double> values;
@@ -195,9 +201,8 @@ class ChartPicture {
     set_horizontal(panel, x, row, panels.size());
     y.set_vertical(script_, panel.height < 2.0 ? 3 : 6);
     if (i == 0 || !is_alike(panel.y, panels[i - 1].y)) {
-      const std::string name =
-          in_two_lines(panel.y.name, static_cast<std::size_t>(panel.height / kLetter));
-      const double from_axis = name.find('\n') == std::string::npos ? 1.8 : 2.0;
+      const std::string name = in_two_lines(panel.y.name, letters_of(panel, y.unit()));
+      const double from_axis = name.find('\n') == std::string::npos ? 1.8 : 2.2;
       name_vertical_axis(script_, name, y.unit(), (left - from_axis) / kWidth);
     }
     draw_ground(panel, x, y);
@@ -214,11 +219,7 @@ class ChartPicture {
       return;
     }
     script_.command("set border 3\nunset x2tics\nunset x2label");
-    script_.command("set xrange " + x.range().text());
-    script_.command(x.is_log()
-                        ? "set logscale x\nset xtics auto\nset format x '10^{%L}'"
-                        : fmt::format("unset logscale x\nset format x '%h'\nset xtics {:.6g}",
-                                      x.range().tic_step(count == 1 ? 7 : 4)));
+    x.set_horizontal(script_, count == 1 ? 7 : 4);
     if (!below) script_.command("set format x ''");
     script_.command(below ? "set xlabel " + axis_label(panel.x.name, x.unit()) : "unset xlabel");
   }

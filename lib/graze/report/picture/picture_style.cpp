@@ -81,11 +81,18 @@ void set_legend(GnuplotScript& script, const Margins& margins, std::size_t colum
 
 namespace {
 
-// Tics of a logarithmic axis: powers of ten, named so where there are several.
-std::string log_tics(const AxisRange& range, char axis) {
-  const bool has_decades = range.high / range.low >= 100.0;
-  return fmt::format("set logscale {0}\nset {0}tics auto\nset format {0} '{1}'", axis,
-                     has_decades ? "10^{%L}" : "%h");
+// Tics of a logarithmic axis: powers of ten named so where there are several, else 1, 2 and 5 times
+// them.
+std::string log_tics(const AxisRange& range, const std::string& axis) {
+  if (range.high / range.low >= 100.0)
+    return fmt::format("set logscale {0}\nset {0}tics auto\nset format {0} '10^{{%L}}'", axis);
+  std::string tics;
+  for (double power = std::pow(10.0, std::floor(std::log10(range.low))); power <= range.high;
+       power *= 10.0)
+    for (const double step : {1.0, 2.0, 5.0})
+      if (step * power >= range.low && step * power <= range.high)
+        tics += fmt::format("{}{:.6g}", tics.empty() ? "" : ", ", step * power);
+  return fmt::format("set logscale {0}\nset format {0} '%h'\nset {0}tics ({1})", axis, tics);
 }
 
 }  // namespace
@@ -93,7 +100,7 @@ std::string log_tics(const AxisRange& range, char axis) {
 void set_parameter_axis(GnuplotScript& script, const std::string& parameter, const AxisRange& range,
                         const std::string& unit, AxisNames names, bool is_log) {
   script.command("set xrange " + range.text());
-  script.command(is_log ? log_tics(range, 'x')
+  script.command(is_log ? log_tics(range, "x")
                         : fmt::format("set xtics {:.6g}\nset format x '%h'", range.tic_step(7)));
   if (!names.below) script.command("set format x ''");
   script.command(names.below ? "set xlabel " + axis_label(parameter_title(parameter), unit)
@@ -103,7 +110,7 @@ void set_parameter_axis(GnuplotScript& script, const std::string& parameter, con
   if (!names.above) return;
   const AxisRange hertz{range.low / kTurn, range.high / kTurn};
   script.command("set x2range " + hertz.text());
-  script.command(is_log ? "set logscale x2\nset x2tics auto"
+  script.command(is_log ? log_tics(hertz, "x2")
                         : fmt::format("set x2tics {:.6g}", hertz.tic_step(9)));
   script.command("set x2label 'forcing frequency (Hz)'");
 }
@@ -132,6 +139,11 @@ ShownAxis::ShownAxis(const AxisRequest& request, const std::string& si_unit,
   if (!(shown.high > 0.0)) shown.high = 1.0;
   if (!request.low) shown.low = std::max(shown.low, kSmallest * shown.high);
   if (!(shown.low > 0.0 && shown.low < shown.high)) shown.low = 0.1 * shown.high;
+  // What is smaller lies at the foot of what is shown, with room for its mark.
+  least_ = request.low ? 0.0 : shown.low;
+  const double room = std::pow(shown.high / shown.low, margin);
+  if (!request.low) shown.low /= room;
+  if (!request.high) shown.high *= room;
   if (scale_ == AxisScale::kLog) {
     unit_ = axis_unit(si_unit, shown.high);
     range_ = {unit_.factor * shown.low, unit_.factor * shown.high};
@@ -139,19 +151,27 @@ ShownAxis::ShownAxis(const AxisRequest& request, const std::string& si_unit,
   }
   unit_ = {1.0, si_unit.empty() ? "dB" : "dB re 1 " + si_unit};
   range_ = {20.0 * std::log10(shown.low), 20.0 * std::log10(shown.high)};
-  if (!request.low && !request.high) range_.settle(margin);
 }
 
 double ShownAxis::of(double value) const {
   if (scale_ == AxisScale::kLinear) return unit_.factor * value;
   const double size = scale_ == AxisScale::kDecibel ? std::abs(value) : value;
-  if (!(size > 0.0)) return std::isnan(size) ? size : range_.low;
-  return scale_ == AxisScale::kDecibel ? 20.0 * std::log10(size) : unit_.factor * size;
+  if (std::isnan(size)) return size;
+  if (!(size > 0.0) && !(least_ > 0.0)) return range_.low;
+  const double shown = std::max(size, least_);
+  return scale_ == AxisScale::kDecibel ? 20.0 * std::log10(shown) : unit_.factor * shown;
+}
+
+void ShownAxis::set_horizontal(GnuplotScript& script, int most_tics) const {
+  script.command("set xrange " + range_.text());
+  script.command(is_log() ? log_tics(range_, "x")
+                          : fmt::format("unset logscale x\nset format x '%h'\nset xtics {:.6g}",
+                                        range_.tic_step(most_tics)));
 }
 
 void ShownAxis::set_vertical(GnuplotScript& script, int most_tics) const {
   script.command("set yrange " + range_.text());
-  script.command(is_log() ? log_tics(range_, 'y')
+  script.command(is_log() ? log_tics(range_, "y")
                           : fmt::format("unset logscale y\nset format y '%h'\nset ytics {:.6g}",
                                         range_.tic_step(most_tics)));
 }

@@ -59,13 +59,15 @@ class ShownAxis {
   double factor() const { return unit_.factor; }  // of an axis that is not in decibels
   const AxisRange& range() const { return range_; }
   bool is_log() const { return scale_ == AxisScale::kLog; }
-  // The commands of the vertical axis: its range, its scale, at most so many tics.
+  // The commands of an axis: its range, its scale, at most so many tics.
+  void set_horizontal(GnuplotScript& script, int most_tics) const;
   void set_vertical(GnuplotScript& script, int most_tics) const;
 
  private:
   AxisScale scale_;
   AxisUnit unit_;
   AxisRange range_;
+  double least_ = 0.0;  // what is smaller is shown as this, SI; 0: none
 };
 
 }  // namespace graze

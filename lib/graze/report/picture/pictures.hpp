@@ -1,5 +1,5 @@
 // Results as pictures. Gnuplot draws them; the script and its data stay beside the picture, so that
-// it can be changed and drawn again without the run: x.svg comes with x.gp and x.dat.
+// it can be changed and drawn again without the run: x.svg comes with x.gp and x.gp.dat.
 #pragma once
 
 #include <string>

@@ -25,7 +25,7 @@ std::string amplitudes_text(const std::vector<MeasuredPlace>& places, const Ampl
               cell(row.rms), row.harmonic ? cell(std::abs(*row.harmonic)) : "-",
               digits_text(row.speed, kDigits)});
   }
-  Table loads({"stop", in.head("impacts", "1/s"), in.head("impulse", "N s"),
+  Table loads({"stop", in.head("impact rate", "1/s"), in.head("impulse", "N s"),
                in.head("peak force", "N"), in.head("rms force", "N")});
   for (std::size_t i = 0; i < measured.stops.size(); ++i) {
     const StopLoad& load = measured.stops[i];

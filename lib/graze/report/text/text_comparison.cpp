@@ -112,10 +112,10 @@ std::string to_text(const ComparisonMapRecord& record, const TextOptions& option
   std::string text = fmt::format("{} against {}: {}", record.one, record.other,
                                  plane_text(map.options, record.x_unit, record.y_unit));
   Table table({"settle on", "cells", "part"});
-  std::vector<std::size_t> sizes;
-  for (const auto& [name, cells] : counts) sizes.push_back(cells);
+  std::vector<std::size_t> shares;
+  for (const auto& [name, cells] : counts) shares.push_back(cells);
   const std::size_t all = map.cells.size();
-  const std::vector<bool> is_folded = folded_groups(sizes, all);
+  const std::vector<bool> is_folded = folded_groups(shares, all);
   Folded folded;
   for (std::size_t i = 0; i < counts.size(); ++i) {
     const auto& [name, cells] = counts[i];

@@ -127,7 +127,7 @@ std::string to_text(const CostRecord& record, const TextOptions& options) {
                digits_text(row.evaluations_per_period, 4), agreement_text(row.compared)});
   std::string text = table.empty() ? "" : table.text(options.width) + "\n";
   text +=
-      fmt::format("compared over: {}; reference: {}\n", compared_span(costs),
+      fmt::format("compared over: {}; reference: {}\n", compared_span(costs, record.info.units),
                   costs.compliant || costs.turns ? reference_name(costs) : "exact flow, 50 digits");
   if (!costs.reference_message.empty())
     text += fmt::format("the reference ended there: {}\n", costs.reference_message);

@@ -36,7 +36,7 @@ void require_plane(const Scene& scene, const Plane& plane) {
     if (axis->from == axis->to)
       throw InputError(axis->name + ": its range must not be empty; give two ends that differ");
   }
-  if (plane.x.name == plane.y.name)
+  if (are_same_parameter(plane.x.name, plane.y.name))
     throw InputError(plane.y.name + ": both axes are this one; give two that differ");
 }
 
