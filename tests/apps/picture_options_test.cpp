@@ -169,6 +169,69 @@ TEST_F(PictureOptions, AreRefusedWithAReason) {
   EXPECT_EQ(run_graze(command + "--labels all").code, 2);  // no picture
 }
 
+// Names beside a picture are none that a user's own files have.
+TEST_F(PictureOptions, MeasurementsNamedLikeThePictureAreKept) {
+  const std::string folder = std::string(GRAZE_SOURCE_DIR) + "/data/measurements/";
+  std::filesystem::copy_file(folder + "restitution.csv", scratch / "x.dat");
+  const std::string before = read_text(scratch / "x.dat");
+  script("fit " + folder + "restitution.toml " + (scratch / "x.dat").string());
+  EXPECT_EQ(read_text(scratch / "x.dat"), before);
+}
+
+TEST_F(PictureOptions, ALineBreakInATitleIsABlank) {
+  EXPECT_NE(script("continue " + kOneMode + "--title 'one\ntwo'").find("caption = 'one two'"),
+            std::string::npos);
+}
+
+// From 0.5 to 1.7 rad/s a logarithmic axis has the tics 0.5 and 1, and 0.1 and 0.2 Hz.
+TEST_F(PictureOptions, ALogarithmicAxisWithinADecadeHasTics) {
+  const std::string text = script("continue " + kOscillator + "--x-scale log");
+  EXPECT_NE(text.find("set xtics (0.5, 1)"), std::string::npos);
+  EXPECT_NE(text.find("set x2tics (0.1, 0.2)"), std::string::npos);
+}
+
+TEST_F(PictureOptions, APageHasNoUseForThem) {
+  for (const char* option : {"--title x", "--style slide", "--labels none", "--x-range 20:60",
+                             "--y-scale log", "--multipliers"}) {
+    const std::string page = (scratch / "x.html").string();
+    const Finished run = run_graze("continue " + kOneMode + option + " --plot " + page);
+    EXPECT_EQ(run.code, 2) << option;
+    EXPECT_NE(run.err.find("are of pictures"), std::string::npos) << run.err;
+    EXPECT_FALSE(std::filesystem::exists(page));
+  }
+  EXPECT_NE(
+      refusal("continue " + kOneMode + "--y-scale log --y-range -1:2").find("give ends above zero"),
+      std::string::npos);
+}
+
+TEST_F(PictureOptions, ShapesStandAtTheTimesAskedForWithinTheRun) {
+  const std::string command =
+      "simulate " + scene("02_wagg_momentum.toml") + " --duration 0.5 --show shapes --shapes-at ";
+  const std::string text = script(command + "0.4,0.1,0.4");
+  EXPECT_LT(text.find("'t = 0.1 s'"), text.find("'t = 0.4 s'"));
+  // At the tip, where the stop is 1.05 mm below, the beam is no lower.
+  for (const char* series : {"row1_1_series1", "row1_1_series2"}) {
+    ASSERT_EQ(data(series).size(), 201U);
+    EXPECT_NEAR(data(series).front().second, 0.0, 1e-12);  // clamped
+    EXPECT_GE(data(series).back().second, -1.05 - 1e-9);
+  }
+  EXPECT_NE(refusal(command + "0.6").find("beyond the end of the run"), std::string::npos);
+}
+
+TEST_F(PictureOptions, APlaneHasTwoParameters) {
+  for (const std::string& axes : std::vector<std::string>{
+           "--parameter forcing.frequency --from 20 --to 40 --second forcing.frequency_hz "
+           "--second-from 3 --second-to 6",
+           "--parameter stop.gap --from 1e-3 --to 2e-3 --second stop.1.gap --second-from 1e-3 "
+           "--second-to 2e-3"})
+    for (const std::string& command : std::vector<std::string>{"map ", "continue --locus LP "})
+      EXPECT_EQ(run_graze(command + scene("05_wagg_one_mode.toml") + " " + axes +
+                          (command == "map " ? " --points 2 --second-points 2" : ""))
+                    .code,
+                2)
+          << command << axes;
+}
+
 // The samples of the table do not change with the picture, which takes more of them.
 TEST_F(PictureOptions, RecordedSamplesAreTheSameWithAPicture) {
   const auto samples = [&](const std::string& more) {

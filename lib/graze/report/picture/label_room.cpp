@@ -142,8 +142,11 @@ void LabelRoom::put(GnuplotScript& script, const std::string& text, const Found&
         (found.x + part * (to_x - found.x)) / width_, (found.y + part * (to_y - found.y)) / height_,
         to_x / width_, to_y / height_, kGrey));
   }
-  script.command(fmt::format("set label {} at graph {:.5f}, graph {:.5f} center front font ',8'",
-                             gnuplot_string(text), x / width_, y / height_));
+  if (is_on_ground_)
+    script.command("set style textbox opaque margins 0.3,0.3 fillcolor rgb '#FFFFFF' noborder");
+  script.command(fmt::format("set label {} at graph {:.5f}, graph {:.5f} center front font ',8'{}",
+                             gnuplot_string(text), x / width_, y / height_,
+                             is_on_ground_ ? " boxed" : ""));
   fill(box, kOnMark);
 }
 

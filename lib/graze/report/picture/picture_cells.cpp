@@ -98,6 +98,7 @@ class CellPicture {
       columns_ = kColumnsOfLong;
       draw_locus_curves(*loci_, plane, LociGround::kColours, script_, loci_drawn_);
       LabelRoom room(plane, kLociWidth, kLociHeight);
+      room.stand_on_white();
       label_loci(*loci_, plane, request_.labels, room, script_);
     }
     legend_.insert(legend_.end(), loci_drawn_.legend.begin(), loci_drawn_.legend.end());

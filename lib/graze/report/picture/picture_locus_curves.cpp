@@ -104,6 +104,8 @@ void label_loci(const OrbitLoci& traced, const PicturePlane& plane, LabelChoice 
       room.add_mark(x, y);
     }
   }
+  constexpr std::size_t kMany = 24;
+  if (points.size() > kMany) room.keep_near();
   for (const Named& point : points)
     room.write(script, fmt::format("{}", fmt::join(point.ids, ", ")), point.x, point.y);
 }

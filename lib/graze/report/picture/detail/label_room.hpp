@@ -25,6 +25,8 @@ class LabelRoom {
 
   // No label stands away from its place from here on: lines to many would be a net.
   void keep_near() { is_crowded_ = true; }
+  // Words stand on white from here on, to be read on any ground.
+  void stand_on_white() { is_on_ground_ = true; }
   // Whether two places look like one.
   bool are_one_place(double x, double y, double other_x, double other_y) const;
 
@@ -56,7 +58,7 @@ class LabelRoom {
   PicturePlane plane_;
   double width_, height_;
   int columns_, rows_;
-  bool is_crowded_ = false;
+  bool is_crowded_ = false, is_on_ground_ = false;
   std::vector<unsigned char> taken_;  // by cells: a line 1, a dot 2, a mark or a label 255
 };
 
