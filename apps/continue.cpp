@@ -67,7 +67,7 @@ std::optional<Shown> shown_of(std::optional<ShownQuantity> quantity, const std::
   std::string known;
   for (std::size_t i = 0; i < places.size(); ++i) {
     const MeasuredPlace& place = places[i];
-    if (is_of_stop(*quantity) && !place.stop) continue;
+    if (!exists_at(*quantity, place)) continue;
     const std::string name = place.name('.');
     if (at.empty() || at == name) return Shown{*quantity, i};
     known += (known.empty() ? "" : ", ") + name;

@@ -154,9 +154,9 @@ State initial_state(const Scene& scene, const System& system) {
       const std::string key =
           system.stops.size() == 1 ? "stop.gap" : fmt::format("stop.{}.gap", i + 1);
       throw scene_error(scene, scene.initial ? start_key(*scene.initial) : key,
-                        fmt::format("the motion starts {:.6g} m beyond stop {}; the displacement "
+                        fmt::format("the motion starts {:.6g}{} beyond stop {}; the displacement "
                                     "at the stop must not exceed its gap",
-                                    -gap.value, i + 1));
+                                    -gap.value, scene.units == Units::kSi ? " m" : "", i + 1));
     }
   }
   return state;

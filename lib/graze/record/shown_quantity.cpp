@@ -89,6 +89,11 @@ bool is_of_stop(ShownQuantity quantity) {
          quantity == ShownQuantity::kImpactRate;
 }
 
+bool exists_at(ShownQuantity quantity, const MeasuredPlace& place) {
+  if (is_of_stop(quantity)) return place.stop.has_value();
+  return quantity != ShownQuantity::kPeakVelocity || !place.unit.ends_with("/s");
+}
+
 std::optional<double> shown_value(const Shown& shown, const std::vector<MeasuredPlace>& places,
                                   const Amplitudes& measured) {
   if (measured.rows.size() != places.size()) return {};

@@ -38,6 +38,8 @@ inline constexpr ShownQuantity kShownQuantities[] = {
 
 const char* name_of(ShownQuantity quantity);  // "peak-velocity"
 bool is_of_stop(ShownQuantity quantity);
+// Forces and impacts are of stops; the largest velocity is of what is not a velocity already.
+bool exists_at(ShownQuantity quantity, const MeasuredPlace& place);
 // Nothing where it does not exist: no force where impacts have none.
 std::optional<double> shown_value(const Shown& shown, const std::vector<MeasuredPlace>& places,
                                   const Amplitudes& measured);
