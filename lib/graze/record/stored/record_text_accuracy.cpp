@@ -6,16 +6,11 @@
 
 namespace graze {
 
-std::string record_text(const CheckRecord& record) { return value_text(record); }
-std::string record_text(const CostRecord& record) { return value_text(record); }
-std::string record_text(const FitRecord& record) { return value_text(record); }
-
-bool read_record_text(std::string_view text, CheckRecord& record) {
-  return read_value(text, record);
-}
-bool read_record_text(std::string_view text, CostRecord& record) {
-  return read_value(text, record);
-}
-bool read_record_text(std::string_view text, FitRecord& record) { return read_value(text, record); }
+template std::string record_text(const CheckRecord&);
+template bool read_record_text(std::string_view, CheckRecord&);
+template std::string record_text(const CostRecord&);
+template bool read_record_text(std::string_view, CostRecord&);
+template std::string record_text(const FitRecord&);
+template bool read_record_text(std::string_view, FitRecord&);
 
 }  // namespace graze

@@ -6,28 +6,17 @@
 
 namespace graze {
 
-std::string record_text(const SimulationRecord& record) { return value_text(record); }
-std::string record_text(const RunDiagramRecord& record) { return value_text(record); }
-std::string record_text(const MapRecord& record) { return value_text(record); }
-std::string record_text(const ComparisonRecord& record) { return value_text(record); }
-std::string record_text(const ComparisonMapRecord& record) { return value_text(record); }
-std::string record_text(const SensitivityRecord& record) { return value_text(record); }
-
-bool read_record_text(std::string_view text, SimulationRecord& record) {
-  return read_value(text, record);
-}
-bool read_record_text(std::string_view text, RunDiagramRecord& record) {
-  return read_value(text, record);
-}
-bool read_record_text(std::string_view text, MapRecord& record) { return read_value(text, record); }
-bool read_record_text(std::string_view text, ComparisonRecord& record) {
-  return read_value(text, record);
-}
-bool read_record_text(std::string_view text, ComparisonMapRecord& record) {
-  return read_value(text, record);
-}
-bool read_record_text(std::string_view text, SensitivityRecord& record) {
-  return read_value(text, record);
-}
+template std::string record_text(const SimulationRecord&);
+template bool read_record_text(std::string_view, SimulationRecord&);
+template std::string record_text(const RunDiagramRecord&);
+template bool read_record_text(std::string_view, RunDiagramRecord&);
+template std::string record_text(const MapRecord&);
+template bool read_record_text(std::string_view, MapRecord&);
+template std::string record_text(const ComparisonRecord&);
+template bool read_record_text(std::string_view, ComparisonRecord&);
+template std::string record_text(const ComparisonMapRecord&);
+template bool read_record_text(std::string_view, ComparisonMapRecord&);
+template std::string record_text(const SensitivityRecord&);
+template bool read_record_text(std::string_view, SensitivityRecord&);
 
 }  // namespace graze

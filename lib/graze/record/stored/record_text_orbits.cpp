@@ -5,22 +5,13 @@
 
 namespace graze {
 
-std::string record_text(const OrbitRecord& record) { return value_text(record); }
-std::string record_text(const BranchRecord& record) { return value_text(record); }
-std::string record_text(const LociRecord& record) { return value_text(record); }
-std::string record_text(const DiagramRecord& record) { return value_text(record); }
-
-bool read_record_text(std::string_view text, OrbitRecord& record) {
-  return read_value(text, record);
-}
-bool read_record_text(std::string_view text, BranchRecord& record) {
-  return read_value(text, record);
-}
-bool read_record_text(std::string_view text, LociRecord& record) {
-  return read_value(text, record);
-}
-bool read_record_text(std::string_view text, DiagramRecord& record) {
-  return read_value(text, record);
-}
+template std::string record_text(const OrbitRecord&);
+template bool read_record_text(std::string_view, OrbitRecord&);
+template std::string record_text(const BranchRecord&);
+template bool read_record_text(std::string_view, BranchRecord&);
+template std::string record_text(const LociRecord&);
+template bool read_record_text(std::string_view, LociRecord&);
+template std::string record_text(const DiagramRecord&);
+template bool read_record_text(std::string_view, DiagramRecord&);
 
 }  // namespace graze

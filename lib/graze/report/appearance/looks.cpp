@@ -77,6 +77,10 @@ const std::vector<Look> kGrounds = {
 constexpr std::array kOtherGrounds = {"#44BB99", "#EE8866", "#BBCC33", "#B79AD0", "#AAAA00"};
 constexpr std::array kCurves = {kBlue, kVermillion, kGreen, kOrange, kPurple, kSky};
 
+// One for each colour of curves.
+const std::array<std::vector<int>, kCurves.size()> kCurveDashes = {
+    {{}, {8, 4}, {3, 3}, {10, 3, 2, 3}, {14, 3, 2, 3, 2, 3}, {2, 4}}};
+
 const Look* found(std::span<const Look> looks, const std::string& id) {
   const auto at =
       std::find_if(looks.begin(), looks.end(), [&](const Look& look) { return look.id == id; });
@@ -117,6 +121,11 @@ const Look& codimension_two_look() { return kCodimensionTwo; }
 const Look& dot_look(const std::string& id) { return *found(kDots, id); }
 const Look* fixed_ground(const std::string& id) { return found(kGrounds, id); }
 const Look& ground_look(const std::string& id) { return *found(kGrounds, id); }
+
+Look curve_look(std::size_t i) {
+  constexpr std::size_t kCount = kCurves.size();
+  return {.colour = kCurves[i % kCount], .dashes = kCurveDashes[(i + i / kCount) % kCount]};
+}
 
 std::vector<LookGroup> all_looks() {
   std::vector<LookGroup> groups = {{"Branches", {kLines.rbegin(), kLines.rend()}},

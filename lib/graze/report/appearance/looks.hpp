@@ -64,6 +64,10 @@ std::span<const char* const> other_grounds();
 // Colours of curves that share a panel, one after the other.
 std::span<const char* const> curve_colours();
 
+// Line `i` of curves that share a panel: neighbours differ by more than their colour, and no two of
+// 36 are alike.
+Look curve_look(std::size_t i);
+
 // All of them, a group each, for the table of the gallery.
 struct LookGroup {
   std::string name;

@@ -4,10 +4,26 @@
 
 #include <algorithm>
 #include <array>
+#include <cctype>
 #include <cmath>
 #include <map>
 
 namespace graze {
+
+std::string as_markup(const std::string& words) {
+  std::string plain;
+  for (const char c : words) {
+    if (std::iscntrl(static_cast<unsigned char>(c)) != 0) {
+      plain += ' ';
+      continue;
+    }
+    if (c == '_' || c == '^' || c == '{' || c == '}' || c == '@' || c == '&' || c == '~' ||
+        c == '\\')
+      plain += '\\';
+    plain += c;
+  }
+  return plain;
+}
 
 const char* name_of(AxisScale scale) {
   switch (scale) {
@@ -129,9 +145,7 @@ std::string parameter_title(const std::string& path) {
   }
   if (path.starts_with("initial.qdot.")) return "dq_{" + path.substr(13) + "}/dt at the start";
   if (path.starts_with("initial.q.")) return "q_{" + path.substr(10) + "} at the start";
-  std::string title;
-  for (char c : path) title += c == '_' ? std::string("\\_") : std::string(1, c);
-  return title;
+  return as_markup(path);
 }
 
 bool has_hertz_axis(const std::string& parameter, const std::string& unit) {

@@ -6,6 +6,9 @@
 
 namespace graze {
 
+// Words that are no markup, as text that may hold some.
+std::string as_markup(const std::string& words);
+
 enum class AxisScale { kLinear, kLog, kDecibel };
 inline constexpr AxisScale kAxisScales[] = {AxisScale::kLinear, AxisScale::kLog,
                                             AxisScale::kDecibel};

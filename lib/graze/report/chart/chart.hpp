@@ -2,7 +2,6 @@
 // of what it stands for. Pictures (gnuplot) and pages (a browser) draw the same charts.
 #pragma once
 
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -16,9 +15,8 @@ struct ChartAxis {
   std::string unit = {};  // SI, "" for a pure number
   AxisRange range = {};   // of the values, SI; empty: of what is drawn
   AxisScale scale = AxisScale::kLinear;
-  std::string path = {};            // of the parameter that it is, "forcing.frequency"; or none
-  bool from_zero = false;           // zero belongs to the range
-  std::optional<double> most = {};  // the range holds no value above
+  std::string path = {};   // of the parameter that it is, "forcing.frequency"; or none
+  bool from_zero = false;  // zero belongs to the range
 };
 
 struct ChartSeries {

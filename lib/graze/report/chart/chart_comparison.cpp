@@ -10,14 +10,6 @@
 namespace graze {
 namespace {
 
-// Names of settings are no markup.
-std::string plain(const std::string& name) {
-  std::string result;
-  for (const char letter : name)
-    result += letter == '_' || letter == '^' ? std::string("\\") + letter : std::string(1, letter);
-  return result;
-}
-
 struct QuantityLook {
   ComparedQuantity quantity;
   const char* colour;
@@ -35,7 +27,7 @@ constexpr QuantityLook kLooks[] = {
 ChartSeries curve_of(const MotionSeen& seen, double MotionPoint::*part, const std::string& name,
                      std::size_t i) {
   ChartSeries series{
-      plain(name), {.colour = i == 0 ? kBlue : kVermillion, .width = 1.4}, true, false, {}, {}};
+      as_markup(name), {.colour = i == 0 ? kBlue : kVermillion, .width = 1.4}, true, false, {}, {}};
   if (i > 0) series.look.dashes = {8, 4};
   for (const MotionPoint& point : seen.places.front().motion) {
     series.x.push_back(point.time);

@@ -64,8 +64,6 @@ ChartPanel peaks_panel(const RunDiagramRecord& record, std::size_t probe) {
 
 ChartPanel sensitivity_panel(const SensitivityRecord& record, std::size_t probe,
                              const std::string& name, Matrix SensitivityCurve::*part) {
-  static const std::vector<std::vector<int>> kDashes = {
-      {}, {8, 4}, {3, 3}, {10, 3, 2, 3}, {14, 3, 2, 3, 2, 3}, {2, 4}};
   ChartPanel panel{
       parameter_axis(record.parameter, record.unit),
       {.name = fmt::format("{} (%)\n{}", name, probe_quantity_name(record.probes[probe].quantity)),
@@ -78,7 +76,7 @@ ChartPanel sensitivity_panel(const SensitivityRecord& record, std::size_t probe,
                            ? ""
                            : fmt::format("{} {:.4g} {}", parameter_title(record.second),
                                          curve.second, record.second_unit),
-                       {.colour = curve_colours()[c], .dashes = kDashes[c]},
+                       curve_look(c),
                        true,
                        false,
                        {},

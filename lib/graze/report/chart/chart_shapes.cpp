@@ -12,9 +12,6 @@ namespace {
 
 constexpr int kPlaces = 201;  // along the beam
 constexpr std::size_t kMostModes = 6;
-// So that neighbours differ by more than their colour.
-const std::vector<std::vector<int>> kDashes = {
-    {}, {8, 4}, {3, 3}, {10, 3, 2, 3}, {14, 3, 2, 3, 2, 3}, {2, 4}};
 
 ChartPanel beam_panel(const char* name, const char* unit, Units units) {
   ChartPanel panel{{.name = "place along the beam x", .unit = unit_in(units, "m")},
@@ -53,7 +50,7 @@ Chart mode_shapes_chart(const CheckRecord& record) {
         record.info.units == Units::kSi
             ? fmt::format("mode {}: {:.4g} rad/s ({:.4g} Hz)", j + 1, frequency, frequency / kTurn)
             : fmt::format("mode {}: {:.4g}", j + 1, frequency),
-        {.colour = curve_colours()[j], .dashes = kDashes[j]},
+        curve_look(j),
         true,
         false,
         places->x,
@@ -68,15 +65,9 @@ Chart shapes_chart(const SimulationRecord& record) {
   ChartPanel panel = beam_panel("displacement u", "m", record.info.units);
   for (std::size_t i = 0; i < record.shapes.size(); ++i) {
     const BeamShape& shape = record.shapes[i];
-    const std::size_t look = i % curve_colours().size();
     panel.series.push_back(
         {fmt::format("t = {:.6g}{}", shape.time, record.info.units == Units::kSi ? " s" : ""),
-         {.colour = curve_colours()[look],
-          .dashes = kDashes[(i + i / kDashes.size()) % kDashes.size()]},
-         true,
-         false,
-         shape.x,
-         shape.deflection});
+         curve_look(i), true, false, shape.x, shape.deflection});
   }
   if (record.beam) add_stops(record.beam->stops, panel);
   return {"Shapes of the beam", {{panel}}};

@@ -30,7 +30,6 @@ Json axis_json(const ChartAxis& axis, const AxisRange& drawn, double margin) {
   const bool given = !axis.range.empty();
   AxisRange range = given ? axis.range : drawn;
   if (!given && axis.from_zero) range.include(0.0);
-  if (!given && axis.most) range.high = std::min(range.high, *axis.most);
   Json json = page_axis(axis.name, axis.unit, range, given ? 0.0 : margin);
   json["scale"] = name_of_scale(axis.scale);
   // On a logarithmic axis what is drawn is known only where it is drawn.

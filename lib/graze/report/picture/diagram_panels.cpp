@@ -32,25 +32,25 @@ DiagramPanel panel_of(const MotionObservable& observable, const Sweep* swept) {
 // None for minus infinity.
 DiagramPanel exponent_panel(const Sweep& swept, Units units) {
   DiagramPanel panel{"Lyapunov exponents", unit_in(units, "1/s")};
+  const Look &largest = dot_look("largest"), &lower = dot_look("lower");
   double highest = 0.0;
   for (const SweepRow& row : swept.rows)
     for (Eigen::Index j = 0; row.exponents && j < row.exponents->values.size(); ++j) {
       const double height = row.exponents->values[j];
       if (!std::isfinite(height)) continue;
       if (j == 0) highest = std::max(highest, height);
-      panel.dots.push_back({row.value, height, &dot_look(j > 0 ? "lower" : "largest")});
+      panel.dots.push_back({row.value, height, j > 0 ? &lower : &largest});
     }
   // The largest lie on top.
-  std::stable_partition(panel.dots.begin(), panel.dots.end(), [](const DiagramPanel::Dot& dot) {
-    return dot.look == &dot_look("lower");
-  });
+  std::stable_partition(panel.dots.begin(), panel.dots.end(),
+                        [&](const DiagramPanel::Dot& dot) { return dot.look == &lower; });
   panel.from_zero = true;
   panel.level = 0.0;
   // Superstable orbits reach down without bound, and so do all other exponents; what tells order
   // from chaos lies about zero.
   double lowest = 0.0;
   for (const DiagramPanel::Dot& dot : panel.dots)
-    if (dot.look == &dot_look("largest")) lowest = std::min(lowest, dot.height);
+    if (dot.look == &largest) lowest = std::min(lowest, dot.height);
   panel.least = highest > 0.0 ? std::max(lowest, -kDeepest * highest) : lowest;
   return panel;
 }

@@ -7,7 +7,6 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <cctype>
 #include <cerrno>
 #include <cmath>
 #include <cstdio>
@@ -271,18 +270,7 @@ std::string gnuplot_string(const std::string& text) {
 }
 
 std::string plain_gnuplot_string(const std::string& text) {
-  std::string plain;
-  for (const char c : text) {
-    if (std::iscntrl(static_cast<unsigned char>(c)) != 0) {
-      plain += ' ';
-      continue;
-    }
-    if (c == '_' || c == '^' || c == '{' || c == '}' || c == '@' || c == '&' || c == '~' ||
-        c == '\\')
-      plain += '\\';
-    plain += c;
-  }
-  return gnuplot_string(plain);
+  return gnuplot_string(as_markup(text));
 }
 
 namespace {

@@ -150,8 +150,21 @@ void LabelRoom::put(GnuplotScript& script, const std::string& text, const Found&
   fill(box, kOnMark);
 }
 
-bool LabelRoom::are_one_place(double x, double y, double other_x, double other_y) const {
-  return std::hypot(cm_x(x) - cm_x(other_x), cm_y(y) - cm_y(other_y)) < 0.25 * kMark;
+void LabelRoom::name(GnuplotScript& script, const std::vector<NamedPoint>& points) {
+  std::vector<NamedPoint> places;
+  for (const NamedPoint& point : points) {
+    const auto same = std::find_if(places.begin(), places.end(), [&](const NamedPoint& place) {
+      return std::hypot(cm_x(point.x) - cm_x(place.x), cm_y(point.y) - cm_y(place.y)) <
+             0.25 * kMark;
+    });
+    if (same == places.end())
+      places.push_back(point);
+    else
+      same->id += ", " + point.id;
+  }
+  constexpr std::size_t kMany = 24;
+  is_crowded_ = places.size() > kMany;
+  for (const NamedPoint& place : places) write(script, place.id, place.x, place.y);
 }
 
 bool LabelRoom::write(GnuplotScript& script, const std::string& text, double x, double y) {

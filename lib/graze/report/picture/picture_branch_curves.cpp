@@ -90,24 +90,13 @@ void BranchCurves::label(GnuplotScript& script, LabelRoom& room, LabelChoice cho
   for (const BranchMark& mark : made_.marks)
     for (const double y : mark.y) room.add_mark(mark.x, y);
   if (choice == LabelChoice::kNone) return;
-  // What ends one branch and begins the next is one point with two ids: one label tells of both.
-  struct Named {
-    double x = 0.0, y = 0.0;
-    std::string ids;
-  };
-  std::vector<Named> points;
+  std::vector<LabelRoom::NamedPoint> points;
   for (const BranchMark& mark : made_.marks) {
     const SpecialPoint& special = branches_[mark.branch].special[mark.special];
-    if (mark.y.empty() || !special.at.orbit.admissible) continue;
-    auto same = std::find_if(points.begin(), points.end(), [&](const Named& point) {
-      return room.are_one_place(point.x, point.y, mark.x, mark.y.front());
-    });
-    if (same == points.end()) same = points.insert(points.end(), {mark.x, mark.y.front(), ""});
-    same->ids += (same->ids.empty() ? "" : ", ") + special.id;
+    if (!mark.y.empty() && special.at.orbit.admissible)
+      points.push_back({mark.x, mark.y.front(), special.id});
   }
-  constexpr std::size_t kMany = 24;
-  if (points.size() > kMany) room.keep_near();
-  for (const Named& point : points) room.write(script, point.ids, point.x, point.y);
+  room.name(script, points);
   if (choice == LabelChoice::kAll) label_branches(script, room);
 }
 

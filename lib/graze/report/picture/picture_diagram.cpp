@@ -85,7 +85,7 @@ class DiagramPicture {
   PixelLayer dots() const {
     PixelLayer layer;
     const auto count = static_cast<double>(drawn_.size());
-    layer.width = static_cast<int>(kPixels * (1.0 - margins_.left - margins_.right));
+    layer.width = canvas_width();
     layer.height = panel_pixels() * static_cast<int>(drawn_.size());
     layer.script.command("unset border\nunset tics\nunset key");
     for (const DrawnPanel& panel : drawn_) write_dots(panel, layer.script);
@@ -140,6 +140,9 @@ class DiagramPicture {
   }
 
   const std::string& parameter() const { return record_.traced.parameter; }
+  int canvas_width() const {
+    return static_cast<int>(kPixels * (1.0 - margins_.left - margins_.right));
+  }
   int panel_pixels() const { return static_cast<int>(kPixels * panel_height_); }
 
   void draw(std::size_t i) {
@@ -194,8 +197,7 @@ class DiagramPicture {
     // The whole canvas, placed so that this panel's part lies over the axes, which cut off the
     // rest.
     const auto below = static_cast<double>(drawn_.size() - 1 - i);
-    const PixelLayer layer = dots();
-    const double dx = panel.plane.x.span() / layer.width,
+    const double dx = panel.plane.x.span() / canvas_width(),
                  dy = panel.plane.y.span() / panel_pixels();
     return {
         fmt::format("pixels binary filetype=png origin=({:.12g},{:.12g}) "

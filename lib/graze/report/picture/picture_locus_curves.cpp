@@ -1,12 +1,9 @@
 #include "graze/report/picture/detail/picture_locus_curves.hpp"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
-#include <cmath>
 #include <map>
-#include <set>
 
 #include "graze/report/picture/detail/gnuplot_looks.hpp"
 #include "graze/report/picture/detail/label_room.hpp"
@@ -84,30 +81,21 @@ void draw_locus_curves(const OrbitLoci& traced, const PicturePlane& plane, LociG
 void label_loci(const OrbitLoci& traced, const PicturePlane& plane, LabelChoice choice,
                 LabelRoom& room, GnuplotScript& script) {
   if (choice == LabelChoice::kNone) return;
-  struct Named {
-    double x = 0.0, y = 0.0;
-    std::set<std::string> ids;
-  };
-  std::vector<Named> points;  // what stands at one place is named in one label
+  std::vector<LabelRoom::NamedPoint> points;
   for (const OrbitLocus& locus : traced.loci) {
     for (std::size_t i = 0; i + 1 < locus.points.size(); ++i)
       room.add_line(plane.x_factor * locus.points[i].value, plane.y_factor * locus.points[i].second,
                     plane.x_factor * locus.points[i + 1].value,
                     plane.y_factor * locus.points[i + 1].second);
     for (const OrbitLocusSpecial& special : locus.special) {
-      const double x = plane.x_factor * special.at.value, y = plane.y_factor * special.at.second;
-      auto same = std::find_if(points.begin(), points.end(), [&](const Named& point) {
-        return room.are_one_place(point.x, point.y, x, y);
-      });
-      if (same == points.end()) same = points.insert(points.end(), {x, y, {}});
-      same->ids.insert(special.id);
-      room.add_mark(x, y);
+      points.push_back(
+          {plane.x_factor * special.at.value, plane.y_factor * special.at.second, special.id});
+      room.add_mark(points.back().x, points.back().y);
     }
   }
-  constexpr std::size_t kMany = 24;
-  if (points.size() > kMany) room.keep_near();
-  for (const Named& point : points)
-    room.write(script, fmt::format("{}", fmt::join(point.ids, ", ")), point.x, point.y);
+  std::sort(points.begin(), points.end(),
+            [](const auto& one, const auto& other) { return one.id < other.id; });
+  room.name(script, points);
 }
 
 }  // namespace graze

@@ -69,8 +69,7 @@ class SectionPicture {
       script.command("set label 'no point of the section' at graph 0.5, graph 0.5 center");
     std::vector<std::string> layers;
     if (as_pixels && !tables_.empty()) {
-      const PixelLayer layer = dots();
-      const double dx = x_.span() / layer.width, dy = y_.span() / layer.height;
+      const double dx = x_.span() / canvas_width(), dy = y_.span() / canvas_height();
       layers.push_back(
           fmt::format("pixels binary filetype=png origin=({:.12g},{:.12g}) "
                       "dx={:.12g} dy={:.12g} with rgbalpha notitle",
@@ -90,8 +89,8 @@ class SectionPicture {
   // The inside of the axes.
   PixelLayer dots() const {
     PixelLayer layer;
-    layer.width = static_cast<int>(kPixels * (1.0 - margins_.left - margins_.right));
-    layer.height = static_cast<int>(kPixels * kHeight * (1.0 - margins_.top - margins_.bottom));
+    layer.width = canvas_width();
+    layer.height = canvas_height();
     layer.script.command("unset border\nunset tics\nunset key");
     set_margins(layer.script, {0.0, 0.0, 0.0, 0.0});
     layer.script.command("set xrange " + x_.text() + "\nset yrange " + y_.text());
@@ -101,6 +100,13 @@ class SectionPicture {
   }
 
  private:
+  // Pixels.
+  int canvas_width() const {
+    return static_cast<int>(kPixels * (1.0 - margins_.left - margins_.right));
+  }
+  int canvas_height() const {
+    return static_cast<int>(kPixels * kHeight * (1.0 - margins_.top - margins_.bottom));
+  }
   static const char* colour_of(int stop) {
     return curve_colours()[static_cast<std::size_t>(stop) % curve_colours().size()];
   }

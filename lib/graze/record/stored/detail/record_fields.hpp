@@ -88,4 +88,13 @@ void fields(Archive& archive, ComparisonMapOptions& options) {
   plane_fields(archive, options);
 }
 
+template <class Record>
+std::string record_text(const Record& record) {
+  return value_text(record);
+}
+template <class Record>
+bool read_record_text(std::string_view text, Record& record) {
+  return read_value(text, record);
+}
+
 }  // namespace graze

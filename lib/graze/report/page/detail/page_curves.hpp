@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "graze/record/records.hpp"
-#include "graze/report/json/detail/json_value.hpp"
 #include "graze/report/chart/detail/motion_observables.hpp"
+#include "graze/report/json/detail/json_value.hpp"
 
 namespace graze {
 

@@ -23,16 +23,19 @@ class LabelRoom {
   // Lines of text about a place.
   void take(const std::vector<std::string>& lines, double x, double y);
 
-  // No label stands away from its place from here on: lines to many would be a net.
-  void keep_near() { is_crowded_ = true; }
   // Words stand on white from here on, to be read on any ground.
   void stand_on_white() { is_on_ground_ = true; }
-  // Whether two places look like one.
-  bool are_one_place(double x, double y, double other_x, double other_y) const;
-
   // Writes the text near a place, as near as there is room for it, with a thin line to it from
   // farther away; false where there is none.
   bool write(GnuplotScript& script, const std::string& text, double x, double y);
+  // Ids beside their points; what stands at one place, as the end of one branch and the beginning
+  // of the next, has one label. Of many none stands away from its point: lines to all would be a
+  // net.
+  struct NamedPoint {
+    double x = 0.0, y = 0.0;
+    std::string id;
+  };
+  void name(GnuplotScript& script, const std::vector<NamedPoint>& points);
   // The same at the best of several places: on a curve, which it stands beside.
   bool write(GnuplotScript& script, const std::string& text,
              const std::vector<std::pair<double, double>>& places);
