@@ -80,11 +80,14 @@ void show(const ViewCommand& command, SimulationRecord& record) {
   const RunPicture shown = shown_among(kRunPictures, command);
   const bool has_impacts = record.section && record.section->kind() == DiagramSection::kImpact;
   if (shown == RunPicture::kReturns && !has_impacts)
-    refuse_to_show(command, "kept no impacts for it; run it again with --section impact");
+    refuse_to_show(command,
+                   "kept no impacts for it; run it again with --section impact and --plot");
   if (shown == RunPicture::kSpectrum && record.shown != shown)
-    refuse_to_show(command, "kept too little of its motion; run it again with --show spectrum");
+    refuse_to_show(command,
+                   "kept too little of its motion; run it again with --show spectrum and --plot");
   if (shown == RunPicture::kShapes && record.shapes.empty())
-    refuse_to_show(command, "kept no shapes; run it again with --show shapes");
+    refuse_to_show(command,
+                   "kept no shapes; run it again with --show shapes, --shapes-at and --plot");
   if (shown == RunPicture::kMotion) keep_end(record);
   record.shown = shown;
 }

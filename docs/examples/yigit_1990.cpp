@@ -183,9 +183,9 @@ void draw(const std::string& file) {
     const std::string name = std::to_string(column + 1);
     script.data("rate" + name, rate);
     script.data("strain" + name, strain);
-    const double left = column == 0 ? 0.16 : 0.635, right = left + 0.345;
+    const double left = column == 0 ? 0.19 : 0.655, right = left + 0.31;
     for (int row = 0; row < 2; ++row) {
-      Margins margins{left, 1.0 - right, row == 0 ? 0.58 : 0.14, row == 0 ? 0.08 : 0.50};
+      Margins margins{left, 1.0 - right, row == 0 ? 0.60 : 0.18, row == 0 ? 0.10 : 0.50};
       set_margins(script, margins);
       script.command(row == 0 ? "set format x ''" : "set format x '%g'");
       script.command("set xrange [0:1.5]\nset xtics 0.5");

@@ -51,6 +51,26 @@ TEST(UnitsNone, NothingPrintedHasAUnit) {
   EXPECT_TRUE(std::regex_search(run.out, unit)) << run.out;
 }
 
+// What ends a run early, is refused or is told of an orbit is a sentence with numbers in it.
+TEST(UnitsNone, NoSentenceHasAUnit) {
+  const ScratchFolder folder;
+  const std::string pure = pure_scene(folder), with_units = [] {
+    static const ScratchFolder other;
+    return pure_scene(other, "");
+  }();
+  const std::regex unit(R"(\d (rad|m|s|N|J|kg|Hz)\b)");
+  for (const std::string& command :
+       {std::string("simulate --max-impacts 5 "),
+        std::string("simulate --set solver.flow=rk4 --set solver.step=100 "),
+        std::string("orbit --verbose --set stop.restitution=0.1 --set forcing.frequency=1.1 ")}) {
+    const Finished run = run_graze(command + pure), told = run_graze(command + with_units);
+    EXPECT_EQ(run.code, told.code) << command;
+    const std::string words = run.out + run.err, usual = told.out + told.err;
+    EXPECT_FALSE(std::regex_search(words, unit)) << command << "\n" << words;
+    EXPECT_TRUE(std::regex_search(usual, unit)) << command << "\n" << usual;
+  }
+}
+
 // Of everything that is drawn: the scripts of the pictures, and the data of the pages.
 TEST(UnitsNone, NothingDrawnHasAUnit) {
   const ScratchFolder folder;

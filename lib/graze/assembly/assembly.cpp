@@ -60,7 +60,7 @@ System assemble(const Scene& scene) { return assemble(scene, modal_model(scene))
 
 System assemble(const Scene& scene, const ModalModel& model) {
   if (scene.hub) return assemble_on_hub(scene, model);
-  System system{model.omega, NaturalModes{model.delta}, {}};
+  System system{model.omega, NaturalModes{model.delta}, {}, scene.units};
   if (scene.forcing) system.modal().forcing = assemble_forcing(*scene.forcing, model.participation);
   if (scene.gravity) system.modal().load = scene.gravity->acceleration * model.inertia;
   system.stops.reserve(scene.stops.size());

@@ -46,7 +46,7 @@ System assemble_on_hub(const Scene& scene, const ModalModel& model) {
   }
   if (hub.torque) rotation.torque = torque_history(*hub.torque);
   rotation.friction = hub.friction;
-  System system{modes.omega, rotation, {}};
+  System system{modes.omega, rotation, {}, scene.units};
   for (std::size_t i = 0; i < scene.stops.size(); ++i)
     system.stops.push_back(stop_on_hub(scene.stops[i], model.shapes[i], hub.radius, rotation));
   return system;

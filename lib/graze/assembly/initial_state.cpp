@@ -156,7 +156,7 @@ State initial_state(const Scene& scene, const System& system) {
       throw scene_error(scene, scene.initial ? start_key(*scene.initial) : key,
                         fmt::format("the motion starts {:.6g}{} beyond stop {}; the displacement "
                                     "at the stop must not exceed its gap",
-                                    -gap.value, scene.units == Units::kSi ? " m" : "", i + 1));
+                                    -gap.value, unit_behind(scene.units, "m"), i + 1));
     }
   }
   return state;

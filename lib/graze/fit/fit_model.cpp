@@ -246,8 +246,9 @@ std::optional<Vector> FitModel::impact_times(const Vector& values) {
   };
   if (!follow(*system, start, observation)) return {};
   if (missing_ > 0)
-    why_ = fmt::format("of {} measured impacts the motion has {} up to {:.6g} s",
-                       measurements_.rows(), measurements_.rows() - missing_, observation.end);
+    why_ = fmt::format("of {} measured impacts the motion has {} up to {:.6g}{}",
+                       measurements_.rows(), measurements_.rows() - missing_, observation.end,
+                       unit_behind(system->units, "s"));
   return predicted;
 }
 

@@ -28,14 +28,15 @@ struct EventCount {
   double slowest = 0.0, fastest = 0.0;  // of the impacts and contacts, m/s
 };
 
-std::string text_of(const EventCount& counted) {
+std::string text_of(const EventCount& counted, Units units) {
   std::string text = fmt::format("stop {}", counted.stop + 1);
   for (std::size_t k = 0; k < kNames.size(); ++k) {
     const long long n = counted.of_kind[k];
     if (n == 0) continue;
     text += fmt::format(", {} {}{}", n, kNames[k].second, n == 1 ? "" : "s");
     if (kNames[k].first == EventKind::kImpact || kNames[k].first == EventKind::kContact)
-      text += fmt::format(" at {:.1e} to {:.1e} m/s", counted.slowest, counted.fastest);
+      text += fmt::format(" at {:.1e} to {:.1e}{}", counted.slowest, counted.fastest,
+                          unit_behind(units, "m/s"));
   }
   return text;
 }
@@ -57,7 +58,7 @@ void EventCrowd::add(const Event& event) {
   last_[count_++ % kKept] = {event.kind, event.stop, event.time, event.speed};
 }
 
-std::string EventCrowd::sentence(double span) const {
+std::string EventCrowd::sentence(double span, Units units) const {
   if (count_ < kKept) return {};
   const double took = last_[(count_ - 1) % kKept].time - last_[count_ % kKept].time;
   if (!(took < kCrowded * span)) return {};
@@ -71,9 +72,10 @@ std::string EventCrowd::sentence(double span) const {
   std::sort(counts.begin(), counts.end(), [](const EventCount& a, const EventCount& b) {
     return std::pair(-a.all, a.stop) < std::pair(-b.all, b.stop);
   });
-  std::string text = fmt::format("; the last {} events took {:.2g} s: ", kKept, took);
+  std::string text =
+      fmt::format("; the last {} events took {:.2g}{}: ", kKept, took, unit_behind(units, "s"));
   for (std::size_t i = 0; i < std::min(counts.size(), kMostStops); ++i)
-    text += (i > 0 ? "; " : "") + text_of(counts[i]);
+    text += (i > 0 ? "; " : "") + text_of(counts[i], units);
   if (counts.size() > kMostStops)
     text += fmt::format("; and {} stops more", counts.size() - kMostStops);
   return text;

@@ -28,7 +28,7 @@ std::string reference_name(const FlowCosts& costs) {
 }
 
 std::string compared_span(const FlowCosts& costs, Units units) {
-  const std::string second = units == Units::kSi ? " s" : "";
+  const std::string second = unit_behind(units, "s");
   if (costs.impacts == 0) return fmt::format("no impacts, {:.6g}{}", costs.end_time, second);
   return fmt::format("first {} {}{}, {:.6g}{}", costs.impacts,
                      costs.compliant ? "contact" : "impact", costs.impacts == 1 ? "" : "s",

@@ -97,23 +97,23 @@ std::vector<std::string> simulation_warnings(const System& system, const Simulat
                                  [](const Stop& stop) { return !stop.is_compliant(); });
   if (rigid && totals.energy_added > rounding)
     warnings.push_back(
-        fmt::format("impacts added {:.3g} J of kinetic energy; an oblique impulse law can do that, "
+        fmt::format("impacts added {:.3g}{} of kinetic energy; an oblique impulse law can do that, "
                     "and so can unequal restitutions of stops that are hit at once",
-                    totals.energy_added));
+                    totals.energy_added, unit_behind(system.units, "J")));
   if (totals.clamped_restitutions > 0)
     warnings.push_back(
         fmt::format("the restitution r(v) left 0 to 1 at {} impact{} and was clamped",
                     totals.clamped_restitutions, totals.clamped_restitutions == 1 ? "" : "s"));
   if (run.energy && !(std::abs(run.energy->defect()) <= balance_rounding(system, run)))
     warnings.push_back(fmt::format(
-        "the energy balance does not close: {:.3g} J are missing, {:.1e} of its largest "
+        "the energy balance does not close: {:.3g}{} are missing, {:.1e} of its largest "
         "entry, more than rounding explains; do not trust this run",
-        run.energy->defect(), relative_defect(*run.energy)));
+        run.energy->defect(), unit_behind(system.units, "J"), relative_defect(*run.energy)));
   if (totals.penetration > gap_rounding(system))
     warnings.push_back(
-        fmt::format("a stop was penetrated by {:.3g} m, more than rounding explains; do not trust "
+        fmt::format("a stop was penetrated by {:.3g}{}, more than rounding explains; do not trust "
                     "this run",
-                    totals.penetration));
+                    totals.penetration, unit_behind(system.units, "m")));
   return warnings;
 }
 

@@ -198,7 +198,9 @@ void check_solver(const Scene& scene) {
                      solver.flow != FlowChoice::kBulirschStoer;
   if (!solver.step) {
     if (solver.flow == FlowChoice::kRk4)
-      checker.fail("flow", "the flow \"rk4\" needs solver.step, the length of its steps in s");
+      checker.fail("flow",
+                   fmt::format("the flow \"rk4\" needs solver.step, the length of its steps{}",
+                               scene.units == Units::kSi ? " in s" : ""));
     return;
   }
   if (!steps)

@@ -13,13 +13,11 @@
 #include "graze/base/angle.hpp"
 #include "graze/base/default_tolerance.hpp"
 #include "graze/base/errors.hpp"
+#include "graze/base/units.hpp"
 #include "graze/contact/contact_force.hpp"
 #include "graze/contact/hertz_stiffness.hpp"
 
 namespace graze {
-
-// Whether a scene's numbers are in SI units or pure numbers.
-enum class Units { kSi, kNone };
 
 enum class Projection { kGalerkin, kCollocation };
 enum class Side { kAbove, kBelow };
@@ -231,11 +229,6 @@ struct Scene {
   // Number of the structure's modes N; a hub adds its angle to them.
   int modes() const;
 };
-
-// A unit as the results of a scene are told in: itself, "" where the scene's numbers are pure.
-inline std::string unit_in(Units units, const std::string& unit) {
-  return units == Units::kSi ? unit : "";
-}
 
 // An error about `key`, located where the key (or else the nearest table above it) was written.
 InputError scene_error(const Scene& scene, const std::string& key, const std::string& sentence);

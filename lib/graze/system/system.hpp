@@ -16,6 +16,7 @@
 #include <vector>
 
 #include "graze/base/angle.hpp"
+#include "graze/base/units.hpp"
 #include "graze/base/vector.hpp"
 #include "graze/contact/contact_force.hpp"
 #include "graze/contact/restitution.hpp"
@@ -71,6 +72,7 @@ struct System {
   // them, and directions those of the structure at rest in its shape.
   std::variant<NaturalModes, Rotation> structure;
   std::vector<Stop> stops;
+  Units units = Units::kSi;  // of its numbers, for sentences about them
 
   int modes() const { return static_cast<int>(omega.size()); }
   bool has_compliant_stop() const {

@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <string>
 
+#include "graze/base/units.hpp"
 #include "graze/motion/run_events.hpp"
 
 namespace graze {
@@ -16,7 +17,7 @@ class EventCrowd {
   // "; the last 512 events took 3.1e-05 s: stop 2, 140 impacts at 1e-9 to 2e-7 m/s, ..", the
   // busiest stops first. Empty where there are fewer, or they took a part of `span` (s) that is
   // worth telling: then they are the motion.
-  std::string sentence(double span) const;
+  std::string sentence(double span, Units units) const;
 
  private:
   static constexpr std::size_t kKept = 512;

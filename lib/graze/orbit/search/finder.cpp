@@ -119,8 +119,9 @@ class Finder {
     }
     found_.notes.push_back(fmt::format("{}; solved for, it is a ({}, {}) orbit that sticks",
                                        settled.classification, orbit.period, orbit.impacts.size()));
-    found_.details.push_back(
-        fmt::format("its chatters are summed below {:.4g} m/s", segment_options_.closure_speed));
+    found_.details.push_back(fmt::format("its chatters are summed below {:.4g}{}",
+                                         segment_options_.closure_speed,
+                                         unit_behind(system_.units, "m/s")));
   }
 
   // Keeps the orbit that a start led to, where it is asked for.

@@ -75,6 +75,7 @@ const std::vector<Look> kGrounds = {
     ground("blank", "nothing to show, or not run", "#FFFFFF"),
 };
 constexpr std::array kOtherGrounds = {"#44BB99", "#EE8866", "#BBCC33", "#B79AD0", "#AAAA00"};
+constexpr std::array kWithoutMotion = {"#EEEEEE", "#D0D0D0", "#A8A8A8", "#888888"};
 constexpr std::array kCurves = {kBlue, kVermillion, kGreen, kOrange, kPurple, kSky};
 
 // One for each colour of curves.
@@ -110,6 +111,7 @@ std::span<const Look> locus_looks() { return kLoci; }
 std::span<const Look> dot_looks() { return kDots; }
 std::span<const Look> ground_looks() { return kGrounds; }
 std::span<const char* const> other_grounds() { return kOtherGrounds; }
+std::span<const char* const> grounds_without_motion() { return kWithoutMotion; }
 std::span<const char* const> curve_colours() { return kCurves; }
 
 const Look& special_look(const std::string& label) {
@@ -140,6 +142,9 @@ std::vector<LookGroup> all_looks() {
   for (const char* colour : kOtherGrounds)
     groups[4].looks.push_back(
         ground("", fmt::format("other motions by number of cells, {}", ++next).c_str(), colour));
+  for (std::size_t i = 1; i < kWithoutMotion.size(); ++i)
+    groups[4].looks.push_back(
+        ground("", fmt::format("no motion, for reason {}", i + 1).c_str(), kWithoutMotion[i]));
   groups[5].looks = {ground("", "behind a stop", kStopShade), ground("", "stuck", kStuckShade)};
   return groups;
 }

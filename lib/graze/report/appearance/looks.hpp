@@ -60,6 +60,8 @@ std::span<const Look> ground_looks();
 const Look& ground_look(const std::string& id);   // of an id that is there
 const Look* fixed_ground(const std::string& id);  // null where none always looks alike
 std::span<const char* const> other_grounds();
+// Of cells that tell of no motion, one after the other by what they say instead.
+std::span<const char* const> grounds_without_motion();
 
 // Colours of curves that share a panel, one after the other.
 std::span<const char* const> curve_colours();

@@ -37,8 +37,7 @@ std::string heading_of(const Orbit& orbit, Units units) {
   double fastest = orbit.impacts.front().speed;
   for (const OrbitImpact& impact : orbit.impacts) fastest = std::max(fastest, impact.speed);
   return text + fmt::format(", v {} {}{:.4g}{}", orbit.impacts.size() == 1 ? "=" : "≤",
-                            fastest < 0.0 ? "−" : "", std::abs(fastest),
-                            units == Units::kSi ? " m/s" : "");
+                            fastest < 0.0 ? "−" : "", std::abs(fastest), unit_behind(units, "m/s"));
 }
 
 // One row of panels of an orbit: its motion over time, and its phase portrait.

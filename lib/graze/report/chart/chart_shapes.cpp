@@ -66,7 +66,7 @@ Chart shapes_chart(const SimulationRecord& record) {
   for (std::size_t i = 0; i < record.shapes.size(); ++i) {
     const BeamShape& shape = record.shapes[i];
     panel.series.push_back(
-        {fmt::format("t = {:.6g}{}", shape.time, record.info.units == Units::kSi ? " s" : ""),
+        {fmt::format("t = {:.6g}{}", shape.time, unit_behind(record.info.units, "s")),
          curve_look(i), true, false, shape.x, shape.deflection});
   }
   if (record.beam) add_stops(record.beam->stops, panel);

@@ -188,6 +188,16 @@ std::vector<MotionObservable> motion_observables(const DiagramRecord& record) {
   return list;
 }
 
+AxisRange exponent_range(const Sweep& swept) {
+  constexpr double kDeepest = 2.0;  // exponents shown below zero, by those above
+  AxisRange range;
+  range.include(0.0);
+  for (const SweepRow& row : swept.rows)
+    if (row.exponents && row.exponents->values.size() > 0) range.include(row.exponents->values[0]);
+  if (range.high > 0.0) range.low = std::max(range.low, -kDeepest * range.high);
+  return range;
+}
+
 bool has_dots(const SweepRow& row) {
   return row.status == SweepStatus::kNotPeriodic || row.motion.period > 0;
 }

@@ -3,6 +3,7 @@
 import { axis, hertzAxis, kCommon } from './echarts_parts.js';
 import { axisName } from './format.js';
 import { pen, specialLook, stamp } from './marks.js';
+import { branchNames } from './branch_names.js';
 import { nearAxes } from './near_axes.js';
 
 const kStrip = 120, kBetween = 26;  // height of a panel below the picture, and what is above it, px
@@ -38,6 +39,15 @@ function markSeries({ view, geometry, theme, shows, labels }, type) {
     id: `mark ${type}`, type: 'scatter', silent: true, animation: false, z: 10, ...stamp(look, theme),
     data: marks.map(({ special, x, y }) => ({ value: [x, y], name: special.id })),
     label: markLabel(theme, labels), labelLayout: { hideOverlap: true },
+  };
+}
+
+// The names of branches, each in the middle of what is in view of it.
+function nameSeries({ view, geometry, theme, shows, labels }, inView) {
+  const shown = geometry.lines.filter((line) => shows(view.looks.lines[line.kind].id));
+  return {
+    id: 'branch names', type: 'scatter', silent: true, animation: false, z: 9, symbolSize: 0,
+    data: labels ? branchNames(view, shown, inView) : [], label: markLabel(theme, labels), labelLayout: { hideOverlap: true },
   };
 }
 
@@ -79,8 +89,9 @@ function references({ geometry, theme }) {
 // Panels below show the same parameter.
 export function stripsOf(view, scale) { return scale.quantity === view.parameter ? view.strips : []; }
 
-// `picture`: { view, geometry, ranges: { x, y }, theme, shows(type), labels }.
-export function diagramOption(picture, height) {
+// `picture`: { view, geometry, ranges: { x, y }, theme, shows(type), labels }; `inView`: the part of
+// the ranges that is in view.
+export function diagramOption(picture, inView, height) {
   const { view, geometry, ranges, theme } = picture;
   const { colours } = theme;
   const strips = stripsOf(view, geometry.x);
@@ -98,7 +109,7 @@ export function diagramOption(picture, height) {
   const types = [...new Set(view.special.map((special) => special.type))];
   const series = view.looks.lines.map((_, kind) => lineSeries(picture, kind));
   series[0].markLine = references(picture);
-  series.push(...types.map((type) => markSeries(picture, type)), ...strips.flatMap((strip, i) => stripSeries(picture, strip, i)));
+  series.push(nameSeries(picture, inView), ...types.map((type) => markSeries(picture, type)), ...strips.flatMap((strip, i) => stripSeries(picture, strip, i)));
   return {
     ...kCommon, grid: grids(strips, hertz, height), xAxis: x, yAxis: y, series,
     dataZoom: [
@@ -107,6 +118,9 @@ export function diagramOption(picture, height) {
     ],
   };
 }
+
+// The names of branches anew, to be merged into an option.
+export function diagramNames(picture, inView) { return { series: [nameSeries(picture, inView)] }; }
 
 // The axes' tics for what is in view, to be merged into an option: logarithmic ones depend on it.
 export function diagramTics(view, { x, y }, inView) {

@@ -4,7 +4,7 @@ import { keepZoom, partInView, planeInView } from './axes_in_view.js';
 import { AxisChoice } from './axis_choice.js';
 import { diagramTable } from './diagram_csv.js';
 import { DiagramGeometry } from './diagram_geometry.js';
-import { diagramOption, diagramTics, stripsOf } from './diagram_option.js';
+import { diagramNames, diagramOption, diagramTics, stripsOf } from './diagram_option.js';
 import { DotLayer } from './dot_layer.js';
 import { init } from './echarts_parts.js';
 import { ExportTools } from './export_tools.js';
@@ -30,7 +30,7 @@ export class DiagramView {
     this.hover = new Hover(document.getElementById('hover'), document.getElementById('ring'));
     this.legend = new Legend(document.getElementById('legend'), theme, [], () => this.draw());
     this.zoom = new ZoomTools(this.chart, this.root);
-    this.labels = new LabelTool(view.special.length > 0, () => this.draw());
+    this.labels = new LabelTool(view.special.length + view.branches.length > 0, () => this.draw());
     this.axes = new AxisChoice([...view.observables, view.parameter], { x: view.parameter, y: view.observables[0] }, () => this.drawAxes());
     this.export = new ExportTools({ theme, chart: this.chart, legend: this.legend, under: this.dots.canvas, table: () => this.table() });
     this.drawAxes();
@@ -65,17 +65,23 @@ export class DiagramView {
 
   shows(type) { return this.legend.shows(type); }
 
-  tics(dataZoom) {
+  // The part of the ranges that the zoom shows.
+  inView(dataZoom) {
     const part = (id, range) => partInView(range, dataZoom.find((zoom) => zoom.id === id));
-    return diagramTics(this.view, this.geometry, { x: part('across', this.ranges.x), y: part('upright', this.ranges.y) });
+    return { x: part('across', this.ranges.x), y: part('upright', this.ranges.y) };
+  }
+
+  get picture() {
+    const { view, geometry, ranges, theme } = this;
+    return { view, geometry, ranges, theme, shows: (type) => this.shows(type), labels: this.labels.on };
   }
 
   draw() {
-    const { view, geometry, ranges, theme } = this;
-    const picture = { view, geometry, ranges, theme, shows: (type) => this.shows(type), labels: this.labels.on };
-    const option = diagramOption(picture, this.root.clientHeight);
+    const kept = this.chart.getOption()?.dataZoom;
+    const inView = kept ? this.inView(kept) : this.ranges;
+    const option = diagramOption(this.picture, inView, this.root.clientHeight);
     keepZoom(this.chart, option);
-    const tics = this.tics(option.dataZoom);
+    const tics = diagramTics(this.view, this.geometry, inView);
     for (const name of ['xAxis', 'yAxis'])
       tics[name].forEach((more, i) => {
         const axis = option[name][i];
@@ -90,11 +96,13 @@ export class DiagramView {
   zoomed() {
     this.hover.hide();
     this.drawDots();
-    if (this.geometry.x.kind !== 'log' && this.geometry.y.kind !== 'log') return;
+    const { x, y } = this.geometry;
+    const hasLog = x.kind === 'log' || y.kind === 'log';
+    if (!hasLog && !this.labels.on) return;
     clearTimeout(this.waiting);
     this.waiting = setTimeout(() => {
-      const { xAxis, yAxis } = this.tics(this.chart.getOption().dataZoom);
-      this.chart.setOption({ xAxis, yAxis });
+      const inView = this.inView(this.chart.getOption().dataZoom);
+      this.chart.setOption({ ...(hasLog ? diagramTics(this.view, this.geometry, inView) : {}), ...diagramNames(this.picture, inView) });
     });
   }
 

@@ -19,7 +19,6 @@ namespace {
 // so that it stays below some ten megabytes.
 constexpr std::size_t kMostOfBranches = 1200, kMostOfSweeps = 800;
 constexpr std::size_t kMostSamples = 250'000;
-constexpr double kDeepest = 2.0;  // exponents shown below zero, by those above
 
 // Collects what goes into the page: the view, and the orbits behind its points.
 class DiagramPage {
@@ -174,23 +173,18 @@ void DiagramPage::add_exponents(const Sweep& swept) {
   if (swept.options.exponent_periods == 0) return;
   std::vector<double> values, lower_values;
   std::vector<float> heights, lower_heights;
-  AxisRange range;
-  range.include(0.0);
   for (const SweepRow& row : swept.rows) {
     values.push_back(row.value);
     const bool known = row.exponents && row.exponents->values.size() > 0;
     const double height = known ? row.exponents->values[0] : std::nan("");
     heights.push_back(static_cast<float>(height));
-    range.include(height);
     for (Eigen::Index j = 1; known && j < row.exponents->values.size(); ++j) {
       if (!std::isfinite(row.exponents->values[j])) continue;
       lower_values.push_back(row.value);
       lower_heights.push_back(static_cast<float>(row.exponents->values[j]));
     }
   }
-  // Superstable orbits reach down without bound; what tells order from chaos lies about zero.
-  if (range.high > 0.0) range.low = std::max(range.low, -kDeepest * range.high);
-  Json strip = page_axis("exponents", unit_in(record_.info.units, "1/s"), range);
+  Json strip = page_axis("exponents", unit_in(record_.info.units, "1/s"), exponent_range(swept));
   strip["reference"] = 0.0;
   strip["values"] = packed(values);
   strip["heights"] = packed(heights);
@@ -231,8 +225,8 @@ Json DiagramPage::special_json(std::size_t branch, std::size_t index,
                          ? fmt::format(" ± {:.6g}i", std::abs(special.multiplier->imag()))
                          : "")});
   if (const auto impact = special.impact())
-    more.push_back({"phase", fmt::format("{:.6g}{}", impact->phase,
-                                         record_.info.units == Units::kSi ? " rad" : "")});
+    more.push_back(
+        {"phase", fmt::format("{:.6g}{}", impact->phase, unit_behind(record_.info.units, "rad"))});
   const std::vector<std::int32_t> orbit =
       keep(1, {0}, [&](std::size_t) { return orbit_at(special.at); });
   Json heights = Json::object();

@@ -161,8 +161,8 @@ class SimulationPage {
     add_curve_panel(energy.size() > 1 ? "energy, work" : "energy", unit_in(record_.info.units, "J"),
                     energy, true);
     if (energy.size() > 1 && seen_.window.start > 0.0)
-      panels_.back()["more"] = fmt::format("since {:.5g}{}", seen_.window.start,
-                                           record_.info.units == Units::kSi ? " s" : "");
+      panels_.back()["more"] =
+          fmt::format("since {:.5g}{}", seen_.window.start, unit_behind(record_.info.units, "s"));
   }
 
   void add_curve_panel(const std::string& name, const std::string& unit,

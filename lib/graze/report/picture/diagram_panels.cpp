@@ -9,7 +9,6 @@ namespace graze {
 namespace {
 
 constexpr std::size_t kMostPlaces = 4;
-constexpr double kDeepest = 2.0;  // exponents shown below zero, by those above
 
 const Look& look_of(const SweepRow& row) {
   return dot_look(row.status == SweepStatus::kNotPeriodic ? "wild" : "periodic");
@@ -33,12 +32,10 @@ DiagramPanel panel_of(const MotionObservable& observable, const Sweep* swept) {
 DiagramPanel exponent_panel(const Sweep& swept, Units units) {
   DiagramPanel panel{"Lyapunov exponents", unit_in(units, "1/s")};
   const Look &largest = dot_look("largest"), &lower = dot_look("lower");
-  double highest = 0.0;
   for (const SweepRow& row : swept.rows)
     for (Eigen::Index j = 0; row.exponents && j < row.exponents->values.size(); ++j) {
       const double height = row.exponents->values[j];
       if (!std::isfinite(height)) continue;
-      if (j == 0) highest = std::max(highest, height);
       panel.dots.push_back({row.value, height, j > 0 ? &lower : &largest});
     }
   // The largest lie on top.
@@ -46,12 +43,7 @@ DiagramPanel exponent_panel(const Sweep& swept, Units units) {
                         [&](const DiagramPanel::Dot& dot) { return dot.look == &lower; });
   panel.from_zero = true;
   panel.level = 0.0;
-  // Superstable orbits reach down without bound, and so do all other exponents; what tells order
-  // from chaos lies about zero.
-  double lowest = 0.0;
-  for (const DiagramPanel::Dot& dot : panel.dots)
-    if (dot.look == &largest) lowest = std::min(lowest, dot.height);
-  panel.least = highest > 0.0 ? std::max(lowest, -kDeepest * highest) : lowest;
+  panel.least = exponent_range(swept).low;
   return panel;
 }
 

@@ -147,7 +147,8 @@ void LabelRoom::put(GnuplotScript& script, const std::string& text, const Found&
   script.command(fmt::format("set label {} at graph {:.5f}, graph {:.5f} center front font ',8'{}",
                              gnuplot_string(text), x / width_, y / height_,
                              is_on_ground_ ? " boxed" : ""));
-  fill(box, kOnMark);
+  // A letter's room to the next label beside it.
+  fill({box.left - kCharacter, box.right + kCharacter, box.low, box.high}, kOnMark);
 }
 
 void LabelRoom::name(GnuplotScript& script, const std::vector<NamedPoint>& points) {

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <map>
 #include <utility>
 
@@ -40,9 +39,6 @@ void add_attractors(const AttractorMap& map, MapLegend& legend) {
        ground_look("other").colour});
 }
 
-// What cells without a motion are, one after the other.
-constexpr std::array kWithout = {"#EEEEEE", "#D0D0D0", "#A8A8A8", "#888888"};
-
 }  // namespace
 
 const Look* ground_of(const AttractorClass& attractor) {
@@ -60,11 +56,12 @@ MapLegend map_legend(const AttractorMap& map) {
   std::map<std::string, int> rest;  // the kind, by name
   for (const MapCell& cell : map.cells)
     if (without(cell)) rest.emplace(cell_name(map, cell), 0);
+  const std::span<const char* const> grounds = grounds_without_motion();
   std::size_t next = 0;
   for (auto& [name, kind] : rest) {
     kind = static_cast<int>(legend.kinds.size());
     legend.kinds.push_back({name, legend.entries.size()});
-    legend.entries.push_back({name, kWithout[std::min(next++, kWithout.size() - 1)]});
+    legend.entries.push_back({name, grounds[std::min(next++, grounds.size() - 1)]});
   }
   for (const MapCell& cell : map.cells)
     legend.kind_of.push_back(without(cell) ? rest.at(cell_name(map, cell)) : cell.place);

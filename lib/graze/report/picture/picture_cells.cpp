@@ -46,17 +46,17 @@ class CellPicture {
     std::map<std::string, std::string> grounds;  // of what has no number
     for (std::size_t i = 0; i < plane_.cells(); ++i)
       if (!std::isfinite(numbers.of(i))) grounds[numbers.without(i)];
-    constexpr std::array kGrounds = {"#FFFFFF", "#E2E2E2", "#BDBDBD", "#989898"};
+    const std::span<const char* const> without = grounds_without_motion();
     std::size_t next = 0;
     std::vector<std::pair<std::string, std::string>> legend;
     // White is what is clear of the stops, in every picture that has such cells.
     if (const auto clear = grounds.find(kClear); clear != grounds.end()) {
-      clear->second = kGrounds[0];
+      clear->second = ground_look("blank").colour;
       legend.emplace_back(std::string(kClear) + " (blank)", clear->second);
     }
     for (auto& [name, colour] : grounds) {
       if (!colour.empty()) continue;
-      colour = kGrounds[std::min(++next, kGrounds.size() - 1)];
+      colour = without[std::min(next++, without.size() - 1)];
       legend.emplace_back(name, colour);
     }
     begin(legend_of(legend), 0.23);

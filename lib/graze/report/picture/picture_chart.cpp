@@ -15,11 +15,11 @@ namespace graze {
 namespace {
 
 // Centimetres of a picture 12 cm wide.
-constexpr double kWidth = 12.0, kLeft = 2.36, kRight = 0.48;
+constexpr double kWidth = 12.0, kLeft = 2.56, kRight = 0.48;
 constexpr double kHead = 0.36, kHertz = 1.55;    // above the axes, and with an axis in Hz
 constexpr double kAxisText = 1.55;               // tics and name of a horizontal axis
 constexpr double kBetween = 0.4, kBeside = 1.3;  // two panels
-constexpr double kNamed = 2.4;                   // the same where both name their vertical axis
+constexpr double kNamed = 2.6;                   // the same where both name their vertical axis
 constexpr double kLetter = 0.18;                 // of the name of a vertical axis
 constexpr double kHeading = 0.42;                // a line above a panel
 constexpr double kLegendLine = 0.37;             // of a legend at the foot
@@ -202,7 +202,7 @@ class ChartPicture {
     y.set_vertical(script_, panel.height < 2.0 ? 3 : 6);
     if (i == 0 || !is_alike(panel.y, panels[i - 1].y)) {
       const std::string name = in_two_lines(panel.y.name, letters_of(panel, y.unit()));
-      const double from_axis = name.find('\n') == std::string::npos ? 1.8 : 2.2;
+      const double from_axis = name.find('\n') == std::string::npos ? 1.9 : 2.4;
       name_vertical_axis(script_, name, y.unit(), (left - from_axis) / kWidth);
     }
     draw_ground(panel, x, y);

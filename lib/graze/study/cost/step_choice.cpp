@@ -89,11 +89,13 @@ std::optional<StepSetting> step_choice(const Scene& scene, const System& system,
   setting.step = scene.solver.step.value_or(0.0);
   setting.tolerance = scene.solver.tolerance;
   const double stable = longest_stable_step(system, *method);
+  const std::string second = unit_behind(scene.units, "s");
   if (setting.step > stable)
-    throw scene_error(scene, "solver.step",
-                      fmt::format("{:g} s is not allowed, with {} it must be at most {:.6g} s: "
-                                  "beyond that the quickest mode grows without bound",
-                                  setting.step, flow_name(scene.solver.flow), stable));
+    throw scene_error(
+        scene, "solver.step",
+        fmt::format("{:g}{} is not allowed, with {} it must be at most {:.6g}{}: "
+                    "beyond that the quickest mode grows without bound",
+                    setting.step, second, flow_name(scene.solver.flow), stable, second));
   return setting;
 }
 

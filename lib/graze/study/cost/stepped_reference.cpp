@@ -74,8 +74,8 @@ ReferenceRun stepped_reference(const System& system, const State& start,
   reference.impacts.assign(pair.impacts.begin(),
                            pair.impacts.begin() + static_cast<std::ptrdiff_t>(kept));
   if (vouched < std::max(pair.impacts.size(), other.impacts.size()) && met < options.impacts)
-    reference.message =
-        fmt::format("two methods agree on {} of its instants to {:g} s", vouched, kVouchedTime);
+    reference.message = fmt::format("two methods agree on {} of its instants to {:g}{}", vouched,
+                                    kVouchedTime, unit_behind(system.units, "s"));
   reference.end_time = options.longest;
   if (kept < pair.impacts.size()) {
     const double last = kept > 0 ? pair.impacts[kept - 1].time : 0.0;

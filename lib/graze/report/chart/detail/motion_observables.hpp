@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "graze/record/detail/diagram_record.hpp"
+#include "graze/report/chart/axis.hpp"
 
 namespace graze {
 
@@ -30,6 +31,10 @@ std::vector<MotionObservable> motion_observables(const BranchRecord& record, con
 
 // The same of a stroboscopic diagram: displacements and velocities at the stops in place of speeds.
 std::vector<MotionObservable> motion_observables(const DiagramRecord& record);
+
+// What an axis of Lyapunov exponents shows: zero, and the largest ones as far down as tells order
+// from chaos. Superstable orbits reach down without bound, and so do the other exponents.
+AxisRange exponent_range(const Sweep& swept);
 
 // Whether a row's motion is shown.
 bool has_dots(const SweepRow& row);
