@@ -33,15 +33,18 @@ EventCrowd crowd_of(int events) {
 
 TEST(EventCrowd, SaysWhichStopsDoWhat) {
   // The last 512 of 600: of each kind 171, 170, 171.
-  EXPECT_EQ(crowd_of(600).sentence(1.0),
+  EXPECT_EQ(crowd_of(600).sentence(1.0, Units::kSi),
             "; the last 512 events took 0.00051 s: stop 2, 170 impacts at 9.1e-08 to 6.0e-07 m/s, "
             "171 releases; stop 5, 171 impacts at 2.0e-07 to 2.0e-07 m/s");
+  EXPECT_EQ(crowd_of(600).sentence(1.0, Units::kNone),
+            "; the last 512 events took 0.00051: stop 2, 170 impacts at 9.1e-08 to 6.0e-07, "
+            "171 releases; stop 5, 171 impacts at 2.0e-07 to 2.0e-07");
 }
 
 TEST(EventCrowd, IsSilentWhereEventsAreTheMotion) {
-  EXPECT_EQ(crowd_of(511).sentence(1.0), "");   // too few
-  EXPECT_EQ(crowd_of(600).sentence(5e-3), "");  // a tenth of a period
-  EXPECT_NE(crowd_of(600).sentence(6e-3), "");
+  EXPECT_EQ(crowd_of(511).sentence(1.0, Units::kSi), "");   // too few
+  EXPECT_EQ(crowd_of(600).sentence(5e-3, Units::kSi), "");  // a tenth of a period
+  EXPECT_NE(crowd_of(600).sentence(6e-3, Units::kSi), "");
 }
 
 // Pressed onto the stop, a chatter that is not summed: its

@@ -68,7 +68,6 @@ ChartPanel decades() {
   line.x.push_back(1e4);
   line.y.push_back(0.0);
   panel.series = {line};
-  panel.labels = {{10.0, 1e-2, "order 2"}};
   return panel;
 }
 

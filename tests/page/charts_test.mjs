@@ -1,7 +1,7 @@
 // The page of a chart made by hand (chart_page.cpp), in a browser.
 import assert from 'node:assert/strict';
 import { before, test } from 'node:test';
-import { openPage, pixelsOf, settled } from './browser.mjs';
+import { openPage, settled } from './browser.mjs';
 import { browser, ground, imageOf, inPage, isShown, pageOfChart, range, rowsOf, saved, text } from './pages.mjs';
 
 let chart;
@@ -94,14 +94,6 @@ inPage('logarithmic axes: a power is a straight line', () => chart, async (page)
     found += await colourCount(page, { x: at.x - 2, y: at.y - 2, width: 4, height: 4 }, kGreen) > 0;
   }
   assert.ok(found > 30, `${found} of 58, in dashes`);
-});
-
-inPage('words stand in the picture, and a button hides them', () => chart, async (page) => {
-  const before = await pixelsOf(page, '#chart canvas');
-  await page.click('#labels');
-  await settled(page);
-  const hidden = await pixelsOf(page, '#chart canvas');
-  assert.ok(hidden < before - 50, `${hidden} of ${before}`);
 });
 
 inPage('panels over one axis are zoomed together, by a rectangle too', () => chart, async (page) => {

@@ -1,6 +1,6 @@
 // What stands along the axes of a diagram's page, and the names of its special points.
 import assert from 'node:assert/strict';
-import { before } from 'node:test';
+import { before, test } from 'node:test';
 import { join } from 'node:path';
 import { pixelsOf, settled } from './browser.mjs';
 import { folder, inPage, pageOf, range, scene, text, written } from './pages.mjs';
@@ -131,6 +131,41 @@ inPage('marks carry their ids, which a button hides', () => response, async (pag
   await page.click('#labels');
   await settled(page);
   assert.ok(await namedAt(page, 'PD2') > 10);
+});
+
+// Dark pixels of the whole picture.
+const inkOf = (page) => page.$eval('#chart canvas', (canvas) => {
+  const { data } = canvas.getContext('2d').getImageData(0, 0, canvas.width, canvas.height);
+  let ink = 0;
+  for (let i = 0; i < data.length; i += 4) if (data[i + 3] > 200 && data[i] + data[i + 1] + data[i + 2] < 240) ++ink;
+  return ink;
+});
+
+inPage('branches carry their names while they are shown', () => response, async (page) => {
+  const toggle = async (selector) => { await page.click(selector); await settled(page); };
+  const buttons = await page.$$eval('#legend button', (list) => list.map(({ dataset }) => dataset.type));
+  for (const type of buttons.filter((type) => ['GR', 'PD', 'LP', 'NS'].includes(type))) await toggle(`#legend button[data-type="${type}"]`);
+  const named = await inkOf(page);
+  await toggle('#labels');
+  const bare = await inkOf(page);
+  assert.ok(named > bare + 20, `${named} of ${bare}`);
+  await toggle('#labels');
+  for (const type of buttons.filter((type) => ['stable', 'unstable'].includes(type))) await toggle(`#legend button[data-type="${type}"]`);
+  assert.equal(await inkOf(page), bare);
+});
+
+test('the name of a branch stands in the middle of its longest part in view', async () => {
+  const { branchNames } = await import(scene('../../lib/graze/report/page/branch_names.js'));
+  const places = Array.from({ length: 101 }, (_, i) => i);
+  const view = { branches: [{ name: '(1,1)' }, { name: '(2,2)' }] };
+  const lines = [
+    { branch: 0, x: places, y: places.map(() => 1) },
+    { branch: 0, x: places, y: places.map((x) => x / 10) },
+    { branch: 1, x: places, y: places.map(() => 50) },
+  ];
+  assert.deepEqual(branchNames(view, lines, { x: [40, 80], y: [0, 5] }), [{ value: [60, 1], name: '(1,1)' }]);
+  assert.deepEqual(branchNames(view, lines, { x: [40, 80], y: [4, 60] }).map(({ value }) => value), [[60, 6], [60, 50]]);
+  assert.deepEqual(branchNames(view, lines, { x: [200, 300], y: [0, 5] }), []);
 });
 
 inPage('the orbit at a special point is titled by its id', () => response, async (page) => {

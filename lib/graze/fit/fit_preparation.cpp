@@ -187,8 +187,9 @@ void require_comparable(const Measurements& measurements,
     throw InputError(
         measurements.places.back(), "data",
         fmt::format("time: at the scene's values and at the limits of the parameters the model has "
-                    "no impact up to {:g}, twice the last time here; times are in the scene's unit",
-                    2.0 * measurements.series[0].values.maxCoeff()));
+                    "no impact up to {:g}{}, twice the last time here",
+                    2.0 * measurements.series[0].values.maxCoeff(),
+                    unit_behind(model.scene_units(), "s")));
   for (std::size_t k = 0; k < measurements.series.size(); ++k) compare(measurements, k, sizes);
 }
 

@@ -54,6 +54,10 @@ void count(EventCount& counted, EventKind kind, double speed) {
 
 }  // namespace
 
+std::string moment_text(double time, Units units) {
+  return fmt::format("t = {:.9g}{}", time, unit_behind(units, "s"));
+}
+
 void EventCrowd::add(const Event& event) {
   last_[count_++ % kKept] = {event.kind, event.stop, event.time, event.speed};
 }

@@ -156,7 +156,7 @@ class Run {
     const double start_time = seconds_at(walk_.departure(), motion_.flow().period());
     if (!follow(start_time, arrival.flight)) {
       stopped_in_arc_ = start_time;
-      result_.message = "stopped at " + moment(start_time);
+      result_.message = "stopped at " + moment_text(start_time, system_.units);
       return false;
     }
     if (!walk_.is_cut()) is_cut_ = false;
@@ -202,7 +202,7 @@ class Run {
 
   bool goes_on(bool asked = false) {
     if (options_.stop.is_interrupted())
-      return stop_run(RunOutcome::kInterrupted, "stopped at " + moment(time()));
+      return stop_run(RunOutcome::kInterrupted, "stopped at " + moment_text(time(), system_.units));
     // An arc whose work is integrated may be long.
     if ((poll_.is_due(std::exchange(work_, 0)) || options_.energy || asked) &&
         options_.stop.is_late())
@@ -213,13 +213,8 @@ class Run {
   bool spent(RunOutcome outcome, const std::string& budget) {
     result_.crowd = crowd_.sentence(system_.forcing() ? system_.period() : longest_flight(system_),
                                     system_.units);
-    return stop_run(outcome,
-                    fmt::format("the budget of {} was spent at {}", budget, moment(time())));
-  }
-
-  // "t = 6.5 s"
-  std::string moment(double time) const {
-    return fmt::format("t = {:.9g}{}", time, unit_behind(system_.units, "s"));
+    const std::string when = moment_text(time(), system_.units);
+    return stop_run(outcome, fmt::format("the budget of {} was spent at {}", budget, when));
   }
 
   bool fail() {
@@ -228,7 +223,7 @@ class Run {
     return stop_run(kind == ArrivalKind::kUndecided   ? RunOutcome::kEventBudget
                     : kind == ArrivalKind::kNotFinite ? RunOutcome::kNotFinite
                                                       : RunOutcome::kRefused,
-                    fmt::format("at {} {}", moment(time()), walk_.failure()));
+                    fmt::format("at {} {}", moment_text(time(), system_.units), walk_.failure()));
   }
 
   bool stop_run(RunOutcome outcome, std::string message) {

@@ -43,6 +43,7 @@ class FitModel {
   // The scene's own values, and their SI units.
   const Vector& start() const { return start_; }
   const std::vector<std::string>& units() const { return units_; }
+  Units scene_units() const { return scene_.units; }
 
   // What was measured as these values have it: all series one after the other, each in the order of
   // its rows, SI. Nothing where the scene does not allow the values or the motion cannot be

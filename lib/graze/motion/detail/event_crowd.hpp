@@ -11,6 +11,9 @@
 
 namespace graze {
 
+// "t = 6.5 s"
+std::string moment_text(double time, Units units);
+
 class EventCrowd {
  public:
   void add(const Event& event);

@@ -27,12 +27,6 @@ struct ChartSeries {
   std::vector<double> error = {};  // half the length of a bar at every point, SI; or none
 };
 
-// A word at a place of the panel, SI.
-struct ChartLabel {
-  double x = 0.0, y = 0.0;
-  std::string text;
-};
-
 // A filled part of the panel, from one value of x to another over the whole height, or likewise of
 // y; beyond the axes where infinite.
 struct ChartFill {
@@ -45,7 +39,6 @@ struct ChartFill {
 struct ChartPanel {
   ChartAxis x, y;
   std::vector<ChartSeries> series = {};
-  std::vector<ChartLabel> labels = {};
   std::vector<ChartFill> fills = {};
   std::vector<double> levels = {};  // lines across at these values of y
   std::string heading = {};         // above the axes

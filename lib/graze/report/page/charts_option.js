@@ -80,8 +80,8 @@ function errorBars(series, points, own, y, [low], theme, common) {
   return { ...common, ...own, type: 'line', data, showSymbol: false, lineStyle: { color: theme.shade(series.look.colour), width: 1.1, type: 'solid' } };
 }
 
-// Fills, levels, words and the remark are on a series of their own.
-function groundSeries({ panel, i, x, y, ranges }, theme, shows, labels) {
+// Fills, levels and the remark are on a series of their own.
+function groundSeries({ panel, i, x, y, ranges }, theme, shows) {
   const { colours } = theme;
   const areas = panel.fills.filter(({ title }) => shows(title)).map(({ upright, from, to, colour }) => {
     const [name, scale, range] = upright ? ['yAxis', y, ranges.y] : ['xAxis', x, ranges.x];
@@ -89,7 +89,6 @@ function groundSeries({ panel, i, x, y, ranges }, theme, shows, labels) {
     return [{ [name]: end(from, range[0]), itemStyle: { color: theme.shade(colour), opacity: 0.75 } }, { [name]: end(to, range[1]) }];
   });
   const middle = [ranges.x, ranges.y].map(([low, high]) => (low + high) / 2);
-  const words = panel.labels.map((label) => ({ value: [x.of(label.x), y.of(label.y)], name: label.text }));
   const common = { xAxisIndex: i, yAxisIndex: i, silent: true, animation: false };
   return [{
     ...common, id: `ground ${i}`, type: 'line', data: [], z: 1, markArea: { silent: true, data: areas },
@@ -97,9 +96,6 @@ function groundSeries({ panel, i, x, y, ranges }, theme, shows, labels) {
       symbol: 'none', silent: true, label: { show: false }, lineStyle: { color: colours.faint, type: 'solid', width: 1 },
       data: panel.levels.map((level) => ({ yAxis: y.of(level) })).filter(({ yAxis }) => Number.isFinite(yAxis)),
     },
-  }, {
-    ...common, id: `words ${i}`, type: 'scatter', symbolSize: 1, z: 100, data: words, itemStyle: { color: 'transparent' },
-    label: { ...markLabel(theme, labels), position: 'right' }, labelLayout: { hideOverlap: true },
   }, {
     ...common, id: `remark ${i}`, type: 'scatter', symbolSize: 1, z: 101, data: panel.remark ? [{ value: middle, name: panel.remark }] : [],
     itemStyle: { color: 'transparent' }, label: { ...markLabel(theme, true), position: 'inside', fontSize: 13 },
@@ -121,7 +117,7 @@ function zooms(drawn) {
   ];
 }
 
-export function chartsOption(view, drawn, theme, shows, labels, size) {
+export function chartsOption(view, drawn, theme, shows, size) {
   const { colours } = theme;
   const panels = drawn.map(({ panel }) => panel);
   const across = drawn.map(({ panel, i, x, ranges }) => {
@@ -145,7 +141,7 @@ export function chartsOption(view, drawn, theme, shows, labels, size) {
     yAxis: drawn.map(({ i, y, ranges }) => axis(colours, y.name, ...ranges.y, {
       gridIndex: i, nameGap: 52, splitNumber: 4, nameTextStyle: { color: colours.ink, fontSize: 12, lineHeight: 14 },
     })),
-    series: drawn.flatMap((one) => [...groundSeries(one, theme, shows, labels), ...curveSeries(one, theme, shows)]),
+    series: drawn.flatMap((one) => [...groundSeries(one, theme, shows), ...curveSeries(one, theme, shows)]),
     dataZoom,
   };
 }

@@ -9,7 +9,6 @@ import { init } from './echarts_parts.js';
 import { ExportTools } from './export_tools.js';
 import { measure } from './format.js';
 import { Hover } from './hover.js';
-import { LabelTool } from './label_tool.js';
 import { Legend } from './legend.js';
 import { cellSwatch, lookSwatch } from './marks.js';
 import { nearestNode } from './nearest.js';
@@ -56,7 +55,6 @@ export class ChartsView {
     this.hover = new Hover(document.getElementById('hover'), document.getElementById('ring'));
     this.legend = new Legend(document.getElementById('legend'), theme, this.entries(), () => this.draw());
     this.zoom = new ZoomTools(this.chart, this.root);
-    this.labels = new LabelTool(this.drawn.some(({ panel }) => panel.labels.length > 0), () => this.draw());
     this.export = new ExportTools({ theme, chart: this.chart, legend: this.legend, table: () => this.table() });
     this.lines = this.drawn.map(({ panel, x, y }) => panel.series.map((series) => ({
       series, x: Float64Array.from(series.x, (value) => x.of(value)), y: Float64Array.from(series.y, (value) => y.of(value)),
@@ -110,7 +108,7 @@ export class ChartsView {
 
   draw() {
     const size = { width: this.root.clientWidth, height: this.root.clientHeight };
-    const option = chartsOption(this.view, this.drawn, this.theme, (title) => this.shows(title), this.labels.on, size);
+    const option = chartsOption(this.view, this.drawn, this.theme, (title) => this.shows(title), size);
     keepZoom(this.chart, option);
     this.chart.setOption(option, { notMerge: true });
     this.hover.hide();

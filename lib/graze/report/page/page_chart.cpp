@@ -51,7 +51,7 @@ Json series_json(const ChartSeries& series) {
 
 Json panel_json(const ChartPanel& panel) {
   AxisRange x, y;
-  Json series = Json::array(), labels = Json::array(), fills = Json::array();
+  Json series = Json::array(), fills = Json::array();
   for (const ChartSeries& one : panel.series) {
     for (std::size_t i = 0; i < one.x.size(); ++i) {
       if (!std::isfinite(one.x[i]) || !std::isfinite(one.y[i])) continue;
@@ -63,8 +63,6 @@ Json panel_json(const ChartPanel& panel) {
     series.push_back(series_json(one));
   }
   for (const double level : panel.levels) y.include(level);
-  for (const ChartLabel& label : panel.labels)
-    labels.push_back({{"x", label.x}, {"y", label.y}, {"text", plain_text(label.text)}});
   for (const ChartFill& fill : panel.fills)
     fills.push_back({{"upright", fill.is_upright},
                      {"from", json_number(fill.from)},
@@ -74,7 +72,6 @@ Json panel_json(const ChartPanel& panel) {
   return {{"x", axis_json(panel.x, x, kAcross)},
           {"y", axis_json(panel.y, y, kUpright)},
           {"series", series},
-          {"labels", labels},
           {"fills", fills},
           {"levels", panel.levels},
           {"height", panel.height},

@@ -15,7 +15,8 @@ namespace graze {
 namespace {
 
 constexpr double kHeight = 0.75;  // of the picture over its width, without a legend
-constexpr const char* kClear = "clear of the stops";
+// Cells without a number because their motions meet no stop.
+constexpr std::array kClear = {"clear of the stops", "both clear"};
 // Columns of the legend, of names that are short and of others.
 constexpr std::size_t kColumns = 3, kColumnsOfLong = 2, kLong = 14;
 
@@ -50,10 +51,11 @@ class CellPicture {
     std::size_t next = 0;
     std::vector<std::pair<std::string, std::string>> legend;
     // White is what is clear of the stops, in every picture that has such cells.
-    if (const auto clear = grounds.find(kClear); clear != grounds.end()) {
-      clear->second = ground_look("blank").colour;
-      legend.emplace_back(std::string(kClear) + " (blank)", clear->second);
-    }
+    for (const char* name : kClear)
+      if (const auto clear = grounds.find(name); clear != grounds.end()) {
+        clear->second = ground_look("blank").colour;
+        legend.emplace_back(std::string(name) + " (blank)", clear->second);
+      }
     for (auto& [name, colour] : grounds) {
       if (!colour.empty()) continue;
       colour = without[std::min(next++, without.size() - 1)];

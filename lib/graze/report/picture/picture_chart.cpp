@@ -7,7 +7,6 @@
 
 #include "graze/report/chart/chart.hpp"
 #include "graze/report/picture/detail/gnuplot_looks.hpp"
-#include "graze/report/picture/detail/label_room.hpp"
 #include "graze/report/picture/detail/picture_curve.hpp"
 #include "graze/report/picture/pictures.hpp"
 
@@ -206,8 +205,7 @@ class ChartPicture {
       name_vertical_axis(script_, name, y.unit(), (left - from_axis) / kWidth);
     }
     draw_ground(panel, x, y);
-    plot(row, i, x, y, {x.factor(), y.factor(), x.range(), y.range(), x.is_log(), y.is_log()},
-         width);
+    plot(row, i, x, y);
   }
 
   void set_horizontal(const ChartPanel& panel, const ShownAxis& x, std::size_t row,
@@ -257,19 +255,15 @@ class ChartPicture {
           fmt::format("set label {} at graph 0.5, graph 0.5 center", gnuplot_string(panel.remark)));
   }
 
-  void plot(std::size_t row, std::size_t i, const ShownAxis& x, const ShownAxis& y,
-            const PicturePlane& plane, double width) {
+  void plot(std::size_t row, std::size_t i, const ShownAxis& x, const ShownAxis& y) {
     const ChartPanel& panel = chart_.rows[row][i];
-    LabelRoom room(plane, width, panel.height);
     std::vector<std::string> layers;
     for (std::size_t k = 0; k < panel.series.size(); ++k) {
       const ChartSeries& series = panel.series[k];
       const std::string name = fmt::format("row{}_{}_series{}", row + 1, i + 1, k + 1);
-      script_.data(name, table_of(series, x, y, panel.labels.empty() ? nullptr : &room));
+      script_.data(name, table_of(series, x, y));
       layers.push_back("$" + name + " " + layer_of(series));
     }
-    for (const ChartLabel& label : panel.labels)
-      room.write(script_, label.text, x.of(label.x), y.of(label.y));
     script_.plot(layers);
   }
 
@@ -289,8 +283,7 @@ class ChartPicture {
     script_.plot(legend_);
   }
 
-  static PlotTable table_of(const ChartSeries& series, const ShownAxis& x, const ShownAxis& y,
-                            LabelRoom* room) {
+  static PlotTable table_of(const ChartSeries& series, const ShownAxis& x, const ShownAxis& y) {
     PlotTable table;
     // Long curves as the band between their extremes.
     if (series.is_line && series.x.size() > kMostPoints && series.error.empty()) {
@@ -305,8 +298,6 @@ class ChartPicture {
         table.row({across, up});
       else
         table.row({across, up, y.factor() * series.error[i]});
-      if (room && series.has_marks) room->add_mark(across, up);
-      if (room && i > 0) room->add_line(x.of(series.x[i - 1]), y.of(series.y[i - 1]), across, up);
     }
     return table;
   }
