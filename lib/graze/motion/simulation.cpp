@@ -187,9 +187,8 @@ class Run {
     const double deepest = graze::follow(state_.contacts, motion_.flown(), flight);
     if (deepest > 0.0) note_gap(-deepest, state_.totals);
     const std::vector<int>& closed = motion_.flown().closed();
-    const bool stuck =
-        std::any_of(closed.begin(), closed.end(), [&](int i) { return !walk_.is_in_tail(i); });
-    if (stuck) state_.totals.stuck_time += flight;
+    if (std::any_of(closed.begin(), closed.end(), [&](int i) { return !walk_.is_in_tail(i); }))
+      state_.totals.stuck_time += flight;
     return true;
   }
 
@@ -213,8 +212,8 @@ class Run {
   bool spent(RunOutcome outcome, const std::string& budget) {
     result_.crowd = crowd_.sentence(system_.forcing() ? system_.period() : longest_flight(system_),
                                     system_.units);
-    const std::string when = moment_text(time(), system_.units);
-    return stop_run(outcome, fmt::format("the budget of {} was spent at {}", budget, when));
+    return stop_run(
+        outcome, "the budget of " + budget + " was spent at " + moment_text(time(), system_.units));
   }
 
   bool fail() {
