@@ -66,11 +66,15 @@ std::string attractor_kind(const AttractorClass& attractor) {
   }
 }
 
+std::string orbit_label(int period, long long impacts, bool sticks) {
+  if (sticks) return fmt::format("({},stick)", period);
+  return impacts == 0 ? "no impact" : fmt::format("({},{})", period, impacts);
+}
+
 std::string attractor_label(const AttractorClass& attractor) {
-  if (attractor.period > 0 && attractor.kind == SettledKind::kImpacts)
-    return fmt::format("({},{})", attractor.period, attractor.impacts);
-  if (attractor.period > 0 && attractor.kind == SettledKind::kSticks)
-    return fmt::format("({},stick)", attractor.period);
+  const bool sticks = attractor.kind == SettledKind::kSticks;
+  if (attractor.period > 0 && (sticks || attractor.kind == SettledKind::kImpacts))
+    return orbit_label(attractor.period, attractor.impacts, sticks);
   return attractor_kind(attractor);
 }
 

@@ -203,9 +203,7 @@ Json DiagramPage::branch_json(const OrbitBranch& branch, std::size_t most) {
       keep(branch.points.size(), kept_of(branch.points.size(), most),
            [&](std::size_t k) { return orbit_at(branch.points[k]); });
   return {{"id", branch.id},
-          {"name", branch.sticks()
-                       ? fmt::format("({},stick)", branch.pattern.period)
-                       : fmt::format("({},{})", branch.pattern.period, branch.pattern.impacts())},
+          {"name", orbit_label(branch.pattern.period, branch.pattern.impacts(), branch.sticks())},
           {"value", packed(values)},
           {"unstable", packed(unstable)},
           {"orbit", packed(orbits)}};

@@ -6,6 +6,7 @@
 #include "graze/record/detail/loci_record.hpp"
 #include "graze/report/detail/names.hpp"
 #include "graze/report/json/detail/json_page.hpp"
+#include "graze/report/names/detail/sweep_names.hpp"
 #include "graze/report/page/detail/page.hpp"
 #include "graze/report/page/detail/page_plane.hpp"
 #include "graze/report/page/detail/page_tables.hpp"
@@ -71,8 +72,7 @@ PageTable loci_table(const LociRecord& record) {
     const bool closed = locus.ends[0] == OrbitLocusEnd::kClosed;
     table.rows.push_back(
         {std::to_string(locus.id), label_of(locus.kind),
-         locus.sticks() ? fmt::format("({},stick)", locus.pattern.period)
-                        : fmt::format("({},{})", locus.pattern.period, locus.pattern.impacts()),
+         orbit_label(locus.pattern.period, locus.pattern.impacts(), locus.sticks()),
          span_text(locus, &OrbitLocusPoint::value, record.unit),
          span_text(locus, &OrbitLocusPoint::second, record.second_unit),
          closed ? name_of(locus.ends[0]) : name_of(locus.ends[0]) + ", " + name_of(locus.ends[1])});

@@ -15,9 +15,7 @@ namespace {
 const Look& look_of(std::size_t kind) { return line_looks()[kind]; }
 
 std::string branch_name(const OrbitBranch& branch) {
-  if (branch.sticks()) return fmt::format("({},stick)", branch.pattern.period);
-  if (branch.pattern.impacts() == 0) return "no impact";
-  return fmt::format("({},{})", branch.pattern.period, branch.pattern.impacts());
+  return orbit_label(branch.pattern.period, branch.pattern.impacts(), branch.sticks());
 }
 
 }  // namespace

@@ -22,6 +22,7 @@ constexpr double kNamed = 2.6;                   // the same where both name the
 constexpr double kLetter = 0.18;                 // of the name of a vertical axis
 constexpr double kHeading = 0.42;                // a line above a panel
 constexpr double kLegendLine = 0.37;             // of a legend at the foot
+constexpr double kMarkSpacing = 1.25;            // of its lines, relative, where they have marks
 constexpr std::size_t kLong = 27;  // of a legend's entry: longer ones have a line each
 
 // The values that the axis has to show. A logarithmic one shows all that is above zero.
@@ -97,8 +98,10 @@ class ChartPicture {
     for (const std::vector<ChartPanel>& row : chart_.rows)
       for (const ChartPanel& panel : row) {
         for (const ChartSeries& series : panel.series)
-          if (!series.title.empty() && known.insert(series.title).second)
+          if (!series.title.empty() && known.insert(series.title).second) {
             add_entries(series, legend_);
+            if (series.has_marks || !series.is_line) spacing_ = kMarkSpacing;
+          }
         for (const ChartFill& fill : panel.fills)
           if (!fill.title.empty() && known.insert(fill.title).second)
             legend_.push_back(fmt::format("NaN with boxes fs solid noborder lc rgb '{}' title {}",
@@ -156,7 +159,7 @@ class ChartPicture {
     for (std::size_t row = 0; row < chart_.rows.size(); ++row)
       total_ += above(row) + chart_.rows[row].front().height;
     const std::size_t lines = legend_.empty() ? 0 : (legend_.size() + columns_ - 1) / columns_;
-    total_ += kLegendLine * static_cast<double>(lines) + 0.1;
+    total_ += spacing_ * kLegendLine * static_cast<double>(lines) + 0.1;
   }
 
   // That a name may have beside its unit, as long as the panel is high.
@@ -278,8 +281,8 @@ class ChartPicture {
     set_margins(script_, {.left = kLeft / kWidth, .right = kRight / kWidth, .bottom = 0, .top = 0});
     script_.command(
         fmt::format("set key at screen {:.4g}, screen {:.4g}*body center bottom horizontal maxcols "
-                    "{} Left reverse samplen 2 font ',8'",
-                    0.5 * (kWidth + kLeft - kRight) / kWidth, 0.08 / total_, columns_));
+                    "{} Left reverse samplen 2 spacing {:.4g} font ',8'",
+                    0.5 * (kWidth + kLeft - kRight) / kWidth, 0.08 / total_, columns_, spacing_));
     script_.plot(legend_);
   }
 
@@ -307,7 +310,7 @@ class ChartPicture {
   GnuplotScript script_;
   std::vector<std::string> legend_;
   std::size_t columns_ = 2;
-  double total_ = 0.0;
+  double total_ = 0.0, spacing_ = 1.0;
 };
 
 }  // namespace
