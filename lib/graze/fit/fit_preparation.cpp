@@ -80,28 +80,30 @@ class ModelSizes {
   std::vector<double> least_, most_;
 };
 
-void compare(const Measurements& measurements, std::size_t k, const ModelSizes& sizes) {
+void compare(const Measurements& measurements, std::size_t k, const ModelSizes& sizes,
+             Units units) {
   const MeasuredSeries& series = measurements.series[k];
   Eigen::Index row = 0;
   const double measured = series.values.cwiseAbs().maxCoeff(&row);
   const SourceLocation& place = measurements.places[static_cast<std::size_t>(row)];
-  const char* unit = series.unit.c_str();
+  const std::string unit = unit_behind(units, series.unit);
+  const char* remark = units == Units::kSi ? "; units are SI" : "";
   const auto error = [&](const std::string& sentence) {
     return InputError(place, "data", fmt::format("{}: {}", series.name, sentence));
   };
   const char* where = "at the scene's values and at the limits of the parameters";
   if (sizes.most(k) == 0.0)
     throw error(
-        fmt::format("the values reach {:g} {}, but {} the model's are zero over the whole record",
+        fmt::format("the values reach {:g}{}, but {} the model's are zero over the whole record",
                     measured, unit, where));
   if (measured > kFarOff * sizes.most(k))
-    throw error(fmt::format(
-        "the values reach {:g} {}, but {} the model's reach no more than {:.3g}; units are SI",
-        measured, unit, where, sizes.most(k)));
+    throw error(
+        fmt::format("the values reach {:g}{}, but {} the model's reach no more than {:.3g}{}",
+                    measured, unit, where, sizes.most(k), remark));
   if (measured < sizes.least(k) / kFarOff)
-    throw error(fmt::format(
-        "the values reach only {:g} {}, but {} the model's reach at least {:.3g}; units are SI",
-        measured, unit, where, sizes.least(k)));
+    throw error(
+        fmt::format("the values reach only {:g}{}, but {} the model's reach at least {:.3g}{}",
+                    measured, unit, where, sizes.least(k), remark));
 }
 
 }  // namespace
@@ -190,7 +192,8 @@ void require_comparable(const Measurements& measurements,
                     "no impact up to {:g}{}, twice the last time here",
                     2.0 * measurements.series[0].values.maxCoeff(),
                     unit_behind(model.scene_units(), "s")));
-  for (std::size_t k = 0; k < measurements.series.size(); ++k) compare(measurements, k, sizes);
+  for (std::size_t k = 0; k < measurements.series.size(); ++k)
+    compare(measurements, k, sizes, model.scene_units());
 }
 
 }  // namespace graze
