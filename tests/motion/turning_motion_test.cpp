@@ -73,8 +73,8 @@ Eigen::Vector4d stepped(const Scene& scene, double centrifugal, double completed
   const HubBeam beam = hub_beam(scene);
   const Beam& strip = *scene.beam();
   const double s = beam.coupling[0], g = scene.gravity->acceleration, k = 1.875104068711961;
-  const double w2 = std::pow(k / strip.length, 4) * strip.youngs_modulus * strip.second_moment /
-                    (strip.density * strip.area);
+  const double w2 = std::pow(k / strip.length, 4) * strip.youngs_modulus * *strip.second_moment /
+                    (strip.density * *strip.area);
   const double m = centrifugal * (1.0 - (centrifugal > 0.0 ? beam.stiffening(0, 0) : 0.0));
   const auto rate = [&](const Eigen::Vector4d& x) {
     const double angle = x[0], q = x[1], turn = x[2], u = x[3];

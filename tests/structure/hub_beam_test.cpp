@@ -49,7 +49,7 @@ TEST(HubBeam, CouplingInertiaAndWeight) {
   const Scene scene = support::strip_on_hub(6);
   const HubBeam model = hub_beam(scene);
   const Beam& beam = *scene.beam();
-  const double mass = beam.density * beam.area * beam.length, l = beam.length;
+  const double mass = beam.density * *beam.area * beam.length, l = beam.length;
   for (int j = 0; j < 6; ++j) {
     EXPECT_NEAR(model.coupling[j],
                 std::sqrt(mass) * integral([&](double x) {
@@ -78,7 +78,7 @@ TEST(HubBeam, WithoutHubTheBeamIsPinned) {
     const HubModes found = hub_modes(modal_model(scene).omega, model.coupling, model.inertia);
     const Beam& beam = *scene.beam();
     const double unit =
-        std::sqrt(beam.youngs_modulus * beam.second_moment / (beam.density * beam.area)) /
+        std::sqrt(beam.youngs_modulus * *beam.second_moment / (beam.density * *beam.area)) /
         (beam.length * beam.length);
     const double excess = found.omega[1] / (pinned * pinned * unit) - 1.0;
     EXPECT_GT(excess, 0.0);  // Rayleigh and Ritz err upwards

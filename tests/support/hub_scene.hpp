@@ -37,7 +37,7 @@ inline SceneStop stop_at(double position, double gap, double restitution) {
 inline double beam_inertia(const Scene& scene) {
   const Beam& beam = *scene.beam();
   const double l = beam.length, a = scene.hub->radius;
-  return beam.density * beam.area * ((l + a) * (l + a) * (l + a) - a * a * a) / 3.0;
+  return beam.density * *beam.area * ((l + a) * (l + a) * (l + a) - a * a * a) / 3.0;
 }
 
 }  // namespace graze::support

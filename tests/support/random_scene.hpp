@@ -131,14 +131,14 @@ class RandomScene {
     beam.youngs_modulus = 205e9;
     beam.density = 8500.0;
     beam.area = 0.05 * beam.length * height;
-    beam.second_moment = beam.area * height * height / 12.0;
+    beam.second_moment = *beam.area * height * height / 12.0;
     beam.modes = modes_;
     beam.discretisation = chance(0.5) ? Projection::kGalerkin : Projection::kCollocation;
     if (chance(0.1)) beam.points = random_points(beam.length);
     pace_ = 3.516 * height * std::sqrt(beam.youngs_modulus / (12.0 * beam.density)) /
             (beam.length * beam.length);
     reach_ = beam.length * log_uniform(1e-4, 1e-2);
-    unit_ = 0.5 * std::sqrt(beam.density * beam.area * beam.length);
+    unit_ = 0.5 * std::sqrt(beam.density * *beam.area * beam.length);
     scene.structure = beam;
     frequencies_.clear();
     for (int j = 0; j < modes_; ++j) {
@@ -148,7 +148,7 @@ class RandomScene {
     if (chance(0.8)) scene.damping = damping();
     if (scene.damping && chance(0.4))
       scene.damping =
-          ViscousDamping{2.0 * beam.density * beam.area * pace_ * log_uniform(1e-4, 0.3)};
+          ViscousDamping{2.0 * beam.density * *beam.area * pace_ * log_uniform(1e-4, 0.3)};
     if (chance(0.7)) scene.forcing = beam_forcing(beam);
     if (chance(0.35))
       scene.gravity = Gravity{sign() * reach_ * pace_ * pace_ * log_uniform(0.03, 3)};
@@ -228,7 +228,7 @@ class RandomScene {
     forcing.phase = chance(0.3) ? 0.0 : dice_.uniform(0.0, 2.0 * std::numbers::pi);
     forcing.amplitude = reach_;
     if (forcing.kind == ForcingKind::kDistributed)
-      forcing.amplitude *= beam.density * beam.area * pace_ * pace_;
+      forcing.amplitude *= beam.density * *beam.area * pace_ * pace_;
     return forcing;
   }
 

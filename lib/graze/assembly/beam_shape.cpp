@@ -5,13 +5,13 @@
 namespace graze {
 
 std::optional<BeamPlaces> beam_places(const Scene& scene, int places) {
-  if (!scene.beam() || scene.hub) return {};
+  if (!scene.span() || scene.hub) return {};
   BeamPlaces made;
   Scene seen = scene;
   seen.probes.clear();
   for (int i = 0; i < places; ++i) {
     Probe probe;
-    probe.position = scene.beam()->length * i / (places - 1);
+    probe.position = scene.span()->length * i / (places - 1);
     made.x.push_back(probe.position);
     seen.probes.push_back(probe);
   }

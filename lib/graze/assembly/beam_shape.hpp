@@ -1,4 +1,4 @@
-// The shape of a beam over its length, from modal coordinates.
+// The shape of a beam, a string or a bar over its length, from modal coordinates.
 #pragma once
 
 #include <optional>
@@ -14,15 +14,15 @@ struct BeamStop {
   bool is_above = true;
 };
 
-// Places along a beam that is clamped, and the rows that give the displacement there, one row a
+// Places along it, and the rows that give the displacement there, one row a
 // place: u = rows * q, m.
 struct BeamPlaces {
-  std::vector<double> x;  // m from the clamp, the clamp and the tip among them
+  std::vector<double> x;  // m from the left end, both ends among them
   Matrix rows;            // places by modes, kg^-1/2
   std::vector<BeamStop> stops;
 };
 
-// Nothing where the structure is no beam, or where its clamp turns with a hub.
+// Nothing where the modes are given, or where the beam's clamp turns with a hub.
 std::optional<BeamPlaces> beam_places(const Scene& scene, int places);
 
 }  // namespace graze

@@ -1,36 +1,22 @@
 #include "graze/assembly/probes.hpp"
 
-#include <cmath>
-
-#include "graze/structure/detail/cantilever.hpp"
+#include "graze/structure/modal_model.hpp"
 
 namespace graze {
-namespace {
-
-// phi_j(x) = shape(x/L)/sqrt(rho A L)
-Vector beam_row(const Beam& beam, const Probe& probe) {
-  const double scale = 1.0 / std::sqrt(beam.density * beam.area * beam.length);
-  const double xi = probe.position / beam.length;
-  Vector row(beam.modes);
-  if (probe.quantity == ProbeQuantity::kStrain) {
-    const double factor = -0.5 * *beam.thickness * scale / (beam.length * beam.length);
-    for (int j = 0; j < beam.modes; ++j) row[j] = factor * cantilever_curvature(j + 1, xi);
-  } else {
-    for (int j = 0; j < beam.modes; ++j) row[j] = scale * cantilever_shape(j + 1, xi);
-  }
-  return row;
-}
-
-}  // namespace
-
 std::vector<ProbeRow> probe_rows(const Scene& scene) {
   std::vector<ProbeRow> rows;
+  std::vector<double> places;
+  if (scene.span())
+    for (const Probe& probe : scene.probes) places.push_back(probe.position);
+  const std::vector<Vector> shapes = places.empty() ? std::vector<Vector>{} : shapes_at(scene, places);
   for (const Probe& probe : scene.probes) {
     ProbeRow row;
     row.quantity = probe.quantity;
     row.of_velocity = probe.quantity == ProbeQuantity::kVelocity;
-    if (const Beam* beam = scene.beam())
-      row.row = beam_row(*beam, probe);
+    if (probe.quantity == ProbeQuantity::kStrain)
+      row.row = strain_row(scene, probe.position);
+    else if (scene.span())
+      row.row = shapes[rows.size()];
     else
       row.row = Eigen::Map<const Vector>(probe.shape.data(),
                                          static_cast<Eigen::Index>(probe.shape.size()));

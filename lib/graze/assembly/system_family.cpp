@@ -23,7 +23,11 @@ std::optional<Scene> SystemFamily::scene_at(double value) const {
 std::optional<System> SystemFamily::at(double value) const {
   const std::optional<Scene> scene = scene_at(value);
   if (!scene) return {};
-  return assemble(*scene);
+  try {
+    return assemble(*scene);
+  } catch (const InputError&) {
+    return {};  // a structure that buckles there
+  }
 }
 
 std::optional<System> SystemFamily::tangent_at(double value) const {
@@ -55,12 +59,12 @@ const System* SystemCursor::at(std::span<const double> values) {
   }
   try {
     check_scene(scene_);
+    if (!model_ || !fixed_model_) {
+      model_ = modal_model(scene_);
+      for (Parameter& parameter : parameters_) parameter.model.reset();
+    }
   } catch (const InputError&) {
     return nullptr;
-  }
-  if (!model_ || !fixed_model_) {
-    model_ = modal_model(scene_);
-    for (Parameter& parameter : parameters_) parameter.model.reset();
   }
   system_ = assemble(scene_, *model_);
   return &*system_;

@@ -10,6 +10,8 @@
 #include "graze/scene/detail/choices.hpp"
 #include "graze/scene/detail/keys.hpp"
 #include "graze/scene/detail/range_check.hpp"
+#include "graze/scene/detail/section_numbers.hpp"
+#include "graze/scene/detail/span_checks.hpp"
 #include "graze/scene/detail/suggestion.hpp"
 #include "graze/scene/detail/table_checks.hpp"
 #include "graze/scene/detail/value_checker.hpp"
@@ -46,15 +48,35 @@ void check_mode_count(const Scene& scene) {
         fmt::format("the list has {} entries, it must have 1 to {}", size, kMostModes));
 }
 
+// The mass, and the stiffness over it, have a size. Of a string, a bar and a beam whose pieces have
+// sections of their own those of the whole stand for all.
+void check_size(const ValueChecker& checker, const Beam& beam) {
+  const bool sectioned = beam.section.has_value();
+  if (!sectioned && !(beam.second_moment && beam.area)) return;
+  const SectionNumbers<double> section =
+      sectioned ? section_numbers(*beam.section)
+                : SectionNumbers<double>{*beam.area, *beam.second_moment};
+  checker.usable("density", beam.density * section.area * beam.length,
+                 "the mass of the beam, kg,");
+  checker.usable("youngs_modulus",
+                 beam.youngs_modulus * section.second_moment /
+                     (beam.density * section.area * std::pow(beam.length, 4.0)),
+                 "the square of its frequencies, 1/s^2,");
+}
+
 void check_structure(const Scene& scene) {
+  check_span(scene);
+  if (const TautString* string = scene.string()) {
+    const ValueChecker checker(scene, "string");
+    checker.usable("mass_per_length", string->mass_per_length * string->length,
+                   "the mass of the string, kg,");
+    checker.usable("tension",
+                   string->tension / (string->mass_per_length * string->length * string->length),
+                   "the square of its frequencies, 1/s^2,");
+  }
   if (const Beam* beam = scene.beam()) {
     const ValueChecker checker(scene, "beam");
-    checker.usable("density", beam->density * beam->area * beam->length,
-                   "the mass of the beam, kg,");
-    checker.usable("youngs_modulus",
-                   beam->youngs_modulus * beam->second_moment /
-                       (beam->density * beam->area * std::pow(beam->length, 4.0)),
-                   "the square of its frequencies, 1/s^2,");
+    check_size(checker, *beam);
     check_points(checker, *beam);
   }
 }
@@ -144,11 +166,13 @@ void check_collocation_impulse(const ValueChecker& checker, const Scene& scene,
 
 void check_stop(const Scene& scene, const SceneStop& stop, std::size_t number) {
   const ValueChecker checker(scene, numbered_path("stop", number));
-  if (const Beam* beam = scene.beam()) {
-    if (!(stop.position > 0.0 && stop.position <= beam->length)) {
-      checker.fail("position", fmt::format("{} is not allowed, it must be greater than 0 and at "
-                                           "most the beam's length {}",
-                                           stop.position, beam->length));
+  if (const Span* span = scene.span()) {
+    const bool held = span->ends[0] == Hold::kClamped || span->ends[0] == Hold::kPinned;
+    if (!((held ? stop.position > 0.0 : stop.position >= 0.0) && stop.position <= span->length)) {
+      checker.fail("position",
+                   fmt::format("{} is not allowed, it must be {} 0 and at most the {}'s length {}",
+                               stop.position, held ? "greater than" : "at least",
+                               scene.structure_name(), span->length));
     }
   } else {
     if (std::all_of(stop.shape.begin(), stop.shape.end(), [](double phi) { return phi == 0.0; })) {
@@ -220,6 +244,7 @@ void check_scene(const Scene& scene) {
   check_gravity(scene);
   check_stops(scene);
   check_probes(scene);
+  check_on_span(scene);
   check_solver(scene);
 }
 

@@ -29,6 +29,8 @@ class KeyLister : public SchemaVisitor {
   }
   void list(const Key& key, const auto&) { add(key, ""); }
   void series(const Key& key, const auto&) { add(key, ""); }
+  void taper(const Key& key, const auto&) { add(key, ""); }
+  void ends(const Key& key, const auto&, const auto&, const auto&) { add(key, ""); }
   void bodies(const Key& key, const auto&, BodyNumbers) { add(key, ""); }
   void count(const Key& key, const auto&) { add(key, ""); }
   void text(const Key& key, const auto&) { add(key, ""); }
@@ -95,15 +97,37 @@ std::string joined_path(const std::string& table, const std::string& key) {
   return table.empty() ? key : table + "." + key;
 }
 
-std::string without_number(const std::string& path) {
-  for (const std::string list : {"stop.", "probe."}) {
-    if (path.compare(0, list.size(), list) != 0) continue;
-    const std::size_t end = path.find_first_not_of("0123456789", list.size());
-    if (end == list.size()) continue;
-    const std::string name = list.substr(0, list.size() - 1);
-    return end == std::string::npos ? name : name + path.substr(end);
+namespace {
+
+constexpr const char* kLists[] = {"stop",           "probe",       "beam.piece",  "beam.support",
+                                  "beam.mass",      "string.mass", "bar.piece",   "bar.support",
+                                  "string.support", "bar.mass"};
+
+// The path without the number of its table, where `leave` says so of the number.
+std::string shortened(const std::string& path, auto&& leave) {
+  for (const std::string list : kLists) {
+    if (path.compare(0, list.size() + 1, list + ".") != 0) continue;
+    const std::size_t begin = list.size() + 1;
+    const std::size_t end = std::min(path.find('.', begin), path.size());
+    const std::string number = path.substr(begin, end - begin);
+    if (number.empty() || number.find_first_not_of("0123456789") != std::string::npos) continue;
+    if (leave(number)) return list + path.substr(end);
   }
   return path;
+}
+
+}  // namespace
+
+bool is_list_of_tables(const std::string& path) {
+  return std::find(std::begin(kLists), std::end(kLists), path) != std::end(kLists);
+}
+
+std::string without_number(const std::string& path) {
+  return shortened(path, [](const std::string&) { return true; });
+}
+
+std::string first_unnumbered(const std::string& path) {
+  return shortened(path, [](const std::string& number) { return number == "1"; });
 }
 
 const TableKeys& keys_of(const std::string& path) {

@@ -77,7 +77,7 @@ std::optional<bool> written_in_hertz(const Scene& scene, const std::string& path
 bool are_same_parameter(const std::string& first, const std::string& second) {
   const auto plain = [](const std::string& path) -> std::string {
     if (path == "forcing.frequency_hz") return "forcing.frequency";
-    return path.starts_with("stop.1.") ? "stop." + path.substr(7) : path;
+    return first_unnumbered(path);
   };
   return plain(first) == plain(second);
 }

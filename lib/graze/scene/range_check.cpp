@@ -18,7 +18,7 @@ class RangeChecker : public SchemaVisitor {
     if (is_meant(key, value != 0.0)) checker_.number(key.name, value, key.range);
   }
   void number(const Key& key, const std::optional<double>& value) const {
-    if (value) number(key, *value);
+    if (value && is_meant(key, true)) checker_.number(key.name, *value, key.range);
   }
   // The points of a torque, which are no list of the modes, have a rule of their own.
   void list(const Key& key, const std::vector<double>& values) const {
@@ -40,6 +40,12 @@ class RangeChecker : public SchemaVisitor {
     for (std::size_t k = 1; k < values.size(); ++k)
       if (!kAny.holds(values[k])) checker_.entry(key.name, k + 1, values[k], kAny);
   }
+  void taper(const Key& key, const Taper& values) const {
+    if (!is_meant(key, !values.empty())) return;
+    if (values.size() == 1) checker_.number(key.name, values.front(), key.range);
+    if (values.size() != 2) return;
+    for (std::size_t k = 0; k < 2; ++k) checker_.entry(key.name, k + 1, values[k], key.range);
+  }
   void bodies(const Key& key, const SpringGeometry& geometry, BodyNumbers which) const {
     if (!key.applies || !key.range.is_checked) return;
     std::size_t k = 0;
@@ -55,7 +61,8 @@ class RangeChecker : public SchemaVisitor {
   }
   void tables(const TableKey& key, const auto& values) const {
     std::size_t k = 0;
-    for (const auto& value : values) descend(numbered_path(key.name, ++k), value);
+    const std::string list = joined_path(path_, key.name);
+    for (const auto& value : values) descend(numbered_path(list, ++k), value);
   }
 
  private:

@@ -71,6 +71,21 @@ class KeyReader : public SchemaVisitor {
     else
       values = {table_.number(key.name, key.what)};
   }
+  void taper(const Key& key, Taper& values) {
+    if (!is_due(key, false)) return;
+    series(key, values);
+    if (values.size() != 1 && values.size() != 2)
+      table_.fail(key.name, fmt::format("the list has {} entries, it must have two, of the left and "
+                                        "of the right end",
+                                        values.size()));
+  }
+  void ends(const Key& key, auto& held, const auto& choices, const auto&) {
+    if (pass_ == Pass::kValues || !table_.has(key.name)) return;
+    std::vector<std::string> words;
+    for (const auto& choice : choices) words.push_back(choice.name);
+    const std::vector<std::size_t> found = table_.words(key.name, words, held.size());
+    for (std::size_t k = 0; k < held.size(); ++k) held[k] = choices[found[k]].value;
+  }
   void bodies(const Key& key, SpringGeometry& geometry, BodyNumbers which) {
     if (!is_due(key, false)) return;
     table_.required(key.name, key.what);
@@ -133,15 +148,17 @@ class KeyReader : public SchemaVisitor {
       value.emplace();
     }
   }
+  // How many there are is known before what they hold.
   template <class Table>
   void tables(const TableKey& key, std::vector<Table>& values) {
-    const Node* node = pass_ == Pass::kValues ? table_.find(key.name) : nullptr;
+    const Node* node = table_.find(key.name);
     if (node == nullptr) return;
-    for (const Node& entry : tables_of(*node, key.name)) {
-      Table value;
-      read_table(reading_, entry, numbered_path(key.name, values.size() + 1), value);
-      values.push_back(std::move(value));
-    }
+    const std::string path = table_.path(key.name);
+    const NodeList& entries = tables_of(*node, path);
+    values.resize(entries.size());
+    if (pass_ == Pass::kChoices) return;
+    for (std::size_t k = 0; k < values.size(); ++k)
+      read_table(reading_, entries[k], numbered_path(path, k + 1), values[k]);
   }
 
  private:
@@ -192,13 +209,18 @@ void prepare(const TableReader&, const Node&, Initial& initial, const Scene& sce
 }
 
 void prepare(const TableReader& root, const Node&, Scene& scene, const Scene&) {
-  const bool beam = root.has("beam"), modal = root.has("modal");
-  if (!beam && !modal)
-    root.fail("scene", "a scene needs [beam] or [modal], it must have exactly one of them");
-  if (beam && modal)
-    root.fail("modal",
-              "the scene has a [beam] already, it must have exactly one of [beam] and [modal]");
-  if (modal) scene.structure = ModalStructure{};
+  std::vector<std::string> given;
+  for (const char* name : {"beam", "string", "bar", "modal"})
+    if (root.has(name)) given.emplace_back(name);
+  const std::string allowed = "exactly one of [beam], [string], [bar] and [modal]";
+  if (given.empty())
+    root.fail("scene", fmt::format("a scene needs a structure, it must have {}", allowed));
+  if (given.size() > 1)
+    root.fail(given.back(), fmt::format("the scene has a [{}] already, it must have {}",
+                                        given.front(), allowed));
+  if (given.front() == "string") scene.structure = TautString{};
+  if (given.front() == "bar") scene.structure = Bar{};
+  if (given.front() == "modal") scene.structure = ModalStructure{};
 }
 
 template <class Table>

@@ -2,35 +2,41 @@
 
 #include <fmt/format.h>
 
+#include <type_traits>
+
+#include "graze/scene/detail/keys.hpp"
+
 namespace graze {
-namespace {
-
-// The first stop may be called stop or stop.1, so a probe; its keys are remembered under the
-// former.
-std::string canonical(const std::string& key) {
-  for (const std::string list : {"stop", "probe"}) {
-    const std::string numbered = list + ".1";
-    if (key == numbered || key.compare(0, numbered.size() + 1, numbered + ".") == 0) {
-      return list + key.substr(numbered.size());
-    }
-  }
-  return key;
-}
-
-}  // namespace
 
 int Scene::modes() const {
-  if (const Beam* has_beam = beam()) {
-    return has_beam->modes;
-  }
+  if (const Span* has_span = span()) return has_span->modes;
   return static_cast<int>(modal()->frequencies.size());
+}
+
+const Span* Scene::span() const { return const_cast<Scene*>(this)->span(); }
+
+Span* Scene::span() {
+  return std::visit(
+      []<class Structure>(Structure& has) -> Span* {
+        if constexpr (std::is_base_of_v<Span, Structure>)
+          return &has;
+        else
+          return nullptr;
+      },
+      structure);
+}
+
+const char* Scene::structure_name() const {
+  if (string()) return "string";
+  if (bar()) return "bar";
+  return beam() ? "beam" : "modal";
 }
 
 InputError scene_error(const Scene& scene, const std::string& key, const std::string& sentence) {
   if (scene.origins == nullptr || scene.origins->empty()) {
     return InputError(fmt::format("{}: {}", key, sentence));
   }
-  std::string above = canonical(key);
+  std::string above = first_unnumbered(key);
   while (true) {
     const auto found = scene.origins->find(above);
     if (found != scene.origins->end()) {

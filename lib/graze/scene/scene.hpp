@@ -16,10 +16,10 @@
 #include "graze/base/units.hpp"
 #include "graze/contact/contact_force.hpp"
 #include "graze/contact/hertz_stiffness.hpp"
+#include "graze/scene/structures.hpp"
 
 namespace graze {
 
-enum class Projection { kGalerkin, kCollocation };
 enum class Side { kAbove, kBelow };
 enum class Impulse { kMomentum, kCollocation };
 enum class ForcingKind { kBase, kDistributed, kModal };
@@ -28,19 +28,6 @@ enum class ForcingKind { kBase, kDistributed, kModal };
 enum class FlowChoice { kAuto, kExact, kRk4, kDopri5, kFehlberg78, kBulirschStoer };
 // As the scene writes it.
 std::string flow_name(FlowChoice flow);
-
-// Euler-Bernoulli beam, clamped at x = 0, free at x = length.
-struct Beam {
-  double length = 0.0;          // m
-  double youngs_modulus = 0.0;  // Pa
-  double second_moment = 0.0;   // m^4
-  double density = 0.0;         // kg/m^3
-  double area = 0.0;            // m^2
-  int modes = 0;                // 1..400
-  Projection discretisation = Projection::kGalerkin;
-  std::vector<double> points;  // m from the clamp, one per mode, in (0, length]; empty: i L/N
-  std::optional<double> thickness{};  // h, m: of the section, which strains are told at h/2 from
-};
 
 // Motor torque from t = 0 on: constant for a while,
 struct TorquePulse {
@@ -68,14 +55,6 @@ struct Hub {
   HubEquations equations = HubEquations::kConsistent;
   bool centrifugal = true;           // terms with the square of the rate, and the inertia's change
   std::optional<double> friction{};  // Coulomb's at the joint, N m, >= 0
-};
-
-// Any structure given by its mass-normalised modes; all lists have one entry per mode.
-struct ModalStructure {
-  std::vector<double> frequencies;     // rad/s, >= 0 (0: a free mass)
-  std::vector<double> damping_ratios;  // 1, >= 0; empty: none
-  std::vector<double> participation;   // modal force per unit of forcing amplitude; empty: none
-  std::vector<double> inertia;         // modal force per unit of uniform acceleration; empty: none
 };
 
 struct ViscousDamping {
@@ -165,7 +144,7 @@ struct Spring {
 };
 
 struct SceneStop {
-  double position = 0.0;      // m from the clamp (beam)
+  double position = 0.0;      // m from the left end (beam, string, bar)
   std::vector<double> shape;  // phi_j at the stop (modal structure), kg^-1/2
   double gap = 0.0;           // m; may be 0 or negative (preload)
   Side side = Side::kAbove;   // above: free while u < gap; below: free while u > -gap
@@ -178,7 +157,7 @@ struct SceneStop {
 
 // kDisplacement, kVelocity: of the point, with a hub along the arc from angle 0 on; kDeflection:
 // from the line that turns with the hub, without one the displacement; kStrain: of the fibre at
-// half the thickness, -h/2 u'' (beam); kAngle, kRate: of the hub, wherever the probe is.
+// half the thickness, -h/2 u'' (beam), or of the bar, u'; kAngle, kRate: of the hub, wherever the probe is.
 enum class ProbeQuantity { kDisplacement, kVelocity, kDeflection, kStrain, kAngle, kRate };
 // As the scene writes it.
 std::string probe_quantity_name(ProbeQuantity quantity);
@@ -188,7 +167,7 @@ inline bool is_of_hub(ProbeQuantity quantity) {
 
 // A quantity at a place, told in the series of a motion.
 struct Probe {
-  double position = 0.0;      // m from the clamp (beam), 0..length
+  double position = 0.0;      // m from the left end (beam, string, bar), 0..length
   std::vector<double> shape;  // phi_j at the place (modal structure), kg^-1/2
   ProbeQuantity quantity = ProbeQuantity::kDisplacement;
 };
@@ -213,7 +192,7 @@ using Origins = std::map<std::string, SourceLocation>;
 struct Scene {
   std::string title;
   Units units = Units::kSi;
-  std::variant<Beam, ModalStructure> structure;
+  std::variant<Beam, ModalStructure, TautString, Bar> structure;
   std::optional<Hub> hub{};  // of a beam
   std::optional<Damping> damping;
   std::optional<Forcing> forcing;
@@ -226,6 +205,13 @@ struct Scene {
 
   const Beam* beam() const { return std::get_if<Beam>(&structure); }
   const ModalStructure* modal() const { return std::get_if<ModalStructure>(&structure); }
+  const TautString* string() const { return std::get_if<TautString>(&structure); }
+  const Bar* bar() const { return std::get_if<Bar>(&structure); }
+  // The beam, string or bar, or null of a modal structure.
+  const Span* span() const;
+  Span* span();
+  // "beam", "string", "bar" or "modal", the table that it stands in.
+  const char* structure_name() const;
   // Number of the structure's modes N; a hub adds its angle to them.
   int modes() const;
 };

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "graze/scene/detail/document.hpp"
+#include "graze/scene/detail/keys.hpp"
 #include "graze/scene/detail/text_check.hpp"
 
 namespace graze {
@@ -131,10 +132,6 @@ std::size_t index_of(const std::string& part) {
   return error == std::errc() && end == part.data() + part.size() ? index : 0;
 }
 
-// Lists of tables, whose names without a number mean the first of them, and of which there could be
-// one more.
-bool is_list_of_tables(const std::string& name) { return name == "stop" || name == "probe"; }
-
 // Entry number `part` of the list that `path` names.
 Node& entry_of(NodeList& list, const std::string& part, const std::string& path,
                const Setting& setting) {
@@ -179,7 +176,7 @@ void apply_setting(Node& root, const std::string& text) {
     if (auto* table = at->as<NodeTable>()) {
       const bool last = k + 1 == parts.size();
       // A name without a number means the first of the tables, and the one after the last is made.
-      const bool tables = k == 0 && is_list_of_tables(parts[k]) && !last;
+      const bool tables = is_list_of_tables(joined_path(path, parts[k])) && !last;
       Node made{NodeTable(), place};
       if (tables) {
         made = Node{NodeList(), place};

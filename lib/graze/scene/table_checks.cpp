@@ -20,7 +20,9 @@ namespace {
 // the hub alone.
 void check_surroundings(const Scene& scene) {
   if (scene.beam() == nullptr)
-    throw scene_error(scene, "hub", "a hub carries a [beam], with [modal] it must be left out");
+    throw scene_error(scene, "hub",
+                      fmt::format("a hub carries a [beam], with [{}] it must be left out",
+                                  scene.structure_name()));
   if (scene.forcing)
     throw scene_error(scene, "forcing",
                       "a structure on a hub is driven by hub.torque, [forcing] must be left out");
@@ -80,21 +82,17 @@ void check_probe(const Scene& scene, const Probe& probe, std::size_t number) {
                                probe_quantity_name(probe.quantity)));
     return;
   }
-  if (const Beam* beam = scene.beam()) {
-    if (!(probe.position >= 0.0 && probe.position <= beam->length))
+  if (const Span* span = scene.span()) {
+    if (!(probe.position >= 0.0 && probe.position <= span->length))
       checker.fail("position",
-                   fmt::format("{} is not allowed, it must be at least 0 and at most the beam's "
+                   fmt::format("{} is not allowed, it must be at least 0 and at most the {}'s "
                                "length {}",
-                               probe.position, beam->length));
-    if (probe.quantity == ProbeQuantity::kStrain && !beam->thickness)
-      throw scene_error(scene, "beam.thickness",
-                        "the key is missing, a probe of the strain needs a number greater than 0, "
-                        "in m");
+                               probe.position, scene.structure_name(), span->length));
     return;
   }
   if (probe.quantity == ProbeQuantity::kStrain)
     checker.fail("quantity",
-                 "only a [beam] has a strain, it must be \"displacement\", \"velocity\" or "
+                 "only a [beam] or a [bar] has a strain, it must be \"displacement\", \"velocity\" or "
                  "\"deflection\"");
 }
 

@@ -67,10 +67,8 @@ std::string TableReader::title() const {
   if (spring != std::string::npos) {
     return fmt::format("[stop{}]", path_.substr(spring));
   }
-  for (const char* list : {"stop", "probe"}) {
-    if (path_.rfind(list, 0) == 0) return fmt::format("[[{}]]", list);
-  }
-  return fmt::format("[{}]", path_);
+  const std::string table = without_number(path_);
+  return is_list_of_tables(table) ? fmt::format("[[{}]]", table) : fmt::format("[{}]", table);
 }
 
 void TableReader::check_keys() const {
@@ -85,10 +83,14 @@ void TableReader::check_keys() const {
     meant.erase(std::remove_if(meant.begin(), meant.end(),
                                [&](const std::string& name) {
                                  const std::size_t dot = name.rfind('.');
-                                 if (path_.empty() && (name.rfind("stop.spring.", 0) == 0 ||
-                                                       name.rfind("hub.torque.", 0) == 0)) {
+                                 if (path_.empty() && name.rfind("damping.", 0) != 0 &&
+                                     name.find('.') != dot) {
                                    return true;
                                  }
+                                 // What a string has, a beam has first.
+                                 for (const std::string other : {"string", "bar"})
+                                   if (name.starts_with(other + ".") && !path_.starts_with(other))
+                                     return true;
                                  return !path_.empty() && dot != std::string::npos &&
                                         name.find('.') != dot &&
                                         name.compare(0, path_.size() + 1, path_ + ".") != 0;
@@ -161,6 +163,26 @@ std::vector<double> TableReader::numbers(const std::string& key, const std::stri
     values.push_back(*value);
   }
   return values;
+}
+
+std::vector<std::size_t> TableReader::words(const std::string& key,
+                                            const std::vector<std::string>& names,
+                                            std::size_t count) const {
+  std::vector<std::string> shown;
+  for (const std::string& name : names) shown.push_back(quoted(name));
+  const std::string what = fmt::format("a list of {} words, each {}", count, joined(shown, "or"));
+  const auto* list = required(key, what).as<NodeList>();
+  if (list == nullptr || list->size() != count) refuse(key, what);
+  std::vector<std::size_t> found;
+  for (const Node& entry : *list) {
+    const auto* text = entry.as<std::string>();
+    const auto name = text == nullptr ? names.end() : std::find(names.begin(), names.end(), *text);
+    if (name == names.end())
+      fail_at(entry.place, key_path(path(key), std::to_string(found.size() + 1)),
+              refusal(entry, joined(shown, "or")));
+    found.push_back(static_cast<std::size_t>(name - names.begin()));
+  }
+  return found;
 }
 
 std::size_t TableReader::choice_index(const std::string& key,

@@ -33,6 +33,14 @@ class Writer : public SchemaVisitor {
   void series(const Key& key, const std::vector<double>& values) {
     add(key, values.size() == 1 ? real_text(values.front()) : list_text(values));
   }
+  void taper(const Key& key, const Taper& values) {
+    if (!values.empty()) series(key, values);
+  }
+  void ends(const Key& key, const auto& held, const auto& choices, const auto& usual) {
+    if (held != usual)
+      add(key, fmt::format("[{}, {}]", quoted(name_among(choices, held[0])),
+                           quoted(name_among(choices, held[1]))));
+  }
   void bodies(const Key& key, const SpringGeometry& geometry, BodyNumbers which) {
     add(key, list_text(body_numbers(geometry, which)));
   }
@@ -61,7 +69,8 @@ class Writer : public SchemaVisitor {
     add(Key{key.name}, "{ " + text + " }");
   }
   void tables(const TableKey& key, const auto& values) {
-    for (const auto& value : values) write(fmt::format("[[{}]]", key.name), key.name, value);
+    const std::string path = joined_path(path_, key.name);
+    for (const auto& value : values) write(fmt::format("[[{}]]", path), path, value);
   }
 
  private:

@@ -6,6 +6,7 @@
 
 #include "graze/base/linalg/detail/dense_factors.hpp"
 #include "graze/structure/detail/cantilever.hpp"
+#include "graze/structure/detail/line.hpp"
 
 namespace graze {
 namespace {
@@ -44,7 +45,7 @@ Matrix stiffening_of(int modes, double ratio) {
 HubBeam hub_beam(const Scene& scene) {
   const Beam& beam = *scene.beam();
   const Hub& hub = *scene.hub;
-  const double per_length = beam.density * beam.area, l = beam.length, alpha = hub.radius;
+  const double per_length = beam.density * even_section(beam, nullptr).area.value, l = beam.length, alpha = hub.radius;
   const double root = std::sqrt(per_length * l);
   HubBeam model;
   model.inertia = hub.inertia + per_length * l * (l * l / 3.0 + alpha * (l + alpha));

@@ -5,7 +5,7 @@
 
 #include "graze/base/linalg/detail/linear_equations.hpp"
 #include "graze/scene/check.hpp"
-#include "graze/structure/detail/cantilever.hpp"
+#include "graze/structure/detail/span_modes.hpp"
 
 namespace graze {
 namespace {
@@ -16,40 +16,26 @@ ConstVectorMap as_vector(const std::vector<double>& list) {
   return {list.data(), static_cast<Eigen::Index>(list.size())};
 }
 
-// phi_j(x) = shape(x/L)/sqrt(rho A L)
-double mass_scale(const Beam& beam) {
-  return 1.0 / std::sqrt(beam.density * beam.area * beam.length);
+// What modes along a span are asked for.
+Vector omega_of(const SpanModes& modes) {
+  return std::visit([](const auto& has) { return has.omega(); }, modes);
+}
+Vector shapes_of(const SpanModes& modes, double x) {
+  return std::visit([&](const auto& has) { return has.shapes(x); }, modes);
+}
+Vector inertia_of(const SpanModes& modes) {
+  return std::visit([](const auto& has) { return has.inertia(); }, modes);
 }
 
-// d ln(scale)
-double mass_scale_rate(const Beam& beam, const Beam& rate) {
-  return -0.5 * (rate.density / beam.density + rate.area / beam.area + rate.length / beam.length);
-}
-
-Vector shapes_at(const Beam& beam, double x) {
-  Vector phi(beam.modes);
-  for (int j = 0; j < beam.modes; ++j)
-    phi[j] = mass_scale(beam) * cantilever_shape(j + 1, x / beam.length);
-  return phi;
-}
-
-Vector shape_rates_at(const Beam& beam, const Beam& rate, double x, double x_rate) {
-  const double xi_rate = (x_rate - x * rate.length / beam.length) / beam.length;
-  Vector phi_rate = mass_scale_rate(beam, rate) * shapes_at(beam, x);
-  for (int j = 0; j < beam.modes; ++j)
-    phi_rate[j] += mass_scale(beam) * cantilever_slope(j + 1, x / beam.length) * xi_rate;
-  return phi_rate;
-}
-
-Matrix collocation_matrix(const Beam& beam) {
+Matrix collocation_matrix(const Beam& beam, const SpanModes& modes) {
   const std::vector<double> points = collocation_points(beam);
   Matrix phi(beam.modes, beam.modes);
   for (int i = 0; i < beam.modes; ++i)
-    phi.row(i) = shapes_at(beam, points[static_cast<std::size_t>(i)]).transpose();
+    phi.row(i) = shapes_of(modes, points[static_cast<std::size_t>(i)]).transpose();
   return phi;
 }
 
-Matrix collocation_rate(const Beam& beam, const Beam& rate) {
+Matrix collocation_rate(const Beam& beam, const Beam& rate, const SpanModes& modes) {
   const std::vector<double> points = collocation_points(beam);
   Matrix phi_rate(beam.modes, beam.modes);
   for (int i = 0; i < beam.modes; ++i) {
@@ -57,33 +43,16 @@ Matrix collocation_rate(const Beam& beam, const Beam& rate) {
     // The default points i L/N move with the length, given ones stay.
     const double x_rate =
         beam.points.empty() ? points[k] * rate.length / beam.length : rate.points[k];
-    phi_rate.row(i) = shape_rates_at(beam, rate, points[k], x_rate).transpose();
+    phi_rate.row(i) =
+        std::visit([&](const auto& has) { return has.shape_rates(points[k], x_rate); }, modes)
+            .transpose();
   }
   return phi_rate;
 }
 
-Vector natural_frequencies(const Scene& scene) {
-  if (const ModalStructure* modal = scene.modal()) return as_vector(modal->frequencies);
-  const Beam& beam = *scene.beam();
-  const double unit =
-      std::sqrt(beam.youngs_modulus * beam.second_moment / (beam.density * beam.area)) /
-      (beam.length * beam.length);
-  Vector omega(beam.modes);
-  for (int j = 0; j < beam.modes; ++j) {
-    const double b = cantilever_wave_number(j + 1);
-    omega[j] = b * b * unit;
-  }
-  return omega;
-}
-
-Vector natural_frequency_rates(const Scene& scene, const Vector& omega, const Scene& direction) {
-  if (const ModalStructure* rate = direction.modal()) return as_vector(rate->frequencies);
-  const Beam& beam = *scene.beam();
-  const Beam& rate = *direction.beam();
-  return omega * (0.5 * (rate.youngs_modulus / beam.youngs_modulus +
-                         rate.second_moment / beam.second_moment - rate.density / beam.density -
-                         rate.area / beam.area) -
-                  2.0 * rate.length / beam.length);
+// Where it is everywhere the same.
+Rated mass_per_length(const Scene& scene, const Scene* direction) {
+  return line_of(scene, direction).pieces.front().mass.front();
 }
 
 // The damping that a modal structure carries itself counts as damping ratios.
@@ -95,9 +64,8 @@ Vector decay_rates(const Scene& scene, const Vector& omega) {
     return as_vector(ratios->ratios).cwiseProduct(omega);
   if (const auto* rayleigh = std::get_if<RayleighDamping>(&*scene.damping))
     return 0.5 * (rayleigh->mass + rayleigh->stiffness * omega.array().square());
-  const Beam& beam = *scene.beam();
   const double eta = std::get<ViscousDamping>(*scene.damping).coefficient;
-  return Vector::Constant(omega.size(), 0.5 * eta / (beam.density * beam.area));
+  return Vector::Constant(omega.size(), 0.5 * eta / mass_per_length(scene, nullptr).value);
 }
 
 Vector decay_tangent(const Scene& scene, const ModalModel& model, const Vector& omega_rate,
@@ -117,44 +85,73 @@ Vector decay_tangent(const Scene& scene, const ModalModel& model, const Vector& 
     return 0.5 * (rate.mass + rate.stiffness * omega.square() +
                   2.0 * rayleigh->stiffness * omega * omega_rate.array());
   }
-  const Beam& beam = *scene.beam();
-  const Beam& rate = *direction.beam();
   const double eta_rate = std::get<ViscousDamping>(*direction.damping).coefficient;
-  return Vector::Constant(model.omega.size(), 0.5 * eta_rate / (beam.density * beam.area)) -
-         model.delta * (rate.density / beam.density + rate.area / beam.area);
+  const Rated mass = mass_per_length(scene, &direction);
+  return Vector::Constant(model.omega.size(), 0.5 * eta_rate / mass.value) -
+         model.delta * (mass.rate / mass.value);
 }
 
-// Modal force per unit of uniform acceleration. Galerkin: integral of rho A phi_j; collocation:
-// Phi^-1 1.
-Vector beam_inertia(const Beam& beam, const Matrix& phi) {
-  if (beam.discretisation == Projection::kCollocation)
-    return LuFactors(phi).solve(Vector::Ones(beam.modes));
-  Vector g(beam.modes);
-  for (int j = 0; j < beam.modes; ++j) g[j] = cantilever_mean(j + 1) / mass_scale(beam);
-  return g;
+bool collocates(const Scene& scene) {
+  return scene.beam() && scene.beam()->discretisation == Projection::kCollocation;
 }
 
-// The rate of the inertia `g`, or of any multiple of it.
-Vector beam_inertia_rate(const Beam& beam, const Beam& rate, const Vector& g, const Matrix& phi,
-                         const Matrix& phi_rate) {
-  return beam.discretisation == Projection::kCollocation
-             ? Vector(-LuFactors(phi).solve(phi_rate * g))
-             : Vector(-mass_scale_rate(beam, rate) * g);
+// Modal force per unit of uniform acceleration. Galerkin: integral of mass times phi_j;
+// collocation: Phi^-1 1.
+Vector span_inertia(const Scene& scene, const SpanModes& modes, const Matrix& phi) {
+  if (collocates(scene)) return LuFactors(phi).solve(Vector::Ones(scene.modes()));
+  return inertia_of(modes);
 }
 
-// A load per length is an acceleration times rho A.
-Vector beam_participation(const Beam& beam, ForcingKind kind, const Matrix& phi) {
-  const Vector g = beam_inertia(beam, phi);
-  return kind == ForcingKind::kDistributed ? Vector(g / (beam.density * beam.area)) : g;
+// The rate of the inertia `g`, or of any multiple of it that depends on nothing else.
+Vector span_inertia_rate(const Scene& scene, const SpanModes& modes, const Vector& g,
+                         const Matrix& phi, const Matrix& phi_rate) {
+  if (collocates(scene)) return -LuFactors(phi).solve(phi_rate * g);
+  return std::visit([](const auto& has) { return has.inertia_rate(); }, modes);
 }
 
-Vector beam_participation_rate(const Beam& beam, const Beam& rate, ForcingKind kind,
+// By collocation a load per length is an acceleration times rho A.
+Vector span_participation(const Scene& scene, const SpanModes& modes, const Matrix& phi) {
+  if (scene.forcing->kind != ForcingKind::kDistributed) return span_inertia(scene, modes, phi);
+  if (collocates(scene))
+    return span_inertia(scene, modes, phi) / mass_per_length(scene, nullptr).value;
+  return std::visit([](const auto& has) { return has.load(); }, modes);
+}
+
+Vector span_participation_rate(const Scene& scene, const Scene& direction, const SpanModes& modes,
                                const ModalModel& model, const Matrix& phi_rate) {
   const Vector& g = model.participation;
-  Vector g_rate = beam_inertia_rate(beam, rate, g, model.collocation, phi_rate);
-  if (kind == ForcingKind::kDistributed)
-    g_rate -= g * (rate.density / beam.density + rate.area / beam.area);
-  return g_rate;
+  const bool distributed = scene.forcing->kind == ForcingKind::kDistributed;
+  if (distributed && !collocates(scene))
+    return std::visit([](const auto& has) { return has.load_rate(); }, modes);
+  Vector rate = span_inertia_rate(scene, modes, g, model.collocation, phi_rate);
+  if (!distributed) return rate;
+  const Rated mass = mass_per_length(scene, &direction);
+  return rate - g * (mass.rate / mass.value);
+}
+
+ModalModel given_model(const Scene& scene, const ModalStructure& modal) {
+  ModalModel model;
+  model.omega = as_vector(modal.frequencies);
+  model.delta = decay_rates(scene, model.omega);
+  if (scene.forcing)
+    model.participation = as_vector(
+        scene.forcing->kind == ForcingKind::kBase ? modal.inertia : modal.participation);
+  if (scene.gravity) model.inertia = as_vector(modal.inertia);
+  for (const SceneStop& stop : scene.stops) model.shapes.emplace_back(as_vector(stop.shape));
+  return model;
+}
+
+ModalModel given_tangent(const Scene& scene, const ModalModel& model, const Scene& direction) {
+  const ModalStructure& modal = *direction.modal();
+  ModalModel rate;
+  rate.omega = as_vector(modal.frequencies);
+  rate.delta = decay_tangent(scene, model, rate.omega, direction);
+  if (scene.forcing)
+    rate.participation = as_vector(
+        scene.forcing->kind == ForcingKind::kBase ? modal.inertia : modal.participation);
+  if (scene.gravity) rate.inertia = as_vector(modal.inertia);
+  for (const SceneStop& stop : direction.stops) rate.shapes.emplace_back(as_vector(stop.shape));
+  return rate;
 }
 
 }  // namespace
@@ -168,52 +165,57 @@ bool uses_collocation(const Scene& scene) {
 }
 
 ModalModel modal_model(const Scene& scene) {
+  if (const ModalStructure* modal = scene.modal()) return given_model(scene, *modal);
+  const SpanModes modes = span_modes(scene);
   ModalModel model;
-  model.omega = natural_frequencies(scene);
+  model.omega = omega_of(modes);
   model.delta = decay_rates(scene, model.omega);
-  if (uses_collocation(scene)) model.collocation = collocation_matrix(*scene.beam());
-  if (const ModalStructure* modal = scene.modal()) {
-    if (scene.forcing)
-      model.participation = as_vector(
-          scene.forcing->kind == ForcingKind::kBase ? modal->inertia : modal->participation);
-    if (scene.gravity) model.inertia = as_vector(modal->inertia);
-    for (const SceneStop& stop : scene.stops) model.shapes.emplace_back(as_vector(stop.shape));
-  } else {
-    const Beam& beam = *scene.beam();
-    if (scene.forcing)
-      model.participation = beam_participation(beam, scene.forcing->kind, model.collocation);
-    if (scene.gravity) model.inertia = beam_inertia(beam, model.collocation);
-    for (const SceneStop& stop : scene.stops)
-      model.shapes.push_back(shapes_at(beam, stop.position));
-  }
+  if (uses_collocation(scene)) model.collocation = collocation_matrix(*scene.beam(), modes);
+  if (scene.forcing) model.participation = span_participation(scene, modes, model.collocation);
+  if (scene.gravity) model.inertia = span_inertia(scene, modes, model.collocation);
+  for (const SceneStop& stop : scene.stops)
+    model.shapes.push_back(shapes_of(modes, stop.position));
   return model;
 }
 
 ModalModel modal_tangent(const Scene& scene, const ModalModel& model, const Scene& direction) {
+  if (scene.modal()) return given_tangent(scene, model, direction);
+  const SpanModes modes = span_modes(scene, &direction);
   ModalModel rate;
-  rate.omega = natural_frequency_rates(scene, model.omega, direction);
+  rate.omega = std::visit([](const auto& has) { return has.omega_rate(); }, modes);
   rate.delta = decay_tangent(scene, model, rate.omega, direction);
-  if (const ModalStructure* modal = direction.modal()) {
-    if (scene.forcing)
-      rate.participation = as_vector(
-          scene.forcing->kind == ForcingKind::kBase ? modal->inertia : modal->participation);
-    if (scene.gravity) rate.inertia = as_vector(modal->inertia);
-    for (const SceneStop& stop : direction.stops) rate.shapes.emplace_back(as_vector(stop.shape));
-    return rate;
-  }
-  const Beam& beam = *scene.beam();
-  const Beam& beam_rate = *direction.beam();
-  if (uses_collocation(scene)) rate.collocation = collocation_rate(beam, beam_rate);
+  if (uses_collocation(scene))
+    rate.collocation = collocation_rate(*scene.beam(), *direction.beam(), modes);
   if (scene.forcing)
-    rate.participation =
-        beam_participation_rate(beam, beam_rate, scene.forcing->kind, model, rate.collocation);
+    rate.participation = span_participation_rate(scene, direction, modes, model, rate.collocation);
   if (scene.gravity)
     rate.inertia =
-        beam_inertia_rate(beam, beam_rate, model.inertia, model.collocation, rate.collocation);
+        span_inertia_rate(scene, modes, model.inertia, model.collocation, rate.collocation);
   for (std::size_t i = 0; i < scene.stops.size(); ++i)
-    rate.shapes.push_back(
-        shape_rates_at(beam, beam_rate, scene.stops[i].position, direction.stops[i].position));
+    rate.shapes.push_back(std::visit(
+        [&](const auto& has) {
+          return has.shape_rates(scene.stops[i].position, direction.stops[i].position);
+        },
+        modes));
   return rate;
+}
+
+std::optional<ElementAccuracy> element_accuracy(const Scene& scene) {
+  if (scene.modal() || has_closed_modes(scene)) return {};
+  return ElementModes(scene, nullptr).accuracy();
+}
+
+std::vector<Vector> shapes_at(const Scene& scene, const std::vector<double>& places) {
+  const SpanModes modes = span_modes(scene);
+  std::vector<Vector> rows;
+  for (const double x : places) rows.push_back(shapes_of(modes, x));
+  return rows;
+}
+
+Vector strain_row(const Scene& scene, double x) {
+  const SpanModes modes = span_modes(scene);
+  const double factor = scene.beam() ? -0.5 * thickness_at(*scene.beam(), x) : 1.0;
+  return std::visit([&](const auto& has) { return has.strains(x, factor); }, modes);
 }
 
 }  // namespace graze

@@ -8,6 +8,7 @@
 // uniform acceleration along +u, projected like the load.
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "graze/base/vector.hpp"
@@ -24,12 +25,33 @@ struct ModalModel {
   Matrix collocation;          // Phi_ij = phi_j(x_i), N x N; empty where nothing collocates
 };
 
-// The model of a checked scene. Only what the scene calls for is computed.
+// The model of a checked scene. Only what the scene calls for is computed. Throws InputError where a
+// compressed beam buckles, or where no elements that could be afforded resolve the modes.
 ModalModel modal_model(const Scene& scene);
 
 // Derivative of every number of `model` when the scene moves along `direction` (a scene of the same
-// shape that holds the rate of change of each number; see parameter_direction).
+// shape that holds the rate of change of each number; see parameter_direction). Throws InputError
+// where there is none: two modes of one frequency turn into each other, or two things at one place
+// part.
 ModalModel modal_tangent(const Scene& scene, const ModalModel& model, const Scene& direction);
+
+// How the modes of a beam, a string or a bar without a closed form were found.
+struct ElementAccuracy {
+  int elements = 0;
+  int order = 0;  // degree of the shapes on an element
+  int rigid = 0;  // modes that are rigid motions, of frequency 0
+  // The largest relative change of a frequency by the last refinement: of modes 1 to 32, and of
+  // those beyond (0 without any).
+  double change = 0.0, change_beyond = 0.0;
+};
+
+// Nothing where the modes have a closed form or are given.
+std::optional<ElementAccuracy> element_accuracy(const Scene& scene);
+
+// Rows on the modal coordinates at a place x of a beam, a string or a bar: of the displacement, and
+// of the strain where the structure has one (-h/2 u'' of a beam, u' of a bar).
+std::vector<Vector> shapes_at(const Scene& scene, const std::vector<double>& places);
+Vector strain_row(const Scene& scene, double x);
 
 // Whether the scene's forcing, gravity or impulses go through the collocation matrix.
 bool uses_collocation(const Scene& scene);

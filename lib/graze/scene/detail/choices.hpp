@@ -29,6 +29,18 @@ enum class TorqueKind { kPulse, kTable };
 
 inline constexpr std::array kProjections{Choice{"galerkin", Projection::kGalerkin},
                                          Choice{"collocation", Projection::kCollocation}};
+inline constexpr std::array kSectionShapes{Choice{"rectangle", SectionShape::kRectangle},
+                                           Choice{"circle", SectionShape::kCircle},
+                                           Choice{"tube", SectionShape::kTube}};
+inline constexpr std::array kBeamEnds{
+    Choice{"clamped", Hold::kClamped}, Choice{"pinned", Hold::kPinned},
+    Choice{"sliding", Hold::kSliding}, Choice{"free", Hold::kFree}};
+inline constexpr std::array kLineEnds{Choice{"fixed", Hold::kPinned}, Choice{"free", Hold::kFree}};
+inline constexpr std::array kBeamSupports{
+    Choice{"spring", Hold::kSpring}, Choice{"pinned", Hold::kPinned},
+    Choice{"clamped", Hold::kClamped}, Choice{"sliding", Hold::kSliding}};
+inline constexpr std::array kLineSupports{Choice{"spring", Hold::kSpring},
+                                          Choice{"fixed", Hold::kPinned}};
 inline constexpr std::array kTorqueKinds{Choice{"pulse", TorqueKind::kPulse},
                                          Choice{"table", TorqueKind::kTable}};
 inline constexpr std::array kHubEquations{Choice{"consistent", HubEquations::kConsistent},

@@ -40,6 +40,7 @@ class NumberVisitor : public SchemaVisitor {
     else
       list(key, values);
   }
+  void taper(const Key& key, auto& values) { series(key, values); }
   void table(const TableKey& key, auto&& value) {
     if (value && (all_ || key.is_varied)) descend(path_ + key.name, *value);
   }
@@ -68,17 +69,11 @@ void visit_numbers(S& scene, F&& f, bool all) {
   describe(visitor, scene);
 }
 
-// "stop.1.gap" is "stop.gap".
-inline std::string first_stop_unnumbered(const std::string& path) {
-  const std::string first = "stop.1.";
-  return path.compare(0, first.size(), first) == 0 ? "stop." + path.substr(first.size()) : path;
-}
-
 // The number, or null.
 template <class S>
 auto found_number(S& scene, const std::string& path, bool all) {
   std::conditional_t<std::is_const_v<S>, const double, double>* result = nullptr;
-  const std::string wanted = first_stop_unnumbered(path);
+  const std::string wanted = first_unnumbered(path);
   visit_numbers(
       scene,
       [&](const std::string& name, auto& value) {

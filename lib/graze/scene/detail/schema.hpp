@@ -10,37 +10,15 @@
 
 #include "graze/scene/detail/choices.hpp"
 #include "graze/scene/detail/key.hpp"
+#include "graze/scene/detail/structure_schema.hpp"
 #include "graze/scene/scene.hpp"
 
 namespace graze {
-
-// A table that is to be read or changed, or a const one.
-template <class Table, class Value>
-concept Of = std::is_same_v<std::remove_const_t<Table>, Value>;
 
 // The numbers of both bodies as the scene lists them, and which lengths such a list may have.
 std::vector<double> body_numbers(const SpringGeometry& geometry, BodyNumbers which);
 bool set_body_numbers(SpringGeometry& geometry, BodyNumbers which,
                       const std::vector<double>& numbers);
-
-void describe(auto& v, Of<Beam> auto& beam, const Scene&) {
-  v.number({"length", "m", kPositive, "L"}, beam.length);
-  v.number({"youngs_modulus", "Pa", kPositive, "E"}, beam.youngs_modulus);
-  v.number({"second_moment", "m^4", kPositive, "I, second moment of area"}, beam.second_moment);
-  v.number({"density", "kg/m^3", kPositive, "rho"}, beam.density);
-  v.number({"area", "m^2", kPositive, "A, of the cross-section"}, beam.area);
-  v.number(Key{"thickness", "m", kPositive, "h, of the section; only strains depend on it"}.or_else(
-               "none"),
-           beam.thickness);
-  v.count({"modes", "", kModeCount, "N"}, beam.modes);
-  v.choice(Key{"discretisation", "", kAny, "how the load is projected onto the modes"}.or_else(),
-           beam.discretisation, kProjections);
-  v.list(Key{"points", "m", kAny.told("N rising numbers in (0, L]"),
-             "collocation points; used by the collocation projection and the collocation impulse, "
-             "else ignored"}
-             .or_else("i L/N, i = 1..N"),
-         beam.points);
-}
 
 void describe(auto& v, Of<Torque> auto& torque, const Scene&) {
   TorqueKind kind =
@@ -100,21 +78,6 @@ void describe(auto& v, Of<Hub> auto& hub, const Scene&) {
   v.table({"friction", Form::kInline}, hub.friction);
 }
 
-void describe(auto& v, Of<ModalStructure> auto& modal, const Scene&) {
-  v.list({"frequencies", "rad/s", kNotNegative, "w_j; 0 is a free mass"}, modal.frequencies);
-  v.list(Key{"damping_ratios", "", kNotNegative,
-             "delta_j/w_j, so the decay rate is ratio times w_j; 1 is critical"}
-             .or_else("no damping"),
-         modal.damping_ratios);
-  // Mass-normalised coordinates q are in kg^1/2 m, so modal forces are in kg^1/2 m/s^2.
-  v.list(Key{"participation", "kg^1/2 m/s^2", kAny, "modal force per unit of `forcing.amplitude`"}
-             .or_else("needed by forcing `\"modal\"`"),
-         modal.participation);
-  v.list(Key{"inertia", "kg^1/2", kAny, "modal force per unit of uniform acceleration"}.or_else(
-             "needed by forcing `\"base\"` and by `[gravity]`"),
-         modal.inertia);
-}
-
 void describe(auto& v, Of<RayleighDamping> auto& rayleigh, const Scene&) {
   v.number({"mass", "1/s", kNotNegative, "delta_j = (mass + stiffness w_j^2)/2"}, rayleigh.mass);
   v.number({"stiffness", "s", kNotNegative, "in the same sum"}, rayleigh.stiffness);
@@ -124,8 +87,8 @@ void describe(auto& v, Of<Damping> auto& damping, const Scene&) {
   MayHold viscous(std::get_if<ViscousDamping>(&damping));
   MayHold ratios(std::get_if<DampingRatios>(&damping));
   v.number(Key{"viscous", "N s/m^2", kNotNegative,
-               "eta, force per length per velocity relative to the clamp; with `[beam]` only. "
-               "delta_j = eta/(2 rho A)"}
+               "eta, force per length per velocity relative to the clamp; not with `[modal]`, nor "
+               "where the mass per length m varies or masses are attached. delta_j = eta/(2 m)"}
                .needed("none")
                .where(bool(viscous)),
            viscous->coefficient);
@@ -140,11 +103,11 @@ void describe(auto& v, Of<Damping> auto& damping, const Scene&) {
 void describe(auto& v, Of<Forcing> auto& forcing, const Scene& scene) {
   const bool modal = scene.modal() != nullptr;
   v.choice(Key{"kind", "",
-               own_rule("`\"base\"`; `\"distributed\"` with `[beam]` only; `\"modal\"` with "
+               own_rule("`\"base\"`; `\"distributed\"` not with `[modal]`; `\"modal\"` with "
                         "`[modal]` only"),
-               "base: displacement of the clamp; distributed: force per length; modal: modal "
-               "forces `participation` times amplitude"}
-               .or_else("`\"base\"` with `[beam]`, `\"modal\"` with `[modal]`"),
+               "base: displacement of the clamp and of all supports; distributed: force per "
+               "length; modal: modal forces `participation` times amplitude"}
+               .or_else("`\"base\"`, with `[modal]` `\"modal\"`"),
            forcing.kind, modal ? kModalForcings : kBeamForcings);
   v.number(Key{"amplitude", "m, N/m or 1, by kind", kAny, "of the cosine"}.as(
                modal ? "a number" : "a number, in m (base) or N/m (distributed)"),
@@ -233,17 +196,17 @@ void describe(auto& v, Of<Spring> auto& spring, const Scene&) {
 void describe(auto& v, Of<SceneStop> auto& stop, const Scene& scene) {
   const bool modal = scene.modal() != nullptr, rigid = !stop.spring;
   const char* none = "a stop with a spring has none, it must be left out";
-  v.number(Key{"position", "m", own_rule("in (0, L]"),
-               "B, distance from the clamp; with the collocation impulse it must be a collocation "
-               "point"}
-               .needed("required with `[beam]`")
+  v.number(Key{"position", "m", own_rule("in [0, L], where nothing holds it"),
+               "B, distance from the left end; with the collocation impulse it must be a "
+               "collocation point"}
+               .needed("required without `[modal]`")
                .where(!modal, "a stop of a [modal] structure has no position, it must have a shape")
                .as("a number in m from the clamp"),
            stop.position);
   v.list(Key{"shape", "kg^-1/2", kAny.told("N numbers, not all 0"),
              "phi_j(B): how far each mode moves the point of contact"}
              .needed("required with `[modal]`")
-             .where(modal, "a stop of a [beam] has no shape, it must have a position")
+             .where(modal, "a stop of a [beam], [string] or [bar] has no shape, it must have a position")
              .as("a list of numbers, the mode shapes at the stop"),
          stop.shape);
   v.number({"gap", "m", kAny, "a; 0 touches at rest, negative is a preload"}, stop.gap);
@@ -270,21 +233,21 @@ void describe(auto& v, Of<Probe> auto& probe, const Scene& scene) {
                         .or_ignored()
                   : key.where(condition, otherwise);
   };
-  v.number(where(Key{"position", "m", own_rule("in [0, L]"), "distance from the clamp"}
-                     .needed("required with `[beam]`")
+  v.number(where(Key{"position", "m", own_rule("in [0, L]"), "distance from the left end"}
+                     .needed("required without `[modal]`")
                      .as("a number in m from the clamp"),
                  !modal, "a probe of a [modal] structure has no position, it must have a shape"),
            probe.position);
   v.list(where(Key{"shape", "kg^-1/2", kAny.told("N numbers"), "phi_j there"}
                    .needed("required with `[modal]`")
                    .as("a list of numbers, the mode shapes at the probe"),
-               modal, "a probe of a [beam] has no shape, it must have a position"),
+               modal, "a probe of a [beam], [string] or [bar] has no shape, it must have a position"),
          probe.shape);
   v.choice(Key{"quantity", "", kAny,
                "displacement (m) and velocity (m/s) of the point, relative to the clamp, with a "
                "`[hub]` along its arc from angle 0 on; deflection (m) from the line that turns "
                "with the hub, without one the displacement; strain: -h/2 u'', of the fibre at half "
-               "the `thickness` on the side of +u (`[beam]` only); angle (rad) and rate (rad/s) of "
+               "the thickness on the side of +u (`[beam]`), or u' (`[bar]`); angle (rad) and rate (rad/s) of "
                "the `[hub]`, without `position`"}
                .or_else(),
            probe.quantity, kQuantities);
@@ -342,6 +305,8 @@ void describe(auto& v, Of<Scene> auto& scene) {
                .or_else(),
            scene.units, kUnitWords);
   v.table({"beam"}, std::get_if<Beam>(&scene.structure));
+  v.table({"string"}, std::get_if<TautString>(&scene.structure));
+  v.table({"bar"}, std::get_if<Bar>(&scene.structure));
   v.table({"hub"}, scene.hub);
   v.table({"modal"}, std::get_if<ModalStructure>(&scene.structure));
   v.table({"damping"}, scene.damping);

@@ -14,7 +14,7 @@ namespace graze {
 // "beam.length" from "beam" and "length", as messages show it; the root table has no name.
 std::string key_path(const std::string& table, const std::string& key);
 
-// The tables of [[name]], "stop" or "probe"; throws InputError where the node is no list.
+// The tables of [[name]], "stop" or "beam.piece"; throws InputError where the node is no list.
 const NodeList& tables_of(const Node& node, const std::string& name);
 
 // Remembers in `origins` where each key it is asked for stands. Every function throws InputError at
@@ -37,6 +37,10 @@ class TableReader {
   std::string text_or(const std::string& key, const std::string& fallback) const;
   // The list of numbers; empty when the key is missing.
   std::vector<double> numbers(const std::string& key, const std::string& what) const;
+
+  // Which of the names each of `count` words in a list is.
+  std::vector<std::size_t> words(const std::string& key, const std::vector<std::string>& names,
+                                 std::size_t count) const;
 
   // The value whose name the key gives, the first choice when the key is missing.
   template <typename Choice>

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "graze/base/vector.hpp"
+#include "graze/scene/detail/section_numbers.hpp"
 #include "graze/scene/scene.hpp"
 #include "graze/structure/detail/rated.hpp"
 
@@ -52,5 +53,11 @@ struct Line {
 // Of a checked scene with a beam, a string or a bar; `direction`: a scene of the same shape that
 // holds rates, or null.
 Line line_of(const Scene& scene, const Scene* direction);
+
+// Of a beam whose section is everywhere the same; `rate`: its direction, or null.
+SectionNumbers<Rated> even_section(const Beam& beam, const Beam* rate);
+
+// Of the section at x, m: its own height or diameter where it has one.
+double thickness_at(const Beam& beam, double x);
 
 }  // namespace graze

@@ -35,8 +35,6 @@ struct LineModes {
 
 // Up to here frequencies are resolved to 1e-10, beyond to 1e-6.
 inline constexpr int kWellResolved = 32;
-// More modes than these are left to closed forms: time goes with the third power.
-inline constexpr int kMostElementModes = 600;
 
 // Compression at which the line buckles, or why there are no modes.
 struct LineFault {

@@ -47,6 +47,8 @@ inline Quartic operator-(const Quartic& a, const Quartic& b) {
   for (std::size_t i = 0; i < a.size(); ++i) difference[i] = a[i] - b[i];
   return difference;
 }
+inline Rated scaled(double factor, Rated a) { return factor * a; }
+inline Quartic scaled(double factor, const Quartic& a) { return Rated{factor, 0.0} * a; }
 inline Rated value_at(const Quartic& a, Rated x) {
   Rated sum = a.back();
   for (std::size_t i = a.size() - 1; i-- > 0;) sum = sum * x + a[i];

@@ -1,0 +1,99 @@
+// What a scene may have between its stops: a beam, a string, a bar, or given modes. SI units.
+#pragma once
+
+#include <array>
+#include <optional>
+#include <vector>
+
+namespace graze {
+
+enum class Projection { kGalerkin, kCollocation };
+
+// A length of a section: one number, or two, of which the first holds at the left end and the
+// second at the right one; between them it changes evenly.
+using Taper = std::vector<double>;  // m, > 0
+
+enum class SectionShape { kRectangle, kCircle, kTube };
+
+// Each shape has its own lengths; those of others stay empty.
+struct Section {
+  SectionShape shape = SectionShape::kRectangle;
+  Taper width, height;             // rectangle; it bends in the direction of the height
+  Taper diameter, inner_diameter;  // circle and tube; tube
+};
+
+// Part of a beam or of a bar, from the end of the one before. What it does not give is that of the
+// whole; the section of the whole runs over the whole length.
+struct Piece {
+  std::optional<double> to;  // m from the left end; not of the last, which ends where the whole does
+  std::optional<double> second_moment, area;      // m^4 (beam), m^2; or
+  std::optional<Section> section;                 // in place of both
+  std::optional<double> youngs_modulus, density;  // Pa, kg/m^3
+};
+
+// What holds a place: all but `kSpring` hold it rigidly. Pinned: u = 0; clamped: u = u' = 0;
+// sliding: u' = 0. Strings and bars are free or pinned, which their scenes call fixed.
+enum class Hold { kFree, kPinned, kClamped, kSliding, kSpring };
+
+struct Support {
+  std::optional<double> position;  // m from the left end; left out: the right end
+  Hold kind = Hold::kSpring;
+  double translational = 0.0, rotational = 0.0;  // N/m, N m/rad, >= 0; of springs
+};
+
+struct AttachedMass {
+  std::optional<double> position;  // as above
+  double mass = 0.0;               // kg, >= 0
+  double inertia = 0.0;            // kg m^2, >= 0, about the place; of a beam
+};
+
+// What has places x from 0 to its length.
+struct Span {
+  double length = 0.0;  // m
+  int modes = 0;        // 1..2000
+  std::array<Hold, 2> ends{Hold::kClamped, Hold::kFree};
+  std::vector<Support> supports{};
+  std::vector<AttachedMass> masses{};
+};
+
+// Euler-Bernoulli beam; where no more is given, uniform, clamped at x = 0 and free at x = length.
+struct Beam : Span {
+  double youngs_modulus = 0.0;  // Pa
+  double density = 0.0;         // kg/m^3
+  std::optional<double> second_moment, area;  // m^4, m^2; or
+  std::optional<Section> section{};           // in place of both
+  std::vector<Piece> pieces{};
+  std::optional<double> tension{};  // N, negative: compression
+  Projection discretisation = Projection::kGalerkin;
+  std::vector<double> points{};  // m from the clamp, one per mode, in (0, length]; empty: i L/N
+  // h, m: where no section tells it; strains are told at h/2 from the middle.
+  std::optional<double> thickness{};
+};
+
+// Stretched string, fixed at both ends where no more is given; u is across it.
+struct TautString : Span {
+  TautString() { ends = {Hold::kPinned, Hold::kPinned}; }
+  double tension = 0.0;          // N
+  double mass_per_length = 0.0;  // kg/m
+};
+
+// Bar that is stretched along itself, fixed at x = 0 and free at x = length where no more is given;
+// u is along it.
+struct Bar : Span {
+  Bar() { ends = {Hold::kPinned, Hold::kFree}; }
+  double youngs_modulus = 0.0;       // Pa
+  double density = 0.0;              // kg/m^3
+  std::optional<double> area;        // m^2, or
+  std::optional<Section> section{};  // in place of it
+  std::vector<Piece> pieces{};
+};
+
+// Any structure given by its mass-normalised modes; all lists have one entry per mode.
+struct ModalStructure {
+  std::vector<double> frequencies;     // rad/s, >= 0 (0: a free mass)
+  std::vector<double> damping_ratios;  // 1, >= 0; empty: none
+  std::vector<double> participation;   // modal force per unit of forcing amplitude; empty: none
+  std::vector<double> inertia;         // modal force per unit of uniform acceleration; empty: none
+};
+
+}  // namespace graze
