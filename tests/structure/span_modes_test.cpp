@@ -186,7 +186,7 @@ TEST(SpanModes, CompressionLowersTheFrequenciesUntilItBuckles) {
   }
 }
 
-// Rates of frequencies, shapes, inertia and load, against differences of fourth order.
+// Rates of frequencies, shapes, inertia and load, against differences of sixth order.
 void expect_rates(const Scene& scene, double tolerance, int least) {
   const auto numbers = [](const SpanModes& modes) {
     return std::visit(
@@ -204,8 +204,11 @@ void expect_rates(const Scene& scene, double tolerance, int least) {
     const double h = 3e-4 * (value == 0.0 ? 1.0 : std::abs(value));
     Vector difference;
     try {
-      difference = support::central_difference(
-          [&](double p) { return numbers(span_modes(with_parameter(scene, name, p))); }, value, h);
+      const auto at = [&](double p) { return numbers(span_modes(with_parameter(scene, name, p))); };
+      // Of sixth order: two frequencies that pass each other bend the shapes within a percent.
+      difference = (16.0 * support::central_difference(at, value, 0.5 * h) -
+                    support::central_difference(at, value, h)) /
+                   15.0;
     } catch (const InputError&) {
       continue;
     }
