@@ -78,6 +78,19 @@ TEST(ImpactTimes, OfThePublishedBeamWithTheMomentumLaw) {
                        {25, 0.54069262518025671, 0.00406650858593444}});
 }
 
+// One piece makes elements of a beam that has a closed form.
+TEST(ImpactTimes, OfTheSameBeamByElements) {
+  const RecordedRun closed = run_scene(support::shipped_scene("02_wagg_momentum"), 0.53);
+  const RecordedRun pieced =
+      run_scene(support::shipped_scene("02_wagg_momentum", {"beam.piece=[{}]"}), 0.53);
+  ASSERT_GE(closed.events.size(), 10u);
+  ASSERT_GE(pieced.events.size(), 10u);
+  for (std::size_t i = 0; i < 10; ++i) {
+    EXPECT_NEAR(pieced.events[i].time, closed.events[i].time, 1e-9) << i;
+    EXPECT_NEAR(pieced.events[i].speed, closed.events[i].speed, 1e-9) << i;
+  }
+}
+
 TEST(ImpactTimes, ThePublishedBeamComesToRestOnItsStop) {
   const Scene scene = support::shipped_scene("02_wagg_momentum");
   const RecordedRun run = run_scene(scene, 1.0);

@@ -139,7 +139,7 @@ TEST(BadScene, LongListIsRefusedByItsLength) {
     text += ", 1.0";
   }
   EXPECT_EQ(message_of_text(text + "]\n"),
-            "text:2:1: modal.frequencies: the list has 100001 entries, it must have 1 to 400");
+            "text:2:1: modal.frequencies: the list has 100001 entries, it must have 1 to 2000");
 }
 
 }  // namespace

@@ -87,6 +87,8 @@ void TableReader::check_keys() const {
                                      name.find('.') != dot) {
                                    return true;
                                  }
+                                 if (!path_.empty() && is_list_of_tables(name) && dot != std::string::npos)
+                                   return true;
                                  // What a string has, a beam has first.
                                  for (const std::string other : {"string", "bar"})
                                    if (name.starts_with(other + ".") && !path_.starts_with(other))
@@ -170,7 +172,7 @@ std::vector<std::size_t> TableReader::words(const std::string& key,
                                             std::size_t count) const {
   std::vector<std::string> shown;
   for (const std::string& name : names) shown.push_back(quoted(name));
-  const std::string what = fmt::format("a list of {} words, each {}", count, joined(shown, "or"));
+  const std::string what = fmt::format("a list of two words, each {}", joined(shown, "or"));
   const auto* list = required(key, what).as<NodeList>();
   if (list == nullptr || list->size() != count) refuse(key, what);
   std::vector<std::size_t> found;

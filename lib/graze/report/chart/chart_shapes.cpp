@@ -38,7 +38,7 @@ Chart mode_shapes_chart(const CheckRecord& record) {
   ChartPanel panel = beam_panel("mode shape / its largest value", "", record.info.units);
   const std::optional<BeamPlaces> places = beam_places(record.scene, kPlaces);
   if (!places) {
-    panel.remark = "only a beam that is clamped has shapes to draw";
+    panel.remark = "only a beam, string or bar, not on a hub, has shapes to draw";
     return {"Mode shapes", {{panel}}};
   }
   const auto modes = std::min(static_cast<std::size_t>(places->rows.cols()), kMostModes);

@@ -3,6 +3,7 @@
 #include "graze/report/json/detail/json_document.hpp"
 #include "graze/report/json/detail/json_value.hpp"
 #include "graze/report/json/json.hpp"
+#include "graze/structure/modal_model.hpp"
 #include "graze/study/cost/detail/step_choice.hpp"
 #include "graze/system/detail/hub_state.hpp"
 
@@ -50,6 +51,16 @@ Json hub_json(const Hub& hub) {
           {"friction", json_maybe(hub.friction)}};
 }
 
+Json elements_json(const Scene& scene) {
+  const std::optional<ElementAccuracy> found = element_accuracy(scene);
+  if (!found) return nullptr;
+  return {{"elements", found->elements},
+          {"order", found->order},
+          {"rigid_motions", found->rigid},
+          {"change", json_number(found->change)},
+          {"change_beyond", json_number(found->change_beyond)}};
+}
+
 Json probes_json(const Scene& scene, const System& system) {
   Json probes = Json::array();
   const std::vector<ProbeRow> rows = probe_rows(scene, system);
@@ -76,6 +87,7 @@ std::string to_json(const CheckRecord& record) {
          {"load", system.load() ? json_number((*system.load())[j]) : Json(nullptr)}});
   document["title"] = record.scene.title;
   document["modes"] = modes;
+  document["elements"] = elements_json(record.scene);
   document["forcing_period"] = system.forcing() ? json_number(system.period()) : Json(nullptr);
   document["gravity"] =
       record.scene.gravity ? json_number(record.scene.gravity->acceleration) : Json(nullptr);

@@ -8,6 +8,7 @@
 #include "graze/base/angle.hpp"
 #include "graze/base/detail/terminal_text.hpp"
 #include "graze/record/records.hpp"
+#include "graze/report/text/detail/text_structure.hpp"
 #include "graze/report/text/detail/text_units.hpp"
 #include "graze/report/text/text.hpp"
 #include "graze/study/cost/detail/step_choice.hpp"
@@ -85,14 +86,6 @@ std::string effect(const std::string& what, const std::string& how) {
   return fmt::format("  {:<12} {}\n", what, how);
 }
 
-std::string structure_text(const Scene& scene) {
-  const char* plural = scene.modes() == 1 ? "" : "s";
-  if (const Beam* beam = scene.beam())
-    return fmt::format("clamped-free beam, {} mode{}, {} projection", beam->modes, plural,
-                       beam->discretisation == Projection::kGalerkin ? "Galerkin" : "collocation");
-  return fmt::format("given by {} mode{}", scene.modes(), plural);
-}
-
 std::string torque_text(const std::optional<Torque>& torque, const TextUnits& in) {
   if (!torque) return "none: nothing drives the hub";
   if (const auto* pulse = std::get_if<TorquePulse>(&*torque))
@@ -147,7 +140,7 @@ std::string stop_text(const Scene& scene, const SceneStop& stop) {
   const TextUnits in(scene.units);
   const std::string place = fmt::format(
       "{}{}, gap {}, ",
-      scene.beam() ? fmt::format("at x = {}, ", in.quantity(stop.position, 6, "m")) : "",
+      scene.span() ? fmt::format("at x = {}, ", in.quantity(stop.position, 6, "m")) : "",
       stop.side == Side::kAbove ? "above" : "below", in.quantity(stop.gap, 6, "m"));
   if (stop.spring) {
     const ContactForce law = spring_law(*stop.spring);
@@ -169,14 +162,15 @@ std::string probe_text(const Scene& scene, const Probe& probe) {
   return fmt::format("{}{}{}", probe_quantity_name(probe.quantity),
                      unit.empty() ? "" : fmt::format(" ({})", unit),
                      is_of_hub(probe.quantity) ? " of the hub"
-                     : scene.beam()            ? " at x = " + in.quantity(probe.position, 6, "m")
+                     : scene.span()            ? " at x = " + in.quantity(probe.position, 6, "m")
                                                : std::string());
 }
 
 std::string simulated_effects(const CheckRecord& record) {
   const Scene& scene = record.scene;
   const TextUnits in(scene.units);
-  std::string text = effect("structure", structure_text(scene));
+  std::string text;
+  for (const auto& [name, what] : structure_effects(scene)) text += effect(name, what);
   if (scene.hub) text += hub_effects(*scene.hub, in);
   text += effect("damping", damping_text(scene));
   // A hub is driven by its torque.
