@@ -40,7 +40,7 @@ void describe(auto& v, Of<Piece> auto& piece, const Scene& scene) {
   v.number(Key{"to", "m", own_rule("rising, < L"), "where the piece ends"}.needed(
                "required but of the last, which ends at L"),
            piece.to);
-  v.number(Key{"second_moment", "m^4", kPositive, "I"}
+  v.number(Key{"second_moment", "m^4", kPositive, "I, of a beam"}
                .needed("that of the whole; with `area`")
                .where(!piece.section && scene.bar() == nullptr,
                       piece.section ? follows : "a bar does not bend, it must be left out"),
