@@ -61,7 +61,8 @@ void check_shown(const SimulateCommand& command, const Scene& scene) {
   if (command.show != RunPicture::kShapes) return;
   if (!beam_places(scene, 2))
     throw InputError(
-        "--show shapes: only a beam, string or bar, not on a hub, has a shape; this scene has another structure");
+        "--show shapes: only a beam, string or bar, not on a hub, has a shape; this scene has "
+        "another structure");
   if (!command.resume.empty())
     throw InputError("--show shapes: the motion before --resume is not known; leave it out");
 }

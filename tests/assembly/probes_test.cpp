@@ -62,6 +62,46 @@ TEST(Probes, ShowTheStrainOfAForceAtTheTip) {
 }
 
 // u' at the tip is phi(L).q' with phi_j(L) = 2 (-1)^(j+1)/sqrt(rho A L).
+// A wedge under a force at its tip, height h(x) = h_L + (h_0 - h_L)(1 - x/L): M = P (L - x), strain
+// -h/2 M/(E b h^3/12) = -6 P (L - x)/(E b h^2), of which h is that of the section at the probe.
+TEST(Probes, ShowTheStrainOfATaper) {
+  const double force = 1e-3;
+  for (const double x : {0.0, 0.1, 0.2}) {
+    const Scene scene = parse_scene(
+        "[beam]\nlength = 0.3\nyoungs_modulus = 205e9\ndensity = 8500\nmodes = 60\n"
+        "section = { shape = \"rectangle\", width = 0.025, height = [1e-3, 5e-4] }\n"
+        "[[stop]]\nposition = 0.3\ngap = 0.01\nrestitution = 1\n" +
+            probe(x, "strain") + probe(x, "displacement"),
+        "taper");
+    const double height = 1e-3 - 5e-4 * x / kLength;
+    const double expected = -6.0 * force * (kLength - x) / (kModulus * 0.025 * height * height);
+    const std::vector<ProbeRow> rows = probe_rows(scene);
+    EXPECT_NEAR(rows[0].value(under_tip_force(scene, force)) / expected, 1.0, 3e-3) << x;
+  }
+}
+
+// A bar that is drawn at its end: u = F x/(E A), strain F/(E A); a string pushed in its middle
+// bends into two straight lines, u = F L/(4 T) there.
+TEST(Probes, OfABarAndOfAString) {
+  const Scene bar = parse_scene(
+      "[bar]\nlength = 2\nyoungs_modulus = 2e11\ndensity = 7800\narea = 1e-4\nmodes = 400\n"
+      "[[stop]]\nposition = 2\ngap = 1\nrestitution = 1\n" +
+          probe(0.5, "displacement") + probe(0.5, "strain"),
+      "bar");
+  const std::vector<ProbeRow> rows = probe_rows(bar);
+  const State drawn = under_tip_force(bar, 1000.0);
+  EXPECT_NEAR(rows[0].value(drawn) / (1000.0 * 0.5 / 2e7), 1.0, 1e-4);
+  EXPECT_NEAR(rows[1].value(drawn) / (1000.0 / 2e7), 1.0, 3e-3);
+  const Scene string = parse_scene(
+      "[string]\nlength = 2\ntension = 80\nmass_per_length = 0.01\nmodes = 2000\n"
+      "[[stop]]\nposition = 1\ngap = 1\nrestitution = 1\n" +
+          probe(1.0, "displacement"),
+      "string");
+  // The sum misses about 2/(pi^2 N) of it.
+  EXPECT_NEAR(probe_rows(string)[0].value(under_tip_force(string, 3.0)) / (3.0 * 2.0 / 320.0), 1.0,
+              5e-4);
+}
+
 TEST(Probes, ShowTheVelocityOfAPoint) {
   const Scene scene = beam_scene(probe(0.3, "velocity"));
   const std::vector<ProbeRow> rows = probe_rows(scene);

@@ -49,9 +49,8 @@ TEST(SpanModes, AreThoseOfTheClosedSolutions) {
       for (const char* place : {"at_013", "at_055", "at_071"})
         size = std::max(size, std::abs(support::number(row, place)));
       for (const auto& [place, x] : {std::pair{"at_013", 0.13}, {"at_055", 0.55}, {"at_071", 0.71}})
-        EXPECT_NEAR(
-            std::visit([x = x](const auto& has) { return has.shapes(x); }, modes)[j] / size,
-            support::number(row, place) / size, 1e-9)
+        EXPECT_NEAR(std::visit([x = x](const auto& has) { return has.shapes(x); }, modes)[j] / size,
+                    support::number(row, place) / size, 1e-9)
             << j << " " << place;
     }
   }
@@ -100,10 +99,12 @@ TEST(SpanModes, OfUniformStringsAndBars) {
 
 // Elements find what the closed forms of all four pairs of ends say; a light mass makes elements.
 TEST(SpanModes, ElementsGiveTheUniformString) {
-  for (const std::string ends : {"fixed\", \"fixed", "fixed\", \"free", "free\", \"fixed",
-                                 "free\", \"free"}) {
-    const std::string bar = "[bar]\nlength = 0.7\nyoungs_modulus = 2e11\ndensity = 7800\n"
-                            "area = 1e-4\nmodes = 12\nends = [\"" + ends + "\"]\n";
+  for (const std::string ends :
+       {"fixed\", \"fixed", "fixed\", \"free", "free\", \"fixed", "free\", \"free"}) {
+    const std::string bar =
+        "[bar]\nlength = 0.7\nyoungs_modulus = 2e11\ndensity = 7800\n"
+        "area = 1e-4\nmodes = 12\nends = [\"" +
+        ends + "\"]\n";
     const SpanModes closed = span_modes(scene_of(bar));
     const SpanModes pieced = span_modes(scene_of(bar + "[[bar.piece]]\n"));
     const auto& a = std::get<UniformLineModes>(closed);
@@ -149,8 +150,9 @@ TEST(SpanModes, RigidMotionsAreCounted) {
 // A rigid bar on a pin and a stiff beam: frequency of turning against a spring at the end,
 // w^2 = k L^2/(m L^3/3), up to what bends.
 TEST(SpanModes, OfAStiffBeamOnASoftSpring) {
-  const Scene scene = scene_of(kStrip + "modes = 1\nends = [\"pinned\", \"free\"]\n"
-                                        "[[beam.support]]\ntranslational = 1e-5\n");
+  const Scene scene = scene_of(kStrip +
+                               "modes = 1\nends = [\"pinned\", \"free\"]\n"
+                               "[[beam.support]]\ntranslational = 1e-5\n");
   const double mass = 7800 * 0.02 * 0.004 * 0.8;
   EXPECT_NEAR(omega_of(scene)[0] / std::sqrt(3.0 * 1e-5 / mass), 1.0, 1e-8);
 }
@@ -219,8 +221,8 @@ void expect_rates(const Scene& scene, double tolerance, int least) {
         [](const auto& has) {
           const Vector omega = has.omega_rate();
           Vector all(5 * omega.size());
-          all << omega, has.shape_rates(0.55, 0.0), has.shape_rates(0.71, 0.0),
-              has.inertia_rate(), has.load_rate();
+          all << omega, has.shape_rates(0.55, 0.0), has.shape_rates(0.71, 0.0), has.inertia_rate(),
+              has.load_rate();
           return all;
         },
         span_modes(scene, &direction));
@@ -241,11 +243,12 @@ TEST(SpanRates, OfEveryNumber) {
   for (const char* name : {"tip_mass", "two_spans", "stepped", "on_springs", "tensioned",
                            "compressed", "wedge", "string_with_mass", "bar_on_spring"}) {
     SCOPED_TRACE(name);
-    expect_rates(support::reference_scene(std::string("beams/") + name,
-                                          {std::string(name).starts_with("string") ? "string.modes=4"
-                                           : std::string(name).starts_with("bar")  ? "bar.modes=4"
-                                                                                   : "beam.modes=4"}),
-                 2e-8, 5);
+    expect_rates(
+        support::reference_scene(std::string("beams/") + name,
+                                 {std::string(name).starts_with("string") ? "string.modes=4"
+                                  : std::string(name).starts_with("bar")  ? "bar.modes=4"
+                                                                          : "beam.modes=4"}),
+        2e-8, 5);
   }
 }
 
@@ -275,10 +278,11 @@ TEST(SpanRates, OfUniformStringsAndBars) {
                         "modes = 5\n"),
                1e-8, 3);
   for (const std::string ends : {"fixed\", \"free", "free\", \"fixed", "free\", \"free"})
-    expect_rates(scene_of("[bar]\nlength = 0.9\nyoungs_modulus = 2e11\ndensity = 7800\n"
-                          "section = { shape = \"circle\", diameter = 0.01 }\nmodes = 5\nends = [\"" +
-                          ends + "\"]\n"),
-                 1e-8, 4);
+    expect_rates(
+        scene_of("[bar]\nlength = 0.9\nyoungs_modulus = 2e11\ndensity = 7800\n"
+                 "section = { shape = \"circle\", diameter = 0.01 }\nmodes = 5\nends = [\"" +
+                 ends + "\"]\n"),
+        1e-8, 4);
 }
 
 std::string refusal_of_rates(const Scene& scene, const std::string& name) {
@@ -293,15 +297,17 @@ std::string refusal_of_rates(const Scene& scene, const std::string& name) {
 
 TEST(SpanRates, AreRefusedWhereThereAreNone) {
   // A mass on the joint of two pieces, of which only one moves.
-  const Scene torn = scene_of(kStrip + "modes = 2\n[[beam.piece]]\nto = 0.3\n[[beam.piece]]\n"
-                                       "density = 3000\n[[beam.mass]]\nposition = 0.3\nmass = 0.1\n");
+  const Scene torn = scene_of(kStrip +
+                              "modes = 2\n[[beam.piece]]\nto = 0.3\n[[beam.piece]]\n"
+                              "density = 3000\n[[beam.mass]]\nposition = 0.3\nmass = 0.1\n");
   EXPECT_NE(refusal_of_rates(torn, "beam.mass.position").find("meet at one place"),
             std::string::npos);
   EXPECT_EQ(refusal_of_rates(torn, "beam.mass.mass"), "");
   // Two equal halves, parted by a clamp: pairs of one frequency, which a mass on one of them parts.
-  const Scene twins = scene_of(kStrip + "modes = 2\nends = [\"pinned\", \"pinned\"]\n"
-                                        "[[beam.support]]\nposition = 0.4\nkind = \"clamped\"\n"
-                                        "[[beam.mass]]\nposition = 0.4\nmass = 0.1\n");
+  const Scene twins = scene_of(kStrip +
+                               "modes = 2\nends = [\"pinned\", \"pinned\"]\n"
+                               "[[beam.support]]\nposition = 0.4\nkind = \"clamped\"\n"
+                               "[[beam.mass]]\nposition = 0.4\nmass = 0.1\n");
   EXPECT_NEAR(omega_of(twins)[1] / omega_of(twins)[0], 1.0, 1e-12);
   EXPECT_EQ(refusal_of_rates(twins, "beam.youngs_modulus"), "");
 }

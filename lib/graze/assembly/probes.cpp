@@ -8,7 +8,8 @@ std::vector<ProbeRow> probe_rows(const Scene& scene) {
   std::vector<double> places;
   if (scene.span())
     for (const Probe& probe : scene.probes) places.push_back(probe.position);
-  const std::vector<Vector> shapes = places.empty() ? std::vector<Vector>{} : shapes_at(scene, places);
+  const std::vector<Vector> shapes =
+      places.empty() ? std::vector<Vector>{} : shapes_at(scene, places);
   for (const Probe& probe : scene.probes) {
     ProbeRow row;
     row.quantity = probe.quantity;

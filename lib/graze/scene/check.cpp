@@ -56,8 +56,7 @@ void check_size(const ValueChecker& checker, const Beam& beam) {
   const SectionNumbers<double> section =
       sectioned ? section_numbers(*beam.section)
                 : SectionNumbers<double>{*beam.area, *beam.second_moment};
-  checker.usable("density", beam.density * section.area * beam.length,
-                 "the mass of the beam, kg,");
+  checker.usable("density", beam.density * section.area * beam.length, "the mass of the beam, kg,");
   checker.usable("youngs_modulus",
                  beam.youngs_modulus * section.second_moment /
                      (beam.density * section.area * std::pow(beam.length, 4.0)),

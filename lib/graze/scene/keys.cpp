@@ -99,8 +99,8 @@ std::string joined_path(const std::string& table, const std::string& key) {
 
 namespace {
 
-constexpr const char* kLists[] = {"stop",           "probe",       "beam.piece",  "beam.support",
-                                  "beam.mass",      "string.mass", "bar.piece",   "bar.support",
+constexpr const char* kLists[] = {"stop",           "probe",       "beam.piece", "beam.support",
+                                  "beam.mass",      "string.mass", "bar.piece",  "bar.support",
                                   "string.support", "bar.mass"};
 
 // The path without the number of its table, where `leave` says so of the number.

@@ -75,9 +75,10 @@ class KeyReader : public SchemaVisitor {
     if (!is_due(key, false)) return;
     series(key, values);
     if (values.size() != 1 && values.size() != 2)
-      table_.fail(key.name, fmt::format("the list has {} entries, it must have two, of the left and "
-                                        "of the right end",
-                                        values.size()));
+      table_.fail(key.name,
+                  fmt::format("the list has {} entries, it must have two, of the left and "
+                              "of the right end",
+                              values.size()));
   }
   void ends(const Key& key, auto& held, const auto& choices, const auto&) {
     if (pass_ == Pass::kValues || !table_.has(key.name)) return;
@@ -216,8 +217,8 @@ void prepare(const TableReader& root, const Node&, Scene& scene, const Scene&) {
   if (given.empty())
     root.fail("scene", fmt::format("a scene needs a structure, it must have {}", allowed));
   if (given.size() > 1)
-    root.fail(given.back(), fmt::format("the scene has a [{}] already, it must have {}",
-                                        given.front(), allowed));
+    root.fail(given.back(),
+              fmt::format("the scene has a [{}] already, it must have {}", given.front(), allowed));
   if (given.front() == "string") scene.structure = TautString{};
   if (given.front() == "bar") scene.structure = Bar{};
   if (given.front() == "modal") scene.structure = ModalStructure{};

@@ -157,7 +157,8 @@ struct SceneStop {
 
 // kDisplacement, kVelocity: of the point, with a hub along the arc from angle 0 on; kDeflection:
 // from the line that turns with the hub, without one the displacement; kStrain: of the fibre at
-// half the thickness, -h/2 u'' (beam), or of the bar, u'; kAngle, kRate: of the hub, wherever the probe is.
+// half the thickness, -h/2 u'' (beam), or of the bar, u'; kAngle, kRate: of the hub, wherever the
+// probe is.
 enum class ProbeQuantity { kDisplacement, kVelocity, kDeflection, kStrain, kAngle, kRate };
 // As the scene writes it.
 std::string probe_quantity_name(ProbeQuantity quantity);

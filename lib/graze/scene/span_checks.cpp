@@ -56,8 +56,9 @@ void check_pieces(const Scene& scene, const std::vector<Piece>& pieces, double l
       checker.fail("to", fmt::format("the last piece ends where the {} does, it must be left out",
                                      scene.structure_name()));
     if (!last && !piece.to)
-      checker.fail("to", fmt::format("the key is missing, it must be {}: only the last piece has none",
-                                     kLengthWords));
+      checker.fail("to",
+                   fmt::format("the key is missing, it must be {}: only the last piece has none",
+                               kLengthWords));
     if (!last && !(*piece.to > before && *piece.to < length))
       checker.refuse("to", *piece.to,
                      fmt::format("greater than {}, where the piece begins, and less than the "
@@ -90,9 +91,9 @@ void check_place(const ValueChecker& checker, const Scene& scene,
                  const std::optional<double>& position) {
   const double length = scene.span()->length;
   if (position && !(*position >= 0.0 && *position <= length))
-    checker.refuse("position", *position,
-                   fmt::format("at least 0 and at most the {}'s length {}",
-                               scene.structure_name(), length));
+    checker.refuse(
+        "position", *position,
+        fmt::format("at least 0 and at most the {}'s length {}", scene.structure_name(), length));
 }
 
 bool holds_value(Hold hold) { return hold == Hold::kPinned || hold == Hold::kClamped; }
@@ -105,16 +106,18 @@ void check_supports(const Scene& scene, const Span& span) {
     check_place(checker, scene, support.position);
     if (support.kind == Hold::kSpring && support.translational == 0.0 && support.rotational == 0.0)
       checker.fail("kind",
-                   scene.beam() ? "a spring needs a stiffness, translational or rotational must be "
-                                  "greater than 0"
-                                : "a spring needs a stiffness, translational must be greater than 0");
+                   scene.beam()
+                       ? "a spring needs a stiffness, translational or rotational must be "
+                         "greater than 0"
+                       : "a spring needs a stiffness, translational must be greater than 0");
     if (support.kind == Hold::kSpring) continue;
     for (std::size_t other = 0; other < k; ++other)
       if (span.supports[other].kind != Hold::kSpring &&
           place(span.supports[other].position, span) == place(support.position, span))
-        checker.fail("position",
-                     fmt::format("support {} holds this place already, one of them must be left out",
-                                 other + 1));
+        checker.fail(
+            "position",
+            fmt::format("support {} holds this place already, one of them must be left out",
+                        other + 1));
   }
 }
 
@@ -218,7 +221,8 @@ void check_projection(const Scene& scene) {
   if (beam && !closed && beam->discretisation == Projection::kCollocation)
     throw scene_error(scene, "beam.discretisation", fmt::format("{} \"galerkin\"", sentence));
   for (std::size_t k = 0; k < scene.stops.size(); ++k)
-    if (!scene.stops[k].spring && scene.stops[k].impulse == Impulse::kCollocation && !closed && beam)
+    if (!scene.stops[k].spring && scene.stops[k].impulse == Impulse::kCollocation && !closed &&
+        beam)
       throw scene_error(scene, numbered_path("stop", k + 1) + ".impulse",
                         fmt::format("{} \"momentum\"", sentence));
   if (scene.hub && beam && !closed)

@@ -25,7 +25,8 @@ struct Section {
 // Part of a beam or of a bar, from the end of the one before. What it does not give is that of the
 // whole; the section of the whole runs over the whole length.
 struct Piece {
-  std::optional<double> to;  // m from the left end; not of the last, which ends where the whole does
+  std::optional<double>
+      to;  // m from the left end; not of the last, which ends where the whole does
   std::optional<double> second_moment, area;      // m^4 (beam), m^2; or
   std::optional<Section> section;                 // in place of both
   std::optional<double> youngs_modulus, density;  // Pa, kg/m^3
@@ -58,8 +59,8 @@ struct Span {
 
 // Euler-Bernoulli beam; where no more is given, uniform, clamped at x = 0 and free at x = length.
 struct Beam : Span {
-  double youngs_modulus = 0.0;  // Pa
-  double density = 0.0;         // kg/m^3
+  double youngs_modulus = 0.0;                // Pa
+  double density = 0.0;                       // kg/m^3
   std::optional<double> second_moment, area;  // m^4, m^2; or
   std::optional<Section> section{};           // in place of both
   std::vector<Piece> pieces{};

@@ -91,9 +91,10 @@ void check_probe(const Scene& scene, const Probe& probe, std::size_t number) {
     return;
   }
   if (probe.quantity == ProbeQuantity::kStrain)
-    checker.fail("quantity",
-                 "only a [beam] or a [bar] has a strain, it must be \"displacement\", \"velocity\" or "
-                 "\"deflection\"");
+    checker.fail(
+        "quantity",
+        "only a [beam] or a [bar] has a strain, it must be \"displacement\", \"velocity\" or "
+        "\"deflection\"");
 }
 
 }  // namespace

@@ -80,24 +80,23 @@ void TableReader::check_keys() const {
     // The right key in the wrong table, as when a header is missing, or else a slip.
     std::vector<std::string> meant = keys_named(member.key);
     // Not one of a table within another table: the mass of a stop is no damping.
-    meant.erase(std::remove_if(meant.begin(), meant.end(),
-                               [&](const std::string& name) {
-                                 const std::size_t dot = name.rfind('.');
-                                 if (path_.empty() && name.rfind("damping.", 0) != 0 &&
-                                     name.find('.') != dot) {
-                                   return true;
-                                 }
-                                 if (!path_.empty() && is_list_of_tables(name) && dot != std::string::npos)
-                                   return true;
-                                 // What a string has, a beam has first.
-                                 for (const std::string other : {"string", "bar"})
-                                   if (name.starts_with(other + ".") && !path_.starts_with(other))
-                                     return true;
-                                 return !path_.empty() && dot != std::string::npos &&
-                                        name.find('.') != dot &&
-                                        name.compare(0, path_.size() + 1, path_ + ".") != 0;
-                               }),
-                meant.end());
+    meant.erase(
+        std::remove_if(
+            meant.begin(), meant.end(),
+            [&](const std::string& name) {
+              const std::size_t dot = name.rfind('.');
+              if (path_.empty() && name.rfind("damping.", 0) != 0 && name.find('.') != dot) {
+                return true;
+              }
+              if (!path_.empty() && is_list_of_tables(name) && dot != std::string::npos)
+                return true;
+              // What a string has, a beam has first.
+              for (const std::string other : {"string", "bar"})
+                if (name.starts_with(other + ".") && !path_.starts_with(other)) return true;
+              return !path_.empty() && dot != std::string::npos && name.find('.') != dot &&
+                     name.compare(0, path_.size() + 1, path_ + ".") != 0;
+            }),
+        meant.end());
     if (const std::string close = closest_name(member.key, keys.allowed);
         meant.empty() && !close.empty()) {
       meant.push_back(path(close));

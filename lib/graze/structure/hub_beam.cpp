@@ -45,7 +45,8 @@ Matrix stiffening_of(int modes, double ratio) {
 HubBeam hub_beam(const Scene& scene) {
   const Beam& beam = *scene.beam();
   const Hub& hub = *scene.hub;
-  const double per_length = beam.density * even_section(beam, nullptr).area.value, l = beam.length, alpha = hub.radius;
+  const double per_length = beam.density * even_section(beam, nullptr).area.value, l = beam.length,
+               alpha = hub.radius;
   const double root = std::sqrt(per_length * l);
   HubBeam model;
   model.inertia = hub.inertia + per_length * l * (l * l / 3.0 + alpha * (l + alpha));

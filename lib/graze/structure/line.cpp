@@ -14,10 +14,8 @@ class Both {
  public:
   Both(const Table& here, const Table* rate) : here_(here), rate_(rate) {}
 
-  Rated number(double Table::* which) const {
-    return {here_.*which, rate_ ? rate_->*which : 0.0};
-  }
-  Rated number(const std::optional<double> Table::* which) const {
+  Rated number(double Table::*which) const { return {here_.*which, rate_ ? rate_->*which : 0.0}; }
+  Rated number(const std::optional<double> Table::*which) const {
     return {*(here_.*which), rate_ ? *(rate_->*which) : 0.0};
   }
 
@@ -41,8 +39,7 @@ Quartic length_along(const Taper& taper, const Taper* rate, const SectionReach& 
                      Rated end) {
   const Rated left{taper.front(), rate ? rate->front() : 0.0};
   if (taper.size() == 1) return constant(left);
-  const Rated slope =
-      (Rated{taper[1], rate ? (*rate)[1] : 0.0} - left) / (reach.to - reach.from);
+  const Rated slope = (Rated{taper[1], rate ? (*rate)[1] : 0.0} - left) / (reach.to - reach.from);
   return {left + slope * (start - reach.from), slope * (end - start)};
 }
 
@@ -69,14 +66,13 @@ void add_pieces(Line& line, const Whole& whole, const Whole* rate, bool bends) {
     const Piece& piece = whole.pieces.empty() ? spare : whole.pieces[k];
     const Piece* piece_rate =
         rate == nullptr ? nullptr : (whole.pieces.empty() ? &spare : &rate->pieces[k]);
-    const auto own = [&](std::optional<double> Piece::* which) {
+    const auto own = [&](std::optional<double> Piece::*which) {
       return number_of(piece.*which, piece_rate ? &(piece_rate->*which) : nullptr);
     };
     const Rated end = piece.to ? own(&Piece::to) : line.length;
-    const Rated modulus = piece.youngs_modulus ? own(&Piece::youngs_modulus)
-                                               : numbers.number(&Whole::youngs_modulus);
-    const Rated density =
-        piece.density ? own(&Piece::density) : numbers.number(&Whole::density);
+    const Rated modulus =
+        piece.youngs_modulus ? own(&Piece::youngs_modulus) : numbers.number(&Whole::youngs_modulus);
+    const Rated density = piece.density ? own(&Piece::density) : numbers.number(&Whole::density);
     SectionNumbers<Quartic> section{};
     if (piece.section) {
       section = numbers_along(*piece.section, piece_rate ? &*piece_rate->section : nullptr,
@@ -92,9 +88,8 @@ void add_pieces(Line& line, const Whole& whole, const Whole* rate, bool bends) {
         section.second_moment =
             constant(number_of(whole.second_moment, rate ? &rate->second_moment : nullptr));
     }
-    line.pieces.push_back(
-        {start, end, modulus * (bends ? section.second_moment : section.area),
-         density * section.area});
+    line.pieces.push_back({start, end, modulus * (bends ? section.second_moment : section.area),
+                           density * section.area});
     start = end;
   }
 }
@@ -106,7 +101,8 @@ void add_support(Line& line, Rated x, Hold hold) {
 }
 
 void add_places(Line& line, const Span& span, const Span* rate) {
-  const auto place = [&](const std::optional<double>& position, const std::optional<double>* moves) {
+  const auto place = [&](const std::optional<double>& position,
+                         const std::optional<double>* moves) {
     return position ? number_of(position, moves) : line.length;
   };
   add_support(line, {0.0, 0.0}, span.ends[0]);

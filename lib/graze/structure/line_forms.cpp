@@ -105,12 +105,11 @@ Matrix strain_form_times(const Line& line, const LineMesh& mesh, const Matrix& m
 Matrix strain_form_rate(const Line& line, const LineMesh& mesh, const Matrix& modes,
                         const Matrix& others) {
   Matrix sum = Matrix::Zero(modes.cols(), others.cols());
-  for_each_element(
-      mesh, mesh.weights(line).stiffness_rate, [&](Index first, const Matrix& matrix) {
-        if (matrix.isZero(0.0)) return;
-        sum.noalias() += modes.middleRows(first, matrix.rows()).transpose() *
-                         (matrix * others.middleRows(first, matrix.rows())).eval();
-      });
+  for_each_element(mesh, mesh.weights(line).stiffness_rate, [&](Index first, const Matrix& matrix) {
+    if (matrix.isZero(0.0)) return;
+    sum.noalias() += modes.middleRows(first, matrix.rows()).transpose() *
+                     (matrix * others.middleRows(first, matrix.rows())).eval();
+  });
   return sum;
 }
 

@@ -39,8 +39,9 @@ Vector legendre(double s, Index count) {
   p[0] = 1.0;
   p[1] = s;
   for (Index n = 1; n + 1 < count; ++n)
-    p[n + 1] = ((2.0 * static_cast<double>(n) + 1.0) * s * p[n] - static_cast<double>(n) * p[n - 1]) /
-               (static_cast<double>(n) + 1.0);
+    p[n + 1] =
+        ((2.0 * static_cast<double>(n) + 1.0) * s * p[n] - static_cast<double>(n) * p[n - 1]) /
+        (static_cast<double>(n) + 1.0);
   return p;
 }
 
@@ -58,9 +59,7 @@ Vector integrals(double s, Index functions, int times) {
     else if (n == 0)
       once[n] = 0.5 * (s + 1.0) * (s + 1.0);
     else
-      once[n] = ((p[n + 2] - p[n]) /
-                     (2.0 * static_cast<double>(n) + 3.0) -
-                 single(n - 1)) /
+      once[n] = ((p[n + 2] - p[n]) / (2.0 * static_cast<double>(n) + 3.0) - single(n - 1)) /
                 (2.0 * static_cast<double>(n) + 1.0);
   }
   return once;
@@ -69,7 +68,8 @@ Vector integrals(double s, Index functions, int times) {
 double ratio_of(double a, double b) { return std::max(a, b) / std::min(a, b); }
 
 double number_at(const Quartic& polynomial, const LinePiece& piece, double x) {
-  return value_at(polynomial, Rated{(x - piece.start.value) / (piece.end.value - piece.start.value)})
+  return value_at(polynomial,
+                  Rated{(x - piece.start.value) / (piece.end.value - piece.start.value)})
       .value;
 }
 
@@ -186,8 +186,7 @@ void LineMesh::place_elements(const Line& line, const Fineness& fineness) {
       const double part = (x - from.value) / (to.value - from.value);
       const Rated end = x == to.value ? to : from + part * (to - from);
       if (!(end.value > start.value)) continue;
-      parts.push_back(
-          {start, end, piece, phase(line, line.pieces[piece], start.value, end.value)});
+      parts.push_back({start, end, piece, phase(line, line.pieces[piece], start.value, end.value)});
       whole += parts.back().phase;
       start = end;
     }
@@ -286,8 +285,7 @@ RatedRows LineMesh::inside(int derivative, bool rates) const {
     if (!rates) continue;
     auto rate = rows.rate.middleRows(e * kPoints, kPoints);
     rate.rowwise() = start.rate.row(e);
-    if (twice)
-      rate += way * (half.rate * slope.value.row(e) + half.value * slope.rate.row(e));
+    if (twice) rate += way * (half.rate * slope.value.row(e) + half.value * slope.rate.row(e));
     rate.middleCols(c, functions_) += factor.rate * own;
   }
   return rows;
@@ -303,8 +301,7 @@ LineMesh::Weights LineMesh::weights(const Line& line) const {
     const Rated half = 0.5 * (element.end - element.start), reach = piece.end - piece.start;
     for (Index g = 0; g < kPoints; ++g, ++k) {
       const Rated length = rule.weights[g] * half;
-      const Rated x =
-          (element.start + (rule.points[g] + 1.0) * half - piece.start) / reach;
+      const Rated x = (element.start + (rule.points[g] + 1.0) * half - piece.start) / reach;
       const Rated stiffness = length * value_at(piece.stiffness, x);
       const Rated mass = length * value_at(piece.mass, x);
       all.stiffness[k] = stiffness.value;
@@ -356,14 +353,13 @@ Vector LineMesh::row_rate(double x, double x_rate) const {
   Vector rate = at_nodes(0, true).rate.row(e);
   if (times == 2) {
     const RatedRows slope = at_nodes(1, true);
-    rate += (s + 1.0) *
-            (half.rate * slope.value.row(e) + half.value * slope.rate.row(e)).transpose();
+    rate +=
+        (s + 1.0) * (half.rate * slope.value.row(e) + half.value * slope.rate.row(e)).transpose();
   }
   const Rated factor = times == 2 ? half * half : half;
   rate.segment(first(element), functions_) += factor.rate * integrals(s, functions_, times);
   // The place moves within its element.
-  return rate +
-         (x_rate - at.start.rate - (s + 1.0) * half.rate) * row_in(element, s, 1);
+  return rate + (x_rate - at.start.rate - (s + 1.0) * half.rate) * row_in(element, s, 1);
 }
 
 }  // namespace graze

@@ -43,9 +43,9 @@ class LineProblem {
       : line_(line),
         mesh_(line, fineness),
         units_(line, mesh_),
-        conditions_(line, mesh_, units_.scaled(mesh_.values_at_nodes(false).value),
-                    line.order == 2 ? units_.scaled(mesh_.slopes_at_nodes(false).value)
-                                    : Matrix()) {}
+        conditions_(
+            line, mesh_, units_.scaled(mesh_.values_at_nodes(false).value),
+            line.order == 2 ? units_.scaled(mesh_.slopes_at_nodes(false).value) : Matrix()) {}
 
   LineSolution solve(int asked) const;
 
@@ -92,12 +92,10 @@ LineSolution LineProblem::solve(int asked) const {
   moving.noalias() -= rigid.rows * carried;
   std::optional<Eigen::LLT<Matrix>> factor;
   if (tensioned) {
-    const Matrix slopes =
-        on_coordinates(units_.scaled(tension_form(line_, mesh_, false).factor()));
+    const Matrix slopes = on_coordinates(units_.scaled(tension_form(line_, mesh_, false).factor()));
     if (line_.tension.value < 0.0) {
       const double critical =
-          turned > 0 ? 0.0
-                     : 1.0 / std::pow(right_singular_vectors(slopes).values[0], 2.0);
+          turned > 0 ? 0.0 : 1.0 / std::pow(right_singular_vectors(slopes).values[0], 2.0);
       if (!(-line_.tension.value < critical)) {
         solution.fault.critical_compression = critical;
         return solution;
@@ -128,7 +126,8 @@ LineSolution LineProblem::solve(int asked) const {
 // not within rounding of 0; where all are, the largest value.
 void orient(const Line& line, LineModes& modes) {
   const double length = line.length.value;
-  const Matrix values = modes.mesh.values_inside(false).value * modes.unknowns.leftCols(modes.asked);
+  const Matrix values =
+      modes.mesh.values_inside(false).value * modes.unknowns.leftCols(modes.asked);
   const Matrix ends[] = {modes.mesh.row(0.0, 0).transpose() * modes.unknowns,
                          modes.mesh.row(0.0, 1).transpose() * modes.unknowns * length,
                          line.order == 2 ? Matrix(modes.mesh.row(0.0, 2).transpose() *
@@ -157,7 +156,8 @@ double largest_change(const Vector& before, const Vector& now, Index first, Inde
 }  // namespace
 
 LineSolution line_modes(const Line& line, int asked) {
-  // Degrees of the field before and after the step of the order, and how many unknowns are too many.
+  // Degrees of the field before and after the step of the order, and how many unknowns are too
+  // many.
   constexpr int kLow = 20, kHigh = 24, kMostUnknowns = 3000;
   const double half_waves = asked > 2 * kWellResolved ? 7.0 : 5.0;
   Fineness fineness{kLow - line.order + 1, asked, half_waves, 0};

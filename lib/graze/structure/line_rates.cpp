@@ -98,8 +98,7 @@ class RatedModes {
     // Rows in units of their own: of the strains, and of the left end what moves the line as much.
     Matrix rows = units.scaled(held.value);
     const Index order = line_.order;
-    const double unit =
-        rows.rightCols(rows.cols() - order).norm() / rows.leftCols(order).norm();
+    const double unit = rows.rightCols(rows.cols() - order).norm() / rows.leftCols(order).norm();
     rows.leftCols(order) *= unit;
     const Matrix basis = orthonormal_columns<double>(rows.transpose(), count);
     const LuFactors across((basis.transpose() * rows.transpose()).eval());
@@ -112,8 +111,7 @@ class RatedModes {
     coupling += reactions.transpose() * moved.leftCols(modes_.asked) +
                 moved.transpose() * reactions.leftCols(modes_.asked);
     Matrix asked(count, modes_.asked);
-    for (Index j = 0; j < asked.cols(); ++j)
-      asked.col(j) = -across.solve_transposed(moved.col(j));
+    for (Index j = 0; j < asked.cols(); ++j) asked.col(j) = -across.solve_transposed(moved.col(j));
     Matrix beyond = basis * asked;
     beyond.topRows(order) *= unit;
     beyond_ = units.unscaled(beyond);
@@ -127,8 +125,8 @@ class RatedModes {
   // Whether modes of one frequency turn into each other along the direction.
   bool mixes(const Matrix& coupling, Index i, Index j) const {
     if (i == j || i < modes_.rigid) return false;
-    const double own = std::abs(coupling(j, j)) +
-                       (i < modes_.asked ? std::abs(coupling(i, i)) : 0.0);
+    const double own =
+        std::abs(coupling(j, j)) + (i < modes_.asked ? std::abs(coupling(i, i)) : 0.0);
     return std::abs(coupling(i, j)) > 1e-7 * own;
   }
 
@@ -145,8 +143,8 @@ class RatedModes {
   Matrix asked_;
   LineForm kinetic_, springs_;
   std::optional<LineForm> tension_;
-  Vector square_;   // of the frequencies
-  Matrix beyond_;   // unknowns by asked; empty where no support moves
+  Vector square_;  // of the frequencies
+  Matrix beyond_;  // unknowns by asked; empty where no support moves
 };
 
 }  // namespace
@@ -165,10 +163,10 @@ LineLoads line_loads(const Line& line, const LineModes& modes, const LineRates* 
   const Vector length = inside.value.transpose() * weights.length;
   Vector inertia_rate, length_rate;
   if (rated) {
-    inertia_rate = inside.value.transpose() * weights.mass_rate +
-                   inside.rate.transpose() * weights.mass;
-    length_rate = inside.value.transpose() * weights.length_rate +
-                  inside.rate.transpose() * weights.length;
+    inertia_rate =
+        inside.value.transpose() * weights.mass_rate + inside.rate.transpose() * weights.mass;
+    length_rate =
+        inside.value.transpose() * weights.length_rate + inside.rate.transpose() * weights.length;
   }
   const RatedRows nodes = mesh.values_at_nodes(rated);
   for (const LineMass& point : line.masses) {
@@ -180,8 +178,7 @@ LineLoads line_loads(const Line& line, const LineModes& modes, const LineRates* 
   }
   LineLoads loads{asked.transpose() * inertia, asked.transpose() * length, {}, {}};
   if (rated) {
-    loads.inertia_rate =
-        asked.transpose() * inertia_rate + rates->unknowns.transpose() * inertia;
+    loads.inertia_rate = asked.transpose() * inertia_rate + rates->unknowns.transpose() * inertia;
     loads.length_rate = asked.transpose() * length_rate + rates->unknowns.transpose() * length;
   }
   return loads;

@@ -134,8 +134,8 @@ ModalModel given_model(const Scene& scene, const ModalStructure& modal) {
   model.omega = as_vector(modal.frequencies);
   model.delta = decay_rates(scene, model.omega);
   if (scene.forcing)
-    model.participation = as_vector(
-        scene.forcing->kind == ForcingKind::kBase ? modal.inertia : modal.participation);
+    model.participation =
+        as_vector(scene.forcing->kind == ForcingKind::kBase ? modal.inertia : modal.participation);
   if (scene.gravity) model.inertia = as_vector(modal.inertia);
   for (const SceneStop& stop : scene.stops) model.shapes.emplace_back(as_vector(stop.shape));
   return model;
@@ -147,8 +147,8 @@ ModalModel given_tangent(const Scene& scene, const ModalModel& model, const Scen
   rate.omega = as_vector(modal.frequencies);
   rate.delta = decay_tangent(scene, model, rate.omega, direction);
   if (scene.forcing)
-    rate.participation = as_vector(
-        scene.forcing->kind == ForcingKind::kBase ? modal.inertia : modal.participation);
+    rate.participation =
+        as_vector(scene.forcing->kind == ForcingKind::kBase ? modal.inertia : modal.participation);
   if (scene.gravity) rate.inertia = as_vector(modal.inertia);
   for (const SceneStop& stop : direction.stops) rate.shapes.emplace_back(as_vector(stop.shape));
   return rate;
@@ -173,8 +173,7 @@ ModalModel modal_model(const Scene& scene) {
   if (uses_collocation(scene)) model.collocation = collocation_matrix(*scene.beam(), modes);
   if (scene.forcing) model.participation = span_participation(scene, modes, model.collocation);
   if (scene.gravity) model.inertia = span_inertia(scene, modes, model.collocation);
-  for (const SceneStop& stop : scene.stops)
-    model.shapes.push_back(shapes_of(modes, stop.position));
+  for (const SceneStop& stop : scene.stops) model.shapes.push_back(shapes_of(modes, stop.position));
   return model;
 }
 

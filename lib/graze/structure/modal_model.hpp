@@ -25,8 +25,8 @@ struct ModalModel {
   Matrix collocation;          // Phi_ij = phi_j(x_i), N x N; empty where nothing collocates
 };
 
-// The model of a checked scene. Only what the scene calls for is computed. Throws InputError where a
-// compressed beam buckles, or where no elements that could be afforded resolve the modes.
+// The model of a checked scene. Only what the scene calls for is computed. Throws InputError where
+// a compressed beam buckles, or where no elements that could be afforded resolve the modes.
 ModalModel modal_model(const Scene& scene);
 
 // Derivative of every number of `model` when the scene moves along `direction` (a scene of the same

@@ -48,8 +48,7 @@ Vector CantileverModes::omega_rate() const {
 
 Vector CantileverModes::shapes(double x) const {
   Vector phi(count_);
-  for (int j = 0; j < count_; ++j)
-    phi[j] = scale() * cantilever_shape(j + 1, x / length_.value);
+  for (int j = 0; j < count_; ++j) phi[j] = scale() * cantilever_shape(j + 1, x / length_.value);
   return phi;
 }
 
@@ -77,9 +76,7 @@ Vector CantileverModes::inertia() const {
 
 Vector CantileverModes::inertia_rate() const { return -scale_rate() * inertia(); }
 
-Vector CantileverModes::load() const {
-  return inertia() / (density_.value * section_.area.value);
-}
+Vector CantileverModes::load() const { return inertia() / (density_.value * section_.area.value); }
 
 Vector CantileverModes::load_rate() const {
   const Vector g = load();
@@ -175,9 +172,7 @@ namespace {
 std::vector<double> numbers_of(const Line& line, int asked) {
   std::vector<double> numbers{double(line.order), line.length.value, line.tension.value,
                               double(asked)};
-  const auto add = [&](std::initializer_list<double> more) {
-    numbers.insert(numbers.end(), more);
-  };
+  const auto add = [&](std::initializer_list<double> more) { numbers.insert(numbers.end(), more); };
   for (const LinePiece& piece : line.pieces) {
     add({piece.start.value, piece.end.value});
     for (std::size_t k = 0; k < piece.mass.size(); ++k)

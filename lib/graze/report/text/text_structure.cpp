@@ -76,8 +76,8 @@ void add_places(Effects& effects, const Span& span, bool is_beam, const TextUnit
   };
   for (std::size_t k = 0; k < span.supports.size(); ++k) {
     const Support& support = span.supports[k];
-    std::string text = fmt::format("{}, {}", place(support.position),
-                                   hold_word(support.kind, is_beam));
+    std::string text =
+        fmt::format("{}, {}", place(support.position), hold_word(support.kind, is_beam));
     if (support.translational > 0.0) text += " " + in.quantity(support.translational, 6, "N/m");
     if (support.rotational > 0.0)
       text += fmt::format("{} {}", support.translational > 0.0 ? "," : "",
@@ -99,15 +99,16 @@ std::string elements_text(const ElementAccuracy& found) {
   if (found.change_beyond > 0.0)
     text += fmt::format(" (modes 1 to 32) and {:.0e} (beyond)", found.change_beyond);
   if (found.rigid > 0)
-    text += fmt::format("; {} free", counted(static_cast<std::size_t>(found.rigid), "rigid motion"));
+    text +=
+        fmt::format("; {} free", counted(static_cast<std::size_t>(found.rigid), "rigid motion"));
   return text;
 }
 
 std::string span_text(const Scene& scene) {
   const Span& span = *scene.span();
   const bool is_beam = scene.beam() != nullptr;
-  return fmt::format("{}-{} {}", hold_word(span.ends[0], is_beam),
-                     hold_word(span.ends[1], is_beam), scene.structure_name());
+  return fmt::format("{}-{} {}", hold_word(span.ends[0], is_beam), hold_word(span.ends[1], is_beam),
+                     scene.structure_name());
 }
 
 }  // namespace

@@ -39,8 +39,7 @@ inline constexpr Range kWithinOne{
 inline constexpr Range kPoissonRatio{
     -1.0, 0.5, false, true, "greater than -1 and at most 0.5", "in (-1, 0.5]"};
 
-inline constexpr Range kModeCount{
-    1.0, 2000.0, true, true, "from 1 to 2000", "integer, 1 to 2000"};
+inline constexpr Range kModeCount{1.0, 2000.0, true, true, "from 1 to 2000", "integer, 1 to 2000"};
 
 // Of what the check has a rule for.
 constexpr Range own_rule(const char* in_table) {
@@ -136,7 +135,7 @@ struct SchemaVisitor {
   void number(const Key&, const auto&) const {}
   void list(const Key&, const auto&) const {}    // of numbers, one per mode but in a torque's table
   void series(const Key&, const auto&) const {}  // a list of numbers, or one where it has one entry
-  void taper(const Key&, const auto&) const {}  // one length of a section, or two
+  void taper(const Key&, const auto&) const {}   // one length of a section, or two
   // The two ends of a span, words of choices; last: what they are where none are given.
   void ends(const Key&, const auto&, const auto&, const auto&) const {}
   void bodies(const Key&, const auto&, BodyNumbers) const {}

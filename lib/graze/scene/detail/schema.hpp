@@ -206,7 +206,8 @@ void describe(auto& v, Of<SceneStop> auto& stop, const Scene& scene) {
   v.list(Key{"shape", "kg^-1/2", kAny.told("N numbers, not all 0"),
              "phi_j(B): how far each mode moves the point of contact"}
              .needed("required with `[modal]`")
-             .where(modal, "a stop of a [beam], [string] or [bar] has no shape, it must have a position")
+             .where(modal,
+                    "a stop of a [beam], [string] or [bar] has no shape, it must have a position")
              .as("a list of numbers, the mode shapes at the stop"),
          stop.shape);
   v.number({"gap", "m", kAny, "a; 0 touches at rest, negative is a preload"}, stop.gap);
@@ -238,16 +239,18 @@ void describe(auto& v, Of<Probe> auto& probe, const Scene& scene) {
                      .as("a number in m from the clamp"),
                  !modal, "a probe of a [modal] structure has no position, it must have a shape"),
            probe.position);
-  v.list(where(Key{"shape", "kg^-1/2", kAny.told("N numbers"), "phi_j there"}
-                   .needed("required with `[modal]`")
-                   .as("a list of numbers, the mode shapes at the probe"),
-               modal, "a probe of a [beam], [string] or [bar] has no shape, it must have a position"),
-         probe.shape);
+  v.list(
+      where(Key{"shape", "kg^-1/2", kAny.told("N numbers"), "phi_j there"}
+                .needed("required with `[modal]`")
+                .as("a list of numbers, the mode shapes at the probe"),
+            modal, "a probe of a [beam], [string] or [bar] has no shape, it must have a position"),
+      probe.shape);
   v.choice(Key{"quantity", "", kAny,
                "displacement (m) and velocity (m/s) of the point, relative to the clamp, with a "
                "`[hub]` along its arc from angle 0 on; deflection (m) from the line that turns "
                "with the hub, without one the displacement; strain: -h/2 u'', of the fibre at half "
-               "the thickness on the side of +u (`[beam]`), or u' (`[bar]`); angle (rad) and rate (rad/s) of "
+               "the thickness on the side of +u (`[beam]`), or u' (`[bar]`); angle (rad) and rate "
+               "(rad/s) of "
                "the `[hub]`, without `position`"}
                .or_else(),
            probe.quantity, kQuantities);

@@ -17,8 +17,8 @@ concept Of = std::is_same_v<std::remove_const_t<Table>, Value>;
 void describe(auto& v, Of<Section> auto& section, const Scene&) {
   v.choice({"shape", "", kAny, "of the cross-section"}, section.shape, kSectionShapes);
   const SectionShape shape = section.shape;
-  const auto length = [&](const char* name, const char* meaning, bool applies,
-                          const char* needed, auto& values) {
+  const auto length = [&](const char* name, const char* meaning, bool applies, const char* needed,
+                          auto& values) {
     v.taper(Key{name, "m", kPositive.told("> 0, or two of them"), meaning}
                 .needed(needed)
                 .where(applies, "a section of this shape has none, it must be left out")
@@ -45,10 +45,9 @@ void describe(auto& v, Of<Piece> auto& piece, const Scene& scene) {
                .where(!piece.section && scene.bar() == nullptr,
                       piece.section ? follows : "a bar does not bend, it must be left out"),
            piece.second_moment);
-  v.number(Key{"area", "m^2", kPositive, "A"}
-               .needed("that of the whole")
-               .where(!piece.section, follows),
-           piece.area);
+  v.number(
+      Key{"area", "m^2", kPositive, "A"}.needed("that of the whole").where(!piece.section, follows),
+      piece.area);
   v.table({"section", Form::kInline}, piece.section);
   v.number(Key{"youngs_modulus", "Pa", kPositive, "E"}.needed("that of the whole"),
            piece.youngs_modulus);
@@ -60,7 +59,8 @@ void describe(auto& v, Of<Support> auto& support, const Scene& scene) {
            support.position);
   const Key kind =
       Key{"kind", "",
-          own_rule("`\"pinned\"`, `\"clamped\"` or `\"sliding\"`; of a string or a bar `\"fixed\"`"),
+          own_rule(
+              "`\"pinned\"`, `\"clamped\"` or `\"sliding\"`; of a string or a bar `\"fixed\"`"),
           "spring: by the two stiffnesses; pinned, fixed: u = 0; clamped: u = u' = 0; sliding: "
           "u' = 0"}
           .or_else();
@@ -70,24 +70,26 @@ void describe(auto& v, Of<Support> auto& support, const Scene& scene) {
     v.choice(kind, support.kind, kLineSupports);
   const bool yields = support.kind == Hold::kSpring;
   const char* rigid = "a rigid support has none, it must be left out";
-  v.number(Key{"translational", "N/m", kNotNegative, "stiffness against u, of a spring"}
-               .or_else()
-               .where(yields, rigid),
-           support.translational);
-  v.number(Key{"rotational", "N m/rad", kNotNegative, "stiffness against u', of a spring; of a beam"}
-               .or_else()
-               .where(yields && scene.beam(),
-                      yields ? "only a beam resists turning, it must be left out" : rigid),
-           support.rotational);
+  v.number(
+      Key{"translational", "N/m", kNotNegative, "stiffness against u, of a spring"}.or_else().where(
+          yields, rigid),
+      support.translational);
+  v.number(
+      Key{"rotational", "N m/rad", kNotNegative, "stiffness against u', of a spring; of a beam"}
+          .or_else()
+          .where(yields && scene.beam(),
+                 yields ? "only a beam resists turning, it must be left out" : rigid),
+      support.rotational);
 }
 
 void describe(auto& v, Of<AttachedMass> auto& mass, const Scene& scene) {
   v.number(Key{"position", "m", own_rule("in [0, L]"), "distance from the left end"}.needed("L"),
            mass.position);
   v.number({"mass", "kg", kNotNegative, "fixed to the structure at a point"}, mass.mass);
-  v.number(Key{"inertia", "kg m^2", kNotNegative, "against turning with u', of a beam"}.or_else().where(
-               scene.beam() != nullptr, "only a beam turns it, it must be left out"),
-           mass.inertia);
+  v.number(
+      Key{"inertia", "kg m^2", kNotNegative, "against turning with u', of a beam"}.or_else().where(
+          scene.beam() != nullptr, "only a beam turns it, it must be left out"),
+      mass.inertia);
 }
 
 // What beams, strings and bars have in common, behind their own keys.
@@ -119,8 +121,9 @@ void describe(auto& v, Of<Beam> auto& beam, const Scene&) {
              "what holds the left and the right end"}
              .or_else("`[\"clamped\", \"free\"]`"),
          beam.ends, kBeamEnds, Beam{}.ends);
-  v.number(Key{"tension", "N", kAny, "constant along the beam; negative: compression, less than "
-                                     "that at which it buckles"}
+  v.number(Key{"tension", "N", kAny,
+               "constant along the beam; negative: compression, less than "
+               "that at which it buckles"}
                .or_else("none"),
            beam.tension);
   v.count({"modes", "", kModeCount, "N"}, beam.modes);
@@ -135,7 +138,8 @@ void describe(auto& v, Of<Beam> auto& beam, const Scene&) {
   describe_places(v, beam);
 }
 
-void describe_line_ends(auto& v, auto& span, const char* fallback, const std::array<Hold, 2>& usual) {
+void describe_line_ends(auto& v, auto& span, const char* fallback,
+                        const std::array<Hold, 2>& usual) {
   v.ends(Key{"ends", "", own_rule("two of `\"fixed\"`, `\"free\"`"),
              "what holds the left and the right end"}
              .or_else(fallback),

@@ -1,4 +1,5 @@
-// Energies of a line as sums of weighted squares, 2 x energy = sum of w (rows y)^2, and their rates.
+// Energies of a line as sums of weighted squares, 2 x energy = sum of w (rows y)^2, and their
+// rates.
 #pragma once
 
 #include "graze/structure/detail/line_mesh.hpp"

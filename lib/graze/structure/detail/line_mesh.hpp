@@ -26,9 +26,9 @@ struct LineElement {
 // How fine: functions of the strain on every element, and elements.
 struct Fineness {
   int functions = 0;
-  int modes = 0;             // that are to be resolved
-  double half_waves = 5.0;   // of the highest of them, on an element
-  int halvings = 0;          // of all elements
+  int modes = 0;            // that are to be resolved
+  double half_waves = 5.0;  // of the highest of them, on an element
+  int halvings = 0;         // of all elements
 };
 
 // Rows that give a quantity from the unknowns y, and their rates at fixed y; one column an unknown.
@@ -49,7 +49,8 @@ class LineMesh {
   Eigen::Index first(std::size_t element) const;
   // The node (end of an element, from 0) at which a support, a spring or a mass sits.
   std::size_t node(double x) const;
-  // Two things that sit at one place, of which only one moves, would part: there are no derivatives.
+  // Two things that sit at one place, of which only one moves, would part: there are no
+  // derivatives.
   bool is_torn() const { return torn_; }
 
   // Of the field and its first derivative at every node.
@@ -83,8 +84,8 @@ class LineMesh {
   Fineness fineness_;
   bool torn_ = false;
   std::vector<LineElement> elements_;
-  Matrix strains_;              // P_n at the points
-  Matrix once_, twice_;         // its integrals from -1
+  Matrix strains_;       // P_n at the points
+  Matrix once_, twice_;  // its integrals from -1
 };
 
 }  // namespace graze

@@ -26,7 +26,7 @@ class CantileverModes {
   Vector shapes(double x) const;
   Vector shape_rates(double x, double x_rate) const;
   Vector strains(double x, double factor) const;  // factor times u'' or u'
-  Vector inertia() const;  // integral of mass times shape
+  Vector inertia() const;                         // integral of mass times shape
   Vector inertia_rate() const;
   Vector load() const;  // integral of the shape
   Vector load_rate() const;
