@@ -1,0 +1,16 @@
+// Lanczos' iteration on (K - s M)^-1 M (Spectra).
+#pragma once
+
+#include <optional>
+
+#include "graze/fem/detail/sparse_cholesky.hpp"
+
+namespace graze {
+
+// The vectors of the `count` eigenvalues nearest above the shift at which `factors` stand, lowest
+// first; nothing where the iteration does not converge. `attempt`: another one starts elsewhere and
+// keeps a larger space.
+std::optional<Matrix> shift_invert_vectors(const SparseCholesky& factors, const SparseMatrix& mass,
+                                           int count, double shift, int attempt);
+
+}  // namespace graze

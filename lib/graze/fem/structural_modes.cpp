@@ -1,0 +1,261 @@
+#include "graze/fem/structural_modes.hpp"
+
+#include <fmt/format.h>
+
+#include <Eigen/Cholesky>
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <vector>
+
+#include "graze/base/errors.hpp"
+#include "graze/base/linalg/decompositions.hpp"
+#include "graze/fem/detail/mode_polish.hpp"
+#include "graze/fem/detail/shift_invert.hpp"
+#include "graze/fem/detail/sparse_cholesky.hpp"
+
+namespace graze {
+namespace {
+
+// Pivots below this share of their diagonal entries are those of a matrix that is singular but for
+// rounding.
+constexpr double kSingularPivot = 1e-12;
+
+// Shifts of a free structure, relative to the median of K_ii/M_ii: the first is far above the
+// rounding of K, as seen by smooth shapes, and far below most frequencies.
+constexpr double kRelativeShifts[] = {1e-10, 1e-8, 1e-6};
+
+double typical_square(const StructuralMatrices& structure) {
+  const Vector k = structure.stiffness.diagonal(), m = structure.mass.diagonal();
+  std::vector<double> ratios;
+  for (Eigen::Index i = 0; i < k.size(); ++i)
+    if (k[i] > 0.0) ratios.push_back(k[i] / m[i]);
+  if (ratios.empty()) return 1.0;
+  const auto middle = ratios.begin() + static_cast<std::ptrdiff_t>(ratios.size() / 2);
+  std::nth_element(ratios.begin(), middle, ratios.end());
+  return *middle;
+}
+
+std::string name_of(const StructuralMatrices& structure, int row) {
+  return row < 0 ? "?" : label_text(structure.labels[static_cast<std::size_t>(row)]);
+}
+
+void check_mass(const StructuralMatrices& structure) {
+  SparseCholesky factors(structure.mass);
+  if (factors.factorise(structure.mass) && factors.smallest_pivot() > 0.0) return;
+  throw InputError(
+      fmt::format("{}: the mass matrix is not positive definite, which shows at the degree of "
+                  "freedom {}",
+                  structure.mass_file, name_of(structure, factors.failed_row())));
+}
+
+[[noreturn]] void refuse_indefinite(const StructuralMatrices& structure, const std::string& why) {
+  throw InputError(fmt::format("{}: the stiffness matrix is indefinite: {}",
+                               structure.stiffness_file, why));
+}
+
+// K - shift M with its factors.
+struct Shifted {
+  explicit Shifted(const StructuralMatrices& structure)
+      : structure_(structure), matrix(structure.stiffness + structure.mass), factors(matrix) {}
+
+  // With a shift at which the matrix is safely positive definite.
+  void factorise() {
+    matrix = structure_.stiffness + 0.0 * structure_.mass;
+    const bool regular = factors.factorise(matrix) && factors.smallest_pivot() > kSingularPivot;
+    if (regular) return;
+    const double typical = typical_square(structure_);
+    for (const double relative : kRelativeShifts) {
+      shift = -relative * typical;
+      matrix = structure_.stiffness - shift * structure_.mass;
+      if (factors.factorise(matrix) && factors.smallest_pivot() > kSingularPivot) return;
+    }
+    refuse_indefinite(structure_,
+                      fmt::format("it has an eigenvalue K phi = L M phi below {:.3g} (rad/s)^2, "
+                                  "which shows at the degree of freedom {}",
+                                  shift, name_of(structure_, factors.failed_row())));
+  }
+
+  const StructuralMatrices& structure_;
+  double shift = 0.0;
+  SparseMatrix matrix;
+  SparseCholesky factors;
+};
+
+// The largest eigenvalues of L^-1 M L^-T, S = L L^T, are those of the lowest modes.
+Matrix dense_vectors(const StructuralMatrices& structure, const SparseMatrix& shifted) {
+  const Eigen::LLT<Matrix> factors{Matrix(shifted)};
+  const auto lower = factors.matrixL();
+  const Matrix half = lower.solve(Matrix(structure.mass));
+  const Matrix inverse = lower.solve(half.transpose());
+  const SymmetricModes modes = symmetric_modes(0.5 * (inverse + inverse.transpose()));
+  return factors.matrixU().solve(modes.vectors.rowwise().reverse());
+}
+
+// Frequencies, the rigid ones among them, and residuals of vectors that are orthonormal in M.
+void judge(const StructuralMatrices& structure, Matrix vectors, StructuralModes& modes) {
+  const Matrix stiff = structure.stiffness * vectors;
+  const auto m = static_cast<std::size_t>(vectors.cols());
+  Vector squares(vectors.cols());
+  for (Eigen::Index j = 0; j < vectors.cols(); ++j) squares[j] = vectors.col(j).dot(stiff.col(j));
+  std::vector<Eigen::Index> order(m);
+  std::iota(order.begin(), order.end(), Eigen::Index{0});
+  std::sort(order.begin(), order.end(), [&](auto a, auto b) { return squares[a] < squares[b]; });
+  const SparseMatrix absolute_k = structure.stiffness.cwiseAbs();
+  const SparseMatrix absolute_m = structure.mass.cwiseAbs();
+  modes.omega.resize(vectors.cols());
+  modes.residuals.resize(vectors.cols());
+  modes.shapes.resize(vectors.rows(), vectors.cols());
+  modes.rigid = 0;
+  for (std::size_t k = 0; k < m; ++k) {
+    const Eigen::Index j = order[k], at = static_cast<Eigen::Index>(k);
+    const Vector phi = vectors.col(j), size = phi.cwiseAbs();
+    const Vector scale_k = absolute_k * size;
+    const double limit = kRigidEnergy * size.dot(scale_k);
+    double square = squares[j];
+    if (square < -limit)
+      refuse_indefinite(
+          structure,
+          fmt::format("a mode has the square of a frequency {:.3g} (rad/s)^2, {:.2g} of what the "
+                      "entries of the matrix make of its shape and beyond their rounding, {:.2g}",
+                      square, square / size.dot(scale_k), kRigidEnergy));
+    if (square <= limit) {
+      square = 0.0;
+      ++modes.rigid;
+    }
+    modes.omega[at] = std::sqrt(square);
+    const Vector residual = stiff.col(j) - square * (structure.mass * phi);
+    modes.residuals[at] = residual.norm() / (scale_k + square * (absolute_m * size)).norm();
+    // The largest displacement is positive, so that the sign is the same in every run.
+    Eigen::Index largest = 0;
+    size.maxCoeff(&largest);
+    modes.shapes.col(at) = phi[largest] < 0.0 ? Vector(-phi) : phi;
+  }
+}
+
+void keep_lowest(StructuralModes& modes, int count) {
+  modes.omega = modes.omega.head(count).eval();
+  modes.residuals = modes.residuals.head(count).eval();
+  modes.shapes = modes.shapes.leftCols(count).eval();
+  modes.rigid = std::min(modes.rigid, count);
+}
+
+// Where to count: in the widest gap, by ratio, between frequencies from the last mode wanted on.
+int widest_gap(const Vector& omega, int count) {
+  int best = count;
+  double ratio = 0.0;
+  for (int k = count; k < omega.size(); ++k) {
+    const double here = omega[k - 1] > 0.0 ? omega[k] / omega[k - 1] : 1e300 * (omega[k] > 0.0);
+    if (here > ratio) {
+      ratio = here;
+      best = k;
+    }
+  }
+  return best;
+}
+
+// True where as many modes were found as there are, or where they are not counted.
+bool count_modes(const StructuralMatrices& structure, SparseCholesky& factors, int wanted,
+                 StructuralModes& modes) {
+  if (factors.operations() > kLargestCount) {
+    modes.not_counted = fmt::format(
+        "not counted, L D L^T without supernodes would take about {:.1g} operations",
+        factors.operations());
+    return true;
+  }
+  const int below = widest_gap(modes.omega, wanted);
+  const double high = modes.omega[below], low = modes.omega[below - 1];
+  const double shift = 0.5 * (low * low + high * high);
+  const SparseMatrix shifted = structure.stiffness - shift * structure.mass;
+  const std::optional<int> counted = factors.negative_eigenvalues(shifted);
+  if (!counted) {
+    modes.not_counted = "not counted, L D L^T without pivoting is not accurate enough";
+    return true;
+  }
+  modes.counted = counted;
+  modes.counted_below = std::sqrt(shift);
+  return *counted == below;
+}
+
+bool find_sparse(const StructuralMatrices& structure, Shifted& shifted, int count,
+                 StructuralModes& modes) {
+  // A few more, so that there is a gap behind the last to count in.
+  const int sought = std::min(count + 4, structure.size() - 1);
+  for (int attempt = 0; attempt < 4; ++attempt) {
+    std::optional<Matrix> vectors = shift_invert_vectors(
+        shifted.factors, structure.mass, std::min(sought + 4 * attempt, structure.size() - 1),
+        shifted.shift, attempt);
+    if (!vectors) continue;
+    Matrix polished = shifted.factors.solve(Matrix(structure.mass * *vectors));
+    if (!orthonormalise(structure.mass, polished)) continue;
+    diagonalise(shifted.matrix, polished);
+    judge(structure, std::move(polished), modes);
+    if (count_modes(structure, shifted.factors, count, modes)) return true;
+  }
+  return false;
+}
+
+// (K - s M)^-1 taken to s = 0 on what is no rigid-body motion: u = S^-1 (P b - s M u) contracts by
+// |s|/(w_1^2 + |s|).
+Matrix static_displacements(const StructuralMatrices& structure, const Shifted& shifted,
+                            const StructuralModes& modes, const Matrix& loads) {
+  const Matrix rigid = modes.shapes.leftCols(modes.rigid);
+  const Matrix rigid_load = structure.mass * rigid;
+  const auto elastic = [&](const Matrix& u) {
+    return Matrix(u - rigid * (rigid_load.transpose() * u));
+  };
+  const Matrix balanced = loads - rigid_load * (rigid.transpose() * loads);
+  Matrix u = elastic(shifted.factors.solve(balanced));
+  if (shifted.shift == 0.0) return u;
+  for (int k = 0; k < 200; ++k) {
+    const Matrix load = balanced - shifted.shift * (structure.mass * u);
+    const Matrix next = elastic(shifted.factors.solve(load));
+    const double change = (next - u).norm();
+    u = next;
+    if (change <= 1e-14 * u.norm()) break;
+  }
+  return u;
+}
+
+}  // namespace
+
+StructuralModes lowest_modes(const StructuralMatrices& structure, int count, const Matrix& loads) {
+  const int size = structure.size();
+  if (count < 1 || count > size)
+    throw InputError(fmt::format(
+        "{}: {} modes are asked for, the structure has {} degree{} of freedom that {} not held",
+        structure.stiffness_file, count, size, size == 1 ? "" : "s", size == 1 ? "is" : "are"));
+  check_mass(structure);
+  Shifted shifted(structure);
+  shifted.factorise();
+  StructuralModes modes;
+  modes.shift = shifted.shift;
+  modes.is_dense = size <= kDenseSize || 3 * count > size;
+  if (modes.is_dense) {
+    Matrix vectors = dense_vectors(structure, shifted.matrix);
+    if (!orthonormalise(structure.mass, vectors))
+      throw InputError(fmt::format("{}: its modes cannot be told apart from those of a singular "
+                                   "mass matrix",
+                                   structure.mass_file));
+    diagonalise(shifted.matrix, vectors);
+    judge(structure, std::move(vectors), modes);
+    modes.counted = size;
+    modes.counted_below = modes.omega[size - 1];
+  } else if (!find_sparse(structure, shifted, count, modes)) {
+    throw InputError(fmt::format("{}: its lowest {} modes were not all found{}",
+                                 structure.stiffness_file, count,
+                                 modes.counted ? fmt::format(", {} lie below {:.6g} rad/s",
+                                                             *modes.counted, modes.counted_below)
+                                               : ""));
+  }
+  keep_lowest(modes, count);
+  if (const double worst = modes.residuals.maxCoeff(); !(worst <= kLargestResidual))
+    throw InputError(fmt::format("{}: a mode has the residual {:.2g}, allowed is {:g}",
+                                 structure.stiffness_file, worst, kLargestResidual));
+  if (loads.cols() > 0) {
+    modes.static_displacements = static_displacements(structure, shifted, modes, loads);
+  }
+  return modes;
+}
+
+}  // namespace graze
