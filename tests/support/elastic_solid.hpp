@@ -35,8 +35,7 @@ inline Element cube(double h) {
       const double sign[3] = {node & 1 ? 1.0 : -1.0, node & 2 ? 1.0 : -1.0, node & 4 ? 1.0 : -1.0};
       double value = 0.125, slope[3];
       for (int d = 0; d < 3; ++d) value *= 1.0 + sign[d] * xi[d];
-      for (int d = 0; d < 3; ++d)
-        slope[d] = value / (1.0 + sign[d] * xi[d]) * sign[d] * 2.0 / h;
+      for (int d = 0; d < 3; ++d) slope[d] = value / (1.0 + sign[d] * xi[d]) * sign[d] * 2.0 / h;
       for (int d = 0; d < 3; ++d) {
         shape(d, 3 * node + d) = value;
         strain(d, 3 * node + d) = slope[d];

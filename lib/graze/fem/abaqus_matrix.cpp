@@ -20,8 +20,8 @@ DofLabel label_of(const TextLines& lines, std::string_view node, std::string_vie
   DofLabel label{lines.integer(node), 0};
   const long number = lines.integer(direction);
   if (number < 0 || number > 1000)
-    lines.fail(fmt::format("the degree of freedom {} is not allowed, it must be from 0 to 1000",
-                           number));
+    lines.fail(
+        fmt::format("the degree of freedom {} is not allowed, it must be from 0 to 1000", number));
   label.direction = static_cast<int>(number);
   return label;
 }
@@ -43,13 +43,14 @@ LabelledMatrix read_abaqus(TextLines& lines) {
     if (text.empty() || text.front() == '*') continue;
     const auto& parts = lines.parts();
     if (width == 0 && parts.size() != 3 && parts.size() != 5)
-      lines.fail(fmt::format("the line has {} entries, it must have five (row node, row dof, "
-                             "column node, column dof, value) or three (row, column, value)",
-                             parts.size()));
+      lines.fail(
+          fmt::format("the line has {} entries, it must have five (row node, row dof, "
+                      "column node, column dof, value) or three (row, column, value)",
+                      parts.size()));
     if (width == 0) width = parts.size();
     if (parts.size() != width)
-      lines.fail(fmt::format("the line has {} entries, the lines before have {}", parts.size(),
-                             width));
+      lines.fail(
+          fmt::format("the line has {} entries, the lines before have {}", parts.size(), width));
     if (width == 5)
       listed.push_back({label_of(lines, parts[0], parts[1]), label_of(lines, parts[2], parts[3]),
                         lines.number(), lines.real(parts[4])});

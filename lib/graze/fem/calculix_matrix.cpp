@@ -22,8 +22,8 @@ LabelledMatrix read_calculix(TextLines& lines) {
     const long row = lines.integer(parts[0]), column = lines.integer(parts[1]);
     for (const long number : {row, column})
       if (number < 1 || number > 20'000'000)
-        lines.fail(fmt::format(
-            "the row or column {} is not allowed, it must be from 1 to 20000000", number));
+        lines.fail(fmt::format("the row or column {} is not allowed, it must be from 1 to 20000000",
+                               number));
     size = std::max({size, row, column});
     entries.push_back({static_cast<int>(row - 1), static_cast<int>(column - 1), lines.number(),
                        lines.real(parts[2])});

@@ -39,9 +39,8 @@ LabelledMatrix read_matrix(const std::filesystem::path& given) {
   };
   const bool is_dmig = any_of({".bdf", ".dat", ".nas", ".pch"});
   if (!wanted.empty() && !is_dmig)
-    throw InputError(
-        fmt::format("{}: only a Nastran file has matrices with names, \"#{}\" must be left out",
-                    name, wanted));
+    throw InputError(fmt::format(
+        "{}: only a Nastran file has matrices with names, \"#{}\" must be left out", name, wanted));
   if (kind == ".npz") return read_npz(file);
   if (kind == ".npy") return read_npy(name, read_bytes(file));
   if (!is_dmig && !any_of({".mtx", ".sti", ".mas", ".dam"}))

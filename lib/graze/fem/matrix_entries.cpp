@@ -103,10 +103,11 @@ SparseMatrix symmetric_matrix(const std::string& file, int size, Entries entries
       pair = &entry;
   }
   if (storage == EntryStorage::kOneTriangle && pair)
-    fail(file, pair->line,
-         fmt::format("the entry {} and its mirror image are both listed, of a symmetric matrix only "
-                     "one of them must be",
-                     place(labels, pair->row, pair->column)));
+    fail(
+        file, pair->line,
+        fmt::format("the entry {} and its mirror image are both listed, of a symmetric matrix only "
+                    "one of them must be",
+                    place(labels, pair->row, pair->column)));
   if (storage == EntryStorage::kFull || (storage == EntryStorage::kEither && pair)) {
     make_symmetric(file, entries, diagonal, labels);
   } else {

@@ -24,13 +24,14 @@ Banner read_banner(TextLines& lines) {
         "integer, general or symmetric");
   Banner banner;
   if (!is(2, "array") && !is(2, "coordinate"))
-    lines.fail(fmt::format("the format \"{}\" is not allowed, it must be coordinate or array",
-                           words[2]));
+    lines.fail(
+        fmt::format("the format \"{}\" is not allowed, it must be coordinate or array", words[2]));
   banner.is_array = is(2, "array");
   if (!is(3, "real") && !is(3, "integer") && !is(3, "double"))
-    lines.fail(fmt::format("a matrix of the field \"{}\" has no real numbers, it must be real or "
-                           "integer",
-                           words[3]));
+    lines.fail(
+        fmt::format("a matrix of the field \"{}\" has no real numbers, it must be real or "
+                    "integer",
+                    words[3]));
   if (!is(4, "general") && !is(4, "symmetric"))
     lines.fail(fmt::format("the symmetry \"{}\" is not allowed, it must be general or symmetric",
                            words[4]));
@@ -48,7 +49,8 @@ bool next_entry(TextLines& lines) {
 int index(const TextLines& lines, std::string_view part, int size, const char* what) {
   const long number = lines.integer(part);
   if (number < 1 || number > size)
-    lines.fail(fmt::format("the {} {} is not allowed, it must be from 1 to {}", what, number, size));
+    lines.fail(
+        fmt::format("the {} {} is not allowed, it must be from 1 to {}", what, number, size));
   return static_cast<int>(number - 1);
 }
 
@@ -89,17 +91,18 @@ LabelledMatrix read_matrix_market(TextLines& lines) {
   const std::vector<std::string_view> sizes = lines.parts();
   const std::size_t wanted = banner.is_array ? 2 : 3;
   if (sizes.size() != wanted)
-    lines.fail(fmt::format("the line of sizes has {} numbers, it must have {}", sizes.size(),
-                           banner.is_array ? "two: rows, columns" : "three: rows, columns, entries"));
+    lines.fail(
+        fmt::format("the line of sizes has {} numbers, it must have {}", sizes.size(),
+                    banner.is_array ? "two: rows, columns" : "three: rows, columns, entries"));
   const long rows = lines.integer(sizes[0]), columns = lines.integer(sizes[1]);
   if (rows != columns || rows < 1)
     lines.fail(fmt::format("the matrix is {} x {}, it must be square", rows, columns));
   if (rows > 20'000'000) lines.fail(fmt::format("{} rows are more than 20000000", rows));
   const int size = static_cast<int>(rows);
   LabelledMatrix result{lines.name(), {}, numbered_labels(size), false, {}};
-  std::vector<MatrixEntry> entries =
-      banner.is_array ? array_entries(lines, size, banner.is_symmetric)
-                      : listed_entries(lines, size, lines.integer(sizes[2]));
+  std::vector<MatrixEntry> entries = banner.is_array
+                                         ? array_entries(lines, size, banner.is_symmetric)
+                                         : listed_entries(lines, size, lines.integer(sizes[2]));
   if (next_entry(lines)) lines.fail("the file goes on after the last of its entries");
   result.matrix = symmetric_matrix(
       result.file, size, std::move(entries),

@@ -16,7 +16,8 @@ void fit_proportional(const StructuralMatrices& structure, ModalDamping& damping
   const SparseMatrix& c = *structure.damping;
   const double size_m = structure.mass.norm(), size_k = structure.stiffness.norm();
   const double mm = 1.0, kk = size_k > 0.0 ? 1.0 : 0.0;
-  const double mk = kk * inner(structure.mass, structure.stiffness) / (size_m * (kk ? size_k : 1.0));
+  const double mk =
+      kk * inner(structure.mass, structure.stiffness) / (size_m * (kk ? size_k : 1.0));
   const double mc = inner(structure.mass, c) / size_m;
   const double kc = kk ? inner(structure.stiffness, c) / size_k : 0.0;
   const double determinant = mm * kk - mk * mk;
@@ -41,9 +42,10 @@ ModalDamping modal_damping(const StructuralMatrices& structure, const Structural
   const double largest = damping.delta.cwiseAbs().maxCoeff();
   for (Eigen::Index j = 0; j < damping.delta.size(); ++j) {
     if (damping.delta[j] < -1e-12 * largest)
-      throw InputError(fmt::format("{}: the damping matrix gives energy to mode {}, its decay rate "
-                                   "is {:.4g} 1/s and must be at least 0",
-                                   structure.damping_file, j + 1, damping.delta[j]));
+      throw InputError(
+          fmt::format("{}: the damping matrix gives energy to mode {}, its decay rate "
+                      "is {:.4g} 1/s and must be at least 0",
+                      structure.damping_file, j + 1, damping.delta[j]));
     damping.delta[j] = std::max(damping.delta[j], 0.0);
   }
   if (damping.is_proportional) return damping;

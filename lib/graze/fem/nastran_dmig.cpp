@@ -119,8 +119,8 @@ class DmigReader {
       if (fields[i].text.empty()) continue;
       if (!at(fields, i + 3).text.empty() && real(at(fields, i + 3)) != 0.0)
         lines_.fail_at(fields[i].line, "the entry has an imaginary part, the matrix must be real");
-      found->second.entries.push_back({label(fields[i], at(fields, i + 1)), column, fields[i].line,
-                                       real(at(fields, i + 2))});
+      found->second.entries.push_back(
+          {label(fields[i], at(fields, i + 1)), column, fields[i].line, real(at(fields, i + 2))});
     }
   }
   void take_header(const std::string& name, const std::vector<Field>& fields) {
@@ -158,8 +158,8 @@ LabelledMatrix read_dmig(TextLines& lines, const std::string& wanted) {
                                  names_of(matrices), lines.name(), matrices.begin()->first));
   const auto found = wanted.empty() ? matrices.begin() : matrices.find(wanted);
   if (found == matrices.end())
-    lines.fail_at(0, fmt::format("the file has no matrix {}, it has {}", wanted,
-                                 names_of(matrices)));
+    lines.fail_at(0,
+                  fmt::format("the file has no matrix {}, it has {}", wanted, names_of(matrices)));
   LabelledMatrix result{lines.name(), {}, {}, true, {}};
   std::vector<MatrixEntry> entries = indexed(found->second.entries, result.labels);
   result.matrix = symmetric_matrix(

@@ -58,9 +58,10 @@ struct ValueType {
   std::size_t size;
   void (*take)(const char*, std::size_t, std::vector<double>&);
 };
-constexpr ValueType kTypes[] = {{"f8", 8, take_values<double>},       {"f4", 4, take_values<float>},
-                                {"i8", 8, take_values<std::int64_t>}, {"i4", 4, take_values<std::int32_t>},
-                                {"u8", 8, take_values<std::uint64_t>}, {"u4", 4, take_values<std::uint32_t>}};
+constexpr ValueType kTypes[] = {
+    {"f8", 8, take_values<double>},        {"f4", 4, take_values<float>},
+    {"i8", 8, take_values<std::int64_t>},  {"i4", 4, take_values<std::int32_t>},
+    {"u8", 8, take_values<std::uint64_t>}, {"u4", 4, take_values<std::uint32_t>}};
 
 // Characters, of one byte (S) or four (U), of which the first is kept.
 std::string characters(const std::string& bytes, std::size_t begin, bool wide) {
@@ -75,11 +76,12 @@ std::size_t header_size(const std::string& name, const std::string& bytes, std::
     return static_cast<std::size_t>(static_cast<unsigned char>(bytes[i]));
   };
   if (bytes.size() < 12 || bytes.compare(0, 6, "\x93NUMPY") != 0)
-    throw InputError(fmt::format("{}: it is no .npy file, its first bytes must be \\x93NUMPY", name));
+    throw InputError(
+        fmt::format("{}: it is no .npy file, its first bytes must be \\x93NUMPY", name));
   const std::size_t version = byte(6);
   if (version < 1 || version > 3)
-    throw InputError(
-        fmt::format("{}: version {} of the .npy format is not known, it must be 1 to 3", name, version));
+    throw InputError(fmt::format(
+        "{}: version {} of the .npy format is not known, it must be 1 to 3", name, version));
   begin = version == 1 ? 10 : 12;
   std::size_t size = byte(8) + (byte(9) << 8);
   if (version > 1) size += (byte(10) << 16) + (byte(11) << 24);
@@ -114,8 +116,10 @@ NumpyArray numpy_array(const std::string& name, const std::string& bytes) {
     std::size_t count = 1;
     for (const long length : array.shape) {
       const auto n = static_cast<std::size_t>(length);
-      if (n != 0 && count > bytes.size() / n) count = bytes.size() + 1;
-      else count *= n;
+      if (n != 0 && count > bytes.size() / n)
+        count = bytes.size() + 1;
+      else
+        count *= n;
     }
     if (count > bytes.size() || bytes.size() - begin != count * known.size)
       throw InputError(fmt::format("{}: the array of shape {} has {} bytes, which does not fit",
@@ -139,11 +143,11 @@ void check_finite(const std::string& name, double value, long row, long column) 
 
 LabelledMatrix dense_matrix(const std::string& name, const NumpyArray& array) {
   if (array.shape.size() != 2 || array.shape[0] != array.shape[1] || array.values.empty())
-    throw InputError(fmt::format("{}: the array has {} dimension{}{}, it must be a square matrix",
-                                 name, array.shape.size(), array.shape.size() == 1 ? "" : "s",
-                                 array.shape.size() == 2 ? fmt::format(" and is {} x {}", array.shape[0],
-                                                                       array.shape[1])
-                                                         : ""));
+    throw InputError(fmt::format(
+        "{}: the array has {} dimension{}{}, it must be a square matrix", name, array.shape.size(),
+        array.shape.size() == 1 ? "" : "s",
+        array.shape.size() == 2 ? fmt::format(" and is {} x {}", array.shape[0], array.shape[1])
+                                : ""));
   const long n = array.shape[0];
   Matrix dense(n, n);
   for (long j = 0; j < n; ++j)
@@ -161,9 +165,10 @@ using Arrays = std::map<std::string, NumpyArray>;
 const NumpyArray& member(const std::string& name, const Arrays& arrays, const std::string& key) {
   const auto found = arrays.find(key);
   if (found == arrays.end())
-    throw InputError(fmt::format("{}: the archive has no member {}, which scipy.sparse.save_npz "
-                                 "writes",
-                                 name, key));
+    throw InputError(
+        fmt::format("{}: the archive has no member {}, which scipy.sparse.save_npz "
+                    "writes",
+                    name, key));
   return found->second;
 }
 
@@ -221,8 +226,8 @@ LabelledMatrix sparse_matrix(const std::string& name, const Arrays& arrays) {
   const long n = whole(name, "shape", shape.values[0], 20'000'001.0);
   const std::string& format = member(name, arrays, "format").text;
   if (format != "csr" && format != "csc" && format != "coo")
-    throw InputError(
-        fmt::format("{}: the format \"{}\" is not allowed, it must be csr, csc or coo", name, format));
+    throw InputError(fmt::format("{}: the format \"{}\" is not allowed, it must be csr, csc or coo",
+                                 name, format));
   LabelledMatrix result{name, {}, numbered_labels(static_cast<int>(n)), false, {}};
   result.matrix = symmetric_matrix(
       name, static_cast<int>(n),

@@ -12,11 +12,19 @@ struct Inverse {
   using Scalar = double;
   const SparseCholesky& factors;
   Eigen::Index size;
+  // Taken out of every result: found * (found^T M).
+  const Matrix* found = nullptr;
+  Matrix weighted{};
 
   Eigen::Index rows() const { return size; }
   Eigen::Index cols() const { return size; }
   void set_shift(double) {}  // the factors have it
-  void perform_op(const double* x, double* y) const { factors.solve(x, y); }
+  void perform_op(const double* x, double* y) const {
+    factors.solve(x, y);
+    if (!found) return;
+    Eigen::Map<Vector> result(y, size);
+    for (int pass = 0; pass < 2; ++pass) result -= *found * (weighted.transpose() * result).eval();
+  }
 };
 
 struct MassProduct {
@@ -31,6 +39,19 @@ struct MassProduct {
   }
 };
 
+using Solver = Spectra::SymGEigsShiftSolver<Inverse, MassProduct, Spectra::GEigsMode::ShiftInvert>;
+
+// A start that no symmetry of the structure shares.
+Vector start_vector(Eigen::Index size, int attempt) {
+  Vector start(size);
+  double angle = 1.0 + attempt;
+  for (Eigen::Index i = 0; i < size; ++i) {
+    angle = std::fmod(angle + 2.399963229728653 + 1e-3 * static_cast<double>(i % 97), 6.283185307);
+    start[i] = std::sin(angle) + 0.25 * std::cos(3.0 * angle);
+  }
+  return start;
+}
+
 }  // namespace
 
 std::optional<Matrix> shift_invert_vectors(const SparseCholesky& factors, const SparseMatrix& mass,
@@ -40,19 +61,26 @@ std::optional<Matrix> shift_invert_vectors(const SparseCholesky& factors, const 
   MassProduct product{mass};
   const Eigen::Index kept =
       std::min<Eigen::Index>(size, std::max(2 * count + 1, count + 20) + 20 * attempt);
-  Spectra::SymGEigsShiftSolver<Inverse, MassProduct, Spectra::GEigsMode::ShiftInvert> solver(
-      inverse, product, count, kept, shift);
-  // A start that no symmetry of the structure shares.
-  Vector start(size);
-  double angle = 1.0 + attempt;
-  for (Eigen::Index i = 0; i < size; ++i) {
-    angle = std::fmod(angle + 2.399963229728653 + 1e-3 * static_cast<double>(i % 97), 6.283185307);
-    start[i] = std::sin(angle) + 0.25 * std::cos(3.0 * angle);
-  }
-  solver.init(start.data());
+  Solver solver(inverse, product, count, kept, shift);
+  solver.init(start_vector(size, attempt).data());
   solver.compute(Spectra::SortRule::LargestMagn, 1000, 1e-12, Spectra::SortRule::SmallestAlge);
   if (solver.info() != Spectra::CompInfo::Successful) return {};
   return solver.eigenvectors();
+}
+
+std::optional<double> nearest_other(const SparseCholesky& factors, const SparseMatrix& mass,
+                                    const Matrix& found, double shift) {
+  const Eigen::Index size = mass.rows();
+  if (found.cols() + 2 > size) return {};
+  Inverse inverse{factors, size, &found, mass * found};
+  MassProduct product{mass};
+  Solver solver(inverse, product, 1, std::min<Eigen::Index>(size, 20), shift);
+  Vector start = start_vector(size, 7);
+  start -= found * (inverse.weighted.transpose() * start).eval();
+  solver.init(start.data());
+  solver.compute(Spectra::SortRule::LargestMagn, 1000, 1e-6, Spectra::SortRule::SmallestAlge);
+  if (solver.info() != Spectra::CompInfo::Successful) return {};
+  return solver.eigenvalues()[0];
 }
 
 }  // namespace graze

@@ -107,8 +107,8 @@ void check_masses(const StructuralMatrices& structure) {
   for (int i = 0; i < structure.size(); ++i) {
     if (diagonal[i] > 0.0) continue;
     if (++count <= 5)
-      names += (names.empty() ? "" : ", ") +
-               label_text(structure.labels[static_cast<std::size_t>(i)]);
+      names +=
+          (names.empty() ? "" : ", ") + label_text(structure.labels[static_cast<std::size_t>(i)]);
   }
   if (count == 0) return;
   throw InputError(fmt::format(

@@ -22,10 +22,10 @@ struct MatrixFiles {
 };
 
 struct StructuralMatrices {
-  SparseMatrix mass, stiffness;          // n x n; kg, N/m of displacements
-  std::optional<SparseMatrix> damping;   // n x n, N s/m
-  std::vector<DofLabel> labels;          // n, of the free degrees of freedom
-  std::vector<DofLabel> held;            // those left out, in the order of the files
+  SparseMatrix mass, stiffness;         // n x n; kg, N/m of displacements
+  std::optional<SparseMatrix> damping;  // n x n, N s/m
+  std::vector<DofLabel> labels;         // n, of the free degrees of freedom
+  std::vector<DofLabel> held;           // those left out, in the order of the files
   // By direction 1, 2, 3 (0 where degrees of freedom have none): the forces M r by which a unit
   // acceleration of all of them, held ones included, loads the free ones (n), and r^T M r.
   std::map<int, Vector> inertia_loads;

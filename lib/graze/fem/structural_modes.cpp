@@ -50,8 +50,8 @@ void check_mass(const StructuralMatrices& structure) {
 }
 
 [[noreturn]] void refuse_indefinite(const StructuralMatrices& structure, const std::string& why) {
-  throw InputError(fmt::format("{}: the stiffness matrix is indefinite: {}",
-                               structure.stiffness_file, why));
+  throw InputError(
+      fmt::format("{}: the stiffness matrix is indefinite: {}", structure.stiffness_file, why));
 }
 
 // K - shift M with its factors.
@@ -61,19 +61,21 @@ struct Shifted {
 
   // With a shift at which the matrix is safely positive definite.
   void factorise() {
-    matrix = structure_.stiffness + 0.0 * structure_.mass;
-    const bool regular = factors.factorise(matrix) && factors.smallest_pivot() > kSingularPivot;
-    if (regular) return;
+    if (factorise_at(0.0)) return;
     const double typical = typical_square(structure_);
-    for (const double relative : kRelativeShifts) {
-      shift = -relative * typical;
-      matrix = structure_.stiffness - shift * structure_.mass;
-      if (factors.factorise(matrix) && factors.smallest_pivot() > kSingularPivot) return;
-    }
+    for (const double relative : kRelativeShifts)
+      if (factorise_at(-relative * typical)) return;
     refuse_indefinite(structure_,
                       fmt::format("it has an eigenvalue K phi = L M phi below {:.3g} (rad/s)^2, "
                                   "which shows at the degree of freedom {}",
                                   shift, name_of(structure_, factors.failed_row())));
+  }
+
+  // False where the matrix is not safely positive definite there.
+  bool factorise_at(double there) {
+    shift = there;
+    matrix = structure_.stiffness - shift * structure_.mass;
+    return factors.factorise(matrix) && factors.smallest_pivot() > kSingularPivot;
   }
 
   const StructuralMatrices& structure_;
@@ -154,31 +156,49 @@ int widest_gap(const Vector& omega, int count) {
   return best;
 }
 
-// True where as many modes were found as there are, or where they are not counted.
-bool count_modes(const StructuralMatrices& structure, SparseCholesky& factors, int wanted,
-                 StructuralModes& modes) {
-  if (factors.operations() > kLargestCount) {
-    modes.not_counted = fmt::format(
-        "not counted, L D L^T without supernodes would take about {:.1g} operations",
-        factors.operations());
-    return true;
-  }
+// True where as many modes were found as there are, as far as that can be told.
+bool are_complete(const StructuralMatrices& structure, Shifted& shifted, int wanted,
+                  StructuralModes& modes) {
   const int below = widest_gap(modes.omega, wanted);
   const double high = modes.omega[below], low = modes.omega[below - 1];
   const double shift = 0.5 * (low * low + high * high);
-  const SparseMatrix shifted = structure.stiffness - shift * structure.mass;
-  const std::optional<int> counted = factors.negative_eigenvalues(shifted);
-  if (!counted) {
-    modes.not_counted = "not counted, L D L^T without pivoting is not accurate enough";
-    return true;
+  SparseCholesky& factors = shifted.factors;
+  modes.counted.reset();
+  modes.not_counted = "";
+  if (factors.operations() > kLargestCount) {
+    modes.not_counted = fmt::format("L D L^T without supernodes would take {:.1g} operations",
+                                    factors.operations());
+  } else {
+    const SparseMatrix matrix = structure.stiffness - shift * structure.mass;
+    modes.counted = factors.negative_eigenvalues(matrix);
+    if (!modes.counted) modes.not_counted = "L D L^T without pivoting is not accurate enough";
   }
-  modes.counted = counted;
   modes.counted_below = std::sqrt(shift);
-  return *counted == below;
+  if (modes.counted) return *modes.counted == below;
+  const std::optional<double> other =
+      nearest_other(factors, structure.mass, modes.shapes, shifted.shift);
+  return other && *other >= low * low;
+}
+
+// A free structure has a shift so small that its rigid-body modes outweigh all others by many
+// orders; one of the size of the first elastic frequency serves those better.
+void adapt_shift(const StructuralMatrices& structure, Shifted& shifted, int count) {
+  const int few = std::min(std::max(count, 12), structure.size() - 1);
+  const double before = shifted.shift;
+  std::optional<Matrix> vectors =
+      shift_invert_vectors(shifted.factors, structure.mass, std::min(few, 12), before, 0);
+  if (!vectors || !orthonormalise(structure.mass, *vectors)) return;
+  StructuralModes first;
+  judge(structure, std::move(*vectors), first);
+  if (first.rigid == first.count()) return;
+  const double square = first.omega[first.rigid] * first.omega[first.rigid];
+  if (square > -4.0 * before && !shifted.factorise_at(-square)) shifted.factorise_at(before);
 }
 
 bool find_sparse(const StructuralMatrices& structure, Shifted& shifted, int count,
                  StructuralModes& modes) {
+  if (shifted.shift < 0.0) adapt_shift(structure, shifted, count);
+  modes.shift = shifted.shift;
   // A few more, so that there is a gap behind the last to count in.
   const int sought = std::min(count + 4, structure.size() - 1);
   for (int attempt = 0; attempt < 4; ++attempt) {
@@ -190,7 +210,7 @@ bool find_sparse(const StructuralMatrices& structure, Shifted& shifted, int coun
     if (!orthonormalise(structure.mass, polished)) continue;
     diagonalise(shifted.matrix, polished);
     judge(structure, std::move(polished), modes);
-    if (count_modes(structure, shifted.factors, count, modes)) return true;
+    if (are_complete(structure, shifted, count, modes)) return true;
   }
   return false;
 }
@@ -234,19 +254,20 @@ StructuralModes lowest_modes(const StructuralMatrices& structure, int count, con
   if (modes.is_dense) {
     Matrix vectors = dense_vectors(structure, shifted.matrix);
     if (!orthonormalise(structure.mass, vectors))
-      throw InputError(fmt::format("{}: its modes cannot be told apart from those of a singular "
-                                   "mass matrix",
-                                   structure.mass_file));
+      throw InputError(
+          fmt::format("{}: its modes cannot be told apart from those of a singular "
+                      "mass matrix",
+                      structure.mass_file));
     diagonalise(shifted.matrix, vectors);
     judge(structure, std::move(vectors), modes);
     modes.counted = size;
     modes.counted_below = modes.omega[size - 1];
   } else if (!find_sparse(structure, shifted, count, modes)) {
-    throw InputError(fmt::format("{}: its lowest {} modes were not all found{}",
-                                 structure.stiffness_file, count,
-                                 modes.counted ? fmt::format(", {} lie below {:.6g} rad/s",
-                                                             *modes.counted, modes.counted_below)
-                                               : ""));
+    throw InputError(fmt::format(
+        "{}: its lowest {} modes were not all found{}", structure.stiffness_file, count,
+        modes.counted
+            ? fmt::format(", {} lie below {:.6g} rad/s", *modes.counted, modes.counted_below)
+            : ""));
   }
   keep_lowest(modes, count);
   if (const double worst = modes.residuals.maxCoeff(); !(worst <= kLargestResidual))

@@ -27,14 +27,15 @@ inline constexpr int kDenseSize = 500;
 inline constexpr double kLargestCount = 6e10;
 
 struct StructuralModes {
-  Vector omega;      // rad/s, ascending, m; exactly 0 of rigid-body modes
-  Matrix shapes;     // n x m, kg^-1/2: u = shapes q
-  Vector residuals;  // m: |K phi - w^2 M phi| / ||K||phi| + w^2 |M||phi||
-  int rigid = 0;     // the first ones are those of a rigid body
+  Vector omega;           // rad/s, ascending, m; exactly 0 of rigid-body modes
+  Matrix shapes;          // n x m, kg^-1/2: u = shapes q
+  Vector residuals;       // m: |K phi - w^2 M phi| / ||K||phi| + w^2 |M||phi||
+  int rigid = 0;          // the first ones are those of a rigid body
   double shift = 0.0;     // (rad/s)^2, used by the iteration
   bool is_dense = false;  // all modes of the structure were found
   // How many modes lie below `counted_below` (rad/s) by Sylvester's law of inertia: as many as were
-  // found there. Nothing where they were not counted; the sentence says why.
+  // found there. Nothing where they were not counted; the sentence says why, and a second
+  // iteration, orthogonal to the modes found, then met none below the last of them.
   std::optional<int> counted;
   double counted_below = 0.0;
   std::string not_counted;

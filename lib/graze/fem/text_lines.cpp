@@ -23,8 +23,8 @@ std::string plain_number(std::string_view part) {
     const char c = part[i];
     const bool sign = c == '+' || c == '-';
     if (sign && i == 0 && c == '+') continue;
-    const bool bare = sign && i > 0 && (std::isdigit(static_cast<unsigned char>(part[i - 1])) ||
-                                        part[i - 1] == '.');
+    const bool bare = sign && i > 0 &&
+                      (std::isdigit(static_cast<unsigned char>(part[i - 1])) || part[i - 1] == '.');
     if (bare) text += 'e';
     text += lower(c) == 'd' ? 'e' : c;
   }
@@ -39,8 +39,8 @@ std::string read_bytes(const std::filesystem::path& file) {
   if (std::filesystem::is_directory(file, no_matter))
     throw FileError(fmt::format("{}: cannot be read as a matrix, it is a directory", name));
   if (is_named_pipe(file))
-    throw InputError(
-        fmt::format("{}: cannot be read as a matrix, it is a named pipe and no regular file", name));
+    throw InputError(fmt::format(
+        "{}: cannot be read as a matrix, it is a named pipe and no regular file", name));
   errno = 0;
   std::ifstream stream(file, std::ios::binary | std::ios::ate);
   if (!stream)

@@ -13,4 +13,9 @@ namespace graze {
 std::optional<Matrix> shift_invert_vectors(const SparseCholesky& factors, const SparseMatrix& mass,
                                            int count, double shift, int attempt);
 
+// The eigenvalue nearest above the shift among those of vectors orthogonal in M to `found`, whose
+// columns are orthonormal in M; nothing where the iteration does not converge.
+std::optional<double> nearest_other(const SparseCholesky& factors, const SparseMatrix& mass,
+                                    const Matrix& found, double shift);
+
 }  // namespace graze
