@@ -1,3 +1,4 @@
+#include <Spectra/SymEigsSolver.h>
 #include <Spectra/SymGEigsShiftSolver.h>
 
 #include <algorithm>
@@ -36,6 +37,21 @@ struct MassProduct {
   void perform_op(const double* x, double* y) const {
     const Eigen::Map<const Vector> from(x, mass.cols());
     Eigen::Map<Vector>(y, mass.rows()).noalias() = mass * from;
+  }
+};
+
+struct ScaledMass {
+  using Scalar = double;
+  const SparseMatrix& mass;
+  Vector roots;  // 1/sqrt(M_ii)
+
+  Eigen::Index rows() const { return mass.rows(); }
+  Eigen::Index cols() const { return mass.cols(); }
+  void perform_op(const double* x, double* y) const {
+    const Vector from = roots.cwiseProduct(Eigen::Map<const Vector>(x, mass.cols()));
+    Eigen::Map<Vector> to(y, mass.rows());
+    to.noalias() = mass * from;
+    to.array() *= roots.array();
   }
 };
 
@@ -79,6 +95,15 @@ std::optional<double> nearest_other(const SparseCholesky& factors, const SparseM
   start -= found * (inverse.weighted.transpose() * start).eval();
   solver.init(start.data());
   solver.compute(Spectra::SortRule::LargestMagn, 1000, 1e-6, Spectra::SortRule::SmallestAlge);
+  if (solver.info() != Spectra::CompInfo::Successful) return {};
+  return solver.eigenvalues()[0];
+}
+
+std::optional<double> smallest_scaled_mass(const SparseMatrix& mass) {
+  ScaledMass scaled{mass, mass.diagonal().cwiseSqrt().cwiseInverse()};
+  Spectra::SymEigsSolver<ScaledMass> solver(scaled, 1, std::min<Eigen::Index>(mass.rows(), 30));
+  solver.init(start_vector(mass.rows(), 3).data());
+  solver.compute(Spectra::SortRule::SmallestAlge, 100, 1e-3);
   if (solver.info() != Spectra::CompInfo::Successful) return {};
   return solver.eigenvalues()[0];
 }

@@ -11,6 +11,7 @@
 #include "graze/scene/detail/table_reader.hpp"
 #include "graze/scene/detail/text_file.hpp"
 #include "graze/scene/detail/torque_table.hpp"
+#include "graze/scene/matrix_structure.hpp"
 
 namespace graze {
 namespace {
@@ -81,7 +82,7 @@ class KeyReader : public SchemaVisitor {
                               which == BodyNumbers::kRadii ? "of balls, or four" : "one per body"));
   }
   void count(const Key& key, int& value) {
-    if (!is_due(key, false)) return;
+    if (!is_due(key, !key.is_required)) return;
     const std::string what = fmt::format("an integer {}", key.range.words);
     const std::int64_t number = table_.integer(key.name, what);
     if (!key.range.holds(static_cast<double>(number))) table_.refuse(key.name, what);
@@ -92,6 +93,19 @@ class KeyReader : public SchemaVisitor {
   }
   void text(const Key& key, std::string& value) {
     if (is_due(key, true)) value = table_.text_or(key.name, value);
+  }
+  void path(const Key& key, std::string& value) {
+    if (!is_due(key, !key.is_required)) return;
+    table_.required(key.name, "the name of a file");
+    const std::string name = table_.text_or(key.name, "");
+    if (name.empty()) table_.fail(key.name, "the name is empty, it must be that of a file");
+    value = std::filesystem::absolute(reading_.folder / name).lexically_normal().string();
+  }
+  void label(const Key& key, std::string& value) {
+    if (is_due(key, !key.is_required)) value = table_.label(key.name);
+  }
+  void labels(const Key& key, std::vector<std::string>& values) {
+    if (is_due(key, !key.is_required)) values = table_.labels(key.name);
   }
   // The points of a torque stand in the scene or in a file.
   void file(const Key& key, TorqueTable& points) {
@@ -192,13 +206,17 @@ void prepare(const TableReader&, const Node&, Initial& initial, const Scene& sce
 }
 
 void prepare(const TableReader& root, const Node&, Scene& scene, const Scene&) {
-  const bool beam = root.has("beam"), modal = root.has("modal");
-  if (!beam && !modal)
-    root.fail("scene", "a scene needs [beam] or [modal], it must have exactly one of them");
-  if (beam && modal)
-    root.fail("modal",
-              "the scene has a [beam] already, it must have exactly one of [beam] and [modal]");
-  if (modal) scene.structure = ModalStructure{};
+  const char* kinds[] = {"beam", "modal", "matrices"};
+  const char* allowed = "it must have exactly one of [beam], [modal] and [matrices]";
+  const char* first = nullptr;
+  for (const char* kind : kinds) {
+    if (!root.has(kind)) continue;
+    if (first) root.fail(kind, fmt::format("the scene has a [{}] already, {}", first, allowed));
+    first = kind;
+  }
+  if (!first) root.fail("scene", fmt::format("a scene needs a structure, {}", allowed));
+  if (root.has("modal")) scene.structure = ModalStructure{};
+  if (root.has("matrices")) scene.structure = MatrixStructure{};
 }
 
 template <class Table>
@@ -227,6 +245,7 @@ Scene parse_scene(const std::string& text, const std::string& name,
   Reading reading{scene, *origins, std::filesystem::path(name).parent_path()};
   read_table(reading, root, "", scene);
   scene.origins = origins;
+  if (scene.matrices()) solve_matrices(scene);
   check_scene(scene);
   return scene;
 }

@@ -23,6 +23,7 @@ int Scene::modes() const {
   if (const Beam* has_beam = beam()) {
     return has_beam->modes;
   }
+  if (const MatrixStructure* has_matrices = matrices()) return has_matrices->modes;
   return static_cast<int>(modal()->frequencies.size());
 }
 

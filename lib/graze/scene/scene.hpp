@@ -78,6 +78,26 @@ struct ModalStructure {
   std::vector<double> inertia;         // modal force per unit of uniform acceleration; empty: none
 };
 
+struct MatrixModes;  // scene/matrix_structure.hpp
+
+// A structure given by the matrices of its finite-element model, in files. A degree of freedom is
+// named by its number, "7", or by node and direction, "12.3".
+struct MatrixStructure {
+  std::string mass, stiffness;             // files; of a scene that was read, with their whole path
+  std::string damping, dofs, coordinates;  // empty: none
+  int modes = 0;                           // the lowest ones, 1..400
+  std::vector<std::string> constraints;    // held at zero
+  std::string constraints_file;
+  int direction = 0;  // of base forcing and gravity: 1, 2, 3; 0: of all degrees of freedom
+  std::vector<std::string> load;    // where the forcing "load" acts,
+  std::vector<double> load_values;  // N per unit of its amplitude; empty: 1 each
+  std::string load_file;            // in their place
+  std::string checksum;             // SHA-256 of the files; empty: whatever they hold
+  // What the files make of it, by solve_matrices; shared by all copies.
+  std::shared_ptr<const MatrixModes> solved{};
+  ModalStructure modal{};  // the structure as its modes see it
+};
+
 struct ViscousDamping {
   double coefficient = 0.0;  // eta, N s/m^2: force per length per velocity relative to the clamp
 };
@@ -167,8 +187,11 @@ struct Spring {
 struct SceneStop {
   double position = 0.0;      // m from the clamp (beam)
   std::vector<double> shape;  // phi_j at the stop (modal structure), kg^-1/2
-  double gap = 0.0;           // m; may be 0 or negative (preload)
-  Side side = Side::kAbove;   // above: free while u < gap; below: free while u > -gap
+  // The degree of freedom that meets it (matrices), and one that moves with it: the gap is then one
+  // between two bodies, closed by the displacement of the first relative to the second.
+  std::string node{}, against{};
+  double gap = 0.0;          // m; may be 0 or negative (preload)
+  Side side = Side::kAbove;  // above: free while u < gap; below: free while u > -gap
   // r(v) = a0 - a1 v - a2 v^2 - .., v the approach speed; one entry: r is constant. a0 in 0..1,
   // a_i in (s/m)^i.
   std::vector<double> restitution = {0.0};
@@ -188,8 +211,9 @@ inline bool is_of_hub(ProbeQuantity quantity) {
 
 // A quantity at a place, told in the series of a motion.
 struct Probe {
-  double position = 0.0;      // m from the clamp (beam), 0..length
-  std::vector<double> shape;  // phi_j at the place (modal structure), kg^-1/2
+  double position = 0.0;          // m from the clamp (beam), 0..length
+  std::vector<double> shape;      // phi_j at the place (modal structure), kg^-1/2
+  std::string node{}, against{};  // as of a stop (matrices)
   ProbeQuantity quantity = ProbeQuantity::kDisplacement;
 };
 
@@ -213,7 +237,7 @@ using Origins = std::map<std::string, SourceLocation>;
 struct Scene {
   std::string title;
   Units units = Units::kSi;
-  std::variant<Beam, ModalStructure> structure;
+  std::variant<Beam, ModalStructure, MatrixStructure> structure;
   std::optional<Hub> hub{};  // of a beam
   std::optional<Damping> damping;
   std::optional<Forcing> forcing;
@@ -225,7 +249,12 @@ struct Scene {
   std::shared_ptr<const Origins> origins;  // null for a scene made in code
 
   const Beam* beam() const { return std::get_if<Beam>(&structure); }
-  const ModalStructure* modal() const { return std::get_if<ModalStructure>(&structure); }
+  const MatrixStructure* matrices() const { return std::get_if<MatrixStructure>(&structure); }
+  // Given as such, or found from matrices.
+  const ModalStructure* modal() const {
+    if (const MatrixStructure* given = matrices()) return &given->modal;
+    return std::get_if<ModalStructure>(&structure);
+  }
   // Number of the structure's modes N; a hub adds its angle to them.
   int modes() const;
 };

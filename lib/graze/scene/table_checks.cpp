@@ -20,7 +20,9 @@ namespace {
 // the hub alone.
 void check_surroundings(const Scene& scene) {
   if (scene.beam() == nullptr)
-    throw scene_error(scene, "hub", "a hub carries a [beam], with [modal] it must be left out");
+    throw scene_error(scene, "hub",
+                      fmt::format("a hub carries a [beam], with [{}] it must be left out",
+                                  scene.matrices() ? "matrices" : "modal"));
   if (scene.forcing)
     throw scene_error(scene, "forcing",
                       "a structure on a hub is driven by hub.torque, [forcing] must be left out");

@@ -5,6 +5,7 @@
 
 #include "graze/base/linalg/detail/linear_equations.hpp"
 #include "graze/scene/check.hpp"
+#include "graze/scene/matrix_structure.hpp"
 #include "graze/structure/detail/cantilever.hpp"
 
 namespace graze {
@@ -77,6 +78,7 @@ Vector natural_frequencies(const Scene& scene) {
 }
 
 Vector natural_frequency_rates(const Scene& scene, const Vector& omega, const Scene& direction) {
+  if (scene.matrices()) return Vector::Zero(omega.size());
   if (const ModalStructure* rate = direction.modal()) return as_vector(rate->frequencies);
   const Beam& beam = *scene.beam();
   const Beam& rate = *direction.beam();
@@ -86,8 +88,14 @@ Vector natural_frequency_rates(const Scene& scene, const Vector& omega, const Sc
                   2.0 * rate.length / beam.length);
 }
 
+const ModalDamping* damping_of_matrices(const Scene& scene) {
+  const MatrixStructure* matrices = scene.matrices();
+  return matrices && matrices->solved->damping ? &*matrices->solved->damping : nullptr;
+}
+
 // The damping that a modal structure carries itself counts as damping ratios.
 Vector decay_rates(const Scene& scene, const Vector& omega) {
+  if (const ModalDamping* damping = damping_of_matrices(scene)) return damping->delta;
   if (const ModalStructure* modal = scene.modal(); modal && !modal->damping_ratios.empty())
     return as_vector(modal->damping_ratios).cwiseProduct(omega);
   if (!scene.damping) return Vector::Zero(omega.size());
@@ -106,6 +114,7 @@ Vector decay_tangent(const Scene& scene, const ModalModel& model, const Vector& 
     return Vector(as_vector(rates).cwiseProduct(model.omega) +
                   as_vector(ratios).cwiseProduct(omega_rate));
   };
+  if (damping_of_matrices(scene)) return Vector::Zero(model.omega.size());
   if (const ModalStructure* modal = scene.modal(); modal && !modal->damping_ratios.empty())
     return of_ratios(modal->damping_ratios, direction.modal()->damping_ratios);
   if (!scene.damping) return Vector::Zero(model.omega.size());
@@ -193,6 +202,14 @@ ModalModel modal_tangent(const Scene& scene, const ModalModel& model, const Scen
   ModalModel rate;
   rate.omega = natural_frequency_rates(scene, model.omega, direction);
   rate.delta = decay_tangent(scene, model, rate.omega, direction);
+  if (scene.matrices()) {
+    // No parameter moves what matrices give.
+    const Vector none = Vector::Zero(model.omega.size());
+    if (scene.forcing) rate.participation = none;
+    if (scene.gravity) rate.inertia = none;
+    rate.shapes.assign(scene.stops.size(), none);
+    return rate;
+  }
   if (const ModalStructure* modal = direction.modal()) {
     if (scene.forcing)
       rate.participation = as_vector(

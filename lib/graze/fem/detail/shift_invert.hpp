@@ -18,4 +18,8 @@ std::optional<Matrix> shift_invert_vectors(const SparseCholesky& factors, const 
 std::optional<double> nearest_other(const SparseCholesky& factors, const SparseMatrix& mass,
                                     const Matrix& found, double shift);
 
+// The smallest eigenvalue of D^-1/2 M D^-1/2, D the diagonal of M, to about 1e-3 of the largest;
+// nothing where the iteration does not converge.
+std::optional<double> smallest_scaled_mass(const SparseMatrix& mass);
+
 }  // namespace graze

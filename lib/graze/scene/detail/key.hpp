@@ -39,6 +39,7 @@ inline constexpr Range kWithinOne{
 inline constexpr Range kPoissonRatio{
     -1.0, 0.5, false, true, "greater than -1 and at most 0.5", "in (-1, 0.5]"};
 
+inline constexpr Range kDirection{0.0, 3.0, true, true, "from 0 to 3", "1, 2, 3; 0"};
 inline constexpr Range kModeCount{1.0, 400.0, true, true, "from 1 to 400", "integer, 1 to 400"};
 
 // Of what the check has a rule for.
@@ -139,6 +140,9 @@ struct SchemaVisitor {
   void count(const Key&, const auto&) const {}
   void flag(const Key&, const auto&) const {}
   void text(const Key&, const auto&) const {}
+  void path(const Key&, const auto&) const {}    // of a file, from the folder of the scene
+  void label(const Key&, const auto&) const {}   // of a degree of freedom
+  void labels(const Key&, const auto&) const {}  // a list of these
   void choice(const Key&, const auto&, const auto&) const {}
   void file(const Key&, const auto&) const {}  // that holds what other keys would
   // An optional or a pointer; a list of tables.

@@ -115,6 +115,40 @@ void describe(auto& v, Of<ModalStructure> auto& modal, const Scene&) {
          modal.inertia);
 }
 
+void describe(auto& v, Of<MatrixStructure> auto& matrices, const Scene&) {
+  const auto file = [&](const char* name, const char* meaning, const char* fallback, auto& value) {
+    v.path(Key{name, "", own_rule("a file"), meaning}.or_else(fallback), value);
+  };
+  v.path({"mass", "", own_rule("a file"), "M; formats in [matrices.md](matrices.md)"},
+         matrices.mass);
+  v.path({"stiffness", "", own_rule("a file"), "K"}, matrices.stiffness);
+  file("damping", "C, in place of `[damping]`", "none", matrices.damping);
+  file("dofs", "names of the rows, where the matrices have none", "1, 2, ..", matrices.dofs);
+  file("coordinates", "nodes with x, y, z, for pictures", "none", matrices.coordinates);
+  v.count({"modes", "", kModeCount, "N, the lowest ones"}, matrices.modes);
+  const Range dofs = own_rule("degrees of freedom");
+  v.labels(Key{"constraints", "", dofs, "held at zero"}.or_else("none"), matrices.constraints);
+  file("constraints_file", "with one in each line", "none", matrices.constraints_file);
+  v.count(Key{"direction", "", kDirection,
+              "of base forcing and `[gravity]`; 0: all degrees of freedom, where these have none"}
+              .or_else("0"),
+          matrices.direction);
+  v.labels(Key{"load", "", dofs, "where forcing of the kind `\"load\"` acts"}.or_else(
+               "needed by forcing `\"load\"`"),
+           matrices.load);
+  v.list(Key{"load_values", "N", own_rule("one number for each"),
+             "forces there, per unit of `forcing.amplitude`"}
+             .or_else("1 each")
+             .as("a list of numbers in N, one for each entry of load")
+             .fixed(),
+         matrices.load_values);
+  file("load_file", "in place of `load` and `load_values`", "none", matrices.load_file);
+  v.text(Key{"checksum", "", own_rule("64 hexadecimal digits"),
+             "SHA-256 of the files; written by `--out`, and compared where it is given"}
+             .or_else("none"),
+         matrices.checksum);
+}
+
 void describe(auto& v, Of<RayleighDamping> auto& rayleigh, const Scene&) {
   v.number({"mass", "1/s", kNotNegative, "delta_j = (mass + stiffness w_j^2)/2"}, rayleigh.mass);
   v.number({"stiffness", "s", kNotNegative, "in the same sum"}, rayleigh.stiffness);
@@ -141,11 +175,14 @@ void describe(auto& v, Of<Forcing> auto& forcing, const Scene& scene) {
   const bool modal = scene.modal() != nullptr;
   v.choice(Key{"kind", "",
                own_rule("`\"base\"`; `\"distributed\"` with `[beam]` only; `\"modal\"` with "
-                        "`[modal]` only"),
+                        "`[modal]` only; `\"load\"` with `[matrices]` only"),
                "base: displacement of the clamp; distributed: force per length; modal: modal "
-               "forces `participation` times amplitude"}
-               .or_else("`\"base\"` with `[beam]`, `\"modal\"` with `[modal]`"),
-           forcing.kind, modal ? kModalForcings : kBeamForcings);
+               "forces `participation` times amplitude; load: forces `load` times amplitude"}
+               .or_else("`\"base\"`, but `\"modal\"` with `[modal]`"),
+           forcing.kind,
+           scene.matrices() ? kMatrixForcings
+           : modal          ? kModalForcings
+                            : kBeamForcings);
   v.number(Key{"amplitude", "m, N/m or 1, by kind", kAny, "of the cosine"}.as(
                modal ? "a number" : "a number, in m (base) or N/m (distributed)"),
            forcing.amplitude);
@@ -230,22 +267,44 @@ void describe(auto& v, Of<Spring> auto& spring, const Scene&) {
            spring.release, kReleases);
 }
 
+// Of a stop or a probe.
+void describe_node(auto& v, auto& place, bool matrices) {
+  const char* none = "nodes are those of [matrices], it must be left out";
+  v.label(Key{"node", "", own_rule("node.direction or a number"), "the degree of freedom there"}
+              .needed("required with `[matrices]`")
+              .where(matrices, none),
+          place.node);
+  v.label(Key{"against", "", own_rule("node.direction or a number"),
+              "another one: the displacement is that relative to it"}
+              .or_else("none")
+              .where(matrices, none),
+          place.against);
+}
+
 void describe(auto& v, Of<SceneStop> auto& stop, const Scene& scene) {
-  const bool modal = scene.modal() != nullptr, rigid = !stop.spring;
+  const bool beam = scene.beam() != nullptr, matrices = scene.matrices() != nullptr;
+  const bool rigid = !stop.spring;
   const char* none = "a stop with a spring has none, it must be left out";
   v.number(Key{"position", "m", own_rule("in (0, L]"),
                "B, distance from the clamp; with the collocation impulse it must be a collocation "
                "point"}
                .needed("required with `[beam]`")
-               .where(!modal, "a stop of a [modal] structure has no position, it must have a shape")
+               .where(beam, matrices ? "a stop of [matrices] has no position, it must have a node"
+                                     : "a stop of a [modal] structure has no position, it must "
+                                       "have a shape")
                .as("a number in m from the clamp"),
            stop.position);
-  v.list(Key{"shape", "kg^-1/2", kAny.told("N numbers, not all 0"),
-             "phi_j(B): how far each mode moves the point of contact"}
-             .needed("required with `[modal]`")
-             .where(modal, "a stop of a [beam] has no shape, it must have a position")
-             .as("a list of numbers, the mode shapes at the stop"),
-         stop.shape);
+  // Of matrices it follows from the node.
+  const Key shape =
+      Key{"shape", "kg^-1/2", kAny.told("N numbers, not all 0"),
+          "phi_j(B): how far each mode moves the point of contact"}
+          .needed("required with `[modal]`")
+          .where(!beam && !matrices,
+                 matrices ? "a stop of [matrices] has no shape, it must have a node"
+                          : "a stop of a [beam] has no shape, it must have a position")
+          .as("a list of numbers, the mode shapes at the stop");
+  v.list(matrices ? shape.or_ignored() : shape, stop.shape);
+  describe_node(v, stop, matrices);
   v.number({"gap", "m", kAny, "a; 0 touches at rest, negative is a preload"}, stop.gap);
   v.choice(Key{"side", "", kAny, "above: free while u < gap; below: free while u > -gap"}.or_else(),
            stop.side, kSides);
@@ -264,7 +323,8 @@ void describe(auto& v, Of<SceneStop> auto& stop, const Scene& scene) {
 }
 
 void describe(auto& v, Of<Probe> auto& probe, const Scene& scene) {
-  const bool modal = scene.modal() != nullptr, of_hub = is_of_hub(probe.quantity);
+  const bool beam = scene.beam() != nullptr, matrices = scene.matrices() != nullptr;
+  const bool of_hub = is_of_hub(probe.quantity);
   const auto where = [&](const Key& key, bool condition, const char* otherwise) {
     return of_hub ? key.where(false, "angle and rate are those of the hub, it must be left out")
                         .or_ignored()
@@ -273,13 +333,18 @@ void describe(auto& v, Of<Probe> auto& probe, const Scene& scene) {
   v.number(where(Key{"position", "m", own_rule("in [0, L]"), "distance from the clamp"}
                      .needed("required with `[beam]`")
                      .as("a number in m from the clamp"),
-                 !modal, "a probe of a [modal] structure has no position, it must have a shape"),
+                 beam,
+                 matrices ? "a probe of [matrices] has no position, it must have a node"
+                          : "a probe of a [modal] structure has no position, it must have a shape"),
            probe.position);
-  v.list(where(Key{"shape", "kg^-1/2", kAny.told("N numbers"), "phi_j there"}
-                   .needed("required with `[modal]`")
-                   .as("a list of numbers, the mode shapes at the probe"),
-               modal, "a probe of a [beam] has no shape, it must have a position"),
-         probe.shape);
+  const Key shape = where(Key{"shape", "kg^-1/2", kAny.told("N numbers"), "phi_j there"}
+                              .needed("required with `[modal]`")
+                              .as("a list of numbers, the mode shapes at the probe"),
+                          !beam && !matrices,
+                          matrices ? "a probe of [matrices] has no shape, it must have a node"
+                                   : "a probe of a [beam] has no shape, it must have a position");
+  v.list(matrices ? shape.or_ignored() : shape, probe.shape);
+  if (!of_hub) describe_node(v, probe, matrices);
   v.choice(Key{"quantity", "", kAny,
                "displacement (m) and velocity (m/s) of the point, relative to the clamp, with a "
                "`[hub]` along its arc from angle 0 on; deflection (m) from the line that turns "
@@ -344,6 +409,7 @@ void describe(auto& v, Of<Scene> auto& scene) {
   v.table({"beam"}, std::get_if<Beam>(&scene.structure));
   v.table({"hub"}, scene.hub);
   v.table({"modal"}, std::get_if<ModalStructure>(&scene.structure));
+  v.table({"matrices"}, std::get_if<MatrixStructure>(&scene.structure));
   v.table({"damping"}, scene.damping);
   v.table({"forcing"}, scene.forcing);
   v.table({"gravity"}, scene.gravity);
