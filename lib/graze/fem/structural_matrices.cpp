@@ -100,6 +100,19 @@ void add_inertia(StructuralMatrices& result, const SparseMatrix& mass,
   }
 }
 
+std::vector<std::pair<long, long>> coupled_nodes(const LabelledMatrix& stiffness) {
+  std::vector<std::pair<long, long>> pairs;
+  const auto label = [&](Eigen::Index i) { return stiffness.labels[static_cast<std::size_t>(i)]; };
+  for (int j = 0; j < stiffness.matrix.outerSize(); ++j)
+    for (SparseMatrix::InnerIterator entry(stiffness.matrix, j); entry; ++entry) {
+      const DofLabel a = label(entry.row()), b = label(j);
+      if (a.direction > 0 && a.node < b.node) pairs.emplace_back(a.node, b.node);
+    }
+  std::sort(pairs.begin(), pairs.end());
+  pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
+  return pairs;
+}
+
 void check_masses(const StructuralMatrices& structure) {
   const Vector diagonal = structure.mass.diagonal();
   std::string names;
@@ -158,6 +171,7 @@ StructuralMatrices join_matrices(const LabelledMatrix& mass, const LabelledMatri
     result.damping_file = damping->file;
   }
   add_inertia(result, reordered(mass, all, static_cast<int>(labels.size())), labels, kept);
+  result.couplings = coupled_nodes(stiffness);
   check_masses(result);
   return result;
 }

@@ -9,6 +9,7 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "graze/fem/labelled_matrix.hpp"
@@ -30,6 +31,9 @@ struct StructuralMatrices {
   // acceleration of all of them, held ones included, loads the free ones (n), and r^T M r.
   std::map<int, Vector> inertia_loads;
   std::map<int, double> total_masses;
+  // Pairs of nodes that an entry of the stiffness couples, held ones included; of a frame its bars.
+  // Empty where the degrees of freedom belong to no nodes.
+  std::vector<std::pair<long, long>> couplings;
   std::string mass_file, stiffness_file, damping_file;  // for messages
 
   int size() const { return static_cast<int>(labels.size()); }

@@ -131,10 +131,25 @@ void add_flexibilities(const Matrix& rows, MatrixModes& found) {
 std::optional<Vector> MatrixModes::row(const std::string& text) const {
   const std::optional<DofLabel> label = label_from_text(text);
   if (!label) return {};
-  const auto place = std::find(labels.begin(), labels.end(), *label);
-  if (place != labels.end()) return Vector(modes.shapes.row(place - labels.begin()));
-  if (std::find(held.begin(), held.end(), *label) == held.end()) return {};
-  return Vector::Zero(modes.count());
+  const auto place = rows.find(*label);
+  if (place == rows.end()) return {};
+  if (place->second < 0) return Vector::Zero(modes.count());
+  return Vector(modes.shapes.row(place->second));
+}
+
+std::array<double, 3> MatrixModes::displacement(long node, Eigen::Index mode) const {
+  std::array<double, 3> moved{};
+  for (int direction = 1; direction <= 3; ++direction) {
+    const auto place = rows.find({node, direction});
+    if (place != rows.end() && place->second >= 0)
+      moved[static_cast<std::size_t>(direction - 1)] = modes.shapes(place->second, mode);
+  }
+  return moved;
+}
+
+const ModalDamping* damping_of_matrices(const Scene& scene) {
+  const MatrixStructure* matrices = scene.matrices();
+  return matrices && matrices->solved->damping ? &*matrices->solved->damping : nullptr;
 }
 
 void solve_matrices(Scene& scene) {
@@ -160,14 +175,18 @@ void solve_matrices(Scene& scene) {
                     matrices.modes, structure.size(), structure.size() == 1 ? "" : "s",
                     structure.size() == 1 ? "is" : "are"));
   found->modes = lowest_modes(structure, matrices.modes, rows);
-  found->labels = structure.labels;
-  found->held = structure.held;
+  for (const DofLabel& label : structure.labels)
+    found->rows.emplace(label, static_cast<Eigen::Index>(found->rows.size()));
+  for (const DofLabel& label : structure.held) found->rows.emplace(label, -1);
   found->total_masses = structure.total_masses;
   const Matrix& shapes = found->modes.shapes;
   for (const auto& [direction, load] : structure.inertia_loads)
     found->inertia[direction] = shapes.transpose() * load;
   if (structure.damping) found->damping = modal_damping(structure, found->modes);
-  if (!matrices.coordinates.empty()) found->coordinates = read_coordinates(matrices.coordinates);
+  if (!matrices.coordinates.empty()) {
+    found->coordinates = read_coordinates(matrices.coordinates);
+    found->couplings = structure.couplings;
+  }
   add_flexibilities(rows, *found);
   matrices.modal = {as_list(found->modes.omega), {}, {}, {}};
   matrices.modal.participation = load_participation(scene, matrices, structure, shapes);

@@ -17,7 +17,7 @@ namespace graze {
 struct MatrixModes {
   StructuralModes modes;
   std::optional<ModalDamping> damping{};  // of a damping file
-  std::vector<DofLabel> labels, held;     // of the rows of the shapes; of what is held at zero
+  std::map<DofLabel, Eigen::Index> rows;  // of the shapes; -1 of what is held at zero
   // Of a unit acceleration in direction 1, 2, 3 (0 where degrees of freedom have none): the modal
   // forces Phi^T M r, kg^1/2, whose squares are effective masses, and the whole mass r^T M r.
   std::map<int, Vector> inertia;
@@ -26,11 +26,19 @@ struct MatrixModes {
   // make of it, sum (phi_j/w_j)^2. Of a free structure both of the elastic motion alone.
   std::vector<double> flexibilities, kept_flexibilities;
   std::map<long, std::array<double, 3>> coordinates;  // of nodes, m; empty: not known
+  // Pairs of nodes that the stiffness couples, where coordinates are known.
+  std::vector<std::pair<long, long>> couplings;
 
+  int free_count() const { return static_cast<int>(modes.shapes.rows()); }
+  // Of a node in a mode, along x, y, z; zero where it has no such degree of freedom.
+  std::array<double, 3> displacement(long node, Eigen::Index mode) const;
   // Displacements of a degree of freedom, m by modes; zeros of one that is held. Nothing where the
   // structure has none of that name.
   std::optional<Vector> row(const std::string& label) const;
 };
+
+// What a damping matrix is to the modes; null of a scene without one.
+const ModalDamping* damping_of_matrices(const Scene& scene);
 
 // Reads the files of a scene's matrices, finds the modes, and fills in what follows of them: the
 // modal structure and the shapes at stops and probes. The reader calls it; a scene made in code

@@ -88,11 +88,6 @@ Vector natural_frequency_rates(const Scene& scene, const Vector& omega, const Sc
                   2.0 * rate.length / beam.length);
 }
 
-const ModalDamping* damping_of_matrices(const Scene& scene) {
-  const MatrixStructure* matrices = scene.matrices();
-  return matrices && matrices->solved->damping ? &*matrices->solved->damping : nullptr;
-}
-
 // The damping that a modal structure carries itself counts as damping ratios.
 Vector decay_rates(const Scene& scene, const Vector& omega) {
   if (const ModalDamping* damping = damping_of_matrices(scene)) return damping->delta;
