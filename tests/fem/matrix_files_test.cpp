@@ -7,7 +7,7 @@
 #include <fstream>
 
 #include "graze/base/errors.hpp"
-#include "graze/fem/labelled_matrix.hpp"
+#include "graze/fem/matrix_file.hpp"
 #include "graze/fem/structural_matrices.hpp"
 #include "support/scratch_folder.hpp"
 

@@ -1,10 +1,11 @@
+#include "graze/fem/detail/matrix_entries.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 
 #include "graze/base/errors.hpp"
-#include "graze/fem/detail/matrix_entries.hpp"
 
 namespace graze {
 namespace {

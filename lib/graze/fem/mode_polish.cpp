@@ -1,9 +1,9 @@
+#include "graze/fem/detail/mode_polish.hpp"
+
 #include <Eigen/Cholesky>
 #include <Eigen/Jacobi>
 #include <cmath>
 #include <limits>
-
-#include "graze/fem/detail/mode_polish.hpp"
 
 namespace graze {
 

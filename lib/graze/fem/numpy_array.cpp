@@ -1,3 +1,5 @@
+#include "graze/fem/detail/numpy_array.hpp"
+
 #include <fmt/format.h>
 
 #include <cmath>
@@ -8,7 +10,6 @@
 #include "graze/base/errors.hpp"
 #include "graze/fem/detail/matrix_entries.hpp"
 #include "graze/fem/detail/matrix_formats.hpp"
-#include "graze/fem/detail/numpy_array.hpp"
 
 namespace graze {
 namespace {

@@ -1,10 +1,10 @@
+#include "graze/fem/detail/shift_invert.hpp"
+
 #include <Spectra/SymEigsSolver.h>
 #include <Spectra/SymGEigsShiftSolver.h>
 
 #include <algorithm>
 #include <cmath>
-
-#include "graze/fem/detail/shift_invert.hpp"
 
 namespace graze {
 namespace {

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "graze/base/errors.hpp"
+#include "graze/fem/matrix_file.hpp"
 
 namespace graze {
 namespace {

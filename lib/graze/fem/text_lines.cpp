@@ -1,3 +1,5 @@
+#include "graze/fem/detail/text_lines.hpp"
+
 #include <fmt/format.h>
 
 #include <cerrno>
@@ -7,7 +9,6 @@
 #include <fstream>
 
 #include "graze/base/detail/named_pipe.hpp"
-#include "graze/fem/detail/text_lines.hpp"
 
 namespace graze {
 namespace {

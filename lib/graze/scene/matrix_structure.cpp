@@ -8,6 +8,7 @@
 #include "graze/base/sha256.hpp"
 #include "graze/fem/detail/text_lines.hpp"
 #include "graze/fem/dof_values.hpp"
+#include "graze/fem/matrix_file.hpp"
 #include "graze/scene/detail/keys.hpp"
 
 namespace graze {

@@ -124,7 +124,9 @@ Chart bars_chart(const MatrixModes& found, const Vector& omega, Units units) {
     ChartPanel panel{{.name = kNames[plane.across], .unit = unit_in(units, "m")},
                      {.name = kNames[plane.up], .unit = unit_in(units, "m")}};
     panel.height = 5.0;
-    panel.heading = mode_title(j, omega[mode], units);
+    panel.heading = units == Units::kSi
+                        ? fmt::format("mode {}: {:.4g} Hz", j + 1, omega[mode] / kTurn)
+                        : fmt::format("mode {}: {:.4g}", j + 1, omega[mode]);
     panel.series = {bars(found, plane, {}), bars(found, plane, mode)};
     if (j % 2 == 0) chart.rows.emplace_back();
     chart.rows.back().push_back(panel);

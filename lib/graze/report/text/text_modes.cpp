@@ -73,16 +73,17 @@ std::string to_text(const ModesRecord& record, const TextOptions& options) {
   for (const DirectionShare& share : modes.directions) {
     if (!share.total_mass) continue;
     const double kept = share.inertia.squaredNorm();
-    text += fmt::format("effective mass{} of these modes {} of {}: {:.1f} %\n",
-                        direction_name(share), in.quantity(kept, 6, "kg"),
-                        in.quantity(*share.total_mass, 6, "kg"), 100.0 * kept / *share.total_mass);
+    text += fmt::format("effective mass{} of these modes: {} of {}, {:.1f} %\n",
+                        share.direction == 0 ? "" : " in direction" + direction_name(share),
+                        in.quantity(kept, 6, "kg"), in.quantity(*share.total_mass, 6, "kg"),
+                        100.0 * kept / *share.total_mass);
   }
   for (std::size_t i = 0; i < modes.flexibilities.size(); ++i) {
     const StopFlexibility& at = modes.flexibilities[i];
-    text += fmt::format("stop {}: static flexibility of these modes {}", i + 1,
+    text += fmt::format("stop {}: static flexibility of these modes: {}", i + 1,
                         in.quantity(at.kept, 6, "m/N"));
     if (at.whole)
-      text += fmt::format(" of {}: {:.2f} %", in.quantity(*at.whole, 6, "m/N"),
+      text += fmt::format(" of {}, {:.2f} %", in.quantity(*at.whole, 6, "m/N"),
                           100.0 * at.kept / *at.whole);
     text += "\n";
   }

@@ -131,6 +131,10 @@ class MayHold {
   std::remove_const_t<Value> spare_{};
 };
 
+// A table that is to be read or changed, or a const one.
+template <class Table, class Value>
+concept Of = std::is_same_v<std::remove_const_t<Table>, Value>;
+
 // What a visitor does with keys that are nothing to it.
 struct SchemaVisitor {
   void number(const Key&, const auto&) const {}

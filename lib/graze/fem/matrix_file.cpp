@@ -1,4 +1,4 @@
-#include "graze/fem/labelled_matrix.hpp"
+#include "graze/fem/matrix_file.hpp"
 
 #include <fmt/format.h>
 
