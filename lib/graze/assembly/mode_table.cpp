@@ -39,7 +39,7 @@ std::vector<DirectionShare> directions_of(const Scene& scene, const ModalModel& 
   return shares;
 }
 
-std::vector<std::string> notes_of(const MatrixModes& matrices) {
+std::vector<std::string> notes_of(const MatrixModes& matrices, Units units) {
   const StructuralModes& modes = matrices.modes;
   const long held = std::count_if(matrices.rows.begin(), matrices.rows.end(),
                                   [](const auto& row) { return row.second < 0; });
@@ -48,9 +48,9 @@ std::vector<std::string> notes_of(const MatrixModes& matrices) {
   if (modes.is_dense)
     notes.push_back("all modes were found");
   else if (modes.counted)
-    notes.push_back(fmt::format(
-        "{} modes below {:.6g} rad/s by Sylvester's law of inertia, as many as were found",
-        *modes.counted, modes.counted_below));
+    notes.push_back(
+        fmt::format("{} modes below {:.6g}{} by Sylvester's law of inertia, as many as were found",
+                    *modes.counted, modes.counted_below, unit_behind(units, "rad/s")));
   else
     notes.push_back(
         fmt::format("modes not counted ({}); a second iteration met none that is "
@@ -96,7 +96,7 @@ ModeTable mode_table(const Scene& scene) {
   table.flexibilities = stop_flexibilities(scene);
   if (const MatrixModes* matrices = matrices_of(scene)) {
     table.residuals = matrices->modes.residuals;
-    table.notes = notes_of(*matrices);
+    table.notes = notes_of(*matrices, scene.units);
   }
   return table;
 }
