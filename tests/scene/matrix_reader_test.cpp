@@ -125,6 +125,17 @@ TEST_F(MatrixReader, WhatDoesNotFitIsRefused) {
   EXPECT_THROW(read("dofs = \"absent.dof\"\n"), FileError);
 }
 
+// A free chain whose stiffness was printed with eight digits.
+TEST_F(MatrixReader, KnowsAFreeStructureThatWasPrintedBadly) {
+  write("k.mtx", "1,1,1,1,2.\n1,1,2,1,-1.9999999\n2,1,2,1,2.\n");
+  const auto weak = read("").matrices()->solved->weak_holds;
+  ASSERT_EQ(weak.size(), 1u);
+  EXPECT_NEAR(weak.at(1), 2e-7 / 8.0, 1e-9);
+  write("k.mtx", "1,1,1,1,2.\n1,1,2,1,-2.\n2,1,2,1,2.\n");
+  EXPECT_TRUE(read("").matrices()->solved->weak_holds.empty());
+  EXPECT_EQ(read("").matrices()->solved->modes.rigid, 1);
+}
+
 TEST_F(MatrixReader, MadeInCodeItIsSolvedFirst) {
   Scene scene;
   MatrixStructure matrices;

@@ -21,6 +21,12 @@ constexpr double kIllConditioned = 1e8;
 constexpr double kMissingFlexibility = 0.05;
 
 void add_matrix_warnings(const Scene& scene, std::vector<std::string>& warnings) {
+  for (const auto& [direction, part] : scene.matrices()->solved->weak_holds)
+    warnings.push_back(fmt::format(
+        "the stiffness holds the structure in direction {} by {:.1g} of its entries only: of a "
+        "free structure this is what few printed digits leave, and its rigid-body modes are not "
+        "found as such",
+        direction, part));
   const ModalDamping* damping = damping_of_matrices(scene);
   if (damping && !damping->is_proportional)
     warnings.push_back(fmt::format(

@@ -3,6 +3,7 @@
 #include <suitesparse/cholmod.h>
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <limits>
 #include <new>
@@ -13,6 +14,7 @@ namespace {
 
 // A view of the upper triangle; the lower one is passed over.
 cholmod_sparse view(const SparseMatrix& matrix) {
+  assert(matrix.isCompressed());
   cholmod_sparse seen{};
   seen.nrow = seen.ncol = static_cast<std::size_t>(matrix.rows());
   seen.nzmax = static_cast<std::size_t>(matrix.nonZeros());

@@ -127,6 +127,22 @@ void add_flexibilities(const Matrix& rows, MatrixModes& found) {
   }
 }
 
+// A structure that is held has about 1/(number of elements), a free one the rounding of its digits.
+constexpr double kWeakHold = 1e-6;
+
+std::map<int, double> weak_holds(const StructuralMatrices& structure) {
+  std::map<int, double> weak;
+  const SparseMatrix absolute = structure.stiffness.cwiseAbs();
+  for (const int direction : {1, 2, 3}) {
+    Vector r = Vector::Zero(structure.size());
+    for (int i = 0; i < structure.size(); ++i)
+      if (structure.labels[static_cast<std::size_t>(i)].direction == direction) r[i] = 1.0;
+    const double scale = r.dot(absolute * r), held = std::abs(r.dot(structure.stiffness * r));
+    if (held > kRigidEnergy * scale && held < kWeakHold * scale) weak[direction] = held / scale;
+  }
+  return weak;
+}
+
 }  // namespace
 
 std::optional<Vector> MatrixModes::row(const std::string& text) const {
@@ -188,6 +204,7 @@ void solve_matrices(Scene& scene) {
     found->coordinates = read_coordinates(matrices.coordinates);
     found->couplings = structure.couplings;
   }
+  found->weak_holds = weak_holds(structure);
   add_flexibilities(rows, *found);
   matrices.modal = {as_list(found->modes.omega), {}, {}, {}};
   matrices.modal.participation = load_participation(scene, matrices, structure, shapes);

@@ -25,6 +25,9 @@ struct MatrixModes {
   // For every stop, b the row that gives its displacement: b^T K^-1 b, m/N, and what the kept modes
   // make of it, sum (phi_j/w_j)^2. Of a free structure both of the elastic motion alone.
   std::vector<double> flexibilities, kept_flexibilities;
+  // Directions in which the stiffness holds the structure, but so weakly that it may be a free one
+  // printed with few digits: r^T K r relative to r^T |K| r, r a displacement of all of it.
+  std::map<int, double> weak_holds;
   std::map<long, std::array<double, 3>> coordinates;  // of nodes, m; empty: not known
   // Pairs of nodes that the stiffness couples, where coordinates are known.
   std::vector<std::pair<long, long>> couplings;
