@@ -102,6 +102,10 @@ struct RestartOptions {
 
 struct CheckCommand : SceneOptions {};  // a picture shows the mode shapes
 
+struct ModesCommand : SceneOptions {
+  std::string mac;  // a scene, or a file of shapes; empty: none
+};
+
 struct SimulateCommand : MotionOptions {
   std::optional<double> duration;  // s
   std::optional<long long> periods;
@@ -182,9 +186,9 @@ struct CompareCommand : MotionOptions, RangeOptions, SecondRangeOptions {
   JournalOptions journal;
 };
 
-using Command =
-    std::variant<CheckCommand, SimulateCommand, OrbitCommand, ContinueCommand, DiagramCommand,
-                 MapCommand, MergeCommand, ViewCommand, CostCommand, FitCommand, CompareCommand>;
+using Command = std::variant<CheckCommand, ModesCommand, SimulateCommand, OrbitCommand,
+                             ContinueCommand, DiagramCommand, MapCommand, MergeCommand, ViewCommand,
+                             CostCommand, FitCommand, CompareCommand>;
 
 struct ParsedCommand {
   std::optional<Command> command;

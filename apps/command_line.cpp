@@ -27,6 +27,20 @@ void add_check(CLI::App& graze, std::optional<Command>& parsed) {
   add_picture(app, command, kFeatures<CheckRecord>);
 }
 
+void add_modes(CLI::App& graze, std::optional<Command>& parsed) {
+  const auto [app, command] = add_command<ModesCommand>(
+      graze, parsed, "modes",
+      "Natural modes of the structure: frequencies, effective masses, shapes");
+  app->footer(footer("modes data/scenes/24_frame_from_matrices.toml --plot modes.png"));
+  add_shared(app, command);
+  add_picture(app, command, kFeatures<ModesRecord>);
+  begin_group(app, "Comparison");
+  app->add_option("--mac", command.mac,
+                  "Compare the shapes by the modal assurance criterion with those of another "
+                  "scene, or of a file with a degree of freedom and its displacements in a line")
+      ->type_name("FILE");
+}
+
 void add_simulate(CLI::App& graze, std::optional<Command>& parsed) {
   const auto [app, command] = add_command<SimulateCommand>(
       graze, parsed, "simulate", "Follow the motion, every impact certified");
@@ -320,6 +334,7 @@ ParsedCommand parse_command_line(int argc, char** argv) {
       footer("orbit data/scenes/05_wagg_one_mode.toml --set forcing.frequency=40\n"
              "graze COMMAND --help lists the options of a command."));
   add_check(app, parsed);
+  add_modes(app, parsed);
   add_simulate(app, parsed);
   add_orbit(app, parsed);
   add_continue(app, parsed);

@@ -11,6 +11,7 @@
 #include "graze/record/detail/fit_record.hpp"
 #include "graze/record/detail/loci_record.hpp"
 #include "graze/record/detail/map_record.hpp"
+#include "graze/record/detail/modes_record.hpp"
 #include "graze/record/detail/run_diagram_record.hpp"
 #include "graze/record/detail/sensitivity_record.hpp"
 #include "graze/report/chart/charts.hpp"
@@ -43,7 +44,11 @@ void draw_one_chart(const PictureRequest& plot, const Record& record, const Char
 }  // namespace
 
 void draw(const CommonOptions& command, const CheckRecord& record, const Scene&) {
-  draw_one_chart(command.plot, record, mode_shapes_chart(record));
+  draw_one_chart(command.plot, record, mode_shapes_chart(record.scene, record.system.omega));
+}
+
+void draw(const CommonOptions& command, const ModesRecord& record, const Scene& scene) {
+  draw_one_chart(command.plot, record, mode_shapes_chart(scene, record.table.omega));
 }
 
 void draw(const CommonOptions& command, const SimulationRecord& record, const Scene&) {

@@ -13,6 +13,7 @@ namespace graze {
 
 // Draws the picture or page that --plot names. `scene`: the one in force. Throws FileError.
 void draw(const CommonOptions& command, const CheckRecord& record, const Scene& scene);
+void draw(const CommonOptions& command, const ModesRecord& record, const Scene& scene);
 void draw(const CommonOptions& command, const SimulationRecord& record, const Scene& scene);
 void draw(const CommonOptions& command, const OrbitRecord& record, const Scene& scene);
 void draw(const CommonOptions& command, const BranchRecord& record, const Scene& scene);
@@ -47,6 +48,8 @@ template <class Record>
 inline constexpr PictureFeatures kFeatures = {.ranges = true};
 template <>
 inline constexpr PictureFeatures kFeatures<CheckRecord> = {};
+template <>
+inline constexpr PictureFeatures kFeatures<ModesRecord> = {};
 template <>
 inline constexpr PictureFeatures kFeatures<OrbitRecord> = {};
 template <>

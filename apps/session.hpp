@@ -104,6 +104,7 @@ void print(const std::function<void(const TextSink&)>& read);
 
 // What each command does; the exit code.
 int run(const CheckCommand& command);
+int run(const ModesCommand& command);
 int run(const SimulateCommand& command);
 int run(const OrbitCommand& command);
 int run(const ContinueCommand& command);

@@ -6,6 +6,7 @@
 # - the program so built against scenes, options and journals that are nearly right, FUZZ_SECONDS
 #   (default 300) long;
 # - the scripts that the independent numbers of data/validation are from, against those numbers;
+# - the lowest 50 modes of an elastic block with 1e5 unknowns, against 120 s and 6 GiB;
 # - one command of each kind under valgrind, which sees reads of what was never written.
 # About an hour on two cores; the logs are left in build/long. Exit 1 when anything was found.
 set -uo pipefail
@@ -30,6 +31,11 @@ bash tests/docs/long.sh > "$logs/pages.log" 2>&1 || { failed=1; tail -n 20 "$log
 echo "== validation"
 python3 -c 'import mpmath' 2> /dev/null || sudo -n apt-get install -y python3-mpmath || apt-get install -y python3-mpmath
 python3 tests/validation/check_scripts.py || failed=1
+
+echo "== modes of a solid"
+{ cmake --preset release -DGRAZE_BENCH=ON && cmake --build --preset release --target solid_modes; } \
+  > "$logs/bench.log" 2>&1
+build/tests/bench/solid_modes || failed=1
 
 echo "== sanitizers"
 bash tests/results/write.sh build-dev/graze "$logs/sanitized" > "$logs/sanitized.log"

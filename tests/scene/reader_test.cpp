@@ -254,6 +254,10 @@ TEST(Reader, MutatedScenesAreReadOrRefused) {
   }
   ASSERT_FALSE(texts.empty());
   std::sort(texts.begin(), texts.end());  // folders come in any order
+  // Where a scene finds the matrices that it names, which complain themselves.
+  const std::filesystem::path data = std::filesystem::path(GRAZE_SOURCE_DIR) / "data";
+  const std::string name = (data / "scenes" / "mutant").string();
+  const std::string matrices = (data / "matrices").string();
   std::mt19937 random(20040908);
   const auto below = [&](std::size_t limit) { return random() % limit; };
   // Bytes that change the structure more often than chance would have it.
@@ -276,11 +280,14 @@ TEST(Reader, MutatedScenesAreReadOrRefused) {
       }
     }
     try {
-      const Scene scene = parse_scene(text, "mutant");
+      const Scene scene = parse_scene(text, name);
       const std::string written = write_scene(scene);
       EXPECT_EQ(write_scene(parse_scene(written, "written")), written) << text;
     } catch (const InputError& error) {
-      EXPECT_EQ(std::string(error.what()).find("mutant:"), 0u) << error.what();
+      const std::string said = error.what();
+      EXPECT_TRUE(said.find(name + ":") == 0 || said.find(matrices) == 0) << said;
+    } catch (const FileError&) {
+      // A mutant may name a file that is not there.
     }
   }
 }

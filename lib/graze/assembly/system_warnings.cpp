@@ -4,8 +4,10 @@
 
 #include <limits>
 
+#include "graze/assembly/mode_table.hpp"
 #include "graze/base/linalg/decompositions.hpp"
 #include "graze/contact/detail/impulse.hpp"
+#include "graze/scene/matrix_structure.hpp"
 #include "graze/structure/modal_model.hpp"
 
 namespace graze {
@@ -13,6 +15,33 @@ namespace {
 
 // Above this, solves with the collocation matrix keep fewer than half of the 16 digits.
 constexpr double kIllConditioned = 1e8;
+
+// Share of a stop's static flexibility that the modes left out may have: as much as an error of
+// the contact's stiffness that is seen in its duration.
+constexpr double kMissingFlexibility = 0.05;
+
+void add_matrix_warnings(const Scene& scene, std::vector<std::string>& warnings) {
+  for (const auto& [direction, part] : scene.matrices()->solved->weak_holds)
+    warnings.push_back(fmt::format(
+        "the stiffness holds the structure in direction {} by {:.1g} of its entries only: of a "
+        "free structure this is what few printed digits leave, and its rigid-body modes are not "
+        "found as such",
+        direction, part));
+  const ModalDamping* damping = damping_of_matrices(scene);
+  if (damping && !damping->is_proportional)
+    warnings.push_back(fmt::format(
+        "the damping matrix couples modes, which is left out: at most {:.3g} of the geometric mean "
+        "of their own damping, between modes {} and {}",
+        damping->coupling, damping->first + 1, damping->second + 1));
+  const std::vector<StopFlexibility> list = stop_flexibilities(scene);
+  for (std::size_t i = 0; i < list.size(); ++i)
+    if (list[i].whole && list[i].kept < (1.0 - kMissingFlexibility) * *list[i].whole)
+      warnings.push_back(fmt::format(
+          "the {} modes have {:.4g} of the static flexibility {:.4g}{} at stop {}, {:.1f} %: what "
+          "the contact depends on is not converged, more modes bring it nearer",
+          scene.modes(), list[i].kept, *list[i].whole, unit_behind(scene.units, "m/N"), i + 1,
+          100.0 * list[i].kept / *list[i].whole));
+}
 
 }  // namespace
 
@@ -22,6 +51,7 @@ double collocation_condition(const Scene& scene) {
 
 std::vector<std::string> system_warnings(const Scene& scene, const System& system) {
   std::vector<std::string> warnings;
+  if (scene.matrices()) add_matrix_warnings(scene, warnings);
   const double condition = collocation_condition(scene);
   if (condition > kIllConditioned)
     warnings.push_back(fmt::format(

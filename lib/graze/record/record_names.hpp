@@ -12,6 +12,7 @@ struct DiagramRecord;
 struct FitRecord;
 struct LociRecord;
 struct MapRecord;
+struct ModesRecord;
 struct OrbitRecord;
 struct RunDiagramRecord;
 struct SensitivityRecord;

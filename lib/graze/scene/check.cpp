@@ -87,13 +87,40 @@ void check_damping(const Scene& scene) {
   const ModalStructure* modal = scene.modal();
   if (modal != nullptr && std::holds_alternative<ViscousDamping>(*scene.damping))
     throw scene_error(scene, "damping.viscous",
-                      "viscous damping is per length of a [beam], a [modal] structure must have "
-                      "ratios or rayleigh");
+                      fmt::format("viscous damping is per length of a [beam], {} must have ratios "
+                                  "or rayleigh",
+                                  scene.matrices() ? "[matrices]" : "a [modal] structure"));
+  if (scene.matrices() && !scene.matrices()->damping.empty())
+    throw scene_error(scene, "damping",
+                      "matrices.damping is given already, the scene must have only one of "
+                      "matrices.damping and [damping]");
   if (modal != nullptr && !modal->damping_ratios.empty()) {
     throw scene_error(scene, "damping",
                       "modal.damping_ratios is given already, the scene must have only one of "
                       "modal.damping_ratios and [damping]");
   }
+}
+
+// What a matrix structure lacks for it.
+InputError missing_direction(const Scene& scene, const char* what) {
+  return scene_error(scene, "matrices.direction",
+                     fmt::format("{} needs the direction of its acceleration, it must be one that "
+                                 "degrees of freedom have, 1, 2 or 3 (0 where they have none)",
+                                 what));
+}
+
+void check_matrices(const Scene& scene) {
+  const MatrixStructure* matrices = scene.matrices();
+  if (!matrices) return;
+  if (!matrices->solved)
+    throw scene_error(scene, "matrices", "the files have not been read, call solve_matrices");
+  const bool is_based = scene.forcing && scene.forcing->kind == ForcingKind::kBase;
+  if (matrices->modal.inertia.empty() && (is_based || scene.gravity))
+    throw missing_direction(scene, is_based ? "forcing of the kind \"base\"" : "[gravity]");
+  if (scene.forcing && !is_based && matrices->modal.participation.empty())
+    throw scene_error(scene, "matrices.load",
+                      "the key is missing, forcing of the kind \"load\" needs degrees of freedom, "
+                      "or load_file");
 }
 
 void check_forcing(const Scene& scene) {
@@ -110,7 +137,8 @@ void check_forcing(const Scene& scene) {
     checker.fail("kind", "modal forcing needs [modal], it must be base or distributed");
   }
   if (modal != nullptr && forcing.kind == ForcingKind::kDistributed) {
-    checker.fail("kind", "distributed forcing needs [beam], it must be modal or base");
+    checker.fail("kind", fmt::format("distributed forcing needs [beam], it must be {} or base",
+                                     scene.matrices() ? "load" : "modal"));
   }
   if (modal != nullptr && forcing.kind == ForcingKind::kModal && modal->participation.empty()) {
     throw scene_error(scene, "modal.participation",
@@ -175,11 +203,14 @@ void check_stop(const Scene& scene, const SceneStop& stop, std::size_t number) {
     }
   } else {
     if (std::all_of(stop.shape.begin(), stop.shape.end(), [](double phi) { return phi == 0.0; })) {
-      checker.fail("shape", "every entry is 0, at least one mode must move at the stop");
+      checker.fail(scene.matrices() ? "node" : "shape",
+                   scene.matrices() ? "none of the modes moves it"
+                                    : "every entry is 0, at least one mode must move at the stop");
     }
     double square = 0.0;
     for (const double phi : stop.shape) square += phi * phi;
-    checker.usable("shape", 1.0 / square, "the effective mass at the stop, kg,");
+    checker.usable(scene.matrices() ? "node" : "shape", 1.0 / square,
+                   "the effective mass at the stop, kg,");
   }
   if (stop.spring) {
     check_spring(scene, *stop.spring, numbered_path("stop", number) + ".spring");
@@ -234,6 +265,7 @@ void check_solver(const Scene& scene) {
 }  // namespace
 
 void check_scene(const Scene& scene) {
+  check_matrices(scene);
   check_mode_count(scene);
   check_ranges(scene);
   check_structure(scene);

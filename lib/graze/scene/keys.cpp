@@ -34,6 +34,9 @@ class KeyLister : public SchemaVisitor {
   void bodies(const Key& key, const auto&, BodyNumbers) { add(key, ""); }
   void count(const Key& key, const auto&) { add(key, ""); }
   void text(const Key& key, const auto&) { add(key, ""); }
+  void path(const Key& key, const auto&) { add(key, ""); }
+  void label(const Key& key, const auto&) { add(key, ""); }
+  void labels(const Key& key, const auto&) { add(key, ""); }
   void file(const Key& key, const auto&) { add(key, ""); }
   void flag(const Key& key, bool value) {
     add(key, value ? "`true`" : "`false`", value ? "or `false`" : "or `true`");

@@ -11,6 +11,7 @@
 #include "graze/scene/detail/table_reader.hpp"
 #include "graze/scene/detail/text_file.hpp"
 #include "graze/scene/detail/torque_table.hpp"
+#include "graze/scene/matrix_structure.hpp"
 
 namespace graze {
 namespace {
@@ -97,7 +98,7 @@ class KeyReader : public SchemaVisitor {
                               which == BodyNumbers::kRadii ? "of balls, or four" : "one per body"));
   }
   void count(const Key& key, int& value) {
-    if (!is_due(key, false)) return;
+    if (!is_due(key, !key.is_required)) return;
     const std::string what = fmt::format("an integer {}", key.range.words);
     const std::int64_t number = table_.integer(key.name, what);
     if (!key.range.holds(static_cast<double>(number))) table_.refuse(key.name, what);
@@ -108,6 +109,19 @@ class KeyReader : public SchemaVisitor {
   }
   void text(const Key& key, std::string& value) {
     if (is_due(key, true)) value = table_.text_or(key.name, value);
+  }
+  void path(const Key& key, std::string& value) {
+    if (!is_due(key, !key.is_required)) return;
+    table_.required(key.name, "the name of a file");
+    const std::string name = table_.text_or(key.name, "");
+    if (name.empty()) table_.fail(key.name, "the name is empty, it must be that of a file");
+    value = std::filesystem::absolute(reading_.folder / name).lexically_normal().string();
+  }
+  void label(const Key& key, std::string& value) {
+    if (is_due(key, !key.is_required)) value = table_.label(key.name);
+  }
+  void labels(const Key& key, std::vector<std::string>& values) {
+    if (is_due(key, !key.is_required)) values = table_.labels(key.name);
   }
   // The points of a torque stand in the scene or in a file.
   void file(const Key& key, TorqueTable& points) {
@@ -211,9 +225,9 @@ void prepare(const TableReader&, const Node&, Initial& initial, const Scene& sce
 
 void prepare(const TableReader& root, const Node&, Scene& scene, const Scene&) {
   std::vector<std::string> given;
-  for (const char* name : {"beam", "string", "bar", "modal"})
+  for (const char* name : {"beam", "string", "bar", "modal", "matrices"})
     if (root.has(name)) given.emplace_back(name);
-  const std::string allowed = "exactly one of [beam], [string], [bar] and [modal]";
+  const std::string allowed = "exactly one of [beam], [string], [bar], [modal] and [matrices]";
   if (given.empty())
     root.fail("scene", fmt::format("a scene needs a structure, it must have {}", allowed));
   if (given.size() > 1)
@@ -222,6 +236,7 @@ void prepare(const TableReader& root, const Node&, Scene& scene, const Scene&) {
   if (given.front() == "string") scene.structure = TautString{};
   if (given.front() == "bar") scene.structure = Bar{};
   if (given.front() == "modal") scene.structure = ModalStructure{};
+  if (given.front() == "matrices") scene.structure = MatrixStructure{};
 }
 
 template <class Table>
@@ -250,6 +265,7 @@ Scene parse_scene(const std::string& text, const std::string& name,
   Reading reading{scene, *origins, std::filesystem::path(name).parent_path()};
   read_table(reading, root, "", scene);
   scene.origins = origins;
+  if (scene.matrices()) solve_matrices(scene);
   check_scene(scene);
   return scene;
 }

@@ -10,6 +10,7 @@ namespace graze {
 
 int Scene::modes() const {
   if (const Span* has_span = span()) return has_span->modes;
+  if (const MatrixStructure* has_matrices = matrices()) return has_matrices->modes;
   return static_cast<int>(modal()->frequencies.size());
 }
 
@@ -29,6 +30,7 @@ Span* Scene::span() {
 const char* Scene::structure_name() const {
   if (string()) return "string";
   if (bar()) return "bar";
+  if (matrices()) return "matrices";
   return beam() ? "beam" : "modal";
 }
 

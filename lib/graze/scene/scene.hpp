@@ -146,8 +146,11 @@ struct Spring {
 struct SceneStop {
   double position = 0.0;      // m from the left end (beam, string, bar)
   std::vector<double> shape;  // phi_j at the stop (modal structure), kg^-1/2
-  double gap = 0.0;           // m; may be 0 or negative (preload)
-  Side side = Side::kAbove;   // above: free while u < gap; below: free while u > -gap
+  // The degree of freedom that meets it (matrices), and one that moves with it: the gap is then one
+  // between two bodies, closed by the displacement of the first relative to the second.
+  std::string node{}, against{};
+  double gap = 0.0;          // m; may be 0 or negative (preload)
+  Side side = Side::kAbove;  // above: free while u < gap; below: free while u > -gap
   // r(v) = a0 - a1 v - a2 v^2 - .., v the approach speed; one entry: r is constant. a0 in 0..1,
   // a_i in (s/m)^i.
   std::vector<double> restitution = {0.0};
@@ -168,8 +171,9 @@ inline bool is_of_hub(ProbeQuantity quantity) {
 
 // A quantity at a place, told in the series of a motion.
 struct Probe {
-  double position = 0.0;      // m from the left end (beam, string, bar), 0..length
-  std::vector<double> shape;  // phi_j at the place (modal structure), kg^-1/2
+  double position = 0.0;          // m from the left end (beam, string, bar), 0..length
+  std::vector<double> shape;      // phi_j at the place (modal structure), kg^-1/2
+  std::string node{}, against{};  // as of a stop (matrices)
   ProbeQuantity quantity = ProbeQuantity::kDisplacement;
 };
 
@@ -193,7 +197,7 @@ using Origins = std::map<std::string, SourceLocation>;
 struct Scene {
   std::string title;
   Units units = Units::kSi;
-  std::variant<Beam, ModalStructure, TautString, Bar> structure;
+  std::variant<Beam, ModalStructure, TautString, Bar, MatrixStructure> structure;
   std::optional<Hub> hub{};  // of a beam
   std::optional<Damping> damping;
   std::optional<Forcing> forcing;
@@ -205,13 +209,18 @@ struct Scene {
   std::shared_ptr<const Origins> origins;  // null for a scene made in code
 
   const Beam* beam() const { return std::get_if<Beam>(&structure); }
-  const ModalStructure* modal() const { return std::get_if<ModalStructure>(&structure); }
   const TautString* string() const { return std::get_if<TautString>(&structure); }
   const Bar* bar() const { return std::get_if<Bar>(&structure); }
-  // The beam, string or bar, or null of a modal structure.
+  const MatrixStructure* matrices() const { return std::get_if<MatrixStructure>(&structure); }
+  // Given as such, or found from matrices.
+  const ModalStructure* modal() const {
+    if (const MatrixStructure* given = matrices()) return &given->modal;
+    return std::get_if<ModalStructure>(&structure);
+  }
+  // The beam, string or bar, or null of another structure.
   const Span* span() const;
   Span* span();
-  // "beam", "string", "bar" or "modal", the table that it stands in.
+  // "beam", "string", "bar", "modal" or "matrices", the table that it stands in.
   const char* structure_name() const;
   // Number of the structure's modes N; a hub adds its angle to them.
   int modes() const;

@@ -1,8 +1,11 @@
-// What a scene may have between its stops: a beam, a string, a bar, or given modes. SI units.
+// What a scene may have between its stops: a beam, a string, a bar, given modes, or matrices. SI
+// units.
 #pragma once
 
 #include <array>
+#include <memory>
 #include <optional>
+#include <string>
 #include <vector>
 
 namespace graze {
@@ -95,6 +98,26 @@ struct ModalStructure {
   std::vector<double> damping_ratios;  // 1, >= 0; empty: none
   std::vector<double> participation;   // modal force per unit of forcing amplitude; empty: none
   std::vector<double> inertia;         // modal force per unit of uniform acceleration; empty: none
+};
+
+struct MatrixModes;  // scene/matrix_structure.hpp
+
+// A structure given by the matrices of its finite-element model, in files. A degree of freedom is
+// named by its number, "7", or by node and direction, "12.3".
+struct MatrixStructure {
+  std::string mass, stiffness;             // files; of a scene that was read, with their whole path
+  std::string damping, dofs, coordinates;  // empty: none
+  int modes = 0;                           // the lowest ones, 1..2000
+  std::vector<std::string> constraints;    // held at zero
+  std::string constraints_file;
+  int direction = 0;  // of base forcing and gravity: 1, 2, 3; 0: of all degrees of freedom
+  std::vector<std::string> load;    // where the forcing "load" acts,
+  std::vector<double> load_values;  // N per unit of its amplitude; empty: 1 each
+  std::string load_file;            // in their place
+  std::string checksum;             // SHA-256 of the files; empty: whatever they hold
+  // What the files make of it, by solve_matrices; shared by all copies.
+  std::shared_ptr<const MatrixModes> solved{};
+  ModalStructure modal{};  // the structure as its modes see it
 };
 
 }  // namespace graze

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "graze/fem/dof_label.hpp"
 #include "graze/scene/check.hpp"
 #include "graze/scene/detail/keys.hpp"
 #include "graze/scene/detail/suggestion.hpp"
@@ -184,6 +185,34 @@ std::vector<std::size_t> TableReader::words(const std::string& key,
     found.push_back(static_cast<std::size_t>(name - names.begin()));
   }
   return found;
+}
+
+namespace {
+
+constexpr const char* kLabelWords =
+    "a degree of freedom, \"node.direction\" or a number like \"7\"";
+
+std::string label_of(const Node& node, const std::string& key) {
+  if (const auto* number = node.as<std::int64_t>()) return std::to_string(*number);
+  const auto* text = node.as<std::string>();
+  if (text == nullptr || !label_from_text(*text))
+    fail_at(node.place, key, refusal(node, kLabelWords));
+  return *text;
+}
+
+}  // namespace
+
+std::string TableReader::label(const std::string& key) const {
+  return label_of(required(key, kLabelWords), path(key));
+}
+
+std::vector<std::string> TableReader::labels(const std::string& key) const {
+  std::vector<std::string> values;
+  const auto* list = required(key, "a list of degrees of freedom").as<NodeList>();
+  if (list == nullptr) refuse(key, "a list of degrees of freedom, like [\"12.3\", \"14.3\"]");
+  for (const Node& entry : *list)
+    values.push_back(label_of(entry, key_path(path(key), std::to_string(values.size() + 1))));
+  return values;
 }
 
 std::size_t TableReader::choice_index(const std::string& key,

@@ -49,6 +49,15 @@ class Writer : public SchemaVisitor {
   void text(const Key& key, const std::string& value) {
     if (!value.empty()) add(key, quoted(value));
   }
+  void path(const Key& key, const std::string& value) { text(key, value); }
+  void label(const Key& key, const std::string& value) { text(key, value); }
+  void labels(const Key& key, const std::vector<std::string>& values) {
+    if (values.empty()) return;
+    std::string entries;
+    for (const std::string& value : values)
+      entries += (entries.empty() ? "" : ", ") + quoted(value);
+    add(key, "[" + entries + "]");
+  }
   template <class Value>
   void choice(const Key& key, Value value, const auto& choices) {
     // What is asked for beyond the usual stands there only where it is.

@@ -57,6 +57,7 @@ Rated mass_per_length(const Scene& scene, const Scene* direction) {
 
 // The damping that a modal structure carries itself counts as damping ratios.
 Vector decay_rates(const Scene& scene, const Vector& omega) {
+  if (const ModalDamping* damping = damping_of_matrices(scene)) return damping->delta;
   if (const ModalStructure* modal = scene.modal(); modal && !modal->damping_ratios.empty())
     return as_vector(modal->damping_ratios).cwiseProduct(omega);
   if (!scene.damping) return Vector::Zero(omega.size());
@@ -74,6 +75,7 @@ Vector decay_tangent(const Scene& scene, const ModalModel& model, const Vector& 
     return Vector(as_vector(rates).cwiseProduct(model.omega) +
                   as_vector(ratios).cwiseProduct(omega_rate));
   };
+  if (damping_of_matrices(scene)) return Vector::Zero(model.omega.size());
   if (const ModalStructure* modal = scene.modal(); modal && !modal->damping_ratios.empty())
     return of_ratios(modal->damping_ratios, direction.modal()->damping_ratios);
   if (!scene.damping) return Vector::Zero(model.omega.size());
@@ -144,8 +146,15 @@ ModalModel given_model(const Scene& scene, const ModalStructure& modal) {
 ModalModel given_tangent(const Scene& scene, const ModalModel& model, const Scene& direction) {
   const ModalStructure& modal = *direction.modal();
   ModalModel rate;
-  rate.omega = as_vector(modal.frequencies);
+  const Vector none = Vector::Zero(model.omega.size());
+  rate.omega = scene.matrices() ? none : Vector(as_vector(modal.frequencies));
   rate.delta = decay_tangent(scene, model, rate.omega, direction);
+  if (scene.matrices()) {  // No parameter moves what matrices give.
+    if (scene.forcing) rate.participation = none;
+    if (scene.gravity) rate.inertia = none;
+    rate.shapes.assign(scene.stops.size(), none);
+    return rate;
+  }
   if (scene.forcing)
     rate.participation =
         as_vector(scene.forcing->kind == ForcingKind::kBase ? modal.inertia : modal.participation);
@@ -155,6 +164,22 @@ ModalModel given_tangent(const Scene& scene, const ModalModel& model, const Scen
 }
 
 }  // namespace
+
+double total_mass(const Scene& scene) {
+  const Line line = line_of(scene, nullptr);
+  double mass = 0.0;
+  for (const LinePiece& piece : line.pieces)
+    for (std::size_t k = 0; k < piece.mass.size(); ++k)
+      mass +=
+          (piece.end.value - piece.start.value) * piece.mass[k].value / static_cast<double>(k + 1);
+  for (const LineMass& point : line.masses) mass += point.mass.value;
+  return mass;
+}
+
+std::optional<double> static_flexibility(const Scene& scene, double x) {
+  if (!scene.beam() || !has_closed_modes(scene)) return {};
+  return x * x * x / (3.0 * line_of(scene, nullptr).pieces.front().stiffness.front().value);
+}
 
 bool uses_collocation(const Scene& scene) {
   const Beam* beam = scene.beam();

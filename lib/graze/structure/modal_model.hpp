@@ -53,6 +53,13 @@ std::optional<ElementAccuracy> element_accuracy(const Scene& scene);
 std::vector<Vector> shapes_at(const Scene& scene, const std::vector<double>& places);
 Vector strain_row(const Scene& scene, double x);
 
+// Of a beam, a string or a bar with its point masses, kg.
+double total_mass(const Scene& scene);
+
+// Displacement under a unit force at the same place, m/N: x^3/(3 E I) of a uniform cantilever.
+// Nothing of other structures.
+std::optional<double> static_flexibility(const Scene& scene, double x);
+
 // Whether the scene's forcing, gravity or impulses go through the collocation matrix.
 bool uses_collocation(const Scene& scene);
 

@@ -179,6 +179,11 @@ ComplexModes complex_modes(const Matrix& matrix) {
   return modes;
 }
 
+SymmetricModes symmetric_modes(const Matrix& matrix) {
+  const Eigen::SelfAdjointEigenSolver<Matrix> solver(matrix);
+  return {solver.eigenvalues(), solver.eigenvectors()};
+}
+
 double norm_growth_rate(const Matrix& matrix) {
   const Matrix symmetric = 0.5 * (matrix + matrix.transpose());
   const std::vector<Eigenvalue> list = eigenvalues(symmetric, ErrorBounds::kLeftOut);

@@ -33,6 +33,14 @@ struct ComplexModes {
 };
 ComplexModes complex_modes(const Matrix& matrix);
 
+// Eigenvalues of a symmetric matrix, smallest first, and orthonormal vectors in their order. Values
+// are right to the unit roundoff of the largest. Only the lower triangle is read.
+struct SymmetricModes {
+  Vector values;
+  Matrix vectors;
+};
+SymmetricModes symmetric_modes(const Matrix& matrix);
+
 // The largest growth rate of x' = A x measured in the Euclidean norm: the largest eigenvalue of
 // (A + A^T)/2; |x(t)| <= e^{rate t} |x(0)|.
 double norm_growth_rate(const Matrix& matrix);

@@ -6,6 +6,7 @@
 #include <variant>
 #include <vector>
 
+#include "graze/base/sha256.hpp"
 #include "graze/scene/scene.hpp"
 
 namespace graze {
@@ -30,8 +31,5 @@ std::string version();
 
 // Info for a command on a scene, options still empty.
 RunInfo run_info(const std::string& command, const std::string& scene_file, const Scene& scene);
-
-// SHA-256 of a text, 64 hexadecimal digits.
-std::string sha256(const std::string& text);
 
 }  // namespace graze

@@ -2,6 +2,7 @@
 
 #include "graze/record/detail/cost_record.hpp"
 #include "graze/record/detail/fit_record.hpp"
+#include "graze/record/detail/modes_record.hpp"
 #include "graze/record/stored/detail/record_fields.hpp"
 
 namespace graze {
@@ -10,6 +11,8 @@ template std::string record_text(const CheckRecord&);
 template bool read_record_text(std::string_view, CheckRecord&);
 template std::string record_text(const CostRecord&);
 template bool read_record_text(std::string_view, CostRecord&);
+template std::string record_text(const ModesRecord&);
+template bool read_record_text(std::string_view, ModesRecord&);
 template std::string record_text(const FitRecord&);
 template bool read_record_text(std::string_view, FitRecord&);
 

@@ -1,11 +1,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "graze/assembly/beam_shape.hpp"
 #include "graze/base/angle.hpp"
 #include "graze/record/records.hpp"
 #include "graze/report/chart/charts.hpp"
+#include "graze/scene/matrix_structure.hpp"
 
 namespace graze {
 namespace {
@@ -34,30 +36,123 @@ void add_stops(const std::vector<BeamStop>& all, ChartPanel& panel) {
 
 }  // namespace
 
-Chart mode_shapes_chart(const CheckRecord& record) {
-  ChartPanel panel = beam_panel("mode shape / its largest value", "", record.info.units);
-  const std::optional<BeamPlaces> places = beam_places(record.scene, kPlaces);
-  if (!places) {
-    panel.remark = "only a beam, string or bar, not on a hub, has shapes to draw";
-    return {"Mode shapes", {{panel}}};
-  }
-  const auto modes = std::min(static_cast<std::size_t>(places->rows.cols()), kMostModes);
+namespace {
+
+std::string mode_title(std::size_t j, double frequency, Units units) {
+  return units == Units::kSi
+             ? fmt::format("mode {}: {:.4g} rad/s ({:.4g} Hz)", j + 1, frequency, frequency / kTurn)
+             : fmt::format("mode {}: {:.4g}", j + 1, frequency);
+}
+
+// Over places, or over degrees of freedom in their order.
+void add_shapes(const std::vector<double>& x, const Matrix& rows, const Vector& omega, Units units,
+                bool is_line, ChartPanel& panel) {
+  const auto modes = std::min(static_cast<std::size_t>(rows.cols()), kMostModes);
   for (std::size_t j = 0; j < modes; ++j) {
-    const Vector shape = places->rows.col(static_cast<Eigen::Index>(j));
+    const auto mode = static_cast<Eigen::Index>(j);
+    const Vector shape = rows.col(mode);
     const double largest = shape.cwiseAbs().maxCoeff();
-    const double frequency = record.system.omega[static_cast<Eigen::Index>(j)];
-    ChartSeries series{
-        record.info.units == Units::kSi
-            ? fmt::format("mode {}: {:.4g} rad/s ({:.4g} Hz)", j + 1, frequency, frequency / kTurn)
-            : fmt::format("mode {}: {:.4g}", j + 1, frequency),
-        curve_look(j),
-        true,
-        false,
-        places->x,
-        {}};
+    ChartSeries series{mode_title(j, omega[mode], units), curve_look(j), is_line, !is_line, x, {}};
     for (const double value : shape) series.y.push_back(value / largest);
     panel.series.push_back(series);
   }
+}
+
+// Nodes in the plane of their two largest extents.
+struct NodePlane {
+  std::size_t across = 0, up = 1;  // axes, 0 for x
+  double size = 0.0;               // the larger extent, m
+};
+
+NodePlane plane_of(const MatrixModes& found) {
+  std::array<double, 3> low{}, high{};
+  bool is_first = true;
+  for (const auto& [node, place] : found.coordinates) {
+    for (std::size_t d = 0; d < 3; ++d) {
+      low[d] = is_first ? place[d] : std::min(low[d], place[d]);
+      high[d] = is_first ? place[d] : std::max(high[d], place[d]);
+    }
+    is_first = false;
+  }
+  const auto extent = [&](std::size_t d) { return high[d] - low[d]; };
+  std::size_t least = 2;
+  for (const std::size_t d : {1u, 0u})
+    if (extent(d) < extent(least)) least = d;
+  NodePlane plane{least == 0 ? 1u : 0u, least == 2 ? 1u : 2u, 0.0};
+  plane.size = std::max(extent(plane.across), extent(plane.up));
+  return plane;
+}
+
+// The bars of the structure, displaced by a mode, its largest displacement a tenth of its size.
+ChartSeries bars(const MatrixModes& found, const NodePlane& plane,
+                 std::optional<Eigen::Index> mode) {
+  double largest = 0.0;
+  if (mode)
+    for (const auto& [node, place] : found.coordinates)
+      for (const double u : found.displacement(node, *mode))
+        largest = std::max(largest, std::abs(u));
+  const double scale = largest > 0.0 ? 0.1 * plane.size / largest : 0.0;
+  ChartSeries series{mode ? "mode shape" : "at rest",
+                     mode ? curve_look(0) : Look{.colour = kGrey},
+                     !found.couplings.empty(),
+                     found.couplings.empty(),
+                     {},
+                     {}};
+  const auto add = [&](long node) {
+    const auto place = found.coordinates.find(node);
+    if (place == found.coordinates.end()) return;
+    const auto moved = mode ? found.displacement(node, *mode) : std::array<double, 3>{};
+    series.x.push_back(place->second[plane.across] + scale * moved[plane.across]);
+    series.y.push_back(place->second[plane.up] + scale * moved[plane.up]);
+  };
+  for (const auto& [first, second] : found.couplings) {
+    add(first), add(second);
+    series.x.push_back(std::nan("")), series.y.push_back(std::nan(""));
+  }
+  if (found.couplings.empty())
+    for (const auto& [node, place] : found.coordinates) add(node);
+  return series;
+}
+
+Chart bars_chart(const MatrixModes& found, const Vector& omega, Units units) {
+  static constexpr const char* kNames[] = {"x", "y", "z"};
+  const NodePlane plane = plane_of(found);
+  Chart chart{"Mode shapes", {}};
+  const auto modes = std::min(static_cast<std::size_t>(omega.size()), kMostModes);
+  for (std::size_t j = 0; j < modes; ++j) {
+    const auto mode = static_cast<Eigen::Index>(j);
+    ChartPanel panel{{.name = kNames[plane.across], .unit = unit_in(units, "m")},
+                     {.name = kNames[plane.up], .unit = unit_in(units, "m")}};
+    panel.height = 5.0;
+    panel.heading = units == Units::kSi
+                        ? fmt::format("mode {}: {:.4g} Hz", j + 1, omega[mode] / kTurn)
+                        : fmt::format("mode {}: {:.4g}", j + 1, omega[mode]);
+    panel.series = {bars(found, plane, {}), bars(found, plane, mode)};
+    if (j % 2 == 0) chart.rows.emplace_back();
+    chart.rows.back().push_back(panel);
+  }
+  return chart;
+}
+
+}  // namespace
+
+Chart mode_shapes_chart(const Scene& scene, const Vector& omega) {
+  if (const MatrixStructure* matrices = scene.matrices()) {
+    const MatrixModes& found = *matrices->solved;
+    if (!found.coordinates.empty()) return bars_chart(found, omega, scene.units);
+    ChartPanel panel{{.name = "degree of freedom"}, {.name = "mode shape / its largest value"}};
+    panel.height = 5.0;
+    panel.levels = {0.0};
+    std::vector<double> numbers;
+    for (int i = 1; i <= found.free_count(); ++i) numbers.push_back(i);
+    add_shapes(numbers, found.modes.shapes, omega, scene.units, false, panel);
+    return {"Mode shapes", {{panel}}};
+  }
+  ChartPanel panel = beam_panel("mode shape / its largest value", "", scene.units);
+  if (const std::optional<BeamPlaces> places = beam_places(scene, kPlaces))
+    add_shapes(places->x, places->rows, omega, scene.units, true, panel);
+  else
+    panel.remark = "modes that are given have no shapes to draw, nor has what turns with a hub";
   return {"Mode shapes", {{panel}}};
 }
 

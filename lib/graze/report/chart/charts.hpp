@@ -1,8 +1,10 @@
 // Results as charts (chart.hpp): what their pictures and their pages draw.
 #pragma once
 
+#include "graze/base/vector.hpp"
 #include "graze/record/record_names.hpp"
 #include "graze/report/chart/chart.hpp"
+#include "graze/scene/scene.hpp"
 
 namespace graze {
 
@@ -31,8 +33,10 @@ Chart chart_of(const SensitivityRecord& record);
 // largest size that each probe saw.
 Chart chart_of(const RunDiagramRecord& record);
 
-// The first six mode shapes of a beam, each by its largest value.
-Chart mode_shapes_chart(const CheckRecord& record);
+// The first six mode shapes of a structure, each by its largest value: of a beam over its length;
+// of matrices whose nodes have coordinates its bars, displaced, in the plane of their largest
+// extents, a panel each mode, else over the degrees of freedom. `omega`: of the modes, rad/s.
+Chart mode_shapes_chart(const Scene& scene, const Vector& omega);
 
 // The shapes of the beam at the record's instants, with its stops.
 Chart shapes_chart(const SimulationRecord& record);

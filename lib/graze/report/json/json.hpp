@@ -18,6 +18,7 @@ std::string to_json(const OrbitRecord& record);
 std::string to_json(const BranchRecord& record);
 std::string to_json(const LociRecord& record);
 std::string to_json(const MapRecord& record);
+std::string to_json(const ModesRecord& record);
 std::string to_json(const ComparisonRecord& record);
 std::string to_json(const ComparisonMapRecord& record);
 std::string to_json(const ShareRecord& record);

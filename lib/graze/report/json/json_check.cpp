@@ -1,4 +1,5 @@
 #include "graze/assembly/detail/requested_restitution.hpp"
+#include "graze/assembly/mode_table.hpp"
 #include "graze/assembly/probes.hpp"
 #include "graze/report/json/detail/json_document.hpp"
 #include "graze/report/json/detail/json_value.hpp"
@@ -92,6 +93,7 @@ std::string to_json(const CheckRecord& record) {
   document["gravity"] =
       record.scene.gravity ? json_number(record.scene.gravity->acceleration) : Json(nullptr);
   Json stops = Json::array();
+  const std::vector<StopFlexibility> flexibilities = stop_flexibilities(record.scene);
   for (std::size_t i = 0; i < system.stops.size(); ++i) {
     const Stop& stop = system.stops[i];
     const std::optional<Spring>& from = record.scene.stops[i].spring;
@@ -101,7 +103,9 @@ std::string to_json(const CheckRecord& record) {
          {"spring", stop.is_compliant() ? spring(stop.force(), *from) : Json(nullptr)},
          {"row", json_list(stop.row)},
          {"direction", json_list(stop.direction())},
-         {"effective_mass", json_number(1.0 / stop.row.squaredNorm())}});
+         {"effective_mass", json_number(1.0 / stop.row.squaredNorm())},
+         {"flexibility", json_maybe(flexibilities[i].whole)},
+         {"flexibility_of_modes", json_number(flexibilities[i].kept)}});
   }
   document["stops"] = stops;
   document["probes"] = probes_json(record.scene, record.system);

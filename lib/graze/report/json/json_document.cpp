@@ -41,7 +41,9 @@ Json probe_json(const Probe& probe) {
   const bool on_beam = probe.shape.empty() && !is_of_hub(probe.quantity);
   return {{"quantity", probe_quantity_name(probe.quantity)},
           {"unit", probe_unit(probe.quantity)},
-          {"position", on_beam ? json_number(probe.position) : Json(nullptr)}};
+          {"position", on_beam ? json_number(probe.position) : Json(nullptr)},
+          {"node", probe.node.empty() ? Json(nullptr) : Json(probe.node)},
+          {"against", probe.against.empty() ? Json(nullptr) : Json(probe.against)}};
 }
 
 std::string document_text(Json document, const RunInfo& info) {

@@ -27,6 +27,7 @@ std::string regions_text(const LociRecord& record, const TextOptions& options = 
 std::string to_text(const DiagramRecord& record, const TextOptions& options = {});
 std::string to_text(const RunDiagramRecord& record, const TextOptions& options = {});
 std::string to_text(const MapRecord& record, const TextOptions& options = {});
+std::string to_text(const ModesRecord& record, const TextOptions& options = {});
 std::string to_text(const ComparisonRecord& record, const TextOptions& options = {});
 std::string to_text(const ComparisonMapRecord& record, const TextOptions& options = {});
 std::string to_text(const ShareRecord& record, const TextOptions& options = {});

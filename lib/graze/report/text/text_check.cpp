@@ -11,6 +11,7 @@
 #include "graze/report/text/detail/text_structure.hpp"
 #include "graze/report/text/detail/text_units.hpp"
 #include "graze/report/text/text.hpp"
+#include "graze/scene/matrix_structure.hpp"
 #include "graze/study/cost/detail/step_choice.hpp"
 #include "graze/system/detail/hub_state.hpp"
 
@@ -58,6 +59,11 @@ std::string title(const Scene& scene) {
 
 std::string damping_text(const Scene& scene) {
   const TextUnits in(scene.units);
+  if (const ModalDamping* damping = damping_of_matrices(scene))
+    return damping->is_proportional ? fmt::format("of a matrix, proportional: {} M + {} K",
+                                                  in.quantity(damping->mass, 6, "1/s"),
+                                                  in.quantity(damping->stiffness, 6, "s"))
+                                    : "of a matrix, what it makes of each mode alone";
   if (!scene.damping)
     return scene.modal() && !scene.modal()->damping_ratios.empty() ? "a ratio for each mode"
                                                                    : "none";
@@ -119,11 +125,15 @@ std::string frequency_text(const Frequency& frequency, const TextUnits& in) {
   return frequency.in_hertz ? hertz + " = " + angular : angular + " = " + hertz;
 }
 
-std::string forcing_text(const Forcing& forcing, const TextUnits& in) {
+std::string forcing_text(const Scene& scene, const Forcing& forcing, const TextUnits& in) {
   const bool base = forcing.kind == ForcingKind::kBase;
   const bool load = forcing.kind == ForcingKind::kDistributed;
+  const bool matrices = scene.matrices() != nullptr;
   return fmt::format("{}, amplitude {}, {}{}, period {}",
-                     base ? "moving clamp" : (load ? "distributed load" : "modal"),
+                     base       ? (matrices ? "moving base" : "moving clamp")
+                     : load     ? "distributed load"
+                     : matrices ? "load"
+                                : "modal",
                      in.quantity(forcing.amplitude, 6, base ? "m" : (load ? "N/m" : "")),
                      in("Hz").empty() ? "frequency " : "", frequency_text(forcing.frequency, in),
                      in.quantity(kTurn / forcing.frequency, 6, "s"));
@@ -136,12 +146,19 @@ std::string gravity_text(const Scene& scene) {
                      scene.hub ? "-u at angle 0" : "+u");
 }
 
+// "at 12.3, ", or between two; empty of modes that are given.
+std::string node_text(const std::string& node, const std::string& against, const char* end) {
+  if (node.empty()) return "";
+  return (against.empty() ? "at " + node : fmt::format("of {} against {}", node, against)) + end;
+}
+
 std::string stop_text(const Scene& scene, const SceneStop& stop) {
   const TextUnits in(scene.units);
-  const std::string place = fmt::format(
-      "{}{}, gap {}, ",
-      scene.span() ? fmt::format("at x = {}, ", in.quantity(stop.position, 6, "m")) : "",
-      stop.side == Side::kAbove ? "above" : "below", in.quantity(stop.gap, 6, "m"));
+  const std::string place =
+      fmt::format("{}{}, gap {}, ",
+                  scene.span() ? fmt::format("at x = {}, ", in.quantity(stop.position, 6, "m"))
+                               : node_text(stop.node, stop.against, ", "),
+                  stop.side == Side::kAbove ? "above" : "below", in.quantity(stop.gap, 6, "m"));
   if (stop.spring) {
     const ContactForce law = spring_law(*stop.spring);
     // A pure number has its exponent told by itself.
@@ -163,7 +180,8 @@ std::string probe_text(const Scene& scene, const Probe& probe) {
                      unit.empty() ? "" : fmt::format(" ({})", unit),
                      is_of_hub(probe.quantity) ? " of the hub"
                      : scene.span()            ? " at x = " + in.quantity(probe.position, 6, "m")
-                                               : std::string());
+                     : probe.node.empty()      ? std::string()
+                                               : " " + node_text(probe.node, probe.against, ""));
 }
 
 std::string simulated_effects(const CheckRecord& record) {
@@ -175,7 +193,7 @@ std::string simulated_effects(const CheckRecord& record) {
   text += effect("damping", damping_text(scene));
   // A hub is driven by its torque.
   if (!scene.hub)
-    text += effect("forcing", scene.forcing ? forcing_text(*scene.forcing, in) : "none");
+    text += effect("forcing", scene.forcing ? forcing_text(scene, *scene.forcing, in) : "none");
   text += effect("gravity", gravity_text(scene));
   for (std::size_t i = 0; i < scene.stops.size(); ++i)
     text += effect(fmt::format("stop {}", i + 1), stop_text(scene, scene.stops[i]));

@@ -6,6 +6,7 @@
 
 #include "graze/report/text/detail/text_units.hpp"
 #include "graze/scene/check.hpp"
+#include "graze/scene/matrix_structure.hpp"
 #include "graze/structure/modal_model.hpp"
 
 namespace graze {
@@ -116,6 +117,9 @@ std::string span_text(const Scene& scene) {
 std::vector<std::pair<std::string, std::string>> structure_effects(const Scene& scene) {
   const TextUnits in(scene.units);
   const std::string modes = counted(static_cast<std::size_t>(scene.modes()), "mode");
+  if (const MatrixStructure* matrices = scene.matrices())
+    return {{"structure", fmt::format("the lowest {} of matrices with {} degrees of freedom", modes,
+                                      matrices->solved->free_count())}};
   if (scene.modal()) return {{"structure", "given by " + modes}};
   Effects effects{{"structure", fmt::format("{}, {}", span_text(scene), modes)}};
   if (const Beam* beam = scene.beam()) {

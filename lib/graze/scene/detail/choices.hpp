@@ -49,6 +49,8 @@ inline constexpr std::array kBeamForcings{Choice{"base", ForcingKind::kBase},
                                           Choice{"distributed", ForcingKind::kDistributed}};
 inline constexpr std::array kModalForcings{Choice{"modal", ForcingKind::kModal},
                                            Choice{"base", ForcingKind::kBase}};
+inline constexpr std::array kMatrixForcings{Choice{"base", ForcingKind::kBase},
+                                            Choice{"load", ForcingKind::kModal}};
 inline constexpr std::array kSides{Choice{"above", Side::kAbove}, Choice{"below", Side::kBelow}};
 inline constexpr std::array kImpulses{Choice{"momentum", Impulse::kMomentum},
                                       Choice{"collocation", Impulse::kCollocation}};

@@ -39,6 +39,7 @@ inline constexpr Range kWithinOne{
 inline constexpr Range kPoissonRatio{
     -1.0, 0.5, false, true, "greater than -1 and at most 0.5", "in (-1, 0.5]"};
 
+inline constexpr Range kDirection{0.0, 3.0, true, true, "from 0 to 3", "1, 2, 3; 0"};
 inline constexpr Range kModeCount{1.0, 2000.0, true, true, "from 1 to 2000", "integer, 1 to 2000"};
 
 // Of what the check has a rule for.
@@ -130,6 +131,10 @@ class MayHold {
   std::remove_const_t<Value> spare_{};
 };
 
+// A table that is to be read or changed, or a const one.
+template <class Table, class Value>
+concept Of = std::is_same_v<std::remove_const_t<Table>, Value>;
+
 // What a visitor does with keys that are nothing to it.
 struct SchemaVisitor {
   void number(const Key&, const auto&) const {}
@@ -142,6 +147,9 @@ struct SchemaVisitor {
   void count(const Key&, const auto&) const {}
   void flag(const Key&, const auto&) const {}
   void text(const Key&, const auto&) const {}
+  void path(const Key&, const auto&) const {}    // of a file, from the folder of the scene
+  void label(const Key&, const auto&) const {}   // of a degree of freedom
+  void labels(const Key&, const auto&) const {}  // a list of these
   void choice(const Key&, const auto&, const auto&) const {}
   void file(const Key&, const auto&) const {}  // that holds what other keys would
   // An optional or a pointer; a list of tables.

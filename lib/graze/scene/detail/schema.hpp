@@ -10,6 +10,7 @@
 
 #include "graze/scene/detail/choices.hpp"
 #include "graze/scene/detail/key.hpp"
+#include "graze/scene/detail/matrix_schema.hpp"
 #include "graze/scene/detail/structure_schema.hpp"
 #include "graze/scene/scene.hpp"
 
@@ -103,12 +104,16 @@ void describe(auto& v, Of<Damping> auto& damping, const Scene&) {
 void describe(auto& v, Of<Forcing> auto& forcing, const Scene& scene) {
   const bool modal = scene.modal() != nullptr;
   v.choice(Key{"kind", "",
-               own_rule("`\"base\"`; `\"distributed\"` not with `[modal]`; `\"modal\"` with "
-                        "`[modal]` only"),
+               own_rule("`\"base\"`; `\"distributed\"` not with `[modal]` or `[matrices]`; "
+                        "`\"modal\"` with `[modal]` only; `\"load\"` with `[matrices]` only"),
                "base: displacement of the clamp and of all supports; distributed: force per "
-               "length; modal: modal forces `participation` times amplitude"}
+               "length; modal: modal forces `participation` times amplitude; load: forces `load` "
+               "times amplitude"}
                .or_else("`\"base\"`, with `[modal]` `\"modal\"`"),
-           forcing.kind, modal ? kModalForcings : kBeamForcings);
+           forcing.kind,
+           scene.matrices() ? kMatrixForcings
+           : modal          ? kModalForcings
+                            : kBeamForcings);
   v.number(Key{"amplitude", "m, N/m or 1, by kind", kAny, "of the cosine"}.as(
                modal ? "a number" : "a number, in m (base) or N/m (distributed)"),
            forcing.amplitude);
@@ -194,22 +199,31 @@ void describe(auto& v, Of<Spring> auto& spring, const Scene&) {
 }
 
 void describe(auto& v, Of<SceneStop> auto& stop, const Scene& scene) {
-  const bool modal = scene.modal() != nullptr, rigid = !stop.spring;
+  const bool span = scene.span() != nullptr, matrices = scene.matrices() != nullptr;
+  const bool rigid = !stop.spring;
   const char* none = "a stop with a spring has none, it must be left out";
   v.number(Key{"position", "m", own_rule("in [0, L], where nothing holds it"),
                "B, distance from the left end; with the collocation impulse it must be a "
                "collocation point"}
-               .needed("required without `[modal]`")
-               .where(!modal, "a stop of a [modal] structure has no position, it must have a shape")
+               .needed("required with `[beam]`, `[string]`, `[bar]`")
+               .where(span, matrices ? "a stop of [matrices] has no position, it must have a node"
+                                     : "a stop of a [modal] structure has no position, it must "
+                                       "have a shape")
                .as("a number in m from the clamp"),
            stop.position);
-  v.list(Key{"shape", "kg^-1/2", kAny.told("N numbers, not all 0"),
-             "phi_j(B): how far each mode moves the point of contact"}
-             .needed("required with `[modal]`")
-             .where(modal,
-                    "a stop of a [beam], [string] or [bar] has no shape, it must have a position")
-             .as("a list of numbers, the mode shapes at the stop"),
-         stop.shape);
+  // Of matrices it follows from the node.
+  const Key shape =
+      Key{"shape", "kg^-1/2", kAny.told("N numbers, not all 0"),
+          "phi_j(B): how far each mode moves the point of contact"}
+          .needed("required with `[modal]`")
+          .where(
+              !span && !matrices,
+              matrices
+                  ? "a stop of [matrices] has no shape, it must have a node"
+                  : "a stop of a [beam], [string] or [bar] has no shape, it must have a position")
+          .as("a list of numbers, the mode shapes at the stop");
+  v.list(matrices ? shape.or_ignored() : shape, stop.shape);
+  describe_node(v, stop, matrices);
   v.number({"gap", "m", kAny, "a; 0 touches at rest, negative is a preload"}, stop.gap);
   v.choice(Key{"side", "", kAny, "above: free while u < gap; below: free while u > -gap"}.or_else(),
            stop.side, kSides);
@@ -228,23 +242,29 @@ void describe(auto& v, Of<SceneStop> auto& stop, const Scene& scene) {
 }
 
 void describe(auto& v, Of<Probe> auto& probe, const Scene& scene) {
-  const bool modal = scene.modal() != nullptr, of_hub = is_of_hub(probe.quantity);
+  const bool span = scene.span() != nullptr, matrices = scene.matrices() != nullptr;
+  const bool of_hub = is_of_hub(probe.quantity);
   const auto where = [&](const Key& key, bool condition, const char* otherwise) {
     return of_hub ? key.where(false, "angle and rate are those of the hub, it must be left out")
                         .or_ignored()
                   : key.where(condition, otherwise);
   };
   v.number(where(Key{"position", "m", own_rule("in [0, L]"), "distance from the left end"}
-                     .needed("required without `[modal]`")
+                     .needed("required with `[beam]`, `[string]`, `[bar]`")
                      .as("a number in m from the clamp"),
-                 !modal, "a probe of a [modal] structure has no position, it must have a shape"),
+                 span,
+                 matrices ? "a probe of [matrices] has no position, it must have a node"
+                          : "a probe of a [modal] structure has no position, it must have a shape"),
            probe.position);
-  v.list(
-      where(Key{"shape", "kg^-1/2", kAny.told("N numbers"), "phi_j there"}
-                .needed("required with `[modal]`")
-                .as("a list of numbers, the mode shapes at the probe"),
-            modal, "a probe of a [beam], [string] or [bar] has no shape, it must have a position"),
-      probe.shape);
+  const Key shape = where(
+      Key{"shape", "kg^-1/2", kAny.told("N numbers"), "phi_j there"}
+          .needed("required with `[modal]`")
+          .as("a list of numbers, the mode shapes at the probe"),
+      !span && !matrices,
+      matrices ? "a probe of [matrices] has no shape, it must have a node"
+               : "a probe of a [beam], [string] or [bar] has no shape, it must have a position");
+  v.list(matrices ? shape.or_ignored() : shape, probe.shape);
+  if (!of_hub) describe_node(v, probe, matrices);
   v.choice(Key{"quantity", "", kAny,
                "displacement (m) and velocity (m/s) of the point, relative to the clamp, with a "
                "`[hub]` along its arc from angle 0 on; deflection (m) from the line that turns "
@@ -312,6 +332,7 @@ void describe(auto& v, Of<Scene> auto& scene) {
   v.table({"bar"}, std::get_if<Bar>(&scene.structure));
   v.table({"hub"}, scene.hub);
   v.table({"modal"}, std::get_if<ModalStructure>(&scene.structure));
+  v.table({"matrices"}, std::get_if<MatrixStructure>(&scene.structure));
   v.table({"damping"}, scene.damping);
   v.table({"forcing"}, scene.forcing);
   v.table({"gravity"}, scene.gravity);

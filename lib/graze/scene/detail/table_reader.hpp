@@ -35,6 +35,9 @@ class TableReader {
   std::int64_t integer(const std::string& key, const std::string& what) const;
   bool flag_or(const std::string& key, bool fallback) const;
   std::string text_or(const std::string& key, const std::string& fallback) const;
+  // A degree of freedom, "12.3" or "7", or the integer 7; a list of these.
+  std::string label(const std::string& key) const;
+  std::vector<std::string> labels(const std::string& key) const;
   // The list of numbers; empty when the key is missing.
   std::vector<double> numbers(const std::string& key, const std::string& what) const;
 

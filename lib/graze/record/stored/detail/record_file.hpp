@@ -12,6 +12,7 @@
 #include "graze/record/detail/fit_record.hpp"
 #include "graze/record/detail/loci_record.hpp"
 #include "graze/record/detail/map_record.hpp"
+#include "graze/record/detail/modes_record.hpp"
 #include "graze/record/detail/run_diagram_record.hpp"
 #include "graze/record/detail/sensitivity_record.hpp"
 #include "graze/record/file/spool.hpp"
@@ -26,9 +27,10 @@ inline constexpr const char* kSceneFile = "scene.toml";
 inline constexpr const char* kDocumentFile = "result.json";
 
 // What a command can end with and be drawn from.
-using AnyRecord = std::variant<CheckRecord, SimulationRecord, OrbitRecord, BranchRecord, LociRecord,
-                               DiagramRecord, RunDiagramRecord, MapRecord, ComparisonRecord,
-                               ComparisonMapRecord, SensitivityRecord, CostRecord, FitRecord>;
+using AnyRecord =
+    std::variant<CheckRecord, SimulationRecord, OrbitRecord, BranchRecord, LociRecord,
+                 DiagramRecord, RunDiagramRecord, MapRecord, ComparisonRecord, ComparisonMapRecord,
+                 SensitivityRecord, CostRecord, FitRecord, ModesRecord>;
 
 template <class Record>
 auto& info_of(Record& record) {

@@ -1,0 +1,25 @@
+// Lanczos' iteration on (K - s M)^-1 M (Spectra).
+#pragma once
+
+#include <optional>
+
+#include "graze/fem/detail/sparse_cholesky.hpp"
+
+namespace graze {
+
+// The vectors of the `count` eigenvalues nearest above the shift at which `factors` stand, lowest
+// first; nothing where the iteration does not converge. `attempt`: another one starts elsewhere and
+// keeps a larger space.
+std::optional<Matrix> shift_invert_vectors(const SparseCholesky& factors, const SparseMatrix& mass,
+                                           int count, double shift, int attempt);
+
+// The eigenvalue nearest above the shift among those of vectors orthogonal in M to `found`, whose
+// columns are orthonormal in M; nothing where the iteration does not converge.
+std::optional<double> nearest_other(const SparseCholesky& factors, const SparseMatrix& mass,
+                                    const Matrix& found, double shift);
+
+// The smallest eigenvalue of D^-1/2 M D^-1/2, D the diagonal of M, to about 1e-3 of the largest;
+// nothing where the iteration does not converge.
+std::optional<double> smallest_scaled_mass(const SparseMatrix& mass);
+
+}  // namespace graze

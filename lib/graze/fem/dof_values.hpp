@@ -1,0 +1,24 @@
+// Values at degrees of freedom, and places of nodes, from files.
+#pragma once
+
+#include <array>
+#include <filesystem>
+#include <map>
+#include <vector>
+
+#include "graze/base/vector.hpp"
+#include "graze/fem/dof_label.hpp"
+
+namespace graze {
+
+// Lines of a degree of freedom and a value, "12.3 1.5"; or one value a row in the order of
+// `labels` (a text of single numbers, or a .npy vector). What is not named is zero. `others` may be
+// named too and are passed over. Throws FileError, and InputError with file:line.
+Vector read_dof_values(const std::filesystem::path& file, const std::vector<DofLabel>& labels,
+                       const std::vector<DofLabel>& others = {});
+
+// Lines of a node and its x, y and z (m; z may be missing), parted by spaces or commas; lines that
+// begin with * or # are passed over. Throws likewise.
+std::map<long, std::array<double, 3>> read_coordinates(const std::filesystem::path& file);
+
+}  // namespace graze

@@ -1,0 +1,33 @@
+// Symmetric matrices of finite-element models, read from files of the programs that write them. The
+// format is told by the file itself:
+//
+//   .mtx         Matrix Market (its first line says so): coordinate or array, real or integer,
+//                general or symmetric; else Abaqus (*MATRIX GENERATE): "MATRIX INPUT" with lines of
+//                row node, row dof, column node, column dof, value, or "COORDINATE" with row,
+//                column, value
+//   .sti, .mas, .dam   CalculiX: row, column, value; the names of the rows in a .dof file
+//   .npy         NumPy, two-dimensional
+//   .npz         scipy.sparse.save_npz (csr, csc or coo), or numpy.savez of one dense matrix
+//   .bdf, .dat, .nas, .pch   Nastran DMIG: square or symmetric, real; "file.pch#KAAX" names one of
+//                several
+//
+// Abaqus, CalculiX and scipy may list one triangle: where no entry beside the diagonal has its
+// mirror image listed, all of them stand for both.
+#pragma once
+
+#include <filesystem>
+#include <vector>
+
+#include "graze/fem/labelled_matrix.hpp"
+
+namespace graze {
+
+// Throws FileError where the file cannot be read, InputError ("file:line: sentence") where it is no
+// such matrix: malformed, not square, complex, not symmetric, not finite.
+LabelledMatrix read_matrix(const std::filesystem::path& file);
+
+// The names of the rows in their order, one a line, "12.3" or "7" (a .dof file of CalculiX); `#`
+// starts a comment. Throws likewise, also where a name stands twice.
+std::vector<DofLabel> read_dof_names(const std::filesystem::path& file);
+
+}  // namespace graze

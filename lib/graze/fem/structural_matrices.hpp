@@ -1,0 +1,57 @@
+// Mass, stiffness and damping of a structure over its free degrees of freedom,
+//
+//   M u'' + C u' + K u = f,
+//
+// read from files and brought into one order.
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "graze/fem/labelled_matrix.hpp"
+
+namespace graze {
+
+struct MatrixFiles {
+  std::filesystem::path mass, stiffness;
+  std::optional<std::filesystem::path> damping{};
+  std::optional<std::filesystem::path> dofs{};  // names of the rows, for files without names
+};
+
+struct StructuralMatrices {
+  SparseMatrix mass, stiffness;         // n x n; kg, N/m of displacements
+  std::optional<SparseMatrix> damping;  // n x n, N s/m
+  std::vector<DofLabel> labels;         // n, of the free degrees of freedom
+  std::vector<DofLabel> held;           // those left out, in the order of the files
+  // By direction 1, 2, 3 (0 where degrees of freedom have none): the forces M r by which a unit
+  // acceleration of all of them, held ones included, loads the free ones (n), and r^T M r.
+  std::map<int, Vector> inertia_loads;
+  std::map<int, double> total_masses;
+  // Pairs of nodes that an entry of the stiffness couples, held ones included; of a frame its bars.
+  // Empty where the degrees of freedom belong to no nodes.
+  std::vector<std::pair<long, long>> couplings;
+  std::string mass_file, stiffness_file, damping_file;  // for messages
+
+  int size() const { return static_cast<int>(labels.size()); }
+  // Place of a free degree of freedom; nothing where there is none of that name.
+  std::optional<int> find(const DofLabel& label) const;
+};
+
+// `constraints`: degrees of freedom that are held at zero, beside those that a file holds itself.
+// Throws FileError and InputError as read_matrix, and InputError where sizes or names do not fit
+// each other, where a constraint has no such degree of freedom, and where a free degree of freedom
+// has no mass.
+StructuralMatrices read_structure(const MatrixFiles& files,
+                                  const std::vector<DofLabel>& constraints = {});
+
+// The same of matrices at hand. Labels of the stiffness come first, those the mass has beside them
+// next; what one matrix does not have is zero there.
+StructuralMatrices join_matrices(const LabelledMatrix& mass, const LabelledMatrix& stiffness,
+                                 const LabelledMatrix* damping,
+                                 const std::vector<DofLabel>& constraints = {});
+
+}  // namespace graze

@@ -1,0 +1,57 @@
+// The lowest natural modes of a structure of matrices,
+//
+//   K phi_j = w_j^2 M phi_j,   phi_i^T M phi_j = 1 if i = j else 0,
+//
+// by shift-invert Lanczos (Spectra) on sparse Cholesky factors (CHOLMOD), or dense where the
+// structure is small. The shift is 0, and negative where the structure is free to move as a rigid
+// body. Reference: Ericsson & Ruhe, Math. Comp. 35 (1980) 1251.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "graze/fem/structural_matrices.hpp"
+
+namespace graze {
+
+// A mode is one of a rigid body where its strain energy is within rounding of zero:
+// |phi^T K phi| <= kRigidEnergy * |phi|^T |K| |phi|, |K| the matrix of the absolute values. Below
+// minus that the stiffness counts as indefinite.
+inline constexpr double kRigidEnergy = 1e3 * 2.220446049250313e-16;
+
+// Up to as many degrees of freedom all modes are found at once by dense algebra.
+inline constexpr int kDenseSize = 500;
+
+// Factors of L D L^T beyond this cost are not made to count modes: the simplicial form that pivots
+// of either sign need runs at about 1e9 operations a second.
+inline constexpr double kLargestCount = 6e10;
+
+struct StructuralModes {
+  Vector omega;           // rad/s, ascending, m; exactly 0 of rigid-body modes
+  Matrix shapes;          // n x m, kg^-1/2: u = shapes q
+  Vector residuals;       // m: |K phi - w^2 M phi| / ||K||phi| + w^2 |M||phi||
+  int rigid = 0;          // the first ones are those of a rigid body
+  double shift = 0.0;     // (rad/s)^2, used by the iteration
+  bool is_dense = false;  // all modes of the structure were found
+  // How many modes lie below `counted_below` (rad/s) by Sylvester's law of inertia: as many as were
+  // found there. Nothing where they were not counted; the sentence says why, and a second
+  // iteration, orthogonal to the modes found, then met none below the last of them.
+  std::optional<int> counted;
+  double counted_below = 0.0;
+  std::string not_counted;
+  // For each column b of the loads: static displacement K^-1 b, n x k; of a free structure that of
+  // the motion relative to its rigid-body modes (inertia relief).
+  Matrix static_displacements;
+
+  int count() const { return static_cast<int>(omega.size()); }
+};
+
+// The `count` lowest modes, 1 to the number of degrees of freedom; `loads`: n x k, may have no
+// column. Throws InputError where there are not as many, where the mass is not positive definite,
+// where the stiffness is not positive semidefinite, and where modes cannot be found to a residual
+// of kLargestResidual or not as many as there are.
+StructuralModes lowest_modes(const StructuralMatrices& structure, int count,
+                             const Matrix& loads = Matrix());
+inline constexpr double kLargestResidual = 1e-8;
+
+}  // namespace graze

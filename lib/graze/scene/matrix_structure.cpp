@@ -1,0 +1,225 @@
+#include "graze/scene/matrix_structure.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "graze/base/sha256.hpp"
+#include "graze/fem/detail/text_lines.hpp"
+#include "graze/fem/dof_values.hpp"
+#include "graze/fem/matrix_file.hpp"
+#include "graze/scene/detail/keys.hpp"
+
+namespace graze {
+namespace {
+
+constexpr const char* kForm = "node.direction, or a number like \"7\"";
+
+// Of the files that a structure names, in one order; "#NAME" of a Nastran file names no other file.
+std::string files_checksum(const MatrixStructure& matrices) {
+  std::string text;
+  for (const std::string& name :
+       {matrices.mass, matrices.stiffness, matrices.damping, matrices.dofs, matrices.coordinates,
+        matrices.constraints_file, matrices.load_file}) {
+    if (name.empty()) continue;
+    std::error_code no_matter;
+    const bool whole = std::filesystem::exists(name, no_matter);
+    text += sha256(read_bytes(whole ? name : name.substr(0, name.rfind('#')))) + "\n";
+  }
+  return sha256(text);
+}
+
+DofLabel label_of(const Scene& scene, const std::string& key, const std::string& text) {
+  const std::optional<DofLabel> label = label_from_text(text);
+  if (!label)
+    throw scene_error(scene, key, fmt::format("\"{}\" is not allowed, it must be {}", text, kForm));
+  return *label;
+}
+
+std::vector<DofLabel> constraints_of(const Scene& scene, const MatrixStructure& matrices) {
+  std::vector<DofLabel> held;
+  for (const std::string& text : matrices.constraints)
+    held.push_back(label_of(scene, "matrices.constraints", text));
+  if (!matrices.constraints_file.empty())
+    for (const DofLabel& label : read_dof_names(matrices.constraints_file)) held.push_back(label);
+  return held;
+}
+
+// A stop or a probe as a row over the free degrees of freedom.
+Vector row_of(const Scene& scene, const StructuralMatrices& structure, const std::string& table,
+              const std::string& node, const std::string& against) {
+  Vector row = Vector::Zero(structure.size());
+  const auto add = [&](const char* key, const std::string& text, double sign) {
+    const std::string path = table + "." + key;
+    const DofLabel label = label_of(scene, path, text);
+    if (const std::optional<int> place = structure.find(label)) {
+      row[*place] += sign;
+      return;
+    }
+    const auto& held = structure.held;
+    if (std::find(held.begin(), held.end(), label) == held.end())
+      throw scene_error(scene, path,
+                        fmt::format("the matrices have no degree of freedom {}", text));
+  };
+  if (node.empty()) throw scene_error(scene, table + ".node", "the key is missing");
+  add("node", node, 1.0);
+  if (!against.empty()) add("against", against, -1.0);
+  if (row.isZero(0.0))
+    throw scene_error(
+        scene, table + ".node",
+        fmt::format("the degree of freedom {} {}", node,
+                    against.empty() ? "is held at zero" : "moves with the other one"));
+  return row;
+}
+
+std::vector<double> as_list(const Vector& vector) { return {vector.begin(), vector.end()}; }
+
+std::vector<double> load_participation(const Scene& scene, const MatrixStructure& matrices,
+                                       const StructuralMatrices& structure, const Matrix& shapes) {
+  if (!matrices.load_file.empty()) {
+    if (!matrices.load.empty() || !matrices.load_values.empty())
+      throw scene_error(scene, "matrices.load", "the load is in a file, it must be left out");
+    return as_list(shapes.transpose() *
+                   read_dof_values(matrices.load_file, structure.labels, structure.held));
+  }
+  const std::size_t count = matrices.load_values.size();
+  if (count != 0 && count != matrices.load.size())
+    throw scene_error(scene, "matrices.load_values",
+                      fmt::format("the list has {} entries, it must have one for each of the {} of "
+                                  "load",
+                                  count, matrices.load.size()));
+  if (matrices.load.empty()) return {};
+  Vector load = Vector::Zero(structure.size());
+  for (std::size_t i = 0; i < matrices.load.size(); ++i) {
+    const std::string key = fmt::format("matrices.load.{}", i + 1);
+    const std::optional<int> place = structure.find(label_of(scene, key, matrices.load[i]));
+    if (!place)
+      throw scene_error(scene, key,
+                        fmt::format("the matrices have no degree of freedom {} that is not held",
+                                    matrices.load[i]));
+    const double value = count == 0 ? 1.0 : matrices.load_values[i];
+    if (!std::isfinite(value))
+      throw scene_error(scene, fmt::format("matrices.load_values.{}", i + 1),
+                        fmt::format("{} is not allowed, it must be finite", value));
+    load[*place] += value;
+  }
+  return as_list(shapes.transpose() * load);
+}
+
+Matrix stop_rows(const Scene& scene, const StructuralMatrices& structure) {
+  Matrix rows(structure.size(), static_cast<Eigen::Index>(scene.stops.size()));
+  for (std::size_t i = 0; i < scene.stops.size(); ++i)
+    rows.col(static_cast<Eigen::Index>(i)) = row_of(scene, structure, numbered_path("stop", i + 1),
+                                                    scene.stops[i].node, scene.stops[i].against);
+  return rows;
+}
+
+void add_flexibilities(const Matrix& rows, MatrixModes& found) {
+  const StructuralModes& modes = found.modes;
+  for (Eigen::Index i = 0; i < rows.cols(); ++i) {
+    found.flexibilities.push_back(rows.col(i).dot(modes.static_displacements.col(i)));
+    const Vector phi = modes.shapes.transpose() * rows.col(i);
+    double kept = 0.0;
+    for (Eigen::Index j = modes.rigid; j < phi.size(); ++j)
+      kept += std::pow(phi[j] / modes.omega[j], 2.0);
+    found.kept_flexibilities.push_back(kept);
+  }
+}
+
+// A structure that is held has about 1/(number of elements), a free one the rounding of its digits.
+constexpr double kWeakHold = 1e-6;
+
+std::map<int, double> weak_holds(const StructuralMatrices& structure) {
+  std::map<int, double> weak;
+  const SparseMatrix absolute = structure.stiffness.cwiseAbs();
+  for (const int direction : {1, 2, 3}) {
+    Vector r = Vector::Zero(structure.size());
+    for (int i = 0; i < structure.size(); ++i)
+      if (structure.labels[static_cast<std::size_t>(i)].direction == direction) r[i] = 1.0;
+    const double scale = r.dot(absolute * r), held = std::abs(r.dot(structure.stiffness * r));
+    if (held > kRigidEnergy * scale && held < kWeakHold * scale) weak[direction] = held / scale;
+  }
+  return weak;
+}
+
+}  // namespace
+
+std::optional<Vector> MatrixModes::row(const std::string& text) const {
+  const std::optional<DofLabel> label = label_from_text(text);
+  if (!label) return {};
+  const auto place = rows.find(*label);
+  if (place == rows.end()) return {};
+  if (place->second < 0) return Vector::Zero(modes.count());
+  return Vector(modes.shapes.row(place->second));
+}
+
+std::array<double, 3> MatrixModes::displacement(long node, Eigen::Index mode) const {
+  std::array<double, 3> moved{};
+  for (int direction = 1; direction <= 3; ++direction) {
+    const auto place = rows.find({node, direction});
+    if (place != rows.end() && place->second >= 0)
+      moved[static_cast<std::size_t>(direction - 1)] = modes.shapes(place->second, mode);
+  }
+  return moved;
+}
+
+const ModalDamping* damping_of_matrices(const Scene& scene) {
+  const MatrixStructure* matrices = scene.matrices();
+  return matrices && matrices->solved->damping ? &*matrices->solved->damping : nullptr;
+}
+
+void solve_matrices(Scene& scene) {
+  auto& matrices = std::get<MatrixStructure>(scene.structure);
+  const std::string checksum = files_checksum(matrices);
+  if (!matrices.checksum.empty() && matrices.checksum != checksum)
+    throw scene_error(scene, "matrices.checksum",
+                      fmt::format("the files have the checksum {}, they have been changed since "
+                                  "this scene was written",
+                                  checksum));
+  matrices.checksum = checksum;
+  MatrixFiles files{matrices.mass, matrices.stiffness, {}, {}};
+  if (!matrices.damping.empty()) files.damping = matrices.damping;
+  if (!matrices.dofs.empty()) files.dofs = matrices.dofs;
+  const StructuralMatrices structure = read_structure(files, constraints_of(scene, matrices));
+  const auto found = std::make_shared<MatrixModes>();
+  const Matrix rows = stop_rows(scene, structure);
+  if (matrices.modes > structure.size())
+    throw scene_error(
+        scene, "matrices.modes",
+        fmt::format("{} is not allowed, the matrices have {} degree{} of freedom that "
+                    "{} not held",
+                    matrices.modes, structure.size(), structure.size() == 1 ? "" : "s",
+                    structure.size() == 1 ? "is" : "are"));
+  found->modes = lowest_modes(structure, matrices.modes, rows);
+  for (const DofLabel& label : structure.labels)
+    found->rows.emplace(label, static_cast<Eigen::Index>(found->rows.size()));
+  for (const DofLabel& label : structure.held) found->rows.emplace(label, -1);
+  found->total_masses = structure.total_masses;
+  const Matrix& shapes = found->modes.shapes;
+  for (const auto& [direction, load] : structure.inertia_loads)
+    found->inertia[direction] = shapes.transpose() * load;
+  if (structure.damping) found->damping = modal_damping(structure, found->modes);
+  if (!matrices.coordinates.empty()) {
+    found->coordinates = read_coordinates(matrices.coordinates);
+    found->couplings = structure.couplings;
+  }
+  found->weak_holds = weak_holds(structure);
+  add_flexibilities(rows, *found);
+  matrices.modal = {as_list(found->modes.omega), {}, {}, {}};
+  matrices.modal.participation = load_participation(scene, matrices, structure, shapes);
+  if (const auto along = found->inertia.find(matrices.direction); along != found->inertia.end())
+    matrices.modal.inertia = as_list(along->second);
+  for (std::size_t i = 0; i < scene.stops.size(); ++i)
+    scene.stops[i].shape = as_list(shapes.transpose() * rows.col(static_cast<Eigen::Index>(i)));
+  for (std::size_t i = 0; i < scene.probes.size(); ++i) {
+    Probe& probe = scene.probes[i];
+    if (is_of_hub(probe.quantity)) continue;
+    probe.shape =
+        as_list(shapes.transpose() *
+                row_of(scene, structure, numbered_path("probe", i + 1), probe.node, probe.against));
+  }
+  matrices.solved = found;
+}
+
+}  // namespace graze

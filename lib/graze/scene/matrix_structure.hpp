@@ -1,0 +1,53 @@
+// What the files of a [matrices] structure make of it: its lowest modes, found once for a scene and
+// shared by its copies.
+#pragma once
+
+#include <array>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "graze/fem/modal_damping.hpp"
+#include "graze/fem/structural_modes.hpp"
+#include "graze/scene/scene.hpp"
+
+namespace graze {
+
+struct MatrixModes {
+  StructuralModes modes;
+  std::optional<ModalDamping> damping{};  // of a damping file
+  std::map<DofLabel, Eigen::Index> rows;  // of the shapes; -1 of what is held at zero
+  // Of a unit acceleration in direction 1, 2, 3 (0 where degrees of freedom have none): the modal
+  // forces Phi^T M r, kg^1/2, whose squares are effective masses, and the whole mass r^T M r.
+  std::map<int, Vector> inertia;
+  std::map<int, double> total_masses;
+  // For every stop, b the row that gives its displacement: b^T K^-1 b, m/N, and what the kept modes
+  // make of it, sum (phi_j/w_j)^2. Of a free structure both of the elastic motion alone.
+  std::vector<double> flexibilities, kept_flexibilities;
+  // Directions in which the stiffness holds the structure, but so weakly that it may be a free one
+  // printed with few digits: r^T K r relative to r^T |K| r, r a displacement of all of it.
+  std::map<int, double> weak_holds;
+  std::map<long, std::array<double, 3>> coordinates;  // of nodes, m; empty: not known
+  // Pairs of nodes that the stiffness couples, where coordinates are known.
+  std::vector<std::pair<long, long>> couplings;
+
+  int free_count() const { return static_cast<int>(modes.shapes.rows()); }
+  // Of a node in a mode, along x, y, z; zero where it has no such degree of freedom.
+  std::array<double, 3> displacement(long node, Eigen::Index mode) const;
+  // Displacements of a degree of freedom, m by modes; zeros of one that is held. Nothing where the
+  // structure has none of that name.
+  std::optional<Vector> row(const std::string& label) const;
+};
+
+// What a damping matrix is to the modes; null of a scene without one.
+const ModalDamping* damping_of_matrices(const Scene& scene);
+
+// Reads the files of a scene's matrices, finds the modes, and fills in what follows of them: the
+// modal structure and the shapes at stops and probes. The reader calls it; a scene made in code
+// needs it before it is checked or assembled, and again when its files, modes, constraints, load,
+// stops or probes have changed. Throws FileError where a file cannot be read, InputError where it
+// cannot be used or where a degree of freedom does not exist.
+void solve_matrices(Scene& scene);
+
+}  // namespace graze

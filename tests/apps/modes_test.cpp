@@ -1,0 +1,71 @@
+// graze modes: of a frame from matrices, of beams and of modes that are given.
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "apps/program.hpp"
+
+namespace graze {
+namespace {
+
+using nlohmann::json;
+
+const std::string kScenes = std::string(GRAZE_SOURCE_DIR) + "/data/scenes/";
+const std::string kFrame = kScenes + "24_frame_from_matrices.toml";
+
+TEST(Modes, TellsThoseOfAFrameAndWritesThemForParaView) {
+  const ScratchFolder folder;
+  const std::string out = (folder / "out").string();
+  const Finished run = run_graze("modes --json --out " + out + " " + kFrame);
+  ASSERT_EQ(run.code, 0) << run.err;
+  const json document = json::parse(run.out);
+  ASSERT_EQ(document["modes"].size(), 8u);
+  EXPECT_EQ(document["rigid"], 0);
+  for (const json& mode : document["modes"]) EXPECT_LE(mode["residual"].get<double>(), 1e-13);
+  // The frame holds 7 m of tube, 60 x 60 x 3 mm of steel.
+  const double mass = 7.0 * 7850.0 * (0.06 * 0.06 - 0.054 * 0.054);
+  for (const json& direction : document["directions"])
+    EXPECT_NEAR(direction["total_mass"].get<double>(), mass, 1e-9);
+  for (const char* name : {"modes.pvd", "mode_1.vtu", "mode_8.vtu", "scene.toml", "record.json"})
+    EXPECT_TRUE(std::filesystem::exists(folder / "out" / name)) << name;
+  const Finished again = run_graze("view " + out);
+  EXPECT_EQ(again.code, 0) << again.err;
+  EXPECT_EQ(again.out, run_graze("modes " + kFrame).out);
+  const Finished from_there = run_graze("modes --json " + out + "/scene.toml");
+  ASSERT_EQ(from_there.code, 0) << from_there.err;
+  EXPECT_EQ(json::parse(from_there.out)["modes"], document["modes"]);
+  EXPECT_EQ(json::parse(from_there.out)["graze"]["scene_sha256"],
+            document["graze"]["scene_sha256"]);
+}
+
+// The tip of a cantilever has the flexibility L^3/(3 E I), which its modes add up to.
+TEST(Modes, OfABeamAndOfGivenModes) {
+  const json beam = json::parse(run_graze("modes --json " + kScenes + "02_wagg_momentum.toml").out);
+  const double whole = 0.3 * 0.3 * 0.3 / (3.0 * 205e9 * 24.4e-14);
+  EXPECT_NEAR(beam["stops"][0]["flexibility"].get<double>() / whole, 1.0, 1e-12);
+  // The first mode alone has 4/(1.8751^4) of 1/3.
+  EXPECT_GT(beam["stops"][0]["flexibility_of_modes"].get<double>() / whole, 0.97);
+  EXPECT_LT(beam["stops"][0]["flexibility_of_modes"].get<double>() / whole, 1.0);
+  const json given =
+      json::parse(run_graze("modes --json " + kScenes + "04_impact_oscillator.toml").out);
+  EXPECT_TRUE(given["stops"][0]["flexibility"].is_null());
+}
+
+TEST(Modes, MacIsTheIdentityOfAStructureAgainstItself) {
+  const Finished run = run_graze("modes --json --mac " + kFrame + " " + kFrame);
+  ASSERT_EQ(run.code, 0) << run.err;
+  const json values = json::parse(run.out)["mac"]["values"];
+  for (std::size_t i = 0; i < 8; ++i) EXPECT_NEAR(values[i][i].get<double>(), 1.0, 1e-12) << i;
+}
+
+TEST(Modes, CheckWarnsWhereTheModesAreTooFew) {
+  // Four bending modes hardly compress the column below the corner.
+  const Finished run =
+      run_graze("check " + kFrame + " --set matrices.modes=4 --set 'stop.node=\"21.2\"'");
+  EXPECT_EQ(run.code, 0);
+  EXPECT_NE(run.err.find("of the static flexibility"), std::string::npos) << run.err;
+  EXPECT_EQ(run_graze("check " + kFrame).err, "");
+}
+
+}  // namespace
+}  // namespace graze

@@ -1,0 +1,151 @@
+// [matrices] in a scene: what it reads, what it refuses, and what it writes.
+#include <gtest/gtest.h>
+
+#include <fstream>
+
+#include "graze/base/errors.hpp"
+#include "graze/scene/matrix_structure.hpp"
+#include "graze/scene/parameter.hpp"
+#include "graze/scene/reader.hpp"
+#include "support/scratch_folder.hpp"
+
+namespace graze {
+namespace {
+
+// Two masses between three springs: k = 1, m = 1, w^2 = 1 and 3.
+class MatrixReader : public testing::Test {
+ protected:
+  MatrixReader() {
+    write("m.mtx", "1,1,1,1,1.\n2,1,2,1,1.\n");
+    write("k.mtx", "1,1,1,1,2.\n1,1,2,1,-1.\n2,1,2,1,2.\n");
+    write("c.mtx", "1,1,1,1,.3\n");
+  }
+  void write(const std::string& name, const std::string& text) {
+    std::ofstream(folder_ / name) << text;
+  }
+  Scene read(const std::string& matrices, const std::string& rest = "") {
+    return parse_scene(
+        "[matrices]\nmass = \"m.mtx\"\nstiffness = \"k.mtx\"\nmodes = 2\n" + matrices + rest,
+        (folder_ / "scene.toml").string());
+  }
+  std::string refusal(const std::string& matrices, const std::string& rest = "") {
+    try {
+      read(matrices, rest);
+    } catch (const InputError& error) {
+      const std::string said = error.what(), start = folder_.string() + "/";
+      return said.rfind(start, 0) == 0 ? said.substr(start.size()) : said;
+    }
+    return "";
+  }
+
+  ScratchFolder folder_;
+};
+
+const std::string kStop = "[[stop]]\nnode = \"2.1\"\ngap = 0.1\nrestitution = 0.5\n";
+
+TEST_F(MatrixReader, ModesLoadsAndPlacesFollowFromTheFiles) {
+  const Scene scene =
+      read("direction = 1\nload = [\"1.1\"]\nload_values = [3.0]\n",
+           "[forcing]\nkind = \"load\"\namplitude = 1.0\nfrequency = 2.0\n" + kStop +
+               "[[stop]]\nnode = \"1.1\"\nagainst = \"2.1\"\ngap = 0.1\nrestitution = 0.5\n"
+               "[[probe]]\nnode = \"1.1\"\n");
+  const ModalStructure& modal = *scene.modal();
+  ASSERT_EQ(scene.modes(), 2);
+  EXPECT_NEAR(modal.frequencies[0], 1.0, 1e-14);
+  EXPECT_NEAR(modal.frequencies[1], std::sqrt(3.0), 1e-14);
+  const double r = std::sqrt(0.5);
+  EXPECT_NEAR(std::abs(scene.stops[0].shape[0]), r, 1e-14);
+  EXPECT_NEAR(std::abs(scene.stops[1].shape[0]), 0.0, 1e-14);
+  EXPECT_NEAR(std::abs(scene.stops[1].shape[1]), 2.0 * r, 1e-14);
+  EXPECT_NEAR(std::abs(modal.participation[0]), 3.0 * r, 1e-14);
+  EXPECT_NEAR(std::abs(modal.inertia[0]), 2.0 * r, 1e-14);
+  EXPECT_NEAR(modal.inertia[1], 0.0, 1e-14);
+  // Of both modes, all there are: b^T K^-1 b = 2/3 is met exactly.
+  const MatrixModes& found = *scene.matrices()->solved;
+  EXPECT_NEAR(found.flexibilities[0], 2.0 / 3.0, 1e-14);
+  EXPECT_NEAR(found.kept_flexibilities[0], 2.0 / 3.0, 1e-14);
+  EXPECT_NEAR(found.flexibilities[1], 2.0 / 3.0, 1e-14);
+}
+
+TEST_F(MatrixReader, CopiesShareTheModes) {
+  const Scene scene = read("", kStop);
+  const Scene moved = with_parameter(scene, "stop.gap", 0.2);
+  EXPECT_EQ(moved.matrices()->solved.get(), scene.matrices()->solved.get());
+  EXPECT_EQ(parameter_names(scene), (std::vector<std::string>{"stop.gap", "stop.restitution"}));
+}
+
+TEST_F(MatrixReader, WrittenSceneKnowsItsFiles) {
+  const std::string text = write_scene(read("direction = 1\nload = [\"1.1\", \"2.1\"]\n", kStop));
+  const Scene again = parse_scene(text, "elsewhere/scene.toml");
+  EXPECT_EQ(write_scene(again), text);
+  EXPECT_EQ(again.stops[0].shape, read("", kStop).stops[0].shape);
+  write("k.mtx", "1,1,1,1,2.\n1,1,2,1,-1.\n2,1,2,1,2.5\n");
+  try {
+    parse_scene(text, "scene.toml");
+    FAIL();
+  } catch (const InputError& error) {
+    EXPECT_NE(std::string(error.what()).find("they have been changed since this scene was written"),
+              std::string::npos)
+        << error.what();
+  }
+}
+
+TEST_F(MatrixReader, WhatDoesNotFitIsRefused) {
+  EXPECT_EQ(refusal("", "[[stop]]\ngap = 0.1\nrestitution = 0.5\n"),
+            "scene.toml:5:1: stop.node: the key is missing, it must be a degree of freedom, "
+            "\"node.direction\" or a number like \"7\"");
+  EXPECT_EQ(refusal("", "[[stop]]\nnode = \"3.1\"\ngap = 0.1\nrestitution = 0.5\n"),
+            "scene.toml:6:1: stop.node: the matrices have no degree of freedom 3.1");
+  EXPECT_EQ(refusal("", "[[stop]]\nnode = 1.1\ngap = 0.1\nrestitution = 0.5\n"),
+            "scene.toml:6:1: stop.node: the number 1.1 is not allowed, it must be a degree of "
+            "freedom, \"node.direction\" or a number like \"7\"");
+  EXPECT_EQ(refusal("constraints = [\"1.1\"]\n", kStop),
+            "scene.toml:4:1: matrices.modes: 2 is not allowed, the matrices have 1 degree of "
+            "freedom that is not held");
+  EXPECT_EQ(refusal("", "[[stop]]\nposition = 1.0\nnode = \"2.1\"\ngap = 0.1\nrestitution = 0.5\n"),
+            "scene.toml:6:1: stop.position: a stop of [matrices] has no position, it must have a "
+            "node");
+  EXPECT_EQ(refusal("", "[forcing]\namplitude = 1.0\nfrequency = 2.0\n"),
+            "scene.toml:1:1: matrices.direction: forcing of the kind \"base\" needs the direction "
+            "of its acceleration, it must be one that degrees of freedom have, 1, 2 or 3 (0 where "
+            "they have none)");
+  EXPECT_EQ(refusal("", "[forcing]\nkind = \"load\"\namplitude = 1.0\nfrequency = 2.0\n"),
+            "scene.toml:1:1: matrices.load: the key is missing, forcing of the kind \"load\" needs "
+            "degrees of freedom, or load_file");
+  EXPECT_EQ(refusal("load = [\"1.1\"]\nload_values = [1.0, 2.0]\n"),
+            "scene.toml:6:1: matrices.load_values: the list has 2 entries, it must have one for "
+            "each of the 1 of load");
+  EXPECT_EQ(refusal("damping = \"c.mtx\"\n", "[damping]\nratios = [0.1, 0.1]\n"),
+            "scene.toml:6:1: damping: matrices.damping is given already, the scene must have only "
+            "one of matrices.damping and [damping]");
+  EXPECT_EQ(
+      refusal("", "[modal]\nfrequencies = [1.0]\n"),
+      "scene.toml:1:1: matrices: the scene has a [modal] already, it must have exactly one of "
+      "[beam], [modal] and [matrices]");
+  EXPECT_THROW(read("dofs = \"absent.dof\"\n"), FileError);
+}
+
+// A free chain whose stiffness was printed with eight digits.
+TEST_F(MatrixReader, KnowsAFreeStructureThatWasPrintedBadly) {
+  write("k.mtx", "1,1,1,1,2.\n1,1,2,1,-1.9999999\n2,1,2,1,2.\n");
+  const auto weak = read("").matrices()->solved->weak_holds;
+  ASSERT_EQ(weak.size(), 1u);
+  EXPECT_NEAR(weak.at(1), 2e-7 / 8.0, 1e-9);
+  write("k.mtx", "1,1,1,1,2.\n1,1,2,1,-2.\n2,1,2,1,2.\n");
+  EXPECT_TRUE(read("").matrices()->solved->weak_holds.empty());
+  EXPECT_EQ(read("").matrices()->solved->modes.rigid, 1);
+}
+
+TEST_F(MatrixReader, MadeInCodeItIsSolvedFirst) {
+  Scene scene;
+  MatrixStructure matrices;
+  matrices.mass = (folder_ / "m.mtx").string();
+  matrices.stiffness = (folder_ / "k.mtx").string();
+  matrices.modes = 1;
+  scene.structure = matrices;
+  solve_matrices(scene);
+  EXPECT_NEAR(scene.modal()->frequencies[0], 1.0, 1e-14);
+}
+
+}  // namespace
+}  // namespace graze
