@@ -8,7 +8,7 @@
 namespace graze {
 
 // Up to here the beam's mode shapes keep an error of about eps b_j in double precision.
-inline constexpr int kMostModes = 400;
+inline constexpr int kMostModes = 2000;
 
 // Throws InputError at the first broken rule. Which stop penetrates at the start is not among
 // them: that needs mode shapes.

@@ -157,18 +157,6 @@ const ArcCurve<Real>& Motion<Real>::gap_ahead(int i, const Real& window) {
 
 template <class Real>
 Arrival<Real> Motion<Real>::fly(const Real& until, const Real& horizon) {
-  // What an impact or a push does is shared out among so many stops at one instant.
-  const auto crowded = [&] {
-    const auto touched = std::count_if(order_.begin(), order_.end(), [&](int i) {
-      return contact(i) != Contact::kClear &&
-             (is_held(i) || !(approach_speed(i) < -speed_rounding(i)));
-    });
-    if (touched <= kMostContacts) return false;
-    refusal_ = std::to_string(touched) + " stops are touched at this instant, and an impact is " +
-               "shared out among " + std::to_string(kMostContacts) + " at most";
-    return true;
-  };
-  if (undecided_ && crowded()) return {ArrivalKind::kRefused, order_.front()};
   const Instant<Real> start = now_.instant;
   std::optional<Arrival<Real>> arrival;
   if (changes_.empty() && undecided_) arrival = decide();
@@ -178,15 +166,21 @@ Arrival<Real> Motion<Real>::fly(const Real& until, const Real& horizon) {
   }
   if (!arrival && !(until > now_.instant.local)) arrival = stay();
   if (!arrival) arrival = arrive(search(until, horizon), until);
-  if (arrival->kind == ArrivalKind::kContact && crowded()) arrival->kind = ArrivalKind::kRefused;
   // To be asked for pending events alone is no progress, but is not counted; a flight that the
   // clock does not feel is none either.
   if (now_.instant.period != start.period || now_.instant.local != start.local)
     arrivals_at_once_ = 0;
   else if (arrival->kind != ArrivalKind::kTime)
     ++arrivals_at_once_;
-  if (arrivals_at_once_ > motion_detail::kMostArrivalsAtOnce)
-    arrival->kind = ArrivalKind::kUndecided;
+  if (arrivals_at_once_ > motion_detail::kMostArrivalsAtOnce) {
+    const auto touched = std::count_if(order_.begin(), order_.end(),
+                                       [&](int i) { return contact(i) != Contact::kClear; });
+    arrival->kind = touched > kFewContacts ? ArrivalKind::kRefused : ArrivalKind::kUndecided;
+    if (touched > kFewContacts)
+      refusal_ = std::to_string(touched) +
+                 " stops are touched at this instant, and what they do to each other has no "
+                 "solution that holds within rounding";
+  }
   return *arrival;
 }
 

@@ -39,7 +39,7 @@ inline constexpr Range kWithinOne{
 inline constexpr Range kPoissonRatio{
     -1.0, 0.5, false, true, "greater than -1 and at most 0.5", "in (-1, 0.5]"};
 
-inline constexpr Range kModeCount{1.0, 400.0, true, true, "from 1 to 400", "integer, 1 to 400"};
+inline constexpr Range kModeCount{1.0, 2000.0, true, true, "from 1 to 2000", "integer, 1 to 2000"};
 
 // Of what the check has a rule for.
 constexpr Range own_rule(const char* in_table) {
