@@ -25,7 +25,8 @@ std::optional<ClosedChatter<Real>> Motion<Real>::close_chatter(
     if (!fastest || share.speed > fastest->speed) fastest = &share;
   }
   if (!fastest || is_sprung()) return {};
-  const Real speed = std::max<Real>(closure_speed, resolved_speed());
+  const bool may_be_slow = fastest->speed <= closure_speed || may_be_unresolved(fastest->speed);
+  const Real speed = may_be_slow ? std::max<Real>(closure_speed, resolved_speed()) : closure_speed;
   if (!(fastest->speed <= speed)) {
     now_.unsummed = 0;
     return {};
@@ -98,6 +99,22 @@ template <class Real>
 bool Motion<Real>::turns_on(const Real& duration) const {
   using std::abs;
   return abs(hub_rate(now_.qdot)) > 2 * duration * abs(hub_rate(free_acceleration()));
+}
+
+// Whether resolved_speed() may be that large, by the sizes of what it is formed from: of many stops
+// each costs a look at every mode. Twice, for the rounding of the sizes themselves.
+template <class Real>
+bool Motion<Real>::may_be_unresolved(const Real& speed) const {
+  using std::abs;
+  if (order_.size() < 2) return false;
+  if (turning_) return true;
+  const Real push = free_acceleration().norm(), shape = now_.q.norm();
+  const Real eps = Real(static_cast<int>(now_.q.size()) + 2) * std::numeric_limits<Real>::epsilon();
+  for (const int i : order_) {
+    const Real norm = stop(i).norm, rounding = eps * (abs(stop(i).gap) + norm * shape);
+    if (speed * speed <= 4 * norm * push * rounding) return true;
+  }
+  return false;
 }
 
 // Falls onto a stop from within the rounding of its gap cannot be told from rest on it.

@@ -135,6 +135,7 @@ class Motion {
   struct MetStop {
     RealVector<Real> row, direction;
     Real gap = 0;
+    Real norm = 0;   // |row|
     Real norm2 = 0;  // |row|^2 where the direction is row/|row|^2 to rounding; 0: it is oblique
     const Stop* given = nullptr;  // of system_
 
@@ -233,6 +234,7 @@ class Motion {
                 const Real& duration);
   bool is_quiet_meanwhile(int stop, const Real& duration);
   Real resolved_speed() const;
+  bool may_be_unresolved(const Real& speed) const;
   std::vector<int> chattering_together(const Real& closure_speed) const;
   std::optional<ClosedChatter<Real>> close_shared(const Real& closure_speed);
   std::pair<RealVector<Real>, RealVector<Real>> at_rest_on(const std::vector<int>& stops) const;

@@ -69,7 +69,7 @@ void Motion<Real>::adopt_system() {
     (stop.is_compliant() ? compliant_ : order_).push_back(static_cast<int>(stops_.size()));
     const bool is_normal = !stop.is_compliant() && stop.direction() == momentum_direction(stop.row);
     const RealVector<Real> row = stop.row.template cast<Real>();
-    stops_.push_back({row, stop.direction().template cast<Real>(), Real(stop.gap),
+    stops_.push_back({row, stop.direction().template cast<Real>(), Real(stop.gap), row.norm(),
                       is_normal ? row.squaredNorm() : Real(0), &stop});
   }
   std::stable_sort(order_.begin(), order_.end(), [&](int a, int b) {
@@ -300,8 +300,15 @@ template <class Real>
 void Motion<Real>::touch_simultaneous(const Real& flight) {
   using std::abs;
   const Real eps = std::numeric_limits<Real>::epsilon();
+  const Real shape = now_.q.norm(), speed = now_.qdot.norm();
   for (const int i : order_) {
     if (contact(i) != Contact::kClear || i == left_out_) continue;
+    // By their sizes first: of many stops nearly all are far away.
+    const MetStop& s = stop(i);
+    const Real most =
+        Real(static_cast<int>(now_.q.size()) + 2) * eps * (abs(s.gap) + s.norm * shape) +
+        eps * (now_.instant.local + flight) * s.norm * speed;
+    if (this->gap(i) > 2 * most) continue;
     const GapValue<Real> gap = gap_value(stop(i).row, now_.q, stop(i).gap);
     const Real moved = eps * (now_.instant.local + flight) * abs(approach_speed(i));
     if (!(gap.value <= gap.rounding + moved)) continue;

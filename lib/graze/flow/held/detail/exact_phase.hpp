@@ -1,11 +1,13 @@
 // Phases in closed form: the first events lie at zeros of curves with bounds (first_zero.hpp).
 #pragma once
 
+#include <memory>
 #include <vector>
 
 #include "graze/flow/exact/detail/contact_phase.hpp"
 #include "graze/flow/held/detail/constrained_structure.hpp"
 #include "graze/flow/held/detail/coupled_flow.hpp"
+#include "graze/flow/held/detail/flight_search.hpp"
 
 namespace graze {
 
@@ -65,6 +67,7 @@ class FreePhase final : public ExactPhase<Real> {
              const Real& time) override;
   void state(const Real& s, RealVector<Real>& q, RealVector<Real>& qdot) const override;
   const Arc<Real>* arc() const override { return &arc_; }
+  Arrival<Real> first_event(const MotionState<Real>& now, const Flight<Real>& flight) override;
 
  private:
   bool set_curve(ArcCurve<Real>& curve, const Observable<Real>& observable, const Real& window,
@@ -73,6 +76,7 @@ class FreePhase final : public ExactPhase<Real> {
 
   ExactFlow<Real> flow_;
   Arc<Real> arc_;
+  std::unique_ptr<FlightSearch> search_;  // of many modes; else null
 };
 
 template <class Real>

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <type_traits>
 
 #include "graze/flow/exact/detail/arc_curve_impl.hpp"
 #include "graze/flow/exact/detail/first_zero.hpp"
@@ -93,7 +94,19 @@ template <class Real>
 FreePhase<Real>::FreePhase(const System& system, PhaseKey key)
     : ExactPhase<Real>(system, std::move(key), ConstrainedStructure<Real>(system, {})),
       flow_(this->structure().reduced),
-      arc_(flow_) {}
+      arc_(flow_) {
+  if constexpr (std::is_same_v<Real, double>)
+    if (flow_.modes() > kFewModes)
+      search_ = std::make_unique<FlightSearch>(system, this->structure().reduced);
+}
+
+template <class Real>
+Arrival<Real> FreePhase<Real>::first_event(const MotionState<Real>& now,
+                                           const Flight<Real>& flight) {
+  if constexpr (std::is_same_v<Real, double>)
+    if (search_) return search_->first_event(*this, arc_, now, flight);
+  return ExactPhase<Real>::first_event(now, flight);
+}
 
 // What an instant is asked for and the flight from there are one arc.
 template <class Real>
