@@ -54,24 +54,13 @@ double FlightSearch::gap(int stop) const {
 }
 
 void FlightSearch::look(Watched& watched, double from, double step) {
-  const double gap = gaps_[watched.stop], norm = norms_[watched.stop], unit = series_.unit();
-  const auto left = static_cast<std::size_t>(from == 0.0 ? watched.multiplicity : 0);
-  const Vector along =
-      -(series_.coefficients().leftCols(kOrder + 1).transpose() * rows_.col(watched.stop));
-  coefficients_.assign(along.begin() + static_cast<Eigen::Index>(left), along.end());
-  if (left == 0) coefficients_[0] += gap;
-  // Each coefficient is a sum of products, and was formed by a few more.
-  double size = left == 0 ? std::abs(gap) : 0.0, power = 1.0;
-  for (Eigen::Index k = static_cast<Eigen::Index>(left); k <= kOrder; ++k) {
-    size += norm * series_.coefficients().col(k).norm() * power;
-    power *= step / unit;
-  }
-  const double noise =
-      static_cast<double>(q_.size() + 8) * std::numeric_limits<double>::epsilon() * size;
-  const SeriesZero zero =
-      first_zero({coefficients_, norm * series_.remainder(), noise}, step / unit, kResolved);
+  const double tau = step / series_.unit();
+  const BoundedSeries gap =
+      series_.gap(rows_.col(watched.stop), norms_[watched.stop], gaps_[watched.stop],
+                  from == 0.0 ? watched.multiplicity : 0, tau, coefficients_);
+  const SeriesZero zero = first_zero(gap, tau, kResolved);
   watched.clear =
-      std::max(watched.clear, zero.clear >= step / unit ? from + step : from + zero.clear * unit);
+      std::max(watched.clear, zero.clear >= tau ? from + step : from + zero.clear * series_.unit());
 }
 
 void FlightSearch::decide(const ExactPhase<double>& phase, Watched& watched, double until,

@@ -86,12 +86,14 @@ double MotionSeries::step(double part) const {
   return std::min(std::pow(part * whole / last_size_, 1.0 / order_), kLongest);
 }
 
+double MotionSeries::force_push(int i) const {
+  if (amplitude_.size() == 0) return 0.0;
+  return std::abs(shares_.col(i).dot(amplitude_)) / (unit_ * unit_);
+}
+
 double MotionSeries::force_remainder(int i) const {
-  double pushed = 0.0;  // s_i.f W^P u^P/P!
-  if (amplitude_.size() > 0) {
-    pushed = std::abs(shares_.col(i).dot(amplitude_)) / (unit_ * unit_);
-    for (int k = 1; k <= order_; ++k) pushed *= turn_ / k;
-  }
+  double pushed = force_push(i);  // times W^P u^P/P!
+  for (int k = 1; k <= order_; ++k) pushed *= turn_ / k;
   return force_weight_[i] * last_size_ + pushed;
 }
 
@@ -123,6 +125,36 @@ Matrix MotionSeries::velocities(std::span<const double> taus) const {
       powers(k, a) = (k + 1.0) * power;
   }
   return c_.rightCols(order_ + 1) * powers;
+}
+
+// A gap is a sum of N products, as GapValue has it; of what moves it each coefficient was formed by
+// a few more.
+BoundedSeries MotionSeries::gap(const Eigen::Ref<const Vector>& row, double norm, double gap,
+                                int multiplicity, double tau, std::vector<double>& storage) const {
+  storage.resize(static_cast<std::size_t>(order_ + 1));
+  Eigen::Map<Vector>(storage.data(), order_ + 1).noalias() =
+      -(c_.leftCols(order_ + 1).transpose() * row);
+  storage[0] += gap;
+  const double unit_rounding =
+      (kRoundings + static_cast<double>(row.size())) * std::numeric_limits<double>::epsilon();
+  BoundedSeries series;
+  series.coefficients =
+      std::span<const double>(storage).subspan(static_cast<std::size_t>(multiplicity));
+  series.remainder = norm * remainder();
+  double power = 1.0, moved = 0.0;
+  for (int k = multiplicity + 1; k <= order_; ++k, power *= tau)
+    moved += power * (k == 1 ? row.cwiseAbs().dot(c_.col(1).cwiseAbs()) : norm * c_.col(k).norm());
+  series.noise_rate = unit_rounding * moved;
+  if (multiplicity == 0)
+    series.noise = unit_rounding * (std::abs(gap) + row.cwiseAbs().dot(c_.col(0).cwiseAbs()));
+  return series;
+}
+
+BoundedSeries MotionSeries::force(int i, std::vector<double>& storage) const {
+  storage.resize(static_cast<std::size_t>(order_));
+  for (int k = 0; k < order_; ++k) storage[static_cast<std::size_t>(k)] = mu_(i, k);
+  storage[0] += 2.0 * force_noise(i);
+  return {storage, force_remainder(i)};
 }
 
 Vector MotionSeries::forces_at(double theta, const Vector& q, const Vector& qdot) const {
@@ -200,7 +232,7 @@ class ZeroSearch {
 
   // Whether the stretch is clear; otherwise what was found is in `zero`.
   bool clear(const Stretch& stretch, SeriesZero& zero) const {
-    if (stretch.least() > series_.noise + left_out(stretch.to)) {
+    if (stretch.least() > series_.noise + series_.noise_rate * stretch.to + left_out(stretch.to)) {
       zero.clear = stretch.to;
       return true;
     }

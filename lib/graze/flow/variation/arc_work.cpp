@@ -5,6 +5,7 @@
 
 #include "graze/flow/exact/detail/term_kernels.hpp"
 #include "graze/flow/held/detail/exact_phase.hpp"
+#include "graze/flow/held/detail/series_phase.hpp"
 #include "graze/flow/sprung/detail/sprung_phase.hpp"
 #include "graze/flow/variation/detail/signal.hpp"
 
@@ -206,6 +207,12 @@ Work work_along(const System& system, const ContactPhase<double>& phase, double 
     phase.state(0.0, q0, qdot);
     phase.state(s, q1, qdot);
     work.load = system.load()->dot(q1 - q0);
+  }
+  if (const SeriesPhase* series = phase.series()) {
+    const SeriesWork done = series->work(s);
+    work.dissipation = done.dissipation;
+    work.forcing = done.forcing;
+    return work;
   }
   if (const Arc<double>* arc = phase.exact()->arc())
     add_real_modes(*arc, s, work);

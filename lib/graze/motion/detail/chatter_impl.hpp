@@ -53,8 +53,7 @@ std::optional<ClosedChatter<Real>> Motion<Real>::close_chatter(int i, const Real
   if (!(push > now.noise)) return {};
   const Real duration = 2 * leaving / (push * (1 - restitution));
   // Of a structure that turns no more is known ahead than how the push changes now.
-  const ExactPhase<Real>* exact = phase_->exact();
-  const CurvePoint<Real> ahead = exact ? exact->gap(i, duration, true).at(Real(0), 2) : now;
+  const CurvePoint<Real> ahead = phase_->sees_ahead() ? phase_->outlook(i, 2, duration) : now;
   if (!(duration * (abs(ahead.slope) + ahead.bound * duration) <= push / 2)) return {};
   if (!is_quiet(*phase_, {i}, duration)) return {};
   if (has_friction() && !turns_on(duration)) return {};
@@ -74,14 +73,8 @@ bool Motion<Real>::is_quiet(const ContactPhase<Real>& phase, const std::vector<i
                             const Real& duration) {
   for (const int j : order_) {
     if (std::find(chattering.begin(), chattering.end(), j) != chattering.end()) continue;
-    if (!phase.exact()) {
-      if (!is_quiet_meanwhile(j, duration)) return false;
-      continue;
-    }
-    const FirstZero<Real> zero = contact(j) == Contact::kClosed
-                                     ? first_release(phase.exact()->force(j, duration))
-                                     : first_contact(phase.exact()->gap(j, duration, false), 0);
-    if (zero.kind != ZeroKind::kNone) return false;
+    if (!(phase.sees_ahead() ? phase.stays_quiet(j, duration) : is_quiet_meanwhile(j, duration)))
+      return false;
   }
   return true;
 }
@@ -208,7 +201,7 @@ std::optional<ClosedChatter<Real>> Motion<Real>::close_shared(const Real& closur
   const auto [q, qdot] = at_rest_on(stops);
   held.start(clock_.phase(now_.instant), q, qdot);
   for (const int i : stops) {
-    const CurvePoint<Real> force = held.exact()->force(i, duration).at(Real(0), 0);
+    const CurvePoint<Real> force = held.outlook(i, 0, duration);
     if (!(force.value > force.noise &&
           duration * (abs(force.slope) + force.bound * duration) <= force.value / 2))
       return {};

@@ -38,6 +38,9 @@ class ExactPhase : public ContactPhase<Real> {
   Real force_at(int stop, const Real& s, const RealVector<Real>& q,
                 const RealVector<Real>& qdot) const override;
   Real force_rate(int stop) const override;
+  bool sees_ahead() const override { return true; }
+  CurvePoint<Real> outlook(int stop, int order, const Real& ahead) const override;
+  bool stays_quiet(int stop, const Real& duration) const override;
   const ExactPhase* exact() const override { return this; }
 
  protected:

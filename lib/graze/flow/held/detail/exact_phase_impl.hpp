@@ -77,6 +77,20 @@ CurvePoint<Real> ExactPhase<Real>::gap_rate(int stop, int order) const {
 }
 
 template <class Real>
+CurvePoint<Real> ExactPhase<Real>::outlook(int stop, int order, const Real& ahead) const {
+  return structure_.holds(stop) ? force(stop, ahead).at(Real(0), order)
+                                : gap(stop, ahead, true).at(Real(0), order);
+}
+
+template <class Real>
+bool ExactPhase<Real>::stays_quiet(int stop, const Real& duration) const {
+  const FirstZero<Real> zero = structure_.holds(stop)
+                                   ? first_release(force(stop, duration))
+                                   : first_contact(gap(stop, duration, false), 0);
+  return zero.kind == ZeroKind::kNone;
+}
+
+template <class Real>
 Real ExactPhase<Real>::force_at(int stop, const Real& s, const RealVector<Real>& q,
                                 const RealVector<Real>& qdot) const {
   const Real theta = start_phase() + structure_.reduced.frequency * s;

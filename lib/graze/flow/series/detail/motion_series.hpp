@@ -17,11 +17,19 @@
 #pragma once
 
 #include <span>
+#include <vector>
 
 #include "graze/base/linalg/detail/dense_factors.hpp"
 #include "graze/flow/exact/detail/exact_flow.hpp"
 
 namespace graze {
+
+// A polynomial in t/u, known to noise + noise_rate t/u; what follows of it is bounded by remainder
+// (t/u)^(its number of coefficients).
+struct BoundedSeries {
+  std::span<const double> coefficients;
+  double remainder = 0.0, noise = 0.0, noise_rate = 0.0;
+};
 
 class MotionSeries {
  public:
@@ -50,12 +58,21 @@ class MotionSeries {
   double force_remainder(int i) const;
   // sqrt(|2 delta s_i|^2 + |w s_i|^2), mu_i = s_i.(free acceleration).
   double force_weight(int i) const { return force_weight_[i]; }
+  // |s_i.f|, N; 0 without forcing.
+  double force_push(int i) const;
   // |s_i| . |..|: what the terms of mu_i at the start add up to, for its rounding.
   double force_noise(int i) const;
 
   void state(double tau, Vector& q, Vector& qdot) const;
   // Velocities at each of these, N x count.
   Matrix velocities(std::span<const double> taus) const;
+
+  // gap - row.q over `tau` units, kept in `storage`. From a zero of a multiplicity n > 0 on it is
+  // divided by (t/u)^n, and begins with what is known to leave it. `norm`: |row|.
+  BoundedSeries gap(const Eigen::Ref<const Vector>& row, double norm, double gap, int multiplicity,
+                    double tau, std::vector<double>& storage) const;
+  // Contact force i; a force is gone that is below zero for certain.
+  BoundedSeries force(int i, std::vector<double>& storage) const;
 
   // Contact forces in a given state, m.
   Vector forces_at(double theta, const Vector& q, const Vector& qdot) const;
@@ -75,13 +92,6 @@ class MotionSeries {
   Vector force_weight_;
   double theta_ = 0.0, last_size_ = 0.0;
   Matrix c_, mu_;
-};
-
-// The start of a polynomial in t/u that is known to `noise`, what follows of it is bounded by
-// remainder (t/u)^(its number of coefficients).
-struct BoundedSeries {
-  std::span<const double> coefficients;
-  double remainder = 0.0, noise = 0.0;
 };
 
 // Where it may have its first zero in (0, tau].
