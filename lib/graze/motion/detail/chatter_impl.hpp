@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <tuple>
+#include <utility>
 
 #include "graze/base/linalg/detail/dense_factors.hpp"
 #include "graze/contact/detail/complementarity.hpp"
@@ -47,7 +48,8 @@ std::optional<ClosedChatter<Real>> Motion<Real>::close_chatter(int i, const Real
   const Real leaving = -approach_speed(i);
   if (!(restitution < 1) || !(stop(i).restitution().at_rest() < 1) || !(leaving > 0)) return {};
   for (const int j : order_)
-    if (j != i && contact(j) != Contact::kClear && contact(j) != Contact::kClosed) return {};
+    if (j != i && contact(j) != Contact::kClear && contact(j) != Contact::kClosed && !is_leaving(j))
+      return {};
   const CurvePoint<Real> now = start_phase().gap_rate(i, 2);
   const Real push = -now.value;
   if (!(push > now.noise)) return {};
@@ -61,9 +63,26 @@ std::optional<ClosedChatter<Real>> Motion<Real>::close_chatter(int i, const Real
   // less the speed at which the structure leaves.
   std::vector<int> stops = closed();
   stops.push_back(i);
-  now_.qdot = at_rest_on(stops).second;
+  const RealVector<Real> before = std::exchange(now_.qdot, at_rest_on(stops).second);
+  const auto turned_back = [&](int j) { return is_touched(j) && j != i && !is_leaving(j); };
+  if (std::any_of(order_.begin(), order_.end(), turned_back)) {
+    now_.qdot = before;
+    return {};
+  }
   look_at_joint();
   return settled(stops, duration);
+}
+
+// Touched, and not held there.
+template <class Real>
+bool Motion<Real>::is_touched(int i) const {
+  return contact(i) == Contact::kTouching || contact(i) == Contact::kDeparting;
+}
+
+// Of those, at a speed that is not rounding.
+template <class Real>
+bool Motion<Real>::is_leaving(int i) const {
+  return is_touched(i) && approach_speed(i) < -speed_rounding(i);
 }
 
 // Whether nothing but the chatter happens for so long: no stop is met, none of the closed ones
@@ -71,8 +90,17 @@ std::optional<ClosedChatter<Real>> Motion<Real>::close_chatter(int i, const Real
 template <class Real>
 bool Motion<Real>::is_quiet(const ContactPhase<Real>& phase, const std::vector<int>& chattering,
                             const Real& duration) {
+  using std::abs;
   for (const int j : order_) {
     if (std::find(chattering.begin(), chattering.end(), j) != chattering.end()) continue;
+    if (is_touched(j)) {
+      // It is being left, and is not met again where that goes on all the time.
+      if (!phase.sees_ahead()) return false;
+      const CurvePoint<Real> rate = phase.outlook(j, 1, duration);
+      if (!(rate.value - rate.noise > duration * (abs(rate.slope) + rate.bound * duration)))
+        return false;
+      continue;
+    }
     if (!(phase.sees_ahead() ? phase.stays_quiet(j, duration) : is_quiet_meanwhile(j, duration)))
       return false;
   }
@@ -137,6 +165,8 @@ std::vector<int> Motion<Real>::chattering_together(const Real& closure_speed) co
   for (const int i : order_) {
     if (contact(i) == Contact::kClear && !(2 * most * gap(i) <= closure_speed * closure_speed))
       continue;
+    // It is gone for longer than what is summed takes.
+    if (is_touched(i) && approach_speed(i) < -closure_speed) continue;
     if (!(stop(i).restitution().at_rest() < 1)) return {};
     near.push_back(i);
     pushes.push_back(stop(i).row.dot(acceleration));

@@ -174,6 +174,8 @@ class Motion {
   // What of a push row.q'' may be rounding, by the size of the terms that are summed, m/s^2.
   Real push_rounding(int i, const RealVector<Real>& size) const;
   bool touches(int i) const;
+  bool is_touched(int i) const;
+  bool is_leaving(int i) const;
   std::vector<int> closed() const;
   ContactPhase<Real>& phase_of(const std::vector<int>& closed);
   PhaseSprings springs() const;
