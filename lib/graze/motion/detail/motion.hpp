@@ -178,6 +178,7 @@ class Motion {
   bool is_leaving(int i) const;
   std::vector<int> closed() const;
   ContactPhase<Real>& phase_of(const std::vector<int>& closed);
+  void forget_phase();
   PhaseSprings springs() const;
   Real depth(int stop) const;
   void begin_springs();
@@ -267,7 +268,12 @@ class Motion {
   std::optional<int> left_out_;
   std::vector<int> looked_at_;  // all but that
   MotionState<Real> now_, departure_;
-  std::map<PhaseKey, std::unique_ptr<ContactPhase<Real>>> phases_;
+  struct KeptPhase {
+    std::unique_ptr<ContactPhase<Real>> phase;
+    long long asked = 0;  // when it was asked for last, counted
+  };
+  std::map<PhaseKey, KeptPhase> phases_;
+  long long asked_ = 0, forgotten_evaluations_ = 0;
   ContactPhase<Real>* phase_ = nullptr;  // of the closed stops; null until it is looked up
   ContactPhase<Real>* flown_ = nullptr;
   bool undecided_ = false;  // some stop is touching

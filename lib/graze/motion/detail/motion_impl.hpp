@@ -23,6 +23,10 @@ namespace motion_detail {
 // instant; a motion that does not get away from it after this many cannot be decided.
 inline constexpr int kMostArrivalsAtOnce = 1000;
 
+// Phases that are kept, of so many sets of closed stops and compressed springs: those of many stops
+// are more than memory holds.
+inline constexpr std::size_t kMostPhases = 64;
+
 // Whether stop a comes before stop b in an order that knows nothing of how they are listed.
 inline bool precedes(const Stop& a, const Stop& b) {
   for (Eigen::Index j = 0; j < a.row.size(); ++j)
@@ -119,13 +123,28 @@ bool Motion<Real>::is_closed_anywhere() const {
 template <class Real>
 ContactPhase<Real>& Motion<Real>::phase_of(const std::vector<int>& closed) {
   const PhaseKey key{closed, springs(), now_.joint};
-  std::unique_ptr<ContactPhase<Real>>& phase = phases_[key];
-  if (phase) return *phase;
+  KeptPhase& kept = phases_[key];
+  kept.asked = ++asked_;
+  if (kept.phase) return *kept.phase;
   const double angle = now_.joint == Joint::kHeld
                            ? system_.rotation()->angle.dot(now_.q.template cast<double>())
                            : 0.0;
-  phase = make_contact_phase<Real>(system_, key, steps_, angle);
-  return *phase;
+  kept.phase = make_contact_phase<Real>(system_, key, steps_, angle);
+  ContactPhase<Real>& phase = *kept.phase;
+  if (phases_.size() > motion_detail::kMostPhases) forget_phase();
+  return phase;
+}
+
+// The one that was asked for longest ago; what is flown, and what was flown last, are kept.
+template <class Real>
+void Motion<Real>::forget_phase() {
+  auto oldest = phases_.end();
+  for (auto kept = phases_.begin(); kept != phases_.end(); ++kept)
+    if (kept->second.phase.get() != phase_ && kept->second.phase.get() != flown_ &&
+        (oldest == phases_.end() || kept->second.asked < oldest->second.asked))
+      oldest = kept;
+  forgotten_evaluations_ += oldest->second.phase->evaluations();
+  phases_.erase(oldest);
 }
 
 template <class Real>
@@ -223,8 +242,8 @@ Arrival<Real> Motion<Real>::search(const Real& until, const Real& horizon) {
 
 template <class Real>
 long long Motion<Real>::step_evaluations() const {
-  long long sum = 0;
-  for (const auto& [key, phase] : phases_) sum += phase->evaluations();
+  long long sum = forgotten_evaluations_;
+  for (const auto& [key, kept] : phases_) sum += kept.phase->evaluations();
   return sum;
 }
 
