@@ -14,7 +14,7 @@ Beyond mode 100 (what is extrapolated, and how):
   to 90 to 3e-5. `--stiffness beam` writes n f_1 sqrt(1 + B n^2) instead, of which that is the
   expansion: it is what a stiff string has, and at mode 862 the expansion is 2.7 times as high.
 - losses: 1/Q = eta/(mu f) + a/sqrt(f) + delta B n^2 f0/f + c, air, viscoelastic and thermoelastic, with
-  eta = 1.8e-5 Pa s and the others fitted to modes 91 to 100, which leaves 3.5e-11 of a 1/Q of 2.6e-3 to
+  eta = 1.8e-5 Pa s and the others fitted to modes 91 to 100, which leaves 4e-11 of a 1/Q of 2.6e-3 to
   3.0e-3. Against measured modes 60 to 90 it is off by 3 % at most; below the measured ones scatter by
   more than they amount to. f0 is the frequency without stiffness.
 - the start: zero. At mode 100 it is 1.2e-5 of that of mode 1.
