@@ -7,7 +7,8 @@
 // is found by letting the first one that contradicts itself change sides, which ends at the
 // solution where all principal minors of D are positive, as those of independent contacts are (K.
 // G. Murty, Opsearch 11, 1974, 123-130). Where contacts depend on each other (two stops at one
-// place) all sets are tried, in one order.
+// place) all sets are tried, in one order. Of more contacts than that allows, Lemke's method finds
+// the set (lemke.hpp), and what it finds is checked.
 #pragma once
 
 #include <limits>
@@ -16,11 +17,12 @@
 
 #include "graze/base/linalg/detail/dense_factors.hpp"
 #include "graze/base/vector.hpp"
+#include "graze/contact/detail/lemke.hpp"
 
 namespace graze {
 
-// More contacts at one instant than this are not decided.
-inline constexpr int kMostContacts = 12;
+// Of up to so many contacts all sets may be tried; of more the set is Lemke's.
+inline constexpr int kFewContacts = 12;
 
 // Roundings of v - D p by the contacts' own action: the elimination, the products and the sum.
 inline constexpr int kRoundingsOfAction = 8;
@@ -66,14 +68,46 @@ ContactTrial<Real> try_contacts(const RealMatrix<Real>& delassus, const RealVect
   return trial;
 }
 
-// p, or nothing where no set of contacts fits (they contradict each other) or there are too many.
-// `rounding`: of v, per contact; a violation within it and that of p counts as none.
+// What is left of w = v - D p by the set of contacts that Lemke's method ends with. Each of n
+// products and sums rounds by one eps of |D||p|, and a solution that was refined once leaves as
+// much of its own; within that, and the rounding of v, the solution is checked to be one.
+template <class Real>
+std::optional<RealVector<Real>> solve_many_contacts(const RealMatrix<Real>& delassus,
+                                                    const RealVector<Real>& v,
+                                                    const RealVector<Real>& rounding) {
+  const Eigen::Index n = v.size();
+  const std::optional<std::vector<Eigen::Index>> active = LemkeTableau<Real>(delassus, -v).solve();
+  if (!active) return {};
+  RealVector<Real> p = RealVector<Real>::Zero(n);
+  std::vector<bool> acts(static_cast<std::size_t>(n), false);
+  if (!active->empty()) {
+    const PivotedLu<Real> lu(delassus(*active, *active));
+    p(*active) = lu.solve(v(*active));
+    p(*active) += lu.solve((v - delassus * p)(*active));
+    for (const Eigen::Index i : *active) acts[static_cast<std::size_t>(i)] = true;
+  }
+  const RealVector<Real> w = v - delassus * p;
+  const RealVector<Real> own = Real(2 * (static_cast<int>(n) + 2)) *
+                               std::numeric_limits<Real>::epsilon() * delassus.cwiseAbs() *
+                               p.cwiseAbs();
+  for (Eigen::Index i = 0; i < n; ++i) {
+    const Real allowed = rounding[i] + own[i];
+    const bool holds = acts[static_cast<std::size_t>(i)]
+                           ? p[i] * delassus(i, i) >= -allowed && w[i] >= -allowed
+                           : true;
+    if (!holds || !(w[i] <= allowed)) return {};
+  }
+  return p.cwiseMax(Real(0));
+}
+
+// p, or nothing where no set of contacts fits (they contradict each other). `rounding`: of v, per
+// contact; a violation within it and that of p counts as none.
 template <class Real>
 std::optional<RealVector<Real>> solve_contacts(const RealMatrix<Real>& delassus,
                                                const RealVector<Real>& v,
                                                const RealVector<Real>& rounding) {
   const auto n = static_cast<int>(v.size());
-  if (n > kMostContacts) return {};
+  if (n > kFewContacts) return solve_many_contacts<Real>(delassus, v, rounding);
   const int sets = 1 << n;
   int set = 0;
   for (int tried = 0; tried < sets; ++tried) {

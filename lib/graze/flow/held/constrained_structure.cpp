@@ -8,6 +8,11 @@ namespace graze {
 
 template struct ConstrainedStructure<double>;
 
+bool proportional_damping(const System& system) {
+  return constrained_structure_detail::proportional_damping(linear_system<double>(system))
+      .has_value();
+}
+
 CoupledSystem couple(ConstrainedStructure<double>& held) {
   const Eigen::Index n = held.rows.rows(), m = held.size();
   // Left inverse of the basis that knows nothing of the directions: Z^T U = I, Z^T D = 0.

@@ -1,5 +1,7 @@
 #include "graze/flow/held/detail/coupled_phase.hpp"
 
+#include "graze/flow/held/detail/held_exactly.hpp"
+
 namespace graze {
 
 CoupledPhase::CoupledPhase(const System& system, PhaseKey key,
@@ -24,6 +26,15 @@ bool CoupledPhase::set_curve(ArcCurve<double>& curve, const Observable<double>& 
                              const double& window, bool from_zero) const {
   curve = arc_.curve(observable, window, from_zero);
   return false;
+}
+
+std::unique_ptr<ExactPhase<double>> exact_phase(const System& system, const PhaseKey& key) {
+  if (key.closed.empty()) return std::make_unique<FreePhase<double>>(system, key);
+  ConstrainedStructure<double> structure(system, key.closed);
+  if (structure.has_real_modes)
+    return std::make_unique<ConstrainedPhase<double>>(system, key, std::move(structure));
+  const CoupledSystem equations = couple(structure);
+  return std::make_unique<CoupledPhase>(system, key, std::move(structure), equations);
 }
 
 }  // namespace graze

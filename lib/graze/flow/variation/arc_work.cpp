@@ -3,7 +3,9 @@
 #include <cmath>
 #include <limits>
 
+#include "graze/flow/exact/detail/term_kernels.hpp"
 #include "graze/flow/held/detail/exact_phase.hpp"
+#include "graze/flow/held/detail/series_phase.hpp"
 #include "graze/flow/sprung/detail/sprung_phase.hpp"
 #include "graze/flow/variation/detail/signal.hpp"
 
@@ -97,8 +99,47 @@ void add_by_panels(const Arc<double>& arc, int j, double s, Work& work) {
   work.forcing += mode.force * product_integral(force, left, s - settled);
 }
 
+// Dissipation of many modes that nothing drives. Each velocity is Re(c e^{l s}), and
+//
+//   2 delta v^2 = delta (|c|^2 e^{-2 delta s} + Re(c^2 e^{2 l s})),
+//
+// whose integrals know no cancellation but that of the two, which is within the rounding of the
+// mode's own energy. False, with nothing added, where a mode has another form.
+bool add_free_modes(const Arc<double>& arc, double s, Work& work) {
+  const ExactFlow<double>& flow = arc.flow();
+  const auto free = [&](int j) { return flow.mode(j).kind == ModeKind::kOscillatory; };
+  for (int j = 0; j < flow.modes(); ++j)
+    if (!free(j)) return false;
+  const ExactFlow<double>::Turns& turns = flow.turns();
+  std::vector<double> re(turns.decay.size()), im(re.size());  // e^{l s} - 1
+  turn_terms(turns.decay.data(), turns.half_frequency.data(), re.size(), turns.quickest, s,
+             re.data(), im.data());
+  double dissipation = 0.0;
+  for (int j = 0; j < flow.modes(); ++j) {
+    const ModeFlow<double>& mode = flow.mode(j);
+    if (mode.delta == 0.0) continue;
+    const PlanarNumber<double>& a = arc.amplitude(j);
+    const double x = re[static_cast<std::size_t>(j) + 1], y = im[static_cast<std::size_t>(j) + 1];
+    // c = l a.
+    const double cr = -mode.first * a.re - mode.second * a.im;
+    const double ci = mode.second * a.re - mode.first * a.im;
+    // e^{-2 delta s} - 1 and e^{2 l s} - 1 from the same numbers.
+    const double lost = 2.0 * x + x * x + y * y;
+    const double ur = 2.0 * x + x * x - y * y, ui = 2.0 * y * (1.0 + x);
+    // Re(c^2 (e^{2 l s} - 1)/(2 l))
+    const double sr = cr * cr - ci * ci, si = 2.0 * cr * ci;
+    const double tr = sr * ur - si * ui, ti = sr * ui + si * ur;
+    const double square = mode.first * mode.first + mode.second * mode.second;
+    dissipation += -0.5 * (cr * cr + ci * ci) * lost +
+                   0.5 * mode.delta * (-mode.first * tr + mode.second * ti) / square;
+  }
+  work.dissipation += dissipation;
+  return true;
+}
+
 void add_real_modes(const Arc<double>& arc, double s, Work& work) {
   const ExactFlow<double>& flow = arc.flow();
+  if (!flow.forced() && flow.modes() > kFewModes && add_free_modes(arc, s, work)) return;
   const Signal force{{std::polar(1.0, arc.start_phase()), Complex(0.0, flow.frequency())}};
   for (int j = 0; j < flow.modes(); ++j) {
     const ModeFlow<double>& mode = flow.mode(j);
@@ -166,6 +207,12 @@ Work work_along(const System& system, const ContactPhase<double>& phase, double 
     phase.state(0.0, q0, qdot);
     phase.state(s, q1, qdot);
     work.load = system.load()->dot(q1 - q0);
+  }
+  if (const SeriesPhase* series = phase.series()) {
+    const SeriesWork done = series->work(s);
+    work.dissipation = done.dissipation;
+    work.forcing = done.forcing;
+    return work;
   }
   if (const Arc<double>* arc = phase.exact()->arc())
     add_real_modes(*arc, s, work);

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <tuple>
+#include <utility>
 
 #include "graze/base/linalg/detail/dense_factors.hpp"
 #include "graze/contact/detail/complementarity.hpp"
@@ -25,7 +26,8 @@ std::optional<ClosedChatter<Real>> Motion<Real>::close_chatter(
     if (!fastest || share.speed > fastest->speed) fastest = &share;
   }
   if (!fastest || is_sprung()) return {};
-  const Real speed = std::max<Real>(closure_speed, resolved_speed());
+  const bool may_be_slow = fastest->speed <= closure_speed || may_be_unresolved(fastest->speed);
+  const Real speed = may_be_slow ? std::max<Real>(closure_speed, resolved_speed()) : closure_speed;
   if (!(fastest->speed <= speed)) {
     now_.unsummed = 0;
     return {};
@@ -46,14 +48,14 @@ std::optional<ClosedChatter<Real>> Motion<Real>::close_chatter(int i, const Real
   const Real leaving = -approach_speed(i);
   if (!(restitution < 1) || !(stop(i).restitution().at_rest() < 1) || !(leaving > 0)) return {};
   for (const int j : order_)
-    if (j != i && contact(j) != Contact::kClear && contact(j) != Contact::kClosed) return {};
+    if (j != i && contact(j) != Contact::kClear && contact(j) != Contact::kClosed && !is_leaving(j))
+      return {};
   const CurvePoint<Real> now = start_phase().gap_rate(i, 2);
   const Real push = -now.value;
   if (!(push > now.noise)) return {};
   const Real duration = 2 * leaving / (push * (1 - restitution));
   // Of a structure that turns no more is known ahead than how the push changes now.
-  const ExactPhase<Real>* exact = phase_->exact();
-  const CurvePoint<Real> ahead = exact ? exact->gap(i, duration, true).at(Real(0), 2) : now;
+  const CurvePoint<Real> ahead = phase_->sees_ahead() ? phase_->outlook(i, 2, duration) : now;
   if (!(duration * (abs(ahead.slope) + ahead.bound * duration) <= push / 2)) return {};
   if (!is_quiet(*phase_, {i}, duration)) return {};
   if (has_friction() && !turns_on(duration)) return {};
@@ -61,9 +63,26 @@ std::optional<ClosedChatter<Real>> Motion<Real>::close_chatter(int i, const Real
   // less the speed at which the structure leaves.
   std::vector<int> stops = closed();
   stops.push_back(i);
-  now_.qdot = at_rest_on(stops).second;
+  const RealVector<Real> before = std::exchange(now_.qdot, at_rest_on(stops).second);
+  const auto turned_back = [&](int j) { return is_touched(j) && j != i && !is_leaving(j); };
+  if (std::any_of(order_.begin(), order_.end(), turned_back)) {
+    now_.qdot = before;
+    return {};
+  }
   look_at_joint();
   return settled(stops, duration);
+}
+
+// Touched, and not held there.
+template <class Real>
+bool Motion<Real>::is_touched(int i) const {
+  return contact(i) == Contact::kTouching || contact(i) == Contact::kDeparting;
+}
+
+// Of those, at a speed that is not rounding.
+template <class Real>
+bool Motion<Real>::is_leaving(int i) const {
+  return is_touched(i) && approach_speed(i) < -speed_rounding(i);
 }
 
 // Whether nothing but the chatter happens for so long: no stop is met, none of the closed ones
@@ -71,16 +90,19 @@ std::optional<ClosedChatter<Real>> Motion<Real>::close_chatter(int i, const Real
 template <class Real>
 bool Motion<Real>::is_quiet(const ContactPhase<Real>& phase, const std::vector<int>& chattering,
                             const Real& duration) {
+  using std::abs;
   for (const int j : order_) {
     if (std::find(chattering.begin(), chattering.end(), j) != chattering.end()) continue;
-    if (!phase.exact()) {
-      if (!is_quiet_meanwhile(j, duration)) return false;
+    if (is_touched(j)) {
+      // It is being left, and is not met again where that goes on all the time.
+      if (!phase.sees_ahead()) return false;
+      const CurvePoint<Real> rate = phase.outlook(j, 1, duration);
+      if (!(rate.value - rate.noise > duration * (abs(rate.slope) + rate.bound * duration)))
+        return false;
       continue;
     }
-    const FirstZero<Real> zero = contact(j) == Contact::kClosed
-                                     ? first_release(phase.exact()->force(j, duration))
-                                     : first_contact(phase.exact()->gap(j, duration, false), 0);
-    if (zero.kind != ZeroKind::kNone) return false;
+    if (!(phase.sees_ahead() ? phase.stays_quiet(j, duration) : is_quiet_meanwhile(j, duration)))
+      return false;
   }
   return true;
 }
@@ -98,6 +120,22 @@ template <class Real>
 bool Motion<Real>::turns_on(const Real& duration) const {
   using std::abs;
   return abs(hub_rate(now_.qdot)) > 2 * duration * abs(hub_rate(free_acceleration()));
+}
+
+// Whether resolved_speed() may be that large, by the sizes of what it is formed from: of many stops
+// each costs a look at every mode. Twice, for the rounding of the sizes themselves.
+template <class Real>
+bool Motion<Real>::may_be_unresolved(const Real& speed) const {
+  using std::abs;
+  if (order_.size() < 2) return false;
+  if (turning_) return true;
+  const Real push = free_acceleration().norm(), shape = now_.q.norm();
+  const Real eps = Real(static_cast<int>(now_.q.size()) + 2) * std::numeric_limits<Real>::epsilon();
+  for (const int i : order_) {
+    const Real norm = stop(i).norm, rounding = eps * (abs(stop(i).gap) + norm * shape);
+    if (speed * speed <= 4 * norm * push * rounding) return true;
+  }
+  return false;
 }
 
 // Falls onto a stop from within the rounding of its gap cannot be told from rest on it.
@@ -127,6 +165,8 @@ std::vector<int> Motion<Real>::chattering_together(const Real& closure_speed) co
   for (const int i : order_) {
     if (contact(i) == Contact::kClear && !(2 * most * gap(i) <= closure_speed * closure_speed))
       continue;
+    // It is gone for longer than what is summed takes.
+    if (is_touched(i) && approach_speed(i) < -closure_speed) continue;
     if (!(stop(i).restitution().at_rest() < 1)) return {};
     near.push_back(i);
     pushes.push_back(stop(i).row.dot(acceleration));
@@ -191,7 +231,7 @@ std::optional<ClosedChatter<Real>> Motion<Real>::close_shared(const Real& closur
   const auto [q, qdot] = at_rest_on(stops);
   held.start(clock_.phase(now_.instant), q, qdot);
   for (const int i : stops) {
-    const CurvePoint<Real> force = held.exact()->force(i, duration).at(Real(0), 0);
+    const CurvePoint<Real> force = held.outlook(i, 0, duration);
     if (!(force.value > force.noise &&
           duration * (abs(force.slope) + force.bound * duration) <= force.value / 2))
       return {};

@@ -255,7 +255,7 @@ std::vector<int> Motion<Real>::decide_degenerate(std::vector<int> held, std::vec
     const CurvePoint<Real> jerk = phase.gap_rate(i, 3);
     if (jerk.value > jerk.noise) return 3;
     // Where nothing has a closed form no further rate is known.
-    if (jerk.value < -jerk.noise || !phase.exact()) return 0;
+    if (jerk.value < -jerk.noise || !phase.sees_ahead()) return 0;
     return jerk.slope > quickest_rate() * jerk.noise ? 4 : 0;
   };
   const auto stays = [&](int i) { return leaves(i) == 0; };

@@ -135,6 +135,7 @@ class Motion {
   struct MetStop {
     RealVector<Real> row, direction;
     Real gap = 0;
+    Real norm = 0;   // |row|
     Real norm2 = 0;  // |row|^2 where the direction is row/|row|^2 to rounding; 0: it is oblique
     const Stop* given = nullptr;  // of system_
 
@@ -173,8 +174,11 @@ class Motion {
   // What of a push row.q'' may be rounding, by the size of the terms that are summed, m/s^2.
   Real push_rounding(int i, const RealVector<Real>& size) const;
   bool touches(int i) const;
+  bool is_touched(int i) const;
+  bool is_leaving(int i) const;
   std::vector<int> closed() const;
   ContactPhase<Real>& phase_of(const std::vector<int>& closed);
+  void forget_phase();
   PhaseSprings springs() const;
   Real depth(int stop) const;
   void begin_springs();
@@ -233,6 +237,7 @@ class Motion {
                 const Real& duration);
   bool is_quiet_meanwhile(int stop, const Real& duration);
   Real resolved_speed() const;
+  bool may_be_unresolved(const Real& speed) const;
   std::vector<int> chattering_together(const Real& closure_speed) const;
   std::optional<ClosedChatter<Real>> close_shared(const Real& closure_speed);
   std::pair<RealVector<Real>, RealVector<Real>> at_rest_on(const std::vector<int>& stops) const;
@@ -263,7 +268,12 @@ class Motion {
   std::optional<int> left_out_;
   std::vector<int> looked_at_;  // all but that
   MotionState<Real> now_, departure_;
-  std::map<PhaseKey, std::unique_ptr<ContactPhase<Real>>> phases_;
+  struct KeptPhase {
+    std::unique_ptr<ContactPhase<Real>> phase;
+    long long asked = 0;  // when it was asked for last, counted
+  };
+  std::map<PhaseKey, KeptPhase> phases_;
+  long long asked_ = 0, forgotten_evaluations_ = 0;
   ContactPhase<Real>* phase_ = nullptr;  // of the closed stops; null until it is looked up
   ContactPhase<Real>* flown_ = nullptr;
   bool undecided_ = false;  // some stop is touching

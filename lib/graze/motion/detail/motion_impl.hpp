@@ -23,6 +23,10 @@ namespace motion_detail {
 // instant; a motion that does not get away from it after this many cannot be decided.
 inline constexpr int kMostArrivalsAtOnce = 1000;
 
+// Phases that are kept, of so many sets of closed stops and compressed springs: those of many stops
+// are more than memory holds.
+inline constexpr std::size_t kMostPhases = 64;
+
 // Whether stop a comes before stop b in an order that knows nothing of how they are listed.
 inline bool precedes(const Stop& a, const Stop& b) {
   for (Eigen::Index j = 0; j < a.row.size(); ++j)
@@ -69,7 +73,7 @@ void Motion<Real>::adopt_system() {
     (stop.is_compliant() ? compliant_ : order_).push_back(static_cast<int>(stops_.size()));
     const bool is_normal = !stop.is_compliant() && stop.direction() == momentum_direction(stop.row);
     const RealVector<Real> row = stop.row.template cast<Real>();
-    stops_.push_back({row, stop.direction().template cast<Real>(), Real(stop.gap),
+    stops_.push_back({row, stop.direction().template cast<Real>(), Real(stop.gap), row.norm(),
                       is_normal ? row.squaredNorm() : Real(0), &stop});
   }
   std::stable_sort(order_.begin(), order_.end(), [&](int a, int b) {
@@ -119,13 +123,28 @@ bool Motion<Real>::is_closed_anywhere() const {
 template <class Real>
 ContactPhase<Real>& Motion<Real>::phase_of(const std::vector<int>& closed) {
   const PhaseKey key{closed, springs(), now_.joint};
-  std::unique_ptr<ContactPhase<Real>>& phase = phases_[key];
-  if (phase) return *phase;
+  KeptPhase& kept = phases_[key];
+  kept.asked = ++asked_;
+  if (kept.phase) return *kept.phase;
   const double angle = now_.joint == Joint::kHeld
                            ? system_.rotation()->angle.dot(now_.q.template cast<double>())
                            : 0.0;
-  phase = make_contact_phase<Real>(system_, key, steps_, angle);
-  return *phase;
+  kept.phase = make_contact_phase<Real>(system_, key, steps_, angle);
+  ContactPhase<Real>& phase = *kept.phase;
+  if (phases_.size() > motion_detail::kMostPhases) forget_phase();
+  return phase;
+}
+
+// The one that was asked for longest ago; what is flown, and what was flown last, are kept.
+template <class Real>
+void Motion<Real>::forget_phase() {
+  auto oldest = phases_.end();
+  for (auto kept = phases_.begin(); kept != phases_.end(); ++kept)
+    if (kept->second.phase.get() != phase_ && kept->second.phase.get() != flown_ &&
+        (oldest == phases_.end() || kept->second.asked < oldest->second.asked))
+      oldest = kept;
+  forgotten_evaluations_ += oldest->second.phase->evaluations();
+  phases_.erase(oldest);
 }
 
 template <class Real>
@@ -157,18 +176,6 @@ const ArcCurve<Real>& Motion<Real>::gap_ahead(int i, const Real& window) {
 
 template <class Real>
 Arrival<Real> Motion<Real>::fly(const Real& until, const Real& horizon) {
-  // What an impact or a push does is shared out among so many stops at one instant.
-  const auto crowded = [&] {
-    const auto touched = std::count_if(order_.begin(), order_.end(), [&](int i) {
-      return contact(i) != Contact::kClear &&
-             (is_held(i) || !(approach_speed(i) < -speed_rounding(i)));
-    });
-    if (touched <= kMostContacts) return false;
-    refusal_ = std::to_string(touched) + " stops are touched at this instant, and an impact is " +
-               "shared out among " + std::to_string(kMostContacts) + " at most";
-    return true;
-  };
-  if (undecided_ && crowded()) return {ArrivalKind::kRefused, order_.front()};
   const Instant<Real> start = now_.instant;
   std::optional<Arrival<Real>> arrival;
   if (changes_.empty() && undecided_) arrival = decide();
@@ -178,15 +185,21 @@ Arrival<Real> Motion<Real>::fly(const Real& until, const Real& horizon) {
   }
   if (!arrival && !(until > now_.instant.local)) arrival = stay();
   if (!arrival) arrival = arrive(search(until, horizon), until);
-  if (arrival->kind == ArrivalKind::kContact && crowded()) arrival->kind = ArrivalKind::kRefused;
   // To be asked for pending events alone is no progress, but is not counted; a flight that the
   // clock does not feel is none either.
   if (now_.instant.period != start.period || now_.instant.local != start.local)
     arrivals_at_once_ = 0;
   else if (arrival->kind != ArrivalKind::kTime)
     ++arrivals_at_once_;
-  if (arrivals_at_once_ > motion_detail::kMostArrivalsAtOnce)
-    arrival->kind = ArrivalKind::kUndecided;
+  if (arrivals_at_once_ > motion_detail::kMostArrivalsAtOnce) {
+    const auto touched = std::count_if(order_.begin(), order_.end(),
+                                       [&](int i) { return contact(i) != Contact::kClear; });
+    arrival->kind = touched > kFewContacts ? ArrivalKind::kRefused : ArrivalKind::kUndecided;
+    if (touched > kFewContacts)
+      refusal_ = std::to_string(touched) +
+                 " stops are touched at this instant, and what they do to each other has no "
+                 "solution that holds within rounding";
+  }
   return *arrival;
 }
 
@@ -229,8 +242,8 @@ Arrival<Real> Motion<Real>::search(const Real& until, const Real& horizon) {
 
 template <class Real>
 long long Motion<Real>::step_evaluations() const {
-  long long sum = 0;
-  for (const auto& [key, phase] : phases_) sum += phase->evaluations();
+  long long sum = forgotten_evaluations_;
+  for (const auto& [key, kept] : phases_) sum += kept.phase->evaluations();
   return sum;
 }
 
@@ -306,8 +319,15 @@ template <class Real>
 void Motion<Real>::touch_simultaneous(const Real& flight) {
   using std::abs;
   const Real eps = std::numeric_limits<Real>::epsilon();
+  const Real shape = now_.q.norm(), speed = now_.qdot.norm();
   for (const int i : order_) {
     if (contact(i) != Contact::kClear || i == left_out_) continue;
+    // By their sizes first: of many stops nearly all are far away.
+    const MetStop& s = stop(i);
+    const Real most =
+        Real(static_cast<int>(now_.q.size()) + 2) * eps * (abs(s.gap) + s.norm * shape) +
+        eps * (now_.instant.local + flight) * s.norm * speed;
+    if (this->gap(i) > 2 * most) continue;
     const GapValue<Real> gap = gap_value(stop(i).row, now_.q, stop(i).gap);
     const Real moved = eps * (now_.instant.local + flight) * abs(approach_speed(i));
     if (!(gap.value <= gap.rounding + moved)) continue;

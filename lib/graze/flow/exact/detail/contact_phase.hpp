@@ -1,11 +1,12 @@
 // A contact phase: the smooth motion while the same stops are closed and the same springs
 // compressed (none of either: free flight), up to the first event that ends it.
 //
-// Six of them stand behind this contract, chosen once for each phase (phase_choice.hpp):
+// Seven of them stand behind this contract, chosen once for each phase (phase_choice.hpp):
 //
 //   FreePhase         nothing holds the structure: its modes in closed form    exact_phase.hpp
 //   ConstrainedPhase  closed stops hold it, and it has real modes there        exact_phase.hpp
 //   CoupledPhase      the same where oblique laws or damping couple its modes  coupled_phase.hpp
+//   SeriesPhase       closed stops hold many modes                             series_phase.hpp
 //   SteppedPhase      any of these, integrated step by step instead            stepped_phase.hpp
 //   SprungPhase       springs are compressed                                   sprung_phase.hpp
 //   TurningPhase      the structure turns on a hub, with springs or without    turning_phase.hpp
@@ -52,6 +53,7 @@ struct Flight {
 
 template <class Real>
 class ExactPhase;
+class SeriesPhase;
 class SprungPhase;
 class StepFlow;
 
@@ -91,6 +93,15 @@ class ContactPhase {
   virtual Real force_at(int stop, const Real& s, const RealVector<Real>& q,
                         const RealVector<Real>& qdot) const = 0;
   virtual Real force_rate(int stop) const = 0;
+  // Whether the motion is known ahead, with bounds; what follows is asked for only then.
+  virtual bool sees_ahead() const { return false; }
+  // At the start of the arc, a derivative of the gap of an open stop, which the structure is on, or
+  // of the contact force of a closed one; its bounds hold for so many seconds.
+  virtual CurvePoint<Real> outlook(int /*stop*/, int /*order*/, const Real& /*ahead*/) const {
+    return {};
+  }
+  // Whether an open stop is not met in that time, a closed one not released.
+  virtual bool stays_quiet(int /*stop*/, const Real& /*duration*/) const { return false; }
   // Of the right-hand side of the equations of motion, where they are integrated.
   virtual long long evaluations() const { return 0; }
 
@@ -98,6 +109,8 @@ class ContactPhase {
   virtual const ExactPhase<Real>* exact() const { return nullptr; }
   // What is integrated on springs or on a hub; null where nothing of that is there.
   virtual const SprungPhase* sprung() const { return nullptr; }
+  // What follows it by power series; null where that is something else.
+  virtual const SeriesPhase* series() const { return nullptr; }
   // What integrates it step by step; null where its closed form is the motion.
   virtual StepFlow* stepped() const { return nullptr; }
 

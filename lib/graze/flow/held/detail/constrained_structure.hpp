@@ -45,6 +45,9 @@ struct ConstrainedStructure {
   std::vector<Observable<Real>> observables(const System& system) const;
   // The column that belongs to a stop that holds.
   Eigen::Index column_of(int stop) const;
+  bool holds(int stop) const {
+    return column_of(stop) < static_cast<Eigen::Index>(constrained.size());
+  }
 
   std::vector<int> constrained;
   LinearSystem<Real> whole;           // of all coordinates
@@ -64,6 +67,10 @@ struct ConstrainedStructure {
   RealVector<Real> balanced_load();
   friend CoupledSystem couple(ConstrainedStructure<double>& structure);
 };
+
+// Whether the decay rates are alpha + beta w^2 to rounding: then a structure that stops hold along
+// their rows has real modes.
+bool proportional_damping(const System& system);
 
 // Of a structure without real modes: the equations of its y. Moves its q_c.
 CoupledSystem couple(ConstrainedStructure<double>& structure);

@@ -1,11 +1,13 @@
 // Phases in closed form: the first events lie at zeros of curves with bounds (first_zero.hpp).
 #pragma once
 
+#include <memory>
 #include <vector>
 
 #include "graze/flow/exact/detail/contact_phase.hpp"
 #include "graze/flow/held/detail/constrained_structure.hpp"
 #include "graze/flow/held/detail/coupled_flow.hpp"
+#include "graze/flow/held/detail/flight_search.hpp"
 
 namespace graze {
 
@@ -36,6 +38,9 @@ class ExactPhase : public ContactPhase<Real> {
   Real force_at(int stop, const Real& s, const RealVector<Real>& q,
                 const RealVector<Real>& qdot) const override;
   Real force_rate(int stop) const override;
+  bool sees_ahead() const override { return true; }
+  CurvePoint<Real> outlook(int stop, int order, const Real& ahead) const override;
+  bool stays_quiet(int stop, const Real& duration) const override;
   const ExactPhase* exact() const override { return this; }
 
  protected:
@@ -65,6 +70,7 @@ class FreePhase final : public ExactPhase<Real> {
              const Real& time) override;
   void state(const Real& s, RealVector<Real>& q, RealVector<Real>& qdot) const override;
   const Arc<Real>* arc() const override { return &arc_; }
+  Arrival<Real> first_event(const MotionState<Real>& now, const Flight<Real>& flight) override;
 
  private:
   bool set_curve(ArcCurve<Real>& curve, const Observable<Real>& observable, const Real& window,
@@ -73,6 +79,7 @@ class FreePhase final : public ExactPhase<Real> {
 
   ExactFlow<Real> flow_;
   Arc<Real> arc_;
+  std::unique_ptr<FlightSearch> search_;  // of many modes; else null
 };
 
 template <class Real>

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <type_traits>
 
 #include "graze/flow/exact/detail/arc_curve_impl.hpp"
 #include "graze/flow/exact/detail/first_zero.hpp"
@@ -76,6 +77,20 @@ CurvePoint<Real> ExactPhase<Real>::gap_rate(int stop, int order) const {
 }
 
 template <class Real>
+CurvePoint<Real> ExactPhase<Real>::outlook(int stop, int order, const Real& ahead) const {
+  return structure_.holds(stop) ? force(stop, ahead).at(Real(0), order)
+                                : gap(stop, ahead, true).at(Real(0), order);
+}
+
+template <class Real>
+bool ExactPhase<Real>::stays_quiet(int stop, const Real& duration) const {
+  const FirstZero<Real> zero = structure_.holds(stop)
+                                   ? first_release(force(stop, duration))
+                                   : first_contact(gap(stop, duration, false), 0);
+  return zero.kind == ZeroKind::kNone;
+}
+
+template <class Real>
 Real ExactPhase<Real>::force_at(int stop, const Real& s, const RealVector<Real>& q,
                                 const RealVector<Real>& qdot) const {
   const Real theta = start_phase() + structure_.reduced.frequency * s;
@@ -93,7 +108,19 @@ template <class Real>
 FreePhase<Real>::FreePhase(const System& system, PhaseKey key)
     : ExactPhase<Real>(system, std::move(key), ConstrainedStructure<Real>(system, {})),
       flow_(this->structure().reduced),
-      arc_(flow_) {}
+      arc_(flow_) {
+  if constexpr (std::is_same_v<Real, double>)
+    if (flow_.modes() > kFewModes)
+      search_ = std::make_unique<FlightSearch>(system, this->structure().reduced);
+}
+
+template <class Real>
+Arrival<Real> FreePhase<Real>::first_event(const MotionState<Real>& now,
+                                           const Flight<Real>& flight) {
+  if constexpr (std::is_same_v<Real, double>)
+    if (search_) return search_->first_event(*this, arc_, now, flight);
+  return ExactPhase<Real>::first_event(now, flight);
+}
 
 // What an instant is asked for and the flight from there are one arc.
 template <class Real>

@@ -69,6 +69,13 @@ class SteppedPhase final : public IntegratedPhase {
     return exact_->force_at(stop, s, q, qdot);
   }
   double force_rate(int stop) const override { return exact_->force_rate(stop); }
+  bool sees_ahead() const override { return true; }
+  CurvePoint<double> outlook(int stop, int order, const double& ahead) const override {
+    return exact_->outlook(stop, order, ahead);
+  }
+  bool stays_quiet(int stop, const double& duration) const override {
+    return exact_->stays_quiet(stop, duration);
+  }
   const ExactPhase<double>* exact() const override { return exact_.get(); }
 
  private:
