@@ -2,17 +2,12 @@
 #pragma once
 
 #include <array>
-#include <type_traits>
 
 #include "graze/scene/detail/choices.hpp"
 #include "graze/scene/detail/key.hpp"
 #include "graze/scene/scene.hpp"
 
 namespace graze {
-
-// A table that is to be read or changed, or a const one.
-template <class Table, class Value>
-concept Of = std::is_same_v<std::remove_const_t<Table>, Value>;
 
 void describe(auto& v, Of<Section> auto& section, const Scene&) {
   v.choice({"shape", "", kAny, "of the cross-section"}, section.shape, kSectionShapes);
