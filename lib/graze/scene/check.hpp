@@ -9,16 +9,10 @@ namespace graze {
 
 // Up to here the beam's mode shapes keep an error of about eps b_j in double precision.
 inline constexpr int kMostModes = 2000;
-// What has no closed form is found by elements, whose time goes with the third power.
-inline constexpr int kMostElementModes = 600;
 
 // Throws InputError at the first broken rule. Which stop penetrates at the start is not among
 // them: that needs mode shapes.
 void check_scene(const Scene& scene);
-
-// Whether the modes have a closed form: of a uniform clamped-free beam without tension, and of a
-// uniform string or bar; none of them with supports or masses between its ends.
-bool has_closed_modes(const Scene& scene);
 
 // The collocation points in force: those given, or i L/N (the last is L itself, unrounded).
 std::vector<double> collocation_points(const Beam& beam);

@@ -96,43 +96,6 @@ const std::vector<TableKeys>& all_keys() {
   return keys;
 }
 
-std::string joined_path(const std::string& table, const std::string& key) {
-  return table.empty() ? key : table + "." + key;
-}
-
-namespace {
-
-constexpr const char* kLists[] = {"stop",           "probe",       "beam.piece", "beam.support",
-                                  "beam.mass",      "string.mass", "bar.piece",  "bar.support",
-                                  "string.support", "bar.mass"};
-
-// The path without the number of its table, where `leave` says so of the number.
-std::string shortened(const std::string& path, auto&& leave) {
-  for (const std::string list : kLists) {
-    if (path.compare(0, list.size() + 1, list + ".") != 0) continue;
-    const std::size_t begin = list.size() + 1;
-    const std::size_t end = std::min(path.find('.', begin), path.size());
-    const std::string number = path.substr(begin, end - begin);
-    if (number.empty() || number.find_first_not_of("0123456789") != std::string::npos) continue;
-    if (leave(number)) return list + path.substr(end);
-  }
-  return path;
-}
-
-}  // namespace
-
-bool is_list_of_tables(const std::string& path) {
-  return std::find(std::begin(kLists), std::end(kLists), path) != std::end(kLists);
-}
-
-std::string without_number(const std::string& path) {
-  return shortened(path, [](const std::string&) { return true; });
-}
-
-std::string first_unnumbered(const std::string& path) {
-  return shortened(path, [](const std::string& number) { return number == "1"; });
-}
-
 const TableKeys& keys_of(const std::string& path) {
   const TableKeys* keys = find_table(path);
   assert(keys != nullptr);
@@ -153,10 +116,6 @@ const KeyRow* key_row(const std::string& path) {
     return known.name == name.substr(dot + 1);
   });
   return row == keys->rows.end() ? nullptr : &*row;
-}
-
-std::string numbered_path(const std::string& name, std::size_t number) {
-  return number == 1 ? name : name + "." + std::to_string(number);
 }
 
 std::vector<std::string> keys_named(const std::string& name) {

@@ -4,7 +4,7 @@
 
 #include <type_traits>
 
-#include "graze/scene/detail/keys.hpp"
+#include "graze/scene/detail/table_paths.hpp"
 
 namespace graze {
 

@@ -7,7 +7,7 @@
 #include <limits>
 #include <string>
 
-#include "graze/scene/check.hpp"
+#include "graze/scene/closed_modes.hpp"
 #include "graze/scene/detail/keys.hpp"
 #include "graze/scene/detail/section_numbers.hpp"
 #include "graze/scene/detail/value_checker.hpp"
@@ -132,14 +132,6 @@ void check_masses(const Scene& scene, const Span& span) {
   }
 }
 
-bool is_tapered(const Section& section) {
-  return std::max({section.width.size(), section.height.size(), section.diameter.size(),
-                   section.inner_diameter.size()}) > 1;
-}
-
-// Nothing but what its ends hold.
-bool is_bare(const Span& span) { return span.supports.empty() && span.masses.empty(); }
-
 // Area times density of every piece of a beam or bar, 0 where it varies.
 double even_mass(const auto& span) {
   const auto area = [](const std::optional<Section>& section, const std::optional<double>& given) {
@@ -183,17 +175,6 @@ bool is_held_anywhere(const Span& span) {
 }
 
 }  // namespace
-
-bool has_closed_modes(const Scene& scene) {
-  const Span* span = scene.span();
-  if (span == nullptr || !is_bare(*span)) return false;
-  if (const Beam* beam = scene.beam())
-    return beam->pieces.empty() && !beam->tension && beam->ends == Beam{}.ends &&
-           !(beam->section && is_tapered(*beam->section));
-  if (const Bar* bar = scene.bar())
-    return bar->pieces.empty() && !(bar->section && is_tapered(*bar->section));
-  return true;
-}
 
 void check_span(const Scene& scene) {
   const Span* span = scene.span();

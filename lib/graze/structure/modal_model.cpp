@@ -5,6 +5,7 @@
 
 #include "graze/base/linalg/detail/linear_equations.hpp"
 #include "graze/scene/check.hpp"
+#include "graze/scene/closed_modes.hpp"
 #include "graze/scene/matrix_structure.hpp"
 #include "graze/structure/detail/span_modes.hpp"
 

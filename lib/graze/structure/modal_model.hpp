@@ -13,6 +13,7 @@
 
 #include "graze/base/vector.hpp"
 #include "graze/scene/scene.hpp"
+#include "graze/structure/element_accuracy.hpp"
 
 namespace graze {
 
@@ -34,16 +35,6 @@ ModalModel modal_model(const Scene& scene);
 // where there is none: two modes of one frequency turn into each other, or two things at one place
 // part.
 ModalModel modal_tangent(const Scene& scene, const ModalModel& model, const Scene& direction);
-
-// How the modes of a beam, a string or a bar without a closed form were found.
-struct ElementAccuracy {
-  int elements = 0;
-  int order = 0;  // degree of the shapes on an element
-  int rigid = 0;  // modes that are rigid motions, of frequency 0
-  // The largest relative change of a frequency by the last refinement: of modes 1 to 32, and of
-  // those beyond (0 without any).
-  double change = 0.0, change_beyond = 0.0;
-};
 
 // Nothing where the modes have a closed form or are given.
 std::optional<ElementAccuracy> element_accuracy(const Scene& scene);

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "graze/scene/check.hpp"
+#include "graze/scene/closed_modes.hpp"
 #include "graze/structure/detail/cantilever.hpp"
 
 namespace graze {

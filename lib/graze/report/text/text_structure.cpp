@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "graze/report/text/detail/text_units.hpp"
-#include "graze/scene/check.hpp"
+#include "graze/scene/closed_modes.hpp"
 #include "graze/scene/matrix_structure.hpp"
 #include "graze/structure/modal_model.hpp"
 

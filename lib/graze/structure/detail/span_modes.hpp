@@ -13,7 +13,7 @@
 #include <variant>
 
 #include "graze/structure/detail/line_modes.hpp"
-#include "graze/structure/modal_model.hpp"
+#include "graze/structure/element_accuracy.hpp"
 
 namespace graze {
 
