@@ -127,10 +127,13 @@ int compare_motions(const CompareCommand& command) {
     add("the scene", {});
     add(other_name(command), command.against);
   }
+  // Of given modes there is no other number; that is then said of the beam that there is not.
+  const Scene own = comparable(command, {});
+  const std::string span = own.span() ? own.structure_name() : "beam";
   for (int modes = command.fewest_modes; command.most_modes > 0 && modes <= command.most_modes;
        ++modes) {
     add(modes == 1 ? "1 mode" : fmt::format("{} modes", modes),
-        {fmt::format("beam.modes={}", modes)});
+        {fmt::format("{}.modes={}", span, modes)});
     record.modes.push_back(modes);
   }
   set_comparison(command, record.options);
