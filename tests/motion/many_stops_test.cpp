@@ -113,7 +113,9 @@ TEST_P(ManyModes, TheBalanceCloses) {
   EXPECT_NEAR(balance.start + balance.impacts - balance.work.dissipation, balance.now,
               1e-11 * balance.start);
   EXPECT_GE(*run.totals.smallest_gap, 0.0);
-  if (GetParam() == 0.0) EXPECT_GT(run.totals.stuck_time, 0.0);
+  if (GetParam() == 0.0) {
+    EXPECT_GT(run.totals.stuck_time, 0.0);
+  }
 }
 
 TEST_P(ManyModes, ARunThatWasCutGoesOnBitForBit) {
