@@ -160,8 +160,9 @@ TEST(Terminal, SharesAddUp) {
   // Each row by itself is no less than a hundredth; what is less is in the last line.
   for (const std::string& line : printed_lines(run.out)) {
     std::smatch match;
-    if (line.find("and ") == std::string::npos && std::regex_search(line, match, share))
+    if (line.find("and ") == std::string::npos && std::regex_search(line, match, share)) {
       EXPECT_GE(std::stod(match[1].str()), 1.0) << line;
+    }
   }
 }
 

@@ -105,8 +105,8 @@ TEST(UnitsNone, NothingDrawnHasAUnit) {
     const std::string view = read_text(page);
     const std::size_t data = view.find("id=\"view\"");
     ASSERT_NE(data, std::string::npos) << command;
-    const std::string json = view.substr(data, view.find("</script>", data) - data);
-    EXPECT_FALSE(std::regex_search(json, found, unit_of_page)) << command << found.str();
+    const std::string drawn = view.substr(data, view.find("</script>", data) - data);
+    EXPECT_FALSE(std::regex_search(drawn, found, unit_of_page)) << command << found.str();
   }
   // The patterns find what they are to find.
   const std::string with_units = pure_scene(folder, "");

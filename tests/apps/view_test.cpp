@@ -124,7 +124,7 @@ TEST_P(View, ShowsWhatTheCommandShowed) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Results, View, testing::ValuesIn(all_drawn()),
-                         [](const auto& info) { return std::string(info.param.name); });
+                         [](const auto& named) { return std::string(named.param.name); });
 
 // A folder with a result that is made in no time.
 class ViewedFolder : public testing::Test {
