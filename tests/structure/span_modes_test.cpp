@@ -8,6 +8,7 @@
 #include <numbers>
 
 #include "graze/scene/parameter.hpp"
+#include "graze/structure/modal_model.hpp"
 #include "support/differences.hpp"
 #include "support/reference.hpp"
 
