@@ -121,7 +121,7 @@ TEST_F(MatrixReader, WhatDoesNotFitIsRefused) {
   EXPECT_EQ(
       refusal("", "[modal]\nfrequencies = [1.0]\n"),
       "scene.toml:1:1: matrices: the scene has a [modal] already, it must have exactly one of "
-      "[beam], [modal] and [matrices]");
+      "[beam], [string], [bar], [modal] and [matrices]");
   EXPECT_THROW(read("dofs = \"absent.dof\"\n"), FileError);
 }
 

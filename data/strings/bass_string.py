@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Writes the scene of a bass guitar string over its 20 frets, with any number of modes.
 
-    python3 data/scenes/bass_string.py --modes 862 --restitution 0.9 > string.toml
+    python3 data/strings/bass_string.py --modes 862 --restitution 0.9 > string.toml
     graze simulate string.toml --duration 1 --energy --record none
 
 The string of C. Issanchou et al. (J. Acoust. Soc. Am. 143, 2018), as Siconos ships it
