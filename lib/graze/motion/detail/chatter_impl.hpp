@@ -127,9 +127,17 @@ bool Motion<Real>::turns_on(const Real& duration) const {
 template <class Real>
 bool Motion<Real>::may_be_unresolved(const Real& speed) const {
   using std::abs;
+  using std::sqrt;
   if (order_.size() < 2) return false;
   if (turning_) return true;
-  const Real push = free_acceleration().norm(), shape = now_.q.norm();
+  // No spring is compressed where this is asked for.
+  const Real cosine = forcing_cosine(), shape = now_.q.norm();
+  Real square = 0;
+  for (Eigen::Index j = 0; j < now_.q.size(); ++j) {
+    const Real acceleration = free_acceleration(j, cosine, nullptr);
+    square += acceleration * acceleration;
+  }
+  const Real push = sqrt(square);
   const Real eps = Real(static_cast<int>(now_.q.size()) + 2) * std::numeric_limits<Real>::epsilon();
   for (const int i : order_) {
     const Real norm = stop(i).norm, rounding = eps * (abs(stop(i).gap) + norm * shape);
