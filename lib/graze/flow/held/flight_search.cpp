@@ -5,7 +5,6 @@
 #include <limits>
 
 #include "graze/flow/exact/detail/first_zero.hpp"
-#include "graze/flow/held/detail/exact_phase.hpp"
 
 namespace graze {
 namespace {
@@ -24,6 +23,8 @@ constexpr double kResolved = 1.0 / 1024.0;
 
 FlightSearch::FlightSearch(const System& system, const LinearSystem<double>& modes)
     : series_(modes, Matrix(modes.omega.size(), 0), kOrder),
+      omega_(modes.omega),
+      frequency_(modes.frequency),
       rows_(modes.omega.size(), static_cast<Eigen::Index>(system.stops.size())),
       gaps_(rows_.cols()) {
   for (Eigen::Index i = 0; i < rows_.cols(); ++i) {
@@ -63,9 +64,9 @@ void FlightSearch::look(Watched& watched, double from, double step) {
       std::max(watched.clear, zero.clear >= tau ? from + step : from + zero.clear * series_.unit());
 }
 
-void FlightSearch::decide(const ExactPhase<double>& phase, Watched& watched, double until,
+void FlightSearch::decide(const GapCurves& curves, Watched& watched, double until,
                           const Flight<double>& flight, Arrival<double>& arrival) const {
-  const ArcCurve<double>& curve = phase.gap(watched.stop, until, watched.multiplicity > 0);
+  const ArcCurve<double>& curve = curves(watched.stop, until, watched.multiplicity > 0);
   const FirstZero<double> zero =
       watched.clear > 0.0 ? first_descent([&](double s) { return curve.at(s, 0, Reach::kStep); },
                                           watched.clear, until, flight.stop)
@@ -81,7 +82,7 @@ void FlightSearch::decide(const ExactPhase<double>& phase, Watched& watched, dou
                                                      : ArrivalKind::kContact;
 }
 
-Arrival<double> FlightSearch::first_event(const ExactPhase<double>& phase, const Arc<double>& arc,
+Arrival<double> FlightSearch::first_event(const GapCurves& curves, const Arc<double>& arc,
                                           const MotionState<double>& now,
                                           const Flight<double>& flight) {
   Arrival<double> arrival;
@@ -96,12 +97,12 @@ Arrival<double> FlightSearch::first_event(const ExactPhase<double>& phase, const
   qdot_ = arc.start_velocities();
   double from = 0.0;
   for (long long steps = 1;; ++steps) {
-    const double ahead = bridged(phase.structure().reduced.omega, from);
+    const double ahead = bridged(from);
     if (ahead >= arrival.flight) return arrival;
     if (ahead > from + kLeap * series_.unit()) {
       from = ahead;
     } else {
-      step(phase, arc, from, flight, arrival);
+      step(curves, arc, from, flight, arrival);
       if (arrival.stop >= 0 || from >= arrival.flight) return arrival;
     }
     if (steps % kEvaluationsPerLook == 0 && flight.stop.requested())
@@ -111,8 +112,8 @@ Arrival<double> FlightSearch::first_event(const ExactPhase<double>& phase, const
 }
 
 // Until when no speed can bridge any of the gaps.
-double FlightSearch::bridged(const Vector& omega, double from) {
-  const double speed = std::hypot(qdot_.norm(), omega.cwiseProduct(q_).norm());
+double FlightSearch::bridged(double from) {
+  const double speed = std::hypot(qdot_.norm(), omega_.cwiseProduct(q_).norm());
   double soonest = std::numeric_limits<double>::infinity();
   for (Watched& watched : watched_) {
     if (from == 0.0 && watched.multiplicity > 0) return from;
@@ -124,9 +125,9 @@ double FlightSearch::bridged(const Vector& omega, double from) {
 }
 
 // One step of the series, or up to the first contact within it.
-void FlightSearch::step(const ExactPhase<double>& phase, const Arc<double>& arc, double& from,
+void FlightSearch::step(const GapCurves& curves, const Arc<double>& arc, double& from,
                         const Flight<double>& flight, Arrival<double>& arrival) {
-  series_.expand(arc.start_phase() + phase.structure().reduced.frequency * from, q_, qdot_);
+  series_.expand(arc.start_phase() + frequency_ * from, q_, qdot_);
   ++arrival.evaluations;
   const double step = std::min(series_.step(kLeftOut) * series_.unit(), arrival.flight - from);
   const double until = from + step;
@@ -138,7 +139,7 @@ void FlightSearch::step(const ExactPhase<double>& phase, const Arc<double>& arc,
   for (Watched& watched : watched_) {
     const double end = std::min(until, arrival.flight);
     if (watched.clear >= end) break;
-    decide(phase, watched, end, flight, arrival);
+    decide(curves, watched, end, flight, arrival);
     if (arrival.kind == ArrivalKind::kNotFinite) return;
   }
   from = until;

@@ -118,7 +118,13 @@ template <class Real>
 Arrival<Real> FreePhase<Real>::first_event(const MotionState<Real>& now,
                                            const Flight<Real>& flight) {
   if constexpr (std::is_same_v<Real, double>)
-    if (search_) return search_->first_event(*this, arc_, now, flight);
+    if (search_) {
+      const auto curves = [this](int stop, double window,
+                                 bool from_zero) -> const ArcCurve<double>& {
+        return this->gap(stop, window, from_zero);
+      };
+      return search_->first_event(curves, arc_, now, flight);
+    }
   return ExactPhase<Real>::first_event(now, flight);
 }
 

@@ -7,8 +7,10 @@
 // first_zero.hpp decides, as everywhere.
 #pragma once
 
+#include <functional>
 #include <vector>
 
+#include "graze/flow/exact/detail/arc_curve.hpp"
 #include "graze/flow/exact/detail/contact_phase.hpp"
 #include "graze/flow/series/detail/motion_series.hpp"
 
@@ -17,12 +19,16 @@ namespace graze {
 // Of more modes than this a step of a series takes less time than as far a search of single gaps.
 inline constexpr int kFewModes = 64;
 
+// The curve of the gap of a stop along the arc, its bounds holding up to the window (s), from its
+// first zero at the start on where it has one there (ExactPhase::gap).
+using GapCurves = std::function<const ArcCurve<double>&(int stop, double window, bool from_zero)>;
+
 class FlightSearch {
  public:
   FlightSearch(const System& system, const LinearSystem<double>& modes);
 
-  // Along the arc of `phase`, a free flight.
-  Arrival<double> first_event(const ExactPhase<double>& phase, const Arc<double>& arc,
+  // Along the arc of a free flight, whose gaps are `curves`.
+  Arrival<double> first_event(const GapCurves& curves, const Arc<double>& arc,
                               const MotionState<double>& now, const Flight<double>& flight);
 
  private:
@@ -34,18 +40,20 @@ class FlightSearch {
   double reached(double from, double gap, double norm, double speed) const;
   // Advances what is clear of one stop over the step.
   void look(Watched& watched, double from, double step);
-  double bridged(const Vector& omega, double from);
-  void step(const ExactPhase<double>& phase, const Arc<double>& arc, double& from,
+  double bridged(double from);
+  void step(const GapCurves& curves, const Arc<double>& arc, double& from,
             const Flight<double>& flight, Arrival<double>& arrival);
   double gap(int stop) const;
   // Its first contact in (clear, until], by its own curve.
-  void decide(const ExactPhase<double>& phase, Watched& watched, double until,
-              const Flight<double>& flight, Arrival<double>& arrival) const;
+  void decide(const GapCurves& curves, Watched& watched, double until, const Flight<double>& flight,
+              Arrival<double>& arrival) const;
 
   MotionSeries series_;
-  Matrix rows_;          // b of every stop, N x stops
-  Vector gaps_, norms_;  // and its gap, |b|
-  double push_ = 0.0;    // |forcing| + |load|
+  Vector omega_;            // rad/s, N
+  double frequency_ = 0.0;  // of the forcing, rad/s
+  Matrix rows_;             // b of every stop, N x stops
+  Vector gaps_, norms_;     // and its gap, |b|
+  double push_ = 0.0;       // |forcing| + |load|
   std::vector<Watched> watched_;
   std::vector<double> coefficients_;
   Vector q_, qdot_;

@@ -83,7 +83,7 @@ class SeriesPhase final : public ContactPhase<double> {
   mutable double known_from_ = -1.0;  // s, start of the step that the series is about
   mutable long long known_arc_ = -1;
   mutable std::vector<double> watch_;  // what is watched over a step
-  long long arc_ = 0;  // arcs started
+  long long arc_ = 0;                  // arcs started
   double theta_ = 0.0, time_ = 0.0;
   Vector q_, qdot_;          // as the arc was started
   std::vector<Step> steps_;  // the first is the start, settled on the stops
