@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "graze/report/text/detail/text_units.hpp"
@@ -93,12 +94,14 @@ void add_places(Effects& effects, const Span& span, bool is_beam, const TextUnit
   }
 }
 
+// Below 1e-12 there is rounding only.
+std::string accuracy_text(double change) { return fmt::format("{:.0e}", std::max(change, 1e-12)); }
+
 std::string elements_text(const ElementAccuracy& found) {
-  std::string text = fmt::format("{} of order {}, frequencies to {:.0e}",
-                                 counted(static_cast<std::size_t>(found.elements), "element"),
-                                 found.order, found.change);
+  std::string text = fmt::format("{} of order {}, frequencies to {}", found.elements, found.order,
+                                 accuracy_text(found.change));
   if (found.change_beyond > 0.0)
-    text += fmt::format(" (modes 1 to 32) and {:.0e} (beyond)", found.change_beyond);
+    text += fmt::format(" (modes 1 to 32) and {} (beyond)", accuracy_text(found.change_beyond));
   if (found.rigid > 0)
     text +=
         fmt::format("; {} free", counted(static_cast<std::size_t>(found.rigid), "rigid motion"));
