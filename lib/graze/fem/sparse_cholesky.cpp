@@ -3,7 +3,6 @@
 #include <suitesparse/cholmod.h>
 
 #include <algorithm>
-#include <cassert>
 #include <cmath>
 #include <limits>
 #include <new>
@@ -12,12 +11,13 @@
 namespace graze {
 namespace {
 
-// A view of the upper triangle; the lower one is passed over.
+// A view of the upper triangle; the lower one is passed over. A matrix may have room between its
+// columns.
 cholmod_sparse view(const SparseMatrix& matrix) {
-  assert(matrix.isCompressed());
   cholmod_sparse seen{};
   seen.nrow = seen.ncol = static_cast<std::size_t>(matrix.rows());
-  seen.nzmax = static_cast<std::size_t>(matrix.nonZeros());
+  seen.nzmax = static_cast<std::size_t>(matrix.data().allocatedSize());
+  seen.nz = const_cast<int*>(matrix.innerNonZeroPtr());
   seen.p = const_cast<int*>(matrix.outerIndexPtr());
   seen.i = const_cast<int*>(matrix.innerIndexPtr());
   seen.x = const_cast<double*>(matrix.valuePtr());
@@ -26,7 +26,7 @@ cholmod_sparse view(const SparseMatrix& matrix) {
   seen.xtype = CHOLMOD_REAL;
   seen.dtype = CHOLMOD_DOUBLE;
   seen.sorted = 1;
-  seen.packed = 1;
+  seen.packed = matrix.isCompressed() ? 1 : 0;
   return seen;
 }
 
