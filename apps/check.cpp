@@ -36,10 +36,12 @@ std::vector<std::string> unstable_stops(const System& system) {
 int run(const CheckCommand& command) {
   check_plot<CheckRecord>(command);
   const Scene scene = scene_of(command);
+  const ModalModel model = modal_model(scene);
   CheckRecord record{run_info(command.name, command.scene, scene),
                      scene,
-                     assemble(scene),
-                     collocation_condition(scene),
+                     model,
+                     assemble(scene, model),
+                     collocation_condition(model),
                      {},
                      {},
                      {},

@@ -127,7 +127,7 @@ TEST(SpanModes, ElementsGiveTheUniformString) {
 TEST(SpanModes, RigidMotionsAreCounted) {
   const auto rigid = [](const std::string& more) {
     const Scene scene = scene_of(kStrip + "modes = 4\n" + more);
-    const int count = element_accuracy(scene)->rigid;
+    const int count = modal_model(scene).elements->rigid;
     const Vector omega = omega_of(scene);
     EXPECT_TRUE(omega.head(count).isZero(0.0)) << more;
     EXPECT_GT(omega[count], 0.0) << more;

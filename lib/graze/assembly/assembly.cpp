@@ -1,6 +1,7 @@
 #include "graze/assembly/assembly.hpp"
 
 #include "graze/assembly/detail/hub_system.hpp"
+#include "graze/assembly/detail/residual_springs.hpp"
 #include "graze/assembly/detail/spring_law.hpp"
 #include "graze/contact/detail/impulse.hpp"
 #include "graze/scene/check.hpp"
@@ -32,10 +33,12 @@ HarmonicForcing forcing_tangent(const Forcing& forcing, const Forcing& rate,
 }
 
 Stop assemble_stop(const Scene& scene, const SceneStop& stop, const Vector& shape,
-                   const Matrix& phi) {
+                   const Matrix& phi, const ResidualSpring& residual) {
   const double sign = sign_of(stop.side);
   const Vector row = sign * shape;
-  if (stop.spring) return {row, stop.gap, spring_law(*stop.spring)};
+  if (stop.spring)
+    return {row, stop.gap - sign * residual.shift,
+            spring_law(as_given(*stop.spring, residual.stiffness))};
   const Vector direction =
       stop.impulse == Impulse::kMomentum
           ? momentum_direction(row)
@@ -44,9 +47,14 @@ Stop assemble_stop(const Scene& scene, const SceneStop& stop, const Vector& shap
 }
 
 Stop stop_tangent(const SceneStop& stop, const SceneStop& rate, const Stop& assembled,
-                  const Vector& shape_rate, const Matrix& phi, const Matrix& phi_rate) {
-  const Vector row_rate = sign_of(stop.side) * shape_rate;
-  if (stop.spring) return {row_rate, rate.gap, spring_law_rate(*stop.spring, *rate.spring)};
+                  const Vector& shape_rate, const ResidualSpring& residual_rate, const Matrix& phi,
+                  const Matrix& phi_rate) {
+  const double sign = sign_of(stop.side);
+  const Vector row_rate = sign * shape_rate;
+  if (stop.spring)
+    return {row_rate, rate.gap - sign * residual_rate.shift,
+            spring_law_rate(as_given(*stop.spring, assembled.force().stiffness),
+                            rate_as_given(*rate.spring, residual_rate.stiffness))};
   const Vector direction_rate =
       stop.impulse == Impulse::kMomentum
           ? momentum_direction_rate(assembled.row, row_rate)
@@ -64,9 +72,10 @@ System assemble(const Scene& scene, const ModalModel& model) {
   if (scene.forcing) system.modal().forcing = assemble_forcing(*scene.forcing, model.participation);
   if (scene.gravity) system.modal().load = scene.gravity->acceleration * model.inertia;
   system.stops.reserve(scene.stops.size());
+  const std::vector<ResidualSpring> residual = residual_springs(scene, model);
   for (std::size_t i = 0; i < scene.stops.size(); ++i)
-    system.stops.push_back(
-        assemble_stop(scene, scene.stops[i], model.shapes[i], model.collocation));
+    system.stops.push_back(assemble_stop(scene, scene.stops[i], model.shapes[i], model.collocation,
+                                         residual.empty() ? ResidualSpring{} : residual[i]));
   return system;
 }
 
@@ -86,9 +95,11 @@ System system_tangent(const Scene& scene, const Scene& direction, const ModalMod
     tangent.modal().load = direction.gravity->acceleration * model.inertia +
                            scene.gravity->acceleration * rate.inertia;
   tangent.stops.reserve(scene.stops.size());
+  const std::vector<ResidualSpring> residual = residual_spring_rates(scene, direction, model, rate);
   for (std::size_t i = 0; i < scene.stops.size(); ++i)
-    tangent.stops.push_back(stop_tangent(scene.stops[i], direction.stops[i], system.stops[i],
-                                         rate.shapes[i], model.collocation, rate.collocation));
+    tangent.stops.push_back(stop_tangent(
+        scene.stops[i], direction.stops[i], system.stops[i], rate.shapes[i],
+        residual.empty() ? ResidualSpring{} : residual[i], model.collocation, rate.collocation));
   return tangent;
 }
 

@@ -10,7 +10,7 @@
 #include "graze/base/errors.hpp"
 #include "graze/fem/detail/text_lines.hpp"
 #include "graze/scene/matrix_structure.hpp"
-#include "graze/structure/modal_model.hpp"
+#include "graze/structure/static_response.hpp"
 
 namespace graze {
 namespace {
@@ -60,17 +60,13 @@ std::vector<std::string> notes_of(const MatrixModes& matrices, Units units) {
 
 }  // namespace
 
-std::vector<StopFlexibility> stop_flexibilities(const Scene& scene) {
-  const ModalModel model = modal_model(scene);
+std::vector<StopFlexibility> stop_flexibilities(const Scene& scene, const ModalModel& model) {
+  const Matrix kept = static_response_of_modes(model).flexibility;
+  const std::optional<StaticResponse> whole = static_response(scene);
   std::vector<StopFlexibility> list;
-  for (std::size_t i = 0; i < scene.stops.size(); ++i) {
-    StopFlexibility at;
-    for (Eigen::Index j = 0; j < model.omega.size(); ++j)
-      if (model.omega[j] > 0.0) at.kept += std::pow(model.shapes[i][j] / model.omega[j], 2.0);
-    if (const MatrixModes* matrices = matrices_of(scene)) at.whole = matrices->flexibilities[i];
-    if (!scene.hub && !scene.matrices())
-      at.whole = static_flexibility(scene, scene.stops[i].position);
-    list.push_back(at);
+  for (Eigen::Index i = 0; i < kept.rows(); ++i) {
+    list.push_back({kept(i, i), {}});
+    if (whole) list.back().whole = whole->flexibility(i, i);
   }
   return list;
 }
@@ -89,7 +85,7 @@ ModeTable mode_table(const Scene& scene) {
   table.decay = model.delta;
   table.rigid = static_cast<int>((model.omega.array() == 0.0).count());
   table.directions = directions_of(scene, model);
-  table.flexibilities = stop_flexibilities(scene);
+  table.flexibilities = stop_flexibilities(scene, model);
   if (const MatrixModes* matrices = matrices_of(scene)) {
     table.residuals = matrices->modes.residuals;
     table.notes = notes_of(*matrices, scene.units);

@@ -7,6 +7,7 @@
 
 #include "graze/base/vector.hpp"
 #include "graze/scene/scene.hpp"
+#include "graze/structure/modal_model.hpp"
 
 namespace graze {
 
@@ -36,8 +37,8 @@ struct ModeTable {
 
 ModeTable mode_table(const Scene& scene);
 
-// Flexibilities alone.
-std::vector<StopFlexibility> stop_flexibilities(const Scene& scene);
+// Flexibilities alone; `model` is that of the scene.
+std::vector<StopFlexibility> stop_flexibilities(const Scene& scene, const ModalModel& model);
 
 // Shapes of modes at named places, by which two sets of modes are compared: degrees of freedom, or
 // the places of a beam by their share of its length in thousandths.

@@ -120,6 +120,21 @@ double stiffness_of(const Spring& spring) {
 
 }  // namespace
 
+Spring as_given(const Spring& spring, double stiffness) {
+  Spring given = spring;
+  if (!given.is_residual) return given;
+  given.is_residual = false;
+  given.stiffness = stiffness;
+  given.exponent = 1.0;
+  return given;
+}
+
+Spring rate_as_given(const Spring& rate, double stiffness_rate) {
+  Spring given = as_given(rate, stiffness_rate);
+  if (rate.is_residual) given.exponent = 0.0;
+  return given;
+}
+
 ContactForce spring_law(const Spring& spring) {
   ContactForce law;
   law.stiffness = stiffness_of(spring);

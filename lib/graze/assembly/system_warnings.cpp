@@ -4,11 +4,11 @@
 
 #include <limits>
 
+#include "graze/assembly/detail/residual_springs.hpp"
 #include "graze/assembly/mode_table.hpp"
 #include "graze/base/linalg/decompositions.hpp"
 #include "graze/contact/detail/impulse.hpp"
 #include "graze/scene/matrix_structure.hpp"
-#include "graze/structure/modal_model.hpp"
 
 namespace graze {
 namespace {
@@ -16,11 +16,8 @@ namespace {
 // Above this, solves with the collocation matrix keep fewer than half of the 16 digits.
 constexpr double kIllConditioned = 1e8;
 
-// Share of a stop's static flexibility that the modes left out may have: as much as an error of
-// the contact's stiffness that is seen in its duration.
-constexpr double kMissingFlexibility = 0.05;
-
-void add_matrix_warnings(const Scene& scene, std::vector<std::string>& warnings) {
+void add_matrix_warnings(const Scene& scene, const ModalModel& model,
+                         std::vector<std::string>& warnings) {
   for (const auto& [direction, part] : scene.matrices()->solved->weak_holds)
     warnings.push_back(fmt::format(
         "the stiffness holds the structure in direction {} by {:.1g} of its entries only: of a "
@@ -33,9 +30,10 @@ void add_matrix_warnings(const Scene& scene, std::vector<std::string>& warnings)
         "the damping matrix couples modes, which is left out: at most {:.3g} of the geometric mean "
         "of their own damping, between modes {} and {}",
         damping->coupling, damping->first + 1, damping->second + 1));
-  const std::vector<StopFlexibility> list = stop_flexibilities(scene);
+  const std::vector<StopFlexibility> list = stop_flexibilities(scene, model);
   for (std::size_t i = 0; i < list.size(); ++i)
-    if (list[i].whole && list[i].kept < (1.0 - kMissingFlexibility) * *list[i].whole)
+    if (list[i].kept < (1.0 - kSeenFlexibility) * *list[i].whole &&
+        !(scene.stops[i].spring && scene.stops[i].spring->is_residual))
       warnings.push_back(fmt::format(
           "the {} modes have {:.4g} of the static flexibility {:.4g}{} at stop {}, {:.1f} %: what "
           "the contact depends on is not converged, more modes bring it nearer",
@@ -45,14 +43,15 @@ void add_matrix_warnings(const Scene& scene, std::vector<std::string>& warnings)
 
 }  // namespace
 
-double collocation_condition(const Scene& scene) {
-  return uses_collocation(scene) ? condition_number(modal_model(scene).collocation) : 0.0;
+double collocation_condition(const ModalModel& model) {
+  return model.collocation.size() > 0 ? condition_number(model.collocation) : 0.0;
 }
 
 std::vector<std::string> system_warnings(const Scene& scene, const System& system) {
   std::vector<std::string> warnings;
-  if (scene.matrices()) add_matrix_warnings(scene, warnings);
-  const double condition = collocation_condition(scene);
+  const ModalModel model = modal_model(scene);
+  if (scene.matrices()) add_matrix_warnings(scene, model, warnings);
+  const double condition = collocation_condition(model);
   if (condition > kIllConditioned)
     warnings.push_back(fmt::format(
         "the collocation points are ill-conditioned: condition number {:.3g}, above {:.0e}; "

@@ -34,6 +34,7 @@ std::optional<Outcome> stopped_outcome(StopReason stopped, std::size_t kept, std
 struct CheckRecord {
   RunInfo info;
   Scene scene;
+  ModalModel model;  // of the scene
   System system;
   double collocation_condition = 0.0;   // 0: nothing collocates
   std::optional<double> closure_speed;  // the default of a simulation, m/s; absent without stops

@@ -27,6 +27,7 @@ class KeyLister : public SchemaVisitor {
     else
       add(key, "");
   }
+  void number_or(const Key& key, const auto&, bool, const char*) { add(key, ""); }
   void list(const Key& key, const auto&) { add(key, ""); }
   void series(const Key& key, const auto&) { add(key, ""); }
   void taper(const Key& key, const auto&) { add(key, ""); }

@@ -115,16 +115,19 @@ Matrix stop_rows(const Scene& scene, const StructuralMatrices& structure) {
   return rows;
 }
 
-void add_flexibilities(const Matrix& rows, MatrixModes& found) {
-  const StructuralModes& modes = found.modes;
-  for (Eigen::Index i = 0; i < rows.cols(); ++i) {
-    found.flexibilities.push_back(rows.col(i).dot(modes.static_displacements.col(i)));
-    const Vector phi = modes.shapes.transpose() * rows.col(i);
-    double kept = 0.0;
-    for (Eigen::Index j = modes.rigid; j < phi.size(); ++j)
-      kept += std::pow(phi[j] / modes.omega[j], 2.0);
-    found.kept_flexibilities.push_back(kept);
-  }
+// Loads of a unit force at each stop and, where there is one, of a unit acceleration.
+Matrix static_loads(const Matrix& rows, const StructuralMatrices& structure, int direction) {
+  const auto inertia = structure.inertia_loads.find(direction);
+  if (inertia == structure.inertia_loads.end()) return rows;
+  Matrix loads(rows.rows(), rows.cols() + 1);
+  loads << rows, inertia->second;
+  return loads;
+}
+
+void add_static_displacements(const Matrix& rows, MatrixModes& found) {
+  const Matrix moved = rows.transpose() * found.modes.static_displacements;
+  found.flexibility = moved.leftCols(rows.cols());
+  if (moved.cols() > rows.cols()) found.under_gravity = moved.col(rows.cols());
 }
 
 // A structure that is held has about 1/(number of elements), a free one the rounding of its digits.
@@ -191,7 +194,8 @@ void solve_matrices(Scene& scene) {
                     "{} not held",
                     matrices.modes, structure.size(), structure.size() == 1 ? "" : "s",
                     structure.size() == 1 ? "is" : "are"));
-  found->modes = lowest_modes(structure, matrices.modes, rows);
+  found->modes =
+      lowest_modes(structure, matrices.modes, static_loads(rows, structure, matrices.direction));
   for (const DofLabel& label : structure.labels)
     found->rows.emplace(label, static_cast<Eigen::Index>(found->rows.size()));
   for (const DofLabel& label : structure.held) found->rows.emplace(label, -1);
@@ -205,7 +209,7 @@ void solve_matrices(Scene& scene) {
     found->couplings = structure.couplings;
   }
   found->weak_holds = weak_holds(structure);
-  add_flexibilities(rows, *found);
+  add_static_displacements(rows, *found);
   matrices.modal = {as_list(found->modes.omega), {}, {}, {}};
   matrices.modal.participation = load_participation(scene, matrices, structure, shapes);
   if (const auto along = found->inertia.find(matrices.direction); along != found->inertia.end())

@@ -22,9 +22,11 @@ struct MatrixModes {
   // forces Phi^T M r, kg^1/2, whose squares are effective masses, and the whole mass r^T M r.
   std::map<int, Vector> inertia;
   std::map<int, double> total_masses;
-  // For every stop, b the row that gives its displacement: b^T K^-1 b, m/N, and what the kept modes
-  // make of it, sum (phi_j/w_j)^2. Of a free structure both of the elastic motion alone.
-  std::vector<double> flexibilities, kept_flexibilities;
+  // Static displacements of the stops, of a free structure those of the elastic motion alone: m/N
+  // under 1 N at each stop, stops by stops; s^2 under a unit acceleration in the direction of the
+  // scene, empty where the structure has none.
+  Matrix flexibility;
+  Vector under_gravity;
   // Directions in which the stiffness holds the structure, but so weakly that it may be a free one
   // printed with few digits: r^T K r relative to r^T |K| r, r a displacement of all of it.
   std::map<int, double> weak_holds;

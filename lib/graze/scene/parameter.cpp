@@ -44,7 +44,7 @@ std::string restitution_unit(const std::string& entry) {
 
 // Of the stiffness or, where there is damping, its coefficient.
 std::string spring_unit(const Spring& spring, bool of_stiffness) {
-  const double exponent = spring.geometry ? 1.5 : spring.exponent;
+  const double exponent = spring.geometry ? 1.5 : spring.is_residual ? 1.0 : spring.exponent;
   double power = exponent;
   if (!of_stiffness) {
     const ContactModel model = spring.damping->model;

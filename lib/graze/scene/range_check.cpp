@@ -20,6 +20,9 @@ class RangeChecker : public SchemaVisitor {
   void number(const Key& key, const std::optional<double>& value) const {
     if (value && is_meant(key, true)) checker_.number(key.name, *value, key.range);
   }
+  void number_or(const Key& key, double value, bool is_word, const char*) const {
+    if (!is_word) number(key, value);
+  }
   // The points of a torque, which are no list of the modes, have a rule of their own.
   void list(const Key& key, const std::vector<double>& values) const {
     if (is_meant(key, !values.empty()) && key.range.is_checked &&

@@ -54,6 +54,20 @@ class KeyReader : public SchemaVisitor {
     if (is_due(key, is_optional || !key.is_required))
       value = table_.number(key.name, number_words(key));
   }
+  // Whether the word stands decides about other keys.
+  void number_or(const Key& key, double& value, bool& is_word, const char* word) {
+    const Node* node = table_.find(key.name);
+    if (pass_ == Pass::kChoices) {
+      is_word = node != nullptr && node->as<std::string>() != nullptr;
+    } else if (is_due(key, !key.is_required)) {
+      const std::string what = fmt::format("{} or {}", number_words(key), quoted(word));
+      table_.required(key.name, what);
+      if (!is_word)
+        value = table_.number(key.name, what);
+      else if (*node->as<std::string>() != word)
+        table_.refuse(key.name, what);
+    }
+  }
   // A torque may stand already, from a file.
   void list(const Key& key, std::vector<double>& values) {
     if (!is_due(key, !key.is_required || key.is_filled || !values.empty())) return;

@@ -159,7 +159,8 @@ void check_damping(const ValueChecker& checker, const Scene& scene, const Spring
     checker.fail("damping", fmt::format("the model \"{}\" must be given exactly one of: {}", name,
                                         joined(ways, "or")));
   }
-  if (allowed.linear_only && !damping.coefficient && (spring.geometry || spring.exponent != 1.0))
+  if (allowed.linear_only && !damping.coefficient && !spring.is_residual &&
+      (spring.geometry || spring.exponent != 1.0))
     checker.fail("damping",
                  fmt::format("the model \"{}\" knows its coefficient from {} only where the "
                              "exponent is 1, it must be given the coefficient",
@@ -181,6 +182,12 @@ void check_damping(const ValueChecker& checker, const Scene& scene, const Spring
 
 void check_spring(const Scene& scene, const Spring& spring, const std::string& path) {
   const ValueChecker checker(scene, path);
+  if (spring.is_residual && (scene.hub || (scene.modal() && !scene.matrices())))
+    checker.fail("stiffness",
+                 scene.hub ? "\"residual\" is not known of a beam that turns with a hub, it must "
+                             "be a number"
+                           : "of a [modal] structure nothing but its modes is known, it must be a "
+                             "number and not \"residual\"");
   if (spring.geometry) check_geometry(checker, *spring.geometry);
   if (spring.damping) check_damping(checker, scene, spring);
 }

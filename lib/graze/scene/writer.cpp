@@ -27,6 +27,9 @@ class Writer : public SchemaVisitor {
     else if (value)
       add(key, real_text(*value));
   }
+  void number_or(const Key& key, double value, bool is_word, const char* word) {
+    add(key, is_word ? quoted(word) : real_text(value));
+  }
   void list(const Key& key, const std::vector<double>& values) {
     if (key.is_required || !values.empty()) add(key, list_text(values));
   }

@@ -67,20 +67,20 @@ LineForm kinetic_form(const Line& line, const LineMesh& mesh, bool rates) {
   return form;
 }
 
-LineForm spring_form(const Line& line, const LineMesh& mesh, bool rates) {
-  LineForm form;
-  NodeRows more = more_rows(form, mesh, 0, static_cast<Index>(line.springs.size()), rates);
-  for (const LineSpring& spring : line.springs)
-    more.add(mesh.node(spring.x.value), spring.on_slope, spring.stiffness);
-  return form;
-}
-
 LineForm tension_form(const Line& line, const LineMesh& mesh, bool rates) {
   const LineMesh::Weights weights = mesh.weights(line);
   return {mesh.slopes_inside(rates), weights.length, weights.length_rate};
 }
 
 namespace {
+
+LineForm spring_form(const Line& line, const LineMesh& mesh) {
+  LineForm form;
+  NodeRows more = more_rows(form, mesh, 0, static_cast<Index>(line.springs.size()), true);
+  for (const LineSpring& spring : line.springs)
+    more.add(mesh.node(spring.x.value), spring.on_slope, spring.stiffness);
+  return form;
+}
 
 // Calls f(first unknown, matrix of the stiffness) of every element.
 void for_each_element(const LineMesh& mesh, const Vector& weight, const auto& f) {
@@ -92,8 +92,7 @@ void for_each_element(const LineMesh& mesh, const Vector& weight, const auto& f)
   }
 }
 
-}  // namespace
-
+// The rows of the strain depend on no length; only its products are formed.
 Matrix strain_form_times(const Line& line, const LineMesh& mesh, const Matrix& modes) {
   Matrix product = Matrix::Zero(modes.rows(), modes.cols());
   for_each_element(mesh, mesh.weights(line).stiffness, [&](Index first, const Matrix& matrix) {
@@ -111,6 +110,30 @@ Matrix strain_form_rate(const Line& line, const LineMesh& mesh, const Matrix& mo
                      (matrix * others.middleRows(first, matrix.rows())).eval();
   });
   return sum;
+}
+
+}  // namespace
+
+ElasticForm::ElasticForm(const Line& line, const LineMesh& mesh)
+    : line_(line), mesh_(mesh), springs_(spring_form(line, mesh)) {
+  if (line.tension.value != 0.0 || line.tension.rate != 0.0)
+    tension_ = tension_form(line, mesh, true);
+}
+
+Matrix ElasticForm::times(const Matrix& modes) const {
+  Matrix product = strain_form_times(line_, mesh_, modes);
+  if (!line_.springs.empty()) product += springs_.times(modes);
+  if (tension_) product += line_.tension.value * tension_->times(modes);
+  return product;
+}
+
+Matrix ElasticForm::rate_between(const Matrix& modes, const Matrix& others) const {
+  Matrix rate = strain_form_rate(line_, mesh_, modes, others);
+  if (!line_.springs.empty()) rate += springs_.rate_between(modes, others);
+  if (tension_)
+    rate += line_.tension.value * tension_->rate_between(modes, others) +
+            line_.tension.rate * tension_->between(modes, others);
+  return rate;
 }
 
 }  // namespace graze

@@ -1,12 +1,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "graze/base/linalg/detail/dense_factors.hpp"
-#include "graze/base/linalg/detail/linear_equations.hpp"
-#include "graze/structure/detail/line_conditions.hpp"
 #include "graze/structure/detail/line_forms.hpp"
 #include "graze/structure/detail/line_modes.hpp"
-#include "graze/structure/detail/strain_units.hpp"
+#include "graze/structure/detail/moving_supports.hpp"
 
 namespace graze {
 namespace {
@@ -28,17 +25,15 @@ class RatedModes {
         mesh_(line, modes.mesh.fineness()),
         asked_(modes.unknowns.leftCols(modes.asked)),
         kinetic_(kinetic_form(line, mesh_, true)),
-        springs_(spring_form(line, mesh_, true)),
-        square_(modes.omega.cwiseAbs2()) {
-    if (line.tension.value != 0.0 || line.tension.rate != 0.0)
-      tension_ = tension_form(line, mesh_, true);
-  }
+        elastic_(line, mesh_),
+        square_(modes.omega.cwiseAbs2()) {}
 
   LineRatesOrNot rates() {
     if (mesh_.is_torn()) return {{}, {0, 0, true}};
     const Matrix& all = modes_.unknowns;
     const Matrix mass = kinetic_.rate_between(all, asked_);
-    Matrix coupling = elastic_rate() - mass * square_.head(modes_.asked).asDiagonal();
+    Matrix coupling =
+        elastic_.rate_between(all, asked_) - mass * square_.head(modes_.asked).asDiagonal();
     add_supports(coupling);
     LineRates rates{Vector::Zero(modes_.asked), {}};
     for (Index j = modes_.rigid; j < modes_.asked; ++j)
@@ -60,61 +55,18 @@ class RatedModes {
   }
 
  private:
-  Matrix elastic_rate() const {
-    const Matrix& all = modes_.unknowns;
-    Matrix rate = strain_form_rate(line_, mesh_, all, asked_);
-    if (!line_.springs.empty()) rate += springs_.rate_between(all, asked_);
-    if (tension_)
-      rate += line_.tension.value * tension_->rate_between(all, asked_) +
-              line_.tension.rate * tension_->between(all, asked_);
-    return rate;
-  }
-
-  Matrix elastic_times(const Matrix& modes) const {
-    Matrix product = strain_form_times(line_, mesh_, modes);
-    if (!line_.springs.empty()) product += springs_.times(modes);
-    if (tension_) product += line_.tension.value * tension_->times(modes);
-    return product;
-  }
-
   // What moving supports add, and the part of the rates that they ask for.
   void add_supports(Matrix& coupling) {
-    std::vector<LineCondition> conditions = conditions_of(line_, mesh_);
-    std::erase_if(conditions, [](const LineCondition& one) { return !one.is_rigid(); });
-    const auto count = static_cast<Index>(conditions.size());
-    RatedRows held{Matrix(count, mesh_.unknowns()), Matrix(count, mesh_.unknowns())};
-    const RatedRows values = mesh_.values_at_nodes(true);
-    const RatedRows slopes = line_.order == 2 ? mesh_.slopes_at_nodes(true) : values;
-    for (Index k = 0; k < count; ++k) {
-      const LineCondition& one = conditions[static_cast<std::size_t>(k)];
-      const RatedRows& from = one.on_slope ? slopes : values;
-      const double scale = one.on_slope ? line_.length.value : 1.0;
-      held.value.row(k) = scale * from.value.row(static_cast<Index>(one.node));
-      held.rate.row(k) = scale * from.rate.row(static_cast<Index>(one.node));
-    }
-    if (count == 0 || held.rate.isZero(0.0)) return;
-    const StrainUnits units(line_, mesh_);
+    const MovingSupports supports(line_, mesh_);
+    if (!supports.any_moves()) return;
     const Matrix& all = modes_.unknowns;
-    // Rows in units of their own: of the strains, and of the left end what moves the line as much.
-    Matrix rows = units.scaled(held.value);
-    const Index order = line_.order;
-    const double unit = rows.rightCols(rows.cols() - order).norm() / rows.leftCols(order).norm();
-    rows.leftCols(order) *= unit;
-    const Matrix basis = orthonormal_columns<double>(rows.transpose(), count);
-    const LuFactors across((basis.transpose() * rows.transpose()).eval());
     Matrix forces = kinetic_.times(all) * square_.asDiagonal();
-    forces -= elastic_times(all);
-    Matrix left = units.scaled(forces.transpose());
-    left.leftCols(order) *= unit;
-    const Matrix reactions = across.solve_columns((left * basis).transpose());
-    const Matrix moved = held.rate * all;
+    forces -= elastic_.times(all);
+    const Matrix reactions = supports.reactions(forces);
+    const Matrix moved = supports.moved(all);
     coupling += reactions.transpose() * moved.leftCols(modes_.asked) +
                 moved.transpose() * reactions.leftCols(modes_.asked);
-    Matrix asked(count, modes_.asked);
-    for (Index j = 0; j < asked.cols(); ++j) asked.col(j) = -across.solve_transposed(moved.col(j));
-    Matrix beyond = basis * asked;
-    beyond.topRows(order) *= unit;
-    beyond_ = units.unscaled(beyond);
+    beyond_ = supports.following(moved.leftCols(modes_.asked));
   }
 
   bool is_same(Index i, Index j) const {
@@ -141,8 +93,8 @@ class RatedModes {
   const LineModes& modes_;
   LineMesh mesh_;
   Matrix asked_;
-  LineForm kinetic_, springs_;
-  std::optional<LineForm> tension_;
+  LineForm kinetic_;
+  ElasticForm elastic_;
   Vector square_;  // of the frequencies
   Matrix beyond_;  // unknowns by asked; empty where no support moves
 };

@@ -133,35 +133,34 @@ Vector span_participation_rate(const Scene& scene, const Scene& direction, const
   return rate - g * (mass.rate / mass.value);
 }
 
-ModalModel given_model(const Scene& scene, const ModalStructure& modal) {
+// The same numbers of a scene and of its direction, but for the damping.
+ModalModel given_numbers(const Scene& scene, const ModalStructure& modal,
+                         const std::vector<SceneStop>& stops) {
   ModalModel model;
   model.omega = as_vector(modal.frequencies);
-  model.delta = decay_rates(scene, model.omega);
   if (scene.forcing)
     model.participation =
         as_vector(scene.forcing->kind == ForcingKind::kBase ? modal.inertia : modal.participation);
   if (scene.gravity) model.inertia = as_vector(modal.inertia);
-  for (const SceneStop& stop : scene.stops) model.shapes.emplace_back(as_vector(stop.shape));
+  for (const SceneStop& stop : stops) model.shapes.emplace_back(as_vector(stop.shape));
+  return model;
+}
+
+ModalModel given_model(const Scene& scene) {
+  ModalModel model = given_numbers(scene, *scene.modal(), scene.stops);
+  model.delta = decay_rates(scene, model.omega);
   return model;
 }
 
 ModalModel given_tangent(const Scene& scene, const ModalModel& model, const Scene& direction) {
-  const ModalStructure& modal = *direction.modal();
-  ModalModel rate;
-  const Vector none = Vector::Zero(model.omega.size());
-  rate.omega = scene.matrices() ? none : Vector(as_vector(modal.frequencies));
-  rate.delta = decay_tangent(scene, model, rate.omega, direction);
-  if (scene.matrices()) {  // No parameter moves what matrices give.
-    if (scene.forcing) rate.participation = none;
-    if (scene.gravity) rate.inertia = none;
-    rate.shapes.assign(scene.stops.size(), none);
-    return rate;
+  ModalModel rate = given_numbers(scene, *direction.modal(), direction.stops);
+  if (scene.matrices()) {  // No parameter moves what they give.
+    rate.omega.setZero();
+    rate.participation.setZero();
+    rate.inertia.setZero();
+    for (Vector& shape : rate.shapes) shape.setZero();
   }
-  if (scene.forcing)
-    rate.participation =
-        as_vector(scene.forcing->kind == ForcingKind::kBase ? modal.inertia : modal.participation);
-  if (scene.gravity) rate.inertia = as_vector(modal.inertia);
-  for (const SceneStop& stop : direction.stops) rate.shapes.emplace_back(as_vector(stop.shape));
+  rate.delta = decay_tangent(scene, model, rate.omega, direction);
   return rate;
 }
 
@@ -178,11 +177,6 @@ double total_mass(const Scene& scene) {
   return mass;
 }
 
-std::optional<double> static_flexibility(const Scene& scene, double x) {
-  if (!scene.beam() || !has_closed_modes(scene)) return {};
-  return x * x * x / (3.0 * line_of(scene, nullptr).pieces.front().stiffness.front().value);
-}
-
 bool uses_collocation(const Scene& scene) {
   const Beam* beam = scene.beam();
   if (beam == nullptr) return false;
@@ -192,7 +186,7 @@ bool uses_collocation(const Scene& scene) {
 }
 
 ModalModel modal_model(const Scene& scene) {
-  if (const ModalStructure* modal = scene.modal()) return given_model(scene, *modal);
+  if (scene.modal()) return given_model(scene);
   const SpanModes modes = span_modes(scene);
   ModalModel model;
   model.omega = omega_of(modes);
@@ -201,6 +195,7 @@ ModalModel modal_model(const Scene& scene) {
   if (scene.forcing) model.participation = span_participation(scene, modes, model.collocation);
   if (scene.gravity) model.inertia = span_inertia(scene, modes, model.collocation);
   for (const SceneStop& stop : scene.stops) model.shapes.push_back(shapes_of(modes, stop.position));
+  if (const auto* found = std::get_if<ElementModes>(&modes)) model.elements = found->accuracy();
   return model;
 }
 
@@ -224,11 +219,6 @@ ModalModel modal_tangent(const Scene& scene, const ModalModel& model, const Scen
         },
         modes));
   return rate;
-}
-
-std::optional<ElementAccuracy> element_accuracy(const Scene& scene) {
-  if (scene.modal() || has_closed_modes(scene)) return {};
-  return ElementModes(scene, nullptr).accuracy();
 }
 
 std::vector<Vector> shapes_at(const Scene& scene, const std::vector<double>& places) {

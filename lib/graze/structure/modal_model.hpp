@@ -24,6 +24,8 @@ struct ModalModel {
   Vector inertia;  // modal force per unit of uniform acceleration, kg^1/2, N; empty: no gravity
   std::vector<Vector> shapes;  // phi_j at each stop, kg^-1/2, N each
   Matrix collocation;          // Phi_ij = phi_j(x_i), N x N; empty where nothing collocates
+  // Nothing where the modes have a closed form or are given.
+  std::optional<ElementAccuracy> elements;
 };
 
 // The model of a checked scene. Only what the scene calls for is computed. Throws InputError where
@@ -36,9 +38,6 @@ ModalModel modal_model(const Scene& scene);
 // part.
 ModalModel modal_tangent(const Scene& scene, const ModalModel& model, const Scene& direction);
 
-// Nothing where the modes have a closed form or are given.
-std::optional<ElementAccuracy> element_accuracy(const Scene& scene);
-
 // Rows on the modal coordinates at a place x of a beam, a string or a bar: of the displacement, and
 // of the strain where the structure has one (-h/2 u'' of a beam, u' of a bar).
 std::vector<Vector> shapes_at(const Scene& scene, const std::vector<double>& places);
@@ -46,10 +45,6 @@ Vector strain_row(const Scene& scene, double x);
 
 // Of a beam, a string or a bar with its point masses, kg.
 double total_mass(const Scene& scene);
-
-// Displacement under a unit force at the same place, m/N: x^3/(3 E I) of a uniform cantilever.
-// Nothing of other structures.
-std::optional<double> static_flexibility(const Scene& scene, double x);
 
 // Whether the scene's forcing, gravity or impulses go through the collocation matrix.
 bool uses_collocation(const Scene& scene);

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "graze/scene/scene.hpp"
+#include "graze/structure/modal_model.hpp"
 #include "graze/system/system.hpp"
 
 namespace graze {
@@ -14,6 +15,6 @@ namespace graze {
 std::vector<std::string> system_warnings(const Scene& scene, const System& system);
 
 // Condition number of the collocation matrix in force, or 0 where nothing collocates.
-double collocation_condition(const Scene& scene);
+double collocation_condition(const ModalModel& model);
 
 }  // namespace graze

@@ -1,4 +1,5 @@
 #include "graze/assembly/detail/requested_restitution.hpp"
+#include "graze/assembly/detail/spring_law.hpp"
 #include "graze/assembly/mode_table.hpp"
 #include "graze/assembly/probes.hpp"
 #include "graze/report/json/detail/json_document.hpp"
@@ -31,7 +32,8 @@ Json spring(const ContactForce& law, const Spring& from) {
   return {{"stiffness", json_number(law.stiffness)},
           {"exponent", json_number(law.exponent)},
           {"coefficient", json_number(law.coefficient)},
-          {"restitution", maybe_restitution(from)}};
+          {"residual", from.is_residual},
+          {"restitution", maybe_restitution(as_given(from, law.stiffness))}};
 }
 
 Json torque_json(const Torque& torque) {
@@ -52,8 +54,7 @@ Json hub_json(const Hub& hub) {
           {"friction", json_maybe(hub.friction)}};
 }
 
-Json elements_json(const Scene& scene) {
-  const std::optional<ElementAccuracy> found = element_accuracy(scene);
+Json elements_json(const std::optional<ElementAccuracy>& found) {
   if (!found) return nullptr;
   return {{"elements", found->elements},
           {"order", found->order},
@@ -88,17 +89,18 @@ std::string to_json(const CheckRecord& record) {
          {"load", system.load() ? json_number((*system.load())[j]) : Json(nullptr)}});
   document["title"] = record.scene.title;
   document["modes"] = modes;
-  document["elements"] = elements_json(record.scene);
+  document["elements"] = elements_json(record.model.elements);
   document["forcing_period"] = system.forcing() ? json_number(system.period()) : Json(nullptr);
   document["gravity"] =
       record.scene.gravity ? json_number(record.scene.gravity->acceleration) : Json(nullptr);
   Json stops = Json::array();
-  const std::vector<StopFlexibility> flexibilities = stop_flexibilities(record.scene);
+  const std::vector<StopFlexibility> flexibilities = stop_flexibilities(record.scene, record.model);
   for (std::size_t i = 0; i < system.stops.size(); ++i) {
     const Stop& stop = system.stops[i];
     const std::optional<Spring>& from = record.scene.stops[i].spring;
     stops.push_back(
         {{"gap", json_number(stop.gap)},
+         {"gap_shift", json_number(stop.gap - record.scene.stops[i].gap)},
          {"restitution", stop.is_compliant() ? Json(nullptr) : restitution(stop.restitution())},
          {"spring", stop.is_compliant() ? spring(stop.force(), *from) : Json(nullptr)},
          {"row", json_list(stop.row)},

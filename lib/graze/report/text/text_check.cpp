@@ -25,12 +25,13 @@ std::string damping_text(const SceneStop& stop, const ContactForce& law) {
 }
 
 // Asked and given, a line of each.
-std::string requests_text(const Scene& scene) {
+std::string requests_text(const Scene& scene, const System& system) {
   const TextUnits in(scene.units);
   std::string text;
   for (std::size_t i = 0; i < scene.stops.size(); ++i) {
     if (!scene.stops[i].spring) continue;
-    const std::optional<RequestedRestitution> asked = requested_restitution(*scene.stops[i].spring);
+    const std::optional<RequestedRestitution> asked =
+        requested_restitution(as_given(*scene.stops[i].spring, system.stops[i].force().stiffness));
     if (!asked) continue;
     text += fmt::format("stop {}: asked for restitution {:g}", i + 1, asked->requested);
     if (asked->speed) text += " at " + in.quantity(*asked->speed, 6, "m/s");
@@ -152,7 +153,7 @@ std::string node_text(const std::string& node, const std::string& against, const
   return (against.empty() ? "at " + node : fmt::format("of {} against {}", node, against)) + end;
 }
 
-std::string stop_text(const Scene& scene, const SceneStop& stop) {
+std::string stop_text(const Scene& scene, const SceneStop& stop, const Stop& assembled) {
   const TextUnits in(scene.units);
   const std::string place =
       fmt::format("{}{}, gap {}, ",
@@ -160,14 +161,19 @@ std::string stop_text(const Scene& scene, const SceneStop& stop) {
                                : node_text(stop.node, stop.against, ", "),
                   stop.side == Side::kAbove ? "above" : "below", in.quantity(stop.gap, 6, "m"));
   if (stop.spring) {
-    const ContactForce law = spring_law(*stop.spring);
+    const ContactForce& law = assembled.force();
     // A pure number has its exponent told by itself.
     const std::string exponent = fmt::format("{:g}", law.exponent);
     const std::string unit = in("N/m^" + exponent);
-    return place + fmt::format("compliant: {}{} {}, parts where its {} is gone",
+    const std::string met =
+        assembled.gap == stop.gap
+            ? ""
+            : ", met by the modes at " + in.quantity(assembled.gap, 6, "m") + " under the load";
+    return place + fmt::format("compliant{}: {}{} {}, parts where its {} is gone{}",
+                               stop.spring->is_residual ? " by the modes left out" : "",
                                quantity_text(law.stiffness, 6, unit),
                                unit.empty() ? " x^" + exponent : "", damping_text(stop, law),
-                               law.separation == Separation::kAtZeroForce ? "force" : "depth");
+                               law.separation == Separation::kAtZeroForce ? "force" : "depth", met);
   }
   return place + fmt::format("restitution {}, {} impulse", restitution_text(stop.restitution),
                              stop.impulse == Impulse::kMomentum ? "momentum" : "collocation");
@@ -188,7 +194,8 @@ std::string simulated_effects(const CheckRecord& record) {
   const Scene& scene = record.scene;
   const TextUnits in(scene.units);
   std::string text;
-  for (const auto& [name, what] : structure_effects(scene)) text += effect(name, what);
+  for (const auto& [name, what] : structure_effects(scene, record.model.elements))
+    text += effect(name, what);
   if (scene.hub) text += hub_effects(*scene.hub, in);
   text += effect("damping", damping_text(scene));
   // A hub is driven by its torque.
@@ -196,7 +203,8 @@ std::string simulated_effects(const CheckRecord& record) {
     text += effect("forcing", scene.forcing ? forcing_text(scene, *scene.forcing, in) : "none");
   text += effect("gravity", gravity_text(scene));
   for (std::size_t i = 0; i < scene.stops.size(); ++i)
-    text += effect(fmt::format("stop {}", i + 1), stop_text(scene, scene.stops[i]));
+    text += effect(fmt::format("stop {}", i + 1),
+                   stop_text(scene, scene.stops[i], record.system.stops[i]));
   if (scene.stops.empty()) text += effect("stop", "none: no contact is looked for");
   for (std::size_t i = 0; i < scene.probes.size(); ++i)
     text += effect(fmt::format("probe {}", i + 1), probe_text(scene, scene.probes[i]));
@@ -230,7 +238,7 @@ std::string to_text(const CheckRecord& record, const TextOptions& options) {
   for (std::size_t i = 0; i < system.stops.size(); ++i)
     text += fmt::format("stop {}: effective mass at the contact {}\n", i + 1,
                         in.quantity(1.0 / system.stops[i].row.squaredNorm(), 6, "kg"));
-  text += requests_text(record.scene);
+  text += requests_text(record.scene, system);
   if (record.closure_speed)
     text += fmt::format("a chatter is summed once it is slower than {} (--closure-speed)\n",
                         in.quantity(*record.closure_speed, 4, "m/s"));

@@ -117,7 +117,8 @@ std::string span_text(const Scene& scene) {
 
 }  // namespace
 
-std::vector<std::pair<std::string, std::string>> structure_effects(const Scene& scene) {
+std::vector<std::pair<std::string, std::string>> structure_effects(
+    const Scene& scene, const std::optional<ElementAccuracy>& elements) {
   const TextUnits in(scene.units);
   const std::string modes = counted(static_cast<std::size_t>(scene.modes()), "mode");
   if (const MatrixStructure* matrices = scene.matrices())
@@ -137,8 +138,7 @@ std::vector<std::pair<std::string, std::string>> structure_effects(const Scene& 
     add_pieces(effects, *bar, in);
   }
   add_places(effects, *scene.span(), scene.beam() != nullptr, in);
-  if (const std::optional<ElementAccuracy> found = element_accuracy(scene))
-    effects.emplace_back("elements", elements_text(*found));
+  if (elements) effects.emplace_back("elements", elements_text(*elements));
   return effects;
 }
 

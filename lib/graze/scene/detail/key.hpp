@@ -138,6 +138,8 @@ concept Of = std::is_same_v<std::remove_const_t<Table>, Value>;
 // What a visitor does with keys that are nothing to it.
 struct SchemaVisitor {
   void number(const Key&, const auto&) const {}
+  // A number, or the one word that stands for what makes it; third: whether the word stands.
+  void number_or(const Key&, const auto&, const auto&, const char*) const {}
   void list(const Key&, const auto&) const {}    // of numbers, one per mode but in a torque's table
   void series(const Key&, const auto&) const {}  // a list of numbers, or one where it has one entry
   void taper(const Key&, const auto&) const {}   // one length of a section, or two

@@ -28,6 +28,9 @@ class NumberVisitor : public SchemaVisitor {
     else if (value)
       f_(path_ + key.name, *value);
   }
+  void number_or(const Key& key, auto& value, const bool& is_word, const char*) {
+    if (!is_word) number(key, value);
+  }
   // Entries are counted from 1.
   void list(const Key& key, auto& values) {
     if (!is_meant(key)) return;

@@ -163,10 +163,16 @@ void describe(auto& v, Of<Spring> auto& spring, const Scene&) {
   MayHold geometry(spring.geometry ? &*spring.geometry : nullptr);
   const bool given = bool(geometry);
   const char* follows = "it follows from radii, moduli and poisson, it must be left out with them";
-  v.number(Key{"stiffness", "N/m^exponent", kPositive, "k"}.where(!given, follows).or_ignored(),
-           spring.stiffness);
+  v.number_or(Key{"stiffness", "N/m^exponent", kPositive.told("> 0, or `\"residual\"`"),
+                  "k; residual: 1/k is what the modes left out give way at the stop, exponent 1"}
+                  .where(!given, follows)
+                  .or_ignored(),
+              spring.stiffness, spring.is_residual, "residual");
   v.number(Key{"exponent", "", kAtLeastOne, "n: 1 linear, 1.5 Hertz"}
-               .where(!given, follows)
+               .where(!given && !spring.is_residual,
+                      given ? follows
+                            : "the modes left out give way in proportion to the force, it must be "
+                              "left out with \"residual\"")
                .or_ignored(),
            spring.exponent);
   v.bodies(Key{"radii", "m", own_rule("two, of balls, or four, in two planes body by body"),

@@ -2,6 +2,8 @@
 // rates.
 #pragma once
 
+#include <optional>
+
 #include "graze/structure/detail/line_mesh.hpp"
 
 namespace graze {
@@ -21,13 +23,22 @@ struct LineForm {
 };
 
 LineForm kinetic_form(const Line& line, const LineMesh& mesh, bool rates);
-// Of springs.
-LineForm spring_form(const Line& line, const LineMesh& mesh, bool rates);
 // Of 1 N of tension over the rate of its length; of a beam.
 LineForm tension_form(const Line& line, const LineMesh& mesh, bool rates);
-// Of the strain of the elements, whose rows depend on no length; only its products are formed.
-Matrix strain_form_times(const Line& line, const LineMesh& mesh, const Matrix& modes);
-Matrix strain_form_rate(const Line& line, const LineMesh& mesh, const Matrix& modes,
-                        const Matrix& others);
+
+// Of all that is elastic: strains, springs and tension, with rates. Refers to both.
+class ElasticForm {
+ public:
+  ElasticForm(const Line& line, const LineMesh& mesh);
+
+  Matrix times(const Matrix& modes) const;
+  Matrix rate_between(const Matrix& modes, const Matrix& others) const;
+
+ private:
+  const Line& line_;
+  const LineMesh& mesh_;
+  LineForm springs_;
+  std::optional<LineForm> tension_;
+};
 
 }  // namespace graze

@@ -1,0 +1,101 @@
+#include "graze/assembly/detail/residual_springs.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "graze/scene/detail/table_paths.hpp"
+#include "graze/structure/static_response.hpp"
+
+namespace graze {
+namespace {
+
+using Eigen::Index;
+
+// Of what is left, to call it known: two digits.
+constexpr double kKnown = 0.01;
+
+bool is_residual(const SceneStop& stop) { return stop.spring && stop.spring->is_residual; }
+
+bool any_is_residual(const Scene& scene) {
+  return std::any_of(scene.stops.begin(), scene.stops.end(), is_residual);
+}
+
+std::string stiffness_path(std::size_t stop) {
+  return numbered_path("stop", stop + 1) + ".spring.stiffness";
+}
+
+// On either side of one place, so that only one of them can be touched.
+bool face_each_other(const SceneStop& a, const SceneStop& b) {
+  return a.side != b.side && a.gap + b.gap > 0.0 && a.position == b.position && a.node == b.node &&
+         a.against == b.against;
+}
+
+void check_left(const Scene& scene, const ModalModel& model, const Matrix& left) {
+  const Vector uncertain = residual_uncertainty(scene, model);
+  for (std::size_t i = 0; i < scene.stops.size(); ++i) {
+    const auto k = static_cast<Index>(i);
+    if (!is_residual(scene.stops[i]) || uncertain[k] <= kKnown * left(k, k)) continue;
+    throw scene_error(
+        scene, stiffness_path(i),
+        fmt::format("\"residual\" is not allowed, the {} modes leave nothing out at the stop that "
+                    "is known: a flexibility of {:.2g}{} to {:.2g}; it must be a number, or the "
+                    "modes fewer",
+                    scene.modes(), left(k, k), unit_behind(scene.units, "m/N"), uncertain[k]));
+  }
+}
+
+void check_coupling(const Scene& scene, const Matrix& left) {
+  for (std::size_t i = 0; i < scene.stops.size(); ++i)
+    for (std::size_t k = 0; k < i; ++k) {
+      const SceneStop &a = scene.stops[k], &b = scene.stops[i];
+      if (!is_residual(a) || !is_residual(b) || face_each_other(a, b)) continue;
+      const auto m = static_cast<Index>(k), n = static_cast<Index>(i);
+      const double coupling = std::abs(left(m, n)) / std::sqrt(left(m, m) * left(n, n));
+      if (coupling <= kSeenFlexibility) continue;
+      throw scene_error(
+          scene, stiffness_path(i),
+          fmt::format("\"residual\" is not allowed, the modes left out couple stops {} and {} by "
+                      "{:.2g}; it must be at most {:g}: more modes, or stops farther apart",
+                      k + 1, i + 1, coupling, kSeenFlexibility));
+    }
+}
+
+}  // namespace
+
+std::vector<ResidualSpring> residual_springs(const Scene& scene, const ModalModel& model) {
+  std::vector<ResidualSpring> springs;
+  if (!any_is_residual(scene)) return springs;
+  const StaticResponse left = residual_response(scene, model);
+  check_left(scene, model, left.flexibility);
+  check_coupling(scene, left.flexibility);
+  springs.resize(scene.stops.size());
+  for (std::size_t i = 0; i < springs.size(); ++i) {
+    if (!is_residual(scene.stops[i])) continue;
+    const auto k = static_cast<Index>(i);
+    springs[i].stiffness = 1.0 / left.flexibility(k, k);
+    if (scene.gravity) springs[i].shift = scene.gravity->acceleration * left.under_gravity[k];
+  }
+  return springs;
+}
+
+std::vector<ResidualSpring> residual_spring_rates(const Scene& scene, const Scene& direction,
+                                                  const ModalModel& model, const ModalModel& rate) {
+  std::vector<ResidualSpring> rates;
+  if (!any_is_residual(scene)) return rates;
+  const StaticResponse left = residual_response(scene, model);
+  const StaticResponse moves = residual_response_rate(scene, direction, model, rate);
+  rates.resize(scene.stops.size());
+  for (std::size_t i = 0; i < rates.size(); ++i) {
+    if (!is_residual(scene.stops[i])) continue;
+    const auto k = static_cast<Index>(i);
+    rates[i].stiffness = -moves.flexibility(k, k) / std::pow(left.flexibility(k, k), 2.0);
+    if (scene.gravity)
+      rates[i].shift = direction.gravity->acceleration * left.under_gravity[k] +
+                       scene.gravity->acceleration * moves.under_gravity[k];
+  }
+  return rates;
+}
+
+}  // namespace graze

@@ -1,0 +1,35 @@
+// The rigid supports of a line whose numbers change.
+#pragma once
+
+#include <optional>
+
+#include "graze/base/linalg/detail/linear_equations.hpp"
+#include "graze/structure/detail/line_mesh.hpp"
+
+namespace graze {
+
+// What supports hold, C y = 0 on the unknowns of the mesh, and its rate C'.
+class MovingSupports {
+ public:
+  MovingSupports(const Line& line, const LineMesh& mesh);
+
+  // Else nothing below may be asked.
+  bool any_moves() const { return across_.has_value(); }
+  // C' y of each column.
+  Matrix moved(const Matrix& y) const { return rate_ * y; }
+  // l with C^T l = f, of each column f that the supports bear; supports by columns.
+  Matrix reactions(const Matrix& forces) const;
+  // The least d with C d = -moved.
+  Matrix following(const Matrix& moved) const;
+
+ private:
+  const Line& line_;
+  const LineMesh& mesh_;
+  Matrix rate_;
+  // C in units of its own, of the strains and, of the left end, what moves the line as much.
+  double unit_ = 1.0;
+  Matrix basis_;
+  std::optional<LuFactors> across_;
+};
+
+}  // namespace graze

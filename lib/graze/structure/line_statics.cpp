@@ -1,0 +1,101 @@
+#include "graze/structure/detail/line_statics.hpp"
+
+#include "graze/structure/detail/line_coordinates.hpp"
+#include "graze/structure/detail/line_forms.hpp"
+#include "graze/structure/detail/moving_supports.hpp"
+
+namespace graze {
+namespace {
+
+using Eigen::Index;
+
+// A load at a place is exact where elements meet there; a mass of 0 makes them.
+Line meeting_at(Line line, const std::vector<Rated>& places) {
+  for (const Rated& x : places) line.masses.push_back({x, {}, {}});
+  return line;
+}
+
+// Rows that the loads work on, one a load.
+RatedRows load_rows(const Line& line, const LineMesh& mesh, const std::vector<Rated>& places,
+                    bool rates) {
+  const auto count = static_cast<Index>(places.size());
+  const RatedRows nodes = mesh.values_at_nodes(rates), inside = mesh.values_inside(rates);
+  const LineMesh::Weights weights = mesh.weights(line);
+  RatedRows rows{Matrix(count + 1, mesh.unknowns()), {}};
+  if (rates) rows.rate.resizeLike(rows.value);
+  for (Index i = 0; i < count; ++i) {
+    const auto node = static_cast<Index>(mesh.node(places[static_cast<std::size_t>(i)].value));
+    rows.value.row(i) = nodes.value.row(node);
+    if (rates) rows.rate.row(i) = nodes.rate.row(node);
+  }
+  rows.value.row(count) = weights.mass.transpose() * inside.value;
+  if (rates)
+    rows.rate.row(count) =
+        weights.mass_rate.transpose() * inside.value + weights.mass.transpose() * inside.rate;
+  for (const LineMass& point : line.masses) {
+    const auto node = static_cast<Index>(mesh.node(point.x.value));
+    rows.value.row(count) += point.mass.value * nodes.value.row(node);
+    if (rates)
+      rows.rate.row(count) +=
+          point.mass.rate * nodes.value.row(node) + point.mass.value * nodes.rate.row(node);
+  }
+  return rows;
+}
+
+// How the rigid motions change: a turn about a place that is held moves along with it. What they
+// turn into each other is none.
+RigidMotions rigid_rates(const Line& line, const RigidMotions& rigid) {
+  RigidMotions rates = RigidMotions::Zero(rigid.rows(), rigid.cols());
+  if (line.order != 2) return rates;
+  const auto follow = [&](const Rated& x) { rates.row(0) = -x.rate * rigid.row(1); };
+  for (const LineSpring& spring : line.springs)
+    if (!spring.on_slope) follow(spring.x);
+  for (const LineSupport& support : line.supports)
+    if (support.holds_value) follow(support.x);
+  return rates;
+}
+
+// With K y + C^T l + D^T m = f, C y = 0 of the supports and D y = 0 of the rigid motions B,
+// D = B^T M, m = B^T f:
+//
+//   (f_i.y_k)' = f_i'.y_k + y_i.f_k' - y_i.K' y_k - (l_i.C' y_k + m_i.D' y_k) - (the same of k, i).
+Matrix rate_of(const Line& line, const LineCoordinates& coordinates, const RatedRows& loads,
+               const Matrix& y) {
+  const LineMesh& mesh = coordinates.mesh();
+  const LineForm kinetic = kinetic_form(line, mesh, true);
+  const ElasticForm elastic(line, mesh);
+  const RigidMotions& rigid = coordinates.rigid();
+  Matrix b = Matrix::Zero(mesh.unknowns(), rigid.cols()), b_rate = b;
+  b.topRows(line.order) = rigid;
+  b_rate.topRows(line.order) = rigid_rates(line, rigid);
+  const Matrix held_by_inertia = b.transpose() * loads.value.transpose();
+  Matrix half = loads.rate * y;
+  half -= held_by_inertia.transpose() *
+          (b_rate.transpose() * kinetic.times(y) + kinetic.rate_between(b, y));
+  const MovingSupports supports(line, mesh);
+  if (supports.any_moves()) {
+    const Matrix borne =
+        loads.value.transpose() - elastic.times(y) - kinetic.times(b) * held_by_inertia;
+    half -= supports.reactions(borne).transpose() * supports.moved(y);
+  }
+  return half + half.transpose() - elastic.rate_between(y, y);
+}
+
+}  // namespace
+
+LineStatics line_statics(const Line& line, const std::vector<Rated>& places, bool rates) {
+  // A field of degree 24 is as fine as the modes are; a tapered beam bends as smoothly.
+  constexpr int kDegree = 24, kModes = 8;
+  const Line met = meeting_at(line, places);
+  const LineCoordinates coordinates(met, {kDegree - line.order + 1, kModes});
+  LineStatics found;
+  found.is_torn = coordinates.mesh().is_torn();
+  const bool rated = rates && !found.is_torn;
+  const RatedRows loads = load_rows(met, coordinates.mesh(), places, rated);
+  const Matrix x = coordinates.rows(loads.value).transpose();
+  found.displacement = x.transpose() * x;
+  if (rated) found.rate = rate_of(met, coordinates, loads, coordinates.unknowns(x));
+  return found;
+}
+
+}  // namespace graze
