@@ -138,12 +138,12 @@ struct SpringGeometry {
 struct Spring {
   double stiffness = 0.0;  // k, N/m^n
   double exponent = 1.5;   // n
-  // In place of both: the linear spring of the modes left out, 1/k = static flexibility of the
-  // structure at the stop less that of its modes.
-  bool is_residual = false;
   std::optional<SpringGeometry> geometry;
   std::optional<SpringDamping> damping;
   Separation release = Separation::kAtZeroForce;
+  // In place of stiffness and exponent: the linear spring of the modes left out, 1/k = static
+  // flexibility of the structure at the stop less that of its modes.
+  bool is_residual = false;
 };
 
 struct SceneStop {
