@@ -21,15 +21,43 @@ namespace {
 // rounding.
 constexpr double kSingularPivot = 1e-12;
 
-// Shifts of a free structure, relative to the median of K_ii/M_ii: the first is far above the
-// rounding of K, as seen by smooth shapes, and far below most frequencies.
-constexpr double kRelativeShifts[] = {1e-10, 1e-8, 1e-6};
+// Shifts relative to the median of K_ii/M_ii. The first of those for a free structure is far above
+// the rounding of K, as seen by smooth shapes, and far below most frequencies.
+constexpr double kRelativeShifts[] = {0.0, -1e-10, -1e-8, -1e-6};
+
+// Rows and columns `rows` of a matrix.
+SparseMatrix principal(const SparseMatrix& matrix, const std::vector<int>& rows) {
+  std::vector<int> to(static_cast<std::size_t>(matrix.rows()), -1);
+  for (std::size_t i = 0; i < rows.size(); ++i)
+    to[static_cast<std::size_t>(rows[i])] = static_cast<int>(i);
+  std::vector<Eigen::Triplet<double>> entries;
+  for (const int column : rows)
+    for (SparseMatrix::InnerIterator entry(matrix, column); entry; ++entry) {
+      const int row = to[static_cast<std::size_t>(entry.row())];
+      if (row >= 0) entries.emplace_back(row, to[static_cast<std::size_t>(column)], entry.value());
+    }
+  const auto size = static_cast<Eigen::Index>(rows.size());
+  SparseMatrix part(size, size);
+  part.setFromTriplets(entries.begin(), entries.end());
+  return part;
+}
+
+// What of a structure has mass.
+struct Masses {
+  explicit Masses(const StructuralMatrices& structure)
+      : rows(structure.rows_with_mass()), matrix(principal(structure.mass, rows)) {}
+
+  int rank() const { return static_cast<int>(rows.size()); }
+
+  std::vector<int> rows;
+  SparseMatrix matrix;  // of these rows
+};
 
 double typical_square(const StructuralMatrices& structure) {
   const Vector k = structure.stiffness.diagonal(), m = structure.mass.diagonal();
   std::vector<double> ratios;
   for (Eigen::Index i = 0; i < k.size(); ++i)
-    if (k[i] > 0.0) ratios.push_back(k[i] / m[i]);
+    if (k[i] > 0.0 && m[i] > 0.0) ratios.push_back(k[i] / m[i]);
   if (ratios.empty()) return 1.0;
   const auto middle = ratios.begin() + static_cast<std::ptrdiff_t>(ratios.size() / 2);
   std::nth_element(ratios.begin(), middle, ratios.end());
@@ -45,15 +73,16 @@ std::string name_of(const StructuralMatrices& structure, int row) {
 // factors, which a large structure pays for, decide where they are not.
 constexpr double kSafeMass = 1e-2;
 
-void check_mass(const StructuralMatrices& structure) {
-  if (structure.size() > kDenseSize)
-    if (const auto smallest = smallest_scaled_mass(structure.mass); smallest > kSafeMass) return;
-  SparseCholesky factors(structure.mass);
-  if (factors.factorise(structure.mass) && factors.smallest_pivot() > 0.0) return;
-  throw InputError(
-      fmt::format("{}: the mass matrix is not positive definite, which shows at the degree of "
-                  "freedom {}",
-                  structure.mass_file, name_of(structure, factors.failed_row())));
+void check_mass(const StructuralMatrices& structure, const Masses& masses) {
+  if (masses.rank() > kDenseSize && masses.matrix.diagonal().minCoeff() > 0.0)
+    if (const auto smallest = smallest_scaled_mass(masses.matrix); smallest > kSafeMass) return;
+  SparseCholesky factors(masses.matrix);
+  if (factors.factorise(masses.matrix) && factors.smallest_pivot() > 0.0) return;
+  const int row = factors.failed_row();
+  throw InputError(fmt::format(
+      "{}: the mass matrix is not positive definite, which shows at the degree of freedom {}",
+      structure.mass_file,
+      name_of(structure, row < 0 ? row : masses.rows[static_cast<std::size_t>(row)])));
 }
 
 [[noreturn]] void refuse_indefinite(const StructuralMatrices& structure, const std::string& why) {
@@ -61,17 +90,54 @@ void check_mass(const StructuralMatrices& structure) {
       fmt::format("{}: the stiffness matrix is indefinite: {}", structure.stiffness_file, why));
 }
 
+// Above this no combination of degrees of freedom without mass is free but for rounding, which the
+// factors of long chains of elements gather.
+constexpr double kSafePivot = 1e-8;
+
+// What has no mass must have a stiffness that tells how it follows the rest: no displacement of
+// such degrees of freedom alone may be free of strain energy, by the measure of rigid-body modes.
+void check_massless(const StructuralMatrices& structure, const Masses& masses) {
+  std::vector<int> rows;
+  for (int i = 0; i < structure.size(); ++i)
+    if (!std::binary_search(masses.rows.begin(), masses.rows.end(), i)) rows.push_back(i);
+  if (rows.empty()) return;
+  const SparseMatrix stiffness = principal(structure.stiffness, rows);
+  SparseCholesky factors(stiffness);
+  Eigen::Index row = 0;
+  if (factors.factorise(stiffness)) {
+    // Inverse iteration: its second step has all digits of what is softer by many orders.
+    Vector softest = Vector::LinSpaced(stiffness.rows(), 1.0, 2.0);
+    for (int step = 0; step < 4; ++step) softest = factors.solve(softest).col(0).normalized();
+    const Vector size = softest.cwiseAbs();
+    const double energy = softest.dot(stiffness * softest);
+    if (energy > kRigidEnergy * size.dot(stiffness.cwiseAbs() * size)) return;
+    size.maxCoeff(&row);
+  } else {
+    row = std::max(factors.failed_row(), 0);
+  }
+  throw InputError(fmt::format(
+      "{}: degrees of freedom without mass can move without strain energy while all with mass "
+      "rest, "
+      "which shows at {}: give them mass or stiffness, or hold them (constraints)",
+      structure.stiffness_file, name_of(structure, rows[static_cast<std::size_t>(row)])));
+}
+
 // K - shift M with its factors.
 struct Shifted {
-  explicit Shifted(const StructuralMatrices& structure)
-      : structure_(structure), matrix(structure.stiffness + structure.mass), factors(matrix) {}
+  Shifted(const StructuralMatrices& structure, const Masses& masses)
+      : structure_(structure),
+        masses_(masses),
+        matrix(structure.stiffness + structure.mass),
+        factors(matrix) {}
 
   // With a shift at which the matrix is safely positive definite.
   void factorise() {
-    if (factorise_at(0.0)) return;
     const double typical = typical_square(structure_);
-    for (const double relative : kRelativeShifts)
-      if (factorise_at(-relative * typical)) return;
+    const bool found =
+        std::any_of(std::begin(kRelativeShifts), std::end(kRelativeShifts),
+                    [&](double relative) { return factorise_at(relative * typical); });
+    if (!found || factors.smallest_pivot() < kSafePivot) check_massless(structure_, masses_);
+    if (found) return;
     refuse_indefinite(structure_,
                       fmt::format("it has an eigenvalue K phi = L M phi below {:.3g} (rad/s)^2, "
                                   "which shows at the degree of freedom {}",
@@ -86,19 +152,23 @@ struct Shifted {
   }
 
   const StructuralMatrices& structure_;
+  const Masses& masses_;
   double shift = 0.0;
   SparseMatrix matrix;
   SparseCholesky factors;
 };
 
-// The largest eigenvalues of L^-1 M L^-T, S = L L^T, are those of the lowest modes.
-Matrix dense_vectors(const StructuralMatrices& structure, const SparseMatrix& shifted) {
-  const Eigen::LLT<Matrix> factors{Matrix(shifted)};
-  const auto lower = factors.matrixL();
-  const Matrix half = lower.solve(Matrix(structure.mass));
-  const Matrix inverse = lower.solve(half.transpose());
-  const SymmetricModes modes = symmetric_modes(0.5 * (inverse + inverse.transpose()));
-  return factors.matrixU().solve(modes.vectors.rowwise().reverse());
+// Modes of the flexibility that the masses see: the largest eigenvalues of L^T S^-1 L, M = L L^T,
+// are those of the lowest modes.
+Matrix dense_vectors(const StructuralMatrices& structure, const Masses& masses,
+                     const Shifted& shifted) {
+  const Matrix lower = Eigen::LLT<Matrix>(Matrix(masses.matrix)).matrixL();
+  Matrix loads = Matrix::Zero(structure.size(), masses.rank());
+  loads(masses.rows, Eigen::all) = lower;
+  const Matrix displaced = shifted.factors.solve(loads);
+  const Matrix seen = lower.transpose() * displaced(masses.rows, Eigen::all);
+  const SymmetricModes modes = symmetric_modes(0.5 * (seen + seen.transpose()));
+  return displaced * modes.vectors.rowwise().reverse();
 }
 
 // Frequencies, the rigid ones among them, and residuals of vectors that are orthonormal in M.
@@ -149,6 +219,15 @@ void keep_lowest(StructuralModes& modes, int count) {
   modes.rigid = std::min(modes.rigid, count);
 }
 
+// One more product by S^-1 M, which has the rows without mass satisfied, and modes of what the
+// vectors span. False where they are not independent.
+bool polish(const StructuralMatrices& structure, const Shifted& shifted, Matrix& vectors) {
+  vectors = shifted.factors.solve(Matrix(structure.mass * vectors));
+  if (!orthonormalise(structure.mass, vectors)) return false;
+  diagonalise(shifted.matrix, vectors);
+  return true;
+}
+
 // Where to count: in the widest gap, by ratio, between frequencies from the last mode wanted on.
 int widest_gap(const Vector& omega, int count) {
   int best = count;
@@ -164,7 +243,7 @@ int widest_gap(const Vector& omega, int count) {
 }
 
 // True where as many modes were found as there are, as far as that can be told.
-bool are_complete(const StructuralMatrices& structure, Shifted& shifted, int wanted,
+bool are_complete(const StructuralMatrices& structure, Shifted& shifted, int rank, int wanted,
                   StructuralModes& modes) {
   const int below = widest_gap(modes.omega, wanted);
   const double high = modes.omega[below], low = modes.omega[below - 1];
@@ -183,17 +262,16 @@ bool are_complete(const StructuralMatrices& structure, Shifted& shifted, int wan
   modes.counted_below = std::sqrt(shift);
   if (modes.counted) return *modes.counted == below;
   const std::optional<double> other =
-      nearest_other(factors, structure.mass, modes.shapes, shifted.shift);
+      nearest_other(factors, structure.mass, rank, modes.shapes, shifted.shift);
   return other && *other >= low * low;
 }
 
 // A free structure has a shift so small that its rigid-body modes outweigh all others by many
 // orders; one of the size of the first elastic frequency serves those better.
-void adapt_shift(const StructuralMatrices& structure, Shifted& shifted, int count) {
-  const int few = std::min(std::max(count, 12), structure.size() - 1);
+void adapt_shift(const StructuralMatrices& structure, Shifted& shifted, int rank) {
   const double before = shifted.shift;
-  std::optional<Matrix> vectors =
-      shift_invert_vectors(shifted.factors, structure.mass, std::min(few, 12), before, 0);
+  std::optional<Matrix> vectors = shift_invert_vectors(shifted.factors, structure.mass, rank,
+                                                       std::min(12, rank - 1), before, 0);
   if (!vectors || !orthonormalise(structure.mass, *vectors)) return;
   StructuralModes first;
   judge(structure, std::move(*vectors), first);
@@ -202,22 +280,19 @@ void adapt_shift(const StructuralMatrices& structure, Shifted& shifted, int coun
   if (square > -4.0 * before && !shifted.factorise_at(-square)) shifted.factorise_at(before);
 }
 
-bool find_sparse(const StructuralMatrices& structure, Shifted& shifted, int count,
+bool find_sparse(const StructuralMatrices& structure, Shifted& shifted, int rank, int count,
                  StructuralModes& modes) {
-  if (shifted.shift < 0.0) adapt_shift(structure, shifted, count);
+  if (shifted.shift < 0.0) adapt_shift(structure, shifted, rank);
   modes.shift = shifted.shift;
   // A few more, so that there is a gap behind the last to count in.
-  const int sought = std::min(count + 4, structure.size() - 1);
+  const int sought = std::min(count + 4, rank - 1);
   for (int attempt = 0; attempt < 4; ++attempt) {
-    std::optional<Matrix> vectors = shift_invert_vectors(
-        shifted.factors, structure.mass, std::min(sought + 4 * attempt, structure.size() - 1),
-        shifted.shift, attempt);
-    if (!vectors) continue;
-    Matrix polished = shifted.factors.solve(Matrix(structure.mass * *vectors));
-    if (!orthonormalise(structure.mass, polished)) continue;
-    diagonalise(shifted.matrix, polished);
-    judge(structure, std::move(polished), modes);
-    if (are_complete(structure, shifted, count, modes)) return true;
+    std::optional<Matrix> vectors =
+        shift_invert_vectors(shifted.factors, structure.mass, rank,
+                             std::min(sought + 4 * attempt, rank - 1), shifted.shift, attempt);
+    if (!vectors || !polish(structure, shifted, *vectors)) continue;
+    judge(structure, std::move(*vectors), modes);
+    if (are_complete(structure, shifted, rank, count, modes)) return true;
   }
   return false;
 }
@@ -246,30 +321,39 @@ Matrix static_displacements(const StructuralMatrices& structure, const Shifted& 
 
 }  // namespace
 
+std::string mode_limit_text(const StructuralMatrices& structure) {
+  const std::size_t rank = structure.rows_with_mass().size();
+  const bool is_one = rank == 1;
+  const char* verb = is_one ? "is" : "are";
+  const char* with_mass = is_one ? " and has mass" : " and have mass";
+  return fmt::format("{} degree{} of freedom that {} not held{}", rank, is_one ? "" : "s", verb,
+                     static_cast<int>(rank) < structure.size() ? with_mass : "");
+}
+
 StructuralModes lowest_modes(const StructuralMatrices& structure, int count, const Matrix& loads) {
-  const int size = structure.size();
-  if (count < 1 || count > size)
-    throw InputError(fmt::format(
-        "{}: {} modes are asked for, the structure has {} degree{} of freedom that {} not held",
-        structure.stiffness_file, count, size, size == 1 ? "" : "s", size == 1 ? "is" : "are"));
-  check_mass(structure);
-  Shifted shifted(structure);
+  const Masses masses(structure);
+  const int rank = masses.rank();
+  if (count < 1 || count > rank)
+    throw InputError(fmt::format("{}: {} modes are asked for, the structure has {}",
+                                 structure.stiffness_file, count, mode_limit_text(structure)));
+  check_mass(structure, masses);
+  Shifted shifted(structure, masses);
   shifted.factorise();
   StructuralModes modes;
+  modes.massless = structure.size() - rank;
   modes.shift = shifted.shift;
-  modes.is_dense = size <= kDenseSize || 3 * count > size;
+  modes.is_dense = structure.size() <= kDenseSize || rank <= std::max(kFewMasses, 3 * count - 1);
   if (modes.is_dense) {
-    Matrix vectors = dense_vectors(structure, shifted.matrix);
-    if (!orthonormalise(structure.mass, vectors))
+    Matrix vectors = dense_vectors(structure, masses, shifted);
+    if (!orthonormalise(structure.mass, vectors) || !polish(structure, shifted, vectors))
       throw InputError(
           fmt::format("{}: its modes cannot be told apart from those of a singular "
                       "mass matrix",
                       structure.mass_file));
-    diagonalise(shifted.matrix, vectors);
     judge(structure, std::move(vectors), modes);
-    modes.counted = size;
-    modes.counted_below = modes.omega[size - 1];
-  } else if (!find_sparse(structure, shifted, count, modes)) {
+    modes.counted = rank;
+    modes.counted_below = modes.omega[rank - 1];
+  } else if (!find_sparse(structure, shifted, rank, count, modes)) {
     throw InputError(fmt::format(
         "{}: its lowest {} modes were not all found{}", structure.stiffness_file, count,
         modes.counted
