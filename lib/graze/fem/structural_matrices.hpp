@@ -16,6 +16,11 @@
 
 namespace graze {
 
+// A displacement is one of a rigid body where its strain energy is within rounding of zero:
+// |phi^T K phi| <= kRigidEnergy * |phi|^T |K| |phi|, |K| the matrix of the absolute values. Below
+// minus that the stiffness counts as indefinite.
+inline constexpr double kRigidEnergy = 1e3 * 2.220446049250313e-16;
+
 struct MatrixFiles {
   std::filesystem::path mass, stiffness;
   std::optional<std::filesystem::path> damping{};

@@ -10,6 +10,7 @@
 
 #include "graze/base/errors.hpp"
 #include "graze/base/linalg/decompositions.hpp"
+#include "graze/fem/detail/masses.hpp"
 #include "graze/fem/detail/mode_polish.hpp"
 #include "graze/fem/detail/shift_invert.hpp"
 #include "graze/fem/detail/sparse_cholesky.hpp"
@@ -25,34 +26,6 @@ constexpr double kSingularPivot = 1e-12;
 // the rounding of K, as seen by smooth shapes, and far below most frequencies.
 constexpr double kRelativeShifts[] = {0.0, -1e-10, -1e-8, -1e-6};
 
-// Rows and columns `rows` of a matrix.
-SparseMatrix principal(const SparseMatrix& matrix, const std::vector<int>& rows) {
-  std::vector<int> to(static_cast<std::size_t>(matrix.rows()), -1);
-  for (std::size_t i = 0; i < rows.size(); ++i)
-    to[static_cast<std::size_t>(rows[i])] = static_cast<int>(i);
-  std::vector<Eigen::Triplet<double>> entries;
-  for (const int column : rows)
-    for (SparseMatrix::InnerIterator entry(matrix, column); entry; ++entry) {
-      const int row = to[static_cast<std::size_t>(entry.row())];
-      if (row >= 0) entries.emplace_back(row, to[static_cast<std::size_t>(column)], entry.value());
-    }
-  const auto size = static_cast<Eigen::Index>(rows.size());
-  SparseMatrix part(size, size);
-  part.setFromTriplets(entries.begin(), entries.end());
-  return part;
-}
-
-// What of a structure has mass.
-struct Masses {
-  explicit Masses(const StructuralMatrices& structure)
-      : rows(structure.rows_with_mass()), matrix(principal(structure.mass, rows)) {}
-
-  int rank() const { return static_cast<int>(rows.size()); }
-
-  std::vector<int> rows;
-  SparseMatrix matrix;  // of these rows
-};
-
 double typical_square(const StructuralMatrices& structure) {
   const Vector k = structure.stiffness.diagonal(), m = structure.mass.diagonal();
   std::vector<double> ratios;
@@ -64,27 +37,6 @@ double typical_square(const StructuralMatrices& structure) {
   return *middle;
 }
 
-std::string name_of(const StructuralMatrices& structure, int row) {
-  return row < 0 ? "?" : label_text(structure.labels[static_cast<std::size_t>(row)]);
-}
-
-// Masses of finite elements are well conditioned once their diagonal is scaled to 1 (A. J. Wathen,
-// IMA J. Numer. Anal. 7 (1987) 449), which Lanczos' iteration sees for the price of some products;
-// factors, which a large structure pays for, decide where they are not.
-constexpr double kSafeMass = 1e-2;
-
-void check_mass(const StructuralMatrices& structure, const Masses& masses) {
-  if (masses.rank() > kDenseSize && masses.matrix.diagonal().minCoeff() > 0.0)
-    if (const auto smallest = smallest_scaled_mass(masses.matrix); smallest > kSafeMass) return;
-  SparseCholesky factors(masses.matrix);
-  if (factors.factorise(masses.matrix) && factors.smallest_pivot() > 0.0) return;
-  const int row = factors.failed_row();
-  throw InputError(fmt::format(
-      "{}: the mass matrix is not positive definite, which shows at the degree of freedom {}",
-      structure.mass_file,
-      name_of(structure, row < 0 ? row : masses.rows[static_cast<std::size_t>(row)])));
-}
-
 [[noreturn]] void refuse_indefinite(const StructuralMatrices& structure, const std::string& why) {
   throw InputError(
       fmt::format("{}: the stiffness matrix is indefinite: {}", structure.stiffness_file, why));
@@ -93,34 +45,6 @@ void check_mass(const StructuralMatrices& structure, const Masses& masses) {
 // Above this no combination of degrees of freedom without mass is free but for rounding, which the
 // factors of long chains of elements gather.
 constexpr double kSafePivot = 1e-8;
-
-// What has no mass must have a stiffness that tells how it follows the rest: no displacement of
-// such degrees of freedom alone may be free of strain energy, by the measure of rigid-body modes.
-void check_massless(const StructuralMatrices& structure, const Masses& masses) {
-  std::vector<int> rows;
-  for (int i = 0; i < structure.size(); ++i)
-    if (!std::binary_search(masses.rows.begin(), masses.rows.end(), i)) rows.push_back(i);
-  if (rows.empty()) return;
-  const SparseMatrix stiffness = principal(structure.stiffness, rows);
-  SparseCholesky factors(stiffness);
-  Eigen::Index row = 0;
-  if (factors.factorise(stiffness)) {
-    // Inverse iteration: its second step has all digits of what is softer by many orders.
-    Vector softest = Vector::LinSpaced(stiffness.rows(), 1.0, 2.0);
-    for (int step = 0; step < 4; ++step) softest = factors.solve(softest).col(0).normalized();
-    const Vector size = softest.cwiseAbs();
-    const double energy = softest.dot(stiffness * softest);
-    if (energy > kRigidEnergy * size.dot(stiffness.cwiseAbs() * size)) return;
-    size.maxCoeff(&row);
-  } else {
-    row = std::max(factors.failed_row(), 0);
-  }
-  throw InputError(fmt::format(
-      "{}: degrees of freedom without mass can move without strain energy while all with mass "
-      "rest, "
-      "which shows at {}: give them mass or stiffness, or hold them (constraints)",
-      structure.stiffness_file, name_of(structure, rows[static_cast<std::size_t>(row)])));
-}
 
 // K - shift M with its factors.
 struct Shifted {
@@ -136,12 +60,12 @@ struct Shifted {
     const bool found =
         std::any_of(std::begin(kRelativeShifts), std::end(kRelativeShifts),
                     [&](double relative) { return factorise_at(relative * typical); });
-    if (!found || factors.smallest_pivot() < kSafePivot) check_massless(structure_, masses_);
+    if (!found || factors.smallest_pivot() < kSafePivot) masses_.check_others();
     if (found) return;
     refuse_indefinite(structure_,
                       fmt::format("it has an eigenvalue K phi = L M phi below {:.3g} (rad/s)^2, "
                                   "which shows at the degree of freedom {}",
-                                  shift, name_of(structure_, factors.failed_row())));
+                                  shift, row_name(structure_, factors.failed_row())));
   }
 
   // False where the matrix is not safely positive definite there.
@@ -162,13 +86,22 @@ struct Shifted {
 // are those of the lowest modes.
 Matrix dense_vectors(const StructuralMatrices& structure, const Masses& masses,
                      const Shifted& shifted) {
-  const Matrix lower = Eigen::LLT<Matrix>(Matrix(masses.matrix)).matrixL();
+  const Matrix lower = Eigen::LLT<Matrix>(Matrix(masses.matrix())).matrixL();
   Matrix loads = Matrix::Zero(structure.size(), masses.rank());
-  loads(masses.rows, Eigen::all) = lower;
+  loads(masses.rows(), Eigen::all) = lower;
   const Matrix displaced = shifted.factors.solve(loads);
-  const Matrix seen = lower.transpose() * displaced(masses.rows, Eigen::all);
+  const Matrix seen = lower.transpose() * displaced(masses.rows(), Eigen::all);
   const SymmetricModes modes = symmetric_modes(0.5 * (seen + seen.transpose()));
   return displaced * modes.vectors.rowwise().reverse();
+}
+
+// The first of the largest displacements is positive, so that the sign is the same in every run:
+// those that a symmetric structure has on both sides differ by rounding.
+double sign_of(const Vector& phi) {
+  const double large = (1.0 - 1e-6) * phi.cwiseAbs().maxCoeff();
+  const auto first =
+      std::find_if(phi.begin(), phi.end(), [=](double value) { return std::abs(value) >= large; });
+  return first != phi.end() && *first < 0.0 ? -1.0 : 1.0;
 }
 
 // Frequencies, the rigid ones among them, and residuals of vectors that are orthonormal in M.
@@ -205,10 +138,7 @@ void judge(const StructuralMatrices& structure, Matrix vectors, StructuralModes&
     modes.omega[at] = std::sqrt(square);
     const Vector residual = stiff.col(j) - square * (structure.mass * phi);
     modes.residuals[at] = residual.norm() / (scale_k + square * (absolute_m * size)).norm();
-    // The largest displacement is positive, so that the sign is the same in every run.
-    Eigen::Index largest = 0;
-    size.maxCoeff(&largest);
-    modes.shapes.col(at) = phi[largest] < 0.0 ? Vector(-phi) : phi;
+    modes.shapes.col(at) = sign_of(phi) * phi;
   }
 }
 
@@ -336,7 +266,7 @@ StructuralModes lowest_modes(const StructuralMatrices& structure, int count, con
   if (count < 1 || count > rank)
     throw InputError(fmt::format("{}: {} modes are asked for, the structure has {}",
                                  structure.stiffness_file, count, mode_limit_text(structure)));
-  check_mass(structure, masses);
+  masses.check_definite();
   Shifted shifted(structure, masses);
   shifted.factorise();
   StructuralModes modes;

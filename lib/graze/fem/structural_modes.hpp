@@ -23,11 +23,6 @@
 
 namespace graze {
 
-// A mode is one of a rigid body where its strain energy is within rounding of zero:
-// |phi^T K phi| <= kRigidEnergy * |phi|^T |K| |phi|, |K| the matrix of the absolute values. Below
-// minus that the stiffness counts as indefinite.
-inline constexpr double kRigidEnergy = 1e3 * 2.220446049250313e-16;
-
 // Up to as many degrees of freedom, or as many with mass, all modes are found at once by dense
 // algebra.
 inline constexpr int kDenseSize = 500, kFewMasses = 60;
