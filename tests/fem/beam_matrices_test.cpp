@@ -92,20 +92,13 @@ TEST(BeamMatrices, HaveTheModesOfTheClosedSolutionsByTheIteration) {
   }
 }
 
-std::string quoted(const DofLabel& label) { return "\"" + label_text(label) + "\""; }
-
 // The beam as a scene whose matrices are files, with a stop and probes at the three places.
 Scene scene_of_files(const support::BeamMatrices& beam, const ScratchFolder& folder) {
-  support::write_matrix_market(beam.mass.matrix, folder / "mass.mtx");
-  support::write_matrix_market(beam.stiffness.matrix, folder / "stiffness.mtx");
-  std::string held;
-  for (const DofLabel& label : beam.held) held += (held.empty() ? "" : ", ") + quoted(label);
-  std::string text =
-      "[matrices]\nmass = \"mass.mtx\"\nstiffness = \"stiffness.mtx\"\nmodes = 8\n"
-      "constraints = [" +
-      held + "]\n[[stop]]\ngap = 0.01\nrestitution = 0.6\nnode = " +
-      quoted(beam.displacement(kPlaces[1])) + "\n";
-  for (const double x : kPlaces) text += "[[probe]]\nnode = " + quoted(beam.displacement(x)) + "\n";
+  std::string text = support::matrices_table(beam, folder) +
+                     "[[stop]]\ngap = 0.01\nrestitution = 0.6\nnode = " +
+                     support::quoted(beam.displacement(kPlaces[1])) + "\n";
+  for (const double x : kPlaces)
+    text += "[[probe]]\nnode = " + support::quoted(beam.displacement(x)) + "\n";
   return parse_scene(text, (folder / "scene.toml").string());
 }
 

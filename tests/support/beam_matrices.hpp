@@ -21,6 +21,7 @@
 
 #include "graze/fem/structural_matrices.hpp"
 #include "graze/scene/scene.hpp"
+#include "support/scratch_folder.hpp"
 
 namespace graze::support {
 
@@ -31,7 +32,9 @@ struct BeamMesh {
 };
 
 struct BeamMatrices {
-  LabelledMatrix mass, stiffness;  // rows are numbered 1, 2, ..: w, w' of every node, then bubbles
+  // Rows: 2 and 6 of every node, its displacement and slope, then the bubbles. A unit acceleration
+  // along y leaves these where they are, as rotations about x, which they are named.
+  LabelledMatrix mass, stiffness;
   std::vector<DofLabel> held;
   std::vector<double> nodes;  // m
 
@@ -39,9 +42,9 @@ struct BeamMatrices {
     const auto near = [x](double node) { return std::abs(node - x) < 1e-12; };
     const auto found = std::find_if(nodes.begin(), nodes.end(), near);
     if (found == nodes.end()) throw std::invalid_argument("no node there");
-    return {2 * (found - nodes.begin()) + 1, 0};
+    return {found - nodes.begin() + 1, 2};
   }
-  DofLabel slope(double x) const { return {displacement(x).node + 1, 0}; }
+  DofLabel slope(double x) const { return {displacement(x).node, 6}; }
   StructuralMatrices structure() const { return join_matrices(mass, stiffness, nullptr, held); }
 };
 
@@ -165,13 +168,14 @@ inline std::vector<double> mesh_nodes(const Beam& beam, const BeamMesh& mesh) {
 // Both matrices, entry by entry, before they are rounded to double.
 using Entries = std::map<std::pair<int, int>, Long>;
 
-inline LabelledMatrix rounded(const Entries& entries, int size, const char* name) {
+inline LabelledMatrix rounded(const Entries& entries, const std::vector<DofLabel>& labels,
+                              const char* name) {
+  const auto size = static_cast<Eigen::Index>(labels.size());
   std::vector<Eigen::Triplet<double>> triplets;
   for (const auto& [place, value] : entries)
     triplets.emplace_back(place.first, place.second, static_cast<double>(value));
-  LabelledMatrix result{name, SparseMatrix(size, size), {}, false, {}};
+  LabelledMatrix result{name, SparseMatrix(size, size), labels, true, {}};
   result.matrix.setFromTriplets(triplets.begin(), triplets.end());
-  for (int i = 1; i <= size; ++i) result.labels.push_back({i, 0});
   return result;
 }
 
@@ -212,7 +216,9 @@ inline BeamMatrices beam_matrices_of(const Beam& beam, const BeamMesh& mesh) {
     for (int k = 0; k < mesh.bubbles; ++k) rows.push_back(2 * nodes + mesh.bubbles * e + k);
     add_element(beam, result.nodes[e], result.nodes[e + 1], mesh.bubbles, rows, mass, stiffness);
   }
-  const auto row = [](const DofLabel& label) { return static_cast<int>(label.node) - 1; };
+  const auto row = [](const DofLabel& label) {
+    return 2 * static_cast<int>(label.node) - (label.direction == 2 ? 2 : 1);
+  };
   for (const AttachedMass& attached : beam.masses) {
     const double x = attached.position.value_or(beam.length);
     const int w = row(result.displacement(x)), slope = row(result.slope(x));
@@ -228,9 +234,11 @@ inline BeamMatrices beam_matrices_of(const Beam& beam, const BeamMesh& mesh) {
   }
   hold(beam.ends[0], 0.0, result);
   hold(beam.ends[1], beam.length, result);
-  const int size = 2 * nodes + mesh.bubbles * (nodes - 1);
-  result.mass = rounded(mass, size, "mass");
-  result.stiffness = rounded(stiffness, size, "stiffness");
+  std::vector<DofLabel> labels;
+  for (int node = 1; node <= nodes; ++node) labels.insert(labels.end(), {{node, 2}, {node, 6}});
+  for (int k = 1; k <= mesh.bubbles * (nodes - 1); ++k) labels.push_back({nodes + k, 4});
+  result.mass = rounded(mass, labels, "mass");
+  result.stiffness = rounded(stiffness, labels, "stiffness");
   return result;
 }
 
@@ -246,6 +254,21 @@ inline void write_matrix_market(const SparseMatrix& matrix, const std::filesyste
       std::snprintf(digits, sizeof digits, "%.16e", entry.value());
       out << entry.row() + 1 << " " << j + 1 << " " << digits << "\n";
     }
+}
+
+inline std::string quoted(const DofLabel& label) { return "\"" + label_text(label) + "\""; }
+
+// Writes the files of a scene into a folder; the table [matrices] that names them, up to its modes.
+inline std::string matrices_table(const BeamMatrices& beam, const ScratchFolder& folder) {
+  write_matrix_market(beam.mass.matrix, folder / "mass.mtx");
+  write_matrix_market(beam.stiffness.matrix, folder / "stiffness.mtx");
+  std::ofstream names(folder / "names.dof");
+  for (const DofLabel& label : beam.mass.labels) names << label_text(label) << "\n";
+  std::string held;
+  for (const DofLabel& label : beam.held) held += (held.empty() ? "" : ", ") + quoted(label);
+  return "[matrices]\nmass = \"mass.mtx\"\nstiffness = \"stiffness.mtx\"\ndofs = \"names.dof\"\n"
+         "constraints = [" +
+         held + "]\ndirection = 2\nmodes = 8\n";
 }
 
 }  // namespace graze::support
