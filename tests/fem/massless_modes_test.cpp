@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "graze/base/errors.hpp"
+#include "graze/fem/detail/shift_invert.hpp"
 #include "graze/fem/modal_damping.hpp"
 #include "graze/fem/structural_modes.hpp"
 
@@ -171,11 +172,9 @@ TEST(MasslessModes, OfTheIterationAreThoseOfTheFlexibility) {
   }
 }
 
-// A mass behind every `stride` springs k of a chain between walls: springs k/stride between masses.
-void expect_sparse_chain(int masses, int stride, int count) {
-  SCOPED_TRACE(testing::Message() << masses << " " << stride << " " << count);
+// A mass m behind every `stride` springs k of a chain between walls.
+StructuralMatrices sparse_chain(int masses, int stride, double m, double k) {
   const int n = stride * (masses + 1) - 1;
-  const double k = 250.0, m = 0.3;
   StructuralMatrices chain;
   chain.mass.resize(n, n);
   chain.stiffness.resize(n, n);
@@ -185,6 +184,15 @@ void expect_sparse_chain(int masses, int stride, int count) {
     chain.stiffness.insert(i, i) = 2.0 * k;
     if (i > 0) chain.stiffness.insert(i - 1, i) = chain.stiffness.insert(i, i - 1) = -k;
   }
+  return chain;
+}
+
+// Springs k/stride are between masses.
+void expect_sparse_chain(int masses, int stride, int count) {
+  SCOPED_TRACE(testing::Message() << masses << " " << stride << " " << count);
+  const int n = stride * (masses + 1) - 1;
+  const double k = 250.0, m = 0.3;
+  const StructuralMatrices chain = sparse_chain(masses, stride, m, k);
   // One spring behind a mass.
   const int before = masses / 3, loaded = stride * before;
   const StructuralModes modes = lowest_modes(chain, count, unit_load(chain, loaded));
@@ -209,6 +217,22 @@ TEST(MasslessModes, OfAChainWithoutMostOfItsMasses) {
   // Hardly more masses than the iteration keeps vectors, and all modes of them.
   expect_sparse_chain(kFewMasses + 1, 12, 20);
   expect_sparse_chain(kFewMasses, 12, kFewMasses);
+}
+
+// What is looked for where inertia cannot be counted.
+TEST(MasslessModes, TheNextOneAndAMissingOneAreMet) {
+  const StructuralMatrices chain = sparse_chain(200, 4, 1.0, 4.0);
+  SparseCholesky factors(chain.stiffness);
+  ASSERT_TRUE(factors.factorise(chain.stiffness));
+  const Matrix shapes = lowest_modes(chain, 6).shapes;
+  const auto square = [](int j) { return std::pow(2.0 * std::sin(j * kPi / 402.0), 2.0); };
+  const auto next = nearest_other(factors, chain.mass, 200, shapes, 0.0);
+  ASSERT_TRUE(next);
+  EXPECT_NEAR(*next / square(7), 1.0, 1e-5);
+  const auto missing =
+      nearest_other(factors, chain.mass, 200, shapes(Eigen::all, std::vector{0, 1, 3, 4, 5}), 0.0);
+  ASSERT_TRUE(missing);
+  EXPECT_NEAR(*missing / square(3), 1.0, 1e-5);
 }
 
 // Three masses m on a free beam without any, h apart: besides two rigid-body modes one in which the
