@@ -81,6 +81,16 @@ Scene comparable(const CompareCommand& command, const std::vector<std::string>& 
   return scene;
 }
 
+// The key that holds the number of modes.
+std::string modes_key(const Scene& scene) {
+  const std::string name = scene.structure_name();
+  if (name == "modal")
+    throw scene_error(scene, name,
+                      "these modes are given, so that there is no other number of them to compare "
+                      "(--modes), it must be a [beam], [string], [bar] or [matrices]");
+  return name + ".modes";
+}
+
 std::string other_name(const CompareCommand& command) {
   return fmt::format("{}", fmt::join(command.against, ", "));
 }
@@ -126,15 +136,13 @@ int compare_motions(const CompareCommand& command) {
   if (command.most_modes == 0) {
     add("the scene", {});
     add(other_name(command), command.against);
-  }
-  // Of given modes there is no other number; that is then said of the beam that there is not.
-  const Scene own = comparable(command, {});
-  const std::string span = own.span() ? own.structure_name() : "beam";
-  for (int modes = command.fewest_modes; command.most_modes > 0 && modes <= command.most_modes;
-       ++modes) {
-    add(modes == 1 ? "1 mode" : fmt::format("{} modes", modes),
-        {fmt::format("{}.modes={}", span, modes)});
-    record.modes.push_back(modes);
+  } else {
+    const std::string key = modes_key(comparable(command, {}));
+    for (int modes = command.fewest_modes; modes <= command.most_modes; ++modes) {
+      add(modes == 1 ? "1 mode" : fmt::format("{} modes", modes),
+          {fmt::format("{}={}", key, modes)});
+      record.modes.push_back(modes);
+    }
   }
   set_comparison(command, record.options);
   record.info = run_info(command.name, command.scene, scenes.front());

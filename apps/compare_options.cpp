@@ -33,10 +33,10 @@ void add_what_is_compared(CLI::App* app, CompareCommand& command) {
                              end == static_cast<int>(text.size());
            if (!read || command.fewest_modes < 1 || command.most_modes <= command.fewest_modes ||
                command.most_modes > kMostModes)
-             throw InputError(fmt::format(
-                 "--modes: '{}' is not allowed; give the fewest and the most modes of the beam, "
-                 "like 1:8, at most {}",
-                 text, kMostModes));
+             throw InputError(
+                 fmt::format("--modes: '{}' is not allowed; give the fewest and the most modes, "
+                             "like 1:8, at most {}",
+                             text, kMostModes));
          },
          "Convergence: each number of modes compared with the next")
       ->type_name("A:B");

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <fstream>
 #include <nlohmann/json.hpp>
 
 #include "apps/program.hpp"
@@ -48,6 +49,41 @@ TEST(CompareCommand, ComparesNumbersOfModes) {
   ASSERT_EQ(run.code, 0) << run.err;
   EXPECT_NE(run.out.find("3 modes to 4 modes"), std::string::npos) << run.out;
   EXPECT_GT(read_text(out / "n.png").size(), 3000u);
+}
+
+// The structure's own key is set, whatever it is called: of matrices the modes are found anew.
+TEST(CompareCommand, ComparesNumbersOfModesOfEveryStructure) {
+  const ScratchFolder out;
+  const std::string driven =
+      "[damping]\nrayleigh = { mass = 20.0, stiffness = 0.0 }\n"
+      "[forcing]\namplitude = 1e-3\nfrequency = 60.0\n"
+      "[[stop]]\nposition = 0.37\ngap = 5e-4\nrestitution = 0.6\n";
+  std::ofstream(out / "string.toml")
+      << "[string]\nlength = 0.863\ntension = 1.9\nmass_per_length = 0.0067\nmodes = 1\n" + driven;
+  std::ofstream(out / "bar.toml") << "[bar]\nlength = 0.863\nyoungs_modulus = 2e6\n"
+                                     "density = 7800\narea = 1e-4\nmodes = 1\n" +
+                                         driven;
+  for (const auto& [file, key] : {std::pair(scene("24_frame_from_matrices.toml"), "matrices.modes"),
+                                  std::pair((out / "string.toml").string(), "string.modes"),
+                                  std::pair((out / "bar.toml").string(), "bar.modes")}) {
+    SCOPED_TRACE(key);
+    const Finished run = run_graze("compare --json --modes 2:4 --periods 50 --samples 5 " + file);
+    ASSERT_EQ(run.code, 0) << run.err;
+    const json motions = json::parse(run.out)["motions"];
+    ASSERT_EQ(motions.size(), 3u);
+    for (int modes = 2; modes <= 4; ++modes) {
+      // As many modes move as the same scene has that says so.
+      const Finished alone =
+          run_graze("compare --json --periods 50 --samples 5 --set " + std::string(key) + "=" +
+                    std::to_string(modes) + " --against stop.restitution=0.5 " + file);
+      ASSERT_EQ(alone.code, 0) << alone.err;
+      const json& motion = motions[static_cast<std::size_t>(modes - 2)];
+      EXPECT_EQ(motion["name"], std::to_string(modes) + " modes");
+      EXPECT_FALSE(motion["first_impacts"].empty());
+      EXPECT_EQ(motion["first_impacts"], json::parse(alone.out)["motions"][0]["first_impacts"]);
+    }
+    EXPECT_NE(motions[0]["first_impacts"], motions[1]["first_impacts"]);
+  }
 }
 
 TEST(CompareCommand, DrawsEveryDifferenceOverAPlane) {
@@ -123,7 +159,8 @@ TEST(CompareCommand, SaysWhatIsMissing) {
           kGalerkin + kPaper,
       "too many");
   refuses("--sensitivity " + kGalerkin + kPaper, "--against");
-  refuses("--modes 1:3 " + scene("04_impact_oscillator.toml"), "beam");
+  refuses("--modes 1:3 " + scene("04_impact_oscillator.toml"),
+          "04_impact_oscillator.toml:13:1: modal: these modes are given");
   refuses(kGalerkin + scene("06_bouncing_ball.toml"), "forcing");
 }
 

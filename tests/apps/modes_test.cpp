@@ -1,6 +1,7 @@
 // graze modes: of a frame from matrices, of beams and of modes that are given.
 #include <gtest/gtest.h>
 
+#include <fstream>
 #include <nlohmann/json.hpp>
 
 #include "apps/program.hpp"
@@ -65,6 +66,28 @@ TEST(Modes, CheckWarnsWhereTheModesAreTooFew) {
   EXPECT_EQ(run.code, 0);
   EXPECT_NE(run.err.find("of the static flexibility"), std::string::npos) << run.err;
   EXPECT_EQ(run_graze("check " + kFrame).err, "");
+}
+
+// Two masses with a place between them that has none: all modes there are leave out its own
+// flexibility, 1/4 of 3/4.
+TEST(Modes, TellsOfDegreesOfFreedomWithoutMass) {
+  const ScratchFolder folder;
+  std::ofstream(folder / "m.mtx") << "1,1,1,1,1.\n2,1,2,1,1.\n";
+  std::ofstream(folder / "k.mtx")
+      << "1,1,1,1,3.\n3,1,1,1,-2.\n2,1,2,1,3.\n3,1,2,1,-2.\n3,1,3,1,4.\n";
+  const std::string file = (folder / "scene.toml").string();
+  std::ofstream(file) << "[matrices]\nmass = \"m.mtx\"\nstiffness = \"k.mtx\"\nmodes = 2\n"
+                         "[[stop]]\nnode = \"3.1\"\ngap = 0.1\nrestitution = 0.5\n";
+  const Finished run = run_graze("modes " + file);
+  ASSERT_EQ(run.code, 0) << run.err;
+  EXPECT_NE(run.out.find("3 degrees of freedom, 0 held; 1 without mass follows the others"),
+            std::string::npos)
+      << run.out;
+  const Finished check = run_graze("check " + file);
+  EXPECT_EQ(check.code, 0);
+  EXPECT_NE(check.err.find("66.7 %: the rest is that of degrees of freedom without mass"),
+            std::string::npos)
+      << check.err;
 }
 
 }  // namespace

@@ -11,6 +11,8 @@
 #include "graze/motion/simulation.hpp"
 #include "graze/scene/matrix_structure.hpp"
 #include "graze/scene/reader.hpp"
+#include "support/beam_matrices.hpp"
+#include "support/reference.hpp"
 #include "support/scratch_folder.hpp"
 #include "support/systems.hpp"
 
@@ -90,6 +92,27 @@ TEST_F(MatrixMotion, IsThatOfItsModes) {
       EXPECT_EQ(found.events[i].stop, expected.events[i].stop) << i;
     }
   }
+}
+
+// A beam with a mass at its end, shaken against a stop, and its matrices by other elements, brought
+// in as files: the clamp's acceleration, the modes and the stop are the same.
+TEST_F(MatrixMotion, OfABeamIsThatOfTheBeam) {
+  const std::string shaken =
+      "[damping]\nrayleigh = { mass = 4.0, stiffness = 1e-5 }\n"
+      "[forcing]\namplitude = 2e-3\nfrequency = 18.0\n"
+      "[[stop]]\ngap = 3e-3\nrestitution = 0.6\n";
+  std::string text = write_scene(support::reference_scene("beams/tip_mass"));
+  const Scene beam = parse_scene(text + shaken + "position = 0.55\n", "beam");
+  const support::BeamMatrices matrices = support::beam_matrices_of(*beam.beam(), {{0.55}});
+  const Scene by_matrices =
+      parse_scene(support::matrices_table(matrices, folder_) + shaken +
+                      "node = " + support::quoted(matrices.displacement(0.55)) + "\n",
+                  (folder_ / "beam.toml").string());
+  const auto expected = run(beam), found = run(by_matrices);
+  ASSERT_GT(expected.events.size(), 20u);
+  ASSERT_GT(found.events.size(), 20u);
+  for (std::size_t i = 0; i < 20; ++i)
+    EXPECT_NEAR(found.events[i].time, expected.events[i].time, 1e-9) << i;
 }
 
 // C = 0.3 M + 0.01 K, and decay rates of (0.3 + 0.01 w^2)/2.

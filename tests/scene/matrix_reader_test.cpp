@@ -67,6 +67,42 @@ TEST_F(MatrixReader, ModesLoadsAndPlacesFollowFromTheFiles) {
   EXPECT_NEAR(flexibility(0, 1), 1.0 / 3.0, 1e-14);
 }
 
+// The spring between both masses is cut in two of stiffness 2, with a place in between that has no
+// mass: u_3 = (u_1 + u_2)/2. A force there moves it by 1/4, what both springs give, and half of it
+// goes to each mass: 1/4 + (1/2, 1/2) K^-1 (1/2, 1/2)^T = 3/4, of which the modes have the 1/2.
+TEST_F(MatrixReader, APlaceWithoutMassFollowsTheOthers) {
+  write("k.mtx", "1,1,1,1,3.\n3,1,1,1,-2.\n2,1,2,1,3.\n3,1,2,1,-2.\n3,1,3,1,4.\n");
+  const std::string between =
+      "[[stop]]\nnode = \"3.1\"\ngap = 0.1\nrestitution = 0.5\n"
+      "[[stop]]\nnode = \"1.1\"\nagainst = \"3.1\"\ngap = 0.1\nrestitution = 0.5\n"
+      "[[probe]]\nnode = \"3.1\"\n";
+  const Scene scene =
+      read("direction = 1\nload = [\"3.1\"]\nload_values = [3.0]\n",
+           "[forcing]\nkind = \"load\"\namplitude = 1.0\nfrequency = 2.0\n" + between);
+  const ModalStructure& modal = *scene.modal();
+  EXPECT_NEAR(modal.frequencies[0], 1.0, 1e-14);
+  EXPECT_NEAR(modal.frequencies[1], std::sqrt(3.0), 1e-14);
+  const double r = std::sqrt(0.5);
+  EXPECT_NEAR(std::abs(scene.stops[0].shape[0]), r, 1e-14);
+  EXPECT_NEAR(scene.stops[0].shape[1], 0.0, 1e-14);
+  EXPECT_NEAR(scene.stops[1].shape[0], 0.0, 1e-14);
+  EXPECT_NEAR(std::abs(scene.stops[1].shape[1]), r, 1e-14);
+  EXPECT_EQ(scene.probes[0].shape, scene.stops[0].shape);
+  EXPECT_NEAR(std::abs(modal.participation[0]), 3.0 * r, 1e-14);
+  EXPECT_NEAR(modal.participation[1], 0.0, 1e-14);
+  // M r is that of both masses.
+  EXPECT_NEAR(std::abs(modal.inertia[0]), 2.0 * r, 1e-14);
+  const MatrixModes& found = *scene.matrices()->solved;
+  EXPECT_EQ(found.modes.massless, 1);
+  EXPECT_NEAR(found.flexibilities[0], 0.75, 1e-14);
+  EXPECT_NEAR(found.kept_flexibilities[0], 0.5, 1e-14);
+  EXPECT_NEAR(found.row("3.1").value()[0], scene.stops[0].shape[0], 0.0);
+  // With one mass held, one is left.
+  EXPECT_EQ(refusal("constraints = [\"1.1\"]\n", kStop),
+            "scene.toml:4:1: matrices.modes: 2 is not allowed, the matrices have 1 degree of "
+            "freedom that is not held and has mass");
+}
+
 TEST_F(MatrixReader, CopiesShareTheModes) {
   const Scene scene = read("", kStop);
   const Scene moved = with_parameter(scene, "stop.gap", 0.2);

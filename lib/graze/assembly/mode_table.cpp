@@ -41,6 +41,9 @@ std::vector<std::string> notes_of(const MatrixModes& matrices, Units units) {
                                   [](const auto& row) { return row.second < 0; });
   std::vector<std::string> notes = {
       fmt::format("{} degrees of freedom, {} held", matrices.free_count(), held)};
+  if (modes.massless > 0)
+    notes.front() += fmt::format("; {} without mass follow{} the others statically", modes.massless,
+                                 modes.massless == 1 ? "s" : "");
   if (modes.is_dense)
     notes.push_back("all modes were found");
   else if (modes.counted)

@@ -16,6 +16,24 @@ namespace {
 // Above this, solves with the collocation matrix keep fewer than half of the 16 digits.
 constexpr double kIllConditioned = 1e8;
 
+void add_flexibility_warnings(const Scene& scene, const ModalModel& model,
+                              std::vector<std::string>& warnings) {
+  const MatrixModes& matrices = *scene.matrices()->solved;
+  const bool are_all = scene.modes() == matrices.free_count() - matrices.modes.massless;
+  const std::vector<StopFlexibility> list = stop_flexibilities(scene, model);
+  for (std::size_t i = 0; i < list.size(); ++i) {
+    if (scene.stops[i].spring && scene.stops[i].spring->is_residual) continue;
+    if (list[i].kept < (1.0 - kSeenFlexibility) * *list[i].whole)
+      warnings.push_back(fmt::format(
+          "the {} modes have {:.4g} of the static flexibility {:.4g}{} at stop {}, {:.1f} %: {}",
+          scene.modes(), list[i].kept, *list[i].whole, unit_behind(scene.units, "m/N"), i + 1,
+          100.0 * list[i].kept / *list[i].whole,
+          are_all ? "the rest is that of degrees of freedom without mass, which no mode has; the "
+                    "contact depends on it unless the stop is where there is mass"
+                  : "what the contact depends on is not converged, more modes bring it nearer"));
+  }
+}
+
 void add_matrix_warnings(const Scene& scene, const ModalModel& model,
                          std::vector<std::string>& warnings) {
   for (const auto& [direction, part] : scene.matrices()->solved->weak_holds)
@@ -30,15 +48,7 @@ void add_matrix_warnings(const Scene& scene, const ModalModel& model,
         "the damping matrix couples modes, which is left out: at most {:.3g} of the geometric mean "
         "of their own damping, between modes {} and {}",
         damping->coupling, damping->first + 1, damping->second + 1));
-  const std::vector<StopFlexibility> list = stop_flexibilities(scene, model);
-  for (std::size_t i = 0; i < list.size(); ++i)
-    if (list[i].kept < (1.0 - kSeenFlexibility) * *list[i].whole &&
-        !(scene.stops[i].spring && scene.stops[i].spring->is_residual))
-      warnings.push_back(fmt::format(
-          "the {} modes have {:.4g} of the static flexibility {:.4g}{} at stop {}, {:.1f} %: what "
-          "the contact depends on is not converged, more modes bring it nearer",
-          scene.modes(), list[i].kept, *list[i].whole, unit_behind(scene.units, "m/N"), i + 1,
-          100.0 * list[i].kept / *list[i].whole));
+  add_flexibility_warnings(scene, model, warnings);
 }
 
 }  // namespace

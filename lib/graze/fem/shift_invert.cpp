@@ -71,12 +71,12 @@ Vector start_vector(Eigen::Index size, int attempt) {
 }  // namespace
 
 std::optional<Matrix> shift_invert_vectors(const SparseCholesky& factors, const SparseMatrix& mass,
-                                           int count, double shift, int attempt) {
+                                           int rank, int count, double shift, int attempt) {
   const Eigen::Index size = mass.rows();
   Inverse inverse{factors, size};
   MassProduct product{mass};
   const Eigen::Index kept =
-      std::min<Eigen::Index>(size, std::max(2 * count + 1, count + 20) + 20 * attempt);
+      std::min<Eigen::Index>(rank, std::max(2 * count + 1, count + 20) + 20 * attempt);
   Solver solver(inverse, product, count, kept, shift);
   solver.init(start_vector(size, attempt).data());
   solver.compute(Spectra::SortRule::LargestMagn, 1000, 1e-12, Spectra::SortRule::SmallestAlge);
@@ -85,12 +85,12 @@ std::optional<Matrix> shift_invert_vectors(const SparseCholesky& factors, const 
 }
 
 std::optional<double> nearest_other(const SparseCholesky& factors, const SparseMatrix& mass,
-                                    const Matrix& found, double shift) {
-  const Eigen::Index size = mass.rows();
-  if (found.cols() + 2 > size) return {};
+                                    int rank, const Matrix& found, double shift) {
+  const Eigen::Index size = mass.rows(), others = rank - found.cols();
+  if (others < 2) return {};
   Inverse inverse{factors, size, &found, mass * found};
   MassProduct product{mass};
-  Solver solver(inverse, product, 1, std::min<Eigen::Index>(size, 20), shift);
+  Solver solver(inverse, product, 1, std::min<Eigen::Index>(others, 20), shift);
   Vector start = start_vector(size, 7);
   start -= found * (inverse.weighted.transpose() * start).eval();
   solver.init(start.data());

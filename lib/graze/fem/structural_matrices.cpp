@@ -114,21 +114,26 @@ std::vector<std::pair<long, long>> coupled_nodes(const LabelledMatrix& stiffness
   return pairs;
 }
 
-void check_masses(const StructuralMatrices& structure) {
-  const Vector diagonal = structure.mass.diagonal();
+bool is_zero_row(const SparseMatrix& symmetric, int row) {
+  for (SparseMatrix::InnerIterator entry(symmetric, row); entry; ++entry)
+    if (entry.value() != 0.0) return false;
+  return true;
+}
+
+void check_rows(const StructuralMatrices& structure) {
   std::string names;
   int count = 0;
   for (int i = 0; i < structure.size(); ++i) {
-    if (diagonal[i] > 0.0) continue;
+    if (!is_zero_row(structure.mass, i) || !is_zero_row(structure.stiffness, i)) continue;
     if (++count <= 5)
       names +=
           (names.empty() ? "" : ", ") + label_text(structure.labels[static_cast<std::size_t>(i)]);
   }
   if (count == 0) return;
   throw InputError(fmt::format(
-      "{}: the mass matrix is singular: {} degree{} of freedom {} no mass of their own: {}{}. Give "
-      "them one, hold them (constraints), or condense them in the program that wrote the matrices",
-      structure.mass_file, count, count == 1 ? "" : "s", count == 1 ? "has" : "have", names,
+      "{}: {} degree{} of freedom {} neither stiffness nor mass: {}{}. Hold what nothing moves "
+      "(constraints)",
+      structure.stiffness_file, count, count == 1 ? "" : "s", count == 1 ? "has" : "have", names,
       count > 5 ? ", .." : ""));
 }
 
@@ -138,6 +143,13 @@ std::optional<int> StructuralMatrices::find(const DofLabel& label) const {
   const auto found = std::find(labels.begin(), labels.end(), label);
   if (found == labels.end()) return {};
   return static_cast<int>(found - labels.begin());
+}
+
+std::vector<int> StructuralMatrices::rows_with_mass() const {
+  std::vector<int> rows;
+  for (int i = 0; i < size(); ++i)
+    if (!is_zero_row(mass, i)) rows.push_back(i);
+  return rows;
 }
 
 StructuralMatrices join_matrices(const LabelledMatrix& mass, const LabelledMatrix& stiffness,
@@ -173,7 +185,7 @@ StructuralMatrices join_matrices(const LabelledMatrix& mass, const LabelledMatri
   }
   add_inertia(result, reordered(mass, all, static_cast<int>(labels.size())), labels, kept);
   result.couplings = coupled_nodes(stiffness);
-  check_masses(result);
+  check_rows(result);
   return result;
 }
 

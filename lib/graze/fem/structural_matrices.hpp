@@ -16,6 +16,11 @@
 
 namespace graze {
 
+// A displacement is one of a rigid body where its strain energy is within rounding of zero:
+// |phi^T K phi| <= kRigidEnergy * |phi|^T |K| |phi|, |K| the matrix of the absolute values. Below
+// minus that the stiffness counts as indefinite.
+inline constexpr double kRigidEnergy = 1e3 * 2.220446049250313e-16;
+
 struct MatrixFiles {
   std::filesystem::path mass, stiffness;
   std::optional<std::filesystem::path> damping{};
@@ -37,6 +42,9 @@ struct StructuralMatrices {
   std::string mass_file, stiffness_file, damping_file;  // for messages
 
   int size() const { return static_cast<int>(labels.size()); }
+  // Rows of the mass that are not zero, ascending. The other degrees of freedom follow these
+  // statically, so that there are as many modes.
+  std::vector<int> rows_with_mass() const;
   // Place of a free degree of freedom; nothing where there is none of that name.
   std::optional<int> find(const DofLabel& label) const;
 };
@@ -44,7 +52,7 @@ struct StructuralMatrices {
 // `constraints`: degrees of freedom that are held at zero, beside those that a file holds itself.
 // Throws FileError and InputError as read_matrix, and InputError where sizes or names do not fit
 // each other, where a constraint has no such degree of freedom, and where a free degree of freedom
-// has no mass.
+// has neither mass nor stiffness.
 StructuralMatrices read_structure(const MatrixFiles& files,
                                   const std::vector<DofLabel>& constraints = {});
 

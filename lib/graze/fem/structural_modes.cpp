@@ -10,6 +10,7 @@
 
 #include "graze/base/errors.hpp"
 #include "graze/base/linalg/decompositions.hpp"
+#include "graze/fem/detail/masses.hpp"
 #include "graze/fem/detail/mode_polish.hpp"
 #include "graze/fem/detail/shift_invert.hpp"
 #include "graze/fem/detail/sparse_cholesky.hpp"
@@ -21,39 +22,19 @@ namespace {
 // rounding.
 constexpr double kSingularPivot = 1e-12;
 
-// Shifts of a free structure, relative to the median of K_ii/M_ii: the first is far above the
-// rounding of K, as seen by smooth shapes, and far below most frequencies.
-constexpr double kRelativeShifts[] = {1e-10, 1e-8, 1e-6};
+// Shifts relative to the median of K_ii/M_ii. The first of those for a free structure is far above
+// the rounding of K, as seen by smooth shapes, and far below most frequencies.
+constexpr double kRelativeShifts[] = {0.0, -1e-10, -1e-8, -1e-6};
 
 double typical_square(const StructuralMatrices& structure) {
   const Vector k = structure.stiffness.diagonal(), m = structure.mass.diagonal();
   std::vector<double> ratios;
   for (Eigen::Index i = 0; i < k.size(); ++i)
-    if (k[i] > 0.0) ratios.push_back(k[i] / m[i]);
+    if (k[i] > 0.0 && m[i] > 0.0) ratios.push_back(k[i] / m[i]);
   if (ratios.empty()) return 1.0;
   const auto middle = ratios.begin() + static_cast<std::ptrdiff_t>(ratios.size() / 2);
   std::nth_element(ratios.begin(), middle, ratios.end());
   return *middle;
-}
-
-std::string name_of(const StructuralMatrices& structure, int row) {
-  return row < 0 ? "?" : label_text(structure.labels[static_cast<std::size_t>(row)]);
-}
-
-// Masses of finite elements are well conditioned once their diagonal is scaled to 1 (A. J. Wathen,
-// IMA J. Numer. Anal. 7 (1987) 449), which Lanczos' iteration sees for the price of some products;
-// factors, which a large structure pays for, decide where they are not.
-constexpr double kSafeMass = 1e-2;
-
-void check_mass(const StructuralMatrices& structure) {
-  if (structure.size() > kDenseSize)
-    if (const auto smallest = smallest_scaled_mass(structure.mass); smallest > kSafeMass) return;
-  SparseCholesky factors(structure.mass);
-  if (factors.factorise(structure.mass) && factors.smallest_pivot() > 0.0) return;
-  throw InputError(
-      fmt::format("{}: the mass matrix is not positive definite, which shows at the degree of "
-                  "freedom {}",
-                  structure.mass_file, name_of(structure, factors.failed_row())));
 }
 
 [[noreturn]] void refuse_indefinite(const StructuralMatrices& structure, const std::string& why) {
@@ -61,21 +42,30 @@ void check_mass(const StructuralMatrices& structure) {
       fmt::format("{}: the stiffness matrix is indefinite: {}", structure.stiffness_file, why));
 }
 
+// Above this no combination of degrees of freedom without mass is free but for rounding, which the
+// factors of long chains of elements gather.
+constexpr double kSafePivot = 1e-8;
+
 // K - shift M with its factors.
 struct Shifted {
-  explicit Shifted(const StructuralMatrices& structure)
-      : structure_(structure), matrix(structure.stiffness + structure.mass), factors(matrix) {}
+  Shifted(const StructuralMatrices& structure, const Masses& masses)
+      : structure_(structure),
+        masses_(masses),
+        matrix(structure.stiffness + structure.mass),
+        factors(matrix) {}
 
   // With a shift at which the matrix is safely positive definite.
   void factorise() {
-    if (factorise_at(0.0)) return;
     const double typical = typical_square(structure_);
-    for (const double relative : kRelativeShifts)
-      if (factorise_at(-relative * typical)) return;
+    const bool found =
+        std::any_of(std::begin(kRelativeShifts), std::end(kRelativeShifts),
+                    [&](double relative) { return factorise_at(relative * typical); });
+    if (!found || factors.smallest_pivot() < kSafePivot) masses_.check_others();
+    if (found) return;
     refuse_indefinite(structure_,
                       fmt::format("it has an eigenvalue K phi = L M phi below {:.3g} (rad/s)^2, "
                                   "which shows at the degree of freedom {}",
-                                  shift, name_of(structure_, factors.failed_row())));
+                                  shift, row_name(structure_, factors.failed_row())));
   }
 
   // False where the matrix is not safely positive definite there.
@@ -86,19 +76,32 @@ struct Shifted {
   }
 
   const StructuralMatrices& structure_;
+  const Masses& masses_;
   double shift = 0.0;
   SparseMatrix matrix;
   SparseCholesky factors;
 };
 
-// The largest eigenvalues of L^-1 M L^-T, S = L L^T, are those of the lowest modes.
-Matrix dense_vectors(const StructuralMatrices& structure, const SparseMatrix& shifted) {
-  const Eigen::LLT<Matrix> factors{Matrix(shifted)};
-  const auto lower = factors.matrixL();
-  const Matrix half = lower.solve(Matrix(structure.mass));
-  const Matrix inverse = lower.solve(half.transpose());
-  const SymmetricModes modes = symmetric_modes(0.5 * (inverse + inverse.transpose()));
-  return factors.matrixU().solve(modes.vectors.rowwise().reverse());
+// Modes of the flexibility that the masses see: the largest eigenvalues of L^T S^-1 L, M = L L^T,
+// are those of the lowest modes.
+Matrix dense_vectors(const StructuralMatrices& structure, const Masses& masses,
+                     const Shifted& shifted) {
+  const Matrix lower = Eigen::LLT<Matrix>(Matrix(masses.matrix())).matrixL();
+  Matrix loads = Matrix::Zero(structure.size(), masses.rank());
+  loads(masses.rows(), Eigen::all) = lower;
+  const Matrix displaced = shifted.factors.solve(loads);
+  const Matrix seen = lower.transpose() * displaced(masses.rows(), Eigen::all);
+  const SymmetricModes modes = symmetric_modes(0.5 * (seen + seen.transpose()));
+  return displaced * modes.vectors.rowwise().reverse();
+}
+
+// The first of the largest displacements is positive, so that the sign is the same in every run:
+// those that a symmetric structure has on both sides differ by rounding.
+double sign_of(const Vector& phi) {
+  const double large = (1.0 - 1e-6) * phi.cwiseAbs().maxCoeff();
+  const auto first =
+      std::find_if(phi.begin(), phi.end(), [=](double value) { return std::abs(value) >= large; });
+  return first != phi.end() && *first < 0.0 ? -1.0 : 1.0;
 }
 
 // Frequencies, the rigid ones among them, and residuals of vectors that are orthonormal in M.
@@ -135,10 +138,7 @@ void judge(const StructuralMatrices& structure, Matrix vectors, StructuralModes&
     modes.omega[at] = std::sqrt(square);
     const Vector residual = stiff.col(j) - square * (structure.mass * phi);
     modes.residuals[at] = residual.norm() / (scale_k + square * (absolute_m * size)).norm();
-    // The largest displacement is positive, so that the sign is the same in every run.
-    Eigen::Index largest = 0;
-    size.maxCoeff(&largest);
-    modes.shapes.col(at) = phi[largest] < 0.0 ? Vector(-phi) : phi;
+    modes.shapes.col(at) = sign_of(phi) * phi;
   }
 }
 
@@ -147,6 +147,15 @@ void keep_lowest(StructuralModes& modes, int count) {
   modes.residuals = modes.residuals.head(count).eval();
   modes.shapes = modes.shapes.leftCols(count).eval();
   modes.rigid = std::min(modes.rigid, count);
+}
+
+// One more product by S^-1 M, which has the rows without mass satisfied, and modes of what the
+// vectors span. False where they are not independent.
+bool polish(const StructuralMatrices& structure, const Shifted& shifted, Matrix& vectors) {
+  vectors = shifted.factors.solve(Matrix(structure.mass * vectors));
+  if (!orthonormalise(structure.mass, vectors)) return false;
+  diagonalise(shifted.matrix, vectors);
+  return true;
 }
 
 // Where to count: in the widest gap, by ratio, between frequencies from the last mode wanted on.
@@ -164,7 +173,7 @@ int widest_gap(const Vector& omega, int count) {
 }
 
 // True where as many modes were found as there are, as far as that can be told.
-bool are_complete(const StructuralMatrices& structure, Shifted& shifted, int wanted,
+bool are_complete(const StructuralMatrices& structure, Shifted& shifted, int rank, int wanted,
                   StructuralModes& modes) {
   const int below = widest_gap(modes.omega, wanted);
   const double high = modes.omega[below], low = modes.omega[below - 1];
@@ -183,17 +192,16 @@ bool are_complete(const StructuralMatrices& structure, Shifted& shifted, int wan
   modes.counted_below = std::sqrt(shift);
   if (modes.counted) return *modes.counted == below;
   const std::optional<double> other =
-      nearest_other(factors, structure.mass, modes.shapes, shifted.shift);
+      nearest_other(factors, structure.mass, rank, modes.shapes, shifted.shift);
   return other && *other >= low * low;
 }
 
 // A free structure has a shift so small that its rigid-body modes outweigh all others by many
 // orders; one of the size of the first elastic frequency serves those better.
-void adapt_shift(const StructuralMatrices& structure, Shifted& shifted, int count) {
-  const int few = std::min(std::max(count, 12), structure.size() - 1);
+void adapt_shift(const StructuralMatrices& structure, Shifted& shifted, int rank) {
   const double before = shifted.shift;
-  std::optional<Matrix> vectors =
-      shift_invert_vectors(shifted.factors, structure.mass, std::min(few, 12), before, 0);
+  std::optional<Matrix> vectors = shift_invert_vectors(shifted.factors, structure.mass, rank,
+                                                       std::min(12, rank - 1), before, 0);
   if (!vectors || !orthonormalise(structure.mass, *vectors)) return;
   StructuralModes first;
   judge(structure, std::move(*vectors), first);
@@ -202,22 +210,19 @@ void adapt_shift(const StructuralMatrices& structure, Shifted& shifted, int coun
   if (square > -4.0 * before && !shifted.factorise_at(-square)) shifted.factorise_at(before);
 }
 
-bool find_sparse(const StructuralMatrices& structure, Shifted& shifted, int count,
+bool find_sparse(const StructuralMatrices& structure, Shifted& shifted, int rank, int count,
                  StructuralModes& modes) {
-  if (shifted.shift < 0.0) adapt_shift(structure, shifted, count);
+  if (shifted.shift < 0.0) adapt_shift(structure, shifted, rank);
   modes.shift = shifted.shift;
   // A few more, so that there is a gap behind the last to count in.
-  const int sought = std::min(count + 4, structure.size() - 1);
+  const int sought = std::min(count + 4, rank - 1);
   for (int attempt = 0; attempt < 4; ++attempt) {
-    std::optional<Matrix> vectors = shift_invert_vectors(
-        shifted.factors, structure.mass, std::min(sought + 4 * attempt, structure.size() - 1),
-        shifted.shift, attempt);
-    if (!vectors) continue;
-    Matrix polished = shifted.factors.solve(Matrix(structure.mass * *vectors));
-    if (!orthonormalise(structure.mass, polished)) continue;
-    diagonalise(shifted.matrix, polished);
-    judge(structure, std::move(polished), modes);
-    if (are_complete(structure, shifted, count, modes)) return true;
+    std::optional<Matrix> vectors =
+        shift_invert_vectors(shifted.factors, structure.mass, rank,
+                             std::min(sought + 4 * attempt, rank - 1), shifted.shift, attempt);
+    if (!vectors || !polish(structure, shifted, *vectors)) continue;
+    judge(structure, std::move(*vectors), modes);
+    if (are_complete(structure, shifted, rank, count, modes)) return true;
   }
   return false;
 }
@@ -246,30 +251,39 @@ Matrix static_displacements(const StructuralMatrices& structure, const Shifted& 
 
 }  // namespace
 
+std::string mode_limit_text(const StructuralMatrices& structure) {
+  const std::size_t rank = structure.rows_with_mass().size();
+  const bool is_one = rank == 1;
+  const char* verb = is_one ? "is" : "are";
+  const char* with_mass = is_one ? " and has mass" : " and have mass";
+  return fmt::format("{} degree{} of freedom that {} not held{}", rank, is_one ? "" : "s", verb,
+                     static_cast<int>(rank) < structure.size() ? with_mass : "");
+}
+
 StructuralModes lowest_modes(const StructuralMatrices& structure, int count, const Matrix& loads) {
-  const int size = structure.size();
-  if (count < 1 || count > size)
-    throw InputError(fmt::format(
-        "{}: {} modes are asked for, the structure has {} degree{} of freedom that {} not held",
-        structure.stiffness_file, count, size, size == 1 ? "" : "s", size == 1 ? "is" : "are"));
-  check_mass(structure);
-  Shifted shifted(structure);
+  const Masses masses(structure);
+  const int rank = masses.rank();
+  if (count < 1 || count > rank)
+    throw InputError(fmt::format("{}: {} modes are asked for, the structure has {}",
+                                 structure.stiffness_file, count, mode_limit_text(structure)));
+  masses.check_definite();
+  Shifted shifted(structure, masses);
   shifted.factorise();
   StructuralModes modes;
+  modes.massless = structure.size() - rank;
   modes.shift = shifted.shift;
-  modes.is_dense = size <= kDenseSize || 3 * count > size;
+  modes.is_dense = structure.size() <= kDenseSize || rank <= std::max(kFewMasses, 3 * count - 1);
   if (modes.is_dense) {
-    Matrix vectors = dense_vectors(structure, shifted.matrix);
-    if (!orthonormalise(structure.mass, vectors))
+    Matrix vectors = dense_vectors(structure, masses, shifted);
+    if (!orthonormalise(structure.mass, vectors) || !polish(structure, shifted, vectors))
       throw InputError(
           fmt::format("{}: its modes cannot be told apart from those of a singular "
                       "mass matrix",
                       structure.mass_file));
-    diagonalise(shifted.matrix, vectors);
     judge(structure, std::move(vectors), modes);
-    modes.counted = size;
-    modes.counted_below = modes.omega[size - 1];
-  } else if (!find_sparse(structure, shifted, count, modes)) {
+    modes.counted = rank;
+    modes.counted_below = modes.omega[rank - 1];
+  } else if (!find_sparse(structure, shifted, rank, count, modes)) {
     throw InputError(fmt::format(
         "{}: its lowest {} modes were not all found{}", structure.stiffness_file, count,
         modes.counted

@@ -5,6 +5,15 @@
 // by shift-invert Lanczos (Spectra) on sparse Cholesky factors (CHOLMOD), or dense where the
 // structure is small. The shift is 0, and negative where the structure is free to move as a rigid
 // body. Reference: Ericsson & Ruhe, Math. Comp. 35 (1980) 1251.
+//
+// Degrees of freedom s without mass follow those with mass, m, statically: with S = K - shift M,
+//
+//   S u = f,  M = [0 0; 0 M_m]:  u_s = K_ss^-1 (f_s - K_sm u_m),
+//   (K_mm - K_ms K_ss^-1 K_sm) phi_m = w^2 M_m phi_m,
+//
+// which is what the factors of all of S make of the mass, without K_ss^-1 being formed: vectors of
+// the range of S^-1 M satisfy the rows s, and a row r of the structure has the displacement
+// (r_m - K_ms K_ss^-1 r_s)^T phi_m = r^T phi in a mode.
 #pragma once
 
 #include <optional>
@@ -14,13 +23,9 @@
 
 namespace graze {
 
-// A mode is one of a rigid body where its strain energy is within rounding of zero:
-// |phi^T K phi| <= kRigidEnergy * |phi|^T |K| |phi|, |K| the matrix of the absolute values. Below
-// minus that the stiffness counts as indefinite.
-inline constexpr double kRigidEnergy = 1e3 * 2.220446049250313e-16;
-
-// Up to as many degrees of freedom all modes are found at once by dense algebra.
-inline constexpr int kDenseSize = 500;
+// Up to as many degrees of freedom, or as many with mass, all modes are found at once by dense
+// algebra.
+inline constexpr int kDenseSize = 500, kFewMasses = 60;
 
 // Factors of L D L^T beyond this cost are not made to count modes: the simplicial form that pivots
 // of either sign need runs at about 1e9 operations a second.
@@ -33,6 +38,7 @@ struct StructuralModes {
   int rigid = 0;          // the first ones are those of a rigid body
   double shift = 0.0;     // (rad/s)^2, used by the iteration
   bool is_dense = false;  // all modes of the structure were found
+  int massless = 0;       // degrees of freedom without mass: there are n - massless modes
   // How many modes lie below `counted_below` (rad/s) by Sylvester's law of inertia: as many as were
   // found there. Nothing where they were not counted; the sentence says why, and a second
   // iteration, orthogonal to the modes found, then met none below the last of them.
@@ -46,12 +52,16 @@ struct StructuralModes {
   int count() const { return static_cast<int>(omega.size()); }
 };
 
-// The `count` lowest modes, 1 to the number of degrees of freedom; `loads`: n x k, may have no
-// column. Throws InputError where there are not as many, where the mass is not positive definite,
-// where the stiffness is not positive semidefinite, and where modes cannot be found to a residual
-// of kLargestResidual or not as many as there are.
+// The `count` lowest modes, 1 to the number of degrees of freedom with mass; `loads`: n x k, may
+// have no column. Throws InputError where there are not as many, where the mass is not positive
+// definite on the rows that are not zero, where the stiffness is not positive semidefinite or lets
+// degrees of freedom without mass move freely, and where modes cannot be found to a residual of
+// kLargestResidual or not as many as there are.
 StructuralModes lowest_modes(const StructuralMatrices& structure, int count,
                              const Matrix& loads = Matrix());
 inline constexpr double kLargestResidual = 1e-8;
+
+// How many modes there are, for messages: "3 degrees of freedom that are not held".
+std::string mode_limit_text(const StructuralMatrices& structure);
 
 }  // namespace graze

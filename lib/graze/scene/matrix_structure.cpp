@@ -187,13 +187,10 @@ void solve_matrices(Scene& scene) {
   const StructuralMatrices structure = read_structure(files, constraints_of(scene, matrices));
   const auto found = std::make_shared<MatrixModes>();
   const Matrix rows = stop_rows(scene, structure);
-  if (matrices.modes > structure.size())
-    throw scene_error(
-        scene, "matrices.modes",
-        fmt::format("{} is not allowed, the matrices have {} degree{} of freedom that "
-                    "{} not held",
-                    matrices.modes, structure.size(), structure.size() == 1 ? "" : "s",
-                    structure.size() == 1 ? "is" : "are"));
+  if (matrices.modes > static_cast<int>(structure.rows_with_mass().size()))
+    throw scene_error(scene, "matrices.modes",
+                      fmt::format("{} is not allowed, the matrices have {}", matrices.modes,
+                                  mode_limit_text(structure)));
   found->modes =
       lowest_modes(structure, matrices.modes, static_loads(rows, structure, matrices.direction));
   for (const DofLabel& label : structure.labels)

@@ -15,6 +15,10 @@ std::string direction_name(const DirectionShare& share) {
   return share.direction == 0 ? "" : fmt::format(" {}", share.direction);
 }
 
+// Two shapes are told apart to the rounding of the stiffness beside the distance of the squares of
+// their frequencies, which is that of some more numbers.
+constexpr double kNoiseOfShapes = 100.0;
+
 Table table_of(const ModeTable& modes, const TextUnits& in) {
   const bool has_hertz = !in("Hz").empty();
   std::vector<std::string> header = {"mode", in.head("frequency", "rad/s")};
@@ -31,7 +35,7 @@ Table table_of(const ModeTable& modes, const TextUnits& in) {
     if (has_hertz) row.push_back(digits_text(modes.omega[j] / kTurn, 6));
     row.push_back(digits_text(modes.decay[j], 6));
     for (const DirectionShare& share : modes.directions) {
-      const double largest = share.inertia.cwiseAbs().maxCoeff();
+      const double largest = kNoiseOfShapes * share.inertia.cwiseAbs().maxCoeff();
       row.push_back(digits_text(share.inertia[j], 6, largest));
       row.push_back(digits_text(share.inertia[j] * share.inertia[j], 6, largest * largest));
     }
