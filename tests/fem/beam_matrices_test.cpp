@@ -125,8 +125,8 @@ TEST(BeamMatrices, HaveTheFlexibilityOfTheCantilever) {
   const ScratchFolder folder;
   const Scene scene = scene_of_files(matrices_of("tip_mass"), folder);
   const double bending = 2e11 * 0.02 * std::pow(0.004, 3.0) / 12.0;
-  EXPECT_NEAR(scene.matrices()->solved->flexibilities[0] * 3.0 * bending / std::pow(0.55, 3.0), 1.0,
-              1e-11);
+  EXPECT_NEAR(scene.matrices()->solved->flexibility(0, 0) * 3.0 * bending / std::pow(0.55, 3.0),
+              1.0, 1e-11);
 }
 
 }  // namespace
