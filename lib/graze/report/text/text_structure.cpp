@@ -135,6 +135,8 @@ std::vector<std::pair<std::string, std::string>> structure_effects(const Scene& 
                            in.quantity(std::abs(*beam->tension), 6, "N"));
   } else if (const Bar* bar = scene.bar()) {
     add_pieces(effects, *bar, in);
+  } else if (!scene.string()->frequencies.empty()) {
+    effects.front().second += ", frequencies given";
   }
   add_places(effects, *scene.span(), scene.beam() != nullptr, in);
   if (const std::optional<ElementAccuracy> found = element_accuracy(scene))
