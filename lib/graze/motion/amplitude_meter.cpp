@@ -7,6 +7,7 @@
 
 #include "graze/base/detail/bracketed_zero.hpp"
 #include "graze/base/linalg/detail/dense_factors.hpp"
+#include "graze/flow/held/detail/series_phase.hpp"
 #include "graze/flow/stepped/detail/step_flow.hpp"
 #include "graze/flow/variation/detail/arc_integrals.hpp"
 #include "graze/motion/detail/clearance.hpp"
@@ -183,7 +184,7 @@ void AmplitudeMeter::add_flight(const ContactPhase<double>& phase, double theta,
   const double from = options_ ? std::max(options_->from - time, 0.0) : seconds;
   if (!(seconds > from)) return;
   duration_ += seconds - from;
-  if (phase.stepped())
+  if (phase.stepped() || phase.series())
     add_steps(phase, theta, time, from, seconds);
   else
     add_exact(phase, time, from, seconds);
@@ -218,16 +219,26 @@ void AmplitudeMeter::add_exact(const ContactPhase<double>& of, double time, doub
 
 void AmplitudeMeter::add_steps(const ContactPhase<double>& phase, double theta, double time,
                                double from, double to) {
-  phase.stepped()->each_step(to, [&](double begin, double end) {
+  const auto visit = [&](double begin, double end) {
     if (end > from)
       each_part(time, std::max(begin, from), end,
                 [&](double a, double b) { add_step(phase, theta, time, a, b); });
-  });
+  };
+  if (phase.stepped()) {
+    phase.stepped()->each_step(to, visit);
+    return;
+  }
+  double begin = 0.0;
+  for (const double end : phase.series()->step_ends(to)) {
+    visit(begin, end);
+    begin = end;
+  }
 }
 
 void AmplitudeMeter::add_step(const ContactPhase<double>& phase, double theta, double time,
                               double from, double to) {
   const StepRule rule = rule_over(from, to);
+  for (const int i : phase.closed()) load(i).held += to - from;
   const std::vector<MeasuredRow>& rows = options_->rows;
   const double frequency = system_.forcing() ? system_.forcing()->frequency : 0.0;
   std::vector<Nodes> values(rows.size()), rates(rows.size()), forces(loads_.size());

@@ -1,7 +1,7 @@
 // Measures a motion flight by flight (amplitudes.hpp). Along closed forms the extremes are those of
 // certified searches and the means integrals in closed form; where the motion is integrated step by
-// step, both are those of the polynomial through nine states within each step, which the steps are
-// short enough for.
+// step, or many modes that stops hold are followed by power series, both are those of the
+// polynomial through nine states within each step, which the steps are short enough for.
 #pragma once
 
 #include <limits>
