@@ -14,6 +14,7 @@ namespace {
 
 constexpr int kPlaces = 201;  // along the beam
 constexpr std::size_t kMostModes = 6;
+constexpr std::size_t kMostLarge = 8;  // stops with marks of full size
 
 ChartPanel beam_panel(const std::string& structure, const char* name, const char* unit,
                       Units units) {
@@ -28,7 +29,12 @@ ChartPanel beam_panel(const std::string& structure, const char* name, const char
 // Where the stops stand, as short bars: "stop 1" at its place and gap.
 void add_stops(const std::vector<BeamStop>& all, ChartPanel& panel) {
   ChartSeries stops{
-      "stop", {.colour = kBlack, .mark = MarkShape::kSquare, .size = 0.7}, false, true, {}, {}};
+      "stop",
+      {.colour = kBlack, .mark = MarkShape::kSquare, .size = all.size() > kMostLarge ? 0.35 : 0.7},
+      false,
+      true,
+      {},
+      {}};
   for (const BeamStop& stop : all) {
     stops.x.push_back(stop.x);
     stops.y.push_back(stop.u);
