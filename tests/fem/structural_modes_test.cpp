@@ -72,7 +72,8 @@ TEST(StructuralModes, CountsThemBySylvestersLaw) {
   EXPECT_GE(below, 30);
 }
 
-// A mass on a spring and a body that only stops will meet: w = sqrt(k/m), and shapes of one body each.
+// A mass on a spring and a body that only stops will meet: w = sqrt(k/m), and shapes of one body
+// each.
 TEST(StructuralModes, BodyWithoutStiffnessIsARigidBodyModeOfItsOwn) {
   const auto two_bodies = [](double m, double k) {
     StructuralMatrices bodies = chain(2, m, 0.0, false);
