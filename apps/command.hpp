@@ -116,6 +116,7 @@ struct SimulateCommand : MotionOptions {
   bool keeps_balance() const { return energy || (!plot.empty() && !section); }
   bool amplitudes = false;                // measure the motion
   std::optional<double> amplitudes_from;  // s
+  std::optional<int> force_windows;       // over which the forces of stops are averaged
   std::string resume;                     // file or folder; empty: from the scene's initial state
   std::optional<DiagramSection> section;
   std::optional<long long> transient;  // forcing periods that it leaves out

@@ -71,15 +71,20 @@ void add_simulate(CLI::App& graze, std::optional<Command>& parsed) {
       "--energy", command.energy,
       "Keep the energy balance: the work of every effect, and what is missing in their sum "
       "(--plot keeps it too)");
-  CLI::Option* amplitudes = app->add_flag(
+  app->add_flag(
       "--amplitudes", command.amplitudes,
       "Measure the motion: largest, smallest and root mean square values at the probes and stops, "
       "forces and impulses of the stops");
   app->add_option("--amplitudes-from", command.amplitudes_from,
-                  "With --amplitudes: time that they are measured from, s (default: 0)")
+                  "With --amplitudes or --forces: time that is measured from, s (default: 0)")
       ->check(at_least("a time in s, 0 or more", 0.0))
-      ->type_name("S")
-      ->needs(amplitudes);
+      ->type_name("S");
+  app->add_option("--forces", command.force_windows,
+                  "Keep the force of every stop over time, of impacts and while it holds, as means "
+                  "over N equal windows of the run; --out writes them (default with --show forces: "
+                  "400)")
+      ->transform(whole_number("a whole number from 1 to 100000", 1.0, 1e5))
+      ->type_name("N");
   begin_group(app, "Section");
   auto* section =
       app->add_option_function<std::string>(
@@ -99,7 +104,7 @@ void add_simulate(CLI::App& graze, std::optional<Command>& parsed) {
   add_choice(app, "--show", command.show, kRunPictures,
              "With --plot: the motion; returns (each impact over the one before, with --section "
              "impact); spectrum (amplitudes over the frequency, of the last 64 forcing periods); "
-             "or shapes (of the beam, with --shapes-at)")
+             "shapes (of the beam, with --shapes-at); or forces (of every stop over time)")
       ->type_name("WHAT")
       ->needs("--plot");
   app->add_option("--shapes-at", command.shape_times,

@@ -59,6 +59,8 @@ void draw(const CommonOptions& command, const SimulationRecord& record, const Sc
     draw_one_chart(plot, record, spectrum_chart(record));
   else if (record.shown == RunPicture::kShapes)
     draw_one_chart(plot, record, shapes_chart(record));
+  else if (record.shown == RunPicture::kForces)
+    draw_one_chart(plot, record, forces_chart(record));
   else if (record.section)
     draw_section(plot, record);
   else if (is_page_name(plot.file))

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Installs the Debian packages of packages.txt that are missing, and npm; with --tests also the browser
-# that only the tests need. Needs root or sudo; without either it prints the one line to run and
+# and Python, that only the tests need. Needs root or sudo; without either it prints the one line to run and
 # exits 2.
 set -euo pipefail
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
@@ -12,6 +12,7 @@ has node || has nodejs || wanted+=(nodejs)
 has npm || wanted+=(npm)
 if [ "${1:-}" = --tests ]; then
   has chromium || has google-chrome || wanted+=(chromium)
+  has python3 || wanted+=(python3-minimal)
 fi
 missing=()
 for package in "${wanted[@]}"; do

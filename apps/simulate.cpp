@@ -26,6 +26,7 @@ namespace {
 
 constexpr double kSamplesPerPeriod = 100.0;
 constexpr double kPictureSamplesPerPeriod = 400.0;
+constexpr int kPictureWindows = 400;  // of forces, over the whole run
 
 SimulationOptions simulation_options(const SimulateCommand& command, const Scene& scene) {
   SimulationOptions options;
@@ -58,6 +59,8 @@ void check_shown(const SimulateCommand& command, const Scene& scene) {
     throw InputError("--show spectrum: it shows the motion; leave out --section");
   if ((command.show == RunPicture::kShapes) == command.shape_times.empty())
     throw InputError("--show shapes: it goes with --shapes-at T1,T2,.., and that with it");
+  if (command.show == RunPicture::kForces && scene.stops.empty())
+    throw InputError("--show forces: the scene has no stops");
   if (command.show != RunPicture::kShapes) return;
   if (!beam_places(scene, 2))
     throw InputError(
@@ -88,6 +91,26 @@ void add_shapes(std::vector<double> times, const State& start, SimulationOptions
     const Vector u = record.beam->rows * run->final.q;
     record.shapes.push_back({time, record.beam->x, {u.begin(), u.end()}});
   }
+}
+
+// What of the run is measured, if anything: at the record's places, and the forces over time.
+std::optional<MeasureOptions> measure_options(const SimulateCommand& command,
+                                              const SimulationRecord& record, double begin,
+                                              double end) {
+  std::optional<int> windows = command.force_windows;
+  if (!windows && command.show == RunPicture::kForces) windows = kPictureWindows;
+  if (!command.amplitudes && !windows) {
+    if (command.amplitudes_from)
+      throw InputError("--amplitudes-from: it needs --amplitudes or --forces");
+    return {};
+  }
+  MeasureOptions measure{rows_of(record.places),
+                         std::fmax(command.amplitudes_from.value_or(0.0), begin)};
+  if (!windows) return measure;
+  if (!(end > measure.from))
+    throw InputError("--forces: nothing of the run is left to be measured, it must end later");
+  measure.windows = ForceWindows{(end - measure.from) / *windows, *windows};
+  return measure;
 }
 
 // 1/s. The slowest mode stands in for the forcing where there is none.
@@ -162,6 +185,8 @@ void note_options(const SimulateCommand& command, const SimulationOptions& optio
   if (command.record == "samples") info.options.emplace_back("sample_rate", rate);
   info.options.emplace_back("energy", command.keeps_balance());
   if (options.measure) info.options.emplace_back("amplitudes_from", options.measure->from);
+  if (options.measure && options.measure->windows)
+    info.options.emplace_back("forces", options.measure->windows->count);
   if (command.section) info.options.emplace_back("section", name_of(*command.section));
   if (command.transient) info.options.emplace_back("transient", *command.transient);
   info.options.emplace_back("closure_speed", *options.closure_speed);
@@ -202,16 +227,14 @@ int run(const SimulateCommand& command) {
       throw InputError(fmt::format("--shapes-at: {:g} lies beyond the end of the run, {:.6g}", time,
                                    end_of(options, record.system)));
   options.steps = step_choice(scene, record.system, start);
-  if (command.amplitudes) {
-    record.places = measured_places(scene, record.system);
-    options.measure = MeasureOptions{rows_of(record.places), command.amplitudes_from.value_or(0.0)};
-  }
+  if (command.amplitudes) record.places = measured_places(scene, record.system);
   std::optional<CutRun> cut;
   if (!command.resume.empty()) {
     cut = read_cut_run(command, record.system, record.info);
     check_end(*cut, options, record.system);
-    if (options.measure) options.measure->from = std::fmax(options.measure->from, cut->time);
   }
+  options.measure =
+      measure_options(command, record, cut ? cut->time : 0.0, end_of(options, record.system));
   std::optional<RunSection> section = section_of(command, record.system, options);
   if (!options.closure_speed)
     options.closure_speed =
@@ -251,6 +274,8 @@ int run(const SimulateCommand& command) {
   const auto files = [&] {
     NamedFiles list = {{kStateFile, write_run_state(state)}};
     if (record.section) list.emplace_back("section.csv", section_csv(*record.section));
+    if (record.run.amplitudes && record.run.amplitudes->forces)
+      list.emplace_back("forces.csv", forces_csv(*record.run.amplitudes->forces));
     return list;
   };
   return conclude(

@@ -88,6 +88,8 @@ void show(const ViewCommand& command, SimulationRecord& record) {
   if (shown == RunPicture::kShapes && record.shapes.empty())
     refuse_to_show(command,
                    "kept no shapes; run it again with --show shapes, --shapes-at and --plot");
+  if (shown == RunPicture::kForces && !(record.run.amplitudes && record.run.amplitudes->forces))
+    refuse_to_show(command, "kept no forces; run it again with --forces N");
   if (shown == RunPicture::kMotion) keep_end(record);
   record.shown = shown;
 }

@@ -73,20 +73,16 @@ def modes(count, stiffness):
     return omegas, ratios, start
 
 
-def shape(position, count):
-    scale = math.sqrt(2 / (DENSITY * LENGTH))
-    return [scale * math.sin(n * math.pi * position / LENGTH) for n in range(1, count + 1)]
-
-
 def scene(count, restitution, stiffness):
     omegas, ratios, start = modes(count, stiffness)
     lines = [
-        f'title = "Bass string over 20 frets, {count} modes"', "", "[modal]",
-        f"frequencies = {omegas}", f"damping_ratios = {ratios}", "", "[initial]", f"q = {start}",
+        f'title = "Bass string over 20 frets, {count} modes"', "", "[string]",
+        f"length = {LENGTH}", f"frequencies = {omegas}", f"mass_per_length = {DENSITY}",
+        f"modes = {count}", "", "[damping]", f"ratios = {ratios}", "", "[initial]", f"q = {start}",
     ]
     for position, gap in FRETS:
-        lines += ["", f"[[stop]] # {position:.3f} m from the nut", f"shape = {shape(position, count)}",
-                  f"gap = {gap}", 'side = "below"', f"restitution = {restitution}"]
+        lines += ["", "[[stop]]", f"position = {position}", f"gap = {gap}", 'side = "below"',
+                  f"restitution = {restitution}"]
     return "\n".join(lines) + "\n"
 
 

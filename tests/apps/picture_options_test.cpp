@@ -1,6 +1,7 @@
 // The options of pictures, by what the scripts and their data say.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <map>
@@ -216,6 +217,26 @@ TEST_F(PictureOptions, ShapesStandAtTheTimesAskedForWithinTheRun) {
     EXPECT_GE(data(series).back().second, -1.05 - 1e-9);
   }
   EXPECT_NE(refusal(command + "0.6").find("beyond the end of the run"), std::string::npos);
+}
+
+TEST_F(PictureOptions, ForcesOfManyStopsAreRowsInOneScale) {
+  // Five stops of one oscillator at different gaps: the nearest takes all impacts.
+  std::string command =
+      "simulate " + scene("04_impact_oscillator.toml") + " --periods 5 --show forces --forces 50";
+  for (int i = 2; i <= 5; ++i)
+    command += " --set 'stop." + std::to_string(i) +
+               "={shape=[1.0], gap=" + std::to_string(10 * i) + ", restitution=0.5}'";
+  script(command);
+  // Two ends of 50 windows; the largest force is 0.9 of the distance between rows.
+  ASSERT_EQ(data("row1_1_series1").size(), 100U);
+  double largest = 0.0;
+  for (const auto& [time, level] : data("row1_1_series1")) largest = std::max(largest, level);
+  EXPECT_NEAR(largest, 1.9, 1e-9);
+  for (const auto& [time, level] : data("row1_1_series5")) EXPECT_EQ(level, 5.0);
+  EXPECT_EQ(run_graze("simulate " + scene("04_impact_oscillator.toml") +
+                      " --set stop=[] --show forces --plot x.png")
+                .code,
+            2);
 }
 
 TEST_F(PictureOptions, APlaneHasTwoParameters) {

@@ -190,5 +190,25 @@ TEST(Amplitudes, OfARunAreThoseOfItsSteadyResponse) {
   EXPECT_EQ(run_graze("simulate " + kOscillator + " --amplitudes-from 1").code, 2);
 }
 
+TEST(Amplitudes, OfForcesAreTablesOfTheirMeans) {
+  const ScratchFolder scratch;
+  const json found = document("simulate " + kOscillator +
+                              " --set forcing.frequency=1 --periods 20 --forces 64 --out " +
+                              (scratch / "out").string());
+  EXPECT_TRUE(found["amplitudes"].empty());
+  const json& means = found["forces"]["means"][0];
+  ASSERT_EQ(means.size(), 64U);
+  double impulse = 0.0;
+  for (const json& mean : means)
+    impulse += mean.get<double>() * found["forces"]["window"].get<double>();
+  const double whole = found["loads"][0]["impulse"].get<double>();
+  EXPECT_GT(whole, 0.0);
+  EXPECT_NEAR(impulse, whole, 1e-12 * whole);
+  const std::vector<std::string> table = lines_of(scratch / "out/forces.csv");
+  ASSERT_EQ(table.size(), 65U);
+  EXPECT_EQ(table.front(), "from,to,force1");
+  EXPECT_EQ(run_graze("simulate " + kOscillator + " --forces 64 --amplitudes-from 1e9").code, 2);
+}
+
 }  // namespace
 }  // namespace graze

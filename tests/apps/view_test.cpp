@@ -46,6 +46,7 @@ std::vector<Drawn> all_drawn() {
       {"returns", "simulate --periods 60 --section impact --show returns " + beam},
       {"spectrum", "simulate --periods 70 --show spectrum " + beam},
       {"shapes", "simulate --periods 5 --shapes-at 0.1,0.2 --show shapes " + beam},
+      {"forces", "simulate --periods 5 --show forces " + beam},
       {"simulate", "simulate --periods 30 --amplitudes " + beam},
       {"simulate_samples", "simulate --periods 5 --record samples --energy " + beam},
       {"simulate_page", "simulate --periods 30 " + scene("16_strain_gauge.toml"), "p.html"},

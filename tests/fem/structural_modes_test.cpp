@@ -88,6 +88,27 @@ TEST(StructuralModes, CountsThemBySylvestersLaw) {
   EXPECT_GE(below, 30);
 }
 
+// A mass on a spring and a body that only stops will meet: w = sqrt(k/m), and shapes of one body
+// each.
+TEST(StructuralModes, BodyWithoutStiffnessIsARigidBodyModeOfItsOwn) {
+  const auto two_bodies = [](double m, double k) {
+    StructuralMatrices bodies = chain(2, m, 0.0, false);
+    bodies.mass.coeffRef(1, 1) = 0.06;
+    bodies.stiffness.coeffRef(0, 0) = k;
+    return bodies;
+  };
+  const StructuralModes modes = lowest_modes(two_bodies(4.0, 1e4), 2);
+  EXPECT_EQ(modes.rigid, 1);
+  EXPECT_EQ(modes.omega[0], 0.0);
+  EXPECT_NEAR(modes.omega[1], 50.0, 1e-12 * 50.0);
+  EXPECT_EQ(modes.residuals[0], 0.0);
+  Matrix exact(2, 2);
+  exact << 0.0, 0.5, 1.0 / std::sqrt(0.06), 0.0;
+  EXPECT_LE((modes.shapes - exact).cwiseAbs().maxCoeff(), 1e-14);
+  // Nothing holds either body.
+  EXPECT_EQ(lowest_modes(two_bodies(4.0, 0.0), 2).rigid, 2);
+}
+
 // w_k = 2 sqrt(k/m) sin(k pi/(2 n)), k = 0 .. n - 1.
 TEST(StructuralModes, FreeChainHasOneRigidBodyMode) {
   for (const int n : {30, 2000}) {

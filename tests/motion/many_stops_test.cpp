@@ -118,6 +118,46 @@ TEST_P(ManyModes, TheBalanceCloses) {
   }
 }
 
+// Mode by mode, what the stops have given is what its motion has changed by:
+//   [q_j'] + 2 delta_j [q_j] + w_j^2 T mean(q_j) + sum_i b_ij J_i = 0,
+// [..] from the start to the end after T.
+TEST_P(ManyModes, TheStopsGiveWhatTheModesTake) {
+  const System system = plucked_string(120, 8, GetParam());
+  const State start = triangle(120, 2.1);
+  const std::vector<int> modes{0, 1, 7, 60, 119};
+  SimulationOptions options = support::for_seconds(4.0);
+  options.measure = MeasureOptions{{}, 0.0, ForceWindows{0.05, 80}};
+  for (const int j : modes)
+    options.measure->rows.push_back({Vector::Unit(system.modes(), j), false});
+  const Simulation run = simulate(system, start, options);
+  ASSERT_EQ(run.outcome, RunOutcome::kReachedEnd);
+  const Amplitudes& found = *run.amplitudes;
+  double held = 0.0;
+  for (std::size_t k = 0; k < modes.size(); ++k) {
+    const int j = modes[k];
+    const double w = system.omega[j];
+    const double terms[] = {run.final.qdot[j] - start.qdot[j],
+                            2.0 * system.modal().delta[j] * (run.final.q[j] - start.q[j]),
+                            w * w * found.duration * found.rows[k].mean};
+    double sum = terms[0] + terms[1] + terms[2], size = 0.0;
+    for (const double term : terms) size += std::abs(term);
+    for (std::size_t i = 0; i < system.stops.size(); ++i) {
+      const double given = system.stops[i].row[j] * found.stops[i].impulse;
+      sum += given;
+      size += std::abs(given);
+    }
+    EXPECT_NEAR(sum, 0.0, 1e-9 * size) << "mode " << j + 1;
+  }
+  for (std::size_t i = 0; i < system.stops.size(); ++i) {
+    double impulse = 0.0;
+    for (const double mean : found.forces->means[i]) impulse += 0.05 * mean;
+    EXPECT_NEAR(impulse, found.stops[i].impulse, 1e-12 * found.stops[i].impulse) << i;
+    held = std::max(held, found.stops[i].held);
+  }
+  EXPECT_LE(held, run.totals.stuck_time);
+  EXPECT_EQ(held > 0.0, run.totals.stuck_time > 0.0);
+}
+
 TEST_P(ManyModes, ARunThatWasCutGoesOnBitForBit) {
   const System system = plucked_string(100, 6, GetParam());
   const State start = triangle(100, 2.1);

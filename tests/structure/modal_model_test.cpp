@@ -225,6 +225,18 @@ TEST(ModalTangent, OfGravityUnderBothProjections) {
             9);
 }
 
+// Six of the string, three of the damping, two of the forcing, three of the stop: frequencies that
+// are given move with nothing else, the shapes with length and mass.
+TEST(ModalTangent, OfAStringWithMeasuredFrequencies) {
+  EXPECT_EQ(expect_derivatives(parse_scene(
+                "[string]\nlength = 0.863\nfrequencies = [615.6, 1234.4, 1851.3]\n"
+                "mass_per_length = 0.0067\nmodes = 3\n[damping]\nratios = [3e-4, 1e-4, 9e-4]\n"
+                "[forcing]\namplitude = 1e-4\nfrequency = 600.0\n"
+                "[[stop]]\nposition = 0.2\ngap = 1e-3\nrestitution = 0.9\n",
+                "string.toml")),
+            14);
+}
+
 TEST(ModalTangent, OfSeveralStops) {
   EXPECT_EQ(expect_derivatives(support::shipped_scene(
                 "02_wagg_momentum",

@@ -98,6 +98,21 @@ TEST(SpanModes, OfUniformStringsAndBars) {
     EXPECT_NEAR(phi[j - 1] / size, std::sin(j * kPi / 6.0), 1e-12) << j;
 }
 
+TEST(SpanModes, OfAStringWithMeasuredFrequencies) {
+  const Scene scene = scene_of(
+      "[string]\nlength = 0.863\nfrequencies = [615.6, 1234.4, 1851.3]\n"
+      "mass_per_length = 0.0067\nmodes = 3\n");
+  const Vector omega = omega_of(scene);
+  EXPECT_EQ(omega[0], 615.6);
+  EXPECT_EQ(omega[1], 1234.4);
+  EXPECT_EQ(omega[2], 1851.3);
+  // phi_j = sqrt(2/(m L)) sin(j pi x/L), whatever the frequencies.
+  const double size = std::sqrt(2.0 / (0.0067 * 0.863));
+  const Vector phi = std::get<UniformLineModes>(span_modes(scene)).shapes(0.2);
+  for (const int j : {1, 2, 3})
+    EXPECT_NEAR(phi[j - 1], size * std::sin(j * kPi * 0.2 / 0.863), 1e-13 * size) << j;
+}
+
 // Elements find what the closed forms of all four pairs of ends say; a light mass makes elements.
 TEST(SpanModes, ElementsGiveTheUniformString) {
   for (const std::string ends :

@@ -60,7 +60,7 @@ TEST(FlowDecision, MeetsTheToleranceOfEveryRigidSceneForTheLeast) {
       }
     ++scenes;
   }
-  EXPECT_EQ(scenes, 14);
+  EXPECT_EQ(scenes, 15);
 }
 
 // At compliant stops: every contact is seen, and the error is that of contacts integrated to 1e-13,

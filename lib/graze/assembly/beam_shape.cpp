@@ -7,6 +7,7 @@ namespace graze {
 std::optional<BeamPlaces> beam_places(const Scene& scene, int places) {
   if (!scene.span() || scene.hub) return {};
   BeamPlaces made;
+  made.structure = scene.structure_name();
   Scene seen = scene;
   seen.probes.clear();
   for (int i = 0; i < places; ++i) {

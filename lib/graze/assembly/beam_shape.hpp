@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "graze/base/vector.hpp"
@@ -17,6 +18,7 @@ struct BeamStop {
 // Places along it, and the rows that give the displacement there, one row a
 // place: u = rows * q, m.
 struct BeamPlaces {
+  std::string structure;  // "beam", "string" or "bar"
   std::vector<double> x;  // m from the left end, both ends among them
   Matrix rows;            // places by modes, kg^-1/2
   std::vector<BeamStop> stops;

@@ -137,7 +137,9 @@ void judge(const StructuralMatrices& structure, Matrix vectors, StructuralModes&
     }
     modes.omega[at] = std::sqrt(square);
     const Vector residual = stiff.col(j) - square * (structure.mass * phi);
-    modes.residuals[at] = residual.norm() / (scale_k + square * (absolute_m * size)).norm();
+    // Nothing acts on a body of its own that no stiffness holds: it has neither residual nor scale.
+    const double scale = (scale_k + square * (absolute_m * size)).norm();
+    modes.residuals[at] = scale > 0.0 ? residual.norm() / scale : 0.0;
     modes.shapes.col(at) = sign_of(phi) * phi;
   }
 }

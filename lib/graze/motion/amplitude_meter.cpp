@@ -7,6 +7,7 @@
 
 #include "graze/base/detail/bracketed_zero.hpp"
 #include "graze/base/linalg/detail/dense_factors.hpp"
+#include "graze/flow/held/detail/series_phase.hpp"
 #include "graze/flow/stepped/detail/step_flow.hpp"
 #include "graze/flow/variation/detail/arc_integrals.hpp"
 #include "graze/motion/detail/clearance.hpp"
@@ -116,11 +117,33 @@ AmplitudeMeter::AmplitudeMeter(const System& system, const std::optional<Measure
     : system_(system),
       options_(options),
       measured_(options ? options->rows.size() : 0),
-      loads_(system.stops.size()) {}
+      loads_(system.stops.size()) {
+  if (options && options->windows)
+    windows_.emplace(system.stops.size(), options->from, *options->windows);
+}
 
 void AmplitudeMeter::Extent::note(double value) {
   highest = std::max(highest, value);
   lowest = std::min(lowest, value);
+}
+
+void AmplitudeMeter::add_impulse(int stop, double time, double impulse) {
+  load(stop).impulse += impulse;
+  if (windows_) windows_->add(stop, time, impulse);
+}
+
+template <class Each>
+void AmplitudeMeter::each_part(double time, double from, double to, const Each& each) const {
+  if (!windows_) {
+    each(from, to);
+    return;
+  }
+  // The cuts are of the run's time, the ends are those of the flight.
+  windows_->each_part(time + from, time + to, [&](double begin, double end) {
+    const double a = begin == time + from ? from : begin - time;
+    const double b = end == time + to ? to : end - time;
+    if (b > a) each(a, b);
+  });
 }
 
 void AmplitudeMeter::add_impact(const std::vector<ImpactShare<double>>& shares, double time) {
@@ -129,7 +152,7 @@ void AmplitudeMeter::add_impact(const std::vector<ImpactShare<double>>& shares, 
     Load& at = load(share.stop);
     const Stop& stop = system_.stops[static_cast<std::size_t>(share.stop)];
     if (share.hit) ++at.impacts;
-    at.impulse += share.impulse / stop.row.squaredNorm();
+    add_impulse(share.stop, time, share.impulse / stop.row.squaredNorm());
     at.struck = at.struck || share.impulse != 0.0;
   }
 }
@@ -153,7 +176,7 @@ void AmplitudeMeter::add_closure(const std::vector<int>& stops, const Vector& ta
   }
   const Vector impulses = PivotedLu<double>(acting).solve(speeds);
   for (Eigen::Index a = 0; a < n; ++a)
-    load(stops[static_cast<std::size_t>(a)]).impulse += impulses[a] / stop(a).row.squaredNorm();
+    add_impulse(stops[static_cast<std::size_t>(a)], time, impulses[a] / stop(a).row.squaredNorm());
 }
 
 void AmplitudeMeter::add_flight(const ContactPhase<double>& phase, double theta, double time,
@@ -161,13 +184,14 @@ void AmplitudeMeter::add_flight(const ContactPhase<double>& phase, double theta,
   const double from = options_ ? std::max(options_->from - time, 0.0) : seconds;
   if (!(seconds > from)) return;
   duration_ += seconds - from;
-  if (phase.stepped())
-    add_steps(phase, theta, from, seconds);
+  if (phase.stepped() || phase.series())
+    add_steps(phase, theta, time, from, seconds);
   else
-    add_exact(phase, from, seconds);
+    add_exact(phase, time, from, seconds);
 }
 
-void AmplitudeMeter::add_exact(const ContactPhase<double>& of, double from, double to) {
+void AmplitudeMeter::add_exact(const ContactPhase<double>& of, double time, double from,
+                               double to) {
   const ExactPhase<double>& phase = *of.exact();
   const std::vector<MeasuredRow>& rows = options_->rows;
   for (std::size_t i = 0; i < rows.size(); ++i) {
@@ -180,22 +204,41 @@ void AmplitudeMeter::add_exact(const ContactPhase<double>& of, double from, doub
   }
   for (const int i : phase.closed()) {
     const Observable<double>& force = phase.observables()[static_cast<std::size_t>(i)];
-    Sums& sums = loads_[static_cast<std::size_t>(i)].force;
-    extend(phase, force, from, to, sums.extent);
-    integrate(phase, force, from, to, sums);
+    Load& held = load(i);
+    held.held += to - from;
+    extend(phase, force, from, to, held.force.extent);
+    integrate(phase, force, from, to, held.force);
+    if (!windows_) continue;
+    each_part(time, from, to, [&](double begin, double end) {
+      Sums part;
+      integrate(phase, force, begin, end, part);
+      windows_->add(i, time + 0.5 * (begin + end), part.value);
+    });
   }
 }
 
-void AmplitudeMeter::add_steps(const ContactPhase<double>& phase, double theta, double from,
-                               double to) {
-  phase.stepped()->each_step(to, [&](double begin, double end) {
-    if (end > from) add_step(phase, theta, std::max(begin, from), end);
-  });
+void AmplitudeMeter::add_steps(const ContactPhase<double>& phase, double theta, double time,
+                               double from, double to) {
+  const auto visit = [&](double begin, double end) {
+    if (end > from)
+      each_part(time, std::max(begin, from), end,
+                [&](double a, double b) { add_step(phase, theta, time, a, b); });
+  };
+  if (phase.stepped()) {
+    phase.stepped()->each_step(to, visit);
+    return;
+  }
+  double begin = 0.0;
+  for (const double end : phase.series()->step_ends(to)) {
+    visit(begin, end);
+    begin = end;
+  }
 }
 
-void AmplitudeMeter::add_step(const ContactPhase<double>& phase, double theta, double from,
-                              double to) {
+void AmplitudeMeter::add_step(const ContactPhase<double>& phase, double theta, double time,
+                              double from, double to) {
   const StepRule rule = rule_over(from, to);
+  for (const int i : phase.closed()) load(i).held += to - from;
   const std::vector<MeasuredRow>& rows = options_->rows;
   const double frequency = system_.forcing() ? system_.forcing()->frequency : 0.0;
   std::vector<Nodes> values(rows.size()), rates(rows.size()), forces(loads_.size());
@@ -223,8 +266,13 @@ void AmplitudeMeter::add_step(const ContactPhase<double>& phase, double theta, d
     if (!rows[i].of_velocity)
       note_between(rule.at, rates[i], [&](double value) { measured_[i].speed.note(value); });
   }
-  for (std::size_t i = 0; i < loads_.size(); ++i)
-    if (forces[i] != Nodes{}) add(forces[i], loads_[i].force);
+  for (std::size_t i = 0; i < loads_.size(); ++i) {
+    if (forces[i] == Nodes{}) continue;
+    const double before = loads_[i].force.value;
+    add(forces[i], loads_[i].force);
+    if (windows_)
+      windows_->add(static_cast<int>(i), time + 0.5 * (from + to), loads_[i].force.value - before);
+  }
 }
 
 std::optional<Amplitudes> AmplitudeMeter::result() const {
@@ -246,10 +294,12 @@ std::optional<Amplitudes> AmplitudeMeter::result() const {
     StopLoad& stop = result.stops.emplace_back();
     stop.impacts = load.impacts;
     stop.impulse = load.impulse + load.force.value;
+    stop.held = load.held;
     if (load.struck) continue;
     stop.peak_force = std::fmax(load.force.extent.highest, 0.0);
     stop.rms_force = passed ? std::sqrt(std::fmax(load.force.square, 0.0) / duration_) : 0.0;
   }
+  if (windows_) result.forces = windows_->forces(duration_);
   return result;
 }
 

@@ -11,10 +11,17 @@
 
 namespace graze {
 
+// Equal windows of time, one behind the other, over each of which the force of a stop is averaged.
+struct ForceWindows {
+  double length = 0.0;  // s, > 0
+  int count = 0;        // > 0
+};
+
 // A motion is measured at these rows and at all stops, from this time on, s.
 struct MeasureOptions {
   std::vector<MeasuredRow> rows;
   double from = 0.0;
+  std::optional<ForceWindows> windows{};  // of the forces over time; absent: none are kept
 };
 
 // Of one row, in its unit.
@@ -32,14 +39,22 @@ struct Amplitude {
 struct StopLoad {
   long long impacts = 0;  // and contacts begun
   double impulse = 0.0;   // N s
+  double held = 0.0;      // time that a rigid stop holds the structure, s
   // N; nothing where impacts on a rigid stop, which have no force, are among what acts.
   std::optional<double> peak_force{}, rms_force{};
 };
 
+// The forces of stops over time, as means over windows: impacts and held forces alike.
+struct StopForces {
+  double from = 0.0, length = 0.0;         // s, of the first window, of each
+  std::vector<std::vector<double>> means;  // of every stop, N, window by window
+};
+
 struct Amplitudes {
-  double duration = 0.0;        // s
-  std::vector<Amplitude> rows;  // in the order of the rows
-  std::vector<StopLoad> stops;  // of every stop
+  double duration = 0.0;               // s
+  std::vector<Amplitude> rows;         // in the order of the rows
+  std::vector<StopLoad> stops;         // of every stop
+  std::optional<StopForces> forces{};  // where windows were asked for
 };
 
 }  // namespace graze

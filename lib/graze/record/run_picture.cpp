@@ -11,9 +11,11 @@ const char* name_of(RunPicture picture) {
     case RunPicture::kSpectrum:
       return "spectrum";
     case RunPicture::kShapes:
+      return "shapes";
+    case RunPicture::kForces:
       break;
   }
-  return "shapes";
+  return "forces";
 }
 
 }  // namespace graze

@@ -11,11 +11,13 @@ enum class RunPicture {
   kMotion,    // over time, with phase portraits
   kReturns,   // each impact over the one before
   kSpectrum,  // amplitudes over the frequency
-  kShapes     // the beam's shape at chosen instants
+  kShapes,    // the beam's shape at chosen instants
+  kForces     // of every stop over time
 };
 
 inline constexpr RunPicture kRunPictures[] = {RunPicture::kMotion, RunPicture::kReturns,
-                                              RunPicture::kSpectrum, RunPicture::kShapes};
+                                              RunPicture::kSpectrum, RunPicture::kShapes,
+                                              RunPicture::kForces};
 const char* name_of(RunPicture picture);  // "motion"
 
 // A beam bent: its displacement over x at an instant.

@@ -69,9 +69,10 @@ void check_structure(const Scene& scene) {
     const ValueChecker checker(scene, "string");
     checker.usable("mass_per_length", string->mass_per_length * string->length,
                    "the mass of the string, kg,");
-    checker.usable("tension",
-                   string->tension / (string->mass_per_length * string->length * string->length),
-                   "the square of its frequencies, 1/s^2,");
+    if (string->tension)
+      checker.usable("tension",
+                     *string->tension / (string->mass_per_length * string->length * string->length),
+                     "the square of its frequencies, 1/s^2,");
   }
   if (const Beam* beam = scene.beam()) {
     const ValueChecker checker(scene, "beam");

@@ -83,6 +83,16 @@ void check_whole(const Scene& scene, const auto& span, bool bends,
   check_pieces(scene, span.pieces, span.length);
 }
 
+void check_string(const Scene& scene, const TautString& string) {
+  const ValueChecker checker(scene, "string");
+  if (string.frequencies.empty() && !string.tension)
+    checker.fail("tension", "the key is missing, it must be a number greater than 0, in N");
+  if (!string.frequencies.empty() && !has_closed_modes(scene))
+    checker.fail("frequencies",
+                 "supports and masses change the shapes of a string, which are not given, it must "
+                 "be left out");
+}
+
 double place(const std::optional<double>& position, const Span& span) {
   return position.value_or(span.length);
 }
@@ -183,6 +193,7 @@ void check_span(const Scene& scene) {
   if (const Bar* bar = scene.bar()) check_whole(scene, *bar, false, {});
   check_supports(scene, *span);
   check_masses(scene, *span);
+  if (const TautString* string = scene.string()) check_string(scene, *string);
   const ValueChecker checker(scene, scene.structure_name());
   if (!has_closed_modes(scene) && span->modes > kMostElementModes)
     checker.fail("modes",

@@ -77,8 +77,9 @@ struct Beam : Span {
 // Stretched string, fixed at both ends where no more is given; u is across it.
 struct TautString : Span {
   TautString() { ends = {Hold::kPinned, Hold::kPinned}; }
-  double tension = 0.0;          // N
-  double mass_per_length = 0.0;  // kg/m
+  std::vector<double> frequencies{};  // rad/s, >= 0, one per mode: measured ones; or
+  std::optional<double> tension{};    // N, in place of them
+  double mass_per_length = 0.0;       // kg/m
 };
 
 // Bar that is stretched along itself, fixed at x = 0 and free at x = length where no more is given;

@@ -146,11 +146,16 @@ Line line_of(const Scene& scene, const Scene* direction) {
     add_pieces(line, *bar, direction ? direction->bar() : nullptr, false);
   } else {
     line.order = 1;
-    const Both<TautString> string(*scene.string(), direction ? direction->string() : nullptr);
-    line.pieces.push_back({{0.0, 0.0},
-                           line.length,
-                           constant(string.number(&TautString::tension)),
-                           constant(string.number(&TautString::mass_per_length))});
+    const TautString* string_rate = direction ? direction->string() : nullptr;
+    const Both<TautString> string(*scene.string(), string_rate);
+    // Where frequencies are given they stand for the tension, which nothing else depends on.
+    const std::optional<double>& tension = scene.string()->tension;
+    line.pieces.push_back(
+        {{0.0, 0.0},
+         line.length,
+         constant(tension ? number_of(tension, string_rate ? &string_rate->tension : nullptr)
+                          : Rated{}),
+         constant(string.number(&TautString::mass_per_length))});
   }
   add_places(line, span, rate);
   return line;

@@ -85,13 +85,25 @@ Vector CantileverModes::load_rate() const {
   return rate;
 }
 
-UniformLineModes::UniformLineModes(const Line& line, const Span& span)
+namespace {
+
+Vector vector_of(const std::vector<double>* list) {
+  return list ? Vector(Eigen::Map<const Vector>(list->data(), std::ssize(*list))) : Vector();
+}
+
+}  // namespace
+
+UniformLineModes::UniformLineModes(const Line& line, const Span& span,
+                                   const std::vector<double>* frequencies,
+                                   const std::vector<double>* frequency_rates)
     : count_(span.modes),
       left_(span.ends[0] == Hold::kPinned),
       right_(span.ends[1] == Hold::kPinned),
       length_(line.length),
       stiffness_(line.pieces.front().stiffness.front()),
-      mass_(line.pieces.front().mass.front()) {}
+      mass_(line.pieces.front().mass.front()),
+      given_(vector_of(frequencies)),
+      given_rate_(vector_of(frequency_rates)) {}
 
 double UniformLineModes::wave(int j) const {
   return (j - (left_ && right_ ? 0.0 : left_ || right_ ? 0.5 : 1.0)) * std::numbers::pi;
@@ -107,6 +119,7 @@ double UniformLineModes::amplitude_rate() const {
 }
 
 Vector UniformLineModes::omega() const {
+  if (given_.size() > 0) return given_;
   const double unit = std::sqrt(stiffness_.value / mass_.value) / length_.value;
   Vector omega(count_);
   for (int j = 0; j < count_; ++j) omega[j] = wave(j + 1) * unit;
@@ -114,6 +127,7 @@ Vector UniformLineModes::omega() const {
 }
 
 Vector UniformLineModes::omega_rate() const {
+  if (given_.size() > 0) return given_rate_;
   return omega() * (0.5 * (stiffness_.rate / stiffness_.value - mass_.rate / mass_.value) -
                     length_.rate / length_.value);
 }
@@ -254,7 +268,11 @@ SpanModes span_modes(const Scene& scene, const Scene* direction) {
   if (!has_closed_modes(scene)) return ElementModes(scene, direction);
   if (const Beam* beam = scene.beam())
     return CantileverModes(*beam, direction ? direction->beam() : nullptr);
-  return UniformLineModes(line_of(scene, direction), *scene.span());
+  const TautString* string = scene.string();
+  if (string == nullptr || string->frequencies.empty())
+    return UniformLineModes(line_of(scene, direction), *scene.span());
+  return UniformLineModes(line_of(scene, direction), *string, &string->frequencies,
+                          direction ? &direction->string()->frequencies : nullptr);
 }
 
 }  // namespace graze

@@ -267,6 +267,21 @@ const ExactPhase<double>* SeriesPhase::exact() const {
   return exact_.get();
 }
 
+std::vector<double> SeriesPhase::step_ends(double until) const {
+  std::vector<double> ends;
+  for (std::size_t i = 0; i < steps_.size() && steps_[i].from < until; ++i) {
+    const Step& step = steps_[i];
+    const double to = i + 1 < steps_.size() ? std::min(steps_[i + 1].from, until) : until;
+    // Nobody has stepped beyond the last step that the search for an event took.
+    const MotionSeries& series = about(step);
+    const double pieces =
+        std::ceil(2.0 * (to - step.from) / (series.step(kLeftOut) * series.unit()));
+    for (double k = 1.0; k < pieces; ++k) ends.push_back(step.from + k / pieces * (to - step.from));
+    ends.push_back(to);
+  }
+  return ends;
+}
+
 // Gauss' rule over each step: over some radians of the quickest mode ten nodes leave less than
 // rounding of the product of two velocities.
 SeriesWork SeriesPhase::work(double s) const {

@@ -1,7 +1,7 @@
 // Measures a motion flight by flight (amplitudes.hpp). Along closed forms the extremes are those of
 // certified searches and the means integrals in closed form; where the motion is integrated step by
-// step, both are those of the polynomial through nine states within each step, which the steps are
-// short enough for.
+// step, or many modes that stops hold are followed by power series, both are those of the
+// polynomial through nine states within each step, which the steps are short enough for.
 #pragma once
 
 #include <limits>
@@ -10,6 +10,7 @@
 
 #include "graze/flow/exact/detail/contact_phase.hpp"
 #include "graze/motion/amplitudes.hpp"
+#include "graze/motion/detail/impulse_windows.hpp"
 #include "graze/motion/detail/motion.hpp"
 
 namespace graze {
@@ -51,14 +52,20 @@ class AmplitudeMeter {
   };
   struct Load {
     long long impacts = 0;
-    double impulse = 0.0;
+    double impulse = 0.0, held = 0.0;
     bool struck = false;  // by an impact that has no force
     Sums force;
   };
 
-  void add_exact(const ContactPhase<double>& phase, double from, double to);
-  void add_steps(const ContactPhase<double>& phase, double theta, double from, double to);
-  void add_step(const ContactPhase<double>& phase, double theta, double from, double to);
+  void add_exact(const ContactPhase<double>& phase, double time, double from, double to);
+  void add_steps(const ContactPhase<double>& phase, double theta, double time, double from,
+                 double to);
+  void add_step(const ContactPhase<double>& phase, double theta, double time, double from,
+                double to);
+  void add_impulse(int stop, double time, double impulse);
+  // Cuts a part of a flight that began at `time` at the ends of windows, if there are any.
+  template <class Each>
+  void each_part(double time, double from, double to, const Each& each) const;
 
   bool measures(double time) const { return options_ && time >= options_->from; }
   Load& load(int stop) { return loads_[static_cast<std::size_t>(stop)]; }
@@ -67,6 +74,7 @@ class AmplitudeMeter {
   const std::optional<MeasureOptions> options_;
   std::vector<Measured> measured_;
   std::vector<Load> loads_;
+  std::optional<ImpulseWindows> windows_;
   double duration_ = 0.0;
 };
 

@@ -14,10 +14,13 @@ namespace {
 
 constexpr int kPlaces = 201;  // along the beam
 constexpr std::size_t kMostModes = 6;
+constexpr std::size_t kMostLarge = 8;  // stops with marks of full size
 
-ChartPanel beam_panel(const char* name, const char* unit, Units units) {
-  ChartPanel panel{{.name = "place along the beam x", .unit = unit_in(units, "m")},
-                   {.name = name, .unit = unit_in(units, unit)}};
+ChartPanel beam_panel(const std::string& structure, const char* name, const char* unit,
+                      Units units) {
+  ChartPanel panel{
+      {.name = fmt::format("place along the {} x", structure), .unit = unit_in(units, "m")},
+      {.name = name, .unit = unit_in(units, unit)}};
   panel.height = 5.0;
   panel.levels = {0.0};
   return panel;
@@ -26,7 +29,12 @@ ChartPanel beam_panel(const char* name, const char* unit, Units units) {
 // Where the stops stand, as short bars: "stop 1" at its place and gap.
 void add_stops(const std::vector<BeamStop>& all, ChartPanel& panel) {
   ChartSeries stops{
-      "stop", {.colour = kBlack, .mark = MarkShape::kSquare, .size = 0.7}, false, true, {}, {}};
+      "stop",
+      {.colour = kBlack, .mark = MarkShape::kSquare, .size = all.size() > kMostLarge ? 0.35 : 0.7},
+      false,
+      true,
+      {},
+      {}};
   for (const BeamStop& stop : all) {
     stops.x.push_back(stop.x);
     stops.y.push_back(stop.u);
@@ -148,7 +156,8 @@ Chart mode_shapes_chart(const Scene& scene, const Vector& omega) {
     add_shapes(numbers, found.modes.shapes, omega, scene.units, false, panel);
     return {"Mode shapes", {{panel}}};
   }
-  ChartPanel panel = beam_panel("mode shape / its largest value", "", scene.units);
+  ChartPanel panel =
+      beam_panel(scene.structure_name(), "mode shape / its largest value", "", scene.units);
   if (const std::optional<BeamPlaces> places = beam_places(scene, kPlaces))
     add_shapes(places->x, places->rows, omega, scene.units, true, panel);
   else
@@ -157,7 +166,8 @@ Chart mode_shapes_chart(const Scene& scene, const Vector& omega) {
 }
 
 Chart shapes_chart(const SimulationRecord& record) {
-  ChartPanel panel = beam_panel("displacement u", "m", record.info.units);
+  const std::string structure = record.beam ? record.beam->structure : "beam";
+  ChartPanel panel = beam_panel(structure, "displacement u", "m", record.info.units);
   for (std::size_t i = 0; i < record.shapes.size(); ++i) {
     const BeamShape& shape = record.shapes[i];
     panel.series.push_back(
@@ -165,7 +175,7 @@ Chart shapes_chart(const SimulationRecord& record) {
          curve_look(i), true, false, shape.x, shape.deflection});
   }
   if (record.beam) add_stops(record.beam->stops, panel);
-  return {"Shapes of the beam", {{panel}}};
+  return {fmt::format("Shapes of the {}", structure), {{panel}}};
 }
 
 }  // namespace graze

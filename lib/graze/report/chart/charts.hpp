@@ -41,6 +41,10 @@ Chart mode_shapes_chart(const Scene& scene, const Vector& omega);
 // The shapes of the beam at the record's instants, with its stops.
 Chart shapes_chart(const SimulationRecord& record);
 
+// The force of every stop over time, each a panel; of more than four stops rows in one panel, all
+// in one scale.
+Chart forces_chart(const SimulationRecord& record);
+
 // Amplitudes over the frequency at the places of the stops, of the samples that the record holds.
 Chart spectrum_chart(const SimulationRecord& record);
 

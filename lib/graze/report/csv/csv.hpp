@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "graze/assembly/probes.hpp"
+#include "graze/motion/amplitudes.hpp"
 #include "graze/motion/run_events.hpp"
 #include "graze/motion/sample.hpp"
 #include "graze/record/record_names.hpp"
@@ -24,6 +25,9 @@ std::string samples_csv_header(const System& system, bool energy,
                                const std::vector<ProbeRow>& probes = {});
 std::string samples_csv_row(const System& system, const Sample& sample,
                             const std::vector<ProbeRow>& probes = {});
+
+// One line a window of time: its ends and the mean force of every stop meanwhile.
+std::string forces_csv(const StopForces& forces);
 
 // One line a point: "time,stop,phase,speed" or "time,stop,displacement,velocity".
 std::string section_csv(const RunSection& section);

@@ -298,6 +298,7 @@ Document to_json(const SimulationRecord& record, Spool& events) {
     add_amplitudes(record.places, *record.run.amplitudes, document);
     document["measured_time"] = json_number(record.run.amplitudes->duration);
     add_amplitude_units(record.places, document["units"]);
+    add_load_units(document["units"]);
   }
   if (record.section) document["section"] = section_json(*record.section);
   const std::string whole = document_text(std::move(document), record.info);

@@ -33,6 +33,7 @@ Json load_json(std::size_t index, const StopLoad& load, double duration) {
           {"impact_rate", each_second(static_cast<double>(load.impacts))},
           {"impulse", json_number(load.impulse)},
           {"mean_force", each_second(load.impulse)},
+          {"time_held", json_number(load.held)},
           {"peak_force", json_maybe(load.peak_force)},
           {"rms_force", json_maybe(load.rms_force)}};
 }
@@ -48,17 +49,22 @@ void add_amplitudes(const std::vector<MeasuredPlace>& places, const Amplitudes& 
     loads.push_back(load_json(i, measured.stops[i], measured.duration));
   json["amplitudes"] = amplitudes;
   json["loads"] = loads;
+  if (const auto& forces = measured.forces)
+    json["forces"] = {{"from", json_number(forces->from)},
+                      {"window", json_number(forces->length)},
+                      {"means", forces->means}};
 }
 
 void add_amplitude_units(const std::vector<MeasuredPlace>& places, Json& units) {
   if (places.empty()) return;
   for (const MeasuredPlace& place : places)
     if (place.probe) units["probe_" + std::to_string(*place.probe + 1)] = place.unit;
-  units.update({{"amplitude", "m"},
-                {"peak_velocity", "m/s"},
-                {"impact_rate", "1/s"},
-                {"impulse", "N s"},
-                {"force", "N"}});
+  units.update({{"amplitude", "m"}, {"peak_velocity", "m/s"}});
+  add_load_units(units);
+}
+
+void add_load_units(Json& units) {
+  units.update({{"impact_rate", "1/s"}, {"impulse", "N s"}, {"time_held", "s"}, {"force", "N"}});
 }
 
 }  // namespace graze

@@ -26,14 +26,14 @@ std::string amplitudes_text(const std::vector<MeasuredPlace>& places, const Ampl
               digits_text(row.speed, kDigits)});
   }
   Table loads({"stop", in.head("impact rate", "1/s"), in.head("impulse", "N s"),
-               in.head("peak force", "N"), in.head("rms force", "N")});
+               in.head("time held", "s"), in.head("peak force", "N"), in.head("rms force", "N")});
   for (std::size_t i = 0; i < measured.stops.size(); ++i) {
     const StopLoad& load = measured.stops[i];
     const double rate =
         measured.duration > 0.0 ? static_cast<double>(load.impacts) / measured.duration : 0.0;
     loads.add({fmt::format("{}", i + 1), digits_text(rate, kDigits),
-               digits_text(load.impulse, kDigits), digits_text(load.peak_force, kDigits),
-               digits_text(load.rms_force, kDigits)});
+               digits_text(load.impulse, kDigits), digits_text(load.held, kDigits),
+               digits_text(load.peak_force, kDigits), digits_text(load.rms_force, kDigits)});
   }
   std::string text;
   if (!rows.empty()) text += rows.text(options.width) + "\n";

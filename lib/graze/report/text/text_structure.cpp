@@ -136,6 +136,8 @@ std::vector<std::pair<std::string, std::string>> structure_effects(
                            in.quantity(std::abs(*beam->tension), 6, "N"));
   } else if (const Bar* bar = scene.bar()) {
     add_pieces(effects, *bar, in);
+  } else if (!scene.string()->frequencies.empty()) {
+    effects.front().second += ", frequencies given";
   }
   add_places(effects, *scene.span(), scene.beam() != nullptr, in);
   if (elements) effects.emplace_back("elements", elements_text(*elements));

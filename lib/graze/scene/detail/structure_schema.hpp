@@ -143,7 +143,16 @@ void describe_line_ends(auto& v, auto& span, const char* fallback,
 
 void describe(auto& v, Of<TautString> auto& string, const Scene&) {
   v.number({"length", "m", kPositive, "L"}, string.length);
-  v.number({"tension", "N", kPositive, "T"}, string.tension);
+  v.list(
+      Key{"frequencies", "rad/s", kNotNegative.told("N numbers >= 0"),
+          "measured ones, w_j, in place of those that a tension gives; the shapes stay what they "
+          "are. Not with supports or masses"}
+          .or_else("those of the tension"),
+      string.frequencies);
+  v.number(Key{"tension", "N", kPositive, "T"}
+               .needed("required without `frequencies`")
+               .where(string.frequencies.empty(), "the frequencies are given, it must be left out"),
+           string.tension);
   v.number({"mass_per_length", "kg/m", kPositive, "m"}, string.mass_per_length);
   describe_line_ends(v, string, "`[\"fixed\", \"fixed\"]`", TautString{}.ends);
   v.count({"modes", "", kModeCount, "N"}, string.modes);

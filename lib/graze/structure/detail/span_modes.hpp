@@ -43,7 +43,10 @@ class CantileverModes {
 
 class UniformLineModes {
  public:
-  UniformLineModes(const Line& line, const Span& span);
+  // Of a string whose frequencies are given, these and their rates (null: none asked for).
+  UniformLineModes(const Line& line, const Span& span,
+                   const std::vector<double>* frequencies = nullptr,
+                   const std::vector<double>* frequency_rates = nullptr);
 
   Vector omega() const;
   Vector omega_rate() const;
@@ -64,6 +67,7 @@ class UniformLineModes {
   int count_;
   bool left_, right_;  // held
   Rated length_, stiffness_, mass_;
+  Vector given_, given_rate_;  // frequencies; empty where they follow from the stiffness
 };
 
 class ElementModes {

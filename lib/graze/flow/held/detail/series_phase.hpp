@@ -47,6 +47,9 @@ class SeriesPhase final : public ContactPhase<double> {
   const ExactPhase<double>* exact() const override;
   const SeriesPhase* series() const override { return this; }
   SeriesWork work(double s) const;
+  // Cuts the arc up to `until`, s after the start, into pieces of at most half a step, one or two
+  // radians of the quickest mode: their ends, s.
+  std::vector<double> step_ends(double until) const;
 
  private:
   struct Step {

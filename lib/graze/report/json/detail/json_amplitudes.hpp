@@ -13,5 +13,7 @@ void add_amplitudes(const std::vector<MeasuredPlace>& places, const Amplitudes& 
 
 // The units of both, beside others.
 void add_amplitude_units(const std::vector<MeasuredPlace>& places, Json& units);
+// Of the stops' part of it.
+void add_load_units(Json& units);
 
 }  // namespace graze
