@@ -8,9 +8,10 @@
 #include "graze/base/detail/bracketed_zero.hpp"
 #include "graze/base/linalg/detail/dense_factors.hpp"
 #include "graze/flow/held/detail/series_phase.hpp"
+#include "graze/flow/sprung/detail/spring_arc.hpp"
 #include "graze/flow/stepped/detail/step_flow.hpp"
 #include "graze/flow/variation/detail/arc_integrals.hpp"
-#include "graze/motion/detail/clearance.hpp"
+#include "graze/motion/detail/arc_extent.hpp"
 #include "graze/motion/detail/contact_forces.hpp"
 
 namespace graze {
@@ -56,46 +57,11 @@ void note_between(const Nodes& at, const Nodes& values, const Note& note) {
   }
 }
 
-Observable<double> negative(Observable<double> observable) {
-  observable.constant = -observable.constant;
-  observable.displacement = -observable.displacement;
-  observable.velocity = -observable.velocity;
-  observable.harmonic = {-observable.harmonic.re, -observable.harmonic.im};
-  return observable;
-}
-
-// row.q and row.q' on the coordinates that a phase leaves free.
-Observable<double> displacement_of(const ConstrainedStructure<double>& structure,
-                                   const Vector& row) {
-  if (structure.is_free()) return {0.0, row, {}, {}};
-  return {row.dot(structure.rest), structure.basis.transpose() * row, {}, {}};
-}
-
-Observable<double> velocity_of(const ConstrainedStructure<double>& structure, const Vector& row) {
-  const Vector on = structure.is_free() ? row : Vector(structure.basis.transpose() * row);
-  return {0.0, Vector::Zero(on.size()), on, {}};
-}
-
-// The smallest value over the window [from, to] that is lower than `below`; minus infinity where
-// the search could not be finished.
-double lowest_along(const ExactPhase<double>& phase, const Observable<double>& observable,
-                    double from, double to, double below) {
-  const ArcCurve<double> curve = phase.curve(observable, to);
-  double lowest = std::min({below, curve.at(from, 0).value, curve.at(to, 0).value});
-  if (from == 0.0) {
-    const std::optional<GapMinimum> minimum = lowest_minimum(curve, 0, lowest);
-    return minimum ? std::min(minimum->gap, lowest) : lowest;
-  }
-  for (const GapMinimum& minimum : minima_below(curve, 0, lowest))
-    if (minimum.s > from) lowest = std::min(lowest, minimum.gap);
-  return lowest;
-}
-
 template <class Extent>
 void extend(const ExactPhase<double>& phase, const Observable<double>& observable, double from,
             double to, Extent& extent) {
   extent.lowest = lowest_along(phase, observable, from, to, extent.lowest);
-  extent.highest = -lowest_along(phase, negative(observable), from, to, -extent.highest);
+  extent.highest = highest_along(phase, observable, from, to, extent.highest);
 }
 
 template <class Sums>
@@ -203,18 +169,30 @@ void AmplitudeMeter::add_exact(const ContactPhase<double>& of, double time, doub
     if (!rows[i].of_velocity) extend(phase, velocity, from, to, measured_[i].speed);
   }
   for (const int i : phase.closed()) {
-    const Observable<double>& force = phase.observables()[static_cast<std::size_t>(i)];
-    Load& held = load(i);
-    held.held += to - from;
-    extend(phase, force, from, to, held.force.extent);
-    integrate(phase, force, from, to, held.force);
-    if (!windows_) continue;
-    each_part(time, from, to, [&](double begin, double end) {
-      Sums part;
-      integrate(phase, force, begin, end, part);
-      windows_->add(i, time + 0.5 * (begin + end), part.value);
-    });
+    load(i).held += to - from;
+    add_force(phase, i, phase.observables()[static_cast<std::size_t>(i)], time, from, to);
   }
+  const SpringArc* springs = phase.sprung();
+  if (!springs) return;
+  const std::vector<int>& loaded = springs->springs().loaded;
+  for (std::size_t k = 0; k < loaded.size(); ++k)
+    add_force(phase, loaded[k],
+              linear_force(springs->equations.springs[k].law, springs->depth_observables[k]), time,
+              from, to);
+}
+
+void AmplitudeMeter::add_force(const ExactPhase<double>& phase, int stop,
+                               const Observable<double>& force, double time, double from,
+                               double to) {
+  Load& at = load(stop);
+  extend(phase, force, from, to, at.force.extent);
+  integrate(phase, force, from, to, at.force);
+  if (!windows_) return;
+  each_part(time, from, to, [&](double begin, double end) {
+    Sums part;
+    integrate(phase, force, begin, end, part);
+    windows_->add(stop, time + 0.5 * (begin + end), part.value);
+  });
 }
 
 void AmplitudeMeter::add_steps(const ContactPhase<double>& phase, double theta, double time,

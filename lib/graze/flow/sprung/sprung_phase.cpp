@@ -7,54 +7,7 @@
 #include "graze/system/detail/gap_value.hpp"
 
 namespace graze {
-namespace {
-
-Vector or_zero(const Vector& list, Eigen::Index n) {
-  return list.size() > 0 ? list : Vector(Vector::Zero(n));
-}
-
-}  // namespace
-
-// The reduced motion with its springs, on the displacements themselves.
-SprungPhase::Equations SprungPhase::equations_of(const System& system, const PhaseKey& key) {
-  Equations equations{ConstrainedStructure<double>(system, key.closed), {}};
-  SprungSystem& sprung = equations.system;
-  if (equations.structure.has_real_modes) {
-    const LinearSystem<double>& modes = equations.structure.reduced;
-    sprung.stiffness = modes.omega.cwiseAbs2();
-    sprung.damping = 2.0 * modes.delta;
-    sprung.load = or_zero(modes.load, modes.omega.size());
-    sprung.force = or_zero(modes.amplitude, modes.omega.size());
-    sprung.frequency = modes.forced ? modes.frequency : 0.0;
-  } else {
-    CoupledSystem coupled = couple(equations.structure);
-    equations.refusal = CoupledFlow(coupled).instability();
-    sprung.stiffness = std::move(coupled.stiffness);
-    sprung.damping = std::move(coupled.damping);
-    sprung.load = std::move(coupled.load);
-    sprung.force = std::move(coupled.force);
-    sprung.frequency = coupled.frequency;
-  }
-  add_springs(system, key, equations.structure, sprung);
-  return equations;
-}
-
-void SprungPhase::add_springs(const System& system, const PhaseKey& key,
-                              const ConstrainedStructure<double>& structure,
-                              SprungSystem& equations) {
-  const auto add = [&](const std::vector<int>& stops, bool loaded) {
-    for (const int i : stops) {
-      const Stop& stop = system.stops[static_cast<std::size_t>(i)];
-      const Vector row = structure.rates(stop.row);
-      const Vector acting = structure.left.size() > 0 ? Vector(structure.left * stop.row) : row;
-      equations.springs.push_back({stop.force(), row, acting, loaded, stop.row});
-    }
-  };
-  add(key.springs.loaded, true);
-  add(key.springs.parted, false);
-}
-
-SprungPhase::SprungPhase(const System& system, const PhaseKey& key, Equations given)
+SprungPhase::SprungPhase(const System& system, const PhaseKey& key, SprungEquations given)
     : IntegratedPhase(key),
       structure_(std::move(given.structure)),
       equations_(std::move(given.system)),
@@ -66,6 +19,7 @@ SprungPhase::SprungPhase(const System& system, const PhaseKey& key, Equations gi
     gaps_.push_back(stop.gap);
   }
   watch(structure_.observables(system), Vector::Ones(structure_.size()));
+  for (const int i : springs_) spring_rows_.push_back(rows_[static_cast<std::size_t>(i)]);
   for (std::size_t k = 0; k < springs_.size(); ++k) {
     Watch watch;
     watch.spring = static_cast<int>(k);
@@ -78,7 +32,7 @@ SprungPhase::SprungPhase(const System& system, const PhaseKey& key, Equations gi
 
 SprungPhase::SprungPhase(const System& system, const PhaseKey& key,
                          const std::optional<StepSetting>& steps)
-    : SprungPhase(system, key, equations_of(system, key)) {
+    : SprungPhase(system, key, sprung_equations(system, key)) {
   add_force_weights(system);
   if (structure_.left.size() > 0) add_powers(system);
   integrate(steps);
@@ -231,9 +185,7 @@ void SprungPhase::watch_springs(const MotionState<double>& now, std::vector<Watc
     depth.departure = 0.0;
     if (depths_[k] == 0.0) {
       const double speed = rows_[at].dot(qdot_), push = -gap_rate(i, 2).value;
-      depth.multiplicity = speed > speed_rounding<double>(rows_[at], qdot_) ? 1
-                           : push > 0.0                                     ? 2
-                                                                            : 3;
+      depth.multiplicity = depth_multiplicity(rows_[at], qdot_, push);
       depth.departure = depth.multiplicity == 1   ? speed
                         : depth.multiplicity == 2 ? 0.5 * push
                                                   : -gap_rate(i, 3).value / 6.0;
@@ -246,15 +198,12 @@ void SprungPhase::watch_springs(const MotionState<double>& now, std::vector<Watc
   }
 }
 
-// Two springs at one place: what enters the one leaves the other at the same instant.
 std::optional<Arrival<double>> SprungPhase::left_at_once(const MotionState<double>& /*now*/) const {
-  for (std::size_t k = 0; k < springs_.size(); ++k) {
-    const Vector& row = rows_[static_cast<std::size_t>(springs_[k])];
-    if (depths_[k] > 0.0 || !(row.dot(qdot_) < -speed_rounding<double>(row, qdot_))) continue;
-    return Arrival<double>{
-        equations_.springs[k].loaded ? ArrivalKind::kSeparation : ArrivalKind::kLeft, springs_[k]};
-  }
-  return {};
+  const int k = graze::left_at_once(spring_rows_, depths_, qdot_);
+  if (k < 0) return {};
+  const auto at = static_cast<std::size_t>(k);
+  return Arrival<double>{
+      equations_.springs[at].loaded ? ArrivalKind::kSeparation : ArrivalKind::kLeft, springs_[at]};
 }
 
 }  // namespace graze

@@ -24,8 +24,9 @@ std::vector<int> constrained_stops(const System& holding, const PhaseKey& key) {
 
 }  // namespace
 
-SprungPhase::Equations TurningPhase::equations_of(const System& holding, const PhaseKey& key) {
-  Equations equations{ConstrainedStructure<double>(holding, constrained_stops(holding, key)), {}};
+SprungEquations TurningPhase::equations_of(const System& holding, const PhaseKey& key) {
+  SprungEquations equations{ConstrainedStructure<double>(holding, constrained_stops(holding, key)),
+                            {}};
   const ConstrainedStructure<double>& structure = equations.structure;
   SprungSystem& sprung = equations.system;
   const Eigen::Index m = structure.size();

@@ -6,7 +6,7 @@
 #include "graze/flow/exact/detail/term_kernels.hpp"
 #include "graze/flow/held/detail/exact_phase.hpp"
 #include "graze/flow/held/detail/series_phase.hpp"
-#include "graze/flow/sprung/detail/sprung_phase.hpp"
+#include "graze/flow/sprung/detail/spring_arc.hpp"
 #include "graze/flow/variation/detail/signal.hpp"
 
 namespace graze {
@@ -162,11 +162,30 @@ bool acts_along_row(const Stop& stop) {
          kRoundings * std::numeric_limits<double>::epsilon() * stop.row.norm();
 }
 
+// What linear springs and their dashpots took.
+void add_linear_springs(const ExactPhase<double>& phase, double s, const Moments& moments,
+                        Work& work) {
+  const SpringArc& springs = *phase.sprung();
+  const CoupledArc& arc = *phase.coupled_arc();
+  for (std::size_t k = 0; k < springs.springs().loaded.size(); ++k) {
+    const ContactForce& law = springs.equations.springs[k].law;
+    const Observable<double>& depth = springs.depth_observables[k];
+    work.contact -=
+        law.stored(phase.curve(depth, s).at(s, 0).value) - law.stored(springs.depths[k]);
+    if (law.damping == ContactDamping::kNone) continue;
+    const Vector rate = weights_of(
+        {0.0, Vector::Zero(depth.displacement.size()), depth.displacement, {}}, arc, moments);
+    work.contact -= law.coefficient * rate.dot(moments.integral * rate);
+  }
+}
+
 // While an oblique law or unequal damping couples the modes.
 void add_coupled(const System& system, const ExactPhase<double>& phase, double s, Work& work) {
   const CoupledArc& arc = *phase.coupled_arc();
   const Moments moments = moments_along(arc, s);
-  const Matrix& basis = phase.structure().basis;
+  const ConstrainedStructure<double>& structure = phase.structure();
+  const Matrix basis =
+      structure.is_free() ? Matrix::Identity(system.modes(), system.modes()) : structure.basis;
   const Eigen::Index m = basis.cols();
   // Moments of the modal velocities with z, N x (2m + 3).
   const Matrix velocity = basis * moments.integral.middleRows(m, m);
@@ -182,12 +201,14 @@ void add_coupled(const System& system, const ExactPhase<double>& phase, double s
     // A contact force of 1 N accelerates by -direction |row|^2.
     work.constraint -= stop.row.squaredNorm() * stop.direction().dot(velocity * weight);
   }
+  if (phase.sprung()) add_linear_springs(phase, s, moments, work);
 }
 
-Work work_on_springs(const System& system, const SprungPhase& phase, double s) {
-  const SprungWorks works = phase.steps().works(s);
+Work work_on_springs(const System& system, const ContactPhase<double>& phase, double s) {
+  const SprungWorks works = phase.stepped()->works(s);
   Work work;
-  if (system.load()) work.load = system.load()->dot(phase.structure().velocities(works.moved));
+  if (system.load())
+    work.load = system.load()->dot(phase.sprung()->structure.velocities(works.moved));
   if (system.turns()) work.load = works.weight;
   work.forcing = works.forcing;
   work.constraint = works.constraint;
@@ -199,7 +220,7 @@ Work work_on_springs(const System& system, const SprungPhase& phase, double s) {
 }  // namespace
 
 Work work_along(const System& system, const ContactPhase<double>& phase, double s) {
-  if (const SprungPhase* sprung = phase.sprung()) return work_on_springs(system, *sprung, s);
+  if (phase.sprung() && phase.stepped()) return work_on_springs(system, phase, s);
   Work work;
   if (system.load()) {
     const Eigen::Index n = system.modes();

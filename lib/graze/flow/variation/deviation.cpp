@@ -84,18 +84,23 @@ Deviations modal_growth(const Arc<double>& arc, double s, const Deviations& star
 }  // namespace
 
 Deviations growth(const ExactPhase<double>& phase, double s, const Deviations& start) {
-  if (phase.closed().empty()) return modal_growth(*phase.arc(), s, start);
-  const Matrix& basis = phase.structure().basis;
-  Deviations reduced{basis.transpose() * start.q, basis.transpose() * start.qdot, start.delay};
+  const ConstrainedStructure<double>& structure = phase.structure();
+  const Matrix& basis = structure.basis;
+  Deviations reduced = start;
+  if (!structure.is_free()) {
+    reduced.q = basis.transpose() * start.q;
+    reduced.qdot = basis.transpose() * start.qdot;
+  }
   if (phase.arc()) {
     reduced = modal_growth(*phase.arc(), s, reduced);
   } else {
-    const Eigen::Index m = basis.cols();
+    const Eigen::Index m = structure.size();
     Matrix both(2 * m, start.count());
     both << reduced.q, reduced.qdot;
     both = phase.coupled_arc()->growth(s, both, start.delay);
     reduced = {both.topRows(m), both.bottomRows(m), Eigen::RowVectorXd::Zero(start.count())};
   }
+  if (structure.is_free()) return reduced;
   return {basis * reduced.q, basis * reduced.qdot, reduced.delay};
 }
 

@@ -29,7 +29,7 @@ Matrix projection_rate(const System& system, const System& tangent,
          directions_of(system, closed) * contact_share_rate(system, tangent, closed);
 }
 
-std::vector<int> springs_of(const SprungPhase& phase) {
+std::vector<int> springs_of(const SpringArc& phase) {
   std::vector<int> springs = phase.springs().loaded;
   springs.insert(springs.end(), phase.springs().parted.begin(), phase.springs().parted.end());
   return springs;
@@ -37,9 +37,9 @@ std::vector<int> springs_of(const SprungPhase& phase) {
 
 // What the phase integrates, in all coordinates though stops hold the structure: q'' = P f. Nothing
 // where none does.
-std::optional<SprungSystem> constrained_system(const System& system, const SprungPhase& phase) {
+std::optional<SprungSystem> constrained_system(const System& system, const SpringArc& phase) {
   if (phase.closed().empty()) return {};
-  SprungSystem sprung = phase.equations();
+  SprungSystem sprung = phase.equations;
   const Matrix held = projection(system, phase.closed());
   const Vector none = Vector::Zero(system.modes());
   sprung.stiffness = held * system.omega.cwiseAbs2().asDiagonal();
@@ -256,19 +256,19 @@ Vector sizes_of(const Deviations& deviations, const Vector& scale) {
 
 }  // namespace
 
-Deviations sprung_deviations(const System& system, const SprungPhase& phase, const State& start,
+Deviations sprung_deviations(const System& system, const SpringArc& phase, const State& start,
                              double theta, double s, const Deviations& deviations) {
   const std::optional<SprungSystem> held = constrained_system(system, phase);
-  Varied varied(held ? *held : phase.equations(), nullptr);
+  Varied varied(held ? *held : phase.equations, nullptr);
   const Deviations none{Matrix(start.q.size(), 0), Matrix(start.q.size(), 0), {}};
-  varied.begin(start, theta, phase.depths(), none, Vector(0));
+  varied.begin(start, theta, phase.depths, none, Vector(0));
   const Vector sizes = sizes_of(deviations, varied.scale());
-  Varied::State whole = varied.begin(start, theta, phase.depths(), deviations, sizes);
+  Varied::State whole = varied.begin(start, theta, phase.depths, deviations, sizes);
   return varied.end(integrate(varied, std::move(whole), s));
 }
 
 Deviations sprung_parameter_deviation(const System& system, const System& tangent,
-                                      const SprungPhase& phase, const State& start, double theta,
+                                      const SpringArc& phase, const State& start, double theta,
                                       double s, const Deviations& column) {
   Source source{system, tangent, springs_of(phase)};
   if (!phase.closed().empty()) {
@@ -276,10 +276,10 @@ Deviations sprung_parameter_deviation(const System& system, const System& tangen
     source.held_rate = projection_rate(system, tangent, phase.closed());
   }
   const std::optional<SprungSystem> held = constrained_system(system, phase);
-  Varied varied(held ? *held : phase.equations(), &source);
+  Varied varied(held ? *held : phase.equations, &source);
   const auto follow = [&](const Vector& sizes) {
     return varied.end(
-        integrate(varied, varied.begin(start, theta, phase.depths(), column, sizes), s));
+        integrate(varied, varied.begin(start, theta, phase.depths, column, sizes), s));
   };
   // How large it gets is known only once it has been followed: first by the steps that the motion
   // alone asks for.

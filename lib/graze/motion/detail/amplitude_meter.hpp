@@ -58,6 +58,9 @@ class AmplitudeMeter {
   };
 
   void add_exact(const ContactPhase<double>& phase, double time, double from, double to);
+  // Of a stop, N.
+  void add_force(const ExactPhase<double>& phase, int stop, const Observable<double>& force,
+                 double time, double from, double to);
   void add_steps(const ContactPhase<double>& phase, double theta, double time, double from,
                  double to);
   void add_step(const ContactPhase<double>& phase, double theta, double time, double from,

@@ -60,8 +60,9 @@ void CarriedDeviations::carry(const Arrival<double>& arrival) {
 
 Deviations CarriedDeviations::change_along(double flight, const std::vector<int>& closed) {
   hold(system_, closed, *deviations_);
-  const SprungPhase* sprung = motion_.flown().sprung();
-  if (!sprung) return growth(*motion_.flown().exact(), flight, *deviations_);
+  const SpringArc* sprung = motion_.flown().sprung();
+  if (!sprung || !motion_.flown().stepped())
+    return growth(*motion_.flown().exact(), flight, *deviations_);
   const MotionState<double>& start = motion_.departure();
   const Deviations end =
       sprung_deviations(system_, *sprung, {start.q, start.qdot},
@@ -74,7 +75,7 @@ void CarriedDeviations::carry_parameter(const Arrival<double>& arrival,
   const MotionState<double>& start = motion_.departure();
   const State from{start.q, start.qdot};
   const double theta = motion_.flow().phase(start.instant);
-  if (const SprungPhase* sprung = motion_.flown().sprung())
+  if (const SpringArc* sprung = motion_.flown().sprung())
     parameter_->carry_on_springs(*sprung, from, theta, arrival.flight);
   else
     parameter_->carry(*motion_.flown().exact(), from, theta, arrival.flight);

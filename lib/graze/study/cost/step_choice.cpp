@@ -34,6 +34,20 @@ double modal_speed(const System& system, const State& start) {
   return speed > 0.0 ? speed : 1.0;
 }
 
+namespace {
+
+bool is_linear(const Spring& spring) {
+  const bool linear = spring.is_residual || (!spring.geometry && spring.exponent == 1.0);
+  return linear && (!spring.damping || spring.damping->model == ContactModel::kKelvinVoigt);
+}
+
+bool has_linear_springs(const Scene& scene) {
+  return std::all_of(scene.stops.begin(), scene.stops.end(),
+                     [](const SceneStop& stop) { return !stop.spring || is_linear(*stop.spring); });
+}
+
+}  // namespace
+
 FlowDecision flow_decision(const Scene& scene) {
   const Solver& solver = scene.solver;
   if (solver.flow != FlowChoice::kAuto) return {solver.flow, "the scene asks for it"};
@@ -58,6 +72,11 @@ FlowDecision flow_decision(const Scene& scene) {
                                      [](const SceneStop& stop) { return stop.spring.has_value(); });
   // How these errors grow from contact to contact is the motion's own, and steps made for a
   // tolerance of their own may cost less: nothing is promised.
+  if (compliant && has_linear_springs(scene))
+    return {FlowChoice::kExact,
+            "every effect in this scene is linear, between contacts and while the same springs are "
+            "compressed, so motion and the ends of contacts have closed forms; they err by "
+            "rounding, whatever the tolerance"};
   if (compliant)
     return {FlowChoice::kExact,
             "between contacts every effect in this scene is linear, so motion and first contact "

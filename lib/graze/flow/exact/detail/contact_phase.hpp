@@ -1,14 +1,15 @@
 // A contact phase: the smooth motion while the same stops are closed and the same springs
 // compressed (none of either: free flight), up to the first event that ends it.
 //
-// Seven of them stand behind this contract, chosen once for each phase (phase_choice.hpp):
+// Eight of them stand behind this contract, chosen once for each phase (phase_choice.hpp):
 //
 //   FreePhase         nothing holds the structure: its modes in closed form    exact_phase.hpp
 //   ConstrainedPhase  closed stops hold it, and it has real modes there        exact_phase.hpp
 //   CoupledPhase      the same where oblique laws or damping couple its modes  coupled_phase.hpp
 //   SeriesPhase       closed stops hold many modes                             series_phase.hpp
 //   SteppedPhase      any of these, integrated step by step instead            stepped_phase.hpp
-//   SprungPhase       springs are compressed                                   sprung_phase.hpp
+//   LinearSpringPhase linear springs are compressed                     linear_spring_phase.hpp
+//   SprungPhase       springs of any kind are                                  sprung_phase.hpp
 //   TurningPhase      the structure turns on a hub, with springs or without    turning_phase.hpp
 //
 // In 50 digits there are the first two, which have nothing but closed forms.
@@ -54,7 +55,7 @@ struct Flight {
 template <class Real>
 class ExactPhase;
 class SeriesPhase;
-class SprungPhase;
+struct SpringArc;
 class StepFlow;
 
 template <class Real>
@@ -107,8 +108,8 @@ class ContactPhase {
 
   // The closed form of the arc; null where it has none.
   virtual const ExactPhase<Real>* exact() const { return nullptr; }
-  // What is integrated on springs or on a hub; null where nothing of that is there.
-  virtual const SprungPhase* sprung() const { return nullptr; }
+  // Of compressed springs, and of a structure on a hub; null where nothing of that is there.
+  virtual const SpringArc* sprung() const { return nullptr; }
   // What follows it by power series; null where that is something else.
   virtual const SeriesPhase* series() const { return nullptr; }
   // What integrates it step by step; null where its closed form is the motion.

@@ -17,6 +17,9 @@ class ExactPhase : public ContactPhase<Real> {
   using ContactPhase<Real>::start;
   // `structure` is that of the closed stops of the key.
   ExactPhase(const System& system, PhaseKey key, ConstrainedStructure<Real> structure);
+  // With observables of every stop that are not the structure's alone.
+  ExactPhase(PhaseKey key, ConstrainedStructure<Real> structure,
+             std::vector<Observable<Real>> observables);
 
   const ConstrainedStructure<Real>& structure() const { return structure_; }
   const std::vector<Observable<Real>>& observables() const { return observables_; }

@@ -13,9 +13,14 @@ namespace graze {
 template <class Real>
 ExactPhase<Real>::ExactPhase(const System& system, PhaseKey key,
                              ConstrainedStructure<Real> structure)
+    : ExactPhase(std::move(key), structure, structure.observables(system)) {}
+
+template <class Real>
+ExactPhase<Real>::ExactPhase(PhaseKey key, ConstrainedStructure<Real> structure,
+                             std::vector<Observable<Real>> observables)
     : ContactPhase<Real>(std::move(key)),
       structure_(std::move(structure)),
-      observables_(structure_.observables(system)),
+      observables_(std::move(observables)),
       kept_(observables_.size()) {}
 
 template <class Real>
@@ -51,7 +56,7 @@ Arrival<Real> ExactPhase<Real>::first_event(const MotionState<Real>& now,
   arrival.flight = std::min<Real>(flight.horizon, this->longest_flight());
   for (const int i : flight.order) {
     const Contact at = now.contacts[static_cast<std::size_t>(i)];
-    if (at == Contact::kLocked) continue;
+    if (at == Contact::kLocked || at == Contact::kCompressed || at == Contact::kParted) continue;
     const bool is_closed = at == Contact::kClosed;
     const int multiplicity = now.multiplicities[static_cast<std::size_t>(i)];
     const FirstZero<Real> zero = is_closed ? first_release(force(i, arrival.flight), flight.stop)

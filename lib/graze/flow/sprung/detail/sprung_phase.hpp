@@ -5,6 +5,7 @@
 #include <limits>
 #include <vector>
 
+#include "graze/flow/sprung/detail/spring_arc.hpp"
 #include "graze/flow/stepped/detail/stepped_phase.hpp"
 
 namespace graze {
@@ -25,25 +26,17 @@ class SprungPhase : public IntegratedPhase {
 
   const ConstrainedStructure<double>& structure() const final { return structure_; }
   std::string refusal() const final { return refusal_; }
-  // What it integrates, and the depths at the start of the arc, m: of the loaded springs, then of
-  // the parted ones.
   const SprungSystem& equations() const { return equations_; }
-  const std::vector<double>& depths() const { return depths_; }
 
   void start(const double& theta, const Vector& q, const Vector& qdot, const double& time) override;
   CurvePoint<double> gap_rate(int stop, int order) const final;
   double force_at(int stop, const double& s, const Vector& q, const Vector& qdot) const override;
   double force_rate(int stop) const override;
-  const SprungPhase* sprung() const final { return this; }
+  const SpringArc* sprung() const final { return &spring_arc_; }
 
  protected:
-  struct Equations {
-    ConstrainedStructure<double> structure;
-    SprungSystem system;
-    std::string refusal{};
-  };
   // For integrate() to complete.
-  SprungPhase(const System& system, const PhaseKey& key, Equations equations);
+  SprungPhase(const System& system, const PhaseKey& key, SprungEquations equations);
   // Last of all: what integrates keeps copies.
   void integrate(const std::optional<StepSetting>& steps);
   SprungSystem& equations() { return equations_; }
@@ -59,12 +52,8 @@ class SprungPhase : public IntegratedPhase {
   Vector spring_push_rate(const Vector& acceleration) const;
   const Vector& start_q() const { return q_; }
   const Vector& start_qdot() const { return qdot_; }
-  // The springs of a phase for what it integrates.
-  static void add_springs(const System& system, const PhaseKey& key,
-                          const ConstrainedStructure<double>& structure, SprungSystem& equations);
 
  private:
-  static Equations equations_of(const System& system, const PhaseKey& key);
   void add_force_weights(const System& system);
   void add_powers(const System& system);
   Vector force(double s, const Vector& q, const Vector& qdot) const;
@@ -76,12 +65,13 @@ class SprungPhase : public IntegratedPhase {
   SprungSystem equations_;
   std::string refusal_;
   std::vector<int> springs_;                         // the stops that they are of
-  std::vector<Vector> rows_;                         // of every stop
+  std::vector<Vector> rows_, spring_rows_;           // of every stop; of the springs
   std::vector<double> gaps_;                         // of every stop, m
   std::vector<Watch> depth_watches_, grip_watches_;  // of every spring
   std::vector<double> depths_;
   double theta_ = 0.0;
   Vector q_, qdot_;
+  SpringArc spring_arc_{key(), structure_, equations_, depths_};
 };
 
 }  // namespace graze

@@ -20,7 +20,7 @@ class TurningPhase final : public SprungPhase {
  private:
   // `holding`: the system with its joint as a stop where that is held.
   TurningPhase(const System& holding, const PhaseKey& key, const std::optional<StepSetting>& steps);
-  static Equations equations_of(const System& holding, const PhaseKey& key);
+  static SprungEquations equations_of(const System& holding, const PhaseKey& key);
   double longest_flight() const override { return turning().structure.smooth_for(); }
   AtStart at_start() const override;
   void watch_joint(const MotionState<double>& now, std::vector<Watched>& list) override;

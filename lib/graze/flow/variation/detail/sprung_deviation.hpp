@@ -9,7 +9,7 @@
 // end (the saltation matrix, with the speed divided out; so it holds at any speed).
 #pragma once
 
-#include "graze/flow/sprung/detail/sprung_phase.hpp"
+#include "graze/flow/sprung/detail/spring_arc.hpp"
 #include "graze/flow/variation/detail/deviation.hpp"
 
 namespace graze {
@@ -20,13 +20,13 @@ inline constexpr double kDeviationTolerance = 1e-13;
 // Deviations at the end of the arc of s seconds that `phase` was started on, from `start` at
 // forcing phase theta. Requires modes that do not turn, zero delays, and deviations that fit its
 // closed stops (see `hold`): what holds the structure projects all that acts, in all coordinates.
-Deviations sprung_deviations(const System& system, const SprungPhase& phase, const State& start,
+Deviations sprung_deviations(const System& system, const SpringArc& phase, const State& start,
                              double theta, double s, const Deviations& deviations);
 
 // The same for the one deviation by a parameter that moves the system along `tangent`, with the
 // forcing phase as the clock (parameter_growth.hpp).
 Deviations sprung_parameter_deviation(const System& system, const System& tangent,
-                                      const SprungPhase& phase, const State& start, double theta,
+                                      const SpringArc& phase, const State& start, double theta,
                                       double s, const Deviations& column);
 
 // N s/m: by what times b.dq the velocities deviate less along the row of a stop once its contact

@@ -1,0 +1,49 @@
+// What a phase on compressed springs tells of them, whether it is integrated or has a closed form.
+#pragma once
+
+#include <vector>
+
+#include "graze/flow/exact/detail/contact_phase.hpp"
+#include "graze/flow/stepped/detail/step_flow.hpp"
+
+namespace graze {
+
+// Refers to the phase. Springs are the loaded ones of the key, then the parted ones.
+struct SpringArc {
+  const PhaseKey& key;
+  const ConstrainedStructure<double>& structure;
+  const SprungSystem& equations;      // the motion on what closed stops leave free
+  const std::vector<double>& depths;  // at the start of the arc, m
+  // The depth of each along the arc; empty where it is integrated.
+  std::vector<Observable<double>> depth_observables{};
+
+  const std::vector<int>& closed() const { return key.closed; }
+  const PhaseSprings& springs() const { return key.springs; }
+};
+
+// The force of a linear spring with or without a dashpot, N, from its depth.
+Observable<double> linear_force(const ContactForce& law, const Observable<double>& depth);
+
+// What a structure on compressed springs is made of.
+struct SprungEquations {
+  ConstrainedStructure<double> structure;
+  SprungSystem system;
+  std::string refusal{};
+};
+
+// Of a structure that does not turn.
+SprungEquations sprung_equations(const System& system, const PhaseKey& key);
+
+// The springs of a phase for what it integrates.
+void add_springs(const System& system, const PhaseKey& key,
+                 const ConstrainedStructure<double>& structure, SprungSystem& equations);
+
+// How a depth leaves zero, as a power of time: at a speed, pushed, or by the rate of the push.
+int depth_multiplicity(const Vector& row, const Vector& qdot, double push);
+
+// Two springs at one place: what enters the one leaves the other at the same instant. Index of the
+// spring that is left at the start of an arc, -1: none. `rows`: of every spring.
+int left_at_once(const std::vector<Vector>& rows, const std::vector<double>& depths,
+                 const Vector& qdot);
+
+}  // namespace graze

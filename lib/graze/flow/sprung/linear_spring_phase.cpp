@@ -1,0 +1,200 @@
+#include "graze/flow/sprung/detail/linear_spring_phase.hpp"
+
+#include <algorithm>
+
+#include "graze/flow/exact/detail/first_zero.hpp"
+#include "graze/system/detail/gap_value.hpp"
+
+namespace graze {
+namespace {
+
+// Of 2 m first-order modes the decomposition takes some (2 m)^3 times 1e-8 s.
+constexpr int kMostModes = 128;
+
+bool is_linear(const ContactForce& law) {
+  return law.exponent == 1.0 &&
+         (law.damping == ContactDamping::kNone || law.damping == ContactDamping::kConstant);
+}
+
+double coefficient_of(const ContactForce& law) {
+  return law.damping == ContactDamping::kNone ? 0.0 : law.coefficient;
+}
+
+// The stops of the springs, loaded first.
+std::vector<int> stops_of(const PhaseKey& key) {
+  std::vector<int> stops = key.springs.loaded;
+  stops.insert(stops.end(), key.springs.parted.begin(), key.springs.parted.end());
+  return stops;
+}
+
+// Depths on the coordinates that closed stops leave free.
+std::vector<Observable<double>> depths_of(const System& system, const PhaseKey& key,
+                                          const SprungEquations& given) {
+  std::vector<Observable<double>> depths;
+  const std::vector<int> stops = stops_of(key);
+  for (std::size_t k = 0; k < stops.size(); ++k) {
+    const Stop& stop = system.stops[static_cast<std::size_t>(stops[k])];
+    const double held = given.structure.is_free() ? 0.0 : stop.row.dot(given.structure.rest);
+    depths.push_back({held - stop.gap, given.system.springs[k].row, {}, {}});
+  }
+  return depths;
+}
+
+// A spring pushes the structure off what holds it.
+std::vector<Observable<double>> observables_of(const System& system, const PhaseKey& key,
+                                               const SprungEquations& given) {
+  const ConstrainedStructure<double>& structure = given.structure;
+  std::vector<Observable<double>> list = structure.observables(system);
+  const std::vector<Observable<double>> depths = depths_of(system, key, given);
+  for (std::size_t c = 0; c < structure.constrained.size(); ++c) {
+    const auto column = static_cast<Eigen::Index>(c);
+    const Vector share = structure.shares.col(column) / structure.rows.col(column).squaredNorm();
+    Observable<double>& seen = list[static_cast<std::size_t>(structure.constrained[c])];
+    for (std::size_t k = 0; k < key.springs.loaded.size(); ++k) {
+      const SprungSystem::Spring& spring = given.system.springs[k];
+      const double weight = -share.dot(spring.whole_row);
+      const Observable<double> force = linear_force(spring.law, depths[k]);
+      seen.constant += weight * force.constant;
+      seen.displacement += weight * force.displacement;
+      if (force.velocity.size() > 0) seen.velocity += weight * force.velocity;
+    }
+  }
+  return list;
+}
+
+CoupledSystem coupled_by_springs(const System& system, const PhaseKey& key,
+                                 const SprungEquations& given) {
+  const SprungSystem& sprung = given.system;
+  const auto matrix = [](const Matrix& of) {
+    return of.cols() == 1 && of.rows() > 1 ? Matrix(of.col(0).asDiagonal()) : of;
+  };
+  CoupledSystem coupled{matrix(sprung.stiffness),
+                        matrix(sprung.damping),
+                        sprung.load,
+                        sprung.force,
+                        sprung.frequency,
+                        {}};
+  const std::vector<Observable<double>> depths = depths_of(system, key, given);
+  for (std::size_t k = 0; k < key.springs.loaded.size(); ++k) {
+    const SprungSystem::Spring& spring = sprung.springs[k];
+    coupled.stiffness += spring.law.stiffness * spring.acting * spring.row.transpose();
+    coupled.damping += coefficient_of(spring.law) * spring.acting * spring.row.transpose();
+    coupled.load -= spring.law.stiffness * depths[k].constant * spring.acting;
+  }
+  const Vector& omega = given.structure.reduced.omega;
+  const double slowest = std::max(sprung.frequency, 1e-3 * omega.maxCoeff());
+  coupled.scale = omega.cwiseMax(slowest > 0.0 ? slowest : 1.0);
+  return coupled;
+}
+
+}  // namespace
+
+bool suits_linear_springs(const System& system, const PhaseKey& key) {
+  if (system.modes() > kMostModes) return false;
+  // A structure that its stops hold altogether has nothing that moves.
+  if (static_cast<int>(key.closed.size()) >= system.modes()) return false;
+  const std::vector<int> stops = stops_of(key);
+  return std::all_of(stops.begin(), stops.end(), [&](int i) {
+    return is_linear(system.stops[static_cast<std::size_t>(i)].force());
+  });
+}
+
+LinearSpringPhase::LinearSpringPhase(const System& system, const PhaseKey& key)
+    : LinearSpringPhase(system, key, sprung_equations(system, key)) {}
+
+LinearSpringPhase::LinearSpringPhase(const System& system, const PhaseKey& key,
+                                     SprungEquations given)
+    : ExactPhase(key, given.structure, observables_of(system, key, given)),
+      equations_(given.system),
+      flow_(coupled_by_springs(system, key, given)),
+      arc_(flow_),
+      stops_(stops_of(key)),
+      spring_arc_{this->key(), structure(), equations_, depths_, depths_of(system, key, given)} {
+  for (const int i : stops_) {
+    rows_.push_back(system.stops[static_cast<std::size_t>(i)].row);
+    gaps_.push_back(system.stops[static_cast<std::size_t>(i)].gap);
+  }
+}
+
+// Springs with dashpots lose energy; what else grows is held by an oblique law.
+std::string LinearSpringPhase::refusal() const {
+  return closed().empty() ? std::string() : flow_.instability();
+}
+
+void LinearSpringPhase::start(const double& theta, const Vector& q, const Vector& qdot,
+                              const double& /*time*/) {
+  forget_curves();
+  qdot_ = qdot;
+  depths_.clear();
+  for (std::size_t k = 0; k < rows_.size(); ++k)
+    depths_.push_back(depth_value<double>(rows_[k], q, gaps_[k]));
+  arc_.start(theta, structure().coordinates(q), structure().rates(qdot));
+}
+
+void LinearSpringPhase::state(const double& s, Vector& q, Vector& qdot) const {
+  Vector y, ydot;
+  arc_.state(s, y, ydot);
+  q = structure().displacements(y);
+  qdot = structure().velocities(ydot);
+}
+
+// What of it goes by exponentials depends on the window.
+bool LinearSpringPhase::set_curve(ArcCurve<double>& curve, const Observable<double>& observable,
+                                  const double& window, bool from_zero) const {
+  curve = arc_.curve(observable, window, from_zero);
+  return false;
+}
+
+Arrival<double> LinearSpringPhase::first_event(const MotionState<double>& now,
+                                               const Flight<double>& flight) {
+  if (const int k = left_at_once(rows_, depths_, qdot_); k >= 0) {
+    const auto at = static_cast<std::size_t>(k);
+    return {equations_.springs[at].loaded ? ArrivalKind::kSeparation : ArrivalKind::kLeft,
+            stops_[at]};
+  }
+  Arrival<double> arrival = ExactPhase::first_event(now, flight);
+  if (arrival.fails()) return arrival;
+  for (std::size_t k = 0; k < stops_.size() && !arrival.fails(); ++k)
+    look_at_spring(k, now, flight, arrival);
+  return arrival;
+}
+
+// The depth begins at zero where the spring has just been entered: at a speed, or pushed. Its force
+// does where it has just come back, or was entered at rest.
+void LinearSpringPhase::look_at_spring(std::size_t k, const MotionState<double>& now,
+                                       const Flight<double>& flight,
+                                       Arrival<double>& arrival) const {
+  const SprungSystem::Spring& spring = equations_.springs[k];
+  const int stop = stops_[k];
+  const bool from_surface = depths_[k] == 0.0;
+  const int depth_leaves =
+      from_surface ? depth_multiplicity(rows_[k], qdot_, -gap_rate(stop, 2).value) : 0;
+  const auto look = [&](const Observable<double>& observable, int multiplicity, ArrivalKind kind,
+                        bool below) {
+    ArcCurve<double> curve;
+    set_curve(curve, observable, arrival.flight, multiplicity > 0);
+    const FirstZero<double> zero = first_contact(curve, multiplicity, flight.stop);
+    arrival.evaluations += zero.evaluations;
+    if (zero.kind == ZeroKind::kNone) return;
+    arrival.stop = stop;
+    arrival.flight = zero.s;
+    arrival.below = below;
+    arrival.kind = zero.kind == ZeroKind::kBudget      ? ArrivalKind::kUndecided
+                   : zero.kind == ZeroKind::kNotFinite ? ArrivalKind::kNotFinite
+                                                       : kind;
+  };
+  const Observable<double>& depth = spring_arc_.depth_observables[k];
+  look(depth, depth_leaves, spring.loaded ? ArrivalKind::kSeparation : ArrivalKind::kLeft, false);
+  if (arrival.fails() || !spring.law.parts_early()) return;
+  Observable<double> grip = linear_force(spring.law, depth);
+  if (!spring.loaded) {
+    grip.constant = -grip.constant;
+    grip.displacement = -grip.displacement;
+    grip.velocity = -grip.velocity;
+  }
+  const bool from_rest = from_surface && depth_leaves > 1;
+  look(grip, from_rest ? 1 : now.multiplicities[static_cast<std::size_t>(stop)],
+       spring.loaded ? ArrivalKind::kSeparation : ArrivalKind::kEntry, true);
+}
+
+}  // namespace graze

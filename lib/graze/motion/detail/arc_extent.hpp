@@ -1,0 +1,20 @@
+// Largest and smallest values of what is linear in the motion, along an arc in closed form.
+#pragma once
+
+#include "graze/flow/held/detail/exact_phase.hpp"
+
+namespace graze {
+
+// row.q and row.q' on the coordinates that a phase leaves free.
+Observable<double> displacement_of(const ConstrainedStructure<double>& structure,
+                                   const Vector& row);
+Observable<double> velocity_of(const ConstrainedStructure<double>& structure, const Vector& row);
+
+// The smallest value over the window [from, to] that is lower than `below`; minus infinity where
+// the search could not be finished. And the largest that is higher than `above`.
+double lowest_along(const ExactPhase<double>& phase, const Observable<double>& observable,
+                    double from, double to, double below);
+double highest_along(const ExactPhase<double>& phase, const Observable<double>& observable,
+                     double from, double to, double above);
+
+}  // namespace graze
