@@ -9,6 +9,7 @@
 #include "graze/assembly/assembly.hpp"
 #include "graze/assembly/initial_state.hpp"
 #include "graze/scene/reader.hpp"
+#include "support/reference.hpp"
 #include "support/systems.hpp"
 
 namespace graze {
@@ -40,14 +41,7 @@ double last_until(const std::vector<double>& times, double until) {
 TEST(ResidualSpringMotion, OfADroppedBarRepeatsItself) {
   for (const int modes : {32, 64, 128, 256}) {
     const auto run =
-        run_of(parse_scene(fmt::format("[bar]\nlength = 10.0\nyoungs_modulus = 900.0\n"
-                                       "density = 1.0\narea = 1.0\nends = [\"free\", \"free\"]\n"
-                                       "modes = {}\n[gravity]\nacceleration = -10.0\n[[stop]]\n"
-                                       "position = 0.0\ngap = 5.0\nside = \"below\"\n"
-                                       "[stop.spring]\nstiffness = \"residual\"\n[initial]\n",
-                                       modes),
-                           "test.toml"),
-               7.5);
+        run_of(support::shipped_scene("26_dropped_bar", {fmt::format("bar.modes={}", modes)}), 7.5);
     ASSERT_EQ(run.result.outcome, RunOutcome::kReachedEnd) << run.result.message;
     const std::vector<double> contacts = times_of(run.events, EventKind::kContact);
     const std::vector<double> separations = times_of(run.events, EventKind::kSeparation);

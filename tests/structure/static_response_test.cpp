@@ -135,6 +135,11 @@ TEST(StaticResponse, IsTheSumOverAllModes) {
 
 TEST(StaticResponse, OfModesAloneIsNotKnown) {
   EXPECT_FALSE(static_response(parse_scene("[modal]\nfrequencies = [1.0]\n", "test.toml")));
+  EXPECT_FALSE(static_response(
+      parse_scene("[string]\nlength = 2.0\nfrequencies = [3.0, 6.1]\nmass_per_length = 0.5\n"
+                  "modes = 2\n" +
+                      stops_at({0.5}),
+                  "test.toml")));
 }
 
 // What the modes leave out, and how it changes with every number that can be moved both ways.
@@ -150,7 +155,7 @@ int expect_rates(const Scene& scene) {
     const double value = *find_parameter(scene, name), h = 5e-4 * std::abs(value);
     const auto at = [&](double p) {
       const Scene there = with_parameter(scene, name, p);
-      return numbers(residual_response(there, modal_model(there)));
+      return numbers(residual_response(*static_response(there), modal_model(there)));
     };
     const Scene direction = parameter_direction(scene, name);
     const ModalModel model = modal_model(scene);
@@ -195,6 +200,35 @@ TEST(StaticResponse, HasRatesByEveryNumber) {
                                          stops_at({0.25, 1.5}) + kGravity,
                                      "test.toml")),
             6);
+}
+
+// A stop at the end of a beam, which a length leaves behind, and at the end of a piece and on a
+// mass that stay: differences to the side on which the stop may be.
+TEST(StaticResponse, HasRatesWhereElementsMeetAnyway) {
+  const auto expect = [](const std::string& text, const char* name, double h) {
+    const Scene scene = parse_scene(text, "test.toml");
+    const double value = *find_parameter(scene, name);
+    const auto at = [&](int steps) {
+      const Scene there = with_parameter(scene, name, value + steps * h);
+      return residual_response(*static_response(there), modal_model(there)).flexibility(0, 0);
+    };
+    const double difference =
+        (-25.0 * at(0) + 48.0 * at(1) - 36.0 * at(2) + 16.0 * at(3) - 3.0 * at(4)) / (12.0 * h);
+    const ModalModel model = modal_model(scene);
+    const Scene direction = parameter_direction(scene, name);
+    const double rate =
+        residual_response_rate(scene, direction, model, modal_tangent(scene, model, direction))
+            .flexibility(0, 0);
+    EXPECT_NEAR(rate / difference, 1.0, 1e-6) << name;
+  };
+  expect(kBeam + "modes = 2\n" + stops_at({2.0}), "beam.length", 1e-3);
+  expect(kBeam + "modes = 2\n" + stops_at({2.0}), "stop.position", -1e-3);
+  expect(kBeam + "modes = 2\nends = [\"free\", \"free\"]\n" + stops_at({0.0}), "stop.position",
+         1e-3);
+  const std::string more =
+      "modes = 2\n[[beam.mass]]\nposition = 1.2\nmass = 0.2\n" + stops_at({1.2});
+  expect(kBeam + more, "stop.position", 1e-3);
+  expect(kBeam + more, "beam.mass.position", 1e-3);
 }
 
 }  // namespace

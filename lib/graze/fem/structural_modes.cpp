@@ -5,6 +5,7 @@
 #include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
 #include <vector>
 
@@ -95,6 +96,16 @@ Matrix dense_vectors(const StructuralMatrices& structure, const Masses& masses,
   return displaced * modes.vectors.rowwise().reverse();
 }
 
+// By what twice the elastic energy of each column changes where every entry of the stiffness is
+// rounded for itself.
+Vector energy_roundings(const SparseMatrix& stiffness, const Matrix& columns) {
+  const Matrix squares = columns.cwiseAbs2();
+  const SparseMatrix entries = stiffness.cwiseProduct(stiffness);
+  const Matrix moved = entries * squares;
+  return 0.5 * std::numeric_limits<double>::epsilon() *
+         squares.cwiseProduct(moved).colwise().sum().cwiseSqrt().transpose();
+}
+
 // The first of the largest displacements is positive, so that the sign is the same in every run:
 // those that a symmetric structure has on both sides differ by rounding.
 double sign_of(const Vector& phi) {
@@ -115,6 +126,8 @@ void judge(const StructuralMatrices& structure, Matrix vectors, StructuralModes&
   std::sort(order.begin(), order.end(), [&](auto a, auto b) { return squares[a] < squares[b]; });
   const SparseMatrix absolute_k = structure.stiffness.cwiseAbs();
   const SparseMatrix absolute_m = structure.mass.cwiseAbs();
+  modes.square_roundings.resize(vectors.cols());
+  const Vector roundings = energy_roundings(structure.stiffness, vectors);
   modes.omega.resize(vectors.cols());
   modes.residuals.resize(vectors.cols());
   modes.shapes.resize(vectors.rows(), vectors.cols());
@@ -136,6 +149,7 @@ void judge(const StructuralMatrices& structure, Matrix vectors, StructuralModes&
       ++modes.rigid;
     }
     modes.omega[at] = std::sqrt(square);
+    modes.square_roundings[at] = roundings[j];
     const Vector residual = stiff.col(j) - square * (structure.mass * phi);
     // Nothing acts on a body of its own that no stiffness holds: it has neither residual nor scale.
     const double scale = (scale_k + square * (absolute_m * size)).norm();
@@ -148,6 +162,8 @@ void keep_lowest(StructuralModes& modes, int count) {
   modes.omega = modes.omega.head(count).eval();
   modes.residuals = modes.residuals.head(count).eval();
   modes.shapes = modes.shapes.leftCols(count).eval();
+  modes.square_roundings = modes.square_roundings.head(count).eval();
+  modes.free_motions = modes.rigid;
   modes.rigid = std::min(modes.rigid, count);
 }
 
@@ -251,6 +267,12 @@ Matrix static_displacements(const StructuralMatrices& structure, const Shifted& 
   return u;
 }
 
+void add_static_displacements(const StructuralMatrices& structure, const Shifted& shifted,
+                              const Matrix& loads, StructuralModes& modes) {
+  modes.static_displacements = static_displacements(structure, shifted, modes, loads);
+  modes.static_roundings = energy_roundings(structure.stiffness, modes.static_displacements);
+}
+
 }  // namespace
 
 std::string mode_limit_text(const StructuralMatrices& structure) {
@@ -292,13 +314,12 @@ StructuralModes lowest_modes(const StructuralMatrices& structure, int count, con
             ? fmt::format(", {} lie below {:.6g} rad/s", *modes.counted, modes.counted_below)
             : ""));
   }
+  // Of all rigid-body modes, whether they are asked for or not.
+  if (loads.cols() > 0) add_static_displacements(structure, shifted, loads, modes);
   keep_lowest(modes, count);
   if (const double worst = modes.residuals.maxCoeff(); !(worst <= kLargestResidual))
     throw InputError(fmt::format("{}: a mode has the residual {:.2g}, allowed is {:g}",
                                  structure.stiffness_file, worst, kLargestResidual));
-  if (loads.cols() > 0) {
-    modes.static_displacements = static_displacements(structure, shifted, modes, loads);
-  }
   return modes;
 }
 

@@ -32,10 +32,14 @@ inline constexpr int kDenseSize = 500, kFewMasses = 60;
 inline constexpr double kLargestCount = 6e10;
 
 struct StructuralModes {
-  Vector omega;           // rad/s, ascending, m; exactly 0 of rigid-body modes
-  Matrix shapes;          // n x m, kg^-1/2: u = shapes q
-  Vector residuals;       // m: |K phi - w^2 M phi| / ||K||phi| + w^2 |M||phi||
+  Vector omega;      // rad/s, ascending, m; exactly 0 of rigid-body modes
+  Matrix shapes;     // n x m, kg^-1/2: u = shapes q
+  Vector residuals;  // m: |K phi - w^2 M phi| / ||K||phi| + w^2 |M||phi||
+  // By what the entries of the stiffness are rounded, each for itself, the squares of the
+  // frequencies are known to these, (rad/s)^2, m: eps/2 times the root of sum (phi_i K_ij phi_j)^2.
+  Vector square_roundings;
   int rigid = 0;          // the first ones are those of a rigid body
+  int free_motions = 0;   // as many as the structure has, of which `rigid` are among the m modes
   double shift = 0.0;     // (rad/s)^2, used by the iteration
   bool is_dense = false;  // all modes of the structure were found
   int massless = 0;       // degrees of freedom without mass: there are n - massless modes
@@ -48,6 +52,8 @@ struct StructuralModes {
   // For each column b of the loads: static displacement K^-1 b, n x k; of a free structure that of
   // the motion relative to its rigid-body modes (inertia relief).
   Matrix static_displacements;
+  // The same of what each does along its load, m per unit of load, k.
+  Vector static_roundings;
 
   int count() const { return static_cast<int>(omega.size()); }
 };

@@ -178,16 +178,26 @@ void check_damping(const ValueChecker& checker, const Scene& scene, const Spring
                  "\"exact\" needs a restitution to be met, of any model but \"lee-wang-2\"");
 }
 
+// What the modes left out give way follows from the whole structure.
+void check_residual(const ValueChecker& checker, const Scene& scene) {
+  if (scene.hub)
+    checker.fail("stiffness",
+                 "\"residual\" is not known of a beam that turns with a hub, it must be a number");
+  if (scene.modal() && !scene.matrices())
+    checker.fail("stiffness",
+                 "of a [modal] structure nothing but its modes is known, it must be a number and "
+                 "not \"residual\"");
+  if (scene.string() && !scene.string()->frequencies.empty())
+    checker.fail("stiffness",
+                 "of a string with given frequencies nothing but its modes is known, it must be a "
+                 "number and not \"residual\"");
+}
+
 }  // namespace
 
 void check_spring(const Scene& scene, const Spring& spring, const std::string& path) {
   const ValueChecker checker(scene, path);
-  if (spring.is_residual && (scene.hub || (scene.modal() && !scene.matrices())))
-    checker.fail("stiffness",
-                 scene.hub ? "\"residual\" is not known of a beam that turns with a hub, it must "
-                             "be a number"
-                           : "of a [modal] structure nothing but its modes is known, it must be a "
-                             "number and not \"residual\"");
+  if (spring.is_residual) check_residual(checker, scene);
   if (spring.geometry) check_geometry(checker, *spring.geometry);
   if (spring.damping) check_damping(checker, scene, spring);
 }

@@ -1,5 +1,9 @@
 #include "graze/structure/detail/line_statics.hpp"
 
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
 #include "graze/structure/detail/line_coordinates.hpp"
 #include "graze/structure/detail/line_forms.hpp"
 #include "graze/structure/detail/moving_supports.hpp"
@@ -9,10 +13,34 @@ namespace {
 
 using Eigen::Index;
 
-// A load at a place is exact where elements meet there; a mass of 0 makes them.
+// Where elements meet anyway.
+bool is_node(const Line& line, double x) {
+  const auto meets = [&](const Rated& at) {
+    return std::abs(at.value - x) <=
+           8.0 * std::numeric_limits<double>::epsilon() * line.length.value;
+  };
+  const auto any_at = [&](const auto& list, auto place) {
+    return std::any_of(list.begin(), list.end(),
+                       [&](const auto& one) { return meets(one.*place); });
+  };
+  return meets({}) || any_at(line.pieces, &LinePiece::end) ||
+         any_at(line.supports, &LineSupport::x) || any_at(line.springs, &LineSpring::x) ||
+         any_at(line.masses, &LineMass::x);
+}
+
+// A load at a place is exact where elements meet there; a mass of 0 makes them. The strain of a bar
+// jumps at its load, so that a load cannot move away from a node; that of a beam only has a kink,
+// and what a node that stays behind misses of it is of the third order in the distance.
 Line meeting_at(Line line, const std::vector<Rated>& places) {
-  for (const Rated& x : places) line.masses.push_back({x, {}, {}});
+  for (const Rated& x : places)
+    if (line.order == 1 || !is_node(line, x.value)) line.masses.push_back({x, {}, {}});
   return line;
+}
+
+// Rate of the row of a place: along with its node, or away from it.
+Eigen::RowVectorXd moving_row(const LineMesh& mesh, const RatedRows& nodes, const Rated& place) {
+  if (mesh.order() == 2) return mesh.row_rate(place.value, place.rate).transpose();
+  return nodes.rate.row(static_cast<Index>(mesh.node(place.value)));
 }
 
 // Rows that the loads work on, one a load.
@@ -26,7 +54,7 @@ RatedRows load_rows(const Line& line, const LineMesh& mesh, const std::vector<Ra
   for (Index i = 0; i < count; ++i) {
     const auto node = static_cast<Index>(mesh.node(places[static_cast<std::size_t>(i)].value));
     rows.value.row(i) = nodes.value.row(node);
-    if (rates) rows.rate.row(i) = nodes.rate.row(node);
+    if (rates) rows.rate.row(i) = moving_row(mesh, nodes, places[static_cast<std::size_t>(i)]);
   }
   rows.value.row(count) = weights.mass.transpose() * inside.value;
   if (rates)

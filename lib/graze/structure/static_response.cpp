@@ -12,6 +12,10 @@ namespace {
 
 using Eigen::Index;
 
+constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
+// Of each term and sum, and of entries that were rounded before.
+constexpr double kRoundings = 8.0;
+
 std::vector<Rated> stop_places(const Scene& scene, const Scene* direction) {
   std::vector<Rated> places;
   for (std::size_t i = 0; i < scene.stops.size(); ++i)
@@ -59,14 +63,18 @@ StaticResponse response_of_modes_rate(const ModalModel& model, const ModalModel&
   return response;
 }
 
-// Relative errors of the frequencies.
-Vector frequency_errors(const Scene& scene, const ModalModel& model) {
-  if (scene.matrices()) return scene.matrices()->solved->modes.residuals;
-  Vector errors = Vector::Zero(model.omega.size());
-  if (model.elements) {
-    errors.setConstant(model.elements->change_beyond);
+// How far (phi/w)^2 may be wrong, relative, by each frequency.
+Vector square_errors(const Scene& scene, const ModalModel& model) {
+  Vector errors = Vector::Constant(model.omega.size(), kRoundings * kEpsilon);
+  if (scene.matrices()) {
+    const StructuralModes& modes = scene.matrices()->solved->modes;
+    for (Index j = 0; j < errors.size(); ++j)
+      if (modes.omega[j] > 0.0)
+        errors[j] += kRoundings * modes.square_roundings[j] / (modes.omega[j] * modes.omega[j]);
+  } else if (model.elements) {
     const Index well = std::min<Index>(errors.size(), kWellResolved);
-    errors.head(well).setConstant(model.elements->change);
+    errors.head(well).array() += 2.0 * model.elements->change;
+    errors.tail(errors.size() - well).array() += 2.0 * model.elements->change_beyond;
   }
   return errors;
 }
@@ -80,7 +88,7 @@ std::optional<StaticResponse> static_response(const Scene& scene) {
     if (scene.gravity) response.under_gravity = matrices->solved->under_gravity;
     return response;
   }
-  if (!scene.span()) return {};
+  if (!scene.span() || (scene.string() && !scene.string()->frequencies.empty())) return {};
   return split(
       scene,
       line_statics(line_of(scene, nullptr), stop_places(scene, nullptr), false).displacement);
@@ -94,8 +102,8 @@ StaticResponse static_response_of_modes(const ModalModel& model) {
   return response;
 }
 
-StaticResponse residual_response(const Scene& scene, const ModalModel& model) {
-  return less(*static_response(scene), static_response_of_modes(model));
+StaticResponse residual_response(const StaticResponse& whole, const ModalModel& model) {
+  return less(whole, static_response_of_modes(model));
 }
 
 StaticResponse residual_response_rate(const Scene& scene, const Scene& direction,
@@ -110,20 +118,28 @@ StaticResponse residual_response_rate(const Scene& scene, const Scene& direction
         line_statics(line_of(scene, &direction), stop_places(scene, &direction), true);
     if (found.is_torn)
       throw scene_error(scene, "stop",
-                        "there is no derivative: a stop whose stiffness is \"residual\" meets the "
-                        "end of a piece, a support or a mass at one place, of which the parameter "
-                        "moves only one; they must be a little apart");
+                        "there is no derivative: a stop whose stiffness is \"residual\" meets an "
+                        "end, a piece, a support, a mass or another stop at one place, of which "
+                        "the parameter moves only one; they must be a little apart");
     whole = split(scene, found.rate);
   }
   return less(whole, response_of_modes_rate(model, rate));
 }
 
-// Each of N terms is rounded, and each holds its frequency squared.
-Vector residual_uncertainty(const Scene& scene, const ModalModel& model) {
-  const double eps = std::numeric_limits<double>::epsilon();
+Vector residual_uncertainty(const Scene& scene, const StaticResponse& whole,
+                            const ModalModel& model) {
   const Matrix squares = shares(model.shapes, model.omega).cwiseAbs2();
-  const Vector errors = 2.0 * frequency_errors(scene, model).array() + 4.0 * eps;
-  return squares * errors + 8.0 * eps * static_response(scene)->flexibility.diagonal();
+  const Vector of_modes = squares * square_errors(scene, model);
+  const Vector size = whole.flexibility.diagonal().cwiseAbs();
+  if (!scene.matrices()) return of_modes + kRoundings * kEpsilon * size;
+  const Vector& roundings = scene.matrices()->solved->modes.static_roundings;
+  return of_modes + kRoundings * roundings.head(size.size());
+}
+
+int free_motions(const Scene& scene, const ModalModel& model) {
+  if (scene.matrices()) return scene.matrices()->solved->modes.free_motions;
+  if (model.elements) return model.elements->rigid;
+  return static_cast<int>((model.omega.array() == 0.0).count());
 }
 
 }  // namespace graze

@@ -4,8 +4,8 @@
 //   u = Phi q + s - R F,   R = G - Phi W^-2 Phi^T,
 //
 // F the forces of the stops, s what they make of a constant load (residual_response). A contact at
-// u = gap is then a spring of 1/R_ii that meets Phi q at the gap less s. What a force at one stop
-// moves at another, R_ik, is left out, and refused where it is not small.
+// u = gap is then a spring of 1/R_ii that meets Phi q at the gap less s. What a force at another
+// stop moves there, R_ik, whatever that stop is, is left out, and refused where it is not small.
 //   R. H. MacNeal, Comput. Struct. 1 (1971) 581-601.
 #pragma once
 

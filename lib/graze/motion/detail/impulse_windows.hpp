@@ -39,8 +39,9 @@ class ImpulseWindows {
   // Means over the windows that so much time has filled, s.
   StopForces forces(double duration) const {
     StopForces result{from_, windows_.length, {}};
-    // Half a window is far from the rounding of the end of a run.
-    const auto filled = std::min(static_cast<std::size_t>(duration / windows_.length + 0.5),
+    // The end of a run is rounded; a window that is filled in part has no mean.
+    constexpr double kRounding = 1e-9;
+    const auto filled = std::min(static_cast<std::size_t>(duration / windows_.length + kRounding),
                                  impulses_.empty() ? 0 : impulses_.front().size());
     for (const std::vector<double>& impulses : impulses_) {
       std::vector<double>& means = result.means.emplace_back();

@@ -165,15 +165,16 @@ std::string stop_text(const Scene& scene, const SceneStop& stop, const Stop& ass
     // A pure number has its exponent told by itself.
     const std::string exponent = fmt::format("{:g}", law.exponent);
     const std::string unit = in("N/m^" + exponent);
-    const std::string met =
-        assembled.gap == stop.gap
-            ? ""
-            : ", met by the modes at " + in.quantity(assembled.gap, 6, "m") + " under the load";
+    const std::string met = in.quantity(assembled.gap, 6, "m");
+    const std::string shifted = met == in.quantity(stop.gap, 6, "m")
+                                    ? ""
+                                    : ", met by the modes at " + met + " under the load";
     return place + fmt::format("compliant{}: {}{} {}, parts where its {} is gone{}",
                                stop.spring->is_residual ? " by the modes left out" : "",
                                quantity_text(law.stiffness, 6, unit),
                                unit.empty() ? " x^" + exponent : "", damping_text(stop, law),
-                               law.separation == Separation::kAtZeroForce ? "force" : "depth", met);
+                               law.separation == Separation::kAtZeroForce ? "force" : "depth",
+                               shifted);
   }
   return place + fmt::format("restitution {}, {} impulse", restitution_text(stop.restitution),
                              stop.impulse == Impulse::kMomentum ? "momentum" : "collocation");

@@ -169,6 +169,7 @@ void describe(auto& v, Of<Spring> auto& spring, const Scene&) {
                   .or_ignored(),
               spring.stiffness, spring.is_residual, "residual");
   v.number(Key{"exponent", "", kAtLeastOne, "n: 1 linear, 1.5 Hertz"}
+               .needed("required with a number")
                .where(!given && !spring.is_residual,
                       given ? follows
                             : "the modes left out give way in proportion to the force, it must be "
