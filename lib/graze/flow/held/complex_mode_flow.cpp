@@ -8,7 +8,7 @@ namespace graze {
 std::optional<ComplexModes> usable_modes(const FirstOrderSystem& system, double quickest) {
   ComplexModes modes = complex_modes(system.generator);
   if (!(modes.condition <= kLargestLoss * static_cast<double>(system.load.size()))) return {};
-  const bool loaded = system.load.squaredNorm() > 0.0;
+  const bool loaded = system.loads_vary || system.load.squaredNorm() > 0.0;
   for (const Complex l : modes.values) {
     const bool resonant = system.frequency > 0.0 &&
                           std::abs(Complex(0.0, system.frequency) - l) * kLargestLoss < std::abs(l);
@@ -24,31 +24,47 @@ ComplexModeFlow::ComplexModeFlow(const FirstOrderSystem& system, ComplexVector v
       values_(std::move(values)),
       vectors_(std::move(vectors)),
       inverse_(std::move(inverse)) {
-  // A mode without load may have no rate to divide by.
-  ComplexVector rest = inverse_ * system.load.cast<Complex>();
+  is_loaded_ = system.loads_vary || system.load.squaredNorm() > 0.0;
   ComplexVector harmonic = inverse_ * system.force.cast<Complex>();
-  for (Eigen::Index k = 0; k < values_.size(); ++k) {
-    rest[k] = system.load.squaredNorm() > 0.0 ? -rest[k] / values_[k] : Complex(0.0);
+  for (Eigen::Index k = 0; k < values_.size(); ++k)
     harmonic[k] = frequency_ > 0.0 ? harmonic[k] / (Complex(0.0, frequency_) - values_[k]) : 0.0;
-  }
-  rest_ = (vectors_ * rest).real();
   harmonic_ = vectors_ * harmonic;
 }
 
-void ComplexModeArc::start(double theta, const Vector& x) {
+void ComplexModeArc::start(double theta, const Vector& x, const Vector& load) {
   theta_ = theta;
   const ComplexModeFlow& flow = *flow_;
+  // A mode without load may have no rate to divide by.
+  rest_ = Vector::Zero(x.size());
+  if (flow.is_loaded_) {
+    const ComplexVector share = flow.inverse_ * load.cast<Complex>();
+    rest_ = -(flow.vectors_ * share.cwiseQuotient(flow.values_)).real();
+  }
   const Vector forced = (flow.harmonic_ * std::polar(1.0, theta)).real();
-  amplitude_ = flow.inverse_ * (x - flow.rest_ - forced).cast<Complex>();
+  amplitude_ = flow.inverse_ * (x - rest_ - forced).cast<Complex>();
   formed_from_ =
-      flow.inverse_.cwiseAbs() * (flow.rest_.cwiseAbs() + flow.harmonic_.cwiseAbs() + x.cwiseAbs());
+      flow.inverse_.cwiseAbs() * (rest_.cwiseAbs() + flow.harmonic_.cwiseAbs() + x.cwiseAbs());
 }
 
 Vector ComplexModeArc::state(double s) const {
   const ComplexModeFlow& flow = *flow_;
   const ComplexVector grown = amplitude_.cwiseProduct((flow.values_ * s).array().exp().matrix());
-  return (flow.vectors_ * grown).real() + flow.rest_ +
+  return (flow.vectors_ * grown).real() + rest_ +
          (flow.harmonic_ * std::polar(1.0, theta_ + flow.frequency_ * s)).real();
+}
+
+void ComplexModeArc::each_term(const Vector& weight,
+                               const std::function<void(Complex, Complex)>& add) const {
+  const ComplexModeFlow& flow = *flow_;
+  for (Eigen::Index k = 0; k < amplitude_.size(); ++k)
+    if (!(flow.values_[k].imag() < 0.0))  // else the conjugate of another
+      add((flow.values_[k].imag() > 0.0 ? 2.0 : 1.0) * amplitude_[k] *
+              weight.cast<Complex>().dot(flow.vectors_.col(k)),
+          flow.values_[k]);
+  if (flow.frequency_ > 0.0)
+    add(weight.cast<Complex>().dot(flow.harmonic_) * std::polar(1.0, theta_),
+        Complex(0.0, flow.frequency_));
+  if (flow.is_loaded_) add(weight.dot(rest_), 0.0);
 }
 
 Complex ComplexModeArc::add_to(ArcCurve<double>& curve, const Vector& weight) const {

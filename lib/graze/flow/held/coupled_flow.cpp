@@ -23,7 +23,7 @@ double certain_growth(const Matrix& generator) {
 FirstOrderSystem first_order(const CoupledSystem& system) {
   const Eigen::Index m = system.scale.size();
   FirstOrderSystem form{Matrix::Zero(2 * m, 2 * m), Vector::Zero(2 * m), Vector::Zero(2 * m),
-                        system.frequency};
+                        system.frequency, system.loads_vary};
   form.generator.topRightCorner(m, m) = system.scale.asDiagonal();
   form.generator.bottomLeftCorner(m, m) =
       -system.stiffness * system.scale.cwiseInverse().asDiagonal();
@@ -69,7 +69,7 @@ void CoupledFlow::split(double quickest) {
   for (const InvariantBlock& block : invariant_blocks(whole_.generator, kLargestLoss)) {
     const Eigen::Index k = block.matrix.rows();
     FirstOrderSystem system{block.matrix, block.coordinates * whole_.load,
-                            block.coordinates * whole_.force, whole_.frequency};
+                            block.coordinates * whole_.force, whole_.frequency, whole_.loads_vary};
     if (const std::optional<ComplexModes> found = usable_modes(system, quickest)) {
       values.segment(modes, k) = found->values;
       for (Eigen::Index j = 0; j < k; ++j)
@@ -120,17 +120,32 @@ void CoupledArc::start(double theta, const Vector& y, const Vector& ydot) {
   theta_ = theta;
   y_ = y;
   ydot_ = ydot;
-  x_.resize(2 * y.size());
-  x_ << flow_->scale_.cwiseProduct(y), ydot;
-  for (ComplexModeArc& arc : modes_) arc.start(theta, x_);
-  for (ExponentialArc& arc : exponentials_) arc.start(theta, x_);
+  origin_ = Vector::Zero(y.size());
+  load_ = flow_->whole_.load;
+  start_modes();
+}
+
+void CoupledArc::start_from(double theta, const Vector& y, const Vector& ydot, const Vector& load) {
+  theta_ = theta;
+  y_ = origin_ = y;
+  ydot_ = ydot;
+  load_ = Vector::Zero(2 * y.size());
+  load_.tail(y.size()) = load;
+  start_modes();
+}
+
+void CoupledArc::start_modes() {
+  x_.resize(2 * y_.size());
+  x_ << flow_->scale_.cwiseProduct(y_ - origin_), ydot_;
+  for (ComplexModeArc& arc : modes_) arc.start(theta_, x_, load_);
+  for (ExponentialArc& arc : exponentials_) arc.start(theta_, x_, load_);
 }
 
 void CoupledArc::state(double s, Vector& y, Vector& ydot) const {
   Vector x = Vector::Zero(x_.size());
   for (const ComplexModeArc& arc : modes_) x += arc.state(s);
   for (const ExponentialArc& arc : exponentials_) x += arc.state(s);
-  y = x.head(y_.size()).cwiseQuotient(flow_->scale_);
+  y = origin_ + x.head(y_.size()).cwiseQuotient(flow_->scale_);
   ydot = x.tail(y_.size());
 }
 
@@ -145,8 +160,27 @@ Matrix CoupledArc::growth(double s, const Matrix& deviations,
   x.topRows(n) = unit.asDiagonal() * deviations;
   x.row(n) = -flow.whole_.frequency * std::sin(theta_) * delay;
   x.row(n + 1) = flow.whole_.frequency * std::cos(theta_) * delay;
-  const Matrix change = exponential_change(extended_generator(flow.whole_, s), x);
+  const Matrix change = exponential_change(extended_generator(flow.whole_, load_, s), x);
   return unit.cwiseInverse().asDiagonal() * change.topRows(n);
+}
+
+Vector CoupledArc::weight_of(const Observable<double>& observable) const {
+  Vector weight = Vector::Zero(x_.size());
+  weight.head(y_.size()) = observable.displacement.cwiseQuotient(flow_->scale_);
+  if (observable.velocity.size() > 0) weight.tail(y_.size()) = observable.velocity;
+  return weight;
+}
+
+bool CoupledArc::each_term(const Observable<double>& observable,
+                           const std::function<void(Complex, Complex)>& add) const {
+  if (!exponentials_.empty()) return false;
+  const Vector weight = weight_of(observable);
+  for (const ComplexModeArc& arc : modes_) arc.each_term(weight, add);
+  add(observable.constant + observable.displacement.dot(origin_), 0.0);
+  if (flow_->whole_.frequency > 0.0)
+    add(Complex(observable.harmonic.re, observable.harmonic.im) * std::polar(1.0, theta_),
+        Complex(0.0, flow_->whole_.frequency));
+  return true;
 }
 
 ArcCurve<double> CoupledArc::curve(const Observable<double>& observable, double window,
@@ -154,9 +188,7 @@ ArcCurve<double> CoupledArc::curve(const Observable<double>& observable, double 
   CurvePoint<double> start;
   if (!from_zero) start = observed(observable, theta_, y_, ydot_);
   ArcCurve<double> curve(start.value, start.noise, window);
-  Vector weight = Vector::Zero(x_.size());
-  weight.head(y_.size()) = observable.displacement.cwiseQuotient(flow_->scale_);
-  if (observable.velocity.size() > 0) weight.tail(y_.size()) = observable.velocity;
+  const Vector weight = weight_of(observable);
   Complex harmonic(observable.harmonic.re, observable.harmonic.im);
   for (const ComplexModeArc& arc : modes_) harmonic += arc.add_to(curve, weight);
   if (flow_->whole_.frequency > 0.0) {

@@ -41,8 +41,9 @@ ExponentialFlow::ExponentialFlow(FirstOrderSystem system, Matrix basis, Matrix c
       coordinates_(std::move(coordinates)),
       norm_growth_(std::max(norm_growth_rate(system_.generator), 0.0)) {}
 
-void ExponentialArc::start(double theta, const Vector& x) {
+void ExponentialArc::start(double theta, const Vector& x, const Vector& load) {
   theta_ = theta;
+  load_ = flow_->coordinates_ * load;
   z_ = flow_->coordinates_ * x;
   formed_from_ = flow_->coordinates_.cwiseAbs() * x.cwiseAbs();
 }
@@ -59,17 +60,17 @@ Vector extended_start(const Vector& z, double cosine, double sine) {
 
 Vector ExponentialArc::change(double s) const {
   const Vector start = extended_start(z_, std::cos(theta_), std::sin(theta_));
-  return exponential_change(extended_generator(flow_->system_, s), start).topRows(z_.size());
+  return exponential_change(extended_generator(flow_->system_, load_, s), start).topRows(z_.size());
 }
 
 // Each product of the series with its absolute value; beyond its range the exponential rounds by
 // its norms.
 Vector ExponentialArc::change_size(double s) const {
   const FirstOrderSystem& system = flow_->system_;
-  const Matrix sizes = extended_generator(system, s).cwiseAbs();
+  const Matrix sizes = extended_generator(system, load_, s).cwiseAbs();
   if (sizes.norm() < 1.0)
     return exponential_change(sizes, extended_start(formed_from_, 1.0, 1.0)).topRows(z_.size());
-  const double input = system.load.norm() + system.force.norm();
+  const double input = load_.norm() + system.force.norm();
   return Vector::Constant(z_.size(),
                           (1.0 + system.generator.norm() * s) * (formed_from_.norm() + input * s));
 }
@@ -85,7 +86,7 @@ void ExponentialSum::add(const ExponentialArc& arc, const Vector& weight) {
     Derivative& now = term.derivatives[p];
     now.state = system.generator.transpose() * before.state;
     now.size = system.generator.transpose().cwiseAbs() * before.size;
-    now.constant = before.state.dot(system.load);
+    now.constant = before.state.dot(arc.load_);
     now.phase = before.phase * Complex(0.0, system.frequency) + before.state.dot(system.force);
     now.bound_of_input = std::abs(now.constant) + std::abs(now.phase);
   }
@@ -112,7 +113,7 @@ void ExponentialSum::add_term(const Term& term, double s, std::size_t m, CurvePo
   point.value += m == 0 ? term.derivatives[0].state.dot(change) : value(m);
   point.slope += value(m + 1);
   const double ahead = std::max(window_ - s, 0.0);
-  const double input = system.load.norm() + system.force.norm();
+  const double input = arc.load_.norm() + system.force.norm();
   const double size = std::exp(arc.flow_->norm_growth_ * ahead) * (z.norm() + input * ahead);
   const auto bound = [&](std::size_t p) {
     return term.derivatives[p].state.norm() * size + term.derivatives[p].bound_of_input;

@@ -62,8 +62,7 @@ std::vector<Observable<double>> observables_of(const System& system, const Phase
   return list;
 }
 
-CoupledSystem coupled_by_springs(const System& system, const PhaseKey& key,
-                                 const SprungEquations& given) {
+CoupledSystem coupled_by_springs(const PhaseKey& key, const SprungEquations& given) {
   const SprungSystem& sprung = given.system;
   const auto matrix = [](const Matrix& of) {
     return of.cols() == 1 && of.rows() > 1 ? Matrix(of.col(0).asDiagonal()) : of;
@@ -74,16 +73,16 @@ CoupledSystem coupled_by_springs(const System& system, const PhaseKey& key,
                         sprung.force,
                         sprung.frequency,
                         {}};
-  const std::vector<Observable<double>> depths = depths_of(system, key, given);
   for (std::size_t k = 0; k < key.springs.loaded.size(); ++k) {
     const SprungSystem::Spring& spring = sprung.springs[k];
     coupled.stiffness += spring.law.stiffness * spring.acting * spring.row.transpose();
     coupled.damping += coefficient_of(spring.law) * spring.acting * spring.row.transpose();
-    coupled.load -= spring.law.stiffness * depths[k].constant * spring.acting;
   }
-  const Vector& omega = given.structure.reduced.omega;
-  const double slowest = std::max(sprung.frequency, 1e-3 * omega.maxCoeff());
-  coupled.scale = omega.cwiseMax(slowest > 0.0 ? slowest : 1.0);
+  // What a coordinate would do by itself, springs included: so the first-order form is balanced.
+  const Vector quickest = coupled.stiffness.diagonal().cwiseMax(0.0).cwiseSqrt();
+  const double slowest = std::max(sprung.frequency, 1e-3 * quickest.maxCoeff());
+  coupled.scale = quickest.cwiseMax(slowest > 0.0 ? slowest : 1.0);
+  coupled.loads_vary = true;
   return coupled;
 }
 
@@ -106,7 +105,7 @@ LinearSpringPhase::LinearSpringPhase(const System& system, const PhaseKey& key,
                                      SprungEquations given)
     : ExactPhase(key, given.structure, observables_of(system, key, given)),
       equations_(given.system),
-      flow_(coupled_by_springs(system, key, given)),
+      flow_(coupled_by_springs(key, given)),
       arc_(flow_),
       stops_(stops_of(key)),
       spring_arc_{this->key(), structure(), equations_, depths_, depths_of(system, key, given)} {
@@ -128,7 +127,23 @@ void LinearSpringPhase::start(const double& theta, const Vector& q, const Vector
   depths_.clear();
   for (std::size_t k = 0; k < rows_.size(); ++k)
     depths_.push_back(depth_value<double>(rows_[k], q, gaps_[k]));
-  arc_.start(theta, structure().coordinates(q), structure().rates(qdot));
+  const Vector y = structure().coordinates(q);
+  arc_.start_from(theta, y, structure().rates(qdot), load_at(y));
+}
+
+// What the load, the stiffness and the springs do at the start.
+Vector LinearSpringPhase::load_at(const Vector& y) const {
+  const Matrix& stiffness = equations_.stiffness;
+  Vector load = equations_.load;
+  if (stiffness.cols() == 1)
+    load -= stiffness.col(0).cwiseProduct(y);
+  else
+    load -= stiffness * y;
+  for (std::size_t k = 0; k < springs().loaded.size(); ++k) {
+    const SprungSystem::Spring& spring = equations_.springs[k];
+    load -= spring.law.stiffness * depths_[k] * spring.acting;
+  }
+  return load;
 }
 
 void LinearSpringPhase::state(const double& s, Vector& q, Vector& qdot) const {

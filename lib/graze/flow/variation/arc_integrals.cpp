@@ -71,8 +71,22 @@ ArcIntegrals by_panels(const ExactPhase<double>& phase, const Arc<double>& arc,
   return integrals;
 }
 
+ArcIntegrals signal_integrals(const Signal& signal, double theta, double frequency, double s) {
+  ArcIntegrals integrals;
+  for (const SignalTerm& term : signal)
+    integrals.value += (term.size * exponential_integral(term.rate, s)).real();
+  integrals.square = product_integral(signal, signal, s);
+  integrals.turned = turned_integral(signal, theta, frequency, s);
+  return integrals;
+}
+
 ArcIntegrals coupled_integrals(const CoupledArc& arc, const Observable<double>& observable,
                                double s) {
+  Signal signal;
+  if (arc.each_term(observable, [&](Complex size, Complex rate) {
+        signal.push_back({size, rate});
+      }))
+    return signal_integrals(signal, arc.start_phase(), arc.flow().first_order().frequency, s);
   const Moments moments = moments_along(arc, s);
   const Eigen::Index m = observable.displacement.size();
   const Vector weight = weights_of(observable, arc, moments);
@@ -90,12 +104,7 @@ ArcIntegrals integrals_along(const ExactPhase<double>& phase, const Observable<d
   if (!arc) return coupled_integrals(*phase.coupled_arc(), observable, s);
   const std::optional<Signal> signal = signal_of(*arc, observable);
   if (!signal) return by_panels(phase, *arc, observable, s);
-  ArcIntegrals integrals;
-  for (const SignalTerm& term : *signal)
-    integrals.value += (term.size * exponential_integral(term.rate, s)).real();
-  integrals.square = product_integral(*signal, *signal, s);
-  integrals.turned = turned_integral(*signal, arc->start_phase(), arc->flow().frequency(), s);
-  return integrals;
+  return signal_integrals(*signal, arc->start_phase(), arc->flow().frequency(), s);
 }
 
 }  // namespace graze

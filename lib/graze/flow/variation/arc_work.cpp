@@ -7,6 +7,7 @@
 #include "graze/flow/held/detail/exact_phase.hpp"
 #include "graze/flow/held/detail/series_phase.hpp"
 #include "graze/flow/sprung/detail/spring_arc.hpp"
+#include "graze/flow/variation/detail/arc_integrals.hpp"
 #include "graze/flow/variation/detail/signal.hpp"
 
 namespace graze {
@@ -163,25 +164,26 @@ bool acts_along_row(const Stop& stop) {
 }
 
 // What linear springs and their dashpots took.
-void add_linear_springs(const ExactPhase<double>& phase, double s, const Moments& moments,
-                        Work& work) {
+void add_linear_springs(const ExactPhase<double>& phase, double s, Work& work) {
   const SpringArc& springs = *phase.sprung();
-  const CoupledArc& arc = *phase.coupled_arc();
   for (std::size_t k = 0; k < springs.springs().loaded.size(); ++k) {
     const ContactForce& law = springs.equations.springs[k].law;
     const Observable<double>& depth = springs.depth_observables[k];
     work.contact -=
         law.stored(phase.curve(depth, s).at(s, 0).value) - law.stored(springs.depths[k]);
     if (law.damping == ContactDamping::kNone) continue;
-    const Vector rate = weights_of(
-        {0.0, Vector::Zero(depth.displacement.size()), depth.displacement, {}}, arc, moments);
-    work.contact -= law.coefficient * rate.dot(moments.integral * rate);
+    const Observable<double> rate{
+        0.0, Vector::Zero(depth.displacement.size()), depth.displacement, {}};
+    work.contact -= law.coefficient * integrals_along(phase, rate, s).square;
   }
 }
 
 // While an oblique law or unequal damping couples the modes.
 void add_coupled(const System& system, const ExactPhase<double>& phase, double s, Work& work) {
   const CoupledArc& arc = *phase.coupled_arc();
+  if (phase.sprung()) add_linear_springs(phase, s, work);
+  // Nothing else takes or gives.
+  if (system.delta().isZero(0.0) && !system.forcing() && phase.closed().empty()) return;
   const Moments moments = moments_along(arc, s);
   const ConstrainedStructure<double>& structure = phase.structure();
   const Matrix basis =
@@ -201,7 +203,6 @@ void add_coupled(const System& system, const ExactPhase<double>& phase, double s
     // A contact force of 1 N accelerates by -direction |row|^2.
     work.constraint -= stop.row.squaredNorm() * stop.direction().dot(velocity * weight);
   }
-  if (phase.sprung()) add_linear_springs(phase, s, moments, work);
 }
 
 Work work_on_springs(const System& system, const ContactPhase<double>& phase, double s) {

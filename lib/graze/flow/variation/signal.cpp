@@ -50,12 +50,13 @@ double panel_integral(const std::function<double(double)>& f, double s, double q
 // (1/19! < eps); then doubled: the integral over 2h is M(h) + e^(Eh) M(h) e^(Eh)^T.
 Moments moments_along(const CoupledArc& arc, double s) {
   FirstOrderSystem system = arc.flow().first_order();
+  system.load = arc.load();
   const double inputs = system.load.norm() + system.force.norm();
   const double size = arc.start_state().norm() + inputs / system.generator.norm();
   const double unit = size > 0.0 ? size : 1.0;
   system.load /= unit;
   system.force /= unit;
-  const Matrix whole = extended_generator(system, s);
+  const Matrix whole = extended_generator(system, system.load, s);
   const int doublings = std::clamp(std::ilogb(whole.norm()), -2, 1024) + 2;
   const Matrix generator = std::ldexp(1.0, -doublings) * whole;
   Vector z(whole.rows());
@@ -82,7 +83,8 @@ Vector weights_of(const Observable<double>& observable, const CoupledArc& arc,
   Vector weight = Vector::Zero(2 * m + 3);
   weight.head(m) = observable.displacement.cwiseQuotient(arc.flow().scale());
   if (observable.velocity.size() > 0) weight.segment(m, m) = observable.velocity;
-  weight.tail(3) << observable.harmonic.re, -observable.harmonic.im, observable.constant;
+  weight.tail(3) << observable.harmonic.re, -observable.harmonic.im,
+      observable.constant + observable.displacement.dot(arc.origin());
   weight.tail(3) /= moments.unit;
   return weight;
 }

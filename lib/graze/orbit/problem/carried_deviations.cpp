@@ -75,8 +75,8 @@ void CarriedDeviations::carry_parameter(const Arrival<double>& arrival,
   const MotionState<double>& start = motion_.departure();
   const State from{start.q, start.qdot};
   const double theta = motion_.flow().phase(start.instant);
-  if (const SpringArc* sprung = motion_.flown().sprung())
-    parameter_->carry_on_springs(*sprung, from, theta, arrival.flight);
+  if (motion_.flown().sprung())
+    parameter_->carry_on_springs(motion_.flown(), from, theta, arrival.flight);
   else
     parameter_->carry(*motion_.flown().exact(), from, theta, arrival.flight);
   if (arrival.kind == ArrivalKind::kContact)

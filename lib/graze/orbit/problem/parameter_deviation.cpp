@@ -23,10 +23,11 @@ void ParameterDeviation::carry(const ExactPhase<double>& phase, const State& sta
   moved_ = std::move(growth.moved);
 }
 
-void ParameterDeviation::carry_on_springs(const SpringArc& phase, const State& start, double theta,
-                                          double s) {
+void ParameterDeviation::carry_on_springs(const ContactPhase<double>& phase, const State& start,
+                                          double theta, double s) {
   hold(*system_, *tangent_, phase.closed(), start, column_);
-  Deviations end = sprung_parameter_deviation(*system_, *tangent_, phase, start, theta, s, column_);
+  Deviations end =
+      sprung_parameter_deviation(*system_, *tangent_, *phase.sprung(), start, theta, s, column_);
   last_ = {end.q - column_.q, end.qdot - column_.qdot, column_.delay};
   State there{Vector(start.q.size()), Vector(start.q.size())};
   phase.state(s, there.q, there.qdot);

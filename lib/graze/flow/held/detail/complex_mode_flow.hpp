@@ -2,6 +2,7 @@
 // exponentials about a static and a harmonic response.
 #pragma once
 
+#include <functional>
 #include <optional>
 
 #include "graze/base/linalg/decompositions.hpp"
@@ -26,8 +27,8 @@ class ComplexModeFlow {
   double frequency_ = 0.0;
   ComplexVector values_;                // k
   Eigen::MatrixXcd vectors_, inverse_;  // n x k, k x n
-  Vector rest_;                         // static response, n
-  ComplexVector harmonic_;              // response to e^{i theta}, n
+  bool is_loaded_ = false;
+  ComplexVector harmonic_;  // response to e^{i theta}, n
 };
 
 // One smooth piece of it; refers to its flow.
@@ -35,9 +36,12 @@ class ComplexModeArc {
  public:
   explicit ComplexModeArc(const ComplexModeFlow& flow) : flow_(&flow) {}
 
-  void start(double theta, const Vector& x);
+  // `load`: in place of that of the system.
+  void start(double theta, const Vector& x, const Vector& load);
   // The part of x(s) in these modes.
   Vector state(double s) const;
+  // weight.x(s) as a sum of Re(size e^{rate s}), the harmonic and the static response among them.
+  void each_term(const Vector& weight, const std::function<void(Complex, Complex)>& add) const;
   // Adds weight.(x(s) - x(0)) to the curve but for the harmonic response, of which the weight of
   // e^{i theta} is returned.
   Complex add_to(ArcCurve<double>& curve, const Vector& weight) const;
@@ -45,6 +49,7 @@ class ComplexModeArc {
  private:
   const ComplexModeFlow* flow_;
   double theta_ = 0.0;
+  Vector rest_;  // static response, n
   ComplexVector amplitude_;
   Vector formed_from_;  // what the amplitudes were told apart from, k
 };

@@ -8,6 +8,7 @@
 // through matrix exponentials.
 #pragma once
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -22,6 +23,7 @@ struct CoupledSystem {
   Vector load, force;         // m each; zero where there is none
   double frequency = 0.0;     // rad/s; 0: no forcing
   Vector scale;               // rates, rad/s, m: displacements are carried as scale * y
+  bool loads_vary = false;    // each arc comes with a load of its own
 };
 
 class CoupledFlow {
@@ -54,20 +56,32 @@ class CoupledArc {
  public:
   explicit CoupledArc(const CoupledFlow& flow);
   void start(double theta, const Vector& y, const Vector& ydot);
+  // Of a system whose loads vary: displacements count from y, where the load with what stiffness
+  // does there is `load`. So nothing large has to cancel in what is small against y.
+  void start_from(double theta, const Vector& y, const Vector& ydot, const Vector& load);
   void state(double s, Vector& y, Vector& ydot) const;
   // What is added in s seconds to deviations (y; y') of the start, 2m x k, of a motion that starts
   // `delay` seconds later, k: (exp(A s) - 1) x + (d end/d start instant) delay, on (y; y').
   Matrix growth(double s, const Matrix& deviations, const Eigen::RowVectorXd& delay) const;
   ArcCurve<double> curve(const Observable<double>& observable, double window, bool from_zero) const;
+  // An observable as a sum of Re(size e^{rate s}); false, with nothing told, where some of the
+  // motion goes by matrix exponentials.
+  bool each_term(const Observable<double>& observable,
+                 const std::function<void(Complex, Complex)>& add) const;
 
   const CoupledFlow& flow() const { return *flow_; }
   double start_phase() const { return theta_; }
-  const Vector& start_state() const { return x_; }  // x = (scale y, y')
+  const Vector& start_state() const { return x_; }  // x = (scale y, y'), y from the origin
+  const Vector& origin() const { return origin_; }
+  const Vector& load() const { return load_; }  // on x
 
  private:
+  void start_modes();
+  Vector weight_of(const Observable<double>& observable) const;  // on x
+
   const CoupledFlow* flow_;
   double theta_ = 0.0;
-  Vector y_, ydot_, x_;
+  Vector y_, ydot_, origin_, x_, load_;
   std::vector<ComplexModeArc> modes_;
   std::vector<ExponentialArc> exponentials_;
 };

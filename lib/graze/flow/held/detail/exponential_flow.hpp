@@ -34,7 +34,8 @@ class ExponentialFlow {
 class ExponentialArc {
  public:
   explicit ExponentialArc(const ExponentialFlow& flow) : flow_(&flow) {}
-  void start(double theta, const Vector& x);
+  // `load`: in place of that of the system, on x.
+  void start(double theta, const Vector& x, const Vector& load);
   // The part of x(s) in the subspace.
   Vector state(double s) const { return flow_->basis_ * (z_ + change(s)); }
 
@@ -47,6 +48,7 @@ class ExponentialArc {
   const ExponentialFlow* flow_;
   double theta_ = 0.0;
   Vector z_, formed_from_;  // z(0), and what it was summed from
+  Vector load_;             // on z
 };
 
 // Weights of x along such arcs, added up as one part of a curve.

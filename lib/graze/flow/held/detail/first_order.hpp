@@ -12,13 +12,14 @@ namespace graze {
 inline constexpr double kLargestLoss = 256.0;
 
 struct FirstOrderSystem {
-  Matrix generator;        // A, n x n, 1/s
-  Vector load, force;      // n each; zero where there is none
-  double frequency = 0.0;  // of the force, rad/s; 0: none
+  Matrix generator;         // A, n x n, 1/s
+  Vector load, force;       // n each; zero where there is none
+  double frequency = 0.0;   // of the force, rad/s; 0: none
+  bool loads_vary = false;  // each arc comes with a load of its own
 };
 
 // A s, extended by what makes the inputs states, (cos theta, sin theta, 1).
-Matrix extended_generator(const FirstOrderSystem& system, double s);
+Matrix extended_generator(const FirstOrderSystem& system, const Vector& load, double s);
 
 // e^{E} x - x for such an E and columns x; a short flight's keeps its relative accuracy.
 Matrix exponential_change(const Matrix& extended, const Matrix& x);

@@ -33,6 +33,7 @@ class LinearSpringPhase final : public ExactPhase<double> {
   bool set_curve(ArcCurve<double>& curve, const Observable<double>& observable,
                  const double& window, bool from_zero) const override;
   double start_phase() const override { return arc_.start_phase(); }
+  Vector load_at(const Vector& y) const;
   void look_at_spring(std::size_t k, const MotionState<double>& now, const Flight<double>& flight,
                       Arrival<double>& arrival) const;
 

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "graze/flow/exact/detail/contact_phase.hpp"
+#include "graze/flow/held/detail/constrained_structure.hpp"
 #include "graze/flow/stepped/detail/step_flow.hpp"
 
 namespace graze {

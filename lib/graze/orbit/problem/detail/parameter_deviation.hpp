@@ -31,7 +31,8 @@ class ParameterDeviation {
   // stop is remembered for a contact at its end.
   void carry(const ExactPhase<double>& phase, const State& start, double theta, double s);
   // The same on compressed springs, at no delay.
-  void carry_on_springs(const SpringArc& phase, const State& start, double theta, double s);
+  void carry_on_springs(const ContactPhase<double>& phase, const State& start, double theta,
+                        double s);
   // A contact with a compliant stop begins at its surface, or ends there with the opposite sign
   // (sprung_deviation.hpp), which changes velocities by `change` times what reaches in; at no
   // delay.
