@@ -29,6 +29,8 @@ ComplexModeFlow::ComplexModeFlow(const FirstOrderSystem& system, ComplexVector v
   for (Eigen::Index k = 0; k < values_.size(); ++k)
     harmonic[k] = frequency_ > 0.0 ? harmonic[k] / (Complex(0.0, frequency_) - values_[k]) : 0.0;
   harmonic_ = vectors_ * harmonic;
+  inverse_size_ = inverse_.cwiseAbs();
+  harmonic_size_ = harmonic_.cwiseAbs();
 }
 
 void ComplexModeArc::start(double theta, const Vector& x, const Vector& load) {
@@ -42,8 +44,7 @@ void ComplexModeArc::start(double theta, const Vector& x, const Vector& load) {
   }
   const Vector forced = (flow.harmonic_ * std::polar(1.0, theta)).real();
   amplitude_ = flow.inverse_ * (x - rest_ - forced).cast<Complex>();
-  formed_from_ =
-      flow.inverse_.cwiseAbs() * (rest_.cwiseAbs() + flow.harmonic_.cwiseAbs() + x.cwiseAbs());
+  formed_from_ = flow.inverse_size_ * (rest_.cwiseAbs() + flow.harmonic_size_ + x.cwiseAbs());
 }
 
 Vector ComplexModeArc::state(double s) const {

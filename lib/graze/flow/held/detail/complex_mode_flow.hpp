@@ -27,6 +27,8 @@ class ComplexModeFlow {
   double frequency_ = 0.0;
   ComplexVector values_;                // k
   Eigen::MatrixXcd vectors_, inverse_;  // n x k, k x n
+  Matrix inverse_size_;                 // of the entries of the inverse
+  Vector harmonic_size_;
   bool is_loaded_ = false;
   ComplexVector harmonic_;  // response to e^{i theta}, n
 };
