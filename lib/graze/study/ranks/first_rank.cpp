@@ -146,6 +146,7 @@ void FirstRank::answer(int from, const RankMessage& message) {
     case Kind::kGone: {
       const std::lock_guard lock(mutex_);
       given_ -= other.blocks.size();
+      own_.insert(own_.end(), other.blocks.begin(), other.blocks.end());
       other.blocks.clear();
       other.is_gone = true;
       return;
@@ -166,11 +167,14 @@ void FirstRank::note_joined(int from, const RankMessage& message) {
 
 // What another rank finished is recalled here by the same steps by which it would be done.
 void FirstRank::note_done(Other& other, std::uint64_t block, bool is_finished) {
-  if (is_finished && blocks_) blocks_->run(block);
-  const std::lock_guard lock(mutex_);
-  if (other.blocks.erase(block) > 0) --given_;
-  if (!is_finished) own_.push_back(block);
-  changed_.notify_all();
+  {
+    const std::lock_guard lock(mutex_);
+    if (other.blocks.erase(block) > 0) --given_;
+    if (!is_finished) own_.push_back(block);
+    changed_.notify_all();
+    if (!is_finished || is_ending()) return;
+  }
+  blocks_->run(block);
 }
 
 void FirstRank::hand_out(int to, Other& other) {
