@@ -34,10 +34,9 @@ python3 -c 'import mpmath' 2> /dev/null || sudo -n apt-get install -y python3-mp
 python3 tests/validation/check_scripts.py || failed=1
 
 echo "== ranks of an MPI job"
-# In a folder of its own, as the release build goes without MPI.
-{ cmake --preset release -B build/with_mpi -DGRAZE_MPI=ON && cmake --build build/with_mpi --target graze_program graze_mpi; } \
+{ cmake --preset release -DGRAZE_MPI=ON && cmake --build --preset release --target graze_mpi; } \
   > "$logs/mpi.log" 2>&1
-python3 tests/mpi/check_ranks.py build/with_mpi/graze build/with_mpi/graze-mpi data/scenes "$logs/mpi" "${MPI_KILLS:-100}" || failed=1
+python3 tests/mpi/check_ranks.py build/graze build/graze-mpi data/scenes "$logs/mpi" 100 || failed=1
 
 echo "== modes of a solid"
 { cmake --preset release -DGRAZE_BENCH=ON && cmake --build --preset release --target solid_modes; } \

@@ -62,8 +62,12 @@ bool FirstRank::do_blocks(const BlockWork& work, int threads, const StopSignal& 
           take(from, message);
         },
         [&] { return look(); });
-    const auto count = static_cast<std::size_t>(thread_count(threads));
-    for_each_index(count, threads, [&](std::size_t) { work_here(); });
+    try {
+      const auto count = static_cast<std::size_t>(thread_count(threads));
+      for_each_index(count, threads, [&](std::size_t) { work_here(); });
+    } catch (...) {
+      fail(std::current_exception());  // the listener must not wait for ever
+    }
     const std::lock_guard lock(mutex_);
     has_finished_here_ = true;
   }
