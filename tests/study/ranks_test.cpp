@@ -272,6 +272,33 @@ TEST(Ranks, TheFirstFinishesWhatAnotherLeaves) {
   expect_all_squares(squares, kept);
 }
 
+// It takes blocks and goes without a word about them.
+TEST(Ranks, TheFirstDoesWhatAnotherTookAndNeverDid) {
+  Squares squares(200);
+  squares.before_make = [](std::size_t) { pause(1); };
+  PieceTable kept;
+  Mailboxes boxes(2);
+  std::size_t taken = 0;
+  std::thread other([&] {
+    MailboxMessages messages(boxes, 1);
+    messages.send(0, bytes_of({RankMessage::Kind::kJoin, {}, {"squares", ""}}));
+    messages.send(0, bytes_of({RankMessage::Kind::kWant, {1, 7}}));
+    std::optional<RankMessages::Received> received;
+    while (!(received = messages.receive())) pause(1);
+    taken = read_message(received->bytes)->numbers.size();
+    messages.send(0, bytes_of({RankMessage::Kind::kGone}));
+  });
+  MailboxMessages messages(boxes, 0);
+  std::atomic<bool> interrupted{false};
+  FirstRank workers(messages, interrupted);
+  workers.begin("squares", "", &kept);
+  EXPECT_TRUE(workers.do_blocks(squares.work(kept, interrupted), 1, watching(interrupted)));
+  workers.close();
+  other.join();
+  EXPECT_EQ(taken, 7U);
+  expect_all_squares(squares, kept);
+}
+
 // The sentence that the first rank ends with.
 template <class Error, class Other>
 std::string failure(Squares& squares, const Other& other) {
