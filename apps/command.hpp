@@ -92,6 +92,7 @@ struct SettlingOptions {
 struct JournalOptions {
   bool goes_on = false;  // --resume: with the pieces that are in the folder
   Share share;
+  BlockWorkers* workers = &own_threads();  // who does them; not null
 };
 
 // A special point of an earlier run to go on from.

@@ -178,7 +178,6 @@ int compare_over_plane(const CompareCommand& command) {
   ComparisonMapOptions options;
   set_comparison(command, options);
   static_cast<Plane&>(options) = plane_of(command, command, command.points, command.second_points);
-  options.threads = command.threads;
   ComparisonMapRecord record;
   record.info = run_info(command.name, command.scene, one);
   record.one = "the scene";
@@ -195,14 +194,12 @@ int compare_over_plane(const CompareCommand& command) {
   warn(command, record.warnings);
   prepare_output(command);
   note_call(command, record.info);
-  std::optional<Journal> journal =
-      journal_of(command, command.journal, {record.info, "cell", options.cells(), 1, {}, {}});
-  options.memory = memory_in<ComparedCell>(journal);
-  options.share = command.journal.share;
+  JournalledWork work(command, command.journal, {record.info, "cell", options.cells(), 1, {}, {}});
+  work.set(options);
   options.progress = progress_line(command, static_cast<int>(options.cells()), "cells");
   record.map = compare_over(one, other, options);
   options.progress = nullptr;
-  if (!command.journal.share.is_all()) return conclude_share(command, *journal, record.map.stopped);
+  if (!work.is_whole_here()) return work.conclude_part(record.map.stopped);
   record.info.options.emplace_back("show", name_of(command.show));
   record.info.options.emplace_back("max_seconds", command.max_seconds);
   record.outcome = comparison_map_outcome(record.map);

@@ -28,7 +28,6 @@ SweepOptions sweep_options(const DiagramCommand& command, const StopSignal& stop
   options.direction = command.direction;
   set_settling(command, command.settling, options);
   options.measure = command.measures();
-  options.threads = command.threads;
   options.stop = stop;
   options.progress = progress_line(command, options.points, "values");
   return options;
@@ -115,19 +114,17 @@ int run(const DiagramCommand& command) {
   record.branches.warnings = system_warnings(scene, record.branches.system);
   warn(command, record.branches.warnings);
   prepare_output(command);
-  std::optional<Journal> journal = journal_of(command, command.journal,
-                                              {record.branches.info,
-                                               "row",
-                                               static_cast<std::size_t>(command.points),
-                                               sweep_block(options.direction),
-                                               {},
-                                               {}});
-  options.memory = memory_in<SweepRow>(journal);
-  options.share = command.journal.share;
+  JournalledWork work(command, command.journal,
+                      {record.branches.info,
+                       "row",
+                       static_cast<std::size_t>(command.points),
+                       sweep_block(options.direction),
+                       {},
+                       {}});
+  work.set(options);
   record.swept = sweep(family, options);
   options.progress = nullptr;
-  if (!command.journal.share.is_all())
-    return conclude_share(command, *journal, record.swept.stopped);
+  if (!work.is_whole_here()) return work.conclude_part(record.swept.stopped);
   note_rest(command, record.branches.info);
   const std::optional<Outcome> traced = add_branches(command, family, tracing, record);
   record.branches.outcome = diagram_outcome(record.swept, traced);

@@ -52,15 +52,13 @@ int run_diagram_of_runs(const DiagramCommand& command, const Scene& scene) {
   warn(command, record.warnings);
   prepare_output(command);
   note_call(command, record.info);
-  std::optional<Journal> journal =
-      journal_of(command, command.journal, {record.info, "row", options.values.size(), 1, {}, {}});
-  options.memory = memory_in<ValueRun>(journal);
-  options.share = command.journal.share;
+  JournalledWork work(command, command.journal,
+                      {record.info, "row", options.values.size(), 1, {}, {}});
+  work.set(options);
   options.progress = progress_line(command, command.points, "values");
   record.runs = run_series(scene, options);
   options.progress = nullptr;
-  if (!command.journal.share.is_all())
-    return conclude_share(command, *journal, options.stop.reason());
+  if (!work.is_whole_here()) return work.conclude_part(options.stop.reason());
   noted.emplace_back("max_seconds", command.max_seconds);
   record.outcome = run_diagram_outcome(record.runs, options.values.size(), options.stop.reason());
   return conclude(command, record, scene, [&] {

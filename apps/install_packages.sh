@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Installs the Debian packages of packages.txt that are missing, and npm; with --tests also the browser
-# and Python, that only the tests need. Needs root or sudo; without either it prints the one line to run and
-# exits 2.
+# and Python that only the tests need, with --mpi also what graze-mpi needs (-DGRAZE_MPI=ON). Needs
+# root or sudo; without either it prints the one line to run and exits 2.
 set -euo pipefail
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
 
@@ -10,10 +10,16 @@ mapfile -t wanted < "$here/packages.txt"
 has() { command -v "$1" >/dev/null; }
 has node || has nodejs || wanted+=(nodejs)
 has npm || wanted+=(npm)
-if [ "${1:-}" = --tests ]; then
-  has chromium || has google-chrome || wanted+=(chromium)
-  has python3 || wanted+=(python3-minimal)
-fi
+for option in "$@"; do
+  case "$option" in
+    --tests)
+      has chromium || has google-chrome || wanted+=(chromium)
+      has python3 || wanted+=(python3-minimal)
+      ;;
+    --mpi) wanted+=(libopenmpi-dev openmpi-bin) ;;
+    *) echo "usage: bash apps/install_packages.sh [--tests] [--mpi]" >&2; exit 2 ;;
+  esac
+done
 missing=()
 for package in "${wanted[@]}"; do
   state=$(dpkg-query -W -f '${db:Status-Status}' "$package" 2>/dev/null || true)

@@ -26,6 +26,9 @@ void check_journal_options(const CommonOptions& command, const JournalOptions& o
     throw InputError("--plot: a share is not drawn; give it to graze merge");
 }
 
+namespace {
+
+// Which stands; nothing where no folder was asked for.
 std::optional<Journal> journal_of(const CommonOptions& command, const JournalOptions& options,
                                   JournalHead head) {
   if (command.out.empty()) return {};
@@ -41,10 +44,26 @@ std::optional<Journal> journal_of(const CommonOptions& command, const JournalOpt
   return journal;
 }
 
-int conclude_share(const CommonOptions& command, const Journal& journal, StopReason stopped) {
-  const ShareRecord record = share_record(journal, stopped);
+}  // namespace
+
+JournalledWork::JournalledWork(const CommonOptions& command, const JournalOptions& options,
+                               const JournalHead& head)
+    : command_(command),
+      options_(options),
+      journal_(journal_of(command, options, head)),
+      // Whoever does some of the work knows nothing of shares.
+      store_(options.workers->begin(head_text(head), processor_name(),
+                                    journal_ ? &*journal_ : nullptr)) {}
+
+bool JournalledWork::is_whole_here() const {
+  return options_.share.is_all() && !options_.workers->serves_another();
+}
+
+int JournalledWork::conclude_part(StopReason stopped) const {
+  if (options_.workers->serves_another()) return 0;
+  const ShareRecord record = share_record(*journal_, stopped);
   // Its tables are those of the whole, which the journals make.
-  CommonOptions printed = command;
+  CommonOptions printed = command_;
   printed.out.clear();
   return conclude(printed, record.info, record.outcome, {json_of(record), text_of(record)});
 }

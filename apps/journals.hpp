@@ -19,12 +19,34 @@ std::filesystem::path journal_file(const std::string& folder, const Share& share
 // Throws InputError where --resume or --shard lack a folder, or a share is to be drawn.
 void check_journal_options(const CommonOptions& command, const JournalOptions& options);
 
-// The journal of the command's folder, which stands; nothing where no folder was asked for. `head`
-// tells of the work; share and processor are filled in.
-std::optional<Journal> journal_of(const CommonOptions& command, const JournalOptions& options,
-                                  JournalHead head);
+// The work of a command in pieces: its journal in the command's folder, where one was asked for,
+// and who does it. `head` tells of the work; share and processor are filled in.
+class JournalledWork {
+ public:
+  JournalledWork(const CommonOptions& command, const JournalOptions& options,
+                 const JournalHead& head);
+  JournalledWork(const JournalledWork&) = delete;
+  JournalledWork& operator=(const JournalledWork&) = delete;
 
-// Prints what the journal of a share holds; returns the exit code.
-int conclude_share(const CommonOptions& command, const Journal& journal, StopReason stopped);
+  // Options of the work that lack how it is done. This must outlive their use.
+  template <class Piece>
+  void set(SharedWork<Piece>& work) {
+    work.threads = command_.threads;
+    work.share = options_.share;
+    work.memory = memory_in<Piece>(store_);
+    work.workers = options_.workers;
+  }
+
+  // After the pieces are done: whether all of them are here, to be concluded by the command.
+  bool is_whole_here() const;
+  // Otherwise: prints what the journal of a share holds, and returns the exit code.
+  int conclude_part(StopReason stopped) const;
+
+ private:
+  const CommonOptions& command_;
+  const JournalOptions& options_;
+  std::optional<Journal> journal_;
+  PieceStore* store_;
+};
 
 }  // namespace graze

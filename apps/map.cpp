@@ -33,7 +33,6 @@ AttractorMapOptions map_options(const MapCommand& command) {
       plane_of(command, command, command.first_points, command.second_points);
   set_settling(command, command.settling, options);
   options.measure = command.measures();
-  options.threads = command.threads;
   options.stop = stop_signal(command);
   return options;
 }
@@ -100,14 +99,12 @@ int run(const MapCommand& command) {
   prepare_output(command);
   note_call(command, record.info);
   const auto cells = static_cast<int>(options.cells());
-  std::optional<Journal> journal =
-      journal_of(command, command.journal, {record.info, "cell", options.cells(), 1, {}, {}});
-  options.memory = memory_in<SettledCell>(journal);
-  options.share = command.journal.share;
+  JournalledWork work(command, command.journal, {record.info, "cell", options.cells(), 1, {}, {}});
+  work.set(options);
   options.progress = progress_line(command, cells, "cells");
   record.map = map_attractors(scene, options);
   options.progress = nullptr;
-  if (!command.journal.share.is_all()) return conclude_share(command, *journal, record.map.stopped);
+  if (!work.is_whole_here()) return work.conclude_part(record.map.stopped);
   if (record.measured)
     note_shown(command, record.info);
   else

@@ -100,7 +100,7 @@ int run_whole(Sharing whole, const MergeCommand& command, const std::vector<Jour
   common.arguments = without(whole.arguments, {"--shard", "--out"});
   static_cast<CommonOptions&>(whole) = common;
   whole.scene_text = head.info.scene_text;
-  whole.journal = {true, {}};
+  whole.journal = {true};
   const StopSignal stop = stop_signal(command);
   {
     head.share = {};

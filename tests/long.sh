@@ -6,6 +6,7 @@
 # - the program so built against scenes, options and journals that are nearly right, FUZZ_SECONDS
 #   (default 300) long;
 # - the scripts that the independent numbers of data/validation are from, against those numbers;
+# - graze-mpi with 1 to 8 ranks, and after 100 kills, against the program (tests/mpi);
 # - the lowest 50 modes of an elastic block with 1e5 unknowns, against 120 s and 6 GiB;
 # - one command of each kind under valgrind, which sees reads of what was never written.
 # About an hour on two cores; the logs are left in build/long. Exit 1 when anything was found.
@@ -14,7 +15,7 @@ root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 cd "$root"
 [ $# -eq 0 ] || { echo "usage: bash tests/long.sh" >&2; exit 2; }
 set -e
-bash apps/install_packages.sh --tests
+bash apps/install_packages.sh --tests --mpi
 command -v valgrind > /dev/null || sudo -n apt-get install -y valgrind || apt-get install -y valgrind
 for preset in release dev; do cmake --preset "$preset" -DGRAZE_TESTS=ON > /dev/null; done
 cmake --build --preset release --target graze_program
@@ -31,6 +32,11 @@ bash tests/docs/long.sh > "$logs/pages.log" 2>&1 || { failed=1; tail -n 20 "$log
 echo "== validation"
 python3 -c 'import mpmath' 2> /dev/null || sudo -n apt-get install -y python3-mpmath || apt-get install -y python3-mpmath
 python3 tests/validation/check_scripts.py || failed=1
+
+echo "== ranks of an MPI job"
+{ cmake --preset release -DGRAZE_MPI=ON && cmake --build --preset release --target graze_mpi; } \
+  > "$logs/mpi.log" 2>&1
+python3 tests/mpi/check_ranks.py build/graze build/graze-mpi data/scenes "$logs/mpi" 100 || failed=1
 
 echo "== modes of a solid"
 { cmake --preset release -DGRAZE_BENCH=ON && cmake --build --preset release --target solid_modes; } \

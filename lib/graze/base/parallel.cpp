@@ -10,15 +10,19 @@
 
 namespace graze {
 
+int thread_count(int threads) {
+  const int cores = tbb::info::default_concurrency();
+  return threads > 0 ? std::min(threads, cores) : cores;
+}
+
 void for_each_index(std::size_t count, int threads, const std::function<void(std::size_t)>& work) {
   if (threads == 1 || count < 2) {
     for (std::size_t i = 0; i < count; ++i) work(i);
     return;
   }
   // More threads than cores gain nothing, and TBB complains of them on the terminal.
-  const int cores = tbb::info::default_concurrency();
   const StopSignal stop = StopScope::current();
-  tbb::task_arena arena(threads > 0 ? std::min(threads, cores) : cores);
+  tbb::task_arena arena(thread_count(threads));
   arena.execute([&] {
     tbb::parallel_for(
         tbb::blocked_range<std::size_t>(0, count, 1),

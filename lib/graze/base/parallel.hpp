@@ -6,6 +6,10 @@
 
 namespace graze {
 
+// As many as `threads` asks for (0: as many as there are cores), at most one a core that this
+// process may use.
+int thread_count(int threads);
+
 // Calls work(0) .. work(count - 1), each once, on up to `threads` threads (0: as many as there are
 // cores), and returns when all are done; the first exception is thrown on. Nothing is said of the
 // order: each call has a place of its own for its result, so that the number of threads changes

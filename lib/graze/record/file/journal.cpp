@@ -142,6 +142,11 @@ void Journal::note(const std::string& name, Place place) {
   if (places_.emplace(name, place).second) names_.push_back(name);
 }
 
+bool Journal::has(const std::string& name) const {
+  const std::lock_guard lock(mutex_);
+  return places_.count(name) > 0;
+}
+
 std::optional<std::string> Journal::find(const std::string& name) const {
   Place place;
   {

@@ -52,8 +52,7 @@ ComparisonMap compare_over(const Scene& one, const Scene& other,
   require_difference(one, other, options);
   ComparisonMap map;
   map.options = options;
-  map.options.progress = nullptr;
-  map.options.memory = {};
+  map.options.let_go();
   MadePieces<ComparedCell> made = make_pieces<ComparedCell>(
       "cell", options.cells(), options,
       [&](std::size_t i) { return compared_cell(one, other, options, i); });

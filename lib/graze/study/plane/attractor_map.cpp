@@ -51,8 +51,7 @@ class Mapper {
   Mapper(const Scene& scene, const AttractorMapOptions& options)
       : scene_(scene), kept_(options, AttractorMap::kMostMotions) {
     map_.options = options;
-    map_.options.progress = nullptr;
-    map_.options.memory = {};
+    map_.options.let_go();
     map_.is_of_starts =
         names_start_coordinate(options.x.name) && names_start_coordinate(options.y.name);
   }

@@ -10,8 +10,8 @@
 #include <utility>
 #include <vector>
 
-#include "graze/base/parallel.hpp"
 #include "graze/base/progress_counter.hpp"
+#include "graze/study/sweep/block_workers.hpp"
 
 namespace graze {
 
@@ -29,6 +29,14 @@ struct Share {
     for (std::size_t first = 0; first < pieces; first += block)
       if (has(first / block)) count += std::min(block, pieces - first);
     return count;
+  }
+  // Which of so many blocks it has.
+  std::vector<std::size_t> blocks(std::size_t count) const {
+    std::vector<std::size_t> list;
+    for (auto block = static_cast<std::size_t>(part - 1); block < count;
+         block += static_cast<std::size_t>(of))
+      list.push_back(block);
+    return list;
   }
 };
 
@@ -55,8 +63,25 @@ struct PieceMemory {
   }
 };
 
+// How such work is done.
+template <class Piece>
+struct SharedWork {
+  int threads = 0;                                  // 0: all cores
+  std::function<void(double fraction)> progress{};  // called by one thread at a time
+  Share share{};
+  PieceMemory<Piece> memory{};
+  BlockWorkers* workers = &own_threads();  // not null
+
+  // What a result keeps of it must not lead to what is over with the work.
+  void let_go() {
+    progress = nullptr;
+    memory = {};
+    workers = &own_threads();
+  }
+};
+
 // Pieces 0 .. count - 1 of a kind ("cell") that depend on nothing but themselves: those of the
-// options' share, remembered or as `make(i)` makes them, on its threads, with its progress. Nothing
+// options' share, remembered or as `make(i)` makes them, by its workers, with its progress. Nothing
 // where a piece is not of the share, or was stopped.
 template <class Piece>
 struct MadePieces {
@@ -69,11 +94,16 @@ MadePieces<Piece> make_pieces(const std::string& kind, std::size_t count, const 
   MadePieces<Piece> made;
   made.pieces.resize(count);
   ProgressCounter counter(options.progress, options.share.count(count));
-  for_each_index(count, options.threads, [&](std::size_t i) {
-    if (!options.share.has(i) || options.stop.requested()) return;
+  BlockWork work;
+  work.blocks = options.share.blocks(count);
+  work.pieces = [&](std::size_t i) { return std::vector{piece_name(kind, i)}; };
+  work.run = [&](std::size_t i) {
+    if (options.stop.requested()) return false;
     made.pieces[i] = options.memory.get(piece_name(kind, i), [&] { return make(i); });
     if (made.pieces[i]) counter.add();
-  });
+    return made.pieces[i].has_value();
+  };
+  options.workers->do_blocks(work, options.threads, options.stop);
   made.is_complete = counter.is_complete();
   return made;
 }

@@ -7,7 +7,6 @@
 #include "graze/assembly/initial_state.hpp"
 #include "graze/base/detail/even_values.hpp"
 #include "graze/base/errors.hpp"
-#include "graze/base/parallel.hpp"
 #include "graze/base/progress_counter.hpp"
 #include "graze/orbit/search/detail/clear_state.hpp"
 #include "graze/scene/parameter.hpp"
@@ -25,15 +24,18 @@ class Sweeper {
     const std::size_t block = sweep_block(options_.direction);
     const std::size_t blocks = (rows_.size() + block - 1) / block;
     ProgressCounter counter(options_.progress, options_.share.count(rows_.size(), block));
-    for_each_index(blocks, options_.threads, [&](std::size_t b) {
-      if (!options_.share.has(b)) return;
-      const std::size_t end = std::min((b + 1) * block, rows_.size());
-      for (std::size_t k = b * block; k < end; ++k) {
+    BlockWork work;
+    work.blocks = options_.share.blocks(blocks);
+    work.pieces = [&](std::size_t b) { return names("row", b * block, end_of(b, block)); };
+    work.run = [&](std::size_t b) {
+      for (std::size_t k = b * block; k < end_of(b, block); ++k) {
         at(k) = row("row", k, k == b * block ? nullptr : &*at(k - 1));
-        if (!at(k)) return;
+        if (!at(k)) return false;
         counter.add();
       }
-    });
+      return true;
+    };
+    options_.workers->do_blocks(work, options_.threads, options_.stop);
     if (block > 1 && options_.share.is_all()) join_blocks(blocks, block);
     return collect(counter.is_complete());
   }
@@ -46,6 +48,15 @@ class Sweeper {
     const bool backwards =
         options_.direction == (grows ? SweepDirection::kDown : SweepDirection::kUp);
     return backwards ? rows_.size() - 1 - k : k;
+  }
+
+  std::size_t end_of(std::size_t b, std::size_t block) const {
+    return std::min((b + 1) * block, rows_.size());
+  }
+  static std::vector<std::string> names(const char* what, std::size_t first, std::size_t end) {
+    std::vector<std::string> list;
+    for (std::size_t k = first; k < end; ++k) list.push_back(piece_name(what, k));
+    return list;
   }
 
   // Nothing when it was stopped before it was finished.
@@ -97,24 +108,44 @@ class Sweeper {
     const std::size_t end = std::min(first + block, rows_.size());
     Joint made;
     made.rows.reserve(end - first);
+    std::optional<SweepRow> recalled_before, recalled;
     for (std::size_t k = first; k < end && !made.is_finished; ++k) {
-      const SweepRow* before = k > first ? &made.rows.back() : at(k - 1) ? &*at(k - 1) : nullptr;
-      if (!before || !at(k)) return made;
+      const SweepRow* before = k > first ? &made.rows.back() : found(k - 1, recalled_before);
+      const SweepRow* there = found(k, recalled);
+      if (!before || !there) return made;
       std::optional<SweepRow> again = row(what, k, before);
       if (!again) return made;
-      made.is_finished = k + 1 == end || is_same_attractor(*again, *at(k));
+      made.is_finished = k + 1 == end || is_same_attractor(*again, *there);
       made.rows.push_back(std::move(*again));
     }
     return made;
+  }
+
+  // The k-th row as its block found it; one that another process found is recalled.
+  const SweepRow* found(std::size_t k, std::optional<SweepRow>& recalled) {
+    if (at(k)) return &*at(k);
+    if (options_.memory.recall) recalled = options_.memory.recall(piece_name("row", k));
+    return recalled ? &*recalled : nullptr;
   }
 
   // Most blocks end as they were, so that what follows on them can be joined to them side by side;
   // where the last row of one is another one now, the next is joined to that instead.
   void join_blocks(std::size_t blocks, std::size_t block) {
     std::vector<Joint> ahead(blocks);
-    for_each_index(blocks, options_.threads, [&](std::size_t b) {
-      if (b > 0) ahead[b] = joint("ahead", b * block, block);
-    });
+    BlockWork work;
+    for (std::size_t b = 1; b < blocks; ++b) work.blocks.push_back(b);
+    work.pieces = [&](std::size_t b) {
+      std::vector<std::string> list = names("row", b * block - 1, end_of(b, block));
+      for (std::string& name : names("ahead", b * block, end_of(b, block)))
+        list.push_back(std::move(name));
+      return list;
+    };
+    work.run = [&](std::size_t b) {
+      ahead[b] = joint("ahead", b * block, block);
+      return ahead[b].is_finished;
+    };
+    // Where another process joins them, nothing is run again here.
+    if (!options_.workers->do_blocks(work, options_.threads, options_.stop)) return;
     for (const Joint& joint : ahead) run_again_ += static_cast<int>(joint.rows.size());
     bool ends_as_it_was = true;
     for (std::size_t b = 1; b < blocks; ++b) {
@@ -142,8 +173,7 @@ class Sweeper {
 
   Sweep collect(bool is_complete) {
     Sweep result{family_.parameter(), options_, {}, 0, 0, run_again_, options_.stop.reason()};
-    result.options.progress = nullptr;
-    result.options.memory = {};
+    result.options.let_go();
     for (std::optional<SweepRow>& row : rows_) {
       if (!row) continue;
       result.periods += row->motion.periods;

@@ -9,7 +9,6 @@
 // its values, however many threads share the work.
 #pragma once
 
-#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -27,15 +26,13 @@ enum class SweepDirection {
   kFresh  // every value from the scene's initial state
 };
 
-// Periods, impacts and exponents are those at a value.
-struct SweepOptions : RowOptions {
+// Periods, impacts and exponents are those at a value. A share has some of the blocks, which are
+// joined where all of them are; the memory is of the k-th row, "row k", and run again, "ahead k",
+// "again k".
+struct SweepOptions : RowOptions, SharedWork<SweepRow> {
   double from = 0.0, to = 0.0;
   int points = 400;  // values from `from` to `to`, both among them; at least 2
   SweepDirection direction = SweepDirection::kUp;
-  int threads = 0;                                  // 0: all cores
-  std::function<void(double fraction)> progress{};  // called by one thread at a time
-  Share share{};                   // of the blocks; they are joined where all of them are
-  PieceMemory<SweepRow> memory{};  // of the k-th row, "row k", and run again, "ahead k", "again k"
 };
 
 struct Sweep {

@@ -19,7 +19,7 @@
 
 namespace graze {
 
-class Journal {
+class Journal : public PieceStore {
  public:
   // Begins a journal in place of whatever stands there.
   static Journal begin(const std::filesystem::path& file, const JournalHead& head);
@@ -29,7 +29,7 @@ class Journal {
   // Reads a journal that nothing is added to. Throws InputError where it is none.
   static Journal open(const std::filesystem::path& file);
 
-  ~Journal();
+  ~Journal() override;
   Journal(Journal&& other) noexcept;
   Journal(const Journal&) = delete;
   Journal& operator=(const Journal&) = delete;
@@ -38,10 +38,10 @@ class Journal {
   const std::filesystem::path& file() const { return file_; }
   // In the order in which they were written.
   const std::vector<std::string>& names() const { return names_; }
-  // `find` and `add` may be called by several threads at once. All throw FileError.
-  std::optional<std::string> find(const std::string& name) const;
-  bool has(const std::string& name) const { return places_.count(name) > 0; }
-  void add(const std::string& name, const std::string& text);
+  // All of them throw FileError.
+  std::optional<std::string> find(const std::string& name) const override;
+  bool has(const std::string& name) const override;
+  void add(const std::string& name, const std::string& text) override;
 
  private:
   struct Place {
@@ -69,19 +69,19 @@ class Journal {
   mutable std::mutex mutex_;
 };
 
-// A memory of pieces in a journal, which must outlive it; one without a journal remembers nothing.
+// A memory of pieces in a store, which must outlive it; one without a store remembers nothing.
 // A text that is no piece counts as not written.
 template <class Piece>
-PieceMemory<Piece> memory_in(std::optional<Journal>& journal) {
-  if (!journal) return {};
-  return {[&journal](const std::string& name) -> std::optional<Piece> {
-            const std::optional<std::string> text = journal->find(name);
+PieceMemory<Piece> memory_in(PieceStore* store) {
+  if (!store) return {};
+  return {[store](const std::string& name) -> std::optional<Piece> {
+            const std::optional<std::string> text = store->find(name);
             Piece piece;
             if (!text || !read_piece(*text, piece)) return {};
             return piece;
           },
-          [&journal](const std::string& name, const Piece& piece) {
-            journal->add(name, piece_text(piece));
+          [store](const std::string& name, const Piece& piece) {
+            store->add(name, piece_text(piece));
           }};
 }
 

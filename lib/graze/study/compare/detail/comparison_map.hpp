@@ -2,7 +2,6 @@
 // both have.
 #pragma once
 
-#include <functional>
 #include <string>
 #include <vector>
 
@@ -19,12 +18,8 @@ struct ComparedCell {
   std::string message;  // a sentence where there is something to say
 };
 
-struct ComparisonMapOptions : CompareOptions, Plane {
-  int threads = 0;                                  // 0: all cores
-  std::function<void(double fraction)> progress{};  // called by one thread at a time
-  Share share{};                                    // of the cells
-  PieceMemory<ComparedCell> memory{};               // of the cells, "cell i"
-};
+// The share is of the cells, the memory too, "cell i".
+struct ComparisonMapOptions : CompareOptions, Plane, SharedWork<ComparedCell> {};
 
 struct ComparisonMap {
   ComparisonMapOptions options;

@@ -7,7 +7,6 @@
 // start, motions of the same system that repeat also by where they are.
 #pragma once
 
-#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -40,13 +39,9 @@ struct SettledCell {
   std::vector<State> period_states;
 };
 
-// Periods, impacts and exponents are those of a cell.
-struct AttractorMapOptions : RowOptions, Plane {
-  int threads = 0;                                  // 0: all cores
-  std::function<void(double fraction)> progress{};  // called by one thread at a time
-  Share share{};                                    // of the cells
-  PieceMemory<SettledCell> memory{};                // of the cells, "cell i"
-};
+// Periods, impacts and exponents are those of a cell; the share is of the cells, the memory too,
+// "cell i".
+struct AttractorMapOptions : RowOptions, Plane, SharedWork<SettledCell> {};
 
 struct MapAttractor {
   AttractorClass attractor;

@@ -2,7 +2,6 @@
 // impacts, and what its probes saw. For motions that no forcing repeats, where nothing settles.
 #pragma once
 
-#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -26,17 +25,14 @@ struct ValueRun {
   std::vector<double> peaks, ends;
 };
 
-struct RunSeriesOptions {
+// The share is of the values, the memory of the runs, "row i".
+struct RunSeriesOptions : SharedWork<ValueRun> {
   std::string parameter;  // or a number of the start, "initial.rate"
   std::vector<double> values;
   double duration = 0.0;                // s
   std::optional<double> closure_speed;  // m/s; absent: the default at every value
   long long max_impacts = kDefaultImpactBudget;
-  int threads = 0;  // 0: all cores
   StopSignal stop;
-  std::function<void(double fraction)> progress;  // called by one thread at a time
-  Share share{};                                  // of the values
-  PieceMemory<ValueRun> memory{};                 // of the runs, "row i"
 };
 
 // In the order of the values; where a stop was asked for before all were done, those that were, and
