@@ -100,7 +100,8 @@ int run_whole(Sharing whole, const MergeCommand& command, const std::vector<Jour
   common.arguments = without(whole.arguments, {"--shard", "--out"});
   static_cast<CommonOptions&>(whole) = common;
   whole.scene_text = head.info.scene_text;
-  whole.journal = {true};
+  whole.journal = JournalOptions{};
+  whole.journal.goes_on = true;
   const StopSignal stop = stop_signal(command);
   {
     head.share = {};

@@ -125,6 +125,7 @@ Matrix static_loads(const Matrix& rows, const StructuralMatrices& structure, int
 }
 
 void add_static_displacements(const Matrix& rows, MatrixModes& found) {
+  if (found.modes.static_displacements.cols() == 0) return;  // nothing was asked for
   const Matrix moved = rows.transpose() * found.modes.static_displacements;
   found.flexibility = moved.leftCols(rows.cols());
   if (moved.cols() > rows.cols()) found.under_gravity = moved.col(rows.cols());
