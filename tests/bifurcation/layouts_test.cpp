@@ -135,9 +135,10 @@ TEST_P(Layouts, HaveTheMultipliersThatCloseTheirEquations) {
     return Eigen::JacobiSVD<Eigen::MatrixXcd>(closed).singularValues().tail(1)[0];
   };
   const double anywhere = least(Complex(0.3, 1.7));
-  for (const Eigenvalue& multiplier : multipliers)
+  for (const Eigenvalue& multiplier : multipliers) {
     if (std::abs(multiplier.value) > 1e-3)
       EXPECT_LE(least(multiplier.value), 1e-7 * anywhere) << multiplier.value;
+  }
 }
 
 // An orbit may be written from wherever its period begins.

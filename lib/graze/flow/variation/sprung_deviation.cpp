@@ -270,6 +270,9 @@ Deviations sprung_deviations(const System& system, const SpringArc& phase, const
 Deviations sprung_parameter_deviation(const System& system, const System& tangent,
                                       const SpringArc& phase, const State& start, double theta,
                                       double s, const Deviations& column) {
+  if (const auto closed =
+          linear_spring_parameter_deviation(system, tangent, phase, start, theta, s, column))
+    return *closed;
   Source source{system, tangent, springs_of(phase)};
   if (!phase.closed().empty()) {
     source.held = projection(system, phase.closed());

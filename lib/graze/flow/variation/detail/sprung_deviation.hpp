@@ -9,6 +9,8 @@
 // end (the saltation matrix, with the speed divided out; so it holds at any speed).
 #pragma once
 
+#include <optional>
+
 #include "graze/flow/sprung/detail/spring_arc.hpp"
 #include "graze/flow/variation/detail/deviation.hpp"
 
@@ -28,6 +30,14 @@ Deviations sprung_deviations(const System& system, const SpringArc& phase, const
 Deviations sprung_parameter_deviation(const System& system, const System& tangent,
                                       const SpringArc& phase, const State& start, double theta,
                                       double s, const Deviations& column);
+
+// The same in closed form: nothing where the arc has none, where stops are closed, or where the
+// parameter is the exponent of a spring.
+std::optional<Deviations> linear_spring_parameter_deviation(const System& system,
+                                                            const System& tangent,
+                                                            const SpringArc& phase,
+                                                            const State& start, double theta,
+                                                            double s, const Deviations& column);
 
 // N s/m: by what times b.dq the velocities deviate less along the row of a stop once its contact
 // has begun at the surface, and more once it has ended there.
