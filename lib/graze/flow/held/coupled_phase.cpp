@@ -8,6 +8,13 @@ CoupledPhase::CoupledPhase(const System& system, PhaseKey key,
                            ConstrainedStructure<double> structure, const CoupledSystem& equations)
     : ExactPhase(system, std::move(key), std::move(structure)), flow_(equations), arc_(flow_) {}
 
+CoupledPhase::CoupledPhase(PhaseKey key, ConstrainedStructure<double> structure,
+                           std::vector<Observable<double>> observables,
+                           const CoupledSystem& equations)
+    : ExactPhase(std::move(key), std::move(structure), std::move(observables)),
+      flow_(equations),
+      arc_(flow_) {}
+
 void CoupledPhase::start(const double& theta, const Vector& q, const Vector& qdot,
                          const double& /*time*/) {
   forget_curves();

@@ -16,10 +16,6 @@ bool is_linear(const ContactForce& law) {
          (law.damping == ContactDamping::kNone || law.damping == ContactDamping::kConstant);
 }
 
-double coefficient_of(const ContactForce& law) {
-  return law.damping == ContactDamping::kNone ? 0.0 : law.coefficient;
-}
-
 // The stops of the springs, loaded first.
 std::vector<int> stops_of(const PhaseKey& key) {
   std::vector<int> stops = key.springs.loaded;
@@ -76,7 +72,7 @@ CoupledSystem coupled_by_springs(const PhaseKey& key, const SprungEquations& giv
   for (std::size_t k = 0; k < key.springs.loaded.size(); ++k) {
     const SprungSystem::Spring& spring = sprung.springs[k];
     coupled.stiffness += spring.law.stiffness * spring.acting * spring.row.transpose();
-    coupled.damping += coefficient_of(spring.law) * spring.acting * spring.row.transpose();
+    coupled.damping += dashpot_of(spring.law) * spring.acting * spring.row.transpose();
   }
   // What a coordinate would do by itself, springs included: so the first-order form is balanced.
   const Vector quickest = coupled.stiffness.diagonal().cwiseMax(0.0).cwiseSqrt();
@@ -103,10 +99,9 @@ LinearSpringPhase::LinearSpringPhase(const System& system, const PhaseKey& key)
 
 LinearSpringPhase::LinearSpringPhase(const System& system, const PhaseKey& key,
                                      SprungEquations given)
-    : ExactPhase(key, given.structure, observables_of(system, key, given)),
+    : CoupledPhase(key, given.structure, observables_of(system, key, given),
+                   coupled_by_springs(key, given)),
       equations_(given.system),
-      flow_(coupled_by_springs(key, given)),
-      arc_(flow_),
       stops_(stops_of(key)),
       spring_arc_{this->key(), structure(), equations_, depths_, depths_of(system, key, given)} {
   for (const int i : stops_) {
@@ -117,7 +112,7 @@ LinearSpringPhase::LinearSpringPhase(const System& system, const PhaseKey& key,
 
 // Springs with dashpots lose energy; what else grows is held by an oblique law.
 std::string LinearSpringPhase::refusal() const {
-  return closed().empty() ? std::string() : flow_.instability();
+  return closed().empty() ? std::string() : flow().instability();
 }
 
 void LinearSpringPhase::start(const double& theta, const Vector& q, const Vector& qdot,
@@ -128,7 +123,7 @@ void LinearSpringPhase::start(const double& theta, const Vector& q, const Vector
   for (std::size_t k = 0; k < rows_.size(); ++k)
     depths_.push_back(depth_value<double>(rows_[k], q, gaps_[k]));
   const Vector y = structure().coordinates(q);
-  arc_.start_from(theta, y, structure().rates(qdot), load_at(y));
+  coupled_motion().start_from(theta, y, structure().rates(qdot), load_at(y));
 }
 
 // What the load, the stiffness and the springs do at the start.
@@ -144,20 +139,6 @@ Vector LinearSpringPhase::load_at(const Vector& y) const {
     load -= spring.law.stiffness * depths_[k] * spring.acting;
   }
   return load;
-}
-
-void LinearSpringPhase::state(const double& s, Vector& q, Vector& qdot) const {
-  Vector y, ydot;
-  arc_.state(s, y, ydot);
-  q = structure().displacements(y);
-  qdot = structure().velocities(ydot);
-}
-
-// What of it goes by exponentials depends on the window.
-bool LinearSpringPhase::set_curve(ArcCurve<double>& curve, const Observable<double>& observable,
-                                  const double& window, bool from_zero) const {
-  curve = arc_.curve(observable, window, from_zero);
-  return false;
 }
 
 Arrival<double> LinearSpringPhase::first_event(const MotionState<double>& now,
@@ -187,7 +168,7 @@ void LinearSpringPhase::look_at_spring(std::size_t k, const MotionState<double>&
   const auto look = [&](const Observable<double>& observable, int multiplicity, ArrivalKind kind,
                         bool below) {
     ArcCurve<double> curve;
-    set_curve(curve, observable, arrival.flight, multiplicity > 0);
+    curve = coupled_arc()->curve(observable, arrival.flight, multiplicity > 0);
     const FirstZero<double> zero = first_contact(curve, multiplicity, flight.stop);
     arrival.evaluations += zero.evaluations;
     if (zero.kind == ZeroKind::kNone) return;

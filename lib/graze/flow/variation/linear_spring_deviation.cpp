@@ -13,10 +13,6 @@ using Eigen::Index;
 // modes these are quicker.
 constexpr int kMostModes = 16;
 
-double coefficient_of(const ContactForce& law) {
-  return law.damping == ContactDamping::kNone ? 0.0 : law.coefficient;
-}
-
 // A number of a linear spring and its rate.
 struct SpringRates {
   const Stop& stop;
@@ -24,7 +20,7 @@ struct SpringRates {
   double depth;  // at the start, m
 
   double stiffness() const { return stop.force().stiffness; }
-  double damping() const { return coefficient_of(stop.force()); }
+  double damping() const { return dashpot_of(stop.force()); }
   double stiffness_rate() const { return rate.is_compliant() ? rate.force().stiffness : 0.0; }
   double damping_rate() const { return rate.is_compliant() ? coefficient_rate() : 0.0; }
   // Of the depth at fixed displacements q.

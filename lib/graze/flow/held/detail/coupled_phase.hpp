@@ -1,11 +1,12 @@
-// The phase of a structure that closed stops hold so that its modes do not decouple.
+// The phase of a structure whose modes do not decouple: closed stops hold it so, or springs do
+// (linear_spring_phase.hpp).
 #pragma once
 
 #include "graze/flow/held/detail/exact_phase.hpp"
 
 namespace graze {
 
-class CoupledPhase final : public ExactPhase<double> {
+class CoupledPhase : public ExactPhase<double> {
  public:
   using ContactPhase<double>::start;
   // `equations` are those of the structure (couple()).
@@ -16,6 +17,13 @@ class CoupledPhase final : public ExactPhase<double> {
   void start(const double& theta, const Vector& q, const Vector& qdot, const double& time) override;
   void state(const double& s, Vector& q, Vector& qdot) const override;
   const CoupledArc* coupled_arc() const override { return &arc_; }
+
+ protected:
+  // With observables of every stop that are not the structure's alone.
+  CoupledPhase(PhaseKey key, ConstrainedStructure<double> structure,
+               std::vector<Observable<double>> observables, const CoupledSystem& equations);
+  const CoupledFlow& flow() const { return flow_; }
+  CoupledArc& coupled_motion() { return arc_; }
 
  private:
   double longest_flight() const override { return flow_.longest_flight(); }

@@ -6,7 +6,7 @@
 
 #include <vector>
 
-#include "graze/flow/held/detail/exact_phase.hpp"
+#include "graze/flow/held/detail/coupled_phase.hpp"
 #include "graze/flow/sprung/detail/spring_arc.hpp"
 
 namespace graze {
@@ -14,32 +14,24 @@ namespace graze {
 // Whether all springs of the phase are linear, and the modes few enough to be decomposed together.
 bool suits_linear_springs(const System& system, const PhaseKey& key);
 
-class LinearSpringPhase final : public ExactPhase<double> {
+class LinearSpringPhase final : public CoupledPhase {
  public:
   using ContactPhase<double>::start;
   LinearSpringPhase(const System& system, const PhaseKey& key);
 
   std::string refusal() const override;
   void start(const double& theta, const Vector& q, const Vector& qdot, const double& time) override;
-  void state(const double& s, Vector& q, Vector& qdot) const override;
   Arrival<double> first_event(const MotionState<double>& now,
                               const Flight<double>& flight) override;
-  const CoupledArc* coupled_arc() const override { return &arc_; }
   const SpringArc* sprung() const override { return &spring_arc_; }
 
  private:
   LinearSpringPhase(const System& system, const PhaseKey& key, SprungEquations given);
-  double longest_flight() const override { return flow_.longest_flight(); }
-  bool set_curve(ArcCurve<double>& curve, const Observable<double>& observable,
-                 const double& window, bool from_zero) const override;
-  double start_phase() const override { return arc_.start_phase(); }
   Vector load_at(const Vector& y) const;
   void look_at_spring(std::size_t k, const MotionState<double>& now, const Flight<double>& flight,
                       Arrival<double>& arrival) const;
 
   SprungSystem equations_;
-  CoupledFlow flow_;
-  CoupledArc arc_;
   std::vector<int> stops_;    // that the springs are of
   std::vector<Vector> rows_;  // of the springs
   std::vector<double> gaps_, depths_;

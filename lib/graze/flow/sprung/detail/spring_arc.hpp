@@ -22,6 +22,11 @@ struct SpringArc {
   const PhaseSprings& springs() const { return key.springs; }
 };
 
+// The coefficient of its dashpot, N s/m; 0 without one.
+inline double dashpot_of(const ContactForce& law) {
+  return law.damping == ContactDamping::kNone ? 0.0 : law.coefficient;
+}
+
 // The force of a linear spring with or without a dashpot, N, from its depth.
 Observable<double> linear_force(const ContactForce& law, const Observable<double>& depth);
 
