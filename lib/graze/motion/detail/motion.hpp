@@ -60,6 +60,8 @@ class Motion {
          const RealVector<Real>& qdot, const std::optional<StepSetting>& steps = {});
   Motion(const System& system, const MotionState<Real>& state,
          const std::optional<StepSetting>& steps = {});
+  // Goes on from there, as a motion that is made from it.
+  void go_on_from(const MotionState<Real>& state);
   // Where a flight is integrated step by step it ends undecided once this is requested.
   void stop_on(const StopSignal& stop) { stop_ = stop; }
   // From now on depths of springs beyond this one, m, are located (StepFlow::deepest).

@@ -57,14 +57,23 @@ Motion<Real>::Motion(const System& system, const MotionState<Real>& state,
     : system_(system),
       steps_(steps),
       clock_(system),
-      linear_(linear_system<Real>(system)),
-      now_(state) {
+      linear_(linear_system<Real>(system)) {
   adopt_system();
+  go_on_from(state);
+}
+
+template <class Real>
+void Motion<Real>::go_on_from(const MotionState<Real>& state) {
+  now_ = state;
   turn_directions();
   if (turning_) turning_->set_joint(now_.joint);
   undecided_ = std::any_of(now_.contacts.begin(), now_.contacts.end(),
                            [](Contact c) { return c == Contact::kTouching; });
   recheck_ = undecided_;
+  changes_.clear();
+  phase_ = nullptr;
+  arrivals_at_once_ = 0;
+  refusal_.clear();
 }
 
 template <class Real>

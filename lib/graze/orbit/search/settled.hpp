@@ -2,6 +2,7 @@
 // sticking, until it repeats.
 #pragma once
 
+#include <cstddef>
 #include <limits>
 #include <optional>
 #include <string>
@@ -68,5 +69,23 @@ struct SettleOptions {
 // repeating when phases (rad) and relative speeds of the last three repetitions agree to 1e-6: near
 // enough for Newton, which then decides. Requires forcing.
 SettledMotion settle(const System& system, const State& start, const SettleOptions& options = {});
+
+// Many motions to be settled, in so many places at a time: those that free flights and impacts make
+// up are flown side by side in the lanes of the processor's vector unit, as far as they do. Each
+// settles as `settle` has it, with the rounding of its lane, which depends on nothing but itself.
+struct SettleTask {
+  const System* system = nullptr;  // until it has settled
+  State start;
+  SettleOptions options;
+};
+class SettleTasks {
+ public:
+  virtual ~SettleTasks() = default;
+  // The next one for a place; nothing where there are no more.
+  virtual std::optional<SettleTask> next(std::size_t place) = 0;
+  // What the last one there has settled on.
+  virtual void take(std::size_t place, SettledMotion motion) = 0;
+};
+void settle_side_by_side(SettleTasks& tasks);
 
 }  // namespace graze

@@ -1,0 +1,188 @@
+// The search for the first contact, one evaluation of all gaps at a time, of a vector of lanes: the
+// same steps as in first_zero.hpp. To be included after <hwy/foreach_target.h>.
+#include <hwy/highway.h>
+
+#include <limits>
+
+#include "graze/flow/exact/detail/curve_terms.hpp"
+#include "graze/flow/exact/detail/turns-inl.hpp"
+#include "graze/motion/lanes/detail/lane_columns.hpp"
+
+#if defined(GRAZE_MOTION_LANES_DETAIL_LANE_SEARCH_INL_HPP) == defined(HWY_TARGET_TOGGLE)
+#ifdef GRAZE_MOTION_LANES_DETAIL_LANE_SEARCH_INL_HPP
+#undef GRAZE_MOTION_LANES_DETAIL_LANE_SEARCH_INL_HPP
+#else
+#define GRAZE_MOTION_LANES_DETAIL_LANE_SEARCH_INL_HPP
+#endif
+
+HWY_BEFORE_NAMESPACE();
+namespace graze {
+namespace HWY_NAMESPACE {
+
+namespace hn = hwy::HWY_NAMESPACE;
+using Chosen = hn::Mask<Lanes>;
+
+inline constexpr double kEps = std::numeric_limits<double>::epsilon();
+// A flight that takes more looks is near a grazing; whoever looks after the lane goes on with it.
+inline constexpr double kMostLooks = 512.0;
+
+HWY_INLINE Numbers number(double value) { return hn::Set(Lanes(), value); }
+HWY_INLINE Numbers unbounded() { return number(std::numeric_limits<double>::infinity()); }
+
+// The lanes of one vector, from `first` on.
+struct LaneVector {
+  const LaneColumns* columns;
+  std::size_t first;
+
+  HWY_INLINE Numbers load(const double* row) const { return hn::Load(Lanes(), row + first); }
+  HWY_INLINE void keep(double* row, Numbers numbers) const {
+    hn::Store(numbers, Lanes(), row + first);
+  }
+  HWY_INLINE void keep(double* row, Chosen chosen, Numbers numbers) const {
+    hn::Store(hn::IfThenElse(chosen, numbers, load(row)), Lanes(), row + first);
+  }
+  template <class... Place>
+  HWY_INLINE Numbers get(Place... place) const {
+    return load(columns->row(place...));
+  }
+  HWY_INLINE Chosen is_at(LaneStage stage) const {
+    return hn::Eq(get(LaneRow::kStage), number(static_cast<double>(stage)));
+  }
+};
+
+// Of a gap at `at`; see CurvePoint.
+struct LanePoint {
+  Numbers value, slope, curvature, bound, third, noise;
+};
+
+// e^{l s} - 1 of forcing and modes at `at`.
+HWY_INLINE void turn_lanes(const LaneVector& lanes) {
+  const LaneColumns& c = *lanes.columns;
+  const Numbers s = lanes.get(LaneRow::kAt);
+  const Products forcing = products_near(hn::Mul(lanes.get(LaneRow::kHalfFrequency), s));
+  lanes.keep(c.row(LaneRow::kForcingTurnRe), hn::Neg(forcing.square));
+  lanes.keep(c.row(LaneRow::kForcingTurnIm), forcing.mixed);
+  for (std::size_t j = 0; j < c.modes(); ++j) {
+    const Turn t = turn(c.row(LaneModeRow::kDecay, j) + lanes.first,
+                        c.row(LaneModeRow::kHalfFrequency, j) + lanes.first, s, false);
+    lanes.keep(c.row(LaneModeRow::kTurnRe, j), t.re_minus_one);
+    lanes.keep(c.row(LaneModeRow::kTurnIm, j), t.im);
+    lanes.keep(c.row(LaneModeRow::kTurnDecay, j), t.decay);
+  }
+}
+
+// The forcing's part of the gap at stop i.
+HWY_INLINE LanePoint forced_point(const LaneVector& lanes, std::size_t i) {
+  const Numbers s = lanes.get(LaneRow::kAt), half = lanes.get(LaneRow::kHalfFrequency);
+  const Numbers frequency = hn::Add(half, half), square = hn::Mul(frequency, frequency);
+  const Numbers re = lanes.get(LaneStopRow::kForcedRe, i), im = lanes.get(LaneStopRow::kForcedIm, i);
+  const Numbers lost = lanes.get(LaneRow::kForcingTurnRe);
+  const Numbers grown = hn::Add(number(1.0), lost), turned = lanes.get(LaneRow::kForcingTurnIm);
+  const Numbers size = lanes.get(LaneStopRow::kHarmonicSize, i), bound = hn::Mul(size, square);
+  LanePoint point;
+  point.value = hn::MulSub(re, lost, hn::Mul(im, turned));
+  point.slope = hn::Neg(hn::Mul(frequency, hn::MulAdd(im, grown, hn::Mul(re, turned))));
+  point.curvature = hn::Neg(hn::Mul(square, hn::MulSub(re, grown, hn::Mul(im, turned))));
+  point.bound = bound;
+  point.third = hn::Mul(bound, frequency);
+  point.noise = hn::Mul(size, hn::Mul(s, frequency));
+  return point;
+}
+
+// Adds mode j to the gap at stop i; leaves what is told of slow terms.
+HWY_INLINE void add_mode(const LaneVector& lanes, std::size_t i, std::size_t j, LanePoint& point,
+                         LanePoint& slow) {
+  const LaneColumns& c = *lanes.columns;
+  const Numbers re = lanes.get(LaneModeRow::kAmplitude, j);
+  const Numbers im = lanes.get(LaneModeRow::kAmplitudeIm, j);
+  const Numbers lost = lanes.get(LaneModeRow::kTurnRe, j);
+  const Numbers grown = hn::Add(number(1.0), lost), turned = lanes.get(LaneModeRow::kTurnIm, j);
+  const Numbers decay = lanes.get(LaneModeRow::kDecay, j), rate = lanes.get(LaneModeRow::kRate, j);
+  const Numbers half = lanes.get(LaneModeRow::kHalfFrequency, j), frequency = hn::Add(half, half);
+  const Numbers row = lanes.get(LanePairRow::kRow, i, j), weight = hn::Abs(row);
+  const Numbers change = hn::MulSub(re, lost, hn::Mul(im, turned));
+  const Numbers own = hn::MulSub(re, grown, hn::Mul(im, turned));
+  const Numbers across = hn::MulAdd(re, turned, hn::Mul(im, grown));
+  // Of y = Re(Z e^{l s}) with y'' = -2 delta y' - w^2 y.
+  const Numbers slope = hn::Neg(hn::MulAdd(decay, own, hn::Mul(frequency, across)));
+  const Numbers square = hn::Mul(rate, rate);
+  const Numbers curvature =
+      hn::Neg(hn::MulAdd(hn::Add(decay, decay), slope, hn::Mul(square, own)));
+  const Numbers size = lanes.get(LaneModeRow::kSize, j);
+  const Numbers left = hn::Mul(weight, hn::Mul(size, lanes.get(LaneModeRow::kTurnDecay, j)));
+  const Numbers bound = hn::Mul(left, square), third = hn::Mul(bound, rate);
+  point.value = hn::NegMulAdd(row, change, point.value);
+  point.bound = hn::Add(point.bound, bound);
+  point.noise =
+      hn::MulAdd(hn::MulAdd(size, weight, lanes.get(LanePairRow::kFormedFrom, i, j)),
+                 hn::Mul(lanes.get(LaneRow::kAt), rate), point.noise);
+  slow.slope = hn::NegMulAdd(row, slope, slow.slope);
+  slow.curvature = hn::NegMulAdd(row, curvature, slow.curvature);
+  slow.third = hn::Add(slow.third, third);
+  lanes.keep(c.row(LanePairRow::kFall, i, j), hn::NegMulAdd(row, own, left));
+  lanes.keep(c.row(LanePairRow::kSlowSlope, i, j), slow.slope);
+  lanes.keep(c.row(LanePairRow::kSlowCurvature, i, j), slow.curvature);
+  lanes.keep(c.row(LanePairRow::kSlowThird, i, j), slow.third);
+}
+
+// As parabola_step() of first_zero.hpp; infinite where nothing ends it, not a number where that is
+// so of what it is given.
+HWY_INLINE Numbers parabola_step(Numbers value, Numbers slope, Numbers bound) {
+  const Numbers zero = number(0.0);
+  const Numbers whole = hn::MulAdd(slope, slope, hn::Mul(hn::Add(value, value), bound));
+  const Numbers root = hn::Sqrt(hn::Max(whole, zero));
+  const Chosen falls = hn::Lt(slope, zero);
+  const Numbers above = hn::IfThenElse(falls, hn::Add(value, value), hn::Add(slope, root));
+  const Numbers below = hn::IfThenElse(falls, hn::Sub(root, slope), bound);
+  const Chosen never =
+      hn::Or(hn::Lt(whole, zero), hn::AndNot(falls, hn::Le(bound, zero)));
+  return hn::IfThenElse(never, unbounded(), hn::Div(above, below));
+}
+
+// As cubic_step() there: of the terms that are kept in the sums `slow`.
+HWY_INLINE Numbers cubic_step(Numbers clear, const LanePoint& slow, Numbers first) {
+  const Numbers rise = hn::Mul(slow.third, number(1.0 / 3.0));
+  Numbers h = first, best = number(0.0);
+  for (int i = 0; i < 3; ++i) {
+    const Numbers step = parabola_step(clear, slow.slope, hn::MulSub(rise, h, slow.curvature));
+    best = hn::Max(best, hn::IfThenElse(hn::Ge(step, number(0.0)), hn::Min(h, step), best));
+    h = hn::IfThenElse(hn::Lt(step, hn::Mul(number(7.0), h)),
+                       hn::Mul(number(0.5), hn::Add(h, step)), hn::Mul(number(4.0), h));
+  }
+  return hn::IfThenElse(hn::Gt(clear, number(0.0)), best, number(0.0));
+}
+
+// How far the gap at stop i is sure to stay open that has `clear` left, by its slow terms if the
+// quick ones cannot take away more than half of it.
+HWY_INLINE Numbers clear_step(const LaneVector& lanes, std::size_t i, const LanePoint& point,
+                              const LanePoint& forced, Numbers clear) {
+  const std::size_t modes = lanes.columns->modes();
+  const Numbers most = hn::Mul(point.value, number(0.5));
+  LanePoint slow = point;
+  Numbers fall = number(0.0);
+  Chosen open = hn::Eq(fall, fall);
+  for (std::size_t k = modes; k-- > 0;) {
+    const Numbers next = hn::Add(fall, lanes.get(LanePairRow::kFall, i, k));
+    open = hn::And(open, hn::Le(next, most));
+    if (hn::AllFalse(Lanes(), open)) break;
+    fall = hn::IfThenElse(open, next, fall);
+    const bool any = k > 0;
+    slow.slope = hn::IfThenElse(
+        open, any ? lanes.get(LanePairRow::kSlowSlope, i, k - 1) : forced.slope, slow.slope);
+    slow.curvature = hn::IfThenElse(
+        open, any ? lanes.get(LanePairRow::kSlowCurvature, i, k - 1) : forced.curvature,
+        slow.curvature);
+    slow.third = hn::IfThenElse(
+        open, any ? lanes.get(LanePairRow::kSlowThird, i, k - 1) : forced.third, slow.third);
+  }
+  const Numbers whole = parabola_step(clear, point.slope, point.bound);
+  const Numbers told = cubic_step(hn::Sub(clear, fall), slow, hn::Add(whole, whole));
+  const Chosen ends = hn::Lt(whole, unbounded());
+  return hn::IfThenElse(ends, hn::Max(whole, told), whole);
+}
+
+}  // namespace HWY_NAMESPACE
+}  // namespace graze
+HWY_AFTER_NAMESPACE();
+
+#endif

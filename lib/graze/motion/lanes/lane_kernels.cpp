@@ -1,0 +1,202 @@
+#include "graze/motion/lanes/detail/lane_kernels.hpp"
+
+// This file is compiled once for every vector unit.
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "graze/motion/lanes/lane_kernels.cpp"
+#include <hwy/foreach_target.h>
+// After foreach_target.h.
+#include <hwy/highway.h>
+
+#include "graze/motion/lanes/detail/lane_arrival-inl.hpp"
+#include "graze/motion/lanes/detail/lane_search-inl.hpp"
+
+HWY_BEFORE_NAMESPACE();
+namespace graze {
+namespace HWY_NAMESPACE {
+
+namespace hn = hwy::HWY_NAMESPACE;
+
+// What one look at the gaps of a vector has found.
+struct Look {
+  Numbers until;   // s, nothing is met before
+  Numbers hit;     // stop that is met first for certain
+  Chosen crosses;  // where there is one
+  Chosen doubtful;  // where a gap is within its rounding
+};
+
+// The gap at stop i: kValue and its derivatives, kClearUntil and kBall.
+HWY_INLINE Chosen look_at_stop(const LaneVector& lanes, std::size_t i, Chosen search) {
+  const LaneColumns& c = *lanes.columns;
+  const Numbers zero = number(0.0), s = lanes.get(LaneRow::kAt);
+  const LanePoint forced = forced_point(lanes, i);
+  LanePoint point = forced, slow = forced;
+  for (std::size_t j = 0; j < c.modes(); ++j) add_mode(lanes, i, j, point, slow);
+  point.value = hn::Add(point.value, lanes.get(LaneStopRow::kStartValue, i));
+  point.noise = hn::MulAdd(point.noise, number(kTermRoundings * kEps),
+                           lanes.get(LaneStopRow::kStartNoise, i));
+  point.slope = slow.slope;
+  point.curvature = slow.curvature;
+  point.third = slow.third;
+  lanes.keep(c.row(LaneStopRow::kValue, i), point.value);
+  lanes.keep(c.row(LaneStopRow::kSlope, i), point.slope);
+  lanes.keep(c.row(LaneStopRow::kCurvature, i), point.curvature);
+  lanes.keep(c.row(LaneStopRow::kThird, i), point.third);
+  const Numbers down = hn::Neg(point.slope), size = hn::Abs(point.value);
+  const Numbers ball = hn::Div(hn::Add(size, size), down);
+  const Numbers within =
+      hn::Min(point.bound, hn::MulAdd(point.third, ball, hn::Abs(point.curvature)));
+  const Chosen crosses =
+      hn::And(hn::Gt(down, zero), hn::Le(hn::Mul(hn::Add(within, within), ball), down));
+  lanes.keep(c.row(LaneStopRow::kBall, i), hn::IfThenElse(crosses, hn::Add(s, ball), unbounded()));
+  const Numbers certain = hn::Max(hn::Sub(point.value, point.noise), zero);
+  const Chosen lingers =
+      hn::Lt(hn::Mul(point.slope, hn::Abs(point.slope)), hn::Mul(point.bound, point.noise));
+  const Chosen falls = hn::Le(point.slope, zero);
+  const Numbers known = lanes.get(LaneStopRow::kClearUntil, i);
+  const Numbers step = clear_step(lanes, i, point, forced, certain);
+  lanes.keep(c.row(LaneStopRow::kClearUntil, i), search, hn::Max(known, hn::Add(s, step)));
+  return hn::And(hn::And(hn::Le(certain, zero), hn::Or(falls, lingers)),
+                 hn::AndNot(hn::Lt(s, known), hn::AndNot(crosses, search)));
+}
+
+// Where a stop is met for certain: before any other could be.
+HWY_INLINE Look look_at_stops(const LaneVector& lanes, Chosen search) {
+  const std::size_t stops = lanes.columns->stops();
+  Chosen doubtful = look_at_stop(lanes, 0, search);
+  for (std::size_t i = 1; i < stops; ++i)
+    doubtful = hn::Or(doubtful, look_at_stop(lanes, i, search));
+  Look look{unbounded(), lanes.get(LaneRow::kHit), hn::AndNot(search, search), doubtful};
+  for (std::size_t i = 0; i < stops; ++i) {
+    look.until = hn::Min(look.until, lanes.get(LaneStopRow::kClearUntil, i));
+    const Numbers ball = lanes.get(LaneStopRow::kBall, i);
+    Chosen first = hn::And(search, hn::Lt(ball, unbounded()));
+    for (std::size_t k = 0; k < stops; ++k)
+      if (k != i) first = hn::And(first, hn::Ge(lanes.get(LaneStopRow::kClearUntil, k), ball));
+    look.hit = hn::IfThenElse(first, number(static_cast<double>(i)), look.hit);
+    look.crosses = hn::Or(look.crosses, first);
+  }
+  return look;
+}
+
+HWY_INLINE void go(const LaneVector& lanes, Chosen chosen, LaneStage stage, Numbers at) {
+  lanes.keep(lanes.columns->row(LaneRow::kStage), chosen, number(static_cast<double>(stage)));
+  lanes.keep(lanes.columns->row(LaneRow::kAt), chosen, at);
+}
+
+// A step of Halley's method towards the stop that is met; returns the lanes that are there already.
+HWY_INLINE Chosen finish_step(const LaneVector& lanes, Chosen chosen, Chosen begins) {
+  const LaneColumns& c = *lanes.columns;
+  const Numbers one = number(1.0), two = number(2.0), s = lanes.get(LaneRow::kAt);
+  const Numbers hit = lanes.get(LaneRow::kHit), window = lanes.get(LaneRow::kWindow);
+  const Numbers value = of_hit(lanes, LaneStopRow::kValue, hit);
+  const Numbers slope = of_hit(lanes, LaneStopRow::kSlope, hit);
+  const Numbers curvature = of_hit(lanes, LaneStopRow::kCurvature, hit);
+  const Numbers third = hn::IfThenElse(begins, of_hit(lanes, LaneStopRow::kThird, hit),
+                                       lanes.get(LaneRow::kThird));
+  const Numbers before =
+      hn::IfThenElse(begins, unbounded(), lanes.get(LaneRow::kCorrection));
+  const Numbers per_slope = hn::Div(one, slope);
+  const Numbers newton = hn::Neg(hn::Mul(value, per_slope));
+  const Numbers bend = hn::Mul(hn::Mul(curvature, per_slope), number(0.5));
+  const Numbers step = hn::Div(newton, hn::MulAdd(newton, bend, one)), length = hn::Abs(step);
+  const Numbers next = hn::Add(s, step);
+  const Chosen moves = hn::And(hn::Lt(hn::Mul(two, length), hn::Abs(before)), hn::Ne(next, s));
+  const Numbers bends =
+      hn::MulAdd(third, hn::Mul(hn::Abs(per_slope), number(1.0 / 6.0)), hn::Mul(bend, bend));
+  const Numbers left = hn::Mul(hn::Mul(two, bends), hn::Mul(length, hn::Mul(length, length)));
+  const Chosen exact = hn::Le(left, hn::Mul(number(kEps / 64.0), next));
+  const Chosen goes = hn::And(chosen, moves), there = hn::AndNot(moves, chosen);
+  lanes.keep(c.row(LaneRow::kThird), chosen, third);
+  lanes.keep(c.row(LaneRow::kCorrection), chosen, step);
+  go(lanes, goes, LaneStage::kFinish, next);
+  lanes.keep(c.row(LaneRow::kStage), hn::And(goes, exact),
+             number(static_cast<double>(LaneStage::kContact)));
+  const Chosen late = hn::Or(hn::And(hn::And(goes, exact), hn::Gt(next, window)),
+                             hn::And(there, hn::Gt(s, window)));
+  go(lanes, late, LaneStage::kEnd, window);
+  return hn::AndNot(late, there);
+}
+
+// One look of the vector at its gaps, or a step of Halley's method; returns the lanes that are at
+// their contact, and marks those that somebody else has to look after.
+HWY_INLINE Chosen search_lanes(const LaneVector& lanes, Chosen search, Chosen finish,
+                               Chosen& leaves) {
+  const Numbers s = lanes.get(LaneRow::kAt), window = lanes.get(LaneRow::kWindow);
+  const Numbers looks = hn::Add(lanes.get(LaneRow::kLooks), number(1.0));
+  lanes.keep(lanes.columns->row(LaneRow::kLooks), looks);
+  const Look look = look_at_stops(lanes, search);
+  lanes.keep(lanes.columns->row(LaneRow::kHit), look.crosses, look.hit);
+  const Chosen goes = hn::AndNot(look.crosses, search);
+  const Chosen ends = hn::And(goes, hn::Gt(look.until, window));
+  go(lanes, goes, LaneStage::kSearch, look.until);
+  go(lanes, ends, LaneStage::kEnd, window);
+  const Chosen stands = hn::AndNot(hn::Gt(look.until, s), goes);
+  leaves = hn::Or(look.doubtful, stands);
+  leaves = hn::Or(leaves, hn::And(hn::Or(search, finish), hn::Gt(looks, number(kMostLooks))));
+  const Chosen halley = hn::AndNot(leaves, hn::Or(finish, look.crosses));
+  if (hn::AllFalse(Lanes(), halley)) return halley;
+  return finish_step(lanes, halley, look.crosses);
+}
+
+HWY_INLINE LaneSet lane_set(Chosen chosen, std::size_t first) {
+  std::uint8_t bits[8] = {};
+  hn::StoreMaskBits(Lanes(), chosen, bits);
+  return static_cast<LaneSet>(bits[0]) << first;
+}
+
+HWY_INLINE void advance(const LaneVector& lanes, LaneArrivals& arrivals) {
+  Chosen contact = lanes.is_at(LaneStage::kContact);
+  const Chosen end = lanes.is_at(LaneStage::kEnd);
+  const Chosen search = lanes.is_at(LaneStage::kSearch), finish = lanes.is_at(LaneStage::kFinish);
+  Chosen leaves = hn::AndNot(search, search);
+  if (!hn::AllFalse(Lanes(), hn::Or(search, finish)))
+    contact = hn::Or(contact, search_lanes(lanes, search, finish, leaves));
+  const Chosen arrived = hn::Or(contact, end), fresh = lanes.is_at(LaneStage::kBegin);
+  if (!hn::AllFalse(Lanes(), hn::Or(arrived, fresh))) {
+    Chosen begins = end_flight(lanes, arrived);
+    Numbers local = number(0.0);
+    Chosen hits = hn::And(contact, begins);
+    if (!hn::AllFalse(Lanes(), hits)) {
+      hits = hit_stops(lanes, hits);
+      local = hn::IfThenElse(hits, hn::Add(lanes.get(LaneRow::kLocal), lanes.get(LaneRow::kAt)),
+                             local);
+    }
+    begins = hn::Or(hits, hn::And(end, begins));
+    begin_flight(lanes, hn::Or(begins, fresh), hits, local);
+    leaves = hn::Or(leaves, hn::AndNot(begins, arrived));
+    arrivals.contacts |= lane_set(hits, lanes.first);
+    arrivals.ends |= lane_set(hn::And(end, begins), lanes.first);
+  }
+  lanes.keep(lanes.columns->row(LaneRow::kStage), leaves,
+             number(static_cast<double>(LaneStage::kIdle)));
+  arrivals.left |= lane_set(leaves, lanes.first);
+}
+
+void fly_lanes(const LaneColumns& columns, LaneArrivals& arrivals) {
+  const std::size_t width = hn::Lanes(Lanes());
+  while ((arrivals.contacts | arrivals.ends | arrivals.left) == 0) {
+    for (std::size_t v = 0; v < kLanes; v += width) turn_lanes({&columns, v});
+    for (std::size_t v = 0; v < kLanes; v += width) advance({&columns, v}, arrivals);
+  }
+}
+
+}  // namespace HWY_NAMESPACE
+}  // namespace graze
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace graze {
+namespace {
+
+HWY_EXPORT(fly_lanes);
+
+}  // namespace
+
+LaneArrivals fly_lanes(LaneColumns& columns) {
+  LaneArrivals arrivals;
+  HWY_DYNAMIC_DISPATCH(fly_lanes)(columns, arrivals);
+  return arrivals;
+}
+
+}  // namespace graze
+#endif

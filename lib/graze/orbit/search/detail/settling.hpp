@@ -1,0 +1,80 @@
+// What a motion settles on, judged forcing period by forcing period, whoever follows it: a walk
+// along it, or a lane in which it is flown beside others.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "graze/base/detail/stop_poll.hpp"
+#include "graze/flow/exact/detail/exact_flow.hpp"
+#include "graze/orbit/search/detail/nearby_orbit.hpp"
+#include "graze/orbit/search/settled.hpp"
+
+namespace graze {
+
+class Settling {
+ public:
+  // Refers to the system. From `start`, at the start of a forcing period.
+  Settling(const System& system, const State& start, SettleOptions options);
+
+  bool is_over() const { return over_; }
+  // Forcing periods that are over.
+  long long periods() const { return history_.periods(); }
+  const ExactFlow<double>& flow() const { return flow_; }
+  const SettleOptions& options() const { return options_; }
+  double closure_speed() const { return closure_speed_; }
+  // At the start of the present period.
+  State state() const { return history_.state_at_start(history_.periods()); }
+
+  // An impact at `local` s in the present period, in the state just before it. False where that was
+  // one too many.
+  bool add_impact(int stop, double local, double speed, const Vector& q, const Vector& qdot);
+  // The period is over, in this state: looks whether the motion has settled.
+  void end_period(const Vector& q, const Vector& qdot, PeriodHistory::Contacts contacts);
+  // Whether it is to stop; `work`: multiply-adds since that was asked last, roughly.
+  bool is_stopped(long long work) { return stop_requested(poll_.is_due(work)); }
+  // The motion cannot be followed, for this reason.
+  void refuse(const std::string& failure);
+  // The search for its next event gave up, perhaps as it was to stop.
+  bool was_stopped() { return stop_requested(true); }
+
+  // Requires that it is over.
+  SettledMotion result();
+
+ private:
+  struct Pattern {
+    ImpactPattern pattern;
+    std::vector<ImpactPoint> points;
+  };
+
+  bool stop_requested(bool reads_clock);
+  void look_back();
+  void come_nearer();
+  void conclude_near(int p, double remaining);
+  void conclude_repeating(int p, double remaining);
+  int repetition() const;
+  bool conclude_clear();
+  void end_clear();
+  void conclude_periodic(int p);
+  Pattern pattern_of_last(int p) const;
+  void conclude_unsettled();
+  void keep_since(long long from);
+  bool end(SettledKind kind, const std::string& what);
+
+  const System& system_;
+  const SettleOptions options_;
+  ExactFlow<double> flow_;
+  double closure_speed_;  // m/s
+  PeriodHistory history_;
+  MotionScale scale_;
+  std::optional<NearbyOrbit> approached_;  // stable; solved for when the motion began to repeat
+  double left_ = 0.0;                      // distance from it, one repetition ago at most
+  long long solved_at_ = 0, next_solve_ = 0, leaving_until_ = 0;  // periods
+  long long in_period_ = 0;                                      // impacts
+  StopPoll poll_;
+  bool over_ = false;
+  SettledMotion result_;
+};
+
+}  // namespace graze

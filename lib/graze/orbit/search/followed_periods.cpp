@@ -1,0 +1,94 @@
+#include "graze/orbit/search/detail/followed_periods.hpp"
+
+#include <limits>
+#include <utility>
+
+namespace graze {
+namespace {
+
+// Whether it goes on is asked once a period.
+constexpr Instant<double> kNoEnd{std::numeric_limits<long long>::max(), 0.0};
+
+}  // namespace
+
+FollowedPeriods::FollowedPeriods(const System& system, Settling& settling)
+    : system_(system),
+      settling_(settling),
+      motion_(system, {settling.periods(), 0.0}, settling.state().q, settling.state().qdot) {
+  motion_.stop_on(settling.options().stop);
+  walk_.emplace(system_, motion_, settling.closure_speed(), Tails::kUntold);
+}
+
+void FollowedPeriods::go_on_from(const MotionState<double>& state) {
+  motion_.go_on_from(state);
+  walk_.emplace(system_, motion_, settling_.closure_speed(), Tails::kUntold);
+}
+
+bool FollowedPeriods::is_clear() const {
+  for (const Contact contact : motion_.state().contacts)
+    if (contact != Contact::kClear) return false;
+  return true;
+}
+
+void FollowedPeriods::follow() {
+  const bool closed = motion_.is_closed_anywhere(), sprung = motion_.is_sprung();
+  contacts_ = {closed || sprung, closed, sprung, closed};
+  if (follow_to_end()) settling_.end_period(motion_.q(), motion_.qdot(), contacts_);
+}
+
+// False when the motion could not be followed to the end of the period.
+bool FollowedPeriods::follow_to_end() {
+  for (;;) {
+    const WalkStep step = walk_->next(kNoEnd);
+    if (step == WalkStep::kDeparture) {
+      // A period can hold any number of flights, and an instant as many changes as stops, each of
+      // which asks all of them.
+      work_ += static_cast<long long>(system_.stops.size());
+      if (settling_.is_stopped(std::exchange(work_, 0))) return false;
+    } else if (step == WalkStep::kFlight) {
+      work_ += (1 + walk_->arrival().evaluations) * system_.modes();
+      // What happens at the very end of a period belongs to the next one.
+      if (motion_.instant().period > settling_.periods()) return true;
+    } else if (!receive(step)) {
+      return false;
+    }
+  }
+}
+
+bool FollowedPeriods::receive(WalkStep step) {
+  const double local = motion_.instant().local;
+  switch (step) {
+    case WalkStep::kImpact:
+      contacts_.held = false;
+      return settling_.add_impact(walk_->arrival().stop, local, walk_->arrival().speed, motion_.q(),
+                                  walk_->qdot_before());
+    case WalkStep::kStick:
+      contacts_.any = contacts_.closed = true;
+      return true;
+    case WalkStep::kEntry:
+      contacts_.any = contacts_.sprung = true;
+      contacts_.held = false;
+      // One that grips again below the surface, on its way out, is no new impact.
+      if (motion_.approach_speed(walk_->stop()) < 0.0) return true;
+      return settling_.add_impact(walk_->stop(), local, motion_.approach_speed(walk_->stop()),
+                                  motion_.q(), motion_.qdot());
+    case WalkStep::kRelease:
+      contacts_.held = false;
+      return true;
+    case WalkStep::kFailure:
+      if (walk_->arrival().kind != ArrivalKind::kUndecided || !settling_.was_stopped())
+        settling_.refuse(walk_->failure());
+      return false;
+    case WalkStep::kDeparture:
+    case WalkStep::kFlight:
+    case WalkStep::kChatter:
+    case WalkStep::kSeparation:
+    case WalkStep::kLeft:
+    case WalkStep::kTouch:
+    case WalkStep::kEnd:
+      break;
+  }
+  return true;
+}
+
+}  // namespace graze
