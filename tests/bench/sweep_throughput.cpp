@@ -116,5 +116,6 @@ int main(int argc, char** argv) {
   const int threads = argc > 1 ? std::atoi(argv[1]) : 1;
   const std::size_t cells = argc > 2 ? static_cast<std::size_t>(std::atoi(argv[2])) : 30720;
   for (const int modes : {1, 4})
-    for (const bool alone : {true, false}) measure(modes, threads, alone ? std::min<std::size_t>(cells, 960) : cells, alone);
+    for (const bool alone : {true, false})
+      if (argc < 4 || (alone == (argv[3][0] == 'o'))) measure(modes, threads, alone ? std::min<std::size_t>(cells, 960) : cells, alone);
 }

@@ -36,7 +36,7 @@ class Squares {
       for (std::size_t k = b * kBlock; k < end_of(b); ++k) names.push_back(piece_name("cell", k));
       return names;
     };
-    blocks.run = [this, &store, &interrupted](std::size_t b) {
+    blocks.run = one_by_one([this, &store, &interrupted](std::size_t b) {
       for (std::size_t k = b * kBlock; k < end_of(b); ++k) {
         if (interrupted) return false;
         const std::string name = piece_name("cell", k);
@@ -49,7 +49,7 @@ class Squares {
         store.add(name, std::to_string(k * k));
       }
       return true;
-    };
+    });
     return blocks;
   }
 
@@ -182,7 +182,7 @@ TEST(Ranks, FindThePiecesOfAnEarlierPhase) {
   const auto doubled = [&](PieceStore& store, std::atomic<bool>& interrupted) {
     BlockWork work = squares.work(store, interrupted);
     const auto cells = work.pieces;
-    work.run = [&store, cells](std::size_t b) {
+    work.run = one_by_one([&store, cells](std::size_t b) {
       for (const std::string& name : cells(b)) {
         const std::optional<std::string> square = store.find(name);
         EXPECT_TRUE(square) << name;
@@ -190,7 +190,7 @@ TEST(Ranks, FindThePiecesOfAnEarlierPhase) {
         if (square && !store.has(twice)) store.add(twice, *square + *square);
       }
       return true;
-    };
+    });
     work.pieces = [cells](std::size_t b) {
       std::vector<std::string> names = cells(b);
       for (const std::string& name : cells(b)) names.push_back("twice " + name);
@@ -332,9 +332,9 @@ TEST(Ranks, TellWhichOfThemFailed) {
                                   PieceStore& store = *workers.begin("squares", "", nullptr);
                                   BlockWork work = squares.work(store, interrupted);
                                   if (rank == 1)
-                                    work.run = [](std::size_t) -> bool {
+                                    work.run = one_by_one([](std::size_t) -> bool {
                                       throw InputError("a value is wrong");
-                                    };
+                                    });
                                   workers.do_blocks(work, 1, watching(interrupted));
                                 }),
             "rank 1: a value is wrong");

@@ -54,10 +54,7 @@ Motion<Real>::Motion(const System& system, const Instant<Real>& instant, const R
 template <class Real>
 Motion<Real>::Motion(const System& system, const MotionState<Real>& state,
                      const std::optional<StepSetting>& steps)
-    : system_(system),
-      steps_(steps),
-      clock_(system),
-      linear_(linear_system<Real>(system)) {
+    : system_(system), steps_(steps), clock_(system), linear_(linear_system<Real>(system)) {
   adopt_system();
   go_on_from(state);
 }

@@ -1,5 +1,7 @@
 #include "graze/motion/lanes/detail/lane_kernels.hpp"
 
+#include <array>
+
 // This file is compiled once for every vector unit.
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "graze/motion/lanes/lane_kernels.cpp"
@@ -16,58 +18,48 @@ namespace HWY_NAMESPACE {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
+// How long the gap at stop i is open for certain, and whether it is met for certain within kBall.
+HWY_INLINE void look_at_stop(const LaneVector& lanes, std::size_t i) {
+  const LaneColumns& c = *lanes.columns;
+  const Numbers zero = number(0.0), s = lanes.get(LaneRow::kAt);
+  const Numbers value = lanes.get(LaneStopRow::kValue, i),
+                slope = lanes.get(LaneStopRow::kSlope, i);
+  const Numbers bound = lanes.get(LaneStopRow::kBound, i),
+                noise = lanes.get(LaneStopRow::kNoise, i);
+  const Numbers down = hn::Neg(slope), size = hn::Abs(value);
+  const Numbers ball = hn::Div(hn::Add(size, size), down);
+  const Numbers within = hn::Min(bound, hn::MulAdd(lanes.get(LaneStopRow::kThird, i), ball,
+                                                   hn::Abs(lanes.get(LaneStopRow::kCurvature, i))));
+  const Chosen crosses =
+      hn::And(hn::Gt(down, zero), hn::Le(hn::Mul(hn::Add(within, within), ball), down));
+  const Numbers certain = hn::Max(hn::Sub(value, noise), zero);
+  const Numbers known = lanes.get(LaneStopRow::kClearUntil, i);
+  const Chosen lingers = hn::Lt(hn::Mul(slope, hn::Abs(slope)), hn::Mul(bound, noise));
+  const Chosen near = hn::And(hn::Le(certain, zero), hn::Or(hn::Le(slope, zero), lingers));
+  const Chosen doubtful = hn::AndNot(hn::Or(hn::Lt(s, known), crosses), near);
+  lanes.keep(c.row(LaneStopRow::kDoubtful, i), hn::IfThenElse(doubtful, number(1.0), zero));
+  lanes.keep(c.row(LaneStopRow::kBall, i), hn::IfThenElse(crosses, hn::Add(s, ball), unbounded()));
+  lanes.keep(c.row(LaneStopRow::kClearUntil, i), lanes.is_at(LaneStage::kSearch),
+             hn::Max(known, hn::Add(s, clear_step(lanes, i, certain))));
+}
+
 // What one look at the gaps of a vector has found.
 struct Look {
-  Numbers until;   // s, nothing is met before
-  Numbers hit;     // stop that is met first for certain
-  Chosen crosses;  // where there is one
+  Numbers until;    // s, nothing is met before
+  Numbers hit;      // stop that is met first for certain
+  Chosen crosses;   // where there is one
   Chosen doubtful;  // where a gap is within its rounding
 };
 
-// The gap at stop i: kValue and its derivatives, kClearUntil and kBall.
-HWY_INLINE Chosen look_at_stop(const LaneVector& lanes, std::size_t i, Chosen search) {
-  const LaneColumns& c = *lanes.columns;
-  const Numbers zero = number(0.0), s = lanes.get(LaneRow::kAt);
-  const LanePoint forced = forced_point(lanes, i);
-  LanePoint point = forced, slow = forced;
-  for (std::size_t j = 0; j < c.modes(); ++j) add_mode(lanes, i, j, point, slow);
-  point.value = hn::Add(point.value, lanes.get(LaneStopRow::kStartValue, i));
-  point.noise = hn::MulAdd(point.noise, number(kTermRoundings * kEps),
-                           lanes.get(LaneStopRow::kStartNoise, i));
-  point.slope = slow.slope;
-  point.curvature = slow.curvature;
-  point.third = slow.third;
-  lanes.keep(c.row(LaneStopRow::kValue, i), point.value);
-  lanes.keep(c.row(LaneStopRow::kSlope, i), point.slope);
-  lanes.keep(c.row(LaneStopRow::kCurvature, i), point.curvature);
-  lanes.keep(c.row(LaneStopRow::kThird, i), point.third);
-  const Numbers down = hn::Neg(point.slope), size = hn::Abs(point.value);
-  const Numbers ball = hn::Div(hn::Add(size, size), down);
-  const Numbers within =
-      hn::Min(point.bound, hn::MulAdd(point.third, ball, hn::Abs(point.curvature)));
-  const Chosen crosses =
-      hn::And(hn::Gt(down, zero), hn::Le(hn::Mul(hn::Add(within, within), ball), down));
-  lanes.keep(c.row(LaneStopRow::kBall, i), hn::IfThenElse(crosses, hn::Add(s, ball), unbounded()));
-  const Numbers certain = hn::Max(hn::Sub(point.value, point.noise), zero);
-  const Chosen lingers =
-      hn::Lt(hn::Mul(point.slope, hn::Abs(point.slope)), hn::Mul(point.bound, point.noise));
-  const Chosen falls = hn::Le(point.slope, zero);
-  const Numbers known = lanes.get(LaneStopRow::kClearUntil, i);
-  const Numbers step = clear_step(lanes, i, point, forced, certain);
-  lanes.keep(c.row(LaneStopRow::kClearUntil, i), search, hn::Max(known, hn::Add(s, step)));
-  return hn::And(hn::And(hn::Le(certain, zero), hn::Or(falls, lingers)),
-                 hn::AndNot(hn::Lt(s, known), hn::AndNot(crosses, search)));
-}
-
 // Where a stop is met for certain: before any other could be.
-HWY_INLINE Look look_at_stops(const LaneVector& lanes, Chosen search) {
+HWY_INLINE Look look_at_all(const LaneVector& lanes, Chosen search) {
   const std::size_t stops = lanes.columns->stops();
-  Chosen doubtful = look_at_stop(lanes, 0, search);
-  for (std::size_t i = 1; i < stops; ++i)
-    doubtful = hn::Or(doubtful, look_at_stop(lanes, i, search));
-  Look look{unbounded(), lanes.get(LaneRow::kHit), hn::AndNot(search, search), doubtful};
+  const Chosen none = hn::AndNot(search, search);
+  Look look{unbounded(), lanes.get(LaneRow::kHit), none, none};
   for (std::size_t i = 0; i < stops; ++i) {
     look.until = hn::Min(look.until, lanes.get(LaneStopRow::kClearUntil, i));
+    look.doubtful = hn::Or(
+        look.doubtful, hn::And(search, hn::Gt(lanes.get(LaneStopRow::kDoubtful, i), number(0.0))));
     const Numbers ball = lanes.get(LaneStopRow::kBall, i);
     Chosen first = hn::And(search, hn::Lt(ball, unbounded()));
     for (std::size_t k = 0; k < stops; ++k)
@@ -91,10 +83,9 @@ HWY_INLINE Chosen finish_step(const LaneVector& lanes, Chosen chosen, Chosen beg
   const Numbers value = of_hit(lanes, LaneStopRow::kValue, hit);
   const Numbers slope = of_hit(lanes, LaneStopRow::kSlope, hit);
   const Numbers curvature = of_hit(lanes, LaneStopRow::kCurvature, hit);
-  const Numbers third = hn::IfThenElse(begins, of_hit(lanes, LaneStopRow::kThird, hit),
-                                       lanes.get(LaneRow::kThird));
-  const Numbers before =
-      hn::IfThenElse(begins, unbounded(), lanes.get(LaneRow::kCorrection));
+  const Numbers third =
+      hn::IfThenElse(begins, of_hit(lanes, LaneStopRow::kThird, hit), lanes.get(LaneRow::kThird));
+  const Numbers before = hn::IfThenElse(begins, unbounded(), lanes.get(LaneRow::kCorrection));
   const Numbers per_slope = hn::Div(one, slope);
   const Numbers newton = hn::Neg(hn::Mul(value, per_slope));
   const Numbers bend = hn::Mul(hn::Mul(curvature, per_slope), number(0.5));
@@ -124,7 +115,7 @@ HWY_INLINE Chosen search_lanes(const LaneVector& lanes, Chosen search, Chosen fi
   const Numbers s = lanes.get(LaneRow::kAt), window = lanes.get(LaneRow::kWindow);
   const Numbers looks = hn::Add(lanes.get(LaneRow::kLooks), number(1.0));
   lanes.keep(lanes.columns->row(LaneRow::kLooks), looks);
-  const Look look = look_at_stops(lanes, search);
+  const Look look = look_at_all(lanes, search);
   lanes.keep(lanes.columns->row(LaneRow::kHit), look.crosses, look.hit);
   const Chosen goes = hn::AndNot(look.crosses, search);
   const Chosen ends = hn::And(goes, hn::Gt(look.until, window));
@@ -158,8 +149,8 @@ HWY_INLINE void advance(const LaneVector& lanes, LaneArrivals& arrivals) {
     Chosen hits = hn::And(contact, begins);
     if (!hn::AllFalse(Lanes(), hits)) {
       hits = hit_stops(lanes, hits);
-      local = hn::IfThenElse(hits, hn::Add(lanes.get(LaneRow::kLocal), lanes.get(LaneRow::kAt)),
-                             local);
+      local =
+          hn::IfThenElse(hits, hn::Add(lanes.get(LaneRow::kLocal), lanes.get(LaneRow::kAt)), local);
     }
     begins = hn::Or(hits, hn::And(end, begins));
     begin_flight(lanes, hn::Or(begins, fresh), hits, local);
@@ -172,11 +163,23 @@ HWY_INLINE void advance(const LaneVector& lanes, LaneArrivals& arrivals) {
   arrivals.left |= lane_set(leaves, lanes.first);
 }
 
+// Step by step for all vectors, so that one has its turn while another waits for a root or
+// quotient.
 void fly_lanes(const LaneColumns& columns, LaneArrivals& arrivals) {
   const std::size_t width = hn::Lanes(Lanes());
+  std::array<LaneVector, kLanes> vectors;
+  std::size_t count = 0;
+  for (std::size_t first = 0; first < kLanes; first += width) {
+    vectors[count] = {&columns, first};
+    if (!hn::AllTrue(Lanes(), vectors[count].is_at(LaneStage::kIdle))) ++count;
+  }
   while ((arrivals.contacts | arrivals.ends | arrivals.left) == 0) {
-    for (std::size_t v = 0; v < kLanes; v += width) turn_lanes({&columns, v});
-    for (std::size_t v = 0; v < kLanes; v += width) advance({&columns, v}, arrivals);
+    for (std::size_t v = 0; v < count; ++v) turn_lanes(vectors[v]);
+    for (std::size_t i = 0; i < columns.stops(); ++i)
+      for (std::size_t v = 0; v < count; ++v) find_point(vectors[v], i);
+    for (std::size_t i = 0; i < columns.stops(); ++i)
+      for (std::size_t v = 0; v < count; ++v) look_at_stop(vectors[v], i);
+    for (std::size_t v = 0; v < count; ++v) advance(vectors[v], arrivals);
   }
 }
 

@@ -55,6 +55,8 @@ void LaneMotions::adopt(std::size_t lane, const System& system, const ExactFlow<
     set(mode.first, LaneModeRow::kDecay, j);
     set(mode.second / 2.0, LaneModeRow::kHalfFrequency, j);
     set(std::sqrt(mode.first * mode.first + mode.second * mode.second), LaneModeRow::kRate, j);
+    set(1.0 / columns_.row(LaneModeRow::kRate, j)[lane], LaneModeRow::kPerRate, j);
+    set(1.0 / mode.second, LaneModeRow::kPerFrequency, j);
     set(mode.forced.re, LaneModeRow::kResponseRe, j);
     set(mode.forced.im, LaneModeRow::kResponseIm, j);
     set(mode.offset, LaneModeRow::kOffset, j);

@@ -81,8 +81,7 @@ void Settling::refuse(const std::string& failure) {
 bool Settling::stop_requested(bool reads_clock) {
   const bool late = reads_clock && options_.stop.is_late();
   if (!late && !options_.stop.is_interrupted()) return false;
-  end(late ? SettledKind::kTimeBudget : SettledKind::kInterrupted,
-      "was stopped before it settled");
+  end(late ? SettledKind::kTimeBudget : SettledKind::kInterrupted, "was stopped before it settled");
   return true;
 }
 

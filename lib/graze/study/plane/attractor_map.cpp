@@ -12,6 +12,7 @@
 #include "graze/motion/simulation.hpp"
 #include "graze/orbit/problem/detail/shooting.hpp"
 #include "graze/scene/detail/start_coordinate.hpp"
+#include "graze/study/sweep/detail/row_chains.hpp"
 
 namespace graze {
 namespace {
@@ -57,8 +58,11 @@ class Mapper {
   }
 
   AttractorMap finish(const AttractorMapOptions& options) {
-    MadePieces<SettledCell> made = make_pieces<SettledCell>("cell", options.cells(), options,
-                                                            [&](std::size_t i) { return run(i); });
+    const auto run = [&](Cells& cells, ProgressCounter& counter) {
+      return side_by_side(options,
+                          [&](std::size_t i) { return cell_chain(i, options, cells, counter); });
+    };
+    MadePieces<SettledCell> made = made_pieces<SettledCell>("cell", options.cells(), options, run);
     for (std::optional<SettledCell>& settled : made.pieces) {
       if (!settled) settled.emplace();
       map_.cells.push_back(std::move(settled->cell));
@@ -71,22 +75,53 @@ class Mapper {
   }
 
  private:
-  // Nothing where it was stopped before it was settled.
-  std::optional<SettledCell> run(std::size_t i) const {
-    SettledCell settled;
-    MapCell& cell = settled.cell;
-    SweepRow row;
-    try {
-      const Scene scene = scene_at(scene_, map_.options, i);
-      const System system = assemble(scene);
-      if (!settle_row(scene, system, initial_state(scene, system), map_.options, row)) return {};
-      if (map_.options.measure && !measure_row(scene, system, map_.options, row)) return {};
-      look_at(scene, system, row, cell);
-      cell.amplitudes = row.amplitudes;
-    } catch (const InputError& error) {
-      row.status = SweepStatus::kNoStart;
-      row.message = error.what();
+  using Cells = std::vector<std::optional<SettledCell>>;
+
+  RowChain cell_chain(std::size_t i, const AttractorMapOptions& options, Cells& cells,
+                      ProgressCounter& counter) const {
+    const std::string name = piece_name("cell", i);
+    if (options.memory.recall) cells[i] = options.memory.recall(name);
+    if (!cells[i]) {
+      if (options.stop.requested()) co_return false;
+      SettledCell settled;
+      RowRun run;
+      if (begin(i, run)) {
+        co_await run;
+        if (!run.is_finished || !end(run, settled.cell)) co_return false;
+      }
+      describe(i, run.row, settled);
+      if (options.memory.keep) options.memory.keep(name, settled);
+      cells[i] = std::move(settled);
     }
+    counter.add();
+    co_return true;
+  }
+
+  // False where the cell has no start, and says so.
+  bool begin(std::size_t i, RowRun& run) const {
+    try {
+      run.scene = scene_at(scene_, map_.options, i);
+      run.system = assemble(run.scene);
+      run.start = initial_state(run.scene, run.system);
+    } catch (const InputError& error) {
+      run.row.status = SweepStatus::kNoStart;
+      run.row.message = error.what();
+      return false;
+    }
+    return true;
+  }
+
+  // What of a motion that has settled its row does not tell; false where it was stopped.
+  bool end(RowRun& run, MapCell& cell) const {
+    if (map_.options.measure && !measure_row(run.scene, run.system, map_.options, run.row))
+      return false;
+    look_at(run.scene, run.system, run.row, cell);
+    cell.amplitudes = run.row.amplitudes;
+    return true;
+  }
+
+  void describe(std::size_t i, SweepRow& row, SettledCell& settled) const {
+    MapCell& cell = settled.cell;
     cell.attractor = attractor_class(row);
     cell.message = row.message;
     if (row.exponents && row.exponents->values.size() > 0) cell.exponent = row.exponents->values[0];
@@ -96,7 +131,6 @@ class Mapper {
       settled.period_states = std::move(period_states);
     else if (kept_.has(i) && !period_states.empty())
       settled.period_states = {period_states.front()};
-    return settled;
   }
 
   // Over what is shown of the motion, once more, for what its events do not tell.

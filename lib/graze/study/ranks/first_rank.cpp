@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <chrono>
 #include <thread>
+#include <utility>
 
 #include "graze/base/detail/stop_scope.hpp"
 #include "graze/base/errors.hpp"
@@ -52,6 +53,7 @@ PieceStore* FirstRank::begin(const std::string& work, const std::string& process
 
 bool FirstRank::do_blocks(const BlockWork& work, int threads, const StopSignal& stop) {
   if (messages_.ranks() == 1) return own_threads().do_blocks(work, threads, stop);
+  threads_ = thread_count(threads);
   start_phase(work, stop);
   const StopSignal scope = StopScope::current();
   {
@@ -63,8 +65,8 @@ bool FirstRank::do_blocks(const BlockWork& work, int threads, const StopSignal& 
         },
         [&] { return look(); });
     try {
-      const auto count = static_cast<std::size_t>(thread_count(threads));
-      for_each_index(count, threads, [&](std::size_t) { work_here(); });
+      for_each_index(static_cast<std::size_t>(threads_), threads,
+                     [&](std::size_t) { work_here(); });
     } catch (...) {
       fail(std::current_exception());  // the listener must not wait for ever
     }
@@ -94,14 +96,16 @@ void FirstRank::start_phase(const BlockWork& work, const StopSignal& stop) {
 
 void FirstRank::work_here() {
   try {
-    while (const std::optional<std::size_t> block = next_block()) blocks_->run(*block);
+    const std::size_t workers = others_.size() * static_cast<std::size_t>(threads_);
+    blocks_->run({[this](bool waits) { return next_block(waits); }, [](std::size_t, bool) {},
+                  even_part(blocks_->blocks.size(), workers)});
   } catch (...) {
     fail(std::current_exception());
   }
 }
 
 // Waits where none is left but others may leave one unfinished; nothing where that is over.
-std::optional<std::size_t> FirstRank::next_block() {
+std::optional<std::size_t> FirstRank::next_block(bool waits) {
   std::unique_lock lock(mutex_);
   for (;;) {
     if (is_ending()) return {};
@@ -111,7 +115,7 @@ std::optional<std::size_t> FirstRank::next_block() {
       list->pop_front();
       return block;
     }
-    if (given_ == 0) return {};
+    if (given_ == 0 || !waits) return {};
     // A stop that nobody tells of is seen in time.
     changed_.wait_for(lock, std::chrono::milliseconds(50));
   }
@@ -178,7 +182,9 @@ void FirstRank::note_done(Other& other, std::uint64_t block, bool is_finished) {
     changed_.notify_all();
     if (!is_finished || is_ending()) return;
   }
-  blocks_->run(block);
+  std::optional<std::size_t> left = block;
+  blocks_->run(
+      {[&](bool) { return std::exchange(left, std::nullopt); }, [](std::size_t, bool) {}, 1});
 }
 
 void FirstRank::hand_out(int to, Other& other) {

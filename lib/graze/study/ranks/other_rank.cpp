@@ -4,6 +4,7 @@
 #include <chrono>
 #include <exception>
 #include <new>
+#include <utility>
 
 #include "graze/base/errors.hpp"
 #include "graze/base/parallel.hpp"
@@ -43,24 +44,26 @@ bool OtherRank::do_blocks(const BlockWork& work, int threads, const StopSignal&)
 
 void OtherRank::work_here(const BlockWork& work) {
   using Clock = std::chrono::steady_clock;
-  while (const std::optional<std::uint64_t> block = next_block()) {
-    const Clock::time_point begun = Clock::now();
-    bool is_finished = false;
-    try {
-      is_finished = work.run(*block);
-    } catch (const InputError& error) {
-      fail(error.what(), 2);
-    } catch (const std::bad_alloc&) {
-      fail("out of memory", 4);
-    } catch (const std::exception& error) {
-      fail(error.what(), 4);
-    }
-    note_done(*block, is_finished, std::chrono::duration<double>(Clock::now() - begun).count());
+  Clock::time_point last = Clock::now();
+  const auto done = [&](std::size_t block, bool is_finished) {
+    const Clock::time_point begun = std::exchange(last, Clock::now());
+    note_done(block, is_finished, std::chrono::duration<double>(last - begun).count());
+  };
+  try {
+    work.run(
+        {[this](bool waits) { return next_block(waits); }, done,
+         even_part(work.blocks.size(), static_cast<std::size_t>(messages_.ranks() * threads_))});
+  } catch (const InputError& error) {
+    fail(error.what(), 2);
+  } catch (const std::bad_alloc&) {
+    fail("out of memory", 4);
+  } catch (const std::exception& error) {
+    fail(error.what(), 4);
   }
 }
 
 // Asks the first rank where none is left, and waits; nothing once the phase is over.
-std::optional<std::uint64_t> OtherRank::next_block() {
+std::optional<std::size_t> OtherRank::next_block(bool waits) {
   std::unique_lock lock(mutex_);
   for (;;) {
     if (is_over_ || has_failed_ || phase_over_ >= phase_) return {};
@@ -74,6 +77,7 @@ std::optional<std::uint64_t> OtherRank::next_block() {
       has_asked_ = true;
       send({Kind::kWant, {phase_, wish()}});
     }
+    if (!waits) return {};
     changed_.wait(lock);
   }
 }
@@ -91,7 +95,8 @@ void OtherRank::note_done(std::uint64_t block, bool is_finished, double seconds)
 std::uint64_t OtherRank::wish() const {
   constexpr double kSeconds = 0.05;
   constexpr double kMost = 1000.0;
-  if (mean_seconds_ <= 0.0) return static_cast<std::uint64_t>(threads_);
+  constexpr int kFirst = 16;  // a thread, which may do them side by side
+  if (mean_seconds_ <= 0.0) return static_cast<std::uint64_t>(kFirst * threads_);
   return static_cast<std::uint64_t>(std::clamp(kSeconds * threads_ / mean_seconds_, 1.0, kMost));
 }
 

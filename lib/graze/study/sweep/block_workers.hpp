@@ -21,15 +21,32 @@ class PieceStore {
   virtual void add(const std::string& name, const std::string& text) = 0;
 };
 
+// Where a thread gets its blocks from.
+struct BlockSource {
+  // The next block; nothing where none is left, or none for now, unless it `waits` for what others
+  // may leave.
+  std::function<std::optional<std::size_t>(bool waits)> next;
+  // Called for each of them. Not finished where it was stopped before its end.
+  std::function<void(std::size_t block, bool is_finished)> done;
+  // So many at a time leave enough for the others.
+  std::size_t at_once = 1;
+};
+
 // Blocks that depend on nothing but the work they belong to and the pieces that they name.
 struct BlockWork {
   std::vector<std::size_t> blocks;  // their numbers, in the order in which they are begun
   // The names of the pieces that a block makes or reads.
   std::function<std::vector<std::string>(std::size_t block)> pieces;
-  // Does a block, or recalls its pieces; several threads call it at once, each with another block.
-  // False where it was stopped before its end.
-  std::function<bool(std::size_t block)> run;
+  // Does blocks, or recalls their pieces, until no more come; several threads call it at once.
+  std::function<void(const BlockSource& source)> run;
 };
+
+// Blocks done one after the other, by `run_block`, which returns whether it finished.
+std::function<void(const BlockSource&)> one_by_one(
+    std::function<bool(std::size_t block)> run_block);
+
+// So many at a time share `blocks` evenly out to `workers`.
+std::size_t even_part(std::size_t blocks, std::size_t workers);
 
 class BlockWorkers {
  public:

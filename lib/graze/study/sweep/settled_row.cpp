@@ -1,5 +1,7 @@
 #include "graze/study/sweep/settled_row.hpp"
 
+#include <utility>
+
 #include "graze/assembly/initial_state.hpp"
 #include "graze/assembly/probes.hpp"
 #include "graze/orbit/search/detail/clear_state.hpp"
@@ -41,8 +43,8 @@ double closure_speed_of(const Scene& scene, const System& system, const RowOptio
       system, clear_start(scene, system).value_or(rest), scene.solver.tolerance));
 }
 
-bool settle_row(const Scene& scene, const System& system, const State& start,
-                const RowOptions& options, SweepRow& row) {
+SettleOptions settle_options(const Scene& scene, const System& system, const RowOptions& options,
+                             const SweepRow& row) {
   SettleOptions settling;
   settling.periods = options.periods;
   settling.max_impacts = options.max_impacts;
@@ -51,7 +53,12 @@ bool settle_row(const Scene& scene, const System& system, const State& start,
   settling.tail = options.samples;
   settling.stop = options.stop;
   if (row.start == SweepStart::kHandedOn) settling.from = "the state handed on";
-  row.motion = settle(system, start, settling);
+  return settling;
+}
+
+bool conclude_row(const Scene& scene, const System& system, const RowOptions& options,
+                  SettledMotion motion, SweepRow& row) {
+  row.motion = std::move(motion);
   if (!is_finished(row.motion)) return false;
   row.status = status_of(row.motion);
   row.message = row.status == SweepStatus::kSettled ? "" : row.motion.classification;
@@ -59,11 +66,17 @@ bool settle_row(const Scene& scene, const System& system, const State& start,
   ExponentOptions exponents;
   exponents.periods = options.exponent_periods;
   exponents.repeats = row.motion.period;
-  exponents.closure_speed = *settling.closure_speed;
+  exponents.closure_speed = closure_speed_of(scene, system, options);
   exponents.max_impacts = options.max_impacts;
   exponents.stop = options.stop;
   row.exponents = lyapunov_exponents(system, row.motion.at_end, exponents);
   return row.exponents->failure.empty() || !options.stop.requested();
+}
+
+bool settle_row(const Scene& scene, const System& system, const State& start,
+                const RowOptions& options, SweepRow& row) {
+  return conclude_row(scene, system, options,
+                      settle(system, start, settle_options(scene, system, options, row)), row);
 }
 
 AttractorClass attractor_class(const SweepRow& row) {

@@ -83,8 +83,16 @@ double closure_speed_of(const Scene& scene, const System& system, const RowOptio
 // Whether the motion was followed to the end of its periods, and left a state to go on from.
 bool was_followed(SweepStatus status);
 
-// Fills motion, status, message and, where they are wanted, exponents. `row.start` says where the
-// start comes from. False where it was stopped before that was done.
+// How the motion of a row is settled; `row.start` says where its start comes from.
+SettleOptions settle_options(const Scene& scene, const System& system, const RowOptions& options,
+                             const SweepRow& row);
+
+// Fills motion, status, message and, where they are wanted, exponents, by what the motion has
+// settled on. False where it was stopped before that was done.
+bool conclude_row(const Scene& scene, const System& system, const RowOptions& options,
+                  SettledMotion motion, SweepRow& row);
+
+// Both, with the settling between them.
 bool settle_row(const Scene& scene, const System& system, const State& start,
                 const RowOptions& options, SweepRow& row);
 

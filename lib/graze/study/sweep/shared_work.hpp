@@ -88,24 +88,33 @@ struct MadePieces {
   std::vector<std::optional<Piece>> pieces;
   bool is_complete = false;  // of the share
 };
-template <class Piece, class Options, class Make>
-MadePieces<Piece> make_pieces(const std::string& kind, std::size_t count, const Options& options,
-                              const Make& make) {
+// `run(made, counter)` is what does them (BlockWork::run), each into its place.
+template <class Piece, class Options, class Run>
+MadePieces<Piece> made_pieces(const std::string& kind, std::size_t count, const Options& options,
+                              const Run& run) {
   MadePieces<Piece> made;
   made.pieces.resize(count);
   ProgressCounter counter(options.progress, options.share.count(count));
   BlockWork work;
   work.blocks = options.share.blocks(count);
   work.pieces = [&](std::size_t i) { return std::vector{piece_name(kind, i)}; };
-  work.run = [&](std::size_t i) {
-    if (options.stop.requested()) return false;
-    made.pieces[i] = options.memory.get(piece_name(kind, i), [&] { return make(i); });
-    if (made.pieces[i]) counter.add();
-    return made.pieces[i].has_value();
-  };
+  work.run = run(made.pieces, counter);
   options.workers->do_blocks(work, options.threads, options.stop);
   made.is_complete = counter.is_complete();
   return made;
+}
+template <class Piece, class Options, class Make>
+MadePieces<Piece> make_pieces(const std::string& kind, std::size_t count, const Options& options,
+                              const Make& make) {
+  const auto run = [&](std::vector<std::optional<Piece>>& pieces, ProgressCounter& counter) {
+    return one_by_one([&](std::size_t i) {
+      if (options.stop.requested()) return false;
+      pieces[i] = options.memory.get(piece_name(kind, i), [&] { return make(i); });
+      if (pieces[i]) counter.add();
+      return pieces[i].has_value();
+    });
+  };
+  return made_pieces<Piece>(kind, count, options, run);
 }
 
 }  // namespace graze

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <string>
+#include <utility>
 
 #include "graze/assembly/assembly.hpp"
 #include "graze/assembly/initial_state.hpp"
@@ -10,6 +11,7 @@
 #include "graze/base/progress_counter.hpp"
 #include "graze/orbit/search/detail/clear_state.hpp"
 #include "graze/scene/parameter.hpp"
+#include "graze/study/sweep/detail/row_chains.hpp"
 #include "graze/system/scale.hpp"
 
 namespace graze {
@@ -27,14 +29,8 @@ class Sweeper {
     BlockWork work;
     work.blocks = options_.share.blocks(blocks);
     work.pieces = [&](std::size_t b) { return names("row", b * block, end_of(b, block)); };
-    work.run = [&](std::size_t b) {
-      for (std::size_t k = b * block; k < end_of(b, block); ++k) {
-        at(k) = row("row", k, k == b * block ? nullptr : &*at(k - 1));
-        if (!at(k)) return false;
-        counter.add();
-      }
-      return true;
-    };
+    work.run =
+        side_by_side(options_, [&](std::size_t b) { return block_chain(b, block, counter); });
     options_.workers->do_blocks(work, options_.threads, options_.stop);
     if (block > 1 && options_.share.is_all()) join_blocks(blocks, block);
     return collect(counter.is_complete());
@@ -59,34 +55,59 @@ class Sweeper {
     return list;
   }
 
-  // Nothing when it was stopped before it was finished.
-  std::optional<SweepRow> row(const char* what, std::size_t k, const SweepRow* before) {
-    return options_.memory.get(piece_name(what, k), [&] { return run(k, before); });
+  RowChain block_chain(std::size_t b, std::size_t block, ProgressCounter& counter) {
+    for (std::size_t k = b * block; k < end_of(b, block); ++k) {
+      const std::string name = piece_name("row", k);
+      const SweepRow* before = k == b * block ? nullptr : &*at(k - 1);
+      at(k) = recalled(name);
+      if (!at(k)) {
+        RowRun run;
+        if (begin(k, before, run)) {
+          co_await run;
+          if (!end(run)) co_return false;
+        }
+        keep(name, run.row);
+        at(k) = std::move(run.row);
+      }
+      counter.add();
+    }
+    co_return true;
   }
 
-  std::optional<SweepRow> run(std::size_t k, const SweepRow* before) {
-    SweepRow row;
-    row.value = sweep_value(options_, static_cast<int>(place(k)));
+  std::optional<SweepRow> recalled(const std::string& name) const {
+    return options_.memory.recall ? options_.memory.recall(name) : std::nullopt;
+  }
+  void keep(const std::string& name, const SweepRow& row) const {
+    if (options_.memory.keep) options_.memory.keep(name, row);
+  }
+
+  // False where the row has no start, and says so.
+  bool begin(std::size_t k, const SweepRow* before, RowRun& run) const {
+    run.row.value = sweep_value(options_, static_cast<int>(place(k)));
     try {
-      const Scene scene = with_parameter(family_.scene(), family_.parameter(), row.value);
-      const System system = assemble(scene);
-      State start;
-      if (before && was_followed(before->status) && is_clear(system, before->motion.at_end)) {
-        row.start = SweepStart::kHandedOn;
-        start = before->motion.at_end;
+      run.scene = with_parameter(family_.scene(), family_.parameter(), run.row.value);
+      run.system = assemble(run.scene);
+      if (before && was_followed(before->status) && is_clear(run.system, before->motion.at_end)) {
+        run.row.start = SweepStart::kHandedOn;
+        run.start = before->motion.at_end;
       } else {
-        if (before) row.start = SweepStart::kAnew;
-        start = initial_state(scene, system);
+        if (before) run.row.start = SweepStart::kAnew;
+        run.start = initial_state(run.scene, run.system);
       }
-      if (!settle_row(scene, system, start, options_, row)) return {};
-      row.motion.pattern.reset();
-      row.motion.points.clear();
-      keep_stop_states(system, row);
-      if (options_.measure && !measure_row(scene, system, options_, row)) return {};
     } catch (const InputError& error) {
-      row.message = error.what();
+      run.row.message = error.what();
+      return false;
     }
-    return row;
+    return true;
+  }
+
+  // What remains to be told once it has settled; false where it was stopped.
+  bool end(RowRun& run) const {
+    if (!run.is_finished) return false;
+    run.row.motion.pattern.reset();
+    run.row.motion.points.clear();
+    keep_stop_states(run.system, run.row);
+    return !options_.measure || measure_row(run.scene, run.system, options_, run.row);
   }
 
   static void keep_stop_states(const System& system, SweepRow& row) {
@@ -104,20 +125,37 @@ class Sweeper {
 
   // Runs the rows of the block that begins with `first` again, from what the one before it handed
   // on, until one of them settles on what the block had found.
-  Joint joint(const char* what, std::size_t first, std::size_t block) {
-    const std::size_t end = std::min(first + block, rows_.size());
-    Joint made;
-    made.rows.reserve(end - first);
-    std::optional<SweepRow> recalled_before, recalled;
-    for (std::size_t k = first; k < end && !made.is_finished; ++k) {
+  RowChain joint_chain(const char* what, std::size_t first, std::size_t block, Joint& made) {
+    const std::size_t end_row = std::min(first + block, rows_.size());
+    made.rows.reserve(end_row - first);
+    std::optional<SweepRow> recalled_before, recalled_there;
+    for (std::size_t k = first; k < end_row && !made.is_finished; ++k) {
       const SweepRow* before = k > first ? &made.rows.back() : found(k - 1, recalled_before);
-      const SweepRow* there = found(k, recalled);
-      if (!before || !there) return made;
-      std::optional<SweepRow> again = row(what, k, before);
-      if (!again) return made;
-      made.is_finished = k + 1 == end || is_same_attractor(*again, *there);
+      const SweepRow* there = found(k, recalled_there);
+      if (!before || !there) co_return false;
+      const std::string name = piece_name(what, k);
+      std::optional<SweepRow> again = recalled(name);
+      if (!again) {
+        RowRun run;
+        if (begin(k, before, run)) {
+          co_await run;
+          if (!end(run)) co_return false;
+        }
+        keep(name, run.row);
+        again = std::move(run.row);
+      }
+      made.is_finished = k + 1 == end_row || is_same_attractor(*again, *there);
       made.rows.push_back(std::move(*again));
     }
+    co_return made.is_finished;
+  }
+
+  // The same by itself.
+  Joint joint(const char* what, std::size_t first, std::size_t block) {
+    Joint made;
+    std::optional<std::size_t> left = first;
+    side_by_side(options_, [&](std::size_t) { return joint_chain(what, first, block, made); })(
+        {[&](bool) { return std::exchange(left, std::nullopt); }, [](std::size_t, bool) {}, 1});
     return made;
   }
 
@@ -140,10 +178,8 @@ class Sweeper {
         list.push_back(std::move(name));
       return list;
     };
-    work.run = [&](std::size_t b) {
-      ahead[b] = joint("ahead", b * block, block);
-      return ahead[b].is_finished;
-    };
+    work.run = side_by_side(
+        options_, [&](std::size_t b) { return joint_chain("ahead", b * block, block, ahead[b]); });
     // Where another process joins them, nothing is run again here.
     if (!options_.workers->do_blocks(work, options_.threads, options_.stop)) return;
     for (const Joint& joint : ahead) run_again_ += static_cast<int>(joint.rows.size());

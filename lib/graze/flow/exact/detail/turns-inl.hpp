@@ -1,5 +1,5 @@
-// e^{l s} - 1 of vectors of numbers, for kernels that are compiled once for every vector unit: to be
-// included after <hwy/foreach_target.h>.
+// e^{l s} - 1 of vectors of numbers, for kernels that are compiled once for every vector unit: to
+// be included after <hwy/foreach_target.h>.
 #include <hwy/contrib/math/math-inl.h>
 #include <hwy/highway.h>
 

@@ -1,5 +1,5 @@
-// What happens at the ends of the flights of a vector of lanes: the state there, the impact, and how
-// the next flight begins. To be included after <hwy/foreach_target.h>.
+// What happens at the ends of the flights of a vector of lanes: the state there, the impact, and
+// how the next flight begins. To be included after <hwy/foreach_target.h>.
 #include <hwy/highway.h>
 
 #include "graze/motion/lanes/detail/lane_search-inl.hpp"
@@ -43,7 +43,8 @@ HWY_INLINE Numbers of_hit(const LaneVector& lanes, LaneStopRow what, Numbers hit
 HWY_INLINE Chosen end_flight(const LaneVector& lanes, Chosen arrived) {
   const LaneColumns& c = *lanes.columns;
   const Numbers c0 = lanes.get(LaneRow::kCosine), n0 = lanes.get(LaneRow::kSine);
-  const Numbers lost = lanes.get(LaneRow::kForcingTurnRe), turned = lanes.get(LaneRow::kForcingTurnIm);
+  const Numbers lost = lanes.get(LaneRow::kForcingTurnRe),
+                turned = lanes.get(LaneRow::kForcingTurnIm);
   const Numbers cosine = hn::Add(c0, hn::MulSub(c0, lost, hn::Mul(n0, turned)));
   const Numbers sine = hn::Add(n0, hn::MulAdd(c0, turned, hn::Mul(n0, lost)));
   const Numbers half = lanes.get(LaneRow::kHalfFrequency), frequency = hn::Add(half, half);
@@ -51,7 +52,8 @@ HWY_INLINE Chosen end_flight(const LaneVector& lanes, Chosen arrived) {
   for (std::size_t j = 0; j < c.modes(); ++j) {
     const Numbers re = lanes.get(LaneModeRow::kAmplitude, j);
     const Numbers im = lanes.get(LaneModeRow::kAmplitudeIm, j);
-    const Numbers t_re = lanes.get(LaneModeRow::kTurnRe, j), t_im = lanes.get(LaneModeRow::kTurnIm, j);
+    const Numbers t_re = lanes.get(LaneModeRow::kTurnRe, j),
+                  t_im = lanes.get(LaneModeRow::kTurnIm, j);
     const Numbers y = hn::Add(re, hn::MulSub(re, t_re, hn::Mul(im, t_im)));
     const Numbers across = hn::Add(im, hn::MulAdd(re, t_im, hn::Mul(im, t_re)));
     const Numbers p_re = lanes.get(LaneModeRow::kResponseRe, j);
@@ -60,8 +62,8 @@ HWY_INLINE Chosen end_flight(const LaneVector& lanes, Chosen arrived) {
     const Numbers forced = hn::MulSub(p_re, cosine, hn::Mul(p_im, sine));
     const Numbers forced_rate = hn::Mul(frequency, hn::MulAdd(p_re, sine, hn::Mul(p_im, cosine)));
     const Numbers q = hn::Add(hn::Add(y, lanes.get(LaneModeRow::kOffset, j)), forced);
-    const Numbers free_rate =
-        hn::MulAdd(lanes.get(LaneModeRow::kDecay, j), y, hn::Mul(hn::Add(half_own, half_own), across));
+    const Numbers free_rate = hn::MulAdd(lanes.get(LaneModeRow::kDecay, j), y,
+                                         hn::Mul(hn::Add(half_own, half_own), across));
     const Numbers qdot = hn::Neg(hn::Add(free_rate, forced_rate));
     lanes.keep(c.row(LaneModeRow::kEnd, j), arrived, q);
     lanes.keep(c.row(LaneModeRow::kEndRate, j), arrived, qdot);
@@ -79,14 +81,15 @@ HWY_INLINE void settle_lanes(const LaneVector& lanes, Chosen contact, Numbers hi
   Numbers largest = number(0.0), reach = largest, whole = largest;
   for (std::size_t j = 0; j < c.modes(); ++j) {
     const Numbers q = lanes.get(LaneModeRow::kEnd, j), qdot = lanes.get(LaneModeRow::kEndRate, j);
-    const Numbers time = hn::Min(flight, hn::Div(number(1.0), lanes.get(LaneModeRow::kRate, j)));
+    const Numbers time = hn::Min(flight, lanes.get(LaneModeRow::kPerRate, j));
     const Numbers moves = hn::MulAdd(hn::Abs(qdot), time, hn::Abs(q));
     lanes.keep(c.row(LaneModeRow::kShare, j), moves);
     largest = hn::Max(largest, moves);
     reach = hn::MulAdd(of_hit(lanes, LanePairRow::kRow, hit, j), q, reach);
   }
+  const Numbers per_largest = hn::Div(number(1.0), largest);
   for (std::size_t j = 0; j < c.modes(); ++j) {
-    const Numbers part = hn::Div(lanes.get(LaneModeRow::kShare, j), largest);
+    const Numbers part = hn::Mul(lanes.get(LaneModeRow::kShare, j), per_largest);
     const Numbers row = of_hit(lanes, LanePairRow::kRow, hit, j);
     const Numbers share = hn::Mul(row, hn::Mul(part, part));
     lanes.keep(c.row(LaneModeRow::kShare, j), share);
@@ -94,8 +97,9 @@ HWY_INLINE void settle_lanes(const LaneVector& lanes, Chosen contact, Numbers hi
   }
   const Numbers offset = hn::Div(hn::Sub(of_hit(lanes, LaneStopRow::kGap, hit), reach), whole);
   for (std::size_t j = 0; j < c.modes(); ++j)
-    lanes.keep(c.row(LaneModeRow::kEnd, j), contact,
-               hn::MulAdd(offset, lanes.get(LaneModeRow::kShare, j), lanes.get(LaneModeRow::kEnd, j)));
+    lanes.keep(
+        c.row(LaneModeRow::kEnd, j), contact,
+        hn::MulAdd(offset, lanes.get(LaneModeRow::kShare, j), lanes.get(LaneModeRow::kEnd, j)));
 }
 
 // Sums over the modes of |b q|, |b q'| and of the sizes of what pushes at a stop.
@@ -108,7 +112,8 @@ HWY_INLINE LaneSizes sizes_at(const LaneVector& lanes, std::size_t i) {
     const Numbers row = hn::Abs(lanes.get(LanePairRow::kRow, i, j));
     const Numbers q = hn::Abs(lanes.get(LaneModeRow::kEnd, j));
     const Numbers qdot = hn::Abs(lanes.get(LaneModeRow::kEndRate, j));
-    const Numbers rate = lanes.get(LaneModeRow::kRate, j), decay = lanes.get(LaneModeRow::kDecay, j);
+    const Numbers rate = lanes.get(LaneModeRow::kRate, j),
+                  decay = lanes.get(LaneModeRow::kDecay, j);
     const Numbers away = hn::Add(q, hn::Abs(lanes.get(LaneModeRow::kOffset, j)));
     const Numbers damping = hn::Mul(hn::Add(decay, decay), qdot);
     const Numbers push = hn::Add(hn::Abs(lanes.get(LaneModeRow::kForce, j)),
@@ -130,7 +135,8 @@ HWY_INLINE Chosen is_lone(const LaneVector& lanes, Numbers hit, Numbers speed, N
     const Numbers gap = lanes.get(LaneStopRow::kGap, i);
     Numbers open = gap;
     for (std::size_t j = 0; j < c.modes(); ++j)
-      open = hn::NegMulAdd(lanes.get(LanePairRow::kRow, i, j), lanes.get(LaneModeRow::kEnd, j), open);
+      open =
+          hn::NegMulAdd(lanes.get(LanePairRow::kRow, i, j), lanes.get(LaneModeRow::kEnd, j), open);
     const Numbers rounding = hn::Mul(eps, hn::Add(hn::Abs(gap), sizes.reach));
     const Numbers near = hn::MulAdd(hn::Mul(eps, time), sizes.speed, rounding);
     lone = hn::And(lone, hn::Or(is_stop(hit, i), hn::Gt(open, near)));
@@ -146,8 +152,8 @@ HWY_INLINE Chosen hit_stops(const LaneVector& lanes, Chosen contact) {
   settle_lanes(lanes, contact, hit);
   Numbers speed = number(0.0), size = speed, push = speed;
   for (std::size_t j = 0; j < c.modes(); ++j)
-    speed = hn::MulAdd(of_hit(lanes, LanePairRow::kRow, hit, j), lanes.get(LaneModeRow::kEndRate, j),
-                       speed);
+    speed = hn::MulAdd(of_hit(lanes, LanePairRow::kRow, hit, j),
+                       lanes.get(LaneModeRow::kEndRate, j), speed);
   for (std::size_t i = 0; i < c.stops(); ++i) {
     const LaneSizes sizes = sizes_at(lanes, i);
     size = hn::Max(size, sizes.speed);
@@ -183,10 +189,8 @@ HWY_INLINE void begin_gaps(const LaneVector& lanes, Chosen chosen, Chosen contac
   for (std::size_t i = 0; i < c.stops(); ++i) {
     const Numbers re = lanes.get(LaneStopRow::kHarmonicRe, i);
     const Numbers im = lanes.get(LaneStopRow::kHarmonicIm, i);
-    lanes.keep(c.row(LaneStopRow::kForcedRe, i), chosen,
-               hn::MulSub(re, cosine, hn::Mul(im, sine)));
-    lanes.keep(c.row(LaneStopRow::kForcedIm, i), chosen,
-               hn::MulAdd(re, sine, hn::Mul(im, cosine)));
+    lanes.keep(c.row(LaneStopRow::kForcedRe, i), chosen, hn::MulSub(re, cosine, hn::Mul(im, sine)));
+    lanes.keep(c.row(LaneStopRow::kForcedIm, i), chosen, hn::MulAdd(re, sine, hn::Mul(im, cosine)));
     const Numbers gap = lanes.get(LaneStopRow::kGap, i);
     Numbers reach = zero, size = hn::Abs(gap);
     for (std::size_t j = 0; j < c.modes(); ++j) {
@@ -205,7 +209,8 @@ HWY_INLINE void begin_gaps(const LaneVector& lanes, Chosen chosen, Chosen contac
 }
 
 // The next flight, from kEnd and kAfterRate, at `local` in the period.
-HWY_INLINE void begin_flight(const LaneVector& lanes, Chosen chosen, Chosen contact, Numbers local) {
+HWY_INLINE void begin_flight(const LaneVector& lanes, Chosen chosen, Chosen contact,
+                             Numbers local) {
   const LaneColumns& c = *lanes.columns;
   const Numbers half = lanes.get(LaneRow::kHalfFrequency), frequency = hn::Add(half, half);
   const Products phase = products_near(hn::MulAdd(half, local, lanes.get(LaneRow::kHalfPhase)));
@@ -218,9 +223,8 @@ HWY_INLINE void begin_flight(const LaneVector& lanes, Chosen chosen, Chosen cont
     const Numbers forced_rate = hn::Mul(frequency, hn::MulAdd(p_re, sine, hn::Mul(p_im, cosine)));
     const Numbers y = hn::Sub(hn::Sub(q, lanes.get(LaneModeRow::kOffset, j)), forced);
     const Numbers ydot = hn::Add(qdot, forced_rate);
-    const Numbers own = lanes.get(LaneModeRow::kHalfFrequency, j);
-    const Numbers across = hn::Neg(hn::Div(
-        hn::MulAdd(lanes.get(LaneModeRow::kDecay, j), y, ydot), hn::Add(own, own)));
+    const Numbers across = hn::Neg(hn::Mul(hn::MulAdd(lanes.get(LaneModeRow::kDecay, j), y, ydot),
+                                           lanes.get(LaneModeRow::kPerFrequency, j)));
     const Numbers square = hn::MulAdd(y, y, hn::Mul(across, across));
     const Numbers sum = hn::Add(hn::Abs(y), hn::Abs(across));
     const Chosen in_range = hn::Gt(square, number(std::numeric_limits<double>::min()));

@@ -49,6 +49,8 @@ enum class LaneModeRow {
   kDecay,          // delta, 1/s
   kHalfFrequency,  // of the damped oscillation
   kRate,           // |l|, which is omega
+  kPerRate,        // 1/omega
+  kPerFrequency,   // 1/(2 kHalfFrequency)
   kResponseRe,     // P
   kResponseIm,
   kOffset,     // c/w^2
@@ -85,6 +87,12 @@ enum class LaneStopRow {
   kSlope,
   kCurvature,
   kThird,
+  kBound,  // see CurvePoint
+  kNoise,
+  kForcedSlope,  // the forcing's part
+  kForcedCurvature,
+  kForcedThird,
+  kDoubtful,  // 1 where the gap is within its rounding
   kCount
 };
 

@@ -40,9 +40,7 @@ class LaneMotions {
   double local(std::size_t lane) const { return columns_.row(LaneRow::kLocal)[lane]; }
   void end_state(std::size_t lane, Vector& q, Vector& qdot) const;
   double speed(std::size_t lane) const { return columns_.row(LaneRow::kSpeed)[lane]; }
-  int stop(std::size_t lane) const {
-    return static_cast<int>(columns_.row(LaneRow::kHit)[lane]);
-  }
+  int stop(std::size_t lane) const { return static_cast<int>(columns_.row(LaneRow::kHit)[lane]); }
   // Where the last flight of a lane that left began, in `period`.
   MotionState<double> departure(std::size_t lane, long long period) const;
 

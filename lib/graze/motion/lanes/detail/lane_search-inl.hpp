@@ -25,6 +25,8 @@ using Chosen = hn::Mask<Lanes>;
 inline constexpr double kEps = std::numeric_limits<double>::epsilon();
 // A flight that takes more looks is near a grazing; whoever looks after the lane goes on with it.
 inline constexpr double kMostLooks = 512.0;
+// Of the stretches that cubic_step() tries: a third one would take longer than it saves.
+inline constexpr int kTries = 2;
 
 HWY_INLINE Numbers number(double value) { return hn::Set(Lanes(), value); }
 HWY_INLINE Numbers unbounded() { return number(std::numeric_limits<double>::infinity()); }
@@ -50,11 +52,6 @@ struct LaneVector {
   }
 };
 
-// Of a gap at `at`; see CurvePoint.
-struct LanePoint {
-  Numbers value, slope, curvature, bound, third, noise;
-};
-
 // e^{l s} - 1 of forcing and modes at `at`.
 HWY_INLINE void turn_lanes(const LaneVector& lanes) {
   const LaneColumns& c = *lanes.columns;
@@ -71,11 +68,18 @@ HWY_INLINE void turn_lanes(const LaneVector& lanes) {
   }
 }
 
+// Sums over the terms of a gap at `at`; see CurvePoint.
+struct LanePoint {
+  Numbers value, slope, curvature, bound, third, noise;
+};
+
 // The forcing's part of the gap at stop i.
 HWY_INLINE LanePoint forced_point(const LaneVector& lanes, std::size_t i) {
+  const LaneColumns& c = *lanes.columns;
   const Numbers s = lanes.get(LaneRow::kAt), half = lanes.get(LaneRow::kHalfFrequency);
   const Numbers frequency = hn::Add(half, half), square = hn::Mul(frequency, frequency);
-  const Numbers re = lanes.get(LaneStopRow::kForcedRe, i), im = lanes.get(LaneStopRow::kForcedIm, i);
+  const Numbers re = lanes.get(LaneStopRow::kForcedRe, i);
+  const Numbers im = lanes.get(LaneStopRow::kForcedIm, i);
   const Numbers lost = lanes.get(LaneRow::kForcingTurnRe);
   const Numbers grown = hn::Add(number(1.0), lost), turned = lanes.get(LaneRow::kForcingTurnIm);
   const Numbers size = lanes.get(LaneStopRow::kHarmonicSize, i), bound = hn::Mul(size, square);
@@ -86,12 +90,14 @@ HWY_INLINE LanePoint forced_point(const LaneVector& lanes, std::size_t i) {
   point.bound = bound;
   point.third = hn::Mul(bound, frequency);
   point.noise = hn::Mul(size, hn::Mul(s, frequency));
+  lanes.keep(c.row(LaneStopRow::kForcedSlope, i), point.slope);
+  lanes.keep(c.row(LaneStopRow::kForcedCurvature, i), point.curvature);
+  lanes.keep(c.row(LaneStopRow::kForcedThird, i), point.third);
   return point;
 }
 
-// Adds mode j to the gap at stop i; leaves what is told of slow terms.
-HWY_INLINE void add_mode(const LaneVector& lanes, std::size_t i, std::size_t j, LanePoint& point,
-                         LanePoint& slow) {
+// Adds mode j to the gap at stop i.
+HWY_INLINE void add_mode(const LaneVector& lanes, std::size_t i, std::size_t j, LanePoint& point) {
   const LaneColumns& c = *lanes.columns;
   const Numbers re = lanes.get(LaneModeRow::kAmplitude, j);
   const Numbers im = lanes.get(LaneModeRow::kAmplitudeIm, j);
@@ -106,23 +112,36 @@ HWY_INLINE void add_mode(const LaneVector& lanes, std::size_t i, std::size_t j, 
   // Of y = Re(Z e^{l s}) with y'' = -2 delta y' - w^2 y.
   const Numbers slope = hn::Neg(hn::MulAdd(decay, own, hn::Mul(frequency, across)));
   const Numbers square = hn::Mul(rate, rate);
-  const Numbers curvature =
-      hn::Neg(hn::MulAdd(hn::Add(decay, decay), slope, hn::Mul(square, own)));
+  const Numbers curvature = hn::Neg(hn::MulAdd(hn::Add(decay, decay), slope, hn::Mul(square, own)));
   const Numbers size = lanes.get(LaneModeRow::kSize, j);
   const Numbers left = hn::Mul(weight, hn::Mul(size, lanes.get(LaneModeRow::kTurnDecay, j)));
-  const Numbers bound = hn::Mul(left, square), third = hn::Mul(bound, rate);
+  const Numbers bound = hn::Mul(left, square);
   point.value = hn::NegMulAdd(row, change, point.value);
+  point.slope = hn::NegMulAdd(row, slope, point.slope);
+  point.curvature = hn::NegMulAdd(row, curvature, point.curvature);
   point.bound = hn::Add(point.bound, bound);
-  point.noise =
-      hn::MulAdd(hn::MulAdd(size, weight, lanes.get(LanePairRow::kFormedFrom, i, j)),
-                 hn::Mul(lanes.get(LaneRow::kAt), rate), point.noise);
-  slow.slope = hn::NegMulAdd(row, slope, slow.slope);
-  slow.curvature = hn::NegMulAdd(row, curvature, slow.curvature);
-  slow.third = hn::Add(slow.third, third);
+  point.third = hn::MulAdd(bound, rate, point.third);
+  point.noise = hn::MulAdd(hn::MulAdd(size, weight, lanes.get(LanePairRow::kFormedFrom, i, j)),
+                           hn::Mul(lanes.get(LaneRow::kAt), rate), point.noise);
   lanes.keep(c.row(LanePairRow::kFall, i, j), hn::NegMulAdd(row, own, left));
-  lanes.keep(c.row(LanePairRow::kSlowSlope, i, j), slow.slope);
-  lanes.keep(c.row(LanePairRow::kSlowCurvature, i, j), slow.curvature);
-  lanes.keep(c.row(LanePairRow::kSlowThird, i, j), slow.third);
+  lanes.keep(c.row(LanePairRow::kSlowSlope, i, j), point.slope);
+  lanes.keep(c.row(LanePairRow::kSlowCurvature, i, j), point.curvature);
+  lanes.keep(c.row(LanePairRow::kSlowThird, i, j), point.third);
+}
+
+// The gap at stop i and its derivatives at `at`.
+HWY_INLINE void find_point(const LaneVector& lanes, std::size_t i) {
+  const LaneColumns& c = *lanes.columns;
+  LanePoint point = forced_point(lanes, i);
+  for (std::size_t j = 0; j < c.modes(); ++j) add_mode(lanes, i, j, point);
+  lanes.keep(c.row(LaneStopRow::kValue, i),
+             hn::Add(point.value, lanes.get(LaneStopRow::kStartValue, i)));
+  lanes.keep(c.row(LaneStopRow::kSlope, i), point.slope);
+  lanes.keep(c.row(LaneStopRow::kCurvature, i), point.curvature);
+  lanes.keep(c.row(LaneStopRow::kThird, i), point.third);
+  lanes.keep(c.row(LaneStopRow::kBound, i), point.bound);
+  lanes.keep(c.row(LaneStopRow::kNoise, i), hn::MulAdd(point.noise, number(kTermRoundings * kEps),
+                                                       lanes.get(LaneStopRow::kStartNoise, i)));
 }
 
 // As parabola_step() of first_zero.hpp; infinite where nothing ends it, not a number where that is
@@ -134,16 +153,29 @@ HWY_INLINE Numbers parabola_step(Numbers value, Numbers slope, Numbers bound) {
   const Chosen falls = hn::Lt(slope, zero);
   const Numbers above = hn::IfThenElse(falls, hn::Add(value, value), hn::Add(slope, root));
   const Numbers below = hn::IfThenElse(falls, hn::Sub(root, slope), bound);
-  const Chosen never =
-      hn::Or(hn::Lt(whole, zero), hn::AndNot(falls, hn::Le(bound, zero)));
+  const Chosen never = hn::Or(hn::Lt(whole, zero), hn::AndNot(falls, hn::Le(bound, zero)));
   return hn::IfThenElse(never, unbounded(), hn::Div(above, below));
 }
 
-// As cubic_step() there: of the terms that are kept in the sums `slow`.
-HWY_INLINE Numbers cubic_step(Numbers clear, const LanePoint& slow, Numbers first) {
+// Derivatives of a gap by its slow terms alone, and a bound on the third.
+struct SlowTerms {
+  Numbers slope, curvature, third;
+};
+HWY_INLINE SlowTerms slow_terms(const LaneVector& lanes, std::size_t i, std::size_t mode) {
+  return {lanes.get(LanePairRow::kSlowSlope, i, mode),
+          lanes.get(LanePairRow::kSlowCurvature, i, mode),
+          lanes.get(LanePairRow::kSlowThird, i, mode)};
+}
+HWY_INLINE SlowTerms forced_terms(const LaneVector& lanes, std::size_t i) {
+  return {lanes.get(LaneStopRow::kForcedSlope, i), lanes.get(LaneStopRow::kForcedCurvature, i),
+          lanes.get(LaneStopRow::kForcedThird, i)};
+}
+
+// As cubic_step() there.
+HWY_INLINE Numbers cubic_step(Numbers clear, const SlowTerms& slow, Numbers first) {
   const Numbers rise = hn::Mul(slow.third, number(1.0 / 3.0));
   Numbers h = first, best = number(0.0);
-  for (int i = 0; i < 3; ++i) {
+  for (int i = 0; i < kTries; ++i) {
     const Numbers step = parabola_step(clear, slow.slope, hn::MulSub(rise, h, slow.curvature));
     best = hn::Max(best, hn::IfThenElse(hn::Ge(step, number(0.0)), hn::Min(h, step), best));
     h = hn::IfThenElse(hn::Lt(step, hn::Mul(number(7.0), h)),
@@ -154,11 +186,11 @@ HWY_INLINE Numbers cubic_step(Numbers clear, const LanePoint& slow, Numbers firs
 
 // How far the gap at stop i is sure to stay open that has `clear` left, by its slow terms if the
 // quick ones cannot take away more than half of it.
-HWY_INLINE Numbers clear_step(const LaneVector& lanes, std::size_t i, const LanePoint& point,
-                              const LanePoint& forced, Numbers clear) {
+HWY_INLINE Numbers clear_step(const LaneVector& lanes, std::size_t i, Numbers clear) {
   const std::size_t modes = lanes.columns->modes();
-  const Numbers most = hn::Mul(point.value, number(0.5));
-  LanePoint slow = point;
+  const Numbers most = hn::Mul(lanes.get(LaneStopRow::kValue, i), number(0.5));
+  const Numbers slope = lanes.get(LaneStopRow::kSlope, i);
+  SlowTerms slow{slope, lanes.get(LaneStopRow::kCurvature, i), lanes.get(LaneStopRow::kThird, i)};
   Numbers fall = number(0.0);
   Chosen open = hn::Eq(fall, fall);
   for (std::size_t k = modes; k-- > 0;) {
@@ -166,16 +198,12 @@ HWY_INLINE Numbers clear_step(const LaneVector& lanes, std::size_t i, const Lane
     open = hn::And(open, hn::Le(next, most));
     if (hn::AllFalse(Lanes(), open)) break;
     fall = hn::IfThenElse(open, next, fall);
-    const bool any = k > 0;
-    slow.slope = hn::IfThenElse(
-        open, any ? lanes.get(LanePairRow::kSlowSlope, i, k - 1) : forced.slope, slow.slope);
-    slow.curvature = hn::IfThenElse(
-        open, any ? lanes.get(LanePairRow::kSlowCurvature, i, k - 1) : forced.curvature,
-        slow.curvature);
-    slow.third = hn::IfThenElse(
-        open, any ? lanes.get(LanePairRow::kSlowThird, i, k - 1) : forced.third, slow.third);
+    const SlowTerms fewer = k > 0 ? slow_terms(lanes, i, k - 1) : forced_terms(lanes, i);
+    slow.slope = hn::IfThenElse(open, fewer.slope, slow.slope);
+    slow.curvature = hn::IfThenElse(open, fewer.curvature, slow.curvature);
+    slow.third = hn::IfThenElse(open, fewer.third, slow.third);
   }
-  const Numbers whole = parabola_step(clear, point.slope, point.bound);
+  const Numbers whole = parabola_step(clear, slope, lanes.get(LaneStopRow::kBound, i));
   const Numbers told = cubic_step(hn::Sub(clear, fall), slow, hn::Add(whole, whole));
   const Chosen ends = hn::Lt(whole, unbounded());
   return hn::IfThenElse(ends, hn::Max(whole, told), whole);

@@ -71,7 +71,7 @@ class Settling {
   std::optional<NearbyOrbit> approached_;  // stable; solved for when the motion began to repeat
   double left_ = 0.0;                      // distance from it, one repetition ago at most
   long long solved_at_ = 0, next_solve_ = 0, leaving_until_ = 0;  // periods
-  long long in_period_ = 0;                                      // impacts
+  long long in_period_ = 0;                                       // impacts
   StopPoll poll_;
   bool over_ = false;
   SettledMotion result_;

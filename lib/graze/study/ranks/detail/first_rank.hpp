@@ -55,7 +55,7 @@ class FirstRank : public BlockWorkers {
 
   void start_phase(const BlockWork& work, const StopSignal& stop);
   void work_here();
-  std::optional<std::size_t> next_block();
+  std::optional<std::size_t> next_block(bool waits);
   bool is_ending() const { return failure_ || stop_.requested(); }
   void take(int from, const RankMessage& message) noexcept;
   void answer(int from, const RankMessage& message);
@@ -77,6 +77,7 @@ class FirstRank : public BlockWorkers {
   std::mutex mutex_;  // of what follows
   std::condition_variable changed_;
   const BlockWork* blocks_ = nullptr;  // of the phase
+  int threads_ = 1;
   StopSignal stop_;
   std::uint64_t phase_ = 0;
   // Only for this process: blocks all of whose pieces are known, or that another rank left.

@@ -49,7 +49,7 @@ class OtherRank : public BlockWorkers {
   };
 
   void work_here(const BlockWork& work);
-  std::optional<std::uint64_t> next_block();
+  std::optional<std::size_t> next_block(bool waits);
   void note_done(std::uint64_t block, bool is_finished, double seconds);
   std::uint64_t wish() const;
   void take(const RankMessage& message);
